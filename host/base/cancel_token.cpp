@@ -1,0 +1,11 @@
+#include "host/base/cancel_token.h"
+
+#include "host/base/error.h"
+
+namespace offing {
+
+void CancelToken::throw_if_cancelled() const {
+  if (cancelled()) throw Error(ErrorKind::cancelled, "stopped at the user's request");
+}
+
+}  // namespace offing

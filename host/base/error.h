@@ -1,0 +1,37 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace offing {
+
+/// What went wrong, as far as a caller can act on it. The command line maps it to an exit code.
+enum class ErrorKind {
+  bad_usage,      ///< the command line or an argument is wrong (exit 2)
+  bad_input,      ///< a file or a parameter value is wrong (exit 2)
+  no_device,      ///< no OpenCL platform or no device that fits (exit 3)
+  out_of_memory,  ///< host or device memory does not suffice (exit 1)
+  build_failed,   ///< an OpenCL program does not compile (exit 1)
+  device,         ///< any other OpenCL failure (exit 1)
+  file,           ///< a file cannot be read or written (exit 1)
+  cancelled,      ///< the user asked to stop (exit 130)
+};
+
+/// The one exception type. what() is one line: what and where, found and expected; hint() is one line with the
+/// mend, or empty.
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorKind kind, const std::string& what, std::string hint = {});
+
+  ErrorKind kind() const noexcept { return kind_; }
+  const std::string& hint() const noexcept { return hint_; }
+
+ private:
+  ErrorKind kind_;
+  std::string hint_;
+};
+
+/// Process exit status for an error of this kind: 1 failed, 2 usage or input, 3 no device, 130 cancelled.
+int exit_code(ErrorKind kind) noexcept;
+
+}  // namespace offing

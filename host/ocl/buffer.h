@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "host/ocl/device.h"
+
+typedef struct _cl_mem* cl_mem;
+
+namespace offing::ocl {
+
+namespace detail {
+
+/// Untyped device memory; Buffer<T> is its typed face. On a CPU device it lives in page-aligned host memory (huge
+/// pages where they pay), so that mapping costs nothing; quirks.h says where that must not be done.
+class Memory {
+ public:
+  Memory() = default;
+  Memory(const Device& device, std::size_t bytes, std::string_view name);
+  Memory(Memory&& other) noexcept;
+  Memory& operator=(Memory&& other) noexcept;
+  Memory(const Memory&) = delete;
+  Memory& operator=(const Memory&) = delete;
+  ~Memory();
+
+  std::size_t bytes() const { return bytes_; }
+  cl_mem handle() const { return memory_; }
+  void write(std::size_t offset_bytes, std::size_t bytes, const void* source);
+  void read(std::size_t offset_bytes, std::size_t bytes, void* target) const;
+  void fill(const void* pattern, std::size_t pattern_bytes);
+  const void* map_read() const;
+  void unmap(const void* pointer) const;
+
+ private:
+  struct HostPages;
+  std::shared_ptr<DeviceState> device_;
+  std::unique_ptr<HostPages, void (*)(HostPages*)> pages_{nullptr, nullptr};
+  cl_mem memory_ = nullptr;
+  std::size_t bytes_ = 0;
+  std::string name_;
+};
+
+}  // namespace detail
+
+/// A read-only view of a buffer's content in host memory, unmapped at the end of its life.
+template <class T>
+class MappedView {
+ public:
+  MappedView(const detail::Memory& memory, std::size_t count)
+      : memory_(&memory), data_(static_cast<const T*>(memory.map_read())), count_(count) {}
+  MappedView(const MappedView&) = delete;
+  MappedView& operator=(const MappedView&) = delete;
+  ~MappedView() { memory_->unmap(data_); }
+
+  std::span<const T> span() const { return {data_, count_}; }
+  const T& operator[](std::size_t i) const { return data_[i]; }
+
+ private:
+  const detail::Memory* memory_;
+  const T* data_;
+  std::size_t count_;
+};
+
+/// A typed array on a device, move-only. Transfers block; kernels that were queued before them are done by then.
+/// Throws Error(out_of_memory) naming the buffer when it does not fit.
+template <class T>
+class Buffer {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  Buffer() = default;
+  /// Uninitialised memory for `count` elements; `name` appears in error messages.
+  Buffer(const Device& device, std::size_t count, std::string_view name)
+      : memory_(device, count * sizeof(T), name), count_(count) {}
+  Buffer(const Device& device, std::span<const T> values, std::string_view name)
+      : Buffer(device, values.size(), name) {
+    write(values);
+  }
+
+  std::size_t size() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  cl_mem handle() const { return memory_.handle(); }
+
+  void write(std::span<const T> values, std::size_t first = 0) {
+    memory_.write(first * sizeof(T), values.size_bytes(), values.data());
+  }
+  void read(std::span<T> values, std::size_t first = 0) const {
+    memory_.read(first * sizeof(T), values.size_bytes(), values.data());
+  }
+  std::vector<T> read() const {
+    std::vector<T> values(count_);
+    read(values);
+    return values;
+  }
+  void fill(const T& value) { memory_.fill(&value, sizeof(T)); }
+  MappedView<T> map() const { return MappedView<T>(memory_, count_); }
+
+ private:
+  detail::Memory memory_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace offing::ocl

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <type_traits>
+
+#include "host/ocl/buffer.h"
+
+typedef struct _cl_kernel* cl_kernel;
+typedef struct _cl_event* cl_event;
+
+namespace offing::ocl {
+
+/// Global and local work sizes; local {0, ...} lets the driver choose.
+struct LaunchShape {
+  std::array<std::size_t, 3> global{1, 1, 1};
+  std::array<std::size_t, 3> local{0, 0, 0};
+};
+
+/// A __local pointer argument of this many bytes.
+struct LocalMemory {
+  std::size_t bytes = 0;
+};
+
+/// When a command ran on the device; meaningful on a device opened with Profiling::on.
+class Event {
+ public:
+  Event() = default;
+  explicit Event(cl_event event);
+  Event(Event&& other) noexcept;
+  Event& operator=(Event&& other) noexcept;
+  ~Event();
+  /// Waits for the command, then gives its run time on the device in seconds; throws Error(bad_usage) without
+  /// profiling.
+  double duration_s() const;
+
+ private:
+  cl_event event_ = nullptr;
+};
+
+/// A kernel with checked arguments.
+class Kernel {
+ public:
+  Kernel() = default;
+
+  /// Sets all arguments and queues the kernel. Arguments are Buffer<T> (for __global pointers), LocalMemory, or plain
+  /// 4- and 8-byte scalars and structs from kernels/shared. Throws Error(bad_usage) that names kernel and argument if
+  /// their number or size or kind differs from the kernel's; Error(device) or Error(out_of_memory) if the driver
+  /// refuses.
+  template <class... Args>
+  Event launch(const LaunchShape& shape, const Args&... args) const {
+    begin_launch(sizeof...(Args));
+    int index = 0;
+    (set_argument(index++, args), ...);
+    return enqueue(shape);
+  }
+
+  const std::string& name() const;
+  /// CL_KERNEL_WORK_GROUP_SIZE: the largest work-group this kernel can run with.
+  std::size_t max_work_group_size() const;
+
+ private:
+  friend class Program;
+  struct State;
+  explicit Kernel(std::shared_ptr<State> state) : state_(std::move(state)) {}
+
+  template <class T>
+  void set_argument(int index, const Buffer<T>& buffer) const {
+    set_memory(index, buffer.handle());
+  }
+  void set_argument(int index, const LocalMemory& local) const;
+  template <class T>
+    requires std::is_trivially_copyable_v<T>
+  void set_argument(int index, const T& value) const {
+    set_value(index, sizeof(T), &value);
+  }
+
+  void begin_launch(std::size_t argument_count) const;
+  void set_memory(int index, cl_mem memory) const;
+  void set_value(int index, std::size_t bytes, const void* value) const;
+  Event enqueue(const LaunchShape& shape) const;
+
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace offing::ocl

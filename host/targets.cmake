@@ -1,0 +1,28 @@
+# How every Offing target is compiled: one place for the language level, warnings and sanitizers.
+
+# Compile options and includes shared by libraries, programs and tests. Includes are written from the
+# repository root, so that each #include line shows which folder depends on which.
+function(offing_configure target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/offing>)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
+    $<$<BOOL:${OFFING_WARNINGS_AS_ERRORS}>:-Werror>)
+  if(OFFING_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${OFFING_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${OFFING_SANITIZE})
+  endif()
+endfunction()
+
+# offing_library(<name> SOURCES <files...> LINKS <public libraries...> [PRIVATE_LINKS <libraries...>])
+# makes offing_<name> with the alias offing::<name>.
+function(offing_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(offing_${name} STATIC ${ARG_SOURCES})
+  add_library(offing::${name} ALIAS offing_${name})
+  set_target_properties(offing_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  offing_configure(offing_${name})
+  target_link_libraries(offing_${name} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
+endfunction()
