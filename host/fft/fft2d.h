@@ -1,0 +1,42 @@
+#pragma once
+
+#include "host/ocl/buffer.h"
+#include "host/ocl/kernel.h"
+
+namespace offing::fft {
+
+/// Sign of the exponent. Neither direction scales: inverse(forward(x)) = n^2 x.
+enum class Direction {
+  forward,  ///< X(k) = sum x(j) e^(-2 pi i jk / n)
+  inverse,  ///< x(j) = sum X(k) e^(+2 pi i jk / n), the transform of PAPERS O1
+};
+
+/// Batched two-dimensional complex transforms of one size in single precision, n a power of two from 16 to 4096.
+/// Arrays are interleaved complex: float [batch][n][n][2], row-major.
+///
+/// The error is within (PAPERS O11; Higham 2002, chapter 24) log2(n^2) * 5.2e-7 of the result's root mean square;
+/// tests/fft/fft2d_test.cpp has the derivation and the measured values.
+class Fft2d {
+ public:
+  /// Throws Error(bad_input) if size is not a power of two in [16, 4096] or batch < 1.
+  Fft2d(const ocl::Device& device, int size, int batch, Direction direction);
+
+  int size() const { return size_; }
+  int batch() const { return batch_; }
+  /// Floats that an input or output buffer must hold: batch * n * n * 2.
+  std::size_t float_count() const;
+
+  /// Enqueues the transform. `output` may be `input`. Throws Error(bad_input) if a buffer is too small.
+  void transform(const ocl::Buffer<float>& input, ocl::Buffer<float>& output);
+
+ private:
+  int size_;
+  int batch_;
+  ocl::Kernel rows_;
+  ocl::Kernel columns_;
+  ocl::Buffer<float> row_twiddles_;
+  ocl::Buffer<float> column_twiddles_;
+  ocl::Buffer<float> intermediate_;
+};
+
+}  // namespace offing::fft
