@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+
+namespace offing {
+
+/// A file that appears under its final name whole or not at all, also after kill -9 or a power cut.
+///
+/// Bytes go to a temporary name in the target's own folder (`.ocean.0003.exr.<16 hex digits>.partial`),
+/// locked for as long as this object lives; commit() flushes, syncs the file, renames it over the target and
+/// syncs the folder. Destroying the object without commit() removes the temporary. Libraries that want a name
+/// write to temporary(). Every failure throws Error(file) that names the target and what the system said; a
+/// full disk says so in its hint. Error(bad_input) if the target is a folder, a device or anything else that
+/// a rename must not replace.
+class AtomicFile {
+ public:
+  explicit AtomicFile(std::filesystem::path target);
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  ~AtomicFile();
+
+  const std::filesystem::path& target() const { return target_; }
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+  void write(const void* data, std::size_t bytes);
+  void write(std::string_view text) { write(text.data(), text.size()); }
+
+  /// Position of the next write, bytes from the start; for formats whose tables are filled in last.
+  std::uint64_t position() const;
+  void seek(std::uint64_t position);
+
+  /// Publishes the file. Call once, last.
+  void commit();
+
+ private:
+  [[noreturn]] void fail(std::string_view action, int error_number) const;
+  void discard() noexcept;
+
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;
+  std::FILE* file_ = nullptr;
+};
+
+/// Writes `bytes` to `target` in one go, as AtomicFile does.
+void write_file_atomically(const std::filesystem::path& target, std::string_view bytes);
+
+/// Removes temporaries that killed runs left in `folder` for targets whose name begins with `name_prefix`
+/// (empty: all). Those of living writers, in this or any other process, are locked and stay. Returns how many
+/// were removed; a folder that does not exist holds none. Files that cannot be opened or removed are left
+/// alone.
+std::size_t remove_stale_partials(const std::filesystem::path& folder, std::string_view name_prefix = {});
+
+}  // namespace offing
