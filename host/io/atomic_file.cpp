@@ -143,7 +143,8 @@ void AtomicFile::discard() noexcept {
   file_ = nullptr;
 }
 
-void AtomicFile::fail(std::string_view action, int error_number) const {
+void AtomicFile::fail(std::string_view action, int error_number) {
+  first_error_ = error_number;
   const std::string reason = std::error_code(error_number, std::generic_category()).message();
   throw Error(ErrorKind::file, fmt::format("{}: {}: {}", target_.string(), action, reason),
               hint_for(error_number, target_));
@@ -153,7 +154,7 @@ void AtomicFile::write(const void* data, std::size_t bytes) {
   if (bytes != 0 && std::fwrite(data, 1, bytes, file_) != bytes) fail("cannot write", errno);
 }
 
-std::uint64_t AtomicFile::position() const {
+std::uint64_t AtomicFile::position() {
   const off_t position = ftello(file_);
   if (position < 0) fail("cannot tell the position", errno);
   return static_cast<std::uint64_t>(position);
@@ -164,6 +165,7 @@ void AtomicFile::seek(std::uint64_t position) {
 }
 
 void AtomicFile::commit() {
+  if (first_error_ != 0) fail("cannot write", first_error_);
   if (std::fflush(file_) != 0) fail("cannot write", errno);
   if (fsync(fileno(file_)) != 0) fail("cannot sync", errno);
   if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot rename", errno);

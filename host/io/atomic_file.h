@@ -30,19 +30,20 @@ class AtomicFile {
   void write(std::string_view text) { write(text.data(), text.size()); }
 
   /// Position of the next write, bytes from the start; for formats whose tables are filled in last.
-  std::uint64_t position() const;
+  std::uint64_t position();
   void seek(std::uint64_t position);
 
   /// Publishes the file. Call once, last.
   void commit();
 
  private:
-  [[noreturn]] void fail(std::string_view action, int error_number) const;
+  [[noreturn]] void fail(std::string_view action, int error_number);
   void discard() noexcept;
 
   std::filesystem::path target_;
   std::filesystem::path temporary_;
   std::FILE* file_ = nullptr;
+  int first_error_ = 0;  ///< errno of the first failure
 };
 
 /// Writes `bytes` to `target` in one go, as AtomicFile does.

@@ -1,0 +1,254 @@
+#include "host/io/exr_image.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include <Imath/half.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfDoubleAttribute.h>
+#include <OpenEXR/ImfFloatAttribute.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfThreading.h>
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/io/atomic_file.h"
+
+namespace offing {
+namespace {
+
+constexpr float largest_half = 65504.0f;
+
+/// Lets OpenEXR write into an AtomicFile.
+class AtomicStream : public Imf::OStream {
+ public:
+  explicit AtomicStream(AtomicFile& file) : Imf::OStream(file.target().c_str()), file_(file) {}
+  void write(const char bytes[], int count) override { file_.write(bytes, static_cast<std::size_t>(count)); }
+  uint64_t tellp() override { return file_.position(); }
+  void seekp(uint64_t position) override { file_.seek(position); }
+
+ private:
+  AtomicFile& file_;
+};
+
+/// Compression runs on OpenEXR's own pool, one for the process; line blocks are still written in order.
+void start_compression_threads() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    if (Imf::globalThreadCount() < threads) Imf::setGlobalThreadCount(threads);
+  });
+}
+
+Imf::Compression imf_compression(ExrCompression compression) {
+  switch (compression) {
+    case ExrCompression::none:
+      return Imf::NO_COMPRESSION;
+    case ExrCompression::zips:
+      return Imf::ZIPS_COMPRESSION;
+    case ExrCompression::piz:
+      return Imf::PIZ_COMPRESSION;
+    default:
+      return Imf::ZIP_COMPRESSION;
+  }
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& what,
+                         const std::string& hint) {
+  throw Error(ErrorKind::bad_input, fmt::format("{}: {}", path.string(), what), hint);
+}
+
+void check(const std::filesystem::path& path, const ExrImage& image) {
+  if (image.width < 1 || image.height < 1 || image.channels.empty()) {
+    refuse(path,
+           fmt::format("cannot write an image of {}x{} pixels with {} channels", image.width, image.height,
+                       image.channels.size()),
+           "give at least one pixel and one channel");
+  }
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  std::set<std::string> names;
+  for (const ImageChannel& channel : image.channels) {
+    if (channel.name.empty() || channel.name.size() > 255 || !names.insert(channel.name).second) {
+      refuse(path, fmt::format("channel name \"{}\" is empty, too long or used twice", channel.name),
+             "give each channel a name of its own of at most 255 letters");
+    }
+    if (channel.values.size() != pixels) {
+      refuse(
+          path,
+          fmt::format("channel {}: expected {} values, got {}", channel.name, pixels, channel.values.size()),
+          "give width x height values");
+    }
+    const auto nan =
+        std::find_if(channel.values.begin(), channel.values.end(), [](float v) { return std::isnan(v); });
+    if (nan != channel.values.end()) {
+      const long place = nan - channel.values.begin();
+      refuse(path,
+             fmt::format("channel {}: NaN at row {}, column {}", channel.name, place / image.width,
+                         place % image.width),
+             "find out where the simulation left the finite numbers; such a frame is not worth keeping");
+    }
+  }
+}
+
+Imf::Header header_of(const std::filesystem::path& path, const ExrImage& image, PixelType pixel_type,
+                      ExrCompression compression) {
+  Imf::Header header(image.width, image.height);
+  header.compression() = imf_compression(compression);
+  header.lineOrder() = Imf::INCREASING_Y;  // the one order whose bytes do not depend on how threads finish
+  for (const ImageChannel& channel : image.channels) {
+    header.channels().insert(channel.name,
+                             Imf::Channel(pixel_type == PixelType::half_16 ? Imf::HALF : Imf::FLOAT));
+  }
+  for (const auto& [name, value] : image.attributes) {
+    if (name.empty() || header.find(name) != header.end()) {
+      refuse(path, fmt::format("attribute name \"{}\" is empty, used twice or one of EXR's own", name),
+             "choose another attribute name");
+    }
+    if (const auto* text = std::get_if<std::string>(&value)) {
+      header.insert(name, Imf::StringAttribute(*text));
+    } else if (const auto* number = std::get_if<double>(&value)) {
+      header.insert(name, Imf::DoubleAttribute(*number));
+    } else {
+      header.insert(name, Imf::IntAttribute(std::get<int>(value)));
+    }
+  }
+  return header;
+}
+
+std::vector<half> halves_of(std::span<const float> values) {
+  std::vector<half> halves(values.size());
+  std::transform(values.begin(), values.end(), halves.begin(),
+                 [](float value) { return half(std::clamp(value, -largest_half, largest_half)); });
+  return halves;
+}
+
+/// OpenEXR takes no const pointers, though it only reads what it writes to a file.
+char* slice_base(const void* values) {
+  return const_cast<char*>(static_cast<const char*>(values));
+}
+
+ExrAttributes attributes_of(const Imf::Header& header) {
+  ExrAttributes attributes;
+  for (auto entry = header.begin(); entry != header.end(); ++entry) {
+    const Imf::Attribute& attribute = entry.attribute();
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute)) {
+      attributes.emplace_back(entry.name(), text->value());
+    } else if (const auto* number = dynamic_cast<const Imf::DoubleAttribute*>(&attribute)) {
+      attributes.emplace_back(entry.name(), number->value());
+    } else if (const auto* single = dynamic_cast<const Imf::FloatAttribute*>(&attribute)) {
+      attributes.emplace_back(entry.name(), double{single->value()});
+    } else if (const auto* integer = dynamic_cast<const Imf::IntAttribute*>(&attribute)) {
+      attributes.emplace_back(entry.name(), integer->value());
+    }
+  }
+  return attributes;
+}
+
+/// Runs `read` on the opened file; what OpenEXR throws becomes an Error that names the file.
+template <typename Read>
+auto with_input(const std::filesystem::path& path, Read read) {
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(path, failure)) {
+    throw Error(ErrorKind::file, fmt::format("{}: cannot read: no such file", path.string()),
+                "check the path");
+  }
+  try {
+    Imf::InputFile file(path.c_str());
+    return read(file);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    refuse(path, fmt::format("not a whole EXR file: {}", error.what()), "bake this frame again");
+  }
+}
+
+ExrContent content_of(const std::filesystem::path& path, Imf::InputFile& file) {
+  const Imath::Box2i window = file.header().dataWindow();
+  ExrContent content;
+  content.width = window.max.x - window.min.x + 1;
+  content.height = window.max.y - window.min.y + 1;
+  content.attributes = attributes_of(file.header());
+  const std::size_t columns = static_cast<std::size_t>(content.width);
+  Imf::FrameBuffer frame;
+  const Imf::ChannelList& channels = file.header().channels();
+  for (auto entry = channels.begin(); entry != channels.end(); ++entry) {
+    if (entry.channel().xSampling != 1 || entry.channel().ySampling != 1) {
+      refuse(path, fmt::format("channel {} is subsampled", entry.name()), "store every channel at full size");
+    }
+    content.channels.push_back(
+        {entry.name(), std::vector<float>(columns * static_cast<std::size_t>(content.height))});
+    // OpenEXR addresses pixels from the data window's origin, so the base lies before the array.
+    const std::ptrdiff_t origin = window.min.x + std::ptrdiff_t{window.min.y} * content.width;
+    char* const base =
+        slice_base(content.channels.back().values.data()) - origin * std::ptrdiff_t{sizeof(float)};
+    frame.insert(entry.name(), Imf::Slice(Imf::FLOAT, base, sizeof(float), sizeof(float) * columns));
+  }
+  file.setFrameBuffer(frame);
+  file.readPixels(window.min.y, window.max.y);
+  return content;
+}
+
+}  // namespace
+
+const std::vector<float>& ExrContent::channel(const std::string& name) const {
+  const auto found = std::find_if(channels.begin(), channels.end(),
+                                  [&](const Channel& channel) { return channel.name == name; });
+  if (found == channels.end()) {
+    throw Error(ErrorKind::bad_input, fmt::format("the EXR image has no channel {}", name),
+                "list its channels with exrheader");
+  }
+  return found->values;
+}
+
+void write_exr(const std::filesystem::path& path, const ExrImage& image, PixelType pixel_type,
+               ExrCompression compression) {
+  check(path, image);
+  start_compression_threads();
+  const Imf::Header header = header_of(path, image, pixel_type, compression);
+  const std::size_t columns = static_cast<std::size_t>(image.width);
+  std::vector<std::vector<half>> halves;
+  Imf::FrameBuffer frame;
+  for (const ImageChannel& channel : image.channels) {
+    if (pixel_type == PixelType::half_16) {
+      halves.push_back(halves_of(channel.values));
+      frame.insert(channel.name, Imf::Slice(Imf::HALF, slice_base(halves.back().data()), sizeof(half),
+                                            sizeof(half) * columns));
+    } else {
+      frame.insert(channel.name, Imf::Slice(Imf::FLOAT, slice_base(channel.values.data()), sizeof(float),
+                                            sizeof(float) * columns));
+    }
+  }
+  AtomicFile file(path);
+  try {
+    AtomicStream stream(file);
+    Imf::OutputFile output(stream, header);
+    output.setFrameBuffer(frame);
+    output.writePixels(image.height);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Error(ErrorKind::file, fmt::format("{}: OpenEXR cannot write: {}", path.string(), error.what()));
+  }
+  file.commit();
+}
+
+ExrContent read_exr(const std::filesystem::path& path) {
+  return with_input(path, [&](Imf::InputFile& file) { return content_of(path, file); });
+}
+
+ExrAttributes read_exr_attributes(const std::filesystem::path& path) {
+  return with_input(path, [](Imf::InputFile& file) { return attributes_of(file.header()); });
+}
+
+}  // namespace offing

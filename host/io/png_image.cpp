@@ -1,0 +1,81 @@
+#include "host/io/png_image.h"
+
+#include <cerrno>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include "host/base/error.h"
+#include "host/io/atomic_file.h"
+
+namespace offing {
+
+std::uint8_t srgb_from_linear(float linear) {
+  if (!(linear > 0.0f)) return 0;
+  if (linear >= 1.0f) return 255;
+  const float encoded =
+      linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+  return static_cast<std::uint8_t>(std::lround(255.0f * encoded));
+}
+
+void write_png(const std::filesystem::path& path, const RgbImage& image) {
+  const std::size_t bytes =
+      image.width < 1 || image.height < 1
+          ? 0
+          : std::size_t{3} * static_cast<unsigned>(image.width) * static_cast<unsigned>(image.height);
+  if (bytes == 0 || image.rgb.size() != bytes) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: cannot write a picture of {}x{} pixels from {} bytes", path.string(),
+                            image.width, image.height, image.rgb.size()),
+                "give width x height x 3 bytes");
+  }
+  png_image description{};
+  description.version = PNG_IMAGE_VERSION;
+  description.width = static_cast<png_uint_32>(image.width);
+  description.height = static_cast<png_uint_32>(image.height);
+  description.format = PNG_FORMAT_RGB;
+  std::string encoded(PNG_IMAGE_PNG_SIZE_MAX(description), '\0');
+  png_alloc_size_t size = encoded.size();
+  if (png_image_write_to_memory(&description, encoded.data(), &size, 0, image.rgb.data(), 0, nullptr) == 0) {
+    throw Error(ErrorKind::file, fmt::format("{}: cannot encode: {}", path.string(), description.message),
+                "make the picture smaller");
+  }
+  encoded.resize(size);
+  write_file_atomically(path, encoded);
+}
+
+RgbImage read_png(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file.good() && !file.eof()) {
+    throw Error(ErrorKind::file, fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)),
+                "check the path");
+  }
+  png_image description{};
+  description.version = PNG_IMAGE_VERSION;
+  RgbImage image;
+  bool decoded = png_image_begin_read_from_memory(&description, bytes.data(), bytes.size()) != 0;
+  if (decoded) {
+    description.format = PNG_FORMAT_RGB;
+    image.width = static_cast<int>(description.width);
+    image.height = static_cast<int>(description.height);
+    image.rgb.resize(PNG_IMAGE_SIZE(description));
+    const png_color black{0, 0, 0};
+    decoded = png_image_finish_read(&description, &black, image.rgb.data(), 0, nullptr) != 0;
+  }
+  if (!decoded) {
+    const std::string reason = description.message;
+    png_image_free(&description);
+    throw Error(ErrorKind::bad_input, fmt::format("{}: not a whole PNG file: {}", path.string(), reason),
+                "make the picture again");
+  }
+  return image;
+}
+
+}  // namespace offing

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace offing {
+
+/// An sRGB picture: rgb [height][width][3] row-major, row 0 at the top, 0 ... 255.
+struct RgbImage {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+/// sRGB byte of a linear intensity; 0 and below (and NaN) give 0, 1 and above 255. IEC 61966-2-1.
+std::uint8_t srgb_from_linear(float linear);
+
+/// Writes an 8-bit PNG marked as sRGB, atomically; equal pictures give equal bytes.
+/// Throws Error(bad_input) for an empty picture or pixels that do not match its size, Error(file) if it
+/// cannot be written.
+void write_png(const std::filesystem::path& path, const RgbImage& image);
+
+/// Reads any PNG as 8-bit RGB, transparency over black. Throws Error(file) if it cannot be read,
+/// Error(bad_input) if it is no PNG.
+RgbImage read_png(const std::filesystem::path& path);
+
+}  // namespace offing

@@ -1,0 +1,72 @@
+#include "host/io/png_image.h"
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "tests/io/temporary_folder.h"
+
+namespace offing {
+namespace {
+
+RgbImage ramp() {
+  RgbImage image{31, 17, {}};
+  for (int i = 0; i < 31 * 17 * 3; ++i) image.rgb.push_back(static_cast<std::uint8_t>(i * 7));
+  return image;
+}
+
+std::string content(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Fails if rows are flipped or padded, channels swapped or bytes changed by a colour conversion.
+TEST(PngImage, PixelsReturn) {
+  const TemporaryFolder folder;
+  write_png(folder.path() / "a.png", ramp());
+  const RgbImage read = read_png(folder.path() / "a.png");
+  EXPECT_EQ(read.width, 31);
+  EXPECT_EQ(read.height, 17);
+  EXPECT_EQ(read.rgb, ramp().rgb);
+}
+
+// Fails if a time stamp gets into the file, or the sRGB mark does not.
+TEST(PngImage, EqualPicturesGiveEqualBytes) {
+  const TemporaryFolder folder;
+  write_png(folder.path() / "a.png", ramp());
+  write_png(folder.path() / "b.png", ramp());
+  EXPECT_EQ(content(folder.path() / "a.png"), content(folder.path() / "b.png"));
+  EXPECT_NE(content(folder.path() / "a.png").find("sRGB"), std::string::npos);
+  EXPECT_EQ(content(folder.path() / "a.png").find("tIME"), std::string::npos);
+}
+
+// Fails if the transfer function is a bare power or the ends leave 0 ... 255. Middle: 0.5 -> 187.5 of 255
+// (IEC 61966-2-1).
+TEST(PngImage, EncodesSrgb) {
+  EXPECT_EQ(srgb_from_linear(0.0f), 0);
+  EXPECT_EQ(srgb_from_linear(-1.0f), 0);
+  EXPECT_EQ(srgb_from_linear(std::nanf("")), 0);
+  EXPECT_EQ(srgb_from_linear(1.0f), 255);
+  EXPECT_EQ(srgb_from_linear(9.0f), 255);
+  EXPECT_EQ(srgb_from_linear(0.5f), 188);
+  EXPECT_EQ(srgb_from_linear(0.002f),
+            7);  // linear toe: 12.92 * 0.002 * 255 = 6.6; a power of 1/2.4 would give 5
+}
+
+// Fails if an empty picture, a wrong size or a broken file goes unnoticed.
+TEST(PngImage, BadInputIsRefused) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(write_png(folder.path() / "a.png", RgbImage{0, 4, {}}), Error);
+  EXPECT_THROW(write_png(folder.path() / "a.png", RgbImage{2, 2, std::vector<std::uint8_t>(11)}), Error);
+  EXPECT_THROW(read_png(folder.path() / "missing.png"), Error);
+  write_png(folder.path() / "a.png", ramp());
+  std::filesystem::resize_file(folder.path() / "a.png", 100);
+  EXPECT_THROW(read_png(folder.path() / "a.png"), Error);
+}
+
+}  // namespace
+}  // namespace offing
