@@ -1,4 +1,5 @@
-# How every Offing target is compiled: one place for the language level, warnings and sanitizers.
+# How every Offing target is compiled and installed: one place for the language level, warnings, sanitizers
+# and the list of what a find_package(Offing) offers.
 
 # Compile options and includes shared by libraries, programs and tests. Includes are written from the
 # repository root, so that each #include line shows which folder depends on which.
@@ -11,13 +12,16 @@ function(offing_configure target)
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
     $<$<BOOL:${OFFING_WARNINGS_AS_ERRORS}>:-Werror>)
   if(OFFING_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=${OFFING_SANITIZE} -fno-omit-frame-pointer)
+    target_compile_options(${target} PRIVATE
+      -fsanitize=${OFFING_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=${OFFING_SANITIZE})
   endif()
 endfunction()
 
 # offing_library(<name> SOURCES <files...> LINKS <public libraries...> [PRIVATE_LINKS <libraries...>])
-# makes offing_<name> with the alias offing::<name>.
+# makes offing_<name> with the alias offing::<name>, and installs it with the headers of its folder (and of
+# shared/ below it) under include/offing/ in the same tree. A library outside Offing that it links needs a row in
+# host/install/dependencies.cmake. Declare a library after those it links: offing.pc lists them in that order.
 function(offing_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   add_library(offing_${name} STATIC ${ARG_SOURCES})
@@ -25,4 +29,8 @@ function(offing_library name)
   set_target_properties(offing_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   offing_configure(offing_${name})
   target_link_libraries(offing_${name} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
+
+  file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h ${CMAKE_CURRENT_SOURCE_DIR}/shared/*.h)
+  target_sources(offing_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
+  set_property(GLOBAL APPEND PROPERTY OFFING_LIBRARIES offing_${name})
 endfunction()
