@@ -1,0 +1,47 @@
+#include "host/scene/nearest_name.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace offing::scene {
+
+namespace {
+
+/// Levenshtein 1966, by the usual two-row recurrence.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> above(b.size() + 1);
+  std::iota(above.begin(), above.end(), std::size_t{0});
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t change = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({change, above[j] + 1, row[j - 1] + 1});
+    }
+    std::swap(above, row);
+  }
+  return above[b.size()];
+}
+
+}  // namespace
+
+std::string_view nearest_name(std::string_view name, std::span<const std::string_view> candidates) {
+  if (name.size() > 100) {  // nobody's misspelling; keeps hostile input cheap
+    return {};
+  }
+  std::string_view best;
+  std::size_t best_distance = name.size() / 3 + 1;
+  for (const std::string_view candidate : candidates) {
+    // A name without its unit is right but for the end.
+    const bool is_cut_short = name.size() >= 3 && candidate.starts_with(name);
+    const std::size_t distance = is_cut_short ? 0 : edit_distance(name, candidate);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+}  // namespace offing::scene

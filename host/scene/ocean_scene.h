@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/ocean/ocean.h"
+#include "host/ocean/spectrum_parameters.h"
+
+namespace offing::scene {
+
+/// Everything a scene file or the command line can say about a sea, checked one value at a time by the
+/// parameter table (parameter_table.h), which holds every key, flag, unit and range. A default-made scene is
+/// the default sea.
+struct OceanScene {
+  double frames_per_second = 24.0;
+  double start_s = 0.0;  ///< first frame
+  double end_s = 2.0;    ///< frames stop before this time
+
+  double wind_speed_mps = 10.0;
+  double wind_direction_rad = 0.0;                 ///< of travel, from +x toward +z
+  std::optional<double> ocean_wind_speed_mps;      ///< overrides wind_speed_mps for the sea
+  std::optional<double> ocean_wind_direction_rad;  ///< overrides wind_direction_rad for the sea
+  std::optional<double> depth_m;                   ///< absent: deep water, or the depth a measured file gives
+  ocean::SpectrumParameters spectrum;              ///< its wind and depth are filled in by prepare_sea()
+
+  std::string spectrum_file;  ///< measured spectrum; empty: the modelled one
+  int record = 0;             ///< record of spectrum_file
+
+  std::vector<double> patch_lengths_m;  ///< one a cascade; empty: chosen from the spectrum
+  int cascade_count = 3;                ///< how many to choose at most
+  ocean::OceanParameters ocean;         ///< its cascades are filled in by prepare_sea()
+};
+
+}  // namespace offing::scene

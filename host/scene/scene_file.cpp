@@ -1,0 +1,264 @@
+#include "host/scene/scene_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include "host/base/error.h"
+#include "host/scene/nearest_name.h"
+#include "host/scene/parameter_table.h"
+
+namespace offing::scene {
+
+namespace {
+
+/// Scene files are written by hand: anything larger is some other file.
+constexpr std::streamsize max_scene_bytes = 4 << 20;
+
+/// Parts of the scene format that have no system behind them in this version.
+constexpr std::array<std::string_view, 16> planned_keys = {"world.sea_level_m",
+                                                           "world.latitude_deg",
+                                                           "world.longitude_deg",
+                                                           "sun",
+                                                           "sky",
+                                                           "camera",
+                                                           "render",
+                                                           "ocean.gerstner",
+                                                           "ocean.swell",
+                                                           "ocean.raindrop",
+                                                           "ocean.wake",
+                                                           "body",
+                                                           "terrain",
+                                                           "clouds",
+                                                           "mesh",
+                                                           "light"};
+
+/// One line of the value as written, cut where it gets long.
+std::string shown_text(const toml::node& node) {
+  std::ostringstream text;
+  node.visit([&](const auto& value) {
+    using Node = std::remove_cvref_t<decltype(value)>;
+    if constexpr (toml::is_table<Node>) {
+      text << "a table";
+    } else if constexpr (toml::is_array<Node>) {
+      text << "an array";
+    } else if constexpr (toml::is_string<Node>) {
+      text << '"' << *value << '"';
+    } else if constexpr (toml::is_boolean<Node>) {
+      text << (*value ? "true" : "false");
+    } else {
+      text << value;
+    }
+  });
+  constexpr std::size_t longest = 60;
+  std::string shown = text.str();
+  if (shown.size() > longest) {
+    shown = shown.substr(0, longest - 3) + "...";
+  }
+  return shown;
+}
+
+class SceneReader {
+ public:
+  SceneReader(std::string_view name, std::filesystem::path folder)
+      : name_(name), folder_(std::move(folder)) {}
+
+  OceanScene read(const toml::table& root) {
+    check_version(root);
+    read_table(root, "");
+    return std::move(scene_);
+  }
+
+ private:
+  std::string place_of(const toml::source_region& region) const {
+    return fmt::format("{}:{}:{}", name_, region.begin.line, region.begin.column);
+  }
+
+  void check_version(const toml::table& root) const {
+    const toml::node* version = root.get("version");
+    if (!version) {
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}:1:1: version: expected version = 1, found none", name_),
+                  "write version = 1 on the first line");
+    }
+    if (version->value_exact<std::int64_t>() != 1) {
+      throw Error(
+          ErrorKind::bad_input,
+          fmt::format("{}: version: expected 1, got {}", place_of(version->source()), shown_text(*version)),
+          "this version of offing reads scenes of version = 1");
+    }
+  }
+
+  void read_table(const toml::table& table, const std::string& prefix) {
+    for (const auto& [key, node] : table) {
+      const std::string full_key = prefix + std::string(key.str());
+      if (full_key == "version") {
+        continue;
+      }
+      if (const Parameter* parameter = find_parameter(full_key)) {
+        read_value(*parameter, std::string(key.str()), node);
+      } else if (is_section(full_key)) {
+        read_section(full_key, key, node);
+      } else {
+        refuse_key(full_key, prefix, key);
+      }
+    }
+  }
+
+  static bool is_section(std::string_view key) {
+    const std::string prefix = std::string(key) + '.';
+    const auto table = parameter_table();
+    return std::any_of(table.begin(), table.end(),
+                       [&](const Parameter& row) { return row.key.starts_with(prefix); });
+  }
+
+  /// A section whose values are lists is written as an array of tables, one element an entry.
+  static bool is_repeated(std::string_view key) {
+    const std::string prefix = std::string(key) + '.';
+    const auto table = parameter_table();
+    return std::any_of(table.begin(), table.end(), [&](const Parameter& row) {
+      return row.key.starts_with(prefix) && row.key.find('.', prefix.size()) == std::string_view::npos &&
+             row.max_count > 1;
+    });
+  }
+
+  void read_section(const std::string& full_key, const toml::key& key, const toml::node& node) {
+    const bool repeated = is_repeated(full_key);
+    const toml::array* elements = node.as_array();
+    if (repeated && elements && elements->is_array_of_tables()) {
+      for (const toml::node& element : *elements) {
+        read_table(*element.as_table(), full_key + '.');
+      }
+    } else if (!repeated && node.is_table()) {
+      read_table(*node.as_table(), full_key + '.');
+    } else {
+      const std::string header = repeated ? fmt::format("[[{}]]", full_key) : fmt::format("[{}]", full_key);
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}: {}: expected a section {}, got {}", place_of(key.source()), full_key,
+                              header, shown_text(node)),
+                  fmt::format("write {} on a line of its own and its keys below", header));
+    }
+  }
+
+  void read_value(const Parameter& parameter, const std::string& key, const toml::node& node) {
+    const Place place{.subject = fmt::format("{}: {}", place_of(node.source()), parameter.key),
+                      .assignment = key + " = "};
+    if (const toml::table* table = node.as_table(); table && table->contains("keys")) {
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}: expected one value, got keyframes, which this version does not have",
+                              place.subject),
+                  "write one constant value");
+    }
+    WrittenValue written{.value = {}, .shown = shown_text(node)};
+    if (const auto* whole = node.as_integer()) {
+      written.value = whole->get();
+    } else if (const auto* real = node.as_floating_point()) {
+      written.value = real->get();
+    } else if (const auto* text = node.as_string()) {
+      written.value = text->get();
+    }
+    store(scene_, parameter, written, place);
+    if (parameter.key == "ocean.spectrum_file") {
+      scene_.spectrum_file = (folder_ / scene_.spectrum_file).string();
+    }
+  }
+
+  [[noreturn]] void refuse_key(const std::string& full_key, const std::string& prefix,
+                               const toml::key& key) const {
+    const std::string place = place_of(key.source());
+    if (std::find(planned_keys.begin(), planned_keys.end(), full_key) != planned_keys.end()) {
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}: {}: expected parts that this version has, got one that it has not yet",
+                              place, full_key),
+                  fmt::format("remove {} from the scene", full_key));
+    }
+    const std::vector<std::string> siblings = names_below(prefix);
+    const std::vector<std::string_view> candidates(siblings.begin(), siblings.end());
+    const std::string_view near = nearest_name(key.str(), candidates);
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: {}: expected a known key, got \"{}\"", place, full_key.substr(0, 60),
+                            key.str().substr(0, 60)),
+                near.empty() ? fmt::format("known here: {}", fmt::join(siblings, ", "))
+                             : fmt::format("did you mean {}?", near));
+  }
+
+  /// Keys and sections directly below a prefix such as "ocean.", each once.
+  static std::vector<std::string> names_below(std::string_view prefix) {
+    std::vector<std::string> names;
+    for (const Parameter& row : parameter_table()) {
+      if (row.key.starts_with(prefix)) {
+        const std::string_view rest = row.key.substr(prefix.size());
+        std::string name(rest.substr(0, rest.find('.')));
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+          names.push_back(std::move(name));
+        }
+      }
+    }
+    return names;
+  }
+
+  std::string name_;
+  std::filesystem::path folder_;
+  OceanScene scene_;
+};
+
+std::string read_text(const std::filesystem::path& file) {
+  std::error_code status_error;
+  if (std::filesystem::is_directory(file, status_error)) {
+    throw Error(ErrorKind::bad_input, fmt::format("{}: expected a scene file, found a folder", file.string()),
+                "name a .toml file");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: cannot open scene: {}", file.string(), std::strerror(errno)),
+                "check the name; scenes are .toml files, and flags alone do without one");
+  }
+  std::string text;
+  std::array<char, 1 << 14> block{};
+  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
+    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    if (static_cast<std::streamsize>(text.size()) > max_scene_bytes) {
+      throw Error(
+          ErrorKind::bad_input,
+          fmt::format("{}: expected a scene of at most {} bytes, found more", file.string(), max_scene_bytes),
+          "name a scene file; measured spectra are given by --spectrum-file");
+    }
+  }
+  if (stream.bad()) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: cannot read scene: {}", file.string(), std::strerror(errno)),
+                "check the file");
+  }
+  return text;
+}
+
+}  // namespace
+
+OceanScene load_scene(const std::filesystem::path& file) {
+  return parse_scene(read_text(file), file.string(), file.parent_path());
+}
+
+OceanScene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path& folder) {
+  toml::table root;
+  try {
+    root = toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}:{}:{}: expected TOML, found a fault: {}", name, at.line, at.column,
+                            error.description()),
+                "a scene is lines such as speed_mps = 10 below headings such as [wind]");
+  }
+  return SceneReader(name, folder).read(root);
+}
+
+}  // namespace offing::scene

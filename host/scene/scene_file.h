@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "host/scene/ocean_scene.h"
+
+namespace offing::scene {
+
+/// Reads a scene file (TOML, `version = 1`); file names in it are relative to its folder.
+///
+/// Throws Error(bad_input) as `storm.toml:14:13: ocean.fetch_m: expected ..., got ...` for a file that cannot
+/// be read, is not TOML, or has an unknown key, a wrong type, a value out of range or not finite, or a
+/// section of a system that this version does not have.
+OceanScene load_scene(const std::filesystem::path& file);
+
+/// The same from text; `name` stands for the file in messages, `folder` is what file names are relative to.
+OceanScene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path& folder);
+
+}  // namespace offing::scene

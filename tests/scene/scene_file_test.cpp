@@ -1,0 +1,196 @@
+#include "host/scene/scene_file.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+
+namespace offing::scene {
+namespace {
+
+struct Refusal {
+  std::string what;
+  std::string hint;
+};
+
+Refusal refusal_of(const std::string& text) {
+  try {
+    parse_scene(text, "storm.toml", "");
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+    return {error.what(), error.hint()};
+  }
+  return {"accepted", ""};
+}
+
+// Fails if a documented key is not read, or goes to the wrong place.
+TEST(SceneFile, ReadsEveryKindOfValue) {
+  const OceanScene scene = parse_scene(R"(version = 1
+[world]
+seed = 42
+[time]
+fps = 30
+loop_period_s = 20.0
+[wind]
+speed_mps = 12.5
+direction_deg = 180
+[ocean]
+spectrum = "tma"
+depth_m = 20
+size = 64
+spectrum_file = "data/buoy.data_spec"
+record = 3
+[[ocean.cascade]]
+patch_m = 300
+[[ocean.cascade]]
+patch_m = 40.5
+[ocean.foam]
+decay_s = 3.5
+)",
+                                       "storm.toml", "scenes");
+  EXPECT_EQ(scene.ocean.seed, 42u);
+  EXPECT_EQ(scene.frames_per_second, 30.0);
+  EXPECT_EQ(scene.ocean.loop_period_s, 20.0);
+  EXPECT_EQ(scene.wind_speed_mps, 12.5);
+  EXPECT_NEAR(scene.wind_direction_rad, 3.14159265358979, 1e-13);
+  EXPECT_EQ(scene.spectrum.model, ocean::SpectrumModel::tma);
+  EXPECT_EQ(scene.depth_m, 20.0);
+  EXPECT_EQ(scene.ocean.size, 64);
+  EXPECT_EQ(scene.spectrum_file, "scenes/data/buoy.data_spec");  // relative to the scene file
+  EXPECT_EQ(scene.record, 3);
+  EXPECT_EQ(scene.patch_lengths_m, (std::vector<double>{300.0, 40.5}));
+  EXPECT_EQ(scene.ocean.foam.decay_s, 3.5);
+}
+
+// Fails if an absolute file name is bent to the scene's folder.
+TEST(SceneFile, KeepsAbsoluteNames) {
+  const OceanScene scene =
+      parse_scene("version = 1\n[ocean]\nspectrum_file = \"/data/buoy.spec\"\n", "a.toml", "scenes");
+  EXPECT_EQ(scene.spectrum_file, "/data/buoy.spec");
+}
+
+// Fails if an empty scene is not the default sea.
+TEST(SceneFile, DefaultsNeedNoKeys) {
+  const OceanScene scene = parse_scene("version = 1", "a.toml", "");
+  EXPECT_EQ(scene.ocean.size, OceanScene{}.ocean.size);
+  EXPECT_TRUE(scene.patch_lengths_m.empty());
+}
+
+struct BadScene {
+  const char* name;
+  const char* text;
+  const char* what;
+  const char* hint;
+};
+
+class BadScenes : public testing::TestWithParam<BadScene> {};
+
+// Each fails if the fault is accepted, or its place, key, expectation or mend is not told.
+TEST_P(BadScenes, AreRefusedWithPlaceAndMend) {
+  const Refusal refusal = refusal_of(GetParam().text);
+  EXPECT_EQ(refusal.what, GetParam().what);
+  EXPECT_EQ(refusal.hint, GetParam().hint);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults, BadScenes,
+    testing::Values(
+        BadScene{
+            "wrong_type", "version = 1\n[ocean]\nwind_speed_mps = \"17 kn\"\n",
+            "storm.toml:3:18: ocean.wind_speed_mps: expected a number in m/s within [0.1, 60], got \"17 kn\"",
+            "write wind_speed_mps = 8.7"},
+        BadScene{"out_of_range", "version = 1\n[ocean]\ndepth_m = -5\n",
+                 "storm.toml:3:11: ocean.depth_m: expected a number in m within [0.1, 12000], got -5",
+                 "write depth_m = 50"},
+        BadScene{"not_finite", "version = 1\n[wind]\nspeed_mps = nan\n",
+                 "storm.toml:3:13: wind.speed_mps: expected a number in m/s within [0.1, 60], got nan",
+                 "write speed_mps = 10"},
+        BadScene{"infinite", "version = 1\n[wind]\nspeed_mps = inf\n",
+                 "storm.toml:3:13: wind.speed_mps: expected a number in m/s within [0.1, 60], got inf",
+                 "write speed_mps = 10"},
+        BadScene{"real_for_whole", "version = 1\n[ocean]\nsize = 512.0\n",
+                 "storm.toml:3:8: ocean.size: expected a power of two within [16, 4096], got 512.0",
+                 "write size = 512"},
+        BadScene{"boolean", "version = 1\n[ocean]\ngamma = true\n",
+                 "storm.toml:3:9: ocean.gamma: expected a number within [1, 20], got true",
+                 "write gamma = 3.3"},
+        BadScene{"date", "version = 1\n[ocean]\ngamma = 1979-05-27\n",
+                 "storm.toml:3:9: ocean.gamma: expected a number within [1, 20], got 1979-05-27",
+                 "write gamma = 3.3"},
+        BadScene{"choice", "version = 1\n[ocean]\nspectrum = \"jonswop\"\n",
+                 "storm.toml:3:12: ocean.spectrum: expected one of phillips, pm, jonswap, tma, swell, got "
+                 "\"jonswop\"",
+                 "write spectrum = \"jonswap\""},
+        BadScene{"unknown_key", "version = 1\n[ocean]\nwind_sped_mps = 3\n",
+                 "storm.toml:3:1: ocean.wind_sped_mps: expected a known key, got \"wind_sped_mps\"",
+                 "did you mean wind_speed_mps?"},
+        BadScene{"unknown_section", "version = 1\n[oceann]\nsize = 64\n",
+                 "storm.toml:2:2: oceann: expected a known key, got \"oceann\"", "did you mean ocean?"},
+        BadScene{"unknown_nested", "version = 1\n[[ocean.cascade]]\npatch = 3\n",
+                 "storm.toml:3:1: ocean.cascade.patch: expected a known key, got \"patch\"",
+                 "did you mean patch_m?"},
+        BadScene{"planned_section", "version = 1\n[terrain]\nfile = \"a.tif\"\n",
+                 "storm.toml:2:2: terrain: expected parts that this version has, got one that it has not yet",
+                 "remove terrain from the scene"},
+        BadScene{"planned_nested", "version = 1\n[ocean.gerstner]\ncount = 16\n",
+                 "storm.toml:2:8: ocean.gerstner: expected parts that this version has, got one that it has "
+                 "not yet",
+                 "remove ocean.gerstner from the scene"},
+        BadScene{"keyframes", "version = 1\n[ocean]\ngamma = { keys = [{ t = 0, value = 1 }] }\n",
+                 "storm.toml:3:9: ocean.gamma: expected one value, got keyframes, which this version does "
+                 "not have",
+                 "write one constant value"},
+        BadScene{"section_as_value", "version = 1\nocean = 3\n",
+                 "storm.toml:2:1: ocean: expected a section [ocean], got 3",
+                 "write [ocean] on a line of its own and its keys below"},
+        BadScene{"cascade_not_repeated", "version = 1\n[ocean.cascade]\npatch_m = 3\n",
+                 "storm.toml:2:8: ocean.cascade: expected a section [[ocean.cascade]], got a table",
+                 "write [[ocean.cascade]] on a line of its own and its keys below"},
+        BadScene{"no_version", "[ocean]\nsize = 64\n",
+                 "storm.toml:1:1: version: expected version = 1, found none",
+                 "write version = 1 on the first line"},
+        BadScene{"later_version", "version = 2\n", "storm.toml:1:11: version: expected 1, got 2",
+                 "this version of offing reads scenes of version = 1"}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+// Fails if a fifth cascade is dropped or taken.
+TEST(SceneFile, RefusesTooManyCascades) {
+  std::string text = "version = 1\n";
+  for (int i = 0; i < 5; ++i) {
+    text += "[[ocean.cascade]]\npatch_m = 10\n";
+  }
+  EXPECT_EQ(refusal_of(text).what,
+            "storm.toml:11:11: ocean.cascade.patch_m: expected at most 4 values, found more");
+}
+
+// Fails if a fault in the syntax loses its place.
+TEST(SceneFile, RefusesWhatIsNotToml) {
+  EXPECT_EQ(refusal_of("version = 1\n[ocean\n").what.substr(0, 17), "storm.toml:2:7: e");
+  EXPECT_NE(refusal_of(std::string("version = 1\n\0\1\2", 15)).what, "accepted");
+  EXPECT_NE(refusal_of("version = 1\n\xff\xfe").what, "accepted");
+}
+
+// Fails if nesting overflows the stack.
+TEST(SceneFile, RefusesDeepNesting) {
+  EXPECT_NE(refusal_of("a = " + std::string(100000, '[')).what, "accepted");
+}
+
+// Fails if a missing file, a folder or an endless file ends in anything but an error that names it.
+TEST(SceneFile, RefusesWhatCannotBeRead) {
+  for (const char* name : {"/nonexistent/storm.toml", "/", "/dev/zero"}) {
+    try {
+      load_scene(name);
+      ADD_FAILURE() << name << " was accepted";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+      EXPECT_EQ(std::string(error.what()).rfind(std::string(name) + ": ", 0), 0u) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace offing::scene
