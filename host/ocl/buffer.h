@@ -14,10 +14,17 @@ typedef struct _cl_mem* cl_mem;
 
 namespace offing::ocl {
 
+class HostPages;
+
 namespace detail {
 
-/// Untyped device memory; Buffer<T> is its typed face. On a CPU device it lives in page-aligned host memory (huge
-/// pages where they pay), so that mapping costs nothing; quirks.h says where that must not be done.
+/// count * element_bytes; throws Error(out_of_memory) that names the buffer where that overflows.
+std::size_t checked_bytes(std::size_t count, std::size_t element_bytes, std::string_view name);
+
+void release_pages(HostPages* pages);
+
+/// Untyped device memory; Buffer<T> is its typed face. On a CPU device it lives in page-aligned host memory
+/// (huge pages where they pay), so that mapping costs nothing; quirks.h says where that must not be done.
 class Memory {
  public:
   Memory() = default;
@@ -34,12 +41,15 @@ class Memory {
   void read(std::size_t offset_bytes, std::size_t bytes, void* target) const;
   void fill(const void* pattern, std::size_t pattern_bytes);
   const void* map_read() const;
-  void unmap(const void* pointer) const;
+  void unmap(const void* pointer) const noexcept;
 
  private:
-  struct HostPages;
+  void touch();
+  void release() noexcept;
+  void check_range(std::size_t offset_bytes, std::size_t bytes, std::string_view action) const;
+
   std::shared_ptr<DeviceState> device_;
-  std::unique_ptr<HostPages, void (*)(HostPages*)> pages_{nullptr, nullptr};
+  std::unique_ptr<HostPages, void (*)(HostPages*)> pages_{nullptr, release_pages};
   cl_mem memory_ = nullptr;
   std::size_t bytes_ = 0;
   std::string name_;
@@ -66,8 +76,8 @@ class MappedView {
   std::size_t count_;
 };
 
-/// A typed array on a device, move-only. Transfers block; kernels that were queued before them are done by then.
-/// Throws Error(out_of_memory) naming the buffer when it does not fit.
+/// A typed array on a device, move-only. Transfers block; kernels that were queued before them are done by
+/// then. Throws Error(out_of_memory) naming the buffer when it does not fit.
 template <class T>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -76,7 +86,7 @@ class Buffer {
   Buffer() = default;
   /// Uninitialised memory for `count` elements; `name` appears in error messages.
   Buffer(const Device& device, std::size_t count, std::string_view name)
-      : memory_(device, count * sizeof(T), name), count_(count) {}
+      : memory_(device, detail::checked_bytes(count, sizeof(T), name), name), count_(count) {}
   Buffer(const Device& device, std::span<const T> values, std::string_view name)
       : Buffer(device, values.size(), name) {
     write(values);

@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-// Opaque OpenCL handles, declared as the OpenCL headers declare them, so that only host/ocl includes those headers.
+// Opaque OpenCL handles, declared as the OpenCL headers declare them, so that only host/ocl includes those
+// headers.
 typedef struct _cl_device_id* cl_device_id;
 typedef struct _cl_context* cl_context;
 typedef struct _cl_command_queue* cl_command_queue;
@@ -23,8 +24,8 @@ struct DeviceInfo {
   std::string vendor;
   std::string platform;
   std::string platform_version;
-  std::string device_version;    ///< CL_DEVICE_VERSION, "OpenCL 3.0 ..."
-  std::string c_version;         ///< CL_DEVICE_OPENCL_C_VERSION
+  std::string device_version;  ///< CL_DEVICE_VERSION, "OpenCL 3.0 ..."
+  std::string c_version;       ///< CL_DEVICE_OPENCL_C_VERSION
   std::string driver_version;
   DeviceType type = DeviceType::other;
   std::uint64_t global_memory_bytes = 0;           ///< usable, after quirks
@@ -32,6 +33,7 @@ struct DeviceInfo {
   std::uint64_t max_allocation_bytes = 0;          ///< largest single buffer
   std::uint64_t local_memory_bytes = 0;            ///< a work-group
   std::uint32_t compute_units = 0;
+  std::uint32_t native_float_width = 0;  ///< lanes of one float vector register; 1 on most GPUs, 0 unknown
   std::size_t max_work_group_size = 0;
   std::uint32_t base_address_alignment_bytes = 0;
   bool has_gl_sharing = false;
@@ -40,12 +42,14 @@ struct DeviceInfo {
 
 std::string_view to_string(DeviceType type);
 
-/// All devices of all platforms, in driver order. Throws Error(no_device) when there is no platform or no device.
+/// All devices of all platforms, in driver order. Throws Error(no_device) when there is no platform or no
+/// device.
 std::vector<DeviceInfo> list_devices();
 
-/// The device that `selector` names: an index, a type (cpu, gpu, accelerator), or a part of the name or platform
-/// (case ignored). An empty selector falls back to OFFING_DEVICE, then to the first GPU, else the first CPU, else
-/// any. Throws Error(no_device) that lists what exists when nothing or more than the selector meant fits.
+/// The device that `selector` names: an index, a type (cpu, gpu, accelerator), or a part of the name or
+/// platform (case ignored). An empty selector falls back to OFFING_DEVICE, then to the first GPU, else the
+/// first CPU, else any. Throws Error(no_device) that lists what exists when nothing or more than the selector
+/// meant fits.
 DeviceInfo select_device(std::string_view selector = {});
 
 enum class Profiling { off, on };
@@ -54,8 +58,8 @@ namespace detail {
 struct DeviceState;
 }
 
-/// An open device: its context and one in-order queue. A cheap shared handle; objects made from it are confined to
-/// the thread that uses its queue.
+/// An open device: its context and one in-order queue. A cheap shared handle; objects made from it are
+/// confined to the thread that uses its queue.
 class Device {
  public:
   /// Opens the device of select_device(selector).
@@ -73,6 +77,7 @@ class Device {
   cl_context context() const;
   cl_command_queue queue() const;
   bool is_profiling() const;
+  const std::shared_ptr<detail::DeviceState>& state() const { return state_; }
 
  private:
   explicit Device(std::shared_ptr<detail::DeviceState> state);

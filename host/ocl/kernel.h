@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cstddef>
-#include <initializer_list>
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "host/ocl/buffer.h"
 
@@ -14,10 +14,11 @@ typedef struct _cl_event* cl_event;
 
 namespace offing::ocl {
 
-/// Global and local work sizes; local {0, ...} lets the driver choose.
+/// Global and local work sizes. Zeros behind the first number stand for 1, so that {{rows}, {16}} is
+/// one-dimensional; a local size of {} lets the driver choose.
 struct LaunchShape {
-  std::array<std::size_t, 3> global{1, 1, 1};
-  std::array<std::size_t, 3> local{0, 0, 0};
+  std::array<std::size_t, 3> global{1};
+  std::array<std::size_t, 3> local{};
 };
 
 /// A __local pointer argument of this many bytes.
@@ -41,15 +42,15 @@ class Event {
   cl_event event_ = nullptr;
 };
 
-/// A kernel with checked arguments.
+/// A kernel with checked arguments. Copies share it: one launches at a time.
 class Kernel {
  public:
   Kernel() = default;
 
-  /// Sets all arguments and queues the kernel. Arguments are Buffer<T> (for __global pointers), LocalMemory, or plain
-  /// 4- and 8-byte scalars and structs from kernels/shared. Throws Error(bad_usage) that names kernel and argument if
-  /// their number or size or kind differs from the kernel's; Error(device) or Error(out_of_memory) if the driver
-  /// refuses.
+  /// Sets all arguments and queues the kernel. Arguments are Buffer<T> (for __global pointers), LocalMemory,
+  /// or plain 4- and 8-byte scalars and structs from kernels/shared. Throws Error(bad_usage) that names
+  /// kernel and argument if their number or size or kind differs from the kernel's; Error(device) or
+  /// Error(out_of_memory) if the driver refuses.
   template <class... Args>
   Event launch(const LaunchShape& shape, const Args&... args) const {
     begin_launch(sizeof...(Args));
@@ -73,14 +74,19 @@ class Kernel {
   }
   void set_argument(int index, const LocalMemory& local) const;
   template <class T>
-    requires std::is_trivially_copyable_v<T>
+  requires std::is_trivially_copyable_v<T>
   void set_argument(int index, const T& value) const {
-    set_value(index, sizeof(T), &value);
+    constexpr bool is_integer = std::is_integral_v<T> || std::is_enum_v<T>;
+    set_value(index, sizeof(T), &value,
+              is_integer ? ValueKind::integer
+                         : (std::is_floating_point_v<T> ? ValueKind::floating : ValueKind::structure));
   }
+
+  enum class ValueKind { integer, floating, structure };
 
   void begin_launch(std::size_t argument_count) const;
   void set_memory(int index, cl_mem memory) const;
-  void set_value(int index, std::size_t bytes, const void* value) const;
+  void set_value(int index, std::size_t bytes, const void* value, ValueKind kind) const;
   Event enqueue(const LaunchShape& shape) const;
 
   std::shared_ptr<State> state_;

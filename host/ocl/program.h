@@ -25,13 +25,16 @@ class Defines {
 
 /// A compiled OpenCL program.
 ///
-/// Its source is an embedded file (kernels/...) in which each `#include "path/below/kernels"` is replaced by that
-/// file, with #line so that compiler messages name the true file and line. OFFING_KERNEL_PATH names a folder that is
-/// read instead of the embedded text. Binaries are cached under $OFFING_CACHE_DIR, else $XDG_CACHE_HOME/offing, else
-/// ~/.cache/offing; a damaged or foreign cache entry is rebuilt, never fatal; OFFING_CACHE_DIR= (empty) turns it off.
+/// Its source is an embedded file (kernels/...) in which each `#include "path/below/kernels"` is replaced by
+/// that file, with #line so that compiler messages name the true file and line. OFFING_KERNEL_PATH names a
+/// folder whose files replace the embedded ones of the same name. Binaries are cached under
+/// $OFFING_CACHE_DIR, else $XDG_CACHE_HOME/offing, else
+/// ~/.cache/offing; a damaged or foreign cache entry is rebuilt, never fatal; OFFING_CACHE_DIR= (empty) turns
+/// it off.
 class Program {
  public:
-  /// Builds `source_name`, such as "ocean/spectrum_advance.cl". Throws Error(build_failed) with the compiler's log.
+  /// Builds `source_name`, such as "ocean/spectrum_advance.cl". Throws Error(build_failed) with the
+  /// compiler's log.
   static Program build(const Device& device, std::string_view source_name, const Defines& defines = {});
 
   /// Throws Error(build_failed) if the program has no kernel of that name.

@@ -1,0 +1,159 @@
+#include "host/ocl/buffer.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/ocl/device_state.h"
+#include "host/ocl/host_pages.h"
+#include "host/ocl/opencl.h"
+#include "host/ocl/quirks.h"
+#include "host/ocl/status.h"
+
+namespace offing::ocl::detail {
+namespace {
+
+bool uses_host_pages(const DeviceInfo& info) {
+  return info.type == DeviceType::cpu && info.has_host_unified_memory && !quirks::forbids_host_pointers(info);
+}
+
+std::string description(std::string_view name, std::size_t bytes, const DeviceInfo& info) {
+  return fmt::format("buffer \"{}\" of {} bytes on {}", name, bytes, info.name);
+}
+
+[[noreturn]] void throw_out_of_memory(std::string_view call, std::string_view name, std::size_t bytes,
+                                      const DeviceInfo& info) {
+  throw Error(ErrorKind::out_of_memory,
+              fmt::format("{}: {} does not fit: the device has {} MiB and allows {} MiB a buffer", call,
+                          description(name, bytes, info), info.global_memory_bytes >> 20,
+                          info.max_allocation_bytes >> 20),
+              out_of_memory_hint);
+}
+
+}  // namespace
+
+std::size_t checked_bytes(std::size_t count, std::size_t element_bytes, std::string_view name) {
+  if (count > std::numeric_limits<std::size_t>::max() / 2 / element_bytes) {
+    throw Error(ErrorKind::out_of_memory,
+                fmt::format("buffer \"{}\" of {} elements of {} bytes exceeds the address space", name, count,
+                            element_bytes),
+                out_of_memory_hint);
+  }
+  return count * element_bytes;
+}
+
+void release_pages(HostPages* pages) {
+  delete pages;
+}
+
+Memory::Memory(const Device& device, std::size_t bytes, std::string_view name)
+    : device_(device.state()), pages_(nullptr, release_pages), bytes_(bytes), name_(name) {
+  const DeviceInfo& info = device_->info;
+  const std::size_t size = HostPages::rounded(bytes);
+  if (size > info.max_allocation_bytes) throw_out_of_memory("clCreateBuffer", name_, bytes_, info);
+  cl_mem_flags flags = CL_MEM_READ_WRITE;
+  if (uses_host_pages(info)) {
+    pages_.reset(new HostPages(size));
+    if (pages_->data() == nullptr) throw_out_of_memory("aligned_alloc", name_, bytes_, info);
+    // A driver that asks for more than a page gets its own memory instead of undefined behaviour.
+    const auto address = reinterpret_cast<std::uintptr_t>(pages_->data());
+    if (address % std::max<std::size_t>(info.base_address_alignment_bytes, 1) != 0) pages_.reset();
+  }
+  if (pages_) flags |= CL_MEM_USE_HOST_PTR;
+  int status = CL_SUCCESS;
+  memory_ = clCreateBuffer(device_->context.get(), flags, size, pages_ ? pages_->data() : nullptr, &status);
+  if (is_out_of_memory(status) || status == CL_INVALID_BUFFER_SIZE) {
+    throw_out_of_memory("clCreateBuffer", name_, bytes_, info);
+  }
+  check(status, "clCreateBuffer", description(name_, bytes_, info));
+  if (!pages_) touch();
+}
+
+// Many GPU drivers reserve memory at the first use only. Using it here lets the error name the buffer.
+void Memory::touch() {
+  const cl_uint zero = 0;
+  int status = clEnqueueFillBuffer(device_->queue.get(), memory_, &zero, sizeof zero, 0, sizeof zero, 0,
+                                   nullptr, nullptr);
+  if (status == CL_SUCCESS) status = clFinish(device_->queue.get());
+  if (status == CL_SUCCESS) return;
+  release();
+  if (is_out_of_memory(status) || status == CL_OUT_OF_RESOURCES) {
+    throw_out_of_memory("clEnqueueFillBuffer", name_, bytes_, device_->info);
+  }
+  throw_status(status, "clEnqueueFillBuffer", description(name_, bytes_, device_->info));
+}
+
+Memory::Memory(Memory&& other) noexcept {
+  *this = std::move(other);
+}
+
+Memory& Memory::operator=(Memory&& other) noexcept {
+  std::swap(device_, other.device_);
+  std::swap(pages_, other.pages_);
+  std::swap(memory_, other.memory_);
+  std::swap(bytes_, other.bytes_);
+  std::swap(name_, other.name_);
+  return *this;
+}
+
+void Memory::release() noexcept {
+  if (memory_ == nullptr) return;
+  // The driver keeps device memory until its last command is done, but our pages would go at once.
+  if (pages_) clFinish(device_->queue.get());
+  clReleaseMemObject(memory_);
+  memory_ = nullptr;
+}
+
+Memory::~Memory() {
+  release();
+}
+
+void Memory::check_range(std::size_t offset_bytes, std::size_t bytes, std::string_view action) const {
+  if (offset_bytes <= bytes_ && bytes <= bytes_ - offset_bytes) return;
+  throw Error(ErrorKind::bad_usage, fmt::format("{} of bytes [{}, {}) is outside buffer \"{}\" of {} bytes",
+                                                action, offset_bytes, offset_bytes + bytes, name_, bytes_));
+}
+
+void Memory::write(std::size_t offset_bytes, std::size_t bytes, const void* source) {
+  check_range(offset_bytes, bytes, "write");
+  if (bytes == 0) return;
+  check(clEnqueueWriteBuffer(device_->queue.get(), memory_, CL_TRUE, offset_bytes, bytes, source, 0, nullptr,
+                             nullptr),
+        "clEnqueueWriteBuffer", description(name_, bytes_, device_->info));
+}
+
+void Memory::read(std::size_t offset_bytes, std::size_t bytes, void* target) const {
+  check_range(offset_bytes, bytes, "read");
+  if (bytes == 0) return;
+  check(clEnqueueReadBuffer(device_->queue.get(), memory_, CL_TRUE, offset_bytes, bytes, target, 0, nullptr,
+                            nullptr),
+        "clEnqueueReadBuffer", description(name_, bytes_, device_->info));
+}
+
+void Memory::fill(const void* pattern, std::size_t pattern_bytes) {
+  if (bytes_ == 0) return;
+  const std::string where = description(name_, bytes_, device_->info);
+  check(clEnqueueFillBuffer(device_->queue.get(), memory_, pattern, pattern_bytes, 0, bytes_, 0, nullptr,
+                            nullptr),
+        "clEnqueueFillBuffer", where);
+  check(clFinish(device_->queue.get()), "clFinish", where);
+}
+
+const void* Memory::map_read() const {
+  if (bytes_ == 0) return nullptr;
+  int status = CL_SUCCESS;
+  const void* pointer = clEnqueueMapBuffer(device_->queue.get(), memory_, CL_TRUE, CL_MAP_READ, 0, bytes_, 0,
+                                           nullptr, nullptr, &status);
+  check(status, "clEnqueueMapBuffer", description(name_, bytes_, device_->info));
+  return pointer;
+}
+
+void Memory::unmap(const void* pointer) const noexcept {
+  if (pointer == nullptr) return;
+  clEnqueueUnmapMemObject(device_->queue.get(), memory_, const_cast<void*>(pointer), 0, nullptr, nullptr);
+}
+
+}  // namespace offing::ocl::detail

@@ -1,0 +1,80 @@
+#include "host/ocl/device.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/log.h"
+#include "host/ocl/device_list.h"
+#include "host/ocl/device_state.h"
+#include "host/ocl/status.h"
+
+namespace offing::ocl {
+namespace {
+
+cl_device_id id_of(const DeviceInfo& info) {
+  for (const ListedDevice& device : enumerate_devices()) {
+    if (device.info.index == info.index && device.info.name == info.name &&
+        device.info.platform == info.platform) {
+      return device.id;
+    }
+  }
+  throw Error(ErrorKind::no_device,
+              fmt::format("device {} \"{}\" of platform {} is gone", info.index, info.name, info.platform),
+              "list the devices again: offing devices");
+}
+
+}  // namespace
+
+Device::Device(std::shared_ptr<detail::DeviceState> state) : state_(std::move(state)) {}
+
+Device Device::open(std::string_view selector, Profiling profiling) {
+  return open(select_device(selector), profiling);
+}
+
+Device Device::open(const DeviceInfo& info, Profiling profiling) {
+  auto state = std::make_shared<detail::DeviceState>();
+  state->info = info;
+  state->id = id_of(info);
+  state->is_profiling = profiling == Profiling::on;
+  int status = CL_SUCCESS;
+  state->context.reset(clCreateContext(nullptr, 1, &state->id, nullptr, nullptr, &status));
+  check(status, "clCreateContext", info.name);
+  const cl_command_queue_properties properties = state->is_profiling ? CL_QUEUE_PROFILING_ENABLE : 0;
+  state->queue.reset(clCreateCommandQueue(state->context.get(), state->id, properties, &status));
+  check(status, "clCreateCommandQueue", info.name);
+  spdlog::debug("device {}: {} ({}, {}, driver {})", info.index, info.name, info.platform,
+                info.device_version, info.driver_version);
+  return Device(std::move(state));
+}
+
+const DeviceInfo& Device::info() const {
+  return state_->info;
+}
+
+void Device::flush() const {
+  check(clFlush(queue()), "clFlush", info().name);
+}
+
+void Device::finish() const {
+  check(clFinish(queue()), "clFinish", info().name);
+}
+
+cl_device_id Device::id() const {
+  return state_->id;
+}
+
+cl_context Device::context() const {
+  return state_->context.get();
+}
+
+cl_command_queue Device::queue() const {
+  return state_->queue.get();
+}
+
+bool Device::is_profiling() const {
+  return state_->is_profiling;
+}
+
+}  // namespace offing::ocl

@@ -1,0 +1,139 @@
+#include "host/ocl/device_list.h"
+
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/log.h"
+#include "host/ocl/quirks.h"
+#include "host/ocl/status.h"
+
+namespace offing::ocl {
+namespace {
+
+// Drivers pad some strings with blanks and zero bytes.
+std::string trimmed(std::string text) {
+  while (!text.empty() && (text.back() == '\0' || text.back() == ' ')) text.pop_back();
+  text.erase(0, text.find_first_not_of(' '));
+  return text;
+}
+
+std::string platform_text(cl_platform_id platform, cl_platform_info what) {
+  std::size_t bytes = 0;
+  check(clGetPlatformInfo(platform, what, 0, nullptr, &bytes), "clGetPlatformInfo", "an OpenCL platform");
+  std::string text(bytes, '\0');
+  check(clGetPlatformInfo(platform, what, bytes, text.data(), nullptr), "clGetPlatformInfo",
+        "an OpenCL platform");
+  return trimmed(std::move(text));
+}
+
+std::string device_text(cl_device_id device, cl_device_info what) {
+  std::size_t bytes = 0;
+  check(clGetDeviceInfo(device, what, 0, nullptr, &bytes), "clGetDeviceInfo", "an OpenCL device");
+  std::string text(bytes, '\0');
+  check(clGetDeviceInfo(device, what, bytes, text.data(), nullptr), "clGetDeviceInfo", "an OpenCL device");
+  return trimmed(std::move(text));
+}
+
+template <class T>
+T device_value(cl_device_id device, cl_device_info what) {
+  T value{};
+  check(clGetDeviceInfo(device, what, sizeof value, &value, nullptr), "clGetDeviceInfo", "an OpenCL device");
+  return value;
+}
+
+DeviceType device_type(cl_device_type bits) {
+  if (bits & CL_DEVICE_TYPE_GPU) return DeviceType::gpu;
+  if (bits & CL_DEVICE_TYPE_CPU) return DeviceType::cpu;
+  if (bits & CL_DEVICE_TYPE_ACCELERATOR) return DeviceType::accelerator;
+  return DeviceType::other;
+}
+
+bool is_usable(cl_device_id device) {
+  return device_value<cl_bool>(device, CL_DEVICE_AVAILABLE) &&
+         device_value<cl_bool>(device, CL_DEVICE_COMPILER_AVAILABLE);
+}
+
+DeviceInfo describe(cl_platform_id platform, cl_device_id device) {
+  DeviceInfo info;
+  info.name = device_text(device, CL_DEVICE_NAME);
+  info.vendor = device_text(device, CL_DEVICE_VENDOR);
+  info.platform = platform_text(platform, CL_PLATFORM_NAME);
+  info.platform_version = platform_text(platform, CL_PLATFORM_VERSION);
+  info.device_version = device_text(device, CL_DEVICE_VERSION);
+  info.c_version = device_text(device, CL_DEVICE_OPENCL_C_VERSION);
+  info.driver_version = device_text(device, CL_DRIVER_VERSION);
+  info.type = device_type(device_value<cl_device_type>(device, CL_DEVICE_TYPE));
+  info.reported_global_memory_bytes = device_value<cl_ulong>(device, CL_DEVICE_GLOBAL_MEM_SIZE);
+  info.max_allocation_bytes = device_value<cl_ulong>(device, CL_DEVICE_MAX_MEM_ALLOC_SIZE);
+  info.local_memory_bytes = device_value<cl_ulong>(device, CL_DEVICE_LOCAL_MEM_SIZE);
+  info.compute_units = device_value<cl_uint>(device, CL_DEVICE_MAX_COMPUTE_UNITS);
+  info.native_float_width = device_value<cl_uint>(device, CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT);
+  info.max_work_group_size = device_value<std::size_t>(device, CL_DEVICE_MAX_WORK_GROUP_SIZE);
+  info.base_address_alignment_bytes =
+      device_value<cl_uint>(device, CL_DEVICE_MEM_BASE_ADDR_ALIGN) / 8;  // bits
+  info.has_host_unified_memory = device_value<cl_bool>(device, CL_DEVICE_HOST_UNIFIED_MEMORY) == CL_TRUE;
+  const std::string extensions = fmt::format(" {} ", device_text(device, CL_DEVICE_EXTENSIONS));
+  info.has_gl_sharing = extensions.find(" cl_khr_gl_sharing ") != std::string::npos;
+  info.global_memory_bytes = quirks::usable_global_memory_bytes(info);
+  return info;
+}
+
+std::vector<cl_platform_id> platforms() {
+  cl_uint count = 0;
+  const int status = clGetPlatformIDs(0, nullptr, &count);
+  if (status != CL_SUCCESS || count == 0) {
+    throw Error(
+        ErrorKind::no_device,
+        fmt::format("no OpenCL platform: expected at least one driver, found none ({})", status_name(status)),
+        "install an OpenCL driver: your GPU vendor's, or pocl-opencl-icd for the CPU");
+  }
+  std::vector<cl_platform_id> ids(count);
+  check(clGetPlatformIDs(count, ids.data(), nullptr), "clGetPlatformIDs", "the OpenCL platforms");
+  return ids;
+}
+
+std::vector<cl_device_id> devices_of(cl_platform_id platform) {
+  cl_uint count = 0;
+  // A platform without devices answers CL_DEVICE_NOT_FOUND; a broken one must not hide the others.
+  if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, 0, nullptr, &count) != CL_SUCCESS || count == 0) return {};
+  std::vector<cl_device_id> ids(count);
+  if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, count, ids.data(), nullptr) != CL_SUCCESS) return {};
+  return ids;
+}
+
+}  // namespace
+
+std::vector<ListedDevice> enumerate_devices() {
+  quirks::prepare_environment();
+  std::vector<ListedDevice> listed;
+  std::string empty_platforms;
+  for (cl_platform_id platform : platforms()) {
+    const std::size_t before = listed.size();
+    for (cl_device_id device : devices_of(platform)) {
+      if (!is_usable(device)) continue;
+      DeviceInfo info = describe(platform, device);
+      info.index = static_cast<int>(listed.size());
+      listed.push_back({device, std::move(info)});
+    }
+    if (listed.size() == before) {
+      empty_platforms += (empty_platforms.empty() ? "" : ", ") + platform_text(platform, CL_PLATFORM_NAME);
+    }
+  }
+  if (listed.empty()) {
+    throw Error(ErrorKind::no_device,
+                fmt::format("no OpenCL device: the installed platforms ({}) offer none", empty_platforms),
+                "install a driver for your GPU, or pocl-opencl-icd for the CPU");
+  }
+  return listed;
+}
+
+std::vector<DeviceInfo> list_devices() {
+  std::vector<DeviceInfo> infos;
+  for (ListedDevice& device : enumerate_devices()) infos.push_back(std::move(device.info));
+  return infos;
+}
+
+}  // namespace offing::ocl

@@ -1,0 +1,121 @@
+#include "host/ocl/program_cache.h"
+
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include "host/base/log.h"
+
+namespace offing::ocl {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Raised when the layout of an entry changes; part of the name, so that versions live side by side.
+constexpr std::uint32_t format_version = 1;
+constexpr std::array<char, 8> magic{'O', 'F', 'F', 'P', 'R', 'O', 'G', '\n'};
+
+// In front of each binary. Read and written on one machine only, so the byte order is the machine's.
+struct EntryHeader {
+  std::array<char, 8> magic;
+  std::uint64_t key_low;
+  std::uint64_t key_high;
+  std::uint64_t binary_bytes;
+  std::uint64_t checksum;  // XXH3 of the binary
+};
+static_assert(sizeof(EntryHeader) == 40);
+
+XXH128_hash_t key_of(std::string_view identity) {
+  return XXH3_128bits_withSeed(identity.data(), identity.size(), format_version);
+}
+
+EntryHeader header_of(std::string_view identity, const std::vector<std::uint8_t>& binary) {
+  const XXH128_hash_t key = key_of(identity);
+  return {magic, key.low64, key.high64, binary.size(), XXH3_64bits(binary.data(), binary.size())};
+}
+
+void report_unwritable(const fs::path& folder, const std::string& reason) {
+  static std::atomic<bool> was_reported{false};
+  if (was_reported.exchange(true)) return;
+  spdlog::warn("cannot keep compiled kernels in {}: {}; each start compiles anew (set OFFING_CACHE_DIR)",
+               folder.string(), reason);
+}
+
+}  // namespace
+
+fs::path ProgramCache::default_folder() {
+  if (const char* own = std::getenv("OFFING_CACHE_DIR")) return own;
+  const char* xdg = std::getenv("XDG_CACHE_HOME");
+  if (xdg != nullptr && *xdg == '/') return fs::path(xdg) / "offing";  // the XDG rules ignore relative paths
+  const char* home = std::getenv("HOME");
+  if (home != nullptr && *home == '/') return fs::path(home) / ".cache" / "offing";
+  return {};
+}
+
+ProgramCache::ProgramCache(fs::path folder) : folder_(std::move(folder)) {}
+
+fs::path ProgramCache::entry_path(std::string_view identity) const {
+  const XXH128_hash_t key = key_of(identity);
+  return folder_ / fmt::format("{:016x}{:016x}.program", key.high64, key.low64);
+}
+
+std::optional<std::vector<std::uint8_t>> ProgramCache::load(std::string_view identity) const {
+  if (folder_.empty()) return std::nullopt;
+  const fs::path path = entry_path(identity);
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) return std::nullopt;
+  const auto file_bytes = static_cast<std::uint64_t>(std::max<std::streamoff>(file.tellg(), 0));
+  EntryHeader header{};
+  std::vector<std::uint8_t> binary;
+  file.seekg(0);
+  if (file_bytes > sizeof header && file.read(reinterpret_cast<char*>(&header), sizeof header) &&
+      header.binary_bytes == file_bytes - sizeof header) {
+    binary.resize(header.binary_bytes);
+    file.read(reinterpret_cast<char*>(binary.data()), static_cast<std::streamsize>(binary.size()));
+  }
+  const EntryHeader expected = header_of(identity, binary);
+  if (!file || binary.empty() || std::memcmp(&header, &expected, sizeof header) != 0) {
+    spdlog::warn("compiled kernel {} is damaged: rebuilding it", path.string());
+    return std::nullopt;
+  }
+  return binary;
+}
+
+void ProgramCache::store(std::string_view identity, const std::vector<std::uint8_t>& binary) const {
+  if (folder_.empty() || binary.empty()) return;
+  static std::atomic<unsigned> counter{0};
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) return report_unwritable(folder_, error.message());
+  const fs::path path = entry_path(identity);
+  const fs::path temporary = fmt::format("{}.{}.{}.tmp", path.string(), getpid(), counter++);
+  const EntryHeader header = header_of(identity, binary);
+  {
+    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+    file.write(reinterpret_cast<const char*>(&header), sizeof header);
+    file.write(reinterpret_cast<const char*>(binary.data()), static_cast<std::streamsize>(binary.size()));
+    file.close();
+    if (!file) {
+      fs::remove(temporary, error);
+      return report_unwritable(folder_, "the file cannot be written");
+    }
+  }
+  fs::rename(temporary, path, error);
+  if (error) {
+    const std::string reason = error.message();
+    fs::remove(temporary, error);
+    report_unwritable(folder_, reason);
+  }
+}
+
+}  // namespace offing::ocl

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace offing::ocl {
+
+/// A folder of compiled programs, one file each, named by a 128-bit hash of all that shapes the binary.
+///
+/// Processes may share a folder: an entry is written to a name of its own and renamed into place, so a reader
+/// sees a whole entry or none. Nothing about the cache is fatal: a damaged or foreign entry counts as absent,
+/// and a folder that cannot be written is reported once.
+class ProgramCache {
+ public:
+  /// $OFFING_CACHE_DIR, else $XDG_CACHE_HOME/offing, else ~/.cache/offing. Empty = off: OFFING_CACHE_DIR is
+  /// empty, or there is no home.
+  static std::filesystem::path default_folder();
+
+  /// An empty folder turns the cache off.
+  explicit ProgramCache(std::filesystem::path folder = default_folder());
+
+  /// `identity` is everything that shapes the binary: source, options, platform, device, versions.
+  std::optional<std::vector<std::uint8_t>> load(std::string_view identity) const;
+  void store(std::string_view identity, const std::vector<std::uint8_t>& binary) const;
+
+  /// Where the entry of `identity` lies.
+  std::filesystem::path entry_path(std::string_view identity) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace offing::ocl

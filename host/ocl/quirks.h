@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "host/ocl/device.h"
+
+/// What drivers get wrong: one function a bug, each with the versions that show it. No other file tests for a
+/// vendor.
+namespace offing::ocl::quirks {
+
+/// Sets the environment that drivers read once, at the first platform call; idempotent and thread-safe.
+void prepare_environment();
+
+/// The device's memory that programs can really use; see the definition for whom the driver's figure is
+/// wrong.
+std::uint64_t usable_global_memory_bytes(const DeviceInfo& info);
+
+/// True where buffers over host memory (CL_MEM_USE_HOST_PTR) must not be used.
+bool forbids_host_pointers(const DeviceInfo& info);
+
+/// Build options that work around compiler bugs, each with a leading blank; empty for most devices.
+std::string build_options(const DeviceInfo& info);
+
+}  // namespace offing::ocl::quirks
