@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+
+#include "host/ocean/dispersion.h"
+
+namespace offing::ocean {
+
+/// Throws Error(bad_input) that names the parameter, its range and the value found, unless low <= value <=
+/// high. NaN is outside every range; `name` carries the unit.
+void require_within(std::string_view name, double value, double low, double high);
+
+/// Throws Error(bad_input) unless gravity, depth (0.1 m ... infinite) and capillary length are physical.
+void require_valid_dispersion(const Dispersion& dispersion);
+
+/// Throws Error(bad_input) unless a patch can have this many samples along a side: a power of two, 16 ...
+/// 4096.
+void require_valid_size(int size);
+
+}  // namespace offing::ocean
