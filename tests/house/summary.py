@@ -1,0 +1,32 @@
+"""summary.py JUNIT_FILE: after a CTest run, prints each skipped test with its reason and one closing line."""
+
+import sys
+import xml.etree.ElementTree as ElementTree
+
+
+def skip_reason(output):
+    """The text that GTEST_SKIP streamed: the lines after 'FILE:LINE: Skipped'."""
+    lines = output.splitlines()
+    for number, line in enumerate(lines):
+        if line.endswith(": Skipped"):
+            reason = [text.strip() for text in lines[number + 1 :]]
+            end = reason.index("") if "" in reason else len(reason)
+            return " ".join(reason[:end])
+    return "no reason printed"
+
+
+def main(path):
+    passed, failed, skipped = 0, 0, []
+    for case in ElementTree.parse(path).getroot().iter("testcase"):
+        if case.find("skipped") is not None:
+            skipped.append((case.get("name"), skip_reason(case.findtext("system-out") or "")))
+        elif case.get("status") == "run":
+            passed += 1
+        else:
+            failed += 1
+    for name, reason in skipped:
+        print(f"skipped: {name}: {reason}")
+    print(f"\n{passed} passed, {failed} failed, {len(skipped)} skipped")
+
+
+main(sys.argv[1])
