@@ -26,7 +26,11 @@ class HostPages {
   std::size_t bytes_ = 0;
 };
 
-/// Host memory that can still be used without swapping or breaking this process' cgroup limit.
+/// All memory of this machine; 0 if the system does not say.
+std::uint64_t total_host_memory_bytes();
+
+/// Host memory that can still be used without swapping or breaking this process' cgroup limit; the largest
+/// number if the system does not say.
 std::uint64_t available_host_memory_bytes();
 
 }  // namespace offing::ocl

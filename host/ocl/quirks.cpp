@@ -1,33 +1,97 @@
 #include "host/ocl/quirks.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "host/ocl/host_pages.h"
+#include "host/ocl/program_cache.h"
 
 namespace offing::ocl::quirks {
 namespace {
+
+namespace fs = std::filesystem;
 
 bool is_oclgrind(const DeviceInfo& info) {
   return info.platform == "Oclgrind";
 }
 
-}  // namespace
-
-void prepare_environment() {}
-
-std::uint64_t usable_global_memory_bytes(const DeviceInfo& info) {
-  return info.reported_global_memory_bytes;
+const char* variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr || *value == '\0' ? nullptr : value;
 }
 
-// Oclgrind 21.10 copies a CL_MEM_USE_HOST_PTR buffer once and then reports reads of it as uninitialised
-// (https://github.com/jrprice/Oclgrind). OFFING_HOST_POINTERS=0 forbids them everywhere, to tell such a bug
-// apart.
+bool can_write(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  return !error && access(folder.c_str(), W_OK | X_OK) == 0;
+}
+
+// A folder of our own in the temporary directory; empty if somebody else sits on its name.
+fs::path private_temporary_folder() {
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path(error) / ("offing-pocl-" + std::to_string(geteuid()));
+  mkdir(folder.c_str(), S_IRWXU);
+  struct stat status {};
+  const bool is_ours = lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) &&
+                       status.st_uid == geteuid() && (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
+  return is_ours ? folder : fs::path();
+}
+
+// PoCL 3.1 offers no device at all where it cannot make its cache folder, as under a read-only home
+// (lib/CL/pocl_cache.c, pocl_cache_init_topdir: https://github.com/pocl/pocl). It then gets one beside our
+// own cache, else in the temporary directory.
+void give_pocl_a_cache() {
+  if (variable("POCL_CACHE_DIR") != nullptr) return;
+  if (const char* xdg = variable("XDG_CACHE_HOME")) {
+    if (can_write(fs::path(xdg) / "pocl" / "kcache")) return;
+  } else if (const char* home = variable("HOME")) {
+    if (can_write(fs::path(home) / ".cache" / "pocl" / "kcache")) return;
+  } else {
+    return;  // PoCL itself falls back to the temporary directory
+  }
+  const fs::path own = ProgramCache::default_folder();
+  fs::path folder = own.empty() ? fs::path() : own / "pocl";
+  if (folder.empty() || !can_write(folder)) folder = private_temporary_folder();
+  if (!folder.empty()) setenv("POCL_CACHE_DIR", folder.c_str(), 1);
+}
+
+}  // namespace
+
+void prepare_environment() {
+  static const bool is_prepared = [] {
+    give_pocl_a_cache();
+    return true;
+  }();
+  static_cast<void>(is_prepared);
+}
+
+// Drivers for the CPU report less memory than they can use: PoCL 3.1 three quarters of what NUMA node 0
+// showed at start, which in a virtual machine with hot-plugged memory is a fraction (3.6 of 24 GiB measured;
+// POCL_MEMORY_LIMIT only lowers it), Mesa 22.3 llvmpipe a constant 2 GiB. Both really take buffers over host
+// memory up to the machine's size. The largest single buffer stays what the driver says: PoCL refuses more
+// with CL_INVALID_BUFFER_SIZE.
+std::uint64_t usable_global_memory_bytes(const DeviceInfo& info) {
+  if (info.type != DeviceType::cpu || !info.has_host_unified_memory) return info.reported_global_memory_bytes;
+  if (variable("POCL_MEMORY_LIMIT") != nullptr) return info.reported_global_memory_bytes;
+  return std::max(info.reported_global_memory_bytes, total_host_memory_bytes());
+}
+
+// Oclgrind 21.10 copies a CL_MEM_USE_HOST_PTR buffer without telling its checkers, which then report each
+// read of it as uninitialised (https://github.com/jrprice/Oclgrind). OFFING_HOST_POINTERS=0 forbids such
+// buffers everywhere, so that a new driver's trouble with them can be told apart.
 bool forbids_host_pointers(const DeviceInfo& info) {
-  const char* allowed = std::getenv("OFFING_HOST_POINTERS");
+  const char* allowed = variable("OFFING_HOST_POINTERS");
   return is_oclgrind(info) || (allowed != nullptr && std::string_view(allowed) == "0");
 }
 
-// Oclgrind 21.10 aborts on the noalias metadata that `restrict` leaves in inlined helpers
-// (https://github.com/jrprice/Oclgrind); without the word the kernels mean the same.
+// Oclgrind 21.10 aborts on what its compiler makes of `restrict` parameters in inlined helpers
+// (https://github.com/jrprice/Oclgrind). Without the word the kernels mean the same.
 std::string build_options(const DeviceInfo& info) {
   return is_oclgrind(info) ? " -Drestrict=" : "";
 }
