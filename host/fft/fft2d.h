@@ -11,11 +11,11 @@ enum class Direction {
   inverse,  ///< x(j) = sum X(k) e^(+2 pi i jk / n), the transform of PAPERS O1
 };
 
-/// Batched two-dimensional complex transforms of one size in single precision, n a power of two from 16 to 4096.
-/// Arrays are interleaved complex: float [batch][n][n][2], row-major.
+/// Batched two-dimensional complex transforms of one size in single precision, n a power of two from 16 to
+/// 4096. Arrays are interleaved complex: float [batch][n][n][2], row-major.
 ///
-/// The error is within (PAPERS O11; Higham 2002, chapter 24) log2(n^2) * 5.2e-7 of the result's root mean square;
-/// tests/fft/fft2d_test.cpp has the derivation and the measured values.
+/// The root mean square error is within log2(n^2) u (1 + 4 sqrt 2), u = 2^-24, of the result (Higham 2002,
+/// ch. 24); tests/fft/fft2d_test.cpp has the measured values. Source: PAPERS O11.
 class Fft2d {
  public:
   /// Throws Error(bad_input) if size is not a power of two in [16, 4096] or batch < 1.
@@ -33,7 +33,10 @@ class Fft2d {
   int size_;
   int batch_;
   ocl::Kernel rows_;
+  ocl::LaunchShape rows_shape_;
   ocl::Kernel columns_;
+  ocl::LaunchShape columns_shape_;
+  ocl::LocalMemory columns_scratch_;
   ocl::Buffer<float> row_twiddles_;
   ocl::Buffer<float> column_twiddles_;
   ocl::Buffer<float> intermediate_;

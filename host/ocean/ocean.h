@@ -12,8 +12,9 @@
 
 namespace offing::ocean {
 
-/// Foam from folding crests (DESIGN 2): coverage c(J) = clamp((onset_jacobian - J) / width, 0, 1), and at time t the
-/// largest coverage of the last four decay times, decayed: max over j of c(J(t_q - j step)) exp(-j step / decay).
+/// Foam from folding crests (DESIGN 2): coverage c(J) = clamp((onset_jacobian - J) / width, 0, 1), and at
+/// time t the largest coverage of the last four decay times, decayed: max over j of c(J(t_q - j step)) exp(-j
+/// step / decay).
 struct FoamParameters {
   double onset_jacobian = 0.6;  ///< J at which foam begins to appear
   double width = 0.6;           ///< J below the onset at which coverage is full
@@ -26,8 +27,8 @@ struct OceanParameters {
   int size = 512;                 ///< n, samples along a patch: a power of two, 16 ... 4096
   std::vector<Cascade> cascades;  ///< 1 ... 4
   std::uint64_t seed = 1;
-  double choppiness = 1.0;               ///< alpha >= 0 of PAPERS O7
-  std::optional<double> loop_period_s;   ///< the surface repeats exactly after this time
+  double choppiness = 1.0;              ///< alpha >= 0 of PAPERS O7
+  std::optional<double> loop_period_s;  ///< the surface repeats exactly after this time
   FoamParameters foam;
 };
 
@@ -35,9 +36,9 @@ struct OceanParameters {
 struct SurfaceFields {
   int size = 0;
   std::vector<float> displacement_x, displacement_y, displacement_z;  ///< m
-  std::vector<float> slope_x, slope_z;                    ///< dh/dx, dh/dz at rest labels
-  std::vector<float> gradient_xx, gradient_xz, gradient_zz;  ///< d dx/dx, d dx/dz, d dz/dz
-  std::vector<float> jacobian, jacobian_min_eigenvalue;      ///< of F = I + gradient, this cascade alone
+  std::vector<float> slope_x, slope_z;                                ///< dh/dx, dh/dz at rest labels
+  std::vector<float> gradient_xx, gradient_xz, gradient_zz;           ///< d dx/dx, d dx/dz, d dz/dz
+  std::vector<float> jacobian, jacobian_min_eigenvalue;  ///< of F = I + gradient, this cascade alone
 };
 
 /// Particle velocity, m/s, each [n][n] row-major.
@@ -63,8 +64,8 @@ struct ComposedFields {
 
 /// A spectral sea on a device (PAPERS O1-O7, O10): 1-4 cascades of periodic patches, reachable at any time.
 ///
-/// at() enqueues; read_*() wait and copy to the host. Same seed and parameters give the same sea on every device
-/// within 1e-4 Hs.
+/// at() enqueues; read_*() wait and copy to the host. Same seed and parameters give the same sea on every
+/// device within 1e-4 Hs.
 class Ocean {
  public:
   /// Throws Error(bad_input) for parameters out of range, Error(out_of_memory) if the maps do not fit.
@@ -80,11 +81,11 @@ class Ocean {
 
   /// Fields of one cascade at the time of the last at().
   SurfaceFields read_surface(int cascade) const;
-  /// Foam of one cascade, [n][n], 0 ... 1, at the time of the last at(); evaluates the past instants it needs and keeps
-  /// them for the next frame.
+  /// Foam of one cascade, [n][n], 0 ... 1, at the time of the last at(); evaluates the past instants it needs
+  /// and keeps them for the next frame.
   std::vector<float> read_foam(int cascade);
-  /// Particle velocity at the time of the last at(), `depth_m` below the instantaneous surface (vertical coordinate
-  /// measured from the surface: Wheeler stretching of linear theory); 0 is the surface itself.
+  /// Particle velocity at the time of the last at(), `depth_m` below the instantaneous surface (vertical
+  /// coordinate measured from the surface: Wheeler stretching of linear theory); 0 is the surface itself.
   VelocityFields read_velocity(int cascade, double depth_m = 0.0);
   /// The composed surface at the time of the last at(), bilinear between samples of each cascade.
   ComposedFields read_composed(const SampleGrid& grid);

@@ -64,20 +64,29 @@ double sample_spreading(const SeaSpectrum& spectrum, double omega_radps, std::ve
   return integral;
 }
 
-// The fewest directions whose rectangle rule is right within 1e-3 on average over the energy.
+// Largest error of linear interpolation between every other of these densities, relative to their maximum.
+double interpolation_error(const std::vector<double>& densities) {
+  double error = 0.0;
+  for (std::size_t i = 1; i < densities.size(); i += 2) {
+    const double next = densities[i + 1 < densities.size() ? i + 1 : 0];
+    error = std::max(error, std::abs(densities[i] - 0.5 * (densities[i - 1] + next)));
+  }
+  return error / *std::max_element(densities.begin(), densities.end());
+}
+
+// The fewest directions between which D is linear within 1 %, on average over the energy.
 int choose_direction_count(const SeaSpectrum& spectrum, const std::vector<Row>& rows) {
   int count = fewest_directions;
   for (; count < most_directions; count *= 2) {
-    std::vector<double> densities(count);
+    std::vector<double> densities(2 * count);
     double error = 0.0, total = 0.0;
     for (std::size_t i = 0; i < rows.size(); i += 16) {
-      if (rows[i].variance_m2 > 0.0) {
-        error +=
-            rows[i].variance_m2 * std::abs(sample_spreading(spectrum, rows[i].omega_radps, densities) - 1.0);
+      if (rows[i].variance_m2 > 0.0 && sample_spreading(spectrum, rows[i].omega_radps, densities) > 0.0) {
+        error += rows[i].variance_m2 * interpolation_error(densities);
         total += rows[i].variance_m2;
       }
     }
-    if (error <= 1e-3 * total) {
+    if (error <= 0.01 * total) {
       break;
     }
   }

@@ -50,7 +50,8 @@ double donelan_banner_beta(double ratio) {
 }
 
 // 1 / integral of sech^2(beta theta) cos^2s(theta / 2) over a turn. Without the second factor the integral is
-// 2 tanh(pi beta) / beta; both vary on scales above 1 / beta, so that short panels resolve them.
+// 2 tanh(pi beta) / beta. With it there is a cusp |x|^2s opposite the mean direction, which the substitution
+// theta = pi (1 - v^2) softens; sech^2 varies on scales above 1 / beta, which the panels resolve.
 double donelan_banner_normaliser(double beta, double exponent_s) {
   if (exponent_s == 0.0) {
     return 0.5 * beta / std::tanh(pi * beta);
@@ -58,9 +59,10 @@ double donelan_banner_normaliser(double beta, double exponent_s) {
   constexpr int panels = 8;
   double half_integral = 0.0;
   for (int panel = 0; panel < panels; ++panel) {
-    for_each_gauss_node(pi * panel / panels, pi * (panel + 1) / panels, [&](double angle_rad, double weight) {
-      half_integral +=
-          weight * hyperbolic_secant_squared(beta * angle_rad) * cosine_2s(angle_rad, exponent_s);
+    for_each_gauss_node(1.0 * panel / panels, (panel + 1.0) / panels, [&](double v, double weight) {
+      const double angle_rad = pi * (1.0 - v * v);
+      half_integral += weight * 2.0 * pi * v * hyperbolic_secant_squared(beta * angle_rad) *
+                       cosine_2s(angle_rad, exponent_s);
     });
   }
   return 0.5 / half_integral;

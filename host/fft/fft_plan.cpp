@@ -1,0 +1,229 @@
+#include "host/fft/fft_plan.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/ocl/tuning.h"
+
+namespace offing::fft {
+namespace {
+
+constexpr int smallest_size = 16;
+constexpr int largest_size = 4096;
+constexpr int strip_lanes = 16;   // a float16: the widest vector that OpenCL has
+constexpr int narrow_lanes = 8;   // for columns whose scratch would not fit otherwise
+constexpr int block = 16;         // FFT_BLOCK
+constexpr int thread_values = 8;  // FFT_THREAD_VALUES
+
+// Results larger than this are stored past the caches: they would push out what the next pass reads.
+constexpr int smallest_streaming_size = 1024;
+
+struct Radices {
+  int first, second, third;
+};
+
+// Stages of a strip. The first streams from memory, so it is wide; the last stays small enough for registers.
+Radices strip_radices(int size) {
+  switch (size) {
+    case 16:
+      return {4, 1, 4};
+    case 32:
+      return {4, 1, 8};
+    case 64:
+      return {8, 1, 8};
+    case 128:
+      return {8, 1, 16};
+    case 256:
+      return {8, 4, 8};
+    case 512:
+      return {8, 8, 8};
+    case 1024:
+      return {16, 8, 8};
+    case 2048:
+      return {16, 16, 8};
+    default:
+      return {16, 16, 16};
+  }
+}
+
+// The n/16-point transforms inside a long row: A * B.
+std::pair<int, int> row_radices(int vectors) {
+  switch (vectors) {
+    case 16:
+      return {16, 1};
+    case 32:
+      return {4, 8};
+    case 64:
+      return {8, 8};
+    case 128:
+      return {16, 8};
+    default:
+      return {16, 16};
+  }
+}
+
+// A range of factors k.
+struct Factors {
+  int first, count;
+};
+
+// Appends cosines [count][factors] of 2 pi j k / period, then the sines.
+void append_rotations(std::vector<float>& table, int count, Factors factors, int period) {
+  for (const bool is_sine : {false, true}) {
+    for (int j = 0; j < count; ++j) {
+      for (int k = factors.first; k < factors.first + factors.count; ++k) {
+        const double angle_rad = 2.0 * std::numbers::pi * (static_cast<double>(j) * k / period);
+        table.push_back(static_cast<float>(is_sine ? std::sin(angle_rad) : std::cos(angle_rad)));
+      }
+    }
+  }
+}
+
+std::vector<float> strip_table(int size, const Radices& radices) {
+  std::vector<float> table;
+  append_rotations(table, size / radices.first, {0, radices.first}, size);
+  append_rotations(table, radices.third, {0, radices.second}, size / radices.first);
+  return table;
+}
+
+std::vector<float> long_row_table(int size, std::pair<int, int> radices) {
+  const int vectors = size / strip_lanes;
+  std::vector<float> table;
+  for (int k = 0; k < vectors; ++k) {
+    for (const bool is_sine : {false, true}) {
+      for (int lane = 0; lane < strip_lanes; ++lane) {
+        const double angle_rad = 2.0 * std::numbers::pi * (static_cast<double>(lane) * k / size);
+        table.push_back(static_cast<float>(is_sine ? std::sin(angle_rad) : std::cos(angle_rad)));
+      }
+    }
+  }
+  append_rotations(table, radices.second, {0, radices.first}, vectors);
+  return table;
+}
+
+void set_common_defines(ocl::Defines& defines, const PlanRequest& request, int lanes) {
+  defines.set("FFT_SIZE", request.size);
+  defines.set("FFT_INTERMEDIATE_ROWS", request.intermediate_rows);
+  defines.set("LANES", lanes);
+}
+
+void set_strip_defines(PassPlan& pass, const PlanRequest& request, int lanes) {
+  const Radices radices = strip_radices(request.size);
+  set_common_defines(pass.defines, request, lanes);
+  pass.defines.set("FFT_RADIX_1", radices.first);
+  pass.defines.set("FFT_RADIX_2", radices.second);
+  pass.defines.set("FFT_RADIX_3", radices.third);
+}
+
+PassPlan strip_rows(const PlanRequest& request) {
+  PassPlan pass;
+  set_strip_defines(pass, request, strip_lanes);
+  const int vectors = request.size / strip_lanes;
+  int rows_per_item = strip_lanes;
+  if (vectors >= strip_lanes) {
+    const auto radices = row_radices(vectors);
+    // Enough work-items for many cores, few enough that each is worth its launch.
+    rows_per_item = 8;
+    pass.defines.set("FFT_ROW_RADIX_A", radices.first);
+    pass.defines.set("FFT_ROW_RADIX_B", radices.second);
+    pass.defines.set("FFT_ROWS_PER_ITEM", rows_per_item);
+    pass.twiddles = long_row_table(request.size, radices);
+  } else {
+    pass.twiddles = strip_table(request.size, strip_radices(request.size));
+  }
+  if (request.size >= smallest_streaming_size) pass.defines.set_flag("FFT_NON_TEMPORAL");
+  const auto items = static_cast<std::size_t>((request.rows + rows_per_item - 1) / rows_per_item);
+  pass.shape = {{items, 1, 1}, {1, 1, 1}};
+  return pass;
+}
+
+std::size_t strip_scratch_bytes(const PlanRequest& request, int lanes) {
+  return sizeof(float) * 2 * static_cast<std::size_t>(lanes * request.size * request.column_fields);
+}
+
+PassPlan strip_columns(const PlanRequest& request, int lanes) {
+  PassPlan pass;
+  set_strip_defines(pass, request, lanes);
+  if (request.size >= smallest_streaming_size) pass.defines.set_flag("FFT_NON_TEMPORAL");
+  pass.twiddles = strip_table(request.size, strip_radices(request.size));
+  pass.shape = {{static_cast<std::size_t>(request.size / lanes), 1, 1}, {1, 1, 1}};
+  pass.scratch_bytes = strip_scratch_bytes(request, lanes);
+  return pass;
+}
+
+PassPlan group_pass(const PlanRequest& request, int width) {
+  PassPlan pass;
+  const int odd_factors[] = {1, 2, 4};  // of sizes 8^m, 2 * 8^m, 4 * 8^m
+  set_common_defines(pass.defines, request, 1);
+  pass.defines.set("FFT_GROUP_RADIX", odd_factors[std::countr_zero(static_cast<unsigned>(request.size)) % 3]);
+  pass.defines.set("FFT_GROUP_WIDTH", width);
+  append_rotations(pass.twiddles, request.size, {1, 1}, request.size);
+  pass.batch_dimension = 2;
+  return pass;
+}
+
+PassPlan group_rows(const ocl::DeviceInfo& device, const PlanRequest& request) {
+  const int threads = request.size / thread_values;
+  // Short rows share a work-group, so that it has at least 64 work-items.
+  const int wanted = std::clamp(64 / threads, 1, request.rows);
+  const int width =
+      std::min<int>(wanted, std::max<int>(1, static_cast<int>(device.max_work_group_size) / threads));
+  PassPlan pass = group_pass(request, width);
+  const auto thread_count = static_cast<std::size_t>(threads), row_count = static_cast<std::size_t>(width);
+  pass.shape = {{thread_count, static_cast<std::size_t>(request.rows), 1}, {thread_count, row_count, 1}};
+  return pass;
+}
+
+PassPlan group_columns(const ocl::DeviceInfo& device, const PlanRequest& request) {
+  const int threads = request.size / thread_values;
+  const auto bytes_per_column = sizeof(float) * static_cast<std::size_t>(request.size);
+  // Up to 16 neighbouring columns for coalesced access, as long as a work-group stays near 256 work-items.
+  int width = std::clamp(256 / threads, 1, block);
+  while (width > 1 && (static_cast<std::size_t>(width * threads) > device.max_work_group_size ||
+                       static_cast<std::size_t>(width) * bytes_per_column > device.local_memory_bytes)) {
+    width /= 2;
+  }
+  PassPlan pass = group_pass(request, width);
+  const auto thread_count = static_cast<std::size_t>(threads), column_count = static_cast<std::size_t>(width);
+  pass.shape = {{static_cast<std::size_t>(request.size), thread_count, 1}, {column_count, thread_count, 1}};
+  pass.scratch_bytes = static_cast<std::size_t>(width) * bytes_per_column;
+  return pass;
+}
+
+}  // namespace
+
+ocl::LaunchShape PassPlan::shape_for(int batch) const {
+  ocl::LaunchShape batched = shape;
+  batched.global[static_cast<std::size_t>(batch_dimension)] *= static_cast<std::size_t>(batch);
+  return batched;
+}
+
+FftPlan::FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request) {
+  if (request.size < smallest_size || request.size > largest_size ||
+      !std::has_single_bit(static_cast<unsigned>(request.size))) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("transform size: expected a power of two from {} to {}, got {}", smallest_size,
+                            largest_size, request.size),
+                "use 256, 512 or 1024");
+  }
+  ocl::KernelShape shape = ocl::tuning_for(device, "fft").shape;
+  int lanes = strip_lanes;
+  if (strip_scratch_bytes(request, lanes) > device.local_memory_bytes) lanes = narrow_lanes;
+  if (strip_scratch_bytes(request, lanes) > device.local_memory_bytes) shape = ocl::KernelShape::group;
+  if (shape == ocl::KernelShape::strip) {
+    rows_ = strip_rows(request);
+    columns_ = strip_columns(request, lanes);
+  } else {
+    rows_ = group_rows(device, request);
+    columns_ = group_columns(device, request);
+  }
+  intermediate_floats_ =
+      2 * static_cast<std::size_t>(request.size) * static_cast<std::size_t>(request.intermediate_rows);
+}
+
+}  // namespace offing::fft

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "host/ocl/device.h"
+#include "host/ocl/kernel.h"
+#include "host/ocl/program.h"
+
+namespace offing::fft {
+
+/// How one pass is built and launched: what kernels/fft/rows.clh and columns.clh expect.
+struct PassPlan {
+  ocl::Defines defines;
+  std::vector<float> twiddles;    ///< table in the order that the kernel reads, see kernels/fft/*_stages.clh
+  ocl::LaunchShape shape;         ///< for one transform
+  std::size_t scratch_bytes = 0;  ///< __local memory of a work-group (columns only)
+  int batch_dimension = 1;        ///< dimension of the global size that counts transforms
+
+  /// The launch shape for `batch` transforms.
+  ocl::LaunchShape shape_for(int batch) const;
+};
+
+/// What a caller joins to the two passes.
+struct PlanRequest {
+  int size = 0;  ///< n, a power of two, 16 ... 4096
+  int rows = 0;  ///< rows that the first pass transforms: n, or n/2 when the rest follows by symmetry
+  int intermediate_rows = 0;  ///< rows that a block of the intermediate array has room for, >= rows
+  int column_fields = 1;      ///< complex fields that the second pass holds at once
+};
+
+/// The two passes of an n x n transform, shaped for the device by the tuning table: a strip of lanes a
+/// work-item on a CPU, a work-group a row or strip of columns on a GPU. A CPU whose __local memory is too
+/// small for the columns takes narrower strips, then the GPU shape.
+class FftPlan {
+ public:
+  /// Throws Error(bad_input) if the size is not a power of two in [16, 4096].
+  FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request);
+
+  const PassPlan& rows() const { return rows_; }
+  const PassPlan& columns() const { return columns_; }
+  /// Floats of the intermediate array for one complex field: [n/16][intermediate_rows][2][16].
+  std::size_t intermediate_floats() const { return intermediate_floats_; }
+
+ private:
+  PassPlan rows_;
+  PassPlan columns_;
+  std::size_t intermediate_floats_ = 0;
+};
+
+}  // namespace offing::fft

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+
+#include "host/ocean/ocean.h"
+#include "host/ocean/surface_maps.h"
+
+namespace offing::ocean {
+
+/// Foam of every cascade: the largest coverage of the last instants, decayed (FoamParameters). It depends on
+/// the time alone; coverages of instants that the next frame needs again are kept.
+class Foam {
+ public:
+  /// In a loop the instants are spaced so that a whole number of them fills it.
+  Foam(const ocl::Device& device, const WaveModes& modes, const FoamParameters& parameters,
+       std::optional<double> loop_period_s);
+
+  /// Enqueues the foam at this time. Uses `surface` for past instants: afterwards it holds one of them.
+  void at(const WaveModes& modes, SurfaceMaps& surface, double time_s);
+  /// Forgets the kept coverages: the waves have changed.
+  void reset() { coverages_.clear(); }
+
+  /// [cascades][n][n], 0 ... 1.
+  const ocl::Buffer<float>& foam() const { return foam_; }
+
+ private:
+  using Coverage = ocl::Buffer<std::uint16_t>;  // [cascades][n][n] half
+
+  std::int64_t key_of(std::int64_t instant) const;
+  const Coverage& coverage_at(const WaveModes& modes, SurfaceMaps& surface, std::int64_t instant);
+
+  ocl::Device device_;
+  FoamParameters parameters_;
+  double step_s_;
+  std::int64_t past_count_;         // M: instants looked back
+  std::int64_t loop_instants_ = 0;  // 0: no loop
+  std::size_t texels_;
+  ocl::Kernel coverage_, decay_;
+  std::map<std::int64_t, Coverage> coverages_;
+  ocl::Buffer<float> foam_;
+};
+
+}  // namespace offing::ocean

@@ -1,0 +1,217 @@
+#include "host/ocean/ocean.h"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/ocean/foam.h"
+#include "host/ocean/parameter_check.h"
+#include "host/ocean/surface_maps.h"
+#include "host/ocean/velocity_map.h"
+#include "host/ocean/wave_modes.h"
+#include "host/ocl/program.h"
+#include "kernels/shared/ocean_params.h"
+
+namespace offing::ocean {
+namespace {
+
+constexpr double largest_time_s = 1e8;  // three years: the phase clock of WaveModes is exact up to there
+
+OceanParameters checked(const OceanParameters& parameters) {
+  require_valid_size(parameters.size);
+  require_within("cascade count", static_cast<double>(parameters.cascades.size()), 1, 4);
+  for (const Cascade& cascade : parameters.cascades) {
+    require_within("patch_length_m", cascade.patch_length_m, 0.01, 1e6);
+    require_within("k_min_radpm", cascade.k_min_radpm, 0.0, cascade.k_max_radpm);
+  }
+  require_within("choppiness", parameters.choppiness, 0.0, 10.0);
+  if (parameters.loop_period_s) require_within("loop_period_s", *parameters.loop_period_s, 0.1, 1e5);
+  require_within("foam.onset_jacobian", parameters.foam.onset_jacobian, -10.0, 10.0);
+  require_within("foam.width", parameters.foam.width, 1e-3, 100.0);
+  require_within("foam.decay_s", parameters.foam.decay_s, 0.01, 3600.0);
+  require_within("foam.step_s", parameters.foam.step_s, 0.01, 60.0);
+  return parameters;
+}
+
+}  // namespace
+
+struct Ocean::State {
+  State(const ocl::Device& opened, const SeaSpectrum& spectrum, const OceanParameters& requested)
+      : device(opened),
+        parameters(checked(requested)),
+        water_depth_m(spectrum.dispersion.depth_m),
+        modes(device, spectrum, parameters.cascades, parameters.size, parameters.loop_period_s),
+        surface(device, modes, parameters.choppiness) {
+    modes.draw(parameters.seed);
+  }
+
+  std::size_t texels() const {
+    return static_cast<std::size_t>(parameters.size) * static_cast<std::size_t>(parameters.size);
+  }
+
+  std::size_t first_texel(int cascade) const {
+    require_within("cascade index", cascade, 0, static_cast<double>(parameters.cascades.size()) - 1);
+    return static_cast<std::size_t>(cascade) * texels();
+  }
+
+  ocl::Device device;
+  OceanParameters parameters;
+  double water_depth_m;
+  double time_s = 0.0;
+  WaveModes modes;
+  SurfaceMaps surface;
+  // Made at first use: many callers want the surface alone.
+  std::optional<VelocityMap> velocity;
+  std::optional<Foam> foam;
+  std::optional<ocl::Kernel> jacobian;
+  std::optional<ocl::Kernel> compose;
+};
+
+Ocean::Ocean(const ocl::Device& device, const SeaSpectrum& spectrum, const OceanParameters& parameters)
+    : state_(std::make_unique<State>(device, spectrum, parameters)) {}
+Ocean::Ocean(Ocean&&) noexcept = default;
+Ocean& Ocean::operator=(Ocean&&) noexcept = default;
+Ocean::~Ocean() = default;
+
+const OceanParameters& Ocean::parameters() const {
+  return state_->parameters;
+}
+
+void Ocean::at(double time_s) {
+  require_within("time_s", time_s, -largest_time_s, largest_time_s);
+  state_->time_s = time_s;
+  state_->surface.at(state_->modes, time_s);
+}
+
+SurfaceFields Ocean::read_surface(int cascade) const {
+  State& state = *state_;
+  const std::size_t count = state.texels(), first = state.first_texel(cascade);
+  if (!state.jacobian) {
+    state.jacobian =
+        ocl::Program::build(state.device, "ocean/surface_jacobian.cl").kernel("surface_jacobian");
+  }
+  ocl::Buffer<float> jacobian(state.device, 2 * count, "jacobian");
+  state.jacobian->launch({{count, 1, 1}}, state.surface.displacement(), state.surface.gradient(),
+                         static_cast<int>(first), jacobian);
+  SurfaceFields fields;
+  fields.size = state.parameters.size;
+  for (std::vector<float>* field :
+       {&fields.displacement_x, &fields.displacement_y, &fields.displacement_z, &fields.slope_x,
+        &fields.slope_z, &fields.gradient_xx, &fields.gradient_xz, &fields.gradient_zz, &fields.jacobian,
+        &fields.jacobian_min_eigenvalue}) {
+    field->resize(count);
+  }
+  const auto displacement = state.surface.displacement().map();
+  const auto gradient = state.surface.gradient().map();
+  const auto eigenvalues = jacobian.map();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t texel = 4 * (first + i);
+    fields.displacement_x[i] = displacement[texel];
+    fields.displacement_y[i] = displacement[texel + 1];
+    fields.displacement_z[i] = displacement[texel + 2];
+    fields.gradient_xz[i] = displacement[texel + 3];
+    fields.slope_x[i] = gradient[texel];
+    fields.slope_z[i] = gradient[texel + 1];
+    fields.gradient_xx[i] = gradient[texel + 2];
+    fields.gradient_zz[i] = gradient[texel + 3];
+    fields.jacobian[i] = eigenvalues[2 * i];
+    fields.jacobian_min_eigenvalue[i] = eigenvalues[2 * i + 1];
+  }
+  return fields;
+}
+
+std::vector<float> Ocean::read_foam(int cascade) {
+  State& state = *state_;
+  const std::size_t first = state.first_texel(cascade);
+  if (!state.foam)
+    state.foam.emplace(state.device, state.modes, state.parameters.foam, state.parameters.loop_period_s);
+  state.foam->at(state.modes, state.surface, state.time_s);
+  state.surface.at(state.modes, state.time_s);
+  std::vector<float> foam(state.texels());
+  state.foam->foam().read(foam, first);
+  return foam;
+}
+
+VelocityFields Ocean::read_velocity(int cascade, double depth_m) {
+  State& state = *state_;
+  const std::size_t count = state.texels(), first = state.first_texel(cascade);
+  require_within("depth_m", depth_m, 0.0, 1e5);
+  if (!state.velocity) state.velocity.emplace(state.device, state.modes, state.water_depth_m);
+  state.velocity->at(state.modes, state.time_s, depth_m);
+  VelocityFields fields;
+  fields.size = state.parameters.size;
+  for (std::vector<float>* field : {&fields.x, &fields.y, &fields.z}) field->resize(count);
+  const auto velocity = state.velocity->velocity().map();
+  for (std::size_t i = 0; i < count; ++i) {
+    fields.x[i] = velocity[4 * (first + i)];
+    fields.y[i] = velocity[4 * (first + i) + 1];
+    fields.z[i] = velocity[4 * (first + i) + 2];
+  }
+  return fields;
+}
+
+ComposedFields Ocean::read_composed(const SampleGrid& grid) {
+  State& state = *state_;
+  require_within("sample grid columns", grid.columns, 1, 16384);
+  require_within("sample grid rows", grid.rows, 1, 16384);
+  if (!state.compose) {
+    state.compose = ocl::Program::build(state.device, "ocean/surface_compose.cl").kernel("surface_compose");
+  }
+  OceanComposeParams params{};
+  params.cascade_count = static_cast<int>(state.parameters.cascades.size());
+  params.columns = grid.columns;
+  params.rows = grid.rows;
+  for (std::size_t i = 0; i < state.parameters.cascades.size(); ++i) {
+    const double length_m = state.parameters.cascades[i].patch_length_m;
+    const double texels_per_m = state.parameters.size / length_m;
+    // Reduced in double, so that a grid far from the origin loses nothing.
+    const auto reduced = [&](double label_m) {
+      return static_cast<float>((label_m - length_m * std::floor(label_m / length_m)) * texels_per_m);
+    };
+    params.origin_column[i] = reduced(grid.origin_x_m);
+    params.origin_row[i] = reduced(grid.origin_z_m);
+    params.column_step[i] = static_cast<float>(grid.spacing_x_m * texels_per_m);
+    params.row_step[i] = static_cast<float>(grid.spacing_z_m * texels_per_m);
+  }
+  const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
+  const std::size_t count = columns * rows;
+  ocl::Buffer<float> position(state.device, 4 * count, "composed positions");
+  ocl::Buffer<float> shape(state.device, 4 * count, "composed slopes");
+  state.compose->launch({{columns, rows, 1}}, state.surface.displacement(), state.surface.gradient(), params,
+                        state.parameters.size, position, shape);
+  ComposedFields fields;
+  fields.columns = grid.columns;
+  fields.rows = grid.rows;
+  for (std::vector<float>* field :
+       {&fields.displacement_x, &fields.displacement_y, &fields.displacement_z, &fields.slope_x,
+        &fields.slope_z, &fields.jacobian, &fields.jacobian_min_eigenvalue}) {
+    field->resize(count);
+  }
+  const auto positions = position.map();
+  const auto shapes = shape.map();
+  for (std::size_t i = 0; i < count; ++i) {
+    fields.displacement_x[i] = positions[4 * i];
+    fields.displacement_y[i] = positions[4 * i + 1];
+    fields.displacement_z[i] = positions[4 * i + 2];
+    fields.jacobian[i] = positions[4 * i + 3];
+    fields.slope_x[i] = shapes[4 * i];
+    fields.slope_z[i] = shapes[4 * i + 1];
+    fields.jacobian_min_eigenvalue[i] = shapes[4 * i + 2];
+  }
+  return fields;
+}
+
+std::vector<float> Ocean::mode_variance(int cascade) const {
+  state_->first_texel(cascade);
+  return state_->modes.variance(cascade);
+}
+
+void Ocean::reseed(std::uint64_t seed) {
+  state_->parameters.seed = seed;
+  state_->modes.draw(seed);
+  if (state_->foam) state_->foam->reset();
+}
+
+}  // namespace offing::ocean

@@ -1,0 +1,27 @@
+#include "host/ocean/surface_maps.h"
+
+namespace offing::ocean {
+
+SurfaceMaps::SurfaceMaps(const ocl::Device& device, const WaveModes& modes, double choppiness)
+    : transform_(device, modes,
+                 {.first_source = "ocean/spectrum_advance.cl",
+                  .first_kernel = "spectrum_advance",
+                  .second_source = "ocean/surface_assemble.cl",
+                  .second_kernel = "surface_assemble",
+                  .half_fields = 5,
+                  .column_fields = 4}),
+      choppiness_(static_cast<float>(choppiness)) {
+  const auto n = static_cast<std::size_t>(modes.size());
+  const std::size_t floats = 4 * n * n * static_cast<std::size_t>(modes.cascade_count());
+  displacement_ = ocl::Buffer<float>(device, floats, "displacement map");
+  gradient_ = ocl::Buffer<float>(device, floats, "gradient map");
+}
+
+void SurfaceMaps::at(const WaveModes& modes, double time_s) {
+  const WaveClock clock = modes.clock(time_s);
+  transform_.advance(modes.amplitude(), modes.rate(), modes.wavenumber_step(), clock.ticks,
+                     clock.tick_fraction, choppiness_);
+  transform_.assemble(modes.wavenumber_step(), displacement_, gradient_);
+}
+
+}  // namespace offing::ocean

@@ -1,0 +1,33 @@
+#include "host/ocean/velocity_map.h"
+
+#include <algorithm>
+
+namespace offing::ocean {
+namespace {
+// Water deeper than this is deep for every wave that a patch can hold, and finite numbers suit every device.
+constexpr double deepest_m = 1e6;
+}  // namespace
+
+VelocityMap::VelocityMap(const ocl::Device& device, const WaveModes& modes, double water_depth_m)
+    : transform_(device, modes,
+                 {.first_source = "ocean/velocity_advance.cl",
+                  .first_kernel = "velocity_advance",
+                  .second_source = "ocean/velocity_assemble.cl",
+                  .second_kernel = "velocity_assemble",
+                  .half_fields = 3,
+                  .column_fields = 2}),
+      water_depth_m_(static_cast<float>(std::min(water_depth_m, deepest_m))) {
+  const auto n = static_cast<std::size_t>(modes.size());
+  velocity_ =
+      ocl::Buffer<float>(device, 4 * n * n * static_cast<std::size_t>(modes.cascade_count()), "velocity map");
+}
+
+void VelocityMap::at(const WaveModes& modes, double time_s, double depth_below_surface_m) {
+  const WaveClock clock = modes.clock(time_s);
+  transform_.advance(modes.amplitude(), modes.rate(), modes.wavenumber_step(), clock.ticks,
+                     clock.tick_fraction, static_cast<float>(modes.radps_per_rate()),
+                     static_cast<float>(depth_below_surface_m), water_depth_m_);
+  transform_.assemble(modes.wavenumber_step(), velocity_);
+}
+
+}  // namespace offing::ocean

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "host/ocean/mode_transform.h"
+#include "host/ocean/wave_modes.h"
+
+namespace offing::ocean {
+
+/// Particle velocity of every cascade at one time and one depth below the instantaneous surface, on the
+/// device.
+class VelocityMap {
+ public:
+  VelocityMap(const ocl::Device& device, const WaveModes& modes, double water_depth_m);
+
+  /// Enqueues the map.
+  void at(const WaveModes& modes, double time_s, double depth_below_surface_m);
+
+  /// [cascades][n][n] float4: vx, vy, vz m/s, 0.
+  const ocl::Buffer<float>& velocity() const { return velocity_; }
+
+ private:
+  ModeTransform transform_;
+  float water_depth_m_;
+  ocl::Buffer<float> velocity_;
+};
+
+}  // namespace offing::ocean

@@ -1,0 +1,114 @@
+#include "host/ocean/wave_modes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "host/ocean/spectrum_table.h"
+#include "host/ocl/program.h"
+#include "kernels/shared/ocean_params.h"
+
+namespace offing::ocean {
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+constexpr double ticks_per_second = 32.0;
+constexpr double cycles_of_all_ticks = 4294967296.0;  // 2^32
+constexpr int strip_rows = 16;  // rows that the transform takes at once when they are short
+
+double wavenumber_step_radpm(const Cascade& cascade) {
+  return two_pi / cascade.patch_length_m;
+}
+
+}  // namespace
+
+WaveModes::WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum,
+                     std::span<const Cascade> cascades, int size, std::optional<double> loop_period_s)
+    : device_(device),
+      cascades_(cascades.begin(), cascades.end()),
+      size_(size),
+      rows_(std::max(size / 2, strip_rows)),
+      loop_period_s_(loop_period_s) {
+  const auto n = static_cast<std::size_t>(size);
+  const SpectrumTable table = tabulate(spectrum);
+  const ocl::Buffer<float> table_buffer(device, table.values, "spectrum table");
+  const ocl::Kernel variance_kernel =
+      ocl::Program::build(device, "ocean/mode_variance.cl").kernel("mode_variance");
+  std::vector<float> steps;
+  for (std::size_t i = 0; i < cascades_.size(); ++i) {
+    const Cascade& cascade = cascades_[i];
+    const OceanSpectrumParams params{
+        .wavenumber_step_radpm = static_cast<float>(wavenumber_step_radpm(cascade)),
+        .k_min_radpm = static_cast<float>(cascade.k_min_radpm),
+        .k_max_radpm = static_cast<float>(cascade.k_max_radpm),
+        .log_k_first = static_cast<float>(table.log_k_first),
+        .log_k_step = static_cast<float>(table.log_k_step),
+        .wavenumber_count = table.wavenumber_count,
+        .direction_count = table.direction_count,
+        .cascade = static_cast<int>(i)};
+    steps.push_back(params.wavenumber_step_radpm);
+    variance_.emplace_back(device, n * n, "mode variance");
+    variance_kernel.launch({{n, n, 1}}, table_buffer, params, size, variance_.back());
+  }
+  initial_ = ocl::Program::build(device, "ocean/spectrum_initial.cl").kernel("spectrum_initial");
+  const std::size_t modes = cascades_.size() * static_cast<std::size_t>(rows_) * n;
+  amplitude_ = ocl::Buffer<float>(device, 4 * modes, "wave amplitudes");
+  rate_ = ocl::Buffer<std::uint32_t>(device, rates(spectrum.dispersion), "wave frequencies");
+  wavenumber_step_ = ocl::Buffer<float>(device, steps, "wavenumber steps");
+}
+
+std::vector<std::uint32_t> WaveModes::rates(const Dispersion& dispersion) const {
+  const auto n = static_cast<std::size_t>(size_);
+  std::vector<std::uint32_t> rates(cascades_.size() * static_cast<std::size_t>(rows_) * n, 0);
+  for (std::size_t i = 0; i < cascades_.size(); ++i) {
+    const double step = wavenumber_step_radpm(cascades_[i]);
+    for (int row = 0; row < size_ / 2; ++row) {
+      std::uint32_t* row_rates =
+          &rates[(i * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(row)) * n];
+      for (int column = 0; column < size_ / 2; ++column) {
+        if (row == 0 && column == 0) continue;
+        const double omega = dispersion.omega_radps(step * std::hypot(row, column));
+        // A looping wave keeps at least one cycle, so that none stands still.
+        const double cycles = loop_period_s_ ? std::max(1.0, std::round(omega / two_pi * *loop_period_s_))
+                                             : std::round(omega / radps_per_rate());
+        const auto rate = static_cast<std::uint32_t>(std::min(cycles, cycles_of_all_ticks - 1.0));
+        row_rates[column] = rate;
+        if (column > 0) row_rates[size_ - column] = rate;
+      }
+    }
+  }
+  return rates;
+}
+
+void WaveModes::draw(std::uint64_t seed) {
+  const std::array<std::uint32_t, 2> seed_words{static_cast<std::uint32_t>(seed),
+                                                static_cast<std::uint32_t>(seed >> 32)};
+  for (int cascade = 0; cascade < cascade_count(); ++cascade) {
+    initial_.launch({{static_cast<std::size_t>(size_), static_cast<std::size_t>(rows_), 1}},
+                    variance_[static_cast<std::size_t>(cascade)], size_, seed_words, cascade, amplitude_,
+                    rows_);
+  }
+}
+
+WaveClock WaveModes::clock(double time_s) const {
+  if (loop_period_s_) {
+    const double turns = time_s / *loop_period_s_;
+    const double ticks = std::round((turns - std::floor(turns)) * cycles_of_all_ticks);
+    return {static_cast<std::uint32_t>(static_cast<std::uint64_t>(ticks)), 0.0f};
+  }
+  const double ticks = time_s * ticks_per_second;
+  const double whole = std::floor(ticks);
+  return {static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)),
+          std::min(static_cast<float>(ticks - whole), 0x1.fffffep-1f)};
+}
+
+double WaveModes::radps_per_rate() const {
+  return loop_period_s_ ? two_pi / *loop_period_s_ : two_pi * ticks_per_second / cycles_of_all_ticks;
+}
+
+std::vector<float> WaveModes::variance(int cascade) const {
+  return variance_[static_cast<std::size_t>(cascade)].read();
+}
+
+}  // namespace offing::ocean

@@ -1,0 +1,29 @@
+// Parameters of the ocean kernels, one layout for host and device: 4-byte scalars only, padding written out.
+#ifndef OFFING_KERNELS_SHARED_OCEAN_PARAMS_H
+#define OFFING_KERNELS_SHARED_OCEAN_PARAMS_H
+
+// One cascade's share of ocean/mode_variance.cl and ocean/spectrum_initial.cl.
+typedef struct {
+  float wavenumber_step_radpm;  // 2 pi / patch length
+  float k_min_radpm;            // the band: k_min <= |K| < k_max
+  float k_max_radpm;
+  float log_k_first;  // of the spectrum table: ln of its first wavenumber in rad/m
+  float log_k_step;
+  int wavenumber_count;  // nk, nd of the table [nk][nd]
+  int direction_count;
+  int cascade;  // index, part of the random stream
+} OceanSpectrumParams;
+
+// A rectangle of rest labels in the texels of each cascade, for ocean/surface_compose.cl.
+typedef struct {
+  float origin_column[4];  // label of sample (0, 0), texels, reduced into [0, n)
+  float origin_row[4];
+  float column_step[4];  // texels between neighbouring samples
+  float row_step[4];
+  int cascade_count;
+  int columns;
+  int rows;
+  int padding;
+} OceanComposeParams;
+
+#endif
