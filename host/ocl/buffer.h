@@ -107,7 +107,10 @@ class Buffer {
     read(values);
     return values;
   }
-  void fill(const T& value) { memory_.fill(&value, sizeof(T)); }
+  void fill(const T& value) {
+    static_assert((sizeof(T) & (sizeof(T) - 1)) == 0 && sizeof(T) <= 128, "what OpenCL can fill with");
+    memory_.fill(&value, sizeof(T));
+  }
   MappedView<T> map() const { return MappedView<T>(memory_, count_); }
 
  private:

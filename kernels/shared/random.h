@@ -13,6 +13,9 @@ typedef ulong offing_uint64;
 #define OFFING_RANDOM_INLINE inline
 typedef std::uint32_t offing_uint32;
 typedef std::uint64_t offing_uint64;
+// Only the C form of a cast means the same to both compilers.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wold-style-cast"
 #endif
 
 // Streams: one for each consumer, so that adding a consumer changes no other's numbers.
@@ -56,5 +59,9 @@ OFFING_RANDOM_INLINE PhiloxBlock philox_block(offing_uint32 seed_low, offing_uin
 OFFING_RANDOM_INLINE float uniform_open01(offing_uint32 word) {
   return ((float)(word >> 9) + 0.5f) * (1.0f / 8388608.0f);
 }
+
+#ifndef __OPENCL_VERSION__
+#pragma GCC diagnostic pop
+#endif
 
 #endif

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "host/ocl/device.h"
+#include "tests/io/temporary_folder.h"
 #include "tests/ocl/scoped_environment.h"
-#include "tests/ocl/temporary_folder.h"
 
 namespace offing::test {
 

@@ -1,0 +1,224 @@
+#include "host/ocl/program_cache.h"
+
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
+
+#include "host/ocl/buffer.h"
+#include "host/ocl/program.h"
+#include "tests/ocl/child_process.h"
+#include "tests/ocl/scoped_environment.h"
+#include "tests/ocl/test_kernels.h"
+
+namespace offing::ocl {
+namespace {
+
+namespace fs = std::filesystem;
+using Binary = std::vector<std::uint8_t>;
+using ::testing::HasSubstr;
+using ::testing::Optional;
+
+// Collects the log while it lives.
+class LogCapture {
+ public:
+  LogCapture() : old_(spdlog::default_logger()) {
+    spdlog::set_default_logger(
+        std::make_shared<spdlog::logger>("capture", std::make_shared<spdlog::sinks::ostream_sink_mt>(text_)));
+  }
+  ~LogCapture() { spdlog::set_default_logger(old_); }
+
+  std::size_t lines() const {
+    const std::string text = text_.str();
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  }
+  std::string text() const { return text_.str(); }
+
+ private:
+  std::ostringstream text_;
+  std::shared_ptr<spdlog::logger> old_;
+};
+
+std::string content_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void replace(const fs::path& path, const std::string& content) {
+  std::ofstream(path, std::ios::binary | std::ios::trunc) << content;
+}
+
+class ProgramCacheTest : public ::testing::Test {
+ protected:
+  ProgramCacheTest() { cache_.store("identity", binary_); }
+
+  TemporaryFolder folder_;
+  ProgramCache cache_{folder_.path() / "nested" / "cache"};
+  const Binary binary_{1, 2, 3, 0, 255, 7};
+  const fs::path entry_ = cache_.entry_path("identity");
+  LogCapture log_;
+};
+
+TEST_F(ProgramCacheTest, ReturnsWhatWasStored) {
+  EXPECT_THAT(cache_.load("identity"), Optional(binary_));
+  EXPECT_EQ(cache_.load("another identity"), std::nullopt);
+  EXPECT_EQ(log_.lines(), 0u) << log_.text();
+}
+
+TEST_F(ProgramCacheTest, ReplacesAnEntry) {
+  cache_.store("identity", {9, 9});
+  EXPECT_THAT(cache_.load("identity"), Optional(Binary{9, 9}));
+}
+
+// Fails if a temporary file stays behind: the folder would grow with each start.
+TEST_F(ProgramCacheTest, LeavesNothingButEntries) {
+  std::size_t files = 0;
+  for (const auto& file : fs::directory_iterator(entry_.parent_path())) files += file.is_regular_file();
+  EXPECT_EQ(files, 1u);
+}
+
+TEST_F(ProgramCacheTest, DetectsEveryTruncation) {
+  const std::string whole = content_of(entry_);
+  for (std::size_t bytes = 0; bytes < whole.size(); ++bytes) {
+    replace(entry_, whole.substr(0, bytes));
+    EXPECT_EQ(cache_.load("identity"), std::nullopt) << bytes;
+  }
+  EXPECT_EQ(log_.lines(), whole.size());  // one line an entry
+  EXPECT_THAT(log_.text(), HasSubstr("is damaged: rebuilding it"));
+}
+
+TEST_F(ProgramCacheTest, DetectsEveryFlippedBit) {
+  const std::string whole = content_of(entry_);
+  for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
+    std::string damaged = whole;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << bit % 8));
+    replace(entry_, damaged);
+    EXPECT_EQ(cache_.load("identity"), std::nullopt) << bit;
+  }
+}
+
+TEST_F(ProgramCacheTest, DetectsGarbageAndAppendices) {
+  const std::string whole = content_of(entry_);
+  for (const std::string& garbage :
+       {std::string("text"), std::string(100000, '\xff'), whole + "x", whole + whole}) {
+    replace(entry_, garbage);
+    EXPECT_EQ(cache_.load("identity"), std::nullopt);
+  }
+}
+
+// A whole entry under the wrong name, as a careless copy leaves it.
+TEST_F(ProgramCacheTest, DetectsAForeignEntry) {
+  fs::copy_file(entry_, cache_.entry_path("another identity"));
+  EXPECT_EQ(cache_.load("another identity"), std::nullopt);
+}
+
+TEST_F(ProgramCacheTest, SurvivesAFolderInPlaceOfAnEntry) {
+  fs::remove(entry_);
+  fs::create_directories(entry_ / "x");
+  EXPECT_EQ(cache_.load("identity"), std::nullopt);
+  EXPECT_NO_THROW(cache_.store("identity", binary_));
+}
+
+TEST_F(ProgramCacheTest, SurvivesAFolderThatCannotBeMade) {
+  const ProgramCache unwritable("/dev/null/cache");  // refused to root too
+  EXPECT_NO_THROW(unwritable.store("identity", binary_));
+  EXPECT_EQ(unwritable.load("identity"), std::nullopt);
+}
+
+TEST_F(ProgramCacheTest, CanBeOff) {
+  const ProgramCache off((fs::path()));
+  off.store("identity", binary_);
+  EXPECT_EQ(off.load("identity"), std::nullopt);
+}
+
+TEST_F(ProgramCacheTest, FindsItsFolder) {
+  const test::ScopedEnvironment home("HOME", "/home/sailor");
+  const test::ScopedEnvironment xdg("XDG_CACHE_HOME", "");
+  const test::ScopedEnvironment own("OFFING_CACHE_DIR", "/own");
+  EXPECT_EQ(ProgramCache::default_folder(), "/own");
+  setenv("OFFING_CACHE_DIR", "", 1);
+  EXPECT_TRUE(ProgramCache::default_folder().empty());
+  unsetenv("OFFING_CACHE_DIR");
+  EXPECT_EQ(ProgramCache::default_folder(), "/home/sailor/.cache/offing");
+  setenv("XDG_CACHE_HOME", "/xdg", 1);
+  EXPECT_EQ(ProgramCache::default_folder(), "/xdg/offing");
+  setenv("XDG_CACHE_HOME", "relative", 1);
+  EXPECT_EQ(ProgramCache::default_folder(), "/home/sailor/.cache/offing");
+}
+
+// The same through Program::build, where the driver compiles again.
+class CachedProgramTest : public ::testing::Test {
+ protected:
+  CachedProgramTest() { kernels_.write("answer.cl", "kernel void answer(global int* v) { v[0] = 42; }"); }
+
+  int answer() const {
+    const Buffer<int> values(device_, 1, "values");
+    Program::build(device_, "answer.cl").kernel("answer").launch({{1}}, values);
+    return values.read()[0];
+  }
+  std::vector<fs::path> entries() const {
+    std::vector<fs::path> paths;
+    for (const auto& file : fs::directory_iterator(kernels_.cache().path())) {
+      if (file.is_regular_file()) paths.push_back(file.path());
+    }
+    return paths;
+  }
+
+  test::TestKernels kernels_;
+  Device device_ = Device::open();
+  LogCapture log_;
+};
+
+TEST_F(CachedProgramTest, KeepsOneEntryAProgram) {
+  EXPECT_EQ(answer(), 42);
+  EXPECT_EQ(answer(), 42);
+  EXPECT_EQ(entries().size(), 1u);
+  EXPECT_EQ(log_.lines(), 0u) << log_.text();
+}
+
+TEST_F(CachedProgramTest, RebuildsADamagedEntry) {
+  EXPECT_EQ(answer(), 42);
+  ASSERT_EQ(entries().size(), 1u);
+  const fs::path entry = entries().front();
+  const std::uintmax_t bytes = fs::file_size(entry);
+  replace(entry, "garbage");
+  EXPECT_EQ(answer(), 42);
+  EXPECT_EQ(fs::file_size(entry), bytes);
+  EXPECT_EQ(log_.lines(), 1u) << log_.text();
+}
+
+TEST_F(CachedProgramTest, BuildsWithoutAFolder) {
+  const test::ScopedEnvironment nowhere("OFFING_CACHE_DIR", "/dev/null/cache");
+  EXPECT_EQ(answer(), 42);
+  const test::ScopedEnvironment off("OFFING_CACHE_DIR", "");
+  EXPECT_EQ(answer(), 42);
+}
+
+// Processes that start at once on an empty cache, then on a full one, then on one whose entry is garbage:
+// fails if any of them reads a half-written entry or stops.
+TEST_F(CachedProgramTest, ServesProcessesThatStartAtOnce) {
+  const TemporaryFolder pocl_cache;
+  const test::ScopedEnvironment pocl("POCL_CACHE_DIR", pocl_cache.path().string());
+  for (int round = 0; round < 3; ++round) {
+    std::vector<std::unique_ptr<test::ChildProcess>> children;
+    for (int i = 0; i < 4; ++i) {
+      children.push_back(
+          std::make_unique<test::ChildProcess>(std::vector<std::string>{"build", "answer.cl", "answer"}));
+    }
+    for (const auto& child : children) {
+      EXPECT_EQ(child->exit_status(), 0) << child->output();
+      EXPECT_THAT(child->output(), HasSubstr("42\n"));
+    }
+    EXPECT_EQ(entries().size(), 1u);
+    if (round == 1) replace(entries().front(), "garbage");
+  }
+}
+
+}  // namespace
+}  // namespace offing::ocl
