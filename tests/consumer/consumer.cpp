@@ -1,4 +1,4 @@
-// A program of somebody who has Offing installed: includes by the installed paths, links by the exported names.
+// A program of somebody who has Offing installed: it includes by the installed paths.
 #include <cstdio>
 
 #include "host/base/error.h"
