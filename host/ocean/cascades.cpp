@@ -18,10 +18,13 @@ using std::numbers::pi;
 constexpr int most_cascades = 4;
 constexpr double resolved_share = 0.999;  // of m0, by all cascades together
 constexpr double peak_lengths = 20.0;     // the longest patch in wavelengths of the peak
-// The longest 0.1 % of the energy begins here in patch lengths: a Pierson-Moskowitz sea has it at 2.35
-// wavelengths of its peak, so that this asks the same patch as peak_lengths, and more where swell runs below
-// a wind sea.
-constexpr double longest_wave_lengths = 8.0;
+// Long waves below a shorter peak, as swell under a wind sea: those with 1 % of the energy must fit as often
+// as a Pierson-Moskowitz sea fits them in 16 wavelengths of its peak; the last 0.1 %, often noise of a buoy,
+// only at all.
+constexpr double long_wave_share = 0.01;
+constexpr double long_wave_lengths = 8.0;
+constexpr double last_share = 0.001;
+constexpr double last_lengths = 2.0;
 // Independent waves in the longest patch: Hs of one realisation then scatters by 2.2 %, the mean of 20 by 0.5
 // %.
 constexpr double effective_modes = 500.0;
@@ -202,11 +205,12 @@ std::vector<Cascade> choose_cascades(const SeaSpectrum& spectrum, int size, int 
   }
   const EnergyDistribution distribution(spectrum);
   const double peak_m = 2.0 * pi / spectrum.dispersion.wavenumber_radpm(spectrum.omega_peak_radps);
+  const auto wavelength_m = [&](double share) { return 2.0 * pi / distribution.quantile_radpm(share); };
   const double ample_m =
-      std::max({peak_lengths * peak_m, longest_wave_lengths * 2.0 * pi / distribution.quantile_radpm(1e-3),
+      std::max({peak_lengths * peak_m, long_wave_lengths * wavelength_m(long_wave_share),
+                last_lengths * wavelength_m(last_share),
                 std::min(distribution.length_with_modes_m(effective_modes), most_peak_lengths * peak_m)});
-  const double longest_useful_m =
-      (size / 2 - 1) * 2.0 * pi / distribution.quantile_radpm(first_cascade_share);
+  const double longest_useful_m = (size / 2 - 1) * wavelength_m(first_cascade_share);
   const double wanted_m = std::min(ample_m, longest_useful_m);
   const double k_needed_radpm = distribution.quantile_radpm(resolved_share);
 

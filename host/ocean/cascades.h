@@ -24,13 +24,13 @@ double resolved_wavenumber_radpm(double patch_length_m, int size);
 /// Throws Error(bad_input) for a size, count or length out of range (0.01 ... 1e6 m) or two equal lengths.
 std::vector<Cascade> cascades_from_patches(std::span<const double> patch_lengths_m, int size);
 
-/// Patch lengths that suit the spectrum. The longest holds about 20 wavelengths of the peak, 8 of the
-/// longest waves that matter (0.1 % of m0 is longer), and enough independent waves that Hs of one realisation
-/// scatters by about 2 % (up to 64 wavelengths of the peak). Shorter ones follow, by equal factors,
-/// until 99.9 % of m0 is resolved or `max_count` (1 ... 4) is reached. Where `size` is too small for both
-/// ends, the longest patch shrinks until the bands hold the most energy. Lengths have three significant
-/// digits and no small common multiple, so that the tiles of several cascades do not line up.
-/// Throws Error(bad_input) for a size or count out of range.
+/// Patch lengths that suit the spectrum. The longest holds about 20 wavelengths of the peak, 8 of the long
+/// waves (1 % of m0 is longer) and 2 of the longest (0.1 %), and enough independent waves that Hs of one
+/// realisation scatters by about 2 % (up to 64 wavelengths of the peak). Shorter ones follow, by equal
+/// factors, until 99.9 % of m0 is resolved or `max_count` (1 ... 4) is reached. Where `size` is too small for
+/// both ends, the longest patch shrinks until the bands hold the most energy. Lengths have three significant
+/// digits and no small common multiple, so that the tiles of several cascades do not line up. Throws
+/// Error(bad_input) for a size or count out of range.
 std::vector<Cascade> choose_cascades(const SeaSpectrum& spectrum, int size, int max_count = 3);
 
 }  // namespace offing::ocean
