@@ -1,0 +1,144 @@
+#include "host/io/spectra/read_spectra.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/log.h"
+#include "host/io/spectra/datawell_spectra.h"
+#include "host/io/spectra/ndbc_spectra.h"
+#include "host/io/spectra/netcdf_spectra.h"
+#include "host/io/spectra/swan_spectra.h"
+#include "host/io/spectra/text_cursor.h"
+#include "host/io/spectra/ww3_spectra.h"
+
+namespace offing {
+namespace {
+
+using spectra::NamedText;
+
+constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 30;
+
+struct LoadedFile {
+  std::string name;
+  std::string bytes;
+
+  NamedText text() const { return {bytes, name}; }
+};
+
+LoadedFile load(const std::filesystem::path& path) {
+  const std::string shown = spectra::printable_name(path.string());
+  std::error_code status;
+  const std::filesystem::file_status kind = std::filesystem::status(path, status);
+  if (kind.type() == std::filesystem::file_type::not_found) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a wave spectrum file, got no such file", shown),
+                "check the path; paths in a scene are relative to the scene file");
+  }
+  if (!status && !std::filesystem::is_regular_file(kind)) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a wave spectrum file, got a folder or device", shown),
+                "give the path of a file");
+  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  const auto fail = [&](const std::string& reason) {
+    throw Error(ErrorKind::file, fmt::format("{}: cannot be read: {}", shown, reason),
+                "check the permissions of the file and its folders");
+  };
+  if (!file) fail(std::strerror(errno));
+  const std::uintmax_t size = std::filesystem::file_size(path, status);
+  if (status) fail(status.message());
+  if (size > most_bytes) {
+    throw Error(ErrorKind::bad_input, fmt::format("{}: expected at most 1 GiB, got {} bytes", shown, size),
+                "cut the file into months, or extract the records that you need");
+  }
+  LoadedFile loaded{path.string(), std::string(static_cast<std::size_t>(size), '\0')};
+  loaded.bytes.resize(std::fread(loaded.bytes.data(), 1, loaded.bytes.size(), file.get()));
+  if (std::ferror(file.get())) fail(std::strerror(errno));
+  return loaded;
+}
+
+std::optional<LoadedFile> load_if_there(const std::filesystem::path& path) {
+  std::error_code status;
+  if (!std::filesystem::exists(path, status)) return std::nullopt;
+  return load(path);
+}
+
+std::vector<WaveSpectrum> read_ndbc(const LoadedFile& main, const std::filesystem::path& path) {
+  const auto paths = spectra::ndbc_companion_paths(path);
+  if (!paths) return spectra::parse_ndbc(main.bytes, main.name);
+  const std::optional<LoadedFile> alpha1 = load_if_there(paths->alpha1);
+  const std::optional<LoadedFile> alpha2 = load_if_there(paths->alpha2);
+  const std::optional<LoadedFile> r1 = load_if_there(paths->r1);
+  const std::optional<LoadedFile> r2 = load_if_there(paths->r2);
+  const bool has_any = alpha1 || alpha2 || r1 || r2;
+  if (has_any && !(alpha1 && alpha2 && r1 && r2)) {
+    spdlog::warn("{}: of the four directional files {} {} {} {} not all are there: {}",
+                 spectra::printable_name(main.name), paths->alpha1.filename().string(),
+                 paths->alpha2.filename().string(), paths->r1.filename().string(),
+                 paths->r2.filename().string(),
+                 alpha1 && r1 ? "spreading is made from the mean direction and r1 alone"
+                              : "the spectra are read without directions");
+  }
+  const auto text = [](const std::optional<LoadedFile>& file) {
+    return file ? std::optional(file->text()) : std::nullopt;
+  };
+  return spectra::parse_ndbc(main.bytes, main.name, {text(alpha1), text(alpha2), text(r1), text(r2)});
+}
+
+bool is_netcdf(std::string_view bytes) {
+  return bytes.starts_with("CDF") || bytes.starts_with("\x89HDF\r\n\x1a\n");
+}
+
+std::string_view first_filled_line(std::string_view text, std::string_view name) {
+  spectra::TextCursor cursor(text, name);
+  cursor.next_filled_line();
+  return cursor.line();
+}
+
+// A Datawell file has no mark but its name, or a first line that is a single number.
+bool is_datawell(std::string_view first_line, const std::filesystem::path& path) {
+  if (path.extension() == ".spt" || path.extension() == ".SPT") return true;
+  return spectra::take_number(first_line) && spectra::is_blank(first_line);
+}
+
+std::vector<WaveSpectrum> parse(const LoadedFile& file, const std::filesystem::path& path) {
+  if (is_netcdf(file.bytes)) return spectra::parse_netcdf(std::as_bytes(std::span(file.bytes)), file.name);
+  const std::string_view line = first_filled_line(file.bytes, file.name);
+  std::string_view rest = line;
+  const std::string_view word = spectra::take_word(rest);
+  if (line.find("WAVEWATCH III SPECTRA") != std::string_view::npos)
+    return spectra::parse_ww3(file.bytes, file.name);
+  if (word == "SWAN") return spectra::parse_swan(file.bytes, file.name);
+  if (word.starts_with("#") || word == "YY" || word == "YYYY") return read_ndbc(file, path);
+  if (is_datawell(line, path)) return spectra::parse_datawell(file.bytes, file.name);
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}:1: expected a wave spectrum file, got {}", spectra::printable_name(file.name),
+                          file.bytes.empty() ? "an empty file" : "\"" + spectra::printable(line) + "\""),
+              "formats read: NDBC .data_spec or historical text, WAVEWATCH III or SWAN text or NetCDF, "
+              "Datawell .spt");
+}
+
+}  // namespace
+
+std::vector<WaveSpectrum> read_spectra(const std::filesystem::path& path) {
+  try {
+    return parse(load(path), path);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorKind::out_of_memory,
+                fmt::format("{}: not enough memory for its spectra", spectra::printable_name(path.string())),
+                "extract the records that you need into a smaller file");
+  }
+}
+
+}  // namespace offing

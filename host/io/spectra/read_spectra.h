@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "host/base/wave_spectrum.h"
+
+namespace offing {
+
+/// All records of a wave spectrum file, in file order. The format is found by content, then by name: NDBC
+/// realtime (.data_spec) and historical text with the directional files beside them
+/// (spectra::NdbcCompanionPaths), WAVEWATCH III and SWAN as text and as NetCDF, Datawell .spt. See the
+/// parse_...() functions of this folder for what each holds. Never empty.
+///
+/// Throws Error(bad_input) if there is no such file, it is no regular file, larger than 1 GiB, of no known
+/// format or damaged: what() names file and line. Throws Error(file) if it cannot be read. Logs a warning if
+/// only some of the directional files of an NDBC spectrum are there.
+std::vector<WaveSpectrum> read_spectra(const std::filesystem::path& path);
+
+}  // namespace offing

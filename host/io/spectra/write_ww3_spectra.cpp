@@ -1,0 +1,148 @@
+#include "host/io/spectra/write_ww3_spectra.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/io/atomic_file.h"
+#include "host/io/spectra/text_cursor.h"
+#include "host/io/spectra/utc_time.h"
+
+namespace offing {
+namespace {
+
+constexpr std::size_t name_length = 10;
+constexpr double unknown = -999.0;
+
+// Fortran programs may read two-digit exponents only.
+constexpr double smallest_printed = 1e-99;
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what, const std::string& hint) {
+  throw Error(ErrorKind::bad_input, fmt::format("{}: {}", spectra::printable_name(path.string()), what),
+              hint);
+}
+
+// How many spectra share the first one's time; checks that the others repeat that.
+std::size_t points_a_time(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra) {
+  const auto same_time = [&](std::size_t begin) {
+    std::size_t end = begin;
+    while (end < spectra.size() && spectra[end].time_utc == spectra[begin].time_utc) ++end;
+    return end - begin;
+  };
+  const std::size_t points = same_time(0);
+  for (std::size_t begin = points; begin < spectra.size(); begin += points) {
+    if (same_time(begin) == points) continue;
+    fail(path,
+         fmt::format("expected {} spectra at {}, got {}", points, spectra[begin].time_utc, same_time(begin)),
+         "this format needs the same points at every time; write one record");
+  }
+  return points;
+}
+
+void check_alike(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra) {
+  if (spectra.empty()) fail(path, "expected spectra to write, got none", "choose a file that holds records");
+  for (std::size_t i = 0; i < spectra.size(); ++i) {
+    if (!spectra[i].is_directional()) {
+      fail(path, fmt::format("record {}: expected a directional spectrum, got one without directions", i),
+           "this format cannot hold it; put the directional files of the buoy beside its .data_spec");
+    }
+    if (spectra[i].frequencies_hz != spectra[0].frequencies_hz ||
+        spectra[i].directions_rad != spectra[0].directions_rad) {
+      fail(path, fmt::format("record {}: expected the frequencies and directions of record 0, got others", i),
+           "this format has one grid for all records; write one record");
+    }
+  }
+}
+
+// Values in lines of `per_line`.
+void append_values(std::string& text, std::span<const double> values, std::size_t per_line) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double value = std::abs(values[i]) < smallest_printed ? 0.0 : values[i];
+    fmt::format_to(std::back_inserter(text), " {:.6E}{}", value,
+                   i + 1 == values.size() || (i + 1) % per_line == 0 ? "\n" : "");
+  }
+}
+
+// 'name      ', quotes doubled as Fortran does.
+std::string quoted_name(const std::string& station) {
+  std::string name;
+  for (const char c : station.substr(0, name_length)) {
+    const auto byte = static_cast<unsigned char>(c);
+    name += byte < 0x20 || byte >= 0x7f ? ' ' : c;
+  }
+  name.resize(name_length, ' ');
+  std::string quoted = "'";
+  for (const char c : name) quoted += c == '\'' ? std::string("''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string time_line(const WaveSpectrum& spectrum) {
+  const spectra::UtcTime t =
+      spectra::parse_iso_time(spectrum.time_utc).value_or(spectra::UtcTime{1, 1, 1, 0, 0, 0});
+  return fmt::format("{:04}{:02}{:02} {:02}{:02}{:02}\n", t.year, t.month, t.day, t.hour, t.minute, t.second);
+}
+
+// WAVEWATCH III lists directions counterclockwise from east: bearings fall from pi/2 on, around the circle.
+std::vector<std::size_t> ww3_order(std::span<const double> bearings_rad) {
+  const auto turn_from_east = [&](std::size_t i) {
+    const double turn = std::fmod(2.5 * std::numbers::pi - bearings_rad[i], 2.0 * std::numbers::pi);
+    return turn < 0.0 ? turn + 2.0 * std::numbers::pi : turn;
+  };
+  std::vector<std::size_t> order(bearings_rad.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return turn_from_east(a) < turn_from_east(b); });
+  return order;
+}
+
+}  // namespace
+
+void write_ww3_spectra(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra) {
+  check_alike(path, spectra);
+  const std::size_t points = points_a_time(path, spectra);
+  const WaveSpectrum& first = spectra.front();
+  const std::size_t nf = first.frequencies_hz.size();
+  const std::size_t nd = first.directions_rad.size();
+
+  std::vector<double> bearings_rad(nd);
+  for (std::size_t j = 0; j < nd; ++j) {
+    // Travel bearing = 90 degrees + theta, in [0, 2 pi).
+    const double bearing = first.directions_rad[j] + 0.5 * std::numbers::pi;
+    bearings_rad[j] = bearing - 2.0 * std::numbers::pi * std::floor(bearing / (2.0 * std::numbers::pi));
+  }
+  const std::vector<std::size_t> order = ww3_order(bearings_rad);
+  std::vector<double> ordered_rad;
+  for (const std::size_t j : order) ordered_rad.push_back(bearings_rad[j]);
+
+  std::string text = fmt::format(
+      "'WAVEWATCH III SPECTRA' {:5} {:5} {:5} 'written by Offing                '\n", nf, nd, points);
+  append_values(text, first.frequencies_hz, 8);
+  append_values(text, ordered_rad, 7);
+  AtomicFile file(path);
+  std::vector<double> density(nf * nd);
+  for (std::size_t record = 0; record < spectra.size(); ++record) {
+    const WaveSpectrum& spectrum = spectra[record];
+    if (record % points == 0) text += time_line(spectrum);
+    text += fmt::format("{} {:.4f} {:.4f} {:.2f} 0.00 0.0 0.00 0.0\n", quoted_name(spectrum.station),
+                        spectrum.latitude_deg.value_or(unknown), spectrum.longitude_deg.value_or(unknown),
+                        spectrum.depth_m.value_or(unknown));
+    for (std::size_t j = 0; j < nd; ++j) {
+      for (std::size_t i = 0; i < nf; ++i) {
+        density[j * nf + i] = spectrum.energy[i] * spectrum.spreading[i * nd + order[j]];
+      }
+    }
+    append_values(text, density, 7);
+    file.write(text);
+    text.clear();
+  }
+  file.commit();
+}
+
+}  // namespace offing
