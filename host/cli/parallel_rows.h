@@ -1,0 +1,37 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace offing::cli {
+
+/// Calls work(row) for every row in [0, rows) on all processors; rows must not write what others touch. The
+/// first exception, if any, is thrown here once all threads have ended.
+template <typename Work>
+void parallel_rows(int rows, Work work) {
+  std::atomic<int> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto run = [&] {
+    try {
+      for (int row = next++; row < rows; row = next++) work(row);
+    } catch (...) {
+      const std::lock_guard lock(failure_mutex);
+      if (!failure) failure = std::current_exception();
+      next = rows;
+    }
+  };
+  const int threads = std::min(rows, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  {
+    std::vector<std::jthread> others;
+    for (int i = 1; i < threads; ++i) others.emplace_back(run);
+    run();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace offing::cli
