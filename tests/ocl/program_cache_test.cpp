@@ -186,10 +186,10 @@ TEST_F(CachedProgramTest, RebuildsADamagedEntry) {
   EXPECT_EQ(answer(), 42);
   ASSERT_EQ(entries().size(), 1u);
   const fs::path entry = entries().front();
-  const std::uintmax_t bytes = fs::file_size(entry);
   replace(entry, "garbage");
   EXPECT_EQ(answer(), 42);
-  EXPECT_EQ(fs::file_size(entry), bytes);
+  EXPECT_EQ(log_.lines(), 1u) << log_.text();
+  EXPECT_EQ(answer(), 42);  // from the entry that replaced the damaged one
   EXPECT_EQ(log_.lines(), 1u) << log_.text();
 }
 
@@ -207,7 +207,7 @@ TEST_F(CachedProgramTest, ServesProcessesThatStartAtOnce) {
   const test::ScopedEnvironment pocl("POCL_CACHE_DIR", pocl_cache.path().string());
   for (int round = 0; round < 3; ++round) {
     std::vector<std::unique_ptr<test::ChildProcess>> children;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 3; ++i) {
       children.push_back(
           std::make_unique<test::ChildProcess>(std::vector<std::string>{"build", "answer.cl", "answer"}));
     }
