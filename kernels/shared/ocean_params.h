@@ -26,4 +26,9 @@ typedef struct {
   int padding;
 } OceanComposeParams;
 
+#ifndef __OPENCL_VERSION__
+static_assert(sizeof(OceanSpectrumParams) == 32, "no padding");
+static_assert(sizeof(OceanComposeParams) == 80, "no padding");
+#endif
+
 #endif

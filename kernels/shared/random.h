@@ -62,6 +62,7 @@ OFFING_RANDOM_INLINE float uniform_open01(offing_uint32 word) {
 
 #ifndef __OPENCL_VERSION__
 #pragma GCC diagnostic pop
+static_assert(sizeof(PhiloxBlock) == 16, "no padding");
 #endif
 
 #endif
