@@ -20,9 +20,8 @@ struct Overloaded : Cases... {
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-std::string number_text(double value) {
-  // Twelve digits: short for what people write, and the rounding of a degree-to-radian scale does not show.
-  return fmt::format("{:.12g}", value);
+std::string number_text(double value, Digits digits = Digits::readable) {
+  return digits == Digits::readable ? fmt::format("{:.12g}", value) : fmt::format("{:.17g}", value);
 }
 
 [[noreturn]] void refuse(const Parameter& parameter, const WrittenValue& written, const Place& place) {
@@ -171,9 +170,9 @@ std::string expected_text(const Parameter& parameter) {
       parameter.storage);
 }
 
-std::string value_text(const OceanScene& scene, const Parameter& parameter) {
+std::string value_text(const OceanScene& scene, const Parameter& parameter, Digits digits) {
   OceanScene copy = scene;  // accessors hand out references that can be written through
-  const auto scaled = [&](double value) { return number_text(value / parameter.scale); };
+  const auto scaled = [&](double value) { return number_text(value / parameter.scale, digits); };
   const std::string absent{parameter.absent};
   return std::visit(
       Overloaded{

@@ -71,8 +71,10 @@ WrittenValue read_flag_value(const Parameter& parameter, std::string_view text);
 /// "a number in m/s within [0, 60]".
 std::string expected_text(const Parameter& parameter);
 
-/// The value in a scene, in the parameter's unit; `absent` when there is none. Exact: reading it back gives
-/// the same value up to the rounding of `scale`.
-std::string value_text(const OceanScene& scene, const Parameter& parameter);
+/// Twelve digits, as people write numbers, or as many as tell any two numbers apart.
+enum class Digits { readable, exact };
+
+/// The value in a scene, in the parameter's unit; `absent` when there is none.
+std::string value_text(const OceanScene& scene, const Parameter& parameter, Digits digits = Digits::readable);
 
 }  // namespace offing::scene

@@ -1,0 +1,194 @@
+#include "host/cli/bake_command.h"
+
+#include <cmath>
+#include <memory>
+
+#include <CLI/Option.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/base/error.h"
+#include "host/cli/bake.h"
+#include "host/cli/certificate_text.h"
+#include "host/cli/contact_sheet.h"
+#include "host/cli/parameter_options.h"
+#include "host/io/spectra/write_ww3_spectra.h"
+#include "host/scene/sampled_spectrum.h"
+#include "host/scene/scene_hash.h"
+
+namespace offing::cli {
+
+namespace {
+
+struct BakeArguments {
+  ParameterOptions parameters;
+  std::string frames;
+  std::string folder;
+  std::string chunk = "1/1";
+  std::string compression = "zip";
+  std::string channels = "displacement,slope,gradient,jacobian,foam";
+  std::string mesh;
+  std::string export_file;
+  bool json = false;
+  BakeSettings settings;
+};
+
+/// Frames of the scene's time span: from its start, stopping before its end.
+FrameRange frames_of(const scene::OceanScene& scene) {
+  const double first = std::ceil(scene.start_s * scene.frames_per_second - 1e-9);
+  const double last = std::ceil(scene.end_s * scene.frames_per_second - 1e-9) - 1.0;
+  if (last < first || last > 9'999'999.0) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("time: expected frames between start_s = {:g} and end_s = {:g}, found {}",
+                            scene.start_s, scene.end_s, last < first ? "none" : "too many"),
+                "write an end_s after start_s, or give --frames A:B");
+  }
+  return {static_cast<int>(first), static_cast<int>(last)};
+}
+
+BakeSettings read_settings(const BakeArguments& arguments, const scene::OceanScene& scene) {
+  BakeSettings settings = arguments.settings;
+  settings.folder = arguments.folder;
+  settings.frames_per_second = scene.frames_per_second;
+  settings.frames =
+      arguments.frames.empty() ? frames_of(scene) : read_frame_range("--frames", arguments.frames);
+  settings.share = read_share("--chunk", arguments.chunk);
+  settings.compression = read_compression("--compression", arguments.compression);
+  settings.channels |= read_channels("--channels", arguments.channels);
+  settings.mesh = read_mesh_format("--mesh", arguments.mesh);
+  return settings;
+}
+
+std::vector<ocl::DeviceInfo> devices_for(const std::string& selector) {
+  return selector == "all" ? ocl::list_devices() : std::vector{ocl::select_device(selector)};
+}
+
+void warn_of_broken_loop(const scene::Sea& sea, double frames_per_second) {
+  if (!sea.parameters.loop_period_s) {
+    return;
+  }
+  const double frames = *sea.parameters.loop_period_s * frames_per_second;
+  if (std::abs(frames - std::round(frames)) > 1e-6 * frames) {
+    spdlog::warn("the loop of {:g} s is {:g} frames at {:g} a second: no frame equals the first one again",
+                 *sea.parameters.loop_period_s, frames, frames_per_second);
+  }
+}
+
+/// The pictures of all frames, once all shares are done: the last process to end finds them complete.
+void write_contact_sheet(const BakeSettings& settings, const FrameFiles& files) {
+  std::vector<ContactFrame> frames;
+  for (int frame = settings.frames.first; frame <= settings.frames.last; ++frame) {
+    if (!std::filesystem::exists(files.preview(frame))) {
+      return;
+    }
+    frames.push_back({files.preview(frame), frame});
+  }
+  write_png(files.contact_sheet(), make_contact_sheet(frames));
+}
+
+nlohmann::json summary_json(const BakeSettings& settings, const scene::Sea& sea, const EnergyShares& energy,
+                            const BakeSummary& summary, const std::string& hash) {
+  nlohmann::json json = {{"folder", settings.folder.string()},
+                         {"frames_written", summary.written},
+                         {"frames_kept", summary.kept},
+                         {"scene_hash", hash},
+                         {"m0_m2", energy.m0_m2},
+                         {"out_of_band_m2", energy.out_of_band_m2}};
+  json["cascades"] = nlohmann::json::array();
+  for (std::size_t i = 0; i < sea.parameters.cascades.size(); ++i) {
+    json["cascades"].push_back(
+        {{"patch_m", sea.parameters.cascades[i].patch_length_m}, {"m0_m2", energy.cascade_m0_m2[i]}});
+  }
+  return json;
+}
+
+void run(const BakeArguments& arguments, const GlobalOptions& options) {
+  const scene::OceanScene scene = arguments.parameters.read();
+  const BakeSettings settings = read_settings(arguments, scene);
+  const scene::Sea sea = scene::prepare_sea(scene);
+  const std::vector<ocl::DeviceInfo> devices = devices_for(options.device);
+  const EnergyShares energy = energy_shares(sea.spectrum, sea.parameters.cascades);
+  if (!arguments.json) {
+    fmt::print("{}", cascade_text(sea, energy));
+    std::fflush(stdout);
+  }
+  warn_of_broken_loop(sea, settings.frames_per_second);
+  if (!arguments.export_file.empty()) {
+    const WaveSpectrum exported = scene::sampled_spectrum(sea);
+    write_ww3_spectra(arguments.export_file, std::span(&exported, 1));
+  }
+
+  const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings));
+  const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), hash);
+  files.prepare_folder();
+  const FrameWriter writer(sea, settings, files, hash, scene::spectrum_name(scene, sea));
+  const BakeSummary summary = [&] {
+    const std::size_t count = frames_of(settings.frames, settings.share).size();
+    Progress progress(static_cast<int>(count), "frames", options.verbosity);
+    return bake(devices, sea, settings, files, writer, progress, options.cancel);
+  }();
+  if (settings.preview == PreviewUse::pictures) {
+    write_contact_sheet(settings, files);
+  }
+  if (arguments.json) {
+    fmt::print("{}\n", summary_json(settings, sea, energy, summary, hash).dump(2));
+  } else {
+    fmt::print("{} frame{} written, {} there already: {}\n", summary.written, summary.written == 1 ? "" : "s",
+               summary.kept, settings.folder.string());
+  }
+}
+
+void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>& arguments) {
+  constexpr const char* group = "Output";
+  BakeSettings& settings = arguments->settings;
+  const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
+    return command.add_option(names, target, help)->type_name(placeholder)->group(group);
+  };
+  const auto add_switch = [&](const char* name, const char* help, auto set) {
+    command.add_flag_callback(name, set, help)->group(group);
+  };
+  add("-o,--output", arguments->folder, "DIR", "folder for the frames; made if it is not there")->required();
+  add("--frames", arguments->frames, "A:B",
+      "frames to make, both included; time = frame / fps (default: the scene's)");
+  add("--channels", arguments->channels, "LIST",
+      "of displacement, slope, gradient, jacobian, foam, velocity (default: all but velocity)");
+  add_switch("--velocity", "particle velocity at the surface too",
+             [&settings] { settings.channels.set(static_cast<std::size_t>(ChannelGroup::velocity)); });
+  add_switch("--combined", "one file a frame with layers c0, c1, ... (default: one file a cascade)",
+             [&settings] { settings.layout = FileLayout::combined; });
+  add_switch("--half", "16-bit floats (default: 32-bit)",
+             [&settings] { settings.pixel_type = PixelType::half_16; });
+  add("--compression", arguments->compression, "NAME", "zip, zips, piz or none (default zip)");
+  add("--mesh", arguments->mesh, "FORMAT",
+      "obj or ply: the displaced surface of all cascades, over the longest patch");
+  add_switch("--preview", "a shaded picture a frame, and a contact sheet",
+             [&settings] { settings.preview = PreviewUse::pictures; });
+  add("--export-spectrum", arguments->export_file, "FILE",
+      "write the spectrum as WAVEWATCH III text (.spec)");
+  add("--chunk", arguments->chunk, "i/n",
+      "make share i of n, for n processes that share a folder (default 1/1)");
+  add_switch("--force", "replace frames of another scene in the folder (default: refuse to mix)",
+             [&settings] { settings.foreign = ForeignFrames::replace; });
+  command.add_flag("--json", arguments->json, "a summary for scripts")->group(group);
+}
+
+}  // namespace
+
+void add_bake_command(CLI::App& ocean, GlobalOptions& options) {
+  using enum scene::ParameterGroup;
+  const auto arguments = std::make_shared<BakeArguments>();
+  CLI::App* command = ocean.add_subcommand(
+      "bake",
+      "write frames of displacement, slope, Jacobian and foam maps as OpenEXR; goes on where it was stopped");
+  add_output_options(*command, arguments);
+  arguments->parameters.add_to(*command, {world, time, sea, grid, foam});
+  add_global_options(*command, options, DeviceUse::any_number);
+  command->footer(R"(
+Examples:
+  offing ocean bake --wind-speed-mps 15 --size 512 --frames 0:47 --fps 24 --preview -o out
+  offing ocean bake --spectrum-file 41010.data_spec --record 0 --frames 0:9 --combined -o out
+  offing ocean bake scenes/storm.toml --chunk 2/8 -o out     (the second of eight machines))");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

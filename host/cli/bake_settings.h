@@ -1,0 +1,58 @@
+#pragma once
+
+#include <bitset>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/cli/argument.h"
+#include "host/io/exr_image.h"
+
+namespace offing::cli {
+
+/// Groups of channels in a baked EXR; foam, jacobian and the rest are of one cascade alone.
+enum class ChannelGroup { displacement, slope, gradient, jacobian, foam, velocity };
+inline constexpr std::size_t channel_group_count = 6;
+using ChannelGroups = std::bitset<channel_group_count>;
+
+enum class FileLayout { file_a_cascade, combined };
+enum class MeshFormat { none, obj, ply };
+enum class PreviewUse { none, pictures };
+enum class ForeignFrames { refuse, replace };
+
+/// How frames are written, and where.
+struct BakeSettings {
+  std::filesystem::path folder;
+  FrameRange frames;
+  Share share;
+  double frames_per_second = 24.0;
+  FileLayout layout = FileLayout::file_a_cascade;
+  PixelType pixel_type = PixelType::float_32;
+  ExrCompression compression = ExrCompression::zip;
+  ChannelGroups channels;
+  MeshFormat mesh = MeshFormat::none;
+  PreviewUse preview = PreviewUse::none;
+  ForeignFrames foreign = ForeignFrames::refuse;
+
+  bool has(ChannelGroup group) const { return channels.test(static_cast<std::size_t>(group)); }
+  double time_s(int frame) const { return frame / frames_per_second; }
+};
+
+/// Frames of a share: first + index, first + index + count, ... so that every process gets early and late
+/// ones and shares differ by at most one frame.
+std::vector<int> frames_of(const FrameRange& frames, const Share& share);
+
+/// "displacement,slope,foam" as groups. Throws Error(bad_usage) that names an unknown one.
+ChannelGroups read_channels(std::string_view flag, std::string_view text);
+
+/// "zip", "zips", "piz" or "none"; throws Error(bad_usage).
+ExrCompression read_compression(std::string_view flag, std::string_view text);
+
+/// "obj", "ply", or empty for none; throws Error(bad_usage).
+MeshFormat read_mesh_format(std::string_view flag, std::string_view text);
+
+/// All that shapes the bytes of an EXR besides the sea, in one line; for the scene hash.
+std::string canonical_text(const BakeSettings& settings);
+
+}  // namespace offing::cli

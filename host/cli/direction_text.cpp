@@ -1,0 +1,23 @@
+#include "host/cli/direction_text.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace offing::cli {
+
+double direction_deg(double direction_rad, DirectionStyle style) {
+  const double travel_deg = direction_rad * 180.0 / std::numbers::pi;
+  const double degrees = style == DirectionStyle::travel ? travel_deg : 270.0 + travel_deg;
+  const double wrapped = degrees - 360.0 * std::floor(degrees / 360.0);
+  return wrapped < 360.0 ? wrapped : 0.0;  // a tiny negative angle rounds up to a full turn
+}
+
+double direction_difference_rad(double a_rad, double b_rad) {
+  return -std::remainder(b_rad - a_rad, 2.0 * std::numbers::pi);
+}
+
+const char* direction_unit(DirectionStyle style) {
+  return style == DirectionStyle::travel ? "deg, travel" : "deg, from";
+}
+
+}  // namespace offing::cli

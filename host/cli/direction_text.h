@@ -1,0 +1,19 @@
+#pragma once
+
+namespace offing::cli {
+
+/// How directions are written: of travel from +x toward +z, or as a nautical "from" bearing, clockwise from
+/// north.
+enum class DirectionStyle { travel, from_bearing };
+
+/// Degrees in [0, 360) of a direction of travel in rad. "From" bearing = 270 deg + theta (PAPERS,
+/// conventions).
+double direction_deg(double direction_rad, DirectionStyle style);
+
+/// Difference of two directions of travel, rad, in (-pi, pi].
+double direction_difference_rad(double a_rad, double b_rad);
+
+/// "deg, travel" or "deg, from".
+const char* direction_unit(DirectionStyle style);
+
+}  // namespace offing::cli

@@ -1,0 +1,143 @@
+#include "host/cli/frame_files.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <regex>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "host/base/error.h"
+#include "host/io/atomic_file.h"
+
+namespace offing::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The hash that a bake wrote into this file, empty if it is no bake's; nothing if the file is missing or
+/// damaged.
+template <class ReadAttributes>
+std::optional<std::string> hash_in(const fs::path& file, ReadAttributes read) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) {
+    return std::nullopt;
+  }
+  try {
+    for (const auto& [name, value] : read(file)) {
+      if (name == "scene_hash" && std::holds_alternative<std::string>(value)) {
+        return std::get<std::string>(value);
+      }
+    }
+    return std::string();
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+[[noreturn]] void refuse_folder(const fs::path& folder, const std::string& why) {
+  throw Error(ErrorKind::file, fmt::format("{}: cannot write frames there: {}", folder.string(), why),
+              "name another folder with -o, or change its permissions");
+}
+
+}  // namespace
+
+FrameFiles::FrameFiles(const BakeSettings& settings, int cascades, std::string scene_hash)
+    : settings_(settings), cascades_(cascades), scene_hash_(std::move(scene_hash)) {}
+
+void FrameFiles::prepare_folder() const {
+  const fs::path& folder = settings_.folder;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder)) {
+    refuse_folder(folder, error ? error.message() : "there is a file of that name");
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    refuse_folder(folder, std::strerror(errno));
+  }
+  remove_stale_partials(folder, "ocean.");
+  if (settings_.foreign == ForeignFrames::replace) {
+    return;
+  }
+  static const std::regex frame_name(R"(ocean(\.c[0-9])?\.[0-9]{4,}\.exr)");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!std::regex_match(name, frame_name)) {
+      continue;
+    }
+    // A damaged file is remade if it is one of this bake's frames, and left alone if not.
+    if (hash_in(entry.path(), read_exr_attributes).value_or(scene_hash_) != scene_hash_) {
+      throw Error(
+          ErrorKind::bad_input,
+          fmt::format(
+              "{}: expected frames of this scene and these output settings alone, found {} of another",
+              folder.string(), name),
+          "name another folder with -o, or replace the frames with --force");
+    }
+  }
+}
+
+bool FrameFiles::is_done(int frame) const {
+  std::error_code ignored;
+  if (settings_.mesh != MeshFormat::none && !fs::exists(mesh(frame), ignored)) {
+    return false;
+  }
+  if (settings_.preview == PreviewUse::pictures && !fs::exists(preview(frame), ignored)) {
+    return false;
+  }
+  const std::vector<fs::path> files = exr_files(frame);
+  return std::all_of(files.begin(), files.end(), [&](const fs::path& file) {
+    const auto hash = hash_in(file, [](const fs::path& path) { return read_exr(path).attributes; });
+    return hash == scene_hash_;
+  });
+}
+
+void FrameFiles::remove_foreign_products(int frame) const {
+  const std::vector<fs::path> files = exr_files(frame);
+  const bool foreign = std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
+    return hash_in(file, read_exr_attributes).value_or(scene_hash_) != scene_hash_;
+  });
+  std::error_code ignored;
+  for (const char* extension : {"obj", "ply", "png"}) {
+    if (foreign) {
+      fs::remove(product(frame, extension), ignored);
+    }
+  }
+}
+
+fs::path FrameFiles::exr(int frame, int cascade) const {
+  return settings_.folder / (settings_.layout == FileLayout::combined
+                                 ? fmt::format("ocean.{:04}.exr", frame)
+                                 : fmt::format("ocean.c{}.{:04}.exr", cascade, frame));
+}
+
+fs::path FrameFiles::mesh(int frame) const {
+  return product(frame, settings_.mesh == MeshFormat::obj ? "obj" : "ply");
+}
+
+fs::path FrameFiles::preview(int frame) const {
+  return product(frame, "png");
+}
+
+fs::path FrameFiles::contact_sheet() const {
+  return settings_.folder / "contact_sheet.png";
+}
+
+std::vector<fs::path> FrameFiles::exr_files(int frame) const {
+  std::vector<fs::path> files;
+  const int count = settings_.layout == FileLayout::combined ? 1 : cascades_;
+  for (int cascade = 0; cascade < count; ++cascade) {
+    files.push_back(exr(frame, cascade));
+  }
+  return files;
+}
+
+fs::path FrameFiles::product(int frame, const char* extension) const {
+  return settings_.folder / fmt::format("ocean.{:04}.{}", frame, extension);
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "host/cli/bake_settings.h"
+
+namespace offing::cli {
+
+/// Names of a bake's files, and what of them is there already.
+class FrameFiles {
+ public:
+  /// `cascades` is how many the sea has, `scene_hash` what every EXR of this bake carries.
+  FrameFiles(const BakeSettings& settings, int cascades, std::string scene_hash);
+
+  /// Makes the folder, removes what killed runs left behind, and looks for frames of other bakes. Throws
+  /// Error(file) if the folder cannot be written to, Error(bad_input) if it holds another bake's frames and
+  /// these are not to be replaced.
+  void prepare_folder() const;
+
+  /// Whether all files of this frame exist, whole, from this very bake. Reads the EXR files through, so that
+  /// a damaged one is found.
+  bool is_done(int frame) const;
+
+  /// Removes pictures and meshes of a frame whose EXR files are of another bake: they would not be replaced,
+  /// and from then on stand beside the wrong sea.
+  void remove_foreign_products(int frame) const;
+
+  std::filesystem::path exr(int frame, int cascade) const;  ///< the same for every cascade when combined
+  std::filesystem::path mesh(int frame) const;
+  std::filesystem::path preview(int frame) const;
+  std::filesystem::path contact_sheet() const;
+
+ private:
+  std::vector<std::filesystem::path> exr_files(int frame) const;
+  std::filesystem::path product(int frame, const char* extension) const;
+
+  const BakeSettings& settings_;
+  int cascades_;
+  std::string scene_hash_;
+};
+
+}  // namespace offing::cli

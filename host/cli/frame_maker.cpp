@@ -1,0 +1,59 @@
+#include "host/cli/frame_maker.h"
+
+#include <cmath>
+
+namespace offing::cli {
+
+FrameMaker::FrameMaker(const ocl::Device& device, const scene::Sea& sea, const BakeSettings& settings)
+    : settings_(settings), ocean_(device, sea.spectrum, sea.parameters) {}
+
+BakedFrame FrameMaker::make(int frame) {
+  BakedFrame baked;
+  baked.number = frame;
+  baked.time_s = settings_.time_s(frame);
+  ocean_.at(baked.time_s);
+  const bool shows_foam = settings_.has(ChannelGroup::foam) || settings_.preview == PreviewUse::pictures;
+  for (std::size_t i = 0; i < ocean_.parameters().cascades.size(); ++i) {
+    const int cascade = static_cast<int>(i);
+    BakedFrame::CascadeFields& fields = baked.cascades.emplace_back();
+    fields.surface = ocean_.read_surface(cascade);
+    if (shows_foam) {
+      fields.foam = ocean_.read_foam(cascade);
+    }
+    if (settings_.has(ChannelGroup::velocity)) {
+      fields.velocity = ocean_.read_velocity(cascade);
+    }
+  }
+  if (settings_.mesh != MeshFormat::none) {
+    baked.mesh = make_mesh();
+  }
+  return baked;
+}
+
+GridMesh FrameMaker::make_mesh() {
+  const int n = ocean_.parameters().size;
+  const double spacing_m = ocean_.parameters().cascades.front().patch_length_m / n;
+  const ocean::ComposedFields sea =
+      ocean_.read_composed({.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = n, .rows = n});
+  GridMesh mesh;
+  mesh.columns = n;
+  mesh.rows = n;
+  const std::size_t count = static_cast<std::size_t>(n) * n;
+  mesh.positions_xyz.reserve(3 * count);
+  mesh.normals_xyz.reserve(3 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x_m = spacing_m * static_cast<double>(i % n);
+    const double z_m = spacing_m * static_cast<double>(i / n);
+    mesh.positions_xyz.push_back(static_cast<float>(x_m + sea.displacement_x[i]));
+    mesh.positions_xyz.push_back(sea.displacement_y[i]);
+    mesh.positions_xyz.push_back(static_cast<float>(z_m + sea.displacement_z[i]));
+    // The normal of a height field of these slopes: (-sx, 1, -sz), normalised.
+    const float length = std::hypot(sea.slope_x[i], 1.0f, sea.slope_z[i]);
+    mesh.normals_xyz.push_back(-sea.slope_x[i] / length);
+    mesh.normals_xyz.push_back(1.0f / length);
+    mesh.normals_xyz.push_back(-sea.slope_z[i] / length);
+  }
+  return mesh;
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,122 @@
+#include "host/cli/frame_writer.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "host/cli/sea_preview.h"
+#include "host/scene/version.h"
+
+namespace offing::cli {
+
+FrameWriter::FrameWriter(const scene::Sea& sea, const BakeSettings& settings, const FrameFiles& files,
+                         std::string scene_hash, std::string spectrum_name)
+    : sea_(sea),
+      settings_(settings),
+      files_(files),
+      scene_hash_(std::move(scene_hash)),
+      spectrum_name_(std::move(spectrum_name)) {
+  const ocean::SeaState state = ocean::integrate_sea_state(sea.spectrum);
+  mean_direction_rad_ = state.mean_direction_rad;
+  hs_m_ = state.hs_m;
+}
+
+void FrameWriter::write(const BakedFrame& frame) const {
+  files_.remove_foreign_products(frame.number);
+  if (settings_.preview == PreviewUse::pictures) {
+    write_preview(frame);
+  }
+  if (settings_.mesh == MeshFormat::obj) {
+    write_obj(files_.mesh(frame.number), frame.mesh);
+  } else if (settings_.mesh == MeshFormat::ply) {
+    write_ply(files_.mesh(frame.number), frame.mesh);
+  }
+
+  if (settings_.layout == FileLayout::combined) {
+    ExrImage image = image_of(frame);
+    for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
+      const std::string layer = fmt::format("c{}.", i);
+      add_cascade(image, frame.cascades[i], layer);
+      add_cascade_attributes(image, i, layer);
+    }
+    write_exr(files_.exr(frame.number, 0), image, settings_.pixel_type, settings_.compression);
+    return;
+  }
+  for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
+    ExrImage image = image_of(frame);
+    add_cascade(image, frame.cascades[i], "");
+    add_cascade_attributes(image, i, "");
+    write_exr(files_.exr(frame.number, static_cast<int>(i)), image, settings_.pixel_type,
+              settings_.compression);
+  }
+}
+
+/// Seen from a low deck, about three wave heights up, looking against the waves and a little aside.
+void FrameWriter::write_preview(const BakedFrame& frame) const {
+  std::vector<PreviewCascade> cascades;
+  for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
+    cascades.push_back(
+        {sea_.parameters.cascades[i].patch_length_m, &frame.cascades[i].surface, frame.cascades[i].foam});
+  }
+  PreviewView view;
+  view.camera_height_m = std::max(2.0, 3.0 * hs_m_);
+  view.yaw_rad = mean_direction_rad_ + 2.6;
+  view.sun_azimuth_rad = view.yaw_rad + 0.5;
+  write_png(files_.preview(frame.number),
+            render_sea_preview(PreviewSurface(cascades, sea_.parameters.foam), view));
+}
+
+ExrImage FrameWriter::image_of(const BakedFrame& frame) const {
+  ExrImage image;
+  image.width = sea_.parameters.size;
+  image.height = sea_.parameters.size;
+  image.attributes = {{"frame", frame.number},
+                      {"time_s", frame.time_s},
+                      {"frames_per_second", settings_.frames_per_second},
+                      {"spectrum", spectrum_name_},
+                      {"seed", fmt::format("{}", sea_.parameters.seed)},  // 64 bits do not fit an EXR integer
+                      {"choppiness", sea_.parameters.choppiness},
+                      {"scene_hash", scene_hash_},
+                      {"offing_version", std::string(scene::version())},
+                      {"tileable", 1}};
+  if (sea_.parameters.loop_period_s) {
+    image.attributes.emplace_back("loop_period_s", *sea_.parameters.loop_period_s);
+  }
+  return image;
+}
+
+void FrameWriter::add_cascade(ExrImage& image, const BakedFrame::CascadeFields& fields,
+                              const std::string& layer) const {
+  const ocean::SurfaceFields& surface = fields.surface;
+  const auto add = [&](ChannelGroup group, const char* name, const std::vector<float>& values) {
+    if (settings_.has(group)) {
+      image.channels.push_back({layer + name, values});
+    }
+  };
+  add(ChannelGroup::displacement, "displacement.X", surface.displacement_x);
+  add(ChannelGroup::displacement, "displacement.Y", surface.displacement_y);
+  add(ChannelGroup::displacement, "displacement.Z", surface.displacement_z);
+  add(ChannelGroup::slope, "slope.X", surface.slope_x);
+  add(ChannelGroup::slope, "slope.Z", surface.slope_z);
+  add(ChannelGroup::gradient, "gradient.XX", surface.gradient_xx);
+  add(ChannelGroup::gradient, "gradient.XZ", surface.gradient_xz);
+  add(ChannelGroup::gradient, "gradient.ZZ", surface.gradient_zz);
+  add(ChannelGroup::jacobian, "jacobian", surface.jacobian);
+  add(ChannelGroup::jacobian, "jacobian_min_eigenvalue", surface.jacobian_min_eigenvalue);
+  add(ChannelGroup::foam, "foam", fields.foam);
+  add(ChannelGroup::velocity, "velocity.X", fields.velocity.x);
+  add(ChannelGroup::velocity, "velocity.Y", fields.velocity.y);
+  add(ChannelGroup::velocity, "velocity.Z", fields.velocity.z);
+}
+
+void FrameWriter::add_cascade_attributes(ExrImage& image, std::size_t cascade,
+                                         const std::string& layer) const {
+  const ocean::Cascade& band = sea_.parameters.cascades[cascade];
+  image.attributes.emplace_back(layer + "patch_size_m", band.patch_length_m);
+  image.attributes.emplace_back(layer + "k_min_radpm", band.k_min_radpm);
+  image.attributes.emplace_back(layer + "k_max_radpm", band.k_max_radpm);
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "host/cli/bake_settings.h"
+#include "host/cli/frame_files.h"
+#include "host/cli/frame_maker.h"
+#include "host/scene/sea.h"
+
+namespace offing::cli {
+
+/// Writes frames as EXR, mesh and preview, each file whole or not at all, the EXR files last: once they are
+/// there, the frame is.
+class FrameWriter {
+ public:
+  /// The arguments must outlive this object.
+  FrameWriter(const scene::Sea& sea, const BakeSettings& settings, const FrameFiles& files,
+              std::string scene_hash, std::string spectrum_name);
+
+  void write(const BakedFrame& frame) const;
+
+ private:
+  void write_preview(const BakedFrame& frame) const;
+  ExrImage image_of(const BakedFrame& frame) const;
+  void add_cascade(ExrImage& image, const BakedFrame::CascadeFields& fields, const std::string& layer) const;
+  void add_cascade_attributes(ExrImage& image, std::size_t cascade, const std::string& layer) const;
+
+  const scene::Sea& sea_;
+  const BakeSettings& settings_;
+  const FrameFiles& files_;
+  std::string scene_hash_;
+  std::string spectrum_name_;
+  double mean_direction_rad_;
+  double hs_m_;
+};
+
+}  // namespace offing::cli

@@ -1,0 +1,142 @@
+#include "host/cli/spectrum_command.h"
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <CLI/Option.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/base/wave_spectrum.h"
+#include "host/cli/argument.h"
+#include "host/cli/direction_text.h"
+#include "host/cli/spectrum_plot.h"
+#include "host/cli/spectrum_text.h"
+#include "host/io/spectra/read_spectra.h"
+#include "host/io/spectra/write_ww3_spectra.h"
+#include "host/ocean/spectrum_parameters.h"
+
+namespace offing::cli {
+
+namespace {
+
+struct SpectrumArguments {
+  std::string file;
+  std::string record;
+  std::string plot;
+  std::string export_file;
+  bool json = false;
+  DirectionStyle directions = DirectionStyle::travel;
+};
+
+/// The sea state of a record, in deep water unless the file says otherwise; all 0 for a record without
+/// energy.
+ocean::SeaState state_of(const WaveSpectrum& record) {
+  if (variance_m2(record) <= 0.0) {
+    return {};
+  }
+  ocean::Dispersion dispersion;
+  if (record.depth_m) {
+    dispersion.depth_m = *record.depth_m;
+  }
+  return ocean::integrate_sea_state(ocean::from_measured(record, {}, dispersion));
+}
+
+nlohmann::json to_json(std::size_t index, const WaveSpectrum& record, DirectionStyle style) {
+  const ocean::SeaState state = state_of(record);
+  nlohmann::json json = {{"record", index},           {"time_utc", record.time_utc},
+                         {"station", record.station}, {"directional", record.is_directional()},
+                         {"hs_m", state.hs_m},        {"tp_s", state.tp_s},
+                         {"tm01_s", state.tm01_s},    {"tm02_s", state.tm02_s}};
+  json["mean_direction_deg"] = nullptr;
+  if (record.is_directional()) {
+    json["mean_direction_deg"] = direction_deg(state.mean_direction_rad, style);
+  }
+  json["depth_m"] = record.depth_m ? nlohmann::json(*record.depth_m) : nlohmann::json();
+  return json;
+}
+
+void print_list(const std::string& file, const std::vector<WaveSpectrum>& records, DirectionStyle style) {
+  const WaveSpectrum& first = records.front();
+  fmt::print("{}: {} record{}, {} frequencies {:.4g} ... {:.4g} Hz{}\n", file, records.size(),
+             records.size() == 1 ? "" : "s", first.frequencies_hz.size(), first.frequencies_hz.front(),
+             first.frequencies_hz.back(), first.is_directional() ? ", directional" : ", without directions");
+  fmt::print("{:>6}  {:<20}  {:>7}  {:>6}  {:>6}  {:>15}\n", "record", "time", "Hs m", "Tp s", "Tm02 s",
+             direction_unit(style));
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const ocean::SeaState state = state_of(records[i]);
+    const std::string direction = records[i].is_directional() && state.m0_m2 > 0.0
+                                      ? fmt::format("{:.1f}", direction_deg(state.mean_direction_rad, style))
+                                      : "-";
+    fmt::print("{:>6}  {:<20}  {:>7.3f}  {:>6.2f}  {:>6.2f}  {:>15}\n", i, records[i].time_utc, state.hs_m,
+               state.tp_s, state.tm02_s, direction);
+  }
+}
+
+void run(const SpectrumArguments& arguments) {
+  const std::vector<WaveSpectrum> records = read_spectra(arguments.file);
+  std::optional<std::size_t> chosen;
+  if (!arguments.record.empty()) {
+    chosen = static_cast<std::size_t>(
+        read_whole("--record", arguments.record, 0, static_cast<std::int64_t>(records.size()) - 1, "0"));
+  }
+  if (!arguments.plot.empty()) {
+    write_spectrum_plot(arguments.plot, records[chosen.value_or(0)]);
+  }
+  if (!arguments.export_file.empty()) {
+    const std::span<const WaveSpectrum> all(records);
+    write_ww3_spectra(arguments.export_file, chosen ? all.subspan(*chosen, 1) : all);
+  }
+
+  if (arguments.json) {
+    nlohmann::json json = {{"file", arguments.file}, {"records", nlohmann::json::array()}};
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      if (!chosen || *chosen == i) {
+        json["records"].push_back(to_json(i, records[i], arguments.directions));
+      }
+    }
+    if (chosen) {
+      json["records"][0]["frequencies_hz"] = records[*chosen].frequencies_hz;
+      json["records"][0]["energy_m2_per_hz"] = records[*chosen].energy;
+    }
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    return;
+  }
+  if (chosen) {
+    fmt::print("{}", spectrum_text(records[*chosen], state_of(records[*chosen]), arguments.directions));
+  } else {
+    print_list(arguments.file, records, arguments.directions);
+  }
+}
+
+}  // namespace
+
+void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
+  const auto arguments = std::make_shared<SpectrumArguments>();
+  CLI::App* command = ocean.add_subcommand("spectrum", "list, draw and convert measured wave spectra");
+  command->add_option("FILE", arguments->file, "NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF spectra")
+      ->required()
+      ->type_name("");
+  command->add_option("--record", arguments->record, "draw this record, counted from 0 (default: list all)")
+      ->type_name("N");
+  command->add_option("--plot", arguments->plot, "write a picture: energy against frequency, and polar (PNG)")
+      ->type_name("FILE");
+  command
+      ->add_option("--export-spectrum", arguments->export_file,
+                   "write the record, or all, as WAVEWATCH III text (.spec)")
+      ->type_name("FILE");
+  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag_callback(
+      "--compass", [arguments] { arguments->directions = DirectionStyle::from_bearing; },
+      "directions the sea comes from, clockwise from north (default: of travel, from east toward south)");
+  add_global_options(*command, options, DeviceUse::none);
+  command->footer(R"(
+Examples:
+  offing ocean spectrum 41010.data_spec
+  offing ocean spectrum 41010.data_spec --record 0 --plot sea.png)");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host/base/wave_spectrum.h"
+#include "host/ocean/ocean.h"
+#include "host/ocean/sea_spectrum.h"
+#include "host/scene/ocean_scene.h"
+
+namespace offing::scene {
+
+/// What a simulation needs of a scene: no file names, no defaults left to choose.
+struct Sea {
+  std::optional<WaveSpectrum> measured;  ///< the record that `spectrum` was made from, if it was measured
+  ocean::SeaSpectrum spectrum;
+  ocean::OceanParameters parameters;  ///< with its cascades
+};
+
+/// The scene with [wind] taken over where the ocean names no wind of its own.
+OceanScene with_resolved_wind(OceanScene scene);
+
+/// Reads the measured spectrum if there is one, makes the spectrum and chooses the cascades.
+///
+/// Water depth is the scene's, else that of the measured record, else infinite. Throws Error(bad_input) for a
+/// spectrum file that cannot be read, a record that it does not have, or values that do not go together.
+Sea prepare_sea(const OceanScene& scene);
+
+/// One line on where the waves come from: "jonswap, wind 10 m/s" or "measured, 41010, 2020-06-08T03:50Z".
+std::string spectrum_name(const OceanScene& scene, const Sea& sea);
+
+}  // namespace offing::scene
