@@ -1,5 +1,6 @@
 #include "host/ocean/ocean.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -137,7 +138,7 @@ std::vector<float> Ocean::read_foam(int cascade) {
 VelocityFields Ocean::read_velocity(int cascade, double depth_m) {
   State& state = *state_;
   const std::size_t count = state.texels(), first = state.first_texel(cascade);
-  require_within("depth_m", depth_m, 0.0, 1e5);
+  require_within("depth_m", depth_m, 0.0, std::min(1e5, state.water_depth_m));
   if (!state.velocity) state.velocity.emplace(state.device, state.modes, state.water_depth_m);
   state.velocity->at(state.modes, state.time_s, depth_m);
   VelocityFields fields;

@@ -27,9 +27,9 @@ struct OceanParameters {
   int size = 512;                 ///< n, samples along a patch: a power of two, 16 ... 4096
   std::vector<Cascade> cascades;  ///< 1 ... 4
   std::uint64_t seed = 1;
-  double choppiness = 1.0;              ///< alpha >= 0 of PAPERS O7
-  std::optional<double> loop_period_s;  ///< the surface repeats exactly after this time
-  FoamParameters foam;
+  double choppiness = 1.0;                   ///< alpha >= 0 of PAPERS O7
+  std::optional<double> loop_period_s = {};  ///< the surface repeats exactly after this time
+  FoamParameters foam = {};
 };
 
 /// One cascade's surface in host memory, each field [n][n] row-major, row = z, column = x.
@@ -86,6 +86,7 @@ class Ocean {
   std::vector<float> read_foam(int cascade);
   /// Particle velocity at the time of the last at(), `depth_m` below the instantaneous surface (vertical
   /// coordinate measured from the surface: Wheeler stretching of linear theory); 0 is the surface itself.
+  /// Throws Error(bad_input) for a depth below the bed.
   VelocityFields read_velocity(int cascade, double depth_m = 0.0);
   /// The composed surface at the time of the last at(), bilinear between samples of each cascade.
   ComposedFields read_composed(const SampleGrid& grid);

@@ -15,6 +15,8 @@ namespace {
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double ticks_per_second = 32.0;
 constexpr double cycles_of_all_ticks = 4294967296.0;  // 2^32
+constexpr double loop_instants = 268435456.0;         // 2^28: a loop of 100 s has one every 0.4 us
+constexpr std::int64_t ticks_per_loop_instant = 16;   // 2^32 / 2^28
 constexpr int strip_rows = 16;  // rows that the transform takes at once when they are short
 
 double wavenumber_step_radpm(const Cascade& cascade) {
@@ -93,9 +95,9 @@ void WaveModes::draw(std::uint64_t seed) {
 
 WaveClock WaveModes::clock(double time_s) const {
   if (loop_period_s_) {
-    const double turns = time_s / *loop_period_s_;
-    const double ticks = std::round((turns - std::floor(turns)) * cycles_of_all_ticks);
-    return {static_cast<std::uint32_t>(static_cast<std::uint64_t>(ticks)), 0.0f};
+    // t and t + T differ by rounding of either; the coarser the instants, the rarer it falls between two.
+    const double instant = std::round(std::fmod(time_s, *loop_period_s_) / *loop_period_s_ * loop_instants);
+    return {static_cast<std::uint32_t>(static_cast<std::int64_t>(instant) * ticks_per_loop_instant), 0.0f};
   }
   const double ticks = time_s * ticks_per_second;
   const double whole = std::floor(ticks);
