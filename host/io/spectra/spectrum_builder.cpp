@@ -14,7 +14,9 @@ namespace offing::spectra {
 namespace {
 
 constexpr double turn_rad = 2.0 * std::numbers::pi;
-constexpr std::size_t finest_direction_count = 360;
+
+// One degree: no model's bins are narrower, and those of whole degrees keep their centres.
+constexpr std::size_t resampled_direction_count = 360;
 
 // WAVEWATCH III prints directions with three digits, so to 0.005 rad from 1 rad up.
 constexpr double printed_error_rad = 0.006;
@@ -115,10 +117,7 @@ void DirectionGrid::resample(const std::vector<double>& angles, const std::vecto
     return gaps[i] <= 2.5 * usual_rad ? 0.5 * gaps[i] : 0.5 * usual_rad;
   };
 
-  const double wanted =
-      std::ceil(turn_rad / std::max(sorted_gaps.front(), turn_rad / finest_direction_count) - 1e-9);
-  const std::size_t count =
-      std::clamp(static_cast<std::size_t>(wanted), std::size_t{direction_count}, finest_direction_count);
+  constexpr std::size_t count = resampled_direction_count;
   const double spacing_rad = turn_rad / static_cast<double>(count);
   for (std::size_t j = 0; j < count; ++j) directions_rad_.push_back(static_cast<double>(j) * spacing_rad);
 

@@ -22,7 +22,7 @@ void check_densities(std::span<const double> densities, std::string_view where);
 ///
 /// Evenly spaced directions over the whole circle, in any order and off by no more than three printed digits,
 /// keep their number; a repeated end (0 and 360 degrees) is dropped. Anything else (a sector, uneven bins) is
-/// laid on a finer even grid of at most 360 directions, each input bin reaching half-way to its neighbours,
+/// laid on an even grid of 360 directions, each input bin reaching half-way to its neighbours,
 /// its energy conserved.
 class DirectionGrid {
  public:
