@@ -76,8 +76,12 @@ std::string cascade_text(const scene::Sea& sea, const EnergyShares& energy) {
 
 std::string certificate_text(const Certificate& c, const scene::Sea& sea, DirectionStyle style) {
   const double root = std::sqrt(static_cast<double>(c.seeds));
-  // Figures without a theory of their own are judged by the scatter from seed to seed.
-  const auto observed = [&](const Measured& figure) { return figure.spread / root; };
+  // Figures without a theory of their own are judged by the scatter from seed to seed, once it is known well
+  // enough.
+  constexpr int fewest_seeds = 8;
+  const auto observed = [&](const Measured& figure) {
+    return c.seeds < fewest_seeds ? 0.0 : figure.spread / root;
+  };
   const double direction_error_deg = c.standard_error.mean_direction_rad * degrees_per_radian;
 
   fmt::memory_buffer text;

@@ -24,8 +24,9 @@ struct OceanScene {
   std::optional<double> depth_m;                   ///< absent: deep water, or the depth a measured file gives
   ocean::SpectrumParameters spectrum;              ///< its wind and depth are filled in by prepare_sea()
 
-  std::string spectrum_file;  ///< measured spectrum; empty: the modelled one
-  int record = 0;             ///< record of spectrum_file
+  std::string spectrum_file;      ///< measured spectrum; empty: the modelled one
+  std::optional<double> tail_hz;  ///< the measured spectrum is continued to this frequency
+  int record = 0;                 ///< record of spectrum_file
 
   std::vector<double> patch_lengths_m;  ///< one a cascade; empty: chosen from the spectrum
   int cascade_count = 3;                ///< how many to choose at most

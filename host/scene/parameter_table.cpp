@@ -260,6 +260,17 @@ std::vector<Parameter> make_table() {
        .high = 1e9,
        .help = "record of the measured spectrum file, counted from 0"},
 
+      {.key = "ocean.tail_hz",
+       .flag = "--tail-hz",
+       .group = sea,
+       .storage = &member<&Scene::tail_hz>,
+       .unit = "Hz",
+       .low = 0.1,
+       .high = 20.0,
+       .help = "continue the measured spectrum as f^-5 up to this frequency, for the short waves buoys miss",
+       .example = "3",
+       .absent = "no tail: the file's energy and no other"},
+
       {.key = "ocean.size",
        .flag = "--size",
        .group = grid,

@@ -5,6 +5,7 @@
 #include "host/base/error.h"
 #include "host/io/spectra/read_spectra.h"
 #include "host/scene/parameter_table.h"
+#include "host/scene/spectrum_tail.h"
 
 namespace offing::scene {
 
@@ -45,6 +46,9 @@ Sea prepare_sea(const OceanScene& scene) {
     sea.measured = read_record(scene);
     if (!scene.depth_m && sea.measured->depth_m) {
       spectrum.dispersion.depth_m = *sea.measured->depth_m;
+    }
+    if (scene.tail_hz) {
+      sea.measured = with_tail(std::move(*sea.measured), *scene.tail_hz);
     }
     // Only a wind that was asked for: the default would be a guess, where the record's own peak tells the
     // wave age.
