@@ -1,0 +1,101 @@
+#include "host/io/spectra/read_spectra.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "tests/io/spectra/spectrum_checks.h"
+#include "tests/io/temporary_folder.h"
+#include "tests/ocl/expect_error.h"
+
+namespace offing {
+namespace {
+
+using test::expect_error;
+using test::write_text;
+
+const std::string historical = "#YY  MM DD hh mm   .0500   .1000\n2020 01 02 03 40 1.0 2.0\n";
+const std::string directions = "#YY  MM DD hh mm   .0500   .1000\n2020 01 02 03 40 200 210\n";
+const std::string moments = "#YY  MM DD hh mm   .0500   .1000\n2020 01 02 03 40 70 30\n";
+const std::string datawell =
+    "10\n85\n4.5\n0.5\n25\n19\n7\n-0.1\n0.3\n0.2\n213\n68\n0.10,1.0,270,30,0,4\n0.11,0.5,270,30,0,4\n";
+
+// Fails if a hostile name is taken for a format, a pattern, an address or a second line.
+TEST(ReadSpectra, ReadsFilesOfHostileNames) {
+  const TemporaryFolder folder;
+  for (const char* name : {"buoy}2024-09-09T01h15Z.spt", "{} {0} %s %n.spt", "two\nlines.spt", "-o", "http:x",
+                           "*?[a].nc", "\xff\xfe\x80.spt", "'\"`$(x)\\.txt"}) {
+    const std::filesystem::path path = folder.path() / name;
+    write_text(path, datawell);
+    const auto spectra = read_spectra(path);
+    ASSERT_EQ(spectra.size(), 1U) << name;
+    EXPECT_EQ(spectra[0].energy[0], 0.5);
+    write_text(path, datawell + "x\n");
+    expect_error(ErrorKind::bad_input, ":15: expected f, S/Smax", [&] { read_spectra(path); });
+  }
+}
+
+TEST(ReadSpectra, FindsHistoricalCompanions) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "46042w2020.txt", historical);
+  EXPECT_FALSE(read_spectra(folder.path() / "46042w2020.txt")[0].is_directional());
+  write_text(folder.path() / "46042d2020.txt", directions);
+  write_text(folder.path() / "46042i2020.txt", directions);
+  write_text(folder.path() / "46042j2020.txt", moments);
+  EXPECT_TRUE(read_spectra(folder.path() / "46042w2020.txt")[0].is_directional());
+  write_text(folder.path() / "46042k2020.txt", moments);
+  EXPECT_TRUE(read_spectra(folder.path() / "46042w2020.txt")[0].is_directional());
+  write_text(folder.path() / "46042k2020.txt", "damaged");
+  expect_error(ErrorKind::bad_input, "46042k2020.txt:1: expected an NDBC header",
+               [&] { read_spectra(folder.path() / "46042w2020.txt"); });
+}
+
+TEST(ReadSpectra, RefusesWhatIsNoSpectrum) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "f";
+  expect_error(ErrorKind::bad_input, "f: expected a wave spectrum file, got no such file",
+               [&] { read_spectra(path); });
+  expect_error(ErrorKind::bad_input, "got a folder or device", [&] { read_spectra(folder.path()); });
+  expect_error(ErrorKind::bad_input, "got a folder or device", [&] { read_spectra("/dev/null"); });
+  expect_error(ErrorKind::bad_input, "got no such file", [&] { read_spectra(""); });
+  const struct {
+    std::string bytes;
+    const char* message;
+  } cases[] = {
+      {"", "f:1: expected a wave spectrum file, got an empty file"},
+      {"hello\n", "f:1: expected a wave spectrum file, got \"hello\""},
+      {std::string(1000, '\0'), "f:1: expected a wave spectrum file, got \"\\x00"},
+      {"\x7f"
+       "ELF\x02\x01\x01",
+       "f:1: expected a wave spectrum file, got \"\\x7fELF"},
+      {std::string(1 << 20, 'x'), "f:1: expected a wave spectrum file, got \"xxx"},
+      {std::string(1 << 20, '\n'), "f:1: expected a wave spectrum file, got"},
+      {"CDF\x01", "f: expected a NetCDF file, but opening it failed"},
+      {"CDF", "f: expected a NetCDF file, but opening it failed"},
+      {"\x89HDF\r\n\x1a\n", "f: expected a NetCDF file, but opening it failed"},
+      {"SWAN", "f:1: expected SWAN and the version 1"},
+      {"'WAVEWATCH III SPECTRA'", "f:1: expected the number of frequencies, got the end of the file"},
+      {"#YY", "f:1: expected the date columns"},
+      {"5\n6\n", "f:2: expected twelve header lines of one value"},
+  };
+  for (const auto& c : cases) {
+    write_text(path, c.bytes);
+    const std::string hint = expect_error(ErrorKind::bad_input, c.message, [&] { read_spectra(path); });
+    EXPECT_FALSE(hint.empty()) << c.message;
+  }
+}
+
+TEST(ReadSpectra, NamesAFileThatMayNotBeRead) {
+  if (geteuid() == 0) GTEST_SKIP() << "root may read everything";
+  const TemporaryFolder folder;
+  write_text(folder.path() / "f", historical);
+  chmod((folder.path() / "f").c_str(), 0);
+  expect_error(ErrorKind::file, "f: cannot be read: Permission denied",
+               [&] { read_spectra(folder.path() / "f"); });
+}
+
+}  // namespace
+}  // namespace offing
