@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later (offing-bench links FFTW)
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host/ocl/device.h"
+#include "tests/bench/row.h"
+
+namespace offing::bench {
+
+struct Settings {
+  std::vector<int> sizes;  ///< n, powers of two, 16 ... 4096
+  int blocks = 15;
+  std::string device{};  ///< selector of ocl::select_device()
+};
+
+/// Takes each row as it is measured.
+using RowSink = std::function<void(const Row&)>;
+/// Takes a line on what is being done.
+using NoteSink = std::function<void(const std::string&)>;
+
+struct Sinks {
+  RowSink row;
+  NoteSink note;
+};
+
+/// The bare inverse transform against FFTW's fastest: one transform from 256 on, 16 at once below (four
+/// fields of four cascades). Throws Error(device) where results differ.
+void bench_fft(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
+
+/// One frame of the sea against the same frame in C++: a cascade of each size, and three cascades of 256.
+/// Throws Error(device) where results differ.
+void bench_ocean(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
+
+/// From the start of a process to its first 256 x 256 frame of three cascades, with an empty kernel cache and
+/// with a filled one; nothing unless 256 is among the sizes.
+void bench_start(const Settings& settings, const Sinks& sinks);
+
+/// What the processes of bench_start() do: make the frame, print a line, end.
+void make_first_frame(const std::string& device);
+
+}  // namespace offing::bench

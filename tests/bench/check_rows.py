@@ -1,0 +1,28 @@
+"""Runs a short benchmark and checks its rows: fields, signs, and that ratio belongs to its times. The program
+itself fails where results of ours and of the peer differ. Usage: check_rows.py PROGRAM COMMAND"""
+
+import json
+import subprocess
+import sys
+
+FIELDS = ["name", "size", "ours_ms", "peer", "peer_ms", "ratio", "ratio_low", "spread"]
+# command -> size and name of its rows; from 256 on it would also measure start-up, which compiles for seconds.
+SIZES = {"fft": ("16", "fft_batch16"), "ocean": ("32", "ocean")}
+
+
+def main(program, command):
+    size, name = SIZES[command]
+    run = [program, command, "--sizes", size, "--blocks", "3", "--json"]
+    rows = json.loads(subprocess.run(run, stdout=subprocess.PIPE, check=True).stdout)
+    assert [(row["name"], row["size"]) for row in rows] == [(name, int(size))], rows
+    for row in rows:
+        assert list(row) == FIELDS, row
+        assert row["ours_ms"] > 0 and row["peer_ms"] > 0 and row["peer"], row
+        assert 0 < row["ratio_low"] <= row["ratio"], row
+        # Median of ratios and ratio of medians differ by no more than the blocks scatter.
+        assert 0.1 < row["ratio"] / (row["peer_ms"] / row["ours_ms"]) < 10, row
+        assert row["spread"] >= 0, row
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

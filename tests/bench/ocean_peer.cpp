@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later (offing-bench links FFTW)
+#include "tests/bench/ocean_peer.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include <fmt/format.h>
+
+namespace offing::bench {
+namespace {
+
+constexpr int fields = 4;
+constexpr int most_padding = 8;  // complex numbers, one line of cache: 16 was no faster
+
+}  // namespace
+
+OceanPeer::OceanPeer(const ocean::WaveModes& modes, int cascade, float choppiness)
+    : size_(modes.size()),
+      mode_rows_(modes.rows()),
+      choppiness_(choppiness),
+      wavenumber_step_radpm_(modes.wavenumber_step().read()[static_cast<std::size_t>(cascade)]),
+      amplitude_(static_cast<std::size_t>(fields) * mode_rows_ * size_),
+      rate_(static_cast<std::size_t>(mode_rows_) * size_),
+      spectra_(fields * field_floats(size_ + most_padding)),
+      displacement_(static_cast<std::size_t>(4) * size_ * size_),
+      gradient_(displacement_.size()) {
+  const std::size_t first_mode = rate_.size() * static_cast<std::size_t>(cascade);
+  modes.amplitude().read({amplitude_.data(), amplitude_.size()}, fields * first_mode);
+  modes.rate().read(rate_, first_mode);
+
+  using peer::Stores;
+  for (const int padding : {0, most_padding}) {
+    const int pitch = size_ + padding;
+    for (const Cores cores : {Cores::share_transforms, Cores::take_one_each}) {
+      const bool shared = cores == Cores::share_transforms;
+      for (const Stores stores : {Stores::cached, Stores::streaming}) {
+        // The second plan of a shape costs nothing: FFTW remembers.
+        ways_.push_back(
+            {FftwPlan({.size = size_, .batch = shared ? fields : 1, .pitch = pitch}, spectra_.data(),
+                      spectra_.data(), shared && core_count() > 1 ? Threading::openmp : Threading::one),
+             pitch, cores, stores});
+      }
+    }
+  }
+}
+
+std::size_t OceanPeer::field_floats(int pitch) const {
+  return static_cast<std::size_t>(2) * size_ * pitch;
+}
+
+std::string OceanPeer::way_name(std::size_t index) const {
+  const Way& way = ways_[index];
+  return fmt::format("C++ and FFTW measure, {} OpenMP threads {}, pitch {}, {} maps", core_count(),
+                     way.cores == Cores::share_transforms ? "share transforms" : "take one each", way.pitch,
+                     way.stores == peer::Stores::streaming ? "streamed" : "cached");
+}
+
+void OceanPeer::evolve(const ocean::WaveClock& clock, int row, int pitch) {
+  const std::size_t plane = rate_.size(), first = static_cast<std::size_t>(row) * size_;
+  const float* const p = amplitude_.data() + first;
+  float* const spectra = spectra_.data();
+  const auto row_floats = static_cast<std::size_t>(2) * pitch;
+  peer::evolve({.size = size_,
+                .wavenumber_step_radpm = wavenumber_step_radpm_,
+                .choppiness = choppiness_,
+                .ticks = clock.ticks,
+                .tick_fraction = clock.tick_fraction},
+               {.p_re = p,
+                .p_im = p + plane,
+                .q_re = p + 2 * plane,
+                .q_im = p + 3 * plane,
+                .rate = rate_.data() + first,
+                .kz_radpm = static_cast<float>(row) * wavenumber_step_radpm_},
+               spectra + row * row_floats, row > 0 ? spectra + (size_ - row) * row_floats : nullptr,
+               field_floats(pitch));
+  if (row > 0) return;
+  // The row of Nyquist's wavenumber carries nothing.
+  for (int field = 0; field < fields; ++field) {
+    std::memset(spectra + field * field_floats(pitch) + size_ / 2 * row_floats, 0,
+                row_floats * sizeof(float));
+  }
+}
+
+void OceanPeer::pack(int row, const Way& way) {
+  const std::size_t field = field_floats(way.pitch);
+  const float* const source = spectra_.data() + static_cast<std::size_t>(2) * row * way.pitch;
+  const std::size_t target = static_cast<std::size_t>(4) * row * size_;
+  peer::pack(source, source + field, displacement_.data() + target, size_, way.stores);
+  peer::pack(source + 2 * field, source + 3 * field, gradient_.data() + target, size_, way.stores);
+}
+
+void OceanPeer::at(const ocean::WaveClock& clock, std::size_t index) {
+  const Way& way = ways_[index];
+#pragma omp parallel for schedule(static)
+  for (int row = 0; row < size_ / 2; ++row) evolve(clock, row, way.pitch);
+
+  if (way.cores == Cores::share_transforms) {
+    way.plan.execute();
+  } else {
+#pragma omp parallel for schedule(static, 1)
+    for (int field = 0; field < fields; ++field) {
+      float* const spectrum = spectra_.data() + field * field_floats(way.pitch);
+      way.plan.execute(spectrum, spectrum);
+    }
+  }
+
+#pragma omp parallel
+  {
+#pragma omp for schedule(static) nowait
+    for (int row = 0; row < size_; ++row) pack(row, way);
+    peer::finish_stores();
+  }
+}
+
+}  // namespace offing::bench
