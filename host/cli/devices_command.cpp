@@ -25,7 +25,7 @@ int default_index() {
   try {
     return ocl::select_device().index;
   } catch (const Error& error) {
-    spdlog::warn("OFFING_DEVICE: {}", error.what());
+    spdlog::warn("{}", error.what());
     return -1;
   }
 }

@@ -89,6 +89,7 @@ const DeviceInfo& choose_device(const std::vector<DeviceInfo>& devices, std::str
                 choice_hint);
   }
   std::vector<const DeviceInfo*> all;
+  all.reserve(devices.size());
   for (const DeviceInfo& device : devices) all.push_back(&device);
   throw Error(ErrorKind::no_device,
               fmt::format("no OpenCL device fits \"{}\": found {}", selector, listing(all)), choice_hint);
@@ -96,11 +97,13 @@ const DeviceInfo& choose_device(const std::vector<DeviceInfo>& devices, std::str
 
 DeviceInfo select_device(std::string_view selector) {
   const std::vector<DeviceInfo> devices = list_devices();
-  if (selector.empty()) {
-    const char* preferred = std::getenv("OFFING_DEVICE");
-    if (preferred != nullptr) selector = preferred;
+  const char* preferred = std::getenv("OFFING_DEVICE");
+  if (!selector.empty() || preferred == nullptr) return choose_device(devices, selector);
+  try {
+    return choose_device(devices, preferred);
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("OFFING_DEVICE: {}", error.what()), error.hint());
   }
-  return choose_device(devices, selector);
 }
 
 }  // namespace offing::ocl

@@ -127,7 +127,7 @@ void Kernel::set_memory(int index, cl_mem memory) const {
                 fmt::format("{}: the buffer was never allocated", place(state_->name, index, argument)),
                 "give each Buffer a device and a size before the launch");
   }
-  set(state_->kernel.get(), state_->name, index, argument, sizeof memory, &memory);
+  set(state_->kernel.get(), state_->name, index, argument, sizeof(cl_mem), &memory);
 }
 
 void Kernel::set_value(int index, std::size_t bytes, const void* value, ValueKind kind) const {

@@ -40,7 +40,7 @@ std::string argument_text(cl_kernel kernel, cl_uint index, cl_kernel_arg_info wh
   if (clGetKernelArgInfo(kernel, index, what, 0, nullptr, &bytes) != CL_SUCCESS || bytes == 0) return {};
   std::string text(bytes, '\0');
   if (clGetKernelArgInfo(kernel, index, what, bytes, text.data(), nullptr) != CL_SUCCESS) return {};
-  return text.c_str();  // up to the zero byte
+  return text.substr(0, text.find('\0'));
 }
 
 KernelArgument kernel_argument(cl_kernel kernel, cl_uint index) {

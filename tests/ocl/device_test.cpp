@@ -48,7 +48,7 @@ TEST(DeviceTest, OpensEachListedDevice) {
 
 TEST(DeviceTest, ObeysTheEnvironmentUnlessASelectorIsGiven) {
   const test::ScopedEnvironment environment("OFFING_DEVICE", "no such device");
-  test::expect_error(ErrorKind::no_device, "no OpenCL device fits \"no such device\"",
+  test::expect_error(ErrorKind::no_device, "OFFING_DEVICE: no OpenCL device fits \"no such device\"",
                      [] { select_device(); });
   EXPECT_EQ(select_device("0").index, 0);
 }
