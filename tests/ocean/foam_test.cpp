@@ -1,0 +1,116 @@
+// Foam against its definition: max over j = 0 ... M of c(J(t_q - j step)) e^{-j step / decay}, t_q = step
+// floor(t / step), M = ceil(4 decay / step), c(J) = clamp((onset - J) / width, 0, 1).
+//
+// Coverage is kept in half precision: 2^-11 relative. J is that of read_surface in single precision: where c
+// is between 0 and 1, 1e-6 / width more. Gate 2^-11 + 1e-5.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "host/ocean/cascades.h"
+#include "host/ocean/ocean.h"
+#include "host/ocean/spectrum_parameters.h"
+
+namespace offing::ocean {
+namespace {
+
+constexpr double gate = 0x1p-11 + 1e-5;
+
+class FoamTest : public testing::Test {
+ protected:
+  // Low waves: an onset near 1 gives every coverage from 0 to 1.
+  OceanParameters parameters() const {
+    return {.size = 32,
+            .cascades = cascades_from_patches(std::vector{120.0, 21.0}, 32),
+            .choppiness = 1.2,
+            .foam = {.onset_jacobian = 1.0, .width = 0.3, .decay_s = 0.8, .step_s = 0.25}};
+  }
+  Ocean sea(const OceanParameters& wanted) { return Ocean(device_, spectrum_, wanted); }
+
+  // The formula, with J of `sea` at the past instants, `step_s` apart.
+  std::vector<double> defined_foam(Ocean& sea, int cascade, double time_s, double step_s) {
+    const FoamParameters& foam = sea.parameters().foam;
+    const double newest_s = step_s * std::floor(time_s / step_s + 1e-9);
+    const int count = static_cast<int>(std::ceil(4.0 * foam.decay_s / step_s - 1e-9));
+    std::vector<double> expected(static_cast<std::size_t>(32 * 32), 0.0);
+    for (int j = 0; j <= count; ++j) {
+      sea.at(newest_s - j * step_s);
+      const std::vector<float> jacobian = sea.read_surface(cascade).jacobian;
+      for (std::size_t i = 0; i < expected.size(); ++i) {
+        const double coverage = std::clamp((foam.onset_jacobian - jacobian[i]) / foam.width, 0.0, 1.0);
+        expected[i] = std::max(expected[i], coverage * std::exp(-j * step_s / foam.decay_s));
+      }
+    }
+    return expected;
+  }
+
+  void expect_foam(const std::vector<float>& foam, const std::vector<double>& expected, double time_s) {
+    double worst = 0.0, least = 1.0, most = 0.0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      worst = std::max(worst, std::abs(foam[i] - expected[i]));
+      least = std::min<double>(least, foam[i]);
+      most = std::max<double>(most, foam[i]);
+    }
+    EXPECT_LT(worst, gate) << time_s;
+    EXPECT_GE(least, 0.0);
+    EXPECT_LE(most, 1.0);
+    EXPECT_GT(most - least, 0.3) << "the test sees no foam, or nothing else";
+  }
+
+  ocl::Device device_ = ocl::Device::open();
+  SeaSpectrum spectrum_ = make_sea_spectrum({});
+};
+
+// Fails if foam depends on which times were asked before, if an instant is skipped or shifted, or if
+// cascades are mixed up. Forth, back, far away, and just before and at an instant.
+TEST_F(FoamTest, IsItsFormulaAtAnyTimeInAnyOrder) {
+  Ocean asked = sea(parameters()), other = sea(parameters());
+  for (const double time_s : {0.0, 7.1, 7.24999, 7.25, 6.9, 1e6 + 0.1, -3.2, 7.1}) {
+    asked.at(time_s);
+    for (const int cascade : {1, 0}) {
+      expect_foam(asked.read_foam(cascade), defined_foam(other, cascade, time_s, 0.25), time_s);
+    }
+  }
+}
+
+// Fails if what is kept from frame to frame differs in a bit from what a fresh start computes.
+TEST_F(FoamTest, KeptCoveragesAreThoseOfAFreshStart) {
+  Ocean asked = sea(parameters());
+  for (const double time_s : {2.0, 2.3, 2.6, 1.9}) {
+    asked.at(time_s);
+    Ocean fresh = sea(parameters());
+    fresh.at(time_s);
+    EXPECT_EQ(asked.read_foam(0), fresh.read_foam(0)) << time_s;
+  }
+}
+
+// Fails if foam jumps where the loop closes. 3.3 s hold 13.2 steps of 0.25 s: there are 14 of 3.3 / 14 s.
+// With a decay of 0.8 s the past 3.2 s fit; with 5 s the same instants come up several times.
+TEST_F(FoamTest, RepeatsWithTheLoop) {
+  for (const double decay_s : {0.8, 5.0}) {
+    OceanParameters looping = parameters();
+    looping.loop_period_s = 3.3;
+    looping.foam.decay_s = decay_s;
+    Ocean asked = sea(looping), other = sea(looping);
+    for (const double time_s : {0.0, 0.1, 1.7, 3.2}) {
+      asked.at(time_s);
+      const std::vector<float> foam = asked.read_foam(0);
+      expect_foam(foam, defined_foam(other, 0, time_s, 3.3 / 14.0), time_s);
+      asked.at(time_s + 3.3);
+      EXPECT_EQ(asked.read_foam(0), foam) << time_s;
+    }
+  }
+}
+
+// Fails if foam appears on a calm sea, or does not fade: with an onset at which nothing ever foams it is 0.
+TEST_F(FoamTest, NoneWithoutFolding) {
+  OceanParameters calm = parameters();
+  calm.foam.onset_jacobian = -9.0;
+  Ocean ocean = sea(calm);
+  ocean.at(1.0);
+  for (const float foam : ocean.read_foam(0)) EXPECT_EQ(foam, 0.0f);
+}
+
+}  // namespace
+}  // namespace offing::ocean
