@@ -1,5 +1,5 @@
-"""Runs a short benchmark and checks its rows: fields, signs, and that ratio belongs to its times. The program
-itself fails where results of ours and of the peer differ. Usage: check_rows.py PROGRAM COMMAND"""
+"""Runs a short benchmark and checks its rows: fields and signs. The program itself fails where results of ours
+and of the peer differ. Usage: check_rows.py PROGRAM COMMAND"""
 
 import json
 import subprocess
@@ -19,8 +19,6 @@ def main(program, command):
         assert list(row) == FIELDS, row
         assert row["ours_ms"] > 0 and row["peer_ms"] > 0 and row["peer"], row
         assert 0 < row["ratio_low"] <= row["ratio"], row
-        # Median of ratios and ratio of medians differ by no more than the blocks scatter.
-        assert 0.1 < row["ratio"] / (row["peer_ms"] / row["ours_ms"]) < 10, row
         assert row["spread"] >= 0, row
 
 
