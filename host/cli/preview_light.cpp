@@ -12,17 +12,15 @@ constexpr Vec3 zenith{0.05f, 0.15f, 0.40f};
 constexpr Vec3 horizon{0.58f, 0.76f, 0.95f};
 constexpr Vec3 glow{1.0f, 0.80f, 0.55f};            ///< of the air around the sun
 constexpr Vec3 deep_water{0.006f, 0.034f, 0.052f};  ///< upwelling radiance of clear ocean under this sky
-constexpr Vec3 thin_water{0.02f, 0.17f, 0.14f};     ///< light that has crossed a crest
-constexpr float foam_albedo = 0.55f;
+constexpr Vec3 thin_water{0.014f, 0.13f, 0.115f};   ///< light that has crossed a crest
+constexpr float foam_albedo = 0.8f;
 
 /// Normal-incidence reflectance of sea water, ((1.333 - 1) / (1.333 + 1))^2.
 constexpr float reflectance_at_normal = 0.02037f;
-/// Slope variance of the ripples that no cascade carries: keeps the sun's image wider than a pixel.
-constexpr float ripple_variance = 0.004f;
 /// Crest height at which half of the light that can cross a crest does.
-constexpr float thin_crest_m = 3.0f;
+constexpr float thin_crest_m = 4.0f;
 /// Distance at which air takes 1 - 1/e of the contrast: a clear day at sea.
-constexpr float air_length_m = 14000.0f;
+constexpr float air_length_m = 11000.0f;
 /// Brighter facets than this would leave single white pixels behind.
 constexpr float largest_radiance = 12.0f;
 
@@ -38,8 +36,9 @@ float to_power_of_two(float value, int doublings) {
 
 }  // namespace
 
-PreviewLight::PreviewLight(double sun_azimuth_rad, double sun_elevation_rad)
-    : to_sun_{static_cast<float>(std::cos(sun_azimuth_rad) * std::cos(sun_elevation_rad)),
+PreviewLight::PreviewLight(double sun_azimuth_rad, double sun_elevation_rad, double ripple_variance)
+    : ripple_variance_(static_cast<float>(ripple_variance)),
+      to_sun_{static_cast<float>(std::cos(sun_azimuth_rad) * std::cos(sun_elevation_rad)),
               static_cast<float>(std::sin(sun_elevation_rad)),
               static_cast<float>(std::sin(sun_azimuth_rad) * std::cos(sun_elevation_rad))} {
   // A low sun is dimmer and redder: optical depth of blue over that of red as Rayleigh scattering has it,
@@ -70,7 +69,7 @@ Vec3 PreviewLight::reflected(const SurfaceSample& surface, Vec3 to_eye, float& r
   const float along_x = to_eye.x / level, along_z = to_eye.z / level;
   const float variance = along_x * along_x * surface.variance_xx +
                          2.0f * along_x * along_z * surface.variance_xz +
-                         along_z * along_z * surface.variance_zz + ripple_variance;
+                         along_z * along_z * surface.variance_zz + ripple_variance_;
   const float node = std::sqrt(3.0f * variance);
   constexpr std::array<std::array<float, 2>, 3> rule{
       {{-1.0f, 1.0f / 6.0f}, {0.0f, 2.0f / 3.0f}, {1.0f, 1.0f / 6.0f}}};
@@ -101,7 +100,7 @@ Vec3 PreviewLight::glitter(const SurfaceSample& surface, Vec3 to_eye, float visi
   const Vec3 half = normalized(to_eye + to_sun_);
   if (half.y <= 0.05f) return {};
   const float off_x = -half.x / half.y - surface.slope_x, off_z = -half.z / half.y - surface.slope_z;
-  const float xx = surface.variance_xx + ripple_variance, zz = surface.variance_zz + ripple_variance;
+  const float xx = surface.variance_xx + ripple_variance_, zz = surface.variance_zz + ripple_variance_;
   const float xz = surface.variance_xz;
   const float determinant = std::max(xx * zz - xz * xz, 1e-8f);
   const float exponent =
@@ -122,12 +121,12 @@ Vec3 PreviewLight::sea(const SurfaceSample& surface, Vec3 to_eye, float foam_opa
   const float height_m = std::max(surface.displacement_y, 0.0f);
   const float against_sun = std::max(0.0f, -(to_eye.x * to_sun_.x + to_eye.z * to_sun_.z));
   const float facing = std::max(0.0f, dot(normal, to_eye));
-  const float through =
-      height_m / (height_m + thin_crest_m) * (0.25f + 0.75f * against_sun * against_sun) * facing;
+  const float through = height_m * height_m / (height_m * height_m + thin_crest_m * thin_crest_m) *
+                        (0.25f + 0.75f * against_sun * against_sun) * facing;
   water += (1.0f - reflectance) * (deep_water + through * (sun_irradiance_ * thin_water));
 
   const float lambert = std::max(0.0f, dot(normal, to_sun_)) / std::numbers::pi_v<float>;
-  const Vec3 foam = foam_albedo * (lambert * sun_irradiance_ + 0.6f * mix(zenith, horizon, 0.5f));
+  const Vec3 foam = foam_albedo * (lambert * sun_irradiance_ + 0.9f * mix(zenith, horizon, 0.6f));
   const Vec3 radiance = mix(water, foam, foam_opacity);
   return {std::min(radiance.x, largest_radiance), std::min(radiance.y, largest_radiance),
           std::min(radiance.z, largest_radiance)};

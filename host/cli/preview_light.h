@@ -9,7 +9,8 @@ namespace offing::cli {
 /// horizon is about 1. A picture to judge waves by, not a measurement of light.
 class PreviewLight {
  public:
-  PreviewLight(double sun_azimuth_rad, double sun_elevation_rad);
+  /// `ripple_variance` is added to the slope variance that a SurfaceSample brings.
+  PreviewLight(double sun_azimuth_rad, double sun_elevation_rad, double ripple_variance);
 
   /// Radiance from a unit direction; below the horizon that of the horizon. Without the sun's disc.
   Vec3 sky(Vec3 direction) const;
@@ -26,6 +27,7 @@ class PreviewLight {
   Vec3 reflected(const SurfaceSample& surface, Vec3 to_eye, float& reflectance, float& visible_area) const;
   Vec3 glitter(const SurfaceSample& surface, Vec3 to_eye, float visible_area) const;
 
+  float ripple_variance_;
   Vec3 to_sun_;
   Vec3 sun_irradiance_;
 };

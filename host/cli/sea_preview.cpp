@@ -43,6 +43,9 @@ void check(const PreviewView& view) {
           "choose 10 to 120 degrees");
   require(view.sun_elevation_deg >= 1.0 && view.sun_elevation_deg <= 90.0,
           "the sun's elevation is out of range", "choose 1 to 90 degrees");
+  require(view.ripple_variance >= 0.0005 && view.ripple_variance <= 1.0,
+          "the ripples' slope variance is out of range",
+          "choose 0.0005, where the sun is still wider than a pixel, to 1");
   require(std::isfinite(view.yaw_rad) && std::isfinite(view.sun_azimuth_rad) && std::isfinite(view.eye_x_m) &&
               std::isfinite(view.eye_z_m),
           "a direction or place is not finite", "give finite numbers");
@@ -170,7 +173,7 @@ Vec3 radiance_of(const RasterSample& sample, Vec3 ray, const PreviewSurface& sur
 RgbImage render_sea_preview(const PreviewSurface& surface, const PreviewView& view) {
   check(view);
   const Camera camera(view);
-  const PreviewLight light(view.sun_azimuth_rad, radians(view.sun_elevation_deg));
+  const PreviewLight light(view.sun_azimuth_rad, radians(view.sun_elevation_deg), view.ripple_variance);
   const std::vector<RasterSample> samples = visible_surface(surface, view, camera);
   RgbImage image{view.width, view.height,
                  std::vector<std::uint8_t>(std::size_t{3} * view.width * view.height)};
