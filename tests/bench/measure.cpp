@@ -9,7 +9,7 @@
 namespace offing::bench {
 namespace {
 
-constexpr double warm_up_ms = 3.0;  // longer than OpenMP's idle threads spin after the block before
+constexpr double warm_up_ms = 15.0;  // longer than OpenMP's idle threads spin after the block before
 constexpr double least_block_ms = 30.0;
 constexpr std::size_t least_repetitions = 3;
 constexpr int selection_rounds = 3;
