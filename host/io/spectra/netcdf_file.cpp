@@ -9,6 +9,7 @@
 #include <netcdf_mem.h>
 
 #include "host/base/error.h"
+#include "host/io/spectra/netcdf_classic_header.h"
 #include "host/io/spectra/text_cursor.h"
 
 namespace offing::spectra {
@@ -32,6 +33,9 @@ std::optional<std::size_t> NetcdfVariable::axis(std::initializer_list<std::strin
 
 NetcdfFile::NetcdfFile(std::span<const std::byte> bytes, std::string_view file_name)
     : name_(printable_name(file_name)), size_(bytes.size()) {
+  if (const std::string fault = classic_header_fault(bytes); !fault.empty()) {
+    fail("expected a NetCDF file, but " + fault, damaged_hint);
+  }
   // The library takes a pointer to non-const but only reads without NC_WRITE; opening from memory also keeps
   // it from taking a file's name for an address on the network.
   void* memory = const_cast<std::byte*>(bytes.data());

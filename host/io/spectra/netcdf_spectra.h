@@ -21,6 +21,9 @@ namespace offing::spectra {
 /// scale_density, _FillValue, scale_factor and add_offset are applied. A frequency with a missing density is
 /// left out of its record; places with fewer than two remain out.
 ///
+/// The header of a classic file is checked before libnetcdf sees it; what NetCDF-4 files do to libhdf5 is
+/// beyond Offing, so open none that you do not trust.
+///
 /// energy_1d or ef without directions gives non-directional spectra. Throws Error(bad_input) naming file and
 /// variable.
 /// Source: WAVEWATCH III manual (ww3_ounp); SWAN user manual (NetCDF output); CF conventions 1.5.

@@ -281,18 +281,35 @@ TEST(NetcdfErrors, BoundsTheMemory) {
                [&] { parse_netcdf(std::as_bytes(std::span(bytes)), "f.nc"); });
 }
 
-// Fails if a cut or damaged file ends in anything but an Error.
+// Fails if a length or offset that libnetcdf would trust gets past the check of the header: each field of
+// four bytes set to values that wrap, overflow or reach past the end. What is left must be spectra or an
+// Error.
+TEST(NetcdfErrors, EveryDamagedFieldIsReadOrRefused) {
+  const std::string bytes = test::netcdf_bytes(ww3_file());
+  for (std::size_t at = 0; at + 4 <= bytes.size(); at += 4) {
+    for (const std::string_view field :
+         {std::string_view("\x7f\xff\xff\xff", 4), std::string_view("\xff\xff\xff\xff", 4),
+          std::string_view("\0\0\0\0", 4), std::string_view("\0\0\1\0", 4)}) {
+      std::string damaged = bytes;
+      damaged.replace(at, 4, field);
+      try {
+        for (const WaveSpectrum& spectrum : parse_netcdf(std::as_bytes(std::span(damaged)), "f.nc")) {
+          expect_contract(spectrum);
+        }
+      } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+      }
+    }
+  }
+}
+
+// Fails if a cut file ends in anything but an Error, or if values that are not there are read as zeros.
 TEST(NetcdfErrors, EveryPrefixIsAnError) {
   const std::string bytes = test::netcdf_bytes(ww3_file());
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     const std::string cut = bytes.substr(0, length);
-    try {
-      for (const WaveSpectrum& spectrum : parse_netcdf(std::as_bytes(std::span(cut)), "f.nc")) {
-        expect_contract(spectrum);
-      }
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::bad_input);
-    }
+    expect_error(ErrorKind::bad_input,
+                 "f.nc: ", [&] { parse_netcdf(std::as_bytes(std::span(cut)), "f.nc"); });
   }
 }
 
