@@ -9,7 +9,7 @@ namespace offing::bench {
 using Work = std::function<void()>;
 
 /// Milliseconds of one repetition: the median over a block that lasts 30 ms and at least three repetitions,
-/// after a warm-up of 3 ms and at least one.
+/// after a warm-up of 15 ms and at least one.
 double block_ms(const Work& work);
 
 /// Runs the alternatives in turn for a few rounds; index of the one with the shortest block.

@@ -16,7 +16,7 @@ constexpr int most_padding = 8;  // complex numbers, one line of cache: 16 was n
 
 OceanPeer::OceanPeer(const ocean::WaveModes& modes, int cascade, float choppiness)
     : size_(modes.size()),
-      mode_rows_(modes.rows()),
+      mode_rows_(modes.size() / 2),
       choppiness_(choppiness),
       wavenumber_step_radpm_(modes.wavenumber_step().read()[static_cast<std::size_t>(cascade)]),
       amplitude_(static_cast<std::size_t>(fields) * mode_rows_ * size_),
@@ -24,9 +24,7 @@ OceanPeer::OceanPeer(const ocean::WaveModes& modes, int cascade, float choppines
       spectra_(fields * field_floats(size_ + most_padding)),
       displacement_(static_cast<std::size_t>(4) * size_ * size_),
       gradient_(displacement_.size()) {
-  const std::size_t first_mode = rate_.size() * static_cast<std::size_t>(cascade);
-  modes.amplitude().read({amplitude_.data(), amplitude_.size()}, fields * first_mode);
-  modes.rate().read(rate_, first_mode);
+  read_modes(modes, cascade);
 
   using peer::Stores;
   for (const int padding : {0, most_padding}) {
@@ -39,6 +37,35 @@ OceanPeer::OceanPeer(const ocean::WaveModes& modes, int cascade, float choppines
             {FftwPlan({.size = size_, .batch = shared ? fields : 1, .pitch = pitch}, spectra_.data(),
                       spectra_.data(), shared && core_count() > 1 ? Threading::openmp : Threading::one),
              pitch, cores, stores});
+      }
+    }
+  }
+}
+
+// The device keeps columns with kx >= 0 in strips, [4][columns/16][n][16]; the peer works on rows with kz >= 0.
+// P(-K) and Q(-K) are the conjugates of P(K) and Q(K).
+void OceanPeer::read_modes(const ocean::WaveModes& modes, int cascade) {
+  constexpr int strip = 16;
+  const auto n = static_cast<std::size_t>(size_);
+  const std::size_t device_plane = static_cast<std::size_t>(modes.columns()) * n;
+  std::vector<float> amplitude(fields * device_plane);
+  std::vector<std::uint32_t> rate(device_plane);
+  modes.amplitude().read(amplitude, fields * device_plane * static_cast<std::size_t>(cascade));
+  modes.rate().read(rate, device_plane * static_cast<std::size_t>(cascade));
+  for (int row = 0; row < mode_rows_; ++row) {
+    for (int column = 0; column < size_; ++column) {
+      if (column == size_ / 2) continue;  // Nyquist: stays zero
+      const bool is_partner = column > size_ / 2;
+      const int from_row = is_partner ? (size_ - row) % size_ : row;
+      const int from_column = is_partner ? size_ - column : column;
+      const std::size_t from =
+          (static_cast<std::size_t>(from_column / strip) * n + static_cast<std::size_t>(from_row)) * strip +
+          static_cast<std::size_t>(from_column % strip);
+      const std::size_t to = static_cast<std::size_t>(row) * n + static_cast<std::size_t>(column);
+      rate_[to] = rate[from];
+      for (std::size_t field = 0; field < fields; ++field) {
+        const float sign = is_partner && field % 2 == 1 ? -1.0f : 1.0f;
+        amplitude_.data()[field * rate_.size() + to] = sign * amplitude[field * device_plane + from];
       }
     }
   }

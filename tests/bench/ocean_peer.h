@@ -33,6 +33,7 @@ class OceanPeer {
   const HugeArray& gradient() const { return gradient_; }
 
  private:
+  void read_modes(const ocean::WaveModes& modes, int cascade);
   enum class Cores { share_transforms, take_one_each };
   struct Way {
     FftwPlan plan;
@@ -49,7 +50,7 @@ class OceanPeer {
   int mode_rows_;
   float choppiness_;
   float wavenumber_step_radpm_;
-  HugeArray amplitude_;  // [4][mode_rows][n] m, as ocean::WaveModes has it
+  HugeArray amplitude_;  // [4][mode_rows][n] m: P and Q of the rows with kz >= 0, real and imaginary
   std::vector<std::uint32_t> rate_;
   HugeArray spectra_;  // [4][n][pitch] complex
   HugeArray displacement_, gradient_;

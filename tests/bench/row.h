@@ -24,7 +24,7 @@ struct Row {
 
 Row row_of(std::string name, int size, std::string peer, const Comparison& comparison);
 
-/// A line for people; without a row, the heading.
+/// A line of the table for people, and the heading above it.
 std::string table_line(const Row& row);
 std::string table_heading();
 /// A JSON array.

@@ -1,0 +1,128 @@
+"""Runs all benchmarks and prints docs/results.md. On a machine that does nothing else:
+python3 tests/bench/record_results.py build/bin > docs/results.md"""
+
+import datetime
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+# Frames a second that Lee & Lee print (PAPERS O15): size -> (GeForce 6800 Ultra, Pentium 4 at 3 GHz with FFTW).
+PAPER_TRANSFORM_FPS = {64: (1925, 3300), 128: (600, 970), 256: (178, 222), 512: (39, 13), 1024: (8, 3)}
+PAPER_SIMULATION_FPS = {64: (399, 75), 128: (220, 52), 256: (85, 23), 512: (21, 3), 1024: (4, 0.8)}
+
+PAGE = """# Results
+
+Written by `tests/bench/record_results.py`; `tests/bench/README.md` says how things are measured and what the
+peers are.
+
+## Machine
+
+{machine}
+
+## Transform and frame
+
+`offing-bench fft` and `offing-bench ocean`: medians of {blocks} interleaved blocks. Ratio = peer / ours, above 1
+ours is faster; low = lower bound of the ratio's 95 % confidence interval; spread = interquartile range of the
+blocks' ratios over their median. `fft_batch16` times 16 transforms at once, `ocean_3_cascades` three cascades.
+
+{rows}
+
+## Beside the paper
+
+Tables of Lee & Lee (2006, 2007), which print frames a second on a GeForce 6800 Ultra and on a Pentium 4 at 3 GHz
+with FFTW; here in milliseconds. One complex two-dimensional transform (at 64 and 128 ours and FFTW here do 16 at
+once, shown is a sixteenth):
+
+{transforms}
+
+Simulation only. The paper's frame is height, displacement and slopes by three transforms of one patch, with 16
+Gerstner waves on 256 x 256 (GPU) or 64 x 64 (CPU) points; ours is one patch with eight fields by four
+transforms, without Gerstner waves. The peer is the same frame as ours in C++ with FFTW:
+
+{simulation}
+"""
+
+
+def output_of(*command):
+    return subprocess.run([str(part) for part in command], stdout=subprocess.PIPE, check=True, text=True).stdout
+
+
+def machine_lines(programs):
+    processor = re.search(r"model name\s*:\s*(.*)", pathlib.Path("/proc/cpuinfo").read_text()).group(1)
+    memory_kib = int(re.search(r"MemTotal:\s*(\d+)", pathlib.Path("/proc/meminfo").read_text()).group(1))
+    huge_pages = pathlib.Path("/sys/kernel/mm/transparent_hugepage/enabled").read_text().strip()
+    devices = json.loads(output_of(programs / "offing", "devices", "--json"))
+    device = next(device for device in devices if device["is_default"])
+    fftw = output_of("pkg-config", "--modversion", "fftw3f").strip()
+    return "\n".join(
+        [
+            f"- {datetime.date.today().isoformat()}, commit {output_of('git', 'rev-parse', '--short', 'HEAD').strip()}",
+            f"- {processor}, {len(os.sched_getaffinity(0))} cores, {memory_kib / 2**20:.0f} GiB, "
+            f"Linux {os.uname().release}, transparent huge pages {huge_pages}",
+            f"- OpenCL device: {device['name']} ({device['platform']} {device['driver_version']})",
+            f"- {output_of('c++', '--version').splitlines()[0]}; FFTW {fftw}",
+            f"- load of the machine before the run: {os.getloadavg()[0]:.1f}",
+        ]
+    )
+
+
+def table(heading, lines):
+    rule = "|" + "---|" * len(heading)
+    return "\n".join(["| " + " | ".join(heading) + " |", rule, *("| " + " | ".join(line) + " |" for line in lines)])
+
+
+def number(value, decimals):
+    return "-" if value is None else f"{value:.{decimals}f}"
+
+
+def rows_table(rows):
+    return table(
+        ["name", "n", "ours ms", "peer ms", "ratio", "low", "spread", "peer"],
+        [
+            [
+                row["name"],
+                str(row["size"]),
+                number(row["ours_ms"], 4),
+                number(row["peer_ms"], 4),
+                number(row["ratio"], 2),
+                number(row["ratio_low"], 2),
+                f"{100 * row['spread']:.1f} %",
+                row["peer"],
+            ]
+            for row in rows
+        ],
+    )
+
+
+def paper_table(paper_fps, rows):
+    lines = []
+    for size, (gpu_fps, cpu_fps) in paper_fps.items():
+        row = next(row for row in rows if row["size"] == size)
+        batch = int(re.search(r"\d*$", row["name"]).group() or 1)
+        times_ms = (1000 / gpu_fps, 1000 / cpu_fps, row["ours_ms"] / batch, row["peer_ms"] / batch)
+        lines.append([str(size), *(f"{time_ms:.3g}" for time_ms in times_ms)])
+    return table(["n", "paper GPU ms", "paper CPU ms", "ours ms", "peer here ms"], lines)
+
+
+def main(programs):
+    machine = machine_lines(programs)
+    blocks = 15
+    transforms, frames = (
+        json.loads(output_of(programs / "offing-bench", command, "--blocks", blocks, "--json"))
+        for command in ("fft", "ocean")
+    )
+    page = PAGE.format(
+        machine=machine,
+        blocks=blocks,
+        rows=rows_table(transforms + frames),
+        transforms=paper_table(PAPER_TRANSFORM_FPS, transforms),
+        simulation=paper_table(PAPER_SIMULATION_FPS, [row for row in frames if row["name"] == "ocean"]),
+    )
+    print(page, end="")
+
+
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]))
