@@ -66,6 +66,9 @@ TEST_F(OceanInterfaceTest, RefusesQuestionsOutOfRange) {
   refuses("cascade index", [&] { ocean.read_foam(2); });
   refuses("cascade index", [&] { ocean.mode_variance(2); });
   refuses("depth_m", [&] { ocean.read_velocity(0, 6.1); });
+  refuses("columns", [&] { ocean.read_composed({.columns = 0, .rows = 4}); });
+  refuses("origin_m", [&] { ocean.read_composed({.origin_z_m = nan, .columns = 4, .rows = 4}); });
+  refuses("spacing_m", [&] { ocean.read_composed({.spacing_x_m = 1e7, .columns = 4, .rows = 4}); });
   refuses("depth_m", [&] { ocean.read_velocity(0, -0.1); });
 }
 
