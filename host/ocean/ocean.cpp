@@ -157,6 +157,10 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid) {
   State& state = *state_;
   require_within("sample grid columns", grid.columns, 1, 16384);
   require_within("sample grid rows", grid.rows, 1, 16384);
+  for (const double origin_m : {grid.origin_x_m, grid.origin_z_m})
+    require_within("sample grid origin_m", origin_m, -1e9, 1e9);
+  for (const double spacing_m : {grid.spacing_x_m, grid.spacing_z_m})
+    require_within("sample grid spacing_m", spacing_m, -1e6, 1e6);
   if (!state.compose) {
     state.compose = ocl::Program::build(state.device, "ocean/surface_compose.cl").kernel("surface_compose");
   }
@@ -173,8 +177,11 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid) {
     };
     params.origin_column[i] = reduced(grid.origin_x_m);
     params.origin_row[i] = reduced(grid.origin_z_m);
-    params.column_step[i] = static_cast<float>(grid.spacing_x_m * texels_per_m);
-    params.row_step[i] = static_cast<float>(grid.spacing_z_m * texels_per_m);
+    const auto reduced_step = [&](double spacing_m) {
+      return static_cast<float>(std::remainder(spacing_m * texels_per_m, state.parameters.size));
+    };
+    params.column_step[i] = reduced_step(grid.spacing_x_m);
+    params.row_step[i] = reduced_step(grid.spacing_z_m);
   }
   const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
   const std::size_t count = columns * rows;

@@ -89,6 +89,7 @@ class Ocean {
   /// Throws Error(bad_input) for a depth below the bed.
   VelocityFields read_velocity(int cascade, double depth_m = 0.0);
   /// The composed surface at the time of the last at(), bilinear between samples of each cascade.
+  /// Throws Error(bad_input) for a grid without samples, of more than 16384 a side, or not finite.
   ComposedFields read_composed(const SampleGrid& grid);
 
   /// Expected variance of each mode, [n][n] m^2, K = 0 at [0][0]: what the spectrum asks of this cascade.
