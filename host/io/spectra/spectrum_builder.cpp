@@ -21,8 +21,10 @@ constexpr std::size_t resampled_direction_count = 360;
 // WAVEWATCH III prints directions with three digits, so to 0.005 rad from 1 rad up.
 constexpr double printed_error_rad = 0.006;
 
+// In [0, 2 pi). By fmod, which is exact: of 1e300 a floor and a product would leave 1e284.
 double wrapped(double angle_rad) {
-  const double angle = angle_rad - turn_rad * std::floor(angle_rad / turn_rad);
+  double angle = std::fmod(angle_rad, turn_rad);
+  if (angle < 0.0) angle += turn_rad;
   return angle < turn_rad ? angle : 0.0;
 }
 

@@ -86,6 +86,14 @@ TEST(Swan2d, ASectorStaysASector) {
   EXPECT_NEAR(test::angle_between_deg(from_bin_deg, 220.0), 0.0, 1e-6);
 }
 
+// Fails if a direction of absurd size is not brought into one turn; it once ended in an endless loop.
+TEST(Swan2d, WrapsDirectionsOfAnySize) {
+  const std::string text =
+      "SWAN 1\nLOCATIONS\n 1\n 0 0\nAFREQ\n 2\n .1\n .2\nCDIR\n 3\n 10\n -1e300\n 1e307\n" + density_2d +
+      "FACTOR\n 1\n 1 2 3\n 4 5 6\n";
+  expect_contract(parse_swan(text, "f")[0]);
+}
+
 TEST(Swan2d, LeavesFrequenciesWithExceptionValuesOut) {
   const std::string text =
       "SWAN 1\nLOCATIONS\n 1\n 0 0\nAFREQ\n 3\n .1\n .2\n .3\nNDIR\n 4\n 0\n 90\n 180\n 270\n" + density_2d +
