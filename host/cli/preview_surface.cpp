@@ -116,7 +116,7 @@ PreviewSurface::Level PreviewSurface::coarser_level(const Level& fine) {
   coarse.texels.resize(static_cast<std::size_t>(coarse.size) * coarse.size);
   for (int row = 0; row < coarse.size; ++row) {
     for (int column = 0; column < coarse.size; ++column) {
-      const Texel* const above = &fine.texels[static_cast<std::size_t>(2 * row) * fine.size + 2 * column];
+      const Texel* const above = &fine.texels[std::size_t{2} * row * fine.size + std::size_t{2} * column];
       const std::array<const Texel*, 4> parts{above, above + 1, above + fine.size, above + fine.size + 1};
       Texel& mean = coarse.texels[static_cast<std::size_t>(row) * coarse.size + column];
       for (int q = 0; q < quantities; ++q) {
@@ -136,8 +136,8 @@ PreviewSurface::Level PreviewSurface::coarser_level(const Level& fine) {
   return coarse;
 }
 
-/// Adds the first `count` quantities, interpolated at this place (in texels from the first texel's centre).
-template <int count>
+/// Adds the first `Count` quantities, interpolated at this place (in texels from the first texel's centre).
+template <int Count>
 void PreviewSurface::add_level(const Level& level, double column, double row, float weight, Texel& sums) {
   const double first_column = std::floor(column), first_row = std::floor(row);
   const float right = static_cast<float>(column - first_column), down = static_cast<float>(row - first_row);
@@ -151,11 +151,11 @@ void PreviewSurface::add_level(const Level& level, double column, double row, fl
   const std::array<float, 4> weights{weight * (1 - down) * (1 - right), weight * (1 - down) * right,
                                      weight * down * (1 - right), weight * down * right};
   for (int corner = 0; corner < 4; ++corner) {
-    for (int q = 0; q < count; ++q) sums[q] += weights[corner] * (*corners[corner])[q];
+    for (int q = 0; q < Count; ++q) sums[q] += weights[corner] * (*corners[corner])[q];
   }
 }
 
-template <int count>
+template <int Count>
 PreviewSurface::Texel PreviewSurface::filtered(double x_m, double z_m, float footprint_m) const {
   Texel sums{};
   for (const Pyramid& pyramid : pyramids_) {
@@ -170,7 +170,7 @@ PreviewSurface::Texel PreviewSurface::filtered(double x_m, double z_m, float foo
       if (weight <= 0.0f) continue;
       // A texel covers `scale` samples, the first of which lies at the texel's edge plus half a sample.
       const double per_texel = 1.0 / levels[index].scale;
-      add_level<count>(levels[index], (x_m / pyramid.sample_m + 0.5) * per_texel - 0.5,
+      add_level<Count>(levels[index], (x_m / pyramid.sample_m + 0.5) * per_texel - 0.5,
                        (z_m / pyramid.sample_m + 0.5) * per_texel - 0.5, weight, sums);
     }
   }

@@ -14,8 +14,8 @@ namespace {
 std::vector<ContactFrame> grey_frames(const TemporaryFolder& folder, int count) {
   std::vector<ContactFrame> frames;
   for (int i = 0; i < count; ++i) {
-    const RgbImage picture{640, 360,
-                           std::vector<std::uint8_t>(640 * 360 * 3, static_cast<std::uint8_t>(5 * i))};
+    const RgbImage picture{
+        640, 360, std::vector<std::uint8_t>(std::size_t{640} * 360 * 3, static_cast<std::uint8_t>(5 * i))};
     frames.push_back({folder.path() / (std::to_string(i) + ".png"), i});
     write_png(frames.back().picture, picture);
   }

@@ -87,7 +87,7 @@ TEST(PreviewSurface, FoamFollowsTheJacobian) {
               1e-3);  // onset 0.6, width 0.6, J 0.3
   const ocean::SurfaceFields calm = calm_sea(16);
   EXPECT_NEAR(surface_of(calm, 16.0).sample(1.0, 1.0, 0.1f).foam, 0.0, 1e-3);
-  const std::vector<float> foam(16 * 16, 0.25f);
+  const std::vector<float> foam(std::size_t{16} * 16, 0.25f);
   const PreviewCascade cascade{16.0, &calm, foam};
   EXPECT_NEAR(PreviewSurface({&cascade, 1}, {}).sample(1.0, 1.0, 0.1f).foam, 0.25, 1e-3);
 }

@@ -38,7 +38,7 @@ std::string output_of(const std::string& command) {
 /// attributes.
 class ExrImageTest : public ::testing::Test {
  protected:
-  ExrImageTest() : first_(37 * 23), second_(37 * 23) {
+  ExrImageTest() : first_(std::size_t{37} * 23), second_(std::size_t{37} * 23) {
     std::mt19937 random(7);
     std::normal_distribution<float> normal(0.0f, 3.0f);
     for (float& value : first_) value = normal(random);
@@ -108,7 +108,7 @@ TEST_F(ExrImageTest, HalvesRoundAndStayFinite) {
 
 // Fails if a clock, a random name, the number of threads or the order of channels reaches the bytes.
 TEST_F(ExrImageTest, EqualImagesGiveEqualBytes) {
-  std::vector<float> big(512 * 512);
+  std::vector<float> big(std::size_t{512} * 512);
   std::mt19937 random(1);
   for (float& value : big) value = static_cast<float>(random()) * 1e-9f;
   ExrImage image{512, 512, {{"a", big}, {"b", big}}, {{"x", 1}, {"y", 2}}};

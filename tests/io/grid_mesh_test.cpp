@@ -99,12 +99,14 @@ TEST(GridMesh, PlyReadsBack) {
   for (std::size_t vertex = 0; vertex < 12; ++vertex) {
     float numbers[6];
     std::memcpy(numbers, bytes.data() + body + 24 * vertex, sizeof(numbers));
-    EXPECT_EQ(std::memcmp(numbers, &mesh.positions_xyz[3 * vertex], 12), 0);
-    EXPECT_EQ(std::memcmp(numbers + 3, &mesh.normals_xyz[3 * vertex], 12), 0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      EXPECT_EQ(numbers[axis], mesh.positions_xyz[3 * vertex + axis]);
+      EXPECT_EQ(numbers[axis + 3], mesh.normals_xyz[3 * vertex + axis]);
+    }
   }
   std::vector<Triangle> triangles(12);
   for (std::size_t face = 0; face < 12; ++face) {
-    const char* const record = bytes.data() + body + 12 * 24 + 13 * face;
+    const char* const record = bytes.data() + body + std::size_t{12} * 24 + 13 * face;
     EXPECT_EQ(record[0], 3);
     std::memcpy(triangles[face].data(), record + 1, 12);
   }
