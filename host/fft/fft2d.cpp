@@ -13,17 +13,16 @@ Fft2d::Fft2d(const ocl::Device& device, int size, int batch, Direction direction
   if (batch < 1) {
     throw Error(ErrorKind::bad_input, fmt::format("transform batch: expected at least 1, got {}", batch));
   }
-  const FftPlan plan(device.info(),
-                     {.size = size, .rows = size, .intermediate_rows = size, .column_fields = 1});
+  const FftPlan plan(device.info(), {.size = size, .columns = size, .row_fields = 1});
   const auto kernel_of = [&](PassPlan pass, const char* source, const char* name) {
     if (direction == Direction::forward) pass.defines.set_flag("FFT_FORWARD");
     return ocl::Program::build(device, source, pass.defines).kernel(name);
   };
-  rows_ = kernel_of(plan.rows(), "fft/transform_rows.cl", "transform_rows");
   columns_ = kernel_of(plan.columns(), "fft/transform_columns.cl", "transform_columns");
-  rows_shape_ = plan.rows().shape_for(batch);
+  rows_ = kernel_of(plan.rows(), "fft/transform_rows.cl", "transform_rows");
   columns_shape_ = plan.columns().shape_for(batch);
   columns_scratch_ = {plan.columns().scratch_bytes};
+  rows_shape_ = plan.rows().shape_for(batch);
   row_twiddles_ = ocl::Buffer<float>(device, plan.rows().twiddles, "row twiddles");
   column_twiddles_ = ocl::Buffer<float>(device, plan.columns().twiddles, "column twiddles");
   intermediate_ = ocl::Buffer<float>(device, plan.intermediate_floats() * static_cast<std::size_t>(batch),
@@ -41,8 +40,8 @@ void Fft2d::transform(const ocl::Buffer<float>& input, ocl::Buffer<float>& outpu
                 fmt::format("transform buffers: expected at least {} floats, got {} and {}", float_count(),
                             input.size(), output.size()));
   }
-  rows_.launch(rows_shape_, input, intermediate_, row_twiddles_);
-  columns_.launch(columns_shape_, intermediate_, column_twiddles_, columns_scratch_, output);
+  columns_.launch(columns_shape_, input, intermediate_, column_twiddles_, columns_scratch_);
+  rows_.launch(rows_shape_, intermediate_, row_twiddles_, output);
 }
 
 }  // namespace offing::fft

@@ -17,11 +17,14 @@ constexpr int smallest_size = 16;
 constexpr int largest_size = 4096;
 constexpr int strip_lanes = 16;   // a float16: the widest vector that OpenCL has
 constexpr int narrow_lanes = 8;   // for columns whose scratch would not fit otherwise
-constexpr int block = 16;         // FFT_BLOCK
 constexpr int thread_values = 8;  // FFT_THREAD_VALUES
 
-// Results larger than this are stored past the caches: they would push out what the next pass reads.
-constexpr int smallest_streaming_size = 1024;
+// Enough work-items for many cores, few enough that each is worth its launch.
+constexpr int long_rows_per_item = 8;
+
+// Arrays of transforms from these sizes on are stored past the caches: they would push out what is read next.
+constexpr int smallest_streamed_intermediate = 2048;
+constexpr int smallest_streamed_result = 1024;
 
 struct Radices {
   int first, second, third;
@@ -106,53 +109,59 @@ std::vector<float> long_row_table(int size, std::pair<int, int> radices) {
   return table;
 }
 
+// Columns of the intermediate array that the first pass writes: whole strips.
+int padded_columns(const PlanRequest& request) {
+  return std::max(request.columns, strip_lanes);
+}
+
+// A row's length in the intermediate array; the padding is zero where a caller reads past the columns.
+int pitch(const PlanRequest& request) {
+  return padded_columns(request) + strip_lanes;
+}
+
 void set_common_defines(ocl::Defines& defines, const PlanRequest& request, int lanes) {
   defines.set("FFT_SIZE", request.size);
-  defines.set("FFT_INTERMEDIATE_ROWS", request.intermediate_rows);
+  defines.set("FFT_PITCH", pitch(request));
   defines.set("LANES", lanes);
 }
 
-void set_strip_defines(PassPlan& pass, const PlanRequest& request, int lanes) {
+PassPlan strip_pass(const PlanRequest& request, int lanes) {
+  PassPlan pass;
   const Radices radices = strip_radices(request.size);
   set_common_defines(pass.defines, request, lanes);
   pass.defines.set("FFT_RADIX_1", radices.first);
   pass.defines.set("FFT_RADIX_2", radices.second);
   pass.defines.set("FFT_RADIX_3", radices.third);
-}
-
-PassPlan strip_rows(const PlanRequest& request) {
-  PassPlan pass;
-  set_strip_defines(pass, request, strip_lanes);
-  const int vectors = request.size / strip_lanes;
-  int rows_per_item = strip_lanes;
-  if (vectors >= strip_lanes) {
-    const auto radices = row_radices(vectors);
-    // Enough work-items for many cores, few enough that each is worth its launch.
-    rows_per_item = 8;
-    pass.defines.set("FFT_ROW_RADIX_A", radices.first);
-    pass.defines.set("FFT_ROW_RADIX_B", radices.second);
-    pass.defines.set("FFT_ROWS_PER_ITEM", rows_per_item);
-    pass.twiddles = long_row_table(request.size, radices);
-  } else {
-    pass.twiddles = strip_table(request.size, strip_radices(request.size));
-  }
-  if (request.size >= smallest_streaming_size) pass.defines.set_flag("FFT_NON_TEMPORAL");
-  const auto items = static_cast<std::size_t>((request.rows + rows_per_item - 1) / rows_per_item);
-  pass.shape = {{items, 1, 1}, {1, 1, 1}};
+  pass.twiddles = strip_table(request.size, radices);
   return pass;
 }
 
 std::size_t strip_scratch_bytes(const PlanRequest& request, int lanes) {
-  return sizeof(float) * 2 * static_cast<std::size_t>(lanes * request.size * request.column_fields);
+  return sizeof(float) * 2 * static_cast<std::size_t>(lanes * request.size);
 }
 
 PassPlan strip_columns(const PlanRequest& request, int lanes) {
-  PassPlan pass;
-  set_strip_defines(pass, request, lanes);
-  if (request.size >= smallest_streaming_size) pass.defines.set_flag("FFT_NON_TEMPORAL");
-  pass.twiddles = strip_table(request.size, strip_radices(request.size));
-  pass.shape = {{static_cast<std::size_t>(request.size / lanes), 1, 1}, {1, 1, 1}};
+  PassPlan pass = strip_pass(request, lanes);
+  if (request.size >= smallest_streamed_intermediate) pass.defines.set_flag("FFT_STREAM_INTERMEDIATE");
+  pass.shape = {{static_cast<std::size_t>(padded_columns(request) / lanes), 1, 1}, {1, 1, 1}};
   pass.scratch_bytes = strip_scratch_bytes(request, lanes);
+  return pass;
+}
+
+PassPlan strip_rows(const PlanRequest& request) {
+  PassPlan pass = strip_pass(request, strip_lanes);
+  const int vectors = request.size / strip_lanes;
+  int rows_per_item = strip_lanes;
+  if (vectors >= strip_lanes) {
+    const auto radices = row_radices(vectors);
+    rows_per_item = long_rows_per_item;
+    pass.defines.set("FFT_ROW_RADIX_A", radices.first);
+    pass.defines.set("FFT_ROW_RADIX_B", radices.second);
+    pass.defines.set("FFT_ROWS_PER_ITEM", rows_per_item);
+    pass.twiddles = long_row_table(request.size, radices);
+  }
+  if (request.size >= smallest_streamed_result) pass.defines.set_flag("FFT_STREAM_RESULT");
+  pass.shape = {{static_cast<std::size_t>(request.size / rows_per_item), 1, 1}, {1, 1, 1}};
   return pass;
 }
 
@@ -167,31 +176,32 @@ PassPlan group_pass(const PlanRequest& request, int width) {
   return pass;
 }
 
-PassPlan group_rows(const ocl::DeviceInfo& device, const PlanRequest& request) {
-  const int threads = request.size / thread_values;
-  // Short rows share a work-group, so that it has at least 64 work-items.
-  const int wanted = std::clamp(64 / threads, 1, request.rows);
-  const int width =
-      std::min<int>(wanted, std::max<int>(1, static_cast<int>(device.max_work_group_size) / threads));
-  PassPlan pass = group_pass(request, width);
-  const auto thread_count = static_cast<std::size_t>(threads), row_count = static_cast<std::size_t>(width);
-  pass.shape = {{thread_count, static_cast<std::size_t>(request.rows), 1}, {thread_count, row_count, 1}};
-  return pass;
-}
-
 PassPlan group_columns(const ocl::DeviceInfo& device, const PlanRequest& request) {
   const int threads = request.size / thread_values;
   const auto bytes_per_column = sizeof(float) * static_cast<std::size_t>(request.size);
   // Up to 16 neighbouring columns for coalesced access, as long as a work-group stays near 256 work-items.
-  int width = std::clamp(256 / threads, 1, block);
+  int width = std::clamp(256 / threads, 1, strip_lanes);
   while (width > 1 && (static_cast<std::size_t>(width * threads) > device.max_work_group_size ||
                        static_cast<std::size_t>(width) * bytes_per_column > device.local_memory_bytes)) {
     width /= 2;
   }
   PassPlan pass = group_pass(request, width);
   const auto thread_count = static_cast<std::size_t>(threads), column_count = static_cast<std::size_t>(width);
-  pass.shape = {{static_cast<std::size_t>(request.size), thread_count, 1}, {column_count, thread_count, 1}};
+  pass.shape = {{static_cast<std::size_t>(padded_columns(request)), thread_count, 1},
+                {column_count, thread_count, 1}};
   pass.scratch_bytes = static_cast<std::size_t>(width) * bytes_per_column;
+  return pass;
+}
+
+PassPlan group_rows(const ocl::DeviceInfo& device, const PlanRequest& request) {
+  const int threads = request.size / thread_values;
+  // Short rows share a work-group, so that it has at least 64 work-items.
+  const int wanted = std::clamp(64 / threads, 1, request.size);
+  const int width =
+      std::min<int>(wanted, std::max<int>(1, static_cast<int>(device.max_work_group_size) / threads));
+  PassPlan pass = group_pass(request, width);
+  const auto thread_count = static_cast<std::size_t>(threads), row_count = static_cast<std::size_t>(width);
+  pass.shape = {{thread_count, static_cast<std::size_t>(request.size), 1}, {thread_count, row_count, 1}};
   return pass;
 }
 
@@ -215,15 +225,17 @@ FftPlan::FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request) {
   int lanes = strip_lanes;
   if (strip_scratch_bytes(request, lanes) > device.local_memory_bytes) lanes = narrow_lanes;
   if (strip_scratch_bytes(request, lanes) > device.local_memory_bytes) shape = ocl::KernelShape::group;
+  // A half spectrum narrower than a strip would mix both halves of a row in one vector.
+  if (request.columns < std::min(request.size, strip_lanes)) shape = ocl::KernelShape::group;
   if (shape == ocl::KernelShape::strip) {
-    rows_ = strip_rows(request);
     columns_ = strip_columns(request, lanes);
+    rows_ = strip_rows(request);
   } else {
-    rows_ = group_rows(device, request);
     columns_ = group_columns(device, request);
+    rows_ = group_rows(device, request);
   }
   intermediate_floats_ =
-      2 * static_cast<std::size_t>(request.size) * static_cast<std::size_t>(request.intermediate_rows);
+      2 * static_cast<std::size_t>(request.size) * static_cast<std::size_t>(pitch(request));
 }
 
 }  // namespace offing::fft

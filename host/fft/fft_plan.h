@@ -23,10 +23,9 @@ struct PassPlan {
 
 /// What a caller joins to the two passes.
 struct PlanRequest {
-  int size = 0;  ///< n, a power of two, 16 ... 4096
-  int rows = 0;  ///< rows that the first pass transforms: n, or n/2 when the rest follows by symmetry
-  int intermediate_rows = 0;  ///< rows that a block of the intermediate array has room for, >= rows
-  int column_fields = 1;      ///< complex fields that the second pass holds at once
+  int size = 0;     ///< n, a power of two, 16 ... 4096
+  int columns = 0;  ///< columns that the first pass transforms: n, or n/2 when the rest follows by symmetry
+  int row_fields = 1;  ///< complex fields that the second pass holds at once
 };
 
 /// The two passes of an n x n transform, shaped for the device by the tuning table: a strip of lanes a
@@ -37,14 +36,14 @@ class FftPlan {
   /// Throws Error(bad_input) if the size is not a power of two in [16, 4096].
   FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request);
 
-  const PassPlan& rows() const { return rows_; }
   const PassPlan& columns() const { return columns_; }
-  /// Floats of the intermediate array for one complex field: [n/16][intermediate_rows][2][16].
+  const PassPlan& rows() const { return rows_; }
+  /// Floats of the intermediate array for one complex field: [n][2][pitch].
   std::size_t intermediate_floats() const { return intermediate_floats_; }
 
  private:
-  PassPlan rows_;
   PassPlan columns_;
+  PassPlan rows_;
   std::size_t intermediate_floats_ = 0;
 };
 

@@ -11,15 +11,15 @@
 namespace offing::ocean {
 
 /// The two kernels that turn modes into fields: a caller's kernels joined to the passes of an inverse
-/// transform, for all cascades at once. The first pass makes `half_fields` fields of the rows with kz >= 0;
-/// the second makes `column_fields` pairs of real fields from them (PAPERS O10).
+/// transform, for all cascades at once. The first pass makes `half_fields` fields of the columns with kx >=
+/// 0; the second makes `row_fields` pairs of real fields from them (PAPERS O10).
 class ModeTransform {
  public:
   struct Request {
     std::string_view first_source, first_kernel;    ///< "ocean/spectrum_advance.cl", "spectrum_advance"
     std::string_view second_source, second_kernel;  ///< "ocean/surface_assemble.cl", "surface_assemble"
     int half_fields = 0;
-    int column_fields = 0;
+    int row_fields = 0;
   };
 
   ModeTransform(const ocl::Device& device, const WaveModes& modes, const Request& request);
@@ -27,21 +27,20 @@ class ModeTransform {
   /// Enqueues the first pass with its own arguments, which come first.
   template <class... Args>
   void advance(const Args&... args) {
-    first_.launch(first_shape_, args..., intermediate_, row_twiddles_);
+    first_.launch(first_shape_, args..., intermediate_, column_twiddles_, first_scratch_);
   }
   /// Enqueues the second pass with its own arguments, which come last.
   template <class... Args>
   void assemble(Args&&... args) {
-    second_.launch(second_shape_, intermediate_, column_twiddles_, second_scratch_,
-                   std::forward<Args>(args)...);
+    second_.launch(second_shape_, intermediate_, row_twiddles_, std::forward<Args>(args)...);
   }
 
  private:
   ocl::Kernel first_, second_;
   ocl::LaunchShape first_shape_, second_shape_;
-  ocl::LocalMemory second_scratch_;
-  ocl::Buffer<float> row_twiddles_, column_twiddles_;
-  ocl::Buffer<float> intermediate_;  // [cascades][half_fields][n/16][rows][2][16]
+  ocl::LocalMemory first_scratch_;
+  ocl::Buffer<float> column_twiddles_, row_twiddles_;
+  ocl::Buffer<float> intermediate_;  // [cascades][half_fields][n][2][pitch]
 };
 
 }  // namespace offing::ocean

@@ -17,7 +17,7 @@ constexpr double ticks_per_second = 32.0;
 constexpr double cycles_of_all_ticks = 4294967296.0;  // 2^32
 constexpr double loop_instants = 268435456.0;         // 2^28: a loop of 100 s has one every 0.4 us
 constexpr std::int64_t ticks_per_loop_instant = 16;   // 2^32 / 2^28
-constexpr int strip_rows = 16;  // rows that the transform takes at once when they are short
+constexpr int strip_columns = 16;  // columns that lie together in the arrays of modes
 
 double wavenumber_step_radpm(const Cascade& cascade) {
   return two_pi / cascade.patch_length_m;
@@ -30,7 +30,7 @@ WaveModes::WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum,
     : device_(device),
       cascades_(cascades.begin(), cascades.end()),
       size_(size),
-      rows_(std::max(size / 2, strip_rows)),
+      columns_(std::max(size / 2, strip_columns)),
       loop_period_s_(loop_period_s) {
   const auto n = static_cast<std::size_t>(size);
   const SpectrumTable table = tabulate(spectrum);
@@ -54,7 +54,7 @@ WaveModes::WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum,
     variance_kernel.launch({{n, n, 1}}, table_buffer, params, size, variance_.back());
   }
   initial_ = ocl::Program::build(device, "ocean/spectrum_initial.cl").kernel("spectrum_initial");
-  const std::size_t modes = cascades_.size() * static_cast<std::size_t>(rows_) * n;
+  const std::size_t modes = cascades_.size() * static_cast<std::size_t>(columns_) * n;
   amplitude_ = ocl::Buffer<float>(device, 4 * modes, "wave amplitudes");
   rate_ = ocl::Buffer<std::uint32_t>(device, rates(spectrum.dispersion), "wave frequencies");
   wavenumber_step_ = ocl::Buffer<float>(device, steps, "wavenumber steps");
@@ -62,21 +62,25 @@ WaveModes::WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum,
 
 std::vector<std::uint32_t> WaveModes::rates(const Dispersion& dispersion) const {
   const auto n = static_cast<std::size_t>(size_);
-  std::vector<std::uint32_t> rates(cascades_.size() * static_cast<std::size_t>(rows_) * n, 0);
+  std::vector<std::uint32_t> rates(cascades_.size() * static_cast<std::size_t>(columns_) * n, 0);
   for (std::size_t i = 0; i < cascades_.size(); ++i) {
     const double step = wavenumber_step_radpm(cascades_[i]);
-    for (int row = 0; row < size_ / 2; ++row) {
-      std::uint32_t* row_rates =
-          &rates[(i * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(row)) * n];
-      for (int column = 0; column < size_ / 2; ++column) {
+    std::uint32_t* plane = &rates[i * static_cast<std::size_t>(columns_) * n];
+    const auto place = [&](int row, int column) {
+      return (static_cast<std::size_t>(column / strip_columns) * n + static_cast<std::size_t>(row)) *
+                 strip_columns +
+             static_cast<std::size_t>(column % strip_columns);
+    };
+    for (int column = 0; column < size_ / 2; ++column) {
+      for (int row = 0; row < size_ / 2; ++row) {
         if (row == 0 && column == 0) continue;
         const double omega = dispersion.omega_radps(step * std::hypot(row, column));
         // A looping wave keeps at least one cycle, so that none stands still.
         const double cycles = loop_period_s_ ? std::max(1.0, std::round(omega / two_pi * *loop_period_s_))
                                              : std::round(omega / radps_per_rate());
         const auto rate = static_cast<std::uint32_t>(std::min(cycles, cycles_of_all_ticks - 1.0));
-        row_rates[column] = rate;
-        if (column > 0) row_rates[size_ - column] = rate;
+        plane[place(row, column)] = rate;
+        if (row > 0) plane[place(size_ - row, column)] = rate;
       }
     }
   }
@@ -87,9 +91,9 @@ void WaveModes::draw(std::uint64_t seed) {
   const std::array<std::uint32_t, 2> seed_words{static_cast<std::uint32_t>(seed),
                                                 static_cast<std::uint32_t>(seed >> 32)};
   for (int cascade = 0; cascade < cascade_count(); ++cascade) {
-    initial_.launch({{static_cast<std::size_t>(size_), static_cast<std::size_t>(rows_), 1}},
+    initial_.launch({{static_cast<std::size_t>(columns_), static_cast<std::size_t>(size_), 1}},
                     variance_[static_cast<std::size_t>(cascade)], size_, seed_words, cascade, amplitude_,
-                    rows_);
+                    columns_);
   }
 }
 

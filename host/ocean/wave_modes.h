@@ -33,16 +33,16 @@ class WaveModes {
 
   int size() const { return size_; }
   int cascade_count() const { return static_cast<int>(cascades_.size()); }
-  /// Rows of the amplitude and rate arrays: kz = 0 ... n/2 - 1, padded to a whole strip of 16.
-  int rows() const { return rows_; }
+  /// Columns of the amplitude and rate arrays: kx = 0 ... n/2 - 1, padded to a whole strip of 16.
+  int columns() const { return columns_; }
 
   WaveClock clock(double time_s) const;
   /// Angular frequency, rad/s, of rate 1.
   double radps_per_rate() const;
 
-  /// [cascades][4][rows][n] m: P and Q, real and imaginary (kernels/ocean/spectrum_initial.cl).
+  /// [cascades][4][columns/16][n][16] m: P and Q, real and imaginary (kernels/ocean/spectrum_initial.cl).
   const ocl::Buffer<float>& amplitude() const { return amplitude_; }
-  /// [cascades][rows][n] cycles per 2^32 ticks.
+  /// [cascades][columns/16][n][16] cycles per 2^32 ticks.
   const ocl::Buffer<std::uint32_t>& rate() const { return rate_; }
   /// [cascades] 2 pi / L, rad/m.
   const ocl::Buffer<float>& wavenumber_step() const { return wavenumber_step_; }
@@ -55,7 +55,7 @@ class WaveModes {
   ocl::Device device_;
   std::vector<Cascade> cascades_;
   int size_;
-  int rows_;
+  int columns_;
   std::optional<double> loop_period_s_;
   ocl::Kernel initial_;
   std::vector<ocl::Buffer<float>> variance_;  // a cascade each

@@ -1,37 +1,34 @@
-// Second pass of the plain batched transform.
-// In:  intermediate [batch][N/16][N][2][16] of fft/transform_rows.cl.
-// Out: output [batch][N][N][2] float, row-major, interleaved complex.
+// First pass of the plain batched transform: columns of interleaved complex values.
+// In:  input [batch][N][N][2] float, row-major.
+// Out: intermediate [batch][N][2][FFT_PITCH], columns transformed along z.
+// -DFFT_FORWARD exchanges real and imaginary parts at both ends: a forward transform (e^{-i}).
 #include "fft/lanes.clh"
 
-#ifdef FFT_FORWARD
-#define FFT_COLUMN_STORE(row, column, re, im) TRANSFORM_STORE(row, column, im[0], re[0])
-#else
-#define FFT_COLUMN_STORE(row, column, re, im) TRANSFORM_STORE(row, column, re[0], im[0])
-#endif
-
 #if LANES == 1
-#define TRANSFORM_STORE(row, column, first, second)                                                  \
-  {                                                                                                  \
-    __global float *target = output + (((size_t)batch * FFT_SIZE + (row)) * FFT_SIZE + (column)) * 2; \
-    target[0] = first;                                                                               \
-    target[1] = second;                                                                              \
-  }
+#define TRANSFORM_SPLIT(source, first, second) \
+  first = source[0];                           \
+  second = source[1];
 #else
-#define TRANSFORM_STORE(row, column, first, second)                                                  \
-  {                                                                                                  \
-    __global float *target = output + (((size_t)batch * FFT_SIZE + (row)) * FFT_SIZE + (column)) * 2; \
-    stream_lanes(interleave_low(first, second), target);                                             \
-    stream_lanes(interleave_high(first, second), target + LANES);                                    \
-  }
+#define TRANSFORM_SPLIT(source, first, second)                                       \
+  const lanes low = load_lanes(source), high = load_lanes(source + LANES);           \
+  first = (lanes)(low.even, high.even);                                              \
+  second = (lanes)(low.odd, high.odd);
 #endif
 
-#define FFT_COLUMN_LOAD(field, row, upper, column, re, im)                           \
-  {                                                                                  \
-    __global const float *source = intermediate + FFT_INTERMEDIATE(batch, row, column); \
-    re = load_lanes(source);                                                         \
-    im = load_lanes(source + FFT_BLOCK);                                             \
+#define TRANSFORM_LOAD(row, column, first, second)                                                            \
+  {                                                                                                           \
+    __global const float *source = input + (((size_t)batch * FFT_SIZE + (row)) * FFT_SIZE + (column)) * 2;    \
+    TRANSFORM_SPLIT(source, first, second)                                                                    \
   }
+#ifdef FFT_FORWARD
+#define FFT_COLUMN_LOAD(field, slot, row, column, re, im) TRANSFORM_LOAD(row, column, im, re)
+#else
+#define FFT_COLUMN_LOAD(field, slot, row, column, re, im) TRANSFORM_LOAD(row, column, re, im)
+#endif
+
 #define FFT_COLUMN_KERNEL transform_columns
-#define FFT_COLUMN_PARAMETERS __global float *restrict output
+#define FFT_COLUMN_PARAMETERS __global const float *restrict input
 #define FFT_COLUMN_FIELDS 1
+#define FFT_COLUMN_STATE
+#define FFT_COLUMN_PREPARE(slot, row, column)
 #include "fft/columns.clh"

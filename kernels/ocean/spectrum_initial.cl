@@ -1,7 +1,7 @@
 // Random amplitudes of one cascade's modes, ready to be advanced.
 // In:  variance [n][n] m^2, row-major, K = 0 at [0][0] (ocean/mode_variance.cl); seed, and the cascade as stream.
-// Out: amplitude [4][rows][n] m, rows 0 ... n/2 - 1 (kz >= 0; the others follow by symmetry; further rows stay zero):
-//      P and Q, real and imaginary, with h(K, t) = P cos(w t) + Q sin(w t), that is
+// Out: amplitude [4][columns/16][n][16] m, columns 0 ... n/2 - 1 (kx >= 0; the others follow by symmetry; further columns are
+//      zero): P and Q, real and imaginary, with h(K, t) = P cos(w t) + Q sin(w t), that is
 //      P = h0(K) + conj(h0(-K)), Q = -i (h0(K) - conj(h0(-K))).
 // h0 = (xr + i xi)/2 sqrt(variance), x independent N(0, 1) of (seed, cascade, n, m): the same waves at every size of the
 // same patch. Wave K travels toward +K. Lee & Lee 2007, eq. 2, corrected (PAPERS O2, O4).
@@ -23,15 +23,15 @@ static float2 initial_amplitude(__global const float *variance, int size, int n,
 }
 
 __kernel void spectrum_initial(__global const float *restrict variance, int size, uint2 seed, int cascade,
-                               __global float *restrict amplitude, int rows) {
+                               __global float *restrict amplitude, int columns) {
   const int column = (int)get_global_id(0), row = (int)get_global_id(1);
-  const int n = column < size / 2 ? column : column - size;
-  const size_t place = ((size_t)cascade * 4 * rows + row) * size + column;
-  const size_t plane = (size_t)rows * size;
+  const int m = row < size / 2 ? row : row - size;
+  const size_t plane = (size_t)columns * size;
+  const size_t place = cascade * 4 * plane + ((size_t)(column / 16) * size + row) * 16 + column % 16;
   float2 p = (float2)(0.0f, 0.0f), q = p;
-  if (row < size / 2 && n != -size / 2) {
-    const float2 forward = initial_amplitude(variance, size, n, row, seed, cascade);
-    const float2 backward = initial_amplitude(variance, size, -n, -row, seed, cascade);
+  if (column < size / 2 && m != -size / 2) {
+    const float2 forward = initial_amplitude(variance, size, column, m, seed, cascade);
+    const float2 backward = initial_amplitude(variance, size, -column, -m, seed, cascade);
     if (fabs(forward.x) + fabs(forward.y) + fabs(backward.x) + fabs(backward.y) > SMALLEST_AMPLITUDE_M) {
       p = (float2)(forward.x + backward.x, forward.y - backward.y);
       const float2 difference = (float2)(forward.x - backward.x, forward.y + backward.y);

@@ -1,47 +1,46 @@
-// Particle velocity at time t, first pass of the inverse transform: rows along x, for kz >= 0 only.
+// Particle velocity at time t, first pass of the inverse transform: columns along z, for kx >= 0 only.
 // In:  amplitude, rate as in ocean/spectrum_advance.cl; time; the depth below the surface and the water's depth.
-// Out: intermediate [cascades][3][n/16][rows + 1][2][16]: 0: dh/dt   1: kx u   2: u, with u the horizontal speed over k.
+// Out: intermediate [cascades][3][n][2][FFT_PITCH]: 0: dh/dt   1: u/k   2: kz u/k, with u the horizontal speed.
 // Linear theory at z = -d under the surface (Wheeler stretching: d is measured from the instantaneous surface):
-//   vertical sinh k(D-d) / sinh kD, horizontal cosh k(D-d) / sinh kD, both e^{-kd} in deep water. As exponentials that
-//   cannot overflow, with E(x) = e^{-2x} - 1: e^{-kd} E(k(D-d)) / E(kD) and e^{-kd} (2 + E(k(D-d))) / -E(kD).
+//   vertical sinh k(D-d) / sinh kD, horizontal cosh k(D-d) / sinh kD, both e^{-kd} in deep water.
 #include "ocean/wave_phase.clh"
 
-#define FFT_ROW_KERNEL velocity_advance
-#define FFT_ROW_PARAMETERS                                                                              \
-  __global const float *restrict amplitude, __global const uint *restrict rate,                         \
+#define FFT_COLUMN_KERNEL velocity_advance
+#define FFT_COLUMN_PARAMETERS                                                                                \
+  __global const float *restrict amplitude, __global const uint *restrict rate,                             \
       __global const float *restrict wavenumber_step_radpm, uint ticks, float tick_fraction, float radps_per_rate, \
       float depth_below_surface_m, float water_depth_m
-#define FFT_ROW_FIELDS 3
-#define FFT_ROW_STATE                                                                                   \
-  lanes rise_re[FFT_SLOTS], rise_im[FFT_SLOTS], vertical[FFT_SLOTS], horizontal[FFT_SLOTS];             \
+#define FFT_COLUMN_FIELDS 3
+#define FFT_COLUMN_STATE                                                                                     \
+  lanes rise_re[FFT_SLOTS], rise_im[FFT_SLOTS], vertical[FFT_SLOTS], horizontal[FFT_SLOTS];                 \
   const float step_radpm = wavenumber_step_radpm[batch];
 
-// dh/dt = w (Q cos - P sin); the horizontal velocity is i K/k times that, times the ratio of the depth factors.
-#define FFT_ROW_PREPARE(slot, row, column)                                                              \
-  {                                                                                                     \
-    const size_t plane = (size_t)SPECTRUM_ROWS * FFT_SIZE;                                              \
-    const size_t place = (size_t)(row) * FFT_SIZE + (column);                                           \
-    __global const float *source = amplitude + (size_t)batch * 4 * plane + place;                       \
-    const uint_lanes rates = load_uint_lanes(rate + (size_t)batch * plane + place);                     \
-    const lanes inverse_k =                                                                             \
-        inverse_wavenumber(column_wavenumber(column, step_radpm), (float)(row) * step_radpm);           \
-    const lanes k = 1.0f / inverse_k;                                                                   \
-    const lanes above_bed = expm1(-2.0f * k * (water_depth_m - depth_below_surface_m));                 \
-    const lanes decay = exp(-k * depth_below_surface_m) / expm1(-2.0f * k * water_depth_m);             \
-    lanes cosine, sine;                                                                                 \
-    wave_phase(rates, ticks, tick_fraction, &cosine, &sine);                                            \
-    const lanes omega = convert_lanes(rates) * radps_per_rate;                                          \
-    rise_re[slot] = omega * (load_lanes(source + 2 * plane) * cosine - load_lanes(source) * sine);      \
-    rise_im[slot] = omega * (load_lanes(source + 3 * plane) * cosine - load_lanes(source + plane) * sine); \
-    vertical[slot] = above_bed * decay;                                                                 \
-    horizontal[slot] = -(2.0f + above_bed) * decay * inverse_k;                                         \
+// dh/dt = w (Q cos - P sin); the horizontal velocity is i K/k times that, each with its depth factor.
+#define FFT_COLUMN_PREPARE(slot, row, column)                                                             \
+  {                                                                                                       \
+    const size_t place = MODE_PLACE(row, column);                                                         \
+    __global const float *source = amplitude + (size_t)batch * 4 * MODE_PLANE + place;                    \
+    const uint_lanes rates = load_uint_lanes(rate + (size_t)batch * MODE_PLANE + place);                  \
+    const lanes inverse_k = inverse_wavenumber(column, row_wavenumber(row, step_radpm), step_radpm);      \
+    const lanes k = 1.0f / inverse_k;                                                                     \
+    const lanes above_bed = exp(-2.0f * k * fmax(water_depth_m - depth_below_surface_m, 0.0f));           \
+    const lanes whole = fmax(1.0f - exp(-2.0f * k * water_depth_m), (lanes)1e-6f);                        \
+    const lanes decay = exp(-k * depth_below_surface_m) / whole;                                          \
+    lanes cosine, sine;                                                                                   \
+    wave_phase(rates, ticks, tick_fraction, &cosine, &sine);                                              \
+    const lanes omega = convert_lanes(rates) * radps_per_rate;                                            \
+    rise_re[slot] = omega * (load_lanes(source + 2 * MODE_PLANE) * cosine - load_lanes(source) * sine);   \
+    rise_im[slot] =                                                                                       \
+        omega * (load_lanes(source + 3 * MODE_PLANE) * cosine - load_lanes(source + MODE_PLANE) * sine);  \
+    vertical[slot] = decay * (1.0f - above_bed);                                                          \
+    horizontal[slot] = decay * (1.0f + above_bed) * inverse_k;                                            \
   }
 
-#define FFT_ROW_LOAD(field, slot, row, column, re, im)                                                  \
-  {                                                                                                     \
-    lanes factor = (field) == 0 ? vertical[slot] : horizontal[slot];                                    \
-    if ((field) == 1) factor *= column_wavenumber(column, step_radpm);                                  \
-    re = factor * rise_re[slot];                                                                        \
-    im = factor * rise_im[slot];                                                                        \
+#define FFT_COLUMN_LOAD(field, slot, row, column, re, im)                                                 \
+  {                                                                                                       \
+    const float kz = (field) == 2 ? row_wavenumber(row, step_radpm) : 1.0f;                               \
+    const lanes factor = (field) == 0 ? vertical[slot] : kz * horizontal[slot];                           \
+    re = factor * rise_re[slot];                                                                          \
+    im = factor * rise_im[slot];                                                                          \
   }
-#include "fft/rows.clh"
+#include "fft/columns.clh"

@@ -42,8 +42,8 @@ OceanPeer::OceanPeer(const ocean::WaveModes& modes, int cascade, float choppines
   }
 }
 
-// The device keeps columns with kx >= 0 in strips, [4][columns/16][n][16]; the peer works on rows with kz >= 0.
-// P(-K) and Q(-K) are the conjugates of P(K) and Q(K).
+// The device keeps columns with kx >= 0 in strips, [4][columns/16][n][16]; the peer works on rows with kz >=
+// 0. P(-K) and Q(-K) are the conjugates of P(K) and Q(K).
 void OceanPeer::read_modes(const ocean::WaveModes& modes, int cascade) {
   constexpr int strip = 16;
   const auto n = static_cast<std::size_t>(size_);
@@ -75,8 +75,8 @@ std::size_t OceanPeer::field_floats(int pitch) const {
   return static_cast<std::size_t>(2) * size_ * pitch;
 }
 
-std::string OceanPeer::way_name(std::size_t index) const {
-  const Way& way = ways_[index];
+std::string OceanPeer::way_name(std::size_t way_index) const {
+  const Way& way = ways_[way_index];
   return fmt::format("C++ and FFTW measure, {} OpenMP threads {}, pitch {}, {} maps", core_count(),
                      way.cores == Cores::share_transforms ? "share transforms" : "take one each", way.pitch,
                      way.stores == peer::Stores::streaming ? "streamed" : "cached");
@@ -116,8 +116,8 @@ void OceanPeer::pack(int row, const Way& way) {
   peer::pack(source + 2 * field, source + 3 * field, gradient_.data() + target, size_, way.stores);
 }
 
-void OceanPeer::at(const ocean::WaveClock& clock, std::size_t index) {
-  const Way& way = ways_[index];
+void OceanPeer::at(const ocean::WaveClock& clock, std::size_t way_index) {
+  const Way& way = ways_[way_index];
 #pragma omp parallel for schedule(static)
   for (int row = 0; row < size_ / 2; ++row) evolve(clock, row, way.pitch);
 

@@ -22,10 +22,10 @@ class OceanPeer {
   /// The ways differ in the padding of rows, in whether cores share a transform or take one each, and in how
   /// maps are stored.
   std::size_t way_count() const { return ways_.size(); }
-  std::string way_name(std::size_t way) const;
+  std::string way_name(std::size_t way_index) const;
 
   /// The frame at this time.
-  void at(const ocean::WaveClock& clock, std::size_t way);
+  void at(const ocean::WaveClock& clock, std::size_t way_index);
 
   /// [n][n] float4: dx, h, dz, d dx/dz.
   const HugeArray& displacement() const { return displacement_; }
