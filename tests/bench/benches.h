@@ -39,6 +39,6 @@ void bench_ocean(const ocl::Device& device, const Settings& settings, const Sink
 void bench_start(const Settings& settings, const Sinks& sinks);
 
 /// What the processes of bench_start() do: make the frame, print a line, end.
-void make_first_frame(const std::string& device);
+void make_first_frame(const std::string& selector);
 
 }  // namespace offing::bench

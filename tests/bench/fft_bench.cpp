@@ -64,7 +64,7 @@ void bench_size(const ocl::Device& device, int size, int blocks, const Sinks& si
     std::copy(values.begin(), values.end(), input.data());
     way.plan.execute();
     require_equal(fmt::format("fft {}, {}", size, way.name), ours_result.data(), way.result, values.size());
-    peers.push_back([&way] { way.plan.execute(); });
+    peers.emplace_back([&way] { way.plan.execute(); });
   }
   // In place again and again, values would grow without bound; zeros take the same time.
   input.clear();

@@ -44,7 +44,7 @@ double block_ms(const Work& work) {
     repetitions.push_back(end - last);
     last = end;
   } while (last - first < least_block_ms || repetitions.size() < least_repetitions);
-  return median(std::move(repetitions));
+  return median(repetitions);
 }
 
 std::size_t fastest(const std::vector<Work>& alternatives) {
@@ -71,11 +71,11 @@ Comparison compare(const Work& ours, const Work& peer, int blocks) {
           .spread = relative_spread(ratios)};
 }
 
-double median(std::vector<double> values) {
-  return quantile(std::move(values), 0.5);
+double median(const std::vector<double>& values) {
+  return quantile(values, 0.5);
 }
 
-double relative_spread(std::vector<double> values) {
+double relative_spread(const std::vector<double>& values) {
   return (quantile(values, 0.75) - quantile(values, 0.25)) / quantile(values, 0.5);
 }
 

@@ -28,9 +28,9 @@ struct Comparison {
 Comparison compare(const Work& ours, const Work& peer, int blocks);
 
 /// Of a non-empty set.
-double median(std::vector<double> values);
+double median(const std::vector<double>& values);
 /// Interquartile range over median.
-double relative_spread(std::vector<double> values);
+double relative_spread(const std::vector<double>& values);
 /// Lower bound of the two-sided 95 % confidence interval of the median, from binomial order statistics: the
 /// largest k-th value with P(at most k - 1 of n lie below the median) <= 2.5 %. With fewer than six values
 /// there is none, and the least value is returned.

@@ -76,7 +76,7 @@ void bench_frame(const ocl::Device& device, const std::string& name, std::span<c
   std::vector<Work> ways;
   for (std::size_t way = 0; way < peers.front().way_count(); ++way) {
     require_equal_maps(device, ours, peers, way);
-    ways.push_back([&, way] {
+    ways.emplace_back([&, way] {
       const ocean::WaveClock clock = ours.modes.clock(peers_time_s += frame_s);
       for (OceanPeer& peer : peers) peer.at(clock, way);
     });

@@ -17,13 +17,27 @@ using SignedWords = std::int32_t __attribute__((vector_size(4 * width)));
 using UnalignedFloats = float __attribute__((vector_size(4 * width), aligned(4), may_alias));
 using UnalignedWords = std::uint32_t __attribute__((vector_size(4 * width), aligned(4), may_alias));
 
-constexpr Words low_halves{0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23};
-constexpr Words high_halves{8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31};
-constexpr Words low_halves_reversed{15, 31, 14, 30, 13, 29, 12, 28, 11, 27, 10, 26, 9, 25, 8, 24};
-constexpr Words high_halves_reversed{7, 23, 6, 22, 5, 21, 4, 20, 3, 19, 2, 18, 1, 17, 0, 16};
-// Pairs of floats from two rows of complex numbers.
-constexpr Words low_pairs{0, 1, 16, 17, 2, 3, 18, 19, 4, 5, 20, 21, 6, 7, 22, 23};
-constexpr Words high_pairs{8, 9, 24, 25, 10, 11, 26, 27, 12, 13, 28, 29, 14, 15, 30, 31};
+// Lanes of two vectors, by place: 0 ... 15 in the first, 16 ... 31 in the second. Real and imaginary parts to
+// complex numbers, forward and from the last to the first.
+Floats low_halves(Floats a, Floats b) {
+  return __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+}
+Floats high_halves(Floats a, Floats b) {
+  return __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+}
+Floats low_halves_reversed(Floats a, Floats b) {
+  return __builtin_shufflevector(a, b, 15, 31, 14, 30, 13, 29, 12, 28, 11, 27, 10, 26, 9, 25, 8, 24);
+}
+Floats high_halves_reversed(Floats a, Floats b) {
+  return __builtin_shufflevector(a, b, 7, 23, 6, 22, 5, 21, 4, 20, 3, 19, 2, 18, 1, 17, 0, 16);
+}
+// Complex numbers of two rows to pairs of them.
+Floats low_pairs(Floats a, Floats b) {
+  return __builtin_shufflevector(a, b, 0, 1, 16, 17, 2, 3, 18, 19, 4, 5, 20, 21, 6, 7, 22, 23);
+}
+Floats high_pairs(Floats a, Floats b) {
+  return __builtin_shufflevector(a, b, 8, 9, 24, 25, 10, 11, 26, 27, 12, 13, 28, 29, 14, 15, 30, 31);
+}
 
 Floats load(const float* source) {
   return *reinterpret_cast<const UnalignedFloats*>(source);
@@ -84,15 +98,15 @@ Wave wave(Words rate, std::uint32_t ticks, float tick_fraction) {
 }
 
 void store_complex(float* target, Floats re, Floats im) {
-  store(target, __builtin_shuffle(re, im, low_halves));
-  store(target + width, __builtin_shuffle(re, im, high_halves));
+  store(target, low_halves(re, im));
+  store(target + width, high_halves(re, im));
 }
 
 /// Columns `column` ... `column` + 15 go to columns n - `column` - 15 ... n - `column`, where n is 0.
 void store_reversed(float* row, int size, int column, Floats re, Floats im) {
-  const Floats first = __builtin_shuffle(re, im, low_halves_reversed);
-  const Floats second = __builtin_shuffle(re, im, high_halves_reversed);
-  float* const target = row + 2 * (size - column - width + 1);
+  const Floats first = low_halves_reversed(re, im);
+  const Floats second = high_halves_reversed(re, im);
+  float* const target = row + static_cast<std::ptrdiff_t>(2) * (size - column - width + 1);
   store(target, first);
   if (column > 0) {
     store(target + width, second);
@@ -121,25 +135,24 @@ void evolve(const Frame& frame, const ModeRow& modes, float* row, float* mirrore
     const Floats chop = frame.choppiness * reciprocal_root(kx * kx + (kz * kz + 1e-12f));
     const Floats x = kx * chop, z = kz * chop, xz = -kz * x, xx = -kx * x, zz = -kz * z;
 
-    float* target = row + 2 * column;
+    float* const target = row + static_cast<std::ptrdiff_t>(2) * column;
     store_complex(target, -(x + 1.0f) * im, (x + 1.0f) * re);
-    store_complex(target += field_floats, -(z + xz) * im, (z + xz) * re);
-    store_complex(target += field_floats, -kx * im - kz * re, kx * re - kz * im);
-    store_complex(target += field_floats, xx * re - zz * im, xx * im + zz * re);
+    store_complex(target + field_floats, -(z + xz) * im, (z + xz) * re);
+    store_complex(target + 2 * field_floats, -kx * im - kz * re, kx * re - kz * im);
+    store_complex(target + 3 * field_floats, xx * re - zz * im, xx * im + zz * re);
     if (mirrored == nullptr) continue;
-    target = mirrored;
-    store_reversed(target, frame.size, column, (1.0f - x) * im, (1.0f - x) * re);
-    store_reversed(target += field_floats, frame.size, column, (xz - z) * im, (xz - z) * re);
-    store_reversed(target += field_floats, frame.size, column, kz * re - kx * im, -kx * re - kz * im);
-    store_reversed(target += field_floats, frame.size, column, xx * re + zz * im, zz * re - xx * im);
+    store_reversed(mirrored, frame.size, column, (1.0f - x) * im, (1.0f - x) * re);
+    store_reversed(mirrored + field_floats, frame.size, column, (xz - z) * im, (xz - z) * re);
+    store_reversed(mirrored + 2 * field_floats, frame.size, column, kz * re - kx * im, -kx * re - kz * im);
+    store_reversed(mirrored + 3 * field_floats, frame.size, column, xx * re + zz * im, zz * re - xx * im);
   }
 }
 
 void pack(const float* first, const float* second, float* map, int size, Stores stores) {
   for (int i = 0; i < 2 * size; i += width) {
     const Floats a = load(first + i), b = load(second + i);
-    const Floats low = __builtin_shuffle(a, b, low_pairs), high = __builtin_shuffle(a, b, high_pairs);
-    float* const target = map + 2 * i;
+    const Floats low = low_pairs(a, b), high = high_pairs(a, b);
+    float* const target = map + static_cast<std::ptrdiff_t>(2) * i;
     if (stores == Stores::streaming) {
       stream(target, low);
       stream(target + width, high);
