@@ -3,21 +3,23 @@
 namespace offing::ocean {
 namespace {
 
-// Calls visit(place in one plane of the device's arrays, place of K, place of -K) for each wave with kz >= 0,
-// once for K = (kx, 0) and (-kx, 0) each.
+// Calls visit(place in one plane [columns/16][n][16] of the device's arrays, place of K, place of -K) for
+// each wave with kx >= 0, once for K = (0, kz) and (0, -kz) each.
 template <class Visit>
 void for_half_plane(int size, Visit visit) {
+  constexpr std::size_t strip = 16;
   const auto n = static_cast<std::size_t>(size);
-  for (std::size_t row = 0; row < n / 2; ++row) {
-    for (std::size_t column = 0; column < n; ++column) {
-      if (column == n / 2) continue;
-      visit(row * n + column, row * n + column, (n - row) % n * n + (n - column) % n);
+  for (std::size_t column = 0; column < n / 2; ++column) {
+    for (std::size_t row = 0; row < n; ++row) {
+      if (row == n / 2) continue;
+      visit((column / strip * n + row) * strip + column % strip, row * n + column,
+            (n - row) % n * n + (n - column) % n);
     }
   }
 }
 
 std::size_t plane_size(const WaveModes& modes) {
-  return static_cast<std::size_t>(modes.rows()) * static_cast<std::size_t>(modes.size());
+  return static_cast<std::size_t>(modes.columns()) * static_cast<std::size_t>(modes.size());
 }
 
 std::size_t mode_count(const WaveModes& modes) {

@@ -1,0 +1,97 @@
+// sea_dump SIZE FILE: a sea of two cascades through every kernel of the ocean and the transform, on the
+// device that the environment names. FILE: the displacement in Hs (dx, h, dz) of each cascade, then all other
+// results in units of their own size, as floats.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+#include "host/base/error.h"
+#include "host/fft/fft2d.h"
+#include "host/ocean/cascades.h"
+#include "host/ocean/ocean.h"
+#include "host/ocean/spectrum_parameters.h"
+#include "tests/ocean/field_statistics.h"
+
+namespace {
+
+using namespace offing;
+
+class Dump {
+ public:
+  explicit Dump(const char* path) : file_(path, std::ios::binary) {}
+  /// Appends values / scale.
+  void add(std::vector<float> values, double scale) {
+    for (float& value : values) value = static_cast<float>(value / scale);
+    file_.write(reinterpret_cast<const char*>(values.data()),
+                static_cast<std::streamsize>(values.size() * sizeof(float)));
+  }
+  /// Appends values over their root mean square.
+  void add_relative(const std::vector<float>& values) { add(values, std::sqrt(ocean::mean_square(values))); }
+
+ private:
+  std::ofstream file_;
+};
+
+void dump_surface(ocean::Ocean& sea, double hs_m, Dump& dump) {
+  for (const int cascade : {0, 1}) {
+    const ocean::SurfaceFields surface = sea.read_surface(cascade);
+    for (const auto& field : {surface.displacement_x, surface.displacement_y, surface.displacement_z})
+      dump.add(field, hs_m);
+  }
+  for (const int cascade : {0, 1}) {
+    const ocean::SurfaceFields surface = sea.read_surface(cascade);
+    for (const auto& field : {surface.slope_x, surface.slope_z, surface.gradient_xx, surface.gradient_xz,
+                              surface.gradient_zz, surface.jacobian, surface.jacobian_min_eigenvalue})
+      dump.add_relative(field);
+    const ocean::VelocityFields velocity = sea.read_velocity(cascade, 0.3);
+    for (const auto& field : {velocity.x, velocity.y, velocity.z}) dump.add_relative(field);
+    dump.add(sea.read_foam(cascade), 1.0);
+  }
+  const ocean::ComposedFields composed =
+      sea.read_composed({.origin_x_m = -3.0, .spacing_x_m = 0.7, .columns = 20, .rows = 10});
+  for (const auto& field : {composed.displacement_y, composed.slope_x, composed.jacobian})
+    dump.add_relative(field);
+}
+
+void dump_transforms(const ocl::Device& device, int size, Dump& dump) {
+  for (const fft::Direction direction : {fft::Direction::forward, fft::Direction::inverse}) {
+    fft::Fft2d transform(device, size, 2, direction);
+    std::vector<float> values(transform.float_count());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i * 7919 % 101) - 50.0f;
+    ocl::Buffer<float> buffer(device, values, "values");
+    transform.transform(buffer, buffer);
+    dump.add_relative(buffer.read());
+  }
+}
+
+void dump_all(int size, const char* path) {
+  const ocl::Device device = ocl::Device::open();
+  std::printf("%s, %s\n", device.info().name.c_str(), device.info().platform.c_str());
+  ocean::SpectrumParameters parameters;
+  parameters.dispersion.depth_m = 10.0;
+  const ocean::SeaSpectrum spectrum = ocean::make_sea_spectrum(parameters);
+  ocean::Ocean sea(device, spectrum,
+                   {.size = size,
+                    .cascades = ocean::cascades_from_patches(std::vector{110.0, 17.0}, size),
+                    .foam = {.onset_jacobian = 1.0, .decay_s = 0.5, .step_s = 0.5}});
+  sea.at(12.3);
+  Dump dump(path);
+  dump_surface(sea, ocean::integrate_sea_state(spectrum).hs_m, dump);
+  dump_transforms(device, size, dump);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::fputs("usage: sea_dump SIZE FILE\n", stderr);
+    return EXIT_FAILURE;
+  }
+  try {
+    dump_all(std::atoi(argv[1]), argv[2]);
+  } catch (const offing::Error& error) {
+    std::fprintf(stderr, "error: %s\nhint: %s\n", error.what(), error.hint().c_str());
+    return offing::exit_code(error.kind());
+  }
+}
