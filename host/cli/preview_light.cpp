@@ -8,8 +8,8 @@
 namespace offing::cli {
 namespace {
 
-constexpr Vec3 zenith{0.05f, 0.15f, 0.40f};
-constexpr Vec3 horizon{0.58f, 0.76f, 0.95f};
+constexpr Vec3 zenith{0.04f, 0.14f, 0.42f};
+constexpr Vec3 horizon{0.52f, 0.72f, 0.95f};
 constexpr Vec3 glow{1.0f, 0.80f, 0.55f};            ///< of the air around the sun
 constexpr Vec3 deep_water{0.006f, 0.034f, 0.052f};  ///< upwelling radiance of clear ocean under this sky
 constexpr Vec3 thin_water{0.014f, 0.13f, 0.115f};   ///< light that has crossed a crest

@@ -16,7 +16,7 @@ struct PreviewView {
   double sun_azimuth_rad = 0.5;   ///< direction toward the sun, from +x toward +z
   double sun_elevation_deg = 24.0;
   /// Variance of the slope along x, and along z, of waves too short for any cascade: they dull the mirror.
-  double ripple_variance = 0.004;
+  double ripple_variance = 0.008;
   int samples = 2;  ///< along each side of a pixel, 1 ... 4
 };
 
