@@ -185,10 +185,11 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid) {
   }
   const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
   const std::size_t count = columns * rows;
+  const ocl::Buffer<OceanComposeParams> params_buffer(state.device, std::span(&params, 1), "sample grid");
   ocl::Buffer<float> position(state.device, 4 * count, "composed positions");
   ocl::Buffer<float> shape(state.device, 4 * count, "composed slopes");
-  state.compose->launch({{columns, rows, 1}}, state.surface.displacement(), state.surface.gradient(), params,
-                        state.parameters.size, position, shape);
+  state.compose->launch({{columns, rows, 1}}, state.surface.displacement(), state.surface.gradient(),
+                        params_buffer, state.parameters.size, position, shape);
   ComposedFields fields;
   fields.columns = grid.columns;
   fields.rows = grid.rows;

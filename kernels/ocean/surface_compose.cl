@@ -4,6 +4,7 @@
 //      surface, smaller eigenvalue of F, 0). Cascades are bilinear between texels and periodic.
 // Displacements, slopes and gradients add over cascades; then F = I + sum grad, slope = F^-T sum s, with |det F| kept
 // above 0.05 where the surface is about to fold. Source: PAPERS O7, O9.
+// The grid is in memory, not an argument by value: Mesa 22.3 crashes on arguments that are indexed by a variable.
 #include "ocean/deformation.clh"
 #include "shared/ocean_params.h"
 
@@ -17,14 +18,14 @@ static float4 bilinear(__global const float4 *map, int size, float column, float
 }
 
 __kernel void surface_compose(__global const float4 *restrict displacement, __global const float4 *restrict gradient,
-                              OceanComposeParams params, int size, __global float4 *restrict position,
-                              __global float4 *restrict shape) {
+                              __global const OceanComposeParams *restrict grid, int size,
+                              __global float4 *restrict position, __global float4 *restrict shape) {
   const int column = (int)get_global_id(0), row = (int)get_global_id(1);
   float4 moved = (float4)(0.0f), slopes = (float4)(0.0f);
-  for (int cascade = 0; cascade < params.cascade_count; ++cascade) {
+  for (int cascade = 0; cascade < grid->cascade_count; ++cascade) {
     const size_t first = (size_t)cascade * size * size;
-    const float texel_column = params.origin_column[cascade] + (float)column * params.column_step[cascade];
-    const float texel_row = params.origin_row[cascade] + (float)row * params.row_step[cascade];
+    const float texel_column = grid->origin_column[cascade] + (float)column * grid->column_step[cascade];
+    const float texel_row = grid->origin_row[cascade] + (float)row * grid->row_step[cascade];
     moved += bilinear(displacement + first, size, texel_column, texel_row);
     slopes += bilinear(gradient + first, size, texel_column, texel_row);
   }
@@ -32,7 +33,7 @@ __kernel void surface_compose(__global const float4 *restrict displacement, __gl
   const float2 jacobian = deformation_jacobian(xx, xz, zz);
   const float smallest_determinant = 0.05f;
   const float determinant = copysign(fmax(fabs(jacobian.x), smallest_determinant), jacobian.x);
-  const size_t place = (size_t)row * params.columns + column;
+  const size_t place = (size_t)row * grid->columns + column;
   position[place] = (float4)(moved.xyz, jacobian.x);
   shape[place] = (float4)((zz * slopes.x - xz * slopes.y) / determinant, (xx * slopes.y - xz * slopes.x) / determinant,
                           jacobian.y, 0.0f);
