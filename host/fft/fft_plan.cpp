@@ -24,7 +24,7 @@ constexpr int long_rows_per_item = 8;
 
 // Arrays of transforms from these sizes on are stored past the caches: they would push out what is read next.
 constexpr int smallest_streamed_intermediate = 2048;
-constexpr int smallest_streamed_result = 1024;
+constexpr int smallest_streamed_result = 512;
 
 struct Radices {
   int first, second, third;
