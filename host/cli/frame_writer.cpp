@@ -53,7 +53,8 @@ void FrameWriter::write(const BakedFrame& frame) const {
   }
 }
 
-/// Seen from a low deck, where waves stand against the horizon, looking against them and a little aside.
+/// Seen from a ship's bridge, the same for every sea that does not reach it, so that a calm and a storm differ as their
+/// heights do; looking against the waves and a little aside.
 void FrameWriter::write_preview(const BakedFrame& frame) const {
   std::vector<PreviewCascade> cascades;
   for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
@@ -61,9 +62,9 @@ void FrameWriter::write_preview(const BakedFrame& frame) const {
         {sea_.parameters.cascades[i].patch_length_m, &frame.cascades[i].surface, frame.cascades[i].foam});
   }
   PreviewView view;
-  view.camera_height_m = std::max(2.0, 1.6 * hs_m_);
+  view.camera_height_m = std::max(10.0, 1.3 * hs_m_);
   view.yaw_rad = mean_direction_rad_ + 2.6;
-  view.sun_azimuth_rad = view.yaw_rad + 0.5;
+  view.sun_azimuth_rad = view.yaw_rad + 0.7;
   write_png(files_.preview(frame.number),
             render_sea_preview(PreviewSurface(cascades, sea_.parameters.foam), view));
 }
