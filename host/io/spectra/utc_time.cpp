@@ -26,7 +26,7 @@ bool is_valid(const UtcTime& time) {
 
 std::int64_t unix_seconds(const UtcTime& time) {
   const auto days = std::chrono::sys_days(calendar_day(time)).time_since_epoch().count();
-  return std::int64_t{days} * 86400 + time.hour * 3600 + time.minute * 60 + time.second;
+  return ((std::int64_t{days} * 24 + time.hour) * 60 + time.minute) * 60 + time.second;
 }
 
 UtcTime from_unix_seconds(std::int64_t seconds) {

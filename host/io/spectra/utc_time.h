@@ -16,7 +16,7 @@ struct UtcTime {
   int minute = 0;
   int second = 0;
 
-  auto operator<=>(const UtcTime&) const = default;
+  auto operator<=>(const UtcTime&) const = default;  // NOLINT(modernize-use-nullptr): false alarm of tidy 14
 };
 
 /// ISO 8601, "2020-06-08T03:50Z", with seconds only if they are not 0. Nothing if there is no such day or

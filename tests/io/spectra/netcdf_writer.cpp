@@ -40,35 +40,35 @@ TestVariable& TestNetcdf::variable(const std::string& name) {
   return *found;
 }
 
-std::string netcdf_bytes(const TestNetcdf& description, NetcdfFormat format) {
+std::string netcdf_bytes(const TestNetcdf& file, NetcdfFormat format) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "spectra.nc";
-  int file = 0;
-  check(nc_create(path.c_str(), NC_CLOBBER | (format == NetcdfFormat::hdf5 ? NC_NETCDF4 : 0), &file));
+  int id = 0;
+  check(nc_create(path.c_str(), NC_CLOBBER | (format == NetcdfFormat::hdf5 ? NC_NETCDF4 : 0), &id));
   std::map<std::string, int> dimension_ids;
-  for (const TestDimension& dimension : description.dimensions) {
-    check(nc_def_dim(file, dimension.name.c_str(), dimension.length, &dimension_ids[dimension.name]));
+  for (const TestDimension& dimension : file.dimensions) {
+    check(nc_def_dim(id, dimension.name.c_str(), dimension.length, &dimension_ids[dimension.name]));
   }
   std::vector<int> ids;
-  for (const TestVariable& variable : description.variables) {
+  for (const TestVariable& variable : file.variables) {
     std::vector<int> dimensions;
     for (const std::string& name : variable.dimensions) dimensions.push_back(dimension_ids.at(name));
     const nc_type type = !variable.text.empty() ? NC_CHAR : variable.is_packed ? NC_SHORT : NC_DOUBLE;
-    check(nc_def_var(file, variable.name.c_str(), type, static_cast<int>(dimensions.size()),
-                     dimensions.data(), &ids.emplace_back()));
-    put_attributes(file, ids.back(), variable.attributes);
+    check(nc_def_var(id, variable.name.c_str(), type, static_cast<int>(dimensions.size()), dimensions.data(),
+                     &ids.emplace_back()));
+    put_attributes(id, ids.back(), variable.attributes);
   }
-  put_attributes(file, NC_GLOBAL, description.attributes);
-  check(nc_enddef(file));
+  put_attributes(id, NC_GLOBAL, file.attributes);
+  check(nc_enddef(id));
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    const TestVariable& variable = description.variables[i];
+    const TestVariable& variable = file.variables[i];
     if (!variable.text.empty()) {
-      check(nc_put_var_text(file, ids[i], variable.text.data()));
+      check(nc_put_var_text(id, ids[i], variable.text.data()));
     } else if (!variable.values.empty()) {
-      check(nc_put_var_double(file, ids[i], variable.values.data()));
+      check(nc_put_var_double(id, ids[i], variable.values.data()));
     }
   }
-  check(nc_close(file));
+  check(nc_close(id));
   return read_text(path);
 }
 
