@@ -94,7 +94,7 @@ void maximum_entropy_spreading(DirectionalMoments moments, SpreadingRow row) {
   int samples_a_cell = 4;
   while (samples_a_cell < finest_samples_a_cell &&
          std::pow(radius, direction_count * samples_a_cell) > sampling_error) {
-    samples_a_cell *= 4;
+    samples_a_cell *= 2;
   }
   const std::vector<Complex>& circle = unit_circle();
   const int stride = finest_samples_a_cell / samples_a_cell;
