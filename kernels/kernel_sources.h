@@ -11,7 +11,8 @@ struct KernelSource {
   std::string_view text;  ///< the file, unchanged
 };
 
-/// Every embedded file: kernels (.cl), what they include (.clh) and headers shared with the host (shared/*.h).
+/// Every embedded file: kernels (.cl), what they include (.clh) and headers shared with the host
+/// (shared/*.h).
 std::span<const KernelSource> kernel_sources();
 
 }  // namespace offing::kernels

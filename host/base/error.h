@@ -17,8 +17,8 @@ enum class ErrorKind {
   cancelled,      ///< the user asked to stop (exit 130)
 };
 
-/// The one exception type. what() is one line: what and where, found and expected; hint() is one line with the
-/// mend, or empty.
+/// The one exception type. what() is one line: what and where, found and expected; hint() is one line with
+/// the mend, or empty.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& what, std::string hint = {});

@@ -7,7 +7,8 @@
 namespace offing {
 
 void configure_log(Verbosity verbosity) {
-  auto logger = std::make_shared<spdlog::logger>("offing", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
+  auto logger =
+      std::make_shared<spdlog::logger>("offing", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
   logger->set_pattern("%^%l%$: %v");
   switch (verbosity) {
     case Verbosity::quiet:

@@ -6,8 +6,8 @@ namespace offing {
 
 enum class Verbosity { quiet, normal, verbose };
 
-/// Sends log lines to stderr as "level: text" and sets how many of them: quiet = errors only. Results of commands
-/// go to stdout and never through the log.
+/// Sends log lines to stderr as "level: text" and sets how many of them: quiet = errors only. Results of
+/// commands go to stdout and never through the log.
 void configure_log(Verbosity verbosity);
 
 }  // namespace offing

@@ -21,8 +21,8 @@ struct WaveSpectrum {
   std::vector<double> frequencies_hz;  ///< [nf], > 0, strictly increasing, nf >= 2
   std::vector<double> energy;          ///< [nf] one-sided variance density E(f), m^2/Hz, >= 0
 
-  /// [nd] directions of *travel*, rad, from +x (east) toward +z (south), strictly increasing within one turn, evenly
-  /// spaced. Empty when the record has no directions: the consumer then chooses a spreading.
+  /// [nd] directions of *travel*, rad, from +x (east) toward +z (south), strictly increasing within one turn,
+  /// evenly spaced. Empty when the record has no directions: the consumer then chooses a spreading.
   std::vector<double> directions_rad;
   /// [nf][nd] row-major D(f, theta), 1/rad, >= 0, each row integrates to 1 (periodic rectangle rule).
   std::vector<double> spreading;
