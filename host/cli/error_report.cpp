@@ -66,7 +66,10 @@ Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = innermost(app);
   const std::string help = fmt::format("`{} --help` lists what it takes", full_name(command));
   const std::vector<std::string> extras = command.remaining();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || extras.empty()) {
+  // A misspelt command is left over, and then the one that is required is missing.
+  const bool is_unknown_word = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                               dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  if (!is_unknown_word || extras.empty()) {
     return Error(ErrorKind::bad_usage, fmt::format("{}: {}", full_name(command), error.what()), help);
   }
   const std::vector<std::string> names = known_names(command);

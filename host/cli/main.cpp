@@ -1,5 +1,6 @@
 #include <csignal>
 #include <cstdio>
+#include <iostream>
 #include <new>
 #include <string>
 
@@ -56,6 +57,15 @@ Examples:
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device, 130 interrupted.)");
 }
 
+/// Throws Error(file) if what was printed did not arrive.
+void finish_output() {
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0) {
+    throw Error(ErrorKind::file, "standard output: cannot be written",
+                "check the disk or the pipe it goes to");
+  }
+}
+
 int run(int argc, char** argv) {
   cli::GlobalOptions options;
   cancel_on_signals(options.cancel);
@@ -66,14 +76,13 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-      return app.exit(error);  // prints the help or the version that was asked for
+      const int code = app.exit(error);  // prints the help or the version that was asked for
+      finish_output();
+      return code;
     }
     throw cli::usage_error(app, error);
   }
-  if (std::fflush(stdout) != 0) {
-    throw Error(ErrorKind::file, "standard output: cannot be written",
-                "check the disk or the pipe it goes to");
-  }
+  finish_output();
   return 0;
 }
 

@@ -1,0 +1,298 @@
+#include <csignal>
+#include <fstream>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/io/exr_image.h"
+#include "tests/cli/folder_content.h"
+#include "tests/cli/offing_program.h"
+
+// `offing ocean bake` as its users run it, at sizes that take moments.
+
+namespace offing::test {
+namespace {
+
+using testing::Contains;
+using testing::Key;
+using testing::UnorderedElementsAre;
+
+constexpr int size = 32;
+
+class Bake : public testing::Test {
+ protected:
+  std::filesystem::path folder(const char* name) const { return root_.path() / name; }
+
+  /// A small sea of two cascades, baked to `name`.
+  std::vector<std::string> command(const char* name, const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = {
+        "ocean", "bake",  "--size", "32", "--patch-m",           "200,23",       "--seed",
+        "3",     "--fps", "8",      "-o", folder(name).string(), "--foam-onset", "0.9"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
+  ProgramResult bake(const char* name, const std::vector<std::string>& more) const {
+    const ProgramResult result = run_offing(command(name, more));
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return result;
+  }
+
+ private:
+  TemporaryFolder root_;
+};
+
+template <class Value>
+Value attribute(const ExrContent& image, const std::string& name) {
+  for (const auto& [key, value] : image.attributes) {
+    if (key == name) {
+      return std::get<Value>(value);
+    }
+  }
+  ADD_FAILURE() << "no attribute " << name;
+  return {};
+}
+
+std::set<std::string> channel_names(const ExrContent& image) {
+  std::set<std::string> names;
+  for (const ExrContent::Channel& channel : image.channels) {
+    names.insert(channel.name);
+  }
+  return names;
+}
+
+const std::set<std::string> default_channels = {"displacement.X",
+                                                "displacement.Y",
+                                                "displacement.Z",
+                                                "slope.X",
+                                                "slope.Z",
+                                                "gradient.XX",
+                                                "gradient.XZ",
+                                                "gradient.ZZ",
+                                                "jacobian",
+                                                "jacobian_min_eigenvalue",
+                                                "foam"};
+
+// Fails if file names, channel names or header depart from what is documented: scripts and shaders rely on
+// them.
+TEST_F(Bake, WritesTheDocumentedFiles) {
+  bake("out", {"--frames", "4:5"});
+  EXPECT_THAT(folder_content(folder("out")),
+              UnorderedElementsAre(Key("ocean.c0.0004.exr"), Key("ocean.c0.0005.exr"),
+                                   Key("ocean.c1.0004.exr"), Key("ocean.c1.0005.exr")));
+  const ExrContent image = read_exr(folder("out") / "ocean.c1.0005.exr");
+  EXPECT_EQ(image.width, size);
+  EXPECT_EQ(image.height, size);
+  EXPECT_EQ(channel_names(image), default_channels);
+  EXPECT_EQ(attribute<double>(image, "time_s"), 5.0 / 8.0);
+  EXPECT_EQ(attribute<double>(image, "patch_size_m"), 23.0);
+  EXPECT_EQ(attribute<std::string>(image, "seed"), "3");
+  EXPECT_EQ(attribute<int>(image, "tileable"), 1);
+  EXPECT_EQ(attribute<std::string>(image, "scene_hash").size(), 32u);
+  EXPECT_THAT(attribute<std::string>(image, "spectrum"), testing::StartsWith("jonswap"));
+  EXPECT_FALSE(attribute<std::string>(image, "offing_version").empty());
+}
+
+// Fails if --combined loses a cascade, or its pixels differ from those of single files.
+TEST_F(Bake, CombinesCascadesAsLayers) {
+  bake("single", {"--frames", "0:0"});
+  bake("combined", {"--frames", "0:0", "--combined"});
+  EXPECT_THAT(folder_content(folder("combined")), UnorderedElementsAre(Key("ocean.0000.exr")));
+  const ExrContent combined = read_exr(folder("combined") / "ocean.0000.exr");
+  EXPECT_EQ(combined.channels.size(), 2 * default_channels.size());
+  for (const std::string cascade : {"c0", "c1"}) {
+    const ExrContent single = read_exr(folder("single") / ("ocean." + cascade + ".0000.exr"));
+    for (const std::string& name : default_channels) {
+      EXPECT_EQ(combined.channel(cascade + "." + name), single.channel(name)) << cascade << name;
+    }
+    EXPECT_EQ(attribute<double>(combined, cascade + ".patch_size_m"),
+              attribute<double>(single, "patch_size_m"));
+  }
+}
+
+// Fails if a second run does anything: a bake goes on where it was stopped.
+TEST_F(Bake, KeepsFinishedFrames) {
+  bake("out", {"--frames", "0:2"});
+  const auto before = folder_content(folder("out"));
+  const auto time = std::filesystem::last_write_time(folder("out") / "ocean.c0.0001.exr");
+  const ProgramResult again = bake("out", {"--frames", "0:2"});
+  EXPECT_THAT(again.output, testing::HasSubstr("0 frames written, 3 there already"));
+  EXPECT_EQ(folder_content(folder("out")), before);
+  EXPECT_EQ(std::filesystem::last_write_time(folder("out") / "ocean.c0.0001.exr"), time);
+}
+
+// Fails if a damaged, cut, missing or empty file passes as finished, or is remade differently.
+TEST_F(Bake, RemakesDamagedFrames) {
+  bake("out", {"--frames", "0:4"});
+  const auto before = folder_content(folder("out"));
+  std::string flipped = before.at("ocean.c0.0000.exr");
+  flipped[flipped.size() / 2] ^= 0x55;
+  std::ofstream(folder("out") / "ocean.c0.0000.exr", std::ios::binary) << flipped;
+  std::filesystem::resize_file(folder("out") / "ocean.c1.0001.exr", 700);
+  std::filesystem::remove(folder("out") / "ocean.c0.0002.exr");
+  std::filesystem::resize_file(folder("out") / "ocean.c0.0003.exr", 0);
+  const ProgramResult again = bake("out", {"--frames", "0:4"});
+  EXPECT_THAT(again.output, testing::HasSubstr("4 frames written, 1 there already"));
+  EXPECT_TRUE(folder_content(folder("out")) == before);
+}
+
+// Fails if frames depend on how they were shared out, or on what was made before them.
+TEST_F(Bake, SharesAndOrderDoNotMatter) {
+  bake("whole", {"--frames", "0:6"});
+  bake("shares", {"--frames", "0:6", "--chunk", "2/3"});
+  bake("shares", {"--frames", "0:6", "--chunk", "1/3"});
+  bake("shares", {"--frames", "0:6", "--chunk", "3/3"});
+  EXPECT_TRUE(folder_content(folder("whole")) == folder_content(folder("shares")));
+  bake("late", {"--frames", "6"});
+  EXPECT_TRUE(file_content(folder("late") / "ocean.c0.0006.exr") ==
+              file_content(folder("whole") / "ocean.c0.0006.exr"));
+}
+
+// Fails if two processes at the same folder disturb each other.
+TEST_F(Bake, ProcessesShareAFolder) {
+  bake("whole", {"--frames", "0:7"});
+  OffingProgram first(command("shared", {"--frames", "0:7", "--chunk", "1/2"}));
+  OffingProgram second(command("shared", {"--frames", "0:7", "--chunk", "2/2"}));
+  EXPECT_EQ(first.wait().exit_code, 0);
+  EXPECT_EQ(second.wait().exit_code, 0);
+  EXPECT_TRUE(folder_content(folder("whole")) == folder_content(folder("shared")));
+}
+
+// Fails if frames of two seas are mixed in silence, or --force leaves one of the old sea's files beside the
+// new one.
+TEST_F(Bake, RefusesOrReplacesAnotherScene) {
+  bake("out", {"--frames", "0:1", "--mesh", "ply"});
+  const ProgramResult refused = run_offing(command("out", {"--frames", "0:1", "--wind-speed-mps", "14"}));
+  EXPECT_EQ(refused.exit_code, 2);
+  bake("out", {"--frames", "0:1", "--wind-speed-mps", "14", "--force"});
+  bake("fresh", {"--frames", "0:1", "--wind-speed-mps", "14"});
+  EXPECT_TRUE(folder_content(folder("out")) == folder_content(folder("fresh")));
+}
+
+// Fails if the hash overlooks a parameter that changes pixels, or changes with one that does not.
+TEST_F(Bake, HashFollowsWhatShapesPixels) {
+  bake("out", {"--frames", "0:0"});
+  for (const std::vector<std::string>& more :
+       std::vector<std::vector<std::string>>{{"--choppiness", "0.5"},
+                                             {"--foam-decay-s", "1"},
+                                             {"--fps", "9"},
+                                             {"--half"},
+                                             {"--velocity"},
+                                             {"--compression", "piz"},
+                                             {"--loop-period-s", "20"},
+                                             {"--depth-m", "9"},
+                                             {"--patch-m", "201,23"}}) {
+    std::vector<std::string> arguments = command("out", {"--frames", "0:0"});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    if (more[0] == "--patch-m") {
+      arguments.erase(std::find(arguments.begin(), arguments.end(), "--patch-m"),
+                      std::find(arguments.begin(), arguments.end(), "--patch-m") + 2);
+    }
+    EXPECT_EQ(run_offing(arguments).exit_code, 2) << more[0];
+  }
+  const ProgramResult same = bake("out", {"--frames", "0:0", "--wind-speed-mps", "10", "--cascades", "2"});
+  EXPECT_THAT(same.output, testing::HasSubstr("0 frames written, 1 there already"));
+}
+
+// Fails if optional outputs are missing, or spoil the maps.
+TEST_F(Bake, WritesMeshesPicturesAndVelocity) {
+  bake("plain", {"--frames", "0:1"});
+  bake("out", {"--frames", "0:1", "--mesh", "obj", "--preview"});
+  const auto content = folder_content(folder("out"));
+  EXPECT_THAT(content, Contains(Key("ocean.0001.obj")));
+  EXPECT_THAT(content, Contains(Key("ocean.0001.png")));
+  EXPECT_THAT(content, Contains(Key("contact_sheet.png")));
+  EXPECT_TRUE(content.at("ocean.c0.0001.exr") == file_content(folder("plain") / "ocean.c0.0001.exr"));
+  bake("velocity", {"--frames", "0:0", "--channels", "displacement", "--velocity"});
+  EXPECT_THAT(channel_names(read_exr(folder("velocity") / "ocean.c0.0000.exr")),
+              UnorderedElementsAre("displacement.X", "displacement.Y", "displacement.Z", "velocity.X",
+                                   "velocity.Y", "velocity.Z"));
+}
+
+// Fails if pictures asked for later are not added to finished frames.
+TEST_F(Bake, AddsWhatIsAskedLater) {
+  bake("out", {"--frames", "0:1"});
+  bake("out", {"--frames", "0:1", "--mesh", "ply"});
+  EXPECT_THAT(folder_content(folder("out")), Contains(Key("ocean.0000.ply")));
+}
+
+// Fails if a loop does not return to its first frame, bit by bit: foam too, whose past lies in the loop
+// before.
+TEST_F(Bake, LoopsExactly) {
+  bake("out", {"--frames", "0:0", "--loop-period-s", "2"});
+  bake("out", {"--frames", "16:16", "--loop-period-s", "2"});
+  const ExrContent first = read_exr(folder("out") / "ocean.c0.0000.exr");
+  const ExrContent again = read_exr(folder("out") / "ocean.c0.0016.exr");
+  for (const std::string& name : default_channels) {
+    EXPECT_EQ(first.channel(name), again.channel(name)) << name;
+  }
+}
+
+// Fails if 16-bit files differ from 32-bit ones by more than the rounding of a half: 2^-11 relative, 2^-25
+// absolute.
+TEST_F(Bake, HalvesRound) {
+  bake("full", {"--frames", "0:0"});
+  bake("half", {"--frames", "0:0", "--half"});
+  const ExrContent full = read_exr(folder("full") / "ocean.c0.0000.exr");
+  const ExrContent half = read_exr(folder("half") / "ocean.c0.0000.exr");
+  for (const std::string& name : default_channels) {
+    for (std::size_t i = 0; i < full.channel(name).size(); ++i) {
+      ASSERT_NEAR(half.channel(name)[i], full.channel(name)[i],
+                  std::abs(full.channel(name)[i]) / 2048 + 3e-8f);
+    }
+  }
+}
+
+// Fails if the scene's time span is not what a bake without --frames makes: [start, end) in frames.
+TEST_F(Bake, TakesFramesFromTheScene) {
+  const auto scene = folder("a.toml");
+  std::ofstream(scene) << "version = 1\n[time]\nfps = 4\nstart_s = 0.5\nend_s = 1.25\n[ocean]\nsize = 16\n"
+                          "cascade_count = 1\n";
+  const ProgramResult result = run_offing({"ocean", "bake", scene.string(), "-o", folder("out").string()});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(
+      folder_content(folder("out")),
+      UnorderedElementsAre(Key("ocean.c0.0002.exr"), Key("ocean.c0.0003.exr"), Key("ocean.c0.0004.exr")));
+}
+
+// Fails if the summary for scripts is not JSON, or if the shares of energy do not add up to the spectrum's.
+TEST_F(Bake, SummarisesForScripts) {
+  const ProgramResult result = bake("out", {"--frames", "0:0", "--json", "--quiet"});
+  EXPECT_EQ(result.errors, "");
+  const nlohmann::json json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["frames_written"], 1);
+  double sum = json["out_of_band_m2"].get<double>();
+  for (const auto& cascade : json["cascades"]) {
+    sum += cascade["m0_m2"].get<double>();
+  }
+  EXPECT_NEAR(sum, json["m0_m2"].get<double>(), 1e-4 * sum);
+}
+
+// Fails if Ctrl-C loses finished frames, leaves partial ones, or if the bake cannot go on afterwards.
+TEST_F(Bake, StopsCleanly) {
+  bake("whole", {"--frames", "0:40"});
+  OffingProgram program(command("out", {"--frames", "0:40"}));
+  while (program.is_running() && !std::filesystem::exists(folder("out") / "ocean.c1.0001.exr")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  program.send_signal(SIGINT);
+  const ProgramResult stopped = program.wait();
+  ASSERT_EQ(stopped.exit_code, 130) << stopped.errors;
+  EXPECT_THAT(stopped.errors, testing::HasSubstr("error: "));
+  EXPECT_THAT(stopped.errors, testing::HasSubstr("hint: run the same command again"));
+  const auto whole = folder_content(folder("whole"));
+  for (const auto& [name, bytes] : folder_content(folder("out"))) {
+    ASSERT_THAT(whole, Contains(Key(name)));
+    EXPECT_TRUE(whole.at(name) == bytes) << name;
+  }
+  bake("out", {"--frames", "0:40"});
+  EXPECT_TRUE(folder_content(folder("out")) == whole);
+}
+
+}  // namespace
+}  // namespace offing::test

@@ -1,0 +1,78 @@
+#include "tests/cli/offing_program.h"
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace offing::test {
+
+namespace {
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+OffingProgram::OffingProgram(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words = {OFFING_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) {
+    pointers.push_back(word.data());
+  }
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  constexpr int create = O_WRONLY | O_CREAT | O_TRUNC;
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, (folder_.path() / "output").c_str(), create,
+                                   0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, (folder_.path() / "errors").c_str(), create,
+                                   0600);
+  const int error = posix_spawn(&process_, OFFING_PROGRAM, &actions, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) {
+    throw std::runtime_error("cannot start " OFFING_PROGRAM);
+  }
+}
+
+OffingProgram::~OffingProgram() {
+  if (is_running()) {
+    send_signal(SIGKILL);
+    wait();
+  }
+}
+
+void OffingProgram::send_signal(int number) const {
+  kill(process_, number);
+}
+
+bool OffingProgram::is_running() {
+  if (process_ > 0 && waitpid(process_, &status_, WNOHANG) == process_) {
+    process_ = -1;
+  }
+  return process_ > 0;
+}
+
+ProgramResult OffingProgram::wait() {
+  if (process_ > 0) {
+    waitpid(process_, &status_, 0);
+    process_ = -1;
+  }
+  return {.exit_code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_),
+          .output = text_of(folder_.path() / "output"),
+          .errors = text_of(folder_.path() / "errors")};
+}
+
+ProgramResult run_offing(const std::vector<std::string>& arguments) {
+  return OffingProgram(arguments).wait();
+}
+
+}  // namespace offing::test
