@@ -88,6 +88,7 @@ try() {
   local person=$1 command=$2 time=$3 log="$work/$1-$2-$3.log" before after start=$SECONDS
   before=$(packages "$person")
   if ! inside "$person" "./dev $command" >"$log" 2>&1; then
+    grep -F -A 25 '***Failed' "$log" >&2 || true
     tail -n 60 "$log" >&2
     fail "as $person: ./dev $command ($time) failed" "the end of its output is above"
   fi

@@ -1,5 +1,6 @@
 """summary.py JUNIT_FILE: after a CTest run, prints each skipped test with its reason and one closing line."""
 
+import itertools
 import sys
 import xml.etree.ElementTree as ElementTree
 
@@ -9,9 +10,8 @@ def skip_reason(output):
     lines = output.splitlines()
     for number, line in enumerate(lines):
         if line.endswith(": Skipped"):
-            reason = [text.strip() for text in lines[number + 1 :]]
-            end = reason.index("") if "" in reason else len(reason)
-            return " ".join(reason[:end])
+            reason = itertools.takewhile(lambda text: text and not text.startswith("["), lines[number + 1 :])
+            return " ".join(text.strip() for text in reason)
     return "no reason printed"
 
 
