@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -47,7 +48,7 @@ class Bake {
       std::rethrow_exception(fault_);
     }
     const BakeSummary summary{written_, kept_};
-    if (cancel_.cancelled()) {
+    if (cancel_.cancelled() && std::cmp_less(summary.written + summary.kept, frames_.size())) {
       throw Error(ErrorKind::cancelled,
                   fmt::format("{}: interrupted with {} of {} frames done", settings_.folder.string(),
                               summary.written + summary.kept, frames_.size()),

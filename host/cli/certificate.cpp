@@ -1,5 +1,6 @@
 #include "host/cli/certificate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -90,8 +91,11 @@ EnergyShares energy_shares(const ocean::SeaSpectrum& spectrum, const std::vector
     shares.cascade_m0_m2.push_back(
         ocean::integrate_sea_state(spectrum, cascade.k_min_radpm, cascade.k_max_radpm).m0_m2);
   }
-  shares.out_of_band_m2 = ocean::integrate_sea_state(spectrum, 0.0, cascades.front().k_min_radpm).m0_m2 +
-                          ocean::integrate_sea_state(spectrum, cascades.back().k_max_radpm).m0_m2;
+  // Waves longer than the first patch fall into its K = 0, which moves nothing.
+  const double too_long_m2 = ocean::still_cell_variance_m2(spectrum, cascades.front().patch_length_m);
+  shares.cascade_m0_m2.front() -= std::min(too_long_m2, shares.cascade_m0_m2.front());
+  shares.out_of_band_m2 =
+      too_long_m2 + ocean::integrate_sea_state(spectrum, cascades.back().k_max_radpm).m0_m2;
   return shares;
 }
 

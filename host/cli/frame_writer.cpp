@@ -53,8 +53,8 @@ void FrameWriter::write(const BakedFrame& frame) const {
   }
 }
 
-/// Seen from a ship's bridge, the same for every sea that does not reach it, so that a calm and a storm differ as their
-/// heights do; looking against the waves and a little aside.
+/// Seen from a ship's bridge, the same for every sea that does not reach it, so that a calm and a storm
+/// differ as their heights do; looking against the waves and a little aside.
 void FrameWriter::write_preview(const BakedFrame& frame) const {
   std::vector<PreviewCascade> cascades;
   for (std::size_t i = 0; i < frame.cascades.size(); ++i) {

@@ -178,6 +178,12 @@ PassPlan group_pass(const PlanRequest& request, int width) {
 
 PassPlan group_columns(const ocl::DeviceInfo& device, const PlanRequest& request) {
   const int threads = request.size / thread_values;
+  if (static_cast<std::size_t>(threads) > device.max_work_group_size) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("transform size {}: needs work-groups of {}, {} allows {}", request.size, threads,
+                            device.name, device.max_work_group_size),
+                "choose a smaller --size or another --device");
+  }
   const auto bytes_per_column = sizeof(float) * static_cast<std::size_t>(request.size);
   // Up to 16 neighbouring columns for coalesced access, as long as a work-group stays near 256 work-items.
   int width = std::clamp(256 / threads, 1, strip_lanes);

@@ -171,6 +171,28 @@ double resolved_wavenumber_radpm(double patch_length_m, int size) {
   return (size / 2 - 1) * 2.0 * pi / patch_length_m;
 }
 
+double still_cell_variance_m2(const SeaSpectrum& spectrum, double patch_length_m) {
+  const double half_step_radpm = pi / patch_length_m;
+  const double corner_radpm = half_step_radpm * std::numbers::sqrt2;
+  // The disc inside the cell, then what its corners add, by the midpoint rule.
+  double sum_m2 = integrate_sea_state(spectrum, 0.0, half_step_radpm).m0_m2;
+  constexpr int wavenumbers = 64, directions = 720;
+  const double width_radpm = (corner_radpm - half_step_radpm) / wavenumbers;
+  for (int i = 0; i < wavenumbers; ++i) {
+    const double k = half_step_radpm + (i + 0.5) * width_radpm;
+    const double omega = spectrum.dispersion.omega_radps(k);
+    const double energy = spectrum.energy(omega) * spectrum.dispersion.group_speed_mps(k) * width_radpm;
+    if (energy <= 0.0) continue;
+    const DirectionalDensity density = spectrum.spreading_at(omega);
+    for (int j = 0; j < directions; ++j) {
+      const double theta = 2.0 * pi * (j + 0.5) / directions;
+      const double reach = k * std::max(std::abs(std::cos(theta)), std::abs(std::sin(theta)));
+      if (reach < half_step_radpm) sum_m2 += energy * density(theta) * 2.0 * pi / directions;
+    }
+  }
+  return sum_m2;
+}
+
 std::vector<Cascade> cascades_from_patches(std::span<const double> patch_lengths_m, int size) {
   require_valid_size(size);
   if (patch_lengths_m.empty() || patch_lengths_m.size() > most_cascades) {

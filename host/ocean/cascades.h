@@ -19,6 +19,10 @@ struct Cascade {
 /// and column carry nothing (PAPERS O2).
 double resolved_wavenumber_radpm(double patch_length_m, int size);
 
+/// Variance, m^2, of the waves that are too long for any mode of this patch: those within the cell of K = 0,
+/// |kx| and |kz| < pi / L. To 1e-3 of itself.
+double still_cell_variance_m2(const SeaSpectrum& spectrum, double patch_length_m);
+
 /// Cascades for these patch lengths (1 to 4, any order; sorted from long to short): each band ends where its
 /// patch stops resolving and the next begins there. The first begins at 0, whose mode K = 0 carries nothing.
 /// Throws Error(bad_input) for a size, count or length out of range (0.01 ... 1e6 m) or two equal lengths.

@@ -17,7 +17,7 @@ constexpr double ticks_per_second = 32.0;
 constexpr double cycles_of_all_ticks = 4294967296.0;  // 2^32
 constexpr double loop_instants = 268435456.0;         // 2^28: a loop of 100 s has one every 0.4 us
 constexpr std::int64_t ticks_per_loop_instant = 16;   // 2^32 / 2^28
-constexpr int strip_columns = 16;  // columns that lie together in the arrays of modes
+constexpr int strip_columns = 16;                     // columns that lie together in the arrays of modes
 
 double wavenumber_step_radpm(const Cascade& cascade) {
   return two_pi / cascade.patch_length_m;

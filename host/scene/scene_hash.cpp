@@ -40,6 +40,8 @@ std::string scene_hash(const OceanScene& scene, const Sea& sea, std::string_view
       fmt::format_to(out, "{} = {}\n", row.key, value_text(resolved, row, Digits::exact));
     }
   }
+  // A wind that was asked for sets the wave age of a record's spreading; the default one does not.
+  if (sea.measured) fmt::format_to(out, "own wind {}\n", scene.ocean_wind_speed_mps.has_value());
   fmt::format_to(out, "depth {:.17g}\n", sea.spectrum.dispersion.depth_m);
   fmt::format_to(out, "spectrum {}\n", spectrum_name(scene, sea));
   for (const ocean::Cascade& cascade : sea.parameters.cascades) {

@@ -231,7 +231,7 @@ TEST(FullOutput, IsAnError) {
   if (access("/dev/full", W_OK) != 0) {
     GTEST_SKIP() << "no /dev/full here";
   }
-  const std::string command = std::string(OFFING_PROGRAM) + " --help > /dev/full 2> /dev/null";
+  const std::string command = "\"" + std::string(OFFING_PROGRAM) + "\" --help > /dev/full 2> /dev/null";
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);
 }
 

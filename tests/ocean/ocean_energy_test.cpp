@@ -83,6 +83,24 @@ TEST_F(OceanEnergyTest, ModesAndTheRestAddUpToM0) {
   }
 }
 
+// Fails if waves too long for the patch are counted as its own: most of this sea's energy, peak wavelength
+// 179 m, lies in the K = 0 cell of a 50 m patch, which moves nothing. Both parts are integrated apart; they
+// share no code.
+TEST_F(OceanEnergyTest, TellsWavesTooLongForThePatch) {
+  SpectrumParameters parameters;
+  parameters.wind_speed_mps = 17.0;
+  parameters.fetch_m = 300e3;
+  const SeaSpectrum spectrum = make_sea_spectrum(parameters);
+  const double lengths_m[] = {50.0};
+  const std::vector<Cascade> cascades = cascades_from_patches(lengths_m, 64);
+  const double too_long_m2 = still_cell_variance_m2(spectrum, lengths_m[0]);
+  const double m0_m2 = integrate_sea_state(spectrum).m0_m2;
+  const double modes_m2 = sum_of(sea_of(spectrum, 64, cascades).mode_variance(0));
+  const double too_short_m2 = integrate_sea_state(spectrum, cascades[0].k_max_radpm).m0_m2;
+  EXPECT_GT(too_long_m2 / m0_m2, 0.5);
+  EXPECT_NEAR((too_long_m2 + modes_m2 + too_short_m2) / m0_m2, 1.0, 3e-3);
+}
+
 // Fails if a mode's variance is not the integral of P(K) over its own cell: a transposed table, a wrong
 // Jacobian domega/dk / k, or directions turned the wrong way. The table's interpolation is within 1 % of the
 // sea's largest cell (64 spectrum rows a peak); measured 1e-3.
