@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "host/cli/sea_preview.h"
+#include "host/cli/pictures/sea_preview.h"
 #include "host/scene/version.h"
 
 namespace offing::cli {

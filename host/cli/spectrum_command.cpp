@@ -12,7 +12,7 @@
 #include "host/base/wave_spectrum.h"
 #include "host/cli/argument.h"
 #include "host/cli/direction_text.h"
-#include "host/cli/spectrum_plot.h"
+#include "host/cli/pictures/spectrum_plot.h"
 #include "host/cli/spectrum_text.h"
 #include "host/io/spectra/read_spectra.h"
 #include "host/io/spectra/write_ww3_spectra.h"

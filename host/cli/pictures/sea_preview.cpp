@@ -1,4 +1,4 @@
-#include "host/cli/sea_preview.h"
+#include "host/cli/pictures/sea_preview.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/cli/foam_texture.h"
-#include "host/cli/parallel_rows.h"
-#include "host/cli/preview_light.h"
-#include "host/cli/preview_raster.h"
+#include "host/cli/pictures/foam_texture.h"
+#include "host/cli/pictures/parallel_rows.h"
+#include "host/cli/pictures/preview_light.h"
+#include "host/cli/pictures/preview_raster.h"
 
 namespace offing::cli {
 namespace {

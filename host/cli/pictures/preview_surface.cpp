@@ -1,4 +1,4 @@
-#include "host/cli/preview_surface.h"
+#include "host/cli/pictures/preview_surface.h"
 
 #include <algorithm>
 #include <bit>

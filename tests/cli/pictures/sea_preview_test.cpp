@@ -1,12 +1,12 @@
-#include "host/cli/sea_preview.h"
+#include "host/cli/pictures/sea_preview.h"
 
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/cli/foam_texture.h"
-#include "tests/cli/test_sea.h"
+#include "host/cli/pictures/foam_texture.h"
+#include "tests/cli/pictures/test_sea.h"
 
 namespace offing::cli {
 namespace {

@@ -1,9 +1,9 @@
-#include "host/cli/preview_surface.h"
+#include "host/cli/pictures/preview_surface.h"
 
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "tests/cli/test_sea.h"
+#include "tests/cli/pictures/test_sea.h"
 
 namespace offing::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "host/cli/plot_canvas.h"
+#include "host/cli/pictures/plot_canvas.h"
 
 #include <cmath>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "host/cli/preview_surface.h"
+#include "host/cli/pictures/preview_surface.h"
 
 namespace offing::cli {
 

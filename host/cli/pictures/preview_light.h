@@ -1,7 +1,7 @@
 #pragma once
 
-#include "host/cli/preview_surface.h"
-#include "host/cli/vector3.h"
+#include "host/cli/pictures/preview_surface.h"
+#include "host/cli/pictures/vector3.h"
 
 namespace offing::cli {
 

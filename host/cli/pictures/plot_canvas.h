@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "host/cli/vector3.h"
+#include "host/cli/pictures/vector3.h"
 #include "host/io/png_image.h"
 
 namespace offing::cli {

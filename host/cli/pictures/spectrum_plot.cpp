@@ -1,4 +1,4 @@
-#include "host/cli/spectrum_plot.h"
+#include "host/cli/pictures/spectrum_plot.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/cli/plot_canvas.h"
+#include "host/cli/pictures/plot_canvas.h"
 
 namespace offing::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "host/cli/foam_texture.h"
+#include "host/cli/pictures/foam_texture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "host/cli/contact_sheet.h"
+#include "host/cli/pictures/contact_sheet.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
-#include "host/cli/preview_raster.h"
+#include "host/cli/pictures/preview_raster.h"
 
 #include <atomic>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "host/cli/parallel_rows.h"
+#include "host/cli/pictures/parallel_rows.h"
 
 namespace offing::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "host/cli/preview_light.h"
+#include "host/cli/pictures/preview_light.h"
 
 #include <algorithm>
 #include <array>

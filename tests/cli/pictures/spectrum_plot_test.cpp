@@ -1,4 +1,4 @@
-#include "host/cli/spectrum_plot.h"
+#include "host/cli/pictures/spectrum_plot.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/cli/plot_canvas.h"
+#include "host/cli/pictures/plot_canvas.h"
 
 namespace offing::cli {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/cli/preview_surface.h"
+#include "host/cli/pictures/preview_surface.h"
 #include "host/io/png_image.h"
 
 namespace offing::cli {

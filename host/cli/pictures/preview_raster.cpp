@@ -1,10 +1,10 @@
-#include "host/cli/preview_raster.h"
+#include "host/cli/pictures/preview_raster.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "host/cli/parallel_rows.h"
+#include "host/cli/pictures/parallel_rows.h"
 
 namespace offing::cli {
 namespace {
