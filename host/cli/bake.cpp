@@ -4,6 +4,7 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -35,14 +36,14 @@ class Bake {
 
   BakeSummary run(const std::vector<ocl::DeviceInfo>& devices) {
     {
-      std::jthread writing([this] { write_frames(); });
-      {
-        std::vector<std::jthread> makers;
-        for (const ocl::DeviceInfo& info : devices) {
-          makers.emplace_back([this, &info] { make_frames(info); });
-        }
-      }  // waits for them
-      queue_.close();
+      const std::jthread writing = start([this] { write_frames(); });
+      // Each is waited for in the opposite order: the makers, then the writer, whose queue ends in between on
+      // every way out.
+      const ClosedAtEnd closing{queue_};
+      std::vector<std::jthread> makers;
+      for (const ocl::DeviceInfo& info : devices) {
+        makers.push_back(start([this, &info] { make_frames(info); }));
+      }
     }
     if (fault_) {
       std::rethrow_exception(fault_);
@@ -58,6 +59,25 @@ class Bake {
   }
 
  private:
+  struct ClosedAtEnd {
+    BoundedQueue<BakedFrame>& queue;
+    ~ClosedAtEnd() { queue.close(); }
+  };
+
+  /// A thread for this work. Throws Error(out_of_memory), and stops those that run, if the system gives none.
+  template <class Work>
+  std::jthread start(Work work) {
+    try {
+      return std::jthread(std::move(work));
+    } catch (const std::system_error& error) {
+      failed_ = true;
+      throw Error(
+          ErrorKind::out_of_memory,
+          fmt::format("{}: cannot start a thread: {}", settings_.folder.string(), error.code().message()),
+          "raise the limits of processes and memory (ulimit -u, -v), or name one device with --device");
+    }
+  }
+
   void make_frames(const ocl::DeviceInfo& info) noexcept {
     try {
       std::optional<FrameMaker> maker;  // made when the first frame is due: a finished bake needs no device
