@@ -78,7 +78,7 @@ void warn_of_broken_loop(const scene::Sea& sea, double frames_per_second) {
 void write_contact_sheet(const BakeSettings& settings, const FrameFiles& files) {
   std::vector<ContactFrame> frames;
   for (int frame = settings.frames.first; frame <= settings.frames.last; ++frame) {
-    if (!std::filesystem::exists(files.preview(frame))) {
+    if (!files.has_preview(frame)) {
       return;
     }
     frames.push_back({files.preview(frame), frame});

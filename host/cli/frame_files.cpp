@@ -53,7 +53,8 @@ void FrameFiles::prepare_folder() const {
   const fs::path& folder = settings_.folder;
   std::error_code error;
   fs::create_directories(folder, error);
-  if (!fs::is_directory(folder)) {
+  std::error_code status_error;
+  if (!fs::is_directory(folder, status_error)) {
     refuse_folder(folder, error ? error.message() : "there is a file of that name");
   }
   if (access(folder.c_str(), W_OK | X_OK) != 0) {
@@ -64,13 +65,13 @@ void FrameFiles::prepare_folder() const {
     return;
   }
   static const std::regex frame_name(R"(ocean(\.c[0-9])?\.[0-9]{4,}\.exr)");
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
+  for (fs::directory_iterator entry(folder, error), end; entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
     if (!std::regex_match(name, frame_name)) {
       continue;
     }
     // A damaged file is remade if it is one of this bake's frames, and left alone if not.
-    if (hash_in(entry.path(), read_exr_attributes).value_or(scene_hash_) != scene_hash_) {
+    if (hash_in(entry->path(), read_exr_attributes).value_or(scene_hash_) != scene_hash_) {
       throw Error(
           ErrorKind::bad_input,
           fmt::format(
@@ -79,6 +80,20 @@ void FrameFiles::prepare_folder() const {
           "name another folder with -o, or replace the frames with --force");
     }
   }
+  if (error) {
+    refuse_folder(folder, "it cannot be listed: " + error.message());
+  }
+}
+
+bool FrameFiles::has_preview(int frame) const {
+  std::error_code error;
+  const bool is_there = fs::exists(preview(frame), error);
+  if (error) {
+    throw Error(ErrorKind::file,
+                fmt::format("{}: cannot look at it: {}", preview(frame).string(), error.message()),
+                "remove it, or check the permissions of the folder");
+  }
+  return is_there;
 }
 
 bool FrameFiles::is_done(int frame) const {

@@ -23,6 +23,9 @@ class FrameFiles {
   /// a damaged one is found.
   bool is_done(int frame) const;
 
+  /// Whether the frame's picture exists. Throws Error(file) if the system cannot tell.
+  bool has_preview(int frame) const;
+
   /// Removes pictures and meshes of a frame whose EXR files are of another bake: they would not be replaced,
   /// and from then on stand beside the wrong sea.
   void remove_foreign_products(int frame) const;

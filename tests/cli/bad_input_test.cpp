@@ -8,8 +8,11 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include "host/base/error.h"
+#include "host/cli/frame_files.h"
 #include "tests/cli/offing_program.h"
 #include "tests/ocl/scoped_environment.h"
 
@@ -46,6 +49,12 @@ void bake_other_scene(const std::filesystem::path& folder) {
   const ProgramResult result = run_offing({"ocean", "bake", "--size", "16", "--cascades", "1", "--seed", "5",
                                            "--frames", "0:0", "-o", (folder / "out").string()});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
+}
+
+/// The picture of another share's frame.
+void link_picture_to_itself(const std::filesystem::path& folder) {
+  std::filesystem::create_directory(folder / "out");
+  std::filesystem::create_symlink("ocean.0001.png", folder / "out" / "ocean.0001.png");
 }
 
 std::vector<std::string> stats(std::vector<std::string> more) {
@@ -166,6 +175,13 @@ const std::vector<BadInput> bad_inputs = {
     {"folder_is_a_file", file("out", "x"), bake({"-o", "@/out"}), 1, ".*/out: cannot write frames there: .*"},
     {"folder_not_writable", nothing, bake({"-o", "/proc/offing"}), 1,
      "/proc/offing: cannot write frames there: .*"},
+    {"folder_name_too_long", nothing, bake({"-o", "@/" + std::string(300, 'o')}), 1,
+     ".*/o+: cannot write frames there: .*[Nn]ame too long"},
+    {"picture_links_to_itself",
+     link_picture_to_itself,
+     {"ocean", "bake", "--size", "16", "--frames", "0:1", "--chunk", "1/2", "--preview", "-o", "@/out"},
+     1,
+     ".*/out/ocean.0001.png: cannot look at it: .*"},
     {"folder_of_another_scene", bake_other_scene, bake({"--seed", "6", "-o", "@/out"}), 2,
      ".*/out: expected frames of this scene .*found ocean.c0.0000.exr of another"},
     {"export_not_writable", nothing, bake({"--export-spectrum", "/proc/a.spec", "-o", "@/out"}), 1,
@@ -205,6 +221,29 @@ TEST_P(BadInputs, EndInTwoLinesAndACode) {
 
 INSTANTIATE_TEST_SUITE_P(CommandLine, BadInputs, testing::ValuesIn(bad_inputs),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+// Fails if a folder that cannot be listed ends the program with anything but an Error that names it. This one
+// may open no file meanwhile, which holds for root too.
+TEST(UnlistableFolder, IsAnError) {
+  const TemporaryFolder folder;
+  cli::BakeSettings settings;
+  settings.folder = folder.path();
+  const cli::FrameFiles files(settings, 1, "hash");
+  rlimit usual{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &usual), 0);
+  const rlimit none{0, usual.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &none), 0);
+  std::string told;
+  try {
+    files.prepare_folder();
+  } catch (const Error& error) {
+    told = error.what();
+  } catch (const std::exception& error) {
+    told = std::string("not an Error: ") + error.what();
+  }
+  setrlimit(RLIMIT_NOFILE, &usual);
+  EXPECT_THAT(told, testing::StartsWith(folder.path().string() + ": cannot write frames there: "));
+}
 
 // Fails if garbage among the cached programs stops the program instead of being built anew.
 TEST(BadCache, IsRebuilt) {
