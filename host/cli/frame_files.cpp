@@ -61,6 +61,7 @@ void FrameFiles::prepare_folder() const {
     refuse_folder(folder, std::strerror(errno));
   }
   remove_stale_partials(folder, "ocean.");
+  remove_stale_partials(folder, "contact_sheet.");
   if (settings_.foreign == ForeignFrames::replace) {
     return;
   }

@@ -141,6 +141,20 @@ TEST_F(Bake, RemakesDamagedFrames) {
   EXPECT_TRUE(folder_content(folder("out")) == before);
 }
 
+// Fails if what a killed bake had begun to write stays for ever, or if another program's file goes.
+TEST_F(Bake, RemovesWhatKilledBakesLeft) {
+  std::filesystem::create_directory(folder("out"));
+  for (const char* name :
+       {".ocean.c0.0001.exr.0123456789abcdef.partial", ".ocean.0001.png.0123456789abcdef.partial",
+        ".contact_sheet.png.0123456789abcdef.partial", ".notes.txt.0123456789abcdef.partial"}) {
+    std::ofstream(folder("out") / name) << "half";
+  }
+  bake("out", {"--frames", "0:0"});
+  EXPECT_THAT(folder_content(folder("out")),
+              UnorderedElementsAre(Key("ocean.c0.0000.exr"), Key("ocean.c1.0000.exr"),
+                                   Key(".notes.txt.0123456789abcdef.partial")));
+}
+
 // Fails if frames depend on how they were shared out, or on what was made before them.
 TEST_F(Bake, SharesAndOrderDoNotMatter) {
   bake("whole", {"--frames", "0:6"});
