@@ -32,7 +32,7 @@ class Bake {
         writer_(writer),
         progress_(progress),
         cancel_(cancel),
-        frames_(frames_of(settings.frames, settings.share)) {}
+        frames_(frames_in_share(settings.frames, settings.share)) {}
 
   BakeSummary run(const std::vector<ocl::DeviceInfo>& devices) {
     {

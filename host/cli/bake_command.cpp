@@ -34,7 +34,7 @@ struct BakeArguments {
 };
 
 /// Frames of the scene's time span: from its start, stopping before its end.
-FrameRange frames_of(const scene::OceanScene& scene) {
+FrameRange frames_in_time_span(const scene::OceanScene& scene) {
   const double first = std::ceil(scene.start_s * scene.frames_per_second - 1e-9);
   const double last = std::ceil(scene.end_s * scene.frames_per_second - 1e-9) - 1.0;
   if (last < first || last > 9'999'999.0) {
@@ -51,7 +51,7 @@ BakeSettings read_settings(const BakeArguments& arguments, const scene::OceanSce
   settings.folder = arguments.folder;
   settings.frames_per_second = scene.frames_per_second;
   settings.frames =
-      arguments.frames.empty() ? frames_of(scene) : read_frame_range("--frames", arguments.frames);
+      arguments.frames.empty() ? frames_in_time_span(scene) : read_frame_range("--frames", arguments.frames);
   settings.share = read_share("--chunk", arguments.chunk);
   settings.compression = read_compression("--compression", arguments.compression);
   settings.channels |= read_channels("--channels", arguments.channels);
@@ -123,7 +123,7 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   files.prepare_folder();
   const FrameWriter writer(sea, settings, files, hash, scene::spectrum_name(scene, sea));
   const BakeSummary summary = [&] {
-    const std::size_t count = frames_of(settings.frames, settings.share).size();
+    const std::size_t count = frames_in_share(settings.frames, settings.share).size();
     Progress progress(static_cast<int>(count), "frames", options.verbosity);
     return bake(devices, sea, settings, files, writer, progress, options.cancel);
   }();

@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, channel_group_count> channel_names = {
 
 }  // namespace
 
-std::vector<int> frames_of(const FrameRange& frames, const Share& share) {
+std::vector<int> frames_in_share(const FrameRange& frames, const Share& share) {
   std::vector<int> own;
   for (int frame = frames.first + share.index; frame <= frames.last; frame += share.count) {
     own.push_back(frame);

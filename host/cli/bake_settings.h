@@ -41,7 +41,7 @@ struct BakeSettings {
 
 /// Frames of a share: first + index, first + index + count, ... so that every process gets early and late
 /// ones and shares differ by at most one frame.
-std::vector<int> frames_of(const FrameRange& frames, const Share& share);
+std::vector<int> frames_in_share(const FrameRange& frames, const Share& share);
 
 /// "displacement,slope,foam" as groups. Throws Error(bad_usage) that names an unknown one.
 ChannelGroups read_channels(std::string_view flag, std::string_view text);

@@ -47,7 +47,7 @@ TEST(Argument, SharesPartitionTheFrames) {
     std::vector<int> all;
     std::size_t fewest = 1000, most = 0;
     for (int index = 0; index < count; ++index) {
-      const std::vector<int> own = frames_of(range, {index, count});
+      const std::vector<int> own = frames_in_share(range, {index, count});
       all.insert(all.end(), own.begin(), own.end());
       fewest = std::min(fewest, own.size());
       most = std::max(most, own.size());
