@@ -167,7 +167,8 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
       "write the spectrum as WAVEWATCH III text (.spec)");
   add("--chunk", arguments->chunk, "i/n",
       "make share i of n, for n processes that share a folder (default 1/1)");
-  add_switch("--force", "replace frames of another scene in the folder (default: refuse to mix)",
+  add_switch("--force",
+             "replace these frames where they are of another scene, all its files (default: refuse to mix)",
              [&settings] { settings.foreign = ForeignFrames::replace; });
   command.add_flag("--json", arguments->json, "a summary for scripts")->group(group);
 }

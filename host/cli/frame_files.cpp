@@ -19,6 +19,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// More than any bake has had: what a single digit counts.
+constexpr int most_cascades = 10;
+
 /// The hash that a bake wrote into this file, empty if it is no bake's; nothing if the file is missing or
 /// damaged.
 template <class ReadAttributes>
@@ -36,6 +39,16 @@ std::optional<std::string> hash_in(const fs::path& file, ReadAttributes read) {
     return std::string();
   } catch (const Error&) {
     return std::nullopt;
+  }
+}
+
+void remove_file(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) {
+    throw Error(ErrorKind::file,
+                fmt::format("{}: cannot remove what another bake wrote: {}", file.string(), error.message()),
+                "remove it yourself, or name another folder with -o");
   }
 }
 
@@ -112,23 +125,39 @@ bool FrameFiles::is_done(int frame) const {
   });
 }
 
-void FrameFiles::remove_foreign_products(int frame) const {
-  const std::vector<fs::path> files = exr_files(frame);
-  const bool foreign = std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
-    return hash_in(file, read_exr_attributes).value_or(scene_hash_) != scene_hash_;
-  });
-  std::error_code ignored;
+void FrameFiles::remove_foreign_files(int frame) const {
+  if (settings_.foreign == ForeignFrames::refuse) {
+    return;  // prepare_folder() found none
+  }
+  const std::vector<fs::path> own = exr_files(frame);
+  bool is_foreign = false;
+  for (const fs::path& file : possible_exr_files(frame)) {
+    const std::string hash = hash_in(file, read_exr_attributes).value_or(scene_hash_);
+    if (hash.empty() || hash == scene_hash_) {
+      continue;
+    }
+    is_foreign = true;
+    if (std::find(own.begin(), own.end(), file) == own.end()) {
+      remove_file(file);
+    }
+  }
   for (const char* extension : {"obj", "ply", "png"}) {
-    if (foreign) {
-      fs::remove(product(frame, extension), ignored);
+    if (is_foreign) {
+      remove_file(product(frame, extension));
     }
   }
 }
 
 fs::path FrameFiles::exr(int frame, int cascade) const {
-  return settings_.folder / (settings_.layout == FileLayout::combined
-                                 ? fmt::format("ocean.{:04}.exr", frame)
-                                 : fmt::format("ocean.c{}.{:04}.exr", cascade, frame));
+  return settings_.layout == FileLayout::combined ? combined_exr(frame) : cascade_exr(frame, cascade);
+}
+
+fs::path FrameFiles::combined_exr(int frame) const {
+  return product(frame, "exr");
+}
+
+fs::path FrameFiles::cascade_exr(int frame, int cascade) const {
+  return settings_.folder / fmt::format("ocean.c{}.{:04}.exr", cascade, frame);
 }
 
 fs::path FrameFiles::mesh(int frame) const {
@@ -148,6 +177,14 @@ std::vector<fs::path> FrameFiles::exr_files(int frame) const {
   const int count = settings_.layout == FileLayout::combined ? 1 : cascades_;
   for (int cascade = 0; cascade < count; ++cascade) {
     files.push_back(exr(frame, cascade));
+  }
+  return files;
+}
+
+std::vector<fs::path> FrameFiles::possible_exr_files(int frame) const {
+  std::vector<fs::path> files = {combined_exr(frame)};
+  for (int cascade = 0; cascade < most_cascades; ++cascade) {
+    files.push_back(cascade_exr(frame, cascade));
   }
   return files;
 }

@@ -26,9 +26,10 @@ class FrameFiles {
   /// Whether the frame's picture exists. Throws Error(file) if the system cannot tell.
   bool has_preview(int frame) const;
 
-  /// Removes pictures and meshes of a frame whose EXR files are of another bake: they would not be replaced,
-  /// and from then on stand beside the wrong sea.
-  void remove_foreign_products(int frame) const;
+  /// Where another bake's frames are to be replaced: removes its EXR files of this frame that this bake will
+  /// not write over (it had more cascades, or another layout), and the frame's pictures and meshes, which
+  /// would from then on stand beside the wrong sea. Files without a bake's hash stay. Throws Error(file).
+  void remove_foreign_files(int frame) const;
 
   std::filesystem::path exr(int frame, int cascade) const;  ///< the same for every cascade when combined
   std::filesystem::path mesh(int frame) const;
@@ -36,7 +37,11 @@ class FrameFiles {
   std::filesystem::path contact_sheet() const;
 
  private:
+  std::filesystem::path combined_exr(int frame) const;
+  std::filesystem::path cascade_exr(int frame, int cascade) const;
   std::vector<std::filesystem::path> exr_files(int frame) const;
+  /// What any bake may have named the EXR files of this frame.
+  std::vector<std::filesystem::path> possible_exr_files(int frame) const;
   std::filesystem::path product(int frame, const char* extension) const;
 
   const BakeSettings& settings_;

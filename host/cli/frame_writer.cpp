@@ -24,7 +24,7 @@ FrameWriter::FrameWriter(const scene::Sea& sea, const BakeSettings& settings, co
 }
 
 void FrameWriter::write(const BakedFrame& frame) const {
-  files_.remove_foreign_products(frame.number);
+  files_.remove_foreign_files(frame.number);
   if (settings_.preview == PreviewUse::pictures) {
     write_preview(frame);
   }
