@@ -2,6 +2,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -44,11 +45,31 @@ EntryHeader header_of(std::string_view identity, const std::vector<std::uint8_t>
   return {magic, key.low64, key.high64, binary.size(), XXH3_64bits(binary.data(), binary.size())};
 }
 
+// <32 hexadecimal digits>.program.<process>.<count>.tmp, as store() names them.
+bool is_temporary_name(std::string_view name) {
+  constexpr std::size_t key_digits = 32;
+  return name.size() > key_digits && name.find_first_not_of("0123456789abcdef") == key_digits &&
+         name.substr(key_digits).starts_with(".program.") && name.ends_with(".tmp");
+}
+
 void report_unwritable(const fs::path& folder, const std::string& reason) {
   static std::atomic<bool> was_reported{false};
   if (was_reported.exchange(true)) return;
   spdlog::warn("cannot keep compiled kernels in {}: {}; each start compiles anew (set OFFING_CACHE_DIR)",
                folder.string(), reason);
+}
+
+// Removes what killed processes left half-written. No write takes an hour, so that those of living processes
+// stay; what cannot be looked at or removed is left alone.
+void remove_stale_temporaries(const fs::path& folder) {
+  const auto oldest = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  std::error_code listing, ignored;
+  for (fs::directory_iterator entry(folder, listing), end; !listing && entry != end;
+       entry.increment(listing)) {
+    if (!is_temporary_name(entry->path().filename().string())) continue;
+    const fs::file_time_type written = entry->last_write_time(ignored);
+    if (!ignored && written < oldest) fs::remove(entry->path(), ignored);
+  }
 }
 
 }  // namespace
@@ -97,6 +118,7 @@ void ProgramCache::store(std::string_view identity, const std::vector<std::uint8
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) return report_unwritable(folder_, error.message());
+  remove_stale_temporaries(folder_);
   const fs::path path = entry_path(identity);
   const fs::path temporary = fmt::format("{}.{}.{}.tmp", path.string(), getpid(), counter++);
   const EntryHeader header = header_of(identity, binary);

@@ -13,7 +13,8 @@ namespace offing::ocl {
 ///
 /// Processes may share a folder: an entry is written to a name of its own and renamed into place, so a reader
 /// sees a whole entry or none. Nothing about the cache is fatal: a damaged or foreign entry counts as absent,
-/// and a folder that cannot be written is reported once.
+/// and a folder that cannot be written is reported once. Half-written entries of killed processes go with the
+/// first store() an hour later.
 class ProgramCache {
  public:
   /// $OFFING_CACHE_DIR, else $XDG_CACHE_HOME/offing, else ~/.cache/offing. Empty = off: OFFING_CACHE_DIR is

@@ -83,6 +83,27 @@ TEST_F(ProgramCacheTest, LeavesNothingButEntries) {
   EXPECT_EQ(files, 1u);
 }
 
+// Fails if the halves that killed processes leave pile up, or if one that may still be written goes, or a
+// stranger's file.
+TEST_F(ProgramCacheTest, RemovesOldHalves) {
+  const auto now = fs::file_time_type::clock::now();
+  const auto leave = [&](const fs::path& path, std::chrono::minutes age) {
+    replace(path, "half");
+    fs::last_write_time(path, now - age);
+    return path;
+  };
+  const std::string entry = cache_.entry_path("killed").string();
+  const fs::path old_half = leave(entry + ".12345.0.tmp", std::chrono::minutes(61));
+  const fs::path young_half = leave(entry + ".12346.0.tmp", std::chrono::minutes(50));
+  const fs::path stranger = leave(entry_.parent_path() / "letter.program.1.0.tmp", std::chrono::minutes(500));
+  const fs::path old_entry = leave(entry, std::chrono::minutes(500));
+  cache_.store("identity", binary_);
+  EXPECT_FALSE(fs::exists(old_half));
+  EXPECT_TRUE(fs::exists(young_half));
+  EXPECT_TRUE(fs::exists(stranger));
+  EXPECT_TRUE(fs::exists(old_entry));
+}
+
 TEST_F(ProgramCacheTest, DetectsEveryTruncation) {
   const std::string whole = content_of(entry_);
   for (std::size_t bytes = 0; bytes < whole.size(); ++bytes) {
