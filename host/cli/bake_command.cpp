@@ -10,6 +10,7 @@
 #include "host/base/error.h"
 #include "host/cli/bake.h"
 #include "host/cli/certificate_text.h"
+#include "host/cli/device_choice.h"
 #include "host/cli/parameter_options.h"
 #include "host/cli/pictures/contact_sheet.h"
 #include "host/io/spectra/write_ww3_spectra.h"
@@ -59,10 +60,6 @@ BakeSettings read_settings(const BakeArguments& arguments, const scene::OceanSce
   return settings;
 }
 
-std::vector<ocl::DeviceInfo> devices_for(const std::string& selector) {
-  return selector == "all" ? ocl::list_devices() : std::vector{ocl::select_device(selector)};
-}
-
 void warn_of_broken_loop(const scene::Sea& sea, double frames_per_second) {
   if (!sea.parameters.loop_period_s) {
     return;
@@ -106,7 +103,7 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   const scene::OceanScene scene = arguments.parameters.read();
   const BakeSettings settings = read_settings(arguments, scene);
   const scene::Sea sea = scene::prepare_sea(scene);
-  const std::vector<ocl::DeviceInfo> devices = devices_for(options.device);
+  const std::vector<ocl::DeviceInfo> devices = choose_devices(options.device);
   const EnergyShares energy = energy_shares(sea.spectrum, sea.parameters.cascades);
   if (!arguments.json) {
     fmt::print("{}", cascade_text(sea, energy));

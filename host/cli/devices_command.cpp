@@ -12,6 +12,7 @@
 
 #include "host/base/error.h"
 #include "host/base/log.h"
+#include "host/cli/device_choice.h"
 #include "host/ocl/device.h"
 
 namespace offing::cli {
@@ -19,11 +20,11 @@ namespace {
 
 using ocl::DeviceInfo;
 
-// What a command without --device takes; -1 where OFFING_DEVICE fits nothing, which must not stop the
+// What a command without --device takes; -1 where OFFING_DEVICE fits nothing, or all, which must not stop the
 // listing.
 int default_index() {
   try {
-    return ocl::select_device().index;
+    return choose_one_device({}).index;
   } catch (const Error& error) {
     spdlog::warn("{}", error.what());
     return -1;

@@ -9,6 +9,7 @@
 #include "host/cli/argument.h"
 #include "host/cli/certificate.h"
 #include "host/cli/certificate_text.h"
+#include "host/cli/device_choice.h"
 #include "host/cli/parameter_options.h"
 #include "host/cli/progress.h"
 
@@ -26,7 +27,7 @@ struct StatsArguments {
 void run(const StatsArguments& arguments, const GlobalOptions& options) {
   const int seeds = static_cast<int>(read_whole("--seeds", arguments.seeds, 1, 100000, "20"));
   const scene::Sea sea = scene::prepare_sea(arguments.parameters.read());
-  const ocl::Device device = ocl::Device::open(options.device);
+  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   const Certificate certificate = [&] {
     Progress progress(seeds, "seeds", options.verbosity);
     return certify(device, sea, seeds, progress, options.cancel);
