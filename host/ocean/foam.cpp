@@ -28,6 +28,10 @@ Foam::Foam(const ocl::Device& device, const WaveModes& modes, const FoamParamete
   foam_ = ocl::Buffer<float>(device, texels_, "foam");
 }
 
+std::int64_t Foam::instant_of(double time_s) const {
+  return static_cast<std::int64_t>(std::floor(time_s / step_s_ + 1e-9));
+}
+
 std::int64_t Foam::key_of(std::int64_t instant) const {
   if (loop_instants_ == 0) return instant;
   return ((instant % loop_instants_) + loop_instants_) % loop_instants_;
@@ -46,15 +50,26 @@ const Foam::Coverage& Foam::coverage_at(const WaveModes& modes, SurfaceMaps& sur
 }
 
 void Foam::at(const WaveModes& modes, SurfaceMaps& surface, double time_s) {
-  const auto now = static_cast<std::int64_t>(std::floor(time_s / step_s_ + 1e-9));
+  const std::int64_t now = instant_of(time_s);
   std::set<std::int64_t> needed;
   for (std::int64_t j = 0; j <= past_count_; ++j) needed.insert(key_of(now - j));
   std::erase_if(coverages_, [&](const auto& entry) { return !needed.contains(entry.first); });
+  held_.reset();
   foam_.fill(0.0f);
   for (std::int64_t j = 0; j <= past_count_; ++j) {
     const double weight = std::exp(-static_cast<double>(j) * step_s_ / parameters_.decay_s);
     decay_.launch({{texels_, 1, 1}}, coverage_at(modes, surface, now - j), static_cast<float>(weight), foam_);
   }
+  held_ = key_of(now);
+}
+
+bool Foam::holds(double time_s) const {
+  return held_ == key_of(instant_of(time_s));
+}
+
+void Foam::reset() {
+  coverages_.clear();
+  held_.reset();
 }
 
 }  // namespace offing::ocean

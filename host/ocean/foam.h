@@ -17,10 +17,12 @@ class Foam {
   Foam(const ocl::Device& device, const WaveModes& modes, const FoamParameters& parameters,
        std::optional<double> loop_period_s);
 
+  /// Whether foam() is already that of this time: foam changes only from one instant to the next.
+  bool holds(double time_s) const;
   /// Enqueues the foam at this time. Uses `surface` for past instants: afterwards it holds one of them.
   void at(const WaveModes& modes, SurfaceMaps& surface, double time_s);
-  /// Forgets the kept coverages: the waves have changed.
-  void reset() { coverages_.clear(); }
+  /// Forgets foam and coverages: the waves have changed.
+  void reset();
 
   /// [cascades][n][n], 0 ... 1.
   const ocl::Buffer<float>& foam() const { return foam_; }
@@ -28,6 +30,9 @@ class Foam {
  private:
   using Coverage = ocl::Buffer<std::uint16_t>;  // [cascades][n][n] half
 
+  /// The last instant at or before this time.
+  std::int64_t instant_of(double time_s) const;
+  /// Equal for instants that look the same: those a whole loop apart.
   std::int64_t key_of(std::int64_t instant) const;
   const Coverage& coverage_at(const WaveModes& modes, SurfaceMaps& surface, std::int64_t instant);
 
@@ -39,6 +44,7 @@ class Foam {
   std::size_t texels_;
   ocl::Kernel coverage_, decay_;
   std::map<std::int64_t, Coverage> coverages_;
+  std::optional<std::int64_t> held_;  // key of the instant that foam_ belongs to
   ocl::Buffer<float> foam_;
 };
 

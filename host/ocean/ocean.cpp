@@ -128,8 +128,10 @@ std::vector<float> Ocean::read_foam(int cascade) {
   const std::size_t first = state.first_texel(cascade);
   if (!state.foam)
     state.foam.emplace(state.device, state.modes, state.parameters.foam, state.parameters.loop_period_s);
-  state.foam->at(state.modes, state.surface, state.time_s);
-  state.surface.at(state.modes, state.time_s);
+  if (!state.foam->holds(state.time_s)) {
+    state.foam->at(state.modes, state.surface, state.time_s);
+    state.surface.at(state.modes, state.time_s);
+  }
   std::vector<float> foam(state.texels());
   state.foam->foam().read(foam, first);
   return foam;
@@ -221,6 +223,7 @@ void Ocean::reseed(std::uint64_t seed) {
   state_->parameters.seed = seed;
   state_->modes.draw(seed);
   if (state_->foam) state_->foam->reset();
+  if (state_->velocity) state_->velocity->reset();
 }
 
 }  // namespace offing::ocean

@@ -81,11 +81,12 @@ class Ocean {
 
   /// Fields of one cascade at the time of the last at().
   SurfaceFields read_surface(int cascade) const;
-  /// Foam of one cascade, [n][n], 0 ... 1, at the time of the last at(); evaluates the past instants it needs
-  /// and keeps them for the next frame.
+  /// Foam of one cascade, [n][n], 0 ... 1, at the time of the last at(). The first question of a time
+  /// computes all cascades: it evaluates the past instants it needs and keeps them for the next frame.
   std::vector<float> read_foam(int cascade);
   /// Particle velocity at the time of the last at(), `depth_m` below the instantaneous surface (vertical
-  /// coordinate measured from the surface: Wheeler stretching of linear theory); 0 is the surface itself.
+  /// coordinate measured from the surface: Wheeler stretching of linear theory); 0 is the surface itself. The
+  /// first question of a time and depth computes all cascades.
   /// Throws Error(bad_input) for a depth below the bed.
   VelocityFields read_velocity(int cascade, double depth_m = 0.0);
   /// The composed surface at the time of the last at(), bilinear between samples of each cascade.

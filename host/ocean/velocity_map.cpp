@@ -23,11 +23,15 @@ VelocityMap::VelocityMap(const ocl::Device& device, const WaveModes& modes, doub
 }
 
 void VelocityMap::at(const WaveModes& modes, double time_s, double depth_below_surface_m) {
+  const Place wanted{time_s, depth_below_surface_m};
+  if (held_ == wanted) return;
+  held_.reset();
   const WaveClock clock = modes.clock(time_s);
   transform_.advance(modes.amplitude(), modes.rate(), modes.wavenumber_step(), clock.ticks,
                      clock.tick_fraction, static_cast<float>(modes.radps_per_rate()),
                      static_cast<float>(depth_below_surface_m), water_depth_m_);
   transform_.assemble(modes.wavenumber_step(), velocity_);
+  held_ = wanted;
 }
 
 }  // namespace offing::ocean

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "host/ocean/mode_transform.h"
 #include "host/ocean/wave_modes.h"
 
@@ -11,14 +13,22 @@ class VelocityMap {
  public:
   VelocityMap(const ocl::Device& device, const WaveModes& modes, double water_depth_m);
 
-  /// Enqueues the map.
+  /// Enqueues the map, unless it is already that of this time and depth.
   void at(const WaveModes& modes, double time_s, double depth_below_surface_m);
+  /// Forgets the map: the waves have changed.
+  void reset() { held_.reset(); }
 
   /// [cascades][n][n] float4: vx, vy, vz m/s, 0.
   const ocl::Buffer<float>& velocity() const { return velocity_; }
 
  private:
+  struct Place {
+    double time_s, depth_below_surface_m;
+    bool operator==(const Place&) const = default;
+  };
+
   ModeTransform transform_;
+  std::optional<Place> held_;  // what velocity_ belongs to
   float water_depth_m_;
   ocl::Buffer<float> velocity_;
 };
