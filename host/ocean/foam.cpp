@@ -4,13 +4,46 @@
 #include <cmath>
 #include <set>
 
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/ocean/parameter_check.h"
 #include "host/ocl/program.h"
 
 namespace offing::ocean {
 namespace {
 // After four decay times 2 % is left; older foam is not looked for.
 constexpr double decay_times_kept = 4.0;
+// Past instants are computed and kept one by one: 400 of three cascades of 512 take 600 MB and, at first,
+// seconds. Foam of a minute needs no instants closer than a wave's period.
+constexpr double largest_decay_steps = 100.0;
 }  // namespace
+
+void require_valid_foam(const FoamParameters& parameters) {
+  require_within("foam.onset_jacobian", parameters.onset_jacobian, -10.0, 10.0);
+  require_within("foam.width", parameters.width, 1e-3, 100.0);
+  require_within("foam.decay_s", parameters.decay_s, 0.01, 3600.0);
+  require_within("foam.step_s", parameters.step_s, 0.01, 60.0);
+  // Rounding of a quotient such as 2.3 / 0.023 is no reason to refuse.
+  if (parameters.decay_s <= largest_decay_steps * parameters.step_s * (1.0 + 1e-9)) return;
+  throw Error(
+      ErrorKind::bad_input,
+      fmt::format("ocean.foam: expected a decay_s of at most {:g} steps, found {:g} s in steps of {:g} s",
+                  largest_decay_steps, parameters.decay_s, parameters.step_s),
+      fmt::format("set foam.step_s to {0:g} or more, or foam.decay_s to {1:g} or less",
+                  parameters.decay_s / largest_decay_steps, parameters.step_s * largest_decay_steps));
+}
+
+void require_foam_fits(const ocl::DeviceInfo& device, std::int64_t instants, std::size_t texels) {
+  constexpr double bytes_per_gb = 1e9;
+  const double needed = sizeof(std::uint16_t) * static_cast<double>(texels) * static_cast<double>(instants);
+  const double allowed = 0.5 * static_cast<double>(device.global_memory_bytes);
+  if (needed <= allowed) return;
+  throw Error(ErrorKind::out_of_memory,
+              fmt::format("ocean.foam: {} past instants need {:.3g} GB on {}, expected at most {:.3g} GB",
+                          instants, needed / bytes_per_gb, device.name, allowed / bytes_per_gb),
+              "set foam.step_s larger, foam.decay_s smaller, or --size smaller");
+}
 
 Foam::Foam(const ocl::Device& device, const WaveModes& modes, const FoamParameters& parameters,
            std::optional<double> loop_period_s)
@@ -21,8 +54,11 @@ Foam::Foam(const ocl::Device& device, const WaveModes& modes, const FoamParamete
     step_s_ = *loop_period_s / static_cast<double>(loop_instants_);
   }
   past_count_ = static_cast<std::int64_t>(std::ceil(decay_times_kept * parameters.decay_s / step_s_ - 1e-9));
+  // Instants of an earlier turn look like those of this one and have decayed further.
+  if (loop_instants_ > 0) past_count_ = std::min(past_count_, loop_instants_ - 1);
   const auto n = static_cast<std::size_t>(modes.size());
   texels_ = n * n * static_cast<std::size_t>(modes.cascade_count());
+  require_foam_fits(device.info(), past_count_ + 1, texels_);
   coverage_ = ocl::Program::build(device, "ocean/foam_coverage.cl").kernel("foam_coverage");
   decay_ = ocl::Program::build(device, "ocean/foam_decay.cl").kernel("foam_decay");
   foam_ = ocl::Buffer<float>(device, texels_, "foam");

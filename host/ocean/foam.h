@@ -6,14 +6,24 @@
 
 #include "host/ocean/ocean.h"
 #include "host/ocean/surface_maps.h"
+#include "host/ocl/device.h"
 
 namespace offing::ocean {
+
+/// Throws Error(bad_input) if these parameters are out of range, or look back at more instants than a frame
+/// has time for.
+void require_valid_foam(const FoamParameters& parameters);
+
+/// Throws Error(out_of_memory) if the coverages of this many instants would fill more than half of the
+/// device's memory. texels: of all cascades together.
+void require_foam_fits(const ocl::DeviceInfo& device, std::int64_t instants, std::size_t texels);
 
 /// Foam of every cascade: the largest coverage of the last instants, decayed (FoamParameters). It depends on
 /// the time alone; coverages of instants that the next frame needs again are kept.
 class Foam {
  public:
-  /// In a loop the instants are spaced so that a whole number of them fills it.
+  /// In a loop the instants are spaced so that a whole number of them fills it. Throws what
+  /// require_foam_fits() throws.
   Foam(const ocl::Device& device, const WaveModes& modes, const FoamParameters& parameters,
        std::optional<double> loop_period_s);
 

@@ -29,10 +29,7 @@ OceanParameters checked(const OceanParameters& parameters) {
   }
   require_within("choppiness", parameters.choppiness, 0.0, 10.0);
   if (parameters.loop_period_s) require_within("loop_period_s", *parameters.loop_period_s, 0.1, 1e5);
-  require_within("foam.onset_jacobian", parameters.foam.onset_jacobian, -10.0, 10.0);
-  require_within("foam.width", parameters.foam.width, 1e-3, 100.0);
-  require_within("foam.decay_s", parameters.foam.decay_s, 0.01, 3600.0);
-  require_within("foam.step_s", parameters.foam.step_s, 0.01, 60.0);
+  require_valid_foam(parameters.foam);
   return parameters;
 }
 

@@ -3,14 +3,18 @@
 //
 // Coverage is kept in half precision: 2^-11 relative. J is that of read_surface in single precision: where c
 // is between 0 and 1, 1e-6 / width more. Gate 2^-11 + 1e-5.
+#include "host/ocean/foam.h"
+
 #include <algorithm>
 #include <cmath>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host/ocean/cascades.h"
 #include "host/ocean/ocean.h"
 #include "host/ocean/spectrum_parameters.h"
+#include "tests/ocl/expect_error.h"
 
 namespace offing::ocean {
 namespace {
@@ -110,6 +114,38 @@ TEST_F(FoamTest, NoneWithoutFolding) {
   Ocean ocean = sea(calm);
   ocean.at(1.0);
   for (const float foam : ocean.read_foam(0)) EXPECT_EQ(foam, 0.0f);
+}
+
+// Fails if values that each are in range together ask for millions of past instants: minutes and gigabytes
+// for one frame, without a word. 100 steps are allowed, also where products are rounded (100 x 0.009 < 0.9).
+TEST_F(FoamTest, RefusesMoreInstantsThanAFrameHasTimeFor) {
+  OceanParameters wanted = parameters();
+  wanted.foam.decay_s = 3600.0;
+  wanted.foam.step_s = 0.25;
+  const std::string hint = test::expect_error(
+      ErrorKind::bad_input, "at most 100 steps, found 3600 s in steps of 0.25 s", [&] { sea(wanted); });
+  EXPECT_THAT(hint, testing::HasSubstr("foam.step_s to 36 or more, or foam.decay_s to 25 or less"));
+  wanted.foam.step_s = 35.9;
+  test::expect_error(ErrorKind::bad_input, "ocean.foam", [&] { sea(wanted); });
+  for (const auto& [decay_s, step_s] : {std::pair{3600.0, 36.0}, {0.9, 0.009}, {0.01, 60.0}}) {
+    wanted.foam.decay_s = decay_s;
+    wanted.foam.step_s = step_s;
+    EXPECT_NO_THROW(sea(wanted));
+  }
+}
+
+// Fails if coverages are kept that the device cannot hold beside the maps. At most 401 instants of four
+// cascades of 4096 need 53.8 GB: refused by a device of 100 GB, taken by one of 110 GB.
+TEST(FoamMemoryTest, IsAtMostHalfOfTheDevice) {
+  ocl::DeviceInfo device;
+  device.name = "Small Device";
+  device.global_memory_bytes = 100'000'000'000;
+  constexpr std::size_t texels = std::size_t{4} * 4096 * 4096;
+  test::expect_error(ErrorKind::out_of_memory,
+                     "401 past instants need 53.8 GB on Small Device, expected at most 50 GB",
+                     [&] { require_foam_fits(device, 401, texels); });
+  device.global_memory_bytes = 110'000'000'000;
+  EXPECT_NO_THROW(require_foam_fits(device, 401, texels));
 }
 
 }  // namespace
