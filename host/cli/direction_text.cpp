@@ -12,6 +12,10 @@ double direction_deg(double direction_rad, DirectionStyle style) {
   return wrapped < 360.0 ? wrapped : 0.0;  // a tiny negative angle rounds up to a full turn
 }
 
+double travel_deg(double from_bearing_deg) {
+  return std::remainder(from_bearing_deg - 270.0, 360.0);
+}
+
 double direction_difference_rad(double a_rad, double b_rad) {
   return -std::remainder(b_rad - a_rad, 2.0 * std::numbers::pi);
 }

@@ -37,6 +37,15 @@ bool is_list(const Parameter& parameter) {
   return parameter.max_count > 1;
 }
 
+bool is_direction(const Parameter& parameter) {
+  return parameter.unit == "deg";
+}
+
+double number_in(const scene::WrittenValue& written) {
+  const auto* whole = std::get_if<std::int64_t>(&written.value);
+  return whole ? static_cast<double>(*whole) : std::get<double>(written.value);
+}
+
 /// "wind speed ...; a number in m/s within [0.1, 60] (default 10)".
 std::string description(const Parameter& parameter) {
   return fmt::format("{}: {} (default {})", parameter.help, scene::expected_text(parameter),
@@ -54,6 +63,11 @@ std::string placeholder(const Parameter& parameter) {
 
 void ParameterOptions::add_to(CLI::App& command, std::initializer_list<ParameterGroup> groups) {
   command.add_option("SCENE", scene_file_, "scene file (.toml); flags override what it says")->type_name("");
+  command.add_flag_callback(
+      "--compass", [this] { directions_ = DirectionStyle::from_bearing; },
+      "directions of flags and results are those that wind and sea come from, clockwise from north (default: "
+      "of "
+      "travel, from +x (east) toward +z (south), as in scene files always)");
   for (const Parameter& parameter : scene::parameter_table()) {
     if (parameter.flag.empty() || std::find(groups.begin(), groups.end(), parameter.group) == groups.end()) {
       continue;
@@ -73,17 +87,27 @@ void ParameterOptions::add_to(CLI::App& command, std::initializer_list<Parameter
 scene::OceanScene ParameterOptions::read() const {
   scene::OceanScene scene = scene_file_.empty() ? scene::OceanScene{} : scene::load_scene(scene_file_);
   for (const Flag& flag : flags_) {
-    const Parameter& parameter = *flag.parameter;
-    if (!flag.values.empty()) {
-      scene::clear_list(scene, parameter);
-    }
-    const scene::Place place{.subject = std::string(parameter.flag),
-                             .assignment = std::string(parameter.flag) + ' '};
-    for (const std::string& text : flag.values) {
-      scene::store(scene, parameter, scene::read_flag_value(parameter, text), place);
-    }
+    read_flag(scene, flag);
   }
   return scene;
+}
+
+void ParameterOptions::read_flag(scene::OceanScene& scene, const Flag& flag) const {
+  const Parameter& parameter = *flag.parameter;
+  if (!flag.values.empty()) {
+    scene::clear_list(scene, parameter);
+  }
+  const scene::Place place{.subject = std::string(parameter.flag),
+                           .assignment = std::string(parameter.flag) + ' '};
+  for (const std::string& text : flag.values) {
+    scene::WrittenValue written = scene::read_flag_value(parameter, text);
+    scene::store(scene, parameter, written, place);
+    if (is_direction(parameter) && directions_ == DirectionStyle::from_bearing) {
+      // Checked as it was written; now as the scene has it.
+      written.value = travel_deg(number_in(written));
+      scene::store(scene, parameter, written, place);
+    }
+  }
 }
 
 }  // namespace offing::cli

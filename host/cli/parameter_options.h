@@ -7,6 +7,7 @@
 
 #include <CLI/App.hpp>
 
+#include "host/cli/direction_text.h"
 #include "host/scene/parameter.h"
 
 namespace offing::cli {
@@ -15,14 +16,14 @@ namespace offing::cli {
 /// override it.
 class ParameterOptions {
  public:
-  /// Adds SCENE and the flags of these groups to `command`, which this object must outlive.
+  /// Adds SCENE, the flags of these groups and --compass to `command`, which this object must outlive.
   void add_to(CLI::App& command, std::initializer_list<scene::ParameterGroup> groups);
 
   /// The scene as file and flags say. Throws Error(bad_input).
   scene::OceanScene read() const;
 
-  /// Whether the scene, or the default one, gives the frames: true if a SCENE was named.
-  bool has_scene_file() const { return !scene_file_.empty(); }
+  /// How flags give directions, and results are to show them.
+  DirectionStyle directions() const { return directions_; }
 
  private:
   struct Flag {
@@ -30,7 +31,10 @@ class ParameterOptions {
     std::vector<std::string> values;
   };
 
+  void read_flag(scene::OceanScene& scene, const Flag& flag) const;
+
   std::string scene_file_;
+  DirectionStyle directions_ = DirectionStyle::travel;
   std::deque<Flag> flags_;  // a deque: CLI11 keeps references to the values
 };
 

@@ -130,7 +130,8 @@ void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
   command->add_flag("--json", arguments->json, "results for scripts");
   command->add_flag_callback(
       "--compass", [arguments] { arguments->directions = DirectionStyle::from_bearing; },
-      "directions the sea comes from, clockwise from north (default: of travel, from east toward south)");
+      "print directions that the sea comes from, clockwise from north (default: of travel, from east toward "
+      "south); files keep their own");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
 Examples:

@@ -21,7 +21,6 @@ struct StatsArguments {
   ParameterOptions parameters;
   std::string seeds = "8";
   bool json = false;
-  DirectionStyle directions = DirectionStyle::travel;
 };
 
 void run(const StatsArguments& arguments, const GlobalOptions& options) {
@@ -33,9 +32,9 @@ void run(const StatsArguments& arguments, const GlobalOptions& options) {
     return certify(device, sea, seeds, progress, options.cancel);
   }();
   if (arguments.json) {
-    fmt::print("{}\n", certificate_json(certificate, sea, arguments.directions).dump(2));
+    fmt::print("{}\n", certificate_json(certificate, sea, arguments.parameters.directions()).dump(2));
   } else {
-    fmt::print("{}", certificate_text(certificate, sea, arguments.directions));
+    fmt::print("{}", certificate_text(certificate, sea, arguments.parameters.directions()));
   }
 }
 
@@ -49,9 +48,6 @@ void add_stats_command(CLI::App& ocean, GlobalOptions& options) {
   arguments->parameters.add_to(*command, {world, sea, grid});
   command->add_option("--seeds", arguments->seeds, "seas to average over (default 8)")->type_name("K");
   command->add_flag("--json", arguments->json, "results for scripts");
-  command->add_flag_callback(
-      "--compass", [arguments] { arguments->directions = DirectionStyle::from_bearing; },
-      "directions the sea comes from, clockwise from north (default: of travel, from +x toward +z)");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
 Examples:

@@ -237,6 +237,13 @@ TEST_F(Bake, HashFollowsWhatShapesPixels) {
   EXPECT_THAT(same.output, testing::HasSubstr("0 frames written, 1 there already"));
 }
 
+// Fails if a wind from 290 degrees is not one that travels toward 20 degrees past east: the hash tells.
+TEST_F(Bake, TakesBearings) {
+  bake("out", {"--frames", "0:0", "--wind-direction-deg", "20"});
+  const ProgramResult same = bake("out", {"--frames", "0:0", "--wind-direction-deg", "290", "--compass"});
+  EXPECT_THAT(same.output, testing::HasSubstr("0 frames written, 1 there already"));
+}
+
 // Fails if optional outputs are missing, or spoil the maps.
 TEST_F(Bake, WritesMeshesPicturesAndVelocity) {
   bake("plain", {"--frames", "0:1"});

@@ -22,6 +22,17 @@ TEST(DirectionText, ConvertsToBearings) {
   EXPECT_LT(direction_deg(-1e-18, DirectionStyle::travel), 360.0);
 }
 
+// Fails if a bearing that was asked for is not the one that is told: north comes as 0 and as 360.
+TEST(DirectionText, ReadsBearings) {
+  EXPECT_EQ(travel_deg(290.0), 20.0);
+  EXPECT_EQ(travel_deg(0.0), 90.0);
+  EXPECT_EQ(travel_deg(360.0), 90.0);
+  for (double bearing_deg = 0.0; bearing_deg < 360.0; bearing_deg += 15.0) {
+    EXPECT_NEAR(direction_deg(travel_deg(bearing_deg) * pi / 180.0, DirectionStyle::from_bearing),
+                bearing_deg, 1e-9);
+  }
+}
+
 // Fails if the difference of two directions jumps across north, or loses its sign.
 TEST(DirectionText, DifferencesWrap) {
   EXPECT_NEAR(direction_difference_rad(0.1, 2 * pi - 0.1), 0.2, 1e-12);
