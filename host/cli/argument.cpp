@@ -50,6 +50,17 @@ std::int64_t read_whole(std::string_view flag, std::string_view text, std::int64
   return *value;
 }
 
+double read_length_m(std::string_view flag, std::string_view text, double low_m, double high_m,
+                     std::string_view example) {
+  double value_m = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value_m);
+  const bool is_number = error == std::errc{} && end == text.data() + text.size();
+  if (!is_number || !(value_m >= low_m && value_m <= high_m)) {
+    throw bad_argument(flag, fmt::format("a number in m within [{:g}, {:g}]", low_m, high_m), text, example);
+  }
+  return value_m;
+}
+
 FrameRange read_frame_range(std::string_view flag, std::string_view text) {
   constexpr std::int64_t largest = 9'999'999;
   auto ends = pair_of(text, ':');

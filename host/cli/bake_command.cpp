@@ -1,5 +1,6 @@
 #include "host/cli/bake_command.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -28,6 +29,7 @@ struct BakeArguments {
   std::string chunk = "1/1";
   std::string compression = "zip";
   std::string channels = "displacement,slope,gradient,jacobian,foam";
+  std::string velocity_depth;
   std::string mesh;
   std::string export_file;
   bool json = false;
@@ -47,7 +49,11 @@ FrameRange frames_in_time_span(const scene::OceanScene& scene) {
   return {static_cast<int>(first), static_cast<int>(last)};
 }
 
-BakeSettings read_settings(const BakeArguments& arguments, const scene::OceanScene& scene) {
+/// The deepest sea there is, in m, for velocities where the scene's has no bed.
+constexpr double deepest_m = 12000.0;
+
+BakeSettings read_settings(const BakeArguments& arguments, const scene::OceanScene& scene,
+                           double water_depth_m) {
   BakeSettings settings = arguments.settings;
   settings.folder = arguments.folder;
   settings.frames_per_second = scene.frames_per_second;
@@ -56,6 +62,11 @@ BakeSettings read_settings(const BakeArguments& arguments, const scene::OceanSce
   settings.share = read_share("--chunk", arguments.chunk);
   settings.compression = read_compression("--compression", arguments.compression);
   settings.channels |= read_channels("--channels", arguments.channels);
+  if (!arguments.velocity_depth.empty()) {
+    settings.channels.set(static_cast<std::size_t>(ChannelGroup::velocity));
+    settings.velocity_depth_m = read_length_m("--velocity-depth-m", arguments.velocity_depth, 0.0,
+                                              std::min(deepest_m, water_depth_m), "2.5");
+  }
   settings.mesh = read_mesh_format("--mesh", arguments.mesh);
   return settings;
 }
@@ -101,8 +112,8 @@ nlohmann::json summary_json(const BakeSettings& settings, const scene::Sea& sea,
 
 void run(const BakeArguments& arguments, const GlobalOptions& options) {
   const scene::OceanScene scene = arguments.parameters.read();
-  const BakeSettings settings = read_settings(arguments, scene);
   const scene::Sea sea = scene::prepare_sea(scene);
+  const BakeSettings settings = read_settings(arguments, scene, sea.spectrum.dispersion.depth_m);
   const std::vector<ocl::DeviceInfo> devices = choose_devices(options.device);
   const EnergyShares energy = energy_shares(sea.spectrum, sea.parameters.cascades);
   if (!arguments.json) {
@@ -151,6 +162,8 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
       "of displacement, slope, gradient, jacobian, foam, velocity (default: all but velocity)");
   add_switch("--velocity", "particle velocity at the surface too",
              [&settings] { settings.channels.set(static_cast<std::size_t>(ChannelGroup::velocity)); });
+  add("--velocity-depth-m", arguments->velocity_depth, "D",
+      "particle velocity D m below the moving surface instead, down to the bed (default 0)");
   add_switch("--combined", "one file a frame with layers c0, c1, ... (default: one file a cascade)",
              [&settings] { settings.layout = FileLayout::combined; });
   add_switch("--half", "16-bit floats (default: 32-bit)",

@@ -71,9 +71,13 @@ MeshFormat read_mesh_format(std::string_view flag, std::string_view text) {
 }
 
 std::string canonical_text(const BakeSettings& settings) {
-  return fmt::format("layout {} pixel {} compression {} channels {}", static_cast<int>(settings.layout),
-                     static_cast<int>(settings.pixel_type), static_cast<int>(settings.compression),
-                     settings.channels.to_string());
+  std::string text = fmt::format("layout {} pixel {} compression {} channels {}",
+                                 static_cast<int>(settings.layout), static_cast<int>(settings.pixel_type),
+                                 static_cast<int>(settings.compression), settings.channels.to_string());
+  if (settings.has(ChannelGroup::velocity)) {
+    text += fmt::format(" velocity depth {:.17g}", settings.velocity_depth_m);
+  }
+  return text;
 }
 
 }  // namespace offing::cli

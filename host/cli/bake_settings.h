@@ -31,6 +31,7 @@ struct BakeSettings {
   PixelType pixel_type = PixelType::float_32;
   ExrCompression compression = ExrCompression::zip;
   ChannelGroups channels;
+  double velocity_depth_m = 0.0;  ///< of the velocity channels, below the instantaneous surface
   MeshFormat mesh = MeshFormat::none;
   PreviewUse preview = PreviewUse::none;
   ForeignFrames foreign = ForeignFrames::refuse;

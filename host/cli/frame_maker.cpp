@@ -21,7 +21,7 @@ BakedFrame FrameMaker::make(int frame) {
       fields.foam = ocean_.read_foam(cascade);
     }
     if (settings_.has(ChannelGroup::velocity)) {
-      fields.velocity = ocean_.read_velocity(cascade);
+      fields.velocity = ocean_.read_velocity(cascade, settings_.velocity_depth_m);
     }
   }
   if (settings_.mesh != MeshFormat::none) {

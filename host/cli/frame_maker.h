@@ -15,7 +15,7 @@ struct BakedFrame {
   struct CascadeFields {
     ocean::SurfaceFields surface;
     std::vector<float> foam;         ///< [n][n], or empty
-    ocean::VelocityFields velocity;  ///< at the surface, or empty
+    ocean::VelocityFields velocity;  ///< at the settings' depth, or empty
   };
   int number = 0;
   double time_s = 0.0;

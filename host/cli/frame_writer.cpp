@@ -85,6 +85,9 @@ ExrImage FrameWriter::image_of(const BakedFrame& frame) const {
   if (sea_.parameters.loop_period_s) {
     image.attributes.emplace_back("loop_period_s", *sea_.parameters.loop_period_s);
   }
+  if (settings_.has(ChannelGroup::velocity)) {
+    image.attributes.emplace_back("velocity_depth_m", settings_.velocity_depth_m);
+  }
   return image;
 }
 

@@ -114,6 +114,8 @@ const std::vector<BadInput> bad_inputs = {
      "--chunk: expected i/n .*got \"3/2\""},
     {"unknown_channel", nothing, bake({"--channels", "height", "-o", "@/out"}), 2,
      "--channels: .*got \"height\""},
+    {"velocity_below_the_bed", nothing, bake({"--depth-m", "20", "--velocity-depth-m", "21", "-o", "@/out"}),
+     2, "--velocity-depth-m: expected a number in m within \\[0, 20\\], got \"21\""},
     {"unknown_compression", nothing, bake({"--compression", "jpeg", "-o", "@/out"}), 2,
      "--compression: .*got \"jpeg\""},
     {"unknown_device", nothing, stats({"--device", "abacus"}), 3, ".*abacus.*"},

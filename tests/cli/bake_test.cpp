@@ -1,3 +1,4 @@
+#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <set>
@@ -257,6 +258,46 @@ TEST_F(Bake, WritesMeshesPicturesAndVelocity) {
   EXPECT_THAT(channel_names(read_exr(folder("velocity") / "ocean.c0.0000.exr")),
               UnorderedElementsAre("displacement.X", "displacement.Y", "displacement.Z", "velocity.X",
                                    "velocity.Y", "velocity.Z"));
+}
+
+// Fails if the depth of the velocity is ignored, not told in the header, or overlooked by the hash. Swell of
+// 8 s in deep water, k = w^2 / g = 0.0629 rad/m, moves e^{-10 k} = 0.533 as fast 10 m down; its modes lie up
+// to 12 % of k apart on this patch, thus within 0.45 ... 0.62.
+TEST_F(Bake, WritesVelocityAtDepth) {
+  const auto swell = [&](const char* name, const char* depth_m) {
+    return std::vector<std::string>{"ocean",
+                                    "bake",
+                                    "--size",
+                                    "32",
+                                    "--patch-m",
+                                    "800",
+                                    "--spectrum",
+                                    "swell",
+                                    "--swell-period-s",
+                                    "8",
+                                    "--frames",
+                                    "0:0",
+                                    "--velocity-depth-m",
+                                    depth_m,
+                                    "-o",
+                                    folder(name).string()};
+  };
+  const auto speed_mps = [&](const char* name) {
+    double sum = 0.0;
+    const ExrContent image = read_exr(folder(name) / "ocean.c0.0000.exr");
+    for (const char* channel : {"velocity.X", "velocity.Y", "velocity.Z"}) {
+      for (const float value : image.channel(channel)) {
+        sum += static_cast<double>(value) * value;
+      }
+    }
+    return std::sqrt(sum / (size * size));
+  };
+  ASSERT_EQ(run_offing(swell("top", "0")).exit_code, 0);
+  ASSERT_EQ(run_offing(swell("deep", "10")).exit_code, 0);
+  EXPECT_EQ(attribute<double>(read_exr(folder("deep") / "ocean.c0.0000.exr"), "velocity_depth_m"), 10.0);
+  EXPECT_GT(speed_mps("deep") / speed_mps("top"), 0.45);
+  EXPECT_LT(speed_mps("deep") / speed_mps("top"), 0.62);
+  EXPECT_EQ(run_offing(swell("deep", "9")).exit_code, 2);
 }
 
 // Fails if pictures asked for later are not added to finished frames.
