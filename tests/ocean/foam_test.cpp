@@ -117,7 +117,7 @@ TEST_F(FoamTest, NoneWithoutFolding) {
 }
 
 // Fails if values that each are in range together ask for millions of past instants: minutes and gigabytes
-// for one frame, without a word. 100 steps are allowed, also where products are rounded (100 x 0.009 < 0.9).
+// for one frame, without a word. 100 steps are allowed, also where products are rounded (100 x 0.011 < 1.1).
 TEST_F(FoamTest, RefusesMoreInstantsThanAFrameHasTimeFor) {
   OceanParameters wanted = parameters();
   wanted.foam.decay_s = 3600.0;
@@ -127,7 +127,7 @@ TEST_F(FoamTest, RefusesMoreInstantsThanAFrameHasTimeFor) {
   EXPECT_THAT(hint, testing::HasSubstr("foam.step_s to 36 or more, or foam.decay_s to 25 or less"));
   wanted.foam.step_s = 35.9;
   test::expect_error(ErrorKind::bad_input, "ocean.foam", [&] { sea(wanted); });
-  for (const auto& [decay_s, step_s] : {std::pair{3600.0, 36.0}, {0.9, 0.009}, {0.01, 60.0}}) {
+  for (const auto& [decay_s, step_s] : {std::pair{3600.0, 36.0}, {1.1, 0.011}, {0.01, 60.0}}) {
     wanted.foam.decay_s = decay_s;
     wanted.foam.step_s = step_s;
     EXPECT_NO_THROW(sea(wanted));
