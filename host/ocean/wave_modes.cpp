@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
+
+#include "host/base/error.h"
 #include "host/ocean/spectrum_table.h"
 #include "host/ocl/program.h"
 #include "kernels/shared/ocean_params.h"
@@ -13,14 +16,42 @@ namespace offing::ocean {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-constexpr double ticks_per_second = 32.0;
-constexpr double cycles_of_all_ticks = 4294967296.0;  // 2^32
-constexpr double loop_instants = 268435456.0;         // 2^28: a loop of 100 s has one every 0.4 us
-constexpr std::int64_t ticks_per_loop_instant = 16;   // 2^32 / 2^28
-constexpr int strip_columns = 16;                     // columns that lie together in the arrays of modes
+constexpr double usual_ticks_per_second = 32.0;    // all waves longer than a centimetre are slower than 32 Hz
+constexpr double all_ticks = 4294967296.0;         // 2^32
+constexpr double largest_loop_cycles = 4194304.0;  // 2^22: 32 Hz in a loop of a day
+constexpr double loop_instants = 268435456.0;      // 2^28: a loop of 100 s has one every 0.4 us
+constexpr std::int64_t ticks_per_loop_instant = 16;  // 2^32 / 2^28
+constexpr int strip_columns = 16;                    // columns that lie together in the arrays of modes
 
 double wavenumber_step_radpm(const Cascade& cascade) {
   return two_pi / cascade.patch_length_m;
+}
+
+// That of the wave in the corner of the shortest patch: frequencies grow with the wavenumber.
+double fastest_hz(const Dispersion& dispersion, std::span<const Cascade> cascades, int size) {
+  double shortest_m = cascades.front().patch_length_m;
+  for (const Cascade& cascade : cascades) shortest_m = std::min(shortest_m, cascade.patch_length_m);
+  const double highest_radpm = two_pi / shortest_m * (size / 2 - 1) * std::numbers::sqrt2;
+  return dispersion.omega_radps(highest_radpm) / two_pi;
+}
+
+// Ticks for waves up to this frequency, which stay below one cycle a tick.
+double ticks_per_second_for(double highest_hz) {
+  double ticks = usual_ticks_per_second;
+  while (ticks <= highest_hz) ticks *= 2.0;
+  return ticks;
+}
+
+void require_loop_resolves(double loop_period_s, double highest_hz) {
+  if (loop_period_s * highest_hz <= largest_loop_cycles) return;
+  const double longest_s = std::floor(largest_loop_cycles / highest_hz);
+  throw Error(
+      ErrorKind::bad_input,
+      fmt::format("ocean.loop_period_s: expected at most {:g} s for waves of {:.3g} Hz, the fastest on the "
+                  "shortest patch, found {:g} s",
+                  longest_s, highest_hz, loop_period_s),
+      fmt::format("set loop_period_s to {:g} or less, or choose longer patches or a smaller size",
+                  longest_s));
 }
 
 }  // namespace
@@ -32,6 +63,9 @@ WaveModes::WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum,
       size_(size),
       columns_(std::max(size / 2, strip_columns)),
       loop_period_s_(loop_period_s) {
+  const double highest_hz = fastest_hz(spectrum.dispersion, cascades, size);
+  ticks_per_second_ = ticks_per_second_for(highest_hz);
+  if (loop_period_s) require_loop_resolves(*loop_period_s, highest_hz);
   const auto n = static_cast<std::size_t>(size);
   const SpectrumTable table = tabulate(spectrum);
   const ocl::Buffer<float> table_buffer(device, table.values, "spectrum table");
@@ -78,7 +112,8 @@ std::vector<std::uint32_t> WaveModes::rates(const Dispersion& dispersion) const 
         // A looping wave keeps at least one cycle, so that none stands still.
         const double cycles = loop_period_s_ ? std::max(1.0, std::round(omega / two_pi * *loop_period_s_))
                                              : std::round(omega / radps_per_rate());
-        const auto rate = static_cast<std::uint32_t>(std::min(cycles, cycles_of_all_ticks - 1.0));
+        // One below a cycle a tick at most, also where rounding reaches it.
+        const auto rate = static_cast<std::uint32_t>(std::min(cycles, all_ticks - 1.0));
         plane[place(row, column)] = rate;
         if (row > 0) plane[place(size_ - row, column)] = rate;
       }
@@ -103,14 +138,14 @@ WaveClock WaveModes::clock(double time_s) const {
     const double instant = std::round(std::fmod(time_s, *loop_period_s_) / *loop_period_s_ * loop_instants);
     return {static_cast<std::uint32_t>(static_cast<std::int64_t>(instant) * ticks_per_loop_instant), 0.0f};
   }
-  const double ticks = time_s * ticks_per_second;
+  const double ticks = time_s * ticks_per_second_;
   const double whole = std::floor(ticks);
   return {static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)),
           std::min(static_cast<float>(ticks - whole), 0x1.fffffep-1f)};
 }
 
 double WaveModes::radps_per_rate() const {
-  return loop_period_s_ ? two_pi / *loop_period_s_ : two_pi * ticks_per_second / cycles_of_all_ticks;
+  return loop_period_s_ ? two_pi / *loop_period_s_ : two_pi * ticks_per_second_ / all_ticks;
 }
 
 std::vector<float> WaveModes::variance(int cascade) const {

@@ -20,11 +20,15 @@ struct WaveClock {
 
 /// The random modes of every cascade on the device: what a sea is before a time is chosen.
 ///
-/// Frequencies are whole numbers of cycles per 2^32 ticks. Without a loop a tick is 1/32 s, so that the
-/// resolution is 7.5e-9 Hz and phases are exact for four years; with a loop period T, 2^32 ticks are T, so
-/// that every wave repeats exactly after T.
+/// Frequencies are whole numbers of cycles per 2^32 ticks. Without a loop there are 32 ticks a second, so
+/// that the resolution is 7.5e-9 Hz and phases are exact for years; in a sea with faster waves, ripples of a
+/// few millimetres on a small patch, the next power of two above the fastest wave's frequency, with a
+/// resolution of 2.4e-10 of that frequency or finer. With a loop period T, 2^32 ticks are T, so that every
+/// wave repeats exactly after T.
 class WaveModes {
  public:
+  /// Throws Error(bad_input) if the fastest wave makes more than 2^22 cycles in the loop: its phase would
+  /// move in steps of more than 2^-6 turns.
   WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum, std::span<const Cascade> cascades,
             int size, std::optional<double> loop_period_s);
 
@@ -57,6 +61,7 @@ class WaveModes {
   int size_;
   int columns_;
   std::optional<double> loop_period_s_;
+  double ticks_per_second_;  // unused in a loop
   ocl::Kernel initial_;
   std::vector<ocl::Buffer<float>> variance_;  // a cascade each
   ocl::Buffer<float> amplitude_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host/ocean/cascades.h"
@@ -10,6 +11,7 @@
 #include "host/ocean/spectrum_parameters.h"
 #include "tests/ocean/drawn_modes.h"
 #include "tests/ocean/field_statistics.h"
+#include "tests/ocl/expect_error.h"
 
 namespace offing::ocean {
 namespace {
@@ -122,6 +124,17 @@ TEST_F(OceanLoopTest, KeepsTheSeaState) {
     }
   }
   EXPECT_LT(std::abs(difference_m2), 3.0 * std::sqrt(scatter * 2.0 / seeds));
+}
+
+// Fails if a loop takes waves that it cannot show: 2^28 instants a turn are coarse for one that makes
+// millions of cycles in it. The fastest wave here has 83 Hz, so that 2^22 cycles take 14 hours.
+TEST_F(OceanLoopTest, RefusesMoreCyclesThanItResolves) {
+  const std::vector<Cascade> short_patch = {{0.01, 0.0, 1e9}};
+  const auto make = [&](double period_s) { return WaveModes(device_, spectrum_, short_patch, 64, period_s); };
+  const std::string hint = test::expect_error(
+      ErrorKind::bad_input, "expected at most 50696 s for waves of 82.7 Hz", [&] { make(86400.0); });
+  EXPECT_THAT(hint, testing::HasSubstr("set loop_period_s to 50696 or less"));
+  EXPECT_NO_THROW(make(50600.0));
 }
 
 }  // namespace

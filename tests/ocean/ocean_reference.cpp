@@ -94,8 +94,18 @@ double OceanReference::omega_radps(int cascade, int column, int row, Frequencies
     return 2.0 * pi / *parameters_.loop_period_s *
            std::max(1.0, std::round(exact / (2.0 * pi) * *parameters_.loop_period_s));
   }
-  const double clock_hz = 0x1p-27;
+  const double clock_hz = std::max(0x1p-27, 0x1p-32 * std::exp2(std::floor(std::log2(fastest_hz())) + 1.0));
   return 2.0 * pi * clock_hz * std::round(exact / (2.0 * pi) / clock_hz);
+}
+
+double OceanReference::fastest_hz() const {
+  double fastest_radps = 0.0;
+  for (std::size_t cascade = 0; cascade < initial_.size(); ++cascade) {
+    const int last = parameters_.size / 2 - 1;
+    fastest_radps =
+        std::max(fastest_radps, omega_radps(static_cast<int>(cascade), last, last, Frequencies::exact));
+  }
+  return fastest_radps / (2.0 * pi);
 }
 
 OceanReference::Evolved OceanReference::evolved(int cascade, double time_s, Frequencies frequencies) const {

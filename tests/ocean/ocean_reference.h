@@ -41,6 +41,8 @@ class OceanReference {
   const ComplexField& initial(int cascade) const { return initial_[static_cast<std::size_t>(cascade)]; }
   /// omega(K) as the clock holds it, rad/s, for wave (column, row).
   double omega_radps(int cascade, int column, int row, Frequencies frequencies) const;
+  /// Of all cascades' waves.
+  double fastest_hz() const;
 
  private:
   struct Evolved {
