@@ -16,7 +16,7 @@ struct Cascade {
 };
 
 /// Wavenumber up to which a patch of n samples resolves all directions: (n/2 - 1) * 2 pi / L. The Nyquist row
-/// and column carry nothing (PAPERS O2).
+/// and column carry nothing (O2).
 double resolved_wavenumber_radpm(double patch_length_m, int size);
 
 /// Variance, m^2, of the waves that are too long for any mode of this patch: those within the cell of K = 0,

@@ -4,7 +4,7 @@
 
 namespace offing::ocean {
 
-/// Relation between wavenumber and frequency of linear water waves (PAPERS O3):
+/// Relation between wavenumber and frequency of linear water waves (O3 of docs/sources.md):
 /// omega^2 = g k (1 + k^2 l^2) tanh(k D), l^2 = sigma / (rho g). Deep water is D = +inf, gravity waves l = 0.
 struct Dispersion {
   double gravity_mps2 = 9.81;

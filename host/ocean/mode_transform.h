@@ -12,7 +12,7 @@ namespace offing::ocean {
 
 /// The two kernels that turn modes into fields: a caller's kernels joined to the passes of an inverse
 /// transform, for all cascades at once. The first pass makes `half_fields` fields of the columns with kx >=
-/// 0; the second makes `row_fields` pairs of real fields from them (PAPERS O10).
+/// 0; the second makes `row_fields` pairs of real fields from them (O10).
 class ModeTransform {
  public:
   struct Request {

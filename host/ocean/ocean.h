@@ -12,9 +12,9 @@
 
 namespace offing::ocean {
 
-/// Foam from folding crests (DESIGN 2): coverage c(J) = clamp((onset_jacobian - J) / width, 0, 1), and at
-/// time t the largest coverage of the last four decay times, decayed: max over j of c(J(t_q - j step)) exp(-j
-/// step / decay).
+/// Foam from folding crests (J of O7 in docs/sources.md): coverage c(J) = clamp((onset_jacobian - J) / width,
+/// 0, 1), and at time t the largest coverage of the last four decay times, decayed: max over j of c(J(t_q - j
+/// step)) exp(-j step / decay).
 struct FoamParameters {
   double onset_jacobian = 0.6;  ///< J at which foam begins to appear
   double width = 0.6;           ///< J below the onset at which coverage is full
@@ -27,7 +27,7 @@ struct OceanParameters {
   int size = 512;                 ///< n, samples along a patch: a power of two, 16 ... 4096
   std::vector<Cascade> cascades;  ///< 1 ... 4
   std::uint64_t seed = 1;
-  double choppiness = 1.0;                   ///< alpha >= 0 of PAPERS O7
+  double choppiness = 1.0;                   ///< alpha >= 0 of O7
   std::optional<double> loop_period_s = {};  ///< the surface repeats exactly after this time
   FoamParameters foam = {};
 };
@@ -54,7 +54,7 @@ struct SampleGrid {
   int columns = 0, rows = 0;
 };
 
-/// The composed sea on a SampleGrid, each [rows][columns]: sums of all cascades, then F (PAPERS O7, O9).
+/// The composed sea on a SampleGrid, each [rows][columns]: sums of all cascades, then F (O7, O9).
 struct ComposedFields {
   int columns = 0, rows = 0;
   std::vector<float> displacement_x, displacement_y, displacement_z;  ///< m
@@ -62,7 +62,8 @@ struct ComposedFields {
   std::vector<float> jacobian, jacobian_min_eigenvalue;
 };
 
-/// A spectral sea on a device (PAPERS O1-O7, O10): 1-4 cascades of periodic patches, reachable at any time.
+/// A spectral sea on a device (O1-O7, O10 of docs/sources.md): 1-4 cascades of periodic patches, reachable at
+/// any time.
 ///
 /// at() enqueues; read_*() wait and copy to the host. Same seed and parameters give the same sea on every
 /// device within 1e-4 Hs.

@@ -12,7 +12,7 @@ namespace offing::ocean {
 using DirectionalDensity = std::function<double(double direction_rad)>;
 
 /// A directional sea: S(omega, theta) = E(omega) D(omega, theta), the one-sided variance density over
-/// frequency and the full circle of directions of travel; m0 is its double integral (PAPERS O5). Immutable;
+/// frequency and the full circle of directions of travel; m0 is its double integral (O5 of docs/sources.md). Immutable;
 /// made by make_sea_spectrum() or from_measured().
 struct SeaSpectrum {
   std::function<double(double omega_radps)> energy;  ///< E, m^2 s/rad

@@ -113,8 +113,9 @@ void use_tma(SeaSpectrum& spectrum, const SpectrumParameters& parameters) {
   std::sort(spectrum.kinks_radps.begin(), spectrum.kinks_radps.end());
 }
 
-/// PAPERS O5: P(K) = A exp(-1 / (kL)^2) / k^4 |cos|^2, times exp(-k^2 l^2) and the factor for waves against
-/// the wind. The direction integrates to pi / 2 for either half of the circle; E takes that, D is normalised.
+/// Lee & Lee 2007, eq. 5 (O5): P(K) = A exp(-1 / (kL)^2) / k^4 |cos|^2, times exp(-k^2 l^2) and the factor
+/// for waves against the wind. The direction integrates to pi / 2 for either half of the circle; E takes
+/// that, D is normalised.
 void use_phillips(SeaSpectrum& spectrum, const SpectrumParameters& parameters) {
   const Dispersion dispersion = spectrum.dispersion;
   const double length_m = parameters.wind_speed_mps * parameters.wind_speed_mps / dispersion.gravity_mps2;

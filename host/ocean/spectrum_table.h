@@ -7,7 +7,7 @@
 namespace offing::ocean {
 
 /// The spectrum as the device reads it: T(ln k, theta) = S(omega, theta) d omega / d ln k, the variance of
-/// waves per unit ln k and rad, m^2. The density over the wavenumber plane is P(K) = T / k^2 (PAPERS O5).
+/// waves per unit ln k and rad, m^2. The density over the wavenumber plane is P(K) = T / k^2 (O5).
 struct SpectrumTable {
   int wavenumber_count = 0;   ///< nk
   int direction_count = 0;    ///< nd, spaced 2 pi / nd from theta = 0, periodic

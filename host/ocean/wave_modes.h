@@ -23,7 +23,7 @@ struct WaveClock {
 /// Frequencies are whole numbers of cycles per 2^32 ticks. Without a loop there are 32 ticks a second, so
 /// that the resolution is 7.5e-9 Hz and phases are exact for years; in a sea with faster waves, ripples of a
 /// few millimetres on a small patch, the next power of two above the fastest wave's frequency, with a
-/// resolution of 2.4e-10 of that frequency or finer. With a loop period T, 2^32 ticks are T, so that every
+/// resolution of 4.7e-10 of that frequency or finer. With a loop period T, 2^32 ticks are T, so that every
 /// wave repeats exactly after T.
 class WaveModes {
  public:

@@ -1,7 +1,8 @@
 // Foam that folding crests make at one instant.
 // In:  displacement, gradient [n][n] float4 of ocean/surface_assemble.cl, from texel `first` on.
 // Out: coverage [n][n] half, 0 ... 1: clamp((onset - J) / width, 0, 1).
-// Source: DESIGN 2 of the foam model; J of PAPERS O7.
+// Where J is small the surface folds or is about to: Tessendorf 2001, "Simulating ocean water". F after Lee & Lee
+// 2007, eq. 7, corrected (O7).
 #include "ocean/deformation.clh"
 
 __kernel void foam_coverage(__global const float4 *restrict displacement, __global const float4 *restrict gradient,

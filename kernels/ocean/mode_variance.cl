@@ -3,8 +3,8 @@
 // Out: variance [n][n] m^2, row-major, K = 0 at [0][0]: the integral of P(K) over the mode's cell of the wavenumber plane
 //      (dk x dk around K), as far as it lies in the band k_min <= |K| < k_max. So the sum over all modes keeps the energy
 //      of features narrower than a cell, and bands that touch share the cells on their border without overlap.
-//      K = 0 and the Nyquist row and column, which have no partner, carry nothing (O2).
-// Source: PAPERS O4, O5.
+//      K = 0 and the Nyquist row and column, which have no partner, carry nothing.
+// Lee & Lee 2007, eq. 4 and 5, with the cell's size and any spectrum (O4, O5).
 #include "shared/ocean_params.h"
 
 // Points along a cell's edge: features of 2 % of k are seen at every k, and cells that the band's edge cuts get at least

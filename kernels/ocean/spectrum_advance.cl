@@ -5,8 +5,8 @@
 //        0: h    1: kz h    2: a h/k    3: a kz h/k    4: a kz^2 h/k
 //      Factors of kx commute with a transform along z, so that these five give all eight real fields of the surface, and
 //      columns with kx < 0 are conjugates: ocean/surface_assemble.cl makes both.
-// Wave K travels toward +K: h = h0(K) e^{-i w t} + conj(h0(-K)) e^{+i w t}. Lee & Lee 2007 eq. 2, corrected (PAPERS O2,
-// O6, O7, O10).
+// Wave K travels toward +K: h = h0(K) e^{-i w t} + conj(h0(-K)) e^{+i w t}. Lee & Lee 2007,
+// eq. 2, corrected, 6, 7 and 9 (O2, O6, O7, O10).
 #include "ocean/wave_phase.clh"
 
 #define FFT_COLUMN_KERNEL spectrum_advance

@@ -4,7 +4,7 @@
 //      zero): P and Q, real and imaginary, with h(K, t) = P cos(w t) + Q sin(w t), that is
 //      P = h0(K) + conj(h0(-K)), Q = -i (h0(K) - conj(h0(-K))).
 // h0 = (xr + i xi)/2 sqrt(variance), x independent N(0, 1) of (seed, cascade, n, m): the same waves at every size of the
-// same patch. Wave K travels toward +K. Lee & Lee 2007, eq. 2, corrected (PAPERS O2, O4).
+// same patch. Wave K travels toward +K. Lee & Lee 2007, eq. 2 and 4, corrected (O2, O4).
 #include "shared/ocean_params.h"
 #include "shared/random.h"
 

@@ -3,7 +3,8 @@
 // Out: displacement [cascades][n][n] float4 (dx m, h m, dz m, d dx/dz),
 //      gradient     [cascades][n][n] float4 (dh/dx, dh/dz, d dx/dx, d dz/dz), row = z, column = x, at rest labels.
 // (dx, dz) = -a D of the paper: crests sharpen for choppiness a > 0. With H = h(kx, kz) after the first pass:
-//   dx = i a kx/k H, dz = i a kz/k H, slopes = i K H, d dx/dx = -a kx^2/k H, and so on. PAPERS O6, O7, O10.
+//   dx = i a kx/k H, dz = i a kz/k H, slopes = i K H, d dx/dx = -a kx^2/k H, and so on. Lee & Lee 2007,
+// eq. 6, 7 and 9 (O6, O7, O10).
 #include "ocean/half_rows.clh"
 
 #define FFT_ROW_LOAD(field, row, column, upper, re, im)                                                           \

@@ -3,7 +3,7 @@
 // Out: position [rows][columns] float4 (dx, h, dz m, J); shape [rows][columns] float4 (slope x, slope z of the displaced
 //      surface, smaller eigenvalue of F, 0). Cascades are bilinear between texels and periodic.
 // Displacements, slopes and gradients add over cascades; then F = I + sum grad, slope = F^-T sum s, with |det F| kept
-// above 0.05 where the surface is about to fold. Source: PAPERS O7, O9.
+// above 0.05 where the surface is about to fold. Lee & Lee 2007, eq. 7 and section 2.3 (O7, O9).
 // The grid is in memory, not an argument by value: Mesa 22.3 crashes on arguments that are indexed by a variable.
 #include "ocean/deformation.clh"
 #include "shared/ocean_params.h"

@@ -1,7 +1,7 @@
 // Jacobian of one cascade's displacement.
 // In:  displacement, gradient [n][n] float4 of ocean/surface_assemble.cl, from texel `first` on.
 // Out: jacobian [n][n] float2: J = det F and the smaller eigenvalue of F = I + grad(dx, dz). The surface folds where J <= 0.
-// Source: PAPERS O7.
+// Lee & Lee 2007, eq. 7, corrected (O7).
 #include "ocean/deformation.clh"
 
 __kernel void surface_jacobian(__global const float4 *restrict displacement, __global const float4 *restrict gradient,

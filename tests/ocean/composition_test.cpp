@@ -1,4 +1,5 @@
-// The composed surface: cascades add, then F = I + sum grad d, J = det F, slope = F^-T sum s (PAPERS O7, O9).
+// The composed surface: cascades add, then F = I + sum grad d, J = det F, slope = F^-T sum s (O7, O9 of
+// docs/sources.md).
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -26,9 +26,9 @@ struct ReferenceVelocity {
   RealField x, y, z;
 };
 
-/// A spectral sea as PAPERS O1-O7 define it, summed wave by wave in double precision on the host: random
-/// amplitudes, evolution, every field's factor and the transform are written again, without the device's
-/// packing, symmetry or phase clock. Only the expected variances are given.
+/// A spectral sea as O1-O7 of docs/sources.md define it, summed wave by wave in double precision on the host:
+/// random amplitudes, evolution, every field's factor and the transform are written again, without the
+/// device's packing, symmetry or phase clock. Only the expected variances are given.
 class OceanReference {
  public:
   /// variance [cascades][n][n] m^2, of Ocean::mode_variance().
