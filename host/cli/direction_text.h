@@ -6,8 +6,7 @@ namespace offing::cli {
 /// north.
 enum class DirectionStyle { travel, from_bearing };
 
-/// Degrees in [0, 360) of a direction of travel in rad. "From" bearing = 270 deg + theta (PAPERS,
-/// conventions).
+/// Degrees in [0, 360) of a direction of travel theta in rad. "From" bearing = 270 deg + theta.
 double direction_deg(double direction_rad, DirectionStyle style);
 
 /// Degrees of travel, in [-180, 180], of a "from" bearing.

@@ -8,14 +8,14 @@ namespace offing::fft {
 /// Sign of the exponent. Neither direction scales: inverse(forward(x)) = n^2 x.
 enum class Direction {
   forward,  ///< X(k) = sum x(j) e^(-2 pi i jk / n)
-  inverse,  ///< x(j) = sum X(k) e^(+2 pi i jk / n), the transform of PAPERS O1
+  inverse,  ///< x(j) = sum X(k) e^(+2 pi i jk / n), the sum of Lee & Lee 2007, eq. 1
 };
 
 /// Batched two-dimensional complex transforms of one size in single precision, n a power of two from 16 to
 /// 4096. Arrays are interleaved complex: float [batch][n][n][2], row-major.
 ///
 /// The root mean square error is within log2(n^2) u (1 + 4 sqrt 2), u = 2^-24, of the result (Higham 2002,
-/// ch. 24); tests/fft/fft2d_test.cpp has the measured values. Source: PAPERS O11.
+/// ch. 24); tests/fft/fft2d_test.cpp has the measured values. Sources: kernels/README.md.
 class Fft2d {
  public:
   /// Throws Error(bad_input) if size is not a power of two in [16, 4096] or batch < 1.

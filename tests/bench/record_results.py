@@ -9,7 +9,7 @@ import re
 import subprocess
 import sys
 
-# Frames a second that Lee & Lee print (PAPERS O15): size -> (GeForce 6800 Ultra, Pentium 4 at 3 GHz with FFTW).
+# Frames a second that Lee & Lee 2007 print, tables 2 and 3: size -> (GeForce 6800 Ultra, Pentium 4 at 3 GHz with FFTW).
 PAPER_TRANSFORM_FPS = {64: (1925, 3300), 128: (600, 970), 256: (178, 222), 512: (39, 13), 1024: (8, 3)}
 PAPER_SIMULATION_FPS = {64: (399, 75), 128: (220, 52), 256: (85, 23), 512: (21, 3), 1024: (4, 0.8)}
 

@@ -78,7 +78,7 @@ TEST(PreviewSurface, LargeFieldsAreAveragedDown) {
   EXPECT_FLOAT_EQ(sample.variance_xx, 3.0f);  // mean of 16, 0, 0, 0 less 1
 }
 
-// Fails if foam does not follow DESIGN's ramp, c = (onset - J) / width, or given foam is lost.
+// Fails if foam does not follow its ramp, c = (onset - J) / width, or given foam is lost.
 // Gate 1e-3: the ramp's corners are rounded over 0.001.
 TEST(PreviewSurface, FoamFollowsTheJacobian) {
   ocean::SurfaceFields fields = calm_sea(16);

@@ -17,7 +17,7 @@ inline ocean::SurfaceFields calm_sea(int size) {
 }
 
 /// One wave along +x, amplitude a, `waves` of them over the patch, choppiness 1: at label x the elevation is
-/// a cos(k x) and the shift -a sin(k x) (PAPERS O7).
+/// a cos(k x) and the shift -a sin(k x) (O7 of docs/sources.md).
 inline ocean::SurfaceFields one_wave(int size, double patch_length_m, int waves, double amplitude_m) {
   ocean::SurfaceFields fields = calm_sea(size);
   const double k_radpm = 2.0 * std::numbers::pi * waves / patch_length_m;
