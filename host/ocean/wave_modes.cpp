@@ -10,6 +10,7 @@
 #include "host/base/error.h"
 #include "host/ocean/spectrum_table.h"
 #include "host/ocl/program.h"
+#include "kernels/shared/mode_layout.h"
 #include "kernels/shared/ocean_params.h"
 
 namespace offing::ocean {
@@ -21,7 +22,6 @@ constexpr double all_ticks = 4294967296.0;         // 2^32
 constexpr double largest_loop_cycles = 4194304.0;  // 2^22: 32 Hz in a loop of a day
 constexpr double loop_instants = 268435456.0;      // 2^28: a loop of 100 s has one every 0.4 us
 constexpr std::int64_t ticks_per_loop_instant = 16;  // 2^32 / 2^28
-constexpr int strip_columns = 16;                    // columns that lie together in the arrays of modes
 
 double wavenumber_step_radpm(const Cascade& cascade) {
   return two_pi / cascade.patch_length_m;
@@ -61,7 +61,7 @@ WaveModes::WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum,
     : device_(device),
       cascades_(cascades.begin(), cascades.end()),
       size_(size),
-      columns_(std::max(size / 2, strip_columns)),
+      columns_(std::max(size / 2, MODE_STRIP_COLUMNS)),
       loop_period_s_(loop_period_s) {
   const double highest_hz = fastest_hz(spectrum.dispersion, cascades, size);
   ticks_per_second_ = ticks_per_second_for(highest_hz);
@@ -72,8 +72,7 @@ WaveModes::WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum,
   const ocl::Kernel variance_kernel =
       ocl::Program::build(device, "ocean/mode_variance.cl").kernel("mode_variance");
   std::vector<float> steps;
-  for (std::size_t i = 0; i < cascades_.size(); ++i) {
-    const Cascade& cascade = cascades_[i];
+  for (const Cascade& cascade : cascades_) {
     const OceanSpectrumParams params{
         .wavenumber_step_radpm = static_cast<float>(wavenumber_step_radpm(cascade)),
         .k_min_radpm = static_cast<float>(cascade.k_min_radpm),
@@ -82,29 +81,24 @@ WaveModes::WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum,
         .log_k_step = static_cast<float>(table.log_k_step),
         .wavenumber_count = table.wavenumber_count,
         .direction_count = table.direction_count,
-        .cascade = static_cast<int>(i)};
+        .padding = 0};
     steps.push_back(params.wavenumber_step_radpm);
     variance_.emplace_back(device, n * n, "mode variance");
     variance_kernel.launch({{n, n, 1}}, table_buffer, params, size, variance_.back());
   }
   initial_ = ocl::Program::build(device, "ocean/spectrum_initial.cl").kernel("spectrum_initial");
-  const std::size_t modes = cascades_.size() * static_cast<std::size_t>(columns_) * n;
+  const std::size_t modes = cascades_.size() * mode_plane_size(columns_, size);
   amplitude_ = ocl::Buffer<float>(device, 4 * modes, "wave amplitudes");
   rate_ = ocl::Buffer<std::uint32_t>(device, rates(spectrum.dispersion), "wave frequencies");
   wavenumber_step_ = ocl::Buffer<float>(device, steps, "wavenumber steps");
 }
 
 std::vector<std::uint32_t> WaveModes::rates(const Dispersion& dispersion) const {
-  const auto n = static_cast<std::size_t>(size_);
-  std::vector<std::uint32_t> rates(cascades_.size() * static_cast<std::size_t>(columns_) * n, 0);
+  const std::size_t plane_size = mode_plane_size(columns_, size_);
+  std::vector<std::uint32_t> rates(cascades_.size() * plane_size, 0);
   for (std::size_t i = 0; i < cascades_.size(); ++i) {
     const double step = wavenumber_step_radpm(cascades_[i]);
-    std::uint32_t* plane = &rates[i * static_cast<std::size_t>(columns_) * n];
-    const auto place = [&](int row, int column) {
-      return (static_cast<std::size_t>(column / strip_columns) * n + static_cast<std::size_t>(row)) *
-                 strip_columns +
-             static_cast<std::size_t>(column % strip_columns);
-    };
+    std::uint32_t* plane = &rates[i * plane_size];
     for (int column = 0; column < size_ / 2; ++column) {
       for (int row = 0; row < size_ / 2; ++row) {
         if (row == 0 && column == 0) continue;
@@ -114,8 +108,8 @@ std::vector<std::uint32_t> WaveModes::rates(const Dispersion& dispersion) const 
                                              : std::round(omega / radps_per_rate());
         // One below a cycle a tick at most, also where rounding reaches it.
         const auto rate = static_cast<std::uint32_t>(std::min(cycles, all_ticks - 1.0));
-        plane[place(row, column)] = rate;
-        if (row > 0) plane[place(size_ - row, column)] = rate;
+        plane[mode_place(row, column, size_)] = rate;
+        if (row > 0) plane[mode_place(size_ - row, column, size_)] = rate;
       }
     }
   }

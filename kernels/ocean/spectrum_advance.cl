@@ -7,6 +7,7 @@
 //      columns with kx < 0 are conjugates: ocean/surface_assemble.cl makes both.
 // Wave K travels toward +K: h = h0(K) e^{-i w t} + conj(h0(-K)) e^{+i w t}. Lee & Lee 2007,
 // eq. 2, corrected, 6, 7 and 9 (O2, O6, O7, O10).
+#include "ocean/mode_grid.clh"
 #include "ocean/wave_phase.clh"
 
 #define FFT_COLUMN_KERNEL spectrum_advance
@@ -20,7 +21,7 @@
 
 #define FFT_COLUMN_PREPARE(slot, row, column)                                                                  \
   {                                                                                                            \
-    const size_t place = MODE_PLACE(row, column);                                                              \
+    const size_t place = mode_place(row, column, FFT_SIZE);                                                    \
     __global const float *source = amplitude + (size_t)batch * 4 * MODE_PLANE + place;                         \
     lanes cosine, sine;                                                                                        \
     wave_phase(load_uint_lanes(rate + (size_t)batch * MODE_PLANE + place), ticks, tick_fraction, &cosine, &sine); \

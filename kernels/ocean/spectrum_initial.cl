@@ -5,7 +5,7 @@
 //      P = h0(K) + conj(h0(-K)), Q = -i (h0(K) - conj(h0(-K))).
 // h0 = (xr + i xi)/2 sqrt(variance), x independent N(0, 1) of (seed, cascade, n, m): the same waves at every size of the
 // same patch. Wave K travels toward +K. Lee & Lee 2007, eq. 2 and 4, corrected (O2, O4).
-#include "shared/ocean_params.h"
+#include "shared/mode_layout.h"
 #include "shared/random.h"
 
 // Smaller amplitudes, in m, become zero: denormal numbers would halve the speed of every frame.
@@ -26,8 +26,8 @@ __kernel void spectrum_initial(__global const float *restrict variance, int size
                                __global float *restrict amplitude, int columns) {
   const int column = (int)get_global_id(0), row = (int)get_global_id(1);
   const int m = row < size / 2 ? row : row - size;
-  const size_t plane = (size_t)columns * size;
-  const size_t place = cascade * 4 * plane + ((size_t)(column / 16) * size + row) * 16 + column % 16;
+  const size_t plane = mode_plane_size(columns, size);
+  const size_t place = cascade * 4 * plane + mode_place(row, column, size);
   float2 p = (float2)(0.0f, 0.0f), q = p;
   if (column < size / 2 && m != -size / 2) {
     const float2 forward = initial_amplitude(variance, size, column, m, seed, cascade);

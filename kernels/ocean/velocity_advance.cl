@@ -3,6 +3,7 @@
 // Out: intermediate [cascades][3][n][2][FFT_PITCH]: 0: dh/dt   1: u/k   2: kz u/k, with u the horizontal speed.
 // Linear theory at z = -d under the surface (Wheeler stretching: d is measured from the instantaneous surface):
 //   vertical sinh k(D-d) / sinh kD, horizontal cosh k(D-d) / sinh kD, both e^{-kd} in deep water.
+#include "ocean/mode_grid.clh"
 #include "ocean/wave_phase.clh"
 
 #define FFT_COLUMN_KERNEL velocity_advance
@@ -18,7 +19,7 @@
 // dh/dt = w (Q cos - P sin); the horizontal velocity is i K/k times that, each with its depth factor.
 #define FFT_COLUMN_PREPARE(slot, row, column)                                                             \
   {                                                                                                       \
-    const size_t place = MODE_PLACE(row, column);                                                         \
+    const size_t place = mode_place(row, column, FFT_SIZE);                                               \
     __global const float *source = amplitude + (size_t)batch * 4 * MODE_PLANE + place;                    \
     const uint_lanes rates = load_uint_lanes(rate + (size_t)batch * MODE_PLANE + place);                  \
     const lanes inverse_k = inverse_wavenumber(column, row_wavenumber(row, step_radpm), step_radpm);      \

@@ -2,7 +2,7 @@
 #ifndef OFFING_KERNELS_SHARED_OCEAN_PARAMS_H
 #define OFFING_KERNELS_SHARED_OCEAN_PARAMS_H
 
-// One cascade's share of ocean/mode_variance.cl and ocean/spectrum_initial.cl.
+// One cascade's modes and the spectrum table, for ocean/mode_variance.cl.
 typedef struct {
   float wavenumber_step_radpm;  // 2 pi / patch length
   float k_min_radpm;            // the band: k_min <= |K| < k_max
@@ -11,7 +11,7 @@ typedef struct {
   float log_k_step;
   int wavenumber_count;  // nk, nd of the table [nk][nd]
   int direction_count;
-  int cascade;  // index, part of the random stream
+  int padding;
 } OceanSpectrumParams;
 
 // A rectangle of rest labels in the texels of each cascade, for ocean/surface_compose.cl.

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "kernels/shared/mode_layout.h"
+
 namespace offing::bench {
 namespace {
 
@@ -42,12 +44,11 @@ OceanPeer::OceanPeer(const ocean::WaveModes& modes, int cascade, float choppines
   }
 }
 
-// The device keeps columns with kx >= 0 in strips, [4][columns/16][n][16]; the peer works on rows with kz >=
-// 0. P(-K) and Q(-K) are the conjugates of P(K) and Q(K).
+// The device keeps columns with kx >= 0 (kernels/shared/mode_layout.h); the peer works on rows with kz >= 0.
+// P(-K) and Q(-K) are the conjugates of P(K) and Q(K).
 void OceanPeer::read_modes(const ocean::WaveModes& modes, int cascade) {
-  constexpr int strip = 16;
   const auto n = static_cast<std::size_t>(size_);
-  const std::size_t device_plane = static_cast<std::size_t>(modes.columns()) * n;
+  const std::size_t device_plane = mode_plane_size(modes.columns(), size_);
   std::vector<float> amplitude(fields * device_plane);
   std::vector<std::uint32_t> rate(device_plane);
   modes.amplitude().read(amplitude, fields * device_plane * static_cast<std::size_t>(cascade));
@@ -58,9 +59,7 @@ void OceanPeer::read_modes(const ocean::WaveModes& modes, int cascade) {
       const bool is_partner = column > size_ / 2;
       const int from_row = is_partner ? (size_ - row) % size_ : row;
       const int from_column = is_partner ? size_ - column : column;
-      const std::size_t from =
-          (static_cast<std::size_t>(from_column / strip) * n + static_cast<std::size_t>(from_row)) * strip +
-          static_cast<std::size_t>(from_column % strip);
+      const std::size_t from = mode_place(from_row, from_column, size_);
       const std::size_t to = static_cast<std::size_t>(row) * n + static_cast<std::size_t>(column);
       rate_[to] = rate[from];
       for (std::size_t field = 0; field < fields; ++field) {

@@ -1,5 +1,7 @@
 #include "tests/ocean/drawn_modes.h"
 
+#include "kernels/shared/mode_layout.h"
+
 namespace offing::ocean {
 namespace {
 
@@ -7,19 +9,17 @@ namespace {
 // each wave with kx >= 0, once for K = (0, kz) and (0, -kz) each.
 template <class Visit>
 void for_half_plane(int size, Visit visit) {
-  constexpr std::size_t strip = 16;
-  const auto n = static_cast<std::size_t>(size);
-  for (std::size_t column = 0; column < n / 2; ++column) {
-    for (std::size_t row = 0; row < n; ++row) {
-      if (row == n / 2) continue;
-      visit((column / strip * n + row) * strip + column % strip, row * n + column,
-            (n - row) % n * n + (n - column) % n);
+  for (int column = 0; column < size / 2; ++column) {
+    for (int row = 0; row < size; ++row) {
+      if (row == size / 2) continue;
+      visit(mode_place(row, column, size), static_cast<std::size_t>(row * size + column),
+            static_cast<std::size_t>((size - row) % size * size + (size - column) % size));
     }
   }
 }
 
 std::size_t plane_size(const WaveModes& modes) {
-  return static_cast<std::size_t>(modes.columns()) * static_cast<std::size_t>(modes.size());
+  return mode_plane_size(modes.columns(), modes.size());
 }
 
 std::size_t mode_count(const WaveModes& modes) {

@@ -20,10 +20,10 @@ TEST(SharedLayoutTest, OceanSpectrumParams) {
   using S = OceanSpectrumParams;
   EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/ocean_params.h", "OceanSpectrumParams",
                                 {"wavenumber_step_radpm", "k_min_radpm", "k_max_radpm", "log_k_first",
-                                 "log_k_step", "wavenumber_count", "direction_count", "cascade"}),
+                                 "log_k_step", "wavenumber_count", "direction_count", "padding"}),
             (Layout{sizeof(S), offsetof(S, wavenumber_step_radpm), offsetof(S, k_min_radpm),
                     offsetof(S, k_max_radpm), offsetof(S, log_k_first), offsetof(S, log_k_step),
-                    offsetof(S, wavenumber_count), offsetof(S, direction_count), offsetof(S, cascade)}));
+                    offsetof(S, wavenumber_count), offsetof(S, direction_count), offsetof(S, padding)}));
 }
 
 TEST(SharedLayoutTest, OceanComposeParams) {
