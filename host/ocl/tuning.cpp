@@ -22,14 +22,12 @@ struct TuningRow {
   KernelTuning tuning;
 };
 
-// 16 lanes: one 512-bit register, or two or four narrower ones, which keep as many loads in flight. Measured
-// on PoCL 3.1 with AVX-512: explicit float16 code reaches 390 GFLOP/s, float8 204, work-items that PoCL
-// vectorises itself half or less.
-constexpr KernelTuning wide_strip{KernelShape::strip, 16};
-constexpr KernelTuning group{KernelShape::group, 1};
+// Measured on PoCL 3.1 with AVX-512: explicit float16 code reaches 390 GFLOP/s, float8 204, work-items that
+// PoCL vectorises itself half or less.
+constexpr KernelTuning strip{KernelShape::strip};
+constexpr KernelTuning group{KernelShape::group};
 constexpr std::array rows{
-    TuningRow{"fft", DeviceClass::vector_cpu, wide_strip},
-    TuningRow{"ocean", DeviceClass::vector_cpu, wide_strip},
+    TuningRow{"fft", DeviceClass::vector_cpu, strip},
 };
 
 DeviceClass class_of(const DeviceInfo& device) {
@@ -41,7 +39,7 @@ KernelTuning with_override(KernelTuning tuning) {
   const char* wanted = std::getenv("OFFING_SHAPE");
   if (wanted == nullptr || *wanted == '\0') return tuning;
   const std::string_view shape = wanted;
-  if (shape == "strip") return wide_strip;
+  if (shape == "strip") return strip;
   if (shape == "group") return group;
   throw Error(ErrorKind::bad_usage, fmt::format("OFFING_SHAPE: expected strip or group, got \"{}\"", shape),
               "unset OFFING_SHAPE to let the device decide");

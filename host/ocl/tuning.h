@@ -8,18 +8,17 @@ namespace offing::ocl {
 
 /// How a kernel family spreads its work.
 enum class KernelShape {
-  strip,  ///< CPU: a work-item owns a strip of `lanes` columns or rows and computes them in vectors
+  strip,  ///< CPU: a work-item owns a strip of columns or rows and computes them side by side, in vectors
   group,  ///< GPU: lanes are work-items, a work-group shares local memory
 };
 
 struct KernelTuning {
   KernelShape shape = KernelShape::group;
-  int lanes = 1;  ///< floats in one vector of a strip, passed as -DLANES; 1 for groups
 };
 
-/// What suits the kernels of `family` ("fft", "ocean") on this device: a row of the table in tuning.cpp, else
-/// its default row. OFFING_SHAPE=strip or group overrides the shape, for tests; any other value throws
-/// Error(bad_usage).
+/// What suits the kernels of `family` ("fft": the transforms and all that joins them) on this device: a row
+/// of the table in tuning.cpp, else its default row. OFFING_SHAPE=strip or group overrides the shape, for
+/// tests; any other value throws Error(bad_usage).
 KernelTuning tuning_for(const DeviceInfo& device, std::string_view family);
 
 }  // namespace offing::ocl
