@@ -20,10 +20,10 @@ auto& member(OceanScene& scene) {
 }
 
 template <auto... path>
-ChoiceStorage choice(std::vector<std::string_view> names) {
+ChoiceStorage choice(const std::vector<std::string_view>& names) {
   using Enum = std::remove_reference_t<decltype(member<path...>(std::declval<OceanScene&>()))>;
   return {
-      .names = std::move(names),
+      .names = names,
       .get = [](OceanScene& scene) { return static_cast<std::size_t>(member<path...>(scene)); },
       .set = [](OceanScene& scene, std::size_t index) { member<path...>(scene) = static_cast<Enum>(index); }};
 }

@@ -41,7 +41,7 @@ struct BadInput {
 
 const auto nothing = [](const std::filesystem::path&) {};
 
-std::function<void(const std::filesystem::path&)> file(const char* name, std::string text) {
+std::function<void(const std::filesystem::path&)> file(const char* name, const std::string& text) {
   return [=](const std::filesystem::path& folder) { write(folder / name, text); };
 }
 

@@ -136,8 +136,9 @@ PreviewSurface::Level PreviewSurface::coarser_level(const Level& fine) {
   return coarse;
 }
 
-/// Adds the first `Count` quantities, interpolated at this place (in texels from the first texel's centre).
-template <int Count>
+/// Adds the first `quantity_count` quantities, interpolated at this place (in texels from the first texel's
+/// centre).
+template <int quantity_count>
 void PreviewSurface::add_level(const Level& level, double column, double row, float weight, Texel& sums) {
   const double first_column = std::floor(column), first_row = std::floor(row);
   const float right = static_cast<float>(column - first_column), down = static_cast<float>(row - first_row);
@@ -151,11 +152,11 @@ void PreviewSurface::add_level(const Level& level, double column, double row, fl
   const std::array<float, 4> weights{weight * (1 - down) * (1 - right), weight * (1 - down) * right,
                                      weight * down * (1 - right), weight * down * right};
   for (int corner = 0; corner < 4; ++corner) {
-    for (int q = 0; q < Count; ++q) sums[q] += weights[corner] * (*corners[corner])[q];
+    for (int q = 0; q < quantity_count; ++q) sums[q] += weights[corner] * (*corners[corner])[q];
   }
 }
 
-template <int Count>
+template <int quantity_count>
 PreviewSurface::Texel PreviewSurface::filtered(double x_m, double z_m, float footprint_m) const {
   Texel sums{};
   for (const Pyramid& pyramid : pyramids_) {
@@ -170,8 +171,8 @@ PreviewSurface::Texel PreviewSurface::filtered(double x_m, double z_m, float foo
       if (weight <= 0.0f) continue;
       // A texel covers `scale` samples, the first of which lies at the texel's edge plus half a sample.
       const double per_texel = 1.0 / levels[index].scale;
-      add_level<Count>(levels[index], (x_m / pyramid.sample_m + 0.5) * per_texel - 0.5,
-                       (z_m / pyramid.sample_m + 0.5) * per_texel - 0.5, weight, sums);
+      add_level<quantity_count>(levels[index], (x_m / pyramid.sample_m + 0.5) * per_texel - 0.5,
+                                (z_m / pyramid.sample_m + 0.5) * per_texel - 0.5, weight, sums);
     }
   }
   return sums;

@@ -75,9 +75,9 @@ class PreviewSurface {
   static Level finest_level(const PreviewCascade& cascade);
   static Texel mean_of(const PreviewCascade& cascade, int first_column, int first_row, int count);
   static Level coarser_level(const Level& fine);
-  template <int Count>
+  template <int quantity_count>
   static void add_level(const Level& level, double column, double row, float weight, Texel& sums);
-  template <int Count>
+  template <int quantity_count>
   Texel filtered(double x_m, double z_m, float footprint_m) const;
 
   std::vector<Pyramid> pyramids_;
