@@ -46,6 +46,12 @@ std::size_t points_a_time(const std::filesystem::path& path, std::span<const Wav
   return points;
 }
 
+std::string grid_text(const WaveSpectrum& spectrum) {
+  const std::vector<double>& f_hz = spectrum.frequencies_hz;
+  return fmt::format("{} frequencies {:.6g} ... {:.6g} Hz, {} directions", f_hz.size(), f_hz.front(),
+                     f_hz.back(), spectrum.directions_rad.size());
+}
+
 void check_alike(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra) {
   if (spectra.empty()) fail(path, "expected spectra to write, got none", "choose a file that holds records");
   for (std::size_t i = 0; i < spectra.size(); ++i) {
@@ -55,8 +61,11 @@ void check_alike(const std::filesystem::path& path, std::span<const WaveSpectrum
     }
     if (spectra[i].frequencies_hz != spectra[0].frequencies_hz ||
         spectra[i].directions_rad != spectra[0].directions_rad) {
-      fail(path, fmt::format("record {}: expected the frequencies and directions of record 0, got others", i),
-           "this format has one grid for all records; write one record");
+      fail(
+          path,
+          fmt::format("record {}: expected the grid of record 0 ({}), got another ({})", i,
+                      grid_text(spectra[0]), grid_text(spectra[i])),
+          "this format has one grid for all records; write each record, chosen by --record, to its own file");
     }
   }
 }

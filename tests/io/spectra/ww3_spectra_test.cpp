@@ -103,7 +103,7 @@ TEST(Ww3Writer, RefusesWhatTheFormatCannotHold) {
     write({spectra[0], spectra[1], spectra[2]});
   });
   spectra[1].frequencies_hz[0] = 0.05;
-  expect_error(ErrorKind::bad_input, "record 1: expected the frequencies", [&] { write(spectra); });
+  expect_error(ErrorKind::bad_input, "record 1: expected the grid of record 0 (", [&] { write(spectra); });
   spectra[0].directions_rad.clear();
   spectra[0].spreading.clear();
   expect_error(ErrorKind::bad_input, "record 0: expected a directional spectrum", [&] { write(spectra); });
