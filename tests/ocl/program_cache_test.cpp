@@ -2,18 +2,16 @@
 
 #include <fstream>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <spdlog/sinks/ostream_sink.h>
-#include <spdlog/spdlog.h>
 
 #include "host/ocl/buffer.h"
 #include "host/ocl/program.h"
 #include "tests/ocl/child_process.h"
+#include "tests/ocl/log_capture.h"
 #include "tests/ocl/scoped_environment.h"
 #include "tests/ocl/test_kernels.h"
 
@@ -22,28 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using Binary = std::vector<std::uint8_t>;
+using test::LogCapture;
 using ::testing::HasSubstr;
 using ::testing::Optional;
-
-// Collects the log while it lives.
-class LogCapture {
- public:
-  LogCapture() : old_(spdlog::default_logger()) {
-    spdlog::set_default_logger(
-        std::make_shared<spdlog::logger>("capture", std::make_shared<spdlog::sinks::ostream_sink_mt>(text_)));
-  }
-  ~LogCapture() { spdlog::set_default_logger(old_); }
-
-  std::size_t lines() const {
-    const std::string text = text_.str();
-    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-  }
-  std::string text() const { return text_.str(); }
-
- private:
-  std::ostringstream text_;
-  std::shared_ptr<spdlog::logger> old_;
-};
 
 std::string content_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);

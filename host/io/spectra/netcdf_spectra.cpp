@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "host/base/log.h"
 #include "host/io/spectra/bearings.h"
 #include "host/io/spectra/netcdf_file.h"
 #include "host/io/spectra/netcdf_units.h"
@@ -32,6 +33,7 @@ class SpectraFile {
   std::vector<double> need_frequencies() const;
   std::optional<DirectionGrid> directions() const;
   double (*direction_convention(const NetcdfVariable& variable) const)(double);
+  void warn_of_unread_directions() const;
   std::optional<TimeUnit> time_unit() const;
   std::vector<double> times() const;
 
@@ -89,6 +91,7 @@ SpectraFile::SpectraFile(std::span<const std::byte> bytes, std::string_view file
                "set the variable's units attribute (ncatted)");
   }
   unit_ = unit->in_si;
+  if (!directions_) warn_of_unread_directions();
   count_[*frequency_axis_] = density_.lengths[*frequency_axis_];
   if (direction_axis_) count_[*direction_axis_] = density_.lengths[*direction_axis_];
 
@@ -173,6 +176,17 @@ std::optional<DirectionGrid> SpectraFile::directions() const {
                "direction must be the coordinate of the density's dimension");
   }
   return DirectionGrid(std::move(angles_rad), fmt::format("{}: {}", file_.name(), variable->name));
+}
+
+/// SWAN gives theta_1d without saying whether waves come from there, and spread_1d in degrees but described
+/// as an exponent: a guess could turn the sea around.
+void SpectraFile::warn_of_unread_directions() const {
+  if (!file_.find({"theta_1d", "spread_1d"})) return;
+  spdlog::warn(
+      "{}: theta_1d and spread_1d do not state their conventions and are not read: spectra without "
+      "directions "
+      "(have SWAN write SPEC2D, or SPEC1D as text)",
+      file_.name());
 }
 
 std::optional<TimeUnit> SpectraFile::time_unit() const {

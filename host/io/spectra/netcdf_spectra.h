@@ -24,9 +24,10 @@ namespace offing::spectra {
 /// The header of a classic file is checked before libnetcdf sees it; what NetCDF-4 files do to libhdf5 is
 /// beyond Offing, so open none that you do not trust.
 ///
-/// energy_1d or ef without directions gives non-directional spectra. Throws Error(bad_input) naming file and
-/// variable.
-/// Source: WAVEWATCH III manual (ww3_ounp); SWAN user manual (NetCDF output); CF conventions 1.5.
+/// energy_1d or ef without directions gives non-directional spectra; SWAN's theta_1d and spread_1d beside it
+/// leave their conventions open and are not read, which is logged as a warning. Throws Error(bad_input)
+/// naming file and variable. Source: WAVEWATCH III manual (ww3_ounp); SWAN user manual (NetCDF output); CF
+/// conventions 1.5.
 std::vector<WaveSpectrum> parse_netcdf(std::span<const std::byte> bytes, std::string_view file_name);
 
 }  // namespace offing::spectra

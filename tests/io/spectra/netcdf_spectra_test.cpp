@@ -5,12 +5,14 @@
 #include <numbers>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host/io/spectra/netcdf_units.h"
 #include "tests/io/spectra/netcdf_writer.h"
 #include "tests/io/spectra/spectrum_checks.h"
 #include "tests/ocl/expect_error.h"
+#include "tests/ocl/log_capture.h"
 
 namespace offing::spectra {
 namespace {
@@ -205,6 +207,20 @@ TEST(NetcdfSwan, ReadsEnergyWithoutDirections) {
   EXPECT_EQ(spectra[1].energy, (std::vector<double>{4, 5, 6}));
   EXPECT_FALSE(spectra[1].is_directional());
   EXPECT_EQ(spectra[1].time_utc, "");
+}
+
+// Fails if directions that a file holds are dropped without a word, or a file without them is warned of.
+TEST(NetcdfSwan, WarnsOfDirectionsThatItDoesNotRead) {
+  TestNetcdf file{{{"points", 1}, {"frequency", 2}},
+                  {{"frequency", {"frequency"}, {{"units", "Hz"}}, {0.1, 0.2}},
+                   {"energy_1d", {"points", "frequency"}, {{"units", "m2 s"}}, {1, 2}}},
+                  {}};
+  const test::LogCapture log;
+  parse(file);
+  EXPECT_EQ(log.text(), "");
+  file.variables.push_back({"theta_1d", {"points", "frequency"}, {{"units", "degree"}}, {270, 280}});
+  EXPECT_FALSE(parse(file).front().is_directional());
+  EXPECT_THAT(log.text(), testing::HasSubstr("theta_1d and spread_1d do not state their conventions"));
 }
 
 TEST(NetcdfErrors, NameTheVariable) {
