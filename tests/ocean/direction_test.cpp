@@ -11,7 +11,7 @@
 namespace offing::ocean {
 namespace {
 
-constexpr int size = 64;
+constexpr int size = 256;
 constexpr double patch_length_m = 1800.0;
 constexpr double first_s = 100.0, step_s = 0.5;
 

@@ -21,12 +21,14 @@ namespace {
 
 constexpr double gate = 0x1p-11 + 1e-5;
 
+constexpr int size = 16;
+
 class FoamTest : public testing::Test {
  protected:
   // Low waves: an onset near 1 gives every coverage from 0 to 1.
   OceanParameters parameters() const {
-    return {.size = 32,
-            .cascades = cascades_from_patches(std::vector{120.0, 21.0}, 32),
+    return {.size = size,
+            .cascades = cascades_from_patches(std::vector{120.0, 21.0}, size),
             .choppiness = 1.2,
             .foam = {.onset_jacobian = 1.0, .width = 0.3, .decay_s = 0.8, .step_s = 0.25}};
   }
@@ -37,7 +39,7 @@ class FoamTest : public testing::Test {
     const FoamParameters& foam = sea.parameters().foam;
     const double newest_s = step_s * std::floor(time_s / step_s + 1e-9);
     const int count = static_cast<int>(std::ceil(4.0 * foam.decay_s / step_s - 1e-9));
-    std::vector<double> expected(static_cast<std::size_t>(32 * 32), 0.0);
+    std::vector<double> expected(static_cast<std::size_t>(size * size), 0.0);
     for (int j = 0; j <= count; ++j) {
       sea.at(newest_s - j * step_s);
       const std::vector<float> jacobian = sea.read_surface(cascade).jacobian;

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "host/ocean/cascades.h"
-#include "host/ocean/ocean.h"
 #include "host/ocean/spectrum_parameters.h"
+#include "host/ocean/wave_modes.h"
 #include "tests/ocean/example_seas.h"
 #include "tests/ocean/ocean_reference.h"
 
@@ -54,8 +54,9 @@ double still_cell_variance(const SeaSpectrum& spectrum, double patch_length_m) {
 
 class OceanEnergyTest : public testing::Test {
  protected:
-  Ocean sea_of(const SeaSpectrum& spectrum, int size, const std::vector<Cascade>& cascades) {
-    return Ocean(device_, spectrum, {.size = size, .cascades = cascades});
+  // Without the transforms of a whole sea, which take seconds to compile.
+  WaveModes modes_of(const SeaSpectrum& spectrum, int size, const std::vector<Cascade>& cascades) {
+    return WaveModes(device_, spectrum, cascades, size, {});
   }
   ocl::Device device_ = ocl::Device::open();
 };
@@ -67,11 +68,11 @@ TEST_F(OceanEnergyTest, ModesAndTheRestAddUpToM0) {
   for (const ExampleSea& example : example_seas()) {
     const SeaSpectrum& spectrum = example.spectrum;
     const std::vector<Cascade> cascades = choose_cascades(spectrum, 256);
-    const Ocean sea = sea_of(spectrum, 256, cascades);
+    const WaveModes modes = modes_of(spectrum, 256, cascades);
     const double m0_m2 = integrate_sea_state(spectrum).m0_m2;
     double total_m2 = integrate_sea_state(spectrum, cascades.back().k_max_radpm).m0_m2;
     for (std::size_t i = 0; i < cascades.size(); ++i) {
-      double modes_m2 = sum_of(sea.mode_variance(static_cast<int>(i)));
+      double modes_m2 = sum_of(modes.variance(static_cast<int>(i)));
       if (i == 0) modes_m2 += still_cell_variance(spectrum, cascades[0].patch_length_m);
       const double band_m2 =
           integrate_sea_state(spectrum, cascades[i].k_min_radpm, cascades[i].k_max_radpm).m0_m2;
@@ -95,7 +96,7 @@ TEST_F(OceanEnergyTest, TellsWavesTooLongForThePatch) {
   const std::vector<Cascade> cascades = cascades_from_patches(lengths_m, 64);
   const double too_long_m2 = still_cell_variance_m2(spectrum, lengths_m[0]);
   const double m0_m2 = integrate_sea_state(spectrum).m0_m2;
-  const double modes_m2 = sum_of(sea_of(spectrum, 64, cascades).mode_variance(0));
+  const double modes_m2 = sum_of(modes_of(spectrum, 64, cascades).variance(0));
   const double too_short_m2 = integrate_sea_state(spectrum, cascades[0].k_max_radpm).m0_m2;
   EXPECT_GT(too_long_m2 / m0_m2, 0.5);
   EXPECT_NEAR((too_long_m2 + modes_m2 + too_short_m2) / m0_m2, 1.0, 3e-3);
@@ -113,7 +114,7 @@ TEST_F(OceanEnergyTest, EachModeHoldsItsCell) {
   constexpr int size = 32, points = 24;
   const double patch_length_m = 300.0, step_radpm = 2.0 * pi / patch_length_m;
   const Cascade cascade{patch_length_m, 0.03, 0.2};
-  const std::vector<float> variance = sea_of(spectrum, size, {cascade}).mode_variance(0);
+  const std::vector<float> variance = modes_of(spectrum, size, {cascade}).variance(0);
   const double largest = *std::max_element(variance.begin(), variance.end());
   double worst = 0.0;
   for (int row = 0; row < size; ++row) {
@@ -139,7 +140,7 @@ TEST_F(OceanEnergyTest, NoEnergyWhereNoWaveIs) {
   const SeaSpectrum spectrum = make_sea_spectrum({});
   constexpr int size = 64;
   const double length_m = 100.0, step_radpm = 2.0 * pi / length_m;
-  const std::vector<float> variance = sea_of(spectrum, size, {{length_m, 0.2, 1e9}}).mode_variance(0);
+  const std::vector<float> variance = modes_of(spectrum, size, {{length_m, 0.2, 1e9}}).variance(0);
   for (int i = 0; i < size; ++i) {
     EXPECT_EQ(variance[size / 2 * size + i], 0.0f);
     EXPECT_EQ(variance[i * size + size / 2], 0.0f);

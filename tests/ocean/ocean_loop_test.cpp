@@ -16,15 +16,17 @@
 namespace offing::ocean {
 namespace {
 
+constexpr int size = 256;
+
 class OceanLoopTest : public testing::Test {
  protected:
   OceanParameters parameters(std::optional<double> loop_period_s) const {
-    return {.size = 32,
-            .cascades = cascades_from_patches(std::vector{150.0, 23.0}, 32),
+    return {.size = size,
+            .cascades = cascades_from_patches(std::vector{150.0, 23.0}, size),
             .loop_period_s = loop_period_s};
   }
   WaveModes modes(double loop_period_s) const {
-    return WaveModes(device_, spectrum_, parameters({}).cascades, 32, loop_period_s);
+    return WaveModes(device_, spectrum_, parameters({}).cascades, size, loop_period_s);
   }
 
   ocl::Device device_ = ocl::Device::open();
@@ -84,12 +86,13 @@ TEST_F(OceanLoopTest, EveryWaveMakesWholeCycles) {
   EXPECT_NEAR(modes.radps_per_rate() * period_s, 2.0 * std::numbers::pi, 1e-12);
   const std::vector<std::uint32_t> rates = drawn_rates(modes, 0);
   const double step_radpm = 2.0 * std::numbers::pi / 150.0;
-  for (int row = -15; row < 16; ++row) {
-    for (int column = -15; column < 16; ++column) {
+  for (int row = -size / 2 + 1; row < size / 2; ++row) {
+    for (int column = -size / 2 + 1; column < size / 2; ++column) {
       if (row == 0 && column == 0) continue;
       const double exact =
           spectrum_.dispersion.omega_radps(step_radpm * std::hypot(column, row)) / modes.radps_per_rate();
-      const double rate = rates[static_cast<std::size_t>((row + 32) % 32 * 32 + (column + 32) % 32)];
+      const double rate =
+          rates[static_cast<std::size_t>((row + size) % size * size + (column + size) % size)];
       EXPECT_NEAR(rate, std::max(exact, 0.5), 0.5 + 1e-9);
       EXPECT_GE(rate, 1.0);
     }
@@ -109,8 +112,8 @@ TEST_F(OceanLoopTest, KeepsTheSeaState) {
 
   const std::vector<float> variance = free.mode_variance(0);
   double scatter = 0.0;
-  for (int i = 0; i < 32 * 32; ++i) {
-    const int opposite = (32 - i / 32) % 32 * 32 + (32 - i % 32) % 32;
+  for (int i = 0; i < size * size; ++i) {
+    const int opposite = (size - i / size) % size * size + (size - i % size) % size;
     scatter += std::pow(variance[i] + variance[opposite], 2.0) / 2.0;
   }
   double difference_m2 = 0.0;

@@ -10,7 +10,7 @@
 namespace offing::ocean {
 namespace {
 
-constexpr int size = 32;
+constexpr int size = 256;
 
 class VelocityTest : public testing::Test {
  protected:
