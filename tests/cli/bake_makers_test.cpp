@@ -1,0 +1,99 @@
+#include <chrono>
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/base/cancel_token.h"
+#include "host/base/error.h"
+#include "host/cli/bake.h"
+#include "tests/cli/folder_content.h"
+#include "tests/io/temporary_folder.h"
+
+// A bake on several devices: threads that simulate, one that writes, and what they share.
+
+namespace offing::cli {
+namespace {
+
+scene::Sea small_sea() {
+  scene::OceanScene scene;
+  scene.ocean.size = 32;
+  scene.patch_lengths_m = {200.0};
+  return scene::prepare_sea(scene);
+}
+
+/// Bakes a small sea on `devices` devices, which are one device opened several times.
+BakeSummary bake_on(std::size_t devices, const std::filesystem::path& folder, const FrameRange& frames,
+                    const CancelToken& cancel) {
+  const scene::Sea sea = small_sea();
+  BakeSettings settings;
+  settings.folder = folder;
+  settings.frames = frames;
+  settings.channels.set(static_cast<std::size_t>(ChannelGroup::displacement));
+  settings.channels.set(static_cast<std::size_t>(ChannelGroup::foam));
+  const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), "hash");
+  files.prepare_folder();
+  const FrameWriter writer(sea, settings, files, "hash", "a sea");
+  Progress progress(frames.last - frames.first + 1, "frames", Verbosity::quiet);
+  return bake(std::vector(devices, ocl::select_device()), sea, settings, files, writer, progress, cancel);
+}
+
+// Fails if devices that work at once take a frame twice, leave one out, or mix their fields up; the second
+// time, if they do not agree that all is there.
+TEST(BakeMakers, ShareTheFrames) {
+  const TemporaryFolder one, three;
+  EXPECT_EQ(bake_on(1, one.path(), {0, 11}, {}).written, 12);
+  EXPECT_EQ(bake_on(3, three.path(), {0, 11}, {}).written, 12);
+  EXPECT_TRUE(test::folder_content(three.path()) == test::folder_content(one.path()));
+  EXPECT_EQ(bake_on(3, three.path(), {0, 11}, {}).kept, 12);
+}
+
+// Fails if a bake goes on after it was cancelled from another thread (it would for hours), or if what it
+// leaves is not exactly the frames that it counts.
+TEST(BakeMakers, StopWhenCancelled) {
+  const TemporaryFolder folder;
+  CancelToken cancel;
+  const std::jthread user([&](const std::stop_token& end) {
+    while (!end.stop_requested() && std::filesystem::is_empty(folder.path())) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    cancel.cancel();
+  });
+  try {
+    bake_on(3, folder.path(), {0, 999'999}, cancel);
+    FAIL() << "a million frames in no time";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::cancelled);
+    const std::size_t files = test::folder_content(folder.path()).size();
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("with " + std::to_string(files) + " of 1000000 frames done"));
+  }
+}
+
+// Fails if steps told by several threads are lost or counted twice, or the last line comes more than once.
+TEST(Progress, CountsTheStepsOfAllThreads) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress(4000, "steps", Verbosity::normal);
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < 4; ++i) {
+      threads.emplace_back([&progress] {
+        for (int step = 0; step < 500; ++step) {
+          progress.advance();
+          progress.skip();
+        }
+      });
+    }
+  }
+  const std::string told = testing::internal::GetCapturedStderr();
+  const std::size_t last = told.find("4000/4000 steps");
+  EXPECT_NE(last, std::string::npos) << told;
+  EXPECT_EQ(told.find("4000/4000 steps", last + 1), std::string::npos) << told;
+}
+
+}  // namespace
+}  // namespace offing::cli
