@@ -12,8 +12,8 @@ namespace offing::ocean {
 using DirectionalDensity = std::function<double(double direction_rad)>;
 
 /// A directional sea: S(omega, theta) = E(omega) D(omega, theta), the one-sided variance density over
-/// frequency and the full circle of directions of travel; m0 is its double integral (O5 of docs/sources.md). Immutable;
-/// made by make_sea_spectrum() or from_measured().
+/// frequency and the full circle of directions of travel; m0 is its double integral (O5 of docs/sources.md).
+/// Immutable; made by make_sea_spectrum() or from_measured().
 struct SeaSpectrum {
   std::function<double(double omega_radps)> energy;  ///< E, m^2 s/rad
   /// D(omega, .) for one omega: what depends on omega alone is worked out once for a whole row of directions.
