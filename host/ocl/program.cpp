@@ -142,6 +142,7 @@ Program Program::build(const Device& device, std::string_view source_name, const
   const std::string source = assemble_source(source_name);
   const std::string options = options_of(opened.info, defines);
   const std::string identity = identity_of(opened.info, source, options);
+  const quirks::BuildTurn turn(opened.info);
   const ProgramCache cache;
   Handle<cl_program> program;
   if (const auto binary = cache.load(identity)) {

@@ -1,11 +1,14 @@
 #include "host/ocl/quirks.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,6 +22,10 @@ namespace fs = std::filesystem;
 
 bool is_oclgrind(const DeviceInfo& info) {
   return info.platform == "Oclgrind";
+}
+
+bool is_pocl(const DeviceInfo& info) {
+  return info.platform == "Portable Computing Language";
 }
 
 const char* variable(const char* name) {
@@ -43,18 +50,19 @@ fs::path private_temporary_folder() {
   return is_ours ? folder : fs::path();
 }
 
+// Where PoCL keeps what it compiles (lib/CL/pocl_cache.c, pocl_cache_init_topdir).
+fs::path pocl_cache_folder() {
+  if (const char* own = variable("POCL_CACHE_DIR")) return own;
+  if (const char* xdg = variable("XDG_CACHE_HOME")) return fs::path(xdg) / "pocl" / "kcache";
+  if (const char* home = variable("HOME")) return fs::path(home) / ".cache" / "pocl" / "kcache";
+  return "/tmp/pocl/kcache";
+}
+
 // PoCL 3.1 offers no device at all where it cannot make its cache folder, as under a read-only home
 // (lib/CL/pocl_cache.c, pocl_cache_init_topdir: https://github.com/pocl/pocl). It then gets one beside our
 // own cache, else in the temporary directory.
 void give_pocl_a_cache() {
-  if (variable("POCL_CACHE_DIR") != nullptr) return;
-  if (const char* xdg = variable("XDG_CACHE_HOME")) {
-    if (can_write(fs::path(xdg) / "pocl" / "kcache")) return;
-  } else if (const char* home = variable("HOME")) {
-    if (can_write(fs::path(home) / ".cache" / "pocl" / "kcache")) return;
-  } else {
-    return;  // PoCL itself falls back to the temporary directory
-  }
+  if (variable("POCL_CACHE_DIR") != nullptr || can_write(pocl_cache_folder())) return;
   const fs::path own = ProgramCache::default_folder();
   fs::path folder = own.empty() ? fs::path() : own / "pocl";
   if (folder.empty() || !can_write(folder)) folder = private_temporary_folder();
@@ -69,6 +77,21 @@ void prepare_environment() {
     return true;
   }();
   static_cast<void>(is_prepared);
+}
+
+// PoCL 3.1 removes and writes files in its cache that other processes read and remove at the same time
+// (lib/CL/pocl_file_util.c, pocl_write_file: https://github.com/pocl/pocl). Of six processes that build one
+// program at once, one in 75 failed with CL_BUILD_PROGRAM_FAILURE or a segmentation fault. The lock is on the
+// cache folder itself, so that nothing is left behind.
+BuildTurn::BuildTurn(const DeviceInfo& info) {
+  if (!is_pocl(info)) return;
+  locked_folder_ = open(pocl_cache_folder().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (locked_folder_ < 0) return;
+  while (flock(locked_folder_, LOCK_EX) != 0 && errno == EINTR) continue;
+}
+
+BuildTurn::~BuildTurn() {
+  if (locked_folder_ >= 0) close(locked_folder_);
 }
 
 // Drivers for the CPU report less memory than they can use: PoCL 3.1 three quarters of what NUMA node 0

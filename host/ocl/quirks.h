@@ -12,6 +12,19 @@ namespace offing::ocl::quirks {
 /// Sets the environment that drivers read once, at the first platform call; idempotent and thread-safe.
 void prepare_environment();
 
+/// While it lives, no other process of this user, nor another thread, builds programs for such a device.
+/// Waits for its turn; does nothing where drivers need none, or where the system has no such lock.
+class BuildTurn {
+ public:
+  explicit BuildTurn(const DeviceInfo& info);
+  BuildTurn(const BuildTurn&) = delete;
+  BuildTurn& operator=(const BuildTurn&) = delete;
+  ~BuildTurn();
+
+ private:
+  int locked_folder_ = -1;
+};
+
 /// The device's memory that programs can really use; see the definition for whom the driver's figure is
 /// wrong.
 std::uint64_t usable_global_memory_bytes(const DeviceInfo& info);

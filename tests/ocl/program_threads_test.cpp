@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,6 +12,8 @@
 #include "host/ocl/buffer.h"
 #include "host/ocl/program.h"
 #include "host/ocl/program_cache.h"
+#include "host/ocl/quirks.h"
+#include "tests/ocl/scoped_environment.h"
 #include "tests/ocl/test_kernels.h"
 
 // What a bake on several devices does: a thread each, with one cache between them.
@@ -58,6 +61,25 @@ TEST(ProgramThreads, SurviveAFolderThatCannotBeMade) {
   on_threads([&](int) { cache.store("identity", {1}); });
   const std::string log = testing::internal::GetCapturedStdout();
   EXPECT_LE(std::count(log.begin(), log.end(), '\n'), 1) << log;
+}
+
+// Fails if two threads build for PoCL at the same time, as processes must not (the lock cannot tell them
+// apart): the second must not get its turn while the first has it.
+TEST(ProgramThreads, TakeTurnsOnPocl) {
+  const TemporaryFolder folder;
+  const test::ScopedEnvironment cache("POCL_CACHE_DIR", folder.path().string());
+  DeviceInfo pocl;
+  pocl.platform = "Portable Computing Language";
+  std::atomic<int> building{0}, overlaps{0};
+  on_threads([&](int) {
+    for (int round = 0; round < 20; ++round) {
+      const quirks::BuildTurn turn(pocl);
+      if (++building > 1) ++overlaps;
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      --building;
+    }
+  });
+  EXPECT_EQ(overlaps, 0);
 }
 
 // Fails if devices opened at once, each by its own thread, hinder each other's first build, or give a thread
