@@ -13,7 +13,7 @@ Fft2d::Fft2d(const ocl::Device& device, int size, int batch, Direction direction
   if (batch < 1) {
     throw Error(ErrorKind::bad_input, fmt::format("transform batch: expected at least 1, got {}", batch));
   }
-  const FftPlan plan(device.info(), {.size = size, .columns = size, .row_fields = 1});
+  const FftPlan plan(device.info(), {.size = size, .columns = size, .result_fields = 1});
   const auto kernel_of = [&](PassPlan pass, const char* source, const char* name) {
     if (direction == Direction::forward) pass.defines.set_flag("FFT_FORWARD");
     return ocl::Program::build(device, source, pass.defines).kernel(name);

@@ -15,16 +15,17 @@ namespace {
 
 constexpr int smallest_size = 16;
 constexpr int largest_size = 4096;
-constexpr int strip_lanes = 16;   // a float16: the widest vector that OpenCL has
-constexpr int narrow_lanes = 8;   // for columns whose scratch would not fit otherwise
-constexpr int thread_values = 8;  // FFT_THREAD_VALUES
+constexpr int smallest_strip_size = 64;  // a row is a square of narrow lanes
+constexpr int strip_lanes = 16;          // a float16: the widest vector that OpenCL has
+constexpr int narrow_lanes = 8;          // a square of them stays in registers
+constexpr int thread_values = 8;         // FFT_THREAD_VALUES
 
 // Enough work-items for many cores, few enough that each is worth its launch.
-constexpr int long_rows_per_item = 8;
+constexpr int rows_per_item = 8;
 
-// Arrays of transforms from these sizes on are stored past the caches: they would push out what is read next.
+// Arrays from these sizes on are stored past the caches: they would push out what is read next.
 constexpr int smallest_streamed_intermediate = 2048;
-constexpr int smallest_streamed_result = 512;
+constexpr std::size_t smallest_streamed_result_bytes = std::size_t{8} << 20;
 
 struct Radices {
   int first, second, third;
@@ -33,38 +34,38 @@ struct Radices {
 // Stages of a strip. The first streams from memory, so it is wide; the last stays small enough for registers.
 Radices strip_radices(int size) {
   switch (size) {
-    case 16:
-      return {4, 1, 4};
-    case 32:
-      return {4, 1, 8};
     case 64:
       return {8, 1, 8};
     case 128:
-      return {8, 1, 16};
+      return {4, 4, 8};
     case 256:
       return {8, 4, 8};
     case 512:
       return {8, 8, 8};
     case 1024:
-      return {16, 8, 8};
+      return {8, 16, 8};
     case 2048:
-      return {16, 16, 8};
+      return {8, 16, 16};
     default:
       return {16, 16, 16};
   }
 }
 
-// The n/16-point transforms inside a long row: A * B.
+constexpr int most_row_vectors = 256;
+
+// The transforms over a row's vectors: A * B.
 std::pair<int, int> row_radices(int vectors) {
   switch (vectors) {
+    case 8:
+      return {8, 1};
     case 16:
-      return {16, 1};
+      return {4, 4};
     case 32:
       return {4, 8};
     case 64:
       return {8, 8};
     case 128:
-      return {16, 8};
+      return {8, 16};
     default:
       return {16, 16};
   }
@@ -94,12 +95,12 @@ std::vector<float> strip_table(int size, const Radices& radices) {
   return table;
 }
 
-std::vector<float> long_row_table(int size, std::pair<int, int> radices) {
-  const int vectors = size / strip_lanes;
+std::vector<float> row_table(int size, int lanes, std::pair<int, int> radices) {
+  const int vectors = size / lanes;
   std::vector<float> table;
   for (int k = 0; k < vectors; ++k) {
     for (const bool is_sine : {false, true}) {
-      for (int lane = 0; lane < strip_lanes; ++lane) {
+      for (int lane = 0; lane < lanes; ++lane) {
         const double angle_rad = 2.0 * std::numbers::pi * (static_cast<double>(lane) * k / size);
         table.push_back(static_cast<float>(is_sine ? std::sin(angle_rad) : std::cos(angle_rad)));
       }
@@ -114,7 +115,7 @@ int padded_columns(const PlanRequest& request) {
   return std::max(request.columns, strip_lanes);
 }
 
-// A row's length in the intermediate array; the padding is zero where a caller reads past the columns.
+// A row's length in the intermediate array. A caller that reads past the columns zeroes the padding itself.
 int pitch(const PlanRequest& request) {
   return padded_columns(request) + strip_lanes;
 }
@@ -149,18 +150,18 @@ PassPlan strip_columns(const PlanRequest& request, int lanes) {
 }
 
 PassPlan strip_rows(const PlanRequest& request) {
-  PassPlan pass = strip_pass(request, strip_lanes);
-  const int vectors = request.size / strip_lanes;
-  int rows_per_item = strip_lanes;
-  if (vectors >= strip_lanes) {
-    const auto radices = row_radices(vectors);
-    rows_per_item = long_rows_per_item;
-    pass.defines.set("FFT_ROW_RADIX_A", radices.first);
-    pass.defines.set("FFT_ROW_RADIX_B", radices.second);
-    pass.defines.set("FFT_ROWS_PER_ITEM", rows_per_item);
-    pass.twiddles = long_row_table(request.size, radices);
-  }
-  if (request.size >= smallest_streamed_result) pass.defines.set_flag("FFT_STREAM_RESULT");
+  PassPlan pass;
+  const int lanes = request.size / narrow_lanes > most_row_vectors ? strip_lanes : narrow_lanes;
+  set_common_defines(pass.defines, request, lanes);
+  const auto radices = row_radices(request.size / lanes);
+  pass.defines.set("FFT_ROW_RADIX_A", radices.first);
+  pass.defines.set("FFT_ROW_RADIX_B", radices.second);
+  pass.defines.set("FFT_ROWS_PER_ITEM", rows_per_item);
+  pass.twiddles = row_table(request.size, lanes, radices);
+  const std::size_t result_bytes = sizeof(float) * 2 * static_cast<std::size_t>(request.result_fields) *
+                                   static_cast<std::size_t>(request.size) *
+                                   static_cast<std::size_t>(request.size);
+  if (result_bytes >= smallest_streamed_result_bytes) pass.defines.set_flag("FFT_STREAM_RESULT");
   pass.shape = {{static_cast<std::size_t>(request.size / rows_per_item), 1, 1}, {1, 1, 1}};
   return pass;
 }
@@ -231,8 +232,7 @@ FftPlan::FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request) {
   int lanes = strip_lanes;
   if (strip_scratch_bytes(request, lanes) > device.local_memory_bytes) lanes = narrow_lanes;
   if (strip_scratch_bytes(request, lanes) > device.local_memory_bytes) shape = ocl::KernelShape::group;
-  // A half spectrum narrower than a strip would mix both halves of a row in one vector.
-  if (request.columns < std::min(request.size, strip_lanes)) shape = ocl::KernelShape::group;
+  if (request.size < smallest_strip_size) shape = ocl::KernelShape::group;
   if (shape == ocl::KernelShape::strip) {
     columns_ = strip_columns(request, lanes);
     rows_ = strip_rows(request);

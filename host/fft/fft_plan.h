@@ -25,7 +25,7 @@ struct PassPlan {
 struct PlanRequest {
   int size = 0;     ///< n, a power of two, 16 ... 4096
   int columns = 0;  ///< columns that the first pass transforms: n, or n/2 when the rest follows by symmetry
-  int row_fields = 1;  ///< complex fields that the second pass holds at once
+  int result_fields = 1;  ///< complex fields that the second pass stores
 };
 
 /// The two passes of an n x n transform, shaped for the device by the tuning table: a strip of lanes a

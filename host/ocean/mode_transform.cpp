@@ -8,7 +8,8 @@ namespace offing::ocean {
 
 ModeTransform::ModeTransform(const ocl::Device& device, const WaveModes& modes, const Request& request) {
   const fft::FftPlan plan(
-      device.info(), {.size = modes.size(), .columns = modes.size() / 2, .row_fields = request.row_fields});
+      device.info(),
+      {.size = modes.size(), .columns = modes.size() / 2, .result_fields = request.pair_fields});
   const auto kernel_of = [&](fft::PassPlan pass, std::string_view source, std::string_view name) {
     pass.defines.set("SPECTRUM_COLUMNS", modes.columns());
     return ocl::Program::build(device, source, pass.defines).kernel(name);

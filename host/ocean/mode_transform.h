@@ -12,14 +12,14 @@ namespace offing::ocean {
 
 /// The two kernels that turn modes into fields: a caller's kernels joined to the passes of an inverse
 /// transform, for all cascades at once. The first pass makes `half_fields` fields of the columns with kx >=
-/// 0; the second makes `row_fields` pairs of real fields from them (O10).
+/// 0; the second makes `pair_fields` pairs of real fields from them (O10).
 class ModeTransform {
  public:
   struct Request {
     std::string_view first_source, first_kernel;    ///< "ocean/spectrum_advance.cl", "spectrum_advance"
     std::string_view second_source, second_kernel;  ///< "ocean/surface_assemble.cl", "surface_assemble"
     int half_fields = 0;
-    int row_fields = 0;
+    int pair_fields = 0;
   };
 
   ModeTransform(const ocl::Device& device, const WaveModes& modes, const Request& request);

@@ -9,7 +9,7 @@ SurfaceMaps::SurfaceMaps(const ocl::Device& device, const WaveModes& modes, doub
                   .second_source = "ocean/surface_assemble.cl",
                   .second_kernel = "surface_assemble",
                   .half_fields = 5,
-                  .row_fields = 4}),
+                  .pair_fields = 4}),
       choppiness_(static_cast<float>(choppiness)) {
   const auto n = static_cast<std::size_t>(modes.size());
   const std::size_t floats = 4 * n * n * static_cast<std::size_t>(modes.cascade_count());

@@ -15,7 +15,7 @@ VelocityMap::VelocityMap(const ocl::Device& device, const WaveModes& modes, doub
                   .second_source = "ocean/velocity_assemble.cl",
                   .second_kernel = "velocity_assemble",
                   .half_fields = 3,
-                  .row_fields = 2}),
+                  .pair_fields = 2}),
       water_depth_m_(static_cast<float>(std::min(water_depth_m, deepest_m))) {
   const auto n = static_cast<std::size_t>(modes.size());
   velocity_ =

@@ -15,10 +15,17 @@
   second = (lanes)(low.odd, high.odd);
 #endif
 
-#define TRANSFORM_LOAD(row, column, first, second)                                                            \
-  {                                                                                                           \
-    __global const float *source = input + (((size_t)batch * FFT_SIZE + (row)) * FFT_SIZE + (column)) * 2;    \
-    TRANSFORM_SPLIT(source, first, second)                                                                    \
+#define TRANSFORM_INPUT(row, column) (input + (((size_t)batch * FFT_SIZE + (row)) * FFT_SIZE + (column)) * 2)
+#define TRANSFORM_LOAD(row, column, first, second)                    \
+  {                                                                   \
+    __global const float *source = TRANSFORM_INPUT(row, column);      \
+    TRANSFORM_SPLIT(source, first, second)                            \
+  }
+// Rows lie a power of two apart, which processors' own prefetchers do not follow.
+#define FFT_COLUMN_PREFETCH(row, column)                \
+  {                                                     \
+    prefetch_line(TRANSFORM_INPUT(row, column));        \
+    prefetch_line(TRANSFORM_INPUT(row, column) + LANES); \
   }
 #ifdef FFT_FORWARD
 #define FFT_COLUMN_LOAD(field, slot, row, column, re, im) TRANSFORM_LOAD(row, column, im, re)

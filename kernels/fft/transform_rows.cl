@@ -24,6 +24,11 @@
 #define FFT_ROW_STORE(row, column, re, im) TRANSFORM_STORE(row, column, re[0], im[0])
 #endif
 
+#define FFT_ROW_PREFETCH(row, column)                               \
+  {                                                                 \
+    prefetch_line(intermediate + FFT_INTERMEDIATE(batch, row, column));             \
+    prefetch_line(intermediate + FFT_INTERMEDIATE(batch, row, column) + FFT_PITCH); \
+  }
 #define FFT_ROW_LOAD(field, row, column, upper, re, im)                                  \
   {                                                                                      \
     __global const float *source = intermediate + FFT_INTERMEDIATE(batch, row, column);  \
