@@ -141,10 +141,11 @@ void FrameFiles::remove_foreign_files(int frame) const {
       remove_file(file);
     }
   }
-  for (const char* extension : {"obj", "ply", "png"}) {
-    if (is_foreign) {
+  if (is_foreign) {
+    for (const char* extension : {"obj", "ply", "png"}) {
       remove_file(product(frame, extension));
     }
+    remove_file(contact_sheet());
   }
 }
 

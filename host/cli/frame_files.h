@@ -27,8 +27,9 @@ class FrameFiles {
   bool has_preview(int frame) const;
 
   /// Where another bake's frames are to be replaced: removes its EXR files of this frame that this bake will
-  /// not write over (it had more cascades, or another layout), and the frame's pictures and meshes, which
-  /// would from then on stand beside the wrong sea. Files without a bake's hash stay. Throws Error(file).
+  /// not write over (it had more cascades, or another layout), and the frame's pictures and meshes and the
+  /// contact sheet, which would from then on stand beside the wrong sea. Files without a bake's hash stay.
+  /// Throws Error(file).
   void remove_foreign_files(int frame) const;
 
   std::filesystem::path exr(int frame, int cascade) const;  ///< the same for every cascade when combined

@@ -185,10 +185,10 @@ TEST_F(Bake, ProcessesShareAFolder) {
   EXPECT_TRUE(folder_content(folder("whole")) == folder_content(folder("shared")));
 }
 
-// Fails if frames of two seas are mixed in silence, or --force leaves one of the old sea's files beside the
-// new one.
+// Fails if frames of two seas are mixed in silence, or --force leaves one of the old sea's files (contact
+// sheet included) beside the new one.
 TEST_F(Bake, RefusesOrReplacesAnotherScene) {
-  bake("out", {"--frames", "0:1", "--mesh", "ply"});
+  bake("out", {"--frames", "0:1", "--mesh", "ply", "--preview"});
   const ProgramResult refused = run_offing(command("out", {"--frames", "0:1", "--wind-speed-mps", "14"}));
   EXPECT_EQ(refused.exit_code, 2);
   bake("out", {"--frames", "0:1", "--wind-speed-mps", "14", "--force"});

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later (this test links FFTW)
 // The batched two-dimensional transform against theory and against double-precision references.
 //
 // Bound on the relative root mean square error: log2(n^2) u (1 + 4 sqrt 2) with u = 2^-24 (Higham 2002, ch.

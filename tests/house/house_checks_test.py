@@ -79,6 +79,9 @@ class HouseChecks(unittest.TestCase):
             include_arrows, "host/ocean/ocean.cpp", "#include <CL/cl.h>\n", "reserved for host/ocl"
         )
 
+    def test_gpl_header_without_its_licence(self):
+        self.assert_finds(include_arrows, "tests/fft/fft2d_test.cpp", "#include <fftw3.h>\n", "is GPL")
+
     def test_include_not_from_the_root(self):
         self.assert_finds(
             include_arrows, "host/ocean/ocean.cpp", '#include "error.h"\n', 'no file "error.h"'

@@ -1,4 +1,5 @@
-"""Each #include must go along an arrow of the architecture: lower folders never know higher ones."""
+"""Each #include must go along an arrow of the architecture: lower folders never know higher ones. What includes
+a GPL library says so in its first line."""
 
 import re
 
@@ -26,9 +27,11 @@ ARROWS = {
 RESERVED = {
     r"CL/": ("host/ocl",),  # OpenCL objects stay in one folder
     r"(GL|EGL|GLFW|epoxy)/": ("present",),
-    r"fftw3": ("tests",),  # GPL
-    r"(CGAL|OpenMesh)/": ("mesh_tools", "tests"),  # CGAL is GPL
+    r"fftw3": ("tests",),
+    r"(CGAL|OpenMesh)/": ("mesh_tools", "tests"),
 }
+GPL_HEADERS = re.compile(r"fftw3|CGAL/")
+GPL_LINE = "// SPDX-License-Identifier: GPL-3.0-or-later"
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
@@ -55,6 +58,8 @@ def fault_of(repository, path, quote, included):
         for header, owners in RESERVED.items():
             if re.match(header, included) and folder not in owners:
                 return f"<{included}> is reserved for {', '.join(owners)}"
+        if GPL_HEADERS.match(included) and not repository.text(path).startswith(GPL_LINE):
+            return f'<{included}> is GPL; begin the file with "{GPL_LINE} (why)"'
         return None
     # Kernels are assembled from paths below kernels/, C++ from paths below the root.
     from_root = f"kernels/{included}" if path.endswith((".cl", ".clh")) else included

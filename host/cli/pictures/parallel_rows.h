@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -28,7 +29,11 @@ void parallel_rows(int rows, Work work) {
   const int threads = std::min(rows, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   {
     std::vector<std::jthread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back(run);
+    try {
+      for (int i = 1; i < threads; ++i) others.emplace_back(run);
+    } catch (const std::system_error&) {
+      // The system gives no more threads: those that run, and this one, do all rows.
+    }
     run();
   }
   if (failure) std::rethrow_exception(failure);
