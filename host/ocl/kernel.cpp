@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 #include "host/base/error.h"
 #include "host/ocl/kernel_state.h"
 #include "host/ocl/opencl.h"
+#include "host/ocl/quirks.h"
 #include "host/ocl/status.h"
 
 namespace offing::ocl {
@@ -160,6 +163,12 @@ Event Kernel::enqueue(const LaunchShape& shape) const {
     local[i] = std::max<std::size_t>(local[i], 1);
   }
   const bool driver_chooses = local[0] == 0;
+  std::optional<quirks::BuildTurn> turn;
+  if (quirks::compiles_at_launch(state_->device->info)) {
+    const std::size_t magnitude = std::bit_width(*std::max_element(global.begin(), global.end()));
+    const bool is_new = state_->launched.insert({driver_chooses ? global : local, magnitude}).second;
+    if (is_new) turn.emplace(state_->device->info);
+  }
   cl_event event = nullptr;
   const int status = clEnqueueNDRangeKernel(state_->device->queue.get(), state_->kernel.get(), dimensions,
                                             nullptr, global.data(), driver_chooses ? nullptr : local.data(),
@@ -171,7 +180,9 @@ Event Kernel::enqueue(const LaunchShape& shape) const {
                              driver_chooses ? "any" : fmt::format("{}", fmt::join(local, ", ")),
                              state_->device->info.name));
   }
-  return Event(event);
+  Event launched(event);
+  if (turn) check(clFinish(state_->device->queue.get()), "clFinish", state_->name);
+  return launched;
 }
 
 }  // namespace offing::ocl

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/base/error.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/program.h"
 #include "host/ocl/program_cache.h"
@@ -23,7 +24,7 @@ namespace {
 
 constexpr int thread_count = 4;
 
-// Starts `work` on several threads at once and waits for all.
+// Starts `work` on several threads at once and waits for all. What one throws fails the test with its words.
 template <class Work>
 void on_threads(Work work) {
   std::atomic<int> ready{0};
@@ -32,7 +33,11 @@ void on_threads(Work work) {
     threads.emplace_back([&ready, &work, i] {
       ++ready;
       while (ready < thread_count) std::this_thread::yield();
-      work(i);
+      try {
+        work(i);
+      } catch (const Error& error) {
+        ADD_FAILURE() << "thread " << i << ": " << error.what() << "\n" << error.hint();
+      }
     });
   }
 }
@@ -97,6 +102,29 @@ TEST(ProgramThreads, BuildAndLaunchAtOnce) {
     results[thread] = values.read()[63];
   });
   for (int thread = 0; thread < thread_count; ++thread) EXPECT_EQ(results[thread], 100 + 10 * thread);
+}
+
+// Fails if a launch that compiles a kernel does so while another process builds, or if later launches of the
+// same shape wait as well.
+TEST(ProgramThreads, FirstLaunchesTakeTurnsOnPocl) {
+  const Device device = Device::open();
+  if (!quirks::compiles_at_launch(device.info()))
+    GTEST_SKIP() << device.info().name << " compiles no launches";
+  const test::TestKernels kernels;
+  kernels.write("offset.cl", "kernel void offset(global int* v, int by) { v[get_global_id(0)] += by; }");
+  Buffer<int> values(device, 64, "values");
+  const Kernel offset = Program::build(device, "offset.cl").kernel("offset");
+  offset.launch({{64}, {8}}, values, 1);
+  std::atomic<bool> is_done{false};
+  std::optional<quirks::BuildTurn> other_process(device.info());
+  offset.launch({{64}, {8}}, values, 1);  // would wait for ever
+  const std::jthread first_of_its_shape([&] {
+    offset.launch({{64}, {16}}, values, 1);
+    is_done = true;
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_FALSE(is_done);
+  other_process.reset();
 }
 
 }  // namespace
