@@ -18,11 +18,11 @@ enum class Direction {
 /// ch. 24); tests/fft/fft2d_test.cpp has the measured values. Sources: kernels/README.md.
 class Fft2d {
  public:
-  /// Throws Error(bad_input) if size is not a power of two in [16, 4096] or batch < 1.
+  /// Throws Error(bad_input) if size is not a power of two in [16, 4096], batch < 1, or the size needs larger
+  /// work-groups than the device allows (see fft_plan.h).
   Fft2d(const ocl::Device& device, int size, int batch, Direction direction);
 
   int size() const { return size_; }
-  int batch() const { return batch_; }
   /// Floats that an input or output buffer must hold: batch * n * n * 2.
   std::size_t float_count() const;
 

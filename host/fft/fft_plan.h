@@ -33,7 +33,8 @@ struct PlanRequest {
 /// small for the columns takes narrower strips, then the GPU shape.
 class FftPlan {
  public:
-  /// Throws Error(bad_input) if the size is not a power of two in [16, 4096].
+  /// Throws Error(bad_input) if the size is not a power of two in [16, 4096], or the device gets the GPU shape
+  /// and allows work-groups of fewer than n / 8 work-items: 4096 needs 512, which a few GPUs do not allow.
   FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request);
 
   const PassPlan& columns() const { return columns_; }

@@ -18,14 +18,7 @@ offing_dependency(OpenCL::OpenCL CMAKE "find_dependency(OpenCL)" PKG_CONFIG Open
 offing_dependency(OpenEXR::OpenEXR CMAKE "find_dependency(OpenEXR)" PKG_CONFIG OpenEXR)
 offing_dependency(Imath::Imath CMAKE "find_dependency(Imath)" PKG_CONFIG Imath)
 offing_dependency(PNG::PNG CMAKE "find_dependency(PNG)" PKG_CONFIG libpng)
-offing_dependency(ZLIB::ZLIB CMAKE "find_dependency(ZLIB)" PKG_CONFIG zlib)
-offing_dependency(netCDF::netcdf CMAKE "find_dependency(netCDF)" PKG_CONFIG netcdf)
 offing_dependency(PkgConfig::NETCDF
   CMAKE "find_dependency(PkgConfig)" "pkg_check_modules(NETCDF REQUIRED QUIET IMPORTED_TARGET netcdf)"
   PKG_CONFIG netcdf)
-offing_dependency(PkgConfig::CAIRO
-  CMAKE "find_dependency(PkgConfig)" "pkg_check_modules(CAIRO REQUIRED QUIET IMPORTED_TARGET cairo)"
-  PKG_CONFIG cairo)
 offing_dependency(tomlplusplus::tomlplusplus CMAKE "find_dependency(tomlplusplus)" PKG_CONFIG tomlplusplus)
-offing_dependency(nlohmann_json::nlohmann_json CMAKE "find_dependency(nlohmann_json)" PKG_CONFIG nlohmann_json)
-offing_dependency(CLI11::CLI11 CMAKE "find_dependency(CLI11)" PKG_CONFIG CLI11)

@@ -8,6 +8,7 @@
 
 #include "host/base/error.h"
 #include "host/ocl/device_state.h"
+#include "host/ocl/host_memory.h"
 #include "host/ocl/host_pages.h"
 #include "host/ocl/opencl.h"
 #include "host/ocl/quirks.h"
@@ -30,6 +31,13 @@ std::string description(std::string_view name, std::size_t bytes, const DeviceIn
               fmt::format("{}: {} does not fit: the device has {} MiB and allows {} MiB a buffer", call,
                           description(name, bytes, info), info.global_memory_bytes >> 20,
                           info.max_allocation_bytes >> 20),
+              out_of_memory_hint);
+}
+
+[[noreturn]] void throw_out_of_host_memory(std::string_view name, std::size_t bytes, const DeviceInfo& info) {
+  throw Error(ErrorKind::out_of_memory,
+              fmt::format("{} does not fit: {} MiB of this machine's memory are left to this process",
+                          description(name, bytes, info), available_host_memory_bytes() >> 20),
               out_of_memory_hint);
 }
 
@@ -57,7 +65,7 @@ Memory::Memory(const Device& device, std::size_t bytes, std::string_view name)
   cl_mem_flags flags = CL_MEM_READ_WRITE;
   if (uses_host_pages(info)) {
     pages_.reset(new HostPages(size));
-    if (pages_->data() == nullptr) throw_out_of_memory("aligned_alloc", name_, bytes_, info);
+    if (pages_->data() == nullptr) throw_out_of_host_memory(name_, bytes_, info);
     // A driver that asks for more than a page gets its own memory instead of undefined behaviour.
     const auto address = reinterpret_cast<std::uintptr_t>(pages_->data());
     if (address % std::max<std::size_t>(info.base_address_alignment_bytes, 1) != 0) pages_.reset();

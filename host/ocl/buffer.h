@@ -35,7 +35,6 @@ class Memory {
   Memory& operator=(const Memory&) = delete;
   ~Memory();
 
-  std::size_t bytes() const { return bytes_; }
   cl_mem handle() const { return memory_; }
   void write(std::size_t offset_bytes, std::size_t bytes, const void* source);
   void read(std::size_t offset_bytes, std::size_t bytes, void* target) const;

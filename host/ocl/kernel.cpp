@@ -93,14 +93,6 @@ const std::string& Kernel::name() const {
   return state_->name;
 }
 
-std::size_t Kernel::max_work_group_size() const {
-  std::size_t size = 0;
-  check(clGetKernelWorkGroupInfo(state_->kernel.get(), state_->device->id, CL_KERNEL_WORK_GROUP_SIZE,
-                                 sizeof size, &size, nullptr),
-        "clGetKernelWorkGroupInfo", state_->name);
-  return size;
-}
-
 void Kernel::begin_launch(std::size_t argument_count) const {
   if (argument_count == state_->arguments.size()) return;
   throw Error(ErrorKind::bad_usage,

@@ -60,8 +60,6 @@ class Kernel {
   }
 
   const std::string& name() const;
-  /// CL_KERNEL_WORK_GROUP_SIZE: the largest work-group this kernel can run with.
-  std::size_t max_work_group_size() const;
 
  private:
   friend class Program;

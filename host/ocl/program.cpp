@@ -20,8 +20,9 @@ namespace {
 
 using Binary = std::vector<std::uint8_t>;
 
-// Denormals are flushed because the tails of a spectrum are full of them and cost a factor 2; the other two
-// allow fused multiply-adds. Argument info is what Kernel checks its arguments against.
+// Denormals are flushed because the tails of a spectrum are full of them and cost a factor 2; fused
+// multiply-adds are allowed, and simplifications such as x * 0 + y = y, which lose the sign of a zero that
+// nothing here looks at. Argument info is what Kernel checks its arguments against.
 constexpr const char* base_options =
     "-cl-std=CL1.2 -cl-denorms-are-zero -cl-mad-enable -cl-no-signed-zeros -cl-kernel-arg-info";
 

@@ -1,5 +1,6 @@
 #include "host/ocl/program_cache.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -23,6 +24,11 @@ struct SourceFile {
 std::optional<SourceFile> read_from_folder(std::string_view name) {
   const char* folder = std::getenv("OFFING_KERNEL_PATH");
   if (folder == nullptr || *folder == '\0') return std::nullopt;
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) {
+    throw Error(ErrorKind::bad_usage, fmt::format("OFFING_KERNEL_PATH: expected a folder, got {}", folder),
+                "name the kernels/ folder of a checkout, or unset it");
+  }
   const std::filesystem::path path = std::filesystem::path(folder) / name;
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;

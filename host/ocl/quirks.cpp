@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "host/ocl/host_pages.h"
+#include "host/ocl/host_memory.h"
 #include "host/ocl/program_cache.h"
 
 namespace offing::ocl::quirks {

@@ -6,6 +6,7 @@
 #include "host/ocl/buffer.h"
 #include "host/ocl/program_source.h"
 #include "tests/ocl/expect_error.h"
+#include "tests/ocl/scoped_environment.h"
 #include "tests/ocl/test_kernels.h"
 
 namespace offing::ocl {
@@ -89,6 +90,14 @@ TEST_F(ProgramTest, NamesTheLineThatIncludesAMissingFile) {
                      [&] { Program::build(device_, "lost.cl"); });
   test::expect_error(ErrorKind::build_failed, "no kernel source \"none.cl\"",
                      [&] { Program::build(device_, "none.cl"); });
+}
+
+// Fails if a mistyped folder is answered with the embedded kernels, while its owner edits others.
+TEST_F(ProgramTest, NamesAKernelPathThatIsNoFolder) {
+  const test::ScopedEnvironment path("OFFING_KERNEL_PATH", kernels_.path_of("nowhere"));
+  test::expect_error(ErrorKind::bad_usage,
+                     "OFFING_KERNEL_PATH: expected a folder, got " + kernels_.path_of("nowhere"),
+                     [] { assemble_source("shared/random.h"); });
 }
 
 TEST_F(ProgramTest, NamesAMissingKernel) {

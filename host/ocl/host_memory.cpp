@@ -1,0 +1,71 @@
+#include "host/ocl/host_memory.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace offing::ocl {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The number that follows `label` at the start of a line.
+std::optional<std::uint64_t> number_after(const fs::path& file, std::string_view label) {
+  std::ifstream lines(file);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(label)) return std::strtoull(line.c_str() + label.size(), nullptr, 10);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint64_t> meminfo_bytes(std::string_view label) {
+  const auto kibibytes = number_after("/proc/meminfo", label);
+  return kibibytes ? std::optional(*kibibytes * 1024) : std::nullopt;
+}
+
+std::optional<std::uint64_t> number_in(const fs::path& file) {
+  std::uint64_t value = 0;
+  return std::ifstream(file) >> value ? std::optional(value) : std::nullopt;  // "max" is no number
+}
+
+// This process' group below the root of cgroup v2, as "/user.slice/..."; in a container mostly "/".
+fs::path own_group() {
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);) {
+    constexpr std::string_view unified = "0::";
+    if (line.starts_with(unified)) return line.substr(unified.size());
+  }
+  return "/";
+}
+
+}  // namespace
+
+std::uint64_t total_host_memory_bytes() {
+  return meminfo_bytes("MemTotal:").value_or(0);
+}
+
+std::uint64_t available_in_group_bytes(const fs::path& group) {
+  const auto limit = number_in(group / "memory.max");
+  if (!limit) return unlimited_bytes;
+  const std::uint64_t used = number_in(group / "memory.current").value_or(0);
+  const fs::path statistics = group / "memory.stat";
+  const std::uint64_t given_back = number_after(statistics, "inactive_file ").value_or(0) +
+                                   number_after(statistics, "active_file ").value_or(0);
+  const std::uint64_t kept = used - std::min(used, given_back);
+  return *limit - std::min(*limit, kept);
+}
+
+std::uint64_t available_host_memory_bytes() {
+  std::uint64_t available = meminfo_bytes("MemAvailable:").value_or(unlimited_bytes);
+  // Each group up to the root may have a limit; what another namespace hides has no files here.
+  const fs::path root = "/sys/fs/cgroup";
+  for (fs::path group = own_group().lexically_normal();; group = group.parent_path()) {
+    available = std::min(available, available_in_group_bytes(root / group.relative_path()));
+    if (!group.has_relative_path()) return available;
+  }
+}
+
+}  // namespace offing::ocl

@@ -1,0 +1,61 @@
+#include "host/ocl/host_memory.h"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "tests/io/temporary_folder.h"
+
+// Control groups of cgroup v2, made up in a folder.
+
+namespace offing::ocl {
+namespace {
+
+class ControlGroup : public testing::Test {
+ protected:
+  void write(const char* name, const char* text) const { std::ofstream(group() / name) << text; }
+  std::filesystem::path group() const { return folder_.path(); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+// Fails if file pages, which the kernel gives back before it refuses anything, count as used: a long bake's
+// own files would then leave no memory for its next frame.
+TEST_F(ControlGroup, FilePagesAreFree) {
+  write("memory.max", "1000000\n");
+  write("memory.current", "990000\n");
+  write("memory.stat", "anon 90000\nfile 900000\ninactive_file 700000\nactive_file 150000\nslab 50000\n");
+  EXPECT_EQ(available_in_group_bytes(group()), 860000u);
+}
+
+TEST_F(ControlGroup, WithoutStatisticsAllUseCounts) {
+  write("memory.max", "1000\n");
+  write("memory.current", "400\n");
+  EXPECT_EQ(available_in_group_bytes(group()), 600u);
+}
+
+// Fails if numbers that were read at different times wrap around.
+TEST_F(ControlGroup, NeverWrapsAround) {
+  write("memory.max", "1000\n");
+  write("memory.current", "1200\n");
+  EXPECT_EQ(available_in_group_bytes(group()), 0u);
+  write("memory.stat", "inactive_file 5000\n");
+  EXPECT_EQ(available_in_group_bytes(group()), 1000u);
+}
+
+TEST_F(ControlGroup, MayHaveNoLimit) {
+  EXPECT_EQ(available_in_group_bytes(group()), unlimited_bytes);
+  write("memory.max", "max\n");
+  write("memory.current", "400\n");
+  EXPECT_EQ(available_in_group_bytes(group()), unlimited_bytes);
+}
+
+// Fails if this machine's own files are misread: some memory is left, and not more than there is.
+TEST(HostMemory, IsSomeOfTheMachines) {
+  EXPECT_GT(available_host_memory_bytes(), 0u);
+  EXPECT_LE(available_host_memory_bytes(), total_host_memory_bytes());
+}
+
+}  // namespace
+}  // namespace offing::ocl
