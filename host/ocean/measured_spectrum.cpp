@@ -20,6 +20,13 @@ using std::numbers::pi;
               "check the record against the format of its file, or choose another record");
 }
 
+// Waves of three hours, a hundred times longer than those that wind makes; the shortest capillary ones.
+// Closer frequencies than a millionth apart are one frequency that was rounded, and leave no range to
+// tabulate.
+constexpr double lowest_hz = 1e-4;
+constexpr double highest_hz = 100.0;
+constexpr double least_step = 1e-6;
+
 /// Where a frequency lies between two listed ones: `upper` is the share of the one above.
 struct Place {
   std::size_t index;
@@ -86,11 +93,13 @@ class MeasuredSea {
                          frequencies_hz.size(), record_.energy.size()));
     }
     for (std::size_t i = 0; i < frequencies_hz.size(); ++i) {
-      const double before_hz = i == 0 ? 0.0 : frequencies_hz[i - 1];
-      if (!(frequencies_hz[i] > before_hz && frequencies_hz[i] <= 100.0)) {
-        reject(
-            fmt::format("expected frequencies that increase within (0, 100] Hz, found {:g} Hz after {:g} Hz",
-                        frequencies_hz[i], before_hz));
+      const double least_hz = i == 0 ? lowest_hz : frequencies_hz[i - 1] * (1.0 + least_step);
+      if (!(frequencies_hz[i] >= least_hz && frequencies_hz[i] <= highest_hz)) {
+        reject(fmt::format(
+            "expected frequencies within [{:g}, {:g}] Hz that increase by at least {:g} of themselves, found "
+            "{} Hz{}",
+            lowest_hz, highest_hz, least_step, frequencies_hz[i],
+            i == 0 ? " first" : fmt::format(" after {} Hz", frequencies_hz[i - 1])));
       }
       if (!(record_.energy[i] >= 0.0 && record_.energy[i] <= 1e6)) {
         reject(fmt::format("expected energies within [0, 1e6] m^2/Hz, found {:g} at {:g} Hz",

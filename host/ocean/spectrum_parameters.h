@@ -51,7 +51,8 @@ SeaSpectrum make_sea_spectrum(const SpectrumParameters& parameters);
 /// A measured sea: S(f, theta) is linear between the listed frequencies and directions and zero beyond the
 /// first and last frequency, so that m0 and the mean direction are the trapezoidal sums over the file's own
 /// grid. A record without directions is spread by `spreading`; one with directions keeps its own. Throws
-/// Error(bad_input) for a grid out of order, a negative or non-finite density, a row of directions that does
+/// Error(bad_input) for a grid out of order, frequencies below 1e-4 Hz, above 100 Hz or closer than 1e-6 of
+/// themselves, a negative or non-finite density, a row of directions that does
 /// not integrate to 1 within 1 %, or no energy at all.
 SeaSpectrum from_measured(const WaveSpectrum& measured, const SpreadingParameters& spreading,
                           const Dispersion& dispersion);

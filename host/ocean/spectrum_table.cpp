@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
+
+#include "host/base/error.h"
 #include "host/ocean/quadrature.h"
 
 namespace offing::ocean {
@@ -101,6 +104,13 @@ SpectrumTable tabulate(const SeaSpectrum& spectrum) {
   SpectrumTable table;
   table.wavenumber_count = wavenumber_count;
   table.log_k_step = (log_k_high - log_k_low) / (wavenumber_count - 3);
+  if (!(table.log_k_step > 0.0 && std::isfinite(table.log_k_step))) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("spectrum: expected frequencies 0 < omega_min < omega_max, found {:g} and {:g} rad/s",
+                    spectrum.omega_min_radps, spectrum.omega_max_radps),
+        "give the sea a range of frequencies, such as 0.2 to 20 rad/s");
+  }
   table.log_k_first = log_k_low - table.log_k_step;
   const std::vector<Row> rows = energy_rows(spectrum, table.log_k_first, table.log_k_step);
   table.direction_count = choose_direction_count(spectrum, rows);

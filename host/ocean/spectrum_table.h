@@ -17,7 +17,7 @@ struct SpectrumTable {
 };
 
 /// Tabulates the spectrum finely enough that linear interpolation in (ln k, theta) integrates to m0 within
-/// 1e-4.
+/// 1e-4. Throws Error(bad_input) unless the spectrum has a range of positive, finite frequencies.
 SpectrumTable tabulate(const SeaSpectrum& spectrum);
 
 }  // namespace offing::ocean

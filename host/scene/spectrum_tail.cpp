@@ -7,7 +7,8 @@ namespace offing::scene {
 WaveSpectrum with_tail(WaveSpectrum record, double highest_hz) {
   const double last_hz = record.frequencies_hz.back();
   const double last_energy = record.energy.back();
-  if (highest_hz <= last_hz) {
+  // A thousandth further is no tail, and its frequencies would be too close to tell apart.
+  if (highest_hz <= 1.001 * last_hz) {
     return record;
   }
   // Straight lines between points 3 % apart lie above f^-5 by at most 5 * 6 / 8 * 0.03^2 = 0.4 %.

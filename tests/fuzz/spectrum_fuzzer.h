@@ -7,6 +7,8 @@
 
 #include "host/base/error.h"
 #include "host/base/wave_spectrum.h"
+#include "host/ocean/spectrum_parameters.h"
+#include "host/ocean/spectrum_table.h"
 
 namespace offing::fuzz {
 
@@ -35,13 +37,27 @@ inline void expect_contract(const WaveSpectrum& spectrum) {
   }
 }
 
-/// Runs `parse`: it must return spectra that keep the contract, or throw Error of one line with a hint.
+/// The sea of a record, as far as it is computed from the file alone: its table must be finite, and hold
+/// energy. Throws Error for a record that no sea is made from.
+inline void expect_sea(const WaveSpectrum& spectrum) {
+  const ocean::SpectrumTable table = ocean::tabulate(ocean::from_measured(spectrum, {}, {}));
+  double sum = 0.0;
+  for (const float value : table.values) {
+    expect(std::isfinite(value) && value >= 0.0f);
+    sum += value;
+  }
+  expect(sum > 0.0);
+}
+
+/// Runs `parse`: it must return spectra that keep the contract, or throw Error of one line with a hint. So
+/// must the sea of the first one; of the first only, since a table takes longer than a file.
 template <class Parse>
 int check_reader(Parse parse) {
   try {
     const std::vector<WaveSpectrum> spectra = parse();
     expect(!spectra.empty());
     for (const WaveSpectrum& spectrum : spectra) expect_contract(spectrum);
+    expect_sea(spectra.front());
   } catch (const Error& error) {
     expect(std::string_view(error.what()).find('\n') == std::string_view::npos);
     expect(!error.hint().empty());

@@ -161,6 +161,10 @@ TEST(MeasuredSpectrum, RejectsBrokenRecords) {
       {"increase", [](WaveSpectrum& r) { std::swap(r.frequencies_hz[3], r.frequencies_hz[4]); }},
       {"increase", [](WaveSpectrum& r) { r.frequencies_hz[0] = 0.0; }},
       {"increase", [=](WaveSpectrum& r) { r.frequencies_hz[5] = nan; }},
+      // Neighbours and first frequencies that leave no range, or whose square underflows.
+      {"increase", [](WaveSpectrum& r) { r.frequencies_hz[1] = std::nextafter(r.frequencies_hz[0], 1.0); }},
+      {"found 1e-200 Hz first", [](WaveSpectrum& r) { r.frequencies_hz[0] = 1e-200; }},
+      {"found 101 Hz after", [](WaveSpectrum& r) { r.frequencies_hz.back() = 101.0; }},
       {"energies", [](WaveSpectrum& r) { r.energy[2] = -1.0; }},
       {"energies", [=](WaveSpectrum& r) { r.energy[2] = nan; }},
       {"energies", [](WaveSpectrum& r) { r.energy[2] = std::numeric_limits<double>::infinity(); }},

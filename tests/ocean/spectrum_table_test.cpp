@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "host/base/error.h"
+#include "host/ocean/spectrum_parameters.h"
 #include "tests/ocean/example_seas.h"
 
 namespace offing::ocean {
@@ -138,6 +142,19 @@ TEST(SpectrumTable, OuterRowsAreEmpty) {
     for (const float value : table.values) {
       ASSERT_TRUE(std::isfinite(value) && value >= 0.0f) << sea.name;
     }
+  }
+}
+
+// Fails if a spectrum without a range of frequencies is divided by its width, which once wrote outside the
+// table.
+TEST(SpectrumTable, RejectsASpectrumWithoutRange) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const auto& [low_radps, high_radps] :
+       {std::pair{0.3, 0.3}, {0.5, 0.3}, {0.0, 1.0}, {-1.0, 1.0}, {0.3, infinity}, {infinity, infinity}}) {
+    SeaSpectrum spectrum = make_sea_spectrum({});
+    spectrum.omega_min_radps = low_radps;
+    spectrum.omega_max_radps = high_radps;
+    EXPECT_THROW(tabulate(spectrum), Error) << low_radps << " ... " << high_radps;
   }
 }
 
