@@ -121,14 +121,14 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
     std::fflush(stdout);
   }
   warn_of_broken_loop(sea, settings.frames_per_second);
-  if (!arguments.export_file.empty()) {
-    const WaveSpectrum exported = scene::sampled_spectrum(sea);
-    write_ww3_spectra(arguments.export_file, std::span(&exported, 1));
-  }
 
   const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings));
   const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), hash);
   files.prepare_folder();
+  if (!arguments.export_file.empty()) {  // after the folder: it may lie there
+    const WaveSpectrum exported = scene::sampled_spectrum(sea);
+    write_ww3_spectra(arguments.export_file, std::span(&exported, 1));
+  }
   const FrameWriter writer(sea, settings, files, hash, scene::spectrum_name(scene, sea));
   const BakeSummary summary = [&] {
     const std::size_t count = frames_in_share(settings.frames, settings.share).size();

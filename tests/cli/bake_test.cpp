@@ -307,6 +307,17 @@ TEST_F(Bake, AddsWhatIsAskedLater) {
   EXPECT_THAT(folder_content(folder("out")), Contains(Key("ocean.0000.ply")));
 }
 
+// Fails if the exported spectrum cannot lie in the folder that the bake makes, or is written beside a folder
+// that the bake then refuses.
+TEST_F(Bake, ExportsOnceTheFolderIsThere) {
+  bake("out", {"--frames", "0:0", "--export-spectrum", (folder("out") / "sea.spec").string()});
+  EXPECT_THAT(file_names(folder("out")), Contains("sea.spec"));
+  const ProgramResult refused = run_offing(command(
+      "out", {"--frames", "0:0", "--wind-speed-mps", "14", "--export-spectrum", folder("b.spec").string()}));
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder("b.spec")));
+}
+
 // Fails if a loop does not return to its first frame, bit by bit: foam too, whose past lies in the loop
 // before.
 TEST_F(Bake, LoopsExactly) {
