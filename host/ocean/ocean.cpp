@@ -54,12 +54,23 @@ struct Ocean::State {
     return static_cast<std::size_t>(cascade) * texels();
   }
 
+  /// The surface at time_s, computed anew where foam left one of its past instants in the maps, or failed
+  /// there.
+  const SurfaceMaps& current_surface() {
+    if (!surface_is_current) {
+      surface.at(modes, time_s);
+      surface_is_current = true;
+    }
+    return surface;
+  }
+
   ocl::Device device;
   OceanParameters parameters;
   double water_depth_m;
   double time_s = 0.0;
   WaveModes modes;
   SurfaceMaps surface;
+  bool surface_is_current = false;  // whether `surface` is that of time_s
   // Made at first use: many callers want the surface alone.
   std::optional<VelocityMap> velocity;
   std::optional<Foam> foam;
@@ -80,19 +91,21 @@ const OceanParameters& Ocean::parameters() const {
 void Ocean::at(double time_s) {
   require_within("time_s", time_s, -largest_time_s, largest_time_s);
   state_->time_s = time_s;
-  state_->surface.at(state_->modes, time_s);
+  state_->surface_is_current = false;
+  state_->current_surface();
 }
 
 SurfaceFields Ocean::read_surface(int cascade) const {
   State& state = *state_;
   const std::size_t count = state.texels(), first = state.first_texel(cascade);
+  const SurfaceMaps& surface = state.current_surface();
   if (!state.jacobian) {
     state.jacobian =
         ocl::Program::build(state.device, "ocean/surface_jacobian.cl").kernel("surface_jacobian");
   }
   ocl::Buffer<float> jacobian(state.device, 2 * count, "jacobian");
-  state.jacobian->launch({{count, 1, 1}}, state.surface.displacement(), state.surface.gradient(),
-                         static_cast<int>(first), jacobian);
+  state.jacobian->launch({{count, 1, 1}}, surface.displacement(), surface.gradient(), static_cast<int>(first),
+                         jacobian);
   SurfaceFields fields;
   fields.size = state.parameters.size;
   for (std::vector<float>* field :
@@ -101,8 +114,8 @@ SurfaceFields Ocean::read_surface(int cascade) const {
         &fields.jacobian_min_eigenvalue}) {
     field->resize(count);
   }
-  const auto displacement = state.surface.displacement().map();
-  const auto gradient = state.surface.gradient().map();
+  const auto displacement = surface.displacement().map();
+  const auto gradient = surface.gradient().map();
   const auto eigenvalues = jacobian.map();
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t texel = 4 * (first + i);
@@ -126,8 +139,8 @@ std::vector<float> Ocean::read_foam(int cascade) {
   if (!state.foam)
     state.foam.emplace(state.device, state.modes, state.parameters.foam, state.parameters.loop_period_s);
   if (!state.foam->holds(state.time_s)) {
+    state.surface_is_current = false;
     state.foam->at(state.modes, state.surface, state.time_s);
-    state.surface.at(state.modes, state.time_s);
   }
   std::vector<float> foam(state.texels());
   state.foam->foam().read(foam, first);
@@ -182,13 +195,14 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid) {
     params.column_step[i] = reduced_step(grid.spacing_x_m);
     params.row_step[i] = reduced_step(grid.spacing_z_m);
   }
+  const SurfaceMaps& surface = state.current_surface();
   const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
   const std::size_t count = columns * rows;
   const ocl::Buffer<OceanComposeParams> params_buffer(state.device, std::span(&params, 1), "sample grid");
   ocl::Buffer<float> position(state.device, 4 * count, "composed positions");
   ocl::Buffer<float> shape(state.device, 4 * count, "composed slopes");
-  state.compose->launch({{columns, rows, 1}}, state.surface.displacement(), state.surface.gradient(),
-                        params_buffer, state.parameters.size, position, shape);
+  state.compose->launch({{columns, rows, 1}}, surface.displacement(), surface.gradient(), params_buffer,
+                        state.parameters.size, position, shape);
   ComposedFields fields;
   fields.columns = grid.columns;
   fields.rows = grid.rows;
@@ -217,10 +231,12 @@ std::vector<float> Ocean::mode_variance(int cascade) const {
 }
 
 void Ocean::reseed(std::uint64_t seed) {
-  state_->parameters.seed = seed;
-  state_->modes.draw(seed);
-  if (state_->foam) state_->foam->reset();
-  if (state_->velocity) state_->velocity->reset();
+  State& state = *state_;
+  state.surface_is_current = false;
+  if (state.foam) state.foam->reset();
+  if (state.velocity) state.velocity->reset();
+  state.parameters.seed = seed;
+  state.modes.draw(seed);
 }
 
 }  // namespace offing::ocean

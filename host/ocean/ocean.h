@@ -97,7 +97,8 @@ class Ocean {
 
   /// Expected variance of each mode, [n][n] m^2, K = 0 at [0][0]: what the spectrum asks of this cascade.
   std::vector<float> mode_variance(int cascade) const;
-  /// Draws a new sea of the same spectrum.
+  /// Draws a new sea of the same spectrum: all that is read from now on is of it, at the time of the last
+  /// at().
   void reseed(std::uint64_t seed);
 
  private:
