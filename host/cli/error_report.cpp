@@ -43,10 +43,12 @@ std::vector<std::string> known_names(const CLI::App& command) {
 }  // namespace
 
 void report(const Error& error) {
-  fmt::print(stderr, "error: {}\n", one_line(error.what()));
+  // Not fmt::print(), which throws where stderr is full: there is nobody left to tell.
+  std::string text = fmt::format("error: {}\n", one_line(error.what()));
   if (!error.hint().empty()) {
-    fmt::print(stderr, "hint: {}\n", one_line(error.hint()));
+    text += fmt::format("hint: {}\n", one_line(error.hint()));
   }
+  std::fputs(text.c_str(), stderr);
 }
 
 std::string one_line(std::string_view text) {

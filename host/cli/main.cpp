@@ -57,12 +57,16 @@ Examples:
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device, 130 interrupted.)");
 }
 
+Error output_error() {
+  return Error(ErrorKind::file, "standard output: cannot be written",
+               "check the disk or the pipe it goes to");
+}
+
 /// Throws Error(file) if what was printed did not arrive.
 void finish_output() {
   std::cout.flush();
-  if (!std::cout || std::fflush(stdout) != 0) {
-    throw Error(ErrorKind::file, "standard output: cannot be written",
-                "check the disk or the pipe it goes to");
+  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    throw output_error();
   }
 }
 
@@ -99,6 +103,10 @@ int main(int argc, char** argv) {
                       "choose a smaller --size or fewer --cascades"));
     return exit_code(ErrorKind::out_of_memory);
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) {  // printing throws std::system_error where the output is full
+      cli::report(output_error());
+      return exit_code(ErrorKind::file);
+    }
     cli::report(Error(ErrorKind::device, fmt::format("unexpected fault: {}", error.what()),
                       "run again with --verbose and report what it says"));
     return 1;

@@ -55,6 +55,7 @@ void Progress::show() {
     return;
   }
   last_shown_ = now;
+  // Below, std::fputs() and not fmt::print(), which throws where stderr is full: no reason to stop the work.
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
   const int worked = done_ - skipped_;
   std::string text = fmt::format("{}/{} {}", done_, total_, what_);
@@ -66,12 +67,13 @@ void Progress::show() {
                  : fmt::format(", {} left", duration_text((total_ - done_) / rate_hz));
   }
   if (style_ == Style::lines) {
-    fmt::print(stderr, "{}\n", text);
+    std::fputs((text + '\n').c_str(), stderr);
     return;
   }
   const int filled = total_ > 0 ? bar_width * done_ / total_ : bar_width;
-  fmt::print(stderr, "\r[{}{}] {}\x1b[K", std::string(static_cast<std::size_t>(filled), '='),
-             std::string(static_cast<std::size_t>(bar_width - filled), ' '), text);
+  const std::string bar = fmt::format("\r[{}{}] {}\x1b[K", std::string(static_cast<std::size_t>(filled), '='),
+                                      std::string(static_cast<std::size_t>(bar_width - filled), ' '), text);
+  std::fputs(bar.c_str(), stderr);
   std::fflush(stderr);
   bar_is_open_ = true;
 }

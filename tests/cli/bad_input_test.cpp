@@ -279,13 +279,47 @@ TEST(BadCache, IsRebuilt) {
   EXPECT_EQ(second.output, first.output);
 }
 
-// Fails if results that cannot be written are taken for written.
-TEST(FullOutput, IsAnError) {
-  if (access("/dev/full", W_OK) != 0) {
-    GTEST_SKIP() << "no /dev/full here";
+class FullOutput : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (access("/dev/full", W_OK) != 0) {
+      GTEST_SKIP() << "no /dev/full here";
+    }
   }
-  const std::string command = "\"" + std::string(OFFING_PROGRAM) + "\" --help > /dev/full 2> /dev/null";
-  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);
+
+  /// Exit code of the program, -1 if a signal ended it.
+  int run(const std::string& arguments) const {
+    const int status = std::system(("\"" + std::string(OFFING_PROGRAM) + "\" " + arguments).c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  TemporaryFolder folder_;
+};
+
+// Fails if results that cannot be written are taken for written, or the error does not say so: where a short
+// text stays in its buffer to the end, and where a long one fills it half-way.
+TEST_F(FullOutput, IsAnError) {
+  std::string records = header;
+  for (int i = 0; i < 200; ++i) {
+    records += record;
+  }
+  const std::filesystem::path list = folder_.path() / "a.data_spec", errors = folder_.path() / "errors";
+  write(list, records);
+  for (const std::string& arguments : {std::string("--help"), "ocean spectrum --quiet " + list.string()}) {
+    EXPECT_EQ(run(arguments + " > /dev/full 2> " + errors.string()), 1) << arguments;
+    std::ifstream file(errors);
+    std::string line;
+    std::getline(file, line);
+    EXPECT_EQ(line, "error: standard output: cannot be written") << arguments;
+  }
+}
+
+// Fails if messages that cannot be written end the program by a signal, or stop a bake.
+TEST_F(FullOutput, OfMessagesIsNone) {
+  EXPECT_EQ(run("ocean stats --size 500 2> /dev/full"), 2);
+  EXPECT_EQ(run("ocean bake --size 16 --cascades 1 --frames 0:0 -o " + (folder_.path() / "out").string() +
+                " > /dev/null 2> /dev/full"),
+            0);
 }
 
 }  // namespace
