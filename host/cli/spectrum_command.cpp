@@ -13,6 +13,7 @@
 #include "host/cli/argument.h"
 #include "host/cli/direction_text.h"
 #include "host/cli/pictures/spectrum_plot.h"
+#include "host/cli/progress.h"
 #include "host/cli/spectrum_text.h"
 #include "host/io/spectra/read_spectra.h"
 #include "host/io/spectra/write_ww3_spectra.h"
@@ -44,8 +45,31 @@ ocean::SeaState state_of(const WaveSpectrum& record) {
   return ocean::integrate_sea_state(ocean::from_measured(record, {}, dispersion));
 }
 
-nlohmann::json to_json(std::size_t index, const WaveSpectrum& record, DirectionStyle style) {
-  const ocean::SeaState state = state_of(record);
+/// A record of the file with what it comes to.
+struct Listed {
+  std::size_t index;
+  const WaveSpectrum& record;
+  ocean::SeaState state;
+};
+
+/// The chosen record, or all. Thousands take half a minute: tells how far it is, and stops when asked to.
+std::vector<Listed> integrate(const std::vector<WaveSpectrum>& records, std::optional<std::size_t> chosen,
+                              const GlobalOptions& options) {
+  const std::size_t first = chosen.value_or(0), count = chosen ? 1 : records.size();
+  constexpr std::size_t done_in_a_blink = 100;
+  Progress progress(static_cast<int>(count), "records",
+                    count <= done_in_a_blink ? Verbosity::quiet : options.verbosity);
+  std::vector<Listed> listed;
+  for (std::size_t i = first; i < first + count; ++i) {
+    options.cancel.throw_if_cancelled();
+    listed.push_back({i, records[i], state_of(records[i])});
+    progress.advance();
+  }
+  return listed;
+}
+
+nlohmann::json to_json(const Listed& listed, DirectionStyle style) {
+  const auto& [index, record, state] = listed;
   nlohmann::json json = {{"record", index},           {"time_utc", record.time_utc},
                          {"station", record.station}, {"directional", record.is_directional()},
                          {"hs_m", state.hs_m},        {"tp_s", state.tp_s},
@@ -58,24 +82,23 @@ nlohmann::json to_json(std::size_t index, const WaveSpectrum& record, DirectionS
   return json;
 }
 
-void print_list(const std::string& file, const std::vector<WaveSpectrum>& records, DirectionStyle style) {
-  const WaveSpectrum& first = records.front();
+void print_list(const std::string& file, const std::vector<Listed>& records, DirectionStyle style) {
+  const WaveSpectrum& first = records.front().record;
   fmt::print("{}: {} record{}, {} frequencies {:.4g} ... {:.4g} Hz{}\n", file, records.size(),
              records.size() == 1 ? "" : "s", first.frequencies_hz.size(), first.frequencies_hz.front(),
              first.frequencies_hz.back(), first.is_directional() ? ", directional" : ", without directions");
   fmt::print("{:>6}  {:<20}  {:>7}  {:>6}  {:>6}  {:>15}\n", "record", "time", "Hs m", "Tp s", "Tm02 s",
              direction_unit(style));
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    const ocean::SeaState state = state_of(records[i]);
-    const std::string direction = records[i].is_directional() && state.m0_m2 > 0.0
+  for (const auto& [index, record, state] : records) {
+    const std::string direction = record.is_directional() && state.m0_m2 > 0.0
                                       ? fmt::format("{:.1f}", direction_deg(state.mean_direction_rad, style))
                                       : "-";
-    fmt::print("{:>6}  {:<20}  {:>7.3f}  {:>6.2f}  {:>6.2f}  {:>15}\n", i, records[i].time_utc, state.hs_m,
+    fmt::print("{:>6}  {:<20}  {:>7.3f}  {:>6.2f}  {:>6.2f}  {:>15}\n", index, record.time_utc, state.hs_m,
                state.tp_s, state.tm02_s, direction);
   }
 }
 
-void run(const SpectrumArguments& arguments) {
+void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
   const std::vector<WaveSpectrum> records = read_spectra(arguments.file);
   std::optional<std::size_t> chosen;
   if (!arguments.record.empty()) {
@@ -90,12 +113,11 @@ void run(const SpectrumArguments& arguments) {
     write_ww3_spectra(arguments.export_file, chosen ? all.subspan(*chosen, 1) : all);
   }
 
+  const std::vector<Listed> listed = integrate(records, chosen, options);
   if (arguments.json) {
     nlohmann::json json = {{"file", arguments.file}, {"records", nlohmann::json::array()}};
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      if (!chosen || *chosen == i) {
-        json["records"].push_back(to_json(i, records[i], arguments.directions));
-      }
+    for (const Listed& one : listed) {
+      json["records"].push_back(to_json(one, arguments.directions));
     }
     if (chosen) {
       json["records"][0]["frequencies_hz"] = records[*chosen].frequencies_hz;
@@ -105,9 +127,9 @@ void run(const SpectrumArguments& arguments) {
     return;
   }
   if (chosen) {
-    fmt::print("{}", spectrum_text(records[*chosen], state_of(records[*chosen]), arguments.directions));
+    fmt::print("{}", spectrum_text(listed.front().record, listed.front().state, arguments.directions));
   } else {
-    print_list(arguments.file, records, arguments.directions);
+    print_list(arguments.file, listed, arguments.directions);
   }
 }
 
@@ -137,7 +159,7 @@ void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
 Examples:
   offing ocean spectrum 41010.data_spec
   offing ocean spectrum 41010.data_spec --record 0 --plot sea.png)");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments, &options] { run(*arguments, options); });
 }
 
 }  // namespace offing::cli

@@ -1,7 +1,10 @@
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -178,6 +181,24 @@ TEST_F(Listing, ListsRecords) {
   EXPECT_EQ(records[1]["hs_m"], 0.0);
   EXPECT_TRUE(records[0]["mean_direction_deg"].is_null());
   EXPECT_THAT(run_offing({"ocean", "spectrum", file()}).output, testing::HasSubstr("2020-06-08T02:50Z"));
+}
+
+// Fails if listing thousands of records cannot be stopped. The plot, which comes first, tells that reading is
+// over; a listing of 4000 that nobody stops takes twenty seconds and exits with 0.
+TEST_F(Listing, StopsWhenAsked) {
+  std::ofstream more(file(), std::ios::app);
+  for (int i = 0; i < 4000; ++i) {
+    more << "2020 06 08 01 50 0.225 1.000 (0.100) 1.000 (0.200)\n";
+  }
+  more.close();
+  OffingProgram program({"ocean", "spectrum", file(), "--plot", path("plot.png")});
+  while (program.is_running() && !std::filesystem::exists(path("plot.png"))) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  program.send_signal(SIGINT);
+  const ProgramResult stopped = program.wait();
+  EXPECT_EQ(stopped.exit_code, 130);
+  EXPECT_THAT(stopped.errors, testing::HasSubstr("error: stopped at the user's request"));
 }
 
 // Fails if one record is not drawn as text and as a picture.
