@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/ocean/ocean.h"
@@ -31,6 +33,8 @@ struct OceanScene {
   std::vector<double> patch_lengths_m;  ///< one a cascade; empty: chosen from the spectrum
   int cascade_count = 3;                ///< how many to choose at most
   ocean::OceanParameters ocean;         ///< its cascades are filled in by prepare_sea()
+
+  std::map<std::string_view, std::string> set_at;  ///< key of each parameter that was set -> where
 };
 
 }  // namespace offing::scene

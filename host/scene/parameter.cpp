@@ -123,6 +123,7 @@ void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& wr
           },
       },
       parameter.storage);
+  scene.set_at.insert_or_assign(parameter.key, place.subject);
 }
 
 void clear_list(OceanScene& scene, const Parameter& parameter) {

@@ -27,6 +27,23 @@ using Storage =
 
 enum class ParameterGroup { world, time, wind, sea, grid, foam };
 enum class ParameterRule { within_range, power_of_two };
+/// Which seas a parameter matters to (unused_parameters.h).
+enum class ParameterUse {
+  always,
+  modelled_sea,      ///< not one of a measured spectrum
+  measured_sea,      ///< one of a measured spectrum
+  measured_tail,     ///< one of a measured spectrum that ends below the value
+  jonswap_or_tma,    ///< models, as are the next three
+  tma_depth_factor,  ///< in water of some depth
+  phillips,
+  swell,
+  wind,                ///< all that wind makes
+  own_wind,            ///< all that wind makes, and those whose spreading has a wave age
+  wind_direction,      ///< without directions of their own
+  spreading,           ///< without directions or a spreading of their own
+  spreading_exponent,  ///< those spread by cos^2s
+  chosen_cascades,     ///< whose patches are not given
+};
 
 /// One row of the parameter table: everything there is to say about one value of a scene.
 struct Parameter {
@@ -43,6 +60,7 @@ struct Parameter {
   double scale = 1.0;             ///< stored value = written value * scale
   ParameterRule rule = ParameterRule::within_range;
   std::size_t max_count = 1;  ///< of a list: the most values
+  ParameterUse use = ParameterUse::always;
 };
 
 /// A value as it was written, before any check. std::monostate is a type that no parameter takes.
@@ -58,8 +76,8 @@ struct Place {
   std::string assignment;  ///< `wind_speed_mps = ` or `--wind-speed-mps `
 };
 
-/// Checks a value and stores it; appends it to a list. Throws Error(bad_input) that names place, expected and
-/// found.
+/// Checks a value and stores it with its place; appends it to a list. Throws Error(bad_input) that names
+/// place, expected and found.
 void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& written, const Place& place);
 
 /// Empties a parameter that is a list, so that new values replace the old ones; does nothing to others.

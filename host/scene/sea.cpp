@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/log.h"
 #include "host/io/spectra/read_spectra.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/spectrum_tail.h"
+#include "host/scene/unused_parameters.h"
 
 namespace offing::scene {
 
@@ -60,6 +62,9 @@ Sea prepare_sea(const OceanScene& scene) {
   sea.parameters.cascades = scene.patch_lengths_m.empty()
                                 ? ocean::choose_cascades(sea.spectrum, scene.ocean.size, scene.cascade_count)
                                 : ocean::cascades_from_patches(scene.patch_lengths_m, scene.ocean.size);
+  for (const std::string& line : unused_parameters(scene, sea)) {
+    spdlog::warn("{}", line);
+  }
   return sea;
 }
 

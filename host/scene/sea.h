@@ -20,7 +20,8 @@ struct Sea {
 /// The scene with [wind] taken over where the ocean names no wind of its own.
 OceanScene with_resolved_wind(OceanScene scene);
 
-/// Reads the measured spectrum if there is one, makes the spectrum and chooses the cascades.
+/// Reads the measured spectrum if there is one, makes the spectrum and chooses the cascades. Logs a warning
+/// for each parameter that was set and does not matter (unused_parameters()).
 ///
 /// Water depth is the scene's, else that of the measured record, else infinite. Throws Error(bad_input) for a
 /// spectrum file that cannot be read, a record that it does not have, or values that do not go together.

@@ -117,6 +117,32 @@ TEST(Stats, TakesAndTellsBearings) {
   EXPECT_EQ(compass["measured"]["tm02_s"], travel["measured"]["tm02_s"]);
 }
 
+// Fails if a flag without any part in the sea is ignored in silence, or stops the work.
+TEST(Stats, TellsWhatIsNotUsed) {
+  const ProgramResult result =
+      run_offing({"ocean", "stats", "--size", "16", "--seeds", "1", "--record", "3", "--swell-hs-m", "2"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.errors,
+              testing::HasSubstr("warning: --record: not used: there is no measured spectrum\n"));
+  EXPECT_THAT(result.errors,
+              testing::HasSubstr("warning: --swell-hs-m: not used: the spectrum is jonswap\n"));
+}
+
+// Fails if a scene that comes with Offing is not read, or sets what has no part in its sea.
+TEST(Stats, TakesTheScenesWithoutAWarning) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(OFFING_SCENES)) {
+    if (entry.path().extension() == ".toml") {
+      ++count;
+      const ProgramResult result =
+          run_offing({"ocean", "stats", entry.path().string(), "--size", "16", "--seeds", "1"});
+      EXPECT_EQ(result.exit_code, 0) << result.errors;
+      EXPECT_THAT(result.errors, testing::Not(testing::HasSubstr("warning"))) << entry.path();
+    }
+  }
+  EXPECT_GE(count, 4);
+}
+
 // Fails if the text for people lacks what it must say.
 TEST(Stats, TextSaysWhatIsLinear) {
   const ProgramResult result = run_offing({"ocean", "stats", "--size", "32", "--seeds", "2", "--quiet"});

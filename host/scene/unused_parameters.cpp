@@ -1,0 +1,141 @@
+#include "host/scene/unused_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+#include "host/scene/parameter_table.h"
+
+namespace offing::scene {
+
+namespace {
+
+using ocean::SpectrumModel;
+using ocean::SpreadingModel;
+
+/// Why a use of parameters has no part in a sea; empty where it has.
+class Reasons {
+ public:
+  Reasons(const OceanScene& scene, const Sea& sea)
+      : scene_(scene),
+        is_measured_(sea.measured.has_value()),
+        is_directional_(is_measured_ && sea.measured->is_directional()),
+        is_deep_(std::isinf(sea.spectrum.dispersion.depth_m)),
+        last_hz_(is_measured_ ? sea.measured->frequencies_hz.back() : 0.0) {}
+
+  std::string against(ParameterUse use) const {
+    switch (use) {
+      case ParameterUse::always:
+        return "";
+      case ParameterUse::modelled_sea:
+        return is_measured_ ? "the sea is that of " + scene_.spectrum_file : "";
+      case ParameterUse::measured_sea:
+        return is_measured_ ? "" : "there is no measured spectrum";
+      case ParameterUse::measured_tail:
+        return against_tail();
+      case ParameterUse::jonswap_or_tma:
+        return unless({SpectrumModel::jonswap, SpectrumModel::tma});
+      case ParameterUse::tma_depth_factor:
+        return !is_measured_ && scene_.spectrum.model == SpectrumModel::tma && is_deep_
+                   ? "the water is deep"
+                   : unless({SpectrumModel::tma});
+      case ParameterUse::phillips:
+        return unless({SpectrumModel::phillips});
+      case ParameterUse::swell:
+        return unless({SpectrumModel::swell});
+      case ParameterUse::wind:
+        return is_measured_ ? "a measured sea takes no wind but its own, ocean.wind_speed_mps"
+                            : against_own_wind();
+      case ParameterUse::own_wind:
+        return against_own_wind();
+      case ParameterUse::wind_direction:
+        return against_directions();
+      case ParameterUse::spreading:
+        return against_spreading();
+      case ParameterUse::spreading_exponent:
+        return against_exponent();
+      case ParameterUse::chosen_cascades:
+        return scene_.patch_lengths_m.empty() ? "" : "the patches are given";
+    }
+    return "";
+  }
+
+ private:
+  std::string spectrum_is() const {
+    return "the spectrum is " + value_text(scene_, *find_parameter("ocean.spectrum"));
+  }
+
+  std::string spreading_is() const {
+    return "the spreading is " + value_text(scene_, *find_parameter("ocean.spreading"));
+  }
+
+  std::string unless(std::initializer_list<SpectrumModel> models) const {
+    if (is_measured_) {
+      return against(ParameterUse::modelled_sea);
+    }
+    return std::find(models.begin(), models.end(), scene_.spectrum.model) == models.end() ? spectrum_is()
+                                                                                          : "";
+  }
+
+  std::string against_tail() const {
+    // With its tail, the record ends there.
+    const bool is_needless = is_measured_ && last_hz_ > *scene_.tail_hz * (1.0 + 1e-9);
+    return is_needless ? fmt::format("{} reaches {:g} Hz by itself", scene_.spectrum_file, last_hz_)
+                       : against(ParameterUse::measured_sea);
+  }
+
+  std::string against_directions() const {
+    return is_directional_ ? scene_.spectrum_file + " has directions of its own" : "";
+  }
+
+  std::string against_spreading() const {
+    const SpectrumModel model = scene_.spectrum.model;
+    const bool is_fixed = model == SpectrumModel::phillips || model == SpectrumModel::swell;
+    return !is_measured_ && is_fixed ? spectrum_is() + ", which has a spreading of its own"
+                                     : against_directions();
+  }
+
+  std::string against_exponent() const {
+    const std::string reason = against_spreading();
+    const bool is_cosine = scene_.spectrum.spreading.model == SpreadingModel::cosine_2s;
+    return reason.empty() && !is_cosine ? spreading_is() : reason;
+  }
+
+  std::string against_own_wind() const {
+    if (!is_measured_) {
+      return scene_.spectrum.model == SpectrumModel::swell ? spectrum_is() : "";
+    }
+    const SpreadingModel model = scene_.spectrum.spreading.model;
+    const bool has_wave_age = model == SpreadingModel::mitsuyasu || model == SpreadingModel::hasselmann;
+    const std::string reason = against_directions();
+    return reason.empty() && !has_wave_age ? spreading_is() : reason;
+  }
+
+  const OceanScene& scene_;
+  bool is_measured_;
+  bool is_directional_;
+  bool is_deep_;
+  double last_hz_;
+};
+
+}  // namespace
+
+std::vector<std::string> unused_parameters(const OceanScene& scene, const Sea& sea) {
+  const Reasons reasons(scene, sea);
+  std::vector<std::string> lines;
+  for (const Parameter& row : parameter_table()) {
+    const auto place = scene.set_at.find(row.key);
+    if (place == scene.set_at.end()) {
+      continue;
+    }
+    const std::string reason = reasons.against(row.use);
+    if (!reason.empty()) {
+      lines.push_back(fmt::format("{}: not used: {}", place->second, reason));
+    }
+  }
+  return lines;
+}
+
+}  // namespace offing::scene
