@@ -38,7 +38,7 @@ inline void expect_contract(const WaveSpectrum& spectrum) {
 }
 
 /// The sea of a record, as far as it is computed from the file alone: its table must be finite, and hold
-/// energy. Throws Error for a record that no sea is made from.
+/// energy if there is some to speak of. Throws Error for a record that no sea is made from.
 inline void expect_sea(const WaveSpectrum& spectrum) {
   const ocean::SpectrumTable table = ocean::tabulate(ocean::from_measured(spectrum, {}, {}));
   double sum = 0.0;
