@@ -15,7 +15,8 @@ constexpr double angle_tolerance_rad = 1e-9;
 
 void require(bool is_valid, const char* name, double found, const char* expected) {
   if (is_valid) return;
-  throw Error(ErrorKind::bad_input, fmt::format("camera.{}: expected {}, found {:g}", name, expected, found));
+  throw Error(ErrorKind::bad_input, fmt::format("camera.{}: expected {}, found {:g}", name, expected, found),
+              fmt::format("set {} to {}", name, expected));
 }
 
 }  // namespace

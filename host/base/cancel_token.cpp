@@ -5,7 +5,9 @@
 namespace offing {
 
 void CancelToken::throw_if_cancelled() const {
-  if (cancelled()) throw Error(ErrorKind::cancelled, "stopped at the user's request");
+  if (cancelled())
+    throw Error(ErrorKind::cancelled, "stopped at the user's request",
+                "run the same command again to start over");
 }
 
 }  // namespace offing

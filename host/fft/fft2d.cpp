@@ -11,7 +11,8 @@ namespace offing::fft {
 Fft2d::Fft2d(const ocl::Device& device, int size, int batch, Direction direction)
     : size_(size), batch_(batch) {
   if (batch < 1) {
-    throw Error(ErrorKind::bad_input, fmt::format("transform batch: expected at least 1, got {}", batch));
+    throw Error(ErrorKind::bad_input, fmt::format("transform batch: expected at least 1, got {}", batch),
+                "ask for one transform or more");
   }
   const FftPlan plan(device.info(), {.size = size, .columns = size, .result_fields = 1});
   const auto kernel_of = [&](PassPlan pass, const char* source, const char* name) {
@@ -38,7 +39,8 @@ void Fft2d::transform(const ocl::Buffer<float>& input, ocl::Buffer<float>& outpu
   if (input.size() < float_count() || output.size() < float_count()) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("transform buffers: expected at least {} floats, got {} and {}", float_count(),
-                            input.size(), output.size()));
+                            input.size(), output.size()),
+                "make both buffers of float_count() floats");
   }
   columns_.launch(columns_shape_, input, intermediate_, column_twiddles_, columns_scratch_);
   rows_.launch(rows_shape_, intermediate_, row_twiddles_, output);

@@ -238,7 +238,8 @@ void write_exr(const std::filesystem::path& path, const ExrImage& image, PixelTy
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    throw Error(ErrorKind::file, fmt::format("{}: OpenEXR cannot write: {}", path.string(), error.what()));
+    throw Error(ErrorKind::file, fmt::format("{}: OpenEXR cannot write: {}", path.string(), error.what()),
+                "check the space left on the disk, or choose another compression");
   }
   file.commit();
 }

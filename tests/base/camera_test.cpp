@@ -76,6 +76,7 @@ TEST(Camera, NamesWhatIsWrong) {
       ADD_FAILURE() << name << " was taken";
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+      EXPECT_FALSE(error.hint().empty()) << error.what();
       EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
     }
   };

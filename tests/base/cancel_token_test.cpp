@@ -24,6 +24,7 @@ TEST(CancelTokenTest, StopsWorkFromTheFirstCancelOn) {
       ADD_FAILURE() << "work goes on";
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::cancelled);
+      EXPECT_FALSE(error.hint().empty());
       EXPECT_EQ(exit_code(error.kind()), 130);
     }
   }

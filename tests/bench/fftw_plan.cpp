@@ -47,7 +47,8 @@ FftwPlan::FftwPlan(const Layout& layout, float* input, float* output, Threading 
     : threading_(threading) {
   static const int threads_are_ready = fftwf_init_threads();
   if (threads_are_ready == 0) {
-    throw Error(ErrorKind::out_of_memory, "FFTW: its threads cannot be started");
+    throw Error(ErrorKind::out_of_memory, "FFTW: its threads cannot be started",
+                "raise the limit on threads (ulimit -u)");
   }
   use_loop_of(threading);
   fftwf_plan_with_nthreads(threading == Threading::one ? 1 : core_count());
@@ -57,8 +58,10 @@ FftwPlan::FftwPlan(const Layout& layout, float* input, float* output, Threading 
   plan_ = fftwf_plan_many_dft(2, sizes, layout.batch, as_complex(input), embedding, 1, distance,
                               as_complex(output), embedding, 1, distance, FFTW_BACKWARD, FFTW_MEASURE);
   if (plan_ == nullptr) {
-    throw Error(ErrorKind::out_of_memory, fmt::format("FFTW: no plan for {} transforms of {} x {}",
-                                                      layout.batch, layout.size, layout.size));
+    throw Error(
+        ErrorKind::out_of_memory,
+        fmt::format("FFTW: no plan for {} transforms of {} x {}", layout.batch, layout.size, layout.size),
+        "choose a smaller size");
   }
 }
 

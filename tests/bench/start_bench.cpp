@@ -74,7 +74,9 @@ double start_ms(const std::string& device, const std::string& cache_folder) {
   std::vector<std::string> arguments{"offing-bench", "first-frame", "--device", device};
   std::vector<std::string> variables = environment_with_cache(cache_folder);
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) throw Error(ErrorKind::file, "start-up: no pipe to the new process");
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    throw Error(ErrorKind::file, "start-up: no pipe to the new process",
+                "raise the limit on open files (ulimit -n)");
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);

@@ -224,7 +224,7 @@ TEST_F(Listing, StopsWhenAsked) {
   program.send_signal(SIGINT);
   const ProgramResult stopped = program.wait();
   EXPECT_EQ(stopped.exit_code, 130);
-  EXPECT_THAT(stopped.errors, testing::HasSubstr("error: stopped at the user's request"));
+  EXPECT_THAT(stopped.errors, testing::HasSubstr("error: stopped at the user's request\nhint: "));
 }
 
 // Fails if one record is not drawn as text and as a picture.
