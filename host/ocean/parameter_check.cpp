@@ -6,17 +6,12 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/parameter_check.h"
 
 namespace offing::ocean {
 
 void require_within(std::string_view name, double value, double low, double high) {
-  if (value >= low && value <= high) {
-    return;
-  }
-  throw Error(
-      ErrorKind::bad_input,
-      fmt::format("ocean.{}: expected a number within [{:g}, {:g}], found {:g}", name, low, high, value),
-      fmt::format("set {} to a value between {:g} and {:g}", name, low, high));
+  offing::require_within(fmt::format("ocean.{}", name), value, low, high);
 }
 
 void require_valid_dispersion(const Dispersion& dispersion) {

@@ -6,8 +6,7 @@
 
 namespace offing::ocean {
 
-/// Throws Error(bad_input) that names the parameter, its range and the value found, unless low <= value <=
-/// high. NaN is outside every range; `name` carries the unit.
+/// offing::require_within() of "ocean.<name>"; `name` carries the unit.
 void require_within(std::string_view name, double value, double low, double high);
 
 /// Throws Error(bad_input) unless gravity, depth (0.1 m ... infinite) and capillary length are physical.

@@ -1,16 +1,11 @@
 #include "host/sky/parameter_check.h"
 
-#include <fmt/format.h>
-
-#include "host/base/error.h"
+#include "host/base/parameter_check.h"
 
 namespace offing::sky {
 
 void require_within(std::string_view name, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  throw Error(ErrorKind::bad_input,
-              fmt::format("{}: expected a number within [{:g}, {:g}], found {:g}", name, low, high, value),
-              fmt::format("set {} to a value between {:g} and {:g}", name, low, high));
+  offing::require_within(name, value, low, high);
 }
 
 }  // namespace offing::sky

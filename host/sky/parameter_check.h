@@ -4,8 +4,7 @@
 
 namespace offing::sky {
 
-/// Throws Error(bad_input) that names the parameter, its range and the value found, unless low <= value <=
-/// high. NaN is outside every range; `name` carries section and unit.
+/// offing::require_within(); `name` carries section and unit.
 void require_within(std::string_view name, double value, double low, double high);
 
 }  // namespace offing::sky
