@@ -3,19 +3,11 @@
 #include <array>
 #include <optional>
 
+#include "host/base/utc_time.h"
+
 namespace offing::sky {
 
-/// A time of the Gregorian calendar, UTC. Leap seconds are not told from the second before.
-struct UtcTime {
-  int year = 2000;
-  int month = 1;  ///< 1 ... 12
-  int day = 1;    ///< 1 ... days of the month
-  int hour = 12;  ///< 0 ... 23
-  int minute = 0;
-  double second = 0.0;  ///< 0 <= second < 61
-};
-
-/// Days since noon of 1 January 4713 BC, UTC. Meeus, Astronomical Algorithms, 2nd ed. 1998, eq. 7.1.
+/// Days since noon of 1 January 4713 BC, UTC. Meeus, Astronomical Algorithms, 2nd ed. 1998, chapter 7.
 /// Throws Error(bad_input) unless the time exists and lies in the years 1900 ... 2100.
 double julian_date(const UtcTime& time);
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host/io/spectra/utc_time.h"
+#include "host/base/utc_time.h"
 
 namespace offing::spectra {
 

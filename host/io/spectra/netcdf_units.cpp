@@ -4,9 +4,9 @@
 #include <initializer_list>
 #include <numbers>
 
+#include "host/base/utc_time.h"
 #include "host/io/spectra/bearings.h"
 #include "host/io/spectra/text_cursor.h"
-#include "host/io/spectra/utc_time.h"
 
 namespace offing::spectra {
 namespace {
@@ -77,7 +77,7 @@ std::string TimeUnit::iso_time(double value) const {
   constexpr double last_unix = 253402300799.0;
   const double unix_time = static_cast<double>(origin_unix) + since;
   if (!(unix_time >= first_unix && unix_time <= last_unix)) return {};
-  return spectra::iso_time(from_unix_seconds(origin_unix + static_cast<std::int64_t>(since))).value_or("");
+  return offing::iso_time(from_unix_seconds(origin_unix + static_cast<std::int64_t>(since))).value_or("");
 }
 
 std::optional<TimeUnit> parse_time_unit(std::string_view text) {

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/utc_time.h"
 #include "host/io/spectra/bearings.h"
 #include "host/io/spectra/swan_header.h"
-#include "host/io/spectra/utc_time.h"
 
 namespace offing::spectra {
 namespace {
@@ -37,7 +37,7 @@ std::string parse_time(TextCursor& cursor, int coding) {
   const std::string_view form = time_forms[coding - 1];
   std::string_view text = cursor.line();
   text.remove_prefix(text.find_first_not_of(" \t"));
-  UtcTime time;
+  UtcTime time{0, 0, 0, 0, 0, 0};
   std::string month_name;
   bool is_well_formed = text.size() >= form.size();
   std::size_t year_digits = 0;

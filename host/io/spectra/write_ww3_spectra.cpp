@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/utc_time.h"
 #include "host/io/atomic_file.h"
 #include "host/io/spectra/text_cursor.h"
-#include "host/io/spectra/utc_time.h"
 
 namespace offing {
 namespace {
@@ -93,8 +93,7 @@ std::string quoted_name(const std::string& station) {
 }
 
 std::string time_line(const WaveSpectrum& spectrum) {
-  const spectra::UtcTime t =
-      spectra::parse_iso_time(spectrum.time_utc).value_or(spectra::UtcTime{1, 1, 1, 0, 0, 0});
+  const UtcTime t = parse_iso_time(spectrum.time_utc).value_or(UtcTime{1, 1, 1, 0, 0, 0});
   return fmt::format("{:04}{:02}{:02} {:02}{:02}{:02}\n", t.year, t.month, t.day, t.hour, t.minute, t.second);
 }
 

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "host/base/utc_time.h"
 #include "host/io/spectra/bearings.h"
 #include "host/io/spectra/spectrum_builder.h"
 #include "host/io/spectra/text_cursor.h"
-#include "host/io/spectra/utc_time.h"
 
 namespace offing::spectra {
 namespace {

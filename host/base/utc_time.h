@@ -5,16 +5,17 @@
 #include <string>
 #include <string_view>
 
-namespace offing::spectra {
+namespace offing {
 
-/// A moment in universal time, to the second, as files write it.
+/// A moment of the Gregorian calendar, UTC, to the second; every day has 86400 of them. One made by default
+/// is the epoch J2000.
 struct UtcTime {
-  int year = 0;
-  int month = 0;
-  int day = 0;
-  int hour = 0;
+  int year = 2000;
+  int month = 1;  ///< 1 ... 12
+  int day = 1;    ///< 1 ... days of the month
+  int hour = 12;  ///< 0 ... 23; 24 at the very end of a day
   int minute = 0;
-  int second = 0;
+  int second = 0;  ///< 0 ... 59
 
   auto operator<=>(const UtcTime&) const = default;  // NOLINT(modernize-use-nullptr): false alarm of tidy 14
 };
@@ -34,4 +35,4 @@ UtcTime from_unix_seconds(std::int64_t seconds);
 /// is).
 bool is_valid(const UtcTime& time);
 
-}  // namespace offing::spectra
+}  // namespace offing

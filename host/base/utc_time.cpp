@@ -1,11 +1,11 @@
-#include "host/io/spectra/utc_time.h"
+#include "host/base/utc_time.h"
 
 #include <charconv>
 #include <chrono>
 
 #include <fmt/format.h>
 
-namespace offing::spectra {
+namespace offing {
 namespace {
 
 std::chrono::year_month_day calendar_day(const UtcTime& time) {
@@ -71,4 +71,4 @@ std::optional<UtcTime> parse_iso_time(std::string_view text) {
   return is_valid(time) ? std::optional(time) : std::nullopt;
 }
 
-}  // namespace offing::spectra
+}  // namespace offing
