@@ -6,13 +6,11 @@
 
 #include "host/base/utc_time.h"
 #include "host/io/spectra/bearings.h"
+#include "host/io/spectra/swan_energy.h"
 #include "host/io/spectra/text_cursor.h"
 
 namespace offing::spectra {
 namespace {
-
-// SWAN's defaults for the density of sea water and for gravity, which turn energy into variance.
-constexpr double energy_of_variance_jpm4 = 1025.0 * 9.81;
 
 // Lower case without blanks and marks of powers, so that "m**2 s rad^-1" and "m2 s rad-1" read the same.
 std::string plain(std::string_view text) {

@@ -6,12 +6,10 @@
 #include <fmt/format.h>
 
 #include "host/io/spectra/bearings.h"
+#include "host/io/spectra/swan_energy.h"
 
 namespace offing::spectra {
 namespace {
-
-// SWAN's defaults for the density of sea water and for gravity, which turn energy into variance.
-constexpr double energy_of_variance_jpm4 = 1025.0 * 9.81;
 
 // The header has at most this many quantities: density, direction, spread.
 constexpr std::size_t most_quantities = 3;
