@@ -106,7 +106,8 @@ void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
         read_whole("--record", arguments.record, 0, static_cast<std::int64_t>(records.size()) - 1, "0"));
   }
   if (!arguments.plot.empty()) {
-    write_spectrum_plot(arguments.plot, records[chosen.value_or(0)]);
+    const WaveSpectrum& drawn = records[chosen.value_or(0)];
+    write_spectrum_plot(arguments.plot, drawn, state_of(drawn));
   }
   if (!arguments.export_file.empty()) {
     const std::span<const WaveSpectrum> all(records);

@@ -45,18 +45,6 @@ Vec3 density_colour(double share) {
              static_cast<float>(place - static_cast<double>(index)));
 }
 
-/// Peak period as the integral of E^4 over that of f E^4; 0 for a record without energy.
-double peak_period_s(const WaveSpectrum& record) {
-  double sum = 0.0, moment = 0.0;
-  for (std::size_t i = 1; i < record.energy.size(); ++i) {
-    const double width_hz = record.frequencies_hz[i] - record.frequencies_hz[i - 1];
-    const double low = std::pow(record.energy[i - 1], 4), high = std::pow(record.energy[i], 4);
-    sum += 0.5 * (low + high) * width_hz;
-    moment += 0.5 * (low * record.frequencies_hz[i - 1] + high * record.frequencies_hz[i]) * width_hz;
-  }
-  return moment > 0.0 ? sum / moment : 0.0;
-}
-
 /// Frequency up to which the plots reach: the last that still has 1 % of the largest energy, and a fifth
 /// more.
 double shown_hz(const WaveSpectrum& record) {
@@ -87,12 +75,11 @@ double density(const WaveSpectrum& record, double frequency_hz, double direction
   return std::lerp(along_row(row), along_row(row + 1), up);
 }
 
-void draw_heading(PlotCanvas& canvas, const WaveSpectrum& record) {
+void draw_heading(PlotCanvas& canvas, const WaveSpectrum& record, const ocean::SeaState& state) {
   std::string title = record.station.empty() ? "Wave spectrum" : record.station;
   if (!record.time_utc.empty()) title += "   " + record.time_utc;
   canvas.text({left_px, 34}, title, title_px, Align::left);
-  std::string figures =
-      fmt::format("Hs {:.2f} m   Tp {:.1f} s", 4.0 * std::sqrt(variance_m2(record)), peak_period_s(record));
+  std::string figures = fmt::format("Hs {:.2f} m   Tp {:.1f} s", state.hs_m, state.tp_s);
   if (record.depth_m) figures += fmt::format("   depth {:.4g} m", *record.depth_m);
   canvas.text({left_px, 62}, figures, text_px + 2, Align::left, curve_colour);
 }
@@ -224,7 +211,7 @@ void draw_rose(PlotCanvas& canvas, const WaveSpectrum& record) {
 
 }  // namespace
 
-RgbImage draw_spectrum_plot(const WaveSpectrum& record) {
+RgbImage draw_spectrum_plot(const WaveSpectrum& record, const ocean::SeaState& state) {
   if (record.frequencies_hz.size() < 2 || record.energy.size() != record.frequencies_hz.size() ||
       record.spreading.size() !=
           record.directions_rad.size() * (record.is_directional() ? record.energy.size() : 0)) {
@@ -233,14 +220,15 @@ RgbImage draw_spectrum_plot(const WaveSpectrum& record) {
                 "pass a record as the readers return it");
   }
   PlotCanvas canvas(picture_width, picture_height);
-  draw_heading(canvas, record);
+  draw_heading(canvas, record, state);
   draw_frequency_plot(canvas, record);
   draw_rose(canvas, record);
   return canvas.image();
 }
 
-void write_spectrum_plot(const std::filesystem::path& path, const WaveSpectrum& record) {
-  write_png(path, draw_spectrum_plot(record));
+void write_spectrum_plot(const std::filesystem::path& path, const WaveSpectrum& record,
+                         const ocean::SeaState& state) {
+  write_png(path, draw_spectrum_plot(record, state));
 }
 
 }  // namespace offing::cli

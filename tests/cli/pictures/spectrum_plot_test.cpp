@@ -64,7 +64,7 @@ TEST(SpectrumPlot, RosePointsWhereTheSeaTravels) {
   // Hz.
   const double radius = 215.0 * 0.25 / 0.42;
   for (const double direction_rad : {0.0, 0.5 * std::numbers::pi, 4.0}) {
-    const Point found = darkest_in_rose(draw_spectrum_plot(narrow_sea(direction_rad)));
+    const Point found = darkest_in_rose(draw_spectrum_plot(narrow_sea(direction_rad), {}));
     EXPECT_NEAR(found.x, radius * std::cos(direction_rad), 8.0) << direction_rad;
     EXPECT_NEAR(found.y, radius * std::sin(direction_rad), 8.0) << direction_rad;
   }
@@ -73,27 +73,36 @@ TEST(SpectrumPlot, RosePointsWhereTheSeaTravels) {
 // Fails if a record without directions or without energy cannot be drawn, or a plot differs from run to run.
 TEST(SpectrumPlot, DrawsWhatRecordsLack) {
   WaveSpectrum record = narrow_sea(0.0);
-  const RgbImage directional = draw_spectrum_plot(record);
-  EXPECT_EQ(directional.rgb, draw_spectrum_plot(record).rgb);
+  const RgbImage directional = draw_spectrum_plot(record, {});
+  EXPECT_EQ(directional.rgb, draw_spectrum_plot(record, {}).rgb);
   record.directions_rad.clear();
   record.spreading.clear();
-  EXPECT_NE(directional.rgb, draw_spectrum_plot(record).rgb);
+  EXPECT_NE(directional.rgb, draw_spectrum_plot(record, {}).rgb);
   for (double& energy : record.energy) energy = 0.0;
-  EXPECT_EQ(draw_spectrum_plot(record).width, 1240);
+  EXPECT_EQ(draw_spectrum_plot(record, {}).width, 1240);
   record = narrow_sea(0.0);
   for (double& energy : record.energy) energy = 0.0;
-  EXPECT_EQ(draw_spectrum_plot(record).width, 1240);
+  EXPECT_EQ(draw_spectrum_plot(record, {}).width, 1240);
+}
+
+// Fails if the heading has figures of its own instead of those that all texts give.
+TEST(SpectrumPlot, ShowsTheFiguresOfTheState) {
+  const WaveSpectrum record = narrow_sea(0.0);
+  const RgbImage plain = draw_spectrum_plot(record, {.hs_m = 1.0, .tp_s = 4.0});
+  EXPECT_EQ(draw_spectrum_plot(record, {.hs_m = 1.0, .tp_s = 4.0}).rgb, plain.rgb);
+  EXPECT_NE(draw_spectrum_plot(record, {.hs_m = 1.1, .tp_s = 4.0}).rgb, plain.rgb);
+  EXPECT_NE(draw_spectrum_plot(record, {.hs_m = 1.0, .tp_s = 4.2}).rgb, plain.rgb);
 }
 
 // Fails if arrays that do not match reach the drawing, which reads them without checks.
 TEST(SpectrumPlot, MismatchedRecordsAreRefused) {
   WaveSpectrum record = narrow_sea(0.0);
   record.energy.pop_back();
-  EXPECT_THROW(draw_spectrum_plot(record), Error);
+  EXPECT_THROW(draw_spectrum_plot(record, {}), Error);
   record = narrow_sea(0.0);
   record.spreading.pop_back();
-  EXPECT_THROW(draw_spectrum_plot(record), Error);
-  EXPECT_THROW(draw_spectrum_plot({}), Error);
+  EXPECT_THROW(draw_spectrum_plot(record, {}), Error);
+  EXPECT_THROW(draw_spectrum_plot({}, {}), Error);
 }
 
 // Fails if axes get odd numbers, miss the end or run past it.
