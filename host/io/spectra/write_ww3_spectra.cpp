@@ -13,6 +13,7 @@
 #include "host/base/error.h"
 #include "host/base/utc_time.h"
 #include "host/io/atomic_file.h"
+#include "host/io/spectra/bearings.h"
 #include "host/io/spectra/text_cursor.h"
 
 namespace offing {
@@ -121,9 +122,9 @@ void write_ww3_spectra(const std::filesystem::path& path, std::span<const WaveSp
 
   std::vector<double> bearings_rad(nd);
   for (std::size_t j = 0; j < nd; ++j) {
-    // Travel bearing = 90 degrees + theta, in [0, 2 pi).
-    const double bearing = first.directions_rad[j] + 0.5 * std::numbers::pi;
-    bearings_rad[j] = bearing - 2.0 * std::numbers::pi * std::floor(bearing / (2.0 * std::numbers::pi));
+    const double bearing_rad = spectra::travel_bearing(first.directions_rad[j]);
+    const double turns = bearing_rad / (2.0 * std::numbers::pi);
+    bearings_rad[j] = bearing_rad - 2.0 * std::numbers::pi * std::floor(turns);
   }
   const std::vector<std::size_t> order = ww3_order(bearings_rad);
   std::vector<double> ordered_rad;
