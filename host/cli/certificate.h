@@ -36,7 +36,9 @@ struct Certificate {
   std::vector<double> measured_cascade_m0_m2;  ///< means over the seeds
   Measured hs_m, tp_s, tm01_s, tm02_s, mean_direction_rad, mss;
   Measured skewness, kurtosis, folded_share;
-  double max_ka = 0.0;  ///< 3 sqrt(mss): the steepness that one wave in a thousand or so exceeds
+  /// 3 sqrt(mss): the steepness that one wave in 90 exceeds. (ka)^2 is 2 mss on average, so that of
+  /// Rayleigh's waves (Longuet-Higgins 1952) exp(-9 / 2) do.
+  double max_ka = 0.0;
 };
 
 /// Synthesises the sea with `seeds` seeds, from the scene's own upward, and measures each. A loop period is

@@ -12,7 +12,7 @@ double direction_deg(double direction_rad, DirectionStyle style);
 /// Degrees of travel, in [-180, 180], of a "from" bearing.
 double travel_deg(double from_bearing_deg);
 
-/// Difference of two directions of travel, rad, in (-pi, pi].
+/// Difference of two directions of travel, rad, in [-pi, pi].
 double direction_difference_rad(double a_rad, double b_rad);
 
 /// "deg, travel" or "deg, from".
