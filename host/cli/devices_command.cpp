@@ -108,10 +108,11 @@ void run_devices_command(bool as_json) {
 
 }  // namespace
 
-void add_devices_command(CLI::App& app) {
+void add_devices_command(CLI::App& app, GlobalOptions& options) {
   CLI::App* command = app.add_subcommand("devices", "list the OpenCL devices of this machine");
   const auto as_json = std::make_shared<bool>(false);
   command->add_flag("--json", *as_json, "print a JSON array, one object a device");
+  add_global_options(*command, options, DeviceUse::none);
   command->callback([as_json] { run_devices_command(*as_json); });
 }
 

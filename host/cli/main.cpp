@@ -46,7 +46,7 @@ void build(CLI::App& app, cli::GlobalOptions& options) {
   app.get_formatter()->column_width(34);
   app.require_subcommand(1);
   cli::add_ocean_command(app, options);
-  cli::add_devices_command(app);
+  cli::add_devices_command(app, options);
   app.footer(R"(
 Examples:
   offing devices

@@ -65,6 +65,10 @@ TEST(DeviceChoice, RefusesAllForOneDevice) {
   const ProgramResult listing = run_offing({"devices"});
   EXPECT_EQ(listing.exit_code, 0);
   EXPECT_THAT(listing.errors, HasSubstr("warning: OFFING_DEVICE: expected one device"));
+  const ProgramResult quiet = run_offing({"devices", "--quiet"});
+  EXPECT_EQ(quiet.exit_code, 0);
+  EXPECT_EQ(quiet.output, listing.output);
+  EXPECT_EQ(quiet.errors, "");
 }
 
 }  // namespace
