@@ -66,7 +66,11 @@ struct ComposedFields {
 /// any time.
 ///
 /// at() enqueues; read_*() wait and copy to the host. Same seed and parameters give the same sea on every
-/// device within 1e-4 Hs.
+/// device within 1e-4 Hs. Before the first at() the time is 0.
+///
+/// read_*() and mode_variance() throw Error(bad_input) for a cascade that there is not. Every call may throw
+/// Error(out_of_memory) or Error(device); a read after an at() or read_*() that failed is right or fails too.
+/// Not safe for use from several threads at once.
 class Ocean {
  public:
   /// Throws Error(bad_input) for parameters out of range, Error(out_of_memory) if the maps do not fit.
@@ -77,7 +81,8 @@ class Ocean {
 
   const OceanParameters& parameters() const;
 
-  /// Enqueues the surface maps of all cascades at time_s.
+  /// Enqueues the surface maps of all cascades at time_s. Throws Error(bad_input) unless |time_s| <= 1e8,
+  /// three years.
   void at(double time_s);
 
   /// Fields of one cascade at the time of the last at().
