@@ -1,6 +1,7 @@
 #include "host/cli/parameter_options.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include <CLI/Option.hpp>
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #include "host/cli/surface_meter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>

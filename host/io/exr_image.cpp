@@ -1,7 +1,6 @@
 #include "host/io/exr_image.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <mutex>

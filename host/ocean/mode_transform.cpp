@@ -1,7 +1,5 @@
 #include "host/ocean/mode_transform.h"
 
-#include <algorithm>
-
 #include "host/ocl/program.h"
 
 namespace offing::ocean {

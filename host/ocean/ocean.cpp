@@ -1,12 +1,8 @@
 #include "host/ocean/ocean.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "host/base/error.h"
 #include "host/ocean/foam.h"
 #include "host/ocean/parameter_check.h"
 #include "host/ocean/surface_maps.h"

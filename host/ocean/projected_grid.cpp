@@ -7,7 +7,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "host/base/error.h"
 #include "host/ocean/parameter_check.h"
 
 namespace offing::ocean {

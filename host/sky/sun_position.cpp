@@ -1,5 +1,6 @@
 #include "host/sky/sun_position.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
