@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later (part of offing-bench)
 """Runs a short benchmark and checks its rows: fields and signs. The program itself fails where results of ours
 and of the peer differ. Usage: check_rows.py PROGRAM COMMAND"""
 

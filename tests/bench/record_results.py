@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later (part of offing-bench)
 """Runs all benchmarks and prints docs/results.md. On a machine that does nothing else:
 python3 tests/bench/record_results.py build/bin > docs/results.md"""
 
