@@ -59,11 +59,12 @@ def machine_lines(programs):
     devices = json.loads(output_of(programs / "offing", "devices", "--json"))
     device = next(device for device in devices if device["is_default"])
     fftw = output_of("pkg-config", "--modversion", "fftw3f").strip()
+    kernel = ".".join(os.uname().release.split(".")[:2])  # what follows may name the machine
     return "\n".join(
         [
             f"- {datetime.date.today().isoformat()}, commit {output_of('git', 'rev-parse', '--short', 'HEAD').strip()}",
             f"- {processor}, {len(os.sched_getaffinity(0))} cores, {memory_kib / 2**20:.0f} GiB, "
-            f"Linux {os.uname().release}, transparent huge pages {huge_pages}",
+            f"Linux {kernel}, transparent huge pages {huge_pages}",
             f"- OpenCL device: {device['name']} ({device['platform']} {device['driver_version']})",
             f"- {output_of('c++', '--version').splitlines()[0]}; FFTW {fftw}",
             f"- load of the machine before the run: {os.getloadavg()[0]:.1f}",
