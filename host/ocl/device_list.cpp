@@ -1,5 +1,6 @@
 #include "host/ocl/device_list.h"
 
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -107,6 +108,9 @@ std::vector<cl_device_id> devices_of(cl_platform_id platform) {
 }  // namespace
 
 std::vector<ListedDevice> enumerate_devices() {
+  // PoCL 3.1 sets itself up in the first call and offers no devices to threads that ask meanwhile.
+  static std::mutex turn;
+  const std::lock_guard lock(turn);
   quirks::prepare_environment();
   std::vector<ListedDevice> listed;
   std::string empty_platforms;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,7 +10,6 @@
 #include "host/base/error.h"
 #include "host/ocl/kernel_state.h"
 #include "host/ocl/opencl.h"
-#include "host/ocl/quirks.h"
 #include "host/ocl/status.h"
 
 namespace offing::ocl {
@@ -155,12 +152,6 @@ Event Kernel::enqueue(const LaunchShape& shape) const {
     local[i] = std::max<std::size_t>(local[i], 1);
   }
   const bool driver_chooses = local[0] == 0;
-  std::optional<quirks::BuildTurn> turn;
-  if (quirks::compiles_at_launch(state_->device->info)) {
-    const std::size_t magnitude = std::bit_width(*std::max_element(global.begin(), global.end()));
-    const bool is_new = state_->launched.insert({driver_chooses ? global : local, magnitude}).second;
-    if (is_new) turn.emplace(state_->device->info);
-  }
   cl_event event = nullptr;
   const int status = clEnqueueNDRangeKernel(state_->device->queue.get(), state_->kernel.get(), dimensions,
                                             nullptr, global.data(), driver_chooses ? nullptr : local.data(),
@@ -172,9 +163,7 @@ Event Kernel::enqueue(const LaunchShape& shape) const {
                              driver_chooses ? "any" : fmt::format("{}", fmt::join(local, ", ")),
                              state_->device->info.name));
   }
-  Event launched(event);
-  if (turn) check(clFinish(state_->device->queue.get()), "clFinish", state_->name);
-  return launched;
+  return Event(event);
 }
 
 }  // namespace offing::ocl

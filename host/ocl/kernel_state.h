@@ -1,9 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <memory>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,9 +24,6 @@ struct Kernel::State {
   Handle<cl_kernel> kernel;
   std::string name;
   std::vector<KernelArgument> arguments;
-  /// Local sizes (global ones where the driver chooses) and magnitudes that were launched already, where the
-  /// first launch compiles.
-  std::set<std::pair<std::array<std::size_t, 3>, std::size_t>> launched;
 };
 
 }  // namespace offing::ocl

@@ -95,13 +95,6 @@ BuildTurn::~BuildTurn() {
   if (locked_folder_ >= 0) close(locked_folder_);
 }
 
-// PoCL 3.1 keeps a shared object for each local size and class of global sizes (folders such as
-// 64-1-1-goffs0-smallgrid in its cache) and makes it when a launch first wants it, by the same unguarded
-// writes. Of some hundred first runs of four threads that build and launch one program, one aborted.
-bool compiles_at_launch(const DeviceInfo& info) {
-  return is_pocl(info);
-}
-
 // Drivers for the CPU report less memory than they can use: PoCL 3.1 three quarters of what NUMA node 0
 // showed at start, which in a virtual machine with hot-plugged memory is a fraction (3.6 of 24 GiB measured;
 // POCL_MEMORY_LIMIT only lowers it), Mesa 22.3 llvmpipe a constant 2 GiB. Both really take buffers over host

@@ -25,10 +25,6 @@ class BuildTurn {
   int locked_folder_ = -1;
 };
 
-/// True where a kernel's first launch with a local size, or a global size of another magnitude, compiles it
-/// once more: such launches need a BuildTurn too, until they are done.
-bool compiles_at_launch(const DeviceInfo& info);
-
 /// The device's memory that programs can really use; see the definition for whom the driver's figure is
 /// wrong.
 std::uint64_t usable_global_memory_bytes(const DeviceInfo& info);
