@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "host/ocl/buffer.h"
+#include "host/ocl/device.h"
+#include "host/ocl/kernel.h"
+#include "host/sky/atmosphere.h"
+#include "kernels/shared/sky_params.h"
+
+namespace offing::sky {
+
+/// One float4 of the device.
+using Texel = std::array<float, 4>;
+
+/// The sun and the eye that looks at the sky. Up is +y wherever the eye stands.
+struct SkyView {
+  std::array<double, 3> sun_direction{0.0, 1.0, 0.0};  ///< unit, toward the sun; x east, y up, z south
+  double sun_distance_au = 1.0;
+  double eye_altitude_m = 2.0;  ///< above the sea; taken as 1 m where less
+};
+
+/// Light at the eye, klx in linear Rec.709.
+struct Illuminance {
+  Rgb sun_klx{};  ///< of a surface that faces the sun, by the sun alone; 0 when it has set
+  Rgb sky_klx{};  ///< of a level surface that looks up, by the sky alone
+};
+
+/// What is seen along rays, kcd/m2 in linear Rec.709; the sum of both is the whole.
+struct SkyLight {
+  std::vector<Rgb> sky_kcdpm2;  ///< without the sun's disc
+  std::vector<Rgb> sun_kcdpm2;  ///< the sun's disc alone
+};
+
+/// A clear sky lit by the sun: kernels/sky/clear_sky.clh is its radiance function, in OpenCL C and, through
+/// clear_sky_glsl(), in GLSL, and reads params() and two of the tables kept here. All light is in kcd/m2,
+/// linear Rec.709.
+///
+/// Below the horizon it shows what a ray that a wave reflects downward would meet: a diffuse sea
+/// (ground_albedo) lit by sun and sky, seen through the air between.
+///
+/// Limits: no stars, moon or air glow, so that the sky goes black when the sun is some 15 degrees down; light
+/// scattered twice and more has no direction (Hillaire 2020; clear_sky_test.cpp says how much that costs); no
+/// refraction (give a sun direction that has it); colours outside Rec.709 are clipped to it.
+class ClearSky {
+ public:
+  /// Makes the tables that depend on the air alone. Throws Error(bad_input) as require_valid() does, and what
+  /// programs and buffers throw.
+  ClearSky(const ocl::Device& device, const Atmosphere& atmosphere);
+
+  /// Enqueues the table of this sun and eye. Throws Error(bad_input) unless the sun's direction is of unit
+  /// length within 1e-3, its distance within 0.1 ... 100 au, and the eye inside the air, at 0 m or more.
+  void at(const SkyView& view);
+
+  /// For the radiance function; tables are [rows][columns] (r, g, b, 0) or four wavelengths, row-major, sizes
+  /// in kernels/shared/sky_params.h: view SKY_VIEW_LAYERS * SKY_VIEW_ROWS rows, new after each at();
+  /// transmittance once and for all. As textures: RGBA32F, one row a row, read by texelFetch.
+  const SkyParams& params() const { return params_; }
+  const ocl::Buffer<Texel>& view_table() const { return view_table_; }
+  const ocl::Buffer<Texel>& depth_table() const { return depth_table_; }
+  /// Light scattered twice and more, which only the view table is made of; read by tests.
+  const ocl::Buffer<Texel>& scattering_table() const { return scattering_table_; }
+
+  /// Enqueues the sky in all directions, without the sun's disc, which falls between the texels of any map:
+  /// map [rows][columns] (r, g, b, 1), row 0 up, columns clockwise from north; kernels/sky/sky_map.cl. Throws
+  /// Error(bad_usage) unless the map has columns * rows texels, both at least 1.
+  void fill_map(int columns, int rows, ocl::Buffer<Texel>& map) const;
+
+  /// Waits for the illuminance at the eye.
+  Illuminance read_illuminance() const;
+
+  /// Waits for what is seen along these unit directions.
+  SkyLight read_light(std::span<const std::array<double, 3>> directions) const;
+
+ private:
+  ocl::Device device_;
+  Atmosphere atmosphere_;
+  AtmosphereParams air_{};
+  SkyParams params_{};
+  ocl::Kernel view_kernel_, map_kernel_, rays_kernel_, illuminance_kernel_;
+  ocl::Buffer<Texel> depth_table_, scattering_table_, ground_table_, view_table_;
+};
+
+}  // namespace offing::sky
