@@ -51,8 +51,7 @@ ClearSky::ClearSky(const ocl::Device& device, const Atmosphere& atmosphere)
     : device_(device), atmosphere_(atmosphere) {
   require_valid(atmosphere);
   air_ = atmosphere_params(atmosphere);
-  depth_table_ =
-      ocl::Buffer<Texel>(device, depth_rows * depth_columns, "sky optical depth");
+  depth_table_ = ocl::Buffer<Texel>(device, depth_rows * depth_columns, "sky optical depth");
   scattering_table_ = ocl::Buffer<Texel>(device, scattering_rows * scattering_columns, "sky scattering");
   ground_table_ = ocl::Buffer<Texel>(device, scattering_columns, "sky ground");
   view_table_ = ocl::Buffer<Texel>(device, view_layers * view_rows * view_columns, "sky view");
@@ -65,8 +64,8 @@ ClearSky::ClearSky(const ocl::Device& device, const Atmosphere& atmosphere)
       .launch({{scattering_columns, scattering_rows}}, air_, depth_table_, scattering_table_);
   ocl::Program::build(device, "sky/ground_table.cl")
       .kernel("ground_table")
-      .launch({{scattering_columns}}, air_, static_cast<float>(atmosphere.aerosol_asymmetry),
-              depth_table_, scattering_table_, ground_table_);
+      .launch({{scattering_columns}}, air_, static_cast<float>(atmosphere.aerosol_asymmetry), depth_table_,
+              scattering_table_, ground_table_);
   view_kernel_ = ocl::Program::build(device, "sky/view_table.cl").kernel("view_table");
   map_kernel_ = ocl::Program::build(device, "sky/sky_map.cl").kernel("sky_map");
   rays_kernel_ = ocl::Program::build(device, "sky/sky_rays.cl").kernel("sky_rays");
@@ -140,8 +139,7 @@ SkyLight ClearSky::read_light(std::span<const std::array<double, 3>> directions)
   const ocl::Buffer<Texel> ray_buffer(device_, rays, "sky rays");
   ocl::Buffer<Texel> sky_light(device_, rays.size(), "sky light"),
       sun_light(device_, rays.size(), "sun light");
-  rays_kernel_.launch({{rays.size()}}, params_, view_table_, depth_table_, ray_buffer, sky_light,
-                      sun_light);
+  rays_kernel_.launch({{rays.size()}}, params_, view_table_, depth_table_, ray_buffer, sky_light, sun_light);
   return {.sky_kcdpm2 = read_rgb(sky_light), .sun_kcdpm2 = read_rgb(sun_light)};
 }
 

@@ -26,7 +26,7 @@ ARROWS = {
 # Headers from outside that only some folders may include.
 RESERVED = {
     r"CL/": ("host/ocl",),  # OpenCL objects stay in one folder
-    r"(GL|EGL|GLFW|epoxy)/": ("present",),
+    r"(GL|EGL|GLFW|epoxy)/": ("present", "tests"),
     r"fftw3": ("tests",),
     r"(CGAL|OpenMesh)/": ("mesh_tools", "tests"),
 }

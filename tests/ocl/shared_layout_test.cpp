@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "kernels/shared/atmosphere_params.h"
 #include "kernels/shared/ocean_params.h"
 #include "kernels/shared/random.h"
+#include "kernels/shared/sky_params.h"
 
 namespace offing {
 namespace {
@@ -34,6 +36,27 @@ TEST(SharedLayoutTest, OceanComposeParams) {
             (Layout{sizeof(S), offsetof(S, origin_column), offsetof(S, origin_row), offsetof(S, column_step),
                     offsetof(S, row_step), offsetof(S, cascade_count), offsetof(S, columns),
                     offsetof(S, rows), offsetof(S, padding)}));
+}
+
+// Members of the two below are all floats: the first, some and the last.
+TEST(SharedLayoutTest, AtmosphereParams) {
+  using S = AtmosphereParams;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/atmosphere_params.h", "AtmosphereParams",
+                                {"ground_radius_m", "rayleigh_scattering_0_perm", "ozone_absorption_3_perm",
+                                 "ozone_peak_m", "sun_angular_radius_rad", "padding_1"}),
+            (Layout{sizeof(S), offsetof(S, ground_radius_m), offsetof(S, rayleigh_scattering_0_perm),
+                    offsetof(S, ozone_absorption_3_perm), offsetof(S, ozone_peak_m),
+                    offsetof(S, sun_angular_radius_rad), offsetof(S, padding_1)}));
+}
+
+TEST(SharedLayoutTest, SkyParams) {
+  using S = SkyParams;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/sky_params.h", "SkyParams",
+                                {"sun_direction_x", "eye_altitude_m", "sun_angular_radius_rad", "red_0_klx",
+                                 "green_0_klx", "blue_0_klx", "blue_3_klx"}),
+            (Layout{sizeof(S), offsetof(S, sun_direction_x), offsetof(S, eye_altitude_m),
+                    offsetof(S, sun_angular_radius_rad), offsetof(S, red_0_klx), offsetof(S, green_0_klx),
+                    offsetof(S, blue_0_klx), offsetof(S, blue_3_klx)}));
 }
 
 }  // namespace
