@@ -1,16 +1,19 @@
 #pragma once
 
 #include <array>
+#include <functional>
 
 #include "host/sky/atmosphere.h"
 
 namespace offing::sky {
 
-/// The air once more, in double precision and written apart from the kernels: densities and optical depths by
-/// their formulas, integrals by Simpson's rule over the altitude, the sun a point except at the horizon.
+/// The air once more, in double precision and written apart from the kernels: densities by their formulas,
+/// radii by Pythagoras, integrals in small steps without tables.
 class SkyReference {
  public:
   explicit SkyReference(const Atmosphere& atmosphere) : a_(atmosphere) {}
+
+  const Atmosphere& atmosphere() const { return a_; }
 
   struct Coefficients {
     Spectrum rayleigh_perm{};
@@ -26,16 +29,29 @@ class SkyReference {
   };
   End end_of(double altitude_m, double cosine) const;
 
-  double altitude_m(double altitude_m, double cosine, double distance_m) const;
+  double altitude_after(double altitude_m, double cosine, double distance_m) const;
 
   /// Share of light that passes along a ray that misses the ground, from its beginning to the end of the air.
   Spectrum transmittance(double altitude_m, double cosine) const;
 
-  /// Light scattered once toward an eye, without the ground: radiance for sunlight of illuminance 1, 1/sr.
-  Spectrum scattered_once(double eye_altitude_m, double cosine, double sun_cosine, double between) const;
-
   /// Share of the sun's disc above the horizon (as the kernels smooth it), times transmittance.
   Spectrum sunlight(double altitude_m, double sun_cosine) const;
+
+  /// A ray by the cosines of its zenith angle, the sun's at its beginning, and the angle between the two.
+  struct Ray {
+    double altitude_m = 0.0;
+    double cosine = 1.0, sun_cosine = 1.0, between = 1.0;
+  };
+
+  /// Isotropic radiance at an altitude and a sun's zenith cosine.
+  using Isotropic = std::function<Spectrum(double altitude_m, double sun_cosine)>;
+
+  /// What the air along a ray sends to its beginning, 1/sr for sunlight of illuminance 1: the sun's light
+  /// scattered once, and `others` scattered on. Without the ground.
+  Spectrum scattered(const Ray& ray, const Isotropic& others) const;
+
+  /// Mean over all directions of light scattered twice and more, after Hillaire 2020.
+  Spectrum scattered_more(double altitude_m, double sun_cosine) const;
 
  private:
   Atmosphere a_;
