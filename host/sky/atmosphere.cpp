@@ -45,7 +45,7 @@ void require_valid(const Atmosphere& atmosphere) {
   require_each_within("sky.ozone_optical_depth", a.ozone_optical_depth, 0.0, 2.0);
   require_within("sky.ozone_half_width_m", a.ozone_half_width_m, 1000.0, 100e3);
   require_within("sky.ozone_peak_m", a.ozone_peak_m, 0.0, a.thickness_m);
-  require_within("sky.ground_albedo", a.ground_albedo, 0.0, 1.0);
+  require_each_within("sky.ground_albedo", a.ground_albedo, 0.0, 1.0);
   require_within("sky.sun_angular_radius_rad", a.sun_angular_radius_rad, 1e-3, 0.1);
 }
 
@@ -74,10 +74,12 @@ AtmosphereParams atmosphere_params(const Atmosphere& atmosphere) {
           .ozone_half_width_m = single(a.ozone_half_width_m),
           .aerosol_scattering_perm = single(a.aerosol_albedo * aerosol_extinction_perm),
           .aerosol_extinction_perm = single(aerosol_extinction_perm),
-          .ground_albedo = single(a.ground_albedo),
           .sun_angular_radius_rad = single(a.sun_angular_radius_rad),
-          .padding_0 = 0.0f,
-          .padding_1 = 0.0f};
+          .padding = 0.0f,
+          .ground_albedo_0 = single(a.ground_albedo[0]),
+          .ground_albedo_1 = single(a.ground_albedo[1]),
+          .ground_albedo_2 = single(a.ground_albedo[2]),
+          .ground_albedo_3 = single(a.ground_albedo[3])};
 }
 
 Rgb rgb_of_sunlight(const Spectrum& share) {

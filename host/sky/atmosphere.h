@@ -38,7 +38,10 @@ struct Atmosphere {
   double ozone_peak_m = 25'000.0;  ///< of its layer, a tent
   double ozone_half_width_m = 15'000.0;
 
-  double ground_albedo = 0.06;  ///< diffuse; of the open sea under the whole sky: Jin et al. 2004
+  /// Of the sea, diffuse: 0.04 that its surface reflects of light from a high sun, and the blue that clear
+  /// water sends back (about half of its irradiance reflectance at 0.1 mg/m3 of chlorophyll, Morel &
+  /// Maritorena 2001).
+  Spectrum ground_albedo{0.042, 0.047, 0.055, 0.065};
 
   double sun_angular_radius_rad = 0.00465;  ///< 16 minutes of arc: 6.8e-5 sr
 };

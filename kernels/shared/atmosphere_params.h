@@ -21,14 +21,16 @@ typedef struct {
   float ozone_half_width_m;
   float aerosol_scattering_perm;  // at the ground
   float aerosol_extinction_perm;
-  float ground_albedo;
   float sun_angular_radius_rad;
-  float padding_0;
-  float padding_1;
+  float padding;
+  float ground_albedo_0;
+  float ground_albedo_1;
+  float ground_albedo_2;
+  float ground_albedo_3;
 } AtmosphereParams;
 
 #if !defined(__OPENCL_VERSION__) && defined(__cplusplus)
-static_assert(sizeof(AtmosphereParams) == 80, "no padding");
+static_assert(sizeof(AtmosphereParams) == 88, "no padding");
 #endif
 
 #endif

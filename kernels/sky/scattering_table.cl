@@ -39,7 +39,7 @@ __kernel void scattering_table(const AtmosphereParams air, __global const float4
       returned += scattered;
     }
     if (ray.meets_ground) {
-      const float4 reflected = ray.through * air.ground_albedo;
+      const float4 reflected = ray.through * albedo_of_ground(air);
       const float ground_sun = sun_cosine_along(air, ray, ray.end, 0.0f);
       second += reflected / SKY_PI * fmax(0.0f, ground_sun) * sunlight(air, depth, 0.0f, ground_sun);
       returned += reflected;

@@ -36,7 +36,7 @@ __kernel void view_table(const AtmosphereParams air, const SkyParams sky,
     aerosol_light += slice.reach * slice.air.aerosol_perm * sun;
   }
   if (ray.meets_ground) {
-    light += ray.through * (air.ground_albedo / SKY_PI) *
+    light += ray.through * albedo_of_ground(air) / SKY_PI *
              ground_lookup(ground, sun_cosine_along(air, ray, ray.end, 0.0f));
   }
   const int texel = row * SKY_VIEW_COLUMNS + column;

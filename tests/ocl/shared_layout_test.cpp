@@ -43,10 +43,10 @@ TEST(SharedLayoutTest, AtmosphereParams) {
   using S = AtmosphereParams;
   EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/atmosphere_params.h", "AtmosphereParams",
                                 {"ground_radius_m", "rayleigh_scattering_0_perm", "ozone_absorption_3_perm",
-                                 "ozone_peak_m", "sun_angular_radius_rad", "padding_1"}),
+                                 "ozone_peak_m", "sun_angular_radius_rad", "ground_albedo_3"}),
             (Layout{sizeof(S), offsetof(S, ground_radius_m), offsetof(S, rayleigh_scattering_0_perm),
                     offsetof(S, ozone_absorption_3_perm), offsetof(S, ozone_peak_m),
-                    offsetof(S, sun_angular_radius_rad), offsetof(S, padding_1)}));
+                    offsetof(S, sun_angular_radius_rad), offsetof(S, ground_albedo_3)}));
 }
 
 TEST(SharedLayoutTest, SkyParams) {

@@ -120,7 +120,7 @@ TEST(AtmosphereTest, RefusesParametersOutOfRange) {
       {"ozone_optical_depth", [](Atmosphere& a) { a.ozone_optical_depth[0] = -1.0; }},
       {"ozone_half_width_m", [](Atmosphere& a) { a.ozone_half_width_m = 0.0; }},
       {"ozone_peak_m", [](Atmosphere& a) { a.ozone_peak_m = 2e5; }},
-      {"ground_albedo", [](Atmosphere& a) { a.ground_albedo = 1.5; }},
+      {"ground_albedo", [](Atmosphere& a) { a.ground_albedo[3] = 1.5; }},
       {"sun_angular_radius_rad", [nan](Atmosphere& a) { a.sun_angular_radius_rad = nan; }},
   };
   EXPECT_NO_THROW(require_valid(Atmosphere{}));

@@ -44,7 +44,7 @@ TEST_F(ClearSkyTest, GivesLessLightThanTheSun) {
   Atmosphere clear;
   clear.ozone_optical_depth = {};
   clear.aerosol_albedo = 1.0;
-  clear.ground_albedo = 0.0;
+  clear.ground_albedo = {};
   ClearSky lossless(*device_, clear);
   for (const double elevation_deg : {90.0, 60.0, 30.0, 10.0, 3.0}) {
     const SkyView view{.sun_direction = at(30.0, elevation_deg)};
@@ -187,7 +187,7 @@ TEST_F(ClearSkyTest, RefusesBadViews) {
   refuses({.eye_altitude_m = 100'000.0}, "eye_altitude_m");
   refuses({.eye_altitude_m = nan}, "eye_altitude_m");
   Atmosphere air;
-  air.ground_albedo = -1.0;
+  air.ground_albedo[0] = -1.0;
   test::expect_error(ErrorKind::bad_input, "ground_albedo", [&] { ClearSky(*device_, air); });
 }
 

@@ -78,7 +78,7 @@ double SkyPaths::one_path(Vector position, Vector direction, const Vector& sun) 
     position = sum(position, leaves ? end.distance_m : distance_m, direction);
     const Vector up = unit(position);
     if (leaves) {
-      weight *= atmosphere.ground_albedo;
+      weight *= atmosphere.ground_albedo[w];
       const double sun_cosine = dot(up, sun);
       if (sun_cosine > 0.0) light += weight * air_.sunlight(0.0, sun_cosine)[w] * sun_cosine / pi;
       position = sum({}, atmosphere.ground_radius_m, up);

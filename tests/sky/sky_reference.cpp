@@ -142,7 +142,7 @@ Spectrum SkyReference::scattered_more(double altitude_m, double sun_cosine) cons
       const double ground_sun = (r * sun_cosine + end.distance_m * between) / a_.ground_radius_m;
       const Spectrum sun = sunlight(0.0, ground_sun);
       for (std::size_t i = 0; i < 4; ++i) {
-        const double reflected = std::exp(-depth[i]) * a_.ground_albedo;
+        const double reflected = std::exp(-depth[i]) * a_.ground_albedo[i];
         second[i] += reflected / pi * std::max(0.0, ground_sun) * sun[i];
         returned[i] += reflected;
       }
