@@ -6,7 +6,7 @@
 // Tables are [rows][columns] float4, row-major. kernels/sky/clear_sky.clh says what their coordinates mean.
 #define SKY_DEPTH_COLUMNS 128
 #define SKY_DEPTH_ROWS 128
-#define SKY_SCATTERING_COLUMNS 48
+#define SKY_SCATTERING_COLUMNS 64
 #define SKY_SCATTERING_ROWS 24
 #define SKY_VIEW_COLUMNS 33
 #define SKY_VIEW_ROWS_ABOVE 80  // from the zenith to the horizon

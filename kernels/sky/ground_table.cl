@@ -6,7 +6,7 @@
 #include "sky/scattering_lookup.clh"
 
 // Directions: rings of equal projected solid angle, azimuths of one side only.
-#define RINGS 16
+#define RINGS 24
 #define AZIMUTHS 8
 #define STEPS 24
 
@@ -35,6 +35,7 @@ __kernel void ground_table(const AtmosphereParams air, float aerosol_asymmetry,
                   scattering_lookup(scattering, air.thickness_m, slice.altitude, slice.sun_cosine));
     }
   }
-  table[column] =
-      sum * (SKY_PI / (RINGS * AZIMUTHS)) + fmax(0.0f, sun_cosine) * sunlight(air, depth, 0.0f, sun_cosine);
+  const float4 sky_light = sum * (SKY_PI / (RINGS * AZIMUTHS));
+  const float4 sun_light = fmax(0.0f, sun_cosine) * sunlight(air, depth, 0.0f, sun_cosine);
+  table[column] = column == 0 ? (float4)(0.0f) : sky_light + sun_light;  // the first is night
 }

@@ -46,5 +46,7 @@ __kernel void scattering_table(const AtmosphereParams air, __global const float4
     }
   }
   const float per_direction = 1.0f / (RINGS * AZIMUTHS);
-  table[row * SKY_SCATTERING_COLUMNS + column] = second * per_direction / (1.0f - returned * per_direction);
+  const float4 all = second * per_direction / (1.0f - returned * per_direction);
+  // The first column also stands for all suns below it: night.
+  table[row * SKY_SCATTERING_COLUMNS + column] = column == 0 ? (float4)(0.0f) : all;
 }
