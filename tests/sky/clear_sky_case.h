@@ -24,20 +24,20 @@ inline Direction at(double azimuth_deg, double elevation_deg) {
 class ClearSkyCase : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    device_ = std::make_unique<ocl::Device>(ocl::Device::open());
-    sky_ = std::make_unique<ClearSky>(*device_, Atmosphere{});
+    device = std::make_unique<ocl::Device>(ocl::Device::open());
+    sky = std::make_unique<ClearSky>(*device, Atmosphere{});
   }
   static void TearDownTestSuite() {
-    sky_.reset();
-    device_.reset();
+    sky.reset();
+    device.reset();
   }
 
   static Rgb sky_light(const Direction& direction) {
-    return sky_->read_light(std::vector{direction}).sky_kcdpm2.front();
+    return sky->read_light(std::vector{direction}).sky_kcdpm2.front();
   }
 
-  static inline std::unique_ptr<ocl::Device> device_;
-  static inline std::unique_ptr<ClearSky> sky_;
+  static inline std::unique_ptr<ocl::Device> device;
+  static inline std::unique_ptr<ClearSky> sky;
 };
 
 }  // namespace offing::sky

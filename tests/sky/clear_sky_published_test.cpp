@@ -21,13 +21,13 @@ class ClearSkyPublishedTest : public ClearSkyCase {
   static void SetUpTestSuite() {
     Atmosphere land;
     land.aerosol_optical_depth = 0.1;
-    device_ = std::make_unique<ocl::Device>(ocl::Device::open());
-    sky_ = std::make_unique<ClearSky>(*device_, land);
+    device = std::make_unique<ocl::Device>(ocl::Device::open());
+    sky = std::make_unique<ClearSky>(*device, land);
   }
 
   static Illuminance light_under(double sun_deg) {
-    sky_->at({.sun_direction = at(0.0, sun_deg)});
-    return sky_->read_illuminance();
+    sky->at({.sun_direction = at(0.0, sun_deg)});
+    return sky->read_illuminance();
   }
 };
 
@@ -64,7 +64,7 @@ TEST_F(ClearSkyPublishedTest, LuminanceIsDistributedAsInTheCieClearSky) {
   const auto gradation = [](double cosine) { return 1.0 - std::exp(-0.32 / cosine); };
   for (const double sun_deg : {60.0, 45.0, 30.0, 20.0, 10.0}) {
     const Direction sun = at(0.0, sun_deg);
-    sky_->at({.sun_direction = sun});
+    sky->at({.sun_direction = sun});
     std::vector<Direction> views{{0.0, 1.0, 0.0}};
     std::vector<double> expected{1.0};
     const double zenith = indicatrix((90.0 - sun_deg) * degree) * gradation(1.0);
@@ -77,7 +77,7 @@ TEST_F(ClearSkyPublishedTest, LuminanceIsDistributedAsInTheCieClearSky) {
         expected.push_back(indicatrix(angle) * gradation(view[1]) / zenith);
       }
     }
-    const std::vector<Rgb> found = sky_->read_light(views).sky_kcdpm2;
+    const std::vector<Rgb> found = sky->read_light(views).sky_kcdpm2;
     double squares = 0.0;
     for (std::size_t i = 1; i < views.size(); ++i) {
       const double error = std::log(luminance(found[i]) / luminance(found[0]) / expected[i]);

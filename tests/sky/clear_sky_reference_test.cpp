@@ -26,9 +26,9 @@ TEST_F(ClearSkyReferenceTest, SunlightIsThatOfTheReference) {
   double worst = 0.0;
   for (const double altitude_m : {1.0, 30.0, 1000.0, 12'000.0}) {
     for (const double elevation_deg : {90.0, 60.0, 30.0, 10.0, 5.0, 2.0, 1.0, 0.5}) {
-      sky_->at({.sun_direction = at(77.0, elevation_deg), .eye_altitude_m = altitude_m});
+      sky->at({.sun_direction = at(77.0, elevation_deg), .eye_altitude_m = altitude_m});
       const Rgb expected = rgb_of_sunlight(reference.sunlight(altitude_m, std::sin(elevation_deg * degree)));
-      const Rgb found = sky_->read_illuminance().sun_klx;
+      const Rgb found = sky->read_illuminance().sun_klx;
       for (std::size_t c = 0; c < 3; ++c) {
         worst = std::max(worst, std::abs(found[c] - std::max(0.0, expected[c])) / luminance(expected));
       }
@@ -49,7 +49,7 @@ Spectrum spectrum_of(const Texel& texel) {
 // to a half of the light.
 TEST_F(ClearSkyReferenceTest, LightScatteredMoreIsThatOfTheReference) {
   const SkyReference reference{Atmosphere{}};
-  const std::vector<Texel> table = sky_->scattering_table().read();
+  const std::vector<Texel> table = sky->scattering_table().read();
   double worst = 0.0;
   for (const int row : {0, 3, 9}) {
     for (const int column : {63, 45, 30, 18}) {
@@ -94,7 +94,7 @@ Spectrum looked_up(const std::vector<Texel>& table, double altitude_m, double su
 // tenth of that shows as 3 %. Measured 0.033 there, 0.013 by day. Gates 0.05 and 0.02.
 TEST_F(ClearSkyReferenceTest, SkyIsThatOfTheReference) {
   const SkyReference reference{Atmosphere{}};
-  const std::vector<Texel> table = sky_->scattering_table().read();
+  const std::vector<Texel> table = sky->scattering_table().read();
   const auto others = [&](double altitude_m, double sun_cosine) {
     return looked_up(table, altitude_m, sun_cosine);
   };
@@ -102,7 +102,7 @@ TEST_F(ClearSkyReferenceTest, SkyIsThatOfTheReference) {
   for (const double eye_m : {2.0, 3000.0}) {
     for (const double sun_deg : {85.0, 40.0, 10.0, 1.0, -3.0, -6.0}) {
       const Direction sun = at(120.0, sun_deg);
-      sky_->at({.sun_direction = sun, .eye_altitude_m = eye_m});
+      sky->at({.sun_direction = sun, .eye_altitude_m = eye_m});
       for (const double elevation_deg : {89.0, 50.0, 20.0, 6.0, 1.3, 0.2}) {
         for (const double azimuth_deg : {121.3, 163.0, 305.0}) {
           const Direction view = at(azimuth_deg, elevation_deg);
@@ -130,22 +130,22 @@ TEST_F(ClearSkyReferenceTest, HazeBelowTheHorizonIsThatOfTheReference) {
   Atmosphere air;
   air.ground_albedo = {};
   const SkyReference reference{air};
-  ClearSky sky(*device_, air);
-  const std::vector<Texel> table = sky.scattering_table().read();
+  ClearSky over_black(*device, air);
+  const std::vector<Texel> table = over_black.scattering_table().read();
   const auto others = [&](double altitude_m, double sun_cosine) {
     return looked_up(table, altitude_m, sun_cosine);
   };
   for (const double eye_m : {20.0, 3000.0, 30'000.0}) {
     for (const double sun_deg : {50.0, 4.0}) {
       const Direction sun = at(120.0, sun_deg);
-      sky.at({.sun_direction = sun, .eye_altitude_m = eye_m});
+      over_black.at({.sun_direction = sun, .eye_altitude_m = eye_m});
       for (const double elevation_deg : {-7.0, -20.0, -60.0, -89.5}) {
         for (const double azimuth_deg : {123.0, 300.0}) {
           const Direction view = at(azimuth_deg, elevation_deg);
           const double between = view[0] * sun[0] + view[1] * sun[1] + view[2] * sun[2];
           const Rgb expected = rgb_of_sunlight(reference.scattered(
               {.altitude_m = eye_m, .cosine = view[1], .sun_cosine = sun[1], .between = between}, others));
-          const Rgb found = sky.read_light(std::vector{view}).sky_kcdpm2.front();
+          const Rgb found = over_black.read_light(std::vector{view}).sky_kcdpm2.front();
           for (std::size_t c = 0; c < 3; ++c) {
             EXPECT_NEAR(found[c], expected[c], 0.02 * luminance(expected))
                 << eye_m << " m, sun " << sun_deg << ", elevation " << elevation_deg;
@@ -164,16 +164,16 @@ TEST_F(ClearSkyReferenceTest, HazeBelowTheHorizonIsThatOfTheReference) {
 TEST_F(ClearSkyReferenceTest, GroundIsLitBySunAndSky) {
   Atmosphere white;
   white.ground_albedo = {1.0, 1.0, 1.0, 1.0};
-  ClearSky sky(*device_, white);
+  ClearSky over_white(*device, white);
   double worst = 0.0;
   for (const double sun_deg : {89.0, 55.0, 20.0, 6.0, 1.0, -1.0, -4.0}) {
     const Direction sun = at(20.0, sun_deg);
-    sky.at({.sun_direction = sun});
-    const Illuminance light = sky.read_illuminance();
+    over_white.at({.sun_direction = sun});
+    const Illuminance light = over_white.read_illuminance();
     const double expected =
         (luminance(light.sky_klx) + std::max(0.0, sun[1]) * luminance(light.sun_klx)) / std::numbers::pi;
     const Direction down{0.0, -1.0, 0.0};
-    const double found = luminance(sky.read_light(std::vector{down}).sky_kcdpm2.front());
+    const double found = luminance(over_white.read_light(std::vector{down}).sky_kcdpm2.front());
     worst = std::max(worst, std::abs(found / expected - 1.0));
   }
   RecordProperty("worst_1e6", static_cast<int>(worst * 1e6));
@@ -187,7 +187,7 @@ TEST_F(ClearSkyReferenceTest, GroundIsLitBySunAndSky) {
 // paths are below 0.04. Gate 0.25 for each direction, 0.09 for the mean of the magnitudes (measured 0.076).
 TEST_F(ClearSkyReferenceTest, ScatteringWithoutDirectionCostsLittle) {
   const SkyReference reference{Atmosphere{}};
-  const std::vector<Texel> table = sky_->scattering_table().read();
+  const std::vector<Texel> table = sky->scattering_table().read();
   const auto none = [](double, double) { return Spectrum{}; };
   const auto others = [&](double altitude_m, double sun_cosine) {
     return looked_up(table, altitude_m, sun_cosine);

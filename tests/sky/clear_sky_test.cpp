@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <limits>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -30,10 +29,10 @@ class ClearSkyTest : public ClearSkyCase {};
 TEST_F(ClearSkyTest, IsSymmetricAboutTheSunsAzimuth) {
   for (const double elevation_deg : {-50.0, -1.0, 0.3, 20.0, 80.0}) {
     for (const double offset_deg : {0.0, 1.0, 60.0, 179.0}) {
-      sky_->at({.sun_direction = at(0.0, 12.0)});
+      sky->at({.sun_direction = at(0.0, 12.0)});
       const double expected = luminance(sky_light(at(offset_deg, elevation_deg)));
       EXPECT_NEAR(luminance(sky_light(at(-offset_deg, elevation_deg))) / expected, 1.0, 1e-6);
-      sky_->at({.sun_direction = at(211.0, 12.0), .sun_distance_au = 2.0});
+      sky->at({.sun_direction = at(211.0, 12.0), .sun_distance_au = 2.0});
       EXPECT_NEAR(luminance(sky_light(at(211.0 - offset_deg, elevation_deg))) / expected, 0.25, 2e-4);
     }
   }
@@ -48,7 +47,7 @@ TEST_F(ClearSkyTest, GivesLessLightThanTheSun) {
   clear.ozone_optical_depth = {};
   clear.aerosol_albedo = 1.0;
   clear.ground_albedo = {};
-  ClearSky lossless(*device_, clear);
+  ClearSky lossless(*device, clear);
   for (const double elevation_deg : {90.0, 60.0, 30.0, 10.0, 3.0}) {
     const SkyView view{.sun_direction = at(30.0, elevation_deg)};
     const double sine = std::sin(elevation_deg * degree);
@@ -67,7 +66,7 @@ TEST_F(ClearSkyTest, GivesLessLightThanTheSun) {
 // 240 where the aureole is wider than 0.1 rad.
 TEST_F(ClearSkyTest, IlluminanceIsTheIntegralOfRadiance) {
   const Direction sun = at(0.0, 35.0), up = at(180.0, 55.0), right = at(90.0, 0.0);
-  sky_->at({.sun_direction = sun});
+  sky->at({.sun_direction = sun});
   constexpr int steps = 160;
   const double radius = Atmosphere{}.sun_angular_radius_rad, width = 2.2 * radius / steps;
   std::vector<Direction> rays;
@@ -80,11 +79,11 @@ TEST_F(ClearSkyTest, IlluminanceIsTheIntegralOfRadiance) {
     rays.push_back(ray);
   }
   double disc_klx = 0.0;
-  for (const Rgb& light : sky_->read_light(rays).sun_kcdpm2) disc_klx += luminance(light) * width * width;
-  EXPECT_NEAR(disc_klx / luminance(sky_->read_illuminance().sun_klx), 1.0, 1e-3);
+  for (const Rgb& light : sky->read_light(rays).sun_kcdpm2) disc_klx += luminance(light) * width * width;
+  EXPECT_NEAR(disc_klx / luminance(sky->read_illuminance().sun_klx), 1.0, 1e-3);
 
-  ocl::Buffer<Texel> map(*device_, 240 * 240, "map");
-  sky_->fill_map(240, 240, map);
+  ocl::Buffer<Texel> map(*device, 240 * 240, "map");
+  sky->fill_map(240, 240, map);
   const std::vector<Texel> texels = map.read();
   double sky_klx = 0.0;
   for (std::size_t row = 0; row < 120; ++row) {
@@ -95,7 +94,7 @@ TEST_F(ClearSkyTest, IlluminanceIsTheIntegralOfRadiance) {
           luminance({t[0], t[1], t[2]}) * std::cos(zenith) * std::sin(zenith) * (pi / 240.0) * (pi / 120.0);
     }
   }
-  EXPECT_NEAR(sky_klx / luminance(sky_->read_illuminance().sky_klx), 1.0, 0.01);
+  EXPECT_NEAR(sky_klx / luminance(sky->read_illuminance().sky_klx), 1.0, 0.01);
 }
 
 // Fails if the horizon is black, or torn off its surroundings: light changes by less than 2 % in the last
@@ -107,7 +106,7 @@ TEST_F(ClearSkyTest, IsContinuousUpToTheHorizon) {
     const double radius_m = Atmosphere{}.ground_radius_m;
     const double dip_deg = std::acos(radius_m / (radius_m + eye_m)) / degree;
     for (const double sun_deg : {60.0, 10.0, 0.0, -5.0}) {
-      sky_->at({.sun_direction = at(0.0, sun_deg), .eye_altitude_m = eye_m});
+      sky->at({.sun_direction = at(0.0, sun_deg), .eye_altitude_m = eye_m});
       for (const double azimuth_deg : {0.0, 90.0, 180.0}) {
         const auto light = [&](double above_horizon_deg) {
           return luminance(sky_light(at(azimuth_deg, above_horizon_deg - dip_deg)));
@@ -119,9 +118,9 @@ TEST_F(ClearSkyTest, IsContinuousUpToTheHorizon) {
         EXPECT_GT(light(-40.0), 0.0);
       }
     }
-    sky_->at({.sun_direction = at(0.0, 0.01), .eye_altitude_m = eye_m});
+    sky->at({.sun_direction = at(0.0, 0.01), .eye_altitude_m = eye_m});
     const double before = luminance(sky_light(at(0.0, 20.0)));
-    sky_->at({.sun_direction = at(0.0, -0.01), .eye_altitude_m = eye_m});
+    sky->at({.sun_direction = at(0.0, -0.01), .eye_altitude_m = eye_m});
     EXPECT_NEAR(luminance(sky_light(at(0.0, 20.0))) / before, 1.0, 0.02);
   }
 }
@@ -129,12 +128,12 @@ TEST_F(ClearSkyTest, IsContinuousUpToTheHorizon) {
 // Fails if any sun, eye or direction gives what is no light: NaN, infinity, less than nothing. Twilight gets
 // ever darker, and the sun is gone.
 TEST_F(ClearSkyTest, IsFiniteAndDarkensThroughTwilight) {
-  ocl::Buffer<Texel> map(*device_, 64 * 33, "map");
+  ocl::Buffer<Texel> map(*device, 64 * 33, "map");
   for (const double eye_m : {0.0, 2.0, 11'000.0, 99'000.0}) {
     double last = std::numeric_limits<double>::infinity();
     for (const double sun_deg : {90.0, 89.99, 45.0, 0.3, 0.0, -1.0, -4.0, -8.0, -14.0, -30.0, -90.0}) {
-      sky_->at({.sun_direction = at(77.0, sun_deg), .eye_altitude_m = eye_m});
-      sky_->fill_map(64, 33, map);
+      sky->at({.sun_direction = at(77.0, sun_deg), .eye_altitude_m = eye_m});
+      sky->fill_map(64, 33, map);
       double sum = 0.0;
       for (const Texel& texel : map.read()) {
         for (std::size_t c = 0; c < 3; ++c) {
@@ -149,8 +148,8 @@ TEST_F(ClearSkyTest, IsFiniteAndDarkensThroughTwilight) {
     }
     EXPECT_LT(last, 1e-6);
   }
-  sky_->at({.sun_direction = at(0.0, -2.0)});
-  EXPECT_EQ(luminance(sky_->read_illuminance().sun_klx), 0.0);
+  sky->at({.sun_direction = at(0.0, -2.0)});
+  EXPECT_EQ(luminance(sky->read_illuminance().sun_klx), 0.0);
   for (const Direction& axis :
        {Direction{0.0, 1.0, 0.0}, Direction{0.0, -1.0, 0.0}, Direction{1.0, 0.0, 0.0}}) {
     EXPECT_TRUE(std::isfinite(luminance(sky_light(axis))));
@@ -160,16 +159,16 @@ TEST_F(ClearSkyTest, IsFiniteAndDarkensThroughTwilight) {
 // Fails if the colours are not those that everybody sees.
 TEST_F(ClearSkyTest, HasTheColoursOfTheDay) {
   const Direction zenith{0.0, 1.0, 0.0};
-  sky_->at({.sun_direction = at(0.0, 60.0)});
+  sky->at({.sun_direction = at(0.0, 60.0)});
   Rgb light = sky_light(at(180.0, 60.0));
   EXPECT_GT(light[2], 1.5 * light[1]) << "blue sky";
   EXPECT_GT(light[1], light[0]);
-  sky_->at({.sun_direction = at(0.0, 1.0)});
-  light = sky_->read_illuminance().sun_klx;
+  sky->at({.sun_direction = at(0.0, 1.0)});
+  light = sky->read_illuminance().sun_klx;
   EXPECT_GT(light[0], 2.0 * light[1]) << "red sun";
   EXPECT_GT(light[1], 2.0 * light[2]);
   for (const double sun_deg : {1.0, -4.0}) {
-    sky_->at({.sun_direction = at(0.0, sun_deg)});
+    sky->at({.sun_direction = at(0.0, sun_deg)});
     light = sky_light(zenith);
     EXPECT_GT(light[2], 1.2 * light[1]) << "ozone keeps the zenith blue after sunset (Hulburt 1953)";
     EXPECT_GT(light[1], light[0]);
@@ -182,12 +181,12 @@ TEST_F(ClearSkyTest, RemakesItsTableInMilliseconds) {
   double fastest_ms = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 20; ++i) {
     const auto begin = std::chrono::steady_clock::now();
-    sky_->at({.sun_direction = at(0.0, 5.0 + i)});
-    device_->finish();
+    sky->at({.sun_direction = at(0.0, 5.0 + i)});
+    device->finish();
     const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
     fastest_ms = std::min(fastest_ms, passed.count());
   }
-  std::printf("view table: %.2f ms on %s\n", fastest_ms, device_->info().name.c_str());
+  std::printf("view table: %.2f ms on %s\n", fastest_ms, device->info().name.c_str());
   EXPECT_LT(fastest_ms, 50.0);
 }
 
@@ -195,7 +194,7 @@ TEST_F(ClearSkyTest, RemakesItsTableInMilliseconds) {
 TEST_F(ClearSkyTest, RefusesBadViews) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refuses = [](const SkyView& view, const char* part) {
-    test::expect_error(ErrorKind::bad_input, part, [&] { sky_->at(view); });
+    test::expect_error(ErrorKind::bad_input, part, [&] { sky->at(view); });
   };
   refuses({.sun_direction = {0.0, 0.0, 0.0}}, "sun_direction");
   refuses({.sun_direction = {0.0, 2.0, 0.0}}, "sun_direction");
@@ -206,17 +205,20 @@ TEST_F(ClearSkyTest, RefusesBadViews) {
   refuses({.eye_altitude_m = nan}, "eye_altitude_m");
   Atmosphere air;
   air.ground_albedo[0] = -1.0;
-  test::expect_error(ErrorKind::bad_input, "ground_albedo", [&] { ClearSky(*device_, air); });
+  test::expect_error(ErrorKind::bad_input, "ground_albedo", [&] { ClearSky(*device, air); });
 }
 
 // Fails if a map of another size than said is written to.
 TEST_F(ClearSkyTest, RefusesMapsOfAnotherSize) {
-  ocl::Buffer<Texel> map(*device_, 12, "map");
-  for (const auto& [columns, rows] : {std::pair{3, 3}, {0, 4}, {-3, -4}, {12, 0}, {65536, 65536}}) {
-    test::expect_error(ErrorKind::bad_usage, "sky map", [&] { sky_->fill_map(columns, rows, map); });
+  ocl::Buffer<Texel> map(*device, 12, "map");
+  struct Size {
+    int columns, rows;
+  };
+  for (const Size& size : {Size{3, 3}, {0, 4}, {-3, -4}, {12, 0}, {65536, 65536}}) {
+    test::expect_error(ErrorKind::bad_usage, "sky map", [&] { sky->fill_map(size.columns, size.rows, map); });
   }
-  EXPECT_NO_THROW(sky_->fill_map(4, 3, map));
-  EXPECT_TRUE(sky_->read_light({}).sky_kcdpm2.empty());
+  EXPECT_NO_THROW(sky->fill_map(4, 3, map));
+  EXPECT_TRUE(sky->read_light({}).sky_kcdpm2.empty());
 }
 
 }  // namespace
