@@ -8,12 +8,14 @@
 #include "ocean/deformation.clh"
 #include "shared/ocean_params.h"
 
-static float4 bilinear(__global const float4 *map, int size, float column, float row) {
-  const float column_floor = floor(column), row_floor = floor(row);
+// At a place in 2^-32 of the patch: the high bits are the texel, the others what lies beyond it.
+static float4 bilinear(__global const float4 *map, int size, uint column, uint row) {
   const int mask = size - 1;
-  const int x0 = (int)column_floor & mask, x1 = (x0 + 1) & mask;
-  const int z0 = (int)row_floor & mask, z1 = (z0 + 1) & mask;
-  const float4 u = (float4)(column - column_floor), v = (float4)(row - row_floor);
+  const uint below_texel = clz((uint)mask), texel = 32u - below_texel;
+  const int x0 = (int)(column >> below_texel), x1 = (x0 + 1) & mask;
+  const int z0 = (int)(row >> below_texel), z1 = (z0 + 1) & mask;
+  const float per_unit = 2.3283064365386963e-10f;  // 2^-32
+  const float4 u = (float4)((float)(column << texel) * per_unit), v = (float4)((float)(row << texel) * per_unit);
   return mix(mix(map[z0 * size + x0], map[z0 * size + x1], u), mix(map[z1 * size + x0], map[z1 * size + x1], u), v);
 }
 
@@ -24,10 +26,10 @@ __kernel void surface_compose(__global const float4 *restrict displacement, __gl
   float4 moved = (float4)(0.0f), slopes = (float4)(0.0f);
   for (int cascade = 0; cascade < grid->cascade_count; ++cascade) {
     const size_t first = (size_t)cascade * size * size;
-    const float texel_column = grid->origin_column[cascade] + (float)column * grid->column_step[cascade];
-    const float texel_row = grid->origin_row[cascade] + (float)row * grid->row_step[cascade];
-    moved += bilinear(displacement + first, size, texel_column, texel_row);
-    slopes += bilinear(gradient + first, size, texel_column, texel_row);
+    const uint place_x = (uint)grid->origin_column[cascade] + (uint)column * (uint)grid->column_step[cascade];
+    const uint place_z = (uint)grid->origin_row[cascade] + (uint)row * (uint)grid->row_step[cascade];
+    moved += bilinear(displacement + first, size, place_x, place_z);
+    slopes += bilinear(gradient + first, size, place_x, place_z);
   }
   const float xx = 1.0f + slopes.z, xz = moved.w, zz = 1.0f + slopes.w;
   const float2 jacobian = deformation_jacobian(xx, xz, zz);

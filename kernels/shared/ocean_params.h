@@ -14,12 +14,13 @@ typedef struct {
   int padding;
 } OceanSpectrumParams;
 
-// A rectangle of rest labels in the texels of each cascade, for ocean/surface_compose.cl.
+// A rectangle of rest labels in each cascade's patch, for ocean/surface_compose.cl. Places are in 2^-32 of
+// the patch, in two's complement: sums that overflow lose whole patches, and nothing else.
 typedef struct {
-  float origin_column[4];  // label of sample (0, 0), texels, reduced into [0, n)
-  float origin_row[4];
-  float column_step[4];  // texels between neighbouring samples
-  float row_step[4];
+  int origin_column[4];  // label of sample (0, 0)
+  int origin_row[4];
+  int column_step[4];  // between neighbouring samples
+  int row_step[4];
   int cascade_count;
   int columns;
   int rows;
