@@ -32,12 +32,13 @@ constexpr double most_peak_lengths = 64.0;
 constexpr double first_cascade_share =
     0.25;  // of m0: a longest patch of few samples must not hold only the tail
 
-/// How m0 lies over wavenumbers.
+/// How m0 lies over the wavenumbers from `k_split` on.
 class EnergyDistribution {
  public:
-  explicit EnergyDistribution(const SeaSpectrum& spectrum) {
+  EnergyDistribution(const SeaSpectrum& spectrum, double split_radpm) {
     const Dispersion& dispersion = spectrum.dispersion;
-    edges_ = log_wavenumber_panels(spectrum, std::log(dispersion.wavenumber_radpm(spectrum.omega_min_radps)),
+    const double low_radpm = std::max(split_radpm, dispersion.wavenumber_radpm(spectrum.omega_min_radps));
+    edges_ = log_wavenumber_panels(spectrum, std::log(low_radpm),
                                    std::log(dispersion.wavenumber_radpm(spectrum.omega_max_radps)), 256);
     cumulative_.push_back(0.0);
     for (std::size_t i = 0; i + 1 < edges_.size(); ++i) {
@@ -171,15 +172,17 @@ double resolved_wavenumber_radpm(double patch_length_m, int size) {
   return (size / 2 - 1) * 2.0 * pi / patch_length_m;
 }
 
-double still_cell_variance_m2(const SeaSpectrum& spectrum, double patch_length_m) {
+double still_cell_variance_m2(const SeaSpectrum& spectrum, double patch_length_m, double split_radpm) {
   const double half_step_radpm = pi / patch_length_m;
   const double corner_radpm = half_step_radpm * std::numbers::sqrt2;
   // The disc inside the cell, then what its corners add, by the midpoint rule.
-  double sum_m2 = integrate_sea_state(spectrum, 0.0, half_step_radpm).m0_m2;
+  double sum_m2 =
+      integrate_sea_state(spectrum, std::min(split_radpm, half_step_radpm), half_step_radpm).m0_m2;
   constexpr int wavenumbers = 64, directions = 720;
   const double width_radpm = (corner_radpm - half_step_radpm) / wavenumbers;
   for (int i = 0; i < wavenumbers; ++i) {
     const double k = half_step_radpm + (i + 0.5) * width_radpm;
+    if (k < split_radpm) continue;
     const double omega = spectrum.dispersion.omega_radps(k);
     const double energy = spectrum.energy(omega) * spectrum.dispersion.group_speed_mps(k) * width_radpm;
     if (energy <= 0.0) continue;
@@ -193,8 +196,10 @@ double still_cell_variance_m2(const SeaSpectrum& spectrum, double patch_length_m
   return sum_m2;
 }
 
-std::vector<Cascade> cascades_from_patches(std::span<const double> patch_lengths_m, int size) {
+std::vector<Cascade> cascades_from_patches(std::span<const double> patch_lengths_m, int size,
+                                           double split_radpm) {
   require_valid_size(size);
+  require_within("split_radpm", split_radpm, 0.0, 1e6);
   if (patch_lengths_m.empty() || patch_lengths_m.size() > most_cascades) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("ocean.cascade: expected 1 to 4 patches, found {}", patch_lengths_m.size()),
@@ -203,10 +208,18 @@ std::vector<Cascade> cascades_from_patches(std::span<const double> patch_lengths
   std::vector<double> lengths_m(patch_lengths_m.begin(), patch_lengths_m.end());
   std::sort(lengths_m.begin(), lengths_m.end(), std::greater<>());
   std::vector<Cascade> cascades;
-  double k_min_radpm = 0.0;
+  double k_min_radpm = split_radpm;
   for (const double length_m : lengths_m) {
     require_within("patch_length_m", length_m, 0.01, 1e6);
     const double k_max_radpm = resolved_wavenumber_radpm(length_m, size);
+    if (k_max_radpm <= split_radpm) {
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("ocean.patch_length_m: expected a patch that resolves waves shorter than the "
+                              "{:.4g} m of the split, found {:g} m with waves from {:.4g} m",
+                              2.0 * pi / split_radpm, length_m, 2.0 * pi / k_max_radpm),
+                  fmt::format("use a patch shorter than {:.4g} m, or split at longer waves",
+                              length_m * k_max_radpm / split_radpm));
+    }
     if (k_max_radpm <= k_min_radpm) {
       throw Error(ErrorKind::bad_input,
                   fmt::format("ocean.patch_length_m: expected different lengths, found {:g} twice", length_m),
@@ -218,15 +231,25 @@ std::vector<Cascade> cascades_from_patches(std::span<const double> patch_lengths
   return cascades;
 }
 
-std::vector<Cascade> choose_cascades(const SeaSpectrum& spectrum, int size, int max_count) {
+std::vector<Cascade> choose_cascades(const SeaSpectrum& spectrum, int size, int max_count,
+                                     double split_radpm) {
   require_valid_size(size);
   if (max_count < 1 || max_count > most_cascades) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("ocean: expected 1 to 4 cascades at most, found {}", max_count),
                 "ask for 3 cascades, for example");
   }
-  const EnergyDistribution distribution(spectrum);
-  const double peak_m = 2.0 * pi / spectrum.dispersion.wavenumber_radpm(spectrum.omega_peak_radps);
+  const double k_highest_radpm = spectrum.dispersion.wavenumber_radpm(spectrum.omega_max_radps);
+  if (!(split_radpm >= 0.0 && split_radpm < k_highest_radpm)) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("ocean.split_radpm: expected a number within [0, {:g}), the wavenumbers of the "
+                            "spectrum, found {:g}",
+                            k_highest_radpm, split_radpm),
+                "split the sea at longer waves, so that some are left to the cascades");
+  }
+  const EnergyDistribution distribution(spectrum, split_radpm);
+  const double k_peak_radpm = spectrum.dispersion.wavenumber_radpm(spectrum.omega_peak_radps);
+  const double peak_m = 2.0 * pi / std::max(split_radpm, k_peak_radpm);
   const auto wavelength_m = [&](double share) { return 2.0 * pi / distribution.quantile_radpm(share); };
   const double ample_m =
       std::max({peak_lengths * peak_m, long_wave_lengths * wavelength_m(long_wave_share),
@@ -251,7 +274,7 @@ std::vector<Cascade> choose_cascades(const SeaSpectrum& spectrum, int size, int 
       break;
     }
   }
-  return cascades_from_patches(best_m, size);
+  return cascades_from_patches(best_m, size, split_radpm);
 }
 
 }  // namespace offing::ocean

@@ -163,12 +163,7 @@ VelocityFields Ocean::read_velocity(int cascade, double depth_m) {
 
 ComposedFields Ocean::read_composed(const SampleGrid& grid) {
   State& state = *state_;
-  require_within("sample grid columns", grid.columns, 1, 16384);
-  require_within("sample grid rows", grid.rows, 1, 16384);
-  for (const double origin_m : {grid.origin_x_m, grid.origin_z_m})
-    require_within("sample grid origin_m", origin_m, -1e9, 1e9);
-  for (const double spacing_m : {grid.spacing_x_m, grid.spacing_z_m})
-    require_within("sample grid spacing_m", spacing_m, -1e6, 1e6);
+  require_valid_grid(grid);
   if (!state.compose) {
     state.compose = ocl::Program::build(state.device, "ocean/surface_compose.cl").kernel("surface_compose");
   }

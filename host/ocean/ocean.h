@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/ocean/cascades.h"
+#include "host/ocean/sample_grid.h"
 #include "host/ocean/sea_spectrum.h"
 #include "host/ocl/device.h"
 
@@ -45,13 +46,6 @@ struct SurfaceFields {
 struct VelocityFields {
   int size = 0;
   std::vector<float> x, y, z;
-};
-
-/// Where to compose the cascades: a rectangle of rest labels.
-struct SampleGrid {
-  double origin_x_m = 0.0, origin_z_m = 0.0;    ///< label of the first sample
-  double spacing_x_m = 1.0, spacing_z_m = 1.0;  ///< between columns, rows
-  int columns = 0, rows = 0;
 };
 
 /// The composed sea on a SampleGrid, each [rows][columns]: sums of all cascades, then F (O7, O9).

@@ -16,9 +16,9 @@ struct KernelTuning {
   KernelShape shape = KernelShape::group;
 };
 
-/// What suits the kernels of `family` ("fft": the transforms and all that joins them) on this device: a row
-/// of the table in tuning.cpp, else its default row. OFFING_SHAPE=strip or group overrides the shape, for
-/// tests; any other value throws Error(bad_usage).
+/// What suits the kernels of `family` ("fft": the transforms and all that joins them; "trochoids": sums of
+/// Gerstner waves) on this device: a row of the table in tuning.cpp, else its default row. OFFING_SHAPE=strip
+/// or group overrides the shape, for tests; any other value throws Error(bad_usage).
 KernelTuning tuning_for(const DeviceInfo& device, std::string_view family);
 
 }  // namespace offing::ocl

@@ -21,6 +21,7 @@ typedef std::uint64_t offing_uint64;
 // Streams: one for each consumer, so that adding a consumer changes no other's numbers.
 // Ocean cascade i uses OFFING_STREAM_OCEAN_CASCADE + i, i < 4.
 #define OFFING_STREAM_OCEAN_CASCADE 0x0cea0000u
+#define OFFING_STREAM_OCEAN_TROCHOIDS 0x0cea0100u
 
 typedef struct {
   offing_uint32 v[4];
