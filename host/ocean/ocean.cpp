@@ -6,6 +6,7 @@
 #include "host/ocean/foam.h"
 #include "host/ocean/parameter_check.h"
 #include "host/ocean/surface_maps.h"
+#include "host/ocean/trochoid_surface.h"
 #include "host/ocean/velocity_map.h"
 #include "host/ocean/wave_modes.h"
 #include "host/ocl/program.h"
@@ -72,6 +73,7 @@ struct Ocean::State {
   std::optional<Foam> foam;
   std::optional<ocl::Kernel> jacobian;
   std::optional<ocl::Kernel> compose;
+  std::optional<TrochoidSurface> trochoids;
 };
 
 Ocean::Ocean(const ocl::Device& device, const SeaSpectrum& spectrum, const OceanParameters& parameters)
@@ -161,9 +163,14 @@ VelocityFields Ocean::read_velocity(int cascade, double depth_m) {
   return fields;
 }
 
-ComposedFields Ocean::read_composed(const SampleGrid& grid) {
+ComposedFields Ocean::read_composed(const SampleGrid& grid, const Composition& composition) {
   State& state = *state_;
   require_valid_grid(grid);
+  const bool has_trochoids = !composition.trochoids.waves.empty() || !composition.trochoids.raindrops.empty();
+  if (has_trochoids) {
+    if (!state.trochoids) state.trochoids.emplace(state.device);
+    state.trochoids->at(composition.trochoids, grid, state.time_s);
+  }
   if (!state.compose) {
     state.compose = ocl::Program::build(state.device, "ocean/surface_compose.cl").kernel("surface_compose");
   }
@@ -171,6 +178,8 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid) {
   params.cascade_count = static_cast<int>(state.parameters.cascades.size());
   params.columns = grid.columns;
   params.rows = grid.rows;
+  params.trochoid_pitch = has_trochoids ? state.trochoids->pitch() : 0;
+  params.adds_slopes = composition.slopes == SlopeRule::added ? 1 : 0;
   for (std::size_t i = 0; i < state.parameters.cascades.size(); ++i) {
     const double length_m = state.parameters.cascades[i].patch_length_m;
     // In 2^-32 of the patch, as the kernel adds them up. fmod() is exact, so that a grid far from the origin
@@ -190,7 +199,10 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid) {
   const ocl::Buffer<OceanComposeParams> params_buffer(state.device, std::span(&params, 1), "sample grid");
   ocl::Buffer<float> position(state.device, 4 * count, "composed positions");
   ocl::Buffer<float> shape(state.device, 4 * count, "composed slopes");
-  state.compose->launch({{columns, rows, 1}}, surface.displacement(), surface.gradient(), params_buffer,
+  // Without trochoids the cascades' own maps stand in for theirs, unread.
+  state.compose->launch({{columns, rows, 1}}, surface.displacement(), surface.gradient(),
+                        has_trochoids ? state.trochoids->displacement() : surface.displacement(),
+                        has_trochoids ? state.trochoids->gradient() : surface.gradient(), params_buffer,
                         state.parameters.size, position, shape);
   ComposedFields fields;
   fields.columns = grid.columns;

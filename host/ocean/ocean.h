@@ -9,6 +9,7 @@
 #include "host/ocean/cascades.h"
 #include "host/ocean/sample_grid.h"
 #include "host/ocean/sea_spectrum.h"
+#include "host/ocean/trochoids.h"
 #include "host/ocl/device.h"
 
 namespace offing::ocean {
@@ -48,11 +49,24 @@ struct VelocityFields {
   std::vector<float> x, y, z;
 };
 
-/// The composed sea on a SampleGrid, each [rows][columns]: sums of all cascades, then F (O7, O9).
+/// How the slopes of a composed surface follow from those at labels.
+enum class SlopeRule {
+  of_displaced_surface,  ///< F^-T times their sum: exactly those of the surface as it is displaced
+  added,  ///< their sum, as Lee & Lee 2007 have it (O9): too gentle at crests, too steep in troughs
+};
+
+/// What a surface is composed of besides the cascades.
+struct Composition {
+  TrochoidSea trochoids = {};  ///< those below the cascades' k_split, swells, raindrops
+  SlopeRule slopes = SlopeRule::of_displaced_surface;
+};
+
+/// The composed sea on a SampleGrid, each [rows][columns]: sums of all cascades and trochoids, then F (O7,
+/// O9).
 struct ComposedFields {
   int columns = 0, rows = 0;
   std::vector<float> displacement_x, displacement_y, displacement_z;  ///< m
-  std::vector<float> slope_x, slope_z;  ///< of the displaced surface: F^-T times the slopes at labels
+  std::vector<float> slope_x, slope_z;                                ///< by the SlopeRule
   std::vector<float> jacobian, jacobian_min_eigenvalue;
 };
 
@@ -90,9 +104,10 @@ class Ocean {
   /// first question of a time and depth computes all cascades.
   /// Throws Error(bad_input) for a depth below the bed.
   VelocityFields read_velocity(int cascade, double depth_m = 0.0);
-  /// The composed surface at the time of the last at(), bilinear between samples of each cascade.
-  /// Throws Error(bad_input) for a grid without samples, of more than 16384 a side, or not finite.
-  ComposedFields read_composed(const SampleGrid& grid);
+  /// The composed surface at the time of the last at(), bilinear between samples of each cascade. Throws
+  /// Error(bad_input) for a grid without samples, of more than 16384 a side, or not finite, and for trochoids
+  /// out of range.
+  ComposedFields read_composed(const SampleGrid& grid, const Composition& composition = {});
 
   /// Expected variance of each mode, [n][n] m^2, K = 0 at [0][0]: what the spectrum asks of this cascade.
   std::vector<float> mode_variance(int cascade) const;

@@ -1,9 +1,11 @@
 // The composed sea on a rectangle of rest labels.
-// In:  displacement, gradient [cascades][n][n] float4 of ocean/surface_assemble.cl; where the samples lie.
+// In:  displacement, gradient [cascades][n][n] float4 of ocean/surface_assemble.cl; trochoid_displacement,
+//      trochoid_gradient [rows][pitch] float4 of ocean/trochoid_surface.cl, at these samples, unless the pitch is 0;
+//      where the samples lie.
 // Out: position [rows][columns] float4 (dx, h, dz m, J); shape [rows][columns] float4 (slope x, slope z of the displaced
 //      surface, smaller eigenvalue of F, 0). Cascades are bilinear between texels and periodic.
-// Displacements, slopes and gradients add over cascades; then F = I + sum grad, slope = F^-T sum s, with |det F| kept
-// above 0.05 where the surface is about to fold. Lee & Lee 2007, eq. 7 and section 2.3 (O7, O9).
+// Displacements, slopes and gradients add over cascades and trochoids; then F = I + sum grad, slope = F^-T sum s, with |det F| kept
+// above 0.05 where the surface is about to fold; or, as in the paper, slope = sum s. Lee & Lee 2007, eq. 7 and section 2.3 (O7, O9).
 // The grid is in memory, not an argument by value: Mesa 22.3 crashes on arguments that are indexed by a variable.
 #include "ocean/deformation.clh"
 #include "shared/ocean_params.h"
@@ -20,6 +22,8 @@ static float4 bilinear(__global const float4 *map, int size, uint column, uint r
 }
 
 __kernel void surface_compose(__global const float4 *restrict displacement, __global const float4 *restrict gradient,
+                              __global const float4 *restrict trochoid_displacement,
+                              __global const float4 *restrict trochoid_gradient,
                               __global const OceanComposeParams *restrict grid, int size,
                               __global float4 *restrict position, __global float4 *restrict shape) {
   const int column = (int)get_global_id(0), row = (int)get_global_id(1);
@@ -31,12 +35,18 @@ __kernel void surface_compose(__global const float4 *restrict displacement, __gl
     moved += bilinear(displacement + first, size, place_x, place_z);
     slopes += bilinear(gradient + first, size, place_x, place_z);
   }
+  if (grid->trochoid_pitch > 0) {
+    const size_t sample = (size_t)row * grid->trochoid_pitch + column;
+    moved += trochoid_displacement[sample];
+    slopes += trochoid_gradient[sample];
+  }
   const float xx = 1.0f + slopes.z, xz = moved.w, zz = 1.0f + slopes.w;
   const float2 jacobian = deformation_jacobian(xx, xz, zz);
   const float smallest_determinant = 0.05f;
   const float determinant = copysign(fmax(fabs(jacobian.x), smallest_determinant), jacobian.x);
   const size_t place = (size_t)row * grid->columns + column;
   position[place] = (float4)(moved.xyz, jacobian.x);
-  shape[place] = (float4)((zz * slopes.x - xz * slopes.y) / determinant, (xx * slopes.y - xz * slopes.x) / determinant,
-                          jacobian.y, 0.0f);
+  const float2 of_displaced_surface =
+      (float2)(zz * slopes.x - xz * slopes.y, xx * slopes.y - xz * slopes.x) / determinant;
+  shape[place] = (float4)(grid->adds_slopes ? slopes.xy : of_displaced_surface, jacobian.y, 0.0f);
 }

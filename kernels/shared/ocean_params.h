@@ -24,12 +24,13 @@ typedef struct {
   int cascade_count;
   int columns;
   int rows;
-  int padding;
+  int trochoid_pitch;  // samples from row to row of the trochoids' maps; 0 without trochoids
+  int adds_slopes;     // 1: slopes at labels, as they add up; 0: of the displaced surface
 } OceanComposeParams;
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(OceanSpectrumParams) == 32, "no padding");
-static_assert(sizeof(OceanComposeParams) == 80, "no padding");
+static_assert(sizeof(OceanComposeParams) == 84, "no padding");
 #endif
 
 #endif

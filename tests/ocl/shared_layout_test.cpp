@@ -33,10 +33,10 @@ TEST(SharedLayoutTest, OceanComposeParams) {
   using S = OceanComposeParams;
   EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/ocean_params.h", "OceanComposeParams",
                                 {"origin_column", "origin_row", "column_step", "row_step", "cascade_count",
-                                 "columns", "rows", "padding"}),
+                                 "columns", "rows", "trochoid_pitch", "adds_slopes"}),
             (Layout{sizeof(S), offsetof(S, origin_column), offsetof(S, origin_row), offsetof(S, column_step),
                     offsetof(S, row_step), offsetof(S, cascade_count), offsetof(S, columns),
-                    offsetof(S, rows), offsetof(S, padding)}));
+                    offsetof(S, rows), offsetof(S, trochoid_pitch), offsetof(S, adds_slopes)}));
 }
 
 // Members of the two below are all floats: the first, some and the last.
