@@ -8,16 +8,19 @@
 
 #include "host/base/error.h"
 #include "tests/ocean/example_seas.h"
+#include "tests/ocl/expect_error.h"
 
 namespace offing::ocean {
 namespace {
 
 using std::numbers::pi;
 
-// Bands that overlap count waves twice, gaps lose them: each must begin exactly where the last ends.
-void expect_bands_meet(const std::vector<Cascade>& cascades, int size, const std::string& name) {
+// Bands that overlap count waves twice, gaps lose them: the first must begin at the split, each other exactly
+// where the last ends.
+void expect_bands_meet(const std::vector<Cascade>& cascades, int size, const std::string& name,
+                       double split_radpm = 0.0) {
   ASSERT_FALSE(cascades.empty()) << name;
-  EXPECT_EQ(cascades.front().k_min_radpm, 0.0) << name;
+  EXPECT_EQ(cascades.front().k_min_radpm, split_radpm) << name;
   for (std::size_t i = 0; i < cascades.size(); ++i) {
     EXPECT_GT(cascades[i].k_max_radpm, cascades[i].k_min_radpm) << name;
     EXPECT_LE(cascades[i].k_max_radpm, resolved_wavenumber_radpm(cascades[i].patch_length_m, size)) << name;
@@ -37,6 +40,40 @@ TEST(Cascades, FromPatchesSortsAndJoins) {
   EXPECT_DOUBLE_EQ(cascades[0].k_max_radpm, 127.0 * 2.0 * pi / 1000.0);
   EXPECT_DOUBLE_EQ(cascades[2].k_max_radpm, 127.0 * 2.0 * pi / 37.0);
   expect_bands_meet(cascades, 256, "from patches");
+}
+
+// Fails if waves that trochoids carry are drawn again, or if patches are chosen for those waves: they would
+// resolve too few of the others. Below twice the peak's wavenumber lies about half of a sea's energy.
+TEST(Cascades, BeginAtTheSplit) {
+  const double lengths_m[] = {37.0, 190.0};
+  expect_bands_meet(cascades_from_patches(lengths_m, 256, 0.11), 256, "from patches", 0.11);
+  for (const ExampleSea& sea : example_seas()) {
+    const double split_radpm = 2.0 * sea.spectrum.dispersion.wavenumber_radpm(sea.spectrum.omega_peak_radps);
+    // Narrow swells have nothing beyond it.
+    if (sea.spectrum.dispersion.omega_radps(split_radpm) > sea.spectrum.omega_max_radps) continue;
+    const std::vector<Cascade> cascades = choose_cascades(sea.spectrum, 256, 3, split_radpm);
+    expect_bands_meet(cascades, 256, sea.name, split_radpm);
+    EXPECT_GE(cascades.front().patch_length_m, 15.8 * 2.0 * pi / split_radpm) << sea.name;
+    EXPECT_GT(integrate_sea_state(sea.spectrum, split_radpm, cascades.back().k_max_radpm).m0_m2,
+              0.998 * integrate_sea_state(sea.spectrum, split_radpm).m0_m2)
+        << sea.name;
+  }
+}
+
+// Fails if a split that leaves a patch or a sea without waves gives a sea without them.
+TEST(Cascades, RejectsSplitsBeyondTheWaves) {
+  const double lengths_m[] = {37.0, 1000.0};
+  test::expect_error(ErrorKind::bad_input, "resolves waves shorter than the 6.283 m of the split",
+                     [&] { cascades_from_patches(lengths_m, 256, 1.0); });
+  for (const double split_radpm : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    test::expect_error(ErrorKind::bad_input, "split_radpm",
+                       [&] { cascades_from_patches(lengths_m, 256, split_radpm); });
+    test::expect_error(ErrorKind::bad_input, "split_radpm",
+                       [&] { choose_cascades(example_seas().front().spectrum, 256, 3, split_radpm); });
+  }
+  const SeaSpectrum measured = example_seas().back().spectrum;
+  test::expect_error(ErrorKind::bad_input, "the wavenumbers of the spectrum",
+                     [&] { choose_cascades(measured, 256, 3, 2.0); });
 }
 
 TEST(Cascades, RejectsWhatCannotBeBuilt) {

@@ -48,10 +48,16 @@ void dump_surface(ocean::Ocean& sea, double hs_m, Dump& dump) {
     for (const auto& field : {velocity.x, velocity.y, velocity.z}) dump.add_relative(field);
     dump.add(sea.read_foam(cascade), 1.0);
   }
-  const ocean::ComposedFields composed =
-      sea.read_composed({.origin_x_m = -3.0, .spacing_x_m = 0.7, .columns = 20, .rows = 10});
-  for (const auto& field : {composed.displacement_y, composed.slope_x, composed.jacobian})
-    dump.add_relative(field);
+  const ocean::SampleGrid grid{.origin_x_m = -3.0, .spacing_x_m = 0.7, .columns = 20, .rows = 10};
+  const ocean::Composition with_trochoids{
+      .trochoids = {.waves = {ocean::make_swell({.wavelength_m = 70.0, .direction_rad = 0.4}, {}),
+                              ocean::make_swell({.wavelength_m = 31.0, .direction_rad = 2.0}, {})},
+                    .raindrops = {{.time_s = 12.0, .amplitude_m = 0.2, .wavelength_m = 5.0}}}};
+  for (const ocean::Composition& composition : {ocean::Composition{}, with_trochoids}) {
+    const ocean::ComposedFields composed = sea.read_composed(grid, composition);
+    for (const auto& field : {composed.displacement_y, composed.slope_x, composed.jacobian})
+      dump.add_relative(field);
+  }
 }
 
 void dump_transforms(const ocl::Device& device, int size, Dump& dump) {
