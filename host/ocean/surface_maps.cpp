@@ -18,9 +18,9 @@ SurfaceMaps::SurfaceMaps(const ocl::Device& device, const WaveModes& modes, doub
 }
 
 void SurfaceMaps::at(const WaveModes& modes, double time_s) {
-  const WaveClock clock = modes.clock(time_s);
-  transform_.advance(modes.amplitude(), modes.rate(), modes.wavenumber_step(), clock.ticks,
-                     clock.tick_fraction, choppiness_);
+  const WaveTime time = modes.clock().at(time_s);
+  transform_.advance(modes.amplitude(), modes.rate(), modes.wavenumber_step(), time.ticks, time.tick_fraction,
+                     choppiness_);
   transform_.assemble(modes.wavenumber_step(), displacement_, gradient_);
 }
 

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <optional>
+#include <type_traits>
+#include <utility>
 
 #include "host/ocean/parameter_check.h"
+#include "host/ocean/wave_clock.h"
 #include "host/ocl/program.h"
 #include "host/ocl/tuning.h"
 
@@ -16,47 +18,54 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double largest_time_s = 1e8;
-constexpr int strip_lanes = 16;
-constexpr double loop_instants = 268435456.0;  // 2^28, the instants of a loop of WaveModes
-constexpr double smallest_ring_m = 1e-6;       // lower rings are left out
+constexpr double smallest_ring_m = 1e-6;  // lower rings are left out
+// A work-item of the strip shape takes this many columns at a time, and rows enough that what it computes
+// once counts little.
+constexpr int strip_lanes = 16, strip_block_columns = 64, strip_rows = 4;
 
-/// A phase as the kernel reads it: 2^-32 turns in two's complement.
-int device_phase(double turns) {
+/// A phase as the kernel reads it: in 2^-32 turns, without whole ones.
+std::uint32_t device_turns(double turns) {
   const double fraction = turns - std::floor(turns);
-  const auto units = static_cast<std::uint64_t>(std::llround(fraction * 4294967296.0));
-  return std::bit_cast<std::int32_t>(static_cast<std::uint32_t>(units));
+  return static_cast<std::uint32_t>(std::llround(fraction * 4294967296.0));
 }
 
-/// Turns that a wave of this frequency has made, up to whole ones.
-double turns_at(double omega_radps, double time_s, std::optional<double> loop_period_s) {
-  if (!loop_period_s) return std::fmod(omega_radps / two_pi * time_s, 1.0);
-  const double cycles = std::max(1.0, std::round(omega_radps / two_pi * *loop_period_s));
-  // Whole cycles times one of 2^28 instants is exact, so that t and t + T give the same bits.
-  const double instant = std::round(std::fmod(time_s, *loop_period_s) / *loop_period_s * loop_instants);
-  return std::fmod(cycles * (instant / loop_instants), 1.0);
-}
-
-TrochoidWave device_wave(const Trochoid& wave, double turns, double horizontal_scale,
-                         const SampleGrid& grid) {
-  const double cosine = std::cos(wave.direction_rad), sine = std::sin(wave.direction_rad);
-  const double k = wave.wavenumber_radpm;
-  const double turns_x_per_m = k * cosine / two_pi, turns_z_per_m = k * sine / two_pi;
-  const double column_turns = turns_x_per_m * grid.spacing_x_m, row_turns = turns_z_per_m * grid.spacing_z_m;
-  const double samples = 1.0 / std::max({std::abs(column_turns), std::abs(row_turns), 1e-12});
-  const double a = wave.amplitude_m * shown_share(samples), qa = horizontal_scale * a;
-  return {.phase = device_phase(turns_x_per_m * grid.origin_x_m + turns_z_per_m * grid.origin_z_m +
-                                wave.phase_rad / two_pi - turns),
-          .column_step = device_phase(column_turns),
-          .row_step = device_phase(row_turns),
-          .amplitude_m = static_cast<float>(a),
-          .slope_x = static_cast<float>(a * k * cosine),
-          .slope_z = static_cast<float>(a * k * sine),
-          .shift_x_m = static_cast<float>(qa * cosine),
-          .shift_z_m = static_cast<float>(qa * sine),
-          .gradient_xx = static_cast<float>(qa * k * cosine * cosine),
-          .gradient_xz = static_cast<float>(qa * k * cosine * sine),
-          .gradient_zz = static_cast<float>(qa * k * sine * sine),
-          .padding = 0};
+/// The waves that show on a grid, at time 0, as the kernel reads them: [row][pitch], the waves side by side.
+PackedWaves pack_waves(const TrochoidSea& sea, const SampleGrid& grid, const WaveClock& clock, int lanes) {
+  const double scale = horizontal_scale(sea).scale;
+  PackedWaves packed;
+  const auto pitch = (std::max<std::size_t>(sea.waves.size(), 1) + lanes - 1) / lanes * lanes;
+  packed.pitch = static_cast<int>(pitch);
+  packed.turns.resize(TROCHOID_TURNS * pitch);
+  packed.amplitudes.resize(TROCHOID_FIELDS * pitch);
+  for (const Trochoid& wave : sea.waves) {
+    const double cosine = std::cos(wave.direction_rad), sine = std::sin(wave.direction_rad);
+    const double k = wave.wavenumber_radpm;
+    const double turns_x_per_m = k * cosine / two_pi, turns_z_per_m = k * sine / two_pi;
+    const double column_turns = turns_x_per_m * grid.spacing_x_m;
+    const double row_turns = turns_z_per_m * grid.spacing_z_m;
+    const double samples = 1.0 / std::max({std::abs(column_turns), std::abs(row_turns), 1e-12});
+    const double a = wave.amplitude_m * shown_share(samples), qa = scale * a;
+    if (a <= 0.0) continue;
+    const auto place = static_cast<std::size_t>(packed.count++);
+    const auto set_turns = [&](int row, std::uint32_t value) { packed.turns[row * pitch + place] = value; };
+    set_turns(TROCHOID_PHASE, device_turns(turns_x_per_m * grid.origin_x_m + turns_z_per_m * grid.origin_z_m +
+                                           wave.phase_rad / two_pi));
+    set_turns(TROCHOID_COLUMN_STEP, device_turns(column_turns));
+    set_turns(TROCHOID_ROW_STEP, device_turns(row_turns));
+    set_turns(TROCHOID_RATE, clock.rate(wave.omega_radps));
+    const auto set_amplitude = [&](int row, double value) {
+      packed.amplitudes[row * pitch + place] = static_cast<float>(value);
+    };
+    set_amplitude(TROCHOID_HEIGHT, a);
+    set_amplitude(TROCHOID_GRADIENT_XX, -qa * k * cosine * cosine);
+    set_amplitude(TROCHOID_GRADIENT_XZ, -qa * k * cosine * sine);
+    set_amplitude(TROCHOID_GRADIENT_ZZ, -qa * k * sine * sine);
+    set_amplitude(TROCHOID_SHIFT_X, -qa * cosine);
+    set_amplitude(TROCHOID_SHIFT_Z, -qa * sine);
+    set_amplitude(TROCHOID_SLOPE_X, -a * k * cosine);
+    set_amplitude(TROCHOID_SLOPE_Z, -a * k * sine);
+  }
+  return packed;
 }
 
 /// The ring at `age_s` after its drop. A crest keeps the phase k r - omega t; seen from the ring, which moves
@@ -74,7 +83,17 @@ TrochoidRing device_ring(const Raindrop& drop, double age_s, const Dispersion& d
           .ring_radius_m = static_cast<float>(ring_radius_m),
           .amplitude_m = static_cast<float>(drop.amplitude_m * std::exp(-age_s / drop.decay_s) *
                                             shown_share(drop.wavelength_m / spacing_m)),
-          .phase = device_phase(turns)};
+          .phase = std::bit_cast<std::int32_t>(device_turns(turns))};
+}
+
+std::vector<TrochoidRing> pack_rings(const TrochoidSea& sea, const SampleGrid& grid, double time_s) {
+  std::vector<TrochoidRing> rings;
+  for (const Raindrop& drop : sea.raindrops) {
+    if (time_s < drop.time_s) continue;
+    const TrochoidRing ring = device_ring(drop, time_s - drop.time_s, sea.dispersion, grid);
+    if (std::abs(ring.amplitude_m) > smallest_ring_m) rings.push_back(ring);
+  }
+  return rings;
 }
 
 }  // namespace
@@ -94,29 +113,12 @@ void TrochoidSurface::at(const TrochoidSea& sea, const SampleGrid& grid, double 
   require_valid_trochoids(sea);
   require_valid_grid(grid);
   require_within("time_s", time_s, -largest_time_s, largest_time_s);
-  const double scale = horizontal_scale(sea).scale;
-  std::vector<TrochoidWave> waves;
-  for (const Trochoid& wave : sea.waves) {
-    const double turns = turns_at(wave.omega_radps, time_s, sea.loop_period_s);
-    const TrochoidWave packed = device_wave(wave, turns, scale, grid);
-    if (packed.amplitude_m > 0.0f) waves.push_back(packed);
-  }
-  std::vector<TrochoidRing> rings;
-  for (const Raindrop& drop : sea.raindrops) {
-    if (time_s < drop.time_s) continue;
-    const TrochoidRing packed = device_ring(drop, time_s - drop.time_s, sea.dispersion, grid);
-    if (std::abs(packed.amplitude_m) > smallest_ring_m) rings.push_back(packed);
-  }
-  if (waves_.size() < std::max<std::size_t>(waves.size(), 1))
-    waves_ = ocl::Buffer<TrochoidWave>(device_, std::max<std::size_t>(waves.size(), 1), "trochoids");
-  if (rings_.size() < std::max<std::size_t>(rings.size(), 1))
-    rings_ = ocl::Buffer<TrochoidRing>(device_, std::max<std::size_t>(rings.size(), 1), "trochoid rings");
-  if (!waves.empty()) waves_.write(waves);
-  if (!rings.empty()) rings_.write(rings);
+  const WaveClock clock(largest_omega_radps / two_pi, sea.loop_period_s);
+  upload(pack_waves(sea, grid, clock, lanes_), pack_rings(sea, grid, time_s));
 
   columns_ = grid.columns;
   rows_ = grid.rows;
-  pitch_ = std::max(grid.columns, lanes_);
+  pitch_ = lanes_ > 1 ? std::max(grid.columns, strip_block_columns) : grid.columns;
   const std::size_t floats = 4 * static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(rows_);
   if (displacement_.size() != floats) {
     displacement_ = ocl::Buffer<float>(device_, floats, "trochoid displacement");
@@ -124,14 +126,34 @@ void TrochoidSurface::at(const TrochoidSea& sea, const SampleGrid& grid, double 
   }
   const TrochoidGrid packed{.spacing_x_m = static_cast<float>(grid.spacing_x_m),
                             .spacing_z_m = static_cast<float>(grid.spacing_z_m),
+                            .rows = rows_,
                             .pitch = pitch_,
-                            .wave_count = static_cast<int>(waves.size()),
-                            .ring_count = static_cast<int>(rings.size()),
+                            .wave_count = waves_.count,
+                            .wave_pitch = waves_.pitch,
+                            .ring_count = static_cast<int>(rings_.size()),
                             .padding = 0};
   const auto rows = static_cast<std::size_t>(rows_);
-  const ocl::LaunchShape shape = lanes_ > 1 ? ocl::LaunchShape{{1, rows, 1}, {1, 1, 1}}
+  const ocl::LaunchShape shape = lanes_ > 1 ? ocl::LaunchShape{{(rows + strip_rows - 1) / strip_rows}, {1}}
                                             : ocl::LaunchShape{{static_cast<std::size_t>(pitch_), rows, 1}};
-  kernel_.launch(shape, waves_, rings_, packed, displacement_, gradient_);
+  const WaveTime time = clock.at(time_s);
+  kernel_.launch(shape, turns_buffer_, amplitudes_buffer_, rings_buffer_, packed, time.ticks,
+                 time.tick_fraction, displacement_, gradient_);
+}
+
+void TrochoidSurface::upload(PackedWaves waves, std::vector<TrochoidRing> rings) {
+  const auto write = [&](auto& buffer, const auto& values, const char* name) {
+    using Element = typename std::decay_t<decltype(values)>::value_type;
+    if (buffer.size() < std::max<std::size_t>(values.size(), 1))
+      buffer = ocl::Buffer<Element>(device_, std::max<std::size_t>(values.size(), 1), name);
+    if (!values.empty()) buffer.write(values);
+  };
+  if (turns_buffer_.empty() || waves != waves_) {
+    write(turns_buffer_, waves.turns, "trochoid phases");
+    write(amplitudes_buffer_, waves.amplitudes, "trochoid amplitudes");
+    waves_ = std::move(waves);
+  }
+  if (rings_buffer_.empty() || !rings.empty()) write(rings_buffer_, rings, "trochoid rings");
+  rings_ = std::move(rings);
 }
 
 TrochoidFields TrochoidSurface::read() const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "host/ocean/sample_grid.h"
@@ -19,19 +19,29 @@ struct TrochoidFields {
   std::vector<float> gradient_xx, gradient_xz, gradient_zz;           ///< d dx/dx, d dx/dz, d dz/dz
 };
 
+/// Waves as ocean/trochoid_surface.cl reads them (kernels/shared/trochoids.h), at time 0.
+struct PackedWaves {
+  std::vector<std::uint32_t> turns;  ///< [TROCHOID_TURNS][pitch]
+  std::vector<float> amplitudes;     ///< [TROCHOID_FIELDS][pitch]
+  int count = 0, pitch = 0;
+  bool operator==(const PackedWaves&) const = default;
+};
+
 /// How much of a wave is drawn on a grid that samples it this often: nothing up to 2 samples a wavelength,
 /// all of it from 4, a smooth step between.
 double shown_share(double samples_per_wavelength);
 
 /// The surface of a sea's trochoids on a device (O8 of docs/sources.md). Phases are reduced to a turn in
 /// double precision at the grid's first sample and stepped exactly from there, so that a grid 100 km from
-/// the origin is as smooth as one at it. Waves that the grid is too coarse for fade (shown_share()).
+/// the origin is as smooth as one at it; frequencies and times are those of WaveClock, as the cascades' are.
+/// Waves that the grid is too coarse for fade (shown_share()).
 class TrochoidSurface {
  public:
   explicit TrochoidSurface(const ocl::Device& device);
 
-  /// Enqueues the surface on this grid. Throws Error(bad_input) for a sea, grid or time (beyond 1e8 s) out of
-  /// range, Error(out_of_memory) if the grid does not fit.
+  /// Enqueues the surface on this grid. Waits for the surface before where waves or grid have changed since,
+  /// or rings run; otherwise time alone is passed on. Throws Error(bad_input) for a sea, grid or time (beyond
+  /// 1e8 s) out of range, Error(out_of_memory) if the grid does not fit.
   void at(const TrochoidSea& sea, const SampleGrid& grid, double time_s);
 
   /// [rows][pitch] float4: dx m, h m, dz m, d dx/dz; the layout of SurfaceMaps but for the pitch.
@@ -44,11 +54,16 @@ class TrochoidSurface {
   TrochoidFields read() const;
 
  private:
+  void upload(PackedWaves waves, std::vector<TrochoidRing> rings);
+
   ocl::Device device_;
   int lanes_;
   ocl::Kernel kernel_;
-  ocl::Buffer<TrochoidWave> waves_;
-  ocl::Buffer<TrochoidRing> rings_;
+  PackedWaves waves_;  // as they are on the device
+  std::vector<TrochoidRing> rings_;
+  ocl::Buffer<std::uint32_t> turns_buffer_;
+  ocl::Buffer<float> amplitudes_buffer_;
+  ocl::Buffer<TrochoidRing> rings_buffer_;
   int columns_ = 0, rows_ = 0, pitch_ = 0;
   ocl::Buffer<float> displacement_, gradient_;
 };

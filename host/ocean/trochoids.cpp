@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "host/ocean/parameter_check.h"
+#include "kernels/shared/trochoids.h"
 
 namespace offing::ocean {
 namespace {
@@ -40,7 +41,7 @@ HorizontalScale horizontal_scale(const TrochoidSea& sea) {
 }
 
 void require_valid_trochoids(const TrochoidSea& sea) {
-  require_within("gerstner wave count", static_cast<double>(sea.waves.size()), 0, 128);
+  require_within("gerstner wave count", static_cast<double>(sea.waves.size()), 0, TROCHOID_WAVES);
   require_within("raindrop count", static_cast<double>(sea.raindrops.size()), 0, 4096);
   require_within("choppiness", sea.choppiness, 0.0, 10.0);
   if (sea.loop_period_s) require_within("loop_period_s", *sea.loop_period_s, 0.1, 1e5);
@@ -50,7 +51,7 @@ void require_valid_trochoids(const TrochoidSea& sea) {
     require_within("gerstner.wavenumber_radpm", wave.wavenumber_radpm, two_pi / longest_wavelength_m / 10.0,
                    two_pi / shortest_wavelength_m * (1.0 + 1e-12));
     require_within("gerstner.direction_rad", wave.direction_rad, -largest_angle_rad, largest_angle_rad);
-    require_within("gerstner.omega_radps", wave.omega_radps, 0.0, 1e3);
+    require_within("gerstner.omega_radps", wave.omega_radps, 0.0, largest_omega_radps);
     require_within("gerstner.phase_rad", wave.phase_rad, -largest_angle_rad, largest_angle_rad);
   }
   for (const Raindrop& drop : sea.raindrops) {

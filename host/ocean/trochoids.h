@@ -7,6 +7,9 @@
 
 namespace offing::ocean {
 
+/// Waves of 0.1 m, in stronger gravity than ours and with surface tension, stay below it: 32 Hz.
+inline constexpr double largest_omega_radps = 200.0;
+
 /// One Gerstner wave (O8 of docs/sources.md). With p = K . X - omega t + phase, a point at rest at label X
 /// rises to h = A cos p and moves by -Q A K/k sin p, which sharpens crests as the cascades' choppiness does.
 /// The mean of h over labels is 0; over space, where crests are narrower, it is -1/2 Q sum of k A^2.

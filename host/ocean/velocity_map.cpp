@@ -26,9 +26,9 @@ void VelocityMap::at(const WaveModes& modes, double time_s, double depth_below_s
   const Place wanted{time_s, depth_below_surface_m};
   if (held_ == wanted) return;
   held_.reset();
-  const WaveClock clock = modes.clock(time_s);
-  transform_.advance(modes.amplitude(), modes.rate(), modes.wavenumber_step(), clock.ticks,
-                     clock.tick_fraction, static_cast<float>(modes.radps_per_rate()),
+  const WaveTime time = modes.clock().at(time_s);
+  transform_.advance(modes.amplitude(), modes.rate(), modes.wavenumber_step(), time.ticks, time.tick_fraction,
+                     static_cast<float>(modes.clock().radps_per_rate()),
                      static_cast<float>(depth_below_surface_m), water_depth_m_);
   transform_.assemble(modes.wavenumber_step(), velocity_);
   held_ = wanted;

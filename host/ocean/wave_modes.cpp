@@ -17,11 +17,7 @@ namespace offing::ocean {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-constexpr double usual_ticks_per_second = 32.0;    // all waves longer than a centimetre are slower than 32 Hz
-constexpr double all_ticks = 4294967296.0;         // 2^32
 constexpr double largest_loop_cycles = 4194304.0;  // 2^22: 32 Hz in a loop of a day
-constexpr double loop_instants = 268435456.0;      // 2^28: a loop of 100 s has one every 0.4 us
-constexpr std::int64_t ticks_per_loop_instant = 16;  // 2^32 / 2^28
 
 double wavenumber_step_radpm(const Cascade& cascade) {
   return two_pi / cascade.patch_length_m;
@@ -33,13 +29,6 @@ double fastest_hz(const Dispersion& dispersion, std::span<const Cascade> cascade
   for (const Cascade& cascade : cascades) shortest_m = std::min(shortest_m, cascade.patch_length_m);
   const double highest_radpm = two_pi / shortest_m * (size / 2 - 1) * std::numbers::sqrt2;
   return dispersion.omega_radps(highest_radpm) / two_pi;
-}
-
-// Ticks for waves up to this frequency, which stay below one cycle a tick.
-double ticks_per_second_for(double highest_hz) {
-  double ticks = usual_ticks_per_second;
-  while (ticks <= highest_hz) ticks *= 2.0;
-  return ticks;
 }
 
 void require_loop_resolves(double loop_period_s, double highest_hz) {
@@ -62,10 +51,8 @@ WaveModes::WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum,
       cascades_(cascades.begin(), cascades.end()),
       size_(size),
       columns_(std::max(size / 2, MODE_STRIP_COLUMNS)),
-      loop_period_s_(loop_period_s) {
-  const double highest_hz = fastest_hz(spectrum.dispersion, cascades, size);
-  ticks_per_second_ = ticks_per_second_for(highest_hz);
-  if (loop_period_s) require_loop_resolves(*loop_period_s, highest_hz);
+      clock_(fastest_hz(spectrum.dispersion, cascades, size), loop_period_s) {
+  if (loop_period_s) require_loop_resolves(*loop_period_s, fastest_hz(spectrum.dispersion, cascades, size));
   const auto n = static_cast<std::size_t>(size);
   const SpectrumTable table = tabulate(spectrum);
   const ocl::Buffer<float> table_buffer(device, table.values, "spectrum table");
@@ -102,12 +89,7 @@ std::vector<std::uint32_t> WaveModes::rates(const Dispersion& dispersion) const 
     for (int column = 0; column < size_ / 2; ++column) {
       for (int row = 0; row < size_ / 2; ++row) {
         if (row == 0 && column == 0) continue;
-        const double omega = dispersion.omega_radps(step * std::hypot(row, column));
-        // A looping wave keeps at least one cycle, so that none stands still.
-        const double cycles = loop_period_s_ ? std::max(1.0, std::round(omega / two_pi * *loop_period_s_))
-                                             : std::round(omega / radps_per_rate());
-        // One below a cycle a tick at most, also where rounding reaches it.
-        const auto rate = static_cast<std::uint32_t>(std::min(cycles, all_ticks - 1.0));
+        const std::uint32_t rate = clock_.rate(dispersion.omega_radps(step * std::hypot(row, column)));
         plane[mode_place(row, column, size_)] = rate;
         if (row > 0) plane[mode_place(size_ - row, column, size_)] = rate;
       }
@@ -124,22 +106,6 @@ void WaveModes::draw(std::uint64_t seed) {
                     variance_[static_cast<std::size_t>(cascade)], size_, seed_words, cascade, amplitude_,
                     columns_);
   }
-}
-
-WaveClock WaveModes::clock(double time_s) const {
-  if (loop_period_s_) {
-    // t and t + T differ by rounding of either; the coarser the instants, the rarer it falls between two.
-    const double instant = std::round(std::fmod(time_s, *loop_period_s_) / *loop_period_s_ * loop_instants);
-    return {static_cast<std::uint32_t>(static_cast<std::int64_t>(instant) * ticks_per_loop_instant), 0.0f};
-  }
-  const double ticks = time_s * ticks_per_second_;
-  const double whole = std::floor(ticks);
-  return {static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)),
-          std::min(static_cast<float>(ticks - whole), 0x1.fffffep-1f)};
-}
-
-double WaveModes::radps_per_rate() const {
-  return loop_period_s_ ? two_pi / *loop_period_s_ : two_pi * ticks_per_second_ / all_ticks;
 }
 
 std::vector<float> WaveModes::variance(int cascade) const {

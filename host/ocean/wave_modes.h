@@ -7,24 +7,13 @@
 
 #include "host/ocean/cascades.h"
 #include "host/ocean/sea_spectrum.h"
+#include "host/ocean/wave_clock.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
 
 namespace offing::ocean {
 
-/// A time as kernels/ocean/wave_phase.clh reads it.
-struct WaveClock {
-  std::uint32_t ticks = 0;
-  float tick_fraction = 0.0f;  ///< [0, 1)
-};
-
 /// The random modes of every cascade on the device: what a sea is before a time is chosen.
-///
-/// Frequencies are whole numbers of cycles per 2^32 ticks. Without a loop there are 32 ticks a second, so
-/// that the resolution is 7.5e-9 Hz and phases are exact for years; in a sea with faster waves, ripples of a
-/// few millimetres on a small patch, the next power of two above the fastest wave's frequency, with a
-/// resolution of 4.7e-10 of that frequency or finer. With a loop period T, 2^32 ticks are T, so that every
-/// wave repeats exactly after T.
 class WaveModes {
  public:
   /// Throws Error(bad_input) if the fastest wave makes more than 2^22 cycles in the loop: its phase would
@@ -40,9 +29,8 @@ class WaveModes {
   /// Columns of the amplitude and rate arrays: kx = 0 ... n/2 - 1, padded to a whole strip of 16.
   int columns() const { return columns_; }
 
-  WaveClock clock(double time_s) const;
-  /// Angular frequency, rad/s, of rate 1.
-  double radps_per_rate() const;
+  /// By which the waves keep their phases.
+  const WaveClock& clock() const { return clock_; }
 
   /// [cascades][4][columns/16][n][16] m: P and Q, real and imaginary (kernels/ocean/spectrum_initial.cl).
   const ocl::Buffer<float>& amplitude() const { return amplitude_; }
@@ -60,8 +48,7 @@ class WaveModes {
   std::vector<Cascade> cascades_;
   int size_;
   int columns_;
-  std::optional<double> loop_period_s_;
-  double ticks_per_second_;  // unused in a loop
+  WaveClock clock_;
   ocl::Kernel initial_;
   std::vector<ocl::Buffer<float>> variance_;  // a cascade each
   ocl::Buffer<float> amplitude_;

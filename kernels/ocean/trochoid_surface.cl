@@ -1,35 +1,17 @@
 // Gerstner waves and rings on a regular grid of rest labels.
-// In:  waves, rings and grid (shared/trochoids.h), at one time.
+// In:  turns, amplitudes of the waves, rings and grid (shared/trochoids.h); time as ocean/wave_phase.clh has it.
 // Out: displacement [rows][pitch] float4 (dx m, h m, dz m, d dx/dz),
 //      gradient     [rows][pitch] float4 (dh/dx, dh/dz, d dx/dx, d dz/dz), row = z, column = x, at rest labels: the layout
 //      of ocean/surface_assemble.cl, so that both parts of the sea add before F is taken (O9).
 // With phase p = K X - w t of each wave: h = A cos p, (dx, dz) = -Q A K/k sin p, which sharpens crests. Lee & Lee 2007,
-// eq. 8, up to phase (O8). Phases are whole numbers of 2^-32 turns, stepped exactly from sample to sample.
-// On a CPU (LANES > 1) a work-item computes a row, LANES columns at a time, and dimension 0 has one work-item; on a GPU
-// (LANES = 1) it computes one sample.
+// eq. 8, up to phase (O8). Phases are whole numbers of 2^-32 turns, exact from sample to sample.
 #include "ocean/wave_phase.clh"
 #include "shared/trochoids.h"
 
+// What a vector of samples adds up, in the order of TROCHOID_HEIGHT ... TROCHOID_SLOPE_Z.
 typedef struct {
-  lanes shift_x, height, shift_z;
-  lanes slope_x, slope_z;
-  lanes gradient_xx, gradient_xz, gradient_zz;
+  lanes field[TROCHOID_FIELDS];
 } Sums;
-
-FFT_INLINE void add_wave(__global const TrochoidWave *wave, uint row, uint column, Sums *sums) {
-  const uint column_step = as_uint(wave->column_step);
-  const uint first = as_uint(wave->phase) + row * as_uint(wave->row_step) + column * column_step;
-  lanes cosine, sine;
-  cosine_sine_of_turns(first + convert_uint_lanes(LANE_INDEX) * column_step, &cosine, &sine);
-  sums->height += wave->amplitude_m * cosine;
-  sums->slope_x -= wave->slope_x * sine;
-  sums->slope_z -= wave->slope_z * sine;
-  sums->shift_x -= wave->shift_x_m * sine;
-  sums->shift_z -= wave->shift_z_m * sine;
-  sums->gradient_xx -= wave->gradient_xx * cosine;
-  sums->gradient_xz -= wave->gradient_xz * cosine;
-  sums->gradient_zz -= wave->gradient_zz * cosine;
-}
 
 // A ring of waves moves the surface up and down only. With r the distance from its centre, rounded off within a
 // quarter of a wavelength l so that the middle is smooth, and u = r - ring radius:
@@ -50,27 +32,143 @@ FFT_INLINE void add_ring(__global const TrochoidRing *ring, lanes x_m, lanes z_m
   const float two_pi = 6.2831853072f;
   const lanes slope = envelope * per_wavelength *
                       ((-0.5f / (1.0f + distance) - 0.5f * u) * cosine - two_pi * sine) / hypotenuse;
-  sums->height += envelope * cosine;
-  sums->slope_x += slope * x;
-  sums->slope_z += slope * z;
+  sums->field[TROCHOID_HEIGHT] += envelope * cosine;
+  sums->field[TROCHOID_SLOPE_X] += slope * x;
+  sums->field[TROCHOID_SLOPE_Z] += slope * z;
 }
 
-__kernel void trochoid_surface(__global const TrochoidWave *restrict waves, __global const TrochoidRing *restrict rings,
-                               TrochoidGrid grid, __global float *restrict displacement,
-                               __global float *restrict gradient) {
-  const int row = (int)get_global_id(1);
-  const int stride = (int)get_global_size(0) * LANES;
-  for (int first = (int)get_global_id(0) * LANES; first < grid.pitch; first += stride) {
-    // The last vector of a row moves back to end with it: some samples are computed twice, by the same work-item.
-    const int column = min(first, grid.pitch - LANES);
-    const lanes zero = (lanes)0.0f;
-    Sums sums = {zero, zero, zero, zero, zero, zero, zero, zero};
-    for (int i = 0; i < grid.wave_count; ++i) add_wave(waves + i, (uint)row, (uint)column, &sums);
-    const lanes x_m = ((float)column + LANE_INDEX) * grid.spacing_x_m;
-    const lanes z_m = (lanes)((float)row * grid.spacing_z_m);
-    for (int i = 0; i < grid.ring_count; ++i) add_ring(rings + i, x_m, z_m, &sums);
-    const size_t place = ((size_t)row * grid.pitch + column) * 4;
-    store_interleaved_4(sums.shift_x, sums.height, sums.shift_z, sums.gradient_xz, displacement + place);
-    store_interleaved_4(sums.slope_x, sums.slope_z, sums.gradient_xx, sums.gradient_zz, gradient + place);
+// Adds the rings to LANES samples and stores them.
+FFT_INLINE void finish_samples(__global const TrochoidRing *rings, const TrochoidGrid *grid, int row, int column, Sums *sums,
+                               __global float *displacement, __global float *gradient) {
+  const lanes x_m = ((float)column + LANE_INDEX) * grid->spacing_x_m;
+  const lanes z_m = (lanes)((float)row * grid->spacing_z_m);
+  for (int i = 0; i < grid->ring_count; ++i) add_ring(rings + i, x_m, z_m, sums);
+  const lanes *field = sums->field;
+  const size_t place = ((size_t)row * grid->pitch + column) * 4;
+  store_interleaved_4(field[TROCHOID_SHIFT_X], field[TROCHOID_HEIGHT], field[TROCHOID_SHIFT_Z], field[TROCHOID_GRADIENT_XZ],
+                      displacement + place);
+  store_interleaved_4(field[TROCHOID_SLOPE_X], field[TROCHOID_SLOPE_Z], field[TROCHOID_GRADIENT_XX],
+                      field[TROCHOID_GRADIENT_ZZ], gradient + place);
+}
+
+// Phase at the first sample of a row, of LANES waves from `wave` on.
+FFT_INLINE uint_lanes row_phase(__global const uint *turns, const TrochoidGrid *grid, int wave, int row, uint ticks,
+                                float tick_fraction) {
+  __global const uint *first = turns + wave;
+  const uint_lanes rate = load_uint_lanes(first + TROCHOID_RATE * grid->wave_pitch);
+  return load_uint_lanes(first + TROCHOID_PHASE * grid->wave_pitch) +
+         (uint)row * load_uint_lanes(first + TROCHOID_ROW_STEP * grid->wave_pitch) -
+         turns_since(rate, ticks, tick_fraction);
+}
+
+#if LANES > 1
+
+// On a CPU a work-item computes whole rows, in blocks of columns that mirror about their middle. There, with q the phase
+// in the middle and d the turns from it to a column,
+//   cos(q +- d) = cos q cos d -+ sin q sin d,   sin(q +- d) = sin q cos d +- cos q sin d:
+// cos d and sin d are the same for every block, cos q and sin q for all columns of one, so that a field of a sample costs
+// one multiplication a wave: half the sum over cos d and sin d that it shares with its mirror image. (Where the step of a
+// column is odd, its half is not whole, and the left side is off by 2^-32 turns.)
+#define HALF_VECTORS 2                          // vectors on each side of the middle
+#define BLOCK_COLUMNS (2 * HALF_VECTORS * LANES)
+
+// cos d and sin d of each wave, [wave][vector].
+typedef struct {
+  lanes cosine[TROCHOID_WAVES * HALF_VECTORS], sine[TROCHOID_WAVES * HALF_VECTORS];
+} Offsets;
+
+// What fields are times cos d (even about the middle) and sin d (odd), [field][wave].
+typedef struct {
+  float even[TROCHOID_FIELDS * TROCHOID_WAVES], odd[TROCHOID_FIELDS * TROCHOID_WAVES];
+} Middle;
+
+FFT_INLINE void compute_offsets(__global const uint *turns, const TrochoidGrid *grid, Offsets *offsets) {
+  for (int wave = 0; wave < grid->wave_count; ++wave) {
+    const uint step = turns[TROCHOID_COLUMN_STEP * grid->wave_pitch + wave];
+    const uint half_step = as_uint(as_int(step) >> 1);
+    FFT_UNROLL for (int v = 0; v < HALF_VECTORS; ++v) {
+      const uint_lanes columns = convert_uint_lanes(LANE_INDEX) + (uint)(v * LANES);
+      const int place = wave * HALF_VECTORS + v;
+      cosine_sine_of_turns(columns * step + half_step, offsets->cosine + place, offsets->sine + place);
+    }
   }
+}
+
+// LANES waves at a time.
+FFT_INLINE void compute_middle(__global const uint *turns, __global const float *amplitudes, const TrochoidGrid *grid,
+                               int row, int first_column, uint ticks, float tick_fraction, Middle *middle) {
+  for (int wave = 0; wave < grid->wave_count; wave += LANES) {
+    const uint_lanes step = load_uint_lanes(turns + TROCHOID_COLUMN_STEP * grid->wave_pitch + wave);
+    const uint_lanes half_step = as_uint_lanes(as_int_lanes(step) >> 1);
+    lanes cosine, sine;
+    cosine_sine_of_turns(row_phase(turns, grid, wave, row, ticks, tick_fraction) +
+                             (uint)(first_column + BLOCK_COLUMNS / 2) * step - half_step,
+                         &cosine, &sine);
+    FFT_UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) {
+      const lanes amplitude = load_lanes(amplitudes + f * grid->wave_pitch + wave);
+      const bool of_cosine = f < TROCHOID_COSINE_FIELDS;
+      store_lanes(amplitude * (of_cosine ? cosine : sine), middle->even + f * TROCHOID_WAVES + wave);
+      store_lanes(amplitude * (of_cosine ? -sine : cosine), middle->odd + f * TROCHOID_WAVES + wave);
+    }
+  }
+}
+
+// Vector `v` to the right of the middle, and its mirror image to the left.
+FFT_INLINE void sum_waves(const Offsets *offsets, const Middle *middle, int wave_count, int v, Sums *right, Sums *left) {
+  lanes even[TROCHOID_FIELDS], odd[TROCHOID_FIELDS];
+  FFT_UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) even[f] = odd[f] = (lanes)0.0f;
+  for (int wave = 0; wave < wave_count; ++wave) {
+    const lanes cosine = offsets->cosine[wave * HALF_VECTORS + v], sine = offsets->sine[wave * HALF_VECTORS + v];
+    FFT_UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) {
+      even[f] += middle->even[f * TROCHOID_WAVES + wave] * cosine;
+      odd[f] += middle->odd[f * TROCHOID_WAVES + wave] * sine;
+    }
+  }
+  FFT_UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) {
+    right->field[f] = even[f] + odd[f];
+    left->field[f] = reverse_lanes(even[f] - odd[f]);
+  }
+}
+
+#endif
+
+__kernel void trochoid_surface(__global const uint *restrict turns, __global const float *restrict amplitudes,
+                               __global const TrochoidRing *restrict rings, TrochoidGrid grid, uint ticks,
+                               float tick_fraction, __global float *restrict displacement,
+                               __global float *restrict gradient) {
+#if LANES == 1
+  const int row = (int)get_global_id(1), column = (int)get_global_id(0);
+  Sums sums;
+  FFT_UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) sums.field[f] = 0.0f;
+  for (int wave = 0; wave < grid.wave_count; ++wave) {
+    const uint step = turns[TROCHOID_COLUMN_STEP * grid.wave_pitch + wave];
+    float cosine, sine;
+    cosine_sine_of_turns(row_phase(turns, &grid, wave, row, ticks, tick_fraction) + (uint)column * step, &cosine, &sine);
+    FFT_UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) {
+      sums.field[f] += amplitudes[f * grid.wave_pitch + wave] * (f < TROCHOID_COSINE_FIELDS ? cosine : sine);
+    }
+  }
+  finish_samples(rings, &grid, row, column, &sums, displacement, gradient);
+#else
+  Offsets offsets;
+  Middle middle;
+  compute_offsets(turns, &grid, &offsets);
+  const int items = (int)get_global_size(0), item = (int)get_global_id(0);
+  const int first_row = item * grid.rows / items, last_row = (item + 1) * grid.rows / items;
+  for (int row = first_row; row < last_row; ++row) {
+    for (int start = 0; start < grid.pitch; start += BLOCK_COLUMNS) {
+      // The last block of a row moves back to end with it: some samples are computed twice, by the same work-item.
+      const int first = min(start, grid.pitch - BLOCK_COLUMNS);
+      compute_middle(turns, amplitudes, &grid, row, first, ticks, tick_fraction, &middle);
+      for (int v = 0; v < HALF_VECTORS; ++v) {
+        Sums right, left;
+        sum_waves(&offsets, &middle, grid.wave_count, v, &right, &left);
+        const int right_column = first + BLOCK_COLUMNS / 2 + v * LANES;
+        const int left_column = first + BLOCK_COLUMNS / 2 - (v + 1) * LANES;
+        finish_samples(rings, &grid, row, right_column, &right, displacement, gradient);
+        finish_samples(rings, &grid, row, left_column, &left, displacement, gradient);
+      }
+    }
+  }
+#endif
 }

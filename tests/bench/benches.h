@@ -34,6 +34,11 @@ void bench_fft(const ocl::Device& device, const Settings& settings, const Sinks&
 /// Throws Error(device) where results differ.
 void bench_ocean(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
+/// The surface of 16 trochoids on a grid of each size from 64 on, against the same in C++: a loop with the
+/// compiler's vector mathematics, and the best by hand. Throws Error(device) where results differ,
+/// Error(bad_usage) for a smaller size.
+void bench_gerstner(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
+
 /// From the start of a process to its first 256 x 256 frame of three cascades, with an empty kernel cache and
 /// with a filled one; nothing unless 256 is among the sizes.
 void bench_start(const Settings& settings, const Sinks& sinks);

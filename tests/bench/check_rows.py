@@ -8,7 +8,11 @@ import sys
 
 FIELDS = ["name", "size", "ours_ms", "peer", "peer_ms", "ratio", "ratio_low", "spread"]
 # command -> size and names of its rows; from 256 on it would also measure start-up, which compiles for seconds.
-SIZES = {"fft": ("16", ["fft_batch16", "fft_batch16_alone"]), "ocean": ("32", ["ocean"])}
+SIZES = {
+    "fft": ("16", ["fft_batch16", "fft_batch16_alone"]),
+    "ocean": ("32", ["ocean"]),
+    "gerstner": ("64", ["gerstner", "gerstner_alone"]),
+}
 
 
 def main(program, command):

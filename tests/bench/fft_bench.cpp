@@ -12,21 +12,6 @@ namespace {
 
 constexpr int smallest_single_size = 256;  // smaller ones come in batches
 constexpr int batch_of_small_sizes = 16;   // four fields of four cascades
-constexpr int transforms_in_a_row = 16;    // as the frames of a bake are queued
-
-/// Calls the work so often, one after the other.
-Work repeated(const Work& work) {
-  return [work] {
-    for (int i = 0; i < transforms_in_a_row; ++i) work();
-  };
-}
-
-/// The same comparison for one of the transforms in a row.
-Comparison for_each_one(Comparison comparison) {
-  comparison.ours_ms /= transforms_in_a_row;
-  comparison.peer_ms /= transforms_in_a_row;
-  return comparison;
-}
 
 std::vector<float> random_values(std::size_t count) {
   std::mt19937 generator(20240521u);

@@ -90,6 +90,14 @@ int run_command_line(int argc, char** argv) {
     });
   });
 
+  CLI::App& gerstner = *app.add_subcommand("gerstner", "the surface of 16 Gerstner waves against C++");
+  add_options(gerstner, options);
+  gerstner.callback([&] {
+    run(options, [&](const auto& device, const bench::Sinks& sinks) {
+      bench::bench_gerstner(device, options.settings, sinks);
+    });
+  });
+
   CLI::App& first_frame = *app.add_subcommand("first-frame", "what the start-up benchmark starts");
   first_frame.group("");
   first_frame.add_option("--device", options.settings.device);

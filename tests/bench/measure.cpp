@@ -71,6 +71,18 @@ Comparison compare(const Work& ours, const Work& peer, int blocks) {
           .spread = relative_spread(ratios)};
 }
 
+Work repeated(const Work& work) {
+  return [work] {
+    for (int i = 0; i < works_in_a_row; ++i) work();
+  };
+}
+
+Comparison for_each_one(Comparison comparison) {
+  comparison.ours_ms /= works_in_a_row;
+  comparison.peer_ms /= works_in_a_row;
+  return comparison;
+}
+
 double median(const std::vector<double>& values) {
   return quantile(values, 0.5);
 }

@@ -27,6 +27,13 @@ struct Comparison {
 /// Blocks of ours and of the peer in turn, so that a machine that slows down slows both.
 Comparison compare(const Work& ours, const Work& peer, int blocks);
 
+/// How often work is queued in a row where the device need not be waited for, as a bake queues its frames.
+inline constexpr int works_in_a_row = 16;
+/// Calls the work so often, one after the other.
+Work repeated(const Work& work);
+/// The same comparison for one of the works in a row.
+Comparison for_each_one(Comparison comparison);
+
 /// Of a non-empty set.
 double median(const std::vector<double>& values);
 /// Interquartile range over median.

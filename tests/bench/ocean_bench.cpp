@@ -48,7 +48,7 @@ void require_equal_maps(const ocl::Device& device, OurSea& ours, std::deque<Ocea
   const auto gradient = ours.maps.gradient().map();
   const std::size_t texels = static_cast<std::size_t>(ours.modes.size()) * ours.modes.size();
   for (std::size_t cascade = 0; cascade < peers.size(); ++cascade) {
-    peers[cascade].at(ours.modes.clock(time_s), way);
+    peers[cascade].at(ours.modes.clock().at(time_s), way);
     for (std::size_t field = 0; field < 8; ++field) {
       const auto& ours_map = field < 4 ? displacement : gradient;
       const HugeArray& peers_map = field < 4 ? peers[cascade].displacement() : peers[cascade].gradient();
@@ -77,8 +77,8 @@ void bench_frame(const ocl::Device& device, const std::string& name, std::span<c
   for (std::size_t way = 0; way < peers.front().way_count(); ++way) {
     require_equal_maps(device, ours, peers, way);
     ways.emplace_back([&, way] {
-      const ocean::WaveClock clock = ours.modes.clock(peers_time_s += frame_s);
-      for (OceanPeer& peer : peers) peer.at(clock, way);
+      const ocean::WaveTime time = ours.modes.clock().at(peers_time_s += frame_s);
+      for (OceanPeer& peer : peers) peer.at(time, way);
     });
   }
   const std::size_t best = fastest(ways);

@@ -81,7 +81,7 @@ std::string OceanPeer::way_name(std::size_t way_index) const {
                      way.stores == peer::Stores::streaming ? "streamed" : "cached");
 }
 
-void OceanPeer::evolve(const ocean::WaveClock& clock, int row, int pitch) {
+void OceanPeer::evolve(const ocean::WaveTime& time, int row, int pitch) {
   const std::size_t plane = rate_.size(), first = static_cast<std::size_t>(row) * size_;
   const float* const p = amplitude_.data() + first;
   float* const spectra = spectra_.data();
@@ -89,8 +89,8 @@ void OceanPeer::evolve(const ocean::WaveClock& clock, int row, int pitch) {
   peer::evolve({.size = size_,
                 .wavenumber_step_radpm = wavenumber_step_radpm_,
                 .choppiness = choppiness_,
-                .ticks = clock.ticks,
-                .tick_fraction = clock.tick_fraction},
+                .ticks = time.ticks,
+                .tick_fraction = time.tick_fraction},
                {.p_re = p,
                 .p_im = p + plane,
                 .q_re = p + 2 * plane,
@@ -115,10 +115,10 @@ void OceanPeer::pack(int row, const Way& way) {
   peer::pack(source + 2 * field, source + 3 * field, gradient_.data() + target, size_, way.stores);
 }
 
-void OceanPeer::at(const ocean::WaveClock& clock, std::size_t way_index) {
+void OceanPeer::at(const ocean::WaveTime& time, std::size_t way_index) {
   const Way& way = ways_[way_index];
 #pragma omp parallel for schedule(static)
-  for (int row = 0; row < size_ / 2; ++row) evolve(clock, row, way.pitch);
+  for (int row = 0; row < size_ / 2; ++row) evolve(time, row, way.pitch);
 
   if (way.cores == Cores::share_transforms) {
     way.plan.execute();

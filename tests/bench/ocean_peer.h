@@ -25,7 +25,7 @@ class OceanPeer {
   std::string way_name(std::size_t way_index) const;
 
   /// The frame at this time.
-  void at(const ocean::WaveClock& clock, std::size_t way_index);
+  void at(const ocean::WaveTime& time, std::size_t way_index);
 
   /// [n][n] float4: dx, h, dz, d dx/dz.
   const HugeArray& displacement() const { return displacement_; }
@@ -42,7 +42,7 @@ class OceanPeer {
     peer::Stores stores;
   };
 
-  void evolve(const ocean::WaveClock& clock, int row, int pitch);
+  void evolve(const ocean::WaveTime& time, int row, int pitch);
   void pack(int row, const Way& way);
   std::size_t field_floats(int pitch) const;
 

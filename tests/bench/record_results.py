@@ -23,12 +23,13 @@ peers are.
 
 {machine}
 
-## Transform and frame
+## Transform, frame and trochoids
 
-`offing-bench fft` and `offing-bench ocean`: medians of {blocks} interleaved blocks. Ratio = peer / ours, above 1
+`offing-bench fft`, `offing-bench ocean` and `offing-bench gerstner`: medians of {blocks} interleaved blocks. Ratio = peer / ours, above 1
 ours is faster; low = lower bound of the ratio's 95 % confidence interval; spread = interquartile range of the
 blocks' ratios over their median. `fft_batch16` times 16 transforms at once, `ocean_3_cascades` three cascades;
-`_alone` waits for the device after each transform, where the others are queued 16 in a row.
+`gerstner` 16 waves on n x n points; `_alone` waits for the device after each transform or surface, where the
+others are queued 16 in a row.
 
 {rows}
 
@@ -113,14 +114,14 @@ def paper_table(paper_fps, rows):
 def main(programs):
     machine = machine_lines(programs)
     blocks = 15
-    transforms, frames = (
+    transforms, frames, trochoids = (
         json.loads(output_of(programs / "offing-bench", command, "--blocks", blocks, "--json"))
-        for command in ("fft", "ocean")
+        for command in ("fft", "ocean", "gerstner")
     )
     page = PAGE.format(
         machine=machine,
         blocks=blocks,
-        rows=rows_table(transforms + frames),
+        rows=rows_table(transforms + frames + trochoids),
         transforms=paper_table(
             PAPER_TRANSFORM_FPS, [row for row in transforms if not row["name"].endswith("_alone")]
         ),

@@ -76,7 +76,7 @@ TEST(OceanFrequencyTest, NoPatchIsTooSmallForTheClock) {
         const double omega_radps = spectrum.dispersion.omega_radps(2.0 * std::numbers::pi / patch_length_m *
                                                                    std::hypot(column, row));
         const double rate = rates[static_cast<std::size_t>(row * size + column)];
-        worst = std::max(worst, std::abs(rate - omega_radps / modes.radps_per_rate()));
+        worst = std::max(worst, std::abs(rate - omega_radps / modes.clock().radps_per_rate()));
       }
     }
     EXPECT_LE(worst, 0.5 + 1e-6) << patch_length_m;

@@ -71,7 +71,7 @@ TEST_F(OceanLoopTest, EveryFrameOfALongBakeRepeats) {
     const WaveModes modes = this->modes(period_s);
     for (int frame = 0; frame < 24000; ++frame) {
       const double time_s = frame / 24.0;
-      const WaveClock now = modes.clock(time_s), later = modes.clock(time_s + period_s);
+      const WaveTime now = modes.clock().at(time_s), later = modes.clock().at(time_s + period_s);
       ASSERT_EQ(now.ticks, later.ticks) << frame << " " << period_s;
       ASSERT_EQ(now.tick_fraction, later.tick_fraction);
     }
@@ -83,14 +83,14 @@ TEST_F(OceanLoopTest, EveryFrameOfALongBakeRepeats) {
 TEST_F(OceanLoopTest, EveryWaveMakesWholeCycles) {
   const double period_s = 12.0;
   const WaveModes modes = this->modes(period_s);
-  EXPECT_NEAR(modes.radps_per_rate() * period_s, 2.0 * std::numbers::pi, 1e-12);
+  EXPECT_NEAR(modes.clock().radps_per_rate() * period_s, 2.0 * std::numbers::pi, 1e-12);
   const std::vector<std::uint32_t> rates = drawn_rates(modes, 0);
   const double step_radpm = 2.0 * std::numbers::pi / 150.0;
   for (int row = -size / 2 + 1; row < size / 2; ++row) {
     for (int column = -size / 2 + 1; column < size / 2; ++column) {
       if (row == 0 && column == 0) continue;
-      const double exact =
-          spectrum_.dispersion.omega_radps(step_radpm * std::hypot(column, row)) / modes.radps_per_rate();
+      const double exact = spectrum_.dispersion.omega_radps(step_radpm * std::hypot(column, row)) /
+                           modes.clock().radps_per_rate();
       const double rate =
           rates[static_cast<std::size_t>((row + size) % size * size + (column + size) % size)];
       EXPECT_NEAR(rate, std::max(exact, 0.5), 0.5 + 1e-9);

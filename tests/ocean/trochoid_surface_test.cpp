@@ -1,16 +1,17 @@
-// Trochoids and rings on the device against their definition in double precision, for both kernel shapes.
+// Trochoids on the device against their definition in double precision, for both kernel shapes.
 //
 // Bound on the error of a field, a share of the sum of its waves' largest values: 2^-33 turns of phase at the
-// first sample and as much a step of column and row, 2 pi 2^-33 (1 + 300 + 200) = 3.7e-7; 1e-7 of the
-// polynomials and 5e-8 of their argument; rounding of amplitudes, 6e-8; steps from vector to vector along a
-// row, 16 of 1.2e-7 that add up as their square root, 5e-7; and sums of 16 terms, 16 u = 1e-6 at most.
-// Together 2e-6. Measured 2.3e-7. Gate 1e-6: two lost bits of phase fail.
+// first sample and as much a step of column and row, 2 pi 2^-33 (1 + 300 + 200) = 3.7e-7 (1000 columns:
+// 7.3e-7); 1e-7 of each polynomial and 5e-8 of its argument, for two factors 3e-7; rounding of amplitudes and
+// products, 1.2e-7; and sums of 16 terms, 16 u = 1e-6 at most. Together 2e-6. Measured 2.3e-7. Gate 1e-6: two
+// lost bits of phase fail.
 #include "host/ocean/trochoid_surface.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "tests/ocl/expect_error.h"
 #include "tests/ocl/scoped_environment.h"
@@ -40,6 +41,13 @@ double smooth_step(double x) {
   return x <= 0.0 ? 0.0 : x >= 1.0 ? 1.0 : x * x * (3.0 - 2.0 * x);
 }
 
+// A frequency as the clock holds it (host/ocean/wave_clock.h): whole cycles a loop, or multiples of 2^-27 Hz.
+double clock_omega_radps(double omega_radps, std::optional<double> loop_period_s) {
+  const double step_radps = 2.0 * pi * (loop_period_s ? 1.0 / *loop_period_s : 0x1p-27);
+  const double cycles = std::round(omega_radps / step_radps);
+  return step_radps * (loop_period_s ? std::max(1.0, cycles) : cycles);
+}
+
 // The sum of the waves at each label, by the text of host/ocean/trochoids.h.
 Reference reference(const TrochoidSea& sea, double horizontal_scale, const SampleGrid& grid, double time_s) {
   Reference fields;
@@ -54,7 +62,8 @@ Reference reference(const TrochoidSea& sea, double horizontal_scale, const Sampl
         const double samples =
             2.0 * pi / k / std::max(std::abs(ux * grid.spacing_x_m), std::abs(uz * grid.spacing_z_m));
         const double a = wave.amplitude_m * smooth_step((samples - 2.0) / 2.0), qa = horizontal_scale * a;
-        const double phase = k * (ux * x + uz * z) - wave.omega_radps * time_s + wave.phase_rad;
+        const double omega_radps = clock_omega_radps(wave.omega_radps, sea.loop_period_s);
+        const double phase = k * (ux * x + uz * z) - omega_radps * time_s + wave.phase_rad;
         const double cosine = std::cos(phase), sine = std::sin(phase);
         h += a * cosine;
         dx -= qa * ux * sine;
@@ -228,7 +237,7 @@ TEST_P(TrochoidSurfaceTest, WavesFadeWhereTheGridIsCoarse) {
       expect_waves(sea, 1.0, grid, 0.0);
       const std::vector<float> heights = fields_at(sea, grid, 0.0).displacement_y;
       const double shown = *std::max_element(heights.begin(), heights.end());
-      EXPECT_GE(shown, before);
+      EXPECT_GE(shown, before - gate);
       if (samples < 2.0) {
         EXPECT_EQ(shown, 0.0);
       }
@@ -269,19 +278,12 @@ TEST_P(TrochoidSurfaceTest, LoopRepeatsBitForBit) {
   grid.columns = grid.rows = 40;
   for (const double period_s : {8.0, 3.3, 125.0 / 24.0}) {
     sea.loop_period_s = period_s;
-    TrochoidSea rounded = sea;
-    rounded.loop_period_s.reset();
-    for (Trochoid& wave : rounded.waves) {
-      const double cycles = std::max(1.0, std::round(wave.omega_radps / (2.0 * pi) * period_s));
-      wave.omega_radps = cycles * 2.0 * pi / period_s;
-    }
     for (const double time_s : {0.0, 1.0 / 24.0, 2.5, 77.0 / 24.0}) {
       const TrochoidFields first = fields_at(sea, grid, time_s);
       const double heights = 0.1 * 17 + 0.03 * 120 + 0.3;
       // Instants are a loop's 2^-28 apart: 2 pi 30 cycles 2^-29 = 4e-7.
-      EXPECT_LT(
-          worst_of(first.displacement_y, reference(rounded, 0.3, grid, time_s).displacement_y) / heights,
-          gate + 4e-7);
+      EXPECT_LT(worst_of(first.displacement_y, reference(sea, 0.3, grid, time_s).displacement_y) / heights,
+                gate + 4e-7);
       for (const double turns : {1.0, 2.0, 7.0, -3.0}) {
         const TrochoidFields later = fields_at(sea, grid, time_s + turns * period_s);
         EXPECT_EQ(later.displacement_x, first.displacement_x);
@@ -292,82 +294,6 @@ TEST_P(TrochoidSurfaceTest, LoopRepeatsBitForBit) {
       }
     }
   }
-}
-
-// h of a ring by the text of kernels/ocean/trochoid_surface.cl, and the sum of all of them at a label.
-double ring_height(const Raindrop& drop, const Dispersion& dispersion, double x_m, double z_m,
-                   double time_s) {
-  const double age_s = time_s - drop.time_s;
-  if (age_s < 0.0) return 0.0;
-  const double l = drop.wavelength_m, k = 2.0 * pi / l, rounding_m = l / 4.0;
-  const double r = std::hypot(std::hypot(x_m - drop.x_m, z_m - drop.z_m), rounding_m) - rounding_m;
-  const double u = (r - dispersion.group_speed_mps(k) * age_s) / l;
-  return drop.amplitude_m * std::exp(-age_s / drop.decay_s) * std::sqrt(l / (l + r)) *
-         std::exp(-0.25 * u * u) * std::cos(k * r - dispersion.omega_radps(k) * age_s);
-}
-
-// Fails if rings move, spread, fade or turn otherwise than said, if their slopes are not those of their
-// heights (differences of the definition over 2e-5 m), or if drops move before they fall. Phases of a ring
-// are 2^-19 of a turn apart (4 bits before the point of a 24-bit mantissa): 2 pi 2^-20 = 6e-6 of the
-// amplitude; gate 3e-5 of the sum of amplitudes, and of the slopes k A.
-TEST_P(TrochoidSurfaceTest, RaindropsSetOffRings) {
-  const Dispersion water{.capillary_length_m = 2.73e-3};
-  TrochoidSea sea{.raindrops = {{.x_m = -35.0, .z_m = 12.7, .time_s = 1.0, .amplitude_m = 0.02},
-                                {.x_m = -36.0,
-                                 .z_m = 13.0,
-                                 .time_s = 0.5,
-                                 .amplitude_m = -0.03,
-                                 .wavelength_m = 0.35,
-                                 .decay_s = 2.0},
-                                {.x_m = -35.5, .z_m = 12.9, .time_s = 9.0, .amplitude_m = 0.05}},
-                  .dispersion = water};
-  const SampleGrid grid{.origin_x_m = -37.3,
-                        .origin_z_m = 11.9,
-                        .spacing_x_m = 0.02,
-                        .spacing_z_m = 0.03,
-                        .columns = 200,
-                        .rows = 80};
-  for (const double time_s : {0.4, 1.0, 1.3, 2.5, 4.0}) {
-    const TrochoidFields fields = fields_at(sea, grid, time_s);
-    const auto height = [&](double x_m, double z_m) {
-      double sum = 0.0;
-      for (const Raindrop& drop : sea.raindrops) sum += ring_height(drop, water, x_m, z_m, time_s);
-      return sum;
-    };
-    double worst = 0.0, worst_slope = 0.0, highest = 0.0;
-    for (int row = 0; row < grid.rows; ++row) {
-      for (int column = 0; column < grid.columns; ++column) {
-        const auto i = static_cast<std::size_t>(row * grid.columns + column);
-        const double x = grid.origin_x_m + column * grid.spacing_x_m;
-        const double z = grid.origin_z_m + row * grid.spacing_z_m;
-        constexpr double step_m = 1e-5;
-        const double sx = (height(x + step_m, z) - height(x - step_m, z)) / (2.0 * step_m);
-        const double sz = (height(x, z + step_m) - height(x, z - step_m)) / (2.0 * step_m);
-        highest = std::max(highest, std::abs(height(x, z)));
-        worst = std::max(worst, std::abs(fields.displacement_y[i] - height(x, z)));
-        worst_slope =
-            std::max({worst_slope, std::abs(fields.slope_x[i] - sx), std::abs(fields.slope_z[i] - sz)});
-        ASSERT_EQ(fields.displacement_x[i], 0.0f);
-        ASSERT_EQ(fields.gradient_xx[i], 0.0f);
-      }
-    }
-    EXPECT_LT(worst, 3e-5 * 0.05) << time_s;
-    EXPECT_LT(worst_slope, 3e-5 * 2.0 * pi * (0.02 / 0.2 + 0.03 / 0.35)) << time_s;
-    if (time_s < 0.5) {
-      EXPECT_EQ(highest, 0.0);
-    }
-    if (time_s == 1.0) {
-      EXPECT_GT(highest, 0.015);
-    }
-    worst_ = std::max(worst_, worst / 0.05);
-  }
-}
-
-// Fails if rings are drawn on a grid too coarse for them.
-TEST_P(TrochoidSurfaceTest, RingsFadeWhereTheGridIsCoarse) {
-  const TrochoidSea sea{.raindrops = {{.amplitude_m = 0.05, .wavelength_m = 0.5}}};
-  const SampleGrid coarse{.spacing_x_m = 0.3, .spacing_z_m = 0.3, .columns = 20, .rows = 20};
-  for (const float height : fields_at(sea, coarse, 0.1).displacement_y) ASSERT_EQ(height, 0.0f);
 }
 
 TEST_P(TrochoidSurfaceTest, RejectsWhatItCannotDraw) {

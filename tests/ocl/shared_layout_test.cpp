@@ -60,18 +60,6 @@ TEST(SharedLayoutTest, SkyParams) {
                     offsetof(S, blue_0_klx), offsetof(S, blue_3_klx)}));
 }
 
-TEST(SharedLayoutTest, TrochoidWave) {
-  using S = TrochoidWave;
-  EXPECT_EQ(
-      test::device_layout(ocl::Device::open(), "shared/trochoids.h", "TrochoidWave",
-                          {"phase", "column_step", "row_step", "amplitude_m", "slope_x", "slope_z",
-                           "shift_x_m", "shift_z_m", "gradient_xx", "gradient_xz", "gradient_zz", "padding"}),
-      (Layout{sizeof(S), offsetof(S, phase), offsetof(S, column_step), offsetof(S, row_step),
-              offsetof(S, amplitude_m), offsetof(S, slope_x), offsetof(S, slope_z), offsetof(S, shift_x_m),
-              offsetof(S, shift_z_m), offsetof(S, gradient_xx), offsetof(S, gradient_xz),
-              offsetof(S, gradient_zz), offsetof(S, padding)}));
-}
-
 TEST(SharedLayoutTest, TrochoidRing) {
   using S = TrochoidRing;
   EXPECT_EQ(test::device_layout(
@@ -83,11 +71,12 @@ TEST(SharedLayoutTest, TrochoidRing) {
 
 TEST(SharedLayoutTest, TrochoidGrid) {
   using S = TrochoidGrid;
-  EXPECT_EQ(
-      test::device_layout(ocl::Device::open(), "shared/trochoids.h", "TrochoidGrid",
-                          {"spacing_x_m", "spacing_z_m", "pitch", "wave_count", "ring_count", "padding"}),
-      (Layout{sizeof(S), offsetof(S, spacing_x_m), offsetof(S, spacing_z_m), offsetof(S, pitch),
-              offsetof(S, wave_count), offsetof(S, ring_count), offsetof(S, padding)}));
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/trochoids.h", "TrochoidGrid",
+                                {"spacing_x_m", "spacing_z_m", "rows", "pitch", "wave_count", "wave_pitch",
+                                 "ring_count", "padding"}),
+            (Layout{sizeof(S), offsetof(S, spacing_x_m), offsetof(S, spacing_z_m), offsetof(S, rows),
+                    offsetof(S, pitch), offsetof(S, wave_count), offsetof(S, wave_pitch),
+                    offsetof(S, ring_count), offsetof(S, padding)}));
 }
 
 }  // namespace
