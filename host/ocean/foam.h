@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "host/ocean/foam_instants.h"
 #include "host/ocean/ocean.h"
 #include "host/ocean/surface_maps.h"
 #include "host/ocl/device.h"
@@ -22,8 +23,7 @@ void require_foam_fits(const ocl::DeviceInfo& device, std::int64_t instants, std
 /// the time alone; coverages of instants that the next frame needs again are kept.
 class Foam {
  public:
-  /// In a loop the instants are spaced so that a whole number of them fills it. Throws what
-  /// require_foam_fits() throws.
+  /// Throws what require_foam_fits() throws.
   Foam(const ocl::Device& device, const WaveModes& modes, const FoamParameters& parameters,
        std::optional<double> loop_period_s);
 
@@ -40,17 +40,11 @@ class Foam {
  private:
   using Coverage = ocl::Buffer<std::uint16_t>;  // [cascades][n][n] half
 
-  /// The last instant at or before this time.
-  std::int64_t instant_of(double time_s) const;
-  /// Equal for instants that look the same: those a whole loop apart.
-  std::int64_t key_of(std::int64_t instant) const;
   const Coverage& coverage_at(const WaveModes& modes, SurfaceMaps& surface, std::int64_t instant);
 
   ocl::Device device_;
   FoamParameters parameters_;
-  double step_s_;
-  std::int64_t past_count_;         // M: instants looked back
-  std::int64_t loop_instants_ = 0;  // 0: no loop
+  FoamInstants instants_;
   std::size_t texels_;
   ocl::Kernel coverage_, decay_;
   std::map<std::int64_t, Coverage> coverages_;

@@ -29,9 +29,9 @@ void require_valid(const ModeEnergies& modes) {
   }
 }
 
-/// Calls visit(Wave) for every wave that carries energy.
+/// Calls visit(Wave) for every mode that carries energy.
 template <typename Visit>
-void for_each_wave(std::span<const ModeEnergies> cascades, const Dispersion& dispersion, Visit&& visit) {
+void for_each_mode(std::span<const ModeEnergies> cascades, const Dispersion& dispersion, Visit&& visit) {
   for (const ModeEnergies& modes : cascades) {
     require_valid(modes);
     const int size = modes.size;
@@ -51,14 +51,28 @@ void for_each_wave(std::span<const ModeEnergies> cascades, const Dispersion& dis
   }
 }
 
+/// Calls visit(Wave) for every mode or trochoid that carries energy.
+template <typename Visit>
+void for_each_wave(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
+                   std::span<const Trochoid> trochoids, Visit&& visit) {
+  for_each_mode(cascades, dispersion, visit);
+  for (const Trochoid& wave : trochoids) {
+    if (wave.amplitude_m > 0.0) {
+      visit(Wave{0.5 * wave.amplitude_m * wave.amplitude_m, wave.wavenumber_radpm,
+                 wave.omega_radps / (2.0 * pi), std::cos(wave.direction_rad), std::sin(wave.direction_rad)});
+    }
+  }
+}
+
 struct Sums {
   double m0 = 0.0, m1 = 0.0, m2 = 0.0, cosine = 0.0, sine = 0.0, slope = 0.0;
   double lowest_hz = INFINITY, highest_hz = 0.0;
 };
 
-Sums sum_waves(std::span<const ModeEnergies> cascades, const Dispersion& dispersion) {
+Sums sum_waves(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
+               std::span<const Trochoid> trochoids) {
   Sums sums;
-  for_each_wave(cascades, dispersion, [&](const Wave& wave) {
+  for_each_wave(cascades, dispersion, trochoids, [&](const Wave& wave) {
     sums.m0 += wave.energy_m2;
     sums.m1 += wave.energy_m2 * wave.frequency_hz;
     sums.m2 += wave.energy_m2 * wave.frequency_hz * wave.frequency_hz;
@@ -93,10 +107,11 @@ struct Bin {
   double frequency_sum = 0.0;  // of energy times frequency
 };
 
-double peak_period_s(std::span<const ModeEnergies> cascades, const Dispersion& dispersion, const Sums& sums) {
+double peak_period_s(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
+                     std::span<const Trochoid> trochoids, const Sums& sums) {
   const std::vector<double> edges_hz = frequency_bins(cascades, dispersion, sums);
   std::vector<Bin> bins(edges_hz.size() - 1);
-  for_each_wave(cascades, dispersion, [&](const Wave& wave) {
+  for_each_wave(cascades, dispersion, trochoids, [&](const Wave& wave) {
     const auto above = std::upper_bound(edges_hz.begin(), edges_hz.end(), wave.frequency_hz);
     Bin& bin = bins[above - edges_hz.begin() - 1];
     bin.energy_m2 += wave.energy_m2;
@@ -116,15 +131,16 @@ double peak_period_s(std::span<const ModeEnergies> cascades, const Dispersion& d
 
 }  // namespace
 
-SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& dispersion) {
-  const Sums sums = sum_waves(cascades, dispersion);
+SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
+                      std::span<const Trochoid> trochoids) {
+  const Sums sums = sum_waves(cascades, dispersion, trochoids);
   SeaState state;
   if (sums.m0 <= 0.0) {
     return state;
   }
   state.m0_m2 = sums.m0;
   state.hs_m = 4.0 * std::sqrt(sums.m0);
-  state.tp_s = peak_period_s(cascades, dispersion, sums);
+  state.tp_s = peak_period_s(cascades, dispersion, trochoids, sums);
   state.tm01_s = sums.m0 / sums.m1;
   state.tm02_s = std::sqrt(sums.m0 / sums.m2);
   state.mean_direction_rad = direction_of_moment(sums.cosine, sums.sine, sums.m0);
@@ -133,20 +149,20 @@ SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& 
 }
 
 SeaStateError standard_error_of(std::span<const ModeEnergies> expected, const Dispersion& dispersion,
-                                int seeds) {
+                                int seeds, std::span<const Trochoid> trochoids) {
   if (seeds < 1) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("ocean statistics: expected at least 1 seed, found {}", seeds),
                 "average over 1 or more seeds");
   }
-  const Sums sums = sum_waves(expected, dispersion);
+  const Sums sums = sum_waves(expected, dispersion, trochoids);
   SeaStateError error;
   if (sums.m0 <= 0.0) {
     return error;
   }
   const double resultant2 = sums.cosine * sums.cosine + sums.sine * sums.sine;
   double height = 0.0, period = 0.0, direction = 0.0;
-  for_each_wave(expected, dispersion, [&](const Wave& wave) {
+  for_each_mode(expected, dispersion, [&](const Wave& wave) {
     const double variance = wave.energy_m2 * wave.energy_m2;
     const double tilt = 1.0 / sums.m0 - wave.frequency_hz * wave.frequency_hz / sums.m2;
     const double turn = sums.cosine * wave.sine - sums.sine * wave.cosine;

@@ -165,5 +165,37 @@ TEST(SeaStatistics, RejectsArraysOfTheWrongSize) {
   EXPECT_THROW(standard_error_of(std::span(&right, 1), {}, 0), Error);
 }
 
+// Fails if trochoids are left out of a sea's figures or weighed otherwise than modes: two of 0.1 Hz and 0.2
+// Hz, A = 1 m and 2 m, alone; and that their energy, the same for every seed, adds no scatter of Hs.
+TEST(SeaStatistics, TrochoidsAreWavesLikeOthers) {
+  const auto wave = [](double frequency_hz, double amplitude_m) {
+    const double omega_radps = 2.0 * pi * frequency_hz;
+    return Trochoid{.amplitude_m = amplitude_m,
+                    .wavenumber_radpm = omega_radps * omega_radps / 9.81,
+                    .direction_rad = 1.0,
+                    .omega_radps = omega_radps};
+  };
+  const std::vector<Trochoid> waves = {wave(0.1, 1.0), wave(0.2, 2.0)};
+  const std::vector<float> calm(16, 0.0f);
+  const ModeEnergies modes{100.0, 4, calm};
+  const SeaState state = sea_state_of({&modes, 1}, {}, waves);
+  EXPECT_NEAR(state.m0_m2, 2.5, 1e-12);
+  EXPECT_NEAR(state.hs_m, 4.0 * std::sqrt(2.5), 1e-12);
+  EXPECT_NEAR(state.tm01_s, 2.5 / (0.5 * 0.1 + 2.0 * 0.2), 1e-12);
+  EXPECT_NEAR(state.mean_direction_rad, 1.0, 1e-12);
+  EXPECT_NEAR(state.mss,
+              0.5 * std::pow(waves[0].wavenumber_radpm, 2.0) + 2.0 * std::pow(waves[1].wavenumber_radpm, 2.0),
+              1e-12);
+  EXPECT_EQ(standard_error_of({&modes, 1}, {}, 1, waves).hs_m, 0.0);
+
+  const Sea sea(0.3);
+  const ModeEnergies expected = sea.modes(sea.expected);
+  const double alone_m = standard_error_of({&expected, 1}, sea.spectrum.dispersion, 1).hs_m;
+  const double hs_m = sea_state_of({&expected, 1}, sea.spectrum.dispersion).hs_m;
+  const double hs_of_both_m = sea_state_of({&expected, 1}, sea.spectrum.dispersion, waves).hs_m;
+  EXPECT_NEAR(standard_error_of({&expected, 1}, sea.spectrum.dispersion, 1, waves).hs_m,
+              alone_m * hs_m / hs_of_both_m, 1e-9);
+}
+
 }  // namespace
 }  // namespace offing::ocean
