@@ -121,6 +121,9 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
     std::fflush(stdout);
   }
   warn_of_broken_loop(sea, settings.frames_per_second);
+  if (settings.gerstner == GerstnerUse::included && !sea.trochoid_choice) {
+    spdlog::warn("--include-gerstner: not used: there are no Gerstner waves");
+  }
 
   const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings));
   const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), hash);
@@ -173,6 +176,11 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
       "obj or ply: the displaced surface of all cascades, over the longest patch");
   add_switch("--preview", "a shaded picture a frame, and a contact sheet",
              [&settings] { settings.preview = PreviewUse::pictures; });
+  add_switch(
+      "--include-gerstner",
+      "add the Gerstner waves to cascade c0 and its mesh, which do not tile then; its Jacobian and foam "
+      "are those of the whole sea (default: listed in the header alone)",
+      [&settings] { settings.gerstner = GerstnerUse::included; });
   add("--export-spectrum", arguments->export_file, "FILE",
       "write the spectrum as WAVEWATCH III text (.spec)");
   add("--chunk", arguments->chunk, "i/n",

@@ -74,6 +74,9 @@ std::string canonical_text(const BakeSettings& settings) {
   std::string text = fmt::format("layout {} pixel {} compression {} channels {}",
                                  static_cast<int>(settings.layout), static_cast<int>(settings.pixel_type),
                                  static_cast<int>(settings.compression), settings.channels.to_string());
+  if (settings.gerstner == GerstnerUse::included) {
+    text += " gerstner included";
+  }
   if (settings.has(ChannelGroup::velocity)) {
     text += fmt::format(" velocity depth {:.17g}", settings.velocity_depth_m);
   }

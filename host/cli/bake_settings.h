@@ -19,6 +19,8 @@ using ChannelGroups = std::bitset<channel_group_count>;
 enum class FileLayout { file_a_cascade, combined };
 enum class MeshFormat { none, obj, ply };
 enum class PreviewUse { none, pictures };
+/// Whether the first cascade holds the Gerstner waves, or the header alone.
+enum class GerstnerUse { listed, included };
 enum class ForeignFrames { refuse, replace };
 
 /// How frames are written, and where.
@@ -34,6 +36,7 @@ struct BakeSettings {
   double velocity_depth_m = 0.0;  ///< of the velocity channels, below the instantaneous surface
   MeshFormat mesh = MeshFormat::none;
   PreviewUse preview = PreviewUse::none;
+  GerstnerUse gerstner = GerstnerUse::listed;
   ForeignFrames foreign = ForeignFrames::refuse;
 
   bool has(ChannelGroup group) const { return channels.test(static_cast<std::size_t>(group)); }

@@ -65,10 +65,26 @@ void summarise(const std::vector<SurfaceMeasurement>& all, Certificate& certific
     certificate.measured_cascade_m0_m2.push_back(
         mean_and_spread(each(all, [i](const M& m) { return m.cascade_m0_m2[i]; })).mean);
   }
-  certificate.max_ka = 3.0 * std::sqrt(certificate.mss.mean);
 }
 
-void expect(const ocean::Ocean& sea, const ocean::Dispersion& dispersion, Certificate& certificate) {
+/// What trochoids are expected to be: those of many seeds, each with its share of the energy.
+std::vector<ocean::Trochoid> expected_trochoids(const scene::Sea& sea) {
+  std::vector<ocean::Trochoid> waves;
+  if (!sea.trochoid_choice) return waves;
+  constexpr int seeds = 16;
+  ocean::TrochoidChoice choice = *sea.trochoid_choice;
+  choice.count = 64;
+  for (choice.seed = 1; choice.seed <= seeds; ++choice.seed) {
+    for (ocean::Trochoid wave : ocean::choose_trochoids(sea.spectrum, choice)) {
+      wave.amplitude_m /= std::sqrt(seeds);
+      waves.push_back(wave);
+    }
+  }
+  return waves;
+}
+
+void expect(const ocean::Ocean& sea, const ocean::Dispersion& dispersion,
+            const std::vector<ocean::Trochoid>& trochoids, Certificate& certificate) {
   const std::vector<ocean::Cascade>& cascades = sea.parameters().cascades;
   std::vector<std::vector<float>> variances;
   std::vector<ocean::ModeEnergies> modes;
@@ -78,8 +94,8 @@ void expect(const ocean::Ocean& sea, const ocean::Dispersion& dispersion, Certif
     certificate.expected_cascade_m0_m2.push_back(
         std::accumulate(variances.back().begin(), variances.back().end(), 0.0));
   }
-  certificate.resolved = ocean::sea_state_of(modes, dispersion);
-  certificate.standard_error = ocean::standard_error_of(modes, dispersion, certificate.seeds);
+  certificate.resolved = ocean::sea_state_of(modes, dispersion, trochoids);
+  certificate.standard_error = ocean::standard_error_of(modes, dispersion, certificate.seeds, trochoids);
 }
 
 }  // namespace
@@ -91,8 +107,11 @@ EnergyShares energy_shares(const ocean::SeaSpectrum& spectrum, const std::vector
     shares.cascade_m0_m2.push_back(
         ocean::integrate_sea_state(spectrum, cascade.k_min_radpm, cascade.k_max_radpm).m0_m2);
   }
+  const double split_radpm = cascades.front().k_min_radpm;
+  shares.trochoid_m0_m2 = ocean::integrate_sea_state(spectrum, 0.0, split_radpm).m0_m2;
   // Waves longer than the first patch fall into its K = 0, which moves nothing.
-  const double too_long_m2 = ocean::still_cell_variance_m2(spectrum, cascades.front().patch_length_m);
+  const double too_long_m2 =
+      ocean::still_cell_variance_m2(spectrum, cascades.front().patch_length_m, split_radpm);
   shares.cascade_m0_m2.front() -= std::min(too_long_m2, shares.cascade_m0_m2.front());
   shares.out_of_band_m2 =
       too_long_m2 + ocean::integrate_sea_state(spectrum, cascades.back().k_max_radpm).m0_m2;
@@ -110,19 +129,32 @@ Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds,
   ocean::OceanParameters parameters = sea.parameters;
   parameters.loop_period_s.reset();
   ocean::Ocean ocean(device, sea.spectrum, parameters);
-  expect(ocean, dispersion, certificate);
+  expect(ocean, dispersion, expected_trochoids(sea), certificate);
   SurfaceMeter meter(device, parameters.size);
   std::vector<SurfaceMeasurement> measurements;
+  double steepness = 0.0;  // of the trochoids, sum over the seeds
   for (int i = 0; i < seeds; ++i) {
     cancel.throw_if_cancelled();
+    const std::uint64_t seed = parameters.seed + static_cast<std::uint64_t>(i);
     if (i > 0) {
-      ocean.reseed(parameters.seed + static_cast<std::uint64_t>(i));
+      ocean.reseed(seed);
     }
+    ocean::TrochoidSea trochoids = scene::trochoids_of(sea, seed);
+    trochoids.loop_period_s.reset();
     ocean.at(0.0);
-    measurements.push_back(meter.measure(ocean, dispersion));
+    measurements.push_back(meter.measure(ocean, trochoids));
+    steepness += ocean::horizontal_scale(trochoids).steepness;
     progress.advance();
   }
   summarise(measurements, certificate);
+  const double cascade_mss =
+      mean_and_spread(each(measurements, [](const SurfaceMeasurement& m) { return m.cascade_mss; })).mean;
+  certificate.max_ka = steepness / seeds + 3.0 * std::sqrt(cascade_mss);
+  if (sea.trochoid_choice && seeds > 1) {
+    // Trochoids' frequencies and directions scatter besides, which theory leaves out.
+    certificate.standard_error.tm02_s = certificate.tm02_s.spread / std::sqrt(seeds);
+    certificate.standard_error.mean_direction_rad = certificate.mean_direction_rad.spread / std::sqrt(seeds);
+  }
   return certificate;
 }
 

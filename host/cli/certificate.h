@@ -13,8 +13,9 @@ namespace offing::cli {
 /// How the energy of a sea lies in its cascades, from the spectrum alone.
 struct EnergyShares {
   double m0_m2 = 0.0;                 ///< of the whole spectrum
+  double trochoid_m0_m2 = 0.0;        ///< longer than the first band, where that begins at a split
   std::vector<double> cascade_m0_m2;  ///< within each cascade's band
-  double out_of_band_m2 = 0.0;        ///< longer than the first band or shorter than the last
+  double out_of_band_m2 = 0.0;        ///< of neither
 };
 
 EnergyShares energy_shares(const ocean::SeaSpectrum& spectrum, const std::vector<ocean::Cascade>& cascades);
@@ -36,8 +37,8 @@ struct Certificate {
   std::vector<double> measured_cascade_m0_m2;  ///< means over the seeds
   Measured hs_m, tp_s, tm01_s, tm02_s, mean_direction_rad, mss;
   Measured skewness, kurtosis, folded_share;
-  /// 3 sqrt(mss): the steepness that one wave in 90 exceeds. (ka)^2 is 2 mss on average, so that of
-  /// Rayleigh's waves (Longuet-Higgins 1952) exp(-9 / 2) do.
+  /// Sum of k A of the trochoids, and of the cascades 3 sqrt(mss), the steepness that one wave in 90 exceeds:
+  /// (ka)^2 is 2 mss on average, so that of Rayleigh's waves (Longuet-Higgins 1952) exp(-9 / 2) do.
   double max_ka = 0.0;
 };
 

@@ -58,6 +58,12 @@ std::string cascade_text(const scene::Sea& sea, const EnergyShares& energy) {
   const auto out = std::back_inserter(text);
   const auto percent = [&](double m2) { return energy.m0_m2 > 0.0 ? 100.0 * m2 / energy.m0_m2 : 0.0; };
   fmt::format_to(out, "cascade  patch m  spacing m    wavelengths m        energy m^2   share\n");
+  if (sea.trochoid_choice) {
+    fmt::format_to(out, "{:<7}  {:>18}  {:>8.4g} ... {:<8}  {:>10.4g}  {:>5.2f} %\n", "gerstner",
+                   fmt::format("{} waves", sea.trochoid_choice->count),
+                   2.0 * std::numbers::pi / sea.trochoid_choice->split_radpm, "", energy.trochoid_m0_m2,
+                   percent(energy.trochoid_m0_m2));
+  }
   for (std::size_t i = 0; i < sea.parameters.cascades.size(); ++i) {
     const ocean::Cascade& cascade = sea.parameters.cascades[i];
     const double shortest_m = 2.0 * std::numbers::pi / cascade.k_max_radpm;
@@ -133,6 +139,11 @@ nlohmann::json certificate_json(const Certificate& c, const scene::Sea& sea, Dir
   json["seeds"] = c.seeds;
   json["m0_m2"] = c.energy.m0_m2;
   json["out_of_band_m2"] = c.energy.out_of_band_m2;
+  if (sea.trochoid_choice) {
+    json["gerstner"] = {{"count", sea.trochoid_choice->count},
+                        {"k_split_radpm", sea.trochoid_choice->split_radpm},
+                        {"spectrum_m0_m2", c.energy.trochoid_m0_m2}};
+  }
   json["cascades"] = nlohmann::json::array();
   for (std::size_t i = 0; i < sea.parameters.cascades.size(); ++i) {
     const ocean::Cascade& cascade = sea.parameters.cascades[i];

@@ -5,7 +5,11 @@
 namespace offing::cli {
 
 FrameMaker::FrameMaker(const ocl::Device& device, const scene::Sea& sea, const BakeSettings& settings)
-    : settings_(settings), ocean_(device, sea.spectrum, sea.parameters) {}
+    : settings_(settings), ocean_(device, sea.spectrum, sea.parameters) {
+  if (settings.gerstner == GerstnerUse::included && sea.trochoid_choice) {
+    gerstner_.emplace(device, sea);
+  }
+}
 
 BakedFrame FrameMaker::make(int frame) {
   BakedFrame baked;
@@ -24,6 +28,10 @@ BakedFrame FrameMaker::make(int frame) {
       fields.velocity = ocean_.read_velocity(cascade, settings_.velocity_depth_m);
     }
   }
+  if (gerstner_) {
+    baked.first_with_gerstner =
+        gerstner_->with_waves(baked.cascades.front(), ocean_, baked.time_s, settings_.velocity_depth_m);
+  }
   if (settings_.mesh != MeshFormat::none) {
     baked.mesh = make_mesh();
   }
@@ -34,7 +42,8 @@ GridMesh FrameMaker::make_mesh() {
   const int n = ocean_.parameters().size;
   const double spacing_m = ocean_.parameters().cascades.front().patch_length_m / n;
   const ocean::ComposedFields sea =
-      ocean_.read_composed({.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = n, .rows = n});
+      ocean_.read_composed({.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = n, .rows = n},
+                           {.trochoids = gerstner_ ? gerstner_->trochoids() : ocean::TrochoidSea{}});
   GridMesh mesh;
   mesh.columns = n;
   mesh.rows = n;

@@ -1,15 +1,27 @@
 #include "host/cli/frame_writer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "host/cli/pictures/sea_preview.h"
+#include "host/ocean/trochoid_instant.h"
 #include "host/scene/version.h"
 
 namespace offing::cli {
+
+namespace {
+
+/// What is written of a cascade.
+const BakedFrame::CascadeFields& fields_of(const BakedFrame& frame, std::size_t cascade) {
+  return cascade == 0 && frame.first_with_gerstner ? *frame.first_with_gerstner : frame.cascades[cascade];
+}
+
+}  // namespace
 
 FrameWriter::FrameWriter(const scene::Sea& sea, const BakeSettings& settings, const FrameFiles& files,
                          std::string scene_hash, std::string spectrum_name)
@@ -17,7 +29,8 @@ FrameWriter::FrameWriter(const scene::Sea& sea, const BakeSettings& settings, co
       settings_(settings),
       files_(files),
       scene_hash_(std::move(scene_hash)),
-      spectrum_name_(std::move(spectrum_name)) {
+      spectrum_name_(std::move(spectrum_name)),
+      trochoids_(scene::trochoids_of(sea, sea.parameters.seed)) {
   const ocean::SeaState state = ocean::integrate_sea_state(sea.spectrum);
   mean_direction_rad_ = state.mean_direction_rad;
   hs_m_ = state.hs_m;
@@ -36,9 +49,10 @@ void FrameWriter::write(const BakedFrame& frame) const {
 
   if (settings_.layout == FileLayout::combined) {
     ExrImage image = image_of(frame);
+    image.attributes.emplace_back("tileable", frame.first_with_gerstner ? 0 : 1);
     for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
       const std::string layer = fmt::format("c{}.", i);
-      add_cascade(image, frame.cascades[i], layer);
+      add_cascade(image, fields_of(frame, i), layer);
       add_cascade_attributes(image, i, layer);
     }
     write_exr(files_.exr(frame.number, 0), image, settings_.pixel_type, settings_.compression);
@@ -46,7 +60,8 @@ void FrameWriter::write(const BakedFrame& frame) const {
   }
   for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
     ExrImage image = image_of(frame);
-    add_cascade(image, frame.cascades[i], "");
+    image.attributes.emplace_back("tileable", i == 0 && frame.first_with_gerstner ? 0 : 1);
+    add_cascade(image, fields_of(frame, i), "");
     add_cascade_attributes(image, i, "");
     write_exr(files_.exr(frame.number, static_cast<int>(i)), image, settings_.pixel_type,
               settings_.compression);
@@ -65,8 +80,9 @@ void FrameWriter::write_preview(const BakedFrame& frame) const {
   view.camera_height_m = std::max(10.0, 1.3 * hs_m_);
   view.yaw_rad = mean_direction_rad_ + 2.6;
   view.sun_azimuth_rad = view.yaw_rad + 0.7;
-  write_png(files_.preview(frame.number),
-            render_sea_preview(PreviewSurface(cascades, sea_.parameters.foam), view));
+  write_png(
+      files_.preview(frame.number),
+      render_sea_preview(PreviewSurface(cascades, sea_.parameters.foam, {trochoids_, frame.time_s}), view));
 }
 
 ExrImage FrameWriter::image_of(const BakedFrame& frame) const {
@@ -80,15 +96,32 @@ ExrImage FrameWriter::image_of(const BakedFrame& frame) const {
                       {"seed", fmt::format("{}", sea_.parameters.seed)},  // 64 bits do not fit an EXR integer
                       {"choppiness", sea_.parameters.choppiness},
                       {"scene_hash", scene_hash_},
-                      {"offing_version", std::string(scene::version())},
-                      {"tileable", 1}};
+                      {"offing_version", std::string(scene::version())}};
   if (sea_.parameters.loop_period_s) {
     image.attributes.emplace_back("loop_period_s", *sea_.parameters.loop_period_s);
   }
   if (settings_.has(ChannelGroup::velocity)) {
     image.attributes.emplace_back("velocity_depth_m", settings_.velocity_depth_m);
   }
+  if (!trochoids_.waves.empty()) {
+    add_gerstner_attributes(image, frame.time_s);
+  }
   return image;
+}
+
+/// The waves as they stand at this time: h = sum of A cos(kx x + kz z + phase), displaced sideways by -Q A
+/// K/k sin(kx x + kz z + phase).
+void FrameWriter::add_gerstner_attributes(ExrImage& image, double time_s) const {
+  const ocean::TrochoidInstant instant(trochoids_, time_s);
+  std::string list;
+  for (const ocean::TrochoidInstant::Wave& wave : instant.waves()) {
+    const double phase_rad = std::remainder(wave.phase_rad, 2.0 * std::numbers::pi);
+    list += fmt::format("{}{:.17g} {:.17g} {:.17g} {:.17g}", list.empty() ? "" : "; ", wave.amplitude_m,
+                        wave.kx_radpm, wave.kz_radpm, phase_rad);
+  }
+  image.attributes.emplace_back("gerstner", list);
+  image.attributes.emplace_back("gerstner_columns", "A_m kx_radpm kz_radpm phase_rad");
+  image.attributes.emplace_back("gerstner_choppiness", instant.horizontal_scale());
 }
 
 void FrameWriter::add_cascade(ExrImage& image, const BakedFrame::CascadeFields& fields,

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "host/cli/bake_settings.h"
+#include "host/cli/baked_frame.h"
 #include "host/cli/frame_files.h"
-#include "host/cli/frame_maker.h"
 #include "host/scene/sea.h"
 
 namespace offing::cli {
@@ -22,6 +22,7 @@ class FrameWriter {
  private:
   void write_preview(const BakedFrame& frame) const;
   ExrImage image_of(const BakedFrame& frame) const;
+  void add_gerstner_attributes(ExrImage& image, double time_s) const;
   void add_cascade(ExrImage& image, const BakedFrame::CascadeFields& fields, const std::string& layer) const;
   void add_cascade_attributes(ExrImage& image, std::size_t cascade, const std::string& layer) const;
 
@@ -30,6 +31,7 @@ class FrameWriter {
   const FrameFiles& files_;
   std::string scene_hash_;
   std::string spectrum_name_;
+  ocean::TrochoidSea trochoids_;
   double mean_direction_rad_;
   double hs_m_;
 };

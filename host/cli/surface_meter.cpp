@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "host/ocean/sea_statistics.h"
+#include "host/ocean/trochoid_instant.h"
 
 namespace offing::cli {
 
@@ -34,9 +35,10 @@ int texel(double position_m, double patch_length_m, int size) {
   return std::min(static_cast<int>((turns - std::floor(turns)) * size), size - 1);
 }
 
-/// Moments of the elevation and the folded share, of all cascades together.
+/// Moments of the elevation and the folded share, of all cascades and trochoids together.
 void measure_shape(const std::vector<ocean::SurfaceFields>& surfaces,
-                   const std::vector<ocean::Cascade>& cascades, SurfaceMeasurement& measurement) {
+                   const std::vector<ocean::Cascade>& cascades, const ocean::TrochoidInstant& trochoids,
+                   SurfaceMeasurement& measurement) {
   double square_m_longest = 0.0;
   for (const ocean::Cascade& cascade : cascades) {
     square_m_longest = std::max(square_m_longest, cascade.patch_length_m);
@@ -45,10 +47,12 @@ void measure_shape(const std::vector<ocean::SurfaceFields>& surfaces,
   int folded = 0;
   for (int i = 0; i < sample_count; ++i) {
     const auto [u, v] = label(i);
-    double height_m = 0.0, xx = 1.0, xz = 0.0, zz = 1.0;
+    const double square_m = square_patches * square_m_longest;
+    const ocean::TrochoidValues values = trochoids.at(u * square_m, v * square_m);
+    double height_m = values.displacement_y_m;
+    double xx = 1.0 + values.gradient_xx, xz = values.gradient_xz, zz = 1.0 + values.gradient_zz;
     for (std::size_t c = 0; c < cascades.size(); ++c) {
       const ocean::SurfaceFields& surface = surfaces[c];
-      const double square_m = square_patches * square_m_longest;
       const int row = texel(v * square_m, cascades[c].patch_length_m, surface.size);
       const int column = texel(u * square_m, cascades[c].patch_length_m, surface.size);
       const std::size_t at = static_cast<std::size_t>(row) * surface.size + column;
@@ -78,7 +82,8 @@ SurfaceMeter::SurfaceMeter(const ocl::Device& device, int size)
       packed_(device, forward_.float_count(), "measured surface"),
       transformed_(device, forward_.float_count(), "transformed surface") {}
 
-SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea, const ocean::Dispersion& dispersion) {
+SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea, const ocean::TrochoidSea& trochoids) {
+  const ocean::Dispersion& dispersion = trochoids.dispersion;
   const std::vector<ocean::Cascade>& cascades = sea.parameters().cascades;
   SurfaceMeasurement measurement;
   std::vector<ocean::SurfaceFields> surfaces;
@@ -93,8 +98,9 @@ SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea, const ocean::Dispers
     measurement.cascade_m0_m2.push_back(std::accumulate(energies.back().begin(), energies.back().end(), 0.0));
     modes.push_back({cascades[i].patch_length_m, surfaces.back().size, energies.back()});
   }
-  measurement.state = ocean::sea_state_of(modes, dispersion);
-  measure_shape(surfaces, cascades, measurement);
+  measurement.state = ocean::sea_state_of(modes, dispersion, trochoids.waves);
+  measurement.cascade_mss = ocean::sea_state_of(modes, dispersion).mss;
+  measure_shape(surfaces, cascades, ocean::TrochoidInstant(trochoids, 0.0), measurement);
   return measurement;
 }
 

@@ -14,20 +14,21 @@ namespace offing::cli {
 struct SurfaceMeasurement {
   ocean::SeaState state;              ///< from the energies of the waves found on the surface
   std::vector<double> cascade_m0_m2;  ///< what each cascade adds to state.m0_m2
-  double skewness = 0.0;              ///< of the elevation at rest labels, all cascades together
+  double cascade_mss = 0.0;           ///< what all of them add to state.mss
+  double skewness = 0.0;              ///< of the elevation at rest labels, the whole surface
   double kurtosis = 0.0;              ///< 3 for a Gaussian surface
   double folded_share = 0.0;          ///< share of label area with composed J <= 0
 };
 
-/// Measures a sea from its surface alone: elevation and its rate of change, not the amplitudes it was made
-/// from.
+/// Measures a sea from its surface alone: the cascades' elevation and its rate of change, not the amplitudes
+/// they were made from. Trochoids are the surface that they are.
 class SurfaceMeter {
  public:
   /// `size` samples along a patch, as the seas to be measured have.
   SurfaceMeter(const ocl::Device& device, int size);
 
-  /// The sea at the time of its last at(). `dispersion` is what its waves follow.
-  SurfaceMeasurement measure(ocean::Ocean& sea, const ocean::Dispersion& dispersion);
+  /// The sea, which stands at time 0, with these trochoids, which follow the same dispersion.
+  SurfaceMeasurement measure(ocean::Ocean& sea, const ocean::TrochoidSea& trochoids);
 
  private:
   std::vector<float> travelling_energies(const ocean::SurfaceFields& surface,

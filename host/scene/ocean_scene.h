@@ -30,9 +30,11 @@ struct OceanScene {
   std::optional<double> tail_hz;  ///< the measured spectrum is continued to this frequency
   int record = 0;                 ///< record of spectrum_file
 
-  std::vector<double> patch_lengths_m;  ///< one a cascade; empty: chosen from the spectrum
-  int cascade_count = 3;                ///< how many to choose at most
-  ocean::OceanParameters ocean;         ///< its cascades are filled in by prepare_sea()
+  std::vector<double> patch_lengths_m;     ///< one a cascade; empty: chosen from the spectrum
+  int cascade_count = 3;                   ///< how many to choose at most
+  int gerstner_count = 0;                  ///< trochoids for the long waves; 0: the cascades carry all
+  std::optional<double> gerstner_split_m;  ///< they are longer than this; absent: chosen from the spectrum
+  ocean::OceanParameters ocean;            ///< its cascades are filled in by prepare_sea()
 
   std::map<std::string_view, std::string> set_at;  ///< key of each parameter that was set -> where
 };

@@ -43,6 +43,7 @@ enum class ParameterUse {
   spreading,           ///< without directions or a spreading of their own
   spreading_exponent,  ///< those spread by cos^2s
   chosen_cascades,     ///< whose patches are not given
+  gerstner,            ///< with Gerstner waves
 };
 
 /// One row of the parameter table: everything there is to say about one value of a scene.

@@ -1,5 +1,7 @@
 #include "host/scene/sea.h"
 
+#include <numbers>
+
 #include <fmt/format.h>
 
 #include "host/base/error.h"
@@ -25,7 +27,47 @@ WaveSpectrum read_record(const OceanScene& scene) {
   return std::move(records[index]);
 }
 
+/// The waves longer than a third of the peak's carry most of a sea: of a Pierson-Moskowitz spectrum
+/// exp(-1.25 / 9) = 87 %.
+constexpr double peak_lengths_of_split = 1.0 / 3.0;
+
+std::optional<ocean::TrochoidChoice> choose_gerstner_waves(const OceanScene& scene,
+                                                           const ocean::SeaSpectrum& spectrum) {
+  if (scene.gerstner_count == 0) {
+    return std::nullopt;
+  }
+  const double peak_m =
+      2.0 * std::numbers::pi / spectrum.dispersion.wavenumber_radpm(spectrum.omega_peak_radps);
+  const double split_m = scene.gerstner_split_m.value_or(peak_lengths_of_split * peak_m);
+  return ocean::TrochoidChoice{.split_radpm = ocean::split_at_wavelength_radpm(split_m),
+                               .count = scene.gerstner_count,
+                               .seed = scene.ocean.seed};
+}
+
+void warn_of_limited_choppiness(const Sea& sea) {
+  const ocean::HorizontalScale horizontal = ocean::horizontal_scale(trochoids_of(sea, sea.parameters.seed));
+  if (horizontal.is_limited) {
+    spdlog::warn(
+        "the Gerstner waves have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to "
+        "{:.3g}, "
+        "with more they would fold",
+        horizontal.scale, sea.parameters.choppiness, horizontal.steepness);
+  }
+}
+
 }  // namespace
+
+ocean::TrochoidSea trochoids_of(const Sea& sea, std::uint64_t seed) {
+  ocean::TrochoidSea trochoids{.choppiness = sea.parameters.choppiness,
+                               .loop_period_s = sea.parameters.loop_period_s,
+                               .dispersion = sea.spectrum.dispersion};
+  if (sea.trochoid_choice) {
+    ocean::TrochoidChoice choice = *sea.trochoid_choice;
+    choice.seed = seed;
+    trochoids.waves = ocean::choose_trochoids(sea.spectrum, choice);
+  }
+  return trochoids;
+}
 
 OceanScene with_resolved_wind(OceanScene scene) {
   scene.wind_speed_mps = scene.ocean_wind_speed_mps.value_or(scene.wind_speed_mps);
@@ -59,9 +101,13 @@ Sea prepare_sea(const OceanScene& scene) {
   }
 
   sea.parameters = scene.ocean;
-  sea.parameters.cascades = scene.patch_lengths_m.empty()
-                                ? ocean::choose_cascades(sea.spectrum, scene.ocean.size, scene.cascade_count)
-                                : ocean::cascades_from_patches(scene.patch_lengths_m, scene.ocean.size);
+  sea.trochoid_choice = choose_gerstner_waves(scene, sea.spectrum);
+  const double split_radpm = sea.trochoid_choice ? sea.trochoid_choice->split_radpm : 0.0;
+  sea.parameters.cascades =
+      scene.patch_lengths_m.empty()
+          ? ocean::choose_cascades(sea.spectrum, scene.ocean.size, scene.cascade_count, split_radpm)
+          : ocean::cascades_from_patches(scene.patch_lengths_m, scene.ocean.size, split_radpm);
+  warn_of_limited_choppiness(sea);
   for (const std::string& line : unused_parameters(scene, sea)) {
     spdlog::warn("{}", line);
   }

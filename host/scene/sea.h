@@ -6,6 +6,7 @@
 #include "host/base/wave_spectrum.h"
 #include "host/ocean/ocean.h"
 #include "host/ocean/sea_spectrum.h"
+#include "host/ocean/trochoid_choice.h"
 #include "host/scene/ocean_scene.h"
 
 namespace offing::scene {
@@ -15,17 +16,24 @@ struct Sea {
   std::optional<WaveSpectrum> measured;  ///< the record that `spectrum` was made from, if it was measured
   ocean::SeaSpectrum spectrum;
   ocean::OceanParameters parameters;  ///< with its cascades
+  /// Which waves are Gerstner waves, of the seed of `parameters`; absent where the cascades carry all.
+  std::optional<ocean::TrochoidChoice> trochoid_choice;
 };
 
 /// The scene with [wind] taken over where the ocean names no wind of its own.
 OceanScene with_resolved_wind(OceanScene scene);
 
-/// Reads the measured spectrum if there is one, makes the spectrum and chooses the cascades. Logs a warning
-/// for each parameter that was set and does not matter (unused_parameters()).
+/// Reads the measured spectrum if there is one, makes the spectrum and chooses cascades and Gerstner waves.
+/// Logs a warning for each parameter that was set and does not matter (unused_parameters()), and where
+/// Gerstner waves are so steep that their choppiness is limited (horizontal_scale()).
 ///
 /// Water depth is the scene's, else that of the measured record, else infinite. Throws Error(bad_input) for a
 /// spectrum file that cannot be read, a record that it does not have, or values that do not go together.
 Sea prepare_sea(const OceanScene& scene);
+
+/// The Gerstner waves of a sea of this seed, with the cascades' choppiness and loop; none where there is no
+/// choice.
+ocean::TrochoidSea trochoids_of(const Sea& sea, std::uint64_t seed);
 
 /// One line on where the waves come from: "jonswap, wind 10 m/s" or "measured, 41010, 2020-06-08T03:50Z".
 std::string spectrum_name(const OceanScene& scene, const Sea& sea);

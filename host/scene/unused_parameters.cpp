@@ -58,6 +58,8 @@ class Reasons {
         return against_exponent();
       case ParameterUse::chosen_cascades:
         return scene_.patch_lengths_m.empty() ? "" : "the patches are given";
+      case ParameterUse::gerstner:
+        return scene_.gerstner_count > 0 ? "" : "there are no Gerstner waves";
     }
     return "";
   }

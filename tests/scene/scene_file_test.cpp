@@ -50,6 +50,9 @@ patch_m = 300
 patch_m = 40.5
 [ocean.foam]
 decay_s = 3.5
+[ocean.gerstner]
+count = 16
+split_wavelength_m = 45
 )",
                                        "storm.toml", "scenes");
   EXPECT_EQ(scene.ocean.seed, 42u);
@@ -64,6 +67,8 @@ decay_s = 3.5
   EXPECT_EQ(scene.record, 3);
   EXPECT_EQ(scene.patch_lengths_m, (std::vector<double>{300.0, 40.5}));
   EXPECT_EQ(scene.ocean.foam.decay_s, 3.5);
+  EXPECT_EQ(scene.gerstner_count, 16);
+  EXPECT_EQ(scene.gerstner_split_m, 45.0);
 }
 
 // Fails if an absolute file name is bent to the scene's folder.
@@ -136,10 +141,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"planned_section", "version = 1\n[terrain]\nfile = \"a.tif\"\n",
                  "storm.toml:2:2: terrain: expected parts that this version has, got one that it has not yet",
                  "remove terrain from the scene"},
-        BadScene{"planned_nested", "version = 1\n[ocean.gerstner]\ncount = 16\n",
-                 "storm.toml:2:8: ocean.gerstner: expected parts that this version has, got one that it has "
-                 "not yet",
-                 "remove ocean.gerstner from the scene"},
+        BadScene{"planned_nested", "version = 1\n[ocean.wake]\nsize = 16\n",
+                 "storm.toml:2:8: ocean.wake: expected parts that this version has, got one that it has not "
+                 "yet",
+                 "remove ocean.wake from the scene"},
+        BadScene{"gerstner_count", "version = 1\n[ocean.gerstner]\ncount = 65\n",
+                 "storm.toml:3:9: ocean.gerstner.count: expected a whole number within [0, 64], got 65",
+                 "write count = 0"},
+        BadScene{"gerstner_key", "version = 1\n[ocean.gerstner]\nsplit_m = 65\n",
+                 "storm.toml:3:1: ocean.gerstner.split_m: expected a known key, got \"split_m\"",
+                 "known here: count, split_wavelength_m"},
         BadScene{"keyframes", "version = 1\n[ocean]\ngamma = { keys = [{ t = 0, value = 1 }] }\n",
                  "storm.toml:3:9: ocean.gamma: expected one value, got keyframes, which this version does "
                  "not have",

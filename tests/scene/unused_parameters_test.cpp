@@ -83,6 +83,11 @@ const Case cases[] = {
     {.name = "used_by_any_sea",
      .settings =
          {{"world.seed", "3"}, {"ocean.size", "64"}, {"ocean.depth_m", "9"}, {"ocean.choppiness", "1"}}},
+    {.name = "no_gerstner_waves",
+     .settings = {{"ocean.gerstner.count", "0"}, {"ocean.gerstner.split_wavelength_m", "40"}},
+     .lines = {"ocean.gerstner.split_wavelength_m: not used: there are no Gerstner waves"}},
+    {.name = "gerstner_waves",
+     .settings = {{"ocean.gerstner.count", "4"}, {"ocean.gerstner.split_wavelength_m", "40"}}},
     {.name = "no_record",
      .settings = {{"ocean.record", "0"}, {"ocean.tail_hz", "3"}},
      .lines = {"ocean.record: not used: there is no measured spectrum",

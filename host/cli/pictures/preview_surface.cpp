@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host/base/error.h"
+#include "host/ocean/trochoid_surface.h"
 
 namespace offing::cli {
 namespace {
@@ -44,8 +45,9 @@ float expected_excess(float a, float mean, float deviation) {
 
 }  // namespace
 
-PreviewSurface::PreviewSurface(std::span<const PreviewCascade> cascades, const ocean::FoamParameters& foam)
-    : foam_(foam) {
+PreviewSurface::PreviewSurface(std::span<const PreviewCascade> cascades, const ocean::FoamParameters& foam,
+                               const ocean::TrochoidInstant& trochoids)
+    : trochoids_(trochoids), foam_(foam) {
   if (cascades.empty())
     throw Error(ErrorKind::bad_input, "preview: no cascade to draw", "pass at least one cascade");
   double variance_m2 = 0.0;
@@ -63,6 +65,10 @@ PreviewSurface::PreviewSurface(std::span<const PreviewCascade> cascades, const o
     }
     largest_shift_m_ += shift_m;
     variance_m2 += square_m2 / static_cast<double>(surface.displacement_y.size());
+  }
+  for (const ocean::TrochoidInstant::Wave& wave : trochoids_.waves()) {
+    largest_shift_m_ += static_cast<float>(trochoids_.horizontal_scale() * wave.amplitude_m);
+    variance_m2 += 0.5 * wave.amplitude_m * wave.amplitude_m;
   }
   elevation_deviation_m_ = static_cast<float>(std::sqrt(variance_m2));
 }
@@ -156,6 +162,34 @@ void PreviewSurface::add_level(const Level& level, double column, double row, fl
   }
 }
 
+/// A wave shows as far as the footprint holds it, as on a grid of that spacing; the rest of it is roughness.
+void PreviewSurface::add_trochoids(double x_m, double z_m, float footprint_m, Texel& sums) const {
+  for (const ocean::TrochoidInstant::Wave& wave : trochoids_.waves()) {
+    const auto k = static_cast<float>(std::hypot(wave.kx_radpm, wave.kz_radpm));
+    const auto kx = static_cast<float>(wave.kx_radpm), kz = static_cast<float>(wave.kz_radpm);
+    const float per_k = static_cast<float>(trochoids_.horizontal_scale()) / k;
+    const double two_pi = 2.0 * std::numbers::pi;
+    const auto shown = static_cast<float>(ocean::shown_share(two_pi / k / std::max(footprint_m, 1e-6f)));
+    const auto phase = static_cast<float>(
+        std::remainder(wave.kx_radpm * x_m + wave.kz_radpm * z_m + wave.phase_rad, two_pi));
+    const auto a = static_cast<float>(wave.amplitude_m);
+    const float up = shown * a * std::cos(phase), slope = -shown * a * std::sin(phase);
+    const float hidden = 0.5f * a * a * (1.0f - shown * shown);
+    sums[dx] += per_k * kx * slope;
+    sums[dy] += up;
+    sums[dz] += per_k * kz * slope;
+    sums[sx] += kx * slope;
+    sums[sz] += kz * slope;
+    sums[gxx] -= per_k * kx * kx * up;
+    sums[gxz] -= per_k * kx * kz * up;
+    sums[gzz] -= per_k * kz * kz * up;
+    sums[var_xx] += hidden * kx * kx;
+    sums[var_xz] += hidden * kx * kz;
+    sums[var_zz] += hidden * kz * kz;
+    sums[var_trace] += hidden * (per_k * k * k) * (per_k * k * k);
+  }
+}
+
 template <int quantity_count>
 PreviewSurface::Texel PreviewSurface::filtered(double x_m, double z_m, float footprint_m) const {
   Texel sums{};
@@ -175,6 +209,7 @@ PreviewSurface::Texel PreviewSurface::filtered(double x_m, double z_m, float foo
                                 (z_m / pyramid.sample_m + 0.5) * per_texel - 0.5, weight, sums);
     }
   }
+  add_trochoids(x_m, z_m, footprint_m, sums);
   return sums;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/ocean/ocean.h"
+#include "host/ocean/trochoid_instant.h"
 
 namespace offing::cli {
 
@@ -24,14 +25,16 @@ struct SurfaceSample {
   float foam = 0;                                                    ///< expected coverage, 0 ... 1
 };
 
-/// The sum of all cascades at any place and scale. Each cascade is averaged over 1, 2, 4 ... samples
-/// beforehand, with the second moments of its slopes, so that waves smaller than a pixel turn into roughness
-/// (Bruneton, Neyret, Holzschuch 2010, section 4) and the picture shows no trace of the sample grid.
+/// The sum of all cascades and trochoids at any place and scale. Each cascade is averaged over 1, 2, 4 ...
+/// samples beforehand, with the second moments of its slopes, so that waves smaller than a pixel turn into
+/// roughness (Bruneton, Neyret, Holzschuch 2010, section 4), and so do trochoids, and the picture shows no
+/// trace of the sample grid.
 class PreviewSurface {
  public:
   /// Cascades of more than 1024 x 1024 samples are averaged down to that. Throws Error(bad_input) if there is
   /// no cascade, a patch length is not positive or fields do not have [n][n] values.
-  PreviewSurface(std::span<const PreviewCascade> cascades, const ocean::FoamParameters& foam);
+  PreviewSurface(std::span<const PreviewCascade> cascades, const ocean::FoamParameters& foam,
+                 const ocean::TrochoidInstant& trochoids = {{}, 0.0});
 
   /// Displacement, m, at rest label x, z averaged over about `footprint_m`.
   std::array<float, 3> displacement(double x_m, double z_m, float footprint_m) const;
@@ -77,10 +80,12 @@ class PreviewSurface {
   static Level coarser_level(const Level& fine);
   template <int quantity_count>
   static void add_level(const Level& level, double column, double row, float weight, Texel& sums);
+  void add_trochoids(double x_m, double z_m, float footprint_m, Texel& sums) const;
   template <int quantity_count>
   Texel filtered(double x_m, double z_m, float footprint_m) const;
 
   std::vector<Pyramid> pyramids_;
+  ocean::TrochoidInstant trochoids_;
   ocean::FoamParameters foam_;
   float elevation_deviation_m_ = 0.0f;
   float largest_shift_m_ = 0.0f;

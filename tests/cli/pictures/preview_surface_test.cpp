@@ -102,5 +102,37 @@ TEST(PreviewSurface, BadInputIsRefused) {
   EXPECT_THROW(PreviewSurface({}, {}), Error);
 }
 
+// Fails if Gerstner waves are missing from the picture, stand elsewhere than in queries, alias in the
+// distance or leave no roughness there. Near: rounding, 1e-6 of A. Far: all variance of slopes is hidden.
+TEST(PreviewSurface, GerstnerWavesJoinTheCascades) {
+  const ocean::SurfaceFields fields = calm_sea(16);
+  const PreviewCascade cascade{32.0, &fields, {}};
+  const ocean::TrochoidInstant waves({.waves = {{.amplitude_m = 1.2,
+                                                 .wavenumber_radpm = 0.1,
+                                                 .direction_rad = 0.5,
+                                                 .omega_radps = 0.99,
+                                                 .phase_rad = 2.0}},
+                                      .choppiness = 0.8},
+                                     7.0);
+  const PreviewSurface surface({&cascade, 1}, {}, waves);
+  for (const double x_m : {0.0, 33.3, 1e5}) {
+    const ocean::TrochoidValues expected = waves.at(x_m, -20.0);
+    const SurfaceSample near = surface.sample(x_m, -20.0, 0.1f);
+    EXPECT_NEAR(near.displacement_x, expected.displacement_x_m, 1e-6);
+    EXPECT_NEAR(near.displacement_y, expected.displacement_y_m, 1e-6);
+    EXPECT_NEAR(near.displacement_z, expected.displacement_z_m, 1e-6);
+    const double fxx = 1.0 + expected.gradient_xx, fxz = expected.gradient_xz,
+                 fzz = 1.0 + expected.gradient_zz;
+    EXPECT_NEAR(near.slope_x, (fzz * expected.slope_x - fxz * expected.slope_z) / (fxx * fzz - fxz * fxz),
+                1e-6);
+    EXPECT_NEAR(near.variance_xx, 0.0, 1e-9);
+    const SurfaceSample far = surface.sample(x_m, -20.0, 200.0f);
+    EXPECT_EQ(far.displacement_y, 0.0f);
+    EXPECT_NEAR(far.variance_xx + far.variance_zz, 0.5 * 0.12 * 0.12, 1e-8);
+  }
+  EXPECT_NEAR(surface.largest_shift_m(), 0.96f, 1e-6f);
+  EXPECT_NEAR(surface.elevation_deviation_m(), 1.2f / std::sqrt(2.0f), 1e-6f);
+}
+
 }  // namespace
 }  // namespace offing::cli
