@@ -151,6 +151,20 @@ void ShaderProgram::set(const char* uniform, const glm::mat4& value) const {
   glUniformMatrix4fv(glGetUniformLocation(program_, uniform), 1, GL_FALSE, glm::value_ptr(value));
 }
 
+void ShaderProgram::set(const char* uniform, glm::ivec2 value) const {
+  glUniform2iv(glGetUniformLocation(program_, uniform), 1, glm::value_ptr(value));
+}
+
+void ShaderProgram::set(const char* uniform, const std::vector<float>& values) const {
+  glUniform1fv(glGetUniformLocation(program_, uniform), static_cast<GLsizei>(values.size()), values.data());
+}
+
+void ShaderProgram::set(const char* uniform, const std::vector<glm::vec3>& values) const {
+  if (values.empty()) return;
+  glUniform3fv(glGetUniformLocation(program_, uniform), static_cast<GLsizei>(values.size()),
+               glm::value_ptr(values.front()));
+}
+
 void ShaderProgram::set(const char* uniform, const std::vector<glm::vec4>& values) const {
   if (values.empty()) return;
   glUniform4fv(glGetUniformLocation(program_, uniform), static_cast<GLsizei>(values.size()),

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <epoxy/gl.h>
+#include <glm/ext/vector_int2.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -47,6 +48,9 @@ class ShaderProgram {
   void set(const char* uniform, glm::vec3 value) const;
   void set(const char* uniform, glm::vec4 value) const;
   void set(const char* uniform, const glm::mat4& value) const;
+  void set(const char* uniform, glm::ivec2 value) const;
+  void set(const char* uniform, const std::vector<float>& values) const;
+  void set(const char* uniform, const std::vector<glm::vec3>& values) const;
   void set(const char* uniform, const std::vector<glm::vec4>& values) const;
 
  private:

@@ -131,17 +131,29 @@ SurfaceFields Ocean::read_surface(int cascade) const {
   return fields;
 }
 
-std::vector<float> Ocean::read_foam(int cascade) {
+const ocl::Buffer<float>& Ocean::displacement_map() const {
+  return state_->surface.displacement();
+}
+
+const ocl::Buffer<float>& Ocean::gradient_map() const {
+  return state_->surface.gradient();
+}
+
+const ocl::Buffer<float>& Ocean::foam_map() {
   State& state = *state_;
-  const std::size_t first = state.first_texel(cascade);
   if (!state.foam)
     state.foam.emplace(state.device, state.modes, state.parameters.foam, state.parameters.loop_period_s);
   if (!state.foam->holds(state.time_s)) {
-    state.surface_is_current = false;
     state.foam->at(state.modes, state.surface, state.time_s);
+    state.surface.at(state.modes, state.time_s);
   }
-  std::vector<float> foam(state.texels());
-  state.foam->foam().read(foam, first);
+  return state.foam->foam();
+}
+
+std::vector<float> Ocean::read_foam(int cascade) {
+  const std::size_t first = state_->first_texel(cascade);
+  std::vector<float> foam(state_->texels());
+  foam_map().read(foam, first);
   return foam;
 }
 

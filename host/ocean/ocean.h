@@ -10,6 +10,7 @@
 #include "host/ocean/sample_grid.h"
 #include "host/ocean/sea_spectrum.h"
 #include "host/ocean/trochoids.h"
+#include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 
 namespace offing::ocean {
@@ -92,6 +93,14 @@ class Ocean {
   /// Enqueues the surface maps of all cascades at time_s. Throws Error(bad_input) unless |time_s| <= 1e8,
   /// three years.
   void at(double time_s);
+
+  /// Maps of the last at() on the device, for whoever draws or samples them: [cascades][n][n] float4 (dx m, h
+  /// m, dz m, d dx/dz) and (dh/dx, dh/dz, d dx/dx, d dz/dz).
+  const ocl::Buffer<float>& displacement_map() const;
+  const ocl::Buffer<float>& gradient_map() const;
+  /// Foam at the time of the last at() on the device, [cascades][n][n] float, 0 ... 1; costs and errors are
+  /// those of read_foam().
+  const ocl::Buffer<float>& foam_map();
 
   /// Fields of one cascade at the time of the last at().
   SurfaceFields read_surface(int cascade) const;

@@ -109,10 +109,18 @@ std::optional<ProjectedGrid> ProjectedGrid::for_camera(const Camera& camera, con
   return grid;
 }
 
-glm::dvec2 ProjectedGrid::label_m(glm::dvec2 place) const {
+ProjectedGrid::Corner ProjectedGrid::homogeneous(glm::dvec2 place) const {
   const glm::dvec2 point = lower_ + (upper_ - lower_) * place;
-  const double w = sine_ - point.y * cosine_;
-  return (across_ * point.x + along_ * (cosine_ + point.y * sine_)) * (height_m_ / w);
+  return {(across_ * point.x + along_ * (cosine_ + point.y * sine_)) * height_m_, sine_ - point.y * cosine_};
+}
+
+glm::dvec2 ProjectedGrid::label_m(glm::dvec2 place) const {
+  const Corner point = homogeneous(place);
+  return point.label_m / point.w;
+}
+
+std::array<ProjectedGrid::Corner, 4> ProjectedGrid::corners() const {
+  return {homogeneous({0.0, 0.0}), homogeneous({1.0, 0.0}), homogeneous({0.0, 1.0}), homogeneous({1.0, 1.0})};
 }
 
 std::optional<glm::dvec2> ProjectedGrid::picture_of(glm::dvec2 label_m) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include <glm/vec2.hpp>
@@ -34,6 +35,15 @@ class ProjectedGrid {
   /// Label, in metres along world x and z from the eye, of a point of the grid: (0, 0) is its near left, (1,
   /// 1) its far right corner.
   glm::dvec2 label_m(glm::dvec2 place) const;
+  /// A corner of the grid in homogeneous coordinates: its label is label_m / w.
+  struct Corner {
+    glm::dvec2 label_m;
+    double w;
+  };
+  /// The corners (0, 0), (1, 0), (0, 1), (1, 1). label_m() of any place is the bilinear mean of the corners'
+  /// labels over that of their w (Lee & Lee 2007, eq. 11), which is how a shader makes the grid.
+  std::array<Corner, 4> corners() const;
+
   /// Where in the grid a label lies, by label_m(); components outside 0 ... 1 are off the grid. Nothing for
   /// labels behind the projector.
   std::optional<glm::dvec2> place_of(glm::dvec2 label_m) const;
@@ -43,6 +53,7 @@ class ProjectedGrid {
  private:
   ProjectedGrid() = default;
 
+  Corner homogeneous(glm::dvec2 place) const;
   /// Position on the projector's picture, nothing behind it.
   std::optional<glm::dvec2> picture_of(glm::dvec2 label_m) const;
 

@@ -141,6 +141,14 @@ void Memory::read(std::size_t offset_bytes, std::size_t bytes, void* target) con
         "clEnqueueReadBuffer", description(name_, bytes_, device_->info));
 }
 
+Event Memory::begin_read(void* target) const {
+  if (bytes_ == 0) return {};
+  cl_event event = nullptr;
+  check(clEnqueueReadBuffer(device_->queue.get(), memory_, CL_FALSE, 0, bytes_, target, 0, nullptr, &event),
+        "clEnqueueReadBuffer", description(name_, bytes_, device_->info));
+  return Event(event);
+}
+
 void Memory::fill(const void* pattern, std::size_t pattern_bytes) {
   if (bytes_ == 0) return;
   const std::string where = description(name_, bytes_, device_->info);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/ocl/device.h"
+#include "host/ocl/event.h"
 
 typedef struct _cl_mem* cl_mem;
 
@@ -38,6 +39,7 @@ class Memory {
   cl_mem handle() const { return memory_; }
   void write(std::size_t offset_bytes, std::size_t bytes, const void* source);
   void read(std::size_t offset_bytes, std::size_t bytes, void* target) const;
+  Event begin_read(void* target) const;
   void fill(const void* pattern, std::size_t pattern_bytes);
   const void* map_read() const;
   void unmap(const void* pointer) const noexcept;
@@ -106,6 +108,9 @@ class Buffer {
     read(values);
     return values;
   }
+  /// Queues a copy of all elements to `target` (of size() elements at least), which must live until the event
+  /// is done.
+  Event begin_read(T* target) const { return memory_.begin_read(target); }
   void fill(const T& value) {
     static_assert((sizeof(T) & (sizeof(T) - 1)) == 0 && sizeof(T) <= 128, "what OpenCL can fill with");
     memory_.fill(&value, sizeof(T));

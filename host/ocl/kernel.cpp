@@ -55,36 +55,7 @@ void set(cl_kernel kernel, const std::string& name, int index, const KernelArgum
   throw_status(status, "clSetKernelArg", place(name, index, argument));
 }
 
-double event_time_s(cl_event event, cl_profiling_info what) {
-  cl_ulong time_ns = 0;
-  const int status = clGetEventProfilingInfo(event, what, sizeof time_ns, &time_ns, nullptr);
-  check(status, "clGetEventProfilingInfo", "a kernel's event");
-  return static_cast<double>(time_ns) * 1e-9;
-}
-
 }  // namespace
-
-Event::Event(cl_event event) : event_(event) {}
-
-Event::Event(Event&& other) noexcept : event_(std::exchange(other.event_, nullptr)) {}
-
-Event& Event::operator=(Event&& other) noexcept {
-  std::swap(event_, other.event_);
-  return *this;
-}
-
-Event::~Event() {
-  if (event_ != nullptr) clReleaseEvent(event_);
-}
-
-double Event::duration_s() const {
-  if (event_ == nullptr) {
-    throw Error(ErrorKind::bad_usage, "Event::duration_s: the command was not profiled",
-                "open the device with Profiling::on");
-  }
-  check(clWaitForEvents(1, &event_), "clWaitForEvents", "a kernel's event");
-  return event_time_s(event_, CL_PROFILING_COMMAND_END) - event_time_s(event_, CL_PROFILING_COMMAND_START);
-}
 
 const std::string& Kernel::name() const {
   return state_->name;

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "host/ocl/buffer.h"
+#include "host/ocl/event.h"
 
 typedef struct _cl_kernel* cl_kernel;
-typedef struct _cl_event* cl_event;
 
 namespace offing::ocl {
 
@@ -24,22 +24,6 @@ struct LaunchShape {
 /// A __local pointer argument of this many bytes.
 struct LocalMemory {
   std::size_t bytes = 0;
-};
-
-/// When a command ran on the device; meaningful on a device opened with Profiling::on.
-class Event {
- public:
-  Event() = default;
-  explicit Event(cl_event event);
-  Event(Event&& other) noexcept;
-  Event& operator=(Event&& other) noexcept;
-  ~Event();
-  /// Waits for the command, then gives its run time on the device in seconds; throws Error(bad_usage) without
-  /// profiling.
-  double duration_s() const;
-
- private:
-  cl_event event_ = nullptr;
 };
 
 /// A kernel with checked arguments. Copies share it: one launches at a time.

@@ -8,12 +8,13 @@
 
 #include "host/ocean/ocean.h"
 #include "host/ocean/spectrum_parameters.h"
+#include "host/scene/view_scene.h"
 
 namespace offing::scene {
 
-/// Everything a scene file or the command line can say about a sea, checked one value at a time by the
-/// parameter table (parameter_table.h), which holds every key, flag, unit and range. A default-made scene is
-/// the default sea.
+/// Everything a scene file or the command line can say about a sea and its pictures, checked one value at a
+/// time by the parameter table (parameter_table.h), which holds every key, flag, unit and range. A
+/// default-made scene is the default sea.
 struct OceanScene {
   double frames_per_second = 24.0;
   double start_s = 0.0;  ///< first frame
@@ -35,6 +36,8 @@ struct OceanScene {
   int gerstner_count = 0;                  ///< trochoids for the long waves; 0: the cascades carry all
   std::optional<double> gerstner_split_m;  ///< they are longer than this; absent: chosen from the spectrum
   ocean::OceanParameters ocean;            ///< its cascades are filled in by prepare_sea()
+
+  ViewScene view;  ///< for the presenter; no simulation reads it
 
   std::map<std::string_view, std::string> set_at;  ///< key of each parameter that was set -> where
 };

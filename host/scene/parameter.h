@@ -25,7 +25,7 @@ using Storage =
                  std::uint64_t& (*)(OceanScene&), std::string& (*)(OceanScene&),
                  std::vector<double>& (*)(OceanScene&), ChoiceStorage>;
 
-enum class ParameterGroup { world, time, wind, sea, grid, foam };
+enum class ParameterGroup { world, time, wind, sea, grid, foam, camera, sun, render };
 enum class ParameterRule { within_range, power_of_two };
 /// Which seas a parameter matters to (unused_parameters.h).
 enum class ParameterUse {

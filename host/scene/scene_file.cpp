@@ -24,13 +24,10 @@ namespace {
 constexpr std::streamsize max_scene_bytes = 4 << 20;
 
 /// Parts of the scene format that have no system behind them in this version.
-constexpr std::array<std::string_view, 15> planned_keys = {"world.sea_level_m",
+constexpr std::array<std::string_view, 12> planned_keys = {"world.sea_level_m",
                                                            "world.latitude_deg",
                                                            "world.longitude_deg",
-                                                           "sun",
                                                            "sky",
-                                                           "camera",
-                                                           "render",
                                                            "ocean.swell",
                                                            "ocean.raindrop",
                                                            "ocean.wake",

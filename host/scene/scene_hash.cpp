@@ -20,6 +20,12 @@ constexpr std::array<std::string_view, 8> indirect_keys = {
     "time.start_s",        "time.end_s",   "ocean.wind_speed_mps", "ocean.wind_direction_deg",
     "ocean.spectrum_file", "ocean.record", "ocean.cascade_count",  "ocean.cascade.patch_m"};
 
+/// Rows that only pictures of the presenter depend on.
+bool is_of_pictures(const Parameter& row) {
+  return row.group == ParameterGroup::camera || row.group == ParameterGroup::sun ||
+         row.group == ParameterGroup::render;
+}
+
 void append_numbers(fmt::memory_buffer& text, std::string_view name, const std::vector<double>& numbers) {
   fmt::format_to(std::back_inserter(text), "{}[{}]", name, numbers.size());
   for (const double number : numbers) {
@@ -36,6 +42,7 @@ std::string scene_hash(const OceanScene& scene, const Sea& sea, std::string_view
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "offing {}\noutput {}\n", version(), output_settings);
   for (const Parameter& row : parameter_table()) {
+    if (is_of_pictures(row)) continue;
     if (std::find(indirect_keys.begin(), indirect_keys.end(), row.key) == indirect_keys.end()) {
       fmt::format_to(out, "{} = {}\n", row.key, value_text(resolved, row, Digits::exact));
     }

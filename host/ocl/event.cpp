@@ -1,0 +1,47 @@
+#include "host/ocl/event.h"
+
+#include <utility>
+
+#include "host/base/error.h"
+#include "host/ocl/opencl.h"
+#include "host/ocl/status.h"
+
+namespace offing::ocl {
+namespace {
+
+double event_time_s(cl_event event, cl_profiling_info what) {
+  cl_ulong time_ns = 0;
+  const int status = clGetEventProfilingInfo(event, what, sizeof time_ns, &time_ns, nullptr);
+  check(status, "clGetEventProfilingInfo", "a kernel's event");
+  return static_cast<double>(time_ns) * 1e-9;
+}
+
+}  // namespace
+
+Event::Event(cl_event event) : event_(event) {}
+
+Event::Event(Event&& other) noexcept : event_(std::exchange(other.event_, nullptr)) {}
+
+Event& Event::operator=(Event&& other) noexcept {
+  std::swap(event_, other.event_);
+  return *this;
+}
+
+Event::~Event() {
+  if (event_ != nullptr) clReleaseEvent(event_);
+}
+
+void Event::wait() const {
+  if (event_ != nullptr) check(clWaitForEvents(1, &event_), "clWaitForEvents", "a queued command");
+}
+
+double Event::duration_s() const {
+  if (event_ == nullptr) {
+    throw Error(ErrorKind::bad_usage, "Event::duration_s: the command was not profiled",
+                "open the device with Profiling::on");
+  }
+  wait();
+  return event_time_s(event_, CL_PROFILING_COMMAND_END) - event_time_s(event_, CL_PROFILING_COMMAND_START);
+}
+
+}  // namespace offing::ocl

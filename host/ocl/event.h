@@ -1,0 +1,26 @@
+#pragma once
+
+typedef struct _cl_event* cl_event;
+
+namespace offing::ocl {
+
+/// A queued command: when it is done and, on a device opened with Profiling::on, how long it ran.
+class Event {
+ public:
+  Event() = default;
+  explicit Event(cl_event event);
+  Event(Event&& other) noexcept;
+  Event& operator=(Event&& other) noexcept;
+  ~Event();
+
+  /// Waits for the command. Throws Error(device) if it failed.
+  void wait() const;
+  /// Waits for the command, then gives its run time on the device in seconds; throws Error(bad_usage) without
+  /// profiling.
+  double duration_s() const;
+
+ private:
+  cl_event event_ = nullptr;
+};
+
+}  // namespace offing::ocl

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "host/ocean/ocean.h"
+#include "host/ocean/projected_grid.h"
+#include "host/ocean/sea_spectrum.h"
+#include "host/ocean/slope_covariance.h"
+#include "host/ocean/trochoids.h"
+#include "host/ocl/device.h"
+#include "host/sky/atmosphere.h"
+#include "host/sky/clear_sky.h"
+
+namespace offing::world {
+
+/// Everything that a world is made of: no file names, no defaults left to choose.
+struct WorldParameters {
+  ocean::SeaSpectrum spectrum;
+  ocean::OceanParameters ocean;
+  ocean::TrochoidSea trochoids = {};  ///< those of the spectrum below the cascades' k_split, and swells
+  /// Wind over the ripples that the spectrum or its maps leave out.
+  double wind_speed_mps = 10.0;
+  double wind_direction_rad = 0.0;
+  sky::Atmosphere atmosphere = {};
+  std::array<double, 3> sun_direction{0.0, 1.0, 0.0};  ///< unit, toward the sun
+  double sun_distance_au = 1.0;
+};
+
+/// Slopes that a picture must not draw one by one.
+struct HiddenSlopes {
+  /// [cascade][level]: what the mip levels of its slope map hide.
+  std::vector<std::vector<ocean::SlopeCovariance>> cascades;
+  /// Of ripples shorter than all cascades.
+  ocean::SlopeCovariance ripples;
+};
+
+/// All simulations of a scene on one device with one queue, and the time that they share. What they make
+/// stays on the device until somebody asks. Objects are confined to the thread that made them.
+class World {
+ public:
+  /// Throws what the simulations throw for parameters out of range.
+  World(const ocl::Device& device, const WorldParameters& parameters);
+
+  const ocl::Device& device() const { return device_; }
+  const WorldParameters& parameters() const { return parameters_; }
+  double time_s() const { return time_s_; }
+
+  /// Enqueues the world of this time, as seen from this height above the sea: sky, sea, foam.
+  void at(double time_s, double eye_altitude_m);
+
+  /// Turns the sun; takes effect with the next at().
+  void set_sun(const std::array<double, 3>& direction, double distance_au);
+
+  ocean::Ocean& ocean() { return ocean_; }
+  const sky::ClearSky& sky() const { return sky_; }
+  /// Light at the eye, by the last at().
+  const sky::Illuminance& illuminance() const { return illuminance_; }
+  const HiddenSlopes& hidden_slopes() const { return hidden_slopes_; }
+
+  /// The farthest that waves move the surface: six standard deviations of the cascades, which one sample in
+  /// 10^8 exceeds, and all trochoids at once.
+  ocean::SurfaceReach reach() const { return reach_; }
+
+ private:
+  void look_at_sky(double eye_altitude_m);
+
+  ocl::Device device_;
+  WorldParameters parameters_;
+  ocean::Ocean ocean_;
+  sky::ClearSky sky_;
+  double time_s_ = 0.0;
+  std::optional<double> sky_altitude_m_;  // of the sky's tables; none: they are out of date
+  sky::Illuminance illuminance_;
+  HiddenSlopes hidden_slopes_;
+  ocean::SurfaceReach reach_;
+};
+
+}  // namespace offing::world

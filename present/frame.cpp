@@ -1,0 +1,35 @@
+#include "present/frame.h"
+
+namespace offing::present {
+
+Frame::Frame(const GlContext& context, const ocl::Device& device, const FrameSettings& settings)
+    : capabilities_(context.capabilities()),
+      transfer_(context, device, settings.transfer),
+      water_(context.capabilities(), settings.cells) {}
+
+void Frame::fit(int width, int height) {
+  if (light_.width() == width && light_.height() == height) return;
+  light_ = RenderTarget(width, height, GL_RGBA16F, RenderTarget::Depth::single_precision);
+  screen_ = RenderTarget(width, height, GL_RGBA8, RenderTarget::Depth::none);
+}
+
+void Frame::draw(world::World& world, const Camera& camera, double exposure) {
+  fit(camera.width_px, camera.height_px);
+  // Depth is 1 at the near plane and 0 at infinity.
+  if (capabilities_.has_clip_control) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+
+  sky_.prepare(world.sky());
+  water_.prepare(world, transfer_);
+
+  light_.bind();
+  glClearDepth(0.0);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  sky_.draw(camera);
+  water_.draw(world, camera, sky_.environment());
+
+  screen_.bind();
+  tone_.draw(light_, exposure);
+  require_no_gl_error("frame");
+}
+
+}  // namespace offing::present

@@ -1,0 +1,66 @@
+#include "present/picture_file.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/io/exr_image.h"
+#include "host/io/png_image.h"
+
+namespace offing::present {
+namespace {
+
+// OpenGL's first row is at the bottom, that of a file at the top.
+void write_png_of(const std::filesystem::path& path, const RenderTarget& screen) {
+  const std::vector<unsigned char> pixels = screen.read_bytes();
+  const std::size_t row = 3 * static_cast<std::size_t>(screen.width());
+  RgbImage image{.width = screen.width(), .height = screen.height(), .rgb = {}};
+  for (auto end = pixels.end(); end != pixels.begin(); end -= static_cast<std::ptrdiff_t>(row)) {
+    image.rgb.insert(image.rgb.end(), end - static_cast<std::ptrdiff_t>(row), end);
+  }
+  write_png(path, image);
+}
+
+void write_exr_of(const std::filesystem::path& path, const RenderTarget& light, double time_s, double exposure) {
+  const std::vector<float> pixels = light.read();
+  const auto width = static_cast<std::size_t>(light.width()), height = static_cast<std::size_t>(light.height());
+  std::vector<std::vector<float>> channels(3, std::vector<float>(width * height));
+  for (std::size_t row = 0; row < height; ++row) {
+    for (std::size_t column = 0; column < width; ++column) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        channels[c][row * width + column] = pixels[4 * ((height - 1 - row) * width + column) + c];
+      }
+    }
+  }
+  write_exr(path,
+            {.width = light.width(),
+             .height = light.height(),
+             .channels = {{"R", channels[0]}, {"G", channels[1]}, {"B", channels[2]}},
+             .attributes = {{"time_s", time_s}, {"unit", std::string("kcd/m2")}, {"exposure", exposure}}},
+            PixelType::half_16, ExrCompression::zip);
+}
+
+bool is_exr(const std::filesystem::path& path) {
+  return path.extension() == ".exr";
+}
+
+}  // namespace
+
+void require_picture_name(const std::filesystem::path& path) {
+  if (is_exr(path) || path.extension() == ".png") return;
+  throw Error(ErrorKind::bad_usage,
+              fmt::format("{}: expected a name that ends in .png or .exr", path.string()), "name it out.png");
+}
+
+void write_picture(const std::filesystem::path& path, const Frame& frame, double time_s, double exposure) {
+  if (is_exr(path)) {
+    write_exr_of(path, frame.light(), time_s, exposure);
+  } else {
+    write_png_of(path, frame.screen());
+  }
+}
+
+}  // namespace offing::present

@@ -1,0 +1,93 @@
+// The ocean's surface: slopes summed pixel by pixel, the sky mirrored in them, the sun's glitter, the light of the
+// water below and foam. What a pixel cannot show of the slopes widens the glitter instead: each mip level of the
+// slope map hides a known covariance, and the shortest ripples are in no map. Light is in kcd/m2, linear Rec.709.
+uniform sampler2DArray gradient_map;  // dh/dx, dh/dz, d dx/dx, d dz/dz
+uniform sampler2DArray foam_map;      // coverage 0 ... 1
+uniform sampler2D environment;
+uniform vec4 hidden_slopes[max_cascades * 13];  // covariance xx, xz, zz that each mip level of a cascade hides
+uniform int level_count;
+uniform float largest_anisotropy;
+uniform vec3 ripples;  // covariance of the slopes that no map has
+uniform vec3 sun_direction;
+uniform float sun_radius_rad;
+uniform vec3 sun_klx;   // on a surface that faces the sun
+uniform vec3 sky_klx;   // on a level surface, by the sky alone
+uniform vec3 water_kcdpm2;  // light from below the surface
+uniform vec3 haze_perm;     // extinction of the air
+uniform vec2 foam_onset;    // Jacobian where foam begins, and how far below it covers all
+
+in vec2 label_m;
+in vec3 position_m;
+in vec2 trochoid_slope;
+in vec3 trochoid_gradient;
+out vec4 light;
+
+const float foam_albedo = 0.5;
+// Where the surface all but folds, slopes of a height field lose their meaning; foam hides such places.
+const float least_jacobian = 0.2;
+
+vec3 environment_light(vec3 direction) {
+  vec2 point = direction.xz / (1.0 + max(direction.y, 0.0));
+  return textureLod(environment, 0.5 + 0.5 / environment_margin * point, 0.0).rgb;
+}
+
+vec3 hidden_at(int cascade, float level) {
+  float place = clamp(level, 0.0, float(level_count - 1));
+  int below = min(int(place), level_count - 2);
+  return mix(hidden_slopes[cascade * level_count + below].xyz,
+             hidden_slopes[cascade * level_count + below + 1].xyz, place - float(below));
+}
+
+// Light that a facet of this slope sends along v. A ray that is mirrored downward meets another wave, taken as
+// level there.
+vec3 facet_light(vec2 slope, vec3 v) {
+  vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
+  vec3 ray = reflect(-v, normal);
+  vec3 mirrored = environment_light(normalize(vec3(ray.x, abs(ray.y), ray.z)));
+  if (ray.y < 0.0) mirrored = mix(water_kcdpm2, mirrored, fresnel(-ray.y));
+  return mix(water_kcdpm2, mirrored, fresnel(clamp(dot(v, normal), 0.0, 1.0)));
+}
+
+void main() {
+  vec2 label_right = dFdx(label_m), label_up = dFdy(label_m);
+  float longest_m = sqrt(max(dot(label_right, label_right), dot(label_up, label_up)));
+  float area_m2 = abs(label_right.x * label_up.y - label_right.y * label_up.x);
+  float width_m = max(longest_m / largest_anisotropy, area_m2 / max(longest_m, 1e-6));
+
+  vec2 slope = trochoid_slope;
+  vec3 gradient = trochoid_gradient;
+  vec3 hidden = ripples;
+  float bare = 1.0;
+  for (int i = 0; i < cascade_count; ++i) {
+    vec3 place = map_place(i, label_m);
+    float level = map_level(i, width_m);
+    vec4 texel = textureLod(gradient_map, place, level);
+    slope += texel.xy;
+    gradient += vec3(texel.z, textureLod(displacement_map, place, level).w, texel.w);
+    bare *= 1.0 - textureLod(foam_map, place, level).r;
+    hidden += hidden_at(i, level);
+  }
+
+  // F^-T applied to the slopes at labels gives those of the displaced surface; F = I + gradient.
+  vec3 f = gradient + vec3(1.0, 0.0, 1.0);
+  float jacobian = f.x * f.z - f.y * f.y;
+  slope = vec2(f.z * slope.x - f.y * slope.y, f.x * slope.y - f.y * slope.x) / max(jacobian, least_jacobian);
+
+  vec3 v = normalize(-position_m);
+  Facets facets = Facets(slope, hidden);
+  Visibility seen = visibility(facets, v);
+  vec3 water = 0.5 * (facet_light(slope + seen.spread * (seen.mean - seen.deviation), v) +
+                      facet_light(slope + seen.spread * (seen.mean + seen.deviation), v));
+  water += sun_klx * sun_glitter(facets, seen, v, sun_direction, sun_radius_rad);
+
+  float fresh = clamp((foam_onset.x - jacobian) / foam_onset.y, 0.0, 1.0);
+  float foam = max(fresh, 1.0 - bare);
+  vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
+  vec3 foam_light = foam_albedo / pi * (sky_klx + sun_klx * max(dot(normal, sun_direction), 0.0));
+  vec3 surface = mix(water, foam_light, foam);
+
+  // The air between sends the light of the horizon, as a long way through it does.
+  vec3 clear = exp(-haze_perm * length(position_m));
+  vec3 horizon = environment_light(normalize(vec3(-v.x, 0.004, -v.z)));
+  light = vec4(mix(horizon, surface, clear), 1.0);
+}

@@ -1,0 +1,18 @@
+// What both stages of the water know: cascades of waves on repeating maps, and where the eye stands on them.
+const int max_cascades = 4;
+
+uniform int cascade_count;
+uniform vec4 cascades[max_cascades];  // 1 / L 1/m; the eye's place on the patch in L, x and z; texels a metre
+uniform sampler2DArray displacement_map;  // dx, h, dz in m, d dx/dz
+
+// Place on the map of a cascade of a label relative to the eye: the first texel is label (0, 0).
+vec3 map_place(int cascade, vec2 label_m) {
+  vec4 patch_of = cascades[cascade];
+  float half_texel = 0.5 * patch_of.x / patch_of.w;
+  return vec3(label_m * patch_of.x + patch_of.yz + half_texel, float(cascade));
+}
+
+// Mip level whose texels are this wide.
+float map_level(int cascade, float width_m) {
+  return max(0.0, log2(width_m * cascades[cascade].w));
+}

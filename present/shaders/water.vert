@@ -1,0 +1,74 @@
+// The ocean's surface on a projected grid (Lee & Lee 2007, sections 3.4 and 3.5): labels from the grid's corners,
+// displaced by the cascades and the trochoids. All positions are relative to the eye, so that nothing loses digits
+// far from the origin.
+const int max_waves = 128;
+const float earth_radius_m = 6.36e6;
+
+uniform mat4 clip_from_eye;
+uniform vec3 corners[4];  // homogeneous: label x and z, w
+uniform ivec2 cells;      // of the grid: columns and rows
+uniform float eye_height_m;
+uniform int wave_count;
+uniform vec4 waves[max_waves];        // trochoids: wave vector x and z in rad/m, amplitude m, sideways shift m
+uniform float wave_phases[max_waves];  // rad
+
+out vec2 label_m;          // relative to the eye
+out vec3 position_m;       // relative to the eye
+out vec2 trochoid_slope;   // dh/dx, dh/dz at labels
+out vec3 trochoid_gradient;  // d dx/dx, d dx/dz, d dz/dz
+
+// Rows lie closer toward the horizon, where waves hide one another.
+float row_place(float row) {
+  float rest = 1.0 - row / float(cells.y);
+  return 1.0 - rest * rest;
+}
+
+// Label at a place of the grid, x across and y along.
+vec2 grid_label(vec2 place) {
+  vec3 point = mix(mix(corners[0], corners[1], place.x), mix(corners[2], corners[3], place.x), place.y);
+  return point.xy / point.z;
+}
+
+// Share of a wave that is drawn on a grid with this many samples a wavelength: host/ocean/trochoid_surface.h.
+float shown_share(float samples) {
+  return smoothstep(2.0, 4.0, samples);
+}
+
+void main() {
+  int column = gl_VertexID % (cells.x + 1);
+  int row = gl_VertexID / (cells.x + 1);
+  float across = float(column) / float(cells.x);
+  vec2 label = grid_label(vec2(across, row_place(float(row))));
+  vec2 beside = grid_label(vec2(across + 1.0 / float(cells.x), row_place(float(row))));
+  vec2 below = grid_label(vec2(across, row_place(max(float(row) - 1.0, 0.0))));
+  vec2 above = grid_label(vec2(across, row_place(max(float(row), 1.0))));
+  float spacing_m = max(distance(label, beside), distance(below, above));
+
+  vec3 moved_m = vec3(0.0);
+  for (int i = 0; i < cascade_count; ++i) {
+    moved_m += textureLod(displacement_map, map_place(i, label), map_level(i, 0.5 * spacing_m)).xyz;
+  }
+
+  vec2 slope = vec2(0.0);
+  vec3 gradient = vec3(0.0);
+  for (int i = 0; i < wave_count; ++i) {
+    vec2 wave = waves[i].xy;
+    float k = length(wave);
+    vec2 direction = wave / k;
+    float share = shown_share(6.2831853 / (k * spacing_m));
+    float amplitude_m = share * waves[i].z, shift_m = share * waves[i].w;
+    float phase = dot(wave, label) + wave_phases[i];
+    float cosine = cos(phase), sine = sin(phase);
+    moved_m += vec3(-shift_m * sine * direction.x, amplitude_m * cosine, -shift_m * sine * direction.y);
+    slope -= amplitude_m * sine * wave;
+    gradient -= shift_m * k * cosine * vec3(direction.x * direction.x, direction.x * direction.y,
+                                            direction.y * direction.y);
+  }
+
+  label_m = label;
+  trochoid_slope = slope;
+  trochoid_gradient = gradient;
+  position_m = vec3(label.x, -eye_height_m, label.y) + moved_m;
+  position_m.y -= dot(label, label) / (2.0 * earth_radius_m);
+  gl_Position = clip_from_eye * vec4(position_m, 1.0);
+}

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "host/base/camera.h"
+#include "host/sky/clear_sky.h"
+#include "present/gl_objects.h"
+#include "present/render_target.h"
+#include "present/shader_program.h"
+
+namespace offing::present {
+
+/// Draws the clear sky, behind everything and into a round map that reflections read (environment.glsl). It
+/// holds OpenGL's copies of the sky's tables.
+class SkyPass {
+ public:
+  SkyPass();
+
+  /// Takes over tables and parameters of this sky and draws the map of reflections.
+  void prepare(const sky::ClearSky& sky);
+  /// Fills the bound target.
+  void draw(const Camera& camera) const;
+
+  /// The round map, a 2-D texture of kcd/m2.
+  GLuint environment() const { return environment_.texture(); }
+
+ private:
+  void bind(const ShaderProgram& program) const;
+
+  ShaderProgram sky_, map_;
+  GlVertexArray no_vertices_;
+  GlBuffer block_;
+  GlTexture view_table_, depth_table_;
+  RenderTarget environment_;
+};
+
+}  // namespace offing::present
