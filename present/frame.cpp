@@ -5,7 +5,7 @@ namespace offing::present {
 Frame::Frame(const GlContext& context, const ocl::Device& device, const FrameSettings& settings)
     : capabilities_(context.capabilities()),
       transfer_(context, device, settings.transfer),
-      water_(context.capabilities(), settings.cells) {}
+      water_(context.capabilities(), settings.water) {}
 
 void Frame::fit(int width, int height) {
   if (light_.width() == width && light_.height() == height) return;

@@ -14,7 +14,7 @@
 namespace offing::present {
 
 struct FrameSettings {
-  GridCells cells;
+  WaterDetail water;
   std::optional<TransferRung> transfer = {};  ///< the best one where absent
 };
 

@@ -24,9 +24,11 @@ void write_png_of(const std::filesystem::path& path, const RenderTarget& screen)
   write_png(path, image);
 }
 
-void write_exr_of(const std::filesystem::path& path, const RenderTarget& light, double time_s, double exposure) {
+void write_exr_of(const std::filesystem::path& path, const RenderTarget& light, double time_s,
+                  double exposure) {
   const std::vector<float> pixels = light.read();
-  const auto width = static_cast<std::size_t>(light.width()), height = static_cast<std::size_t>(light.height());
+  const auto width = static_cast<std::size_t>(light.width()),
+             height = static_cast<std::size_t>(light.height());
   std::vector<std::vector<float>> channels(3, std::vector<float>(width * height));
   for (std::size_t row = 0; row < height; ++row) {
     for (std::size_t column = 0; column < width; ++column) {

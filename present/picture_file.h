@@ -10,8 +10,9 @@ namespace offing::present {
 /// Throws Error(bad_usage) unless the name ends in .png or .exr.
 void require_picture_name(const std::filesystem::path& path);
 
-/// Writes the last picture of a frame: .png as a screen shows it; .exr scene-linear kcd/m2 with the time, the eye
-/// and the exposure in its header. Equal pictures give equal bytes. Throws Error(file) if it cannot be written.
+/// Writes the last picture of a frame: .png as a screen shows it; .exr scene-linear kcd/m2 with the time, the
+/// eye and the exposure in its header. Equal pictures give equal bytes. Throws Error(file) if it cannot be
+/// written.
 void write_picture(const std::filesystem::path& path, const Frame& frame, double time_s, double exposure);
 
 }  // namespace offing::present

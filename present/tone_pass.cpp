@@ -1,19 +1,6 @@
 #include "present/tone_pass.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 namespace offing::present {
-
-double exposure_for(const sky::Illuminance& light, double sun_height, double ev) {
-  // A level surface of the sky's and the sun's light, diffuse and white, comes out at 1. Below this light,
-  // deep dusk, pictures grow dark as the eye's do.
-  constexpr double least_klx = 1e-3;
-  const double level_klx =
-      sky::luminance(light.sky_klx) + sky::luminance(light.sun_klx) * std::max(0.0, sun_height);
-  return std::exp2(ev) * std::numbers::pi / std::max(level_klx, least_klx);
-}
 
 TonePass::TonePass()
     : program_({.vertex = {shader_file("screen.vert")}, .fragment = {shader_file("tone.frag")}}),

@@ -7,14 +7,19 @@
 #include <optional>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include "host/ocean/drawn_trochoids.h"
 #include "host/ocean/projected_grid.h"
+#include "present/foam_texture.h"
 
 namespace offing::present {
 namespace {
 
-constexpr int displacement_unit = 0, gradient_unit = 1, foam_unit = 2, environment_unit = 3;
+constexpr int displacement_unit = 0, gradient_unit = 1, foam_unit = 2, environment_unit = 3, pattern_unit = 4;
 constexpr double near_m = 0.05;
+// Waves shorter than 2 m break without drawing air under: they make no foam.
+constexpr double ripples_radpm = std::numbers::pi;
 // Of the light that enters deep, clear water this share comes back out, at red, green and blue; half of the
 // irradiance reflectance of water with 0.1 mg/m3 of chlorophyll (Morel & Maritorena 2001), of which half is
 // turned back at the surface.
@@ -60,13 +65,14 @@ glm::vec3 haze_perm(const sky::Atmosphere& air) {
 
 }  // namespace
 
-WaterPass::WaterPass(const GlCapabilities& capabilities, GridCells cells)
+WaterPass::WaterPass(const GlCapabilities& capabilities, WaterDetail detail)
     : capabilities_(capabilities),
-      cells_(cells),
+      detail_(detail),
       program_(water_program()),
       vertices_(GlVertexArray::make()),
-      indices_(GlBuffer::make()) {
-  const std::vector<std::uint32_t> indices = triangles(cells);
+      indices_(GlBuffer::make()),
+      foam_pattern_(foam_texture()) {
+  const std::vector<std::uint32_t> indices = triangles(detail.cells);
   glBindVertexArray(vertices_.name());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
@@ -96,12 +102,14 @@ void WaterPass::set_sea(const world::World& world, const Camera& camera) const {
   const glm::dvec2 eye(camera.eye_m.x, camera.eye_m.z);
   std::vector<glm::vec4> cascades;
   std::vector<glm::vec4> hidden;
+  std::vector<float> breaking;
   for (std::size_t i = 0; i < sea.cascades.size(); ++i) {
     const double length_m = sea.cascades[i].patch_length_m;
     // Reduced in double, so that an eye far from the origin loses nothing.
     const glm::dvec2 place = eye / length_m;
     cascades.emplace_back(1.0 / length_m, place.x - std::floor(place.x), place.y - std::floor(place.y),
                           sea.size / length_m);
+    breaking.push_back(sea.cascades[i].k_min_radpm < ripples_radpm ? 1.0f : 0.0f);
     for (const ocean::SlopeCovariance& level : world.hidden_slopes().cascades[i]) {
       hidden.emplace_back(to_vec3(level), 0.0f);
     }
@@ -109,6 +117,10 @@ void WaterPass::set_sea(const world::World& world, const Camera& camera) const {
   program_.set("cascade_count", static_cast<int>(cascades.size()));
   program_.set("cascades", cascades);
   program_.set("hidden_slopes", hidden);
+  program_.set("breaking", breaking);
+  const glm::dvec2 foam_place = eye / static_cast<double>(foam_tile_m);
+  program_.set("foam_place", glm::vec2(foam_place - glm::floor(foam_place / 100.0) * 100.0));
+  program_.set("foam_tile_m", foam_tile_m);
   program_.set("level_count", static_cast<int>(hidden.size() / cascades.size()));
   program_.set("ripples", to_vec3(world.hidden_slopes().ripples));
   program_.set("foam_onset", glm::vec2(sea.foam.onset_jacobian, sea.foam.width));
@@ -140,7 +152,7 @@ void WaterPass::set_light(const world::World& world) const {
   program_.set("sky_klx", to_vec3(light.sky_klx));
   program_.set("water_kcdpm2", water);
   program_.set("haze_perm", haze_perm(world.parameters().atmosphere));
-  program_.set("largest_anisotropy", 1.0f);
+  program_.set("tap_count", detail_.taps);
 }
 
 void WaterPass::draw(const world::World& world, const Camera& camera, GLuint environment) const {
@@ -152,7 +164,7 @@ void WaterPass::draw(const world::World& world, const Camera& camera, GLuint env
     corners.emplace_back(corner.label_m.x, corner.label_m.y, corner.w);
   }
   program_.set("corners", corners);
-  program_.set("cells", glm::ivec2(cells_.columns, cells_.rows));
+  program_.set("cells", glm::ivec2(detail_.cells.columns, detail_.cells.rows));
   program_.set("eye_height_m", static_cast<float>(camera.eye_m.y));
   glm::dmat4 clip_from_eye = projection(camera, near_m) * view_rotation(camera);
   if (!capabilities_.has_clip_control) {
@@ -169,6 +181,9 @@ void WaterPass::draw(const world::World& world, const Camera& camera, GLuint env
   foam_.bind(foam_unit);
   glActiveTexture(GL_TEXTURE0 + environment_unit);
   glBindTexture(GL_TEXTURE_2D, environment);
+  glActiveTexture(GL_TEXTURE0 + pattern_unit);
+  glBindTexture(GL_TEXTURE_2D, foam_pattern_.name());
+  program_.set("foam_pattern", pattern_unit);
   program_.set("displacement_map", displacement_unit);
   program_.set("gradient_map", gradient_unit);
   program_.set("foam_map", foam_unit);
@@ -177,7 +192,7 @@ void WaterPass::draw(const world::World& world, const Camera& camera, GLuint env
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
   glBindVertexArray(vertices_.name());
-  glDrawElements(GL_TRIANGLES, 6 * cells_.columns * cells_.rows, GL_UNSIGNED_INT, nullptr);
+  glDrawElements(GL_TRIANGLES, 6 * detail_.cells.columns * detail_.cells.rows, GL_UNSIGNED_INT, nullptr);
   glDisable(GL_DEPTH_TEST);
 }
 

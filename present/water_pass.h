@@ -17,10 +17,17 @@ struct GridCells {
   int columns = 128, rows = 128;
 };
 
+/// How finely the water is drawn.
+struct WaterDetail {
+  GridCells cells;
+  /// Samples along a pixel's footprint, which is long where water is seen at a grazing angle.
+  int taps = 1;
+};
+
 /// Draws the ocean's surface: a projected grid displaced by the cascades and trochoids of a world.
 class WaterPass {
  public:
-  WaterPass(const GlCapabilities& capabilities, GridCells cells);
+  WaterPass(const GlCapabilities& capabilities, WaterDetail detail);
 
   /// Copies the world's maps into textures by way of the ladder.
   void prepare(world::World& world, TransferLadder& transfer);
@@ -32,11 +39,12 @@ class WaterPass {
   void set_light(const world::World& world) const;
 
   GlCapabilities capabilities_;
-  GridCells cells_;
+  WaterDetail detail_;
   ShaderProgram program_;
   GlVertexArray vertices_;
   GlBuffer indices_;
   MapTexture displacement_, gradient_, foam_;
+  GlTexture foam_pattern_;
 };
 
 }  // namespace offing::present

@@ -4,9 +4,13 @@
 uniform sampler2DArray gradient_map;  // dh/dx, dh/dz, d dx/dx, d dz/dz
 uniform sampler2DArray foam_map;      // coverage 0 ... 1
 uniform sampler2D environment;
+uniform sampler2D foam_pattern;  // even values 0 ... 1
+uniform vec2 foam_place;         // the eye's place on its tile
+uniform float foam_tile_m;       // side of its tile
+uniform float breaking[max_cascades];  // 1: the cascade's waves are long enough to draw air under
 uniform vec4 hidden_slopes[max_cascades * 13];  // covariance xx, xz, zz that each mip level of a cascade hides
 uniform int level_count;
-uniform float largest_anisotropy;
+uniform int tap_count;  // samples along a pixel's footprint
 uniform vec3 ripples;  // covariance of the slopes that no map has
 uniform vec3 sun_direction;
 uniform float sun_radius_rad;
@@ -48,25 +52,61 @@ vec3 facet_light(vec2 slope, vec3 v) {
   return mix(water_kcdpm2, mirrored, fresnel(clamp(dot(v, normal), 0.0, 1.0)));
 }
 
-void main() {
-  vec2 label_right = dFdx(label_m), label_up = dFdy(label_m);
-  float longest_m = sqrt(max(dot(label_right, label_right), dot(label_up, label_up)));
-  float area_m2 = abs(label_right.x * label_up.y - label_right.y * label_up.x);
-  float width_m = max(longest_m / largest_anisotropy, area_m2 / max(longest_m, 1e-6));
+float fresh_foam(vec3 gradient) {
+  float jacobian = (1.0 + gradient.x) * (1.0 + gradient.z) - gradient.y * gradient.y;
+  return clamp((foam_onset.x - jacobian) / foam_onset.y, 0.0, 1.0);
+}
 
-  vec2 slope = trochoid_slope;
+// How much of the water foam of this coverage hides here: patches and threads that drift with the water, as far as
+// a pixel shows them.
+float foam_opacity(float coverage, float width_m) {
+  if (coverage <= 0.0) return 0.0;
+  vec2 place = foam_place + label_m / foam_tile_m;
+  float texel_m = foam_tile_m / float(textureSize(foam_pattern, 0).x);
+  float level = max(0.0, log2(width_m / texel_m));
+  float fine = textureLod(foam_pattern, place, level).r;
+  float coarse = textureLod(foam_pattern, 0.23 * place.yx, max(0.0, level - 2.1)).r;
+  float pattern = mix(fine, coarse, 0.35);
+  float textured = clamp(0.5 + (pattern - 1.0 + coverage) / 0.35, 0.0, 1.0);
+  return mix(textured, coverage, clamp(0.25 * level - 0.5, 0.0, 1.0));
+}
+
+void main() {
+  // The pixel's footprint on the labels: long in the direction of sight, where taps follow one another.
+  vec2 right_m = dFdx(label_m), up_m = dFdy(label_m);
+  vec2 long_m = dot(right_m, right_m) > dot(up_m, up_m) ? right_m : up_m;
+  float longest_m = max(length(long_m), 1e-6);
+  float shortest_m = abs(right_m.x * up_m.y - right_m.y * up_m.x) / longest_m;
+  float width_m = max(longest_m / float(tap_count), shortest_m);
+
+  vec2 slope = vec2(0.0);
+  vec3 square = vec3(0.0);
   vec3 gradient = trochoid_gradient;
-  vec3 hidden = ripples;
+  vec3 breaking_gradient = trochoid_gradient;
   float bare = 1.0;
-  for (int i = 0; i < cascade_count; ++i) {
-    vec3 place = map_place(i, label_m);
-    float level = map_level(i, width_m);
-    vec4 texel = textureLod(gradient_map, place, level);
-    slope += texel.xy;
-    gradient += vec3(texel.z, textureLod(displacement_map, place, level).w, texel.w);
-    bare *= 1.0 - textureLod(foam_map, place, level).r;
-    hidden += hidden_at(i, level);
+  for (int tap = 0; tap < tap_count; ++tap) {
+    vec2 tap_m = label_m + ((float(tap) + 0.5) / float(tap_count) - 0.5) * long_m;
+    vec2 tap_slope = trochoid_slope;
+    float tap_bare = 1.0;
+    for (int i = 0; i < cascade_count; ++i) {
+      vec3 place = map_place(i, tap_m);
+      float level = map_level(i, width_m);
+      vec4 texel = textureLod(gradient_map, place, level);
+      tap_slope += texel.xy;
+      vec3 change = vec3(texel.z, textureLod(displacement_map, place, level).w, texel.w) / float(tap_count);
+      gradient += change;
+      if (breaking[i] > 0.0) {
+        breaking_gradient += change;
+        tap_bare *= 1.0 - textureLod(foam_map, place, level).r;
+      }
+    }
+    slope += tap_slope / float(tap_count);
+    square += vec3(tap_slope.x * tap_slope.x, tap_slope.x * tap_slope.y, tap_slope.y * tap_slope.y) / float(tap_count);
+    bare -= (1.0 - tap_bare) / float(tap_count);
   }
+  // Hidden are the slopes of ripples, those between the taps and those that differ from tap to tap.
+  vec3 hidden = ripples + square - vec3(slope.x * slope.x, slope.x * slope.y, slope.y * slope.y);
+  for (int i = 0; i < cascade_count; ++i) hidden += hidden_at(i, map_level(i, width_m));
 
   // F^-T applied to the slopes at labels gives those of the displaced surface; F = I + gradient.
   vec3 f = gradient + vec3(1.0, 0.0, 1.0);
@@ -80,8 +120,8 @@ void main() {
                       facet_light(slope + seen.spread * (seen.mean + seen.deviation), v));
   water += sun_klx * sun_glitter(facets, seen, v, sun_direction, sun_radius_rad);
 
-  float fresh = clamp((foam_onset.x - jacobian) / foam_onset.y, 0.0, 1.0);
-  float foam = max(fresh, 1.0 - bare);
+  float coverage = max(fresh_foam(breaking_gradient), 1.0 - bare);
+  float foam = foam_opacity(coverage, width_m);
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
   vec3 foam_light = foam_albedo / pi * (sky_klx + sun_klx * max(dot(normal, sun_direction), 0.0));
   vec3 surface = mix(water, foam_light, foam);
