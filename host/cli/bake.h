@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "host/base/cancel_token.h"
+#include "host/base/progress.h"
 #include "host/cli/bake_settings.h"
 #include "host/cli/frame_files.h"
 #include "host/cli/frame_writer.h"
-#include "host/cli/progress.h"
 #include "host/ocl/device.h"
 #include "host/scene/sea.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host/cli/argument.h"
+#include "host/base/argument.h"
 #include "host/io/exr_image.h"
 
 namespace offing::cli {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "host/base/cancel_token.h"
-#include "host/cli/progress.h"
+#include "host/base/progress.h"
 #include "host/ocean/sea_statistics.h"
 #include "host/ocl/device.h"
 #include "host/scene/sea.h"

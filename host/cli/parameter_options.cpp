@@ -30,6 +30,12 @@ const char* title(ParameterGroup group) {
       return "Grid";
     case ParameterGroup::foam:
       return "Foam";
+    case ParameterGroup::camera:
+      return "Camera";
+    case ParameterGroup::sun:
+      return "Sun";
+    case ParameterGroup::render:
+      return "Picture";
   }
   return "";
 }

@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "host/base/argument.h"
+#include "host/base/progress.h"
 #include "host/base/wave_spectrum.h"
-#include "host/cli/argument.h"
 #include "host/cli/direction_text.h"
 #include "host/cli/pictures/spectrum_plot.h"
-#include "host/cli/progress.h"
 #include "host/cli/spectrum_text.h"
 #include "host/io/spectra/read_spectra.h"
 #include "host/io/spectra/write_ww3_spectra.h"

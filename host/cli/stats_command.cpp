@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "host/cli/argument.h"
+#include "host/base/argument.h"
+#include "host/base/progress.h"
 #include "host/cli/certificate.h"
 #include "host/cli/certificate_text.h"
 #include "host/cli/device_choice.h"
 #include "host/cli/parameter_options.h"
-#include "host/cli/progress.h"
 
 namespace offing::cli {
 

@@ -132,11 +132,11 @@ SurfaceFields Ocean::read_surface(int cascade) const {
 }
 
 const ocl::Buffer<float>& Ocean::displacement_map() const {
-  return state_->surface.displacement();
+  return state_->current_surface().displacement();
 }
 
 const ocl::Buffer<float>& Ocean::gradient_map() const {
-  return state_->surface.gradient();
+  return state_->current_surface().gradient();
 }
 
 const ocl::Buffer<float>& Ocean::foam_map() {
@@ -144,8 +144,8 @@ const ocl::Buffer<float>& Ocean::foam_map() {
   if (!state.foam)
     state.foam.emplace(state.device, state.modes, state.parameters.foam, state.parameters.loop_period_s);
   if (!state.foam->holds(state.time_s)) {
+    state.surface_is_current = false;
     state.foam->at(state.modes, state.surface, state.time_s);
-    state.surface.at(state.modes, state.time_s);
   }
   return state.foam->foam();
 }

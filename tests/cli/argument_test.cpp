@@ -1,4 +1,4 @@
-#include "host/cli/argument.h"
+#include "host/base/argument.h"
 
 #include <algorithm>
 #include <string>

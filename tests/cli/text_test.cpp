@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "host/base/error_report.h"
+#include "host/base/progress.h"
 #include "host/cli/direction_text.h"
-#include "host/cli/error_report.h"
-#include "host/cli/progress.h"
 
 namespace offing::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "host/base/log.h"
 
-namespace offing::cli {
+namespace offing {
 
 /// Tells on stderr how far long work is: a bar on a terminal, a line every few seconds elsewhere, nothing
 /// when quiet. Rate and time left follow from the steps counted here. Safe to use from several threads.
@@ -44,4 +44,4 @@ class Progress {
 /// "48 s", "3 min 05 s", "2 h 10 min".
 std::string duration_text(double seconds);
 
-}  // namespace offing::cli
+}  // namespace offing

@@ -1,4 +1,4 @@
-#include "host/cli/progress.h"
+#include "host/base/progress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace offing::cli {
+namespace offing {
 
 namespace {
 
@@ -89,4 +89,4 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
-}  // namespace offing::cli
+}  // namespace offing

@@ -1,11 +1,11 @@
-#include "host/cli/argument.h"
+#include "host/base/argument.h"
 
 #include <charconv>
 #include <optional>
 
 #include <fmt/format.h>
 
-namespace offing::cli {
+namespace offing {
 
 namespace {
 
@@ -82,4 +82,4 @@ Share read_share(std::string_view flag, std::string_view text) {
   return {static_cast<int>(numbers->first - 1), static_cast<int>(numbers->second)};
 }
 
-}  // namespace offing::cli
+}  // namespace offing

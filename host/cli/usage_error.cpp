@@ -1,6 +1,5 @@
-#include "host/cli/error_report.h"
+#include "host/cli/usage_error.h"
 
-#include <cstdio>
 #include <vector>
 
 #include <CLI/Option.hpp>
@@ -41,28 +40,6 @@ std::vector<std::string> known_names(const CLI::App& command) {
 }
 
 }  // namespace
-
-void report(const Error& error) {
-  // Not fmt::print(), which throws where stderr is full: there is nobody left to tell.
-  std::string text = fmt::format("error: {}\n", one_line(error.what()));
-  if (!error.hint().empty()) {
-    text += fmt::format("hint: {}\n", one_line(error.hint()));
-  }
-  std::fputs(text.c_str(), stderr);
-}
-
-std::string one_line(std::string_view text) {
-  std::string line;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f) {
-      line += fmt::format("\\x{:02x}", byte);
-    } else {
-      line += c;
-    }
-  }
-  return line;
-}
 
 Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = innermost(app);

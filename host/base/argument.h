@@ -5,7 +5,7 @@
 
 #include "host/base/error.h"
 
-namespace offing::cli {
+namespace offing {
 
 /// An argument of the command line that cannot be used: "--frames: expected A:B with 0 <= A <= B, got
 /// \"9:0\"".
@@ -38,4 +38,4 @@ struct Share {
 /// "i/n" with 1 <= i <= n <= 100000.
 Share read_share(std::string_view flag, std::string_view text);
 
-}  // namespace offing::cli
+}  // namespace offing

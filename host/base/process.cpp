@@ -1,0 +1,65 @@
+#include "host/base/process.h"
+
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/error_report.h"
+
+namespace offing {
+namespace {
+
+// A signal handler can reach nothing but a global.
+CancelToken* cancel_on_signal = nullptr;
+
+extern "C" void request_cancel(int) {
+  cancel_on_signal->cancel();
+}
+
+Error output_error() {
+  return Error(ErrorKind::file, "standard output: cannot be written",
+               "check the disk or the pipe it goes to");
+}
+
+}  // namespace
+
+void cancel_on_signals(CancelToken& token) {
+  cancel_on_signal = &token;
+  struct sigaction action {};
+  action.sa_handler = request_cancel;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+void finish_output() {
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw output_error();
+}
+
+int run_program(const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    report(error);
+    return exit_code(error.kind());
+  } catch (const std::bad_alloc&) {
+    report(Error(ErrorKind::out_of_memory, "memory: this needs more than the machine has",
+                 "choose a smaller --size or fewer --cascades"));
+    return exit_code(ErrorKind::out_of_memory);
+  } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) {  // printing throws std::system_error where the output is full
+      report(output_error());
+      return exit_code(ErrorKind::file);
+    }
+    report(Error(ErrorKind::device, fmt::format("unexpected fault: {}", error.what()),
+                 "run again with --verbose and report what it says"));
+    return 1;
+  }
+}
+
+}  // namespace offing

@@ -1,0 +1,70 @@
+#include "present/headless.h"
+
+#include <fmt/format.h>
+
+#include "host/base/progress.h"
+#include "host/scene/world_scene.h"
+#include "present/exposure.h"
+#include "present/frame.h"
+#include "present/gl_context.h"
+#include "present/picture_file.h"
+
+namespace offing::present {
+namespace {
+
+class PictureMaker {
+ public:
+  explicit PictureMaker(const ViewOptions& options)
+      : context_(GlContext::headless()),
+        device_(ocl::Device::open(options.device)),
+        world_(device_, scene::prepare_world(options.scene)),
+        frame_(context_, device_,
+               {.water = water_detail(options.detail.value_or(Detail::high)), .transfer = options.transfer}),
+        view_(options.scene.view) {
+    const PictureSize size = options.size.value_or(PictureSize{});
+    view_.camera.width_px = size.width;
+    view_.camera.height_px = size.height;
+    spdlog::info("OpenGL {} ({}, {}); OpenCL {}; transfer {}", context_.capabilities().version,
+                 context_.capabilities().renderer, context_.capabilities().platform, device_.info().name,
+                 to_string(frame_.transfer_rung()));
+  }
+
+  void make(double time_s, const std::filesystem::path& path) {
+    world_.at(time_s, view_.camera.eye_m.y);
+    const double exposure = exposure_for(world_.sky(), view_.camera, view_.exposure_ev);
+    frame_.draw(world_, view_.camera, exposure);
+    write_picture(path, frame_, time_s, exposure);
+  }
+
+ private:
+  GlContext context_;
+  ocl::Device device_;
+  world::World world_;
+  Frame frame_;
+  scene::ViewScene view_;
+};
+
+}  // namespace
+
+void make_pictures(const ViewOptions& options, const CancelToken& cancel) {
+  PictureMaker maker(options);
+  if (!options.output.empty()) {
+    maker.make(options.time_s, options.output);
+    fmt::print("{}\n", options.output.string());
+  }
+  if (!options.recording) return;
+  const Recording& recording = *options.recording;
+  const int count = recording.frames.last - recording.frames.first + 1;
+  {
+    Progress progress(count, "frames", options.verbosity);
+    for (int frame = recording.frames.first; frame <= recording.frames.last; ++frame) {
+      cancel.throw_if_cancelled();
+      maker.make(frame / recording.frames_per_second, recording.name.of(frame));
+      progress.advance();
+    }
+  }
+  fmt::print("{} ... {}\n", recording.name.of(recording.frames.first).string(),
+             recording.name.of(recording.frames.last).string());
+}
+
+}  // namespace offing::present

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "host/base/cancel_token.h"
+#include "present/view_options.h"
+
+namespace offing::present {
+
+/// Makes the pictures that the options ask for, without a window. The same options give the same bytes on the
+/// same machine. Throws Error(no_device) where there is no OpenGL or OpenCL, Error(cancelled) when asked to
+/// stop between frames.
+void make_pictures(const ViewOptions& options, const CancelToken& cancel);
+
+}  // namespace offing::present

@@ -1,0 +1,173 @@
+#include "present/view_options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/scene/scene_file.h"
+#include "host/scene/version.h"
+#include "present/picture_file.h"
+
+namespace offing::present {
+namespace {
+
+constexpr const char* footer = R"(
+Examples:
+  offing-view scenes/storm.toml
+  offing-view scenes/storm.toml --headless --size 1920x1080 --time 12.5 -o storm.png
+  offing-view scenes/storm.toml --record out_%04d.png --frames 0:47 --fps 24
+
+Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device or display, 130 interrupted.)";
+
+// The command line as it was written.
+struct Written {
+  std::string scene, size, detail, output, record, frames, transfer, device;
+  std::optional<double> time_s, frames_per_second;
+  bool is_headless = false;
+  bool is_window = false;
+  bool is_quiet = false;
+  bool is_verbose = false;
+};
+
+void add_options(CLI::App& app, Written& written) {
+  app.description("offing-view: the sea of a scene, in a window or in pictures without one");
+  app.set_version_flag("--version", "offing-view " + std::string(scene::version()));
+  app.set_help_flag("-h,--help", "print this help");
+  app.get_formatter()->column_width(34);
+  app.add_option("SCENE", written.scene, "scene file (.toml); without one, a default sea")->type_name("");
+  const char* pictures = "Pictures";
+  app.add_flag("--headless", written.is_headless, "no window: write a picture (-o)")->group(pictures);
+  app.add_flag("--window", written.is_window, "a window although pictures are recorded")->group(pictures);
+  app.add_option("--size", written.size,
+                 "of the picture (default 1280x720; of a window where the CPU draws, 640x360)")
+      ->type_name("WxH")
+      ->group(pictures);
+  app.add_option("--detail", written.detail,
+                 "low or high (default high; of a window where the CPU draws, low)")
+      ->type_name("LEVEL")
+      ->group(pictures);
+  app.add_option("--time", written.time_s, "seconds (default the scene's start)")
+      ->type_name("T")
+      ->group(pictures);
+  app.add_option("-o,--output", written.output,
+                 "picture: .png as a screen shows it, .exr scene-linear kcd/m2")
+      ->type_name("FILE")
+      ->group(pictures);
+  app.add_option("--record", written.record, "a picture a frame: out_%04d.png")
+      ->type_name("NAMES")
+      ->group(pictures);
+  app.add_option("--frames", written.frames, "of the recording, both ends included (default the scene's)")
+      ->type_name("A:B")
+      ->group(pictures);
+  app.add_option("--fps", written.frames_per_second, "frame i shows time i / fps (default the scene's)")
+      ->type_name("F")
+      ->group(pictures);
+  const char* general = "General";
+  app.add_option(
+         "--device", written.device,
+         "OpenCL device: an index, cpu, gpu, or part of a name (default $OFFING_DEVICE, then the first GPU, "
+         "then the CPU)")
+      ->type_name("DEVICE")
+      ->group(general);
+  app.add_option(
+         "--transfer", written.transfer,
+         "how maps get from OpenCL to OpenGL: mapped-pointer, pbo-ring, orphaned-pbo or blocking-read "
+         "(default the best one)")
+      ->type_name("RUNG")
+      ->group(general);
+  CLI::Option* quiet = app.add_flag("--quiet", written.is_quiet, "errors only, no progress");
+  quiet->group(general);
+  app.add_flag("--verbose", written.is_verbose, "more about what is done")->group(general)->excludes(quiet);
+  app.footer(footer);
+}
+
+Detail read_detail(const std::string& text) {
+  if (text == "low") return Detail::low;
+  if (text == "high") return Detail::high;
+  throw bad_argument("--detail", "low or high", text, "high");
+}
+
+Recording read_recording(const Written& written, const scene::OceanScene& scene) {
+  const double fps = written.frames_per_second.value_or(scene.frames_per_second);
+  if (!(fps >= 0.001 && fps <= 1e6)) {
+    throw bad_argument("--fps", "a number within [0.001, 1e6]", fmt::format("{:g}", fps), "24");
+  }
+  const int first = static_cast<int>(std::ceil(scene.start_s * fps - 1e-9));
+  const int last = std::max(first, static_cast<int>(std::ceil(scene.end_s * fps - 1e-9)) - 1);
+  return {.name = FrameName(written.record),
+          .frames =
+              written.frames.empty() ? FrameRange{first, last} : read_frame_range("--frames", written.frames),
+          .frames_per_second = fps};
+}
+
+ViewOptions checked(const Written& written) {
+  ViewOptions options;
+  options.verbosity = written.is_quiet     ? Verbosity::quiet
+                      : written.is_verbose ? Verbosity::verbose
+                                           : Verbosity::normal;
+  if (!written.scene.empty()) options.scene = scene::load_scene(written.scene);
+  options.scene_name = std::filesystem::path(written.scene).stem().string();
+  if (!written.size.empty()) options.size = read_size("--size", written.size);
+  if (!written.detail.empty()) options.detail = read_detail(written.detail);
+  options.time_s = written.time_s.value_or(options.scene.start_s);
+  if (!(std::abs(options.time_s) <= 1e8)) {
+    throw bad_argument("--time", "seconds within [-1e8, 1e8]", fmt::format("{:g}", options.time_s), "12.5");
+  }
+  options.output = written.output;
+  if (!written.output.empty()) require_picture_name(options.output);
+  if (!written.record.empty()) options.recording = read_recording(written, options.scene);
+  if (!written.transfer.empty()) options.transfer = transfer_rung(written.transfer);
+  options.device = written.device;
+  const bool makes_pictures = options.recording || !options.output.empty();
+  options.opens_window = written.is_window || (!written.is_headless && !makes_pictures);
+  if (!options.opens_window && !makes_pictures) {
+    throw Error(ErrorKind::bad_usage, "--headless: expected a picture to make, found neither -o nor --record",
+                "add -o out.png");
+  }
+  return options;
+}
+
+}  // namespace
+
+PictureSize read_size(std::string_view flag, std::string_view text) {
+  constexpr int largest = 16384;
+  PictureSize size;
+  const char* end = text.data() + text.size();
+  const auto [cross, width_error] = std::from_chars(text.data(), end, size.width);
+  if (width_error == std::errc{} && cross != end && *cross == 'x') {
+    const auto [rest, height_error] = std::from_chars(cross + 1, end, size.height);
+    const auto fits = [](int side) { return side >= 1 && side <= largest; };
+    if (height_error == std::errc{} && rest == end && fits(size.width) && fits(size.height)) return size;
+  }
+  throw bad_argument(flag, fmt::format("WxH, each within [1, {}]", largest), text, "1280x720");
+}
+
+WaterDetail water_detail(Detail detail) {
+  return detail == Detail::low ? WaterDetail{.cells = {128, 128}, .taps = 1}
+                               : WaterDetail{.cells = {384, 384}, .taps = 4};
+}
+
+std::optional<ViewOptions> read_view_options(int argc, const char* const* argv) {
+  Written written;
+  CLI::App app;
+  add_options(app, written);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      app.exit(error);  // prints the help or the version that was asked for
+      return std::nullopt;
+    }
+    throw Error(ErrorKind::bad_usage, fmt::format("offing-view: {}", error.what()),
+                "`offing-view --help` lists what it takes");
+  }
+  return checked(written);
+}
+
+}  // namespace offing::present

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "host/base/argument.h"
+#include "host/base/cancel_token.h"
+#include "host/base/log.h"
+#include "host/scene/ocean_scene.h"
+#include "present/frame_name.h"
+#include "present/transfer.h"
+#include "present/water_pass.h"
+
+namespace offing::present {
+
+struct PictureSize {
+  int width = 1280, height = 720;
+};
+
+/// "1280x720", each side within 1 ... 16384. Throws Error(bad_usage).
+PictureSize read_size(std::string_view flag, std::string_view text);
+
+/// How finely pictures are drawn.
+enum class Detail {
+  low,   ///< for a window where the CPU draws
+  high,  ///< for pictures in files, and where a GPU draws
+};
+WaterDetail water_detail(Detail detail);
+
+/// Frames to be written, one file each.
+struct Recording {
+  FrameName name;
+  FrameRange frames;
+  double frames_per_second = 24.0;  ///< frame i shows time i / frames_per_second
+};
+
+/// What the command line asks for, checked.
+struct ViewOptions {
+  scene::OceanScene scene;
+  std::string scene_name;  ///< for titles; empty without a file
+  bool opens_window = true;
+  std::optional<PictureSize> size;  ///< absent: what suits the machine
+  std::optional<Detail> detail;
+  double time_s = 0.0;
+  std::filesystem::path output;  ///< one picture; empty: none
+  std::optional<Recording> recording;
+  std::optional<TransferRung> transfer;
+  std::string device;  ///< selector of ocl::select_device
+  Verbosity verbosity = Verbosity::normal;
+};
+
+/// Reads the command line; nothing if it asked for help or version, which are printed. Throws
+/// Error(bad_usage) or what reading the scene throws.
+std::optional<ViewOptions> read_view_options(int argc, const char* const* argv);
+
+}  // namespace offing::present
