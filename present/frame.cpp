@@ -13,22 +13,31 @@ void Frame::fit(int width, int height) {
   screen_ = RenderTarget(width, height, GL_RGBA8, RenderTarget::Depth::none);
 }
 
-void Frame::draw(world::World& world, const Camera& camera, double exposure) {
-  fit(camera.width_px, camera.height_px);
+void Frame::draw(world::World& world, const FrameRequest& request) {
+  fit(request.camera.width_px, request.camera.height_px);
   // Depth is 1 at the near plane and 0 at infinity.
   if (capabilities_.has_clip_control) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-
-  sky_.prepare(world.sky());
-  water_.prepare(world, transfer_);
-
-  light_.bind();
-  glClearDepth(0.0);
-  glClear(GL_DEPTH_BUFFER_BIT);
-  sky_.draw(camera);
-  water_.draw(world, camera, sky_.environment());
-
-  screen_.bind();
-  tone_.draw(light_, exposure);
+  {
+    const StageTimes::Scope stage(times_, Stage::transfer);
+    water_.prepare(world, transfer_);
+  }
+  {
+    const StageTimes::Scope stage(times_, Stage::sky);
+    sky_.prepare(world.sky());
+    light_.bind();
+    glClearDepth(0.0);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    sky_.draw(request.camera);
+  }
+  {
+    const StageTimes::Scope stage(times_, Stage::water);
+    water_.draw(world, request, sky_.environment());
+  }
+  {
+    const StageTimes::Scope stage(times_, Stage::tone);
+    screen_.bind();
+    tone_.draw(light_, request.exposure);
+  }
   require_no_gl_error("frame");
 }
 

@@ -7,6 +7,7 @@
 #include "present/gl_context.h"
 #include "present/render_target.h"
 #include "present/sky_pass.h"
+#include "present/stage_times.h"
 #include "present/tone_pass.h"
 #include "present/transfer.h"
 #include "present/water_pass.h"
@@ -24,14 +25,15 @@ class Frame {
  public:
   Frame(const GlContext& context, const ocl::Device& device, const FrameSettings& settings);
 
-  /// Draws the world as it stands (World::at()) as the camera sees it, with its width and height. `exposure`
-  /// is that of TonePass.
-  void draw(world::World& world, const Camera& camera, double exposure);
+  /// Draws the world as it stands (World::at()), with the camera's width and height.
+  void draw(world::World& world, const FrameRequest& request);
 
   /// Scene-linear light of the last picture, kcd/m2.
   const RenderTarget& light() const { return light_; }
   /// The last picture as a screen shows it, sRGB.
   const RenderTarget& screen() const { return screen_; }
+  /// Times of the stages, for callers to add their own and to end the frame.
+  StageTimes& times() { return times_; }
   TransferRung transfer_rung() const { return transfer_.rung(); }
 
  private:
@@ -43,6 +45,7 @@ class Frame {
   WaterPass water_;
   TonePass tone_;
   RenderTarget light_, screen_;
+  StageTimes times_;
 };
 
 }  // namespace offing::present

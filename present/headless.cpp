@@ -16,7 +16,8 @@ class PictureMaker {
  public:
   explicit PictureMaker(const ViewOptions& options)
       : context_(GlContext::headless()),
-        device_(ocl::Device::open(options.device)),
+        device_(ocl::Device::open_shared(ocl::select_device(options.device), ocl::Profiling::off,
+                                         context_.share_properties())),
         world_(device_, scene::prepare_world(options.scene)),
         frame_(context_, device_,
                {.water = water_detail(options.detail.value_or(Detail::high)), .transfer = options.transfer}),
@@ -32,7 +33,7 @@ class PictureMaker {
   void make(double time_s, const std::filesystem::path& path) {
     world_.at(time_s, view_.camera.eye_m.y);
     const double exposure = exposure_for(world_.sky(), view_.camera, view_.exposure_ev);
-    frame_.draw(world_, view_.camera, exposure);
+    frame_.draw(world_, {.camera = view_.camera, .exposure = exposure});
     write_picture(path, frame_, time_s, exposure);
   }
 

@@ -1,5 +1,6 @@
 #include "present/transfer.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "host/base/error.h"
 #include "host/base/log.h"
+#include "host/ocl/imported_buffer.h"
 
 namespace offing::present {
 
@@ -35,10 +37,6 @@ class UnpackBinding {
 
 std::size_t bytes_of(const Upload& upload) {
   return upload.source->size() * sizeof(float);
-}
-
-const void* buffer_offset(std::size_t bytes) {
-  return reinterpret_cast<const void*>(bytes);  // how OpenGL takes offsets
 }
 
 class MappedPointer : public TransferLadder::Way {
@@ -87,25 +85,18 @@ class OrphanedPbo : public TransferLadder::Way {
   GlBuffer buffer_ = GlBuffer::make();
 };
 
-/// A pixel buffer that stays mapped, and whether OpenGL still reads from it.
-class PersistentPbo {
+/// A pixel buffer, and whether OpenGL still reads from it.
+class FencedPbo {
  public:
-  explicit PersistentPbo(std::size_t bytes) : bytes_(bytes), buffer_(GlBuffer::make()) {
-    const UnpackBinding binding(buffer_);
-    constexpr GLbitfield access = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-    const auto size = static_cast<GLsizeiptr>(bytes);
-    glBufferStorage(GL_PIXEL_UNPACK_BUFFER, size, nullptr, access);
-    memory_ = glMapBufferRange(GL_PIXEL_UNPACK_BUFFER, 0, size, access);
-    if (memory_ == nullptr) throw Error(ErrorKind::device, "OpenGL: a pixel buffer cannot stay mapped");
-  }
-  PersistentPbo(const PersistentPbo&) = delete;
-  PersistentPbo& operator=(const PersistentPbo&) = delete;
-  ~PersistentPbo() { glDeleteSync(fence_); }
+  explicit FencedPbo(std::size_t bytes) : bytes_(bytes), buffer_(GlBuffer::make()) {}
+  FencedPbo(const FencedPbo&) = delete;
+  FencedPbo& operator=(const FencedPbo&) = delete;
+  ~FencedPbo() { glDeleteSync(fence_); }
 
   std::size_t bytes() const { return bytes_; }
   const GlBuffer& buffer() const { return buffer_; }
-  void* memory() const { return memory_; }
 
+  /// Waits until OpenGL has read what specify() passed on.
   void wait() {
     if (fence_ == nullptr) return;
     constexpr GLuint64 patience_ns = 10'000'000'000;
@@ -115,48 +106,125 @@ class PersistentPbo {
     }
     glDeleteSync(std::exchange(fence_, nullptr));
   }
-  void set_fence() { fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0); }
+  void specify(const MapTexture& target) {
+    const UnpackBinding binding(buffer_);
+    target.specify(nullptr);
+    fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  }
 
  private:
   std::size_t bytes_;
   GlBuffer buffer_;
-  void* memory_ = nullptr;
   GLsync fence_ = nullptr;
+};
+
+/// A pixel buffer that stays mapped.
+class PersistentPbo : public FencedPbo {
+ public:
+  PersistentPbo(const ocl::Device&, std::size_t bytes) : FencedPbo(bytes) {
+    const UnpackBinding binding(buffer());
+    constexpr GLbitfield access = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+    const auto size = static_cast<GLsizeiptr>(bytes);
+    glBufferStorage(GL_PIXEL_UNPACK_BUFFER, size, nullptr, access);
+    memory_ = glMapBufferRange(GL_PIXEL_UNPACK_BUFFER, 0, size, access);
+    if (memory_ == nullptr) throw Error(ErrorKind::device, "OpenGL: a pixel buffer cannot stay mapped");
+  }
+
+  void* memory() const { return memory_; }
+
+ private:
+  void* memory_ = nullptr;
+};
+
+/// A pixel buffer that OpenCL writes.
+class SharedPbo : public FencedPbo {
+ public:
+  SharedPbo(const ocl::Device& device, std::size_t bytes) : FencedPbo(bytes), imported_(imported(device)) {}
+
+  void copy_from(const ocl::Buffer<float>& source) { imported_.copy_from(source); }
+
+ private:
+  ocl::ImportedBuffer imported(const ocl::Device& device) {
+    const UnpackBinding binding(buffer());
+    glBufferData(GL_PIXEL_UNPACK_BUFFER, static_cast<GLsizeiptr>(bytes()), nullptr, GL_STREAM_DRAW);
+    glFinish();  // OpenCL takes over a buffer that exists
+    return ocl::ImportedBuffer(device, buffer().name());
+  }
+
+  ocl::ImportedBuffer imported_;
+};
+
+/// Pixel buffers of the frame that is drawn, the one that is made, and one between; one a map.
+template <class Pbo>
+class Ring {
+ public:
+  explicit Ring(const ocl::Device& device) : device_(device) {}
+
+  /// Buffers for these maps that OpenGL is done with.
+  std::vector<std::unique_ptr<Pbo>>& next(std::span<const Upload> uploads) {
+    std::vector<std::unique_ptr<Pbo>>& slots = frames_[next_];
+    next_ = (next_ + 1) % frames_.size();
+    slots.resize(std::max(slots.size(), uploads.size()));
+    for (std::size_t i = 0; i < uploads.size(); ++i) {
+      if (!slots[i] || slots[i]->bytes() != bytes_of(uploads[i])) {
+        slots[i] = std::make_unique<Pbo>(device_, bytes_of(uploads[i]));
+      }
+      slots[i]->wait();
+    }
+    return slots;
+  }
+
+ private:
+  ocl::Device device_;
+  std::array<std::vector<std::unique_ptr<Pbo>>, 3> frames_;
+  std::size_t next_ = 0;
 };
 
 class PboRing : public TransferLadder::Way {
  public:
+  explicit PboRing(const ocl::Device& device) : ring_(device) {}
+
   void upload(std::span<const Upload> uploads) override {
-    auto& slots = ring_[next_];
-    next_ = (next_ + 1) % ring_.size();
-    slots.resize(std::max(slots.size(), uploads.size()));
+    auto& slots = ring_.next(uploads);
     std::vector<ocl::Event> reads;
     for (std::size_t i = 0; i < uploads.size(); ++i) {
-      if (slots[i] && slots[i]->bytes() != bytes_of(uploads[i])) slots[i].reset();
-      if (!slots[i]) slots[i] = std::make_unique<PersistentPbo>(bytes_of(uploads[i]));
-      slots[i]->wait();
       reads.push_back(uploads[i].source->begin_read(static_cast<float*>(slots[i]->memory())));
     }
     // Each map is passed on while the next ones are still read.
     for (std::size_t i = 0; i < uploads.size(); ++i) {
       reads[i].wait();
-      const UnpackBinding binding(slots[i]->buffer());
-      uploads[i].target->specify(buffer_offset(0));
-      slots[i]->set_fence();
+      slots[i]->specify(*uploads[i].target);
     }
   }
 
  private:
-  // The frame that is drawn, the one that is read, and one between.
-  std::array<std::vector<std::unique_ptr<PersistentPbo>>, 3> ring_;
-  std::size_t next_ = 0;
+  Ring<PersistentPbo> ring_;
+};
+
+class GlSharing : public TransferLadder::Way {
+ public:
+  explicit GlSharing(const ocl::Device& device) : ring_(device) {}
+
+  void upload(std::span<const Upload> uploads) override {
+    auto& slots = ring_.next(uploads);
+    for (std::size_t i = 0; i < uploads.size(); ++i) {
+      slots[i]->copy_from(*uploads[i].source);
+      slots[i]->specify(*uploads[i].target);
+    }
+  }
+
+ private:
+  Ring<SharedPbo> ring_;
 };
 
 /// Why a rung cannot be used; empty if it can.
-std::string obstacle(TransferRung rung, const GlCapabilities& capabilities, ocl::DeviceType device_type) {
+std::string obstacle(TransferRung rung, const GlCapabilities& capabilities, const ocl::Device& device) {
   switch (rung) {
+    case TransferRung::gl_sharing:
+      return device.shares_gl() ? "" : "the OpenCL device does not share buffers with OpenGL";
     case TransferRung::mapped_pointer:
-      return device_type == ocl::DeviceType::cpu ? "" : "the OpenCL device does not compute in host memory";
+      return device.info().type == ocl::DeviceType::cpu ? ""
+                                                        : "the OpenCL device does not compute in host memory";
     case TransferRung::pbo_ring:
       return capabilities.has_persistent_mapping ? "" : "OpenGL has no persistent mapping";
     default:
@@ -164,12 +232,14 @@ std::string obstacle(TransferRung rung, const GlCapabilities& capabilities, ocl:
   }
 }
 
-std::unique_ptr<TransferLadder::Way> make_way(TransferRung rung) {
+std::unique_ptr<TransferLadder::Way> make_way(TransferRung rung, const ocl::Device& device) {
   switch (rung) {
+    case TransferRung::gl_sharing:
+      return std::make_unique<GlSharing>(device);
     case TransferRung::mapped_pointer:
       return std::make_unique<MappedPointer>();
     case TransferRung::pbo_ring:
-      return std::make_unique<PboRing>();
+      return std::make_unique<PboRing>(device);
     case TransferRung::orphaned_pbo:
       return std::make_unique<OrphanedPbo>();
     default:
@@ -189,6 +259,8 @@ void require_equal_sizes(std::span<const Upload> uploads) {
 
 std::string_view to_string(TransferRung rung) {
   switch (rung) {
+    case TransferRung::gl_sharing:
+      return "gl-sharing";
     case TransferRung::mapped_pointer:
       return "mapped-pointer";
     case TransferRung::pbo_ring:
@@ -216,16 +288,16 @@ TransferLadder::TransferLadder(const GlContext& context, const ocl::Device& devi
                                std::optional<TransferRung> forced)
     : is_forced_(forced.has_value()),
       capabilities_(context.capabilities()),
-      device_type_(device.info().type),
+      device_(device),
       rung_(forced.value_or(all_transfer_rungs.front())) {
-  if (const std::string reason = obstacle(rung_, capabilities_, device_type_); !reason.empty()) {
+  if (const std::string reason = obstacle(rung_, capabilities_, device_); !reason.empty()) {
     if (is_forced_) {
       throw Error(ErrorKind::bad_usage, fmt::format("--transfer {}: {}", to_string(rung_), reason),
                   "leave it out for the best one");
     }
     climb_down(rung_);
   } else {
-    way_ = make_way(rung_);
+    way_ = make_way(rung_, device_);
   }
 }
 
@@ -238,10 +310,11 @@ TransferRung TransferLadder::rung() const {
 }
 
 void TransferLadder::climb_down(TransferRung from) {
+  device_.finish();  // reads into buffers that go now
   auto next = static_cast<std::size_t>(from) + 1;
-  while (!obstacle(all_transfer_rungs[next], capabilities_, device_type_).empty()) ++next;
+  while (!obstacle(all_transfer_rungs[next], capabilities_, device_).empty()) ++next;
   rung_ = all_transfer_rungs[next];
-  way_ = make_way(rung_);
+  way_ = make_way(rung_, device_);
 }
 
 void TransferLadder::upload(std::span<const Upload> uploads) {

@@ -15,13 +15,15 @@ namespace offing::present {
 
 /// The ways by which maps get from OpenCL to OpenGL, the best first.
 enum class TransferRung {
+  gl_sharing,      ///< the device copies into a buffer of OpenGL's (cl_khr_gl_sharing)
   mapped_pointer,  ///< the device computes in host memory: OpenGL reads it where it lies
   pbo_ring,        ///< reads that do not block, into buffers that OpenGL keeps mapped
   orphaned_pbo,    ///< blocking reads into buffers that OpenGL gives anew each time
   blocking_read,   ///< blocking reads into memory of our own: always possible
 };
-inline constexpr std::array all_transfer_rungs{TransferRung::mapped_pointer, TransferRung::pbo_ring,
-                                               TransferRung::orphaned_pbo, TransferRung::blocking_read};
+inline constexpr std::array all_transfer_rungs{TransferRung::gl_sharing, TransferRung::mapped_pointer,
+                                               TransferRung::pbo_ring, TransferRung::orphaned_pbo,
+                                               TransferRung::blocking_read};
 
 /// "mapped-pointer", as --transfer takes it.
 std::string_view to_string(TransferRung rung);
@@ -60,7 +62,7 @@ class TransferLadder {
 
   bool is_forced_;
   GlCapabilities capabilities_;
-  ocl::DeviceType device_type_;
+  ocl::Device device_;
   TransferRung rung_;
   std::unique_ptr<Way> way_;
 };

@@ -75,10 +75,10 @@ void add_options(CLI::App& app, Written& written) {
          "then the CPU)")
       ->type_name("DEVICE")
       ->group(general);
-  app.add_option(
-         "--transfer", written.transfer,
-         "how maps get from OpenCL to OpenGL: mapped-pointer, pbo-ring, orphaned-pbo or blocking-read "
-         "(default the best one)")
+  app.add_option("--transfer", written.transfer,
+                 "how maps get from OpenCL to OpenGL: gl-sharing, mapped-pointer, pbo-ring, orphaned-pbo or "
+                 "blocking-read "
+                 "(default the best one)")
       ->type_name("RUNG")
       ->group(general);
   CLI::Option* quiet = app.add_flag("--quiet", written.is_quiet, "errors only, no progress");

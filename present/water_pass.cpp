@@ -9,8 +9,8 @@
 
 #include <glm/common.hpp>
 
-#include "host/ocean/drawn_trochoids.h"
 #include "host/ocean/projected_grid.h"
+#include "host/ocean/trochoid_instant.h"
 #include "present/foam_texture.h"
 
 namespace offing::present {
@@ -28,7 +28,8 @@ constexpr std::array<double, 3> water_reflectance{0.002, 0.011, 0.024};
 ShaderProgram water_program() {
   return ShaderProgram({.vertex = {shader_file("water.glsl"), shader_file("water.vert")},
                         .fragment = {shader_file("environment.glsl"), shader_file("water.glsl"),
-                                     shader_file("water_light.glsl"), shader_file("water.frag")}});
+                                     shader_file("water_light.glsl"), shader_file("water_debug.glsl"),
+                                     shader_file("water.frag")}});
 }
 
 // Two triangles a cell, near rows first, so that what they hide is not shaded.
@@ -64,6 +65,13 @@ glm::vec3 haze_perm(const sky::Atmosphere& air) {
 }
 
 }  // namespace
+
+std::string_view to_string(DebugView view) {
+  constexpr std::array<std::string_view, all_debug_views.size()> names{
+      "none",      "height",    "slope",     "jacobian",  "foam",
+      "footprint", "cascade 0", "cascade 1", "cascade 2", "cascade 3"};
+  return names[static_cast<std::size_t>(view)];
+}
 
 WaterPass::WaterPass(const GlCapabilities& capabilities, WaterDetail detail)
     : capabilities_(capabilities),
@@ -125,12 +133,14 @@ void WaterPass::set_sea(const world::World& world, const Camera& camera) const {
   program_.set("ripples", to_vec3(world.hidden_slopes().ripples));
   program_.set("foam_onset", glm::vec2(sea.foam.onset_jacobian, sea.foam.width));
 
+  const ocean::TrochoidInstant trochoids(world.parameters().trochoids, world.time_s());
   std::vector<glm::vec4> waves;
   std::vector<float> phases;
-  for (const ocean::DrawnTrochoid& wave :
-       ocean::draw_trochoids(world.parameters().trochoids, eye, world.time_s())) {
-    waves.emplace_back(wave.wave_radpm.x, wave.wave_radpm.y, wave.amplitude_m, wave.shift_m);
-    phases.push_back(static_cast<float>(wave.phase_rad));
+  for (const ocean::TrochoidInstant::Wave& wave : trochoids.waves()) {
+    waves.emplace_back(wave.kx_radpm, wave.kz_radpm, wave.amplitude_m,
+                       trochoids.horizontal_scale() * wave.amplitude_m);
+    const double phase = wave.kx_radpm * eye.x + wave.kz_radpm * eye.y + wave.phase_rad;
+    phases.push_back(static_cast<float>(std::remainder(phase, 2.0 * std::numbers::pi)));
   }
   program_.set("wave_count", static_cast<int>(waves.size()));
   program_.set("waves", waves);
@@ -155,7 +165,8 @@ void WaterPass::set_light(const world::World& world) const {
   program_.set("tap_count", detail_.taps);
 }
 
-void WaterPass::draw(const world::World& world, const Camera& camera, GLuint environment) const {
+void WaterPass::draw(const world::World& world, const FrameRequest& request, GLuint environment) const {
+  const Camera& camera = request.camera;
   const std::optional<ocean::ProjectedGrid> grid = ocean::ProjectedGrid::for_camera(camera, world.reach());
   if (!grid) return;
   program_.use();
@@ -189,10 +200,16 @@ void WaterPass::draw(const world::World& world, const Camera& camera, GLuint env
   program_.set("foam_map", foam_unit);
   program_.set("environment", environment_unit);
 
+  program_.set("debug_view", static_cast<int>(request.debug));
+  program_.set("debug_white", static_cast<float>(1.0 / request.exposure));
+  program_.set("debug_height_m", static_cast<float>(0.5 * world.reach().vertical_m));
+
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
+  glPolygonMode(GL_FRONT_AND_BACK, request.fill == Fill::wireframe ? GL_LINE : GL_FILL);
   glBindVertexArray(vertices_.name());
   glDrawElements(GL_TRIANGLES, 6 * detail_.cells.columns * detail_.cells.rows, GL_UNSIGNED_INT, nullptr);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDisable(GL_DEPTH_TEST);
 }
 

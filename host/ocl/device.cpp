@@ -1,6 +1,7 @@
 #include "host/ocl/device.h"
 
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -25,6 +26,21 @@ cl_device_id id_of(const DeviceInfo& info) {
               "list the devices again: offing devices");
 }
 
+// A context that shares with OpenGL, or nothing where the driver refuses.
+Handle<cl_context> shared_context(cl_device_id device, std::span<const std::intptr_t> share_properties) {
+  cl_platform_id platform = nullptr;
+  check(clGetDeviceInfo(device, CL_DEVICE_PLATFORM, sizeof platform, &platform, nullptr), "clGetDeviceInfo",
+        "platform");
+  std::vector<cl_context_properties> properties{CL_CONTEXT_PLATFORM,
+                                                reinterpret_cast<cl_context_properties>(platform)};
+  properties.insert(properties.end(), share_properties.begin(), share_properties.end());
+  properties.push_back(0);
+  int status = CL_SUCCESS;
+  Handle<cl_context> context(clCreateContext(properties.data(), 1, &device, nullptr, nullptr, &status));
+  if (status != CL_SUCCESS) spdlog::debug("no context shared with OpenGL: {}", status_name(status));
+  return context;
+}
+
 }  // namespace
 
 Device::Device(std::shared_ptr<detail::DeviceState> state) : state_(std::move(state)) {}
@@ -34,13 +50,24 @@ Device Device::open(std::string_view selector, Profiling profiling) {
 }
 
 Device Device::open(const DeviceInfo& info, Profiling profiling) {
+  return open_shared(info, profiling, {});
+}
+
+Device Device::open_shared(const DeviceInfo& info, Profiling profiling,
+                           std::span<const std::intptr_t> share_properties) {
   auto state = std::make_shared<detail::DeviceState>();
   state->info = info;
   state->id = id_of(info);
   state->is_profiling = profiling == Profiling::on;
+  if (info.has_gl_sharing && !share_properties.empty()) {
+    state->context = shared_context(state->id, share_properties);
+    state->shares_gl = state->context != nullptr;
+  }
   int status = CL_SUCCESS;
-  state->context.reset(clCreateContext(nullptr, 1, &state->id, nullptr, nullptr, &status));
-  check(status, "clCreateContext", info.name);
+  if (!state->context) {
+    state->context.reset(clCreateContext(nullptr, 1, &state->id, nullptr, nullptr, &status));
+    check(status, "clCreateContext", info.name);
+  }
   const cl_command_queue_properties properties = state->is_profiling ? CL_QUEUE_PROFILING_ENABLE : 0;
   state->queue.reset(clCreateCommandQueue(state->context.get(), state->id, properties, &status));
   check(status, "clCreateCommandQueue", info.name);
@@ -75,6 +102,10 @@ cl_command_queue Device::queue() const {
 
 bool Device::is_profiling() const {
   return state_->is_profiling;
+}
+
+bool Device::shares_gl() const {
+  return state_->shares_gl;
 }
 
 }  // namespace offing::ocl

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -65,6 +66,10 @@ class Device {
   /// Opens the device of select_device(selector).
   static Device open(std::string_view selector = {}, Profiling profiling = Profiling::off);
   static Device open(const DeviceInfo& info, Profiling profiling = Profiling::off);
+  /// Opens the device so that it shares buffers with the OpenGL context that `share_properties` (pairs of
+  /// property and value of cl_khr_gl_sharing) names, or without sharing where either side has none.
+  static Device open_shared(const DeviceInfo& info, Profiling profiling,
+                            std::span<const std::intptr_t> share_properties);
 
   const DeviceInfo& info() const;
 
@@ -77,6 +82,8 @@ class Device {
   cl_context context() const;
   cl_command_queue queue() const;
   bool is_profiling() const;
+  /// Whether ImportedBuffer can be used.
+  bool shares_gl() const;
   const std::shared_ptr<detail::DeviceState>& state() const { return state_; }
 
  private:

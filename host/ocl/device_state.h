@@ -12,6 +12,7 @@ struct DeviceState {
   Handle<cl_context> context;
   Handle<cl_command_queue> queue;
   bool is_profiling = false;
+  bool shares_gl = false;
 
   ~DeviceState() {
     // A driver may otherwise run commands while its objects go.

@@ -1,6 +1,7 @@
 #include "host/scene/parameter_table.h"
 
-#include <numbers>
+#include "host/scene/parameter_storage.h"
+#include "host/scene/view_parameters.h"
 
 namespace offing::scene {
 
@@ -13,23 +14,6 @@ using ocean::SpectrumParameters;
 using ocean::SpreadingParameters;
 using Scene = OceanScene;
 
-/// The member that a path of member pointers leads to.
-template <auto... path>
-auto& member(OceanScene& scene) {
-  return (scene.*....*path);
-}
-
-template <auto... path>
-ChoiceStorage choice(const std::vector<std::string_view>& names) {
-  using Enum = std::remove_reference_t<decltype(member<path...>(std::declval<OceanScene&>()))>;
-  return {
-      .names = names,
-      .get = [](OceanScene& scene) { return static_cast<std::size_t>(member<path...>(scene)); },
-      .set = [](OceanScene& scene, std::size_t index) { member<path...>(scene) = static_cast<Enum>(index); }};
-}
-
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
-
 std::vector<Parameter> make_table() {
   using enum ParameterGroup;
   constexpr auto spectrum = &Scene::spectrum;
@@ -37,9 +21,6 @@ std::vector<Parameter> make_table() {
   constexpr auto dispersion = &SpectrumParameters::dispersion;
   constexpr auto sea_parameters = &Scene::ocean;
   constexpr auto foam_parameters = &OceanParameters::foam;
-  constexpr auto view = &Scene::view;
-  constexpr auto eye_camera = &ViewScene::camera;
-  constexpr auto eye = &Camera::eye_m;
   return {
       {.key = "world.seed",
        .flag = "--seed",
@@ -376,101 +357,18 @@ std::vector<Parameter> make_table() {
        .low = 0.01,
        .high = 10.0,
        .help = "spacing of the past instants that foam remembers"},
-
-      {.key = "camera.x_m",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, eye, &glm::dvec3::x>,
-       .unit = "m",
-       .low = -1e7,
-       .high = 1e7,
-       .help = "the eye, east of the origin"},
-      {.key = "camera.y_m",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, eye, &glm::dvec3::y>,
-       .unit = "m",
-       .low = 0.001,
-       .high = 50e3,
-       .help = "the eye, above the mean water level"},
-      {.key = "camera.z_m",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, eye, &glm::dvec3::z>,
-       .unit = "m",
-       .low = -1e7,
-       .high = 1e7,
-       .help = "the eye, south of the origin"},
-      {.key = "camera.yaw_deg",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, &Camera::yaw_rad>,
-       .unit = "deg",
-       .low = -360.0,
-       .high = 360.0,
-       .help = "where the eye looks, clockwise from north",
-       .scale = radians_per_degree},
-      {.key = "camera.pitch_deg",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, &Camera::pitch_rad>,
-       .unit = "deg",
-       .low = -90.0,
-       .high = 90.0,
-       .help = "how far up the eye looks",
-       .scale = radians_per_degree},
-      {.key = "camera.roll_deg",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, &Camera::roll_rad>,
-       .unit = "deg",
-       .low = -180.0,
-       .high = 180.0,
-       .help = "how far the head is turned clockwise",
-       .scale = radians_per_degree},
-      {.key = "camera.fov_deg",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, &Camera::vertical_field_of_view_rad>,
-       .unit = "deg",
-       .low = 1.0,
-       .high = 150.0,
-       .help = "height of the field of view",
-       .scale = radians_per_degree},
-
-      {.key = "sun.azimuth_deg",
-       .flag = "",
-       .group = sun,
-       .storage = &member<view, &ViewScene::sun_azimuth_rad>,
-       .unit = "deg",
-       .low = -360.0,
-       .high = 360.0,
-       .help = "where the sun stands, clockwise from north",
-       .scale = radians_per_degree},
-      {.key = "sun.elevation_deg",
-       .flag = "",
-       .group = sun,
-       .storage = &member<view, &ViewScene::sun_elevation_rad>,
-       .unit = "deg",
-       .low = -90.0,
-       .high = 90.0,
-       .help = "how high the sun stands above the horizon",
-       .scale = radians_per_degree},
-
-      {.key = "render.exposure_ev",
-       .flag = "",
-       .group = render,
-       .storage = &member<view, &ViewScene::exposure_ev>,
-       .low = -20.0,
-       .high = 20.0,
-       .help = "stops above the exposure that the light at the eye asks for"},
   };
 }
 
 }  // namespace
 
 std::span<const Parameter> parameter_table() {
-  static const std::vector<Parameter> table = make_table();
+  static const std::vector<Parameter> table = [] {
+    std::vector<Parameter> rows = make_table();
+    const std::vector<Parameter> of_pictures = view_parameters();
+    rows.insert(rows.end(), of_pictures.begin(), of_pictures.end());
+    return rows;
+  }();
   return table;
 }
 

@@ -18,6 +18,7 @@ uniform vec3 sun_klx;   // on a surface that faces the sun
 uniform vec3 sky_klx;   // on a level surface, by the sky alone
 uniform vec3 water_kcdpm2;  // light from below the surface
 uniform vec3 haze_perm;     // extinction of the air
+uniform float eye_height_m;
 uniform vec2 foam_onset;    // Jacobian where foam begins, and how far below it covers all
 
 in vec2 label_m;
@@ -130,4 +131,7 @@ void main() {
   vec3 clear = exp(-haze_perm * length(position_m));
   vec3 horizon = environment_light(normalize(vec3(-v.x, 0.004, -v.z)));
   light = vec4(mix(horizon, surface, clear), 1.0);
+  if (debug_view != 0) {
+    light.rgb = debug_light(position_m.y + eye_height_m, slope, jacobian, coverage, width_m, label_m);
+  }
 }

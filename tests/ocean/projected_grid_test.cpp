@@ -50,6 +50,30 @@ bool is_on_grid(glm::dvec2 place) {
          place.y < 1.0 + place_tolerance;
 }
 
+// Fails if a shader that mixes the corners, and divides once, makes another grid.
+TEST(ProjectedGrid, IsTheBilinearMeanOfItsCorners) {
+  RandomCases random;
+  for (int i = 0; i < 300; ++i) {
+    const auto [camera, reach] = random.next();
+    const auto grid = ProjectedGrid::for_camera(camera, reach);
+    if (!grid) continue;
+    const auto corners = grid->corners();
+    const glm::dvec2 place(random.between(0.0, 1.0), random.between(0.0, 1.0));
+    glm::dvec2 label(0.0);
+    double w = 0.0;
+    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+      const double weight =
+          (corner % 2 == 0 ? 1.0 - place.x : place.x) * (corner / 2 == 0 ? 1.0 - place.y : place.y);
+      label += weight * corners[corner].label_m;
+      w += weight * corners[corner].w;
+    }
+    const glm::dvec2 expected = grid->label_m(place);
+    const double length_m = std::hypot(expected.x, expected.y);
+    EXPECT_NEAR(label.x / w, expected.x, 1e-9 * length_m);
+    EXPECT_NEAR(label.y / w, expected.y, 1e-9 * length_m);
+  }
+}
+
 // A pixel below the horizon shows water at some height within the waves' reach, carried there from a label
 // within their reach. A grid that ends too early leaves a hole there.
 TEST(ProjectedGrid, CoversWhatAnyCameraSees) {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "host/ocl/buffer.h"
+#include "host/ocl/device.h"
+
+namespace offing::ocl {
+
+/// A buffer object of OpenGL that a device of Device::open_shared() writes (cl_khr_gl_sharing), move-only.
+class ImportedBuffer {
+ public:
+  /// `gl_name` is a buffer object of the shared context that has its memory already, and keeps it while this
+  /// object lives. Throws Error(bad_usage) if the device does not share, Error(device) if the driver refuses.
+  ImportedBuffer(const Device& device, unsigned gl_name);
+  ImportedBuffer(ImportedBuffer&& other) noexcept;
+  ImportedBuffer& operator=(ImportedBuffer&& other) noexcept;
+  ~ImportedBuffer();
+
+  /// Copies all elements to the start of the OpenGL buffer and waits; OpenGL must be done with the buffer.
+  template <class T>
+  void copy_from(const Buffer<T>& source) {
+    copy_bytes(source.handle(), source.size() * sizeof(T));
+  }
+
+ private:
+  void copy_bytes(cl_mem source, std::size_t bytes);
+
+  std::shared_ptr<detail::DeviceState> device_;
+  cl_mem memory_ = nullptr;
+};
+
+}  // namespace offing::ocl

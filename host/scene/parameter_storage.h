@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <numbers>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "host/scene/parameter.h"
+
+namespace offing::scene {
+
+/// The member that a path of member pointers leads to.
+template <auto... path>
+auto& member(OceanScene& scene) {
+  return (scene.*....*path);
+}
+
+/// One of several named values at the end of such a path.
+template <auto... path>
+ChoiceStorage choice(const std::vector<std::string_view>& names) {
+  using Enum = std::remove_reference_t<decltype(member<path...>(std::declval<OceanScene&>()))>;
+  return {
+      .names = names,
+      .get = [](OceanScene& scene) { return static_cast<std::size_t>(member<path...>(scene)); },
+      .set = [](OceanScene& scene, std::size_t index) { member<path...>(scene) = static_cast<Enum>(index); }};
+}
+
+inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+}  // namespace offing::scene

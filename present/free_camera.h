@@ -1,0 +1,38 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "host/base/camera.h"
+
+namespace offing::present {
+
+/// What keys and mouse ask of a camera during one frame.
+struct CameraInput {
+  glm::dvec3 move{0.0};     ///< -1 ... 1 along the eye's right, the world's up and the eye's forward
+  glm::dvec2 turn_px{0.0};  ///< how far the mouse moved with its button down, right and down
+  double wheel = 0.0;       ///< notches away from the user: faster
+  bool is_fast = false;
+  bool is_slow = false;
+};
+
+/// A camera that flies: over the water, never below it.
+class FreeCamera {
+ public:
+  explicit FreeCamera(const Camera& start);
+
+  /// Moves by what was asked for in so much time.
+  void advance(const CameraInput& input, double seconds);
+  /// Back to where it began.
+  void reset();
+
+  Camera& camera() { return camera_; }
+  const Camera& camera() const { return camera_; }
+  double speed_mps() const { return speed_mps_; }
+
+ private:
+  Camera start_, camera_;
+  double speed_mps_;
+};
+
+}  // namespace offing::present

@@ -1,0 +1,31 @@
+#pragma once
+
+namespace offing::present {
+
+/// The time that a window shows: it runs with the wall clock, faster, slower or not at all.
+class SceneClock {
+ public:
+  SceneClock(double start_s, double step_s) : time_s_(start_s), step_s_(step_s) {}
+
+  double time_s() const { return time_s_; }
+  double scale() const { return scale_; }
+  bool is_paused() const { return is_paused_; }
+
+  /// Passes on wall time. A frame that took longer than a quarter of a second, as while a window is dragged,
+  /// counts as one of that length.
+  void advance(double wall_s);
+  void set_time(double time_s) { time_s_ = time_s; }
+  /// Scene seconds a second, 1/64 ... 64.
+  void set_scale(double scale);
+  void toggle_pause() { is_paused_ = !is_paused_; }
+  /// Pauses, and goes so many frames of the scene forward or back.
+  void step(int frames);
+
+ private:
+  double time_s_;
+  double step_s_;
+  double scale_ = 1.0;
+  bool is_paused_ = false;
+};
+
+}  // namespace offing::present

@@ -1,0 +1,146 @@
+// The program offing-view as its users run it, without a display server.
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/io/exr_image.h"
+#include "host/io/png_image.h"
+#include "tests/cli/offing_program.h"
+
+namespace offing::test {
+namespace {
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// One scene and its picture for all cases: each start of the program takes a second or more where the CPU
+// draws.
+class ViewProgramTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+    folder_ = std::make_unique<TemporaryFolder>();
+    std::ofstream(scene()) << "version = 1\n"
+                              "[time]\nfps = 10\nend_s = 0.3\n"
+                              "[wind]\nspeed_mps = 9\n"
+                              "[ocean]\nfetch_m = 40e3\nsize = 64\n"
+                              "[camera]\ny_m = 6\npitch_deg = -4\n"
+                              "[sun]\nelevation_deg = 20\nazimuth_deg = 20\n";
+    first_ = view({"--time", "2", "-o", path("first.png")});
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  void SetUp() override {
+    if (first_.exit_code == 3 && first_.errors.find("OpenGL") != std::string::npos) {
+      GTEST_SKIP() << first_.errors;
+    }
+    ASSERT_EQ(first_.exit_code, 0) << first_.errors;
+  }
+  void TearDown() override {
+    unsetenv("MESA_GL_VERSION_OVERRIDE");
+    unsetenv("MESA_EXTENSION_OVERRIDE");
+  }
+
+  static std::string path(const std::string& name) { return (folder_->path() / name).string(); }
+  static std::string scene() { return path("sea.toml"); }
+  static ProgramResult view(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {scene(), "--headless", "--size", "160x90", "--detail", "low"});
+    return run_offing(arguments);
+  }
+
+  static inline std::unique_ptr<TemporaryFolder> folder_;
+  static inline ProgramResult first_;
+};
+
+// Fails if a picture depends on anything but its scene and time: a clock, memory left over, threads.
+TEST_F(ViewProgramTest, RepeatsEveryByte) {
+  ASSERT_EQ(view({"--time", "2", "-o", path("a.png")}).exit_code, 0);
+  EXPECT_EQ(bytes_of(path("a.png")), bytes_of(path("first.png")));
+  ASSERT_EQ(view({"--time", "2", "-o", path("a.exr")}).exit_code, 0);
+  ASSERT_EQ(view({"--time", "2", "-o", path("b.exr")}).exit_code, 0);
+  EXPECT_EQ(bytes_of(path("a.exr")), bytes_of(path("b.exr")));
+}
+
+// Fails if a frame of a recording is not the picture of its time, or one is missing.
+TEST_F(ViewProgramTest, RecordsFramesOfTheirTimes) {
+  ASSERT_EQ(view({"--record", path("out_%04d.png"), "--frames", "19:21", "--fps", "10"}).exit_code, 0);
+  EXPECT_EQ(bytes_of(path("out_0020.png")), bytes_of(path("first.png")));
+  EXPECT_NE(bytes_of(path("out_0019.png")), bytes_of(path("out_0021.png")));
+  ASSERT_EQ(view({"--record", path("all_%d.png")}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(path("all_0.png")));
+  EXPECT_TRUE(std::filesystem::exists(path("all_2.png")));
+  EXPECT_FALSE(std::filesystem::exists(path("all_3.png"))) << "frames stop before end_s";
+}
+
+// Fails if the picture differs where OpenGL is older or has fewer extensions: mean difference below 1/255.
+TEST_F(ViewProgramTest, LooksTheSameOnOlderOpenGl) {
+  const RgbImage expected = read_png(path("first.png"));
+  for (const char* version : {"3.3FC", "4.1FC"}) {
+    setenv("MESA_GL_VERSION_OVERRIDE", version, 1);
+    setenv("MESA_EXTENSION_OVERRIDE", "-GL_ARB_buffer_storage -GL_ARB_clip_control", 1);
+    const ProgramResult result = view({"--time", "2", "-o", path("older.png")});
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+    if (result.errors.find(std::string("OpenGL ") + std::string(version, 3)) == std::string::npos) {
+      GTEST_SKIP() << "this driver does not take MESA_GL_VERSION_OVERRIDE: " << result.errors;
+    }
+    const RgbImage found = read_png(path("older.png"));
+    ASSERT_EQ(found.rgb.size(), expected.rgb.size());
+    double sum = 0.0;
+    for (std::size_t i = 0; i < found.rgb.size(); ++i) sum += std::abs(found.rgb[i] - expected.rgb[i]);
+    EXPECT_LT(sum / static_cast<double>(found.rgb.size()), 1.0) << version;
+  }
+}
+
+// Fails if the EXR is not scene-linear light: a clear sky's luminance is some kcd/m2, and no pixel is
+// negative.
+TEST_F(ViewProgramTest, WritesSceneLinearLight) {
+  ASSERT_EQ(view({"--time", "2", "-o", path("light.exr")}).exit_code, 0);
+  const ExrContent content = read_exr(path("light.exr"));
+  EXPECT_EQ(content.width, 160);
+  EXPECT_EQ(content.height, 90);
+  const float top = content.channel("G").front();
+  EXPECT_GT(top, 0.5f);
+  EXPECT_LT(top, 30.0f);
+  for (const float value : content.channel("B")) ASSERT_GE(value, 0.0f);
+}
+
+// Fails if a fault of the command line or the scene is not told in two lines, with exit code 2.
+TEST_F(ViewProgramTest, RefusesBadInput) {
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& named) {
+    const ProgramResult result = run_offing(arguments);
+    EXPECT_EQ(result.exit_code, 2) << result.errors;
+    EXPECT_NE(result.errors.find("error: "), std::string::npos);
+    EXPECT_NE(result.errors.find("hint: "), std::string::npos);
+    EXPECT_NE(result.errors.find(named), std::string::npos) << result.errors;
+  };
+  refused({scene(), "--headless"}, "-o");
+  refused({scene(), "--headless", "-o", path("a.jpg")}, ".png or .exr");
+  refused({scene(), "--size", "0x5", "-o", path("a.png")}, "--size");
+  refused({scene(), "--time", "nan", "-o", path("a.png")}, "--time");
+  refused({scene(), "--record", path("a.png")}, "--record");
+  refused({scene(), "--record", path("a_%d.png"), "--frames", "5:2"}, "--frames");
+  refused({scene(), "--transfer", "carrier-pigeon", "-o", path("a.png")}, "mapped-pointer");
+  refused({scene(), "--nonsense"}, "--nonsense");
+  refused({path("missing.toml"), "-o", path("a.png")}, "missing.toml");
+  std::ofstream(path("bad.toml")) << "version = 1\n[camera]\nfov_deg = 1000\n";
+  refused({path("bad.toml"), "-o", path("a.png")}, "bad.toml:3:11: camera.fov_deg");
+}
+
+// Fails if a rung that is forced is not used, or not printed.
+TEST_F(ViewProgramTest, PrintsTheTransfer) {
+  const ProgramResult result = view({"--transfer", "blocking-read", "--time", "2", "-o", path("a.png")});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.errors.find("transfer blocking-read"), std::string::npos) << result.errors;
+  EXPECT_EQ(bytes_of(path("a.png")), bytes_of(path("first.png")));
+}
+
+}  // namespace
+}  // namespace offing::test
