@@ -63,7 +63,7 @@ void bench_size(const ocl::Device& device, int size, int blocks, const Sinks& si
   GerstnerPeer peer(waves, grid);
   double ours_time_s = 0.0, peers_time_s = 0.0;
   const Work enqueue_ours = [&] { ours.at(waves, grid, ours_time_s += frame_s); };
-  const auto until_finished = [&](Work work) -> Work {
+  const auto until_finished = [&](const Work& work) -> Work {
     return [&device, work] {
       work();
       device.finish();

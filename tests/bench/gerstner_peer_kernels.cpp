@@ -10,11 +10,19 @@ namespace {
 
 constexpr int lanes = 16, most_waves = 64, most_tile = 256;
 using Vector = float __attribute__((vector_size(4 * lanes)));
-using Indices = int __attribute__((vector_size(4 * lanes)));
 
-constexpr Indices backward = {15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0};
-constexpr Indices low_halves = {0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23};
-constexpr Indices high_halves = {8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31};
+/// a0 b0 a1 b1 ... of the lower halves, and of the upper ones.
+Vector low_halves(const Vector& a, const Vector& b) {
+  return __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+}
+
+Vector high_halves(const Vector& a, const Vector& b) {
+  return __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+}
+
+Vector backward(const Vector& a) {
+  return __builtin_shufflevector(a, a, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
+}
 
 void store(const Vector& value, float* target) {
   std::memcpy(target, &value, sizeof value);
@@ -22,12 +30,12 @@ void store(const Vector& value, float* target) {
 
 /// Sixteen columns of four fields -> float4 each.
 void store_interleaved(const Vector& a, const Vector& b, const Vector& c, const Vector& d, float* target) {
-  const Vector low_ac = __builtin_shuffle(a, c, low_halves), high_ac = __builtin_shuffle(a, c, high_halves);
-  const Vector low_bd = __builtin_shuffle(b, d, low_halves), high_bd = __builtin_shuffle(b, d, high_halves);
-  store(__builtin_shuffle(low_ac, low_bd, low_halves), target);
-  store(__builtin_shuffle(low_ac, low_bd, high_halves), target + lanes);
-  store(__builtin_shuffle(high_ac, high_bd, low_halves), target + 2 * lanes);
-  store(__builtin_shuffle(high_ac, high_bd, high_halves), target + 3 * lanes);
+  const Vector low_ac = low_halves(a, c), high_ac = high_halves(a, c);
+  const Vector low_bd = low_halves(b, d), high_bd = high_halves(b, d);
+  store(low_halves(low_ac, low_bd), target);
+  store(high_halves(low_ac, low_bd), target + lanes);
+  store(low_halves(high_ac, high_bd), target + 2 * lanes);
+  store(high_halves(high_ac, high_bd), target + 3 * lanes);
 }
 
 /// Fields in the order of GerstnerWave::amplitude.
@@ -142,7 +150,7 @@ void gerstner_mirrored(const GerstnerRow& row) {
       Vector right[8], left[8];
       for (int f = 0; f < 8; ++f) {
         right[f] = even_sum[f] + odd_sum[f];
-        left[f] = __builtin_shuffle(even_sum[f] - odd_sum[f], backward);
+        left[f] = backward(even_sum[f] - odd_sum[f]);
       }
       store_fields(right, row, first + block / 2 + v * lanes);
       store_fields(left, row, first + block / 2 - (v + 1) * lanes);

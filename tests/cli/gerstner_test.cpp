@@ -110,7 +110,7 @@ TEST_F(GerstnerCommand, BakeListsTheWavesInTheHeader) {
 TEST_F(GerstnerCommand, BakeIncludesWhatItLists) {
   const std::vector<std::string> frame = {"--frames", "3:3", "--velocity", "--foam-onset", "0.95"};
   std::vector<std::string> included_frame = frame;
-  included_frame.push_back("--include-gerstner");
+  included_frame.emplace_back("--include-gerstner");
   ASSERT_EQ(bake("listed", frame).exit_code, 0);
   ASSERT_EQ(bake("included", included_frame).exit_code, 0);
   const ExrContent listed = image("listed", "ocean.c0.0003.exr");
