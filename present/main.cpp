@@ -1,6 +1,7 @@
 #include <optional>
 
 #include "host/base/cancel_token.h"
+#include "host/base/error.h"
 #include "host/base/log.h"
 #include "host/base/process.h"
 #include "present/headless.h"
@@ -15,6 +16,10 @@ int run(int argc, char** argv) {
   offing::configure_log(offing::Verbosity::normal);
   if (const std::optional<present::ViewOptions> options = present::read_view_options(argc, argv)) {
     offing::configure_log(options->verbosity);
+    if (options->opens_window) {
+      throw offing::Error(offing::ErrorKind::bad_usage, "offing-view: this version has no window yet",
+                          "make pictures: add --headless -o picture.png, or --record");
+    }
     present::make_pictures(*options, cancel);
   }
   offing::finish_output();

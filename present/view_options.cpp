@@ -19,7 +19,6 @@ namespace {
 
 constexpr const char* footer = R"(
 Examples:
-  offing-view scenes/storm.toml
   offing-view scenes/storm.toml --headless --size 1920x1080 --time 12.5 -o storm.png
   offing-view scenes/storm.toml --record out_%04d.png --frames 0:47 --fps 24
 
