@@ -43,14 +43,14 @@ vec3 hidden_at(int cascade, float level) {
              hidden_slopes[cascade * level_count + below + 1].xyz, place - float(below));
 }
 
-// Light that a facet of this slope sends along v. A ray that is mirrored downward meets another wave, taken as
-// level there.
-vec3 facet_light(vec2 slope, vec3 v) {
+// Light that a facet of this slope sends along v, and facets like it, whose mirrored rays rise or fall by `blur`. A
+// ray that is mirrored downward meets another wave, taken as level there.
+vec3 facet_light(vec2 slope, vec3 v, float blur) {
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
   vec3 ray = reflect(-v, normal);
-  vec3 mirrored = environment_light(normalize(vec3(ray.x, abs(ray.y), ray.z)));
-  if (ray.y < 0.0) mirrored = mix(water_kcdpm2, mirrored, fresnel(-ray.y));
-  return mix(water_kcdpm2, mirrored, fresnel(clamp(dot(v, normal), 0.0, 1.0)));
+  vec3 mirrored = environment_light(normalize(vec3(ray.x, sqrt(ray.y * ray.y + blur * blur), ray.z)));
+  float lost = ray.y < 0.0 ? 1.0 - fresnel(-ray.y) : 0.0;
+  return mix(mix(mirrored, water_kcdpm2, lost), water_kcdpm2, 1.0 - fresnel(clamp(dot(v, normal), 0.0, 1.0)));
 }
 
 float fresh_foam(vec3 gradient) {
@@ -68,7 +68,7 @@ float foam_opacity(float coverage, float width_m) {
   float fine = textureLod(foam_pattern, place, level).r;
   float coarse = textureLod(foam_pattern, 0.23 * place.yx, max(0.0, level - 2.1)).r;
   float pattern = mix(fine, coarse, 0.35);
-  float textured = clamp(0.5 + (pattern - 1.0 + coverage) / 0.35, 0.0, 1.0);
+  float textured = clamp(0.5 + (pattern - 1.0 + coverage) / (0.35 + 0.2 * level), 0.0, 1.0);
   return mix(textured, coverage, clamp(0.25 * level - 0.5, 0.0, 1.0));
 }
 
@@ -117,8 +117,11 @@ void main() {
   vec3 v = normalize(-position_m);
   Facets facets = Facets(slope, hidden);
   Visibility seen = visibility(facets, v);
-  vec3 water = 0.5 * (facet_light(slope + seen.spread * (seen.mean - seen.deviation), v) +
-                      facet_light(slope + seen.spread * (seen.mean + seen.deviation), v));
+  // Two facets that have mean and variance of those seen; each stands for half of them.
+  vec2 apart = seen.spread * seen.deviation;
+  vec2 middle = slope + seen.spread * seen.mean;
+  float blur = 0.5 * length(apart);
+  vec3 water = 0.5 * (facet_light(middle - apart, v, blur) + facet_light(middle + apart, v, blur));
   water += sun_klx * sun_glitter(facets, seen, v, sun_direction, sun_radius_rad);
 
   float coverage = max(fresh_foam(breaking_gradient), 1.0 - bare);
