@@ -43,7 +43,7 @@ std::vector<Parameter> view_parameters() {
        .unit = "deg",
        .low = -360.0,
        .high = 360.0,
-       .help = "where the eye looks, clockwise from east (+x)",
+       .help = "where the eye looks, clockwise from north (-z)",
        .scale = radians_per_degree},
       {.key = "camera.pitch_deg",
        .flag = "",

@@ -135,7 +135,7 @@ TEST(Stats, TakesTheScenesWithoutAWarning) {
     if (entry.path().extension() == ".toml") {
       ++count;
       const ProgramResult result =
-          run_offing({"ocean", "stats", entry.path().string(), "--size", "16", "--seeds", "1"});
+          run_offing({"ocean", "stats", entry.path().string(), "--size", "32", "--seeds", "1"});
       EXPECT_EQ(result.exit_code, 0) << result.errors;
       EXPECT_THAT(result.errors, testing::Not(testing::HasSubstr("warning"))) << entry.path();
     }
