@@ -1,0 +1,134 @@
+#include "host/scene/scene_writer.h"
+
+#include <algorithm>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/io/atomic_file.h"
+#include "host/scene/parameter_table.h"
+
+namespace offing::scene {
+namespace {
+
+using Text = std::string& (*)(OceanScene&);
+using List = std::vector<double>& (*)(OceanScene&);
+
+std::string_view section_of(const Parameter& row) {
+  return row.key.substr(0, row.key.rfind('.'));
+}
+
+std::string_view name_of(const Parameter& row) {
+  return row.key.substr(row.key.rfind('.') + 1);
+}
+
+std::string toml_text(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (code < 0x20 || code == 0x7f) {
+      result += fmt::format("\\u{:04x}", code);
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+/// As people write it, where that is the same number.
+std::string number_of(const OceanScene& scene, const Parameter& row) {
+  const std::string exact = value_text(scene, row, Digits::exact);
+  std::string readable = value_text(scene, row, Digits::readable);
+  OceanScene copy = scene;
+  clear_list(copy, row);
+  store(copy, row, read_flag_value(row, readable), {.subject = std::string(row.key), .assignment = ""});
+  return value_text(copy, row, Digits::exact) == exact ? readable : exact;
+}
+
+/// One line a value: lists have several.
+std::vector<std::string> values_of(const OceanScene& scene, const Parameter& row,
+                                   const std::filesystem::path& folder) {
+  if (const auto* text = std::get_if<Text>(&row.storage)) {
+    OceanScene copy = scene;
+    return {toml_text(std::filesystem::proximate((*text)(copy), folder).generic_string())};
+  }
+  if (std::holds_alternative<ChoiceStorage>(row.storage)) return {toml_text(value_text(scene, row))};
+  if (const auto* list = std::get_if<List>(&row.storage)) {
+    std::vector<std::string> values;
+    OceanScene one = scene;
+    OceanScene copy = scene;
+    for (const double value : (*list)(copy)) {
+      (*list)(one) = {value};
+      values.push_back(number_of(one, row));
+    }
+    return values;
+  }
+  return {number_of(scene, row)};
+}
+
+struct Line {
+  std::string_view name;
+  std::vector<std::string> values;
+};
+
+struct Section {
+  std::string_view name;
+  bool is_repeated = false;  ///< written once an element of its lists
+  std::vector<Line> lines;
+};
+
+/// What is not as in a default-made scene, in the order of the table; rows of a section need not be
+/// neighbours.
+std::vector<Section> changed_sections(const OceanScene& scene, const std::filesystem::path& folder) {
+  const OceanScene usual;
+  std::vector<Section> sections;
+  for (const Parameter& row : parameter_table()) {
+    if (value_text(scene, row, Digits::exact) == value_text(usual, row, Digits::exact)) continue;
+    auto section = std::find_if(sections.begin(), sections.end(),
+                                [&](const Section& one) { return one.name == section_of(row); });
+    if (section == sections.end()) section = sections.insert(section, {.name = section_of(row), .lines = {}});
+    section->is_repeated = section->is_repeated || row.max_count > 1;
+    section->lines.push_back({.name = name_of(row), .values = values_of(scene, row, folder)});
+  }
+  return sections;
+}
+
+void append(std::string& text, const Section& section) {
+  std::size_t count = 1;
+  for (const Line& line : section.lines) count = std::max(count, line.values.size());
+  for (std::size_t element = 0; element < count; ++element) {
+    text +=
+        section.is_repeated ? fmt::format("\n[[{}]]\n", section.name) : fmt::format("\n[{}]\n", section.name);
+    for (const Line& line : section.lines) {
+      if (element < line.values.size()) text += fmt::format("{} = {}\n", line.name, line.values[element]);
+    }
+  }
+}
+
+}  // namespace
+
+std::string scene_text(const OceanScene& scene, const std::filesystem::path& folder) {
+  std::string text = "version = 1\n";
+  for (const Section& section : changed_sections(scene, folder)) append(text, section);
+  return text;
+}
+
+void save_scene(const OceanScene& scene, const std::filesystem::path& file, Existing existing) {
+  if (file.extension() != ".toml") {
+    throw Error(ErrorKind::bad_usage, fmt::format("{}: expected a name that ends in .toml", file.string()),
+                "name it scene.toml");
+  }
+  if (existing == Existing::keep && std::filesystem::exists(file)) {
+    throw Error(ErrorKind::bad_usage, fmt::format("{}: is there already", file.string()),
+                "choose another name, or overwrite it");
+  }
+  write_file_atomically(file, scene_text(scene, file.parent_path()));
+}
+
+}  // namespace offing::scene

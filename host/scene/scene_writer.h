@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "host/scene/ocean_scene.h"
+
+namespace offing::scene {
+
+/// The scene as a file that load_scene() reads back to the same values: `version = 1`, then by section every
+/// value that is not the default one. File names are written relative to `folder`.
+std::string scene_text(const OceanScene& scene, const std::filesystem::path& folder);
+
+enum class Existing { keep, replace };
+
+/// Writes the scene's text, atomically. Throws Error(bad_usage) unless the name ends in .toml, or if there is
+/// a file already that is to be kept; Error(file) if it cannot be written.
+void save_scene(const OceanScene& scene, const std::filesystem::path& file, Existing existing);
+
+}  // namespace offing::scene

@@ -1,0 +1,97 @@
+#include "host/scene/scene_writer.h"
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "host/scene/parameter_table.h"
+#include "host/scene/scene_file.h"
+#include "tests/io/temporary_folder.h"
+
+namespace offing::scene {
+namespace {
+
+// Every value of the table, to the last bit.
+void expect_same_values(const OceanScene& found, const OceanScene& expected) {
+  for (const Parameter& row : parameter_table()) {
+    EXPECT_EQ(value_text(found, row, Digits::exact), value_text(expected, row, Digits::exact)) << row.key;
+  }
+}
+
+// A scene with every row set to something that is not its default: the example where there is one, else a
+// place in the range that no short decimal hits, else the last choice.
+OceanScene unusual_scene() {
+  OceanScene scene;
+  for (const Parameter& row : parameter_table()) {
+    const Place place{.subject = std::string(row.key), .assignment = ""};
+    WrittenValue written{.value = row.low + (row.high - row.low) / 3.0, .shown = ""};
+    if (const auto* choice = std::get_if<ChoiceStorage>(&row.storage)) {
+      written.value = std::string(choice->names.back());
+    } else if (row.rule == ParameterRule::power_of_two) {
+      written.value = std::int64_t{128};
+    } else if (std::holds_alternative<int& (*)(OceanScene&)>(row.storage) ||
+               std::holds_alternative<std::uint64_t& (*)(OceanScene&)>(row.storage)) {
+      written.value = std::int64_t{2};
+    } else if (!row.example.empty()) {
+      written = read_flag_value(row, row.example);
+    }
+    store(scene, row, written, place);
+    if (row.max_count > 1) store(scene, row, {.value = row.low + 1.0 / 3.0, .shown = ""}, place);
+  }
+  return scene;
+}
+
+// Fails if a kind of value is not written, or not so that it reads back.
+TEST(SceneWriter, EveryValueComesBack) {
+  const OceanScene scene = unusual_scene();
+  expect_same_values(parse_scene(scene_text(scene, ""), "again.toml", ""), scene);
+}
+
+// Fails if defaults are written out, which would keep a scene from following better ones.
+TEST(SceneWriter, LeavesDefaultsOut) {
+  EXPECT_EQ(scene_text(OceanScene{}, ""), "version = 1\n");
+}
+
+// Fails if numbers are not written as people do where that is exact: degrees are kept as radians.
+TEST(SceneWriter, WritesNumbersAsPeopleDo) {
+  const OceanScene scene = parse_scene(
+      "version = 1\n[wind]\nspeed_mps = 8.7\ndirection_deg = 30\n[[ocean.cascade]]\npatch_m = 250.1\n",
+      "a.toml", "");
+  EXPECT_EQ(
+      scene_text(scene, ""),
+      "version = 1\n\n[wind]\nspeed_mps = 8.7\ndirection_deg = 30\n\n[[ocean.cascade]]\npatch_m = 250.1\n");
+}
+
+// Fails if a file name is not found from the new file's folder, or breaks its quotes.
+TEST(SceneWriter, NamesFilesFromItsFolder) {
+  OceanScene scene;
+  scene.spectrum_file = "/data/buoys/odd \"name\\.data_spec";
+  const std::string text = scene_text(scene, "/data/scenes");
+  EXPECT_NE(text.find("../buoys/"), std::string::npos) << text;
+  const OceanScene again = parse_scene(text, "a.toml", "/data/scenes");
+  EXPECT_EQ(std::filesystem::path(again.spectrum_file).lexically_normal(), scene.spectrum_file);
+}
+
+// Fails if a file is lost that the user did not want to replace, or another kind of file is written.
+TEST(SceneWriter, ReplacesOnlyWhatItMay) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "sea.toml";
+  const auto bytes = [&] {
+    std::ifstream stream(file);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  OceanScene scene;
+  save_scene(scene, file, Existing::keep);
+  scene.wind_speed_mps = 20.0;
+  EXPECT_THROW(save_scene(scene, file, Existing::keep), Error);
+  EXPECT_EQ(bytes(), scene_text(OceanScene{}, folder.path()));
+  save_scene(scene, file, Existing::replace);
+  EXPECT_EQ(bytes(), scene_text(scene, folder.path()));
+  EXPECT_THROW(save_scene(scene, folder.path() / "sea.png", Existing::keep), Error);
+}
+
+}  // namespace
+}  // namespace offing::scene
