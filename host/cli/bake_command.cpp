@@ -110,6 +110,19 @@ nlohmann::json summary_json(const BakeSettings& settings, const scene::Sea& sea,
   return json;
 }
 
+/// What is asked for and cannot be done, and what is in the scene and not in the frames.
+void warn_of_waves_beside(const scene::Sea& sea, GerstnerUse use) {
+  if (use == GerstnerUse::included && !sea.has_trochoids()) {
+    spdlog::warn("--include-gerstner: not used: there are no Gerstner waves, swells or raindrops");
+  }
+  if (use == GerstnerUse::included && sea.parameters.loop_period_s && !sea.raindrops.empty()) {
+    spdlog::warn("the raindrops fall once: frames that have them do not loop");
+  }
+  if (use != GerstnerUse::included && !sea.raindrops.empty()) {
+    spdlog::warn("the raindrops of the scene are not in the frames: --include-gerstner adds them");
+  }
+}
+
 void run(const BakeArguments& arguments, const GlobalOptions& options) {
   const scene::OceanScene scene = arguments.parameters.read();
   const scene::Sea sea = scene::prepare_sea(scene);
@@ -121,9 +134,7 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
     std::fflush(stdout);
   }
   warn_of_broken_loop(sea, settings.frames_per_second);
-  if (settings.gerstner == GerstnerUse::included && !sea.trochoid_choice) {
-    spdlog::warn("--include-gerstner: not used: there are no Gerstner waves");
-  }
+  warn_of_waves_beside(sea, settings.gerstner);
 
   const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings));
   const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), hash);
@@ -178,8 +189,9 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
              [&settings] { settings.preview = PreviewUse::pictures; });
   add_switch(
       "--include-gerstner",
-      "add the Gerstner waves to cascade c0 and its mesh, which do not tile then; its Jacobian and foam "
-      "are those of the whole sea (default: listed in the header alone)",
+      "add the Gerstner waves, swells and raindrops to cascade c0 and its mesh, which do not tile then; its "
+      "Jacobian and foam are those of the whole sea (default: Gerstner waves and swells listed in the header "
+      "alone)",
       [&settings] { settings.gerstner = GerstnerUse::included; });
   add("--export-spectrum", arguments->export_file, "FILE",
       "write the spectrum as WAVEWATCH III text (.spec)");

@@ -67,9 +67,9 @@ void summarise(const std::vector<SurfaceMeasurement>& all, Certificate& certific
   }
 }
 
-/// What trochoids are expected to be: those of many seeds, each with its share of the energy.
+/// What trochoids are expected to be: those of many seeds, each with its share of the energy, and the swells.
 std::vector<ocean::Trochoid> expected_trochoids(const scene::Sea& sea) {
-  std::vector<ocean::Trochoid> waves;
+  std::vector<ocean::Trochoid> waves = sea.swells;
   if (!sea.trochoid_choice) return waves;
   constexpr int seeds = 16;
   ocean::TrochoidChoice choice = *sea.trochoid_choice;
@@ -124,6 +124,9 @@ Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds,
   Certificate certificate;
   certificate.seeds = seeds;
   certificate.asked = ocean::integrate_sea_state(sea.spectrum);
+  for (const ocean::Trochoid& swell : sea.swells) {
+    certificate.swell_m0_m2 += 0.5 * swell.amplitude_m * swell.amplitude_m;
+  }
   certificate.energy = energy_shares(sea.spectrum, sea.parameters.cascades);
 
   ocean::OceanParameters parameters = sea.parameters;
@@ -141,6 +144,7 @@ Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds,
     }
     ocean::TrochoidSea trochoids = scene::trochoids_of(sea, seed);
     trochoids.loop_period_s.reset();
+    trochoids.raindrops.clear();
     ocean.at(0.0);
     measurements.push_back(meter.measure(ocean, trochoids));
     steepness += ocean::horizontal_scale(trochoids).steepness;

@@ -29,10 +29,11 @@ struct Measured {
 /// The sea-state certificate: what was asked of the spectrum and what the synthesised surface has.
 struct Certificate {
   int seeds = 0;
-  ocean::SeaState asked;                ///< of the whole spectrum
-  ocean::SeaState resolved;             ///< expected of the waves that the grids hold
+  ocean::SeaState asked;                ///< of the whole spectrum, without swells beside it
+  ocean::SeaState resolved;             ///< expected of the waves that the grids hold and of the swells
   ocean::SeaStateError standard_error;  ///< of the means below, expected from the mode energies
   EnergyShares energy;
+  double swell_m0_m2 = 0.0;                    ///< beside the spectrum
   std::vector<double> expected_cascade_m0_m2;  ///< sums of mode energies
   std::vector<double> measured_cascade_m0_m2;  ///< means over the seeds
   Measured hs_m, tp_s, tm01_s, tm02_s, mean_direction_rad, mss;
@@ -42,9 +43,9 @@ struct Certificate {
   double max_ka = 0.0;
 };
 
-/// Synthesises the sea with `seeds` seeds, from the scene's own upward, and measures each. A loop period is
-/// not applied: it moves every wave's frequency to the nearest multiple of the loop's, which is no property
-/// of the sea.
+/// Synthesises the sea with `seeds` seeds, from the scene's own upward, and measures each, with its swells. A
+/// loop period is not applied: it moves every wave's frequency to the nearest multiple of the loop's, which
+/// is no property of the sea; neither are raindrops.
 Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds, Progress& progress,
                     const CancelToken& cancel);
 

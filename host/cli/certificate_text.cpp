@@ -115,6 +115,10 @@ std::string certificate_text(const Certificate& c, const scene::Sea& sea, Direct
   fmt::format_to(out, "\n  skewness {:.3f}, kurtosis {:.3f}, folded share {:.2e}, max ka {:.3f}\n\n",
                  c.skewness.mean, c.kurtosis.mean, c.folded_share.mean, c.max_ka);
   fmt::format_to(out, "{}\n", cascade_text(sea, c.energy));
+  if (!sea.swells.empty()) {
+    fmt::format_to(out, "Swells beside the spectrum: {}, {:.4g} m^2; resolved and measured have them.\n\n",
+                   sea.swells.size(), c.swell_m0_m2);
+  }
   fmt::format_to(
       out,
       "asked: the whole spectrum. resolved: what the grids can hold. measured: mean over the seeds of the\n"
@@ -143,6 +147,9 @@ nlohmann::json certificate_json(const Certificate& c, const scene::Sea& sea, Dir
     json["gerstner"] = {{"count", sea.trochoid_choice->count},
                         {"k_split_radpm", sea.trochoid_choice->split_radpm},
                         {"spectrum_m0_m2", c.energy.trochoid_m0_m2}};
+  }
+  if (!sea.swells.empty()) {
+    json["swells"] = {{"count", sea.swells.size()}, {"m0_m2", c.swell_m0_m2}};
   }
   json["cascades"] = nlohmann::json::array();
   for (std::size_t i = 0; i < sea.parameters.cascades.size(); ++i) {

@@ -6,7 +6,7 @@ namespace offing::cli {
 
 FrameMaker::FrameMaker(const ocl::Device& device, const scene::Sea& sea, const BakeSettings& settings)
     : settings_(settings), ocean_(device, sea.spectrum, sea.parameters) {
-  if (settings.gerstner == GerstnerUse::included && sea.trochoid_choice) {
+  if (settings.gerstner == GerstnerUse::included && sea.has_trochoids()) {
     gerstner_.emplace(device, sea);
   }
 }

@@ -28,6 +28,10 @@ const char* title(ParameterGroup group) {
       return "Sea";
     case ParameterGroup::grid:
       return "Grid";
+    case ParameterGroup::swell:
+      return "Swell";
+    case ParameterGroup::raindrop:
+      return "Raindrop";
     case ParameterGroup::foam:
       return "Foam";
     case ParameterGroup::camera:

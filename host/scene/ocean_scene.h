@@ -8,9 +8,19 @@
 
 #include "host/ocean/ocean.h"
 #include "host/ocean/spectrum_parameters.h"
+#include "host/ocean/trochoids.h"
 #include "host/scene/view_scene.h"
 
 namespace offing::scene {
+
+/// A parallel swell beside the sea of the spectrum.
+struct SwellScene {
+  double amplitude_m = 0.5;
+  std::optional<double> wavelength_m;  ///< of this and the period, one is given; absent both: 100 m
+  std::optional<double> period_s;
+  double direction_rad = 0.0;  ///< of travel, from +x toward +z
+  double phase_rad = 0.0;      ///< at the origin and time 0; 0 is a crest
+};
 
 /// Everything a scene file or the command line can say about a sea and its pictures, checked one value at a
 /// time by the parameter table (parameter_table.h), which holds every key, flag, unit and range. A
@@ -35,7 +45,9 @@ struct OceanScene {
   int cascade_count = 3;                   ///< how many to choose at most
   int gerstner_count = 0;                  ///< trochoids for the long waves; 0: the cascades carry all
   std::optional<double> gerstner_split_m;  ///< they are longer than this; absent: chosen from the spectrum
-  ocean::OceanParameters ocean;            ///< its cascades are filled in by prepare_sea()
+  std::vector<SwellScene> swells;
+  std::vector<ocean::Raindrop> raindrops;
+  ocean::OceanParameters ocean;  ///< its cascades are filled in by prepare_sea()
 
   ViewScene view;  ///< for the presenter; no simulation reads it
 

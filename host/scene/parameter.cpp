@@ -25,8 +25,8 @@ std::string number_text(double value, Digits digits = Digits::readable) {
 }
 
 [[noreturn]] void refuse(const Parameter& parameter, const WrittenValue& written, const Place& place) {
-  const std::string example{parameter.example.empty() ? value_text(OceanScene{}, parameter)
-                                                      : parameter.example};
+  const std::string example{parameter.example.empty() ? default_text(parameter)
+                                                      : std::string(parameter.example)};
   const bool quote = std::holds_alternative<ChoiceStorage>(parameter.storage) ||
                      std::holds_alternative<std::string& (*)(OceanScene&)>(parameter.storage);
   const bool in_file = place.assignment.ends_with("= ");
@@ -121,6 +121,11 @@ void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& wr
           [&](const ChoiceStorage& choice) {
             choice.set(scene, checked_choice(parameter, choice, written, place));
           },
+          [&](const ElementStorage& element) {
+            const double number = checked_number(parameter, written, place);
+            if (element.count(scene) == 0) element.append(scene);
+            std::visit([&](auto at) { at(scene, element.count(scene) - 1) = number; }, element.at);
+          },
       },
       parameter.storage);
   scene.set_at.insert_or_assign(parameter.key, place.subject);
@@ -130,6 +135,18 @@ void clear_list(OceanScene& scene, const Parameter& parameter) {
   if (const auto* at = std::get_if<std::vector<double>& (*)(OceanScene&)>(&parameter.storage)) {
     (*at)(scene).clear();
   }
+}
+
+void append_element(OceanScene& scene, const Parameter& parameter, const Place& place) {
+  const auto* element = std::get_if<ElementStorage>(&parameter.storage);
+  if (!element) return;
+  if (element->count(scene) == parameter.max_count) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: expected at most {} sections, found more", place.subject, parameter.max_count),
+        "remove the sections that are too many");
+  }
+  element->append(scene);
 }
 
 WrittenValue read_flag_value(const Parameter& parameter, std::string_view text) {
@@ -167,6 +184,7 @@ std::string expected_text(const Parameter& parameter) {
           },
           [](std::string& (*)(OceanScene&)) { return std::string("a file name"); },
           [](const ChoiceStorage& choice) { return fmt::format("one of {}", fmt::join(choice.names, ", ")); },
+          [&](const ElementStorage& element) { return number(element); },
       },
       parameter.storage);
 }
@@ -190,8 +208,23 @@ std::string value_text(const OceanScene& scene, const Parameter& parameter, Digi
             return texts.empty() ? absent : fmt::format("{}", fmt::join(texts, ","));
           },
           [&](const ChoiceStorage& choice) { return std::string(choice.names[choice.get(copy)]); },
+          [&](const ElementStorage& element) {
+            std::vector<std::string> texts;
+            for (std::size_t i = 0; i < element.count(copy); ++i) {
+              const std::optional<double> value =
+                  std::visit([&](auto at) { return std::optional<double>(at(copy, i)); }, element.at);
+              texts.push_back(value ? scaled(*value) : absent);
+            }
+            return texts.empty() ? "none" : fmt::format("{}", fmt::join(texts, ","));
+          },
       },
       parameter.storage);
+}
+
+std::string default_text(const Parameter& parameter) {
+  OceanScene scene;
+  append_element(scene, parameter, {});
+  return value_text(scene, parameter);
 }
 
 }  // namespace offing::scene

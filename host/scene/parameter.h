@@ -19,13 +19,21 @@ struct ChoiceStorage {
   void (*set)(OceanScene&, std::size_t);
 };
 
+/// A number of each element of a section that may be repeated, such as [[ocean.swell]].
+struct ElementStorage {
+  std::size_t (*count)(const OceanScene&);
+  void (*append)(OceanScene&);  ///< an element of default values
+  std::variant<double& (*)(OceanScene&, std::size_t), std::optional<double>& (*)(OceanScene&, std::size_t)>
+      at;
+};
+
 /// Where a row's value lives in the scene; the alternative is its type.
 using Storage =
     std::variant<double& (*)(OceanScene&), std::optional<double>& (*)(OceanScene&), int& (*)(OceanScene&),
                  std::uint64_t& (*)(OceanScene&), std::string& (*)(OceanScene&),
-                 std::vector<double>& (*)(OceanScene&), ChoiceStorage>;
+                 std::vector<double>& (*)(OceanScene&), ChoiceStorage, ElementStorage>;
 
-enum class ParameterGroup { world, time, wind, sea, grid, foam, camera, sun, render };
+enum class ParameterGroup { world, time, wind, sea, grid, swell, raindrop, foam, camera, sun, render };
 enum class ParameterRule { within_range, power_of_two };
 /// Which seas a parameter matters to (unused_parameters.h).
 enum class ParameterUse {
@@ -60,7 +68,9 @@ struct Parameter {
   std::string_view absent = {};   ///< what happens without a value, where there is no default value
   double scale = 1.0;             ///< stored value = written value * scale
   ParameterRule rule = ParameterRule::within_range;
-  std::size_t max_count = 1;  ///< of a list: the most values
+  std::size_t max_count = 1;  ///< of a list or of a section's elements: the most of them
+  /// Row of the same section that says the same in another way; a section has one of the two.
+  std::string_view instead_of = {};
   ParameterUse use = ParameterUse::always;
 };
 
@@ -73,16 +83,21 @@ struct WrittenValue {
 /// Where a value was written, for messages: what() begins with `subject`, the hint shows `assignment` and a
 /// value.
 struct Place {
-  std::string subject;     ///< `storm.toml:14:13: ocean.wind_speed_mps` or `--wind-speed-mps`
-  std::string assignment;  ///< `wind_speed_mps = ` or `--wind-speed-mps `
+  std::string subject;          ///< `storm.toml:14:13: ocean.wind_speed_mps` or `--wind-speed-mps`
+  std::string assignment = {};  ///< `wind_speed_mps = ` or `--wind-speed-mps `
 };
 
-/// Checks a value and stores it with its place; appends it to a list. Throws Error(bad_input) that names
-/// place, expected and found.
+/// Checks a value and stores it with its place; appends it to a list, and gives it to the last element of a
+/// repeated section, which gets its first one if it has none. Throws Error(bad_input) that names place,
+/// expected and found.
 void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& written, const Place& place);
 
 /// Empties a parameter that is a list, so that new values replace the old ones; does nothing to others.
 void clear_list(OceanScene& scene, const Parameter& parameter);
+
+/// Begins a new element of default values in the repeated section of this row; does nothing for others.
+/// Throws Error(bad_input) where the section has its most elements; `place.subject` names the section.
+void append_element(OceanScene& scene, const Parameter& parameter, const Place& place);
 
 /// Text of a command line as the parameter's type asks: numbers where numbers are due, else text.
 WrittenValue read_flag_value(const Parameter& parameter, std::string_view text);
@@ -93,7 +108,11 @@ std::string expected_text(const Parameter& parameter);
 /// Twelve digits, as people write numbers, or as many as tell any two numbers apart.
 enum class Digits { readable, exact };
 
-/// The value in a scene, in the parameter's unit; `absent` when there is none.
+/// The value in a scene, in the parameter's unit, or all values of a list or a repeated section, separated by
+/// commas; `absent` when there is none.
 std::string value_text(const OceanScene& scene, const Parameter& parameter, Digits digits = Digits::readable);
+
+/// The value without a word in the scene; of a repeated section, that of an element.
+std::string default_text(const Parameter& parameter);
 
 }  // namespace offing::scene

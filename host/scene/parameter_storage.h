@@ -27,6 +27,16 @@ ChoiceStorage choice(const std::vector<std::string_view>& names) {
       .set = [](OceanScene& scene, std::size_t index) { member<path...>(scene) = static_cast<Enum>(index); }};
 }
 
+/// A number of each element of a list of the scene.
+template <auto list, auto field>
+ElementStorage element() {
+  using Scene = OceanScene;
+  using Number = std::remove_reference_t<decltype((std::declval<Scene&>().*list).front().*field)>;
+  return {.count = [](const Scene& scene) { return (scene.*list).size(); },
+          .append = [](Scene& scene) { (scene.*list).emplace_back(); },
+          .at = [](Scene& scene, std::size_t index) -> Number& { return (scene.*list)[index].*field; }};
+}
+
 inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 }  // namespace offing::scene

@@ -1,5 +1,6 @@
 #include "host/scene/parameter_table.h"
 
+#include "host/scene/extra_wave_parameters.h"
 #include "host/scene/parameter_storage.h"
 #include "host/scene/view_parameters.h"
 
@@ -365,8 +366,9 @@ std::vector<Parameter> make_table() {
 std::span<const Parameter> parameter_table() {
   static const std::vector<Parameter> table = [] {
     std::vector<Parameter> rows = make_table();
-    const std::vector<Parameter> of_pictures = view_parameters();
-    rows.insert(rows.end(), of_pictures.begin(), of_pictures.end());
+    for (const std::vector<Parameter>& more : {extra_wave_parameters(), view_parameters()}) {
+      rows.insert(rows.end(), more.begin(), more.end());
+    }
     return rows;
   }();
   return table;

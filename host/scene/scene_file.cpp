@@ -24,12 +24,10 @@ namespace {
 constexpr std::streamsize max_scene_bytes = 4 << 20;
 
 /// Parts of the scene format that have no system behind them in this version.
-constexpr std::array<std::string_view, 12> planned_keys = {"world.sea_level_m",
+constexpr std::array<std::string_view, 10> planned_keys = {"world.sea_level_m",
                                                            "world.latitude_deg",
                                                            "world.longitude_deg",
                                                            "sky",
-                                                           "ocean.swell",
-                                                           "ocean.raindrop",
                                                            "ocean.wake",
                                                            "body",
                                                            "terrain",
@@ -100,8 +98,9 @@ class SceneReader {
         continue;
       }
       if (const Parameter* parameter = find_parameter(full_key)) {
+        refuse_both(*parameter, key, table);
         read_value(*parameter, std::string(key.str()), node);
-      } else if (is_section(full_key)) {
+      } else if (first_row_below(full_key)) {
         read_section(full_key, key, node);
       } else {
         refuse_key(full_key, prefix, key);
@@ -109,11 +108,13 @@ class SceneReader {
     }
   }
 
-  static bool is_section(std::string_view key) {
+  /// A row of a section or of one inside it; nullptr if no section has this name.
+  static const Parameter* first_row_below(std::string_view key) {
     const std::string prefix = std::string(key) + '.';
     const auto table = parameter_table();
-    return std::any_of(table.begin(), table.end(),
-                       [&](const Parameter& row) { return row.key.starts_with(prefix); });
+    const auto row = std::find_if(table.begin(), table.end(),
+                                  [&](const Parameter& each) { return each.key.starts_with(prefix); });
+    return row == table.end() ? nullptr : &*row;
   }
 
   /// A section whose values are lists is written as an array of tables, one element an entry.
@@ -130,7 +131,9 @@ class SceneReader {
     const bool repeated = is_repeated(full_key);
     const toml::array* elements = node.as_array();
     if (repeated && elements && elements->is_array_of_tables()) {
+      const Parameter& row = *first_row_below(full_key);
       for (const toml::node& element : *elements) {
+        append_element(scene_, row, {.subject = fmt::format("{}: {}", place_of(element.source()), full_key)});
         read_table(*element.as_table(), full_key + '.');
       }
     } else if (!repeated && node.is_table()) {
@@ -142,6 +145,22 @@ class SceneReader {
                               header, shown_text(node)),
                   fmt::format("write {} on a line of its own and its keys below", header));
     }
+  }
+
+  /// Throws at the later one of two keys of a table that say the same in two ways.
+  void refuse_both(const Parameter& parameter, const toml::key& key, const toml::table& table) const {
+    if (parameter.instead_of.empty()) return;
+    const std::string_view other_name = parameter.instead_of.substr(parameter.instead_of.rfind('.') + 1);
+    const auto other = table.find(other_name);
+    if (other == table.end()) return;
+    const auto position = [](const toml::key& each) {
+      return std::pair(each.source().begin.line, each.source().begin.column);
+    };
+    const toml::key& later = position(key) < position(other->first) ? other->first : key;
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: {}: expected either {} or {}, found both", place_of(later.source()),
+                            &later == &key ? parameter.key : parameter.instead_of, key.str(), other_name),
+                "remove one of them");
   }
 
   void read_value(const Parameter& parameter, const std::string& key, const toml::node& node) {

@@ -44,14 +44,33 @@ std::optional<ocean::TrochoidChoice> choose_gerstner_waves(const OceanScene& sce
                                .seed = scene.ocean.seed};
 }
 
+/// Throws Error(bad_input) for a period whose wave is longer or shorter than a swell can be.
+std::vector<ocean::Trochoid> swells_of(const OceanScene& scene, const ocean::Dispersion& dispersion) {
+  std::vector<ocean::Trochoid> waves;
+  for (const SwellScene& asked : scene.swells) {
+    ocean::Swell swell{
+        .amplitude_m = asked.amplitude_m, .direction_rad = asked.direction_rad, .phase_rad = asked.phase_rad};
+    if (asked.wavelength_m) {
+      swell.wavelength_m = *asked.wavelength_m;
+    } else if (asked.period_s) {
+      const double omega_radps = 2.0 * std::numbers::pi / *asked.period_s;
+      swell.wavelength_m = 2.0 * std::numbers::pi / dispersion.wavenumber_radpm(omega_radps);
+    }
+    waves.push_back(ocean::make_swell(swell, dispersion));
+  }
+  return waves;
+}
+
 void warn_of_limited_choppiness(const Sea& sea) {
   const ocean::HorizontalScale horizontal = ocean::horizontal_scale(trochoids_of(sea, sea.parameters.seed));
   if (horizontal.is_limited) {
+    const char* waves = sea.swells.empty()    ? "Gerstner waves"
+                        : sea.trochoid_choice ? "Gerstner waves and swells"
+                                              : "swells";
     spdlog::warn(
-        "the Gerstner waves have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to "
-        "{:.3g}, "
-        "with more they would fold",
-        horizontal.scale, sea.parameters.choppiness, horizontal.steepness);
+        "the {} have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to {:.3g}, with "
+        "more they would fold",
+        waves, horizontal.scale, sea.parameters.choppiness, horizontal.steepness);
   }
 }
 
@@ -66,6 +85,8 @@ ocean::TrochoidSea trochoids_of(const Sea& sea, std::uint64_t seed) {
     choice.seed = seed;
     trochoids.waves = ocean::choose_trochoids(sea.spectrum, choice);
   }
+  trochoids.waves.insert(trochoids.waves.end(), sea.swells.begin(), sea.swells.end());
+  trochoids.raindrops = sea.raindrops;
   return trochoids;
 }
 
@@ -107,6 +128,8 @@ Sea prepare_sea(const OceanScene& scene) {
       scene.patch_lengths_m.empty()
           ? ocean::choose_cascades(sea.spectrum, scene.ocean.size, scene.cascade_count, split_radpm)
           : ocean::cascades_from_patches(scene.patch_lengths_m, scene.ocean.size, split_radpm);
+  sea.swells = swells_of(scene, sea.spectrum.dispersion);
+  sea.raindrops = scene.raindrops;
   warn_of_limited_choppiness(sea);
   for (const std::string& line : unused_parameters(scene, sea)) {
     spdlog::warn("{}", line);

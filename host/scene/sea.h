@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/base/wave_spectrum.h"
 #include "host/ocean/ocean.h"
@@ -18,12 +19,18 @@ struct Sea {
   ocean::OceanParameters parameters;  ///< with its cascades
   /// Which waves are Gerstner waves, of the seed of `parameters`; absent where the cascades carry all.
   std::optional<ocean::TrochoidChoice> trochoid_choice;
+  std::vector<ocean::Trochoid> swells;     ///< beside the spectrum
+  std::vector<ocean::Raindrop> raindrops;  ///< beside the spectrum
+
+  /// Whether waves are not in the cascades.
+  bool has_trochoids() const { return trochoid_choice || !swells.empty() || !raindrops.empty(); }
 };
 
 /// The scene with [wind] taken over where the ocean names no wind of its own.
 OceanScene with_resolved_wind(OceanScene scene);
 
-/// Reads the measured spectrum if there is one, makes the spectrum and chooses cascades and Gerstner waves.
+/// Reads the measured spectrum if there is one, makes the spectrum and chooses cascades and Gerstner waves;
+/// swells and raindrops come beside.
 /// Logs a warning for each parameter that was set and does not matter (unused_parameters()), and where
 /// Gerstner waves are so steep that their choppiness is limited (horizontal_scale()).
 ///
@@ -31,8 +38,8 @@ OceanScene with_resolved_wind(OceanScene scene);
 /// spectrum file that cannot be read, a record that it does not have, or values that do not go together.
 Sea prepare_sea(const OceanScene& scene);
 
-/// The Gerstner waves of a sea of this seed, with the cascades' choppiness and loop; none where there is no
-/// choice.
+/// The Gerstner waves of a sea of this seed, with the cascades' choppiness and loop; its swells, which no
+/// seed changes; its raindrops.
 ocean::TrochoidSea trochoids_of(const Sea& sea, std::uint64_t seed);
 
 /// One line on where the waves come from: "jonswap, wind 10 m/s" or "measured, 41010, 2020-06-08T03:50Z".

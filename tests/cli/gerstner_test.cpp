@@ -1,6 +1,8 @@
 // A sea with Gerstner waves on the command line: what bakes list and include, and what the certificate says.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -243,6 +245,47 @@ TEST_F(GerstnerCommand, CertificateHasTheWaves) {
   // Eight equal waves of random phase: kurtosis 3 - 1.5 / 8 times the square of their share of the energy.
   EXPECT_LT(many["measured"]["kurtosis"].get<double>(), 3.0);
   EXPECT_GT(many["measured"]["kurtosis"].get<double>(), 2.75);
+}
+
+// Fails if the swells and raindrops of a scene stay out of the header, the frames that include them, or the
+// certificate. The swell is alone but for cascades of 1e-3 m, so that the frame is A cos(k x), 2 pi / k = 50
+// m, and where the drop fell at that time its height above it; 177 m off, 0.6 mm are left of it. Gate: that
+// and the cascades.
+TEST_F(GerstnerCommand, SceneAddsSwellsAndRaindrops) {
+  std::filesystem::create_directories(folder("scene"));
+  const std::filesystem::path scene = folder("scene") / "swell.toml";
+  std::ofstream(scene) << "version = 1\n[ocean]\nspectrum = \"swell\"\nswell_hs_m = 0.001\nsize = 32\n"
+                          "[[ocean.cascade]]\npatch_m = 250\n"
+                          "[[ocean.swell]]\namplitude_m = 0.8\nwavelength_m = 50\n"
+                          "[[ocean.raindrop]]\nx_m = 125\nz_m = 125\namplitude_m = 0.03\nwavelength_m = 50\n";
+  const auto bake_scene = [&](const char* name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"ocean", "bake", scene.string(), "--frames",           "0:0",
+                                          "--fps", "4",    "-o",           folder(name).string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_offing(arguments);
+  };
+  const ProgramResult listed = bake_scene("listed", {});
+  ASSERT_EQ(listed.exit_code, 0) << listed.errors;
+  EXPECT_THAT(listed.errors, HasSubstr("the raindrops of the scene are not in the frames"));
+  const std::vector<Wave> waves = listed_waves(image("listed", "ocean.c0.0000.exr"));
+  ASSERT_EQ(waves.size(), 1u);
+  EXPECT_EQ(waves[0].amplitude_m, 0.8);
+
+  ASSERT_EQ(bake_scene("included", {"--include-gerstner"}).exit_code, 0);
+  const ExrContent frame = image("included", "ocean.c0.0000.exr");
+  const std::size_t middle = size / 2 * size + size / 2;  // 125 m, 125 m
+  const auto& height_m = frame.channel("displacement.Y");
+  EXPECT_NEAR(height_m[0], 0.8, 1.5e-3);
+  EXPECT_NEAR(height_m[middle], 0.8 * std::cos(2.0 * M_PI * 125.0 / 50.0) + 0.03, 1.5e-3);
+
+  const ProgramResult stats = run_offing({"ocean", "stats", scene.string(), "--seeds", "1", "--json"});
+  ASSERT_EQ(stats.exit_code, 0) << stats.errors;
+  const json certificate = json::parse(stats.output, nullptr, false);
+  EXPECT_EQ(certificate["swells"]["count"], 1);
+  EXPECT_NEAR(certificate["swells"]["m0_m2"].get<double>(), 0.32, 1e-12);
+  EXPECT_NEAR(certificate["measured"]["hs_m"].get<double>(), 4.0 * std::sqrt(0.32), 1e-3);
+  EXPECT_NEAR(certificate["resolved"]["hs_m"].get<double>(), 4.0 * std::sqrt(0.32), 1e-3);
+  EXPECT_NEAR(certificate["asked"]["hs_m"].get<double>(), 0.001, 1e-5);
 }
 
 }  // namespace

@@ -21,11 +21,21 @@ using Whole = int& (*)(OceanScene&);
 using Seed = std::uint64_t& (*)(OceanScene&);
 using Text = std::string& (*)(OceanScene&);
 
+/// A default scene with one element in each repeated section, so that all values show.
+OceanScene scene_with_elements() {
+  OceanScene scene;
+  for (const Parameter& row : parameter_table()) {
+    const auto* element = std::get_if<ElementStorage>(&row.storage);
+    if (element && element->count(scene) == 0) element->append(scene);
+  }
+  return scene;
+}
+
 const Place place{.subject = "here", .assignment = "it = "};
 
 bool is_number(const Parameter& row) {
   return std::holds_alternative<Number>(row.storage) || std::holds_alternative<OptionalNumber>(row.storage) ||
-         std::holds_alternative<Numbers>(row.storage);
+         std::holds_alternative<Numbers>(row.storage) || std::holds_alternative<ElementStorage>(row.storage);
 }
 
 bool is_whole(const Parameter& row) {
@@ -59,10 +69,8 @@ class EachParameter : public testing::TestWithParam<Parameter> {};
 INSTANTIATE_TEST_SUITE_P(Table, EachParameter,
                          testing::ValuesIn(parameter_table().begin(), parameter_table().end()),
                          [](const auto& tested) {
-                           std::string name(tested.param.key);
-                           for (char& c : name) {
-                             c = c == '.' ? '_' : c;
-                           }
+                           std::string name;  // ocean.swell_period_s is not ocean.swell.period_s
+                           for (const char c : tested.param.key) name += c == '.' ? "__" : std::string(1, c);
                            return name;
                          });
 
@@ -70,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Table, EachParameter,
 TEST_P(EachParameter, IsCompleteAndNamed) {
   const Parameter& row = GetParam();
   EXPECT_FALSE(row.help.empty());
-  EXPECT_FALSE(value_text({}, row).empty()) << "neither a default nor a text for its absence";
+  EXPECT_FALSE(default_text(row).empty()) << "neither a default nor a text for its absence";
   EXPECT_TRUE(row.flag.empty() || row.flag.starts_with("--"));
   const std::string key(row.key);
   const std::map<std::string_view, std::string> suffixes = {
@@ -83,7 +91,7 @@ TEST_P(EachParameter, IsCompleteAndNamed) {
 // Fails if the default is a value that its own row refuses, or if text and value do not go back and forth.
 TEST_P(EachParameter, AcceptsItsOwnDefault) {
   const Parameter& row = GetParam();
-  const std::string text = value_text({}, row);
+  const std::string text = default_text(row);
   if (text == row.absent) {
     return;
   }
@@ -166,7 +174,8 @@ TEST(ParameterTable, KeysAndFlagsAreUnique) {
 // Fails if two rows write the same member: setting one would show in the other.
 TEST(ParameterTable, NoTwoRowsShareStorage) {
   for (const Parameter& row : parameter_table()) {
-    OceanScene scene;
+    OceanScene scene = scene_with_elements();
+    const OceanScene before = scene;
     const std::string text = [&]() -> std::string {
       if (const auto* choice = std::get_if<ChoiceStorage>(&row.storage)) {
         return std::string(choice->names[choice->get(scene) == 0 ? 1 : 0]);
@@ -182,12 +191,29 @@ TEST(ParameterTable, NoTwoRowsShareStorage) {
     store(scene, row, read_flag_value(row, text), place);
     for (const Parameter& other : parameter_table()) {
       if (other.key == row.key) {
-        EXPECT_NE(value_text(scene, other), value_text({}, other)) << row.key << " was not stored: " << text;
+        EXPECT_NE(value_text(scene, other), value_text(before, other))
+            << row.key << " was not stored: " << text;
       } else {
-        EXPECT_EQ(value_text(scene, other), value_text({}, other)) << row.key << " changed " << other.key;
+        EXPECT_EQ(value_text(scene, other), value_text(before, other)) << row.key << " changed " << other.key;
       }
     }
   }
+}
+
+// Fails if an element's value goes to another element, or elements are not counted.
+TEST(ParameterTable, ElementsHoldTheirOwnValues) {
+  const Parameter& amplitude = *find_parameter("ocean.swell.amplitude_m");
+  const Parameter& period = *find_parameter("ocean.swell.period_s");
+  OceanScene scene;
+  store(scene, amplitude, {.value = 2.0, .shown = "2"}, place);
+  append_element(scene, period, place);
+  store(scene, period, {.value = 9.0, .shown = "9"}, place);
+  ASSERT_EQ(scene.swells.size(), 2u);
+  EXPECT_EQ(value_text(scene, amplitude), "2,0.5");
+  EXPECT_EQ(value_text(scene, period), std::string(period.absent) + ",9");
+  while (scene.swells.size() < 64) append_element(scene, amplitude, place);
+  EXPECT_EQ(refusal([&] { append_element(scene, amplitude, place); }),
+            "here: expected at most 64 sections, found more");
 }
 
 // Fails if degrees are stored as radians or the other way round.

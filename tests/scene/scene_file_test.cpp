@@ -71,6 +71,46 @@ split_wavelength_m = 45
   EXPECT_EQ(scene.gerstner_split_m, 45.0);
 }
 
+// Fails if swells or raindrops are not read, run into each other, or lose their defaults.
+TEST(SceneFile, ReadsWavesBesideTheSpectrum) {
+  const OceanScene scene = parse_scene(R"(version = 1
+[[ocean.swell]]
+amplitude_m = 1.5
+period_s = 12
+direction_deg = 90
+[[ocean.swell]]
+wavelength_m = 80
+phase_deg = 180
+[[ocean.raindrop]]
+x_m = 3
+z_m = -4
+time_s = 0.5
+amplitude_m = -0.02
+wavelength_m = 0.3
+decay_s = 2
+[[ocean.raindrop]]
+)",
+                                       "storm.toml", "");
+  ASSERT_EQ(scene.swells.size(), 2u);
+  EXPECT_EQ(scene.swells[0].amplitude_m, 1.5);
+  EXPECT_EQ(scene.swells[0].period_s, 12.0);
+  EXPECT_FALSE(scene.swells[0].wavelength_m);
+  EXPECT_NEAR(scene.swells[0].direction_rad, 1.5707963267948966, 1e-15);
+  EXPECT_EQ(scene.swells[0].phase_rad, 0.0);
+  EXPECT_EQ(scene.swells[1].amplitude_m, 0.5);
+  EXPECT_EQ(scene.swells[1].wavelength_m, 80.0);
+  EXPECT_FALSE(scene.swells[1].period_s);
+  EXPECT_NEAR(scene.swells[1].phase_rad, 3.141592653589793, 1e-15);
+  ASSERT_EQ(scene.raindrops.size(), 2u);
+  EXPECT_EQ(scene.raindrops[0].x_m, 3.0);
+  EXPECT_EQ(scene.raindrops[0].z_m, -4.0);
+  EXPECT_EQ(scene.raindrops[0].time_s, 0.5);
+  EXPECT_EQ(scene.raindrops[0].amplitude_m, -0.02);
+  EXPECT_EQ(scene.raindrops[0].wavelength_m, 0.3);
+  EXPECT_EQ(scene.raindrops[0].decay_s, 2.0);
+  EXPECT_EQ(scene.raindrops[1].wavelength_m, ocean::Raindrop{}.wavelength_m);
+}
+
 // Fails if an absolute file name is bent to the scene's folder.
 TEST(SceneFile, KeepsAbsoluteNames) {
   const OceanScene scene =
@@ -145,6 +185,28 @@ INSTANTIATE_TEST_SUITE_P(
                  "storm.toml:2:8: ocean.wake: expected parts that this version has, got one that it has not "
                  "yet",
                  "remove ocean.wake from the scene"},
+        BadScene{"swell_value", "version = 1\n[[ocean.swell]]\nperiod_s = 0\n",
+                 "storm.toml:3:12: ocean.swell.period_s: expected a number in s within [0.3, 120], got 0",
+                 "write period_s = 8"},
+        BadScene{"swell_key", "version = 1\n[[ocean.swell]]\nperoid_s = 8\n",
+                 "storm.toml:3:1: ocean.swell.peroid_s: expected a known key, got \"peroid_s\"",
+                 "did you mean period_s?"},
+        BadScene{"swell_said_twice", "version = 1\n[[ocean.swell]]\nwavelength_m = 80\nperiod_s = 8\n",
+                 "storm.toml:4:1: ocean.swell.period_s: expected either period_s or wavelength_m, found both",
+                 "remove one of them"},
+        BadScene{"swell_said_twice_the_other_way",
+                 "version = 1\n[[ocean.swell]]\nperiod_s = 8\nwavelength_m = 80\n",
+                 "storm.toml:4:1: ocean.swell.wavelength_m: expected either period_s or wavelength_m, found "
+                 "both",
+                 "remove one of them"},
+        BadScene{"swell_not_repeated", "version = 1\n[ocean.swell]\nperiod_s = 3\n",
+                 "storm.toml:2:8: ocean.swell: expected a section [[ocean.swell]], got a table",
+                 "write [[ocean.swell]] on a line of its own and its keys below"},
+        BadScene{
+            "raindrop_type", "version = 1\n[[ocean.raindrop]]\nx_m = \"left\"\n",
+            "storm.toml:3:7: ocean.raindrop.x_m: expected a number in m within [-10000000, 10000000], got "
+            "\"left\"",
+            "write x_m = 0"},
         BadScene{"gerstner_count", "version = 1\n[ocean.gerstner]\ncount = 65\n",
                  "storm.toml:3:9: ocean.gerstner.count: expected a whole number within [0, 64], got 65",
                  "write count = 0"},
@@ -176,6 +238,17 @@ TEST(SceneFile, RefusesTooManyCascades) {
   }
   EXPECT_EQ(refusal_of(text).what,
             "storm.toml:11:11: ocean.cascade.patch_m: expected at most 4 values, found more");
+}
+
+// Fails if swells or raindrops beyond the limit are taken, or dropped without a word.
+TEST(SceneFile, RefusesTooManyElements) {
+  std::string swells = "version = 1\n", drops = "version = 1\n";
+  for (int i = 0; i < 65; ++i) swells += "[[ocean.swell]]\n";
+  for (int i = 0; i < 4097; ++i) drops += "[[ocean.raindrop]]\n";
+  EXPECT_EQ(refusal_of(swells).what,
+            "storm.toml:66:1: ocean.swell: expected at most 64 sections, found more");
+  EXPECT_EQ(refusal_of(drops).what,
+            "storm.toml:4098:1: ocean.raindrop: expected at most 4096 sections, found more");
 }
 
 // Fails if a fault in the syntax loses its place.

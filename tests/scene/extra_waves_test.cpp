@@ -1,0 +1,99 @@
+// Swells and raindrops of a scene, as a simulation gets them.
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "host/scene/scene_file.h"
+#include "host/scene/scene_hash.h"
+#include "host/scene/sea.h"
+#include "host/scene/world_scene.h"
+
+namespace offing::scene {
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+
+OceanScene scene_with(const std::string& more) {
+  return parse_scene("version = 1\n[ocean]\nsize = 32\n" + more, "a.toml", "");
+}
+
+std::string hash_with(const std::string& more) {
+  const OceanScene scene = scene_with(more);
+  return scene_hash(scene, prepare_sea(scene), "");
+}
+
+// Fails if a period is turned into a wavelength by another relation than the water's: g T^2 / 2 pi where it
+// is deep, T sqrt(g D) where it is shallow (k D = 0.02: less than 1e-4 of it), or if direction, phase and the
+// default of 100 m get lost.
+TEST(ExtraWaves, SwellsHaveThePeriodThatWasAsked) {
+  const Sea deep =
+      prepare_sea(scene_with("[[ocean.swell]]\nperiod_s = 10\nphase_deg = 90\n"
+                             "[[ocean.swell]]\namplitude_m = 2\ndirection_deg = 45\n"));
+  ASSERT_EQ(deep.swells.size(), 2u);
+  EXPECT_NEAR(deep.swells[0].wavenumber_radpm, two_pi * two_pi / 100.0 / 9.81, 1e-9);
+  EXPECT_NEAR(deep.swells[0].omega_radps, two_pi / 10.0, 1e-9);
+  EXPECT_NEAR(deep.swells[0].phase_rad, two_pi / 4.0, 1e-12);
+  EXPECT_EQ(deep.swells[0].amplitude_m, 0.5);
+  EXPECT_NEAR(deep.swells[1].wavenumber_radpm, two_pi / 100.0, 1e-12);
+  EXPECT_NEAR(deep.swells[1].direction_rad, two_pi / 8.0, 1e-12);
+  EXPECT_EQ(deep.swells[1].amplitude_m, 2.0);
+
+  const Sea shallow = prepare_sea(scene_with("depth_m = 0.1\n[[ocean.swell]]\nperiod_s = 32\n"));
+  EXPECT_NEAR(two_pi / shallow.swells[0].wavenumber_radpm / (32.0 * std::sqrt(9.81 * 0.1)), 1.0, 1e-4);
+}
+
+// Fails if swells replace the spectrum's trochoids, change with the seed, or if they or raindrops do not
+// reach the world.
+TEST(ExtraWaves, ComeBesideTheSpectrumsTrochoids) {
+  const OceanScene scene = scene_with(
+      "[ocean.gerstner]\ncount = 4\n[[ocean.swell]]\namplitude_m = 0.25\n[[ocean.raindrop]]\nx_m = 7\n");
+  const Sea sea = prepare_sea(scene);
+  EXPECT_TRUE(sea.has_trochoids());
+  const ocean::TrochoidSea first = trochoids_of(sea, 1), second = trochoids_of(sea, 2);
+  ASSERT_EQ(first.waves.size(), 5u);
+  EXPECT_NE(first.waves.front().phase_rad, second.waves.front().phase_rad);
+  for (const ocean::TrochoidSea& trochoids : {first, second, prepare_world(scene).trochoids}) {
+    EXPECT_EQ(trochoids.waves.back().amplitude_m, 0.25);
+    EXPECT_EQ(trochoids.waves.back().phase_rad, 0.0);
+    ASSERT_EQ(trochoids.raindrops.size(), 1u);
+    EXPECT_EQ(trochoids.raindrops[0].x_m, 7.0);
+  }
+  EXPECT_TRUE(prepare_sea(scene_with("[[ocean.swell]]\n")).has_trochoids());
+  EXPECT_TRUE(prepare_sea(scene_with("[[ocean.raindrop]]\n")).has_trochoids());
+  EXPECT_FALSE(prepare_sea(scene_with("")).has_trochoids());
+}
+
+// Fails if 64 swells beside 64 Gerstner waves do not fit the sea.
+TEST(ExtraWaves, TheMostOfBothFit) {
+  std::string text = "[ocean.gerstner]\ncount = 64\n";
+  for (int i = 0; i < 64; ++i) text += "[[ocean.swell]]\namplitude_m = 0.01\n";
+  const Sea sea = prepare_sea(scene_with(text));
+  EXPECT_NO_THROW(ocean::require_valid_trochoids(trochoids_of(sea, 1)));
+}
+
+// Fails if a bake goes on with the frames of other swells or raindrops: any value, their number, and which
+// element a value belongs to.
+TEST(ExtraWaves, ChangeTheSceneHash) {
+  const std::string drops = "[[ocean.raindrop]]\n[[ocean.raindrop]]\nx_m = 1\n";
+  const std::string hash = hash_with("[[ocean.swell]]\n[[ocean.swell]]\nphase_deg = 10\n" + drops);
+  EXPECT_EQ(hash, hash_with("[[ocean.swell]]\n[[ocean.swell]]\nphase_deg = 10\n" + drops));
+  for (const std::string& other :
+       {std::string(""), "[[ocean.swell]]\n" + drops, "[[ocean.swell]]\n[[ocean.swell]]\n" + drops,
+        "[[ocean.swell]]\nphase_deg = 10\n[[ocean.swell]]\n" + drops,
+        "[[ocean.swell]]\nperiod_s = 9\n[[ocean.swell]]\nphase_deg = 10\n" + drops,
+        "[[ocean.swell]]\nwavelength_m = 9\n[[ocean.swell]]\nphase_deg = 10\n" + drops,
+        std::string("[[ocean.swell]]\n[[ocean.swell]]\nphase_deg = 10\n[[ocean.raindrop]]\n")}) {
+    EXPECT_NE(hash, hash_with(other)) << other;
+  }
+}
+
+// Fails if a swell that this gravity makes shorter than waves can be is let through to the device.
+TEST(ExtraWaves, RefusesAPeriodWithoutAWave) {
+  EXPECT_THROW(prepare_sea(scene_with("gravity_mps2 = 0.1\n[[ocean.swell]]\nperiod_s = 0.3\n")), Error);
+}
+
+}  // namespace
+}  // namespace offing::scene
