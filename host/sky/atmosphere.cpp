@@ -5,7 +5,7 @@
 #include <numeric>
 #include <string_view>
 
-#include "host/sky/parameter_check.h"
+#include "host/base/parameter_check.h"
 
 namespace offing::sky {
 namespace {

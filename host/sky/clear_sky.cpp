@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/parameter_check.h"
 #include "host/ocl/program.h"
-#include "host/sky/parameter_check.h"
 
 namespace offing::sky {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/sky/parameter_check.h"
+#include "host/base/parameter_check.h"
 
 namespace offing::sky {
 namespace {
