@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -50,8 +51,21 @@ class World {
   /// Enqueues the world of this time, as seen from this height above the sea: sky, sea, foam.
   void at(double time_s, double eye_altitude_m);
 
-  /// Turns the sun; takes effect with the next at().
+  // Changes while it runs. All take effect with the next at(), which then gives what a world made with the
+  // changed parameters gives; one that throws has changed nothing.
+
+  /// Turns the sun.
   void set_sun(const std::array<double, 3>& direction, double distance_au);
+  /// Changes the air: its tables are made anew.
+  void set_atmosphere(const sky::Atmosphere& atmosphere);
+  /// Changes trochoids, swells and raindrops; costs nothing. Throws what require_valid_trochoids() throws.
+  void set_trochoids(const ocean::TrochoidSea& trochoids);
+  /// Draws another sea of the same spectrum. Trochoids are drawn from it by the same seed: give those of the
+  /// new one.
+  void reseed(std::uint64_t seed, const ocean::TrochoidSea& trochoids);
+  /// Changes spectrum, grid, foam, wind and trochoids to these parameters' own: the sea is made anew. Leaves
+  /// sun and air.
+  void set_sea(const WorldParameters& parameters);
 
   ocean::Ocean& ocean() { return ocean_; }
   const sky::ClearSky& sky() const { return sky_; }
@@ -59,9 +73,9 @@ class World {
   const sky::Illuminance& illuminance() const { return illuminance_; }
   const HiddenSlopes& hidden_slopes() const { return hidden_slopes_; }
 
-  /// The farthest that waves move the surface: six standard deviations of the cascades, which one sample in
-  /// 10^8 exceeds, and all trochoids at once.
-  ocean::SurfaceReach reach() const { return reach_; }
+  /// The farthest that waves move the surface at the time of the last at(): six standard deviations of the
+  /// cascades, which one sample in 10^8 exceeds, all trochoids at once, and all rings at their crests.
+  ocean::SurfaceReach reach() const;
 
  private:
   void look_at_sky(double eye_altitude_m);
@@ -74,7 +88,7 @@ class World {
   std::optional<double> sky_altitude_m_;  // of the sky's tables; none: they are out of date
   sky::Illuminance illuminance_;
   HiddenSlopes hidden_slopes_;
-  ocean::SurfaceReach reach_;
+  double deviation_m_ = 0.0;  // of the cascades' heights
 };
 
 }  // namespace offing::world

@@ -105,6 +105,79 @@ TEST_F(WorldTest, SharesTheSlopesOut) {
   EXPECT_NEAR(resolved + hidden.ripples.mean_square(), all, 1e-9);
 }
 
+// Everything that a picture is made from, at one time.
+auto everything(World& world) {
+  world.at(3.0, 10.0);
+  return std::tuple(world.ocean().displacement_map().read(), world.ocean().gradient_map().read(),
+                    world.ocean().foam_map().read(), world.sky().view_table().read(),
+                    world.illuminance().sky_klx, world.reach().vertical_m, world.reach().horizontal_m,
+                    world.hidden_slopes().ripples.xx, world.parameters().trochoids.waves.size());
+}
+
+// Fails if a world that was changed while it ran differs in anything from one that was made so: maps, foam
+// (of which the old sea's past must be forgotten), sky, reach, slopes.
+TEST_F(WorldTest, ChangedEqualsMadeSo) {
+  const auto before = everything(world_);
+  WorldParameters changed = parameters();
+  const auto expect_as_new = [&](const char* what) {
+    World fresh(device_, changed);
+    const auto now = everything(world_);
+    EXPECT_NE(now, before) << what;
+    EXPECT_EQ(now, everything(fresh)) << what;
+  };
+  changed.trochoids.waves.push_back(ocean::make_swell({.amplitude_m = 2.0}, changed.spectrum.dispersion));
+  changed.trochoids.raindrops.push_back({.time_s = 2.0, .amplitude_m = -0.1});
+  world_.set_trochoids(changed.trochoids);
+  expect_as_new("trochoids");
+  changed.atmosphere.aerosol_optical_depth = 0.5;
+  world_.set_atmosphere(changed.atmosphere);
+  expect_as_new("atmosphere");
+  changed.sun_direction = sky::direction_of(2.0, 0.1);
+  world_.set_sun(changed.sun_direction, changed.sun_distance_au);
+  expect_as_new("sun");
+  changed.ocean.seed = 9;
+  changed.trochoids.waves[0].phase_rad += 1.0;
+  world_.reseed(9, changed.trochoids);
+  expect_as_new("seed");
+  changed.ocean.size = 32;
+  changed.ocean.choppiness = 0.5;
+  changed.wind_speed_mps = 15.0;
+  changed.trochoids.waves.clear();
+  world_.set_sea(changed);
+  expect_as_new("sea");
+}
+
+// Fails if a change that is refused leaves half of it behind.
+TEST_F(WorldTest, RefusedChangesChangeNothing) {
+  const auto before = everything(world_);
+  WorldParameters bad = parameters();
+  bad.trochoids.choppiness = -1.0;
+  EXPECT_THROW(world_.set_trochoids(bad.trochoids), Error);
+  EXPECT_THROW(world_.reseed(9, bad.trochoids), Error);
+  EXPECT_THROW(world_.set_sea(bad), Error);
+  EXPECT_THROW(World(device_, bad), Error);
+  WorldParameters windy = parameters();
+  windy.ocean.size = 32;
+  windy.wind_speed_mps = -1.0;
+  EXPECT_THROW(world_.set_sea(windy), Error);
+  sky::Atmosphere black;
+  black.aerosol_albedo = 2.0;
+  EXPECT_THROW(world_.set_atmosphere(black), Error);
+  EXPECT_EQ(everything(world_), before);
+}
+
+// Fails if rings reach higher than the margins, or still widen them when they have faded or not begun.
+TEST_F(WorldTest, ReachFollowsTheRings) {
+  world_.at(0.0, 5.0);
+  const double without_m = world_.reach().vertical_m;
+  ocean::TrochoidSea trochoids = parameters().trochoids;
+  trochoids.raindrops = {{.time_s = 1.0, .amplitude_m = -0.5, .decay_s = 2.0}};
+  world_.set_trochoids(trochoids);
+  EXPECT_EQ(world_.reach().vertical_m, without_m);
+  world_.at(3.0, 5.0);
+  EXPECT_NEAR(world_.reach().vertical_m, without_m + 0.5 * std::exp(-1.0), 1e-12);
+}
+
 TEST_F(WorldTest, RefusesWhatItsSimulationsRefuse) {
   EXPECT_THROW(world_.at(std::nan(""), 5.0), Error);
   world_.set_sun({1.0, 1.0, 1.0}, 1.0);
