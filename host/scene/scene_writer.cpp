@@ -1,6 +1,7 @@
 #include "host/scene/scene_writer.h"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -51,18 +52,35 @@ std::string number_of(const OceanScene& scene, const Parameter& row) {
   return value_text(copy, row, Digits::exact) == exact ? readable : exact;
 }
 
-/// One line a value: lists have several.
+/// The numbers of a repeated section's elements; empty text where an element has none.
+std::vector<std::string> element_numbers(const OceanScene& scene, const Parameter& row,
+                                         const ElementStorage& elements) {
+  OceanScene copy = scene;
+  OceanScene one;
+  elements.append(one);
+  std::vector<std::string> values;
+  for (std::size_t i = 0; i < elements.count(scene); ++i) {
+    const bool is_there = std::visit(
+        [&](auto at) { return std::optional<double>(at(one, 0) = at(copy, i)).has_value(); }, elements.at);
+    values.push_back(is_there ? number_of(one, row) : "");
+  }
+  return values;
+}
+
+/// One text a value: lists and repeated sections have several.
 std::vector<std::string> values_of(const OceanScene& scene, const Parameter& row,
                                    const std::filesystem::path& folder) {
-  if (const auto* text = std::get_if<Text>(&row.storage)) {
-    OceanScene copy = scene;
-    return {toml_text(std::filesystem::proximate((*text)(copy), folder).generic_string())};
+  if (const auto* elements = std::get_if<ElementStorage>(&row.storage)) {
+    return element_numbers(scene, row, *elements);
   }
   if (std::holds_alternative<ChoiceStorage>(row.storage)) return {toml_text(value_text(scene, row))};
+  OceanScene copy = scene;
+  if (const auto* text = std::get_if<Text>(&row.storage)) {
+    return {toml_text(std::filesystem::proximate((*text)(copy), folder).generic_string())};
+  }
   if (const auto* list = std::get_if<List>(&row.storage)) {
+    OceanScene one;
     std::vector<std::string> values;
-    OceanScene one = scene;
-    OceanScene copy = scene;
     for (const double value : (*list)(copy)) {
       (*list)(one) = {value};
       values.push_back(number_of(one, row));
@@ -74,7 +92,7 @@ std::vector<std::string> values_of(const OceanScene& scene, const Parameter& row
 
 struct Line {
   std::string_view name;
-  std::vector<std::string> values;
+  std::vector<std::string> values;  ///< empty where an element says nothing
 };
 
 struct Section {
@@ -106,7 +124,8 @@ void append(std::string& text, const Section& section) {
     text +=
         section.is_repeated ? fmt::format("\n[[{}]]\n", section.name) : fmt::format("\n[{}]\n", section.name);
     for (const Line& line : section.lines) {
-      if (element < line.values.size()) text += fmt::format("{} = {}\n", line.name, line.values[element]);
+      if (element < line.values.size() && !line.values[element].empty())
+        text += fmt::format("{} = {}\n", line.name, line.values[element]);
     }
   }
 }
