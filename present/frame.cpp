@@ -31,7 +31,7 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
   }
   {
     const StageTimes::Scope stage(times_, Stage::water);
-    water_.draw(world, request, sky_.environment());
+    water_.draw(world, request, sky_.environment(), light_);
   }
   {
     const StageTimes::Scope stage(times_, Stage::tone);

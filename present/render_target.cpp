@@ -7,21 +7,33 @@
 namespace offing::present {
 
 RenderTarget::RenderTarget(int width, int height, GLenum format, Depth depth)
-    : width_(width), height_(height), colour_(GlTexture::make()), framebuffer_(GlFramebuffer::make()) {
-  glBindTexture(GL_TEXTURE_2D, colour_.name());
-  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-               nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    : RenderTarget(width, height, format, 1, depth) {}
+
+RenderTarget::RenderTarget(int width, int height, GLenum format, int count, Depth depth)
+    : width_(width), height_(height), framebuffer_(GlFramebuffer::make()) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.name(), 0);
+  std::vector<GLenum> outputs;
+  for (int i = 0; i < count; ++i) {
+    const GlTexture& colour = colours_.emplace_back(GlTexture::make());
+    glBindTexture(GL_TEXTURE_2D, colour.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    outputs.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+    glFramebufferTexture2D(GL_FRAMEBUFFER, outputs.back(), GL_TEXTURE_2D, colour.name(), 0);
+  }
+  glDrawBuffers(count, outputs.data());
   if (depth == Depth::single_precision) {
     depth_ = GlTexture::make();
     glBindTexture(GL_TEXTURE_2D, depth_.name());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, width, height, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
                  nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.name(), 0);
   }
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "host/sky/clear_sky_glsl.h"
+#include "present/view_ray.h"
 
 namespace offing::present {
 namespace {
@@ -17,6 +18,7 @@ ShaderProgram sky_program(const char* fragment) {
                         .fragment = {{"sky::clear_sky_glsl()", sky::clear_sky_glsl()},
                                      shader_file("sky_view.glsl"),
                                      shader_file("environment.glsl"),
+                                     shader_file("view_ray.glsl"),
                                      shader_file(fragment)}});
 }
 
@@ -67,12 +69,8 @@ void SkyPass::prepare(const sky::ClearSky& sky) {
 }
 
 void SkyPass::draw(const Camera& camera) const {
-  const CameraBasis axes = basis(camera);
-  const glm::dvec2 extent = half_extent(camera);
   bind(sky_);
-  sky_.set("ray_forward", glm::vec3(axes.forward));
-  sky_.set("ray_right", glm::vec3(extent.x * axes.right));
-  sky_.set("ray_up", glm::vec3(extent.y * axes.up));
+  set_view_rays(sky_, camera);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

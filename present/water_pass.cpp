@@ -1,23 +1,20 @@
 #include "present/water_pass.h"
 
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
 
-#include "host/ocean/projected_grid.h"
-#include "host/ocean/trochoid_instant.h"
 #include "present/foam_texture.h"
+#include "present/view_ray.h"
 
 namespace offing::present {
 namespace {
 
-constexpr int displacement_unit = 0, gradient_unit = 1, foam_unit = 2, environment_unit = 3, pattern_unit = 4;
-constexpr double near_m = 0.05;
+constexpr int environment_unit = WaterMaps::first_free_unit, pattern_unit = environment_unit + 1,
+              first_surface_unit = pattern_unit + 1;
 // Waves shorter than 2 m break without drawing air under: they make no foam.
 constexpr double ripples_radpm = std::numbers::pi;
 // Of the light that enters deep, clear water this share comes back out, at red, green and blue; half of the
@@ -26,24 +23,10 @@ constexpr double ripples_radpm = std::numbers::pi;
 constexpr std::array<double, 3> water_reflectance{0.002, 0.011, 0.024};
 
 ShaderProgram water_program() {
-  return ShaderProgram({.vertex = {shader_file("water.glsl"), shader_file("water.vert")},
-                        .fragment = {shader_file("environment.glsl"), shader_file("water.glsl"),
-                                     shader_file("water_light.glsl"), shader_file("water_debug.glsl"),
-                                     shader_file("water.frag")}});
-}
-
-// Two triangles a cell, near rows first, so that what they hide is not shaded.
-std::vector<std::uint32_t> triangles(GridCells cells) {
-  std::vector<std::uint32_t> indices;
-  const auto stride = static_cast<std::uint32_t>(cells.columns) + 1;
-  for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(cells.rows); ++row) {
-    for (std::uint32_t column = 0; column + 1 < stride; ++column) {
-      const std::uint32_t corner = row * stride + column;
-      indices.insert(indices.end(),
-                     {corner, corner + 1, corner + stride, corner + stride, corner + 1, corner + stride + 1});
-    }
-  }
-  return indices;
+  return ShaderProgram({.vertex = {shader_file("screen.vert")},
+                        .fragment = {shader_file("environment.glsl"), shader_file("view_ray.glsl"),
+                                     shader_file("water.glsl"), shader_file("water_light.glsl"),
+                                     shader_file("water_debug.glsl"), shader_file("water.frag")}});
 }
 
 glm::vec3 to_vec3(const ocean::SlopeCovariance& slopes) {
@@ -64,6 +47,11 @@ glm::vec3 haze_perm(const sky::Atmosphere& air) {
   return {at(depth[0]), at(0.5 * (depth[1] + depth[2])), at(depth[3])};
 }
 
+void bind_texture(int unit, GLuint texture) {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_2D, texture);
+}
+
 }  // namespace
 
 std::string_view to_string(DebugView view) {
@@ -74,77 +62,33 @@ std::string_view to_string(DebugView view) {
 }
 
 WaterPass::WaterPass(const GlCapabilities& capabilities, WaterDetail detail)
-    : capabilities_(capabilities),
-      detail_(detail),
+    : detail_(detail),
+      surface_(capabilities, detail.cells),
       program_(water_program()),
-      vertices_(GlVertexArray::make()),
-      indices_(GlBuffer::make()),
-      foam_pattern_(foam_texture()) {
-  const std::vector<std::uint32_t> indices = triangles(detail.cells);
-  glBindVertexArray(vertices_.name());
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
-               indices.data(), GL_STATIC_DRAW);
-  glBindVertexArray(0);
-}
+      no_vertices_(GlVertexArray::make()),
+      foam_pattern_(foam_texture()) {}
 
-void WaterPass::prepare(world::World& world, TransferLadder& transfer) {
-  ocean::Ocean& ocean = world.ocean();
-  const int size = ocean.parameters().size;
-  const int layers = static_cast<int>(ocean.parameters().cascades.size());
-  if (displacement_.size() != size || displacement_.layers() != layers) {
-    displacement_ = MapTexture(size, layers, 4);
-    gradient_ = MapTexture(size, layers, 4);
-    foam_ = MapTexture(size, layers, 1);
-  }
-  const std::array<Upload, 3> uploads{{{&ocean.displacement_map(), &displacement_},
-                                       {&ocean.gradient_map(), &gradient_},
-                                       {&ocean.foam_map(), &foam_}}};
-  glActiveTexture(GL_TEXTURE0);
-  transfer.upload(uploads);
-  for (const Upload& upload : uploads) upload.target->make_levels();
-}
-
-void WaterPass::set_sea(const world::World& world, const Camera& camera) const {
+void WaterPass::set_waves(const world::World& world, const Camera& camera) const {
   const ocean::OceanParameters& sea = world.parameters().ocean;
-  const glm::dvec2 eye(camera.eye_m.x, camera.eye_m.z);
-  std::vector<glm::vec4> cascades;
+  const glm::dvec2 eye_m(camera.eye_m.x, camera.eye_m.z);
+  maps_.bind(program_, world, eye_m);
   std::vector<glm::vec4> hidden;
   std::vector<float> breaking;
   for (std::size_t i = 0; i < sea.cascades.size(); ++i) {
-    const double length_m = sea.cascades[i].patch_length_m;
-    // Reduced in double, so that an eye far from the origin loses nothing.
-    const glm::dvec2 place = eye / length_m;
-    cascades.emplace_back(1.0 / length_m, place.x - std::floor(place.x), place.y - std::floor(place.y),
-                          sea.size / length_m);
     breaking.push_back(sea.cascades[i].k_min_radpm < ripples_radpm ? 1.0f : 0.0f);
     for (const ocean::SlopeCovariance& level : world.hidden_slopes().cascades[i]) {
       hidden.emplace_back(to_vec3(level), 0.0f);
     }
   }
-  program_.set("cascade_count", static_cast<int>(cascades.size()));
-  program_.set("cascades", cascades);
   program_.set("hidden_slopes", hidden);
+  program_.set("level_count", static_cast<int>(hidden.size() / sea.cascades.size()));
+  program_.set("ripples", to_vec3(world.hidden_slopes().ripples));
+  program_.set("tap_count", detail_.taps);
   program_.set("breaking", breaking);
-  const glm::dvec2 foam_place = eye / static_cast<double>(foam_tile_m);
+  program_.set("foam_onset", glm::vec2(sea.foam.onset_jacobian, sea.foam.width));
+  const glm::dvec2 foam_place = eye_m / static_cast<double>(foam_tile_m);
   program_.set("foam_place", glm::vec2(foam_place - glm::floor(foam_place / 100.0) * 100.0));
   program_.set("foam_tile_m", foam_tile_m);
-  program_.set("level_count", static_cast<int>(hidden.size() / cascades.size()));
-  program_.set("ripples", to_vec3(world.hidden_slopes().ripples));
-  program_.set("foam_onset", glm::vec2(sea.foam.onset_jacobian, sea.foam.width));
-
-  const ocean::TrochoidInstant trochoids(world.parameters().trochoids, world.time_s());
-  std::vector<glm::vec4> waves;
-  std::vector<float> phases;
-  for (const ocean::TrochoidInstant::Wave& wave : trochoids.waves()) {
-    waves.emplace_back(wave.kx_radpm, wave.kz_radpm, wave.amplitude_m,
-                       trochoids.horizontal_scale() * wave.amplitude_m);
-    const double phase = wave.kx_radpm * eye.x + wave.kz_radpm * eye.y + wave.phase_rad;
-    phases.push_back(static_cast<float>(std::remainder(phase, 2.0 * std::numbers::pi)));
-  }
-  program_.set("wave_count", static_cast<int>(waves.size()));
-  program_.set("waves", waves);
-  program_.set("wave_phases", phases);
 }
 
 void WaterPass::set_light(const world::World& world) const {
@@ -162,54 +106,45 @@ void WaterPass::set_light(const world::World& world) const {
   program_.set("sky_klx", to_vec3(light.sky_klx));
   program_.set("water_kcdpm2", water);
   program_.set("haze_perm", haze_perm(world.parameters().atmosphere));
-  program_.set("tap_count", detail_.taps);
 }
 
-void WaterPass::draw(const world::World& world, const FrameRequest& request, GLuint environment) const {
-  const Camera& camera = request.camera;
-  const std::optional<ocean::ProjectedGrid> grid = ocean::ProjectedGrid::for_camera(camera, world.reach());
-  if (!grid) return;
-  program_.use();
-  std::vector<glm::vec3> corners;
-  for (const ocean::ProjectedGrid::Corner& corner : grid->corners()) {
-    corners.emplace_back(corner.label_m.x, corner.label_m.y, corner.w);
+void WaterPass::bind_surface() const {
+  const RenderTarget& surface = surface_.target();
+  const std::array<std::pair<const char*, GLuint>, 4> textures{{{"place_of", surface.texture(0)},
+                                                                {"facet_of", surface.texture(1)},
+                                                                {"strain_of", surface.texture(2)},
+                                                                {"depth_of", surface.depth_texture()}}};
+  int unit = first_surface_unit;
+  for (const auto& [name, texture] : textures) {
+    bind_texture(unit, texture);
+    program_.set(name, unit++);
   }
-  program_.set("corners", corners);
-  program_.set("cells", glm::ivec2(detail_.cells.columns, detail_.cells.rows));
-  program_.set("eye_height_m", static_cast<float>(camera.eye_m.y));
-  glm::dmat4 clip_from_eye = projection(camera, near_m) * view_rotation(camera);
-  if (!capabilities_.has_clip_control) {
-    // OpenGL then maps depth from -1 ... 1: z' = 2 z - w.
-    for (int column = 0; column < 4; ++column) {
-      clip_from_eye[column][2] = 2.0 * clip_from_eye[column][2] - clip_from_eye[column][3];
-    }
-  }
-  program_.set("clip_from_eye", glm::mat4(clip_from_eye));
-  set_sea(world, camera);
-  set_light(world);
-  displacement_.bind(displacement_unit);
-  gradient_.bind(gradient_unit);
-  foam_.bind(foam_unit);
-  glActiveTexture(GL_TEXTURE0 + environment_unit);
-  glBindTexture(GL_TEXTURE_2D, environment);
-  glActiveTexture(GL_TEXTURE0 + pattern_unit);
-  glBindTexture(GL_TEXTURE_2D, foam_pattern_.name());
-  program_.set("foam_pattern", pattern_unit);
-  program_.set("displacement_map", displacement_unit);
-  program_.set("gradient_map", gradient_unit);
-  program_.set("foam_map", foam_unit);
-  program_.set("environment", environment_unit);
+}
 
+void WaterPass::draw(const world::World& world, const FrameRequest& request, GLuint environment,
+                     const RenderTarget& target) {
+  if (!surface_.draw(world, maps_, request.camera, request.fill)) return;
+  target.bind();
+  program_.use();
+  set_view_rays(program_, request.camera);
+  set_waves(world, request.camera);
+  set_light(world);
+  bind_surface();
+  bind_texture(environment_unit, environment);
+  program_.set("environment", environment_unit);
+  bind_texture(pattern_unit, foam_pattern_.name());
+  program_.set("foam_pattern", pattern_unit);
+  program_.set("eye_height_m", static_cast<float>(request.camera.eye_m.y));
   program_.set("debug_view", static_cast<int>(request.debug));
   program_.set("debug_white", static_cast<float>(1.0 / request.exposure));
   program_.set("debug_height_m", static_cast<float>(0.5 * world.reach().vertical_m));
 
+  // The shader gives the surface's depth, so that water hides what lies behind it and is hidden by what is
+  // before it.
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
-  glPolygonMode(GL_FRONT_AND_BACK, request.fill == Fill::wireframe ? GL_LINE : GL_FILL);
-  glBindVertexArray(vertices_.name());
-  glDrawElements(GL_TRIANGLES, 6 * detail_.cells.columns * detail_.cells.rows, GL_UNSIGNED_INT, nullptr);
-  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glBindVertexArray(no_vertices_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_DEPTH_TEST);
 }
 

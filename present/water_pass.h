@@ -7,16 +7,13 @@
 #include "host/world/world.h"
 #include "present/gl_context.h"
 #include "present/gl_objects.h"
-#include "present/map_texture.h"
+#include "present/render_target.h"
 #include "present/shader_program.h"
 #include "present/transfer.h"
+#include "present/water_maps.h"
+#include "present/water_surface.h"
 
 namespace offing::present {
-
-/// Cells of the projected grid, across and along the line of sight.
-struct GridCells {
-  int columns = 128, rows = 128;
-};
 
 /// How finely the water is drawn.
 struct WaterDetail {
@@ -44,8 +41,6 @@ inline constexpr std::array all_debug_views{DebugView::none,      DebugView::hei
                                             DebugView::cascade_3};
 std::string_view to_string(DebugView view);
 
-enum class Fill { solid, wireframe };
-
 /// What to draw: the world as this camera sees it.
 struct FrameRequest {
   Camera camera;
@@ -54,26 +49,27 @@ struct FrameRequest {
   Fill fill = Fill::solid;
 };
 
-/// Draws the ocean's surface: a projected grid displaced by the cascades and trochoids of a world.
+/// Draws the ocean: its shape (WaterSurface), then its light on the pixels that show it.
 class WaterPass {
  public:
   WaterPass(const GlCapabilities& capabilities, WaterDetail detail);
 
   /// Copies the world's maps into textures by way of the ladder.
-  void prepare(world::World& world, TransferLadder& transfer);
-  /// Draws onto the bound target, whose depth is reversed. `environment` is the map of SkyPass.
-  void draw(const world::World& world, const FrameRequest& request, GLuint environment) const;
+  void prepare(world::World& world, TransferLadder& transfer) { maps_.prepare(world, transfer); }
+  /// Draws onto a target whose depth is reversed. `environment` is the map of SkyPass.
+  void draw(const world::World& world, const FrameRequest& request, GLuint environment,
+            const RenderTarget& target);
 
  private:
-  void set_sea(const world::World& world, const Camera& camera) const;
+  void set_waves(const world::World& world, const Camera& camera) const;
   void set_light(const world::World& world) const;
+  void bind_surface() const;
 
-  GlCapabilities capabilities_;
   WaterDetail detail_;
+  WaterMaps maps_;
+  WaterSurface surface_;
   ShaderProgram program_;
-  GlVertexArray vertices_;
-  GlBuffer indices_;
-  MapTexture displacement_, gradient_, foam_;
+  GlVertexArray no_vertices_;
   GlTexture foam_pattern_;
 };
 

@@ -1,6 +1,5 @@
 // The upper half of the sky, without the sun's disc, as a round map for reflections: see environment_light() in
 // environment.glsl.
-in vec2 clip;
 out vec4 light;
 
 void main() {

@@ -1,16 +1,11 @@
 // The sky behind everything down to the horizon, with the sun's disc. Light is in kcd/m2, linear Rec.709.
-uniform vec3 ray_forward;  // direction of the ray through the picture's middle
-uniform vec3 ray_right;    // what a step of 1 in clip coordinates adds to it
-uniform vec3 ray_up;
-
-in vec2 clip;
 out vec4 light;
 
 // The disc at noon is brighter than a half can hold (65504), and than any picture shows.
 const float brightest_kcdpm2 = 3.0e4;
 
 void main() {
-  vec3 direction = normalize(ray_forward + clip.x * ray_right + clip.y * ray_up);
+  vec3 direction = normalize(view_ray());
   // The sea ends at the horizon, give or take a pixel: no ray that misses it may see the ground below.
   float dip = sky_horizon_distance(sky.ground_radius_m, sky.eye_altitude_m) / (sky.ground_radius_m + sky.eye_altitude_m);
   direction.y = max(direction.y, 1e-4 - dip);

@@ -1,13 +1,17 @@
 // The ocean's surface: slopes summed pixel by pixel, the sky mirrored in them, the sun's glitter, the light of the
 // water below and foam. What a pixel cannot show of the slopes widens the glitter instead: each mip level of the
 // slope map hides a known covariance, and the shortest ripples are in no map. Light is in kcd/m2, linear Rec.709.
+uniform sampler2D place_of;   // water_surface.frag's outputs
+uniform sampler2D facet_of;
+uniform sampler2D strain_of;
+uniform sampler2D depth_of;
 uniform sampler2DArray gradient_map;  // dh/dx, dh/dz, d dx/dx, d dz/dz
 uniform sampler2DArray foam_map;      // coverage 0 ... 1
 uniform sampler2D environment;
 uniform sampler2D foam_pattern;  // even values 0 ... 1
 uniform vec2 foam_place;         // the eye's place on its tile
 uniform float foam_tile_m;       // side of its tile
-uniform float breaking[max_cascades];  // 1: the cascade's waves are long enough to draw air under
+uniform float breaking[max_cascades];  // 1: the cascade's waves are long enough to draw air under, else 0
 uniform vec4 hidden_slopes[max_cascades * 13];  // covariance xx, xz, zz that each mip level of a cascade hides
 uniform int level_count;
 uniform int tap_count;  // samples along a pixel's footprint
@@ -21,10 +25,6 @@ uniform vec3 haze_perm;     // extinction of the air
 uniform float eye_height_m;
 uniform vec2 foam_onset;    // Jacobian where foam begins, and how far below it covers all
 
-in vec2 label_m;
-in vec3 position_m;
-in vec2 trochoid_slope;
-in vec3 trochoid_gradient;
 out vec4 light;
 
 const float foam_albedo = 0.5;
@@ -60,7 +60,7 @@ float fresh_foam(vec3 gradient) {
 
 // How much of the water foam of this coverage hides here: patches and threads that drift with the water, as far as
 // a pixel shows them.
-float foam_opacity(float coverage, float width_m) {
+float foam_opacity(float coverage, vec2 label_m, float width_m) {
   if (coverage <= 0.0) return 0.0;
   vec2 place = foam_place + label_m / foam_tile_m;
   float texel_m = foam_tile_m / float(textureSize(foam_pattern, 0).x);
@@ -73,12 +73,16 @@ float foam_opacity(float coverage, float width_m) {
 }
 
 void main() {
-  // The pixel's footprint on the labels: long in the direction of sight, where taps follow one another.
-  vec2 right_m = dFdx(label_m), up_m = dFdy(label_m);
-  vec2 long_m = dot(right_m, right_m) > dot(up_m, up_m) ? right_m : up_m;
-  float longest_m = max(length(long_m), 1e-6);
-  float shortest_m = abs(right_m.x * up_m.y - right_m.y * up_m.x) / longest_m;
-  float width_m = max(longest_m / float(tap_count), shortest_m);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 facet = texelFetch(facet_of, pixel, 0);
+  float distance_m = facet.z;
+  if (distance_m == 0.0) discard;
+  gl_FragDepth = texelFetch(depth_of, pixel, 0).r;
+  vec4 place = texelFetch(place_of, pixel, 0);
+  vec2 label_m = place.xy, long_m = place.zw;
+  float width_m = max(length(long_m) / float(tap_count), facet.w);
+  vec2 trochoid_slope = facet.xy;
+  vec3 trochoid_gradient = texelFetch(strain_of, pixel, 0).xyz;
 
   vec2 slope = vec2(0.0);
   vec3 square = vec3(0.0);
@@ -90,16 +94,15 @@ void main() {
     vec2 tap_slope = trochoid_slope;
     float tap_bare = 1.0;
     for (int i = 0; i < cascade_count; ++i) {
-      vec3 place = map_place(i, tap_m);
+      vec3 map_point = map_place(i, tap_m);
       float level = map_level(i, width_m);
-      vec4 texel = textureLod(gradient_map, place, level);
+      if (breaking[i] > 0.0) tap_bare *= 1.0 - textureLod(foam_map, map_point, level).r;
+      if (width_m >= longest_wave_m[i]) continue;
+      vec4 texel = textureLod(gradient_map, map_point, level);
       tap_slope += texel.xy;
-      vec3 change = vec3(texel.z, textureLod(displacement_map, place, level).w, texel.w) / float(tap_count);
+      vec3 change = vec3(texel.z, textureLod(displacement_map, map_point, level).w, texel.w) / float(tap_count);
       gradient += change;
-      if (breaking[i] > 0.0) {
-        breaking_gradient += change;
-        tap_bare *= 1.0 - textureLod(foam_map, place, level).r;
-      }
+      breaking_gradient += breaking[i] * change;
     }
     slope += tap_slope / float(tap_count);
     square += vec3(tap_slope.x * tap_slope.x, tap_slope.x * tap_slope.y, tap_slope.y * tap_slope.y) / float(tap_count);
@@ -114,7 +117,8 @@ void main() {
   float jacobian = f.x * f.z - f.y * f.y;
   slope = vec2(f.z * slope.x - f.y * slope.y, f.x * slope.y - f.y * slope.x) / max(jacobian, least_jacobian);
 
-  vec3 v = normalize(-position_m);
+  vec3 ray = normalize(view_ray());
+  vec3 v = -ray;
   Facets facets = Facets(slope, hidden);
   Visibility seen = visibility(facets, v);
   // Two facets that have mean and variance of those seen; each stands for half of them.
@@ -125,16 +129,16 @@ void main() {
   water += sun_klx * sun_glitter(facets, seen, v, sun_direction, sun_radius_rad);
 
   float coverage = max(fresh_foam(breaking_gradient), 1.0 - bare);
-  float foam = foam_opacity(coverage, width_m);
+  float foam = foam_opacity(coverage, label_m, width_m);
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
   vec3 foam_light = foam_albedo / pi * (sky_klx + sun_klx * max(dot(normal, sun_direction), 0.0));
   vec3 surface = mix(water, foam_light, foam);
 
   // The air between sends the light of the horizon, as a long way through it does.
-  vec3 clear = exp(-haze_perm * length(position_m));
+  vec3 clear = exp(-haze_perm * distance_m);
   vec3 horizon = environment_light(normalize(vec3(-v.x, 0.004, -v.z)));
   light = vec4(mix(horizon, surface, clear), 1.0);
   if (debug_view != 0) {
-    light.rgb = debug_light(position_m.y + eye_height_m, slope, jacobian, coverage, width_m, label_m);
+    light.rgb = debug_light(ray.y * distance_m + eye_height_m, slope, jacobian, coverage, width_m, label_m);
   }
 }

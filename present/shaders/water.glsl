@@ -1,8 +1,9 @@
-// What both stages of the water know: cascades of waves on repeating maps, and where the eye stands on them.
+// What the shaders of the water's shape and of its light know: cascades of waves on repeating maps, and where the eye stands on them.
 const int max_cascades = 4;
 
 uniform int cascade_count;
 uniform vec4 cascades[max_cascades];  // 1 / L 1/m; the eye's place on the patch in L, x and z; texels a metre
+uniform float longest_wave_m[max_cascades];  // wavelength; wider texels show nothing of the cascade
 uniform sampler2DArray displacement_map;  // dx, h, dz in m, d dx/dz
 
 // Place on the map of a cascade of a label relative to the eye: the first texel is label (0, 0).

@@ -45,7 +45,7 @@ void main() {
   float spacing_m = max(distance(label, beside), distance(below, above));
 
   vec3 moved_m = vec3(0.0);
-  for (int i = 0; i < cascade_count; ++i) {
+  for (int i = 0; i < cascade_count && 0.5 * spacing_m < longest_wave_m[i]; ++i) {
     moved_m += textureLod(displacement_map, map_place(i, label), map_level(i, 0.5 * spacing_m)).xyz;
   }
 

@@ -39,6 +39,11 @@ void bench_ocean(const ocl::Device& device, const Settings& settings, const Sink
 /// Error(bad_usage) for a smaller size.
 void bench_gerstner(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
+/// Frames of the presenter on a framebuffer, and their stages: the shipped rough sea as its window draws it, and
+/// for each size the paper's frame (O15 of docs/sources.md): one patch, 16 trochoids, 1280 x 1024 pixels. Only in
+/// builds with the presenter.
+void bench_render(const Settings& settings, const Sinks& sinks);
+
 /// From the start of a process to its first 256 x 256 frame of three cascades, with an empty kernel cache and
 /// with a filled one; nothing unless 256 is among the sizes.
 void bench_start(const Settings& settings, const Sinks& sinks);

@@ -98,6 +98,14 @@ int run_command_line(int argc, char** argv) {
     });
   });
 
+#ifdef OFFING_BUILD_VIEWER
+  CLI::App& render = *app.add_subcommand("render", "frames of the presenter and their stages");
+  add_options(render, options);
+  render.callback([&] {
+    run(options, [&](const auto&, const bench::Sinks& sinks) { bench::bench_render(options.settings, sinks); });
+  });
+#endif
+
   CLI::App& first_frame = *app.add_subcommand("first-frame", "what the start-up benchmark starts");
   first_frame.group("");
   first_frame.add_option("--device", options.settings.device);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "host/world/world.h"
+#include "present/map_texture.h"
+#include "present/shader_program.h"
+#include "present/transfer.h"
+
+namespace offing::present {
+
+/// OpenGL's copies of a sea's maps, which the shaders of the water read (water.glsl).
+class WaterMaps {
+ public:
+  /// Units from first_free_unit on are left to others.
+  static constexpr int first_free_unit = 3;
+
+  /// Copies the maps of the world as it stands, by way of the ladder.
+  void prepare(world::World& world, TransferLadder& transfer);
+
+  /// Binds the maps, and tells a program in use where on them an eye at this label stands.
+  void bind(const ShaderProgram& program, const world::World& world, glm::dvec2 eye_m) const;
+
+ private:
+  MapTexture displacement_, gradient_, foam_;
+};
+
+}  // namespace offing::present

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later (offing-bench links FFTW)
+#include <array>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "host/ocean/cascades.h"
+#include "host/ocean/trochoid_choice.h"
+#include "host/scene/scene_file.h"
+#include "host/scene/world_scene.h"
+#include "present/exposure.h"
+#include "present/frame.h"
+#include "present/gl_context.h"
+#include "present/view_options.h"
+#include "tests/bench/benches.h"
+
+namespace offing::bench {
+namespace {
+
+using present::Stage;
+
+constexpr double frame_s = 1.0 / 24.0;
+constexpr int warm_up_frames = 10;
+
+/// A scene drawn into a framebuffer, frame after frame, as the window draws it.
+class Renderer {
+ public:
+  Renderer(const std::string& selector, const world::WorldParameters& parameters,
+           const scene::ViewScene& view, present::PictureSize size)
+      : context_(present::GlContext::headless()),
+        device_(ocl::Device::open_shared(ocl::select_device(selector), ocl::Profiling::off,
+                                         context_.share_properties())),
+        world_(device_, parameters),
+        frame_(context_, device_, {.water = present::water_detail(present::Detail::low)}),
+        view_(view) {
+    view_.camera.width_px = size.width;
+    view_.camera.height_px = size.height;
+  }
+
+  const std::string& gl_renderer() const { return context_.capabilities().renderer; }
+
+  void draw_next() {
+    time_s_ += frame_s;
+    {
+      const present::StageTimes::Scope stage(frame_.times(), Stage::simulate);
+      world_.at(time_s_, view_.camera.eye_m.y);
+      device_.finish();
+    }
+    const double exposure = present::exposure_for(world_.sky(), view_.camera, view_.exposure_ev);
+    frame_.draw(world_, {.camera = view_.camera, .exposure = exposure});
+    glFinish();
+    frame_.times().end_frame();
+  }
+
+  /// The longer of the CPU's and the GPU's time of the last frame.
+  double stage_ms(Stage stage) {
+    const auto& times = frame_.times();
+    return std::max(times.cpu_ms(stage).back(), times.gl_ms(stage).back());
+  }
+
+ private:
+  present::GlContext context_;
+  ocl::Device device_;
+  world::World world_;
+  present::Frame frame_;
+  scene::ViewScene view_;
+  double time_s_ = 0.0;
+};
+
+void measure(Renderer& renderer, const std::string& name, int size, int blocks, const Sinks& sinks) {
+  for (int i = 0; i < warm_up_frames; ++i) renderer.draw_next();
+  std::vector<double> frame_ms;
+  std::array<std::vector<double>, present::stage_count> stage_ms;
+  for (int i = 0; i < blocks; ++i) {
+    frame_ms.push_back(block_ms([&] { renderer.draw_next(); }));
+    for (std::size_t s = 0; s < present::stage_count; ++s)
+      stage_ms[s].push_back(renderer.stage_ms(static_cast<Stage>(s)));
+  }
+  const auto row = [&](const std::string& row_name, const std::vector<double>& ms) {
+    sinks.row({.name = row_name,
+               .size = size,
+               .ours_ms = median(ms),
+               .peer = renderer.gl_renderer(),
+               .spread = relative_spread(ms)});
+  };
+  row(name, frame_ms);
+  for (std::size_t s = 0; s < present::stage_count; ++s) {
+    if (median(stage_ms[s]) > 0.0)
+      row(fmt::format("{}: {}", name, to_string(static_cast<Stage>(s))), stage_ms[s]);
+  }
+}
+
+}  // namespace
+
+void bench_render(const Settings& settings, const Sinks& sinks) {
+  const scene::OceanScene rough = scene::load_scene(std::filesystem::path(OFFING_SCENES) / "rough.toml");
+  {
+    Renderer renderer(settings.device, scene::prepare_world(rough), rough.view, {640, 360});
+    measure(renderer, "render_rough_640x360", rough.ocean.size, settings.blocks, sinks);
+  }
+  for (const int size : settings.sizes) {
+    // The paper's frame: one patch, 16 Gerstner waves on 128 x 128 points, 1280 x 1024 pixels.
+    scene::OceanScene paper = rough;
+    paper.ocean.size = size;
+    paper.patch_lengths_m = {rough.patch_lengths_m.front() / 2.0};
+    paper.gerstner_count = 16;
+    Renderer renderer(settings.device, scene::prepare_world(paper), paper.view, {1280, 1024});
+    measure(renderer, "render_1280x1024", size, settings.blocks, sinks);
+  }
+}
+
+}  // namespace offing::bench
