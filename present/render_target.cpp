@@ -50,10 +50,12 @@ void RenderTarget::bind() const {
   glViewport(0, 0, width_, height_);
 }
 
-std::vector<float> RenderTarget::read() const {
+std::vector<float> RenderTarget::read(std::size_t output) const {
   std::vector<float> pixels(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(output));
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, pixels.data());
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
   return pixels;
 }
 

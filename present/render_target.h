@@ -25,8 +25,8 @@ class RenderTarget {
 
   /// Draws go here, onto all of it.
   void bind() const;
-  /// Pixels of output 0, [height][width] of 4 floats, row 0 at the bottom.
-  std::vector<float> read() const;
+  /// Pixels of an output, [height][width] of 4 floats, row 0 at the bottom.
+  std::vector<float> read(std::size_t output = 0) const;
   /// Pixels of output 0, [height][width][3], row 0 at the bottom.
   std::vector<unsigned char> read_bytes() const;
 

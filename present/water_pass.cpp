@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "present/foam_texture.h"
+#include "present/ring_waves.h"
 #include "present/view_ray.h"
 
 namespace offing::present {
@@ -23,10 +24,11 @@ constexpr double ripples_radpm = std::numbers::pi;
 constexpr std::array<double, 3> water_reflectance{0.002, 0.011, 0.024};
 
 ShaderProgram water_program() {
-  return ShaderProgram({.vertex = {shader_file("screen.vert")},
-                        .fragment = {shader_file("environment.glsl"), shader_file("view_ray.glsl"),
-                                     shader_file("water.glsl"), shader_file("water_light.glsl"),
-                                     shader_file("water_debug.glsl"), shader_file("water.frag")}});
+  return ShaderProgram(
+      {.vertex = {shader_file("screen.vert")},
+       .fragment = {shader_file("environment.glsl"), shader_file("view_ray.glsl"), shader_file("water.glsl"),
+                    shader_file("rings.glsl"), shader_file("water_light.glsl"),
+                    shader_file("water_debug.glsl"), shader_file("water.frag")}});
 }
 
 glm::vec3 to_vec3(const ocean::SlopeCovariance& slopes) {
@@ -72,6 +74,7 @@ void WaterPass::set_waves(const world::World& world, const Camera& camera) const
   const ocean::OceanParameters& sea = world.parameters().ocean;
   const glm::dvec2 eye_m(camera.eye_m.x, camera.eye_m.z);
   maps_.bind(program_, world, eye_m);
+  set_rings(program_, ocean::TrochoidInstant(world.parameters().trochoids, world.time_s()), eye_m);
   std::vector<glm::vec4> hidden;
   std::vector<float> breaking;
   for (std::size_t i = 0; i < sea.cascades.size(); ++i) {

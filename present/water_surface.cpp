@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/ocean/projected_grid.h"
-#include "host/ocean/trochoid_instant.h"
+#include "present/ring_waves.h"
 
 namespace offing::present {
 namespace {
@@ -15,8 +15,9 @@ constexpr double near_m = 0.05;
 constexpr int output_count = 3;
 
 ShaderProgram surface_program() {
-  return ShaderProgram({.vertex = {shader_file("water.glsl"), shader_file("water.vert")},
-                        .fragment = {shader_file("water_surface.frag")}});
+  return ShaderProgram(
+      {.vertex = {shader_file("water.glsl"), shader_file("rings.glsl"), shader_file("water.vert")},
+       .fragment = {shader_file("water_surface.frag")}});
 }
 
 // Two triangles a cell, near rows first, so that what they hide is not shaded.
@@ -61,8 +62,7 @@ WaterSurface::WaterSurface(const GlCapabilities& capabilities, GridCells cells)
   glBindVertexArray(0);
 }
 
-void WaterSurface::set_trochoids(const world::World& world, const Camera& camera) const {
-  const ocean::TrochoidInstant trochoids(world.parameters().trochoids, world.time_s());
+void WaterSurface::set_trochoids(const ocean::TrochoidInstant& trochoids, const Camera& camera) const {
   std::vector<glm::vec4> waves;
   std::vector<float> phases;
   for (const ocean::TrochoidInstant::Wave& wave : trochoids.waves()) {
@@ -98,7 +98,9 @@ bool WaterSurface::draw(const world::World& world, const WaterMaps& maps, const 
   program_.set("eye_height_m", static_cast<float>(camera.eye_m.y));
   program_.set("clip_from_eye", glm::mat4(clip_from_eye(camera, capabilities_.has_clip_control)));
   maps.bind(program_, world, {camera.eye_m.x, camera.eye_m.z});
-  set_trochoids(world, camera);
+  const ocean::TrochoidInstant trochoids(world.parameters().trochoids, world.time_s());
+  set_trochoids(trochoids, camera);
+  set_rings(program_, trochoids, {camera.eye_m.x, camera.eye_m.z});
 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "host/base/camera.h"
+#include "host/ocean/trochoid_instant.h"
 #include "host/world/world.h"
 #include "present/gl_context.h"
 #include "present/gl_objects.h"
@@ -33,7 +34,7 @@ class WaterSurface {
   const RenderTarget& target() const { return target_; }
 
  private:
-  void set_trochoids(const world::World& world, const Camera& camera) const;
+  void set_trochoids(const ocean::TrochoidInstant& trochoids, const Camera& camera) const;
 
   GlCapabilities capabilities_;
   GridCells cells_;

@@ -36,15 +36,15 @@ class TrochoidInstant {
     double omega_radps;  ///< as the clock holds it
   };
   const std::vector<Wave>& waves() const { return waves_; }
-  /// Q.
-  double horizontal_scale() const { return horizontal_scale_; }
-
- private:
   /// A ring as it stands now; its formula is in kernels/ocean/trochoid_surface.cl.
   struct Ring {
     double centre_x_m, centre_z_m, wavelength_m, radius_m, amplitude_m, phase_rad;
   };
+  const std::vector<Ring>& rings() const { return rings_; }
+  /// Q.
+  double horizontal_scale() const { return horizontal_scale_; }
 
+ private:
   void add_ring(const Ring& ring, double x_m, double z_m, TrochoidValues& values) const;
 
   std::vector<Wave> waves_;

@@ -81,7 +81,8 @@ void main() {
   vec4 place = texelFetch(place_of, pixel, 0);
   vec2 label_m = place.xy, long_m = place.zw;
   float width_m = max(length(long_m) / float(tap_count), facet.w);
-  vec2 trochoid_slope = facet.xy;
+  // Rings are mostly shorter than the cells of the grid: their slopes are worked out here.
+  vec2 trochoid_slope = facet.xy + ring_waves(label_m, width_m).yz;
   vec3 trochoid_gradient = texelFetch(strain_of, pixel, 0).xyz;
 
   vec2 slope = vec2(0.0);

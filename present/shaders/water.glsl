@@ -17,3 +17,8 @@ vec3 map_place(int cascade, vec2 label_m) {
 float map_level(int cascade, float width_m) {
   return max(0.0, log2(width_m * cascades[cascade].w));
 }
+
+// Share of a wave that is drawn on a grid with this many samples a wavelength: host/ocean/trochoid_surface.h.
+float shown_share(float samples) {
+  return smoothstep(2.0, 4.0, samples);
+}

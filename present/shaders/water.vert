@@ -29,11 +29,6 @@ vec2 grid_label(vec2 place) {
   return point.xy / point.z;
 }
 
-// Share of a wave that is drawn on a grid with this many samples a wavelength: host/ocean/trochoid_surface.h.
-float shown_share(float samples) {
-  return smoothstep(2.0, 4.0, samples);
-}
-
 void main() {
   int column = gl_VertexID % (cells.x + 1);
   int row = gl_VertexID / (cells.x + 1);
@@ -64,6 +59,8 @@ void main() {
     gradient -= shift_m * k * cosine * vec3(direction.x * direction.x, direction.x * direction.y,
                                             direction.y * direction.y);
   }
+
+  moved_m.y += ring_waves(label, spacing_m).x;
 
   label_m = label;
   trochoid_slope = slope;
