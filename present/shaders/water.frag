@@ -129,7 +129,10 @@ void main() {
   vec3 water = 0.5 * (facet_light(middle - apart, v, blur) + facet_light(middle + apart, v, blur));
   water += sun_klx * sun_glitter(facets, seen, v, sun_direction, sun_radius_rad);
 
-  float coverage = max(fresh_foam(breaking_gradient), 1.0 - bare);
+  // The maps' foam knows of its cascade alone. Long waves gather it where they press the water together, on their
+  // crests: it does not repeat as the maps do.
+  float pressed = -(trochoid_gradient.x + trochoid_gradient.z);
+  float coverage = max(fresh_foam(breaking_gradient), clamp(1.0 + 9.0 * pressed, 0.0, 1.5) * (1.0 - bare));
   float foam = foam_opacity(coverage, label_m, width_m);
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
   vec3 foam_light = foam_albedo / pi * (sky_klx + sun_klx * max(dot(normal, sun_direction), 0.0));
