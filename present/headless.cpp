@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "host/base/progress.h"
+#include "host/scene/moving_view.h"
 #include "host/scene/world_scene.h"
 #include "present/exposure.h"
 #include "present/frame.h"
@@ -21,19 +22,21 @@ class PictureMaker {
         world_(device_, scene::prepare_world(options.scene)),
         frame_(context_, device_,
                {.water = water_detail(options.detail.value_or(Detail::high)), .transfer = options.transfer}),
-        view_(options.scene.view) {
-    const PictureSize size = options.size.value_or(PictureSize{});
-    view_.camera.width_px = size.width;
-    view_.camera.height_px = size.height;
+        scene_(options.scene),
+        size_(options.size.value_or(PictureSize{})) {
     spdlog::info("OpenGL {} ({}, {}); OpenCL {}; transfer {}", context_.capabilities().version,
                  context_.capabilities().renderer, context_.capabilities().platform, device_.info().name,
                  to_string(frame_.transfer_rung()));
   }
 
   void make(double time_s, const std::filesystem::path& path) {
-    world_.at(time_s, view_.camera.eye_m.y);
-    const double exposure = exposure_for(world_.sky(), view_.camera, view_.exposure_ev);
-    frame_.draw(world_, {.camera = view_.camera, .exposure = exposure});
+    scene::ViewScene view = scene::view_at(scene_, time_s);
+    view.camera.width_px = size_.width;
+    view.camera.height_px = size_.height;
+    scene::set_view(world_, view);
+    world_.at(time_s, view.camera.eye_m.y);
+    const double exposure = exposure_for(world_.sky(), view.camera, view.exposure_ev);
+    frame_.draw(world_, {.camera = view.camera, .exposure = exposure});
     write_picture(path, frame_, time_s, exposure);
   }
 
@@ -42,7 +45,8 @@ class PictureMaker {
   ocl::Device device_;
   world::World world_;
   Frame frame_;
-  scene::ViewScene view_;
+  scene::OceanScene scene_;
+  PictureSize size_;
 };
 
 }  // namespace

@@ -38,6 +38,8 @@ const char* title(ParameterGroup group) {
       return "Camera";
     case ParameterGroup::sun:
       return "Sun";
+    case ParameterGroup::sky:
+      return "Sky";
     case ParameterGroup::render:
       return "Picture";
   }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/base/keyframes.h"
 #include "host/ocean/ocean.h"
 #include "host/ocean/spectrum_parameters.h"
 #include "host/ocean/trochoids.h"
@@ -26,6 +27,9 @@ struct SwellScene {
 /// time by the parameter table (parameter_table.h), which holds every key, flag, unit and range. A
 /// default-made scene is the default sea.
 struct OceanScene {
+  double latitude_rad = 0.0;   ///< of the origin, north positive
+  double longitude_rad = 0.0;  ///< of the origin, east positive
+
   double frames_per_second = 24.0;
   double start_s = 0.0;  ///< first frame
   double end_s = 2.0;    ///< frames stop before this time
@@ -50,6 +54,8 @@ struct OceanScene {
   ocean::OceanParameters ocean;  ///< its cascades are filled in by prepare_sea()
 
   ViewScene view;  ///< for the presenter; no simulation reads it
+  /// Key of each parameter of the view that moves -> how, in the stored unit; see view_at().
+  std::map<std::string_view, KeyframeTrack> tracks;
 
   std::map<std::string_view, std::string> set_at;  ///< key of each parameter that was set -> where
 };

@@ -24,11 +24,17 @@ std::string number_text(double value, Digits digits = Digits::readable) {
   return digits == Digits::readable ? fmt::format("{:.12g}", value) : fmt::format("{:.17g}", value);
 }
 
+/// Whether values are written in quotes.
+bool is_text(const Parameter& parameter) {
+  return std::holds_alternative<ChoiceStorage>(parameter.storage) ||
+         std::holds_alternative<std::string& (*)(OceanScene&)>(parameter.storage) ||
+         std::holds_alternative<std::optional<UtcTime>& (*)(OceanScene&)>(parameter.storage);
+}
+
 [[noreturn]] void refuse(const Parameter& parameter, const WrittenValue& written, const Place& place) {
   const std::string example{parameter.example.empty() ? default_text(parameter)
                                                       : std::string(parameter.example)};
-  const bool quote = std::holds_alternative<ChoiceStorage>(parameter.storage) ||
-                     std::holds_alternative<std::string& (*)(OceanScene&)>(parameter.storage);
+  const bool quote = is_text(parameter);
   const bool in_file = place.assignment.ends_with("= ");
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected {}, got {}", place.subject, expected_text(parameter), written.shown),
@@ -71,6 +77,18 @@ const std::string& checked_name(const Parameter& parameter, const WrittenValue& 
   return *name;
 }
 
+/// Years for which the sun's place is known (host/sky/sun_position.h).
+constexpr int first_year = 1900, last_year = 2100;
+
+UtcTime checked_time(const Parameter& parameter, const WrittenValue& written, const Place& place) {
+  const auto* text = std::get_if<std::string>(&written.value);
+  const std::optional<UtcTime> time = text ? parse_iso_time(*text) : std::nullopt;
+  if (!time || time->year < first_year || time->year > last_year) {
+    refuse(parameter, written, place);
+  }
+  return *time;
+}
+
 std::size_t checked_choice(const Parameter& parameter, const ChoiceStorage& choice,
                            const WrittenValue& written, const Place& place) {
   const auto* name = std::get_if<std::string>(&written.value);
@@ -108,6 +126,9 @@ void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& wr
             at(scene) = static_cast<std::uint64_t>(checked_whole(parameter, written, place));
           },
           [&](std::string& (*at)(OceanScene&)) { at(scene) = checked_name(parameter, written, place); },
+          [&](std::optional<UtcTime>& (*at)(OceanScene&)) {
+            at(scene) = checked_time(parameter, written, place);
+          },
           [&](std::vector<double>& (*at)(OceanScene&)) {
             const double number = checked_number(parameter, written, place);
             if (at(scene).size() == parameter.max_count) {
@@ -128,6 +149,7 @@ void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& wr
           },
       },
       parameter.storage);
+  scene.tracks.erase(parameter.key);
   scene.set_at.insert_or_assign(parameter.key, place.subject);
 }
 
@@ -151,9 +173,7 @@ void append_element(OceanScene& scene, const Parameter& parameter, const Place& 
 
 WrittenValue read_flag_value(const Parameter& parameter, std::string_view text) {
   WrittenValue written{.value = std::string(text), .shown = fmt::format("\"{}\"", text)};
-  const bool is_text = std::holds_alternative<ChoiceStorage>(parameter.storage) ||
-                       std::holds_alternative<std::string& (*)(OceanScene&)>(parameter.storage);
-  if (is_text) {
+  if (is_text(parameter)) {
     return written;
   }
   if (const auto whole = parse_whole_text<std::int64_t>(text)) {
@@ -183,6 +203,9 @@ std::string expected_text(const Parameter& parameter) {
             return fmt::format("a whole number within [0, {}]", std::numeric_limits<std::int64_t>::max());
           },
           [](std::string& (*)(OceanScene&)) { return std::string("a file name"); },
+          [](std::optional<UtcTime>& (*)(OceanScene&)) {
+            return fmt::format("a time in UTC of the years {} ... {}", first_year, last_year);
+          },
           [](const ChoiceStorage& choice) { return fmt::format("one of {}", fmt::join(choice.names, ", ")); },
           [&](const ElementStorage& element) { return number(element); },
       },
@@ -200,6 +223,9 @@ std::string value_text(const OceanScene& scene, const Parameter& parameter, Digi
           [&](int& (*at)(OceanScene&)) { return fmt::format("{}", at(copy)); },
           [&](std::uint64_t& (*at)(OceanScene&)) { return fmt::format("{}", at(copy)); },
           [&](std::string& (*at)(OceanScene&)) { return at(copy).empty() ? absent : at(copy); },
+          [&](std::optional<UtcTime>& (*at)(OceanScene&)) {
+            return at(copy) ? iso_time(*at(copy)).value_or("") : absent;
+          },
           [&](std::vector<double>& (*at)(OceanScene&)) {
             std::vector<std::string> texts;
             for (const double value : at(copy)) {

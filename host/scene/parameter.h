@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "host/base/utc_time.h"
 #include "host/scene/ocean_scene.h"
 
 namespace offing::scene {
@@ -28,13 +29,15 @@ struct ElementStorage {
 };
 
 /// Where a row's value lives in the scene; the alternative is its type.
-using Storage =
-    std::variant<double& (*)(OceanScene&), std::optional<double>& (*)(OceanScene&), int& (*)(OceanScene&),
-                 std::uint64_t& (*)(OceanScene&), std::string& (*)(OceanScene&),
-                 std::vector<double>& (*)(OceanScene&), ChoiceStorage, ElementStorage>;
+using Storage = std::variant<double& (*)(OceanScene&), std::optional<double>& (*)(OceanScene&),
+                             int& (*)(OceanScene&), std::uint64_t& (*)(OceanScene&),
+                             std::string& (*)(OceanScene&), std::optional<UtcTime>& (*)(OceanScene&),
+                             std::vector<double>& (*)(OceanScene&), ChoiceStorage, ElementStorage>;
 
-enum class ParameterGroup { world, time, wind, sea, grid, swell, raindrop, foam, camera, sun, render };
+enum class ParameterGroup { world, time, wind, sea, grid, swell, raindrop, foam, camera, sun, sky, render };
 enum class ParameterRule { within_range, power_of_two };
+/// Whether a value may have keyframes (parameter_track.h), and goes from one to the next as an angle does.
+enum class ParameterMotion { constant, keyed, keyed_angle };
 /// Which seas a parameter matters to (unused_parameters.h).
 enum class ParameterUse {
   always,
@@ -52,6 +55,7 @@ enum class ParameterUse {
   spreading_exponent,  ///< those spread by cos^2s
   chosen_cascades,     ///< whose patches are not given
   gerstner,            ///< with Gerstner waves
+  dated_sun,           ///< under a sun that stands where its time says
 };
 
 /// One row of the parameter table: everything there is to say about one value of a scene.
@@ -72,6 +76,7 @@ struct Parameter {
   /// Row of the same section that says the same in another way; a section has one of the two.
   std::string_view instead_of = {};
   ParameterUse use = ParameterUse::always;
+  ParameterMotion motion = ParameterMotion::constant;
 };
 
 /// A value as it was written, before any check. std::monostate is a type that no parameter takes.
@@ -87,9 +92,9 @@ struct Place {
   std::string assignment = {};  ///< `wind_speed_mps = ` or `--wind-speed-mps `
 };
 
-/// Checks a value and stores it with its place; appends it to a list, and gives it to the last element of a
-/// repeated section, which gets its first one if it has none. Throws Error(bad_input) that names place,
-/// expected and found.
+/// Checks a value and stores it with its place, in the stead of keyframes; appends it to a list, and gives it
+/// to the last element of a repeated section, which gets its first one if it has none. Throws
+/// Error(bad_input) that names place, expected and found.
 void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& written, const Place& place);
 
 /// Empties a parameter that is a list, so that new values replace the old ones; does nothing to others.

@@ -2,6 +2,7 @@
 
 #include "host/scene/extra_wave_parameters.h"
 #include "host/scene/parameter_storage.h"
+#include "host/scene/sky_parameters.h"
 #include "host/scene/view_parameters.h"
 
 namespace offing::scene {
@@ -29,6 +30,27 @@ std::vector<Parameter> make_table() {
        .storage = &member<sea_parameters, &OceanParameters::seed>,
        .high = 9223372036854775807.0,
        .help = "number that picks one sea among all of the same spectrum"},
+
+      {.key = "world.latitude_deg",
+       .flag = "",
+       .group = world,
+       .storage = &member<&Scene::latitude_rad>,
+       .unit = "deg",
+       .low = -90.0,
+       .high = 90.0,
+       .help = "of the origin, north positive: for the place of the sun",
+       .scale = radians_per_degree,
+       .use = ParameterUse::dated_sun},
+      {.key = "world.longitude_deg",
+       .flag = "",
+       .group = world,
+       .storage = &member<&Scene::longitude_rad>,
+       .unit = "deg",
+       .low = -180.0,
+       .high = 360.0,
+       .help = "of the origin, east positive: for the place of the sun",
+       .scale = radians_per_degree,
+       .use = ParameterUse::dated_sun},
 
       {.key = "time.fps",
        .flag = "--fps",
@@ -366,7 +388,8 @@ std::vector<Parameter> make_table() {
 std::span<const Parameter> parameter_table() {
   static const std::vector<Parameter> table = [] {
     std::vector<Parameter> rows = make_table();
-    for (const std::vector<Parameter>& more : {extra_wave_parameters(), view_parameters()}) {
+    for (const std::vector<Parameter>& more :
+         {extra_wave_parameters(), view_parameters(), sky_parameters()}) {
       rows.insert(rows.end(), more.begin(), more.end());
     }
     return rows;

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,6 +14,8 @@
 #include "host/base/error.h"
 #include "host/scene/nearest_name.h"
 #include "host/scene/parameter_table.h"
+#include "host/scene/toml_value.h"
+#include "host/scene/track_reader.h"
 
 namespace offing::scene {
 
@@ -24,41 +25,8 @@ namespace {
 constexpr std::streamsize max_scene_bytes = 4 << 20;
 
 /// Parts of the scene format that have no system behind them in this version.
-constexpr std::array<std::string_view, 10> planned_keys = {"world.sea_level_m",
-                                                           "world.latitude_deg",
-                                                           "world.longitude_deg",
-                                                           "sky",
-                                                           "ocean.wake",
-                                                           "body",
-                                                           "terrain",
-                                                           "clouds",
-                                                           "mesh",
-                                                           "light"};
-
-/// One line of the value as written, cut where it gets long.
-std::string shown_text(const toml::node& node) {
-  std::ostringstream text;
-  node.visit([&](const auto& value) {
-    using Node = std::remove_cvref_t<decltype(value)>;
-    if constexpr (toml::is_table<Node>) {
-      text << "a table";
-    } else if constexpr (toml::is_array<Node>) {
-      text << "an array";
-    } else if constexpr (toml::is_string<Node>) {
-      text << '"' << *value << '"';
-    } else if constexpr (toml::is_boolean<Node>) {
-      text << (*value ? "true" : "false");
-    } else {
-      text << value;
-    }
-  });
-  constexpr std::size_t longest = 60;
-  std::string shown = text.str();
-  if (shown.size() > longest) {
-    shown = shown.substr(0, longest - 3) + "...";
-  }
-  return shown;
-}
+constexpr std::array<std::string_view, 7> planned_keys = {
+    "world.sea_level_m", "ocean.wake", "body", "terrain", "clouds", "mesh", "light"};
 
 class SceneReader {
  public:
@@ -72,9 +40,7 @@ class SceneReader {
   }
 
  private:
-  std::string place_of(const toml::source_region& region) const {
-    return fmt::format("{}:{}:{}", name_, region.begin.line, region.begin.column);
-  }
+  std::string place_of(const toml::source_region& region) const { return place_text(name_, region); }
 
   void check_version(const toml::table& root) const {
     const toml::node* version = root.get("version");
@@ -167,20 +133,10 @@ class SceneReader {
     const Place place{.subject = fmt::format("{}: {}", place_of(node.source()), parameter.key),
                       .assignment = key + " = "};
     if (const toml::table* table = node.as_table(); table && table->contains("keys")) {
-      throw Error(ErrorKind::bad_input,
-                  fmt::format("{}: expected one value, got keyframes, which this version does not have",
-                              place.subject),
-                  "write one constant value");
+      read_track(scene_, parameter, *table, name_);
+      return;
     }
-    WrittenValue written{.value = {}, .shown = shown_text(node)};
-    if (const auto* whole = node.as_integer()) {
-      written.value = whole->get();
-    } else if (const auto* real = node.as_floating_point()) {
-      written.value = real->get();
-    } else if (const auto* text = node.as_string()) {
-      written.value = text->get();
-    }
-    store(scene_, parameter, written, place);
+    store(scene_, parameter, written_value(node), place);
     if (parameter.key == "ocean.spectrum_file") {
       scene_.spectrum_file = (folder_ / scene_.spectrum_file).string();
     }

@@ -23,7 +23,8 @@ constexpr std::array<std::string_view, 8> indirect_keys = {
 /// Rows that only pictures of the presenter depend on.
 bool is_of_pictures(const Parameter& row) {
   return row.group == ParameterGroup::camera || row.group == ParameterGroup::sun ||
-         row.group == ParameterGroup::render;
+         row.group == ParameterGroup::sky || row.group == ParameterGroup::render ||
+         row.use == ParameterUse::dated_sun;
 }
 
 void append_numbers(fmt::memory_buffer& text, std::string_view name, const std::vector<double>& numbers) {

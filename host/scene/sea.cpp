@@ -44,7 +44,21 @@ std::optional<ocean::TrochoidChoice> choose_gerstner_waves(const OceanScene& sce
                                .seed = scene.ocean.seed};
 }
 
-/// Throws Error(bad_input) for a period whose wave is longer or shorter than a swell can be.
+void warn_of_limited_choppiness(const Sea& sea) {
+  const ocean::HorizontalScale horizontal = ocean::horizontal_scale(trochoids_of(sea, sea.parameters.seed));
+  if (horizontal.is_limited) {
+    const char* waves = sea.swells.empty()    ? "Gerstner waves"
+                        : sea.trochoid_choice ? "Gerstner waves and swells"
+                                              : "swells";
+    spdlog::warn(
+        "the {} have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to {:.3g}, with "
+        "more they would fold",
+        waves, horizontal.scale, sea.parameters.choppiness, horizontal.steepness);
+  }
+}
+
+}  // namespace
+
 std::vector<ocean::Trochoid> swells_of(const OceanScene& scene, const ocean::Dispersion& dispersion) {
   std::vector<ocean::Trochoid> waves;
   for (const SwellScene& asked : scene.swells) {
@@ -60,21 +74,6 @@ std::vector<ocean::Trochoid> swells_of(const OceanScene& scene, const ocean::Dis
   }
   return waves;
 }
-
-void warn_of_limited_choppiness(const Sea& sea) {
-  const ocean::HorizontalScale horizontal = ocean::horizontal_scale(trochoids_of(sea, sea.parameters.seed));
-  if (horizontal.is_limited) {
-    const char* waves = sea.swells.empty()    ? "Gerstner waves"
-                        : sea.trochoid_choice ? "Gerstner waves and swells"
-                                              : "swells";
-    spdlog::warn(
-        "the {} have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to {:.3g}, with "
-        "more they would fold",
-        waves, horizontal.scale, sea.parameters.choppiness, horizontal.steepness);
-  }
-}
-
-}  // namespace
 
 ocean::TrochoidSea trochoids_of(const Sea& sea, std::uint64_t seed) {
   ocean::TrochoidSea trochoids{.choppiness = sea.parameters.choppiness,

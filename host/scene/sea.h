@@ -38,6 +38,10 @@ OceanScene with_resolved_wind(OceanScene scene);
 /// spectrum file that cannot be read, a record that it does not have, or values that do not go together.
 Sea prepare_sea(const OceanScene& scene);
 
+/// The swells of a scene in water of this dispersion. Throws Error(bad_input) for a period whose wave is
+/// longer or shorter than a swell can be.
+std::vector<ocean::Trochoid> swells_of(const OceanScene& scene, const ocean::Dispersion& dispersion);
+
 /// The Gerstner waves of a sea of this seed, with the cascades' choppiness and loop; its swells, which no
 /// seed changes; its raindrops.
 ocean::TrochoidSea trochoids_of(const Sea& sea, std::uint64_t seed);

@@ -60,6 +60,8 @@ class Reasons {
         return scene_.patch_lengths_m.empty() ? "" : "the patches are given";
       case ParameterUse::gerstner:
         return scene_.gerstner_count > 0 ? "" : "there are no Gerstner waves";
+      case ParameterUse::dated_sun:
+        return scene_.view.sun_time_utc ? "" : "sun.time_utc is not given";
     }
     return "";
   }

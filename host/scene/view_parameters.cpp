@@ -8,6 +8,7 @@ namespace offing::scene {
 
 std::vector<Parameter> view_parameters() {
   using enum ParameterGroup;
+  using enum ParameterMotion;
   constexpr auto view = &OceanScene::view;
   constexpr auto eye_camera = &ViewScene::camera;
   constexpr auto eye = &Camera::eye_m;
@@ -19,7 +20,8 @@ std::vector<Parameter> view_parameters() {
        .unit = "m",
        .low = -1e7,
        .high = 1e7,
-       .help = "the eye, east of the origin"},
+       .help = "the eye, east of the origin",
+       .motion = keyed},
       {.key = "camera.y_m",
        .flag = "",
        .group = camera,
@@ -27,7 +29,8 @@ std::vector<Parameter> view_parameters() {
        .unit = "m",
        .low = 0.001,
        .high = 50e3,
-       .help = "the eye, above the mean water level"},
+       .help = "the eye, above the mean water level",
+       .motion = keyed},
       {.key = "camera.z_m",
        .flag = "",
        .group = camera,
@@ -35,7 +38,8 @@ std::vector<Parameter> view_parameters() {
        .unit = "m",
        .low = -1e7,
        .high = 1e7,
-       .help = "the eye, south of the origin"},
+       .help = "the eye, south of the origin",
+       .motion = keyed},
       {.key = "camera.yaw_deg",
        .flag = "",
        .group = camera,
@@ -44,7 +48,8 @@ std::vector<Parameter> view_parameters() {
        .low = -360.0,
        .high = 360.0,
        .help = "where the eye looks, clockwise from north (-z)",
-       .scale = radians_per_degree},
+       .scale = radians_per_degree,
+       .motion = keyed_angle},
       {.key = "camera.pitch_deg",
        .flag = "",
        .group = camera,
@@ -53,7 +58,8 @@ std::vector<Parameter> view_parameters() {
        .low = -90.0,
        .high = 90.0,
        .help = "how far up the eye looks",
-       .scale = radians_per_degree},
+       .scale = radians_per_degree,
+       .motion = keyed},
       {.key = "camera.roll_deg",
        .flag = "",
        .group = camera,
@@ -62,7 +68,8 @@ std::vector<Parameter> view_parameters() {
        .low = -180.0,
        .high = 180.0,
        .help = "how far the head is turned clockwise",
-       .scale = radians_per_degree},
+       .scale = radians_per_degree,
+       .motion = keyed_angle},
       {.key = "camera.fov_deg",
        .flag = "",
        .group = camera,
@@ -71,26 +78,8 @@ std::vector<Parameter> view_parameters() {
        .low = 1.0,
        .high = 150.0,
        .help = "height of the field of view",
-       .scale = radians_per_degree},
-
-      {.key = "sun.azimuth_deg",
-       .flag = "",
-       .group = sun,
-       .storage = &member<view, &ViewScene::sun_azimuth_rad>,
-       .unit = "deg",
-       .low = -360.0,
-       .high = 360.0,
-       .help = "where the sun stands, clockwise from north",
-       .scale = radians_per_degree},
-      {.key = "sun.elevation_deg",
-       .flag = "",
-       .group = sun,
-       .storage = &member<view, &ViewScene::sun_elevation_rad>,
-       .unit = "deg",
-       .low = -90.0,
-       .high = 90.0,
-       .help = "how high the sun stands above the horizon",
-       .scale = radians_per_degree},
+       .scale = radians_per_degree,
+       .motion = keyed},
 
       {.key = "render.exposure_ev",
        .flag = "",
@@ -98,7 +87,8 @@ std::vector<Parameter> view_parameters() {
        .storage = &member<view, &ViewScene::exposure_ev>,
        .low = -20.0,
        .high = 20.0,
-       .help = "stops above the exposure that the light at the eye asks for"},
+       .help = "stops above the exposure that the light at the eye asks for",
+       .motion = keyed},
   };
 }
 

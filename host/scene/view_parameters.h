@@ -6,7 +6,7 @@
 
 namespace offing::scene {
 
-/// The rows of the parameter table that pictures depend on and simulations do not: camera, sun, exposure.
+/// The rows of the parameter table for the eye of a picture: camera and exposure.
 std::vector<Parameter> view_parameters();
 
 }  // namespace offing::scene

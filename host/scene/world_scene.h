@@ -5,7 +5,16 @@
 
 namespace offing::scene {
 
-/// What a world needs of a scene. Throws what prepare_sea() throws.
+/// What a world needs of a scene, with the view of its start. Throws what prepare_sea() throws.
 world::WorldParameters prepare_world(const OceanScene& scene);
+
+/// Gives a world the sun and the air of a view; what has not changed costs nothing.
+void set_view(world::World& world, const ViewScene& view);
+
+/// Makes the world that `before` was prepared for that of `after`, with the view of its start: as a fresh
+/// start with it would, but only what the two differ in is made anew. Swells and raindrops cost nothing, the
+/// seed draws the same spectrum again, all else of the sea makes it anew. Throws what prepare_sea() throws,
+/// and has changed nothing of the sea then.
+void edit_world(world::World& world, const OceanScene& before, const OceanScene& after);
 
 }  // namespace offing::scene

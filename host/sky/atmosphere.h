@@ -44,6 +44,8 @@ struct Atmosphere {
   Spectrum ground_albedo{0.042, 0.047, 0.055, 0.065};
 
   double sun_angular_radius_rad = 0.00465;  ///< 16 minutes of arc: 6.8e-5 sr
+
+  bool operator==(const Atmosphere&) const = default;
 };
 
 /// Throws Error(bad_input) that names the first parameter out of range.

@@ -183,6 +183,9 @@ TEST(ParameterTable, NoTwoRowsShareStorage) {
       if (std::holds_alternative<Text>(row.storage)) {
         return "other.spec";
       }
+      if (std::holds_alternative<std::optional<UtcTime>& (*)(OceanScene&)>(row.storage)) {
+        return "2001-02-03T04:05Z";
+      }
       if (row.rule == ParameterRule::power_of_two) {
         return "16";
       }
@@ -214,6 +217,22 @@ TEST(ParameterTable, ElementsHoldTheirOwnValues) {
   while (scene.swells.size() < 64) append_element(scene, amplitude, place);
   EXPECT_EQ(refusal([&] { append_element(scene, amplitude, place); }),
             "here: expected at most 64 sections, found more");
+}
+
+// Fails if a value that a simulation depends on may move, which nothing follows, or one that is no number.
+TEST(ParameterTable, OnlyValuesOfPicturesMove) {
+  using enum ParameterGroup;
+  int count = 0;
+  for (const Parameter& row : parameter_table()) {
+    if (row.motion == ParameterMotion::constant) continue;
+    ++count;
+    EXPECT_TRUE(row.group == camera || row.group == sun || row.group == sky || row.group == render)
+        << row.key;
+    EXPECT_TRUE(std::holds_alternative<Number>(row.storage)) << row.key;
+    EXPECT_EQ(row.motion == ParameterMotion::keyed_angle, row.unit == "deg" && row.high - row.low >= 360.0)
+        << row.key;
+  }
+  EXPECT_EQ(count, 16);
 }
 
 // Fails if degrees are stored as radians or the other way round.

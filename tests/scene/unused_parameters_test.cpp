@@ -151,6 +151,11 @@ const Case cases[] = {
     {.name = "cascades_beside_patches",
      .settings = {{"ocean.cascade_count", "2"}, {"ocean.cascade.patch_m", "100"}},
      .lines = {"ocean.cascade_count: not used: the patches are given"}},
+    {.name = "place_without_a_date",
+     .settings = {{"world.latitude_deg", "50"}, {"sun.time_scale", "60"}},
+     .lines = {"world.latitude_deg: not used: sun.time_utc is not given",
+               "sun.time_scale: not used: sun.time_utc is not given"}},
+    {.name = "dated_sun", .settings = {{"world.longitude_deg", "50"}, {"sun.time_utc", "2024-06-21T12:00Z"}}},
     {.name = "cascades", .settings = {{"ocean.cascade_count", "2"}}},
 };
 

@@ -1,0 +1,74 @@
+#include "host/scene/parameter_track.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/base/error.h"
+#include "host/scene/parameter_table.h"
+
+namespace offing::scene {
+
+namespace {
+
+constexpr std::size_t max_keys = 10'000;
+constexpr double largest_time_s = 1e8;
+
+void require_movable(const Parameter& parameter, const Place& place) {
+  if (parameter.motion != ParameterMotion::constant) return;
+  std::vector<std::string_view> movable;
+  for (const Parameter& row : parameter_table()) {
+    if (row.motion != ParameterMotion::constant) movable.push_back(row.key);
+  }
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected one value, got keyframes, which it cannot have", place.subject),
+              fmt::format("write one constant value; keyframes are for {}", fmt::join(movable, ", ")));
+}
+
+double checked_time_s(const WrittenKeyframe& key, const std::vector<Keyframe>& before) {
+  double time_s = std::nan("");
+  if (const auto* real = std::get_if<double>(&key.time.value)) time_s = *real;
+  if (const auto* whole = std::get_if<std::int64_t>(&key.time.value)) time_s = static_cast<double>(*whole);
+  if (!(std::abs(time_s) <= largest_time_s)) {  // true for NaN too
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a time in s within [{:g}, {:g}], got {}", key.time_place.subject,
+                            -largest_time_s, largest_time_s, key.time.shown),
+                "write t = 2.5");
+  }
+  if (!before.empty() && time_s <= before.back().time_s) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: expected a time after {:g}, that of the key before, got {}", key.time_place.subject,
+                    before.back().time_s, key.time.shown),
+        time_s == before.back().time_s ? "remove one of the two keys" : "write the keys in order of time");
+  }
+  return time_s;
+}
+
+}  // namespace
+
+void store_track(OceanScene& scene, const Parameter& parameter, const std::vector<WrittenKeyframe>& written,
+                 Interpolation interpolation, const Place& place) {
+  require_movable(parameter, place);
+  if (written.empty() || written.size() > max_keys) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected 1 ... {} keys, found {}", place.subject, max_keys, written.size()),
+                "write keys = [{ t = 0, value = 1 }, { t = 2, value = 3 }]");
+  }
+  double& value = std::get<double& (*)(OceanScene&)>(parameter.storage)(scene);
+  KeyframeTrack track{.interpolation = interpolation};
+  if (parameter.motion == ParameterMotion::keyed_angle) track.period = 2.0 * std::numbers::pi;
+  for (const WrittenKeyframe& key : written) {
+    const double time_s = checked_time_s(key, track.keys);
+    store(scene, parameter, key.value, key.value_place);
+    track.keys.push_back({time_s, value});
+  }
+  value = track.keys.front().value;
+  scene.tracks.insert_or_assign(parameter.key, std::move(track));
+  scene.set_at.insert_or_assign(parameter.key, place.subject);
+}
+
+}  // namespace offing::scene

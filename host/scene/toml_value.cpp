@@ -1,0 +1,65 @@
+#include "host/scene/toml_value.h"
+
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "host/base/utc_time.h"
+
+namespace offing::scene {
+
+namespace {
+
+std::optional<std::string> utc_text(const toml::date_time& written) {
+  if (!written.offset || written.time.nanosecond != 0) return std::nullopt;
+  const UtcTime local{written.date.year, written.date.month,  written.date.day,
+                      written.time.hour, written.time.minute, written.time.second};
+  if (!is_valid(local)) return std::nullopt;
+  return iso_time(from_unix_seconds(unix_seconds(local) - 60 * written.offset->minutes));
+}
+
+}  // namespace
+
+std::string place_text(std::string_view file, const toml::source_region& region) {
+  return fmt::format("{}:{}:{}", file, region.begin.line, region.begin.column);
+}
+
+std::string shown_text(const toml::node& node) {
+  std::ostringstream text;
+  node.visit([&](const auto& value) {
+    using Node = std::remove_cvref_t<decltype(value)>;
+    if constexpr (toml::is_table<Node>) {
+      text << "a table";
+    } else if constexpr (toml::is_array<Node>) {
+      text << "an array";
+    } else if constexpr (toml::is_string<Node>) {
+      text << '"' << *value << '"';
+    } else if constexpr (toml::is_boolean<Node>) {
+      text << (*value ? "true" : "false");
+    } else {
+      text << value;
+    }
+  });
+  constexpr std::size_t longest = 60;
+  std::string shown = text.str();
+  if (shown.size() > longest) {
+    shown = shown.substr(0, longest - 3) + "...";
+  }
+  return shown;
+}
+
+WrittenValue written_value(const toml::node& node) {
+  WrittenValue written{.value = {}, .shown = shown_text(node)};
+  if (const auto* whole = node.as_integer()) {
+    written.value = whole->get();
+  } else if (const auto* real = node.as_floating_point()) {
+    written.value = real->get();
+  } else if (const auto* text = node.as_string()) {
+    written.value = text->get();
+  } else if (const auto* date = node.as_date_time()) {
+    if (std::optional<std::string> utc = utc_text(date->get())) written.value = std::move(*utc);
+  }
+  return written;
+}
+
+}  // namespace offing::scene

@@ -1,0 +1,101 @@
+// A running world that follows an edited scene.
+#include "host/scene/world_scene.h"
+
+#include <string>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "host/scene/moving_view.h"
+#include "host/scene/scene_file.h"
+
+namespace offing::scene {
+namespace {
+
+OceanScene scene_of(const std::string& text) {
+  return parse_scene("version = 1\n" + text, "a.toml", "");
+}
+
+// Everything that a picture is made from, at one time.
+auto everything(world::World& world) {
+  world.at(3.0, 10.0);
+  std::vector<double> trochoids;
+  for (const ocean::Trochoid& wave : world.parameters().trochoids.waves) {
+    trochoids.insert(trochoids.end(), {wave.amplitude_m, wave.wavenumber_radpm, wave.phase_rad});
+  }
+  for (const ocean::Raindrop& drop : world.parameters().trochoids.raindrops) trochoids.push_back(drop.x_m);
+  return std::tuple(world.ocean().displacement_map().read(), world.ocean().gradient_map().read(),
+                    world.ocean().foam_map().read(), world.sky().view_table().read(),
+                    world.illuminance().sky_klx, world.reach().vertical_m, world.hidden_slopes().ripples.xx,
+                    trochoids);
+}
+
+// Fails if a live edit differs from a fresh start with the edited scene, whichever value is edited and
+// although the edits add up.
+TEST(WorldScene, EditEqualsAFreshStart) {
+  const std::string sea = "[ocean]\nsize = 32\ncascade_count = 1\n";
+  const std::string rain = "[[ocean.raindrop]]\nx_m = 3\n", swell = "[[ocean.swell]]\nperiod_s = 9\n";
+  const std::string gerstner = "[ocean.gerstner]\ncount = 3\n", seed = "[world]\nseed = 5\n";
+  const std::string dusk = "[sun]\ntime_utc = 2024-03-20T17:50:00Z\n", haze = "[sky]\nozone_du = 500\n";
+  const std::string texts[] = {
+      sea,
+      sea + swell + rain,
+      sea + swell + swell + gerstner,
+      sea + swell + gerstner + seed,
+      sea + rain + gerstner + seed + dusk,
+      sea + gerstner + seed + dusk + haze,
+      sea + "choppiness = 0.5\n" + gerstner + seed + haze + "[wind]\nspeed_mps = 6\n",
+      sea + "fetch_m = 9e3\n[sky]\npressure_pa.keys = [{ t = 0, value = 9e4 }]\n",
+  };
+  const ocl::Device device = ocl::Device::open();
+  OceanScene scene = scene_of(texts[0]);
+  world::World world(device, prepare_world(scene));
+  auto before = everything(world);
+  for (const std::string& text : texts) {
+    const OceanScene edited = scene_of(text);
+    edit_world(world, scene, edited);
+    scene = edited;
+    world::World fresh(device, prepare_world(scene));
+    const auto now = everything(world);
+    EXPECT_EQ(now, everything(fresh)) << text;
+    if (&text != &texts[0]) {
+      EXPECT_NE(now, before) << text;
+    }
+    before = now;
+  }
+}
+
+// Fails if sun and air do not move with the view, or if they move the sea.
+TEST(WorldScene, FollowsTheView) {
+  const OceanScene scene = scene_of(
+      "[ocean]\nsize = 32\ncascade_count = 1\n[sun]\nelevation_deg.keys = [{ t = 0, value = 60 }, { t = 9, "
+      "value = "
+      "1 }]\n[sky]\naerosol_optical_depth.keys = [{ t = 0, value = 0 }, { t = 9, value = 1 }]\n");
+  const ocl::Device device = ocl::Device::open();
+  world::World world(device, prepare_world(scene));
+  const auto noon = everything(world);
+  set_view(world, view_at(scene, 9.0));
+  const auto evening = everything(world);
+  EXPECT_EQ(std::get<0>(evening), std::get<0>(noon));
+  EXPECT_NE(std::get<3>(evening), std::get<3>(noon));
+  EXPECT_LT(sky::luminance(std::get<4>(evening)), 0.5 * sky::luminance(std::get<4>(noon)));
+  EXPECT_EQ(world.parameters().atmosphere.aerosol_optical_depth, 1.0);
+  set_view(world, view_at(scene, 0.0));
+  EXPECT_EQ(everything(world), noon);
+}
+
+// Fails if a scene that cannot be made leaves half of it behind.
+TEST(WorldScene, RefusedEditChangesNothing) {
+  const OceanScene scene = scene_of("[ocean]\nsize = 32\ncascade_count = 1\n");
+  world::World world(ocl::Device::open(), prepare_world(scene));
+  const auto before = everything(world);
+  for (const char* more :
+       {"spectrum_file = \"/nonexistent\"\n", "gravity_mps2 = 0.1\n[[ocean.swell]]\nperiod_s = 0.3\n"}) {
+    EXPECT_THROW(edit_world(world, scene, scene_of(std::string("[ocean]\nsize = 32\n") + more)), Error);
+    EXPECT_EQ(everything(world), before) << more;
+  }
+}
+
+}  // namespace
+}  // namespace offing::scene
