@@ -17,8 +17,8 @@ namespace offing::scene {
 /// A parallel swell beside the sea of the spectrum.
 struct SwellScene {
   double amplitude_m = 0.5;
-  std::optional<double> wavelength_m;  ///< of this and the period, one is given; absent both: 100 m
-  std::optional<double> period_s;
+  std::optional<double> wavelength_m = {};  ///< where both are given, this counts; with neither, 100
+  std::optional<double> period_s = {};
   double direction_rad = 0.0;  ///< of travel, from +x toward +z
   double phase_rad = 0.0;      ///< at the origin and time 0; 0 is a crest
 };

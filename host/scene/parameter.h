@@ -73,7 +73,8 @@ struct Parameter {
   double scale = 1.0;             ///< stored value = written value * scale
   ParameterRule rule = ParameterRule::within_range;
   std::size_t max_count = 1;  ///< of a list or of a section's elements: the most of them
-  /// Row of the same section that says the same in another way; a section has one of the two.
+  /// Row of the same section that says the same in another way: a scene file gives one of the two, and where
+  /// a program has set both, that one counts.
   std::string_view instead_of = {};
   ParameterUse use = ParameterUse::always;
   ParameterMotion motion = ParameterMotion::constant;

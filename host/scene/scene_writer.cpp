@@ -17,6 +17,7 @@ namespace {
 
 using Text = std::string& (*)(OceanScene&);
 using List = std::vector<double>& (*)(OceanScene&);
+using Time = std::optional<UtcTime>& (*)(OceanScene&);
 
 std::string_view section_of(const Parameter& row) {
   return row.key.substr(0, row.key.rfind('.'));
@@ -67,13 +68,31 @@ std::vector<std::string> element_numbers(const OceanScene& scene, const Paramete
   return values;
 }
 
+/// `{ keys = [{ t = 0, value = 5 }, ...] }`.
+std::string track_text(const KeyframeTrack& track, const Parameter& row) {
+  OceanScene one;
+  double& value = std::get<double& (*)(OceanScene&)>(row.storage)(one);
+  std::string keys;
+  for (const Keyframe& key : track.keys) {
+    value = key.value;
+    keys +=
+        fmt::format("{}{{ t = {}, value = {} }}", keys.empty() ? "" : ", ", key.time_s, number_of(one, row));
+  }
+  const char* rest = track.interpolation == Interpolation::linear ? ", interpolation = \"linear\"" : "";
+  return fmt::format("{{ keys = [{}]{} }}", keys, rest);
+}
+
 /// One text a value: lists and repeated sections have several.
 std::vector<std::string> values_of(const OceanScene& scene, const Parameter& row,
                                    const std::filesystem::path& folder) {
+  if (const auto track = scene.tracks.find(row.key); track != scene.tracks.end()) {
+    return {track_text(track->second, row)};
+  }
   if (const auto* elements = std::get_if<ElementStorage>(&row.storage)) {
     return element_numbers(scene, row, *elements);
   }
-  if (std::holds_alternative<ChoiceStorage>(row.storage)) return {toml_text(value_text(scene, row))};
+  if (std::holds_alternative<ChoiceStorage>(row.storage) || std::holds_alternative<Time>(row.storage))
+    return {toml_text(value_text(scene, row))};
   OceanScene copy = scene;
   if (const auto* text = std::get_if<Text>(&row.storage)) {
     return {toml_text(std::filesystem::proximate((*text)(copy), folder).generic_string())};
@@ -90,6 +109,11 @@ std::vector<std::string> values_of(const OceanScene& scene, const Parameter& row
   return {number_of(scene, row)};
 }
 
+bool is_as_usual(const OceanScene& scene, const Parameter& row) {
+  return !scene.tracks.contains(row.key) &&
+         value_text(scene, row, Digits::exact) == value_text(OceanScene{}, row, Digits::exact);
+}
+
 struct Line {
   std::string_view name;
   std::vector<std::string> values;  ///< empty where an element says nothing
@@ -101,19 +125,36 @@ struct Section {
   std::vector<Line> lines;
 };
 
+/// Of two values that say the same, a file gives one.
+void leave_out_what_does_not_count(Section& section) {
+  for (const Parameter& row : parameter_table()) {
+    if (row.instead_of.empty() || section_of(row) != section.name) continue;
+    const auto line_of = [&](std::string_view key) {
+      const std::string_view name = key.substr(key.rfind('.') + 1);
+      return std::find_if(section.lines.begin(), section.lines.end(),
+                          [&](const Line& line) { return line.name == name; });
+    };
+    const auto line = line_of(row.key), other = line_of(row.instead_of);
+    if (line == section.lines.end() || other == section.lines.end()) continue;
+    for (std::size_t i = 0; i < line->values.size(); ++i) {
+      if (!other->values[i].empty()) line->values[i].clear();
+    }
+  }
+}
+
 /// What is not as in a default-made scene, in the order of the table; rows of a section need not be
 /// neighbours.
 std::vector<Section> changed_sections(const OceanScene& scene, const std::filesystem::path& folder) {
-  const OceanScene usual;
   std::vector<Section> sections;
   for (const Parameter& row : parameter_table()) {
-    if (value_text(scene, row, Digits::exact) == value_text(usual, row, Digits::exact)) continue;
+    if (is_as_usual(scene, row)) continue;
     auto section = std::find_if(sections.begin(), sections.end(),
                                 [&](const Section& one) { return one.name == section_of(row); });
     if (section == sections.end()) section = sections.insert(section, {.name = section_of(row), .lines = {}});
     section->is_repeated = section->is_repeated || row.max_count > 1;
     section->lines.push_back({.name = name_of(row), .values = values_of(scene, row, folder)});
   }
+  for (Section& section : sections) leave_out_what_does_not_count(section);
   return sections;
 }
 
