@@ -37,7 +37,8 @@ double end_slope(const Piece& outer, const std::optional<Piece>& next) {
       ((2.0 * outer.length_s + next->length_s) * outer.slope - outer.length_s * next->slope) /
       (outer.length_s + next->length_s);
   if (parabola * outer.slope <= 0.0) return 0.0;
-  // Where the next piece turns back, up to three times the secant is monotone (Fritsch & Carlson 1980).
+  // Where the next piece turns back, up to three times the secant is monotone (Fritsch & Carlson 1980,
+  // "Monotone piecewise cubic interpolation").
   const bool turns = outer.slope * next->slope < 0.0;
   return turns && std::abs(parabola) > 3.0 * std::abs(outer.slope) ? 3.0 * outer.slope : parabola;
 }

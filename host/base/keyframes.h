@@ -13,15 +13,14 @@ struct Keyframe {
 /// How a value goes from one key to the next.
 enum class Interpolation {
   /// By cubics that share their slopes at the keys and never turn between them, so that no value lies beyond
-  /// those of the two keys: slopes as Fritsch & Butland 1984 have them, at both ends those of a parabola as
-  /// far
-  /// as it does not turn (Moler 2004, section 3.4). Keys on a straight line give that line.
+  /// those of the two keys. Slopes are those of Fritsch & Butland 1984, "A method for constructing local
+  /// monotone piecewise cubic interpolants"; at both ends that of a parabola, as far as the cubic keeps its
+  /// direction (Moler 2004, Numerical computing with Matlab, section 3.4). Keys on a line give that line.
   smooth,
   linear,
 };
 
-/// A value that changes with time. Before the first key it has that key's value, after the last one that
-/// one's.
+/// A value that changes with time: before the first key that key's, after the last key that one's.
 struct KeyframeTrack {
   std::vector<Keyframe> keys = {};  ///< at least one; times increase
   Interpolation interpolation = Interpolation::smooth;

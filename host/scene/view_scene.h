@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <optional>
 
 #include "host/base/camera.h"
@@ -10,9 +11,11 @@ namespace offing::scene {
 
 /// What a scene says about its pictures: eye, sun, air and exposure. At one time: view_at() (moving_view.h).
 struct ViewScene {
-  Camera camera{.eye_m = {0.0, 5.0, 0.0}, .pitch_rad = -0.035, .vertical_field_of_view_rad = 0.785};
-  double sun_azimuth_rad = 0.785;   ///< clockwise from north (-z)
-  double sun_elevation_rad = 0.52;  ///< above the horizon
+  Camera camera{.eye_m = {0.0, 5.0, 0.0},
+                .pitch_rad = -std::numbers::pi / 90.0,
+                .vertical_field_of_view_rad = std::numbers::pi / 4.0};
+  double sun_azimuth_rad = std::numbers::pi / 4.0;    ///< clockwise from north (-z)
+  double sun_elevation_rad = std::numbers::pi / 6.0;  ///< above the horizon
   double sun_distance_au = 1.0;
   std::optional<UtcTime> sun_time_utc;  ///< the sun stands where it does at this time, seen from the origin
   double sun_time_scale = 0.0;          ///< seconds that pass for the sun in one of the scene

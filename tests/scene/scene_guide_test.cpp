@@ -1,0 +1,84 @@
+// docs/scenes.md lists what scenes can say.
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "host/scene/parameter_table.h"
+#include "host/scene/scene_file.h"
+
+namespace offing::scene {
+namespace {
+
+const std::string end_of_prose = "make it anew. -->\n";
+
+std::string read_guide() {
+  std::ifstream stream(OFFING_SCENE_GUIDE);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string motion_text(const Parameter& row) {
+  return row.motion == ParameterMotion::constant ? ""
+         : row.motion == ParameterMotion::keyed  ? "keys"
+                                                 : "keys, turn";
+}
+
+std::string_view section_of(const Parameter& row) {
+  return row.key.substr(0, row.key.rfind('.'));
+}
+
+/// One table a section, in the order of their first rows.
+std::string key_tables() {
+  std::vector<std::string_view> sections;
+  for (const Parameter& row : parameter_table()) {
+    if (std::find(sections.begin(), sections.end(), section_of(row)) == sections.end())
+      sections.push_back(section_of(row));
+  }
+  std::string text;
+  for (const std::string_view section : sections) {
+    std::string lines;
+    bool is_repeated = false;
+    for (const Parameter& row : parameter_table()) {
+      if (section_of(row) != section) continue;
+      is_repeated = row.max_count > 1;
+      lines += fmt::format("| `{}` | {} | {} | {} | {} |\n", row.key.substr(section.size() + 1),
+                           expected_text(row), default_text(row), motion_text(row), row.help);
+    }
+    text += fmt::format(fmt::runtime(is_repeated ? "\n### `[[{}]]`\n\n" : "\n### `[{}]`\n\n"), section);
+    text += "| key | value | default | moves | |\n|---|---|---|---|---|\n" + lines;
+  }
+  return text;
+}
+
+// Fails if the guide's tables are not those of the program. To make them anew: OFFING_WRITE_GUIDE=1
+// scene_tests
+// --gtest_filter=SceneGuide*.
+TEST(SceneGuide, ListsEveryKey) {
+  const std::string guide = read_guide();
+  const std::size_t prose = guide.find(end_of_prose);
+  ASSERT_NE(prose, std::string::npos);
+  const std::string expected = guide.substr(0, prose + end_of_prose.size()) + key_tables();
+  if (std::getenv("OFFING_WRITE_GUIDE")) std::ofstream(OFFING_SCENE_GUIDE) << expected;
+  EXPECT_EQ(read_guide(), expected);
+}
+
+// Fails if the guide's example is not a scene.
+TEST(SceneGuide, ItsExampleIsAScene) {
+  const std::string guide = read_guide();
+  const std::size_t start = guide.find("    version = 1\n"), end = guide.find("\n## Keyframes");
+  ASSERT_NE(start, std::string::npos);
+  const OceanScene scene = parse_scene(guide.substr(start, end - start), "scenes.md", "");
+  EXPECT_EQ(scene.swells.size(), 1u);
+  EXPECT_EQ(scene.raindrops.size(), 1u);
+  EXPECT_EQ(scene.tracks.size(), 2u);
+  EXPECT_TRUE(scene.view.sun_time_utc);
+}
+
+}  // namespace
+}  // namespace offing::scene
