@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "host/base/error.h"
 #include "host/ocean/foam.h"
+#include "host/ocean/long_waves.h"
 #include "host/ocean/parameter_check.h"
 #include "host/ocean/surface_maps.h"
+#include "host/ocean/surface_query.h"
 #include "host/ocean/trochoid_surface.h"
 #include "host/ocean/velocity_map.h"
 #include "host/ocean/wave_modes.h"
@@ -36,7 +41,7 @@ struct Ocean::State {
   State(const ocl::Device& opened, const SeaSpectrum& spectrum, const OceanParameters& requested)
       : device(opened),
         parameters(checked(requested)),
-        water_depth_m(spectrum.dispersion.depth_m),
+        dispersion(spectrum.dispersion),
         modes(device, spectrum, parameters.cascades, parameters.size, parameters.loop_period_s),
         surface(device, modes, parameters.choppiness) {
     modes.draw(parameters.seed);
@@ -61,9 +66,18 @@ struct Ocean::State {
     return surface;
   }
 
+  /// Particle velocity at time_s of all waves.
+  const ocl::Buffer<float>& velocity_at(double depth_m) {
+    if (!velocity) velocity.emplace(device, modes, dispersion.depth_m);
+    velocity->at(modes, modes.amplitude(), time_s, depth_m);
+    return velocity->velocity();
+  }
+
+  QueriedSea queried(const TrochoidSea& sea_trochoids, const WaterQuery& query);
+
   ocl::Device device;
   OceanParameters parameters;
-  double water_depth_m;
+  Dispersion dispersion;
   double time_s = 0.0;
   WaveModes modes;
   SurfaceMaps surface;
@@ -74,7 +88,39 @@ struct Ocean::State {
   std::optional<ocl::Kernel> jacobian;
   std::optional<ocl::Kernel> compose;
   std::optional<TrochoidSurface> trochoids;
+  std::optional<LongWaves> long_waves;
+  std::optional<SurfaceQuery> query;
 };
+
+/// The maps of the waves that a query counts, at time_s.
+QueriedSea Ocean::State::queried(const TrochoidSea& sea_trochoids, const WaterQuery& wanted) {
+  require_valid_trochoids(sea_trochoids);
+  require_valid_query(wanted, std::min(dispersion.depth_m, sea_trochoids.dispersion.depth_m));
+  const bool wants_flow = wanted.fields == WaterQuery::Fields::surface_and_flow;
+  const bool counts_all =
+      parameters.cascades.back().k_max_radpm <= largest_wavenumber_radpm(wanted.min_wavelength_m);
+  const ocl::Buffer<float>* flow = nullptr;
+  if (counts_all) {
+    if (wants_flow) flow = &velocity_at(wanted.depth_m);
+    current_surface();
+  } else {
+    if (!long_waves) long_waves.emplace(device, modes, parameters.choppiness, dispersion.depth_m);
+    long_waves->at(modes, wanted.min_wavelength_m, time_s);
+    if (wants_flow) {
+      long_waves->velocity_at(modes, wanted.depth_m);
+      flow = &long_waves->velocity();
+    }
+  }
+  const SurfaceMaps& maps = counts_all ? surface : long_waves->surface();
+  return {.displacement = maps.displacement(),
+          .gradient = maps.gradient(),
+          .flow = flow,
+          .cascades = parameters.cascades,
+          .size = parameters.size,
+          .trochoids = sea_trochoids,
+          .dispersion = dispersion,
+          .time_s = time_s};
+}
 
 Ocean::Ocean(const ocl::Device& device, const SeaSpectrum& spectrum, const OceanParameters& parameters)
     : state_(std::make_unique<State>(device, spectrum, parameters)) {}
@@ -160,13 +206,12 @@ std::vector<float> Ocean::read_foam(int cascade) {
 VelocityFields Ocean::read_velocity(int cascade, double depth_m) {
   State& state = *state_;
   const std::size_t count = state.texels(), first = state.first_texel(cascade);
-  require_within("depth_m", depth_m, 0.0, std::min(1e5, state.water_depth_m));
-  if (!state.velocity) state.velocity.emplace(state.device, state.modes, state.water_depth_m);
-  state.velocity->at(state.modes, state.time_s, depth_m);
+  require_within("depth_m", depth_m, 0.0, std::min(1e5, state.dispersion.depth_m));
+  const ocl::Buffer<float>& velocity_map = state.velocity_at(depth_m);
   VelocityFields fields;
   fields.size = state.parameters.size;
   for (std::vector<float>* field : {&fields.x, &fields.y, &fields.z}) field->resize(count);
-  const auto velocity = state.velocity->velocity().map();
+  const auto velocity = velocity_map.map();
   for (std::size_t i = 0; i < count; ++i) {
     fields.x[i] = velocity[4 * (first + i)];
     fields.y[i] = velocity[4 * (first + i) + 1];
@@ -238,6 +283,45 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid, const Composition& c
   return fields;
 }
 
+void Ocean::sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+                   ocl::Buffer<WaterSample>& samples, const TrochoidSea& trochoids, const WaterQuery& query) {
+  State& state = *state_;
+  if (points.size() < count || samples.size() < count) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("sample: expected buffers of {} points and samples, found {} and {}", count,
+                            points.size(), samples.size()),
+                "make both buffers as large as the number of points");
+  }
+  const QueriedSea sea = state.queried(trochoids, query);
+  if (!state.query) state.query.emplace(state.device);
+  state.query->sample(sea, query, points, count, samples);
+}
+
+void Ocean::sample(std::span<const WaterPoint> points, std::span<WaterSample> samples,
+                   const TrochoidSea& trochoids, const WaterQuery& query) {
+  State& state = *state_;
+  if (points.size() != samples.size()) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("sample: expected a sample for each of {} points, found {}", points.size(),
+                            samples.size()),
+                "pass as many samples as points");
+  }
+  const QueriedSea sea = state.queried(trochoids, query);
+  if (!state.query) state.query.emplace(state.device);
+  state.query->sample(sea, query, points, samples);
+}
+
+std::vector<WaterSample> Ocean::sample(std::span<const WaterPoint> points, const TrochoidSea& trochoids,
+                                       const WaterQuery& query) {
+  std::vector<WaterSample> samples(points.size());
+  sample(points, samples, trochoids, query);
+  return samples;
+}
+
+SurfaceInstant Ocean::instant(const TrochoidSea& trochoids, const WaterQuery& query) {
+  return read_instant(state_->queried(trochoids, query), query);
+}
+
 std::vector<float> Ocean::mode_variance(int cascade) const {
   state_->first_texel(cascade);
   return state_->modes.variance(cascade);
@@ -248,6 +332,7 @@ void Ocean::reseed(std::uint64_t seed) {
   state.surface_is_current = false;
   if (state.foam) state.foam->reset();
   if (state.velocity) state.velocity->reset();
+  if (state.long_waves) state.long_waves->reset();
   state.parameters.seed = seed;
   state.modes.draw(seed);
 }

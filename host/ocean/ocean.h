@@ -9,7 +9,9 @@
 #include "host/ocean/cascades.h"
 #include "host/ocean/sample_grid.h"
 #include "host/ocean/sea_spectrum.h"
+#include "host/ocean/surface_instant.h"
 #include "host/ocean/trochoids.h"
+#include "host/ocean/water_point.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 
@@ -117,6 +119,34 @@ class Ocean {
   /// Error(bad_input) for a grid without samples, of more than 16384 a side, or not finite, and for trochoids
   /// out of range.
   ComposedFields read_composed(const SampleGrid& grid, const Composition& composition = {});
+
+  /// The water at points of the world at the time of the last at(): the surface that read_composed() composes
+  /// with these trochoids, where it meets each point's vertical.
+  ///
+  /// The label X under a point x solves X + d(X) = x; each sample says by how much it is missed, residual_m:
+  /// at most the query's tolerance, but where the surface folds (a point has several labels there, one of
+  /// which is found) and after 24 steps without success. Velocity and pressure are those of linear theory at
+  /// that label at exactly the query's depth below the surface, with no levels to interpolate between:
+  /// another depth makes other maps. Pressure is density times (gravity times (depth - height) + dynamic
+  /// part), 0 at the surface.
+  ///
+  /// The first query of a time with flow, depth or minimum wavelength makes the maps that it needs; those of
+  /// one minimum wavelength are kept. Throws Error(bad_input) for points beyond farthest_point_m, a query or
+  /// trochoids out of range.
+  std::vector<WaterSample> sample(std::span<const WaterPoint> points, const TrochoidSea& trochoids = {},
+                                  const WaterQuery& query = {});
+  /// The same into the caller's memory, as many samples as points; throws Error(bad_usage) for another
+  /// number.
+  void sample(std::span<const WaterPoint> points, std::span<WaterSample> samples,
+              const TrochoidSea& trochoids = {}, const WaterQuery& query = {});
+  /// Enqueues the same for the first `count` points that are on the device already, and leaves the samples
+  /// there: no transfer, no wait while waves and query stay the same and no rings run. Throws
+  /// Error(bad_usage) if a buffer holds fewer. A point that is not finite gets a residual that is not either.
+  void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+              ocl::Buffer<WaterSample>& samples, const TrochoidSea& trochoids = {},
+              const WaterQuery& query = {});
+  /// The same sea at the time of the last at() in host memory, for single points without the device.
+  SurfaceInstant instant(const TrochoidSea& trochoids = {}, const WaterQuery& query = {});
 
   /// Expected variance of each mode, [n][n] m^2, K = 0 at [0][0]: what the spectrum asks of this cascade.
   std::vector<float> mode_variance(int cascade) const;

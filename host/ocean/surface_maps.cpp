@@ -17,9 +17,9 @@ SurfaceMaps::SurfaceMaps(const ocl::Device& device, const WaveModes& modes, doub
   gradient_ = ocl::Buffer<float>(device, floats, "gradient map");
 }
 
-void SurfaceMaps::at(const WaveModes& modes, double time_s) {
+void SurfaceMaps::at(const WaveModes& modes, const ocl::Buffer<float>& amplitude, double time_s) {
   const WaveTime time = modes.clock().at(time_s);
-  transform_.advance(modes.amplitude(), modes.rate(), modes.wavenumber_step(), time.ticks, time.tick_fraction,
+  transform_.advance(amplitude, modes.rate(), modes.wavenumber_step(), time.ticks, time.tick_fraction,
                      choppiness_);
   transform_.assemble(modes.wavenumber_step(), displacement_, gradient_);
 }

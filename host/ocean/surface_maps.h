@@ -11,7 +11,9 @@ class SurfaceMaps {
   SurfaceMaps(const ocl::Device& device, const WaveModes& modes, double choppiness);
 
   /// Enqueues the maps at this time.
-  void at(const WaveModes& modes, double time_s);
+  void at(const WaveModes& modes, double time_s) { at(modes, modes.amplitude(), time_s); }
+  /// The same of the modes with these amplitudes, laid out as WaveModes has them.
+  void at(const WaveModes& modes, const ocl::Buffer<float>& amplitude, double time_s);
 
   /// [cascades][n][n] float4: dx m, h m, dz m, d dx/dz.
   const ocl::Buffer<float>& displacement() const { return displacement_; }

@@ -23,12 +23,13 @@ double phase_rad(const WaveClock& clock, double omega_radps, double time_s) {
 
 }  // namespace
 
-TrochoidInstant::TrochoidInstant(const TrochoidSea& sea, double time_s)
+TrochoidInstant::TrochoidInstant(const TrochoidSea& sea, double time_s, double min_wavelength_m)
     : horizontal_scale_(ocean::horizontal_scale(sea).scale), water_depth_m_(sea.dispersion.depth_m) {
   require_valid_trochoids(sea);
   require_within("time_s", time_s, -largest_time_s, largest_time_s);
   const WaveClock clock(largest_omega_radps / two_pi, sea.loop_period_s);
   for (const Trochoid& wave : sea.waves) {
+    if (wave.wavenumber_radpm > largest_wavenumber_radpm(min_wavelength_m)) continue;
     waves_.push_back({.amplitude_m = wave.amplitude_m,
                       .kx_radpm = wave.wavenumber_radpm * std::cos(wave.direction_rad),
                       .kz_radpm = wave.wavenumber_radpm * std::sin(wave.direction_rad),
@@ -37,7 +38,7 @@ TrochoidInstant::TrochoidInstant(const TrochoidSea& sea, double time_s)
   }
   for (const Raindrop& drop : sea.raindrops) {
     const double age_s = time_s - drop.time_s;
-    if (age_s < 0.0) continue;
+    if (age_s < 0.0 || drop.wavelength_m < min_wavelength_m) continue;
     const double k = two_pi / drop.wavelength_m;
     const double radius_m = sea.dispersion.group_speed_mps(k) * age_s;
     rings_.push_back({.centre_x_m = drop.x_m,
@@ -68,7 +69,7 @@ TrochoidValues TrochoidInstant::at(double x_m, double z_m) const {
   return values;
 }
 
-void TrochoidInstant::add_ring(const Ring& ring, double x_m, double z_m, TrochoidValues& values) const {
+void TrochoidInstant::add_ring(const Ring& ring, double x_m, double z_m, TrochoidValues& values) {
   const double x = x_m - ring.centre_x_m, z = z_m - ring.centre_z_m, rounding_m = 0.25 * ring.wavelength_m;
   const double hypotenuse_m = std::hypot(x, z, rounding_m);
   const double distance = (hypotenuse_m - rounding_m) / ring.wavelength_m;
@@ -97,6 +98,24 @@ ParticleVelocity TrochoidInstant::velocity(double x_m, double z_m, double depth_
     velocity.z_mps += speed_mps * (1.0 + above_bed) * wave.kz_radpm / k * std::cos(phase);
   }
   return velocity;
+}
+
+double TrochoidInstant::pressure_head_m(double x_m, double z_m, double depth_m) const {
+  require_within("depth_m", depth_m, 0.0, water_depth_m_);
+  double head_m = 0.0;
+  for (const Wave& wave : waves_) {
+    const double k = std::hypot(wave.kx_radpm, wave.kz_radpm);
+    const double phase = wave.kx_radpm * x_m + wave.kz_radpm * z_m + wave.phase_rad;
+    const double above_bed = std::exp(-2.0 * k * (water_depth_m_ - depth_m));
+    head_m += wave.amplitude_m * std::cos(phase) * std::exp(-k * depth_m) * (1.0 + above_bed) /
+              (1.0 + std::exp(-2.0 * k * water_depth_m_));
+  }
+  for (const Ring& ring : rings_) {
+    TrochoidValues values;
+    add_ring(ring, x_m, z_m, values);
+    head_m += values.displacement_y_m * std::exp(-two_pi / ring.wavelength_m * depth_m);
+  }
+  return head_m;
 }
 
 }  // namespace offing::ocean

@@ -22,13 +22,17 @@ struct ParticleVelocity {
 /// with the frequencies of the same clock, all waves in full.
 class TrochoidInstant {
  public:
-  /// Throws Error(bad_input) for a sea or a time (beyond 1e8 s) out of range.
-  TrochoidInstant(const TrochoidSea& sea, double time_s);
+  /// Waves and rings shorter than `min_wavelength_m` are left out; Q stays that of the whole sea. Throws
+  /// Error(bad_input) for a sea or a time (beyond 1e8 s) out of range.
+  TrochoidInstant(const TrochoidSea& sea, double time_s, double min_wavelength_m = 0.0);
 
   TrochoidValues at(double x_m, double z_m) const;
   /// Of the particle `depth_m` below the moving surface, by linear theory with that depth measured from it
   /// (Wheeler stretching), as the cascades' (Ocean::read_velocity()); rings add nothing.
   ParticleVelocity velocity(double x_m, double z_m, double depth_m) const;
+  /// Dynamic pressure over density and gravity at that depth below the moving surface, m: each wave's height
+  /// times cosh k(D-d) / cosh kD, each ring's times e^{-kd}. It is the height at depth 0.
+  double pressure_head_m(double x_m, double z_m, double depth_m) const;
 
   /// A wave as it stands now: A cos(kx x + kz z + phase).
   struct Wave {
@@ -45,7 +49,7 @@ class TrochoidInstant {
   double horizontal_scale() const { return horizontal_scale_; }
 
  private:
-  void add_ring(const Ring& ring, double x_m, double z_m, TrochoidValues& values) const;
+  static void add_ring(const Ring& ring, double x_m, double z_m, TrochoidValues& values);
 
   std::vector<Wave> waves_;
   std::vector<Ring> rings_;

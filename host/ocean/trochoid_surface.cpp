@@ -1,13 +1,13 @@
 #include "host/ocean/trochoid_surface.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <type_traits>
 #include <utility>
 
+#include "host/ocean/device_trochoids.h"
 #include "host/ocean/parameter_check.h"
 #include "host/ocean/wave_clock.h"
 #include "host/ocl/program.h"
@@ -18,16 +18,9 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double largest_time_s = 1e8;
-constexpr double smallest_ring_m = 1e-6;  // lower rings are left out
 // A work-item of the strip shape takes this many columns at a time, and rows enough that what it computes
 // once counts little.
 constexpr int strip_lanes = 16, strip_block_columns = 64, strip_rows = 4;
-
-/// A phase as the kernel reads it: in 2^-32 turns, without whole ones.
-std::uint32_t device_turns(double turns) {
-  const double fraction = turns - std::floor(turns);
-  return static_cast<std::uint32_t>(std::llround(fraction * 4294967296.0));
-}
 
 /// The waves that show on a grid, at time 0, as the kernel reads them: [row][pitch], the waves side by side.
 PackedWaves pack_waves(const TrochoidSea& sea, const SampleGrid& grid, const WaveClock& clock, int lanes) {
@@ -68,30 +61,14 @@ PackedWaves pack_waves(const TrochoidSea& sea, const SampleGrid& grid, const Wav
   return packed;
 }
 
-/// The ring at `age_s` after its drop. A crest keeps the phase k r - omega t; seen from the ring, which moves
-/// at the group speed, that is k u + (k c_g - omega) t.
-TrochoidRing device_ring(const Raindrop& drop, double age_s, const Dispersion& dispersion,
-                         const SampleGrid& grid) {
-  const double k = two_pi / drop.wavelength_m;
-  const double ring_radius_m = dispersion.group_speed_mps(k) * age_s;
-  const double spacing_m = std::max({std::abs(grid.spacing_x_m), std::abs(grid.spacing_z_m), 1e-9});
-  const double turns =
-      ring_radius_m / drop.wavelength_m - std::fmod(dispersion.omega_radps(k) / two_pi * age_s, 1.0);
-  return {.centre_x_m = static_cast<float>(drop.x_m - grid.origin_x_m),
-          .centre_z_m = static_cast<float>(drop.z_m - grid.origin_z_m),
-          .wavelength_m = static_cast<float>(drop.wavelength_m),
-          .ring_radius_m = static_cast<float>(ring_radius_m),
-          .amplitude_m = static_cast<float>(drop.amplitude_m * std::exp(-age_s / drop.decay_s) *
-                                            shown_share(drop.wavelength_m / spacing_m)),
-          .phase = std::bit_cast<std::int32_t>(device_turns(turns))};
-}
-
 std::vector<TrochoidRing> pack_rings(const TrochoidSea& sea, const SampleGrid& grid, double time_s) {
+  const double spacing_m = std::max({std::abs(grid.spacing_x_m), std::abs(grid.spacing_z_m), 1e-9});
   std::vector<TrochoidRing> rings;
   for (const Raindrop& drop : sea.raindrops) {
-    if (time_s < drop.time_s) continue;
-    const TrochoidRing ring = device_ring(drop, time_s - drop.time_s, sea.dispersion, grid);
-    if (std::abs(ring.amplitude_m) > smallest_ring_m) rings.push_back(ring);
+    TrochoidRing ring =
+        device_ring(drop, time_s, sea.dispersion, {.x_m = grid.origin_x_m, .z_m = grid.origin_z_m});
+    ring.amplitude_m *= static_cast<float>(shown_share(drop.wavelength_m / spacing_m));
+    if (is_visible(ring)) rings.push_back(ring);
   }
   return rings;
 }

@@ -40,6 +40,11 @@ HorizontalScale horizontal_scale(const TrochoidSea& sea) {
           .is_limited = is_limited};
 }
 
+double largest_wavenumber_radpm(double min_wavelength_m) {
+  constexpr double rounding = 1.0 + 1e-6;
+  return two_pi / min_wavelength_m * rounding;
+}
+
 void require_valid_trochoids(const TrochoidSea& sea) {
   require_within("gerstner wave count", static_cast<double>(sea.waves.size()), 0, TROCHOID_WAVES);
   require_within("raindrop count", static_cast<double>(sea.raindrops.size()), 0, 4096);

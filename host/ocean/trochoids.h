@@ -66,6 +66,10 @@ struct HorizontalScale {
 /// phases. Amplitudes stay as they are.
 HorizontalScale horizontal_scale(const TrochoidSea& sea);
 
+/// The largest wavenumber of waves that are no shorter than this, rad/m, with room for rounding; infinite for
+/// 0.
+double largest_wavenumber_radpm(double min_wavelength_m);
+
 /// Throws Error(bad_input) that names what is out of range: more than 128 waves or 4096 raindrops, a wave or
 /// drop that is not finite or has no length, a choppiness beyond 0 ... 10, a loop beyond 0.1 ... 1e5 s.
 void require_valid_trochoids(const TrochoidSea& sea);

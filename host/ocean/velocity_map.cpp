@@ -14,7 +14,7 @@ VelocityMap::VelocityMap(const ocl::Device& device, const WaveModes& modes, doub
                   .first_kernel = "velocity_advance",
                   .second_source = "ocean/velocity_assemble.cl",
                   .second_kernel = "velocity_assemble",
-                  .half_fields = 3,
+                  .half_fields = 4,
                   .pair_fields = 2}),
       water_depth_m_(static_cast<float>(std::min(water_depth_m, deepest_m))) {
   const auto n = static_cast<std::size_t>(modes.size());
@@ -22,12 +22,13 @@ VelocityMap::VelocityMap(const ocl::Device& device, const WaveModes& modes, doub
       ocl::Buffer<float>(device, 4 * n * n * static_cast<std::size_t>(modes.cascade_count()), "velocity map");
 }
 
-void VelocityMap::at(const WaveModes& modes, double time_s, double depth_below_surface_m) {
+void VelocityMap::at(const WaveModes& modes, const ocl::Buffer<float>& amplitude, double time_s,
+                     double depth_below_surface_m) {
   const Place wanted{time_s, depth_below_surface_m};
   if (held_ == wanted) return;
   held_.reset();
   const WaveTime time = modes.clock().at(time_s);
-  transform_.advance(modes.amplitude(), modes.rate(), modes.wavenumber_step(), time.ticks, time.tick_fraction,
+  transform_.advance(amplitude, modes.rate(), modes.wavenumber_step(), time.ticks, time.tick_fraction,
                      static_cast<float>(modes.clock().radps_per_rate()),
                      static_cast<float>(depth_below_surface_m), water_depth_m_);
   transform_.assemble(modes.wavenumber_step(), velocity_);

@@ -7,18 +7,19 @@
 
 namespace offing::ocean {
 
-/// Particle velocity of every cascade at one time and one depth below the instantaneous surface, on the
-/// device.
+/// Particle velocity and pressure of every cascade at one time and one depth below the instantaneous surface,
+/// on the device.
 class VelocityMap {
  public:
   VelocityMap(const ocl::Device& device, const WaveModes& modes, double water_depth_m);
 
-  /// Enqueues the map, unless it is already that of this time and depth.
-  void at(const WaveModes& modes, double time_s, double depth_below_surface_m);
+  /// Enqueues the map of the modes with these amplitudes, unless it is already that of this time and depth.
+  void at(const WaveModes& modes, const ocl::Buffer<float>& amplitude, double time_s,
+          double depth_below_surface_m);
   /// Forgets the map: the waves have changed.
   void reset() { held_.reset(); }
 
-  /// [cascades][n][n] float4: vx, vy, vz m/s, 0.
+  /// [cascades][n][n] float4: vx, vy, vz m/s, and the head m: the dynamic pressure over density and gravity.
   const ocl::Buffer<float>& velocity() const { return velocity_; }
 
  private:

@@ -42,8 +42,7 @@ __kernel void surface_compose(__global const float4 *restrict displacement, __gl
   }
   const float xx = 1.0f + slopes.z, xz = moved.w, zz = 1.0f + slopes.w;
   const float2 jacobian = deformation_jacobian(xx, xz, zz);
-  const float smallest_determinant = 0.05f;
-  const float determinant = copysign(fmax(fabs(jacobian.x), smallest_determinant), jacobian.x);
+  const float determinant = LIMITED_DETERMINANT(jacobian.x);
   const size_t place = (size_t)row * grid->columns + column;
   position[place] = (float4)(moved.xyz, jacobian.x);
   const float2 of_displaced_surface =

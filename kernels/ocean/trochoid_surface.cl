@@ -5,44 +5,22 @@
 //      of ocean/surface_assemble.cl, so that both parts of the sea add before F is taken (O9).
 // With phase p = K X - w t of each wave: h = A cos p, (dx, dz) = -Q A K/k sin p, which sharpens crests. Lee & Lee 2007,
 // eq. 8, up to phase (O8). Phases are whole numbers of 2^-32 turns, exact from sample to sample.
-#include "ocean/wave_phase.clh"
-#include "shared/trochoids.h"
+#include "ocean/trochoid_ring.clh"
 
 // What a vector of samples adds up, in the order of TROCHOID_HEIGHT ... TROCHOID_SLOPE_Z.
 typedef struct {
   lanes field[TROCHOID_FIELDS];
 } Sums;
 
-// A ring of waves moves the surface up and down only. With r the distance from its centre, rounded off within a
-// quarter of a wavelength l so that the middle is smooth, and u = r - ring radius:
-//   h = A sqrt(l / (l + r)) exp(-(u / 2 l)^2) cos(2 pi u / l + phase)
-FFT_INLINE void add_ring(__global const TrochoidRing *ring, lanes x_m, lanes z_m, Sums *sums) {
-  const float wavelength_m = ring->wavelength_m, per_wavelength = 1.0f / wavelength_m;
-  const float rounding_m = 0.25f * wavelength_m;
-  const lanes x = x_m - ring->centre_x_m, z = z_m - ring->centre_z_m;
-  const lanes hypotenuse = sqrt(x * x + z * z + rounding_m * rounding_m);
-  const lanes distance = (hypotenuse - rounding_m) * per_wavelength;
-  // Beyond 15 wavelengths from the ring nothing is left (e^-56), and its phase is not wanted.
-  const lanes u = clamp(distance - ring->ring_radius_m * per_wavelength, (lanes)-15.0f, (lanes)15.0f);
-  const lanes envelope = ring->amplitude_m * rsqrt(1.0f + distance) * exp(-0.25f * u * u);
-  lanes cosine, sine;
-  // 2^27 = 2^32 / 32: whole turns, 16 of them here, leave through the high bits.
-  const uint_lanes turns = convert_uint_lanes((u + 16.0f) * 134217728.0f) << 5;
-  cosine_sine_of_turns(turns + as_uint(ring->phase), &cosine, &sine);
-  const float two_pi = 6.2831853072f;
-  const lanes slope = envelope * per_wavelength *
-                      ((-0.5f / (1.0f + distance) - 0.5f * u) * cosine - two_pi * sine) / hypotenuse;
-  sums->field[TROCHOID_HEIGHT] += envelope * cosine;
-  sums->field[TROCHOID_SLOPE_X] += slope * x;
-  sums->field[TROCHOID_SLOPE_Z] += slope * z;
-}
-
 // Adds the rings to LANES samples and stores them.
 FFT_INLINE void finish_samples(__global const TrochoidRing *rings, const TrochoidGrid *grid, int row, int column, Sums *sums,
                                __global float *displacement, __global float *gradient) {
   const lanes x_m = ((float)column + LANE_INDEX) * grid->spacing_x_m;
   const lanes z_m = (lanes)((float)row * grid->spacing_z_m);
-  for (int i = 0; i < grid->ring_count; ++i) add_ring(rings + i, x_m, z_m, sums);
+  for (int i = 0; i < grid->ring_count; ++i) {
+    add_ring(rings + i, x_m - rings[i].centre_x_m, z_m - rings[i].centre_z_m, sums->field + TROCHOID_HEIGHT,
+             sums->field + TROCHOID_SLOPE_X, sums->field + TROCHOID_SLOPE_Z);
+  }
   const lanes *field = sums->field;
   const size_t place = ((size_t)row * grid->pitch + column) * 4;
   store_interleaved_4(field[TROCHOID_SHIFT_X], field[TROCHOID_HEIGHT], field[TROCHOID_SHIFT_Z], field[TROCHOID_GRADIENT_XZ],

@@ -35,6 +35,12 @@ typedef struct {
   int phase;            // at the ring's crest, 2^-32 turns
 } TrochoidRing;
 
+// A ring whose centre is relative to the corner of a tile (shared/surface_query.h).
+typedef struct {
+  int tile_x, tile_z;
+  TrochoidRing ring;
+} TrochoidRingInTile;
+
 // The samples and how many waves and rings move them.
 typedef struct {
   float spacing_x_m, spacing_z_m;
@@ -48,6 +54,7 @@ typedef struct {
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(TrochoidRing) == 24, "no padding");
+static_assert(sizeof(TrochoidRingInTile) == 32, "no padding");
 static_assert(sizeof(TrochoidGrid) == 32, "no padding");
 #endif
 

@@ -1,0 +1,151 @@
+#include "host/ocean/surface_instant.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace offing::ocean {
+namespace {
+
+using Texel = std::array<double, 4>;
+
+Texel texel_of(const std::vector<float>& map, std::size_t place) {
+  return {map[4 * place], map[4 * place + 1], map[4 * place + 2], map[4 * place + 3]};
+}
+
+/// Bilinear between the four texels around a label, and its derivatives.
+class Cell {
+ public:
+  Cell(double patch_length_m, int size, const WaterPoint& label) : texels_per_m_(size / patch_length_m) {
+    const auto wrapped = [&](double position_m, std::size_t& first, std::size_t& second) {
+      const double turns = position_m / patch_length_m;
+      const double texels = (turns - std::floor(turns)) * size;
+      const auto n = static_cast<std::size_t>(size);
+      first = static_cast<std::size_t>(texels) % n;
+      second = (first + 1) % n;
+      return texels - std::floor(texels);
+    };
+    std::size_t left = 0, right = 0, near = 0, far = 0;
+    u_ = wrapped(label.x_m, left, right);
+    v_ = wrapped(label.z_m, near, far);
+    const auto n = static_cast<std::size_t>(size);
+    places_ = {near * n + left, near * n + right, far * n + left, far * n + right};
+  }
+
+  Texel value(const std::vector<float>& map) const {
+    return sum(map, {(1.0 - u_) * (1.0 - v_), u_ * (1.0 - v_), (1.0 - u_) * v_, u_ * v_});
+  }
+  Texel along_x(const std::vector<float>& map) const {
+    return sum(map, {-(1.0 - v_) * texels_per_m_, (1.0 - v_) * texels_per_m_, -v_ * texels_per_m_,
+                     v_ * texels_per_m_});
+  }
+  Texel along_z(const std::vector<float>& map) const {
+    return sum(map, {-(1.0 - u_) * texels_per_m_, -u_ * texels_per_m_, (1.0 - u_) * texels_per_m_,
+                     u_ * texels_per_m_});
+  }
+
+ private:
+  Texel sum(const std::vector<float>& map, const std::array<double, 4>& weights) const {
+    Texel total{};
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const Texel texel = texel_of(map, places_[corner]);
+      for (std::size_t field = 0; field < 4; ++field) total[field] += weights[corner] * texel[field];
+    }
+    return total;
+  }
+
+  double texels_per_m_;
+  double u_ = 0.0, v_ = 0.0;
+  std::array<std::size_t, 4> places_{};
+};
+
+}  // namespace
+
+SurfaceInstant::SurfaceInstant(std::vector<Maps> cascades, int size, const TrochoidSea& trochoids,
+                               double time_s, const WaterQuery& query, const Dispersion& dispersion)
+    : cascades_(std::move(cascades)),
+      size_(size),
+      trochoids_(trochoids, time_s, query.min_wavelength_m),
+      query_(query),
+      weight_papm_(query.density_kgpm3 * dispersion.gravity_mps2) {
+  require_valid_query(query, dispersion.depth_m);
+}
+
+SurfaceInstant::Sums SurfaceInstant::sums_at(const WaterPoint& label) const {
+  Sums sums{.values = trochoids_.at(label.x_m, label.z_m)};
+  TrochoidValues& values = sums.values;
+  sums.x_by_x = values.gradient_xx;
+  sums.z_by_x = sums.x_by_z = values.gradient_xz;
+  sums.z_by_z = values.gradient_zz;
+  for (const Maps& maps : cascades_) {
+    const Cell cell(maps.patch_length_m, size_, label);
+    const Texel moved = cell.value(maps.displacement), shape = cell.value(maps.gradient);
+    const Texel along_x = cell.along_x(maps.displacement), along_z = cell.along_z(maps.displacement);
+    values.displacement_x_m += moved[0];
+    values.displacement_y_m += moved[1];
+    values.displacement_z_m += moved[2];
+    values.gradient_xz += moved[3];
+    values.slope_x += shape[0];
+    values.slope_z += shape[1];
+    values.gradient_xx += shape[2];
+    values.gradient_zz += shape[3];
+    sums.x_by_x += along_x[0];
+    sums.z_by_x += along_x[2];
+    sums.x_by_z += along_z[0];
+    sums.z_by_z += along_z[2];
+  }
+  return sums;
+}
+
+/// The steps of ocean/surface_query.cl.
+WaterPoint SurfaceInstant::label_under(const WaterPoint& point) const {
+  WaterPoint label = point;
+  for (int step = 0; step < SURFACE_QUERY_MOST_STEPS; ++step) {
+    const Sums sums = sums_at(label);
+    const double off_x_m = label.x_m + sums.values.displacement_x_m - point.x_m;
+    const double off_z_m = label.z_m + sums.values.displacement_z_m - point.z_m;
+    if (std::hypot(off_x_m, off_z_m) <= query_.tolerance_m) break;
+    const double xx = 1.0 + sums.x_by_x, zz = 1.0 + sums.z_by_z;
+    const double determinant = xx * zz - sums.x_by_z * sums.z_by_x;
+    if (step < SURFACE_QUERY_PLAIN_STEPS || determinant < SURFACE_QUERY_LEAST_DETERMINANT) {
+      label.x_m -= off_x_m;
+      label.z_m -= off_z_m;
+    } else {
+      label.x_m -= (zz * off_x_m - sums.x_by_z * off_z_m) / determinant;
+      label.z_m -= (xx * off_z_m - sums.z_by_x * off_x_m) / determinant;
+    }
+  }
+  return label;
+}
+
+WaterSample SurfaceInstant::at(const WaterPoint& point) const {
+  device_point(point);  // throws for those that are too far
+  const WaterPoint label = label_under(point);
+  const TrochoidValues sea = sums_at(label).values;
+  const double xx = 1.0 + sea.gradient_xx, xz = sea.gradient_xz, zz = 1.0 + sea.gradient_zz;
+  const double jacobian = xx * zz - xz * xz;
+  const double determinant = std::copysign(std::max(std::abs(jacobian), 0.05), jacobian);
+  WaterSample sample{};
+  sample.height_m = static_cast<float>(sea.displacement_y_m);
+  sample.slope_x = static_cast<float>((zz * sea.slope_x - xz * sea.slope_z) / determinant);
+  sample.slope_z = static_cast<float>((xx * sea.slope_z - xz * sea.slope_x) / determinant);
+  sample.residual_m = static_cast<float>(
+      std::hypot(label.x_m + sea.displacement_x_m - point.x_m, label.z_m + sea.displacement_z_m - point.z_m));
+  if (query_.fields == WaterQuery::Fields::surface) return sample;
+  ParticleVelocity velocity = trochoids_.velocity(label.x_m, label.z_m, query_.depth_m);
+  double head_m = trochoids_.pressure_head_m(label.x_m, label.z_m, query_.depth_m);
+  for (const Maps& maps : cascades_) {
+    const Texel flow = Cell(maps.patch_length_m, size_, label).value(maps.flow);
+    velocity.x_mps += flow[0];
+    velocity.y_mps += flow[1];
+    velocity.z_mps += flow[2];
+    head_m += flow[3];
+  }
+  sample.velocity_x_mps = static_cast<float>(velocity.x_mps);
+  sample.velocity_y_mps = static_cast<float>(velocity.y_mps);
+  sample.velocity_z_mps = static_cast<float>(velocity.z_mps);
+  sample.pressure_pa = static_cast<float>(weight_papm_ * (query_.depth_m + head_m - sea.displacement_y_m));
+  return sample;
+}
+
+}  // namespace offing::ocean

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "host/ocean/cascades.h"
+#include "host/ocean/trochoid_instant.h"
+#include "host/ocean/water_point.h"
+
+namespace offing::ocean {
+
+/// A composed sea at one time in host memory, for single points: what ocean/surface_query.cl answers, in
+/// double precision and without a device.
+class SurfaceInstant {
+ public:
+  /// One cascade's maps, [n][n][4]: those of SurfaceMaps, and VelocityMap's at the query's depth or nothing.
+  struct Maps {
+    double patch_length_m = 0.0;
+    std::vector<float> displacement, gradient, flow;
+  };
+
+  /// Throws Error(bad_input) for trochoids, time or query out of range.
+  SurfaceInstant(std::vector<Maps> cascades, int size, const TrochoidSea& trochoids, double time_s,
+                 const WaterQuery& query, const Dispersion& dispersion);
+
+  /// The water on this point's vertical. Throws Error(bad_input) for a point beyond farthest_point_m.
+  WaterSample at(const WaterPoint& point) const;
+
+ private:
+  /// All cascades and trochoids at a label: fields of the displacement and gradient maps, summed.
+  struct Sums {
+    TrochoidValues values;
+    // Of the displacement as it is interpolated: what steps toward a label follow.
+    double x_by_x = 0.0, z_by_x = 0.0, x_by_z = 0.0, z_by_z = 0.0;
+  };
+
+  Sums sums_at(const WaterPoint& label) const;
+  WaterPoint label_under(const WaterPoint& point) const;
+
+  std::vector<Maps> cascades_;
+  int size_;
+  TrochoidInstant trochoids_;
+  WaterQuery query_;
+  double weight_papm_;
+};
+
+}  // namespace offing::ocean

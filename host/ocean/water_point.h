@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "kernels/shared/surface_query.h"
+
+namespace offing::ocean {
+
+/// A place of the world above or below the water plane, m.
+struct WaterPoint {
+  double x_m = 0.0, z_m = 0.0;
+};
+
+/// The water on a point's vertical, as devices write it: height of the surface, m; slopes of the displaced
+/// surface; the residual, m; velocity, m/s, and pressure, Pa, at the depth that was asked for.
+using WaterSample = SurfaceQuerySample;
+
+/// The unit normal (x, y, z) of the surface there, upward.
+inline std::array<float, 3> normal_of(const WaterSample& sample) {
+  const float length = std::hypot(sample.slope_x, 1.0f, sample.slope_z);
+  return {-sample.slope_x / length, 1.0f / length, -sample.slope_z / length};
+}
+
+/// What is asked of the water at a time.
+struct WaterQuery {
+  /// Velocity and pressure are those of this depth below the moving surface (Wheeler stretching); 0 is the
+  /// surface itself.
+  double depth_m = 0.0;
+  /// Shorter waves do not count, as for a hull that is longer than they are: trochoids and modes of the
+  /// cascades one by one, rings. 0: all count.
+  double min_wavelength_m = 0.0;
+  /// What the surface alone answers costs less: velocity and pressure are 0 then.
+  enum class Fields { surface, surface_and_flow } fields = Fields::surface_and_flow;
+  double density_kgpm3 = 1025.0;  ///< for the pressure
+  /// The search for a point's label ends where it misses the point by no more than this.
+  double tolerance_m = 1e-4;
+};
+
+/// The farthest from the origin that a point may be along x or z: half way around the Earth.
+inline constexpr double farthest_point_m = 2e7;
+
+/// A point as devices read it. Throws Error(bad_input) unless it is within farthest_point_m.
+SurfaceQueryPoint device_point(const WaterPoint& point);
+
+/// Throws Error(bad_input) for a query out of range; `water_depth_m` may be infinite.
+void require_valid_query(const WaterQuery& query, double water_depth_m);
+
+}  // namespace offing::ocean
