@@ -106,14 +106,10 @@ WaterPoint SurfaceInstant::label_under(const WaterPoint& point) const {
     const double off_z_m = label.z_m + sums.values.displacement_z_m - point.z_m;
     if (std::hypot(off_x_m, off_z_m) <= query_.tolerance_m) break;
     const double xx = 1.0 + sums.x_by_x, zz = 1.0 + sums.z_by_z;
-    const double determinant = xx * zz - sums.x_by_z * sums.z_by_x;
-    if (step < SURFACE_QUERY_PLAIN_STEPS || determinant < SURFACE_QUERY_LEAST_DETERMINANT) {
-      label.x_m -= off_x_m;
-      label.z_m -= off_z_m;
-    } else {
-      label.x_m -= (zz * off_x_m - sums.x_by_z * off_z_m) / determinant;
-      label.z_m -= (xx * off_z_m - sums.z_by_x * off_x_m) / determinant;
-    }
+    const double determinant =
+        std::max<double>(xx * zz - sums.x_by_z * sums.z_by_x, SURFACE_QUERY_LEAST_DETERMINANT);
+    label.x_m -= step == 0 ? off_x_m : (zz * off_x_m - sums.x_by_z * off_z_m) / determinant;
+    label.z_m -= step == 0 ? off_z_m : (xx * off_z_m - sums.z_by_x * off_x_m) / determinant;
   }
   return label;
 }

@@ -3,9 +3,9 @@
 //      ocean/velocity_assemble.cl (flow is not read unless has_flow); waves, rings (shared/trochoids.h); params; time
 //      as ocean/wave_phase.clh has it.
 // Out: samples (shared/surface_query.h), the surface of ocean/surface_compose.cl where it meets the point's vertical.
-// The label X solves X + d(X) = x. Steps X <- X - B (X + d(X) - x) end where the residual is small; they begin with
-// fixed-point iteration (B = 1) and go on with B = (I + grad d)^-1 of the interpolated displacement, which converges
-// where crests are steep. A point under a fold has several labels: one of them is found. Points that are not finite get a
+// The label X solves X + d(X) = x. Steps X <- X - B (X + d(X) - x) end where the residual is small; the first is that of
+// fixed-point iteration (B = 1), the others have B = (I + grad d)^-1 of the interpolated displacement: with B = 1 they would
+// go on for dozens of steps where crests are steep. A point under a fold has several labels: one of them is found. Points that are not finite get a
 // residual that is not either.
 #include "ocean/deformation.clh"
 #include "ocean/trochoid_ring.clh"
@@ -175,14 +175,12 @@ FFT_INLINE void find_labels(__global const float4 *displacement, __global const 
     const int_lanes is_far = mask_of(off_x * off_x + off_z * off_z > params->tolerance_m * params->tolerance_m);
     if (!any_lane(is_far)) break;
     const lanes xx = 1.0f + moved.x_by_x, zz = 1.0f + moved.z_by_z;
-    const lanes determinant = xx * zz - moved.x_by_z * moved.z_by_x;
-    const int_lanes is_plain = step < SURFACE_QUERY_PLAIN_STEPS
-                                   ? (int_lanes)-1
-                                   : mask_of(determinant < SURFACE_QUERY_LEAST_DETERMINANT);
-    const lanes move_x = (zz * off_x - moved.x_by_z * off_z) / determinant;
-    const lanes move_z = (xx * off_z - moved.z_by_x * off_x) / determinant;
-    at_x -= select((lanes)0.0f, select(move_x, off_x, is_plain), is_far);
-    at_z -= select((lanes)0.0f, select(move_z, off_z, is_plain), is_far);
+    const lanes scale =
+        1.0f / fmax(xx * zz - moved.x_by_z * moved.z_by_x, (lanes)SURFACE_QUERY_LEAST_DETERMINANT);
+    const lanes step_x = step == 0 ? off_x : scale * (zz * off_x - moved.x_by_z * off_z);
+    const lanes step_z = step == 0 ? off_z : scale * (xx * off_z - moved.z_by_x * off_x);
+    at_x -= select((lanes)0.0f, step_x, is_far);
+    at_z -= select((lanes)0.0f, step_z, is_far);
   }
   *label_x_m = at_x;
   *label_z_m = at_z;

@@ -6,12 +6,11 @@
 // Places are whole tiles of this side and a rest, so that floats keep micrometres anywhere on Earth.
 #define SURFACE_QUERY_TILE_M 64.0f
 
-// The label under a point is found by at most this many steps of X <- X - B (X + d(X) - x): the first have B
-// = 1, as fixed-point iteration has it, the others the inverse of the mapping's derivative where its
-// determinant exceeds the threshold.
-#define SURFACE_QUERY_PLAIN_STEPS 2
+// The label under a point is found by at most this many steps X <- X - B (X + d(X) - x): the first has B = 1,
+// as fixed-point iteration has it, the others the inverse of the mapping's derivative, whose determinant is
+// taken to be this at least.
 #define SURFACE_QUERY_MOST_STEPS 24
-#define SURFACE_QUERY_LEAST_DETERMINANT 0.2f
+#define SURFACE_QUERY_LEAST_DETERMINANT 0.05f
 
 // A point of the world: 64 tile + rest.
 typedef struct {
