@@ -29,6 +29,7 @@ Examples:
   offing ocean bake --wind-speed-mps 15 --size 512 --frames 0:47 --fps 24 --preview -o out
   offing ocean bake --spectrum-file 41010.data_spec --record 0 --frames 0:9 --combined -o out
   offing ocean stats scenes/storm.toml --seeds 20
+  offing ocean query scenes/storm.toml --at 120,-35 --time 12.5
 
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device, 130 interrupted.)");
 }

@@ -1,6 +1,7 @@
 #include "host/cli/ocean_command.h"
 
 #include "host/cli/bake_command.h"
+#include "host/cli/query_command.h"
 #include "host/cli/spectrum_command.h"
 #include "host/cli/stats_command.h"
 
@@ -8,10 +9,11 @@ namespace offing::cli {
 
 void add_ocean_command(CLI::App& app, GlobalOptions& options) {
   CLI::App* ocean =
-      app.add_subcommand("ocean", "a spectral sea: bake its maps, certify it, look at measured spectra");
+      app.add_subcommand("ocean", "a sea: bake its maps, certify it, ask for its water at points, look at measured spectra");
   ocean->require_subcommand(1);
   add_bake_command(*ocean, options);
   add_stats_command(*ocean, options);
+  add_query_command(*ocean, options);
   add_spectrum_command(*ocean, options);
 }
 

@@ -4,7 +4,7 @@
 
 namespace offing::cli {
 
-/// `offing ocean spectrum | stats | bake`. `options` must outlive the application.
+/// `offing ocean bake | stats | query | spectrum`. `options` must outlive the application.
 void add_ocean_command(CLI::App& app, GlobalOptions& options);
 
 }  // namespace offing::cli

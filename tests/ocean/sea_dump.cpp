@@ -33,6 +33,23 @@ class Dump {
   std::ofstream file_;
 };
 
+// 40 points fill the last vector of the device in part.
+void dump_samples(ocean::Ocean& sea, const ocean::TrochoidSea& trochoids, Dump& dump) {
+  std::vector<ocean::WaterPoint> points;
+  for (int i = 0; i < 40; ++i) points.push_back({7.3 * i - 1e5, 13.1 * i});
+  for (const ocean::WaterQuery& query : {ocean::WaterQuery{.depth_m = 0.5, .tolerance_m = 1e-5},
+                                         {.min_wavelength_m = 12.0, .tolerance_m = 1e-5}}) {
+    std::vector<float> heights, slopes, velocities, pressures;
+    for (const ocean::WaterSample& sample : sea.sample(points, trochoids, query)) {
+      heights.push_back(sample.height_m);
+      slopes.push_back(sample.slope_x);
+      velocities.push_back(sample.velocity_y_mps);
+      pressures.push_back(1e4f + sample.pressure_pa);  // 0 at the surface, but for rounding
+    }
+    for (const auto& field : {heights, slopes, velocities, pressures}) dump.add_relative(field);
+  }
+}
+
 void dump_surface(ocean::Ocean& sea, double hs_m, Dump& dump) {
   for (const int cascade : {0, 1}) {
     const ocean::SurfaceFields surface = sea.read_surface(cascade);
@@ -57,6 +74,7 @@ void dump_surface(ocean::Ocean& sea, double hs_m, Dump& dump) {
     const ocean::ComposedFields composed = sea.read_composed(grid, composition);
     for (const auto& field : {composed.displacement_y, composed.slope_x, composed.jacobian})
       dump.add_relative(field);
+    dump_samples(sea, composition.trochoids, dump);
   }
 }
 

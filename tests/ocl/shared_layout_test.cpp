@@ -6,6 +6,7 @@
 #include "kernels/shared/ocean_params.h"
 #include "kernels/shared/random.h"
 #include "kernels/shared/sky_params.h"
+#include "kernels/shared/surface_query.h"
 #include "kernels/shared/trochoids.h"
 
 namespace offing {
@@ -67,6 +68,46 @@ TEST(SharedLayoutTest, TrochoidRing) {
                 {"centre_x_m", "centre_z_m", "wavelength_m", "ring_radius_m", "amplitude_m", "phase"}),
             (Layout{sizeof(S), offsetof(S, centre_x_m), offsetof(S, centre_z_m), offsetof(S, wavelength_m),
                     offsetof(S, ring_radius_m), offsetof(S, amplitude_m), offsetof(S, phase)}));
+}
+
+TEST(SharedLayoutTest, TrochoidRingInTile) {
+  using S = TrochoidRingInTile;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/trochoids.h", "TrochoidRingInTile",
+                                {"tile_x", "tile_z", "ring"}),
+            (Layout{sizeof(S), offsetof(S, tile_x), offsetof(S, tile_z), offsetof(S, ring)}));
+}
+
+TEST(SharedLayoutTest, SurfaceQueryPointAndSample) {
+  using P = SurfaceQueryPoint;
+  EXPECT_EQ(
+      test::device_layout(ocl::Device::open(), "shared/surface_query.h", "SurfaceQueryPoint",
+                          {"tile_x", "tile_z", "x_m", "z_m"}),
+      (Layout{sizeof(P), offsetof(P, tile_x), offsetof(P, tile_z), offsetof(P, x_m), offsetof(P, z_m)}));
+  using S = SurfaceQuerySample;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/surface_query.h", "SurfaceQuerySample",
+                                {"height_m", "slope_x", "slope_z", "residual_m", "velocity_x_mps",
+                                 "velocity_y_mps", "velocity_z_mps", "pressure_pa"}),
+            (Layout{sizeof(S), offsetof(S, height_m), offsetof(S, slope_x), offsetof(S, slope_z),
+                    offsetof(S, residual_m), offsetof(S, velocity_x_mps), offsetof(S, velocity_y_mps),
+                    offsetof(S, velocity_z_mps), offsetof(S, pressure_pa)}));
+}
+
+// Of the waves the first members, some and the last.
+TEST(SharedLayoutTest, SurfaceQueryWaveAndParams) {
+  using W = SurfaceQueryWave;
+  EXPECT_EQ(test::device_layout(
+                ocl::Device::open(), "shared/surface_query.h", "SurfaceQueryWave",
+                {"phase", "rate", "turns_x_perm", "height_m", "shift_x_m", "slope_z", "velocity_y_mps"}),
+            (Layout{sizeof(W), offsetof(W, phase), offsetof(W, rate), offsetof(W, turns_x_perm),
+                    offsetof(W, height_m), offsetof(W, shift_x_m), offsetof(W, slope_z),
+                    offsetof(W, velocity_y_mps)}));
+  using S = SurfaceQueryParams;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/surface_query.h", "SurfaceQueryParams",
+                                {"tile_step_high", "tile_step_low", "patches_per_m", "texels_per_m",
+                                 "cascade_count", "ring_count", "has_flow", "tolerance_m"}),
+            (Layout{sizeof(S), offsetof(S, tile_step_high), offsetof(S, tile_step_low),
+                    offsetof(S, patches_per_m), offsetof(S, texels_per_m), offsetof(S, cascade_count),
+                    offsetof(S, ring_count), offsetof(S, has_flow), offsetof(S, tolerance_m)}));
 }
 
 TEST(SharedLayoutTest, TrochoidGrid) {

@@ -1,0 +1,282 @@
+#include "host/cli/query_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <CLI/Option.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/base/argument.h"
+#include "host/base/error.h"
+#include "host/base/progress.h"
+#include "host/cli/device_choice.h"
+#include "host/cli/parameter_options.h"
+#include "host/cli/query_settings.h"
+#include "host/cli/query_text.h"
+#include "host/io/atomic_file.h"
+#include "host/io/point_file.h"
+#include "host/scene/scene_hash.h"
+#include "host/scene/sea.h"
+
+namespace offing::cli {
+
+namespace {
+
+/// The deepest sea there is, in m, for velocities where the scene's has no bed.
+constexpr double deepest_m = 12000.0;
+constexpr double longest_wavelength_m = 1e6;
+/// Points that are asked for at once.
+constexpr std::size_t block_points = 65536;
+
+struct QueryArguments {
+  ParameterOptions parameters;
+  std::string at, points_file, time, times, depth, min_wavelength, output_file;
+  bool json = false;
+  bool force = false;
+};
+
+/// The points of the command: one, or those of a file, in blocks.
+class PointSource {
+ public:
+  explicit PointSource(const QueryArguments& arguments) {
+    if (arguments.points_file.empty()) {
+      single_ = read_point("--at", arguments.at);
+    } else {
+      file_.emplace(arguments.points_file);
+    }
+  }
+
+  void rewind() {
+    is_at_start_ = true;
+    if (file_) {
+      file_->rewind();
+    }
+  }
+
+  /// None at the end.
+  std::vector<ocean::WaterPoint> next() {
+    std::vector<ocean::WaterPoint> points;
+    if (file_) {
+      for (const auto& [x_m, z_m] : file_->next(block_points)) {
+        points.push_back({x_m, z_m});
+      }
+    } else if (is_at_start_) {
+      points.push_back(single_);
+    }
+    is_at_start_ = false;
+    return points;
+  }
+
+ private:
+  ocean::WaterPoint single_;
+  std::optional<PointFile> file_;
+  bool is_at_start_ = true;
+};
+
+/// Where answers go: a file that appears when all are there, or standard output; as CSV, as JSON or in words.
+class AnswerSink {
+ public:
+  AnswerSink(const QueryArguments& arguments, const TimeRange& times, double depth_m)
+      : depth_m_(depth_m), style_(style_of(arguments, times)) {
+    if (!arguments.output_file.empty()) {
+      if (!arguments.force && std::filesystem::exists(arguments.output_file)) {
+        throw Error(ErrorKind::file, fmt::format("{}: is there already", arguments.output_file),
+                    "--force replaces it, or name another file with -o");
+      }
+      file_.emplace(arguments.output_file);
+    }
+    if (style_ == Style::csv) {
+      text_ = csv_header();
+    } else if (style_ == Style::json) {
+      text_ = "[";
+    }
+  }
+
+  void add(const QueryAnswer& answer) {
+    ++count_;
+    largest_residual_m_ = std::max<double>(largest_residual_m_, answer.sample.residual_m);
+    missed_ += answer.sample.residual_m <= ocean::WaterQuery{}.tolerance_m * 1.1 ? 0 : 1;
+    if (style_ == Style::csv) {
+      append_csv(answer, text_);
+    } else if (style_ == Style::json) {
+      text_ += (count_ > 1 ? ",\n " : "\n ") + to_json(answer).dump();
+    } else {
+      text_ += query_text(answer, depth_m_);
+    }
+  }
+
+  /// Passes on what was added.
+  void flush() {
+    if (file_) {
+      file_->write(text_);
+    } else {
+      fmt::print("{}", text_);
+    }
+    text_.clear();
+  }
+
+  void finish() {
+    if (style_ == Style::json) {
+      text_ += "\n]\n";
+    }
+    flush();
+    if (file_) {
+      file_->commit();
+    }
+  }
+
+  std::size_t count() const { return count_; }
+  std::size_t missed() const { return missed_; }
+  double largest_residual_m() const { return largest_residual_m_; }
+
+ private:
+  enum class Style { words, csv, json };
+
+  static Style style_of(const QueryArguments& arguments, const TimeRange& times) {
+    if (!arguments.output_file.empty()) {
+      return Style::csv;
+    }
+    if (arguments.json) {
+      return Style::json;
+    }
+    return arguments.points_file.empty() && times.count == 1 ? Style::words : Style::csv;
+  }
+
+  double depth_m_;
+  Style style_;
+  std::optional<AtomicFile> file_;
+  std::string text_;
+  std::size_t count_ = 0, missed_ = 0;
+  double largest_residual_m_ = 0.0;
+};
+
+TimeRange read_times(const QueryArguments& arguments) {
+  if (!arguments.times.empty()) {
+    return read_time_range("--times", arguments.times);
+  }
+  return {.first_s = arguments.time.empty() ? 0.0 : read_time_s("--time", arguments.time)};
+}
+
+ocean::WaterQuery read_query(const QueryArguments& arguments, double water_depth_m) {
+  ocean::WaterQuery query;
+  if (!arguments.depth.empty()) {
+    query.depth_m =
+        read_length_m("--velocity-depth-m", arguments.depth, 0.0, std::min(deepest_m, water_depth_m), "2.5");
+  }
+  if (!arguments.min_wavelength.empty()) {
+    query.min_wavelength_m =
+        read_length_m("--min-wavelength-m", arguments.min_wavelength, 0.0, longest_wavelength_m, "30");
+  }
+  return query;
+}
+
+void answer(ocean::Ocean& sea, const ocean::TrochoidSea& trochoids, const ocean::WaterQuery& query,
+            const TimeRange& times, PointSource& points, AnswerSink& sink, const GlobalOptions& options) {
+  Progress progress(static_cast<int>(times.count), "times",
+                    times.count > 1 ? options.verbosity : Verbosity::quiet);
+  for (std::int64_t i = 0; i < times.count; ++i) {
+    const double time_s = times.time_s(i);
+    sea.at(time_s);
+    points.rewind();
+    for (auto block = points.next(); !block.empty(); block = points.next()) {
+      options.cancel.throw_if_cancelled();
+      const std::vector<ocean::WaterSample> samples = sea.sample(block, trochoids, query);
+      for (std::size_t point = 0; point < block.size(); ++point) {
+        sink.add({time_s, block[point], samples[point]});
+      }
+      sink.flush();
+    }
+    progress.advance();
+  }
+  sink.finish();
+}
+
+nlohmann::ordered_json summary_json(const QueryArguments& arguments, const ocean::WaterQuery& query,
+                                    const TimeRange& times, const AnswerSink& sink, const std::string& hash) {
+  return {{"file", arguments.output_file},
+          {"times", times.count},
+          {"samples", sink.count()},
+          {"depth_m", query.depth_m},
+          {"min_wavelength_m", query.min_wavelength_m},
+          {"largest_residual_m", sink.largest_residual_m()},
+          {"scene_hash", hash}};
+}
+
+void run(const QueryArguments& arguments, const GlobalOptions& options) {
+  if (arguments.at.empty() == arguments.points_file.empty()) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("offing ocean query: expected --at or --points, found {}",
+                            arguments.at.empty() ? "neither" : "both"),
+                "write --at 12.5,-40 for one point, or --points FILE for many");
+  }
+  const TimeRange times = read_times(arguments);
+  const scene::OceanScene scene = arguments.parameters.read();
+  const scene::Sea sea = scene::prepare_sea(scene);
+  const ocean::WaterQuery query = read_query(arguments, sea.spectrum.dispersion.depth_m);
+  PointSource points(arguments);
+  AnswerSink sink(arguments, times, query.depth_m);
+  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
+  ocean::Ocean ocean(device, sea.spectrum, sea.parameters);
+  answer(ocean, scene::trochoids_of(sea, sea.parameters.seed), query, times, points, sink, options);
+  if (sink.missed() > 0) {
+    spdlog::warn(
+        "{} of {} samples miss their point by more than {:g} m, under crests that fold: see residual_m",
+        sink.missed(), sink.count(), query.tolerance_m);
+  }
+  if (arguments.output_file.empty()) {
+    return;
+  }
+  if (arguments.json) {
+    const std::string hash = scene::scene_hash(
+        scene, sea, fmt::format("query depth {:.17g} from {:.17g}", query.depth_m, query.min_wavelength_m));
+    fmt::print("{}\n", summary_json(arguments, query, times, sink, hash).dump(2));
+  } else {
+    fmt::print("{} samples written: {}\n", sink.count(), arguments.output_file);
+  }
+}
+
+}  // namespace
+
+void add_query_command(CLI::App& ocean, GlobalOptions& options) {
+  using enum scene::ParameterGroup;
+  const auto arguments = std::make_shared<QueryArguments>();
+  CLI::App* command = ocean.add_subcommand(
+      "query", "the water at points of the world: height, normal, velocity and pressure; wave probes");
+  constexpr const char* group = "Query";
+  const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
+    return command->add_option(names, target, help)->type_name(placeholder)->group(group);
+  };
+  add("--at", arguments->at, "X,Z", "one point, m, x east and z south");
+  add("--points", arguments->points_file, "FILE",
+      "many: CSV with the columns x_m and z_m, or with these two numbers a line");
+  CLI::Option* one_time = add("--time", arguments->time, "T", "one time, s (default 0)");
+  add("--times", arguments->times, "A:B:DT", "times A, A + DT, ... to B, s")->excludes(one_time);
+  add("--velocity-depth-m", arguments->depth, "D",
+      "velocity and pressure D m below the moving surface (linear theory with Wheeler stretching), down to "
+      "the bed (default 0)");
+  add("--min-wavelength-m", arguments->min_wavelength, "L",
+      "leave shorter waves out, as a hull longer than they are does not feel them (default 0: none)");
+  add("-o,--output", arguments->output_file, "FILE",
+      "write CSV there, whole or not at all (default: to standard output)");
+  command->add_flag("--force", arguments->force, "replace a file that is there")->group(group);
+  command->add_flag("--json", arguments->json, "results for scripts, or with -o a summary")->group(group);
+  arguments->parameters.add_to(*command, {world, sea, grid});
+  add_global_options(*command, options, DeviceUse::one);
+  command->footer(R"(
+Each sample is of the surface as it is displaced: the label under the point is searched until it misses by
+residual_m, 0.0001 m at most but under folding crests. The pressure is above that of the air, in sea water of
+1025 kg/m^3. Samples come time by time, points in the order of the file.
+
+Examples:
+  offing ocean query scenes/storm.toml --at 120,-35 --time 12.5 --velocity-depth-m 3
+  offing ocean query scenes/storm.toml --points probes.csv --times 0:600:0.1 -o probes_out.csv
+  offing ocean query --wind-speed-mps 15 --at 0,0 --times 0:60:0.5 --min-wavelength-m 40 --json)");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

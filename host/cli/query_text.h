@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "host/ocean/water_point.h"
+
+namespace offing::cli {
+
+/// One answer of a query.
+struct QueryAnswer {
+  double time_s = 0.0;
+  ocean::WaterPoint point;
+  ocean::WaterSample sample;
+};
+
+/// The names of the columns, with units.
+std::string csv_header();
+/// Appends a line.
+void append_csv(const QueryAnswer& answer, std::string& text);
+
+/// The same names as the columns'.
+nlohmann::ordered_json to_json(const QueryAnswer& answer);
+
+/// For people.
+std::string query_text(const QueryAnswer& answer, double depth_m);
+
+}  // namespace offing::cli

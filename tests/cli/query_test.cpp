@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/cli/query_settings.h"
+#include "tests/cli/offing_program.h"
+
+// `offing ocean query`: probes of the water, as people and scripts read them.
+
+namespace offing::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+class Query : public testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+  }
+  static std::string text_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  /// A small sea of two cascades and Gerstner waves.
+  static ProgramResult query(std::vector<std::string> arguments) {
+    std::vector<std::string> all = {"ocean", "query",  "--size", "64", "--cascades", "2", "--gerstner-count",
+                                    "8",     "--quiet"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run_offing(all);
+  }
+  static std::vector<std::vector<double>> rows(const std::string& csv) {
+    std::vector<std::vector<double>> table;
+    std::istringstream lines(csv.substr(csv.find('\n') + 1));
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream fields(line);
+      table.emplace_back();
+      for (std::string field; std::getline(fields, field, ',');) table.back().push_back(std::stod(field));
+    }
+    return table;
+  }
+
+  TemporaryFolder folder_;
+};
+
+constexpr const char* header =
+    "time_s,x_m,z_m,height_m,normal_x,normal_y,normal_z,velocity_x_mps,velocity_y_mps,velocity_z_mps,"
+    "pressure_pa,residual_m\n";
+
+// Fails if a column is missing or another's, if times or points are left out or out of order, if the pressure
+// at the surface is not that of the air, or if the way out (file, standard output, JSON) changes an answer.
+TEST_F(Query, ProbesAreRowsOfTimesAndPoints) {
+  const std::string points = write("points.csv", "name,z_m,x_m\r\na,2,1\r\n# no point\r\n\r\nb,1e5,-3.5\r\n");
+  const ProgramResult to_file = query({"--points", points, "--times", "0:1:0.1", "-o", path("out.csv")});
+  ASSERT_EQ(to_file.exit_code, 0) << to_file.errors;
+  EXPECT_THAT(to_file.output, HasSubstr("22 samples written"));
+  const std::string csv = text_of(path("out.csv"));
+  EXPECT_TRUE(csv.starts_with(header)) << csv.substr(0, 200);
+  const auto table = rows(csv);
+  ASSERT_EQ(table.size(), 22u);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    ASSERT_EQ(table[i].size(), 12u);
+    EXPECT_NEAR(table[i][0], 0.1 * static_cast<double>(i / 2), 1e-9);
+    EXPECT_EQ(table[i][1], i % 2 == 0 ? 1.0 : -3.5);
+    EXPECT_EQ(table[i][2], i % 2 == 0 ? 2.0 : 1e5);
+    EXPECT_NEAR(std::hypot(table[i][4], table[i][5], table[i][6]), 1.0, 1e-5);
+    EXPECT_NEAR(table[i][10], 0.0, 0.1) << "Pa";
+    EXPECT_LE(table[i][11], 1.1e-4);
+  }
+  const ProgramResult to_output = query({"--points", points, "--times", "0:1:0.1"});
+  EXPECT_EQ(to_output.output, csv);
+  const json answers =
+      json::parse(query({"--points", points, "--times", "0:1:0.1", "--json"}).output, nullptr, false);
+  ASSERT_EQ(answers.size(), 22u);
+  EXPECT_NEAR(answers[3]["height_m"].get<double>(), table[3][3], 1e-6);
+  EXPECT_EQ(answers[3]["x_m"], -3.5);
+}
+
+// Fails if a filter or a depth does not reach the sea: without waves below 1 km it is flat, and the pressure
+// 3 m deep is rho g 3 m; or if the words for people leave an answer out.
+TEST_F(Query, FilterAndDepthReachTheSea) {
+  const ProgramResult flat = query(
+      {"--at", "-5,7", "--time", "3", "--min-wavelength-m", "1000", "--velocity-depth-m", "3", "--json"});
+  ASSERT_EQ(flat.exit_code, 0) << flat.errors;
+  const json answer = json::parse(flat.output, nullptr, false)[0];
+  EXPECT_NEAR(answer["height_m"].get<double>(), 0.0, 1e-3);
+  EXPECT_NEAR(answer["pressure_pa"].get<double>(), 3.0 * 1025.0 * 9.81, 15.0);
+  const ProgramResult words = query({"--at", "-5,7", "--time", "3", "--velocity-depth-m", "3"});
+  for (const char* part :
+       {"at x -5 m, z 7 m, 3 s", "height", "normal", "velocity", "3 m below", "pressure", "residual"})
+    EXPECT_THAT(words.output, HasSubstr(part));
+}
+
+// Fails if a file that is there is lost, or if a failed query leaves half a file behind.
+TEST_F(Query, FilesAreReplacedOnlyWhenAsked) {
+  const std::string out = write("out.csv", "mine");
+  const ProgramResult refused = query({"--at", "0,0", "-o", out});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.errors, HasSubstr("out.csv: is there already"));
+  EXPECT_THAT(refused.errors, HasSubstr("--force"));
+  EXPECT_EQ(text_of(out), "mine");
+  const std::string broken = write("points.csv", "1,2\n3,4\n5\n");
+  EXPECT_EQ(query({"--points", broken, "-o", out, "--force"}).exit_code, 2);
+  EXPECT_EQ(text_of(out), "mine");
+  const ProgramResult replaced = query({"--at", "0,0", "-o", out, "--force", "--json"});
+  EXPECT_EQ(replaced.exit_code, 0) << replaced.errors;
+  EXPECT_TRUE(text_of(out).starts_with(header));
+  const json summary = json::parse(replaced.output, nullptr, false);
+  EXPECT_EQ(summary["samples"], 1);
+  EXPECT_EQ(summary["scene_hash"].get<std::string>().size(), 32u);
+}
+
+// Fails if more points than a block holds are lost, doubled or mixed up.
+TEST_F(Query, ManyPointsAreReadBlockByBlock) {
+  std::string text;
+  constexpr int count = 70000;
+  for (int i = 0; i < count; ++i) text += std::to_string(i) + ",0\n";
+  const std::string points = write("many.csv", text);
+  const ProgramResult result = query({"--points", points, "--times", "0:0.5:0.5"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto table = rows(result.output);
+  ASSERT_EQ(table.size(), 2u * count);
+  for (std::size_t i = 0; i < table.size(); ++i) ASSERT_EQ(table[i][1], static_cast<double>(i % count));
+}
+
+// Each fails if its fault passes, or is told without its place and its mend.
+TEST_F(Query, BadQuestionsGetOneLineAndItsMend) {
+  struct Fault {
+    std::vector<std::string> arguments;
+    int exit_code;
+    const char* error;
+  };
+  write("word.csv", "x_m,z_m\n1,2\n3,four\n");
+  write("not_a_number.csv", "1,nan\n");
+  write("one_column.csv", "1\n");
+  write("three_columns.csv", "1,2,3\n");
+  write("wrong_header.csv", "x,z\n1,2\n");
+  write("short_row.csv", "name,x_m,z_m\na,1\n");
+  write("empty.csv", "");
+  write("header_alone.csv", "x_m,z_m\n");
+  write("long_line.csv", "1,2\n" + std::string(100000, '1'));
+  write("far.csv", "1,2\n1,3e7\n");
+  const std::vector<Fault> faults = {
+      {{}, 2, "expected --at or --points, found neither"},
+      {{"--at", "0,0", "--points", "@word.csv"}, 2, "found both"},
+      {{"--at", "0;0"}, 2, "--at: expected X,Z in m"},
+      {{"--at", "nan,0"}, 2, "--at: expected X,Z in m"},
+      {{"--at", "0,0", "--time", "1e9"}, 2, "--time: expected a time in s"},
+      {{"--at", "0,0", "--times", "5:1:1"}, 2, "--times: expected A:B:DT"},
+      {{"--at", "0,0", "--times", "0:1:0"}, 2, "--times: expected A:B:DT"},
+      {{"--at", "0,0", "--times", "0:1:-1"}, 2, "--times: expected A:B:DT"},
+      {{"--at", "0,0", "--times", "0:1e8:1e-9"}, 2, "--times: expected A:B:DT"},
+      {{"--at", "0,0", "--time", "1", "--times", "0:1:1"}, 2, "--time"},
+      {{"--at", "0,0", "--velocity-depth-m", "20", "--depth-m", "10"}, 2, "--velocity-depth-m: expected"},
+      {{"--at", "0,0", "--min-wavelength-m", "-1"}, 2, "--min-wavelength-m: expected"},
+      {{"--points", "@missing.csv"}, 1, "missing.csv: cannot be read: No such file"},
+      {{"--points", "@"}, 1, "cannot be read: it is a folder"},
+      {{"--points", "@word.csv"},
+       2,
+       "word.csv:3: expected x_m,z_m as two numbers within [-2e7, 2e7], found \"3,four\""},
+      {{"--points", "@not_a_number.csv"}, 2, "not_a_number.csv:1: expected"},
+      {{"--points", "@one_column.csv"}, 2, "one_column.csv:1: expected"},
+      {{"--points", "@three_columns.csv"}, 2, "three_columns.csv:1: expected"},
+      {{"--points", "@wrong_header.csv"}, 2, "wrong_header.csv:1: expected"},
+      {{"--points", "@short_row.csv"}, 2, "short_row.csv:2: expected"},
+      {{"--points", "@empty.csv"}, 2, "empty.csv: expected points, found none"},
+      {{"--points", "@header_alone.csv"}, 2, "header_alone.csv: expected points, found none"},
+      {{"--points", "@long_line.csv"}, 2, "long_line.csv:2: expected a line of at most 4095"},
+      {{"--points", "@far.csv"}, 2, "far.csv:2: expected"},
+  };
+  for (Fault fault : faults) {
+    for (std::string& argument : fault.arguments) {
+      if (argument.starts_with('@')) argument = path(argument.substr(1));
+    }
+    const ProgramResult result = query(fault.arguments);
+    EXPECT_EQ(result.exit_code, fault.exit_code) << fault.error << "\n" << result.errors;
+    EXPECT_THAT(result.errors, testing::StartsWith("error: ")) << fault.error;
+    EXPECT_THAT(result.errors, HasSubstr(fault.error));
+    EXPECT_THAT(result.errors, HasSubstr("\nhint: ")) << fault.error;
+    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 2) << result.errors;
+    EXPECT_EQ(result.output, "") << fault.error;
+  }
+}
+
+// Fails if a range ends a step early or late where its step has no exact binary form.
+TEST(QuerySettings, TimesReachTheirEnd) {
+  const cli::TimeRange tenths = cli::read_time_range("--times", "0:600:0.1");
+  EXPECT_EQ(tenths.count, 6001);
+  EXPECT_NEAR(tenths.time_s(6000), 600.0, 1e-9);
+  EXPECT_EQ(cli::read_time_range("--times", "-1:1.9:1").count, 3);
+  EXPECT_EQ(cli::read_time_range("--times", "5:5:1").count, 1);
+}
+
+}  // namespace
+}  // namespace offing::test
