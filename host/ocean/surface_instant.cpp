@@ -117,7 +117,7 @@ WaterPoint SurfaceInstant::label_under(const WaterPoint& point) const {
 WaterSample SurfaceInstant::at(const WaterPoint& point) const {
   device_point(point);  // throws for those that are too far
   const WaterPoint label = label_under(point);
-  const TrochoidValues sea = sums_at(label).values;
+  const TrochoidValues sea = at_label(label);
   const double xx = 1.0 + sea.gradient_xx, xz = sea.gradient_xz, zz = 1.0 + sea.gradient_zz;
   const double jacobian = xx * zz - xz * xz;
   const double determinant = std::copysign(std::max(std::abs(jacobian), 0.05), jacobian);

@@ -25,9 +25,10 @@ class SurfaceInstant {
 
   /// The water on this point's vertical. Throws Error(bad_input) for a point beyond farthest_point_m.
   WaterSample at(const WaterPoint& point) const;
+  /// All cascades and trochoids at a label, summed.
+  TrochoidValues at_label(const WaterPoint& label) const { return sums_at(label).values; }
 
  private:
-  /// All cascades and trochoids at a label: fields of the displacement and gradient maps, summed.
   struct Sums {
     TrochoidValues values;
     // Of the displacement as it is interpolated: what steps toward a label follow.
