@@ -17,10 +17,11 @@ ARROWS = {
     **{f"host/{name}": ("host/fft",) for name in SIMULATIONS},
     "host/world": tuple(f"host/{name}" for name in SIMULATIONS),
     "host/scene": ("host/world", "host/io"),
+    "host/c": ("host/scene",),
     "host/cli": ("host/scene",),
     "present": ("host/scene",),
     "mesh_tools": ("host/scene",),
-    "tests": ("host/cli", "present", "mesh_tools"),
+    "tests": ("host/c", "host/cli", "present", "mesh_tools"),
 }
 
 # Headers from outside that only some folders may include.
