@@ -6,6 +6,7 @@
 #include "host/base/process.h"
 #include "present/headless.h"
 #include "present/view_options.h"
+#include "present/viewer.h"
 
 namespace {
 
@@ -17,10 +18,10 @@ int run(int argc, char** argv) {
   if (const std::optional<present::ViewOptions> options = present::read_view_options(argc, argv)) {
     offing::configure_log(options->verbosity);
     if (options->opens_window) {
-      throw offing::Error(offing::ErrorKind::bad_usage, "offing-view: this version has no window yet",
-                          "make pictures: add --headless -o picture.png, or --record");
+      present::show_window(*options, cancel);
+    } else {
+      present::make_pictures(*options, cancel);
     }
-    present::make_pictures(*options, cancel);
   }
   offing::finish_output();
   return 0;

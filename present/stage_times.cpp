@@ -58,7 +58,8 @@ void StageTimes::end_frame() {
       glGetQueryObjectui64v(queries_[slot_][i].name(), GL_QUERY_RESULT, &nanoseconds);
       is_asked_[slot_][i] = false;
     }
-    append(gl_ms_[i], 1e-6 * static_cast<double>(nanoseconds));
+    append(device_ms_[i], added_ms_[i] + 1e-6 * static_cast<double>(nanoseconds));
+    added_ms_[i] = 0.0;
   }
 }
 

@@ -39,12 +39,14 @@ class StageTimes {
   /// Ends a frame: its times enter the history. Queries are read a few frames later, so that nobody waits.
   void end_frame();
 
-  /// Milliseconds of a stage, the oldest frame first; the CPU's time, and that of OpenGL.
+  /// Time that a device measured itself: OpenCL's events.
+  void add_device_ms(Stage stage, double milliseconds) { added_ms_[index(stage)] += milliseconds; }
+
+  /// Milliseconds of a stage on the CPU, the oldest frame first.
   const std::array<float, history_length>& cpu_ms(Stage stage) const { return cpu_ms_[index(stage)]; }
-  const std::array<float, history_length>& gl_ms(Stage stage) const { return gl_ms_[index(stage)]; }
-  /// Mean of the last 30 frames.
+  /// Means of the last 30 frames: on the CPU, and by the clocks of OpenGL and OpenCL.
   double mean_cpu_ms(Stage stage) const { return mean_of(cpu_ms(stage)); }
-  double mean_gl_ms(Stage stage) const { return mean_of(gl_ms(stage)); }
+  double mean_device_ms(Stage stage) const { return mean_of(device_ms_[index(stage)]); }
   double frames_per_second() const;
 
  private:
@@ -55,9 +57,9 @@ class StageTimes {
   static double mean_of(const History& history);
   static void append(History& history, double value);
 
-  std::array<History, stage_count> cpu_ms_{}, gl_ms_{};
+  std::array<History, stage_count> cpu_ms_{}, device_ms_{};
   History frame_ms_{};
-  std::array<double, stage_count> current_ms_{};
+  std::array<double, stage_count> current_ms_{}, added_ms_{};
   std::array<std::array<GlQuery, stage_count>, latency> queries_;
   std::array<std::array<bool, stage_count>, latency> is_asked_{};
   std::size_t slot_ = 0;

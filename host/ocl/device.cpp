@@ -84,6 +84,12 @@ void Device::flush() const {
   check(clFlush(queue()), "clFlush", info().name);
 }
 
+Event Device::mark() const {
+  cl_event event = nullptr;
+  check(clEnqueueMarkerWithWaitList(queue(), 0, nullptr, &event), "clEnqueueMarkerWithWaitList", info().name);
+  return Event(event);
+}
+
 void Device::finish() const {
   check(clFinish(queue()), "clFinish", info().name);
 }

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "host/ocl/event.h"
+
 // Opaque OpenCL handles, declared as the OpenCL headers declare them, so that only host/ocl includes those
 // headers.
 typedef struct _cl_device_id* cl_device_id;
@@ -75,6 +77,8 @@ class Device {
 
   /// Submits what is queued without waiting.
   void flush() const;
+  /// An event that is done when everything queued so far is.
+  Event mark() const;
   /// Waits until everything queued is done. Throws Error(device) if a command failed.
   void finish() const;
 

@@ -9,7 +9,13 @@
 namespace offing::ocl {
 namespace {
 
+// Waits for the command and asks its clock.
 double event_time_s(cl_event event, cl_profiling_info what) {
+  if (event == nullptr) {
+    throw Error(ErrorKind::bad_usage, "Event: the command was not profiled",
+                "open the device with Profiling::on");
+  }
+  check(clWaitForEvents(1, &event), "clWaitForEvents", "a queued command");
   cl_ulong time_ns = 0;
   const int status = clGetEventProfilingInfo(event, what, sizeof time_ns, &time_ns, nullptr);
   check(status, "clGetEventProfilingInfo", "a kernel's event");
@@ -36,12 +42,11 @@ void Event::wait() const {
 }
 
 double Event::duration_s() const {
-  if (event_ == nullptr) {
-    throw Error(ErrorKind::bad_usage, "Event::duration_s: the command was not profiled",
-                "open the device with Profiling::on");
-  }
-  wait();
   return event_time_s(event_, CL_PROFILING_COMMAND_END) - event_time_s(event_, CL_PROFILING_COMMAND_START);
+}
+
+double Event::end_s() const {
+  return event_time_s(event_, CL_PROFILING_COMMAND_END);
 }
 
 }  // namespace offing::ocl

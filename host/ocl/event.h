@@ -18,6 +18,9 @@ class Event {
   /// Waits for the command, then gives its run time on the device in seconds; throws Error(bad_usage) without
   /// profiling.
   double duration_s() const;
+  /// Waits for the command, then gives the time of its end by the device's clock, in seconds from any start;
+  /// errors as duration_s().
+  double end_s() const;
 
  private:
   cl_event event_ = nullptr;

@@ -1,0 +1,45 @@
+#include "present/key_bindings.h"
+
+#include <array>
+
+#include <epoxy/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace offing::present {
+
+std::span<const KeyBinding> key_bindings() {
+  using enum ViewAction;
+  static constexpr std::array<KeyBinding, 15> bindings{{
+      {GLFW_KEY_H, "H", toggle_help, "this help"},
+      {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
+      {GLFW_KEY_SPACE, "Space", toggle_pause, "pause"},
+      {GLFW_KEY_PERIOD, ".", step_forward, "one frame forward, and pause"},
+      {GLFW_KEY_COMMA, ",", step_back, "one frame back, and pause"},
+      {GLFW_KEY_LEFT_BRACKET, "[", slower, "half the speed of time"},
+      {GLFW_KEY_RIGHT_BRACKET, "]", faster, "twice the speed of time"},
+      {GLFW_KEY_BACKSPACE, "Backspace", real_time, "real time"},
+      {GLFW_KEY_G, "G", toggle_wireframe, "wireframe of the grid"},
+      {GLFW_KEY_V, "V", next_debug_view, "next debug view"},
+      {GLFW_KEY_F12, "F12", take_screenshot, "picture without panels, in the folder of the start"},
+      {GLFW_KEY_F5, "F5", reload, "read kernels and shaders again"},
+      {GLFW_KEY_F11, "F11", toggle_fullscreen, "full screen"},
+      {GLFW_KEY_HOME, "Home", reset_camera, "camera of the scene"},
+      {GLFW_KEY_ESCAPE, "Esc", quit, "quit"},
+  }};
+  return bindings;
+}
+
+std::span<const CameraControl> camera_controls() {
+  static constexpr std::array<CameraControl, 6> controls{{
+      {"W S", "forward, back"},
+      {"A D", "left, right"},
+      {"E Q", "up, down"},
+      {"Shift, Ctrl", "five times faster, slower"},
+      {"Mouse drag", "look around"},
+      {"Wheel", "speed"},
+  }};
+  return controls;
+}
+
+}  // namespace offing::present

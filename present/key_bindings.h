@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+
+namespace offing::present {
+
+/// What a key does once, when it goes down. Keys that move the camera while they are held are in WindowInput.
+enum class ViewAction {
+  toggle_help,
+  toggle_panels,
+  toggle_pause,
+  step_forward,
+  step_back,
+  slower,
+  faster,
+  real_time,
+  toggle_wireframe,
+  next_debug_view,
+  take_screenshot,
+  reload,
+  toggle_fullscreen,
+  reset_camera,
+  quit,
+};
+
+struct KeyBinding {
+  int key;           ///< of GLFW
+  const char* name;  ///< as printed on the key
+  ViewAction action;
+  const char* help;
+};
+
+/// Every key that does something once: the one place that says which, for the window and its help.
+std::span<const KeyBinding> key_bindings();
+
+/// Keys and mouse that move the camera, for the help.
+struct CameraControl {
+  const char* name;
+  const char* help;
+};
+std::span<const CameraControl> camera_controls();
+
+}  // namespace offing::present

@@ -1,0 +1,25 @@
+#pragma once
+
+struct GLFWwindow;
+
+namespace offing::present {
+
+/// ImGui in a window or, without one, on the bound framebuffer: begin, any panels, end. One at a time.
+class PanelLayer {
+ public:
+  /// With a window, events reach the panels after the callbacks that it has already; nullptr: no events but
+  /// those that a test feeds. No file remembers where panels were.
+  explicit PanelLayer(GLFWwindow* window);
+  PanelLayer(const PanelLayer&) = delete;
+  PanelLayer& operator=(const PanelLayer&) = delete;
+  ~PanelLayer();
+
+  void begin();
+  /// Draws the panels onto the bound framebuffer.
+  void end();
+
+ private:
+  GLFWwindow* window_;
+};
+
+}  // namespace offing::present

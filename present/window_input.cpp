@@ -1,0 +1,81 @@
+#include "present/window_input.h"
+
+#include <utility>
+
+#include <epoxy/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+namespace offing::present {
+namespace {
+
+WindowInput& input_of(GLFWwindow* window) {
+  return *static_cast<WindowInput*>(glfwGetWindowUserPointer(window));
+}
+
+bool panels_want_keys() {
+  return ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantTextInput;
+}
+
+bool panels_want_mouse() {
+  return ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantCaptureMouse;
+}
+
+}  // namespace
+
+WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
+  glfwSetWindowUserPointer(window, this);
+  glfwSetKeyCallback(window, on_key);
+  glfwSetScrollCallback(window, on_wheel);
+}
+
+WindowInput::~WindowInput() {
+  glfwSetKeyCallback(window_, nullptr);
+  glfwSetScrollCallback(window_, nullptr);
+  glfwSetWindowUserPointer(window_, nullptr);
+}
+
+void WindowInput::on_key(GLFWwindow* window, int key, int, int action, int) {
+  if (action == GLFW_RELEASE || panels_want_keys()) return;
+  for (const KeyBinding& binding : key_bindings()) {
+    if (binding.key == key) input_of(window).actions_.push_back(binding.action);
+  }
+}
+
+void WindowInput::on_wheel(GLFWwindow* window, double, double y) {
+  if (!panels_want_mouse()) input_of(window).wheel_ += y;
+}
+
+bool WindowInput::is_held(int key) const {
+  return glfwGetKey(window_, key) == GLFW_PRESS;
+}
+
+std::vector<ViewAction> WindowInput::take_actions() {
+  return std::exchange(actions_, {});
+}
+
+CameraInput WindowInput::take_camera_input() {
+  CameraInput input;
+  input.wheel = std::exchange(wheel_, 0.0);
+  if (!panels_want_keys()) {
+    const auto axis = [&](int positive, int negative) {
+      return static_cast<double>(is_held(positive)) - static_cast<double>(is_held(negative));
+    };
+    input.move = {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S)};
+    input.is_fast = is_held(GLFW_KEY_LEFT_SHIFT) || is_held(GLFW_KEY_RIGHT_SHIFT);
+    input.is_slow = is_held(GLFW_KEY_LEFT_CONTROL) || is_held(GLFW_KEY_RIGHT_CONTROL);
+  }
+  double x = 0.0, y = 0.0;
+  glfwGetCursorPos(window_, &x, &y);
+  const bool is_down = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
+                       glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
+  // A drag that began on a panel stays the panel's.
+  if (is_down && is_dragging_) input.turn_px = {x - drag_x_, y - drag_y_};
+  is_dragging_ = is_down && (is_dragging_ || !panels_want_mouse());
+  drag_x_ = x;
+  drag_y_ = y;
+  return input;
+}
+
+}  // namespace offing::present

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "present/free_camera.h"
+#include "present/key_bindings.h"
+
+struct GLFWwindow;
+
+namespace offing::present {
+
+/// Keys and mouse of a window, as far as panels leave them to the view. Made before ImGui, which passes
+/// events on.
+class WindowInput {
+ public:
+  /// The window's user pointer is this object's from here on.
+  explicit WindowInput(GLFWwindow* window);
+  WindowInput(const WindowInput&) = delete;
+  WindowInput& operator=(const WindowInput&) = delete;
+  ~WindowInput();
+
+  /// What was asked for since the last call, in order.
+  std::vector<ViewAction> take_actions();
+  CameraInput take_camera_input();
+
+ private:
+  static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
+  static void on_wheel(GLFWwindow* window, double x, double y);
+
+  bool is_held(int key) const;
+
+  GLFWwindow* window_;
+  std::vector<ViewAction> actions_;
+  double wheel_ = 0.0;
+  bool is_dragging_ = false;
+  double drag_x_ = 0.0, drag_y_ = 0.0;  // where the mouse was
+};
+
+}  // namespace offing::present
