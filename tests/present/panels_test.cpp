@@ -1,0 +1,174 @@
+// Panels with a mouse that the test moves, drawn without a window.
+#include "present/panels.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "host/scene/parameter_table.h"
+#include "present/panel_layer.h"
+#include "present/parameter_widget.h"
+#include "present/render_target.h"
+#include "tests/present/gl_test.h"
+
+namespace offing::present {
+namespace {
+
+class PanelsTest : public test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (IsSkipped()) return;
+    layer_ = std::make_unique<PanelLayer>(nullptr);
+    target_ = RenderTarget(640, 900, GL_RGBA8, RenderTarget::Depth::none);
+    ImGui::GetIO().DisplaySize = ImVec2(640.0f, 900.0f);
+    ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
+  }
+  void TearDown() override {
+    layer_.reset();
+    target_ = {};
+    GlTest::TearDown();
+  }
+
+  /// One frame of one widget, or of whatever is drawn; where its item lies.
+  template <class Draw>
+  void frame(const Draw& draw) {
+    layer_->begin();
+    ImGui::SetNextWindowPos(ImVec2(0.0f, 0.0f));
+    ImGui::SetNextWindowSize(ImVec2(600.0f, 400.0f));
+    ImGui::Begin("test");
+    draw();
+    ImGui::End();
+    target_.bind();
+    layer_->end();
+  }
+
+  std::unique_ptr<PanelLayer> layer_;
+  RenderTarget target_;
+  scene::OceanScene scene_;
+};
+
+/// Clicks at a share of a widget's width, twice, so that popups and check boxes see it; the last edit.
+class WidgetClicks {
+ public:
+  explicit WidgetClicks(scene::OceanScene& scene) : scene_(scene) {}
+
+  void draw(const scene::Parameter& row) {
+    std::string fault;
+    const Edit edit = parameter_widget(scene_, row, fault);
+    if (edit != Edit::none) last_edit_ = edit;
+    if (!fault.empty()) fault_ = fault;
+    lower_ = ImGui::GetItemRectMin();
+    upper_ = ImGui::GetItemRectMax();
+  }
+  ImVec2 place(float share) const {
+    // The label is right of the slider, which takes two thirds.
+    return {lower_.x + share * 0.6f * (upper_.x - lower_.x), 0.5f * (lower_.y + upper_.y)};
+  }
+  Edit last_edit() const { return last_edit_; }
+  const std::string& fault() const { return fault_; }
+
+ private:
+  scene::OceanScene& scene_;
+  ImVec2 lower_, upper_;
+  Edit last_edit_ = Edit::none;
+  std::string fault_;
+};
+
+// Fails if a widget cannot be drawn for some kind of row, or changes a scene that nobody touched.
+TEST_F(PanelsTest, DrawWithoutChangingAnything) {
+  const auto texts = [&] {
+    std::vector<std::string> values;
+    for (const scene::Parameter& row : scene::parameter_table()) {
+      values.push_back(scene::value_text(scene_, row, scene::Digits::exact));
+    }
+    return values;
+  };
+  const std::vector<std::string> before = texts();
+  for (int i = 0; i < 3; ++i) {
+    frame([&] {
+      for (const scene::Parameter& row : scene::parameter_table()) {
+        std::string fault;
+        EXPECT_EQ(parameter_widget(scene_, row, fault), Edit::none) << row.key;
+        EXPECT_EQ(fault, "") << row.key;
+      }
+    });
+  }
+  EXPECT_EQ(texts(), before);
+}
+
+// Fails if a slider's ends are not those of the row, or the end of an edit is missed: a drag to the right end
+// of each slider of the wind and the sun.
+TEST_F(PanelsTest, SlidersReachTheirRange) {
+  for (const char* key :
+       {"wind.speed_mps", "ocean.gamma", "sun.elevation_deg", "ocean.foam.width", "camera.fov_deg"}) {
+    const scene::Parameter& row = *scene::find_parameter(key);
+    WidgetClicks clicks(scene_);
+    const auto step = [&](float share, bool is_down) {
+      frame([&] { clicks.draw(row); });
+      const ImVec2 place = clicks.place(share);
+      ImGui::GetIO().MousePos = place;
+      ImGui::GetIO().MouseDown[0] = is_down;
+    };
+    step(0.1f, false);
+    step(0.1f, false);
+    step(0.1f, true);
+    step(0.5f, true);
+    step(2.0f, true);
+    step(2.0f, true);
+    step(2.0f, false);
+    step(2.0f, false);
+    step(2.0f, false);
+    EXPECT_EQ(clicks.last_edit(), Edit::done) << key;
+    EXPECT_EQ(clicks.fault(), "");
+    EXPECT_NEAR(std::stod(scene::value_text(scene_, row)), row.high, 1e-3 * row.high) << key;
+  }
+}
+
+// Fails if a value that has no default cannot be set and taken away again.
+TEST_F(PanelsTest, OptionalValuesComeAndGo) {
+  const scene::Parameter& row = *scene::find_parameter("ocean.depth_m");
+  WidgetClicks clicks(scene_);
+  const auto click = [&] {
+    for (const bool is_down : {false, true, false, false}) {
+      ImGui::GetIO().MousePos = ImVec2(16.0f, 38.0f);
+      ImGui::GetIO().MouseDown[0] = is_down;
+      frame([&] { clicks.draw(row); });
+    }
+  };
+  click();
+  EXPECT_TRUE(scene_.depth_m.has_value());
+  EXPECT_EQ(clicks.last_edit(), Edit::done);
+  click();
+  EXPECT_FALSE(scene_.depth_m.has_value());
+}
+
+// Fails if the panels as a whole cannot be drawn, whatever is shown, or edit a sea that nobody touched.
+TEST_F(PanelsTest, AllPanelsDraw) {
+  StageTimes times;
+  const ocl::DeviceInfo device = ocl::select_device();
+  ViewState state{.scene = {}, .camera = FreeCamera(Camera{}), .clock = SceneClock(0.0, 0.04)};
+  state.message = "a message\nof two lines";
+  for (const bool shows_help : {false, true}) {
+    state.shows_help = shows_help;
+    for (int i = 0; i < 3; ++i) {
+      layer_->begin();
+      const PanelEdits edits = draw_panels(state, {.times = times,
+                                                   .capabilities = context_->capabilities(),
+                                                   .device = device,
+                                                   .transfer = TransferRung::mapped_pointer,
+                                                   .width_px = 640,
+                                                   .height_px = 360});
+      target_.bind();
+      layer_->end();
+      EXPECT_FALSE(edits.is_sea_changed);
+      EXPECT_FALSE(edits.is_sun_changed);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace offing::present
