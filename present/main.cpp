@@ -17,6 +17,7 @@ int run(int argc, char** argv) {
   offing::configure_log(offing::Verbosity::normal);
   if (const std::optional<present::ViewOptions> options = present::read_view_options(argc, argv)) {
     offing::configure_log(options->verbosity);
+    if (!options->sources.empty()) present::use_sources(options->sources);
     if (options->opens_window) {
       present::show_window(*options, cancel);
     } else {

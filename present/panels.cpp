@@ -2,63 +2,89 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include "host/scene/parameter_table.h"
 #include "present/key_bindings.h"
-#include "present/parameter_widget.h"
+#include "present/time_graph.h"
 
 namespace offing::present {
 namespace {
 
 using scene::ParameterGroup;
 
+constexpr float margin = 8.0f;  // between panels and the window's edge, px
+constexpr ImU32 fault_colour = IM_COL32(255, 115, 90, 255);
+
 struct GroupPanel {
   ParameterGroup group;
   const char* title;
 };
-constexpr std::array<GroupPanel, 9> group_panels{
-    {{ParameterGroup::wind, "Wind"},
-     {ParameterGroup::sea, "Spectrum"},
-     {ParameterGroup::grid, "Waves: choppiness, cascades, Gerstner"},
-     {ParameterGroup::foam, "Foam"},
-     {ParameterGroup::sun, "Sun"},
-     {ParameterGroup::camera, "Camera"},
-     {ParameterGroup::render, "Picture"},
-     {ParameterGroup::world, "World"},
-     {ParameterGroup::time, "Scene time"}}};
+constexpr std::array<GroupPanel, 9> group_panels{{{ParameterGroup::wind, "Wind"},
+                                                  {ParameterGroup::sea, "Spectrum"},
+                                                  {ParameterGroup::grid, "Cascades and Gerstner waves"},
+                                                  {ParameterGroup::foam, "Foam"},
+                                                  {ParameterGroup::sun, "Sun"},
+                                                  {ParameterGroup::camera, "Camera"},
+                                                  {ParameterGroup::render, "Picture"},
+                                                  {ParameterGroup::world, "World"},
+                                                  {ParameterGroup::time, "Time of the scene"}}};
 
 /// Whether simulations depend on these values.
 bool is_of_sea(ParameterGroup group) {
   return group != ParameterGroup::sun && group != ParameterGroup::camera && group != ParameterGroup::render;
 }
 
+std::string_view section_of(const scene::Parameter& row) {
+  return row.key.substr(0, row.key.rfind('.'));
+}
+
+/// The group's rows by section, otherwise in the table's order.
+std::vector<const scene::Parameter*> rows_of(ParameterGroup group) {
+  std::vector<const scene::Parameter*> rows;
+  for (const scene::Parameter& row : scene::parameter_table()) {
+    if (row.group == group) rows.push_back(&row);
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto* a, const auto* b) { return section_of(*a) < section_of(*b); });
+  return rows;
+}
+
 void draw_group(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
   if (!ImGui::CollapsingHeader(panel.title)) return;
-  ImGui::PushItemWidth(ImGui::GetFontSize() * 11.0f);
-  for (const scene::Parameter& row : scene::parameter_table()) {
-    if (row.group != panel.group) continue;
-    std::string fault;
-    const Edit edit = parameter_widget(state.scene, row, fault);
-    if (!fault.empty()) state.message = fault;
+  ImGui::PushItemWidth(11.0f * ImGui::GetFontSize());
+  std::string_view section;
+  for (const scene::Parameter* row : rows_of(panel.group)) {
+    if (section_of(*row) != section) {
+      section = section_of(*row);
+      ImGui::TextDisabled("[%s]", std::string(section).c_str());
+    }
+    const Edit edit = parameter_widget(state.scene, *row, state.edit);
+    if (edit == Edit::refused) state.message = {.text = state.edit.fault, .is_fault = true};
     // A sea is made when a slider is let go: it takes a moment.
     if (is_of_sea(panel.group)) edits.is_sea_changed |= edit == Edit::done;
     if (panel.group == ParameterGroup::sun) edits.is_sun_changed |= edit != Edit::none;
   }
+  if (panel.group == ParameterGroup::camera) {
+    ImGui::TextDisabled("flies at %.3g m/s", state.camera.speed_mps());
+  }
   ImGui::PopItemWidth();
 }
 
-void draw_time(ViewState& state) {
-  if (ImGui::Button(state.clock.is_paused() ? "run" : "pause")) state.clock.toggle_pause();
+void draw_clock(ViewState& state) {
+  const double frame_s = 1.0 / state.scene.frames_per_second;
+  if (ImGui::Button(state.clock.is_paused() ? "run##clock" : "pause##clock")) state.clock.toggle_pause();
   ImGui::SameLine();
-  if (ImGui::Button("<")) state.clock.step(-1);
+  if (ImGui::ArrowButton("step back", ImGuiDir_Left)) state.clock.step(-frame_s);
   ImGui::SameLine();
-  if (ImGui::Button(">")) state.clock.step(1);
+  if (ImGui::ArrowButton("step forward", ImGuiDir_Right)) state.clock.step(frame_s);
   ImGui::SameLine();
-  ImGui::Text("%.2f s", state.clock.time_s());
+  ImGui::Text("%.3f s", state.clock.time_s());
   float scale = static_cast<float>(state.clock.scale());
   if (ImGui::SliderFloat("time scale", &scale, 1.0f / 64.0f, 64.0f, "%.3g", ImGuiSliderFlags_Logarithmic)) {
     state.clock.set_scale(scale);
@@ -66,6 +92,7 @@ void draw_time(ViewState& state) {
 }
 
 void draw_view(ViewState& state) {
+  if (!ImGui::CollapsingHeader("View")) return;
   if (ImGui::BeginCombo("show", std::string(to_string(state.debug)).c_str())) {
     for (const DebugView view : all_debug_views) {
       if (ImGui::Selectable(std::string(to_string(view)).c_str(), view == state.debug)) state.debug = view;
@@ -75,31 +102,68 @@ void draw_view(ViewState& state) {
   bool is_wireframe = state.fill == Fill::wireframe;
   if (ImGui::Checkbox("wireframe", &is_wireframe)) state.fill = is_wireframe ? Fill::wireframe : Fill::solid;
   ImGui::SliderFloat("render scale", &state.render_scale, 0.1f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
-  ImGui::SliderFloat("limit, frames/s", &state.frame_limit_hz, 0.0f, 240.0f, "%.0f",
-                     ImGuiSliderFlags_AlwaysClamp);
+  ImGui::SliderFloat("most frames/s", &state.frame_limit_hz, 0.0f, 240.0f,
+                     state.frame_limit_hz > 0.0f ? "%.0f" : "no limit", ImGuiSliderFlags_AlwaysClamp);
 }
 
-void draw_times(const ViewFacts& facts) {
+void draw_file(ViewState& state, PanelEdits& edits) {
+  if (!ImGui::CollapsingHeader("Scene file")) return;
+  ImGui::InputText("name", &state.save_name);
+  edits.wants_save = ImGui::Button("save scene as");
+  ImGui::SameLine();
+  bool is_overwriting = state.overwriting == scene::Existing::replace;
+  ImGui::Checkbox("overwrite", &is_overwriting);
+  state.overwriting = is_overwriting ? scene::Existing::replace : scene::Existing::keep;
+  edits.wants_original = ImGui::Button("undo all edits");
+}
+
+void draw_times(ViewState& state, const ViewFacts& facts) {
+  if (!ImGui::CollapsingHeader("Frame times")) return;
   ImGui::Text("%.1f frames/s, %d x %d", facts.times.frames_per_second(), facts.width_px, facts.height_px);
-  ImGui::TextDisabled("OpenGL: %s", facts.capabilities.renderer.c_str());
+  const auto choice = [&](const char* label, TimeSource source) {
+    if (ImGui::RadioButton(label, state.shown_times == source)) state.shown_times = source;
+  };
+  choice("CPU's clock", TimeSource::cpu);
+  ImGui::SameLine();
+  choice("device's clock", TimeSource::device);
+  draw_time_graph(facts.times, state.shown_times);
+  ImGui::PushTextWrapPos();
+  ImGui::TextDisabled("OpenGL %d.%d: %s", facts.capabilities.major, facts.capabilities.minor,
+                      facts.capabilities.renderer.c_str());
   ImGui::TextDisabled("OpenCL: %s", facts.device.name.c_str());
   ImGui::TextDisabled("transfer: %s", std::string(to_string(facts.transfer)).c_str());
-  ImGui::TextDisabled("ms: CPU and, in brackets, the device's own clock");
-  for (std::size_t i = 0; i < stage_count; ++i) {
-    const auto stage = static_cast<Stage>(i);
-    const auto& history = facts.times.cpu_ms(stage);
-    const std::string text = fmt::format("{} {:.1f} [{:.1f}]", to_string(stage),
-                                         facts.times.mean_cpu_ms(stage), facts.times.mean_device_ms(stage));
-    ImGui::PlotLines(fmt::format("##{}", to_string(stage)).c_str(), history.data(),
-                     static_cast<int>(history.size()), 0, text.c_str(), 0.0f,
-                     std::max(1.0f, *std::max_element(history.begin(), history.end())),
-                     ImVec2(ImGui::GetFontSize() * 16.0f, ImGui::GetFontSize() * 2.2f));
-  }
+  ImGui::PopTextWrapPos();
+}
+
+void draw_main_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits) {
+  // What flies is what the camera's panel edits.
+  state.scene.view.camera = state.camera.camera();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float width = 27.0f * ImGui::GetFontSize();
+  ImGui::SetNextWindowPos(ImVec2(margin, margin), ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize(ImVec2(width, 0.0f));  // as high as what is open, up to the window's height
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 40.0f),
+                                      ImVec2(width, std::max(80.0f, screen.y - 2.0f * margin)));
+  ImGui::Begin("Offing", nullptr, ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoResize);
+  ImGui::PushItemWidth(11.0f * ImGui::GetFontSize());
+  draw_clock(state);
+  draw_view(state);
+  for (const GroupPanel& panel : group_panels) draw_group(panel, state, edits);
+  draw_file(state, edits);
+  draw_times(state, facts);
+  ImGui::PopItemWidth();
+  ImGui::TextDisabled("H: keys; Tab: without panels");
+  ImGui::End();
+  state.camera.camera() = state.scene.view.camera;
 }
 
 void draw_help() {
-  ImGui::Begin("Keys", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
-  if (ImGui::BeginTable("keys", 2)) {
+  ImGui::SetNextWindowPos(ImVec2(ImGui::GetIO().DisplaySize.x - margin, margin), ImGuiCond_FirstUseEver,
+                          ImVec2(1.0f, 0.0f));
+  ImGui::Begin(
+      "Keys", nullptr,
+      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing);
+  if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
     const auto row = [](const char* name, const char* help) {
       ImGui::TableNextColumn();
       ImGui::TextUnformatted(name);
@@ -108,45 +172,41 @@ void draw_help() {
     };
     for (const CameraControl& control : camera_controls()) row(control.name, control.help);
     for (const KeyBinding& binding : key_bindings()) row(binding.name, binding.help);
+    row("Ctrl click", "on a slider: type its value");
     ImGui::EndTable();
   }
   ImGui::End();
 }
 
-void draw_message(std::string& message) {
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(0.0f, size.y), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
-  ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(size.x, 0.5f * size.y));
+void draw_message(Message& message) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(0.0f, screen.y), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(screen.x, 0.5f * screen.y));
   ImGui::Begin("Message", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav);
-  ImGui::PushTextWrapPos(size.x - 20.0f);
-  ImGui::TextUnformatted(message.c_str());
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  const bool is_dismissed = ImGui::SmallButton("dismiss");
+  ImGui::PushTextWrapPos(screen.x - 2.0f * ImGui::GetFontSize());
+  ImGui::PushStyleColor(ImGuiCol_Text, message.is_fault ? fault_colour : ImGui::GetColorU32(ImGuiCol_Text));
+  ImGui::TextUnformatted(message.text.c_str());
+  ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
-  if (ImGui::SmallButton("dismiss")) message.clear();
   ImGui::End();
+  if (is_dismissed) message = {};
 }
 
 }  // namespace
 
+Message fault_message(const Error& error) {
+  return {.text = fmt::format("{}{}{}", error.what(), error.hint().empty() ? "" : "\n", error.hint()),
+          .is_fault = true};
+}
+
 PanelEdits draw_panels(ViewState& state, const ViewFacts& facts) {
   PanelEdits edits;
-  if (state.shows_panels) {
-    state.scene.view.camera = state.camera.camera();
-    ImGui::SetNextWindowPos(ImVec2(8.0f, 8.0f), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(ImGui::GetFontSize() * 24.0f, 0.0f), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSizeConstraints(
-        ImVec2(100.0f, 40.0f), ImVec2(10000.0f, std::max(80.0f, ImGui::GetIO().DisplaySize.y - 16.0f)));
-    ImGui::Begin("Offing");
-    draw_time(state);
-    if (ImGui::CollapsingHeader("View")) draw_view(state);
-    for (const GroupPanel& panel : group_panels) draw_group(panel, state, edits);
-    if (ImGui::CollapsingHeader("Frame times")) draw_times(facts);
-    ImGui::TextDisabled("H help, Tab panels");
-    ImGui::End();
-    state.camera.camera() = state.scene.view.camera;
-  }
+  if (state.shows_panels) draw_main_panel(state, facts, edits);
   if (state.shows_help) draw_help();
-  if (!state.message.empty()) draw_message(state.message);
+  if (!state.message.text.empty()) draw_message(state.message);
   return edits;
 }
 

@@ -2,16 +2,27 @@
 
 #include <string>
 
+#include "host/base/error.h"
 #include "host/ocl/device.h"
 #include "host/scene/ocean_scene.h"
+#include "host/scene/scene_writer.h"
 #include "present/free_camera.h"
 #include "present/gl_context.h"
+#include "present/parameter_widget.h"
 #include "present/scene_clock.h"
 #include "present/stage_times.h"
 #include "present/transfer.h"
 #include "present/water_pass.h"
 
 namespace offing::present {
+
+/// The last fault or news.
+struct Message {
+  std::string text = {};
+  bool is_fault = false;
+};
+/// The error's line, with the compiler's words if there were any, and its mend.
+Message fault_message(const Error& error);
 
 /// Everything that keys and panels change, and the window shows.
 struct ViewState {
@@ -24,7 +35,11 @@ struct ViewState {
   float render_scale = 1.0f;     ///< pixels that are drawn a pixel of the window, along a side
   bool shows_panels = true;
   bool shows_help = false;
-  std::string message = {};  ///< last fault or news, with the compiler's words if there were any
+  TimeSource shown_times = TimeSource::cpu;
+  std::string save_name = {};  ///< file that the edited scene is to be saved as
+  scene::Existing overwriting = scene::Existing::keep;
+  EditInProgress edit = {};
+  Message message = {};
 };
 
 /// What the panels only show.
@@ -36,10 +51,12 @@ struct ViewFacts {
   int width_px, height_px;  ///< of the picture that is drawn
 };
 
-/// What the user changed in one frame.
+/// What the user asked for in one frame, and panels cannot do by themselves.
 struct PanelEdits {
   bool is_sea_changed = false;  ///< the world is to be made anew
   bool is_sun_changed = false;
+  bool wants_save = false;
+  bool wants_original = false;  ///< the scene as it was when the window opened
 };
 
 /// Draws all panels between PanelLayer::begin() and end().

@@ -1,10 +1,8 @@
 #include "present/parameter_widget.h"
 
 #include <cstdint>
-#include <cstdlib>
-#include <limits>
+#include <optional>
 #include <sstream>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -21,98 +19,86 @@ using scene::OceanScene;
 using scene::Parameter;
 using scene::WrittenValue;
 
-/// Through the table's own checks, as a scene file's values go.
-bool try_store(OceanScene& scene, const Parameter& row, const WrittenValue& written, std::string& fault) {
-  try {
-    scene::store(scene, row, written, {.subject = std::string(row.key), .assignment = ""});
-    fault.clear();
-    return true;
-  } catch (const Error& error) {
-    fault = error.what();
-    return false;
-  }
-}
-
-Edit edit_state(bool is_changed) {
-  if (ImGui::IsItemDeactivatedAfterEdit()) return Edit::done;
-  return is_changed ? Edit::going_on : Edit::none;
+/// "%.5g m/s", as ImGui formats a value.
+std::string format_of(const Parameter& row) {
+  return row.unit.empty() ? "%.5g" : fmt::format("%.5g {}", row.unit);
 }
 
 /// A slider where the range is short, on a logarithmic scale where it spans decades, a field to drag where it
-/// is both long and signed.
+/// is both long and signed. Numbers that are typed are checked by the table.
 bool number_slider(const char* label, const Parameter& row, double& value) {
-  constexpr ImGuiSliderFlags clamp = ImGuiSliderFlags_AlwaysClamp;
   constexpr double long_range = 1e5, decades = 1e3;
+  constexpr float drag_speed = 0.5f;  // units a pixel
+  const std::string format = format_of(row);
   const bool is_logarithmic = row.low > 0.0 && row.high / row.low >= decades;
   if (!is_logarithmic && row.high - row.low > long_range) {
-    return ImGui::DragScalar(label, ImGuiDataType_Double, &value, 0.5f, &row.low, &row.high, "%.6g", clamp);
+    return ImGui::DragScalar(label, ImGuiDataType_Double, &value, drag_speed, &row.low, &row.high,
+                             format.c_str());
   }
-  const ImGuiSliderFlags flags = clamp | (is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-  return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &row.low, &row.high, "%.5g", flags);
+  return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &row.low, &row.high, format.c_str(),
+                             is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
 }
 
+/// One kind of widget for each alternative of scene::Storage.
 class Widget {
  public:
-  Widget(OceanScene& scene, const Parameter& row, std::string& fault)
-      : scene_(scene), row_(row), fault_(fault), label_(label_of(row)) {}
+  Widget(OceanScene& scene, const Parameter& row, EditInProgress& edit)
+      : scene_(scene), row_(row), edit_(edit), label_(parameter_label(row)) {}
 
   Edit operator()(double& (*at)(OceanScene&)) { return number(at(scene_)); }
 
   Edit operator()(std::optional<double>& (*at)(OceanScene&)) {
-    bool is_set = at(scene_).has_value();
-    const bool was_set = is_set;
+    const bool was_set = at(scene_).has_value();
+    bool is_set = was_set;
     ImGui::Checkbox(fmt::format("##set {}", row_.key).c_str(), &is_set);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("without: %s", std::string(row_.absent).c_str());
     ImGui::SameLine();
     if (is_set && !was_set) {
-      try_store(scene_, row_, scene::read_flag_value(row_, row_.example), fault_);
-      return Edit::done;
+      return is_taken(scene::read_flag_value(row_, row_.example)) ? Edit::done : Edit::refused;
     }
-    if (!is_set) {
-      at(scene_).reset();
-      ImGui::TextDisabled("%s: %s", label_.c_str(), std::string(row_.absent).c_str());
-      return was_set ? Edit::done : Edit::none;
-    }
-    return number(*at(scene_));
+    if (is_set) return number(*at(scene_));
+    at(scene_).reset();
+    ImGui::TextDisabled("%s", std::string(name_of(row_)).c_str());
+    return was_set ? Edit::done : Edit::none;
   }
 
   Edit operator()(int& (*at)(OceanScene&)) {
-    return row_.rule == scene::ParameterRule::power_of_two ? power_of_two(at(scene_)) : whole(at(scene_));
+    if (row_.rule == scene::ParameterRule::power_of_two) return power_of_two(at(scene_));
+    constexpr float drag_speed = 0.1f;
+    int value = at(scene_);
+    const bool is_changed = ImGui::DragInt(label_.c_str(), &value, drag_speed, static_cast<int>(row_.low),
+                                           static_cast<int>(row_.high));
+    return stored(is_changed, {.value = std::int64_t{value}, .shown = fmt::format("{}", value)});
   }
 
   Edit operator()(std::uint64_t& (*at)(OceanScene&)) {
-    constexpr std::uint64_t step = 1;
     std::uint64_t value = at(scene_);
-    const bool is_changed = ImGui::InputScalar(label_.c_str(), ImGuiDataType_U64, &value, &step);
-    if (is_changed && value <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
-      at(scene_) = value;
-      return Edit::done;
-    }
-    return Edit::none;
+    const bool is_changed = ImGui::InputScalar(label_.c_str(), ImGuiDataType_U64, &value);
+    return stored(is_changed, scene::read_flag_value(row_, fmt::format("{}", value)));
   }
 
   Edit operator()(std::string& (*at)(OceanScene&)) {
     std::string text = at(scene_);
-    if (!ImGui::InputText(label_.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue)) return Edit::none;
+    if (!is_entered(text)) return Edit::none;
     if (text.empty()) {
       at(scene_).clear();
       return Edit::done;
     }
-    return try_store(scene_, row_, {.value = text, .shown = text}, fault_) ? Edit::done : Edit::none;
+    return is_taken({.value = text, .shown = text}) ? Edit::done : Edit::refused;
   }
 
   /// Numbers between commas; nothing for the default.
   Edit operator()(std::vector<double>& (*at)(OceanScene&)) {
     std::string text = at(scene_).empty() ? "" : scene::value_text(scene_, row_);
-    if (!ImGui::InputText(label_.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue)) return Edit::none;
+    if (!is_entered(text)) return Edit::none;
     const std::vector<double> before = at(scene_);
     at(scene_).clear();
     std::istringstream parts(text);
     for (std::string part; std::getline(parts, part, ',');) {
       part.erase(0, part.find_first_not_of(' '));
-      if (try_store(scene_, row_, scene::read_flag_value(row_, part), fault_)) continue;
+      if (is_taken(scene::read_flag_value(row_, part))) continue;
       at(scene_) = before;
-      return Edit::none;
+      return Edit::refused;
     }
     return Edit::done;
   }
@@ -131,31 +117,51 @@ class Widget {
     return edit;
   }
 
+  static std::string_view name_of(const Parameter& row) { return row.key.substr(row.key.rfind('.') + 1); }
+
  private:
-  static std::string label_of(const Parameter& row) {
-    const std::string name(row.key.substr(row.key.rfind('.') + 1));
-    return fmt::format("{}##{}", name, row.key);
+  /// Through the table's own checks, as a scene file's values go.
+  bool is_taken(const WrittenValue& written) {
+    try {
+      scene::store(scene_, row_, written, {.subject = std::string(row_.key), .assignment = ""});
+      edit_.fault.clear();
+      return true;
+    } catch (const Error& error) {
+      edit_.fault = error.what();
+      return false;
+    }
   }
 
-  Edit number(double& stored) {
-    double value = stored / row_.scale;
+  Edit number(double& at) {
+    double value = at / row_.scale;
     const bool is_changed = number_slider(label_.c_str(), row_, value);
-    if (is_changed) stored = value * row_.scale;
-    return edit_state(is_changed);
+    return stored(is_changed, {.value = value, .shown = fmt::format("{:g}", value)});
   }
 
-  Edit whole(int& stored) {
-    const bool is_changed = ImGui::DragInt(label_.c_str(), &stored, 0.1f, static_cast<int>(row_.low),
-                                           static_cast<int>(row_.high), "%d", ImGuiSliderFlags_AlwaysClamp);
-    return edit_state(is_changed);
-  }
-
-  Edit power_of_two(int& stored) {
+  /// Stores the value of the last item, if it changed.
+  Edit stored(bool is_changed, const WrittenValue& value) {
+    if (ImGui::IsItemActivated()) {
+      edit_.before = scene_;
+      edit_.fault.clear();
+    }
     Edit edit = Edit::none;
-    if (!ImGui::BeginCombo(label_.c_str(), fmt::format("{}", stored).c_str())) return edit;
+    if (is_changed) edit = is_taken(value) ? Edit::going_on : Edit::refused;
+    if (!ImGui::IsItemDeactivatedAfterEdit()) return edit;
+    if (edit_.fault.empty()) return Edit::done;
+    scene_ = edit_.before;
+    return Edit::refused;
+  }
+
+  bool is_entered(std::string& text) {
+    return ImGui::InputText(label_.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  }
+
+  Edit power_of_two(int& at) {
+    Edit edit = Edit::none;
+    if (!ImGui::BeginCombo(label_.c_str(), fmt::format("{}", at).c_str())) return edit;
     for (int value = static_cast<int>(row_.low); value <= static_cast<int>(row_.high); value *= 2) {
-      if (ImGui::Selectable(fmt::format("{}", value).c_str(), value == stored)) {
-        stored = value;
+      if (ImGui::Selectable(fmt::format("{}", value).c_str(), value == at)) {
+        at = value;
         edit = Edit::done;
       }
     }
@@ -165,19 +171,31 @@ class Widget {
 
   OceanScene& scene_;
   const Parameter& row_;
-  std::string& fault_;
+  EditInProgress& edit_;
   std::string label_;
 };
 
+/// Whether text is typed and taken with Enter.
+bool is_text(const Parameter& row) {
+  return std::holds_alternative<std::string& (*)(OceanScene&)>(row.storage) ||
+         std::holds_alternative<std::vector<double>& (*)(OceanScene&)>(row.storage);
+}
+
 }  // namespace
 
-Edit parameter_widget(OceanScene& scene, const Parameter& row, std::string& fault) {
-  const Edit edit = std::visit(Widget(scene, row, fault), row.storage);
-  if (ImGui::IsItemHovered() && !row.help.empty()) {
-    ImGui::SetTooltip("%s%s%s", std::string(row.help).c_str(), row.unit.empty() ? "" : ", in ",
-                      std::string(row.unit).c_str());
+std::string parameter_label(const Parameter& row) {
+  return fmt::format("{}##{}", Widget::name_of(row), row.key);
+}
+
+Edit parameter_widget(OceanScene& scene, const Parameter& row, EditInProgress& edit) {
+  const Edit state = std::visit(Widget(scene, row, edit), row.storage);
+  if (ImGui::IsItemHovered()) {
+    std::string text(row.help);
+    if (!row.absent.empty()) text += fmt::format("\nwithout: {}", row.absent);
+    if (is_text(row)) text += "\nEnter takes what is typed";
+    ImGui::SetTooltip("%s", text.c_str());
   }
-  return edit;
+  return state;
 }
 
 }  // namespace offing::present

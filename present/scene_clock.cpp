@@ -14,9 +14,9 @@ void SceneClock::set_scale(double scale) {
   scale_ = std::clamp(scale, slowest, fastest);
 }
 
-void SceneClock::step(int frames) {
+void SceneClock::step(double seconds) {
   is_paused_ = true;
-  time_s_ += frames * step_s_;
+  time_s_ += seconds;
 }
 
 }  // namespace offing::present

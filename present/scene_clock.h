@@ -5,7 +5,7 @@ namespace offing::present {
 /// The time that a window shows: it runs with the wall clock, faster, slower or not at all.
 class SceneClock {
  public:
-  SceneClock(double start_s, double step_s) : time_s_(start_s), step_s_(step_s) {}
+  explicit SceneClock(double start_s) : time_s_(start_s) {}
 
   double time_s() const { return time_s_; }
   double scale() const { return scale_; }
@@ -18,12 +18,11 @@ class SceneClock {
   /// Scene seconds a second, 1/64 ... 64.
   void set_scale(double scale);
   void toggle_pause() { is_paused_ = !is_paused_; }
-  /// Pauses, and goes so many frames of the scene forward or back.
-  void step(int frames);
+  /// Pauses, and goes forward or back.
+  void step(double seconds);
 
  private:
   double time_s_;
-  double step_s_;
   double scale_ = 1.0;
   bool is_paused_ = false;
 };

@@ -14,6 +14,10 @@ enum class Stage { simulate, transfer, sky, water, tone, panels };
 inline constexpr std::size_t stage_count = 6;
 std::string_view to_string(Stage stage);
 
+/// Who measures a stage: the CPU's clock, or that of the device that works: OpenCL's events, OpenGL's
+/// queries.
+enum class TimeSource { cpu, device };
+
 /// Milliseconds of each stage, over the last frames.
 class StageTimes {
  public:
@@ -42,11 +46,12 @@ class StageTimes {
   /// Time that a device measured itself: OpenCL's events.
   void add_device_ms(Stage stage, double milliseconds) { added_ms_[index(stage)] += milliseconds; }
 
-  /// Milliseconds of a stage on the CPU, the oldest frame first.
-  const std::array<float, history_length>& cpu_ms(Stage stage) const { return cpu_ms_[index(stage)]; }
-  /// Means of the last 30 frames: on the CPU, and by the clocks of OpenGL and OpenCL.
-  double mean_cpu_ms(Stage stage) const { return mean_of(cpu_ms(stage)); }
-  double mean_device_ms(Stage stage) const { return mean_of(device_ms_[index(stage)]); }
+  /// Milliseconds of a stage, the oldest frame first.
+  const std::array<float, history_length>& history_ms(Stage stage, TimeSource source) const {
+    return (source == TimeSource::cpu ? cpu_ms_ : device_ms_)[index(stage)];
+  }
+  /// Mean of the last 30 frames.
+  double mean_ms(Stage stage, TimeSource source) const { return mean_of(history_ms(stage, source)); }
   double frames_per_second() const;
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -17,6 +18,8 @@
 namespace offing::present {
 namespace {
 
+constexpr const char *kernel_folder = "kernels", *shader_folder = "present/shaders";
+
 constexpr const char* footer = R"(
 Examples:
   offing-view scenes/storm.toml --headless --size 1920x1080 --time 12.5 -o storm.png
@@ -26,7 +29,7 @@ Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device or disp
 
 // The command line as it was written.
 struct Written {
-  std::string scene, size, detail, output, record, frames, transfer, device;
+  std::string scene, size, detail, output, record, frames, transfer, device, sources;
   std::optional<double> time_s, frames_per_second;
   bool is_headless = false;
   bool is_window = false;
@@ -44,7 +47,8 @@ void add_options(CLI::App& app, Written& written) {
   app.add_flag("--headless", written.is_headless, "no window: write a picture (-o)")->group(pictures);
   app.add_flag("--window", written.is_window, "a window although pictures are recorded")->group(pictures);
   app.add_option("--size", written.size,
-                 "of the picture (default 1280x720; of a window where the CPU draws, 640x360)")
+                 "of the picture or the window (default 1280x720; where the CPU draws, a window shows a "
+                 "smaller picture enlarged, unless this is given)")
       ->type_name("WxH")
       ->group(pictures);
   app.add_option("--detail", written.detail,
@@ -80,6 +84,11 @@ void add_options(CLI::App& app, Written& written) {
                  "(default the best one)")
       ->type_name("RUNG")
       ->group(general);
+  app.add_option("--sources", written.sources,
+                 "a checkout of Offing: its kernels and shaders are used, and read again with F5 (default "
+                 "those built in)")
+      ->type_name("FOLDER")
+      ->group(general);
   CLI::Option* quiet = app.add_flag("--quiet", written.is_quiet, "errors only, no progress");
   quiet->group(general);
   app.add_flag("--verbose", written.is_verbose, "more about what is done")->group(general)->excludes(quiet);
@@ -105,6 +114,17 @@ Recording read_recording(const Written& written, const scene::OceanScene& scene)
           .frames_per_second = fps};
 }
 
+void require_sources(const std::filesystem::path& folder) {
+  if (std::filesystem::is_directory(folder / kernel_folder) &&
+      std::filesystem::is_directory(folder / shader_folder)) {
+    return;
+  }
+  throw Error(ErrorKind::bad_usage,
+              fmt::format("--sources: expected a folder with {} and {}, got {}", kernel_folder, shader_folder,
+                          folder.string()),
+              "name a checkout of Offing");
+}
+
 ViewOptions checked(const Written& written) {
   ViewOptions options;
   options.verbosity = written.is_quiet     ? Verbosity::quiet
@@ -123,6 +143,8 @@ ViewOptions checked(const Written& written) {
   if (!written.record.empty()) options.recording = read_recording(written, options.scene);
   if (!written.transfer.empty()) options.transfer = transfer_rung(written.transfer);
   options.device = written.device;
+  options.sources = written.sources;
+  if (!written.sources.empty()) require_sources(options.sources);
   const bool makes_pictures = options.recording || !options.output.empty();
   options.opens_window = written.is_window || (!written.is_headless && !makes_pictures);
   if (!options.opens_window && !makes_pictures) {
@@ -133,6 +155,11 @@ ViewOptions checked(const Written& written) {
 }
 
 }  // namespace
+
+void use_sources(const std::filesystem::path& folder) {
+  setenv("OFFING_KERNEL_PATH", (folder / kernel_folder).c_str(), 1);
+  setenv("OFFING_SHADER_PATH", (folder / shader_folder).c_str(), 1);
+}
 
 PictureSize read_size(std::string_view flag, std::string_view text) {
   constexpr int largest = 16384;

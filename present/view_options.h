@@ -47,8 +47,14 @@ struct ViewOptions {
   std::optional<Recording> recording;
   std::optional<TransferRung> transfer;
   std::string device;  ///< selector of ocl::select_device
+  /// Checkout whose kernels and shaders are read instead of those built in; empty: none.
+  std::filesystem::path sources;
   Verbosity verbosity = Verbosity::normal;
 };
+
+/// From here on kernels and shaders are read from a checkout, as with OFFING_KERNEL_PATH and
+/// OFFING_SHADER_PATH.
+void use_sources(const std::filesystem::path& checkout);
 
 /// Reads the command line; nothing if it asked for help or version, which are printed. Throws
 /// Error(bad_usage) or what reading the scene throws.

@@ -1,12 +1,68 @@
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <optional>
+
 #include "host/base/cancel_token.h"
+#include "present/frame_limiter.h"
+#include "present/gl_context.h"
+#include "present/live_sea.h"
+#include "present/panel_layer.h"
+#include "present/panels.h"
 #include "present/view_options.h"
+#include "present/window_input.h"
 
 namespace offing::present {
 
+/// The window: keys and mouse to what they do, panels, and the sea behind them.
+class Viewer {
+ public:
+  /// Opens a window on the scene of the options. Throws Error(no_device) where no window can be had.
+  explicit Viewer(const ViewOptions& options);
+
+  /// Input, time, picture, panels: one frame. False once the window is to be closed, or the last frame of a
+  /// recording is written.
+  bool turn();
+
+  const ViewState& state() const { return state_; }
+  LiveSea& sea() { return sea_; }
+  GLFWwindow* window() const { return context_.window_handle(); }
+
+ private:
+  void act(ViewAction action);
+  void take_screenshot();
+  void toggle_fullscreen();
+  bool show();
+  void draw_sea(int width, int height);
+  void copy_to_window(int width, int height);
+  void draw_panels();
+  void apply(const PanelEdits& edits);
+  void make_sea();
+  void save_scene();
+  void record_frame();
+  /// Does something; the message says what came of it, or the fault.
+  void report(const std::function<std::string()>& work);
+
+  ViewOptions options_;
+  GlContext context_;
+  LiveSea sea_;
+  ViewState state_;
+  scene::OceanScene good_scene_;  // of sea_
+  WindowInput input_;
+  PanelLayer panels_;
+  FrameLimiter limiter_;
+  double last_turn_s_;
+  int recorded_ = 0;
+  bool is_quitting_ = false;
+  struct Place {
+    int x = 0, y = 0, width = 0, height = 0;
+  };
+  Place windowed_;  // before full screen
+};
+
 /// Shows the scene of the options in a window until it is closed, Esc is pressed or the token is cancelled;
-/// with a recording, until its last frame is written. Throws Error(no_device) where no window can be had.
+/// with a recording, until its last frame is written. Throws what Viewer throws.
 void show_window(const ViewOptions& options, const CancelToken& cancel);
 
 }  // namespace offing::present

@@ -58,8 +58,8 @@ void bind_texture(int unit, GLuint texture) {
 
 std::string_view to_string(DebugView view) {
   constexpr std::array<std::string_view, all_debug_views.size()> names{
-      "none",      "height",    "slope",     "jacobian",  "foam",
-      "footprint", "cascade 0", "cascade 1", "cascade 2", "cascade 3"};
+      "none", "height",    "slope",     "jacobian",  "foam",     "footprint",
+      "grid", "cascade 0", "cascade 1", "cascade 2", "cascade 3"};
   return names[static_cast<std::size_t>(view)];
 }
 

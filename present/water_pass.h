@@ -30,6 +30,7 @@ enum class DebugView {
   jacobian,
   foam,
   footprint,
+  grid,
   cascade_0,
   cascade_1,
   cascade_2,
@@ -37,8 +38,8 @@ enum class DebugView {
 };
 inline constexpr std::array all_debug_views{DebugView::none,      DebugView::height,    DebugView::slope,
                                             DebugView::jacobian,  DebugView::foam,      DebugView::footprint,
-                                            DebugView::cascade_0, DebugView::cascade_1, DebugView::cascade_2,
-                                            DebugView::cascade_3};
+                                            DebugView::grid,      DebugView::cascade_0, DebugView::cascade_1,
+                                            DebugView::cascade_2, DebugView::cascade_3};
 std::string_view to_string(DebugView view);
 
 /// What to draw: the world as this camera sees it.

@@ -16,6 +16,7 @@ out vec2 label_m;          // relative to the eye
 out vec3 position_m;       // relative to the eye
 out vec2 trochoid_slope;   // dh/dx, dh/dz at labels
 out vec3 trochoid_gradient;  // d dx/dx, d dx/dz, d dz/dz
+out vec2 grid_place;         // column and row
 
 // Rows lie closer toward the horizon, where waves hide one another.
 float row_place(float row) {
@@ -63,6 +64,7 @@ void main() {
   moved_m.y += ring_waves(label, spacing_m).x;
 
   label_m = label;
+  grid_place = vec2(column, row);
   trochoid_slope = slope;
   trochoid_gradient = gradient;
   position_m = vec3(label.x, -eye_height_m, label.y) + moved_m;

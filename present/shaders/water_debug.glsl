@@ -10,15 +10,16 @@ vec3 diverging(float value) {
   return mix(vec3(0.9), value < 0.0 ? vec3(0.02, 0.1, 0.6) : vec3(0.7, 0.05, 0.02), strength);
 }
 
-vec3 debug_light(float height_m, vec2 slope, float jacobian, float foam, float footprint_m, vec2 label) {
+vec3 debug_light(float height_m, vec2 slope, float jacobian, float foam, float footprint_m, vec2 label, float parity) {
   vec3 colour = vec3(0.0);
   if (debug_view == 1) colour = diverging(height_m / debug_height_m);
   if (debug_view == 2) colour = vec3(0.5 + slope, 0.5);
   if (debug_view == 3) colour = diverging(1.0 - jacobian);
   if (debug_view == 4) colour = vec3(foam);
   if (debug_view == 5) colour = vec3(fract(log2(footprint_m)), 0.3, 0.5);
-  if (debug_view >= 6 && debug_view - 6 < cascade_count) {
-    colour = diverging(textureLod(displacement_map, map_place(debug_view - 6, label), 0.0).y / debug_height_m);
+  if (debug_view == 6) colour = mix(vec3(0.75), vec3(0.1, 0.2, 0.3), parity);
+  if (debug_view >= 7 && debug_view - 7 < cascade_count) {
+    colour = diverging(textureLod(displacement_map, map_place(debug_view - 7, label), 0.0).y / debug_height_m);
   }
   return 0.6 * debug_white * colour;
 }

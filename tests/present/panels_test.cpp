@@ -57,10 +57,8 @@ class WidgetClicks {
   explicit WidgetClicks(scene::OceanScene& scene) : scene_(scene) {}
 
   void draw(const scene::Parameter& row) {
-    std::string fault;
-    const Edit edit = parameter_widget(scene_, row, fault);
+    const Edit edit = parameter_widget(scene_, row, edit_);
     if (edit != Edit::none) last_edit_ = edit;
-    if (!fault.empty()) fault_ = fault;
     lower_ = ImGui::GetItemRectMin();
     upper_ = ImGui::GetItemRectMax();
   }
@@ -69,13 +67,13 @@ class WidgetClicks {
     return {lower_.x + share * 0.6f * (upper_.x - lower_.x), 0.5f * (lower_.y + upper_.y)};
   }
   Edit last_edit() const { return last_edit_; }
-  const std::string& fault() const { return fault_; }
+  const std::string& fault() const { return edit_.fault; }
 
  private:
   scene::OceanScene& scene_;
   ImVec2 lower_, upper_;
   Edit last_edit_ = Edit::none;
-  std::string fault_;
+  EditInProgress edit_;
 };
 
 // Fails if a widget cannot be drawn for some kind of row, or changes a scene that nobody touched.
@@ -91,9 +89,9 @@ TEST_F(PanelsTest, DrawWithoutChangingAnything) {
   for (int i = 0; i < 3; ++i) {
     frame([&] {
       for (const scene::Parameter& row : scene::parameter_table()) {
-        std::string fault;
-        EXPECT_EQ(parameter_widget(scene_, row, fault), Edit::none) << row.key;
-        EXPECT_EQ(fault, "") << row.key;
+        EditInProgress edit;
+        EXPECT_EQ(parameter_widget(scene_, row, edit), Edit::none) << row.key;
+        EXPECT_EQ(edit.fault, "") << row.key;
       }
     });
   }
@@ -150,8 +148,8 @@ TEST_F(PanelsTest, OptionalValuesComeAndGo) {
 TEST_F(PanelsTest, AllPanelsDraw) {
   StageTimes times;
   const ocl::DeviceInfo device = ocl::select_device();
-  ViewState state{.scene = {}, .camera = FreeCamera(Camera{}), .clock = SceneClock(0.0, 0.04)};
-  state.message = "a message\nof two lines";
+  ViewState state{.scene = {}, .camera = FreeCamera(Camera{}), .clock = SceneClock(0.0)};
+  state.message = {.text = "a message\nof two lines"};
   for (const bool shows_help : {false, true}) {
     state.shows_help = shows_help;
     for (int i = 0; i < 3; ++i) {
