@@ -19,9 +19,9 @@ using scene::OceanScene;
 using scene::Parameter;
 using scene::WrittenValue;
 
-/// "%.5g m/s", as ImGui formats a value.
+/// "%.6g m/s", as ImGui formats a value.
 std::string format_of(const Parameter& row) {
-  return row.unit.empty() ? "%.5g" : fmt::format("%.5g {}", row.unit);
+  return row.unit.empty() ? "%.6g" : fmt::format("%.6g {}", row.unit);
 }
 
 /// A slider where the range is short, on a logarithmic scale where it spans decades, a field to drag where it

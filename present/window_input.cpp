@@ -37,7 +37,8 @@ WindowInput::~WindowInput() {
 }
 
 void WindowInput::on_key(GLFWwindow* window, int key, int, int action, int) {
-  if (action == GLFW_RELEASE || panels_want_keys()) return;
+  // Keys that are held do not repeat: a slow frame would queue up actions.
+  if (action != GLFW_PRESS || panels_want_keys()) return;
   for (const KeyBinding& binding : key_bindings()) {
     if (binding.key == key) input_of(window).actions_.push_back(binding.action);
   }

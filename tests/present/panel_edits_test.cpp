@@ -1,0 +1,162 @@
+// Every slider and field of the parameter table in the window, with a mouse and a keyboard: what is shown
+// live is what a fresh start with the edited scene shows.
+#include <algorithm>
+#include <cstdlib>
+
+#include "host/scene/parameter_table.h"
+#include "host/scene/scene_file.h"
+#include "present/parameter_widget.h"
+#include "tests/present/window_test.h"
+
+namespace offing::test {
+namespace {
+
+using present::parameter_label;
+using scene::OceanScene;
+using scene::Parameter;
+using scene::ParameterGroup;
+
+struct Panel {
+  ParameterGroup group;
+  const char* title;
+};
+
+class PanelEditsTest : public WindowTest, public testing::WithParamInterface<Panel> {
+ protected:
+  std::string value_of(const Parameter& row) const {
+    return scene::value_text(state().scene, row, scene::Digits::exact);
+  }
+
+  void edit(const Parameter& row) {
+    const std::string before = value_of(row);
+    std::visit([&](auto storage) { change(row, storage); }, row.storage);
+    EXPECT_NE(value_of(row), before) << row.key << ": " << message();
+    EXPECT_EQ(message(), "") << row.key;
+  }
+
+  /// By its slider or field: to the right.
+  void pull(const Parameter& row, int x_px) {
+    const Spot spot = find(main_panel(), parameter_label(row), x_px);
+    drag(spot, {spot.x + 35, spot.y});
+  }
+
+  void change(const Parameter& row, double& (*)(OceanScene&)) { pull(row, 70); }
+  void change(const Parameter& row, std::optional<double>& (*)(OceanScene&)) {
+    click(find(main_panel(), "##set " + std::string(row.key), 16));
+    pull(row, 97);
+  }
+  void change(const Parameter& row, int& (*at)(OceanScene&)) {
+    if (row.rule == scene::ParameterRule::power_of_two) {
+      choose(parameter_label(row), "32");
+      return;
+    }
+    OceanScene copy = state().scene;
+    // From the upper end of its range only to the left.
+    const Spot spot = find(main_panel(), parameter_label(row), 70);
+    const int way = at(copy) >= row.high ? -25 : 25;
+    drag(spot, {spot.x + way, spot.y});
+  }
+  void change(const Parameter& row, std::uint64_t& (*)(OceanScene&)) {
+    enter(find(main_panel(), parameter_label(row)), "12345");
+  }
+  void change(const Parameter& row, std::string& (*)(OceanScene&)) {
+    enter(find(main_panel(), parameter_label(row)), OFFING_SOURCES "/scenes/example_sea.data_spec");
+  }
+  void change(const Parameter& row, std::vector<double>& (*)(OceanScene&)) {
+    enter(find(main_panel(), parameter_label(row)), "250, 41");
+  }
+  void change(const Parameter& row, const scene::ChoiceStorage& choice) {
+    OceanScene copy = state().scene;
+    const std::size_t other = (choice.get(copy) + 1) % choice.names.size();
+    choose(parameter_label(row), std::string(choice.names[other]));
+  }
+};
+
+// Fails if a row has no widget, the mouse does not reach it, or it does not change its value; if an edit
+// shows another sea, sun or eye than a window that is opened with the edited scene, by one byte.
+TEST_P(PanelEditsTest, ShowWhatAFreshStartShows) {
+  open(quick_options());
+  toggle_header(GetParam().title);
+  int rows = 0;
+  for (const Parameter& row : scene::parameter_table()) {
+    if (row.group != GetParam().group) continue;
+    edit(row);
+    if (HasFatalFailure()) return;
+    ++rows;
+  }
+  EXPECT_GT(rows, 0);
+  look_at_sea();
+  turn(2);
+  const std::vector<unsigned char> live = picture();
+
+  present::ViewOptions fresh = quick_options();
+  fresh.scene = state().scene;
+  fresh.time_s = state().clock.time_s();
+  open(fresh);
+  turn(2);
+  EXPECT_TRUE(picture() == live) << "the window shows another picture than a fresh start";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Panels, PanelEditsTest,
+    testing::Values(Panel{ParameterGroup::wind, "Wind"}, Panel{ParameterGroup::sea, "Spectrum"},
+                    Panel{ParameterGroup::grid, "Cascades and Gerstner waves"},
+                    Panel{ParameterGroup::foam, "Foam"}, Panel{ParameterGroup::sun, "Sun"},
+                    Panel{ParameterGroup::camera, "Camera"}, Panel{ParameterGroup::render, "Picture"},
+                    Panel{ParameterGroup::world, "World"}, Panel{ParameterGroup::time, "Time of the scene"}),
+    [](const auto& panel) {
+      std::string name = panel.param.title;
+      std::erase(name, ' ');
+      return name;
+    });
+
+class RefusedEditsTest : public WindowTest {
+ protected:
+  /// The sea, seen by a camera that then looks at the sky again, where frames are quick to draw.
+  std::vector<unsigned char> sea() {
+    look_at_sea();
+    turn(2);
+    const std::vector<unsigned char> pixels = picture();
+    press("Home");
+    return pixels;
+  }
+};
+
+// Fails if a number that the table refuses is taken or ignored: its message is shown, the sea stays.
+TEST_F(RefusedEditsTest, NumbersOutOfRange) {
+  open(quick_options());
+  const std::vector<unsigned char> before = sea();
+  toggle_header("Wind");
+  const Spot slider = find(main_panel(), parameter_label(*scene::find_parameter("wind.speed_mps")), 70);
+  hands_->key("Control_L", Hands::Motion::down);
+  turn();
+  click(slider);
+  hands_->key("Control_L", Hands::Motion::up);
+  turn();
+  for (const char* digit : {"9", "9", "9"}) press(digit);
+  press("Return");
+  turn(2);
+  EXPECT_NE(message().find("wind.speed_mps: expected a number in m/s within [0.1, 60], got 999"),
+            std::string::npos)
+      << message();
+  EXPECT_TRUE(state().message.is_fault);
+  EXPECT_EQ(state().scene.wind_speed_mps, quick_options().scene.wind_speed_mps);
+  EXPECT_TRUE(sea() == before);
+}
+
+// Fails if a spectrum file that is not there ends the window, or takes the sea away.
+TEST_F(RefusedEditsTest, SpectrumFilesThatAreNotThere) {
+  open(quick_options());
+  const std::vector<unsigned char> before = sea();
+  toggle_header("Spectrum");
+  enter(find(main_panel(), parameter_label(*scene::find_parameter("ocean.spectrum_file"))),
+        "nowhere.data_spec");
+  turn(2);
+  EXPECT_NE(message().find("nowhere.data_spec"), std::string::npos) << message();
+  EXPECT_TRUE(state().message.is_fault);
+  EXPECT_EQ(state().scene.spectrum_file, "");
+  EXPECT_TRUE(sea() == before);
+}
+
+}  // namespace
+}  // namespace offing::test

@@ -1,0 +1,133 @@
+// Random keys and mouse for a while: OFFING_SOAK_SECONDS, or 20 s.
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+
+#include <epoxy/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "host/scene/parameter_table.h"
+#include "present/parameter_widget.h"
+#include "tests/present/window_test.h"
+
+namespace offing::test {
+namespace {
+
+/// What the process holds of the system's.
+struct Holdings {
+  double memory_mb = 0.0;
+  int threads = 0;
+  int descriptors = 0;
+};
+
+Holdings holdings() {
+  Holdings found;
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmRSS:")) found.memory_mb = std::stod(line.substr(6)) / 1024.0;
+    if (line.starts_with("Threads:")) found.threads = std::stoi(line.substr(8));
+  }
+  const std::filesystem::directory_iterator folder("/proc/self/fd");
+  found.descriptors = static_cast<int>(std::distance(begin(folder), end(folder)));
+  return found;
+}
+
+double soak_seconds() {
+  const char* asked = std::getenv("OFFING_SOAK_SECONDS");
+  return asked != nullptr ? std::stod(asked) : 20.0;
+}
+
+class WindowSoakTest : public WindowTest {
+ protected:
+  /// One thing that a user does, whichever. Not: Esc, which ends the window, and the size of the patches,
+  /// which ends where the memory does.
+  void do_something() {
+    static constexpr std::array keys{
+        "h",         "Tab", "space", "period", "comma", "bracketleft", "bracketright",
+        "BackSpace", "g",   "v",     "F11",    "Home",  "w",           "a",
+        "s",         "d",   "q",     "e"};
+    switch (pick(0, 11)) {
+      case 0:
+      case 1:
+      case 2:
+        press(keys[static_cast<std::size_t>(pick(0, static_cast<int>(keys.size()) - 1))]);
+        break;
+      case 3:
+        if (pick(0, 9) == 0) press(pick(0, 1) == 0 ? "F5" : "F12");
+        break;
+      case 4:
+        glfwSetWindowSize(viewer_->window(), pick(1, 900), pick(1, 1000));
+        turn(2);
+        break;
+      case 5: {
+        const Hands::Button wheel = pick(0, 1) == 0 ? Hands::Button::wheel_up : Hands::Button::wheel_down;
+        hands_->button(wheel, Hands::Motion::down);
+        hands_->button(wheel, Hands::Motion::up);
+        turn();
+        break;
+      }
+      case 6:
+        hands_->type(fmt::format("{}", pick(0, 99)));
+        press("Return");
+        break;
+      default:
+        use_mouse();
+    }
+  }
+
+  int pick(int least, int most) { return std::uniform_int_distribution<int>(least, most)(random_); }
+
+ private:
+  void use_mouse() {
+    // Mostly on the panels.
+    const Spot from{pick(0, pick(0, 3) == 0 ? 900 : 350), pick(0, 1000)};
+    hands_->move_to(from.x, from.y);
+    turn();
+    ImGuiWindow* panel = main_panel();
+    const scene::Parameter& size = *scene::find_parameter("ocean.size");
+    const unsigned hovered = ImGui::GetCurrentContext()->HoveredId;
+    if (panel != nullptr && hovered == panel->GetID(present::parameter_label(size).c_str())) return;
+    drag(from, {from.x + pick(-60, 60), from.y + pick(-20, 20)});
+  }
+
+  std::mt19937 random_{20'071'204};
+};
+
+// Fails if the window cannot take what users do for long: an OpenGL error, an exception, or memory, threads
+// or descriptors that grow. Memory: what is there at the end, with the scene as at the start, within 10 % of
+// what was there after the first quarter in that state.
+TEST_F(WindowSoakTest, TakesWhateverComes) {
+  present::ViewOptions options = quick_options();
+  open(options);
+  press("F5");  // what is compiled again stays loaded
+  const double end_s = glfwGetTime() + soak_seconds(), warm_s = glfwGetTime() + 0.25 * soak_seconds();
+  std::optional<Holdings> warm;
+  int deeds = 0;
+  double largest_mb = 0.0;
+  while (glfwGetTime() < end_s) {
+    do_something();
+    ++deeds;
+    ASSERT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << "after deed " << deeds;
+    largest_mb = std::max(largest_mb, holdings().memory_mb);
+    if (!warm && glfwGetTime() > warm_s) warm = holdings();
+  }
+  const Holdings last = holdings();
+  ASSERT_TRUE(warm);
+  fmt::print("{} deeds; memory {:.0f} -> {:.0f} MB (most {:.0f}), threads {} -> {}, descriptors {} -> {}\n",
+             deeds, warm->memory_mb, last.memory_mb, largest_mb, warm->threads, last.threads,
+             warm->descriptors, last.descriptors);
+  EXPECT_LT(last.memory_mb, 1.1 * warm->memory_mb);
+  EXPECT_EQ(last.threads, warm->threads);
+  EXPECT_EQ(last.descriptors, warm->descriptors);
+}
+
+}  // namespace
+}  // namespace offing::test

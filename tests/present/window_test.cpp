@@ -1,0 +1,177 @@
+#include "tests/present/window_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include <epoxy/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+// What ImGui keeps of windows and items, to find them as a user does with his eyes.
+#include <imgui_internal.h>
+
+namespace offing::test {
+namespace {
+
+// Room for the panels and a little more: frames are quick to draw.
+constexpr int window_width = 480, window_height = 1000;
+
+}  // namespace
+
+void WindowTest::SetUp() {
+  unsetenv("WAYLAND_DISPLAY");
+  std::string reason;
+  display_ = VirtualDisplay::start(reason);
+  if (!display_) GTEST_SKIP() << reason;
+  hands_ = std::make_unique<Hands>();
+  std::filesystem::current_path(folder_.path());  // pictures and scenes are written here
+}
+
+void WindowTest::TearDown() {
+  viewer_.reset();
+  hands_.reset();
+  display_.reset();
+  std::filesystem::current_path("/");
+}
+
+present::ViewOptions WindowTest::quick_options() {
+  present::ViewOptions options;
+  options.scene.ocean.size = 64;
+  options.scene.view.camera.pitch_rad = 1.2;
+  options.time_s = 2.0;
+  options.verbosity = Verbosity::quiet;
+  return options;
+}
+
+void WindowTest::open(const present::ViewOptions& options) {
+  viewer_.reset();
+  viewer_ = std::make_unique<present::Viewer>(options);
+  glfwSetWindowSize(viewer_->window(), window_width, window_height);
+  glfwPollEvents();
+  hands_->press("space");
+  hands_->move_to(window_width - 20, window_height - 20);
+  turn(3);  // panels have their sizes
+  ASSERT_TRUE(state().clock.is_paused()) << "the window does not have the keyboard";
+  ASSERT_EQ(state().clock.time_s(), options.time_s);
+}
+
+void WindowTest::turn(int count) {
+  for (int i = 0; i < count; ++i) viewer_->turn();
+}
+
+void WindowTest::press(const char* key) {
+  // ImGui sees keys as frames find them.
+  hands_->key(key, Hands::Motion::down);
+  turn();
+  hands_->key(key, Hands::Motion::up);
+  turn();
+}
+
+void WindowTest::click(Spot spot) {
+  hands_->move_to(spot.x, spot.y);
+  turn();
+  hands_->button(Hands::Button::left, Hands::Motion::down);
+  turn();
+  hands_->button(Hands::Button::left, Hands::Motion::up);
+  turn(2);
+}
+
+void WindowTest::drag(Spot from, Spot to) {
+  hands_->move_to(from.x, from.y);
+  turn();
+  hands_->button(Hands::Button::left, Hands::Motion::down);
+  turn();
+  hands_->move_to((from.x + to.x) / 2, (from.y + to.y) / 2);
+  turn();
+  hands_->move_to(to.x, to.y);
+  turn();
+  hands_->button(Hands::Button::left, Hands::Motion::up);
+  turn(2);
+}
+
+void WindowTest::enter(Spot spot, const std::string& text) {
+  click(spot);
+  hands_->key("Control_L", Hands::Motion::down);
+  turn();
+  press("a");
+  hands_->key("Control_L", Hands::Motion::up);
+  turn();
+  hands_->type(text);
+  turn();
+  press("Return");
+}
+
+void WindowTest::look_at_sea() {
+  for (int i = 0; i < 20 && state().camera.camera().pitch_rad > -0.2; ++i) {
+    drag({window_width - 60, 100}, {window_width - 60, 900});
+  }
+  ASSERT_LT(state().camera.camera().pitch_rad, -0.1) << "the picture does not follow the mouse";
+}
+
+std::vector<unsigned char> WindowTest::picture() const {
+  return viewer_->sea().frame().screen().read_bytes();
+}
+
+int WindowTest::width() const {
+  return viewer_->sea().frame().screen().width();
+}
+
+int WindowTest::height() const {
+  return viewer_->sea().frame().screen().height();
+}
+
+ImGuiWindow* WindowTest::main_panel() {
+  return ImGui::FindWindowByName("Offing");
+}
+
+ImGuiWindow* WindowTest::open_list() {
+  return ImGui::FindWindowByName("##Combo_00");
+}
+
+bool WindowTest::is_hovered(unsigned id) const {
+  return ImGui::GetCurrentContext()->HoveredId == id;
+}
+
+WindowTest::Spot WindowTest::find(ImGuiWindow* window, const std::string& label, int x_px) {
+  constexpr int step_px = 7;  // less than a row is high
+  if (window == nullptr) {
+    ADD_FAILURE() << label << ": its window is not open";
+    return {};
+  }
+  const unsigned id = window->GetID(label.c_str());
+  const int x = static_cast<int>(window->Pos.x) + x_px;
+  for (int screen = 0; screen < 10; ++screen) {
+    const int top = static_cast<int>(window->InnerRect.Min.y),
+              end = static_cast<int>(window->InnerRect.Max.y);
+    // From the last item on: most lie in order.
+    const int count = (end - top) / step_px, first = std::clamp((last_y_ - top) / step_px, 0, count - 1);
+    for (int i = 0; i < count; ++i) {
+      const int y = top + 2 + (first + i) % count * step_px;
+      hands_->move_to(x, y);
+      turn();
+      if (!is_hovered(id)) continue;
+      last_y_ = y;
+      return {x, y};
+    }
+    if (window->ScrollMax.y <= 0.0f) break;
+    // Down to the end, then once more from the top.
+    const bool is_at_end = window->Scroll.y >= window->ScrollMax.y;
+    for (int notch = 0; notch < (is_at_end ? 50 : 3); ++notch) {
+      const Hands::Button wheel = is_at_end ? Hands::Button::wheel_up : Hands::Button::wheel_down;
+      hands_->button(wheel, Hands::Motion::down);
+      hands_->button(wheel, Hands::Motion::up);
+    }
+    turn(2);
+  }
+  ADD_FAILURE() << label << ": the mouse finds no such item in " << window->Name;
+  return {};
+}
+
+void WindowTest::choose(const std::string& combo, const std::string& name) {
+  click(find(main_panel(), combo));
+  click(find(open_list(), name, 20));
+}
+
+}  // namespace offing::test

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/scene/parameter.h"
+#include "present/viewer.h"
+#include "tests/io/temporary_folder.h"
+#include "tests/present/hands.h"
+#include "tests/present/virtual_display.h"
+
+struct ImGuiWindow;
+
+namespace offing::test {
+
+/// A window of the presenter on a display server of its own, with the hands of a user. Cases skip, with the
+/// reason, where there is no Xvfb.
+class WindowTest : public testing::Test {
+ protected:
+  struct Spot {
+    int x = 0, y = 0;
+  };
+
+  void SetUp() override;
+  void TearDown() override;
+
+  /// A small sea, seen by a camera that looks at the sky: frames are quick to draw.
+  static present::ViewOptions quick_options();
+  /// Opens the window, paused, as large as the display allows.
+  void open(const present::ViewOptions& options);
+  void turn(int count = 1);
+  void press(const char* key);
+  void click(Spot spot);
+  /// Presses, moves and releases, a frame each.
+  void drag(Spot from, Spot to);
+  void enter(Spot spot, const std::string& text);
+
+  const present::ViewState& state() const { return viewer_->state(); }
+  std::string message() const { return state().message.text; }
+  /// Looks down at the sea by dragging the mouse, beside the panels.
+  void look_at_sea();
+  /// The picture without panels, sRGB.
+  std::vector<unsigned char> picture() const;
+  int width() const;
+  int height() const;
+
+  /// The main panel, or the list that a combo box has opened.
+  static ImGuiWindow* main_panel();
+  static ImGuiWindow* open_list();
+  /// Moves the mouse over a window, `x_px` right of its edge, until it hovers the item of this label,
+  /// scrolling as far as needed; a failure if it is not there.
+  Spot find(ImGuiWindow* window, const std::string& label, int x_px = 60);
+  void toggle_header(const std::string& title) { click(find(main_panel(), title)); }
+  void choose(const std::string& combo, const std::string& name);
+
+  TemporaryFolder folder_;
+  std::unique_ptr<VirtualDisplay> display_;
+  std::unique_ptr<Hands> hands_;
+  std::unique_ptr<present::Viewer> viewer_;
+
+ private:
+  bool is_hovered(unsigned id) const;
+
+  int last_y_ = 0;  // of the last item found
+};
+
+}  // namespace offing::test
