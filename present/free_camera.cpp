@@ -37,11 +37,15 @@ void FreeCamera::advance(const CameraInput& input, double seconds) {
 }
 
 void FreeCamera::reset() {
+  place(start_);
+  speed_mps_ = start_speed_mps;
+}
+
+void FreeCamera::place(const Camera& other) {
   const int width = camera_.width_px, height = camera_.height_px;
-  camera_ = start_;
+  camera_ = other;
   camera_.width_px = width;
   camera_.height_px = height;
-  speed_mps_ = start_speed_mps;
 }
 
 }  // namespace offing::present

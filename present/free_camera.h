@@ -14,6 +14,8 @@ struct CameraInput {
   double wheel = 0.0;       ///< notches away from the user: faster
   bool is_fast = false;
   bool is_slow = false;
+
+  bool moves() const { return move != glm::dvec3(0.0) || turn_px != glm::dvec2(0.0); }
 };
 
 /// A camera that flies: over the water, never below it.
@@ -25,6 +27,8 @@ class FreeCamera {
   void advance(const CameraInput& input, double seconds);
   /// Back to where it began.
   void reset();
+  /// To where another camera is, with the picture's size as it is.
+  void place(const Camera& other);
 
   Camera& camera() { return camera_; }
   const Camera& camera() const { return camera_; }

@@ -1,9 +1,11 @@
 #include "present/live_sea.h"
 
+#include <chrono>
 #include <utility>
 
+#include "host/base/error.h"
+#include "host/scene/moving_view.h"
 #include "host/scene/world_scene.h"
-#include "host/sky/sun_position.h"
 #include "present/exposure.h"
 #include "present/picture_file.h"
 
@@ -21,28 +23,31 @@ LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, cons
   scene_.set_at.clear();
 }
 
-std::unique_ptr<world::World> LiveSea::world_of(const scene::OceanScene& scene) const {
-  auto world = std::make_unique<world::World>(device_, scene::prepare_world(scene));
-  world->at(view_.time_s, view_.camera.eye_m.y);  // what is compiled or allocated at first use
+void LiveSea::try_out(world::World& world) const {
+  world.at(view_.time_s, view_.camera.eye_m.y);
   device_.finish();
-  return world;
 }
 
-void LiveSea::make(const scene::OceanScene& scene) {
+void LiveSea::edit(const scene::OceanScene& scene) {
+  const auto start = std::chrono::steady_clock::now();
   scene::OceanScene edited = scene;
   edited.set_at.clear();
-  world_ = world_of(edited);
+  scene::edit_world(*world_, scene_, edited);
+  try {
+    try_out(*world_);
+  } catch (const Error&) {
+    scene::edit_world(*world_, edited, scene_);
+    throw;
+  }
   scene_ = std::move(edited);
-}
-
-void LiveSea::turn_sun(const scene::ViewScene& view) {
-  scene_.view = view;
-  world_->set_sun(sky::direction_of(view.sun_azimuth_rad, view.sun_elevation_rad), 1.0);
+  edit_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 void LiveSea::reload() {
   auto frame = std::make_unique<Frame>(context_, device_, settings_);
-  world_ = world_of(scene_);
+  auto world = std::make_unique<world::World>(device_, scene::prepare_world(scene_));
+  try_out(*world);
+  world_ = std::move(world);
   frame_ = std::move(frame);
 }
 
@@ -56,9 +61,11 @@ void LiveSea::simulate(const SeaView& view) {
 }
 
 void LiveSea::draw(const SeaView& view) {
+  const scene::ViewScene now = scene::view_at(scene_, view.time_s);
   view_ = view;
+  scene::set_view(*world_, now);
   simulate(view);
-  exposure_ = exposure_for(world_->sky(), view.camera, view.exposure_ev);
+  exposure_ = exposure_for(world_->sky(), view.camera, now.exposure_ev);
   frame_->draw(*world_,
                {.camera = view.camera, .exposure = exposure_, .debug = view.debug, .fill = view.fill});
 }

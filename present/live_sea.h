@@ -20,7 +20,6 @@ struct LiveSeaSettings {
 struct SeaView {
   double time_s = 0.0;
   Camera camera;
-  double exposure_ev = 0.0;
   DebugView debug = DebugView::none;
   Fill fill = Fill::solid;
 };
@@ -32,13 +31,15 @@ class LiveSea {
   /// Throws what making a world and its pictures throws.
   LiveSea(const GlContext& context, const LiveSeaSettings& settings, const scene::OceanScene& scene);
 
-  /// Makes the world of another scene.
-  void make(const scene::OceanScene& scene);
-  /// Turns the sun to where the scene has it, without making the world anew.
-  void turn_sun(const scene::ViewScene& view);
+  /// Changes the scene, making anew only what differs.
+  void edit(const scene::OceanScene& scene);
+  /// How long the last edit took.
+  double edit_s() const { return edit_s_; }
+  const scene::OceanScene& scene() const { return scene_; }
   /// Compiles kernels and shaders again, from where they come from (ocl::Program, shader_file()).
   void reload();
 
+  /// Sun, air and exposure are those of the scene at that time. Throws what scene::view_at() throws.
   void draw(const SeaView& view);
   /// The last picture, into a file (picture_file.h).
   void write(const std::filesystem::path& path) const;
@@ -47,7 +48,8 @@ class LiveSea {
   const ocl::DeviceInfo& device() const { return device_.info(); }
 
  private:
-  std::unique_ptr<world::World> world_of(const scene::OceanScene& scene) const;
+  /// What is compiled or allocated at first use.
+  void try_out(world::World& world) const;
   void simulate(const SeaView& view);
 
   const GlContext& context_;
@@ -57,7 +59,7 @@ class LiveSea {
   std::unique_ptr<world::World> world_;
   std::unique_ptr<Frame> frame_;
   SeaView view_;  // of the last picture
-  double exposure_ = 1.0;
+  double exposure_ = 1.0, edit_s_ = 0.0;
 };
 
 }  // namespace offing::present

@@ -25,20 +25,18 @@ struct GroupPanel {
   ParameterGroup group;
   const char* title;
 };
-constexpr std::array<GroupPanel, 9> group_panels{{{ParameterGroup::wind, "Wind"},
-                                                  {ParameterGroup::sea, "Spectrum"},
-                                                  {ParameterGroup::grid, "Cascades and Gerstner waves"},
-                                                  {ParameterGroup::foam, "Foam"},
-                                                  {ParameterGroup::sun, "Sun"},
-                                                  {ParameterGroup::camera, "Camera"},
-                                                  {ParameterGroup::render, "Picture"},
-                                                  {ParameterGroup::world, "World"},
-                                                  {ParameterGroup::time, "Time of the scene"}}};
-
-/// Whether simulations depend on these values.
-bool is_of_sea(ParameterGroup group) {
-  return group != ParameterGroup::sun && group != ParameterGroup::camera && group != ParameterGroup::render;
-}
+constexpr std::array<GroupPanel, 12> group_panels{{{ParameterGroup::wind, "Wind"},
+                                                   {ParameterGroup::sea, "Spectrum"},
+                                                   {ParameterGroup::grid, "Cascades and Gerstner waves"},
+                                                   {ParameterGroup::swell, "Swells"},
+                                                   {ParameterGroup::raindrop, "Raindrops"},
+                                                   {ParameterGroup::foam, "Foam"},
+                                                   {ParameterGroup::sun, "Sun"},
+                                                   {ParameterGroup::sky, "Air"},
+                                                   {ParameterGroup::camera, "Camera"},
+                                                   {ParameterGroup::render, "Picture"},
+                                                   {ParameterGroup::world, "World"},
+                                                   {ParameterGroup::time, "Time of the scene"}}};
 
 std::string_view section_of(const scene::Parameter& row) {
   return row.key.substr(0, row.key.rfind('.'));
@@ -55,25 +53,64 @@ std::vector<const scene::Parameter*> rows_of(ParameterGroup group) {
   return rows;
 }
 
-void draw_group(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
-  if (!ImGui::CollapsingHeader(panel.title)) return;
-  ImGui::PushItemWidth(11.0f * ImGui::GetFontSize());
+/// Of two edits of a frame the one that asks for more.
+void note(Edit edit, const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
+  if (edit == Edit::refused) state.message = {.text = state.edit.fault, .is_fault = true};
+  if (panel.group == ParameterGroup::camera) {
+    edits.is_camera_moved = edits.is_camera_moved || edit != Edit::none;
+  } else {
+    edits.scene = std::max(edits.scene, edit);
+  }
+}
+
+void draw_rows(const GroupPanel& panel, const std::vector<const scene::Parameter*>& rows, ViewState& state,
+               PanelEdits& edits) {
   std::string_view section;
-  for (const scene::Parameter* row : rows_of(panel.group)) {
+  for (const scene::Parameter* row : rows) {
     if (section_of(*row) != section) {
       section = section_of(*row);
       ImGui::TextDisabled("[%s]", std::string(section).c_str());
     }
-    const Edit edit = parameter_widget(state.scene, *row, state.edit);
-    if (edit == Edit::refused) state.message = {.text = state.edit.fault, .is_fault = true};
-    // A sea is made when a slider is let go: it takes a moment.
-    if (is_of_sea(panel.group)) edits.is_sea_changed |= edit == Edit::done;
-    if (panel.group == ParameterGroup::sun) edits.is_sun_changed |= edit != Edit::none;
+    note(parameter_widget(state.scene, *row, state.edit), panel, state, edits);
+  }
+}
+
+/// The rows of a section that may be repeated, once an element.
+void draw_elements(const GroupPanel& panel, const std::vector<const scene::Parameter*>& rows,
+                   const scene::ElementStorage& elements, ViewState& state, PanelEdits& edits) {
+  for (std::size_t i = 0; i < elements.count(state.scene); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::TextDisabled("[[%s]] %zu", std::string(section_of(*rows.front())).c_str(), i + 1);
+    ImGui::SameLine();
+    const bool is_removed = ImGui::SmallButton("remove");
+    for (const scene::Parameter* row : rows) {
+      note(parameter_widget(state.scene, *row, state.edit, i), panel, state, edits);
+    }
+    ImGui::PopID();
+    if (!is_removed) continue;
+    elements.remove(state.scene, i);
+    note(Edit::done, panel, state, edits);
+    break;
+  }
+  ImGui::BeginDisabled(elements.count(state.scene) >= rows.front()->max_count);
+  if (ImGui::Button(fmt::format("add##{}", panel.title).c_str())) {
+    elements.append(state.scene);
+    note(Edit::done, panel, state, edits);
+  }
+  ImGui::EndDisabled();
+}
+
+void draw_group(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
+  if (!ImGui::CollapsingHeader(panel.title)) return;
+  const std::vector<const scene::Parameter*> rows = rows_of(panel.group);
+  if (const auto* elements = std::get_if<scene::ElementStorage>(&rows.front()->storage)) {
+    draw_elements(panel, rows, *elements, state, edits);
+  } else {
+    draw_rows(panel, rows, state, edits);
   }
   if (panel.group == ParameterGroup::camera) {
     ImGui::TextDisabled("flies at %.3g m/s", state.camera.speed_mps());
   }
-  ImGui::PopItemWidth();
 }
 
 void draw_clock(ViewState& state) {

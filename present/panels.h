@@ -53,8 +53,8 @@ struct ViewFacts {
 
 /// What the user asked for in one frame, and panels cannot do by themselves.
 struct PanelEdits {
-  bool is_sea_changed = false;  ///< the world is to be made anew
-  bool is_sun_changed = false;
+  Edit scene = Edit::none;  ///< of all but the camera
+  bool is_camera_moved = false;
   bool wants_save = false;
   bool wants_original = false;  ///< the scene as it was when the window opened
 };

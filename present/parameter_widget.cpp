@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <sstream>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -42,25 +43,12 @@ bool number_slider(const char* label, const Parameter& row, double& value) {
 /// One kind of widget for each alternative of scene::Storage.
 class Widget {
  public:
-  Widget(OceanScene& scene, const Parameter& row, EditInProgress& edit)
-      : scene_(scene), row_(row), edit_(edit), label_(parameter_label(row)) {}
+  Widget(OceanScene& scene, const Parameter& row, EditInProgress& edit, std::size_t element)
+      : scene_(scene), row_(row), edit_(edit), element_(element), label_(parameter_label(row)) {}
 
   Edit operator()(double& (*at)(OceanScene&)) { return number(at(scene_)); }
 
-  Edit operator()(std::optional<double>& (*at)(OceanScene&)) {
-    const bool was_set = at(scene_).has_value();
-    bool is_set = was_set;
-    ImGui::Checkbox(fmt::format("##set {}", row_.key).c_str(), &is_set);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("without: %s", std::string(row_.absent).c_str());
-    ImGui::SameLine();
-    if (is_set && !was_set) {
-      return is_taken(scene::read_flag_value(row_, row_.example)) ? Edit::done : Edit::refused;
-    }
-    if (is_set) return number(*at(scene_));
-    at(scene_).reset();
-    ImGui::TextDisabled("%s", std::string(name_of(row_)).c_str());
-    return was_set ? Edit::done : Edit::none;
-  }
+  Edit operator()(std::optional<double>& (*at)(OceanScene&)) { return optional_number(at(scene_)); }
 
   Edit operator()(int& (*at)(OceanScene&)) {
     if (row_.rule == scene::ParameterRule::power_of_two) return power_of_two(at(scene_));
@@ -82,6 +70,16 @@ class Widget {
     if (!is_entered(text)) return Edit::none;
     if (text.empty()) {
       at(scene_).clear();
+      return Edit::done;
+    }
+    return is_taken({.value = text, .shown = text}) ? Edit::done : Edit::refused;
+  }
+
+  Edit operator()(std::optional<UtcTime>& (*at)(OceanScene&)) {
+    std::string text = at(scene_) ? scene::value_text(scene_, row_) : "";
+    if (!is_entered(text)) return Edit::none;
+    if (text.empty()) {
+      at(scene_).reset();
       return Edit::done;
     }
     return is_taken({.value = text, .shown = text}) ? Edit::done : Edit::refused;
@@ -117,19 +115,59 @@ class Widget {
     return edit;
   }
 
+  Edit operator()(const scene::ElementStorage& elements) {
+    const auto at = [&](auto function) -> Edit {
+      auto& value = function(scene_, element_);
+      if constexpr (std::is_same_v<decltype(value), double&>)
+        return number(value);
+      else
+        return optional_number(value);
+    };
+    return std::visit(at, elements.at);
+  }
+
   static std::string_view name_of(const Parameter& row) { return row.key.substr(row.key.rfind('.') + 1); }
 
  private:
   /// Through the table's own checks, as a scene file's values go.
   bool is_taken(const WrittenValue& written) {
     try {
-      scene::store(scene_, row_, written, {.subject = std::string(row_.key), .assignment = ""});
+      const scene::Place place{.subject = std::string(row_.key), .assignment = ""};
+      if (const auto* elements = std::get_if<scene::ElementStorage>(&row_.storage)) {
+        store_in_element(*elements, written, place);
+      } else {
+        scene::store(scene_, row_, written, place);
+      }
       edit_.fault.clear();
       return true;
     } catch (const Error& error) {
       edit_.fault = error.what();
       return false;
     }
+  }
+
+  /// store() knows the last element only: one of a scene of its own.
+  void store_in_element(const scene::ElementStorage& elements, const WrittenValue& written,
+                        const scene::Place& place) {
+    OceanScene one;
+    elements.append(one);
+    scene::store(one, row_, written, place);
+    std::visit([&](auto at) { at(scene_, element_) = at(one, 0); }, elements.at);
+  }
+
+  Edit optional_number(std::optional<double>& at) {
+    const bool was_set = at.has_value();
+    bool is_set = was_set;
+    ImGui::Checkbox(fmt::format("##set {}", row_.key).c_str(), &is_set);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("without: %s", std::string(row_.absent).c_str());
+    ImGui::SameLine();
+    if (is_set && !was_set) {
+      return is_taken(scene::read_flag_value(row_, row_.example)) ? Edit::done : Edit::refused;
+    }
+    if (is_set) return number(*at);
+    at.reset();
+    ImGui::TextDisabled("%s", std::string(name_of(row_)).c_str());
+    return was_set ? Edit::done : Edit::none;
   }
 
   Edit number(double& at) {
@@ -172,12 +210,14 @@ class Widget {
   OceanScene& scene_;
   const Parameter& row_;
   EditInProgress& edit_;
+  std::size_t element_;
   std::string label_;
 };
 
 /// Whether text is typed and taken with Enter.
 bool is_text(const Parameter& row) {
   return std::holds_alternative<std::string& (*)(OceanScene&)>(row.storage) ||
+         std::holds_alternative<std::optional<UtcTime>& (*)(OceanScene&)>(row.storage) ||
          std::holds_alternative<std::vector<double>& (*)(OceanScene&)>(row.storage);
 }
 
@@ -187,11 +227,12 @@ std::string parameter_label(const Parameter& row) {
   return fmt::format("{}##{}", Widget::name_of(row), row.key);
 }
 
-Edit parameter_widget(OceanScene& scene, const Parameter& row, EditInProgress& edit) {
-  const Edit state = std::visit(Widget(scene, row, edit), row.storage);
+Edit parameter_widget(OceanScene& scene, const Parameter& row, EditInProgress& edit, std::size_t element) {
+  const Edit state = std::visit(Widget(scene, row, edit, element), row.storage);
   if (ImGui::IsItemHovered()) {
     std::string text(row.help);
     if (!row.absent.empty()) text += fmt::format("\nwithout: {}", row.absent);
+    if (scene.tracks.contains(row.key)) text += "\nmoves by keyframes, which an edit ends";
     if (is_text(row)) text += "\nEnter takes what is typed";
     ImGui::SetTooltip("%s", text.c_str());
   }

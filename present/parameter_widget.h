@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "host/scene/ocean_scene.h"
@@ -10,9 +11,9 @@ namespace offing::present {
 /// How far an edit of a value has come.
 enum class Edit {
   none,
+  refused,   ///< the table does not take the value
   going_on,  ///< a slider is held, a number is typed
   done,
-  refused,  ///< the table does not take the value
 };
 
 /// What is kept while a value is edited: one at a time.
@@ -26,7 +27,8 @@ std::string parameter_label(const scene::Parameter& row);
 
 /// Draws a widget for one row of the parameter table, of the kind, range and unit that the row says, and
 /// stores what the user enters if the table takes it. When an edit ends with a value that it does not take,
-/// the scene is as it was before the edit.
-Edit parameter_widget(scene::OceanScene& scene, const scene::Parameter& row, EditInProgress& edit);
+/// the scene is as it was before the edit. `element` counts in a repeated section.
+Edit parameter_widget(scene::OceanScene& scene, const scene::Parameter& row, EditInProgress& edit,
+                      std::size_t element = 0);
 
 }  // namespace offing::present

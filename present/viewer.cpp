@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <epoxy/gl.h>
@@ -13,6 +14,7 @@
 
 #include "host/base/error.h"
 #include "host/base/log.h"
+#include "host/scene/moving_view.h"
 #include "host/scene/scene_writer.h"
 
 namespace offing::present {
@@ -29,6 +31,15 @@ LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& c
   const Detail usual = capabilities.is_software ? Detail::low : Detail::high;
   return {.device = options.device,
           .frame = {.water = water_detail(options.detail.value_or(usual)), .transfer = options.transfer}};
+}
+
+bool is_of_camera(std::string_view key) {
+  return key.starts_with("camera.");
+}
+
+bool has_camera_path(const scene::OceanScene& scene) {
+  return std::any_of(scene.tracks.begin(), scene.tracks.end(),
+                     [](const auto& track) { return is_of_camera(track.first); });
 }
 
 std::filesystem::path unused_name(const std::string& stem) {
@@ -52,10 +63,10 @@ Viewer::Viewer(const ViewOptions& options)
              .camera = FreeCamera(options.scene.view.camera),
              .clock = SceneClock(options.time_s),
              .save_name = (options.scene_name.empty() ? "scene" : options.scene_name) + "_edited.toml"},
-      good_scene_(options.scene),
       input_(window()),
       panels_(window()),
-      last_turn_s_(glfwGetTime()) {
+      last_turn_s_(glfwGetTime()),
+      is_on_path_(has_camera_path(options.scene)) {
   glfwSwapInterval(1);
   spdlog::info("OpenGL {} ({}); OpenCL {}; transfer {}", context_.capabilities().version,
                context_.capabilities().renderer, sea_.device().name, to_string(sea_.frame().transfer_rung()));
@@ -65,12 +76,12 @@ bool Viewer::turn() {
   glfwPollEvents();
   const double now_s = glfwGetTime(), wall_s = now_s - std::exchange(last_turn_s_, now_s);
   for (const ViewAction action : input_.take_actions()) act(action);
-  state_.camera.advance(input_.take_camera_input(), wall_s);
   state_.clock.advance(wall_s);
   if (options_.recording) {
     const Recording& recording = *options_.recording;
     state_.clock.set_time((recording.frames.first + recorded_) / recording.frames_per_second);
   }
+  move_camera(wall_s);
   if (show()) {
     if (options_.recording) record_frame();
     limiter_.wait(state_.frame_limit_hz);
@@ -125,11 +136,32 @@ void Viewer::act(ViewAction action) {
       toggle_fullscreen();
       break;
     case ViewAction::reset_camera:
-      state_.camera.reset();
+      reset_camera();
       break;
     case ViewAction::quit:
       is_quitting_ = true;
       break;
+  }
+}
+
+void Viewer::move_camera(double wall_s) {
+  const CameraInput input = input_.take_camera_input();
+  if (is_on_path_ && input.moves()) leave_path();
+  state_.camera.advance(input, wall_s);
+  if (is_on_path_) state_.camera.place(scene::view_at(options_.scene, state_.clock.time_s()).camera);
+}
+
+/// From here on the camera is the user's.
+void Viewer::leave_path() {
+  is_on_path_ = false;
+  std::erase_if(state_.scene.tracks, [](const auto& track) { return is_of_camera(track.first); });
+}
+
+void Viewer::reset_camera() {
+  state_.camera.reset();
+  is_on_path_ = has_camera_path(options_.scene);
+  for (const auto& [key, track] : options_.scene.tracks) {
+    if (is_of_camera(key)) state_.scene.tracks.insert_or_assign(key, track);
   }
 }
 
@@ -160,11 +192,17 @@ void Viewer::draw_sea(int width, int height) {
   Camera& camera = state_.camera.camera();
   camera.width_px = std::max(1, static_cast<int>(std::lround(width * scale)));
   camera.height_px = std::max(1, static_cast<int>(std::lround(height * scale)));
-  sea_.draw({.time_s = state_.clock.time_s(),
-             .camera = camera,
-             .exposure_ev = state_.scene.view.exposure_ev,
-             .debug = state_.debug,
-             .fill = state_.fill});
+  try {
+    sea_.draw(
+        {.time_s = state_.clock.time_s(), .camera = camera, .debug = state_.debug, .fill = state_.fill});
+    drawn_s_ = state_.clock.time_s();
+  } catch (const Error& error) {
+    // A time that the scene does not have, such as one beyond the sun's calendar.
+    if (error.kind() != ErrorKind::bad_input || state_.clock.time_s() == drawn_s_) throw;
+    state_.message = fault_message(error);
+    state_.clock.set_time(drawn_s_);
+    state_.clock.step(0.0);
+  }
 }
 
 void Viewer::copy_to_window(int width, int height) {
@@ -191,27 +229,27 @@ void Viewer::draw_panels() {
 }
 
 void Viewer::apply(const PanelEdits& edits) {
-  if (edits.is_sun_changed) sea_.turn_sun(state_.scene.view);
-  if (edits.is_sea_changed) make_sea();
+  if (edits.is_camera_moved && is_on_path_) leave_path();
+  // The sea follows a slider while it is held, unless that would hold up the slider.
+  constexpr double quick_s = 0.1;
+  const bool follows = edits.scene == Edit::going_on && sea_.edit_s() < quick_s;
+  if (edits.scene == Edit::done || edits.scene == Edit::refused || follows) edit_sea(edits.scene);
   if (edits.wants_save) save_scene();
   if (edits.wants_original) {
     state_.scene = options_.scene;
-    state_.camera.reset();
-    make_sea();
+    reset_camera();
+    edit_sea(Edit::done);
   }
 }
 
 /// The sea of the edited scene; where that cannot be, the message says why and the scene is as it was.
-void Viewer::make_sea() {
+void Viewer::edit_sea(Edit edit) {
   try {
-    sea_.make(state_.scene);
-    good_scene_ = state_.scene;
-    state_.message = {};
+    sea_.edit(state_.scene);
+    if (edit != Edit::refused) state_.message = {};
   } catch (const Error& error) {
     state_.message = fault_message(error);
-    const scene::ViewScene view = state_.scene.view;
-    state_.scene = good_scene_;
-    state_.scene.view = view;
+    state_.scene = sea_.scene();
   }
 }
 

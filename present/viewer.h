@@ -31,6 +31,9 @@ class Viewer {
 
  private:
   void act(ViewAction action);
+  void move_camera(double wall_s);
+  void leave_path();
+  void reset_camera();
   void take_screenshot();
   void toggle_fullscreen();
   bool show();
@@ -38,7 +41,7 @@ class Viewer {
   void copy_to_window(int width, int height);
   void draw_panels();
   void apply(const PanelEdits& edits);
-  void make_sea();
+  void edit_sea(Edit edit);
   void save_scene();
   void record_frame();
   /// Does something; the message says what came of it, or the fault.
@@ -48,11 +51,12 @@ class Viewer {
   GlContext context_;
   LiveSea sea_;
   ViewState state_;
-  scene::OceanScene good_scene_;  // of sea_
   WindowInput input_;
   PanelLayer panels_;
   FrameLimiter limiter_;
   double last_turn_s_;
+  double drawn_s_ = 0.0;  // time of the last picture
+  bool is_on_path_;       // the camera follows the scene's keyframes until the user moves it
   int recorded_ = 0;
   bool is_quitting_ = false;
   struct Place {

@@ -24,6 +24,7 @@ struct ChoiceStorage {
 struct ElementStorage {
   std::size_t (*count)(const OceanScene&);
   void (*append)(OceanScene&);  ///< an element of default values
+  void (*remove)(OceanScene&, std::size_t);
   std::variant<double& (*)(OceanScene&, std::size_t), std::optional<double>& (*)(OceanScene&, std::size_t)>
       at;
 };

@@ -34,6 +34,10 @@ ElementStorage element() {
   using Number = std::remove_reference_t<decltype((std::declval<Scene&>().*list).front().*field)>;
   return {.count = [](const Scene& scene) { return (scene.*list).size(); },
           .append = [](Scene& scene) { (scene.*list).emplace_back(); },
+          .remove =
+              [](Scene& scene, std::size_t index) {
+                (scene.*list).erase((scene.*list).begin() + static_cast<std::ptrdiff_t>(index));
+              },
           .at = [](Scene& scene, std::size_t index) -> Number& { return (scene.*list)[index].*field; }};
 }
 

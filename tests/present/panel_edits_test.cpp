@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include <fmt/format.h>
+
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_file.h"
 #include "present/parameter_widget.h"
@@ -61,6 +63,21 @@ class PanelEditsTest : public WindowTest, public testing::WithParamInterface<Pan
   }
   void change(const Parameter& row, std::string& (*)(OceanScene&)) {
     enter(find(main_panel(), parameter_label(row)), OFFING_SOURCES "/scenes/example_sea.data_spec");
+  }
+  void change(const Parameter& row, std::optional<UtcTime>& (*)(OceanScene&)) {
+    enter(find(main_panel(), parameter_label(row)), "2020-06-08T15:50Z");
+  }
+  /// Of the second of two elements.
+  void change(const Parameter& row, const scene::ElementStorage& elements) {
+    while (elements.count(state().scene) < 2) {
+      const std::size_t before = elements.count(state().scene);
+      click(find(main_panel(), fmt::format("add##{}", GetParam().title), 20));
+      ASSERT_EQ(elements.count(state().scene), before + 1);
+    }
+    const bool is_optional = elements.at.index() == 1;
+    if (is_optional) click(find(main_panel(), "##set " + std::string(row.key), 16, 1));
+    const Spot spot = find(main_panel(), parameter_label(row), is_optional ? 97 : 70, 1);
+    drag(spot, {spot.x + 35, spot.y});
   }
   void change(const Parameter& row, std::vector<double>& (*)(OceanScene&)) {
     enter(find(main_panel(), parameter_label(row)), "250, 41");

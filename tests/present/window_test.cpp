@@ -134,13 +134,15 @@ bool WindowTest::is_hovered(unsigned id) const {
   return ImGui::GetCurrentContext()->HoveredId == id;
 }
 
-WindowTest::Spot WindowTest::find(ImGuiWindow* window, const std::string& label, int x_px) {
+WindowTest::Spot WindowTest::find(ImGuiWindow* window, const std::string& label, int x_px,
+                                  std::optional<int> element) {
   constexpr int step_px = 7;  // less than a row is high
   if (window == nullptr) {
     ADD_FAILURE() << label << ": its window is not open";
     return {};
   }
-  const unsigned id = window->GetID(label.c_str());
+  const unsigned id =
+      element ? ImHashStr(label.c_str(), 0, window->GetID(*element)) : window->GetID(label.c_str());
   const int x = static_cast<int>(window->Pos.x) + x_px;
   for (int screen = 0; screen < 10; ++screen) {
     const int top = static_cast<int>(window->InnerRect.Min.y),

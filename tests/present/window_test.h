@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,8 +53,9 @@ class WindowTest : public testing::Test {
   static ImGuiWindow* main_panel();
   static ImGuiWindow* open_list();
   /// Moves the mouse over a window, `x_px` right of its edge, until it hovers the item of this label,
-  /// scrolling as far as needed; a failure if it is not there.
-  Spot find(ImGuiWindow* window, const std::string& label, int x_px = 60);
+  /// scrolling as far as needed; a failure if it is not there. Items of
+  /// repeated sections have the number of their element.
+  Spot find(ImGuiWindow* window, const std::string& label, int x_px = 60, std::optional<int> element = {});
   void toggle_header(const std::string& title) { click(find(main_panel(), title)); }
   void choose(const std::string& combo, const std::string& name);
 
