@@ -21,23 +21,6 @@ using scene::ParameterGroup;
 constexpr float margin = 8.0f;  // between panels and the window's edge, px
 constexpr ImU32 fault_colour = IM_COL32(255, 115, 90, 255);
 
-struct GroupPanel {
-  ParameterGroup group;
-  const char* title;
-};
-constexpr std::array<GroupPanel, 12> group_panels{{{ParameterGroup::wind, "Wind"},
-                                                   {ParameterGroup::sea, "Spectrum"},
-                                                   {ParameterGroup::grid, "Cascades and Gerstner waves"},
-                                                   {ParameterGroup::swell, "Swells"},
-                                                   {ParameterGroup::raindrop, "Raindrops"},
-                                                   {ParameterGroup::foam, "Foam"},
-                                                   {ParameterGroup::sun, "Sun"},
-                                                   {ParameterGroup::sky, "Air"},
-                                                   {ParameterGroup::camera, "Camera"},
-                                                   {ParameterGroup::render, "Picture"},
-                                                   {ParameterGroup::world, "World"},
-                                                   {ParameterGroup::time, "Time of the scene"}}};
-
 std::string_view section_of(const scene::Parameter& row) {
   return row.key.substr(0, row.key.rfind('.'));
 }
@@ -185,7 +168,7 @@ void draw_main_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits
   ImGui::PushItemWidth(11.0f * ImGui::GetFontSize());
   draw_clock(state);
   draw_view(state);
-  for (const GroupPanel& panel : group_panels) draw_group(panel, state, edits);
+  for (const GroupPanel& panel : group_panels()) draw_group(panel, state, edits);
   draw_file(state, edits);
   draw_times(state, facts);
   ImGui::PopItemWidth();
@@ -233,6 +216,22 @@ void draw_message(Message& message) {
 }
 
 }  // namespace
+
+std::span<const GroupPanel> group_panels() {
+  static constexpr std::array<GroupPanel, 12> panels{{{ParameterGroup::wind, "Wind"},
+                                                      {ParameterGroup::sea, "Spectrum"},
+                                                      {ParameterGroup::grid, "Cascades and Gerstner waves"},
+                                                      {ParameterGroup::swell, "Swells"},
+                                                      {ParameterGroup::raindrop, "Raindrops"},
+                                                      {ParameterGroup::foam, "Foam"},
+                                                      {ParameterGroup::sun, "Sun"},
+                                                      {ParameterGroup::sky, "Air"},
+                                                      {ParameterGroup::camera, "Camera"},
+                                                      {ParameterGroup::render, "Picture"},
+                                                      {ParameterGroup::world, "World"},
+                                                      {ParameterGroup::time, "Time of the scene"}}};
+  return panels;
+}
 
 Message fault_message(const Error& error) {
   return {.text = fmt::format("{}{}{}", error.what(), error.hint().empty() ? "" : "\n", error.hint()),

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "host/base/error.h"
 #include "host/ocl/device.h"
 #include "host/scene/ocean_scene.h"
+#include "host/scene/parameter.h"
 #include "host/scene/scene_writer.h"
 #include "present/free_camera.h"
 #include "present/gl_context.h"
@@ -23,6 +25,13 @@ struct Message {
 };
 /// The error's line, with the compiler's words if there were any, and its mend.
 Message fault_message(const Error& error);
+
+/// The panel of a group of the parameter table.
+struct GroupPanel {
+  scene::ParameterGroup group;
+  const char* title;
+};
+std::span<const GroupPanel> group_panels();
 
 /// Everything that keys and panels change, and the window shows.
 struct ViewState {

@@ -16,14 +16,8 @@ namespace {
 using present::parameter_label;
 using scene::OceanScene;
 using scene::Parameter;
-using scene::ParameterGroup;
 
-struct Panel {
-  ParameterGroup group;
-  const char* title;
-};
-
-class PanelEditsTest : public WindowTest, public testing::WithParamInterface<Panel> {
+class PanelEditsTest : public WindowTest, public testing::WithParamInterface<present::GroupPanel> {
  protected:
   std::string value_of(const Parameter& row) const {
     return scene::value_text(state().scene, row, scene::Digits::exact);
@@ -114,18 +108,23 @@ TEST_P(PanelEditsTest, ShowWhatAFreshStartShows) {
   EXPECT_TRUE(picture() == live) << "the window shows another picture than a fresh start";
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Panels, PanelEditsTest,
-    testing::Values(Panel{ParameterGroup::wind, "Wind"}, Panel{ParameterGroup::sea, "Spectrum"},
-                    Panel{ParameterGroup::grid, "Cascades and Gerstner waves"},
-                    Panel{ParameterGroup::foam, "Foam"}, Panel{ParameterGroup::sun, "Sun"},
-                    Panel{ParameterGroup::camera, "Camera"}, Panel{ParameterGroup::render, "Picture"},
-                    Panel{ParameterGroup::world, "World"}, Panel{ParameterGroup::time, "Time of the scene"}),
-    [](const auto& panel) {
-      std::string name = panel.param.title;
-      std::erase(name, ' ');
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Panels, PanelEditsTest,
+                         testing::ValuesIn(present::group_panels().begin(), present::group_panels().end()),
+                         [](const auto& panel) {
+                           std::string name = panel.param.title;
+                           std::erase(name, ' ');
+                           return name;
+                         });
+
+// Fails if a row of the table belongs to no panel.
+TEST(GroupPanelsTest, HoldEveryRow) {
+  const auto panels = present::group_panels();
+  for (const Parameter& row : scene::parameter_table()) {
+    const auto count = std::count_if(panels.begin(), panels.end(),
+                                     [&](const auto& panel) { return panel.group == row.group; });
+    EXPECT_EQ(count, 1) << row.key;
+  }
+}
 
 class RefusedEditsTest : public WindowTest {
  protected:
