@@ -52,7 +52,7 @@ void draw_rows(const GroupPanel& panel, const std::vector<const scene::Parameter
   for (const scene::Parameter* row : rows) {
     if (section_of(*row) != section) {
       section = section_of(*row);
-      ImGui::TextDisabled("[%s]", std::string(section).c_str());
+      ImGui::TextDisabled(row->max_count > 1 ? "[[%s]]" : "[%s]", std::string(section).c_str());
     }
     note(parameter_widget(state.scene, *row, state.edit), panel, state, edits);
   }

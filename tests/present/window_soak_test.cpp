@@ -94,7 +94,9 @@ class WindowSoakTest : public WindowTest {
     ImGuiWindow* panel = main_panel();
     const scene::Parameter& size = *scene::find_parameter("ocean.size");
     const unsigned hovered = ImGui::GetCurrentContext()->HoveredId;
-    if (panel != nullptr && hovered == panel->GetID(present::parameter_label(size).c_str())) return;
+    if (panel != nullptr && panel->WasActive &&
+        hovered == panel->GetID(present::parameter_label(size).c_str()))
+      return;
     drag(from, {from.x + pick(-60, 60), from.y + pick(-20, 20)});
   }
 
