@@ -1,5 +1,9 @@
 #pragma once
 
+#include <map>
+#include <mutex>
+#include <string>
+
 #include "host/ocl/device.h"
 #include "host/ocl/opencl.h"
 
@@ -13,6 +17,10 @@ struct DeviceState {
   Handle<cl_command_queue> queue;
   bool is_profiling = false;
   bool shares_gl = false;
+  /// Programs built so far, by what they were built from: a simulation that is made anew while it is shown
+  /// does not wait for the driver, nor for other processes' turns to build.
+  std::map<std::string, Handle<cl_program>> programs;
+  std::mutex programs_mutex;  ///< for `programs`: threads may share a device
 
   ~DeviceState() {
     // A driver may otherwise run commands while its objects go.

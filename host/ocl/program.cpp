@@ -111,6 +111,20 @@ Handle<cl_program> compile(const detail::DeviceState& device, std::string_view s
               "update the device's OpenCL driver or choose another --device; --verbose prints the whole log");
 }
 
+Handle<cl_program> load_or_compile(const detail::DeviceState& device, std::string_view source_name,
+                                   const std::string& source, const std::string& options,
+                                   const std::string& identity) {
+  const quirks::BuildTurn turn(device.info);
+  const ProgramCache cache;
+  if (const auto binary = cache.load(identity)) {
+    if (Handle<cl_program> program = load_binary(device, *binary, options)) return program;
+    spdlog::warn("{} refuses its cached binary of {}: rebuilding it", device.info.name, source_name);
+  }
+  Handle<cl_program> program = compile(device, source_name, source, options);
+  cache.store(identity, binary_of(program.get()));
+  return program;
+}
+
 void check_define(const std::string& name, const std::string& value) {
   if (!name.empty() && (name + value).find_first_of(" \t\n\"'\\") == std::string::npos) return;
   throw Error(ErrorKind::bad_usage,
@@ -139,24 +153,16 @@ Defines& Defines::set(std::string name, long long value) {
 Program::Program(std::shared_ptr<State> state) : state_(std::move(state)) {}
 
 Program Program::build(const Device& device, std::string_view source_name, const Defines& defines) {
-  const detail::DeviceState& opened = *device.state();
+  detail::DeviceState& opened = *device.state();
   const std::string source = assemble_source(source_name);
   const std::string options = options_of(opened.info, defines);
   const std::string identity = identity_of(opened.info, source, options);
-  const quirks::BuildTurn turn(opened.info);
-  const ProgramCache cache;
-  Handle<cl_program> program;
-  if (const auto binary = cache.load(identity)) {
-    program = load_binary(opened, *binary, options);
-    if (!program)
-      spdlog::warn("{} refuses its cached binary of {}: rebuilding it", opened.info.name, source_name);
-  }
-  if (!program) {
-    program = compile(opened, source_name, source, options);
-    cache.store(identity, binary_of(program.get()));
-  }
-  return Program(
-      std::make_shared<State>(State{device.state(), std::move(program), std::string(source_name)}));
+  const std::lock_guard lock(opened.programs_mutex);
+  Handle<cl_program>& program = opened.programs[identity];
+  if (!program) program = load_or_compile(opened, source_name, source, options, identity);
+  check(clRetainProgram(program.get()), "clRetainProgram", source_name);
+  return Program(std::make_shared<State>(
+      State{device.state(), Handle<cl_program>(program.get()), std::string(source_name)}));
 }
 
 Kernel Program::kernel(std::string_view name) const {

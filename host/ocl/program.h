@@ -33,8 +33,8 @@ class Defines {
 /// it off.
 class Program {
  public:
-  /// Builds `source_name`, such as "ocean/spectrum_advance.cl". Throws Error(build_failed) with the
-  /// compiler's log.
+  /// Builds `source_name`, such as "ocean/spectrum_advance.cl"; the same text with the same definitions once
+  /// a device. Throws Error(build_failed) with the compiler's log.
   static Program build(const Device& device, std::string_view source_name, const Defines& defines = {});
 
   /// Throws Error(build_failed) if the program has no kernel of that name.

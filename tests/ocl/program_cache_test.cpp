@@ -157,11 +157,13 @@ class CachedProgramTest : public ::testing::Test {
  protected:
   CachedProgramTest() { kernels_.write("answer.cl", "kernel void answer(global int* v) { v[0] = 42; }"); }
 
-  int answer() const {
-    const Buffer<int> values(device_, 1, "values");
-    Program::build(device_, "answer.cl").kernel("answer").launch({{1}}, values);
+  int answer(const Device& device) const {
+    const Buffer<int> values(device, 1, "values");
+    Program::build(device, "answer.cl").kernel("answer").launch({{1}}, values);
     return values.read()[0];
   }
+  /// By a device that has built nothing yet.
+  int answer() const { return answer(Device::open()); }
   std::vector<fs::path> entries() const {
     std::vector<fs::path> paths;
     for (const auto& file : fs::directory_iterator(kernels_.cache().path())) {
@@ -171,7 +173,6 @@ class CachedProgramTest : public ::testing::Test {
   }
 
   test::TestKernels kernels_;
-  Device device_ = Device::open();
   LogCapture log_;
 };
 
@@ -180,6 +181,17 @@ TEST_F(CachedProgramTest, KeepsOneEntryAProgram) {
   EXPECT_EQ(answer(), 42);
   EXPECT_EQ(entries().size(), 1u);
   EXPECT_EQ(log_.lines(), 0u) << log_.text();
+}
+
+// Fails if a device asks the driver twice for one program, or takes the old one for a source that was edited.
+TEST_F(CachedProgramTest, BuildsOnceADevice) {
+  const Device device = Device::open();
+  EXPECT_EQ(answer(device), 42);
+  replace(entries().front(), "garbage");
+  EXPECT_EQ(answer(device), 42);
+  EXPECT_EQ(log_.lines(), 0u) << log_.text();
+  kernels_.write("answer.cl", "kernel void answer(global int* v) { v[0] = 43; }");
+  EXPECT_EQ(answer(device), 43);
 }
 
 TEST_F(CachedProgramTest, RebuildsADamagedEntry) {
