@@ -32,6 +32,7 @@ StageTimes::Scope::Scope(StageTimes& times, Stage stage)
 
 StageTimes::Scope::~Scope() {
   glEndQuery(GL_TIME_ELAPSED);
+  if (times_.waits_) glFinish();
   times_.current_ms_[index(stage_)] += milliseconds_since(start_);
 }
 

@@ -46,6 +46,10 @@ class StageTimes {
   /// Time that a device measured itself: OpenCL's events.
   void add_device_ms(Stage stage, double milliseconds) { added_ms_[index(stage)] += milliseconds; }
 
+  /// From now on a stage lasts until OpenGL has done what it was asked for there: exact on the CPU's clock,
+  /// for measurements, where drivers that draw on the CPU put work off.
+  void wait_for_stages() { waits_ = true; }
+
   /// Milliseconds of a stage, the oldest frame first.
   const std::array<float, history_length>& history_ms(Stage stage, TimeSource source) const {
     return (source == TimeSource::cpu ? cpu_ms_ : device_ms_)[index(stage)];
@@ -68,6 +72,7 @@ class StageTimes {
   std::array<std::array<GlQuery, stage_count>, latency> queries_;
   std::array<std::array<bool, stage_count>, latency> is_asked_{};
   std::size_t slot_ = 0;
+  bool waits_ = false;
   std::chrono::steady_clock::time_point frame_start_ = std::chrono::steady_clock::now();
 };
 

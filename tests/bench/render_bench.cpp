@@ -20,7 +20,7 @@ namespace {
 using present::Stage;
 
 constexpr double frame_s = 1.0 / 24.0;
-constexpr int warm_up_frames = 10;
+constexpr int stage_frames = 40;
 
 /// A scene drawn into a framebuffer, frame after frame, as the window draws it.
 class Renderer {
@@ -52,11 +52,10 @@ class Renderer {
     frame_.times().end_frame();
   }
 
-  /// The longer of the CPU's and the GPU's time of the last frame.
-  double stage_ms(Stage stage) {
-    const auto& times = frame_.times();
-    return std::max(times.cpu_ms(stage).back(), times.gl_ms(stage).back());
-  }
+  /// Of the last frame.
+  double stage_ms(Stage stage) { return frame_.times().history_ms(stage, present::TimeSource::cpu).back(); }
+  /// Stages last until they are done from now on.
+  void wait_for_stages() { frame_.times().wait_for_stages(); }
 
  private:
   present::GlContext context_;
@@ -67,15 +66,8 @@ class Renderer {
   double time_s_ = 0.0;
 };
 
+/// Blocks of frames; then, with an end to each stage, of the stages.
 void measure(Renderer& renderer, const std::string& name, int size, int blocks, const Sinks& sinks) {
-  for (int i = 0; i < warm_up_frames; ++i) renderer.draw_next();
-  std::vector<double> frame_ms;
-  std::array<std::vector<double>, present::stage_count> stage_ms;
-  for (int i = 0; i < blocks; ++i) {
-    frame_ms.push_back(block_ms([&] { renderer.draw_next(); }));
-    for (std::size_t s = 0; s < present::stage_count; ++s)
-      stage_ms[s].push_back(renderer.stage_ms(static_cast<Stage>(s)));
-  }
   const auto row = [&](const std::string& row_name, const std::vector<double>& ms) {
     sinks.row({.name = row_name,
                .size = size,
@@ -83,10 +75,20 @@ void measure(Renderer& renderer, const std::string& name, int size, int blocks, 
                .peer = renderer.gl_renderer(),
                .spread = relative_spread(ms)});
   };
+  std::vector<double> frame_ms;
+  for (int i = 0; i < blocks; ++i) frame_ms.push_back(block_ms([&] { renderer.draw_next(); }));
   row(name, frame_ms);
-  for (std::size_t s = 0; s < present::stage_count; ++s) {
-    if (median(stage_ms[s]) > 0.0)
-      row(fmt::format("{}: {}", name, to_string(static_cast<Stage>(s))), stage_ms[s]);
+
+  renderer.wait_for_stages();
+  std::array<std::vector<double>, present::stage_count> stage_ms;
+  for (int i = 0; i < stage_frames; ++i) {
+    renderer.draw_next();
+    for (std::size_t s = 0; s < present::stage_count; ++s) {
+      stage_ms[s].push_back(renderer.stage_ms(static_cast<Stage>(s)));
+    }
+  }
+  for (const Stage stage : {Stage::simulate, Stage::transfer, Stage::sky, Stage::water, Stage::tone}) {
+    row(fmt::format("{}_{}", name, to_string(stage)), stage_ms[static_cast<std::size_t>(stage)]);
   }
 }
 
@@ -96,7 +98,7 @@ void bench_render(const Settings& settings, const Sinks& sinks) {
   const scene::OceanScene rough = scene::load_scene(std::filesystem::path(OFFING_SCENES) / "rough.toml");
   {
     Renderer renderer(settings.device, scene::prepare_world(rough), rough.view, {640, 360});
-    measure(renderer, "render_rough_640x360", rough.ocean.size, settings.blocks, sinks);
+    measure(renderer, "render_rough", rough.ocean.size, settings.blocks, sinks);
   }
   for (const int size : settings.sizes) {
     // The paper's frame: one patch, 16 Gerstner waves on 128 x 128 points, 1280 x 1024 pixels.
@@ -105,7 +107,7 @@ void bench_render(const Settings& settings, const Sinks& sinks) {
     paper.patch_lengths_m = {rough.patch_lengths_m.front() / 2.0};
     paper.gerstner_count = 16;
     Renderer renderer(settings.device, scene::prepare_world(paper), paper.view, {1280, 1024});
-    measure(renderer, "render_1280x1024", size, settings.blocks, sinks);
+    measure(renderer, "render_paper", size, settings.blocks, sinks);
   }
 }
 
