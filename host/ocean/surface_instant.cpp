@@ -100,7 +100,12 @@ SurfaceInstant::Sums SurfaceInstant::sums_at(const WaterPoint& label) const {
 /// The steps of ocean/surface_query.cl.
 WaterPoint SurfaceInstant::label_under(const WaterPoint& point) const {
   WaterPoint label = point;
-  for (int step = 0; step < SURFACE_QUERY_MOST_STEPS; ++step) {
+  const bool has_trochoids = !trochoids_.waves().empty();
+  if (has_trochoids) {
+    const TrochoidValues values = trochoids_.at(point.x_m, point.z_m);
+    label = {.x_m = point.x_m - values.displacement_x_m, .z_m = point.z_m - values.displacement_z_m};
+  }
+  for (int step = has_trochoids ? 1 : 0; step < SURFACE_QUERY_MOST_STEPS; ++step) {
     const Sums sums = sums_at(label);
     const double off_x_m = label.x_m + sums.values.displacement_x_m - point.x_m;
     const double off_z_m = label.z_m + sums.values.displacement_z_m - point.z_m;
@@ -108,8 +113,9 @@ WaterPoint SurfaceInstant::label_under(const WaterPoint& point) const {
     const double xx = 1.0 + sums.x_by_x, zz = 1.0 + sums.z_by_z;
     const double determinant =
         std::max<double>(xx * zz - sums.x_by_z * sums.z_by_x, SURFACE_QUERY_LEAST_DETERMINANT);
-    label.x_m -= step == 0 ? off_x_m : (zz * off_x_m - sums.x_by_z * off_z_m) / determinant;
-    label.z_m -= step == 0 ? off_z_m : (xx * off_z_m - sums.z_by_x * off_x_m) / determinant;
+    const bool is_plain = step == 0;
+    label.x_m -= is_plain ? off_x_m : (zz * off_x_m - sums.x_by_z * off_z_m) / determinant;
+    label.z_m -= is_plain ? off_z_m : (xx * off_z_m - sums.z_by_x * off_x_m) / determinant;
   }
   return label;
 }

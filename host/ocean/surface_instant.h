@@ -28,6 +28,9 @@ class SurfaceInstant {
   /// All cascades and trochoids at a label, summed.
   TrochoidValues at_label(const WaterPoint& label) const { return sums_at(label).values; }
 
+  const std::vector<Maps>& cascades() const { return cascades_; }
+  const TrochoidInstant& trochoids() const { return trochoids_; }
+
  private:
   struct Sums {
     TrochoidValues values;

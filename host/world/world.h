@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "host/ocean/ocean.h"
@@ -50,6 +51,12 @@ class World {
 
   /// Enqueues the world of this time, as seen from this height above the sea: sky, sea, foam.
   void at(double time_s, double eye_altitude_m);
+
+  /// The water at points of the world by the last at(): Ocean::sample() with this world's trochoids.
+  std::vector<ocean::WaterSample> sample(std::span<const ocean::WaterPoint> points,
+                                         const ocean::WaterQuery& query = {}) {
+    return ocean_.sample(points, parameters_.trochoids, query);
+  }
 
   // Changes while it runs. All take effect with the next at(), which then gives what a world made with the
   // changed parameters gives; one that throws has changed nothing.

@@ -5,8 +5,8 @@
 // Out: samples (shared/surface_query.h), the surface of ocean/surface_compose.cl where it meets the point's vertical.
 // The label X solves X + d(X) = x. Steps X <- X - B (X + d(X) - x) end where the residual is small; the first is that of
 // fixed-point iteration (B = 1), the others have B = (I + grad d)^-1 of the interpolated displacement: with B = 1 they would
-// go on for dozens of steps where crests are steep. A point under a fold has several labels: one of them is found. Points that are not finite get a
-// residual that is not either.
+// go on for dozens of steps where crests are steep. A point under a fold has several labels: one of them is found. Points
+// that are not finite get a residual that is not either.
 #include "ocean/deformation.clh"
 #include "ocean/trochoid_ring.clh"
 #include "shared/surface_query.h"
@@ -27,16 +27,11 @@ typedef struct {
   uint_lanes wave[TROCHOID_WAVES];
 } Tile;
 
-// Labels in texels of a cascade, lane by lane: the high bits of a place are the texel, the others what lies beyond it.
+// The four texels of each cascade around LANES labels, and how far the labels are on the way to the right and to the far side.
 typedef struct {
-  uint x[CASCADES * LANES], z[CASCADES * LANES];
-} Places;
-
-// Fields of the displacement and what a step needs of its derivative.
-typedef struct {
-  lanes shift_x, height, shift_z, gradient_xz;
-  lanes x_by_x, z_by_x, x_by_z, z_by_z;
-} Moved;
+  uint near_left[CASCADES * LANES], near_right[CASCADES * LANES], far_left[CASCADES * LANES], far_right[CASCADES * LANES];
+  float u[CASCADES * LANES], v[CASCADES * LANES];
+} Cells;
 
 // The fractions of turns in 2^-32 of one. The factor is 2^32 - 2^8: half a turn is an int.
 FFT_INLINE uint_lanes fraction_of(lanes turns) {
@@ -63,41 +58,40 @@ FFT_INLINE void set_tile(__global const SurfaceQueryParams *params, __global con
   }
 }
 
-FFT_INLINE void set_places(__global const SurfaceQueryParams *params, const Tile *tile, lanes x_m, lanes z_m,
-                           Places *places) {
+// Of a place in 2^-32 of the patch the high bits are the texel, the others what lies beyond it.
+FFT_INLINE void set_cells(__global const SurfaceQueryParams *params, const Tile *tile, lanes x_m, lanes z_m, Cells *cells) {
+  const uint size = (uint)params->size, mask = size - 1u, below_texel = clz(mask), texel = 32u - below_texel;
+  const float per_unit = 2.3283064365386963e-10f;  // 2^-32
   for (int cascade = 0; cascade < params->cascade_count; ++cascade) {
     const float patches_per_m = params->patches_per_m[cascade];
-    store_lanes(tile->patch_x[cascade] + fraction_of(x_m * patches_per_m), places->x + cascade * LANES);
-    store_lanes(tile->patch_z[cascade] + fraction_of(z_m * patches_per_m), places->z + cascade * LANES);
+    const uint_lanes column = tile->patch_x[cascade] + fraction_of(x_m * patches_per_m);
+    const uint_lanes row = tile->patch_z[cascade] + fraction_of(z_m * patches_per_m);
+    const uint_lanes left = column >> below_texel, right = (left + 1u) & mask;
+    const uint_lanes near = row >> below_texel, far = (near + 1u) & mask;
+    const uint first = (uint)cascade * size * size;
+    const int place = cascade * LANES;
+    store_lanes(first + near * size + left, cells->near_left + place);
+    store_lanes(first + near * size + right, cells->near_right + place);
+    store_lanes(first + far * size + left, cells->far_left + place);
+    store_lanes(first + far * size + right, cells->far_right + place);
+    store_lanes(convert_lanes(column << texel) * per_unit, cells->u + place);
+    store_lanes(convert_lanes(row << texel) * per_unit, cells->v + place);
+  }
+}
+
+// Asks for what a map has there, so that it is on its way while the trochoids are summed.
+FFT_INLINE void fetch_cells(__global const float4 *map, int cascade_count, const Cells *cells) {
+  for (int i = 0; i < cascade_count * LANES; ++i) {
+    prefetch_line(map + cells->near_left[i]);
+    prefetch_line(map + cells->near_right[i]);
+    prefetch_line(map + cells->far_left[i]);
+    prefetch_line(map + cells->far_right[i]);
   }
 }
 
 FFT_INLINE void wave_at(__global const SurfaceQueryWave *wave, uint_lanes tile, lanes x_m, lanes z_m, lanes *cosine,
                         lanes *sine) {
   cosine_sine_of_turns(tile + fraction_of(x_m * wave->turns_x_perm + z_m * wave->turns_z_perm), cosine, sine);
-}
-
-// The four texels around a place.
-typedef struct {
-  size_t near_left, near_right, far_left, far_right;
-  float u, v;  // of the way to the right, to the far side
-} Cell;
-
-FFT_INLINE Cell cell_at(const Places *places, int cascade, int lane, int size) {
-  const uint column = places->x[cascade * LANES + lane], row = places->z[cascade * LANES + lane];
-  const uint mask = (uint)size - 1u, below_texel = clz(mask), texel = 32u - below_texel;
-  const uint left = column >> below_texel, right = (left + 1u) & mask;
-  const uint near = row >> below_texel, far = (near + 1u) & mask;
-  const size_t first = (size_t)cascade * size * size;
-  const float per_unit = 2.3283064365386963e-10f;  // 2^-32
-  const Cell cell = {first + near * size + left, first + near * size + right, first + far * size + left,
-                     first + far * size + right, (float)(column << texel) * per_unit, (float)(row << texel) * per_unit};
-  return cell;
-}
-
-FFT_INLINE float4 blend(__global const float4 *map, const Cell *cell) {
-  return mix(mix(map[cell->near_left], map[cell->near_right], cell->u),
-             mix(map[cell->far_left], map[cell->far_right], cell->u), cell->v);
 }
 
 // Four fields of LANES points out of a float4 a point.
@@ -114,41 +108,58 @@ FFT_INLINE void split_fields(const float4 *points, lanes *a, lanes *b, lanes *c,
 #endif
 }
 
-// A field of all cascades.
-FFT_INLINE void sum_map(__global const float4 *map, __global const SurfaceQueryParams *params, const Places *places,
-                        lanes *a, lanes *b, lanes *c, lanes *d) {
+// Adds a map's fields of all cascades.
+FFT_INLINE void add_map(__global const float4 *map, int cascade_count, const Cells *cells, lanes *a, lanes *b, lanes *c,
+                        lanes *d) {
   float4 sums[LANES];
   for (int lane = 0; lane < LANES; ++lane) {
     float4 sum = (float4)(0.0f);
-    for (int cascade = 0; cascade < params->cascade_count; ++cascade) {
-      const Cell cell = cell_at(places, cascade, lane, params->size);
-      sum += blend(map, &cell);
+    for (int i = lane; i < cascade_count * LANES; i += LANES) {
+      sum += mix(mix(map[cells->near_left[i]], map[cells->near_right[i]], cells->u[i]),
+                 mix(map[cells->far_left[i]], map[cells->far_right[i]], cells->u[i]), cells->v[i]);
     }
     sums[lane] = sum;
   }
-  split_fields(sums, a, b, c, d);
+  lanes sum_a, sum_b, sum_c, sum_d;
+  split_fields(sums, &sum_a, &sum_b, &sum_c, &sum_d);
+  *a += sum_a;
+  *b += sum_b;
+  *c += sum_c;
+  *d += sum_d;
 }
 
-// The displacement of all cascades and its derivative, by differences across the cell: what a step needs exactly.
-FFT_INLINE void sum_displacement(__global const float4 *map, __global const SurfaceQueryParams *params,
-                                 const Places *places, Moved *moved) {
+// The horizontal displacement and its derivative.
+typedef struct {
+  lanes x, z, x_by_x, z_by_x, x_by_z, z_by_z;
+} Moved;
+
+// Adds the displacement of all cascades and its derivative by differences across the cell: what a step needs exactly.
+FFT_INLINE void add_displacement(__global const float4 *map, __global const SurfaceQueryParams *params, const Cells *cells,
+                                 Moved *moved) {
   float4 sums[LANES], derivatives[LANES];
   for (int lane = 0; lane < LANES; ++lane) {
     float4 sum = (float4)(0.0f), derivative = (float4)(0.0f);
     for (int cascade = 0; cascade < params->cascade_count; ++cascade) {
-      const Cell cell = cell_at(places, cascade, lane, params->size);
-      const float4 near_left = map[cell.near_left], far_left = map[cell.far_left];
-      const float4 along_near = map[cell.near_right] - near_left, along_far = map[cell.far_right] - far_left;
-      const float4 near = near_left + cell.u * along_near, across = far_left + cell.u * along_far - near;
-      sum += near + cell.v * across;
-      const float4 along = mix(along_near, along_far, cell.v);
+      const int i = cascade * LANES + lane;
+      const float4 near_left = map[cells->near_left[i]], far_left = map[cells->far_left[i]];
+      const float4 along_near = map[cells->near_right[i]] - near_left, along_far = map[cells->far_right[i]] - far_left;
+      const float4 near = near_left + cells->u[i] * along_near, across = far_left + cells->u[i] * along_far - near;
+      sum += near + cells->v[i] * across;
+      const float4 along = mix(along_near, along_far, cells->v[i]);
       derivative += params->texels_per_m[cascade] * (float4)(along.xz, across.xz);
     }
     sums[lane] = sum;
     derivatives[lane] = derivative;
   }
-  split_fields(sums, &moved->shift_x, &moved->height, &moved->shift_z, &moved->gradient_xz);
-  split_fields(derivatives, &moved->x_by_x, &moved->z_by_x, &moved->x_by_z, &moved->z_by_z);
+  lanes x, height, z, gradient_xz, x_by_x, z_by_x, x_by_z, z_by_z;
+  split_fields(sums, &x, &height, &z, &gradient_xz);
+  split_fields(derivatives, &x_by_x, &z_by_x, &x_by_z, &z_by_z);
+  moved->x += x;
+  moved->z += z;
+  moved->x_by_x += x_by_x;
+  moved->z_by_x += z_by_x;
+  moved->x_by_z += x_by_z;
+  moved->z_by_z += z_by_z;
 }
 
 // The label, relative to the tile, under points relative to it.
@@ -157,23 +168,28 @@ FFT_INLINE void find_labels(__global const float4 *displacement, __global const 
                             lanes *label_x_m, lanes *label_z_m) {
   lanes at_x = x_m, at_z = z_m;
   for (int step = 0; step < SURFACE_QUERY_MOST_STEPS; ++step) {
-    Places places;
-    Moved moved;
-    set_places(params, tile, at_x, at_z, &places);
-    sum_displacement(displacement, params, &places, &moved);
+    // The trochoids are the long waves and move the label farthest: the first step takes them alone.
+    const bool takes_all = step > 0 || params->wave_count == 0;
+    Cells cells;
+    Moved moved = {(lanes)0.0f, (lanes)0.0f, (lanes)0.0f, (lanes)0.0f, (lanes)0.0f, (lanes)0.0f};
+    if (takes_all) {
+      set_cells(params, tile, at_x, at_z, &cells);
+      fetch_cells(displacement, params->cascade_count, &cells);
+    }
     for (int i = 0; i < params->wave_count; ++i) {
       lanes cosine, sine;
       wave_at(waves + i, tile->wave[i], at_x, at_z, &cosine, &sine);
-      moved.shift_x += waves[i].shift_x_m * sine;
-      moved.shift_z += waves[i].shift_z_m * sine;
+      moved.x += waves[i].shift_x_m * sine;
+      moved.z += waves[i].shift_z_m * sine;
       moved.x_by_x += waves[i].gradient_xx * cosine;
       moved.x_by_z += waves[i].gradient_xz * cosine;
-      moved.z_by_x += waves[i].gradient_xz * cosine;
       moved.z_by_z += waves[i].gradient_zz * cosine;
     }
-    const lanes off_x = at_x + moved.shift_x - x_m, off_z = at_z + moved.shift_z - z_m;
+    moved.z_by_x = moved.x_by_z;
+    if (takes_all) add_displacement(displacement, params, &cells, &moved);
+    const lanes off_x = at_x + moved.x - x_m, off_z = at_z + moved.z - z_m;
     const int_lanes is_far = mask_of(off_x * off_x + off_z * off_z > params->tolerance_m * params->tolerance_m);
-    if (!any_lane(is_far)) break;
+    if (takes_all && !any_lane(is_far)) break;
     const lanes xx = 1.0f + moved.x_by_x, zz = 1.0f + moved.z_by_z;
     const lanes scale =
         1.0f / fmax(xx * zz - moved.x_by_z * moved.z_by_x, (lanes)SURFACE_QUERY_LEAST_DETERMINANT);
@@ -192,13 +208,13 @@ FFT_INLINE void sample_labels(__global const float4 *displacement, __global cons
                               __global const TrochoidRingInTile *rings, __global const SurfaceQueryParams *params,
                               const Tile *tile, int_lanes tile_x, int_lanes tile_z, lanes x_m, lanes z_m, lanes label_x_m,
                               lanes label_z_m, float *fields) {
-  Places places;
-  set_places(params, tile, label_x_m, label_z_m, &places);
-  lanes shift_x, height, shift_z, xz, slope_x, slope_z, xx, zz;
-  sum_map(displacement, params, &places, &shift_x, &height, &shift_z, &xz);
-  sum_map(gradient, params, &places, &slope_x, &slope_z, &xx, &zz);
-  lanes velocity_x = (lanes)0.0f, velocity_y = (lanes)0.0f, velocity_z = (lanes)0.0f, head = (lanes)0.0f;
-  if (params->has_flow) sum_map(flow, params, &places, &velocity_x, &velocity_y, &velocity_z, &head);
+  Cells cells;
+  set_cells(params, tile, label_x_m, label_z_m, &cells);
+  fetch_cells(gradient, params->cascade_count, &cells);
+  if (params->has_flow) fetch_cells(flow, params->cascade_count, &cells);
+  lanes shift_x = (lanes)0.0f, shift_z = shift_x, height = shift_x, slope_x = shift_x, slope_z = shift_x;
+  lanes xx = shift_x, xz = shift_x, zz = shift_x;
+  lanes velocity_x = shift_x, velocity_y = shift_x, velocity_z = shift_x, head = shift_x;
   for (int i = 0; i < params->wave_count; ++i) {
     lanes cosine, sine;
     wave_at(waves + i, tile->wave[i], label_x_m, label_z_m, &cosine, &sine);
@@ -215,6 +231,9 @@ FFT_INLINE void sample_labels(__global const float4 *displacement, __global cons
     velocity_z += waves[i].velocity_z_mps * cosine;
     head += waves[i].head_m * cosine;
   }
+  add_map(displacement, params->cascade_count, &cells, &shift_x, &height, &shift_z, &xz);
+  add_map(gradient, params->cascade_count, &cells, &slope_x, &slope_z, &xx, &zz);
+  if (params->has_flow) add_map(flow, params->cascade_count, &cells, &velocity_x, &velocity_y, &velocity_z, &head);
   for (int i = 0; i < params->ring_count; ++i) {
     const lanes from_x = convert_lanes(tile_x - rings[i].tile_x) * SURFACE_QUERY_TILE_M - rings[i].ring.centre_x_m;
     const lanes from_z = convert_lanes(tile_z - rings[i].tile_z) * SURFACE_QUERY_TILE_M - rings[i].ring.centre_z_m;

@@ -7,8 +7,8 @@
 #define SURFACE_QUERY_TILE_M 64.0f
 
 // The label under a point is found by at most this many steps X <- X - B (X + d(X) - x): the first has B = 1,
-// as fixed-point iteration has it, the others the inverse of the mapping's derivative, whose determinant is
-// taken to be this at least.
+// as fixed-point iteration has it, and d of the trochoids alone where there are any; the others have the
+// inverse of the mapping's derivative, whose determinant is taken to be this at least.
 #define SURFACE_QUERY_MOST_STEPS 24
 #define SURFACE_QUERY_LEAST_DETERMINANT 0.05f
 

@@ -44,6 +44,11 @@ void bench_gerstner(const ocl::Device& device, const Settings& settings, const S
 /// builds with the presenter.
 void bench_render(const Settings& settings, const Sinks& sinks);
 
+/// A call for the water at 1e5 points from and to host memory, with 16 trochoids and two cascades of each
+/// size whose maps are made before, against a loop in C++ on all cores. Throws Error(device) where results
+/// differ.
+void bench_queries(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
+
 /// From the start of a process to its first 256 x 256 frame of three cascades, with an empty kernel cache and
 /// with a filled one; nothing unless 256 is among the sizes.
 void bench_start(const Settings& settings, const Sinks& sinks);

@@ -11,6 +11,7 @@ FIELDS = ["name", "size", "ours_ms", "peer", "peer_ms", "ratio", "ratio_low", "s
 SIZES = {
     "fft": ("16", ["fft_batch16", "fft_batch16_alone"]),
     "ocean": ("32", ["ocean"]),
+    "queries": ("64", ["queries", "queries_surface"]),
     "gerstner": ("64", ["gerstner", "gerstner_alone"]),
 }
 

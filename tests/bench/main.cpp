@@ -106,6 +106,15 @@ int run_command_line(int argc, char** argv) {
   });
 #endif
 
+  CLI::App& queries = *app.add_subcommand(
+      "queries", "the water at 1e5 points, with two cascades and 16 Gerstner waves, against C++");
+  add_options(queries, options);
+  queries.callback([&] {
+    run(options, [&](const auto& device, const bench::Sinks& sinks) {
+      bench::bench_queries(device, options.settings, sinks);
+    });
+  });
+
   CLI::App& first_frame = *app.add_subcommand("first-frame", "what the start-up benchmark starts");
   first_frame.group("");
   first_frame.add_option("--device", options.settings.device);
