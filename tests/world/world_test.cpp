@@ -54,6 +54,19 @@ TEST_F(WorldTest, DependsOnTimeAndEyeAlone) {
   EXPECT_EQ(world_.time_s(), 4.0);
 }
 
+// Fails if a world's water is asked of another time, or without its trochoids.
+TEST_F(WorldTest, AnswersForItsWater) {
+  world_.at(12.3, 5.0);
+  const std::array points{ocean::WaterPoint{3.0, -40.0}, ocean::WaterPoint{1e5, 7.0}};
+  const auto samples = world_.sample(points);
+  ocean::Ocean alone(device_, parameters().spectrum, parameters().ocean);
+  alone.at(12.3);
+  const auto expected = alone.sample(points, parameters().trochoids);
+  ASSERT_EQ(samples.size(), 2u);
+  for (const std::size_t i : {0u, 1u}) EXPECT_EQ(samples[i].height_m, expected[i].height_m);
+  EXPECT_NE(samples[0].height_m, alone.sample(points)[0].height_m);
+}
+
 // Fails if the maps are those of a past instant that foam was computed from.
 TEST_F(WorldTest, HoldsTheSurfaceOfItsTime) {
   world_.at(12.3, 5.0);
