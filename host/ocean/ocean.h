@@ -127,8 +127,9 @@ class Ocean {
   /// at most the query's tolerance, but where the surface folds (a point has several labels there, one of
   /// which is found) and after 24 steps without success. Velocity and pressure are those of linear theory at
   /// that label at exactly the query's depth below the surface, with no levels to interpolate between:
-  /// another depth makes other maps. Pressure is density times (gravity times (depth - height) + dynamic
-  /// part), 0 at the surface.
+  /// another depth makes other maps. Water below a point is displaced as the surface above it. Pressure is
+  /// density times gravity times (depth - height + head), the head being what is left of each wave's height
+  /// at that depth, so that it is 0 at the surface.
   ///
   /// The first query of a time with flow, depth or minimum wavelength makes the maps that it needs; those of
   /// one minimum wavelength are kept. Throws Error(bad_input) for points beyond farthest_point_m, a query or
