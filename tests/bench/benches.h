@@ -39,9 +39,9 @@ void bench_ocean(const ocl::Device& device, const Settings& settings, const Sink
 /// Error(bad_usage) for a smaller size.
 void bench_gerstner(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
-/// Frames of the presenter on a framebuffer, and their stages: the shipped rough sea as its window draws it, and
-/// for each size the paper's frame (O15 of docs/sources.md): one patch, 16 trochoids, 1280 x 1024 pixels. Only in
-/// builds with the presenter.
+/// Frames of the presenter on a framebuffer, and their stages: the shipped rough sea as its window draws it,
+/// and for each size the paper's frame (O15 of docs/sources.md): one patch, 16 trochoids, 1280 x 1024 pixels.
+/// Only in builds with the presenter.
 void bench_render(const Settings& settings, const Sinks& sinks);
 
 /// A call for the water at 1e5 points from and to host memory, with 16 trochoids and two cascades of each

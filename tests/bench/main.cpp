@@ -102,7 +102,8 @@ int run_command_line(int argc, char** argv) {
   CLI::App& render = *app.add_subcommand("render", "frames of the presenter and their stages");
   add_options(render, options);
   render.callback([&] {
-    run(options, [&](const auto&, const bench::Sinks& sinks) { bench::bench_render(options.settings, sinks); });
+    run(options,
+        [&](const auto&, const bench::Sinks& sinks) { bench::bench_render(options.settings, sinks); });
   });
 #endif
 
