@@ -20,18 +20,20 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
   {
     const StageTimes::Scope stage(times_, Stage::transfer);
     water_.prepare(world, transfer_);
-  }
-  {
-    const StageTimes::Scope stage(times_, Stage::sky);
     sky_.prepare(world.sky());
-    light_.bind();
-    glClearDepth(0.0);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    sky_.draw(request.camera);
   }
   {
     const StageTimes::Scope stage(times_, Stage::water);
+    light_.bind();
+    glClearDepth(0.0);
+    glClear(GL_DEPTH_BUFFER_BIT);
     water_.draw(world, request, sky_.environment(), light_);
+  }
+  {
+    // Last, where nothing else is.
+    const StageTimes::Scope stage(times_, Stage::sky);
+    light_.bind();
+    sky_.draw(request.camera);
   }
   {
     const StageTimes::Scope stage(times_, Stage::tone);

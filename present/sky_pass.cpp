@@ -58,6 +58,7 @@ void SkyPass::bind(const ShaderProgram& program) const {
 }
 
 void SkyPass::prepare(const sky::ClearSky& sky) {
+  if (sky.revision() == revision_) return;
   glBindBuffer(GL_UNIFORM_BUFFER, block_.name());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(SkyParams), &sky.params(), GL_DYNAMIC_DRAW);
   glActiveTexture(GL_TEXTURE0);
@@ -66,12 +67,20 @@ void SkyPass::prepare(const sky::ClearSky& sky) {
   environment_.bind();
   bind(map_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  revision_ = sky.revision();
 }
 
 void SkyPass::draw(const Camera& camera) const {
   bind(sky_);
   set_view_rays(sky_, camera);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_EQUAL);
+  glDepthRange(0.0, 0.0);
+  glDepthMask(GL_FALSE);
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDepthMask(GL_TRUE);
+  glDepthRange(0.0, 1.0);
+  glDisable(GL_DEPTH_TEST);
 }
 
 }  // namespace offing::present

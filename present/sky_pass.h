@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "host/base/camera.h"
 #include "host/sky/clear_sky.h"
 #include "present/gl_objects.h"
@@ -8,15 +10,15 @@
 
 namespace offing::present {
 
-/// Draws the clear sky, behind everything and into a round map that reflections read (environment.glsl). It
-/// holds OpenGL's copies of the sky's tables.
+/// Draws the clear sky, behind everything else and into a round map that reflections read (environment.glsl).
+/// It holds OpenGL's copies of the sky's tables.
 class SkyPass {
  public:
   SkyPass();
 
-  /// Takes over tables and parameters of this sky and draws the map of reflections.
+  /// Takes over tables and parameters of this sky and draws the map of reflections, unless it has them.
   void prepare(const sky::ClearSky& sky);
-  /// Fills the bound target.
+  /// Fills the bound target where its depth, reversed, is infinite.
   void draw(const Camera& camera) const;
 
   /// The round map, a 2-D texture of kcd/m2.
@@ -30,6 +32,7 @@ class SkyPass {
   GlBuffer block_;
   GlTexture view_table_, depth_table_;
   RenderTarget environment_;
+  std::uint64_t revision_ = 0;  // of the sky that all this is of; 0: of none
 };
 
 }  // namespace offing::present

@@ -214,8 +214,7 @@ OffingStatus offing_sample(OffingWorld* world, const OffingQuery* query, const O
     std::transform(points, points + count, places.begin(), [](const OffingPoint& point) {
       return offing::ocean::WaterPoint{point.x_m, point.z_m};
     });
-    const std::vector<offing::ocean::WaterSample> found =
-        world->world.ocean().sample(places, world->world.parameters().trochoids, asked);
+    const std::vector<offing::ocean::WaterSample> found = world->world.sample(places, asked);
     std::transform(found.begin(), found.end(), samples, to_sample);
   });
 }

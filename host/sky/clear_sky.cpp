@@ -1,6 +1,7 @@
 #include "host/sky/clear_sky.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 
@@ -103,6 +104,8 @@ void ClearSky::at(const SkyView& view) {
              .blue_3_klx = scaled(colour.blue_klx[3])};
   view_kernel_.launch({{view_columns, view_rows}}, air_, params_, depth_table_, scattering_table_,
                       ground_table_, view_table_);
+  static std::atomic<std::uint64_t> revisions{0};
+  revision_ = ++revisions;
 }
 
 void ClearSky::fill_map(int columns, int rows, ocl::Buffer<Texel>& map) const {

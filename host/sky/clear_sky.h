@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,10 @@ class ClearSky {
   /// length within 1e-3, its distance within 0.1 ... 100 au, and the eye inside the air, at 0 m or more.
   void at(const SkyView& view);
 
+  /// Changes with each at(), and is that of no other sky: whoever holds copies of the tables knows by it
+  /// whether they are up to date.
+  std::uint64_t revision() const { return revision_; }
+
   /// For the radiance function; tables are [rows][columns] (r, g, b, 0) or four wavelengths, row-major, sizes
   /// in kernels/shared/sky_params.h: view_table of SKY_VIEW_LAYERS * SKY_VIEW_ROWS rows, new after each at();
   /// depth_table of SKY_DEPTH_ROWS, once and for all. As textures: RGBA32F, one row a row, read by
@@ -81,6 +86,7 @@ class ClearSky {
   Atmosphere atmosphere_;
   AtmosphereParams air_{};
   SkyParams params_{};
+  std::uint64_t revision_ = 0;
   ocl::Kernel view_kernel_, map_kernel_, rays_kernel_, illuminance_kernel_;
   ocl::Buffer<Texel> depth_table_, scattering_table_, ground_table_, view_table_;
 };

@@ -52,6 +52,7 @@ void main() {
     float k = length(wave);
     vec2 direction = wave / k;
     float share = shown_share(6.2831853 / (k * spacing_m));
+    if (share == 0.0) continue;
     float amplitude_m = share * waves[i].z, shift_m = share * waves[i].w;
     float phase = dot(wave, label) + wave_phases[i];
     float cosine = cos(phase), sine = sin(phase);

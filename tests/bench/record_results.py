@@ -12,6 +12,7 @@ import sys
 
 # Frames a second that Lee & Lee 2007 print, tables 2 and 3: size -> (GeForce 6800 Ultra, Pentium 4 at 3 GHz with FFTW).
 PAPER_TRANSFORM_FPS = {64: (1925, 3300), 128: (600, 970), 256: (178, 222), 512: (39, 13), 1024: (8, 3)}
+PAPER_RENDER_FPS = {64: (48, 14), 128: (37, 14), 256: (28, 12), 512: (14, 2)}
 PAPER_SIMULATION_FPS = {64: (399, 75), 128: (220, 52), 256: (85, 23), 512: (21, 3), 1024: (4, 0.8)}
 
 PAGE = """# Results
@@ -34,6 +35,14 @@ n x n, transfers included (`queries_surface`: without velocity and pressure); 20
 
 {rows}
 
+## Frames of the presenter
+
+`offing-bench render`, drawn by {renderer}. `render_rough` is scenes/rough.toml as its window draws it, 640 x 360
+pixels, three cascades of 256 x 256 and 64 Gerstner waves; the rows below it are its stages, one by one, which add
+up to more, since stages overlap where nobody waits for their ends.
+
+{frames}
+
 ## Beside the paper
 
 Tables of Lee & Lee (2006, 2007), which print frames a second on a GeForce 6800 Ultra and on a Pentium 4 at 3 GHz
@@ -47,6 +56,11 @@ Gerstner waves on 256 x 256 (GPU) or 64 x 64 (CPU) points; ours is one patch wit
 transforms, without Gerstner waves. The peer is the same frame as ours in C++ with FFTW:
 
 {simulation}
+
+Simulation and rendering: one patch, 16 Gerstner waves on 128 x 128 points, 1280 x 1024 pixels, on a graphics card
+there; here {renderer}, sky, light and foam worked out for each pixel:
+
+{rendering}
 """
 
 
@@ -112,6 +126,27 @@ def paper_table(paper_fps, rows):
     return table(["n", "paper GPU ms", "paper CPU ms", "ours ms", "peer here ms"], lines)
 
 
+def frames_table(rows):
+    return table(
+        ["name", "n", "ms", "frames a second", "spread"],
+        [
+            [row["name"], str(row["size"]), number(row["ours_ms"], 2), number(1000 / row["ours_ms"], 1), f"{100 * row['spread']:.1f} %"]
+            for row in rows
+        ],
+    )
+
+
+def rendering_table(rows):
+    return table(
+        ["n", "paper GPU fps", "paper CPU fps", "ours fps"],
+        [
+            [str(row["size"]), *(str(fps) for fps in PAPER_RENDER_FPS[row["size"]]), number(1000 / row["ours_ms"], 1)]
+            for row in rows
+            if row["name"] == "render_paper"
+        ],
+    )
+
+
 def main(programs):
     machine = machine_lines(programs)
     blocks = 15
@@ -119,7 +154,12 @@ def main(programs):
         json.loads(output_of(programs / "offing-bench", command, "--blocks", blocks, "--json"))
         for command in ("fft", "ocean", "gerstner", "queries")
     )
+    sizes = ",".join(map(str, PAPER_RENDER_FPS))
+    frames_drawn = json.loads(output_of(programs / "offing-bench", "render", "--sizes", sizes, "--json"))
     page = PAGE.format(
+        renderer=frames_drawn[0]["peer"],
+        frames=frames_table([row for row in frames_drawn if row["name"].startswith("render_rough")]),
+        rendering=rendering_table(frames_drawn),
         machine=machine,
         blocks=blocks,
         rows=rows_table(transforms + frames + trochoids + queries),
