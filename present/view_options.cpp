@@ -33,6 +33,7 @@ struct Written {
   std::optional<double> time_s, frames_per_second;
   bool is_headless = false;
   bool is_window = false;
+  bool is_paused = false;
   bool is_quiet = false;
   bool is_verbose = false;
 };
@@ -57,6 +58,8 @@ void add_options(CLI::App& app, Written& written) {
       ->group(pictures);
   app.add_option("--time", written.time_s, "seconds (default the scene's start)")
       ->type_name("T")
+      ->group(pictures);
+  app.add_flag("--paused", written.is_paused, "a window stands at that time until it is let run (Space)")
       ->group(pictures);
   app.add_option("-o,--output", written.output,
                  "picture: .png as a screen shows it, .exr scene-linear kcd/m2")
@@ -138,6 +141,7 @@ ViewOptions checked(const Written& written) {
   if (!(std::abs(options.time_s) <= 1e8)) {
     throw bad_argument("--time", "seconds within [-1e8, 1e8]", fmt::format("{:g}", options.time_s), "12.5");
   }
+  options.starts_paused = written.is_paused;
   options.output = written.output;
   if (!written.output.empty()) require_picture_name(options.output);
   if (!written.record.empty()) options.recording = read_recording(written, options.scene);

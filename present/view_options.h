@@ -43,6 +43,7 @@ struct ViewOptions {
   std::optional<PictureSize> size;  ///< absent: what suits the machine
   std::optional<Detail> detail;
   double time_s = 0.0;
+  bool starts_paused = false;  ///< a window stands at time_s until it is let run
   std::filesystem::path output;  ///< one picture; empty: none
   std::optional<Recording> recording;
   std::optional<TransferRung> transfer;

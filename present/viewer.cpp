@@ -67,6 +67,7 @@ Viewer::Viewer(const ViewOptions& options)
       panels_(window()),
       last_turn_s_(glfwGetTime()),
       is_on_path_(has_camera_path(options.scene)) {
+  if (options.starts_paused) state_.clock.toggle_pause();
   glfwSwapInterval(1);
   spdlog::info("OpenGL {} ({}); OpenCL {}; transfer {}", context_.capabilities().version,
                context_.capabilities().renderer, sea_.device().name, to_string(sea_.frame().transfer_rung()));

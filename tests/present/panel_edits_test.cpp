@@ -43,7 +43,7 @@ class PanelEditsTest : public WindowTest, public testing::WithParamInterface<pre
   }
   void change(const Parameter& row, int& (*at)(OceanScene&)) {
     if (row.rule == scene::ParameterRule::power_of_two) {
-      choose(parameter_label(row), "32");
+      choose(parameter_label(row), "64");
       return;
     }
     OceanScene copy = state().scene;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/io/png_image.h"
+#include "host/scene/scene_file.h"
 #include "tests/present/window_test.h"
 
 namespace offing::test {
@@ -126,6 +127,30 @@ TEST_F(WindowKeysTest, FliesWithTheUsualKeys) {
   hands_->button(Hands::Button::wheel_up, Hands::Motion::up);
   turn();
   EXPECT_GT(state().camera.speed_mps(), usual_mps);
+}
+
+// Fails if the camera does not follow its keyframes, keeps from the user, or Home does not take it back.
+TEST_F(WindowKeysTest, FollowsThePathUntilItIsMoved) {
+  present::ViewOptions options = quick_options();
+  options.scene = scene::parse_scene(
+      "version = 1\n[ocean]\nsize = 64\n[camera]\npitch_deg = 60\n"
+      "x_m = { keys = [{ t = 0, value = 0 }, { t = 100, value = 1000 }], interpolation = \"linear\" }\n",
+      "path.toml", "");
+  open(options);
+  const auto eye_x_m = [&] { return state().camera.camera().eye_m.x; };
+  const auto path_x_m = [&] { return 10.0 * state().clock.time_s(); };
+  EXPECT_NEAR(eye_x_m(), path_x_m(), 1e-9);
+  press("period");
+  EXPECT_NEAR(eye_x_m(), path_x_m(), 1e-9);
+  fly("d");
+  const double left_m = eye_x_m();
+  press("period");
+  EXPECT_EQ(eye_x_m(), left_m);
+  EXPECT_TRUE(state().scene.tracks.empty()) << "what is saved is where the camera is";
+  press("Home");
+  turn();
+  EXPECT_NEAR(eye_x_m(), path_x_m(), 1e-9);
+  EXPECT_EQ(state().scene.tracks.size(), 1u);
 }
 
 // Fails if letters that are typed into a field of the panels fly the camera or open the help.
