@@ -86,6 +86,7 @@ void WaterPass::set_waves(const world::World& world, const Camera& camera) const
   program_.set("hidden_slopes", hidden);
   program_.set("level_count", static_cast<int>(hidden.size() / sea.cascades.size()));
   program_.set("ripples", to_vec3(world.hidden_slopes().ripples));
+  program_.set("trochoid_slopes", to_vec3(world.hidden_slopes().trochoids));
   program_.set("tap_count", detail_.taps);
   program_.set("breaking", breaking);
   program_.set("foam_onset", glm::vec2(sea.foam.onset_jacobian, sea.foam.width));

@@ -50,7 +50,8 @@ double value_at(const KeyframeTrack& track, double time_s) {
   if (keys.empty()) {
     throw Error(ErrorKind::bad_input, "keyframes: expected at least one key, found none", "add a key");
   }
-  if (time_s <= keys.front().time_s) return keys.front().value;
+  // Also where the time is no number.
+  if (!(time_s > keys.front().time_s)) return keys.front().value;
   if (time_s >= keys.back().time_s) return keys.back().value;
   const auto after = std::upper_bound(keys.begin(), keys.end(), time_s,
                                       [](double time, const Keyframe& key) { return time < key.time_s; });

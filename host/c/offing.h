@@ -2,8 +2,9 @@
  * the water at points of it, and its maps.
  *
  * Axes: x east, y up, z south, right-handed; metres, seconds, radians. Handles belong to the thread that made them.
- * Every call that can fail returns an OffingStatus; when it is not OFFING_OK, nothing was changed,
- * offing_last_error() says what was wrong and offing_last_hint() how to mend it. No exception leaves a call. */
+ * Every call that can fail returns an OffingStatus; when it is OFFING_BAD_INPUT nothing was changed, and after any
+ * failure offing_last_error() says what was wrong and offing_last_hint() how to mend it. No exception leaves a call.
+ * What a scene asks for and does not get, such as more choppiness than Gerstner waves bear, is told on stderr. */
 #ifndef OFFING_H
 #define OFFING_H
 
@@ -70,7 +71,7 @@ typedef struct OffingQuery {
 typedef struct OffingSample {
   float height_m;                            /* of the surface */
   float normal[3];                           /* of the surface, unit, upward */
-  float velocity_mps[3];                     /* of the water at the query's depth */
+  float velocity_mps[3]; /* of the water at the query's depth; rings of raindrops add nothing */
   float pressure_pa;                         /* there, above that of the air */
   float residual_m; /* by how much the point was missed sideways; large where the surface folds */
 } OffingSample;

@@ -2,12 +2,15 @@
 
 #include <cmath>
 
+#include "host/base/parameter_check.h"
 #include "host/scene/parameter_table.h"
 #include "host/sky/sun_position.h"
 
 namespace offing::scene {
 
 namespace {
+
+constexpr double largest_time_s = 1e8;  // as that of the sea
 
 /// The sun at a time that is no whole second: between those of the seconds around it, which are so close (15
 /// seconds of arc) that the way between them is straight.
@@ -29,6 +32,7 @@ sky::SunPosition sun_at(double unix_s, const sky::GeoPosition& position, const s
 }  // namespace
 
 ViewScene view_at(const OceanScene& scene, double time_s) {
+  require_within("time_s", time_s, -largest_time_s, largest_time_s);
   OceanScene moment;  // rows address values of a whole scene
   moment.view = scene.view;
   for (const auto& [key, track] : scene.tracks) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -12,6 +13,7 @@ namespace {
 // fixed, so that a frame does not depend on those before it.
 constexpr double altitude_step = 0.01;
 constexpr double reach_deviations = 6.0;
+constexpr std::size_t rings_that_meet = 8;
 
 std::vector<std::vector<float>> variances_of(const ocean::Ocean& ocean) {
   std::vector<std::vector<float>> variances;
@@ -21,20 +23,41 @@ std::vector<std::vector<float>> variances_of(const ocean::Ocean& ocean) {
   return variances;
 }
 
-HiddenSlopes hidden_slopes_of(const WorldParameters& parameters,
-                              const std::vector<std::vector<float>>& variances) {
-  HiddenSlopes hidden;
-  ocean::SlopeCovariance resolved;
+void add(ocean::SlopeCovariance& sum, const ocean::SlopeCovariance& slopes) {
+  sum.xx += slopes.xx;
+  sum.xz += slopes.xz;
+  sum.zz += slopes.zz;
+}
+
+std::vector<std::vector<ocean::SlopeCovariance>> hidden_by_levels(
+    const ocean::OceanParameters& ocean, const std::vector<std::vector<float>>& variances) {
+  std::vector<std::vector<ocean::SlopeCovariance>> hidden;
   for (std::size_t i = 0; i < variances.size(); ++i) {
-    hidden.cascades.push_back(ocean::hidden_slopes(variances[i], parameters.ocean.size,
-                                                   parameters.ocean.cascades[i].patch_length_m));
-    const ocean::SlopeCovariance& all = hidden.cascades.back().back();
-    resolved.xx += all.xx;
-    resolved.xz += all.xz;
-    resolved.zz += all.zz;
+    hidden.push_back(ocean::hidden_slopes(variances[i], ocean.size, ocean.cascades[i].patch_length_m));
   }
+  return hidden;
+}
+
+ocean::SlopeCovariance slopes_of(const std::vector<ocean::Trochoid>& waves) {
+  ocean::SlopeCovariance sum;
+  for (const ocean::Trochoid& wave : waves) {
+    const double steepness = wave.wavenumber_radpm * wave.amplitude_m;
+    const double mean_square = 0.5 * steepness * steepness;
+    const double x = std::cos(wave.direction_rad), z = std::sin(wave.direction_rad);
+    add(sum, {.xx = mean_square * x * x, .xz = mean_square * x * z, .zz = mean_square * z * z});
+  }
+  return sum;
+}
+
+/// Of the slopes that the wind makes, what trochoids and cascades leave is the ripples'.
+HiddenSlopes shared_out(std::vector<std::vector<ocean::SlopeCovariance>> cascades,
+                        const WorldParameters& parameters) {
+  HiddenSlopes hidden{
+      .cascades = std::move(cascades), .trochoids = slopes_of(parameters.trochoids.waves), .ripples = {}};
+  ocean::SlopeCovariance drawn = hidden.trochoids;
+  for (const std::vector<ocean::SlopeCovariance>& levels : hidden.cascades) add(drawn, levels.back());
   hidden.ripples = ocean::remaining_slopes(
-      ocean::measured_slopes(parameters.wind_speed_mps, parameters.wind_direction_rad), resolved);
+      ocean::measured_slopes(parameters.wind_speed_mps, parameters.wind_direction_rad), drawn);
   return hidden;
 }
 
@@ -46,13 +69,17 @@ double deviation_m(const std::vector<std::vector<float>>& variances) {
   return std::sqrt(variance_m2);
 }
 
+/// Of the tallest rings alone: so many seldom meet in one place, and a scene may have thousands.
 double height_of_rings_m(const std::vector<ocean::Raindrop>& drops, double time_s) {
-  double height_m = 0.0;
+  std::vector<double> heights_m;
   for (const ocean::Raindrop& drop : drops) {
     const double age_s = time_s - drop.time_s;
-    if (age_s >= 0.0) height_m += std::abs(drop.amplitude_m) * std::exp(-age_s / drop.decay_s);
+    if (age_s >= 0.0) heights_m.push_back(std::abs(drop.amplitude_m) * std::exp(-age_s / drop.decay_s));
   }
-  return height_m;
+  const auto counted =
+      heights_m.begin() + static_cast<std::ptrdiff_t>(std::min(heights_m.size(), rings_that_meet));
+  std::partial_sort(heights_m.begin(), counted, heights_m.end(), std::greater<>());
+  return std::accumulate(heights_m.begin(), counted, 0.0);
 }
 
 }  // namespace
@@ -64,7 +91,7 @@ World::World(const ocl::Device& device, const WorldParameters& parameters)
       sky_(device, parameters.atmosphere) {
   ocean::require_valid_trochoids(parameters.trochoids);
   const std::vector<std::vector<float>> variances = variances_of(ocean_);
-  hidden_slopes_ = hidden_slopes_of(parameters, variances);
+  hidden_slopes_ = shared_out(hidden_by_levels(parameters.ocean, variances), parameters);
   deviation_m_ = deviation_m(variances);
 }
 
@@ -83,6 +110,7 @@ void World::set_atmosphere(const sky::Atmosphere& atmosphere) {
 void World::set_trochoids(const ocean::TrochoidSea& trochoids) {
   ocean::require_valid_trochoids(trochoids);
   parameters_.trochoids = trochoids;
+  hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_);
 }
 
 void World::reseed(std::uint64_t seed, const ocean::TrochoidSea& trochoids) {
@@ -90,13 +118,14 @@ void World::reseed(std::uint64_t seed, const ocean::TrochoidSea& trochoids) {
   ocean_.reseed(seed);
   parameters_.ocean.seed = seed;
   parameters_.trochoids = trochoids;
+  hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_);
 }
 
 void World::set_sea(const WorldParameters& parameters) {
   ocean::require_valid_trochoids(parameters.trochoids);
   ocean::Ocean changed(device_, parameters.spectrum, parameters.ocean);
   const std::vector<std::vector<float>> variances = variances_of(changed);
-  hidden_slopes_ = hidden_slopes_of(parameters, variances);
+  hidden_slopes_ = shared_out(hidden_by_levels(parameters.ocean, variances), parameters);
   deviation_m_ = deviation_m(variances);
   ocean_ = std::move(changed);
   parameters_.spectrum = parameters.spectrum;

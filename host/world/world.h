@@ -34,7 +34,9 @@ struct WorldParameters {
 struct HiddenSlopes {
   /// [cascade][level]: what the mip levels of its slope map hide.
   std::vector<std::vector<ocean::SlopeCovariance>> cascades;
-  /// Of ripples shorter than all cascades.
+  /// All slopes of the trochoids, for grids too coarse to draw them.
+  ocean::SlopeCovariance trochoids;
+  /// Of ripples that neither cascades nor trochoids have.
   ocean::SlopeCovariance ripples;
 };
 
@@ -59,7 +61,8 @@ class World {
   }
 
   // Changes while it runs. All take effect with the next at(), which then gives what a world made with the
-  // changed parameters gives; one that throws has changed nothing.
+  // changed parameters gives; one that throws has changed nothing, but reseed(), after which a failed device
+  // needs a new world.
 
   /// Turns the sun.
   void set_sun(const std::array<double, 3>& direction, double distance_au);
@@ -81,7 +84,7 @@ class World {
   const HiddenSlopes& hidden_slopes() const { return hidden_slopes_; }
 
   /// The farthest that waves move the surface at the time of the last at(): six standard deviations of the
-  /// cascades, which one sample in 10^8 exceeds, all trochoids at once, and all rings at their crests.
+  /// cascades, which one sample in 10^8 exceeds, all trochoids at once, and the eight tallest rings.
   ocean::SurfaceReach reach() const;
 
  private:

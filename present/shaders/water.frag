@@ -16,6 +16,7 @@ uniform vec4 hidden_slopes[max_cascades * 13];  // covariance xx, xz, zz that ea
 uniform int level_count;
 uniform int tap_count;  // samples along a pixel's footprint
 uniform vec3 ripples;  // covariance of the slopes that no map has
+uniform vec3 trochoid_slopes;  // of all trochoids
 uniform vec3 sun_direction;
 uniform float sun_radius_rad;
 uniform vec3 sun_klx;   // on a surface that faces the sun
@@ -83,7 +84,8 @@ void main() {
   float width_m = max(length(long_m) / float(tap_count), facet.w);
   // Rings are mostly shorter than the cells of the grid: their slopes are worked out here.
   vec2 trochoid_slope = facet.xy + ring_waves(label_m, width_m).yz;
-  vec3 trochoid_gradient = texelFetch(strain_of, pixel, 0).xyz;
+  vec4 strain = texelFetch(strain_of, pixel, 0);
+  vec3 trochoid_gradient = strain.xyz;
 
   vec2 slope = vec2(0.0);
   vec3 square = vec3(0.0);
@@ -109,8 +111,9 @@ void main() {
     square += vec3(tap_slope.x * tap_slope.x, tap_slope.x * tap_slope.y, tap_slope.y * tap_slope.y) / float(tap_count);
     bare -= (1.0 - tap_bare) / float(tap_count);
   }
-  // Hidden are the slopes of ripples, those between the taps and those that differ from tap to tap.
-  vec3 hidden = ripples + square - vec3(slope.x * slope.x, slope.x * slope.y, slope.y * slope.y);
+  // Hidden are the slopes of ripples, of trochoids that the grid is too coarse for, those between the taps and those
+  // that differ from tap to tap.
+  vec3 hidden = ripples + fract(strain.w) * trochoid_slopes + square - vec3(slope.x * slope.x, slope.x * slope.y, slope.y * slope.y);
   for (int i = 0; i < cascade_count; ++i) hidden += hidden_at(i, map_level(i, width_m));
 
   // F^-T applied to the slopes at labels gives those of the displaced surface; F = I + gradient.
@@ -144,6 +147,6 @@ void main() {
   light = vec4(mix(horizon, surface, clear), 1.0);
   if (debug_view != 0) {
     light.rgb = debug_light(ray.y * distance_m + eye_height_m, slope, jacobian, coverage, width_m, label_m,
-                            texelFetch(strain_of, pixel, 0).w);
+                            floor(strain.w));
   }
 }

@@ -16,6 +16,7 @@ out vec2 label_m;          // relative to the eye
 out vec3 position_m;       // relative to the eye
 out vec2 trochoid_slope;   // dh/dx, dh/dz at labels
 out vec3 trochoid_gradient;  // d dx/dx, d dx/dz, d dz/dz
+out float trochoid_loss;     // share of the trochoids' mean square slope that the grid is too coarse to draw
 out vec2 grid_place;         // column and row
 
 // Rows lie closer toward the horizon, where waves hide one another.
@@ -47,12 +48,16 @@ void main() {
 
   vec2 slope = vec2(0.0);
   vec3 gradient = vec3(0.0);
+  float drawn = 0.0, all = 1e-12;  // mean square slopes
   for (int i = 0; i < wave_count; ++i) {
     vec2 wave = waves[i].xy;
     float k = length(wave);
     vec2 direction = wave / k;
     float share = shown_share(6.2831853 / (k * spacing_m));
+    float steepness = k * waves[i].z;
+    all += steepness * steepness;
     if (share == 0.0) continue;
+    drawn += share * share * steepness * steepness;
     float amplitude_m = share * waves[i].z, shift_m = share * waves[i].w;
     float phase = dot(wave, label) + wave_phases[i];
     float cosine = cos(phase), sine = sin(phase);
@@ -68,6 +73,7 @@ void main() {
   grid_place = vec2(column, row);
   trochoid_slope = slope;
   trochoid_gradient = gradient;
+  trochoid_loss = 1.0 - drawn / all;
   position_m = vec3(label.x, -eye_height_m, label.y) + moved_m;
   position_m.y -= dot(label, label) / (2.0 * earth_radius_m);
   gl_Position = clip_from_eye * vec4(position_m, 1.0);

@@ -4,11 +4,12 @@ in vec2 label_m;
 in vec3 position_m;
 in vec2 trochoid_slope;
 in vec3 trochoid_gradient;
+in float trochoid_loss;
 in vec2 grid_place;
 
 layout(location = 0) out vec4 place;   // label x and z, the footprint's long side x and z, all in m
 layout(location = 1) out vec4 facet;   // trochoids' dh/dx, dh/dz; distance m, the footprint's short side m
-layout(location = 2) out vec4 strain;  // trochoids' d dx/dx, d dx/dz, d dz/dz; 0 or 1 as cells take turns
+layout(location = 2) out vec4 strain;  // trochoids' d dx/dx, d dx/dz, d dz/dz; their loss, and 0 or 1 as cells take turns
 
 void main() {
   // The pixel's footprint on the labels: long in the direction of sight.
@@ -17,5 +18,6 @@ void main() {
   float short_m = abs(right_m.x * up_m.y - right_m.y * up_m.x) / max(length(long_m), 1e-6);
   place = vec4(label_m, long_m);
   facet = vec4(trochoid_slope, length(position_m), short_m);
-  strain = vec4(trochoid_gradient, mod(floor(grid_place.x) + floor(grid_place.y), 2.0));
+  float turn = mod(floor(grid_place.x) + floor(grid_place.y), 2.0);
+  strain = vec4(trochoid_gradient, turn + clamp(trochoid_loss, 0.0, 0.999));
 }

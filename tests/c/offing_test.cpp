@@ -133,6 +133,27 @@ TEST_F(OffingInterfaceTest, RefusesBadArguments) {
             OFFING_BAD_INPUT);
 }
 
+// Fails if a time that is none reaches keyframes or the sun's clock, or a refused frame has changed the
+// world.
+TEST_F(OffingInterfaceTest, RefusesTimesBeforeAnythingMoves) {
+  OffingScene* scene = nullptr;
+  ASSERT_EQ(
+      offing_parse_scene("version = 1\n[ocean]\nsize = 64\n[camera]\ny_m = { keys = [ { t = 0, value = 2 }, "
+                         "{ t = 5, value = 9 } ] }\n[sun]\ntime_utc = 2026-06-21T09:00:00Z\n"
+                         "[world]\nlatitude_deg = 50\nlongitude_deg = 8\n",
+                         nullptr, &scene),
+      OFFING_OK)
+      << offing_last_error();
+  OffingWorld* world = nullptr;
+  ASSERT_EQ(offing_make_world(device_, scene, &world), OFFING_OK) << offing_last_error();
+  for (const double time_s : {std::nan(""), 1e300, -HUGE_VAL, 2e8}) {
+    EXPECT_EQ(offing_frame(world, time_s), OFFING_BAD_INPUT) << time_s;
+  }
+  EXPECT_EQ(offing_frame(world, 2.5), OFFING_OK) << offing_last_error();
+  offing_free_world(world);
+  offing_free_scene(scene);
+}
+
 // Fails if a failure of one thread is told to another.
 TEST_F(OffingInterfaceTest, KeepsFailuresOfThreadsApart) {
   EXPECT_EQ(offing_frame(nullptr, 0.0), OFFING_BAD_INPUT);

@@ -107,15 +107,21 @@ TEST_F(WorldTest, ReachesAsFarAsItsWaves) {
   EXPECT_LT(world_.reach().vertical_m, 3.0 * (highest_m + trochoids_m)) << "wider than it need be";
 }
 
-// Fails if slopes are counted twice or left out: those of the maps and of the ripples add up to the measured
-// ones.
+// Fails if slopes are counted twice or left out: those of the maps, the trochoids and the ripples add up to
+// the measured ones, also when the trochoids change.
 TEST_F(WorldTest, SharesTheSlopesOut) {
   const HiddenSlopes& hidden = world_.hidden_slopes();
   ASSERT_EQ(hidden.cascades.size(), 1u);
   const double resolved = hidden.cascades[0].back().mean_square();
   const double all = ocean::measured_slopes(11.0, 0.0).mean_square();
   ASSERT_LT(resolved, 0.9 * all);
-  EXPECT_NEAR(resolved + hidden.ripples.mean_square(), all, 1e-9);
+  EXPECT_NEAR(resolved + hidden.trochoids.mean_square() + hidden.ripples.mean_square(), all, 1e-9);
+  ocean::TrochoidSea trochoids = world_.parameters().trochoids;
+  trochoids.waves = {ocean::make_swell({.amplitude_m = 1.0, .wavelength_m = 80.0}, {})};
+  world_.set_trochoids(trochoids);
+  // A sine's mean square slope: (k A)^2 / 2.
+  EXPECT_NEAR(hidden.trochoids.mean_square(), 0.5 * std::pow(2.0 * std::numbers::pi / 80.0, 2), 1e-12);
+  EXPECT_NEAR(resolved + hidden.trochoids.mean_square() + hidden.ripples.mean_square(), all, 1e-9);
 }
 
 // Everything that a picture is made from, at one time.
