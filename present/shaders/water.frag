@@ -73,6 +73,14 @@ float foam_opacity(float coverage, vec2 label_m, float width_m) {
   return mix(textured, coverage, clamp(0.25 * level - 0.5, 0.0, 1.0));
 }
 
+// A way aside by up to a texel of a foam map, in texels: long waves have maps of texels of metres, whose
+// squares would show.
+vec2 ragged(vec2 label_m, float width_m) {
+  vec2 place = 0.31 * (foam_place + label_m / foam_tile_m);
+  float level = max(0.0, log2(0.31 * width_m * float(textureSize(foam_pattern, 0).x) / foam_tile_m));
+  return vec2(textureLod(foam_pattern, place, level).r, textureLod(foam_pattern, 0.5 - place.yx, level).r) * 2.0 - 1.0;
+}
+
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 facet = texelFetch(facet_of, pixel, 0);
@@ -92,6 +100,7 @@ void main() {
   vec3 gradient = trochoid_gradient;
   vec3 breaking_gradient = trochoid_gradient;
   float bare = 1.0;
+  vec2 aside = ragged(label_m, width_m);
   for (int tap = 0; tap < tap_count; ++tap) {
     vec2 tap_m = label_m + ((float(tap) + 0.5) / float(tap_count) - 0.5) * long_m;
     vec2 tap_slope = trochoid_slope;
@@ -99,7 +108,10 @@ void main() {
     for (int i = 0; i < cascade_count; ++i) {
       vec3 map_point = map_place(i, tap_m);
       float level = map_level(i, width_m);
-      if (breaking[i] > 0.0) tap_bare *= 1.0 - textureLod(foam_map, map_point, level).r;
+      if (breaking[i] > 0.0) {
+        vec3 foam_point = map_place(i, tap_m + aside / cascades[i].w);
+        tap_bare *= 1.0 - textureLod(foam_map, foam_point, level).r;
+      }
       if (width_m >= longest_wave_m[i]) continue;
       vec4 texel = textureLod(gradient_map, map_point, level);
       tap_slope += texel.xy;
