@@ -3,6 +3,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "host/ocl/device.h"
 #include "host/ocl/opencl.h"
@@ -17,9 +18,15 @@ struct DeviceState {
   Handle<cl_command_queue> queue;
   bool is_profiling = false;
   bool shares_gl = false;
-  /// Programs built so far, by what they were built from: a simulation that is made anew while it is shown
-  /// does not wait for the driver, nor for other processes' turns to build.
-  std::map<std::string, Handle<cl_program>> programs;
+  /// A program and all that it was built from.
+  struct BuiltProgram {
+    std::string identity;
+    Handle<cl_program> program;
+  };
+  /// The last one built of each source and its options: a simulation that is made anew while it is shown does
+  /// not wait for the driver, nor for other processes' turns to build. What was built before an edit of the
+  /// source lives no longer than its users.
+  std::map<std::pair<std::string, std::string>, BuiltProgram> programs;
   std::mutex programs_mutex;  ///< for `programs`: threads may share a device
 
   ~DeviceState() {

@@ -158,11 +158,13 @@ Program Program::build(const Device& device, std::string_view source_name, const
   const std::string options = options_of(opened.info, defines);
   const std::string identity = identity_of(opened.info, source, options);
   const std::lock_guard lock(opened.programs_mutex);
-  Handle<cl_program>& program = opened.programs[identity];
-  if (!program) program = load_or_compile(opened, source_name, source, options, identity);
-  check(clRetainProgram(program.get()), "clRetainProgram", source_name);
+  detail::DeviceState::BuiltProgram& last = opened.programs[{std::string(source_name), options}];
+  if (last.identity != identity) {
+    last = {.identity = identity, .program = load_or_compile(opened, source_name, source, options, identity)};
+  }
+  check(clRetainProgram(last.program.get()), "clRetainProgram", source_name);
   return Program(std::make_shared<State>(
-      State{device.state(), Handle<cl_program>(program.get()), std::string(source_name)}));
+      State{device.state(), Handle<cl_program>(last.program.get()), std::string(source_name)}));
 }
 
 Kernel Program::kernel(std::string_view name) const {

@@ -1,9 +1,11 @@
 #include "host/ocl/program.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host/ocl/buffer.h"
+#include "host/ocl/device_state.h"
 #include "host/ocl/program_source.h"
 #include "tests/ocl/expect_error.h"
 #include "tests/ocl/scoped_environment.h"
@@ -48,6 +50,19 @@ TEST_F(ProgramTest, RebuildsWhenAnIncludedFileChanges) {
   EXPECT_EQ(result("answer.cl"), 1);
   kernels_.write("part/number.clh", "#define NUMBER 2\n");
   EXPECT_EQ(result("answer.cl"), 2);
+}
+
+// Fails if a device keeps what sources were before they were edited: a window that compiles them again and
+// again would fill its memory.
+TEST_F(ProgramTest, KeepsOneProgramOfEachSource) {
+  for (int value = 0; value < 5; ++value) {
+    kernels_.write("answer.cl",
+                   fmt::format("kernel void answer(global int* v) {{ v[0] = {} + OFFSET; }}", value));
+    for (const int offset : {0, 100}) {
+      EXPECT_EQ(result("answer.cl", Defines().set("OFFSET", offset)), value + offset);
+    }
+  }
+  EXPECT_EQ(device_.state()->programs.size(), 2u) << "one for each set of options";
 }
 
 // A file that two others include, in a ring even, is there once: fails by a redefinition or by recursion.
