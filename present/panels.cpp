@@ -21,18 +21,15 @@ using scene::ParameterGroup;
 constexpr float margin = 8.0f;  // between panels and the window's edge, px
 constexpr ImU32 fault_colour = IM_COL32(255, 115, 90, 255);
 
-std::string_view section_of(const scene::Parameter& row) {
-  return row.key.substr(0, row.key.rfind('.'));
-}
-
 /// The group's rows by section, otherwise in the table's order.
 std::vector<const scene::Parameter*> rows_of(ParameterGroup group) {
   std::vector<const scene::Parameter*> rows;
   for (const scene::Parameter& row : scene::parameter_table()) {
     if (row.group == group) rows.push_back(&row);
   }
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const auto* a, const auto* b) { return section_of(*a) < section_of(*b); });
+  std::stable_sort(rows.begin(), rows.end(), [](const auto* a, const auto* b) {
+    return scene::section_of(a->key) < scene::section_of(b->key);
+  });
   return rows;
 }
 
@@ -50,8 +47,8 @@ void draw_rows(const GroupPanel& panel, const std::vector<const scene::Parameter
                PanelEdits& edits) {
   std::string_view section;
   for (const scene::Parameter* row : rows) {
-    if (section_of(*row) != section) {
-      section = section_of(*row);
+    if (scene::section_of(row->key) != section) {
+      section = scene::section_of(row->key);
       ImGui::TextDisabled(row->max_count > 1 ? "[[%s]]" : "[%s]", std::string(section).c_str());
     }
     note(parameter_widget(state.scene, *row, state.edit), panel, state, edits);
@@ -63,7 +60,7 @@ void draw_elements(const GroupPanel& panel, const std::vector<const scene::Param
                    const scene::ElementStorage& elements, ViewState& state, PanelEdits& edits) {
   for (std::size_t i = 0; i < elements.count(state.scene); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    ImGui::TextDisabled("[[%s]] %zu", std::string(section_of(*rows.front())).c_str(), i + 1);
+    ImGui::TextDisabled("[[%s]] %zu", std::string(scene::section_of(rows.front()->key)).c_str(), i + 1);
     ImGui::SameLine();
     const bool is_removed = ImGui::SmallButton("remove");
     for (const scene::Parameter* row : rows) {

@@ -126,8 +126,6 @@ class Widget {
     return std::visit(at, elements.at);
   }
 
-  static std::string_view name_of(const Parameter& row) { return row.key.substr(row.key.rfind('.') + 1); }
-
  private:
   /// Through the table's own checks, as a scene file's values go.
   bool is_taken(const WrittenValue& written) {
@@ -166,7 +164,7 @@ class Widget {
     }
     if (is_set) return number(*at);
     at.reset();
-    ImGui::TextDisabled("%s", std::string(name_of(row_)).c_str());
+    ImGui::TextDisabled("%s", std::string(scene::name_of(row_.key)).c_str());
     return was_set ? Edit::done : Edit::none;
   }
 
@@ -190,8 +188,10 @@ class Widget {
     return Edit::refused;
   }
 
+  /// Whether another text was entered: the old one may show fewer digits than there are.
   bool is_entered(std::string& text) {
-    return ImGui::InputText(label_.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
+    const std::string shown = text;
+    return ImGui::InputText(label_.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue) && text != shown;
   }
 
   Edit power_of_two(int& at) {
@@ -224,7 +224,7 @@ bool is_text(const Parameter& row) {
 }  // namespace
 
 std::string parameter_label(const Parameter& row) {
-  return fmt::format("{}##{}", Widget::name_of(row), row.key);
+  return fmt::format("{}##{}", scene::name_of(row.key), row.key);
 }
 
 Edit parameter_widget(OceanScene& scene, const Parameter& row, EditInProgress& edit, std::size_t element) {

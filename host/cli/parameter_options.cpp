@@ -66,8 +66,7 @@ std::string description(const Parameter& parameter) {
 }
 
 std::string placeholder(const Parameter& parameter) {
-  const std::size_t dot = parameter.key.rfind('.');
-  std::string name(parameter.key.substr(dot + 1));
+  std::string name(scene::name_of(parameter.key));
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
   return name;
 }

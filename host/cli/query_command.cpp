@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -19,6 +18,7 @@
 #include "host/cli/query_settings.h"
 #include "host/cli/query_text.h"
 #include "host/io/atomic_file.h"
+#include "host/io/file_presence.h"
 #include "host/io/point_file.h"
 #include "host/scene/scene_hash.h"
 #include "host/scene/sea.h"
@@ -84,7 +84,7 @@ class AnswerSink {
   AnswerSink(const QueryArguments& arguments, const TimeRange& times, double depth_m)
       : depth_m_(depth_m), style_(style_of(arguments, times)) {
     if (!arguments.output_file.empty()) {
-      if (!arguments.force && std::filesystem::exists(arguments.output_file)) {
+      if (!arguments.force && is_there(arguments.output_file)) {
         throw Error(ErrorKind::file, fmt::format("{}: is there already", arguments.output_file),
                     "--force replaces it, or name another file with -o");
       }

@@ -81,6 +81,14 @@ struct Parameter {
   ParameterMotion motion = ParameterMotion::constant;
 };
 
+/// The parts of a row's key "ocean.foam.width": "ocean.foam" and "width".
+inline std::string_view section_of(std::string_view key) {
+  return key.substr(0, key.rfind('.'));
+}
+inline std::string_view name_of(std::string_view key) {
+  return key.substr(key.rfind('.') + 1);
+}
+
 /// A value as it was written, before any check. std::monostate is a type that no parameter takes.
 struct WrittenValue {
   std::variant<std::monostate, std::int64_t, double, std::string> value;

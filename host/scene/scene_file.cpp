@@ -116,7 +116,7 @@ class SceneReader {
   /// Throws at the later one of two keys of a table that say the same in two ways.
   void refuse_both(const Parameter& parameter, const toml::key& key, const toml::table& table) const {
     if (parameter.instead_of.empty()) return;
-    const std::string_view other_name = parameter.instead_of.substr(parameter.instead_of.rfind('.') + 1);
+    const std::string_view other_name = name_of(parameter.instead_of);
     const auto other = table.find(other_name);
     if (other == table.end()) return;
     const auto position = [](const toml::key& each) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <variant>
 #include <vector>
 
@@ -10,6 +11,7 @@
 
 #include "host/base/error.h"
 #include "host/io/atomic_file.h"
+#include "host/io/file_presence.h"
 #include "host/scene/parameter_table.h"
 
 namespace offing::scene {
@@ -18,14 +20,6 @@ namespace {
 using Text = std::string& (*)(OceanScene&);
 using List = std::vector<double>& (*)(OceanScene&);
 using Time = std::optional<UtcTime>& (*)(OceanScene&);
-
-std::string_view section_of(const Parameter& row) {
-  return row.key.substr(0, row.key.rfind('.'));
-}
-
-std::string_view name_of(const Parameter& row) {
-  return row.key.substr(row.key.rfind('.') + 1);
-}
 
 std::string toml_text(std::string_view text) {
   std::string result = "\"";
@@ -82,6 +76,16 @@ std::string track_text(const KeyframeTrack& track, const Parameter& row) {
   return fmt::format("{{ keys = [{}]{} }}", keys, rest);
 }
 
+/// A file's name as it is found from a folder, "" being the current one; whole where that cannot be told.
+std::string name_from(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  std::error_code failure;
+  const std::filesystem::path whole = std::filesystem::absolute(file, failure);
+  if (failure) return file.generic_string();
+  const std::filesystem::path from = std::filesystem::absolute(folder.empty() ? "." : folder, failure);
+  const std::filesystem::path name = failure ? whole : std::filesystem::proximate(whole, from, failure);
+  return (failure ? whole : name).generic_string();
+}
+
 /// One text a value: lists and repeated sections have several.
 std::vector<std::string> values_of(const OceanScene& scene, const Parameter& row,
                                    const std::filesystem::path& folder) {
@@ -95,7 +99,7 @@ std::vector<std::string> values_of(const OceanScene& scene, const Parameter& row
     return {toml_text(value_text(scene, row))};
   OceanScene copy = scene;
   if (const auto* text = std::get_if<Text>(&row.storage)) {
-    return {toml_text(std::filesystem::proximate((*text)(copy), folder).generic_string())};
+    return {toml_text(name_from(folder, (*text)(copy)))};
   }
   if (const auto* list = std::get_if<List>(&row.storage)) {
     OceanScene one;
@@ -128,11 +132,10 @@ struct Section {
 /// Of two values that say the same, a file gives one.
 void leave_out_what_does_not_count(Section& section) {
   for (const Parameter& row : parameter_table()) {
-    if (row.instead_of.empty() || section_of(row) != section.name) continue;
+    if (row.instead_of.empty() || section_of(row.key) != section.name) continue;
     const auto line_of = [&](std::string_view key) {
-      const std::string_view name = key.substr(key.rfind('.') + 1);
       return std::find_if(section.lines.begin(), section.lines.end(),
-                          [&](const Line& line) { return line.name == name; });
+                          [&](const Line& line) { return line.name == name_of(key); });
     };
     const auto line = line_of(row.key), other = line_of(row.instead_of);
     if (line == section.lines.end() || other == section.lines.end()) continue;
@@ -149,10 +152,11 @@ std::vector<Section> changed_sections(const OceanScene& scene, const std::filesy
   for (const Parameter& row : parameter_table()) {
     if (is_as_usual(scene, row)) continue;
     auto section = std::find_if(sections.begin(), sections.end(),
-                                [&](const Section& one) { return one.name == section_of(row); });
-    if (section == sections.end()) section = sections.insert(section, {.name = section_of(row), .lines = {}});
+                                [&](const Section& one) { return one.name == section_of(row.key); });
+    if (section == sections.end())
+      section = sections.insert(section, {.name = section_of(row.key), .lines = {}});
     section->is_repeated = section->is_repeated || row.max_count > 1;
-    section->lines.push_back({.name = name_of(row), .values = values_of(scene, row, folder)});
+    section->lines.push_back({.name = name_of(row.key), .values = values_of(scene, row, folder)});
   }
   for (Section& section : sections) leave_out_what_does_not_count(section);
   return sections;
@@ -184,7 +188,7 @@ void save_scene(const OceanScene& scene, const std::filesystem::path& file, Exis
     throw Error(ErrorKind::bad_usage, fmt::format("{}: expected a name that ends in .toml", file.string()),
                 "name it scene.toml");
   }
-  if (existing == Existing::keep && std::filesystem::exists(file)) {
+  if (existing == Existing::keep && is_there(file)) {
     throw Error(ErrorKind::bad_usage, fmt::format("{}: is there already", file.string()),
                 "choose another name, or overwrite it");
   }

@@ -1,5 +1,6 @@
 #include "host/scene/scene_writer.h"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -126,6 +127,34 @@ TEST(SceneWriter, NamesFilesFromItsFolder) {
   EXPECT_NE(text.find("../buoys/"), std::string::npos) << text;
   const OceanScene again = parse_scene(text, "a.toml", "/data/scenes");
   EXPECT_EQ(std::filesystem::path(again.spectrum_file).lexically_normal(), scene.spectrum_file);
+}
+
+// Fails if a file name is whole where it need not be: a scene and its spectrum could not move together.
+TEST(SceneWriter, NamesFilesFromTheCurrentFolder) {
+  const TemporaryFolder folder;
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  std::filesystem::create_directory("buoys");
+  std::ofstream("buoys/a.data_spec") << "a";
+  OceanScene scene;
+  for (const std::filesystem::path& file :
+       {std::filesystem::path("buoys/a.data_spec"), std::filesystem::absolute("buoys/a.data_spec")}) {
+    scene.spectrum_file = file.string();
+    const std::string text = scene_text(scene, "");
+    EXPECT_NE(text.find("\"buoys/a.data_spec\""), std::string::npos) << text;
+    const std::string beside = scene_text(scene, "scenes");
+    EXPECT_NE(beside.find("\"../buoys/a.data_spec\""), std::string::npos) << beside;
+  }
+  std::filesystem::current_path(before);
+}
+
+// Fails if a name that no file can have ends a program: with another exception than Error.
+TEST(SceneWriter, RefusesNamesThatNoFileCanHave) {
+  const TemporaryFolder folder;
+  for (const Existing existing : {Existing::keep, Existing::replace}) {
+    EXPECT_THROW(save_scene({}, folder.path() / (std::string(300, 'x') + ".toml"), existing), Error);
+    EXPECT_THROW(save_scene({}, folder.path() / "missing" / "a.toml", existing), Error);
+  }
 }
 
 // Fails if a file is lost that the user did not want to replace, or another kind of file is written.
