@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
+
+#include "host/scene/parameter_table.h"
 
 namespace offing::present {
 namespace {
@@ -11,15 +14,20 @@ constexpr double start_speed_mps = 10.0;
 constexpr double slowest_mps = 0.1, fastest_mps = 1000.0;
 constexpr double wheel_factor = 1.25;
 constexpr double fast_factor = 5.0, slow_factor = 0.2;
-// Of the highest eye above the mean water and of pitches, as the scene file allows them.
-constexpr double lowest_eye_m = 0.2, highest_eye_m = 50e3;
+constexpr double clearance_m = 0.2;  // above the water
 constexpr double steepest_rad = 0.5 * std::numbers::pi;
+
+/// As the scene file allows them.
+double within_range(std::string_view key, double value) {
+  const scene::Parameter& row = *scene::find_parameter(key);
+  return std::clamp(value, row.low, row.high);
+}
 
 }  // namespace
 
 FreeCamera::FreeCamera(const Camera& start) : start_(start), camera_(start), speed_mps_(start_speed_mps) {}
 
-void FreeCamera::advance(const CameraInput& input, double seconds) {
+void FreeCamera::advance(const CameraInput& input, double seconds, const WaterHeight& water_m) {
   speed_mps_ = std::clamp(speed_mps_ * std::pow(wheel_factor, input.wheel), slowest_mps, fastest_mps);
 
   // The picture follows the mouse: a pixel of it turns by the angle of a pixel.
@@ -28,12 +36,16 @@ void FreeCamera::advance(const CameraInput& input, double seconds) {
   camera_.pitch_rad =
       std::clamp(camera_.pitch_rad - input.turn_px.y * pixel_rad, -steepest_rad, steepest_rad);
 
+  if (input.move == glm::dvec3(0.0)) return;
   const double factor = (input.is_fast ? fast_factor : 1.0) * (input.is_slow ? slow_factor : 1.0);
   const CameraBasis axes = basis(camera_);
   const glm::dvec3 velocity =
       input.move.x * axes.right + glm::dvec3(0.0, input.move.y, 0.0) + input.move.z * axes.forward;
-  camera_.eye_m += velocity * (speed_mps_ * factor * seconds);
-  camera_.eye_m.y = std::clamp(camera_.eye_m.y, lowest_eye_m, highest_eye_m);
+  glm::dvec3& eye_m = camera_.eye_m;
+  eye_m += velocity * (speed_mps_ * factor * seconds);
+  eye_m.x = within_range("camera.x_m", eye_m.x);
+  eye_m.z = within_range("camera.z_m", eye_m.z);
+  eye_m.y = within_range("camera.y_m", std::max(eye_m.y, water_m(eye_m.x, eye_m.z) + clearance_m));
 }
 
 void FreeCamera::reset() {

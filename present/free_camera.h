@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -18,13 +20,17 @@ struct CameraInput {
   bool moves() const { return move != glm::dvec3(0.0) || turn_px != glm::dvec2(0.0); }
 };
 
-/// A camera that flies: over the water, never below it.
+/// Height of the water above its mean at a place, m.
+using WaterHeight = std::function<double(double x_m, double z_m)>;
+
+/// A camera that flies over the water, as far as a scene file lets eyes be. Where it stands still it stays,
+/// though waves may reach it.
 class FreeCamera {
  public:
   explicit FreeCamera(const Camera& start);
 
-  /// Moves by what was asked for in so much time.
-  void advance(const CameraInput& input, double seconds);
+  /// Moves by what was asked for in so much time, not into the water. `water_m` is asked only if it moves.
+  void advance(const CameraInput& input, double seconds, const WaterHeight& water_m);
   /// Back to where it began.
   void reset();
   /// To where another camera is, with the picture's size as it is.

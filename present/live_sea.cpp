@@ -1,9 +1,11 @@
 #include "present/live_sea.h"
 
+#include <array>
 #include <chrono>
 #include <utility>
 
 #include "host/base/error.h"
+#include "host/base/log.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/world_scene.h"
 #include "present/exposure.h"
@@ -19,6 +21,7 @@ LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, cons
       scene_(scene),
       world_(std::make_unique<world::World>(device_, scene::prepare_world(scene))),
       frame_(std::make_unique<Frame>(context, device_, settings.frame)) {
+  warning_ = scene::choppiness_warning(scene_, world_->parameters().trochoids);
   // What was written where has been checked: edits are not to be warned of as if they were in the file.
   scene_.set_at.clear();
 }
@@ -32,23 +35,34 @@ void LiveSea::edit(const scene::OceanScene& scene) {
   const auto start = std::chrono::steady_clock::now();
   scene::OceanScene edited = scene;
   edited.set_at.clear();
-  scene::edit_world(*world_, scene_, edited);
+  const world::WorldParameters before = world_->parameters();
   try {
+    scene::edit_world(*world_, scene_, edited);
     try_out(*world_);
   } catch (const Error&) {
-    scene::edit_world(*world_, edited, scene_);
+    // Any part may have changed; what it was made of needs no file again.
+    world_ = std::make_unique<world::World>(device_, before);
     throw;
   }
   scene_ = std::move(edited);
+  std::string warning = scene::choppiness_warning(scene_, world_->parameters().trochoids);
+  if (warning_.empty() && !warning.empty()) spdlog::warn("{}", warning);
+  warning_ = std::move(warning);
   edit_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 void LiveSea::reload() {
   auto frame = std::make_unique<Frame>(context_, device_, settings_);
-  auto world = std::make_unique<world::World>(device_, scene::prepare_world(scene_));
+  auto world =
+      std::make_unique<world::World>(device_, scene::prepare_world(scene_, scene::Warnings::left_out));
   try_out(*world);
   world_ = std::move(world);
   frame_ = std::move(frame);
+}
+
+double LiveSea::water_height_m(double x_m, double z_m) {
+  const std::array<ocean::WaterPoint, 1> point{{{x_m, z_m}}};
+  return world_->sample(point, {.fields = ocean::WaterQuery::Fields::surface}).front().height_m;
 }
 
 void LiveSea::simulate(const SeaView& view) {

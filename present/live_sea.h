@@ -25,7 +25,7 @@ struct SeaView {
 };
 
 /// A scene's world and the passes that draw it, both of which can be exchanged while they are shown. Whatever
-/// throws leaves everything as it was.
+/// throws leaves everything as it was, unless the device cannot even make again what it had.
 class LiveSea {
  public:
   /// Throws what making a world and its pictures throws.
@@ -35,9 +35,15 @@ class LiveSea {
   void edit(const scene::OceanScene& scene);
   /// How long the last edit took.
   double edit_s() const { return edit_s_; }
+  /// What there is to say about the scene, scene::choppiness_warning(); logged when it comes up.
+  const std::string& warning() const { return warning_; }
   const scene::OceanScene& scene() const { return scene_; }
   /// Compiles kernels and shaders again, from where they come from (ocl::Program, shader_file()).
   void reload();
+
+  /// Height of the last picture's water above its mean at a place, m. Throws Error(bad_input) where no point
+  /// may be (ocean::farthest_point_m).
+  double water_height_m(double x_m, double z_m);
 
   /// Sun, air and exposure are those of the scene at that time. Throws what scene::view_at() throws.
   void draw(const SeaView& view);
@@ -56,6 +62,7 @@ class LiveSea {
   FrameSettings settings_;
   ocl::Device device_;
   scene::OceanScene scene_;
+  std::string warning_;
   std::unique_ptr<world::World> world_;
   std::unique_ptr<Frame> frame_;
   SeaView view_;  // of the last picture

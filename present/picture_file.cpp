@@ -1,13 +1,13 @@
 #include "present/picture_file.h"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "host/base/error.h"
 #include "host/io/exr_image.h"
+#include "host/io/file_presence.h"
 #include "host/io/png_image.h"
 
 namespace offing::present {
@@ -55,6 +55,15 @@ void require_picture_name(const std::filesystem::path& path) {
   if (is_exr(path) || path.extension() == ".png") return;
   throw Error(ErrorKind::bad_usage,
               fmt::format("{}: expected a name that ends in .png or .exr", path.string()), "name it out.png");
+}
+
+std::filesystem::path unused_picture_name(const std::string& stem) {
+  int number = 1;
+  std::filesystem::path path;
+  do {
+    path = fmt::format("{}_{:03}.png", stem, number++);
+  } while (is_there(path));
+  return path;
 }
 
 void write_picture(const std::filesystem::path& path, const Frame& frame, double time_s, double exposure) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "host/world/world.h"
 #include "present/frame.h"
@@ -9,6 +10,10 @@ namespace offing::present {
 
 /// Throws Error(bad_usage) unless the name ends in .png or .exr.
 void require_picture_name(const std::filesystem::path& path);
+
+/// The first of stem_001.png, stem_002.png ... that is no file yet. Throws Error(file) for a name that cannot
+/// be looked up.
+std::filesystem::path unused_picture_name(const std::string& stem);
 
 /// Writes the last picture of a frame: .png as a screen shows it; .exr scene-linear kcd/m2 with the time, the
 /// eye and the exposure in its header. Equal pictures give equal bytes. Throws Error(file) if it cannot be

@@ -25,8 +25,8 @@ class StageTimes {
 
   StageTimes();
 
-  /// Measures one stage from here to its end; stages do not nest. On a GPU its own clock (timer queries)
-  /// counts, else the CPU's.
+  /// Measures one stage from here to its end; stages do not nest. Both clocks run: the CPU's and
+  /// OpenGL's timer queries.
   class Scope {
    public:
     Scope(StageTimes& times, Stage stage);

@@ -150,6 +150,14 @@ ViewOptions checked(const Written& written) {
   options.sources = written.sources;
   if (!written.sources.empty()) require_sources(options.sources);
   const bool makes_pictures = options.recording || !options.output.empty();
+  if (written.is_window && written.is_headless) {
+    throw Error(ErrorKind::bad_usage, "offing-view: expected --headless or --window, found both",
+                "leave one of them out");
+  }
+  if (written.is_window && !options.output.empty()) {
+    throw Error(ErrorKind::bad_usage, "--window: expected no -o, which a window does not write",
+                "leave --window out, write a recording with --record, or press F12 in the window");
+  }
   options.opens_window = written.is_window || (!written.is_headless && !makes_pictures);
   if (!options.opens_window && !makes_pictures) {
     throw Error(ErrorKind::bad_usage, "--headless: expected a picture to make, found neither -o nor --record",

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <epoxy/gl.h>
@@ -16,6 +17,7 @@
 #include "host/base/log.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/scene_writer.h"
+#include "present/picture_file.h"
 
 namespace offing::present {
 namespace {
@@ -42,13 +44,18 @@ bool has_camera_path(const scene::OceanScene& scene) {
                      [](const auto& track) { return is_of_camera(track.first); });
 }
 
-std::filesystem::path unused_name(const std::string& stem) {
-  int number = 1;
-  std::filesystem::path path;
-  do {
-    path = fmt::format("{}_{:03}.png", stem, number++);
-  } while (std::filesystem::exists(path));
-  return path;
+/// Gives a scene the camera's keyframes of another one, in the stead of its own.
+void take_camera_path(const scene::OceanScene& from, scene::OceanScene& to) {
+  std::erase_if(to.tracks, [](const auto& track) { return is_of_camera(track.first); });
+  for (const auto& [key, track] : from.tracks) {
+    if (is_of_camera(key)) to.tracks.emplace(key, track);
+  }
+}
+
+std::string whole_name(const std::filesystem::path& path) {
+  std::error_code failure;
+  const std::filesystem::path whole = std::filesystem::absolute(path, failure);
+  return (failure ? path : whole).string();
 }
 
 }  // namespace
@@ -62,13 +69,14 @@ Viewer::Viewer(const ViewOptions& options)
       state_{.scene = options.scene,
              .camera = FreeCamera(options.scene.view.camera),
              .clock = SceneClock(options.time_s),
-             .save_name = (options.scene_name.empty() ? "scene" : options.scene_name) + "_edited.toml"},
+             .save_name = (options.scene_name.empty() ? "scene" : options.scene_name) + "_edited.toml",
+             .message = {.text = sea_.warning()}},
       input_(window()),
       panels_(window()),
       last_turn_s_(glfwGetTime()),
+      drawn_s_(options.time_s),
       is_on_path_(has_camera_path(options.scene)) {
   if (options.starts_paused) state_.clock.toggle_pause();
-  glfwSwapInterval(1);
   spdlog::info("OpenGL {} ({}); OpenCL {}; transfer {}", context_.capabilities().version,
                context_.capabilities().renderer, sea_.device().name, to_string(sea_.frame().transfer_rung()));
 }
@@ -148,22 +156,20 @@ void Viewer::act(ViewAction action) {
 void Viewer::move_camera(double wall_s) {
   const CameraInput input = input_.take_camera_input();
   if (is_on_path_ && input.moves()) leave_path();
-  state_.camera.advance(input, wall_s);
-  if (is_on_path_) state_.camera.place(scene::view_at(options_.scene, state_.clock.time_s()).camera);
+  state_.camera.advance(input, wall_s,
+                        [this](double x_m, double z_m) { return sea_.water_height_m(x_m, z_m); });
 }
 
 /// From here on the camera is the user's.
 void Viewer::leave_path() {
   is_on_path_ = false;
-  std::erase_if(state_.scene.tracks, [](const auto& track) { return is_of_camera(track.first); });
+  take_camera_path({}, state_.scene);
 }
 
 void Viewer::reset_camera() {
   state_.camera.reset();
   is_on_path_ = has_camera_path(options_.scene);
-  for (const auto& [key, track] : options_.scene.tracks) {
-    if (is_of_camera(key)) state_.scene.tracks.insert_or_assign(key, track);
-  }
+  take_camera_path(options_.scene, state_.scene);
 }
 
 bool Viewer::show() {
@@ -174,14 +180,19 @@ bool Viewer::show() {
     return false;
   }
   draw_sea(width, height);
+  PanelEdits edits;
   {
     const StageTimes::Scope stage(sea_.frame().times(), Stage::panels);
     copy_to_window(width, height);
-    draw_panels();
+    edits = draw_panels();
   }
   require_no_gl_error("window");
+  // Where no limit is wanted the display's is none either.
+  const int swap_interval = state_.frame_limit_hz > 0.0f ? 1 : 0;
+  if (std::exchange(swap_interval_, swap_interval) != swap_interval) glfwSwapInterval(swap_interval);
   glfwSwapBuffers(window());
   sea_.frame().times().end_frame();
+  apply(edits);
   return true;
 }
 
@@ -194,12 +205,16 @@ void Viewer::draw_sea(int width, int height) {
   camera.width_px = std::max(1, static_cast<int>(std::lround(width * scale)));
   camera.height_px = std::max(1, static_cast<int>(std::lround(height * scale)));
   try {
+    if (is_on_path_) state_.camera.place(scene::view_at(options_.scene, state_.clock.time_s()).camera);
     sea_.draw(
         {.time_s = state_.clock.time_s(), .camera = camera, .debug = state_.debug, .fill = state_.fill});
     drawn_s_ = state_.clock.time_s();
   } catch (const Error& error) {
-    // A time that the scene does not have, such as one beyond the sun's calendar.
-    if (error.kind() != ErrorKind::bad_input || state_.clock.time_s() == drawn_s_) throw;
+    // A time that the scene does not have, such as one beyond the sun's calendar: a recording ends there, the
+    // window stays where it was.
+    if (options_.recording || error.kind() != ErrorKind::bad_input || state_.clock.time_s() == drawn_s_) {
+      throw;
+    }
     state_.message = fault_message(error);
     state_.clock.set_time(drawn_s_);
     state_.clock.step(0.0);
@@ -216,7 +231,7 @@ void Viewer::copy_to_window(int width, int height) {
   glViewport(0, 0, width, height);
 }
 
-void Viewer::draw_panels() {
+PanelEdits Viewer::draw_panels() {
   Frame& frame = sea_.frame();
   panels_.begin();
   const PanelEdits edits = present::draw_panels(state_, {.times = frame.times(),
@@ -226,7 +241,7 @@ void Viewer::draw_panels() {
                                                          .width_px = frame.screen().width(),
                                                          .height_px = frame.screen().height()});
   panels_.end();
-  apply(edits);
+  return edits;
 }
 
 void Viewer::apply(const PanelEdits& edits) {
@@ -243,14 +258,18 @@ void Viewer::apply(const PanelEdits& edits) {
   }
 }
 
-/// The sea of the edited scene; where that cannot be, the message says why and the scene is as it was.
+/// The sea of the edited scene; where that cannot be, the message says why and the scene is as it was, but
+/// for its camera, which is the user's.
 void Viewer::edit_sea(Edit edit) {
   try {
     sea_.edit(state_.scene);
-    if (edit != Edit::refused) state_.message = {};
+    if (edit != Edit::refused) state_.message = {.text = sea_.warning()};
   } catch (const Error& error) {
     state_.message = fault_message(error);
-    state_.scene = sea_.scene();
+    scene::OceanScene last = sea_.scene();
+    take_camera_path(state_.scene, last);
+    last.view.camera = state_.scene.view.camera;
+    state_.scene = std::move(last);
   }
 }
 
@@ -264,16 +283,16 @@ void Viewer::report(const std::function<std::string()>& work) {
 
 void Viewer::take_screenshot() {
   report([&] {
-    const auto path = unused_name(options_.scene_name.empty() ? "offing" : options_.scene_name);
+    const auto path = unused_picture_name(options_.scene_name.empty() ? "offing" : options_.scene_name);
     sea_.write(path);
-    return fmt::format("wrote {}", std::filesystem::absolute(path).string());
+    return fmt::format("wrote {}", whole_name(path));
   });
 }
 
 void Viewer::save_scene() {
   report([&] {
     scene::save_scene(state_.scene, state_.save_name, state_.overwriting);
-    return fmt::format("wrote {}", std::filesystem::absolute(state_.save_name).string());
+    return fmt::format("wrote {}", whole_name(state_.save_name));
   });
 }
 

@@ -39,7 +39,7 @@ class Viewer {
   bool show();
   void draw_sea(int width, int height);
   void copy_to_window(int width, int height);
-  void draw_panels();
+  PanelEdits draw_panels();
   void apply(const PanelEdits& edits);
   void edit_sea(Edit edit);
   void save_scene();
@@ -55,9 +55,10 @@ class Viewer {
   PanelLayer panels_;
   FrameLimiter limiter_;
   double last_turn_s_;
-  double drawn_s_ = 0.0;  // time of the last picture
-  bool is_on_path_;       // the camera follows the scene's keyframes until the user moves it
+  double drawn_s_;   // time of the last picture; before the first one, of that
+  bool is_on_path_;  // the camera follows the scene's keyframes until the user moves it
   int recorded_ = 0;
+  std::optional<int> swap_interval_;
   bool is_quitting_ = false;
   struct Place {
     int x = 0, y = 0, width = 0, height = 0;

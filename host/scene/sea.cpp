@@ -44,20 +44,27 @@ std::optional<ocean::TrochoidChoice> choose_gerstner_waves(const OceanScene& sce
                                .seed = scene.ocean.seed};
 }
 
-void warn_of_limited_choppiness(const Sea& sea) {
-  const ocean::HorizontalScale horizontal = ocean::horizontal_scale(trochoids_of(sea, sea.parameters.seed));
-  if (horizontal.is_limited) {
-    const char* waves = sea.swells.empty()    ? "Gerstner waves"
-                        : sea.trochoid_choice ? "Gerstner waves and swells"
-                                              : "swells";
-    spdlog::warn(
-        "the {} have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to {:.3g}, with "
-        "more they would fold",
-        waves, horizontal.scale, sea.parameters.choppiness, horizontal.steepness);
+void log_warnings(const OceanScene& scene, const Sea& sea) {
+  const std::string limited = choppiness_warning(scene, trochoids_of(sea, sea.parameters.seed));
+  if (!limited.empty()) spdlog::warn("{}", limited);
+  for (const std::string& line : unused_parameters(scene, sea)) {
+    spdlog::warn("{}", line);
   }
 }
 
 }  // namespace
+
+std::string choppiness_warning(const OceanScene& scene, const ocean::TrochoidSea& trochoids) {
+  const ocean::HorizontalScale horizontal = ocean::horizontal_scale(trochoids);
+  if (!horizontal.is_limited) return {};
+  const char* waves = scene.swells.empty()        ? "Gerstner waves"
+                      : scene.gerstner_count != 0 ? "Gerstner waves and swells"
+                                                  : "swells";
+  return fmt::format(
+      "the {} have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to {:.3g}, with more "
+      "they would fold",
+      waves, horizontal.scale, trochoids.choppiness, horizontal.steepness);
+}
 
 std::vector<ocean::Trochoid> swells_of(const OceanScene& scene, const ocean::Dispersion& dispersion) {
   std::vector<ocean::Trochoid> waves;
@@ -95,7 +102,7 @@ OceanScene with_resolved_wind(OceanScene scene) {
   return scene;
 }
 
-Sea prepare_sea(const OceanScene& scene) {
+Sea prepare_sea(const OceanScene& scene, Warnings warnings) {
   Sea sea;
   const OceanScene resolved = with_resolved_wind(scene);
   ocean::SpectrumParameters spectrum = scene.spectrum;
@@ -129,10 +136,7 @@ Sea prepare_sea(const OceanScene& scene) {
           : ocean::cascades_from_patches(scene.patch_lengths_m, scene.ocean.size, split_radpm);
   sea.swells = swells_of(scene, sea.spectrum.dispersion);
   sea.raindrops = scene.raindrops;
-  warn_of_limited_choppiness(sea);
-  for (const std::string& line : unused_parameters(scene, sea)) {
-    spdlog::warn("{}", line);
-  }
+  if (warnings == Warnings::logged) log_warnings(scene, sea);
   return sea;
 }
 

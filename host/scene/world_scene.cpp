@@ -5,7 +5,6 @@
 
 #include "host/scene/moving_view.h"
 #include "host/scene/parameter_table.h"
-#include "host/scene/sea.h"
 #include "host/sky/sun_position.h"
 
 namespace offing::scene {
@@ -61,10 +60,10 @@ ocean::TrochoidSea with_waves_beside(ocean::TrochoidSea trochoids, const OceanSc
 
 }  // namespace
 
-world::WorldParameters prepare_world(const OceanScene& scene) {
+world::WorldParameters prepare_world(const OceanScene& scene, Warnings warnings) {
   const OceanScene resolved = with_resolved_wind(scene);
   const ViewScene view = view_at(scene, scene.start_s);
-  Sea sea = prepare_sea(scene);
+  Sea sea = prepare_sea(scene, warnings);
   ocean::TrochoidSea trochoids = trochoids_of(sea, sea.parameters.seed);
   return {.spectrum = std::move(sea.spectrum),
           .ocean = std::move(sea.parameters),
@@ -87,6 +86,7 @@ void set_view(world::World& world, const ViewScene& view) {
 }
 
 void edit_world(world::World& world, const OceanScene& before, const OceanScene& after) {
+  const ViewScene view = view_at(after, after.start_s);
   switch (sea_change(before, after)) {
     case SeaChange::none:
       break;
@@ -94,15 +94,15 @@ void edit_world(world::World& world, const OceanScene& before, const OceanScene&
       world.set_trochoids(with_waves_beside(world.parameters().trochoids, before, after));
       break;
     case SeaChange::seed: {
-      const Sea sea = prepare_sea(after);
+      const Sea sea = prepare_sea(after, Warnings::left_out);
       world.reseed(sea.parameters.seed, trochoids_of(sea, sea.parameters.seed));
       break;
     }
     case SeaChange::all:
-      world.set_sea(prepare_world(after));
+      world.set_sea(prepare_world(after, Warnings::left_out));
       break;
   }
-  set_view(world, view_at(after, after.start_s));
+  set_view(world, view);
 }
 
 }  // namespace offing::scene

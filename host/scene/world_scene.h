@@ -1,20 +1,22 @@
 #pragma once
 
 #include "host/scene/ocean_scene.h"
+#include "host/scene/sea.h"
 #include "host/world/world.h"
 
 namespace offing::scene {
 
 /// What a world needs of a scene, with the view of its start. Throws what prepare_sea() throws.
-world::WorldParameters prepare_world(const OceanScene& scene);
+world::WorldParameters prepare_world(const OceanScene& scene, Warnings warnings = Warnings::logged);
 
 /// Gives a world the sun and the air of a view; what has not changed costs nothing.
 void set_view(world::World& world, const ViewScene& view);
 
 /// Makes the world that `before` was prepared for that of `after`, with the view of its start: as a fresh
 /// start with it would, but only what the two differ in is made anew. Swells and raindrops cost nothing, the
-/// seed draws the same spectrum again, all else of the sea makes it anew. Throws what prepare_sea() throws,
-/// and has changed nothing of the sea then.
+/// seed draws the same spectrum again, all else of the sea makes it anew. Logs no warnings. Throws what
+/// prepare_sea() and view_at() throw, and has changed nothing then; where the device cannot make a part of
+/// it, parts may have changed.
 void edit_world(world::World& world, const OceanScene& before, const OceanScene& after);
 
 }  // namespace offing::scene

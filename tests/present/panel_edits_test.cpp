@@ -138,6 +138,8 @@ class RefusedEditsTest : public WindowTest {
   }
 };
 
+using PanelFieldsTest = WindowTest;
+
 // Fails if a number that the table refuses is taken or ignored: its message is shown, the sea stays.
 TEST_F(RefusedEditsTest, NumbersOutOfRange) {
   open(quick_options());
@@ -172,6 +174,37 @@ TEST_F(RefusedEditsTest, SpectrumFilesThatAreNotThere) {
   EXPECT_TRUE(state().message.is_fault);
   EXPECT_EQ(state().scene.spectrum_file, "");
   EXPECT_TRUE(sea() == before);
+}
+
+// Fails if an edit that is refused gives the camera's keyframes back to a scene whose camera is the user's.
+TEST_F(RefusedEditsTest, LeaveTheCameraToTheUser) {
+  present::ViewOptions options = quick_options();
+  options.scene.tracks = scene::parse_scene(
+                             "version = 1\n[camera]\nx_m = { keys = [{ t = 0, value = 0 }, { t = 100, "
+                             "value = 1000 }] }\n",
+                             "path.toml", "")
+                             .tracks;
+  open(options);
+  look_at_sea();
+  ASSERT_TRUE(state().scene.tracks.empty());
+  toggle_header("Spectrum");
+  enter(find(main_panel(), parameter_label(*scene::find_parameter("ocean.spectrum_file"))),
+        "nowhere.data_spec");
+  turn(2);
+  ASSERT_TRUE(state().message.is_fault);
+  EXPECT_TRUE(state().scene.tracks.empty());
+}
+
+// Fails if Enter in a field that nobody changed takes what it shows for the value: twelve digits.
+TEST_F(PanelFieldsTest, EnterWithoutAChange) {
+  present::ViewOptions options = quick_options();
+  options.scene.patch_lengths_m = {1000.0 / 3.0};
+  open(options);
+  toggle_header("Cascades and Gerstner waves");
+  click(find(main_panel(), parameter_label(*scene::find_parameter("ocean.cascade.patch_m"))));
+  press("Return");
+  turn(2);
+  EXPECT_EQ(state().scene.patch_lengths_m, options.scene.patch_lengths_m);
 }
 
 }  // namespace

@@ -29,12 +29,15 @@ class ViewProgramTest : public testing::Test {
     unsetenv("DISPLAY");
     unsetenv("WAYLAND_DISPLAY");
     folder_ = std::make_unique<TemporaryFolder>();
-    std::ofstream(scene()) << "version = 1\n"
-                              "[time]\nfps = 10\nend_s = 0.3\n"
-                              "[wind]\nspeed_mps = 9\n"
-                              "[ocean]\nfetch_m = 40e3\nsize = 64\n"
-                              "[camera]\ny_m = 6\npitch_deg = -4\n"
-                              "[sun]\nelevation_deg = 20\nazimuth_deg = 20\n";
+    std::ofstream(scene())
+        << "version = 1\n"
+           "[time]\nfps = 10\nend_s = 0.3\n"
+           "[wind]\nspeed_mps = 9\n"
+           "[ocean]\nfetch_m = 40e3\nsize = 64\ngerstner.count = 12\n"
+           "[[ocean.swell]]\namplitude_m = 0.6\nwavelength_m = 70\ndirection_deg = 80\n"
+           "[[ocean.raindrop]]\ntime_s = 0.5\nz_m = -20\namplitude_m = 0.4\nwavelength_m = 5\n"
+           "[camera]\ny_m = 6\npitch_deg = -4\n"
+           "[sun]\nelevation_deg = 20\nazimuth_deg = 20\n";
     first_ = view({"--time", "2", "-o", path("first.png")});
   }
   static void TearDownTestSuite() { folder_.reset(); }
@@ -119,6 +122,8 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
     EXPECT_NE(result.errors.find(named), std::string::npos) << result.errors;
   };
   refused({scene(), "--headless"}, "-o");
+  refused({scene(), "--headless", "--window", "-o", path("a.png")}, "--window");
+  refused({scene(), "--window", "-o", path("a.png")}, "--record");
   refused({scene(), "--headless", "-o", path("a.jpg")}, ".png or .exr");
   refused({scene(), "--size", "0x5", "-o", path("a.png")}, "--size");
   refused({scene(), "--time", "nan", "-o", path("a.png")}, "--time");

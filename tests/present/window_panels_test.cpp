@@ -1,9 +1,11 @@
 // What panels hold besides the parameters of the scene: clock, views, scene file, times.
+#include <filesystem>
 #include <fstream>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "host/base/error.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_file.h"
 #include "present/parameter_widget.h"
@@ -114,6 +116,35 @@ TEST_F(WindowPanelsTest, SceneFile) {
   turn(2);
   EXPECT_EQ(state().scene.wind_speed_mps, edited_mps);
   EXPECT_TRUE(picture() == live);
+}
+
+// Fails if a name that no file can have ends the window.
+TEST_F(WindowPanelsTest, NamesThatNoFileCanHave) {
+  present::ViewOptions options = quick_options();
+  options.scene_name = std::string(300, 'x');
+  open(options);
+  toggle_header("Scene file");
+  click(find(main_panel(), "save scene as", 40));
+  EXPECT_TRUE(state().message.is_fault);
+  EXPECT_NE(message().find("xxx_edited.toml"), std::string::npos) << message();
+  press("F12");
+  EXPECT_NE(message().find("xxx_001.png"), std::string::npos) << message();
+  EXPECT_TRUE(state().message.is_fault);
+}
+
+// Fails if a recording goes on with old pictures where the scene has none: its sun leaves the calendar after
+// the third frame.
+TEST_F(WindowPanelsTest, RecordingsEndWithTheirScene) {
+  present::ViewOptions options = quick_options();
+  options.starts_paused = false;
+  options.time_s = 0.0;
+  options.scene.view.sun_time_utc = UtcTime{2100, 12, 31, 23, 59, 57};
+  options.scene.view.sun_time_scale = 1.0;
+  options.recording = {.name = present::FrameName("a_%d.png"), .frames = {0, 9}, .frames_per_second = 1.0};
+  EXPECT_THROW(present::show_window(options, CancelToken()), Error);
+  EXPECT_TRUE(std::filesystem::exists("a_0.png"));
+  EXPECT_TRUE(std::filesystem::exists("a_1.png"));
+  EXPECT_FALSE(std::filesystem::exists("a_4.png"));
 }
 
 // Fails if a stage is not timed, by the CPU's clock or the device's.

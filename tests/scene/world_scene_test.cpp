@@ -90,8 +90,10 @@ TEST(WorldScene, RefusedEditChangesNothing) {
   const OceanScene scene = scene_of("[ocean]\nsize = 32\ncascade_count = 1\n");
   world::World world(ocl::Device::open(), prepare_world(scene));
   const auto before = everything(world);
-  for (const char* more :
-       {"spectrum_file = \"/nonexistent\"\n", "gravity_mps2 = 0.1\n[[ocean.swell]]\nperiod_s = 0.3\n"}) {
+  for (const char* more : {"spectrum_file = \"/nonexistent\"\n",
+                           "[wind]\nspeed_mps = 20\n[sun]\ntime_utc = 2100-12-31T23:59:59Z\ntime_scale = "
+                           "1\n[time]\nstart_s = 100\n",
+                           "gravity_mps2 = 0.1\n[[ocean.swell]]\nperiod_s = 0.3\n"}) {
     EXPECT_THROW(edit_world(world, scene, scene_of(std::string("[ocean]\nsize = 32\n") + more)), Error);
     EXPECT_EQ(everything(world), before) << more;
   }
