@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -11,6 +12,7 @@ namespace offing::present {
 namespace {
 
 constexpr std::size_t max_rings = 64;
+constexpr GLuint rings_binding = 2;
 
 using Ring = ocean::TrochoidInstant::Ring;
 
@@ -22,7 +24,10 @@ double apparent_height(const Ring& ring, glm::dvec2 eye_m) {
 
 }  // namespace
 
-void set_rings(const ShaderProgram& program, const ocean::TrochoidInstant& trochoids, glm::dvec2 eye_m) {
+RingWaves::RingWaves() : rings_("Rings", rings_binding, 2 * max_rings) {}
+
+void RingWaves::set(const ShaderProgram& program, const ocean::TrochoidInstant& trochoids,
+                    glm::dvec2 eye_m) const {
   std::vector<Ring> rings = trochoids.rings();
   if (rings.size() > max_rings) {
     std::nth_element(
@@ -37,7 +42,7 @@ void set_rings(const ShaderProgram& program, const ocean::TrochoidInstant& troch
     values.emplace_back(ring.amplitude_m, std::remainder(ring.phase_rad, 2.0 * std::numbers::pi), 0.0, 0.0);
   }
   program.set("ring_count", static_cast<int>(rings.size()));
-  program.set("rings", values);
+  rings_.set(program, std::move(values));
 }
 
 }  // namespace offing::present

@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 
 #include "present/foam_texture.h"
-#include "present/ring_waves.h"
 #include "present/view_ray.h"
 
 namespace offing::present {
@@ -74,7 +73,7 @@ void WaterPass::set_waves(const world::World& world, const Camera& camera) const
   const ocean::OceanParameters& sea = world.parameters().ocean;
   const glm::dvec2 eye_m(camera.eye_m.x, camera.eye_m.z);
   maps_.bind(program_, world, eye_m);
-  set_rings(program_, ocean::TrochoidInstant(world.parameters().trochoids, world.time_s()), eye_m);
+  rings_.set(program_, ocean::TrochoidInstant(world.parameters().trochoids, world.time_s()), eye_m);
   std::vector<glm::vec4> hidden;
   std::vector<float> breaking;
   for (std::size_t i = 0; i < sea.cascades.size(); ++i) {

@@ -8,6 +8,7 @@
 #include "present/gl_context.h"
 #include "present/gl_objects.h"
 #include "present/render_target.h"
+#include "present/ring_waves.h"
 #include "present/shader_program.h"
 #include "present/transfer.h"
 #include "present/water_maps.h"
@@ -69,6 +70,7 @@ class WaterPass {
   WaterDetail detail_;
   WaterMaps maps_;
   WaterSurface surface_;
+  RingWaves rings_;
   ShaderProgram program_;
   GlVertexArray no_vertices_;
   GlTexture foam_pattern_;

@@ -3,16 +3,19 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "host/ocean/projected_grid.h"
-#include "present/ring_waves.h"
+#include "kernels/shared/trochoids.h"
 
 namespace offing::present {
 namespace {
 
 constexpr double near_m = 0.05;
 constexpr int output_count = 3;
+constexpr GLuint trochoids_binding = 1;
+constexpr std::size_t trochoid_values = TROCHOID_WAVES + TROCHOID_WAVES / 4;
 
 ShaderProgram surface_program() {
   return ShaderProgram(
@@ -53,7 +56,8 @@ WaterSurface::WaterSurface(const GlCapabilities& capabilities, GridCells cells)
       cells_(cells),
       program_(surface_program()),
       vertices_(GlVertexArray::make()),
-      indices_(GlBuffer::make()) {
+      indices_(GlBuffer::make()),
+      trochoid_block_("Trochoids", trochoids_binding, trochoid_values) {
   const std::vector<std::uint32_t> indices = triangles(cells);
   glBindVertexArray(vertices_.name());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
@@ -63,17 +67,19 @@ WaterSurface::WaterSurface(const GlCapabilities& capabilities, GridCells cells)
 }
 
 void WaterSurface::set_trochoids(const ocean::TrochoidInstant& trochoids, const Camera& camera) const {
-  std::vector<glm::vec4> waves;
-  std::vector<float> phases;
+  // As the shader's block has them: the waves, then their phases, four a value.
+  std::vector<glm::vec4> waves(trochoid_values);
+  std::size_t count = 0;
   for (const ocean::TrochoidInstant::Wave& wave : trochoids.waves()) {
-    waves.emplace_back(wave.kx_radpm, wave.kz_radpm, wave.amplitude_m,
-                       trochoids.horizontal_scale() * wave.amplitude_m);
+    waves[count] = {wave.kx_radpm, wave.kz_radpm, wave.amplitude_m,
+                    trochoids.horizontal_scale() * wave.amplitude_m};
     const double phase = wave.kx_radpm * camera.eye_m.x + wave.kz_radpm * camera.eye_m.z + wave.phase_rad;
-    phases.push_back(static_cast<float>(std::remainder(phase, 2.0 * std::numbers::pi)));
+    waves[TROCHOID_WAVES + count / 4][static_cast<int>(count % 4)] =
+        static_cast<float>(std::remainder(phase, 2.0 * std::numbers::pi));
+    ++count;
   }
-  program_.set("wave_count", static_cast<int>(waves.size()));
-  program_.set("waves", waves);
-  program_.set("wave_phases", phases);
+  program_.set("wave_count", static_cast<int>(count));
+  trochoid_block_.set(program_, std::move(waves));
 }
 
 bool WaterSurface::draw(const world::World& world, const WaterMaps& maps, const Camera& camera, Fill fill) {
@@ -100,7 +106,7 @@ bool WaterSurface::draw(const world::World& world, const WaterMaps& maps, const 
   maps.bind(program_, world, {camera.eye_m.x, camera.eye_m.z});
   const ocean::TrochoidInstant trochoids(world.parameters().trochoids, world.time_s());
   set_trochoids(trochoids, camera);
-  set_rings(program_, trochoids, {camera.eye_m.x, camera.eye_m.z});
+  rings_.set(program_, trochoids, {camera.eye_m.x, camera.eye_m.z});
 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);

@@ -8,7 +8,9 @@
 #include "present/gl_context.h"
 #include "present/gl_objects.h"
 #include "present/render_target.h"
+#include "present/ring_waves.h"
 #include "present/shader_program.h"
+#include "present/uniform_block.h"
 #include "present/water_maps.h"
 
 namespace offing::present {
@@ -41,6 +43,8 @@ class WaterSurface {
   ShaderProgram program_;
   GlVertexArray vertices_;
   GlBuffer indices_;
+  UniformBlock trochoid_block_;
+  RingWaves rings_;
   RenderTarget target_;
 };
 

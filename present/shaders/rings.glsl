@@ -3,7 +3,9 @@ const int max_rings = 64;
 
 uniform int ring_count;
 // Two a ring: centre x and z relative to the eye in m, wavelength m, radius m; amplitude m, phase rad, 0, 0.
-uniform vec4 rings[2 * max_rings];
+layout(std140) uniform Rings {
+  vec4 rings[2 * max_rings];
+};
 
 // Height in m, dh/dx and dh/dz at a label, of the rings that samples this far apart show.
 vec3 ring_waves(vec2 label_m, float spacing_m) {

@@ -158,7 +158,7 @@ void main() {
   vec3 horizon = environment_light(normalize(vec3(-v.x, 0.004, -v.z)));
   light = vec4(mix(horizon, surface, clear), 1.0);
   if (debug_view != 0) {
-    light.rgb = debug_light(ray.y * distance_m + eye_height_m, slope, jacobian, coverage, width_m, label_m,
+    light.rgb = debug_light(ray.y * distance_m + eye_height_m + earth_drop_m(label_m), slope, jacobian, coverage, width_m, label_m,
                             floor(strain.w));
   }
 }

@@ -1,5 +1,11 @@
 // What the shaders of the water's shape and of its light know: cascades of waves on repeating maps, and where the eye stands on them.
 const int max_cascades = 4;
+const float earth_radius_m = 6.36e6;
+
+// How far the Earth's surface lies below the plane at the eye's label.
+float earth_drop_m(vec2 label_m) {
+  return dot(label_m, label_m) / (2.0 * earth_radius_m);
+}
 
 uniform int cascade_count;
 uniform vec4 cascades[max_cascades];  // 1 / L 1/m; the eye's place on the patch in L, x and z; texels a metre

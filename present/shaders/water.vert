@@ -2,15 +2,16 @@
 // displaced by the cascades and the trochoids. All positions are relative to the eye, so that nothing loses digits
 // far from the origin.
 const int max_waves = 128;
-const float earth_radius_m = 6.36e6;
 
 uniform mat4 clip_from_eye;
 uniform vec3 corners[4];  // homogeneous: label x and z, w
 uniform ivec2 cells;      // of the grid: columns and rows
 uniform float eye_height_m;
 uniform int wave_count;
-uniform vec4 waves[max_waves];        // trochoids: wave vector x and z in rad/m, amplitude m, sideways shift m
-uniform float wave_phases[max_waves];  // rad
+layout(std140) uniform Trochoids {
+  vec4 waves[max_waves];  // wave vector x and z in rad/m, amplitude m, sideways shift m
+  vec4 wave_phases[max_waves / 4];  // rad, of four waves each
+};
 
 out vec2 label_m;          // relative to the eye
 out vec3 position_m;       // relative to the eye
@@ -59,7 +60,7 @@ void main() {
     if (share == 0.0) continue;
     drawn += share * share * steepness * steepness;
     float amplitude_m = share * waves[i].z, shift_m = share * waves[i].w;
-    float phase = dot(wave, label) + wave_phases[i];
+    float phase = dot(wave, label) + wave_phases[i / 4][i % 4];
     float cosine = cos(phase), sine = sin(phase);
     moved_m += vec3(-shift_m * sine * direction.x, amplitude_m * cosine, -shift_m * sine * direction.y);
     slope -= amplitude_m * sine * wave;
@@ -75,6 +76,6 @@ void main() {
   trochoid_gradient = gradient;
   trochoid_loss = 1.0 - drawn / all;
   position_m = vec3(label.x, -eye_height_m, label.y) + moved_m;
-  position_m.y -= dot(label, label) / (2.0 * earth_radius_m);
+  position_m.y -= earth_drop_m(label);
   gl_Position = clip_from_eye * vec4(position_m, 1.0);
 }

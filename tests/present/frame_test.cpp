@@ -241,6 +241,28 @@ TEST_F(FrameTest, ShowsDebugViews) {
   EXPECT_EQ(picture(5.0), plain);
 }
 
+// Fails if far water is shown as low as the Earth's curvature takes it: seen from 300 m, five pixels below
+// eye level, it is 15 km away and 19 m lower. Waves of a metre are as often above zero, red, as below it,
+// blue; where all is far below, blue is 30 times as much as red.
+TEST_F(FrameTest, ShowsHeightsAboveTheSea) {
+  camera_.eye_m.y = 300.0;
+  camera_.pitch_rad = 0.0;
+  camera_.width_px = 320;
+  camera_.height_px = 180;
+  stage_->world.at(5.0, camera_.eye_m.y);
+  stage_->frame.draw(stage_->world, {.camera = camera_, .exposure = 0.05, .debug = DebugView::height});
+  const std::vector<float> pixels = stage_->frame.light().read();
+  const int row = camera_.height_px / 2 - 5;
+  double red = 0.0, blue = 0.0;
+  for (int column = 0; column < camera_.width_px; ++column) {
+    const auto i = 4 * static_cast<std::size_t>(row * camera_.width_px + column);
+    red += static_cast<double>(pixels[i]);
+    blue += static_cast<double>(pixels[i + 2]);
+  }
+  EXPECT_GT(blue, 0.0);
+  EXPECT_GT(red, 0.5 * blue);
+}
+
 // Fails if the exposure does not follow the light: the same picture stays readable from noon to dusk.
 TEST_F(FrameTest, ExposesForTheLight) {
   for (const double elevation_deg : {60.0, 10.0, 0.0, -4.0}) {
