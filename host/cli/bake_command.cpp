@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/base/error.h"
+#include "host/base/world_limits.h"
 #include "host/cli/bake.h"
 #include "host/cli/certificate_text.h"
 #include "host/cli/device_choice.h"
@@ -48,9 +49,6 @@ FrameRange frames_in_time_span(const scene::OceanScene& scene) {
   }
   return {static_cast<int>(first), static_cast<int>(last)};
 }
-
-/// The deepest sea there is, in m, for velocities where the scene's has no bed.
-constexpr double deepest_m = 12000.0;
 
 BakeSettings read_settings(const BakeArguments& arguments, const scene::OceanScene& scene,
                            double water_depth_m) {

@@ -13,6 +13,7 @@
 #include "host/base/argument.h"
 #include "host/base/error.h"
 #include "host/base/progress.h"
+#include "host/base/world_limits.h"
 #include "host/cli/device_choice.h"
 #include "host/cli/parameter_options.h"
 #include "host/cli/query_settings.h"
@@ -27,9 +28,6 @@ namespace offing::cli {
 
 namespace {
 
-/// The deepest sea there is, in m, for velocities where the scene's has no bed.
-constexpr double deepest_m = 12000.0;
-constexpr double longest_wavelength_m = 1e6;
 /// Points that are asked for at once.
 constexpr std::size_t block_points = 65536;
 
@@ -170,7 +168,7 @@ ocean::WaterQuery read_query(const QueryArguments& arguments, double water_depth
   }
   if (!arguments.min_wavelength.empty()) {
     query.min_wavelength_m =
-        read_length_m("--min-wavelength-m", arguments.min_wavelength, 0.0, longest_wavelength_m, "30");
+        read_length_m("--min-wavelength-m", arguments.min_wavelength, 0.0, ocean::longest_filter_m, "30");
   }
   return query;
 }

@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "host/base/argument.h"
+#include "host/base/world_limits.h"
 
 namespace offing::cli {
 
 namespace {
 
-constexpr double largest_time_s = 1e8;
 constexpr double most_times = 1e7;
 
 /// `count` finite numbers with this separator between them.
@@ -48,23 +48,25 @@ TimeRange read_time_range(std::string_view flag, std::string_view text) {
       return {.first_s = first_s, .step_s = step_s, .count = static_cast<std::int64_t>(steps) + 1};
     }
   }
-  throw bad_argument(flag, "A:B:DT in s with -1e8 <= A <= B <= 1e8, DT > 0 and at most 1e7 times", text,
-                     "0:60:0.5");
+  throw bad_argument(flag,
+                     fmt::format("A:B:DT in s with {:g} <= A <= B <= {:g}, DT > 0 and at most {:g} times",
+                                 -largest_time_s, largest_time_s, most_times),
+                     text, "0:60:0.5");
 }
 
 double read_time_s(std::string_view flag, std::string_view text) {
   const auto numbers = numbers_in<1>(text, ':');
   if (!numbers || std::abs((*numbers)[0]) > largest_time_s) {
-    throw bad_argument(flag, "a time in s within [-1e8, 1e8]", text, "12.5");
+    throw bad_argument(flag, fmt::format("a time in s within [{:g}, {:g}]", -largest_time_s, largest_time_s),
+                       text, "12.5");
   }
   return (*numbers)[0];
 }
 
 ocean::WaterPoint read_point(std::string_view flag, std::string_view text) {
   const auto numbers = numbers_in<2>(text, ',');
-  if (!numbers || std::abs((*numbers)[0]) > ocean::farthest_point_m ||
-      std::abs((*numbers)[1]) > ocean::farthest_point_m) {
-    throw bad_argument(flag, fmt::format("X,Z in m within [-{0:g}, {0:g}]", ocean::farthest_point_m), text,
+  if (!numbers || std::abs((*numbers)[0]) > farthest_point_m || std::abs((*numbers)[1]) > farthest_point_m) {
+    throw bad_argument(flag, fmt::format("X,Z in m within [-{0:g}, {0:g}]", farthest_point_m), text,
                        "12.5,-40");
   }
   return {.x_m = (*numbers)[0], .z_m = (*numbers)[1]};

@@ -16,13 +16,13 @@ struct TimeRange {
 };
 
 /// "A:B:DT" in s: from A to B, both included where DT meets it. Throws Error(bad_usage) unless A <= B, DT >
-/// 0, |A| and |B| are within 1e8 s and there are at most 1e7 of them.
+/// 0, |A| and |B| are within largest_time_s and there are at most 1e7 of them.
 TimeRange read_time_range(std::string_view flag, std::string_view text);
 
-/// One time in s within 1e8 s. Throws Error(bad_usage).
+/// One time in s within largest_time_s. Throws Error(bad_usage).
 double read_time_s(std::string_view flag, std::string_view text);
 
-/// "X,Z" in m. Throws Error(bad_usage) unless both are within ocean::farthest_point_m.
+/// "X,Z" in m. Throws Error(bad_usage) unless both are within farthest_point_m.
 ocean::WaterPoint read_point(std::string_view flag, std::string_view text);
 
 }  // namespace offing::cli

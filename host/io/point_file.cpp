@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/world_limits.h"
 
 namespace offing {
 namespace {
 
 constexpr std::size_t longest_line = 4095;
-constexpr double farthest_m = 2e7;  // half way around the Earth
 constexpr std::size_t shown_characters = 60;
 constexpr const char* mend = "write a line for each point: x_m,z_m as two numbers in m, such as 12.5,-40";
 
@@ -39,7 +39,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 bool read_number(std::string_view text, double& value) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() && std::abs(value) <= farthest_m;
+  return error == std::errc{} && end == text.data() + text.size() && std::abs(value) <= farthest_point_m;
 }
 
 }  // namespace
@@ -94,8 +94,9 @@ std::array<double, 2> PointFile::read_place(std::string_view line) const {
   if (!has_columns || !read_number(fields[columns_[0]], place[0]) ||
       !read_number(fields[columns_[1]], place[1])) {
     throw Error(ErrorKind::bad_input,
-                fmt::format("{}:{}: expected x_m,z_m as two numbers within [-2e7, 2e7], found \"{}\"",
-                            path_.string(), line_number_, line.substr(0, shown_characters)),
+                fmt::format("{}:{}: expected x_m,z_m as two numbers within [{:g}, {:g}], found \"{}\"",
+                            path_.string(), line_number_, -farthest_point_m, farthest_point_m,
+                            line.substr(0, shown_characters)),
                 mend);
   }
   return place;

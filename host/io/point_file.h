@@ -18,7 +18,7 @@ class PointFile {
   explicit PointFile(std::filesystem::path path);
 
   /// The next places (x, z), m, `most` at most; none at the end. Throws Error(bad_input) with file and line
-  /// for what is not two numbers within 2e7 m, and at the end of a file without any.
+  /// for what is not two numbers within farthest_point_m, and at the end of a file without any.
   std::vector<std::array<double, 2>> next(std::size_t most);
   /// Back to the first place.
   void rewind();

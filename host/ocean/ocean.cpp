@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/world_limits.h"
 #include "host/ocean/foam.h"
 #include "host/ocean/long_waves.h"
 #include "host/ocean/parameter_check.h"
@@ -19,8 +20,6 @@
 
 namespace offing::ocean {
 namespace {
-
-constexpr double largest_time_s = 1e8;  // three years: the phase clock of WaveModes is exact up to there
 
 OceanParameters checked(const OceanParameters& parameters) {
   require_valid_size(parameters.size);
@@ -206,7 +205,7 @@ std::vector<float> Ocean::read_foam(int cascade) {
 VelocityFields Ocean::read_velocity(int cascade, double depth_m) {
   State& state = *state_;
   const std::size_t count = state.texels(), first = state.first_texel(cascade);
-  require_within("depth_m", depth_m, 0.0, std::min(1e5, state.dispersion.depth_m));
+  require_within("depth_m", depth_m, 0.0, std::min(deepest_m, state.dispersion.depth_m));
   const ocl::Buffer<float>& velocity_map = state.velocity_at(depth_m);
   VelocityFields fields;
   fields.size = state.parameters.size;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/base/world_limits.h"
 #include "host/ocean/parameter_check.h"
 #include "host/ocean/wave_clock.h"
 
@@ -10,7 +11,6 @@ namespace offing::ocean {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-constexpr double largest_time_s = 1e8;
 
 /// Phase that a wave of this frequency has gone through, within a turn.
 double phase_rad(const WaveClock& clock, double omega_radps, double time_s) {

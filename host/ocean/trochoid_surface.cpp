@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "host/base/world_limits.h"
 #include "host/ocean/device_trochoids.h"
 #include "host/ocean/parameter_check.h"
 #include "host/ocean/wave_clock.h"
@@ -17,7 +18,6 @@ namespace offing::ocean {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-constexpr double largest_time_s = 1e8;
 // A work-item of the strip shape takes this many columns at a time, and rows enough that what it computes
 // once counts little.
 constexpr int strip_lanes = 16, strip_block_columns = 64, strip_rows = 4;

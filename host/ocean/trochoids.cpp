@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "host/base/world_limits.h"
 #include "host/ocean/parameter_check.h"
 #include "kernels/shared/trochoids.h"
 
@@ -13,7 +14,7 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double largest_angle_rad = 1e6;
 constexpr double largest_amplitude_m = 100.0;
 constexpr double shortest_wavelength_m = 0.1, longest_wavelength_m = 1e5;
-constexpr double largest_time_s = 1e8, largest_place_m = 1e9;
+constexpr double largest_place_m = 1e9;
 
 }  // namespace
 

@@ -5,7 +5,7 @@
 namespace offing::ocean {
 namespace {
 // Water deeper than this is deep for every wave that a patch can hold, and finite numbers suit every device.
-constexpr double deepest_m = 1e6;
+constexpr double bottomless_m = 1e6;
 }  // namespace
 
 VelocityMap::VelocityMap(const ocl::Device& device, const WaveModes& modes, double water_depth_m)
@@ -16,7 +16,7 @@ VelocityMap::VelocityMap(const ocl::Device& device, const WaveModes& modes, doub
                   .second_kernel = "velocity_assemble",
                   .half_fields = 4,
                   .pair_fields = 2}),
-      water_depth_m_(static_cast<float>(std::min(water_depth_m, deepest_m))) {
+      water_depth_m_(static_cast<float>(std::min(water_depth_m, bottomless_m))) {
   const auto n = static_cast<std::size_t>(modes.size());
   velocity_ =
       ocl::Buffer<float>(device, 4 * n * n * static_cast<std::size_t>(modes.cascade_count()), "velocity map");

@@ -5,11 +5,6 @@
 #include "host/ocean/parameter_check.h"
 
 namespace offing::ocean {
-namespace {
-
-constexpr double deepest_m = 1e5, longest_wavelength_m = 1e6;
-
-}  // namespace
 
 SurfaceQueryPoint device_point(const WaterPoint& point) {
   // The usual case costs no call; a place that is not a number is not within anything.
@@ -27,7 +22,7 @@ SurfaceQueryPoint device_point(const WaterPoint& point) {
 
 void require_valid_query(const WaterQuery& query, double water_depth_m) {
   require_within("query.depth_m", query.depth_m, 0.0, std::min(deepest_m, water_depth_m));
-  require_within("query.min_wavelength_m", query.min_wavelength_m, 0.0, longest_wavelength_m);
+  require_within("query.min_wavelength_m", query.min_wavelength_m, 0.0, longest_filter_m);
   require_within("query.density_kgpm3", query.density_kgpm3, 1.0, 1e5);
   require_within("query.tolerance_m", query.tolerance_m, 1e-5, 1.0);
 }

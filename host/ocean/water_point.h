@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "host/base/world_limits.h"
 #include "kernels/shared/surface_query.h"
 
 namespace offing::ocean {
@@ -37,8 +38,8 @@ struct WaterQuery {
   double tolerance_m = 1e-4;
 };
 
-/// The farthest from the origin that a point may be along x or z: half way around the Earth.
-inline constexpr double farthest_point_m = 2e7;
+/// The largest min_wavelength_m: longer than any wave.
+inline constexpr double longest_filter_m = 1e6;
 
 /// A point as devices read it. Throws Error(bad_input) unless it is within farthest_point_m.
 SurfaceQueryPoint device_point(const WaterPoint& point);

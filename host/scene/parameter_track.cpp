@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "host/base/error.h"
+#include "host/base/world_limits.h"
 #include "host/scene/parameter_table.h"
 
 namespace offing::scene {
@@ -15,7 +16,6 @@ namespace offing::scene {
 namespace {
 
 constexpr std::size_t max_keys = 10'000;
-constexpr double largest_time_s = 1e8;
 
 void require_movable(const Parameter& parameter, const Place& place) {
   if (parameter.motion != ParameterMotion::constant) return;

@@ -1,5 +1,6 @@
 #include "host/scene/sea_parameters.h"
 
+#include "host/base/world_limits.h"
 #include "host/scene/parameter_storage.h"
 
 namespace offing::scene {
@@ -58,7 +59,7 @@ std::vector<Parameter> sea_parameters() {
        .storage = &member<&Scene::depth_m>,
        .unit = "m",
        .low = 0.1,
-       .high = 12000.0,
+       .high = deepest_m,
        .help = "water depth",
        .example = "50",
        .absent = "deep water, or as the measured file says"},

@@ -167,7 +167,7 @@ TEST_F(Query, BadQuestionsGetOneLineAndItsMend) {
       {{"--points", "@"}, 1, "cannot be read: it is a folder"},
       {{"--points", "@word.csv"},
        2,
-       "word.csv:3: expected x_m,z_m as two numbers within [-2e7, 2e7], found \"3,four\""},
+       "word.csv:3: expected x_m,z_m as two numbers within [-2e+07, 2e+07], found \"3,four\""},
       {{"--points", "@not_a_number.csv"}, 2, "not_a_number.csv:1: expected"},
       {{"--points", "@one_column.csv"}, 2, "one_column.csv:1: expected"},
       {{"--points", "@three_columns.csv"}, 2, "three_columns.csv:1: expected"},
