@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "kernels/shared/deformation.h"
+
 namespace offing::ocean {
 namespace {
 
@@ -111,8 +113,7 @@ WaterPoint SurfaceInstant::label_under(const WaterPoint& point) const {
     const double off_z_m = label.z_m + sums.values.displacement_z_m - point.z_m;
     if (std::hypot(off_x_m, off_z_m) <= query_.tolerance_m) break;
     const double xx = 1.0 + sums.x_by_x, zz = 1.0 + sums.z_by_z;
-    const double determinant =
-        std::max<double>(xx * zz - sums.x_by_z * sums.z_by_x, SURFACE_QUERY_LEAST_DETERMINANT);
+    const double determinant = std::max<double>(xx * zz - sums.x_by_z * sums.z_by_x, LEAST_DETERMINANT);
     const bool is_plain = step == 0;
     label.x_m -= is_plain ? off_x_m : (zz * off_x_m - sums.x_by_z * off_z_m) / determinant;
     label.z_m -= is_plain ? off_z_m : (xx * off_z_m - sums.z_by_x * off_x_m) / determinant;
@@ -126,7 +127,7 @@ WaterSample SurfaceInstant::at(const WaterPoint& point) const {
   const TrochoidValues sea = at_label(label);
   const double xx = 1.0 + sea.gradient_xx, xz = sea.gradient_xz, zz = 1.0 + sea.gradient_zz;
   const double jacobian = xx * zz - xz * xz;
-  const double determinant = std::copysign(std::max(std::abs(jacobian), 0.05), jacobian);
+  const double determinant = std::copysign(std::max<double>(std::abs(jacobian), LEAST_DETERMINANT), jacobian);
   WaterSample sample{};
   sample.height_m = static_cast<float>(sea.displacement_y_m);
   sample.slope_x = static_cast<float>((zz * sea.slope_x - xz * sea.slope_z) / determinant);

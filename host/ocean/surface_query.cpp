@@ -26,6 +26,19 @@ std::int32_t device_phase(double turns) {
   return std::bit_cast<std::int32_t>(device_turns(turns));
 }
 
+/// A wave's turns from tile to tile in 2^-32 of one, modulo a whole one.
+struct TileStep {
+  std::int32_t whole;
+  float rest;
+};
+
+TileStep tile_step(double turns_perm) {
+  const double steps = turns_perm * tile_m * 0x1p32;
+  const std::int64_t whole = std::llround(steps);
+  return {.whole = std::bit_cast<std::int32_t>(static_cast<std::uint32_t>(whole)),
+          .rest = static_cast<float>(steps - static_cast<double>(whole))};
+}
+
 /// What a wave of unit phase does at a depth, as TrochoidInstant has it.
 struct Flow {
   double along_mps, up_mps, head_m;
@@ -52,10 +65,13 @@ std::vector<SurfaceQueryWave> pack_waves(const TrochoidSea& sea, const WaterQuer
     const double k = wave.wavenumber_radpm, a = wave.amplitude_m, qa = scale * a;
     const double turns_x_perm = k * cosine / two_pi, turns_z_perm = k * sine / two_pi;
     const std::uint32_t rate = clock.rate(wave.omega_radps);
+    const TileStep step_x = tile_step(turns_x_perm), step_z = tile_step(turns_z_perm);
     const Flow flow = flow_of(wave, rate * clock.radps_per_rate(), query.depth_m, sea.dispersion.depth_m);
     packed.push_back({.phase = device_phase(wave.phase_rad / two_pi),
-                      .tile_step_x = device_phase(turns_x_perm * tile_m),
-                      .tile_step_z = device_phase(turns_z_perm * tile_m),
+                      .tile_step_x = step_x.whole,
+                      .tile_step_z = step_z.whole,
+                      .tile_rest_x = step_x.rest,
+                      .tile_rest_z = step_z.rest,
                       .rate = std::bit_cast<std::int32_t>(rate),
                       .turns_x_perm = static_cast<float>(turns_x_perm),
                       .turns_z_perm = static_cast<float>(turns_z_perm),

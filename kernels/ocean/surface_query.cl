@@ -1,12 +1,12 @@
 // The composed sea at points of the world: the label under each point is found first, as the surface moves sideways.
 // In:  points; displacement, gradient, flow [cascades][n][n] float4 of ocean/surface_assemble.cl and
-//      ocean/velocity_assemble.cl (flow is not read unless has_flow); waves, rings (shared/trochoids.h); params; time
-//      as ocean/wave_phase.clh has it.
+//      ocean/velocity_assemble.cl (flow is not read unless has_flow); waves, params (shared/surface_query.h), rings
+//      (TrochoidRingInTile of shared/trochoids.h); time as ocean/wave_phase.clh has it.
 // Out: samples (shared/surface_query.h), the surface of ocean/surface_compose.cl where it meets the point's vertical.
-// The label X solves X + d(X) = x. Steps X <- X - B (X + d(X) - x) end where the residual is small; the first is that of
-// fixed-point iteration (B = 1), the others have B = (I + grad d)^-1 of the interpolated displacement: with B = 1 they would
-// go on for dozens of steps where crests are steep. A point under a fold has several labels: one of them is found. Points
-// that are not finite get a residual that is not either.
+// The label X solves X + d(X) = x. Steps X <- X - B (X + d(X) - x) end where the residual is small; the first is that
+// of fixed-point iteration (B = 1), the others have B = (I + grad d)^-1 of the interpolated displacement: with B = 1
+// they would go on for dozens of steps where crests are steep. A point under a fold has several labels: one of them is
+// found. Points that are not finite get a residual that is not either.
 #include "ocean/deformation.clh"
 #include "ocean/trochoid_ring.clh"
 #include "shared/surface_query.h"
@@ -51,9 +51,13 @@ FFT_INLINE void set_tile(__global const SurfaceQueryParams *params, __global con
     tile->patch_x[cascade] = tile_place(tile_x, high, low);
     tile->patch_z[cascade] = tile_place(tile_z, high, low);
   }
+  const lanes tiles_x = convert_lanes(tile_x), tiles_z = convert_lanes(tile_z);
   for (int wave = 0; wave < params->wave_count; ++wave) {
+    // What steps of 2^-32 turns leave over grows to thousands of them far away.
+    const lanes rest = tiles_x * waves[wave].tile_rest_x + tiles_z * waves[wave].tile_rest_z;
     tile->wave[wave] = as_uint(waves[wave].phase) + as_uint_lanes(tile_x) * as_uint(waves[wave].tile_step_x) +
-                       as_uint_lanes(tile_z) * as_uint(waves[wave].tile_step_z) -
+                       as_uint_lanes(tile_z) * as_uint(waves[wave].tile_step_z) +
+                       as_uint_lanes(convert_int_lanes(rest)) -
                        turns_since((uint_lanes)as_uint(waves[wave].rate), ticks, tick_fraction);
   }
 }
@@ -192,7 +196,7 @@ FFT_INLINE void find_labels(__global const float4 *displacement, __global const 
     if (takes_all && !any_lane(is_far)) break;
     const lanes xx = 1.0f + moved.x_by_x, zz = 1.0f + moved.z_by_z;
     const lanes scale =
-        1.0f / fmax(xx * zz - moved.x_by_z * moved.z_by_x, (lanes)SURFACE_QUERY_LEAST_DETERMINANT);
+        1.0f / fmax(xx * zz - moved.x_by_z * moved.z_by_x, (lanes)LEAST_DETERMINANT);
     const lanes step_x = step == 0 ? off_x : scale * (zz * off_x - moved.x_by_z * off_z);
     const lanes step_z = step == 0 ? off_z : scale * (xx * off_z - moved.z_by_x * off_x);
     at_x -= select((lanes)0.0f, step_x, is_far);
@@ -251,11 +255,12 @@ FFT_INLINE void sample_labels(__global const float4 *displacement, __global cons
   store_lanes((zz * slope_x - xz * slope_z) / determinant, fields + LANES);
   store_lanes((xx * slope_z - xz * slope_x) / determinant, fields + 2 * LANES);
   store_lanes(sqrt(off_x * off_x + off_z * off_z), fields + 3 * LANES);
-  store_lanes(velocity_x, fields + 4 * LANES);
-  store_lanes(velocity_y, fields + 5 * LANES);
-  store_lanes(velocity_z, fields + 6 * LANES);
   const lanes pressure_pa = params->weight_papm * (params->depth_m + head - height);
-  store_lanes(params->has_flow ? pressure_pa : (lanes)0.0f, fields + 7 * LANES);
+  const bool has_flow = params->has_flow != 0;
+  store_lanes(has_flow ? velocity_x : (lanes)0.0f, fields + 4 * LANES);
+  store_lanes(has_flow ? velocity_y : (lanes)0.0f, fields + 5 * LANES);
+  store_lanes(has_flow ? velocity_z : (lanes)0.0f, fields + 6 * LANES);
+  store_lanes(has_flow ? pressure_pa : (lanes)0.0f, fields + 7 * LANES);
 }
 
 __kernel void surface_query(__global const SurfaceQueryPoint *restrict points, __global const float4 *restrict displacement,

@@ -8,9 +8,9 @@
 
 // The label under a point is found by at most this many steps X <- X - B (X + d(X) - x): the first has B = 1,
 // as fixed-point iteration has it, and d of the trochoids alone where there are any; the others have the
-// inverse of the mapping's derivative, whose determinant is taken to be this at least.
+// inverse of the mapping's derivative, whose determinant is taken to be LEAST_DETERMINANT
+// (shared/deformation.h) at least.
 #define SURFACE_QUERY_MOST_STEPS 24
-#define SURFACE_QUERY_LEAST_DETERMINANT 0.05f
 
 // A point of the world: 64 tile + rest.
 typedef struct {
@@ -31,8 +31,9 @@ typedef struct {
 // overflow lose whole ones, and nothing else.
 typedef struct {
   int phase;
-  int tile_step_x, tile_step_z;  // from tile to tile
-  int rate;                      // cycles per 2^32 ticks, as in ocean/wave_phase.clh
+  int tile_step_x, tile_step_z;    // from tile to tile
+  float tile_rest_x, tile_rest_z;  // what these are off, -0.5 ... 0.5
+  int rate;                        // cycles per 2^32 ticks, as in ocean/wave_phase.clh
   float turns_x_perm, turns_z_perm;
   float height_m;                                // times the cosine of the phase, as are the gradients
   float gradient_xx, gradient_xz, gradient_zz;   // TROCHOID_GRADIENT_XX ... in shared/trochoids.h
@@ -59,7 +60,7 @@ typedef struct {
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(SurfaceQueryPoint) == 16, "no padding");
 static_assert(sizeof(SurfaceQuerySample) == 32, "no padding");
-static_assert(sizeof(SurfaceQueryWave) == 72, "no padding");
+static_assert(sizeof(SurfaceQueryWave) == 80, "no padding");
 static_assert(sizeof(SurfaceQueryParams) == 96, "no padding");
 #endif
 

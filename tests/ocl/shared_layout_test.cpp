@@ -95,12 +95,12 @@ TEST(SharedLayoutTest, SurfaceQueryPointAndSample) {
 // Of the waves the first members, some and the last.
 TEST(SharedLayoutTest, SurfaceQueryWaveAndParams) {
   using W = SurfaceQueryWave;
-  EXPECT_EQ(test::device_layout(
-                ocl::Device::open(), "shared/surface_query.h", "SurfaceQueryWave",
-                {"phase", "rate", "turns_x_perm", "height_m", "shift_x_m", "slope_z", "velocity_y_mps"}),
-            (Layout{sizeof(W), offsetof(W, phase), offsetof(W, rate), offsetof(W, turns_x_perm),
-                    offsetof(W, height_m), offsetof(W, shift_x_m), offsetof(W, slope_z),
-                    offsetof(W, velocity_y_mps)}));
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/surface_query.h", "SurfaceQueryWave",
+                                {"phase", "tile_rest_x", "rate", "turns_x_perm", "height_m", "shift_x_m",
+                                 "slope_z", "velocity_y_mps"}),
+            (Layout{sizeof(W), offsetof(W, phase), offsetof(W, tile_rest_x), offsetof(W, rate),
+                    offsetof(W, turns_x_perm), offsetof(W, height_m), offsetof(W, shift_x_m),
+                    offsetof(W, slope_z), offsetof(W, velocity_y_mps)}));
   using S = SurfaceQueryParams;
   EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/surface_query.h", "SurfaceQueryParams",
                                 {"tile_step_high", "tile_step_low", "patches_per_m", "texels_per_m",
