@@ -26,7 +26,7 @@ inline std::array<float, 3> normal_of(const WaterSample& sample) {
 /// What is asked of the water at a time.
 struct WaterQuery {
   /// Velocity and pressure are those of this depth below the moving surface (Wheeler stretching); 0 is the
-  /// surface itself.
+  /// surface itself. Rings of raindrops count for height and pressure, and not for velocity.
   double depth_m = 0.0;
   /// Shorter waves do not count, as for a hull that is longer than they are: trochoids and modes of the
   /// cascades one by one, rings. 0: all count.
