@@ -41,19 +41,27 @@ struct QueryArguments {
 /// The points of the command: one, or those of a file, in blocks.
 class PointSource {
  public:
-  explicit PointSource(const QueryArguments& arguments) {
+  PointSource(const QueryArguments& arguments, const TimeRange& times) {
     if (arguments.points_file.empty()) {
       single_ = read_point("--at", arguments.at);
-    } else {
-      file_.emplace(arguments.points_file);
+      return;
+    }
+    file_.emplace(arguments.points_file);
+    if (times.count > 1 && !file_->can_rewind()) {
+      throw Error(ErrorKind::bad_usage,
+                  fmt::format("--points: expected a file that can be read once for each of {} times, found "
+                              "one that can be read only once: {}",
+                              times.count, arguments.points_file),
+                  "write the points to a file first, or ask for one time");
     }
   }
 
+  /// Back to the first point. What was not read yet is not rewound: a pipe cannot be.
   void rewind() {
-    is_at_start_ = true;
-    if (file_) {
+    if (file_ && !is_at_start_) {
       file_->rewind();
     }
+    is_at_start_ = true;
   }
 
   /// None at the end.
@@ -90,7 +98,7 @@ class AnswerSink {
     }
     if (style_ == Style::csv) {
       text_ = csv_header();
-    } else if (style_ == Style::json) {
+    } else if (style_ == Style::json_array) {
       text_ = "[";
     }
   }
@@ -101,7 +109,9 @@ class AnswerSink {
     missed_ += answer.sample.residual_m <= ocean::WaterQuery{}.tolerance_m * 1.1 ? 0 : 1;
     if (style_ == Style::csv) {
       append_csv(answer, text_);
-    } else if (style_ == Style::json) {
+    } else if (style_ == Style::json_object) {
+      text_ += to_json(answer).dump(2) + '\n';
+    } else if (style_ == Style::json_array) {
       text_ += (count_ > 1 ? ",\n " : "\n ") + to_json(answer).dump();
     } else {
       text_ += query_text(answer, depth_m_);
@@ -119,7 +129,7 @@ class AnswerSink {
   }
 
   void finish() {
-    if (style_ == Style::json) {
+    if (style_ == Style::json_array) {
       text_ += "\n]\n";
     }
     flush();
@@ -133,16 +143,17 @@ class AnswerSink {
   double largest_residual_m() const { return largest_residual_m_; }
 
  private:
-  enum class Style { words, csv, json };
+  enum class Style { words, csv, json_object, json_array };
 
   static Style style_of(const QueryArguments& arguments, const TimeRange& times) {
     if (!arguments.output_file.empty()) {
       return Style::csv;
     }
+    const bool is_single = arguments.points_file.empty() && times.count == 1;
     if (arguments.json) {
-      return Style::json;
+      return is_single ? Style::json_object : Style::json_array;
     }
-    return arguments.points_file.empty() && times.count == 1 ? Style::words : Style::csv;
+    return is_single ? Style::words : Style::csv;
   }
 
   double depth_m_;
@@ -216,7 +227,7 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
   const scene::OceanScene scene = arguments.parameters.read();
   const scene::Sea sea = scene::prepare_sea(scene);
   const ocean::WaterQuery query = read_query(arguments, sea.spectrum.dispersion.depth_m);
-  PointSource points(arguments);
+  PointSource points(arguments, times);
   AnswerSink sink(arguments, times, query.depth_m);
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   ocean::Ocean ocean(device, sea.spectrum, sea.parameters);
@@ -262,13 +273,18 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   add("-o,--output", arguments->output_file, "FILE",
       "write CSV there, whole or not at all (default: to standard output)");
   command->add_flag("--force", arguments->force, "replace a file that is there")->group(group);
-  command->add_flag("--json", arguments->json, "results for scripts, or with -o a summary")->group(group);
+  command
+      ->add_flag(
+          "--json", arguments->json,
+          "results for scripts: an object for one point and time, else an array of them; with -o a summary")
+      ->group(group);
   arguments->parameters.add_to(*command, {world, sea, grid});
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
 Each sample is of the surface as it is displaced: the label under the point is searched until it misses by
 residual_m, 0.0001 m at most but under folding crests. The pressure is above that of the air, in sea water of
-1025 kg/m^3. Samples come time by time, points in the order of the file.
+1025 kg/m^3. Rings of raindrops count for height and pressure, and not for velocity. Samples come time by
+time, points in the order of the file.
 
 Examples:
   offing ocean query scenes/storm.toml --at 120,-35 --time 12.5 --velocity-depth-m 3

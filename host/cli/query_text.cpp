@@ -58,12 +58,15 @@ void append_csv(const QueryAnswer& answer, std::string& text) {
 }
 
 nlohmann::ordered_json to_json(const QueryAnswer& answer) {
-  nlohmann::ordered_json json;
-  const std::array<double, 12> values = values_of(answer);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    json[std::string(columns[i])] = values[i];
-  }
-  return json;
+  const ocean::WaterSample& sample = answer.sample;
+  return {{"time_s", answer.time_s},
+          {"x_m", answer.point.x_m},
+          {"z_m", answer.point.z_m},
+          {"height_m", sample.height_m},
+          {"normal", ocean::normal_of(sample)},
+          {"velocity_mps", {sample.velocity_x_mps, sample.velocity_y_mps, sample.velocity_z_mps}},
+          {"pressure_pa", sample.pressure_pa},
+          {"residual_m", sample.residual_m}};
 }
 
 std::string query_text(const QueryAnswer& answer, double depth_m) {

@@ -20,7 +20,8 @@ std::string csv_header();
 /// Appends a line.
 void append_csv(const QueryAnswer& answer, std::string& text);
 
-/// The same names as the columns'.
+/// The same as an object: "normal" and "velocity_mps" are arrays of x, y and z, all else is a number with the
+/// name of its column.
 nlohmann::ordered_json to_json(const QueryAnswer& answer);
 
 /// For people.

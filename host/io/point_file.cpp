@@ -37,7 +37,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 }
 
 bool read_number(std::string_view text, double& value) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc{} && end == text.data() + text.size() && std::abs(value) <= farthest_point_m;
 }
@@ -59,10 +59,22 @@ PointFile::PointFile(std::filesystem::path path) : path_(std::move(path)), buffe
 bool PointFile::read_line(std::string_view& line) {
   while (file_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()))) {
     ++line_number_;
-    line = trimmed(buffer_.data());
+    // What was taken, less the end of the line where there is one.
+    const auto length = static_cast<std::size_t>(file_.gcount()) - (file_.eof() ? 0 : 1);
+    line = trimmed({buffer_.data(), length});
+    if (line.find('\0') != std::string_view::npos) {
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}:{}: expected text, found a byte of value 0", path_.string(), line_number_),
+                  "save the points as plain text in UTF-8 or ASCII");
+    }
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (line_number_ == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
     if (!line.empty() && line.front() != '#') return true;
+  }
+  if (file_.bad()) {
+    throw Error(ErrorKind::file,
+                fmt::format("{}: cannot be read beyond line {}", path_.string(), line_number_),
+                "check the disk or the program that writes it");
   }
   if (file_.eof()) return false;
   throw Error(ErrorKind::bad_input,
@@ -114,6 +126,10 @@ std::vector<std::array<double, 2>> PointFile::next(std::size_t most) {
     throw Error(ErrorKind::bad_input, fmt::format("{}: expected points, found none", path_.string()), mend);
   }
   return places;
+}
+
+bool PointFile::can_rewind() {
+  return file_.tellg() != std::ifstream::pos_type(-1);
 }
 
 void PointFile::rewind() {

@@ -20,7 +20,9 @@ class PointFile {
   /// The next places (x, z), m, `most` at most; none at the end. Throws Error(bad_input) with file and line
   /// for what is not two numbers within farthest_point_m, and at the end of a file without any.
   std::vector<std::array<double, 2>> next(std::size_t most);
-  /// Back to the first place.
+  /// Whether it can be read again: pipes and terminals cannot. Asked before the first next().
+  bool can_rewind();
+  /// Back to the first place; only where can_rewind() says so.
   void rewind();
 
  private:

@@ -3,12 +3,14 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "host/cli/query_settings.h"
 #include "tests/cli/offing_program.h"
@@ -86,13 +88,87 @@ TEST_F(Query, ProbesAreRowsOfTimesAndPoints) {
   EXPECT_EQ(answers[3]["x_m"], -3.5);
 }
 
+// Fails if one point at one time is not one object with vectors as arrays, or if its values are not those of
+// the column beside it.
+TEST_F(Query, OneAnswerIsOneObject) {
+  const std::vector<std::string> one = {"--at", "-5,7", "--time", "3", "--velocity-depth-m", "2"};
+  std::vector<std::string> as_json = one, as_csv = one;
+  as_json.push_back("--json");
+  as_csv.insert(as_csv.end(), {"-o", path("one.csv")});
+  const ProgramResult result = query(as_json);
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const json answer = json::parse(result.output, nullptr, false);
+  ASSERT_TRUE(answer.is_object()) << result.output;
+  ASSERT_EQ(query(as_csv).exit_code, 0);
+  const auto table = rows(text_of(path("one.csv")));
+  ASSERT_EQ(table.size(), 1u);
+  const std::vector<double>& row = table[0];
+  const auto expect_near = [](double found, double expected) {
+    EXPECT_NEAR(found, expected, 1e-6 * std::max(1.0, std::abs(expected)));
+  };
+  expect_near(answer["time_s"], row[0]);
+  expect_near(answer["x_m"], row[1]);
+  expect_near(answer["z_m"], row[2]);
+  expect_near(answer["height_m"], row[3]);
+  ASSERT_EQ(answer["normal"].size(), 3u);
+  ASSERT_EQ(answer["velocity_mps"].size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    expect_near(answer["normal"][i], row[4 + i]);
+    expect_near(answer["velocity_mps"][i], row[7 + i]);
+  }
+  expect_near(answer["pressure_pa"], row[10]);
+  expect_near(answer["residual_m"], row[11]);
+  const ProgramResult two_times = query({"--at", "-5,7", "--times", "3:4:1", "--json"});
+  EXPECT_TRUE(json::parse(two_times.output, nullptr, false).is_array()) << two_times.output;
+}
+
+// Points that can be read once, as a shell's <(...) gives them. Closes with the object; what programs that
+// the test starts inherit stays theirs.
+class Pipe {
+ public:
+  explicit Pipe(const std::string& text) {
+    int ends[2];
+    if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+    const auto written = write(ends[1], text.data(), text.size());
+    close(ends[1]);
+    reading_end_ = ends[0];
+    if (written != static_cast<ssize_t>(text.size())) throw std::runtime_error("the pipe is full");
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() { close(reading_end_); }
+
+  std::string name() const { return "/dev/fd/" + std::to_string(reading_end_); }
+
+ private:
+  int reading_end_;
+};
+
+// Fails if points from a pipe are not answered as those of a file are, or if what would need them twice is
+// tried, or told with another reason.
+TEST_F(Query, PointsMayComeThroughAPipeOnce) {
+  const std::string text = "x_m,z_m\n1,2\n-3.5,+4\n";
+  const ProgramResult from_file = query({"--points", write("points.csv", text), "--time", "2"});
+  const Pipe once(text);
+  const ProgramResult from_pipe = query({"--points", once.name(), "--time", "2"});
+  ASSERT_EQ(from_pipe.exit_code, 0) << from_pipe.errors;
+  EXPECT_EQ(rows(from_pipe.output).size(), 2u);
+  EXPECT_EQ(from_pipe.output, from_file.output);
+  const Pipe twice(text);
+  const ProgramResult refused = query({"--points", twice.name(), "--times", "0:1:1"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("can be read only once: /dev/fd/"));
+  EXPECT_THAT(refused.errors, HasSubstr("\nhint: "));
+  EXPECT_EQ(refused.output, "");
+}
+
 // Fails if a filter or a depth does not reach the sea: without waves below 1 km it is flat, and the pressure
 // 3 m deep is rho g 3 m; or if the words for people leave an answer out.
 TEST_F(Query, FilterAndDepthReachTheSea) {
   const ProgramResult flat = query(
       {"--at", "-5,7", "--time", "3", "--min-wavelength-m", "1000", "--velocity-depth-m", "3", "--json"});
   ASSERT_EQ(flat.exit_code, 0) << flat.errors;
-  const json answer = json::parse(flat.output, nullptr, false)[0];
+  const json answer = json::parse(flat.output, nullptr, false);
   EXPECT_NEAR(answer["height_m"].get<double>(), 0.0, 1e-3);
   EXPECT_NEAR(answer["pressure_pa"].get<double>(), 3.0 * 1025.0 * 9.81, 15.0);
   const ProgramResult words = query({"--at", "-5,7", "--time", "3", "--velocity-depth-m", "3"});
@@ -150,6 +226,8 @@ TEST_F(Query, BadQuestionsGetOneLineAndItsMend) {
   write("header_alone.csv", "x_m,z_m\n");
   write("long_line.csv", "1,2\n" + std::string(100000, '1'));
   write("far.csv", "1,2\n1,3e7\n");
+  write("two_signs.csv", "1,2\n+-5,2\n");
+  write("zero_byte.csv", std::string("1,2\n3,4\0,5\n", 11));
   const std::vector<Fault> faults = {
       {{}, 2, "expected --at or --points, found neither"},
       {{"--at", "0,0", "--points", "@word.csv"}, 2, "found both"},
@@ -177,6 +255,8 @@ TEST_F(Query, BadQuestionsGetOneLineAndItsMend) {
       {{"--points", "@header_alone.csv"}, 2, "header_alone.csv: expected points, found none"},
       {{"--points", "@long_line.csv"}, 2, "long_line.csv:2: expected a line of at most 4095"},
       {{"--points", "@far.csv"}, 2, "far.csv:2: expected"},
+      {{"--points", "@two_signs.csv"}, 2, "two_signs.csv:2: expected"},
+      {{"--points", "@zero_byte.csv"}, 2, "zero_byte.csv:2: expected text"},
   };
   for (Fault fault : faults) {
     for (std::string& argument : fault.arguments) {
