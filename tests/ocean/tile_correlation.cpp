@@ -39,6 +39,21 @@ void add_modes(const Ocean& sea, int cascade, Lag lag, Sums& sums) {
   }
 }
 
+/// Sums over pairs of samples.
+struct Products {
+  double product = 0.0, square_here = 0.0, square_there = 0.0;
+
+  void add(const std::vector<float>& here, const std::vector<float>& there) {
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      product += static_cast<double>(here[i]) * there[i];
+      square_here += static_cast<double>(here[i]) * here[i];
+      square_there += static_cast<double>(there[i]) * there[i];
+    }
+  }
+
+  double coefficient() const { return product / std::sqrt(square_here * square_there); }
+};
+
 SampleGrid strip_grid(Lag origin, double spacing_m) {
   return {.origin_x_m = origin.x_m,
           .origin_z_m = origin.z_m,
@@ -103,17 +118,15 @@ Correlation correlation_of_modes(const Ocean& sea, const TrochoidSea& trochoids,
   return sums.correlation();
 }
 
-double correlation_of_strips(Ocean& sea, const TrochoidSea& trochoids, Lag lag, double spacing_m) {
-  const Composition composition{.trochoids = trochoids};
-  const std::vector<float> here = sea.read_composed(strip_grid({}, spacing_m), composition).displacement_y;
-  const std::vector<float> there = sea.read_composed(strip_grid(lag, spacing_m), composition).displacement_y;
-  double product = 0.0, square_here = 0.0, square_there = 0.0;
-  for (std::size_t i = 0; i < here.size(); ++i) {
-    product += static_cast<double>(here[i]) * there[i];
-    square_here += static_cast<double>(here[i]) * here[i];
-    square_there += static_cast<double>(there[i]) * there[i];
-  }
-  return product / std::sqrt(square_here * square_there);
+Correlation correlation_of_strips(Ocean& sea, const TrochoidSea& trochoids, Lag lag, double spacing_m) {
+  const Composition composition{.trochoids = trochoids, .slopes = SlopeRule::added};
+  const ComposedFields here = sea.read_composed(strip_grid({}, spacing_m), composition);
+  const ComposedFields there = sea.read_composed(strip_grid(lag, spacing_m), composition);
+  Products height, slope;
+  height.add(here.displacement_y, there.displacement_y);
+  slope.add(here.slope_x, there.slope_x);
+  slope.add(here.slope_z, there.slope_z);
+  return {.height = height.coefficient(), .slope = slope.coefficient()};
 }
 
 }  // namespace offing::ocean

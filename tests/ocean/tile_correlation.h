@@ -28,10 +28,10 @@ Correlation correlation_of_spectrum(const SeaSpectrum& spectrum, double k_max_ra
 /// Of the expected energies of all modes and trochoids: what long records of many seas tend to.
 Correlation correlation_of_modes(const Ocean& sea, const TrochoidSea& trochoids, Lag lag);
 
-/// What two strips of composed heights, 8 km along x, 1 km along z and a lag apart, have in common at the
-/// sea's present time: the correlation coefficient of pairs of samples, this far apart. Patches of some
-/// metres are sampled less than once a wave, which is no harm to pairs; trochoids fade if they are
-/// (trochoid_surface.h).
-double correlation_of_strips(Ocean& sea, const TrochoidSea& trochoids, Lag lag, double spacing_m);
+/// What two strips of the composed sea, 8 km along x, 64 rows along z and a lag apart, have in common at the
+/// sea's present time: the correlation coefficients of pairs of heights and of slopes at labels, this far
+/// apart. Patches of some metres are sampled less than once a wave, which is no harm to pairs; trochoids fade
+/// if they are (trochoid_surface.h).
+Correlation correlation_of_strips(Ocean& sea, const TrochoidSea& trochoids, Lag lag, double spacing_m);
 
 }  // namespace offing::ocean

@@ -36,8 +36,8 @@ struct ShippedSea {
 
 /// How much more than its spectrum a sea agrees with itself, at the worst of all lags of its patches.
 struct Excess {
-  double height = -1.0, slope = -1.0;  ///< by the energies of its waves
-  double strip_height = -1.0;          ///< of the surface at one time
+  double height = -1.0, slope = -1.0;              ///< by the energies of its waves
+  double strip_height = -1.0, strip_slope = -1.0;  ///< of the surface at one time
 };
 
 Excess excess_of(ShippedSea& shipped) {
@@ -46,14 +46,17 @@ Excess excess_of(ShippedSea& shipped) {
     const ocean::Correlation asked =
         correlation_of_spectrum(shipped.sea.spectrum, shipped.k_max_radpm(), lag);
     const ocean::Correlation found = correlation_of_modes(shipped.ocean, shipped.trochoids, lag);
-    const double strip = correlation_of_strips(shipped.ocean, shipped.trochoids, lag, shipped.spacing_m());
+    const ocean::Correlation strip =
+        correlation_of_strips(shipped.ocean, shipped.trochoids, lag, shipped.spacing_m());
     worst.height = std::max(worst.height, found.height - asked.height);
     worst.slope = std::max(worst.slope, found.slope - asked.slope);
-    worst.strip_height = std::max(worst.strip_height, strip - asked.height);
+    worst.strip_height = std::max(worst.strip_height, strip.height - asked.height);
+    worst.strip_slope = std::max(worst.strip_slope, strip.slope - asked.slope);
   }
   testing::Test::RecordProperty("height", std::to_string(worst.height));
   testing::Test::RecordProperty("slope", std::to_string(worst.slope));
   testing::Test::RecordProperty("strip_height", std::to_string(worst.strip_height));
+  testing::Test::RecordProperty("strip_slope", std::to_string(worst.strip_slope));
   return worst;
 }
 
@@ -71,6 +74,7 @@ TEST_P(HybridSceneTest, HidesItsPatches) {
   EXPECT_LE(excess.height, 0.2);
   EXPECT_LE(excess.slope, 0.5);
   EXPECT_LE(excess.strip_height, 0.2);
+  EXPECT_LE(excess.strip_slope, 0.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, HybridSceneTest, testing::Values("calm", "rough", "storm", "buoy"),
@@ -83,6 +87,7 @@ TEST(SpectralOnlyScene, ShowsItsPatch) {
   const Excess excess = excess_of(shipped);
   EXPECT_GT(excess.height, 0.8);
   EXPECT_GT(excess.strip_height, 0.8);
+  EXPECT_GT(excess.strip_slope, 0.8);
 }
 
 // Fails if patches of a scene line up after a few repetitions: lengths in a ratio p / q with q <= 8, to one
