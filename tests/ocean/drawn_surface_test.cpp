@@ -1,14 +1,12 @@
-// Queries against the surface as it is drawn: vertices at labels, moved, with flat triangles between them.
+// Queries against a fine grid of the composed surface: vertices at labels, moved, with flat triangles between
+// them. What OpenGL draws is compared in tests/present.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
-#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
-#include "host/base/camera.h"
-#include "host/ocean/projected_grid.h"
 #include "tests/ocean/queried_sea.h"
 
 namespace offing::ocean {
@@ -84,53 +82,6 @@ TEST(DrawnSurface, IsWhereQueriesSay) {
   const double off_m = rms_m(sea, points_on(surface, grid.rows - 1), {});
   RecordProperty("rms_mm", std::to_string(1e3 * off_m));
   EXPECT_LT(off_m, 0.01);
-}
-
-// The same for the grid that is projected from a camera 20 m above the water, 128 cells across and along,
-// where its cells are no longer than 2 m: with the waves that it resolves there, those of four cells and
-// more. Promised 3 % of Hs.
-TEST(DrawnSurface, OfTheProjectedGridIsWhereQueriesSay) {
-  constexpr int cells = 128;
-  constexpr double longest_cell_m = 2.0;
-  HybridSea sea = hybrid_sea(ocl::Device::open(), 512);
-  sea.ocean.at(42.0);
-  const WaterQuery query{.min_wavelength_m = 4.0 * longest_cell_m};
-  const SurfaceInstant instant = sea.ocean.instant(sea.trochoids, query);
-  Camera camera;
-  camera.eye_m = {300.0, 20.0, -70.0};
-  camera.pitch_rad = -0.25;
-  const auto projected =
-      ProjectedGrid::for_camera(camera, SurfaceReach{.horizontal_m = 6.0, .vertical_m = 4.0});
-  ASSERT_TRUE(projected);
-  DrawnSurface surface{.columns = cells + 1, .rows = cells + 1, .vertices = {}};
-  std::vector<glm::dvec2> labels;
-  for (int row = 0; row <= cells; ++row) {
-    for (int column = 0; column <= cells; ++column) {
-      const glm::dvec2 label = projected->label_m(glm::dvec2(column, row) / static_cast<double>(cells)) +
-                               glm::dvec2(camera.eye_m.x, camera.eye_m.z);
-      labels.push_back(label);
-      const TrochoidValues moved = instant.at_label({label.x, label.y});
-      surface.vertices.emplace_back(label.x + moved.displacement_x_m, moved.displacement_y_m,
-                                    label.y + moved.displacement_z_m);
-    }
-  }
-  int rows = 0;
-  const auto longest_m = [&](int row) {
-    double longest = 0.0;
-    for (int column = 0; column < cells; ++column) {
-      const auto i = static_cast<std::size_t>(row * (cells + 1) + column);
-      longest = std::max({longest, glm::distance(labels[i], labels[i + 1]),
-                          glm::distance(labels[i], labels[i + cells + 1])});
-    }
-    return longest;
-  };
-  while (rows < cells && longest_m(rows) <= longest_cell_m) ++rows;
-  ASSERT_GT(rows, cells / 4) << "too little of the grid is near";
-  const double off_m = rms_m(sea, points_on(surface, rows), query);
-  const double hs_m = integrate_sea_state(sea.spectrum).hs_m;
-  RecordProperty("rms_percent_of_hs", std::to_string(100.0 * off_m / hs_m));
-  RecordProperty("rows", rows);
-  EXPECT_LT(off_m, 0.03 * hs_m);
 }
 
 }  // namespace

@@ -1,0 +1,151 @@
+// Queries against the water that OpenGL draws: at each pixel the place that its ray meets, and the water
+// there.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "host/ocean/projected_grid.h"
+#include "present/water_surface.h"
+#include "tests/ocean/queried_sea.h"
+
+namespace offing::present {
+namespace {
+
+constexpr double time_s = 42.0;
+constexpr int side_px = 32;  // 1024 pixels, all compared
+constexpr double earth_radius_m = 6.36e6;
+
+/// The sea of the queries' tests, without waves that are shorter than this.
+world::WorldParameters sea_of_waves_from(double shortest_m) {
+  const ocean::HybridSea hybrid = ocean::hybrid_sea(ocl::Device::open(), 512);
+  world::WorldParameters parameters{
+      .spectrum = hybrid.spectrum, .ocean = hybrid.ocean.parameters(), .trochoids = hybrid.trochoids};
+  if (shortest_m == 0.0) return parameters;
+  const double k_max_radpm = 2.0 * std::numbers::pi / shortest_m;
+  std::vector<ocean::Cascade>& cascades = parameters.ocean.cascades;
+  std::erase_if(cascades, [&](const ocean::Cascade& cascade) { return cascade.k_min_radpm >= k_max_radpm; });
+  cascades.back().k_max_radpm = std::min(cascades.back().k_max_radpm, k_max_radpm);
+  return parameters;
+}
+
+class DrawnWaterTest : public testing::Test {
+ protected:
+  struct Stage {
+    Stage(double shortest_wave_m, GridCells grid_cells)
+        : world(device, sea_of_waves_from(shortest_wave_m)), cells(grid_cells) {}
+
+    GlContext context = GlContext::headless();
+    ocl::Device device = ocl::Device::open();
+    world::World world;
+    GridCells cells;
+    TransferLadder transfer{context, device, std::nullopt};
+    WaterMaps maps;
+    WaterSurface surface{context.capabilities(), cells};
+  };
+
+  /// Leaves no stage, and the case skipped, where there is no OpenGL.
+  void prepare(double shortest_wave_m, GridCells cells) {
+    try {
+      stage_ = std::make_unique<Stage>(shortest_wave_m, cells);
+    } catch (const Error& error) {
+      GTEST_SKIP() << "no OpenGL here: " << error.what();
+    }
+    stage_->world.at(time_s, camera_.eye_m.y);
+    stage_->maps.prepare(stage_->world, stage_->transfer);
+  }
+
+  /// The longest side of a cell at rest; rows lie as water.vert has them.
+  double longest_cell_m() const {
+    const auto grid = ocean::ProjectedGrid::for_camera(camera_, stage_->world.reach());
+    const auto label_m = [&](int column, int row) {
+      const double rest = 1.0 - static_cast<double>(row) / stage_->cells.rows;
+      return grid->label_m({static_cast<double>(column) / stage_->cells.columns, 1.0 - rest * rest});
+    };
+    double longest_m = 0.0;
+    for (int row = 0; row < stage_->cells.rows; ++row) {
+      for (int column = 0; column < stage_->cells.columns; ++column) {
+        const glm::dvec2 corner_m = label_m(column, row);
+        longest_m = std::max({longest_m, glm::distance(corner_m, label_m(column + 1, row)),
+                              glm::distance(corner_m, label_m(column, row + 1))});
+      }
+    }
+    return longest_m;
+  }
+
+  /// Root mean squares over all pixels, m: of drawn heights, and of how far queries are off them.
+  struct Comparison {
+    double height_m = 0.0, off_m = 0.0;
+  };
+
+  Comparison compare() {
+    EXPECT_TRUE(stage_->surface.draw(stage_->world, stage_->maps, camera_, Fill::solid));
+    const std::vector<float> facets = stage_->surface.target().read(1);
+    std::vector<ocean::WaterPoint> points;
+    std::vector<double> heights_m;
+    for (int row = 0; row < side_px; ++row) {
+      for (int column = 0; column < side_px; ++column) {
+        const double distance_m = facets[4 * static_cast<std::size_t>(row * side_px + column) + 2];
+        EXPECT_GT(distance_m, 0.0) << "a hole";
+        const glm::dvec3 drawn_m =
+            distance_m * glm::normalize(ray_direction(camera_, {(2.0 * column + 1.0) / side_px - 1.0,
+                                                                (2.0 * row + 1.0) / side_px - 1.0}));
+        const double drop_m = (drawn_m.x * drawn_m.x + drawn_m.z * drawn_m.z) / (2.0 * earth_radius_m);
+        points.push_back({camera_.eye_m.x + drawn_m.x, camera_.eye_m.z + drawn_m.z});
+        heights_m.push_back(camera_.eye_m.y + drawn_m.y + drop_m);
+      }
+    }
+    const std::vector<ocean::WaterSample> samples = stage_->world.sample(points);
+    Comparison squares;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      squares.height_m += std::pow(heights_m[i], 2);
+      squares.off_m += std::pow(samples[i].height_m - heights_m[i], 2);
+    }
+    const auto count = static_cast<double>(points.size());
+    return {.height_m = std::sqrt(squares.height_m / count), .off_m = std::sqrt(squares.off_m / count)};
+  }
+
+  std::unique_ptr<Stage> stage_;
+  Camera camera_{.eye_m = {60e3 + 300.0, 20.0, -80e3 - 70.0}, .width_px = side_px, .height_px = side_px};
+};
+
+// Fails if a boat would float beside the drawn water: from 20 m straight above, cells of at most 5 cm, all
+// waves. What is left is the flatness of cells, an eighth of curvature times their square (0.3 mm at 1 /m),
+// and OpenGL's 8 bits of place between texels: of the first cascade's, 0.7 m apart at slopes of 0.3, 1 mm.
+// Measured 0.1 mm, promised 1 cm.
+TEST_F(DrawnWaterTest, OfSmallCellsIsWhereQueriesSay) {
+  camera_.pitch_rad = -0.5 * std::numbers::pi;
+  camera_.vertical_field_of_view_rad = 0.2;
+  prepare(0.0, {.columns = 512, .rows = 1024});
+  if (!stage_) return;
+  ASSERT_LE(longest_cell_m(), 0.05);
+  const auto [height_m, off_m] = compare();
+  RecordProperty("rms_mm", std::to_string(1e3 * off_m));
+  EXPECT_LT(off_m, 0.01);
+  EXPECT_GT(height_m, 0.1) << "there is nothing to compare";
+}
+
+// The same on the grid that is drawn by default, whose cells are no longer than 2 m here: of a sea of the
+// waves that it resolves, those of four cells and more. Measured 0.14 % of Hs, promised 3 %.
+TEST_F(DrawnWaterTest, OfTheDefaultGridIsWhereQueriesSay) {
+  constexpr double largest_cell_m = 2.0;
+  camera_.pitch_rad = -0.5;
+  camera_.vertical_field_of_view_rad = 0.6;
+  prepare(4.0 * largest_cell_m, {});
+  if (!stage_) return;
+  ASSERT_LE(longest_cell_m(), largest_cell_m);
+  const auto [height_m, off_m] = compare();
+  const double hs_m = ocean::integrate_sea_state(stage_->world.parameters().spectrum).hs_m;
+  RecordProperty("rms_percent_of_hs", std::to_string(100.0 * off_m / hs_m));
+  EXPECT_LT(off_m, 0.03 * hs_m);
+  EXPECT_GT(height_m, 0.1 * hs_m) << "there is nothing to compare";
+}
+
+}  // namespace
+}  // namespace offing::present
