@@ -3,14 +3,13 @@
 #include <cmath>
 
 #include "host/base/parameter_check.h"
+#include "host/base/world_limits.h"
 #include "host/scene/parameter_table.h"
 #include "host/sky/sun_position.h"
 
 namespace offing::scene {
 
 namespace {
-
-constexpr double largest_time_s = 1e8;  // as that of the sea
 
 /// The sun at a time that is no whole second: between those of the seconds around it, which are so close (15
 /// seconds of arc) that the way between them is straight.
