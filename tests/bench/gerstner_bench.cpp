@@ -16,7 +16,8 @@ using Way = GerstnerPeer::Way;
 constexpr double frame_s = 1.0 / 24.0;
 constexpr int wave_count = 16;
 constexpr int least_size = 64;  // a block of the peers
-constexpr double spacing_m = 0.5;
+// The same piece of sea for every size: phases of a larger one would not fit the peers' floats.
+constexpr double side_m = 128.0;
 
 /// Waves of 10 ... 100 m, all drawn in full.
 ocean::TrochoidSea sea() {
@@ -56,6 +57,7 @@ void bench_size(const ocl::Device& device, int size, int blocks, const Sinks& si
     throw Error(ErrorKind::bad_usage, fmt::format("--sizes: expected 64 or more, got {}", size),
                 "for example --sizes 256");
   }
+  const double spacing_m = side_m / size;
   const ocean::SampleGrid grid{
       .spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = size, .rows = size};
   const ocean::TrochoidSea waves = sea();
