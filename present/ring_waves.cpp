@@ -26,8 +26,7 @@ double apparent_height(const Ring& ring, glm::dvec2 eye_m) {
 
 RingWaves::RingWaves() : rings_("Rings", rings_binding, 2 * max_rings) {}
 
-void RingWaves::set(const ShaderProgram& program, const ocean::TrochoidInstant& trochoids,
-                    glm::dvec2 eye_m) const {
+void RingWaves::prepare(const ocean::TrochoidInstant& trochoids, glm::dvec2 eye_m) {
   std::vector<Ring> rings = trochoids.rings();
   if (rings.size() > max_rings) {
     std::nth_element(
@@ -41,8 +40,13 @@ void RingWaves::set(const ShaderProgram& program, const ocean::TrochoidInstant& 
                         ring.radius_m);
     values.emplace_back(ring.amplitude_m, std::remainder(ring.phase_rad, 2.0 * std::numbers::pi), 0.0, 0.0);
   }
-  program.set("ring_count", static_cast<int>(rings.size()));
-  rings_.set(program, std::move(values));
+  count_ = static_cast<int>(rings.size());
+  rings_.fill(std::move(values));
+}
+
+void RingWaves::bind(const ShaderProgram& program) const {
+  program.set("ring_count", count_);
+  rings_.bind(program);
 }
 
 }  // namespace offing::present

@@ -13,12 +13,15 @@ class RingWaves {
  public:
   RingWaves();
 
-  /// Sets it on a program in use, for an eye at this label: of more rings than a shader takes, 64, those that
-  /// look tallest from there, by amplitude over distance.
-  void set(const ShaderProgram& program, const ocean::TrochoidInstant& trochoids, glm::dvec2 eye_m) const;
+  /// Takes over the rings for an eye at this label: of more than a shader takes, 64, those that look tallest
+  /// from there, by amplitude over distance.
+  void prepare(const ocean::TrochoidInstant& trochoids, glm::dvec2 eye_m);
+  /// Gives them to a program in use.
+  void bind(const ShaderProgram& program) const;
 
  private:
   UniformBlock rings_;
+  int count_ = 0;
 };
 
 }  // namespace offing::present

@@ -16,8 +16,10 @@ class UniformBlock {
   /// shader declares.
   UniformBlock(const char* name, GLuint binding, std::size_t capacity);
 
-  /// Sets the first values and leaves the others 0, for a program in use.
-  void set(const ShaderProgram& program, std::vector<glm::vec4> values) const;
+  /// Sets the first values and leaves the others 0.
+  void fill(std::vector<glm::vec4> values) const;
+  /// Gives them to a program in use.
+  void bind(const ShaderProgram& program) const;
 
  private:
   const char* name_;

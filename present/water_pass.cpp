@@ -73,7 +73,7 @@ void WaterPass::set_waves(const world::World& world, const Camera& camera) const
   const ocean::OceanParameters& sea = world.parameters().ocean;
   const glm::dvec2 eye_m(camera.eye_m.x, camera.eye_m.z);
   maps_.bind(program_, world, eye_m);
-  rings_.set(program_, ocean::TrochoidInstant(world.parameters().trochoids, world.time_s()), eye_m);
+  surface_.rings().bind(program_);
   std::vector<glm::vec4> hidden;
   std::vector<float> breaking;
   for (std::size_t i = 0; i < sea.cascades.size(); ++i) {

@@ -70,7 +70,6 @@ class WaterPass {
   WaterDetail detail_;
   WaterMaps maps_;
   WaterSurface surface_;
-  RingWaves rings_;
   ShaderProgram program_;
   GlVertexArray no_vertices_;
   GlTexture foam_pattern_;

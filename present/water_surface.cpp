@@ -79,7 +79,8 @@ void WaterSurface::set_trochoids(const ocean::TrochoidInstant& trochoids, const 
     ++count;
   }
   program_.set("wave_count", static_cast<int>(count));
-  trochoid_block_.set(program_, std::move(waves));
+  trochoid_block_.fill(std::move(waves));
+  trochoid_block_.bind(program_);
 }
 
 bool WaterSurface::draw(const world::World& world, const WaterMaps& maps, const Camera& camera, Fill fill) {
@@ -106,7 +107,9 @@ bool WaterSurface::draw(const world::World& world, const WaterMaps& maps, const 
   maps.bind(program_, world, {camera.eye_m.x, camera.eye_m.z});
   const ocean::TrochoidInstant trochoids(world.parameters().trochoids, world.time_s());
   set_trochoids(trochoids, camera);
-  rings_.set(program_, trochoids, {camera.eye_m.x, camera.eye_m.z});
+  rings_.prepare(trochoids, {camera.eye_m.x, camera.eye_m.z});
+  rings_.bind(program_);
+  program_.set("trochoid_mean_square", static_cast<float>(world.hidden_slopes().trochoids.mean_square()));
 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);

@@ -34,6 +34,8 @@ class WaterSurface {
 
   /// What was drawn last: three textures of four floats, and reversed depth. Distance 0 is no water.
   const RenderTarget& target() const { return target_; }
+  /// The rings of what was drawn last.
+  const RingWaves& rings() const { return rings_; }
 
  private:
   void set_trochoids(const ocean::TrochoidInstant& trochoids, const Camera& camera) const;

@@ -8,6 +8,7 @@ uniform vec3 corners[4];  // homogeneous: label x and z, w
 uniform ivec2 cells;      // of the grid: columns and rows
 uniform float eye_height_m;
 uniform int wave_count;
+uniform float trochoid_mean_square;  // slope of all waves
 layout(std140) uniform Trochoids {
   vec4 waves[max_waves];  // wave vector x and z in rad/m, amplitude m, sideways shift m
   vec4 wave_phases[max_waves / 4];  // rad, of four waves each
@@ -49,17 +50,15 @@ void main() {
 
   vec2 slope = vec2(0.0);
   vec3 gradient = vec3(0.0);
-  float drawn = 0.0, all = 1e-12;  // mean square slopes
+  float drawn = 0.0;  // mean square slope
   for (int i = 0; i < wave_count; ++i) {
     vec2 wave = waves[i].xy;
     float k = length(wave);
     vec2 direction = wave / k;
     float share = shown_share(6.2831853 / (k * spacing_m));
-    float steepness = k * waves[i].z;
-    all += steepness * steepness;
     if (share == 0.0) continue;
-    drawn += share * share * steepness * steepness;
     float amplitude_m = share * waves[i].z, shift_m = share * waves[i].w;
+    drawn += 0.5 * k * k * amplitude_m * amplitude_m;
     float phase = dot(wave, label) + wave_phases[i / 4][i % 4];
     float cosine = cos(phase), sine = sin(phase);
     moved_m += vec3(-shift_m * sine * direction.x, amplitude_m * cosine, -shift_m * sine * direction.y);
@@ -74,7 +73,7 @@ void main() {
   grid_place = vec2(column, row);
   trochoid_slope = slope;
   trochoid_gradient = gradient;
-  trochoid_loss = 1.0 - drawn / all;
+  trochoid_loss = 1.0 - drawn / max(trochoid_mean_square, 1e-12);
   position_m = vec3(label.x, -eye_height_m, label.y) + moved_m;
   position_m.y -= earth_drop_m(label);
   gl_Position = clip_from_eye * vec4(position_m, 1.0);

@@ -12,6 +12,20 @@ namespace {
 
 class TransferTest : public test::GlTest, public testing::WithParamInterface<TransferRung> {
  protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (IsSkipped()) return;
+    try {
+      ladder_.emplace(*context_, device_, GetParam());
+    } catch (const Error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+  void TearDown() override {
+    ladder_.reset();  // while its context lives
+    GlTest::TearDown();
+  }
+
   static std::vector<float> numbers(std::size_t count, float seed) {
     std::vector<float> values(count);
     for (std::size_t i = 0; i < count; ++i) values[i] = seed + 0.125f * static_cast<float>(i);
@@ -24,6 +38,9 @@ class TransferTest : public test::GlTest, public testing::WithParamInterface<Tra
     glGetTexImage(GL_TEXTURE_2D_ARRAY, 0, format, GL_FLOAT, texels.data());
     return texels;
   }
+
+  ocl::Device device_ = ocl::Device::open();
+  std::optional<TransferLadder> ladder_;
 };
 
 std::string name_of(const testing::TestParamInfo<TransferRung>& tested) {
@@ -37,24 +54,17 @@ INSTANTIATE_TEST_SUITE_P(Rungs, TransferTest, testing::ValuesIn(all_transfer_run
 // Fails if a rung loses, moves or rounds a texel, mixes up two maps, or hands out an older frame: five frames
 // go three times round the ring of buffers.
 TEST_P(TransferTest, BringsEveryTexel) {
-  const ocl::Device device = ocl::Device::open();
-  std::optional<TransferLadder> ladder;
-  try {
-    ladder.emplace(*context_, device, GetParam());
-  } catch (const Error& error) {
-    GTEST_SKIP() << error.what();
-  }
-  EXPECT_EQ(ladder->rung(), GetParam());
+  EXPECT_EQ(ladder_->rung(), GetParam());
   const MapTexture wide(64, 3, 4), narrow(32, 2, 1);
-  ocl::Buffer<float> wide_source(device, wide.count(), "wide map"),
-      narrow_source(device, narrow.count(), "narrow map");
+  ocl::Buffer<float> wide_source(device_, wide.count(), "wide map"),
+      narrow_source(device_, narrow.count(), "narrow map");
   for (int frame = 0; frame < 5; ++frame) {
     const std::vector<float> wide_values = numbers(wide.count(), static_cast<float>(1000 * frame));
     const std::vector<float> narrow_values = numbers(narrow.count(), static_cast<float>(-777 * frame));
     wide_source.write(wide_values);
     narrow_source.write(narrow_values);
     const std::array<Upload, 2> uploads{{{&wide_source, &wide}, {&narrow_source, &narrow}}};
-    ladder->upload(uploads);
+    ladder_->upload(uploads);
     EXPECT_EQ(texels_of(wide, GL_RGBA), wide_values) << "frame " << frame;
     EXPECT_EQ(texels_of(narrow, GL_RED), narrow_values) << "frame " << frame;
   }
@@ -62,17 +72,10 @@ TEST_P(TransferTest, BringsEveryTexel) {
 
 // Fails if a map of another size is read beyond its end instead of being refused.
 TEST_P(TransferTest, RefusesAnotherSize) {
-  const ocl::Device device = ocl::Device::open();
-  std::optional<TransferLadder> ladder;
-  try {
-    ladder.emplace(*context_, device, GetParam());
-  } catch (const Error& error) {
-    GTEST_SKIP() << error.what();
-  }
   const MapTexture texture(64, 1, 4);
-  const ocl::Buffer<float> source(device, texture.count() - 1, "map");
+  const ocl::Buffer<float> source(device_, texture.count() - 1, "map");
   const std::array<Upload, 1> uploads{{{&source, &texture}}};
-  EXPECT_THROW(ladder->upload(uploads), Error);
+  EXPECT_THROW(ladder_->upload(uploads), Error);
 }
 
 using TransferLadderTest = test::GlTest;
