@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "host/sky/clear_sky_glsl.h"
+#include "present/sampler.h"
 #include "present/view_ray.h"
 
 namespace offing::present {
@@ -47,12 +48,8 @@ void SkyPass::bind(const ShaderProgram& program) const {
   program.use();
   program.bind_block("Sky", sky_binding);
   glBindBufferBase(GL_UNIFORM_BUFFER, sky_binding, block_.name());
-  program.set("view_table", view_unit);
-  program.set("depth_table", depth_unit);
-  glActiveTexture(GL_TEXTURE0 + view_unit);
-  glBindTexture(GL_TEXTURE_2D, view_table_.name());
-  glActiveTexture(GL_TEXTURE0 + depth_unit);
-  glBindTexture(GL_TEXTURE_2D, depth_table_.name());
+  bind_sampler(program, "view_table", view_unit, view_table_.name());
+  bind_sampler(program, "depth_table", depth_unit, depth_table_.name());
   glBindVertexArray(no_vertices_.name());
   glDisable(GL_DEPTH_TEST);
 }

@@ -1,5 +1,7 @@
 #include "present/tone_pass.h"
 
+#include "present/sampler.h"
+
 namespace offing::present {
 
 TonePass::TonePass()
@@ -8,10 +10,8 @@ TonePass::TonePass()
 
 void TonePass::draw(const RenderTarget& picture, double exposure) const {
   program_.use();
-  program_.set("picture", 0);
+  bind_sampler(program_, "picture", 0, picture.texture());
   program_.set("exposure", static_cast<float>(exposure));
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, picture.texture());
   glBindVertexArray(no_vertices_.name());
   glDisable(GL_DEPTH_TEST);
   glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "present/foam_texture.h"
+#include "present/sampler.h"
 #include "present/view_ray.h"
 
 namespace offing::present {
@@ -46,11 +47,6 @@ glm::vec3 haze_perm(const sky::Atmosphere& air) {
   };
   const sky::Spectrum& depth = air.rayleigh_optical_depth;
   return {at(depth[0]), at(0.5 * (depth[1] + depth[2])), at(depth[3])};
-}
-
-void bind_texture(int unit, GLuint texture) {
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(GL_TEXTURE_2D, texture);
 }
 
 }  // namespace
@@ -119,8 +115,7 @@ void WaterPass::bind_surface() const {
                                                                 {"depth_of", surface.depth_texture()}}};
   int unit = first_surface_unit;
   for (const auto& [name, texture] : textures) {
-    bind_texture(unit, texture);
-    program_.set(name, unit++);
+    bind_sampler(program_, name, unit++, texture);
   }
 }
 
@@ -133,10 +128,8 @@ void WaterPass::draw(const world::World& world, const FrameRequest& request, GLu
   set_waves(world, request.camera);
   set_light(world);
   bind_surface();
-  bind_texture(environment_unit, environment);
-  program_.set("environment", environment_unit);
-  bind_texture(pattern_unit, foam_pattern_.name());
-  program_.set("foam_pattern", pattern_unit);
+  bind_sampler(program_, "environment", environment_unit, environment);
+  bind_sampler(program_, "foam_pattern", pattern_unit, foam_pattern_.name());
   program_.set("eye_height_m", static_cast<float>(request.camera.eye_m.y));
   program_.set("debug_view", static_cast<int>(request.debug));
   program_.set("debug_white", static_cast<float>(1.0 / request.exposure));

@@ -1,80 +1,26 @@
-// The ocean's surface on a projected grid (Lee & Lee 2007, sections 3.4 and 3.5): labels from the grid's corners,
-// displaced by the cascades and the trochoids. All positions are relative to the eye, so that nothing loses digits
-// far from the origin.
-const int max_waves = 128;
-
+// Vertices of the water's grid, as water_shape.frag has worked them out.
+uniform sampler2D place_of;  // water_shape.frag's outputs
+uniform sampler2D facet_of;
+uniform sampler2D strain_of;
 uniform mat4 clip_from_eye;
-uniform vec3 corners[4];  // homogeneous: label x and z, w
-uniform ivec2 cells;      // of the grid: columns and rows
-uniform float eye_height_m;
-uniform int wave_count;
-uniform float trochoid_mean_square;  // slope of all waves
-layout(std140) uniform Trochoids {
-  vec4 waves[max_waves];  // wave vector x and z in rad/m, amplitude m, sideways shift m
-  vec4 wave_phases[max_waves / 4];  // rad, of four waves each
-};
 
-out vec2 label_m;          // relative to the eye
-out vec3 position_m;       // relative to the eye
-out vec2 trochoid_slope;   // dh/dx, dh/dz at labels
+out vec2 label_m;            // relative to the eye
+out vec3 position_m;         // relative to the eye
+out vec2 trochoid_slope;     // dh/dx, dh/dz at labels
 out vec3 trochoid_gradient;  // d dx/dx, d dx/dz, d dz/dz
 out float trochoid_loss;     // share of the trochoids' mean square slope that the grid is too coarse to draw
 out vec2 grid_place;         // column and row
 
-// Rows lie closer toward the horizon, where waves hide one another.
-float row_place(float row) {
-  float rest = 1.0 - row / float(cells.y);
-  return 1.0 - rest * rest;
-}
-
-// Label at a place of the grid, x across and y along.
-vec2 grid_label(vec2 place) {
-  vec3 point = mix(mix(corners[0], corners[1], place.x), mix(corners[2], corners[3], place.x), place.y);
-  return point.xy / point.z;
-}
-
 void main() {
-  int column = gl_VertexID % (cells.x + 1);
-  int row = gl_VertexID / (cells.x + 1);
-  float across = float(column) / float(cells.x);
-  vec2 label = grid_label(vec2(across, row_place(float(row))));
-  vec2 beside = grid_label(vec2(across + 1.0 / float(cells.x), row_place(float(row))));
-  vec2 below = grid_label(vec2(across, row_place(max(float(row) - 1.0, 0.0))));
-  vec2 above = grid_label(vec2(across, row_place(max(float(row), 1.0))));
-  float spacing_m = max(distance(label, beside), distance(below, above));
-
-  vec3 moved_m = vec3(0.0);
-  for (int i = 0; i < cascade_count && 0.5 * spacing_m < longest_wave_m[i]; ++i) {
-    moved_m += textureLod(displacement_map, map_place(i, label), map_level(i, 0.5 * spacing_m)).xyz;
-  }
-
-  vec2 slope = vec2(0.0);
-  vec3 gradient = vec3(0.0);
-  float drawn = 0.0;  // mean square slope
-  for (int i = 0; i < wave_count; ++i) {
-    vec2 wave = waves[i].xy;
-    float k = length(wave);
-    vec2 direction = wave / k;
-    float share = shown_share(6.2831853 / (k * spacing_m));
-    if (share == 0.0) continue;
-    float amplitude_m = share * waves[i].z, shift_m = share * waves[i].w;
-    drawn += 0.5 * k * k * amplitude_m * amplitude_m;
-    float phase = dot(wave, label) + wave_phases[i / 4][i % 4];
-    float cosine = cos(phase), sine = sin(phase);
-    moved_m += vec3(-shift_m * sine * direction.x, amplitude_m * cosine, -shift_m * sine * direction.y);
-    slope -= amplitude_m * sine * wave;
-    gradient -= shift_m * k * cosine * vec3(direction.x * direction.x, direction.x * direction.y,
-                                            direction.y * direction.y);
-  }
-
-  moved_m.y += ring_waves(label, spacing_m).x;
-
-  label_m = label;
-  grid_place = vec2(column, row);
-  trochoid_slope = slope;
-  trochoid_gradient = gradient;
-  trochoid_loss = 1.0 - drawn / max(trochoid_mean_square, 1e-12);
-  position_m = vec3(label.x, -eye_height_m, label.y) + moved_m;
-  position_m.y -= earth_drop_m(label);
+  int stride = textureSize(place_of, 0).x;
+  ivec2 vertex = ivec2(gl_VertexID % stride, gl_VertexID / stride);
+  vec4 place = texelFetch(place_of, vertex, 0);
+  vec4 facet = texelFetch(facet_of, vertex, 0);
+  label_m = vec2(place.w, facet.w);
+  position_m = place.xyz;
+  trochoid_slope = facet.xy;
+  trochoid_loss = facet.z;
+  trochoid_gradient = texelFetch(strain_of, vertex, 0).xyz;
+  grid_place = vec2(vertex);
   gl_Position = clip_from_eye * vec4(position_m, 1.0);
 }

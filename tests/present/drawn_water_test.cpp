@@ -61,7 +61,7 @@ class DrawnWaterTest : public testing::Test {
     stage_->maps.prepare(stage_->world, stage_->transfer);
   }
 
-  /// The longest side of a cell at rest; rows lie as water.vert has them.
+  /// The longest side of a cell at rest; rows lie as water_shape.frag has them.
   double longest_cell_m() const {
     const auto grid = ocean::ProjectedGrid::for_camera(camera_, stage_->world.reach());
     const auto label_m = [&](int column, int row) {

@@ -1,0 +1,81 @@
+#include "present/water_shape.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "kernels/shared/trochoids.h"
+#include "present/sampler.h"
+
+namespace offing::present {
+namespace {
+
+// The outputs of water_shape.frag, as water.vert calls them.
+constexpr std::array outputs{"place_of", "facet_of", "strain_of"};
+constexpr GLuint trochoids_binding = 1;
+constexpr std::size_t trochoid_values = TROCHOID_WAVES + TROCHOID_WAVES / 4;
+
+ShaderProgram shape_program() {
+  return ShaderProgram(
+      {.vertex = {shader_file("screen.vert")},
+       .fragment = {shader_file("water.glsl"), shader_file("rings.glsl"), shader_file("water_shape.frag")}});
+}
+
+}  // namespace
+
+WaterShape::WaterShape(GridCells cells)
+    : cells_(cells),
+      program_(shape_program()),
+      no_vertices_(GlVertexArray::make()),
+      trochoid_block_("Trochoids", trochoids_binding, trochoid_values),
+      target_(cells.columns + 1, cells.rows + 1, GL_RGBA32F, static_cast<int>(outputs.size()),
+              RenderTarget::Depth::none) {}
+
+void WaterShape::set_trochoids(const ocean::TrochoidInstant& trochoids, const Camera& camera) const {
+  // As the shader's block has them: the waves, then their phases, four a value.
+  std::vector<glm::vec4> waves(trochoid_values);
+  std::size_t count = 0;
+  for (const ocean::TrochoidInstant::Wave& wave : trochoids.waves()) {
+    waves[count] = {wave.kx_radpm, wave.kz_radpm, wave.amplitude_m,
+                    trochoids.horizontal_scale() * wave.amplitude_m};
+    const double phase = wave.kx_radpm * camera.eye_m.x + wave.kz_radpm * camera.eye_m.z + wave.phase_rad;
+    waves[TROCHOID_WAVES + count / 4][static_cast<int>(count % 4)] =
+        static_cast<float>(std::remainder(phase, 2.0 * std::numbers::pi));
+    ++count;
+  }
+  program_.set("wave_count", static_cast<int>(count));
+  trochoid_block_.fill(std::move(waves));
+  trochoid_block_.bind(program_);
+}
+
+void WaterShape::draw(const world::World& world, const WaterMaps& maps, const Camera& camera,
+                      const ocean::ProjectedGrid& grid) {
+  const glm::dvec2 eye_m(camera.eye_m.x, camera.eye_m.z);
+  target_.bind();
+  program_.use();
+  std::vector<glm::vec3> corners;
+  for (const ocean::ProjectedGrid::Corner& corner : grid.corners()) {
+    corners.emplace_back(corner.label_m.x, corner.label_m.y, corner.w);
+  }
+  program_.set("corners", corners);
+  program_.set("cells", glm::ivec2(cells_.columns, cells_.rows));
+  program_.set("eye_height_m", static_cast<float>(camera.eye_m.y));
+  maps.bind(program_, world, eye_m);
+  const ocean::TrochoidInstant trochoids(world.parameters().trochoids, world.time_s());
+  set_trochoids(trochoids, camera);
+  rings_.prepare(trochoids, eye_m);
+  rings_.bind(program_);
+  program_.set("trochoid_mean_square", static_cast<float>(world.hidden_slopes().trochoids.mean_square()));
+  glBindVertexArray(no_vertices_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void WaterShape::bind(const ShaderProgram& program, int first_unit) const {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    bind_sampler(program, outputs[i], first_unit + static_cast<int>(i), target_.texture(i));
+  }
+}
+
+}  // namespace offing::present
