@@ -218,6 +218,30 @@ TEST_F(FrameTest, IsTheSameByEveryTransfer) {
   }
 }
 
+// Fails if a shader asks for more uniforms than OpenGL 3.3 promises: 1024 numbers a stage outside of blocks, of
+// which drivers may give each element of an array four. Both stages of a program are counted together.
+TEST_F(FrameTest, NeedsNoMoreUniformsThanPromised) {
+  picture(0.0);
+  constexpr GLuint far_beyond_names = 1000;
+  int programs = 0;
+  for (GLuint name = 1; name < far_beyond_names; ++name) {
+    if (!glIsProgram(name)) continue;
+    ++programs;
+    GLint count = 0;
+    glGetProgramiv(name, GL_ACTIVE_UNIFORMS, &count);
+    int numbers = 0;
+    for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
+      GLint block = 0, elements = 0, type = 0;
+      glGetActiveUniformsiv(name, 1, &i, GL_UNIFORM_BLOCK_INDEX, &block);
+      glGetActiveUniformsiv(name, 1, &i, GL_UNIFORM_SIZE, &elements);
+      glGetActiveUniformsiv(name, 1, &i, GL_UNIFORM_TYPE, &type);
+      if (block == -1) numbers += elements * (type == GL_FLOAT_MAT4 ? 16 : 4);
+    }
+    EXPECT_LE(numbers, 1024);
+  }
+  EXPECT_GE(programs, 6) << "sky, its map, the water's vertices, pixels and light, and tone";
+}
+
 // Fails if water is drawn where none is seen, or for an eye that looks straight up.
 TEST_F(FrameTest, LooksStraightUpAndDown) {
   camera_.pitch_rad = 90.0 * degree;

@@ -105,26 +105,6 @@ TEST_F(WaterSurfaceTest, IsTheComposedSea) {
   EXPECT_GT(highest_m, 0.5) << "there is nothing to compare";
 }
 
-// Fails if the vertex shader asks for more uniforms than OpenGL 3.3 promises: 1024 numbers outside of blocks,
-// of which drivers may give each element of an array four.
-TEST_F(WaterSurfaceTest, NeedsNoMoreUniformsThanPromised) {
-  ASSERT_TRUE(stage_->surface.draw(stage_->world, stage_->maps, camera_, Fill::solid));
-  GLint program = 0, count = 0;
-  glGetIntegerv(GL_CURRENT_PROGRAM, &program);
-  const auto name = static_cast<GLuint>(program);
-  glGetProgramiv(name, GL_ACTIVE_UNIFORMS, &count);
-  ASSERT_GT(count, 0);
-  int numbers = 0;
-  for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
-    GLint block = 0, elements = 0, type = 0;
-    glGetActiveUniformsiv(name, 1, &i, GL_UNIFORM_BLOCK_INDEX, &block);
-    glGetActiveUniformsiv(name, 1, &i, GL_UNIFORM_SIZE, &elements);
-    glGetActiveUniformsiv(name, 1, &i, GL_UNIFORM_TYPE, &type);
-    if (block == -1) numbers += elements * (type == GL_FLOAT_MAT4 ? 16 : 4);
-  }
-  EXPECT_LE(numbers, 1024);
-}
-
 // Fails if pixels above the horizon are taken for water, or what was drawn before stays.
 TEST_F(WaterSurfaceTest, LeavesTheSkyFree) {
   ASSERT_TRUE(stage_->surface.draw(stage_->world, stage_->maps, camera_, Fill::solid));
