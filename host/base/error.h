@@ -8,12 +8,12 @@ namespace offing {
 /// What went wrong, as far as a caller can act on it. The command line maps it to an exit code.
 enum class ErrorKind {
   bad_usage,      ///< the command line or an argument is wrong (exit 2)
-  bad_input,      ///< a file or a parameter value is wrong (exit 2)
+  bad_input,      ///< an input file is missing, unreadable or wrong, or a parameter value is (exit 2)
   no_device,      ///< no OpenCL platform or no device that fits (exit 3)
   out_of_memory,  ///< host or device memory does not suffice (exit 1)
   build_failed,   ///< an OpenCL program does not compile (exit 1)
   device,         ///< any other OpenCL failure (exit 1)
-  file,           ///< a file cannot be read or written (exit 1)
+  file,           ///< a file or a folder cannot be written, replaced or looked up (exit 1)
   cancelled,      ///< the user asked to stop (exit 130)
 };
 

@@ -101,7 +101,7 @@ AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
   std::error_code ignored;
   const fs::file_status status = fs::status(target_, ignored);
   if (!target_.has_filename() || (fs::exists(status) && !fs::is_regular_file(status))) {
-    throw Error(ErrorKind::bad_input,
+    throw Error(ErrorKind::file,
                 fmt::format("{}: cannot write: expected a file name, found {}", target_.string(),
                             fs::is_directory(status) ? "a folder" : "something that is not a regular file"),
                 "name a regular file inside a folder");

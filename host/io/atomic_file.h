@@ -13,9 +13,9 @@ namespace offing {
 /// Bytes go to a temporary name in the target's own folder (`.ocean.0003.exr.<16 hex digits>.partial`),
 /// locked for as long as this object lives; commit() flushes, syncs the file, renames it over the target and
 /// syncs the folder. Destroying the object without commit() removes the temporary. Libraries that want a name
-/// write to temporary(). Every failure throws Error(file) that names the target and what the system said; a
-/// full disk says so in its hint. Error(bad_input) if the target is a folder, a device or anything else that
-/// a rename must not replace.
+/// write to temporary(). Every failure throws Error(file) that names the target and what the system said, also
+/// if the target is a folder, a device or anything else that a rename must not replace; the hint says the mend
+/// that fits, such as room on a full disk.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path target);

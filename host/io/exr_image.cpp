@@ -159,7 +159,7 @@ template <typename Read>
 auto with_input(const std::filesystem::path& path, Read read) {
   std::error_code failure;
   if (!std::filesystem::is_regular_file(path, failure)) {
-    throw Error(ErrorKind::file, fmt::format("{}: cannot read: no such file", path.string()),
+    throw Error(ErrorKind::bad_input, fmt::format("{}: cannot read: no such file", path.string()),
                 "check the path");
   }
   try {

@@ -54,7 +54,7 @@ void write_exr(const std::filesystem::path& path, const ExrImage& image, PixelTy
                ExrCompression compression);
 
 /// Reads all channels of a single-part EXR as float, and its string, double, float and int attributes.
-/// Throws Error(file) if it cannot be opened, Error(bad_input) if it is not a whole EXR.
+/// Throws Error(bad_input) if it cannot be opened or is not a whole EXR.
 ExrContent read_exr(const std::filesystem::path& path);
 
 /// Reads the string, double, float and int attributes alone: quick, whatever the size of the image. Errors as

@@ -54,7 +54,7 @@ RgbImage read_png(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   if (!file.good() && !file.eof()) {
-    throw Error(ErrorKind::file, fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)),
+    throw Error(ErrorKind::bad_input, fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)),
                 "check the path");
   }
   png_image description{};

@@ -20,8 +20,8 @@ std::uint8_t srgb_from_linear(float linear);
 /// cannot be written.
 void write_png(const std::filesystem::path& path, const RgbImage& image);
 
-/// Reads any PNG as 8-bit RGB, transparency over black. Throws Error(file) if it cannot be read,
-/// Error(bad_input) if it is no PNG.
+/// Reads any PNG as 8-bit RGB, transparency over black. Throws Error(bad_input) if it cannot be read or is no
+/// PNG.
 RgbImage read_png(const std::filesystem::path& path);
 
 }  // namespace offing

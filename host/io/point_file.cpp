@@ -49,7 +49,7 @@ PointFile::PointFile(std::filesystem::path path) : path_(std::move(path)), buffe
   file_.open(path_, std::ios::binary);
   std::error_code ignored;
   if (!file_ || std::filesystem::is_directory(path_, ignored)) {
-    throw Error(ErrorKind::file,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("{}: cannot be read: {}", path_.string(),
                             file_ ? "it is a folder" : std::strerror(errno)),
                 "give a file of points with lines x_m,z_m");
@@ -72,7 +72,7 @@ bool PointFile::read_line(std::string_view& line) {
     if (!line.empty() && line.front() != '#') return true;
   }
   if (file_.bad()) {
-    throw Error(ErrorKind::file,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("{}: cannot be read beyond line {}", path_.string(), line_number_),
                 "check the disk or the program that writes it");
   }

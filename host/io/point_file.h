@@ -14,7 +14,7 @@ namespace offing {
 /// there are just these two. Empty lines and lines that begin with # are passed over.
 class PointFile {
  public:
-  /// Throws Error(file) if there is no such file or it cannot be read.
+  /// Throws Error(bad_input) if there is no such file or it cannot be read.
   explicit PointFile(std::filesystem::path path);
 
   /// The next places (x, z), m, `most` at most; none at the end. Throws Error(bad_input) with file and line

@@ -173,10 +173,10 @@ TEST(AtomicFile, NamesBadPlaces) {
   EXPECT_THAT(missing.hint(), HasSubstr("create the folder"));
 
   const Error is_folder = error_of([&] { AtomicFile file(folder.path()); });
-  EXPECT_EQ(is_folder.kind(), ErrorKind::bad_input);
+  EXPECT_EQ(is_folder.kind(), ErrorKind::file);
   EXPECT_THAT(is_folder.what(), HasSubstr("found a folder"));
-  EXPECT_EQ(error_of([] { AtomicFile file("/dev/null"); }).kind(), ErrorKind::bad_input);
-  EXPECT_EQ(error_of([] { AtomicFile file(""); }).kind(), ErrorKind::bad_input);
+  EXPECT_EQ(error_of([] { AtomicFile file("/dev/null"); }).kind(), ErrorKind::file);
+  EXPECT_EQ(error_of([] { AtomicFile file(""); }).kind(), ErrorKind::file);
 }
 
 // Fails if running out of room is silent, leaves a partial or hurts finished files. A file size limit stands

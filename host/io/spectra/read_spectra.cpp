@@ -52,7 +52,7 @@ LoadedFile load(const std::filesystem::path& path) {
   }
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   const auto fail = [&](const std::string& reason) {
-    throw Error(ErrorKind::file, fmt::format("{}: cannot be read: {}", shown, reason),
+    throw Error(ErrorKind::bad_input, fmt::format("{}: cannot be read: {}", shown, reason),
                 "check the permissions of the file and its folders");
   };
   if (!file) fail(std::strerror(errno));

@@ -93,7 +93,7 @@ TEST(ReadSpectra, NamesAFileThatMayNotBeRead) {
   const TemporaryFolder folder;
   write_text(folder.path() / "f", historical);
   chmod((folder.path() / "f").c_str(), 0);
-  expect_error(ErrorKind::file, "f: cannot be read: Permission denied",
+  expect_error(ErrorKind::bad_input, "f: cannot be read: Permission denied",
                [&] { read_spectra(folder.path() / "f"); });
 }
 
