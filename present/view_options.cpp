@@ -6,11 +6,12 @@
 #include <cstdlib>
 
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/world_limits.h"
+#include "host/command_line/parse_arguments.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/version.h"
 #include "present/picture_file.h"
@@ -29,8 +30,7 @@ Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device or disp
 
 // The command line as it was written.
 struct Written {
-  std::string scene, size, detail, output, record, frames, transfer, device, sources;
-  std::optional<double> time_s, frames_per_second;
+  std::string scene, size, detail, time, output, record, frames, fps, transfer, device, sources;
   bool is_headless = false;
   bool is_window = false;
   bool is_paused = false;
@@ -39,6 +39,7 @@ struct Written {
 };
 
 void add_options(CLI::App& app, Written& written) {
+  app.name("offing-view");
   app.description("offing-view: the sea of a scene, in a window or in pictures without one");
   app.set_version_flag("--version", "offing-view " + std::string(scene::version()));
   app.set_help_flag("-h,--help", "print this help");
@@ -56,7 +57,7 @@ void add_options(CLI::App& app, Written& written) {
                  "low or high (default high; of a window where the CPU draws, low)")
       ->type_name("LEVEL")
       ->group(pictures);
-  app.add_option("--time", written.time_s, "seconds (default the scene's start)")
+  app.add_option("--time", written.time, "seconds (default the scene's start)")
       ->type_name("T")
       ->group(pictures);
   app.add_flag("--paused", written.is_paused, "a window stands at that time until it is let run (Space)")
@@ -71,7 +72,7 @@ void add_options(CLI::App& app, Written& written) {
   app.add_option("--frames", written.frames, "of the recording, both ends included (default the scene's)")
       ->type_name("A:B")
       ->group(pictures);
-  app.add_option("--fps", written.frames_per_second, "frame i shows time i / fps (default the scene's)")
+  app.add_option("--fps", written.fps, "frame i shows time i / fps (default the scene's)")
       ->type_name("F")
       ->group(pictures);
   const char* general = "General";
@@ -105,10 +106,8 @@ Detail read_detail(const std::string& text) {
 }
 
 Recording read_recording(const Written& written, const scene::OceanScene& scene) {
-  const double fps = written.frames_per_second.value_or(scene.frames_per_second);
-  if (!(fps >= 0.001 && fps <= 1e6)) {
-    throw bad_argument("--fps", "a number within [0.001, 1e6]", fmt::format("{:g}", fps), "24");
-  }
+  const double fps =
+      written.fps.empty() ? scene.frames_per_second : read_number("--fps", written.fps, "", 0.001, 1e6, "24");
   const int first = static_cast<int>(std::ceil(scene.start_s * fps - 1e-9));
   const int last = std::max(first, static_cast<int>(std::ceil(scene.end_s * fps - 1e-9)) - 1);
   return {.name = FrameName(written.record),
@@ -137,10 +136,9 @@ ViewOptions checked(const Written& written) {
   options.scene_name = std::filesystem::path(written.scene).stem().string();
   if (!written.size.empty()) options.size = read_size("--size", written.size);
   if (!written.detail.empty()) options.detail = read_detail(written.detail);
-  options.time_s = written.time_s.value_or(options.scene.start_s);
-  if (!(std::abs(options.time_s) <= 1e8)) {
-    throw bad_argument("--time", "seconds within [-1e8, 1e8]", fmt::format("{:g}", options.time_s), "12.5");
-  }
+  options.time_s = written.time.empty()
+                       ? options.scene.start_s
+                       : read_number("--time", written.time, "s", -largest_time_s, largest_time_s, "12.5");
   options.starts_paused = written.is_paused;
   options.output = written.output;
   if (!written.output.empty()) require_picture_name(options.output);
@@ -195,16 +193,7 @@ std::optional<ViewOptions> read_view_options(int argc, const char* const* argv) 
   Written written;
   CLI::App app;
   add_options(app, written);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-      app.exit(error);  // prints the help or the version that was asked for
-      return std::nullopt;
-    }
-    throw Error(ErrorKind::bad_usage, fmt::format("offing-view: {}", error.what()),
-                "`offing-view --help` lists what it takes");
-  }
+  if (!parse_arguments(app, argc, argv)) return std::nullopt;
   return checked(written);
 }
 

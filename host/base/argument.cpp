@@ -50,15 +50,17 @@ std::int64_t read_whole(std::string_view flag, std::string_view text, std::int64
   return *value;
 }
 
-double read_length_m(std::string_view flag, std::string_view text, double low_m, double high_m,
-                     std::string_view example) {
-  double value_m = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value_m);
+double read_number(std::string_view flag, std::string_view text, std::string_view unit, double low,
+                   double high, std::string_view example) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool is_number = error == std::errc{} && end == text.data() + text.size();
-  if (!is_number || !(value_m >= low_m && value_m <= high_m)) {
-    throw bad_argument(flag, fmt::format("a number in m within [{:g}, {:g}]", low_m, high_m), text, example);
+  if (!is_number || !(value >= low && value <= high)) {
+    const std::string in_unit = unit.empty() ? "" : fmt::format(" in {}", unit);
+    throw bad_argument(flag, fmt::format("a number{} within [{:g}, {:g}]", in_unit, low, high), text,
+                       example);
   }
-  return value_m;
+  return value;
 }
 
 FrameRange read_frame_range(std::string_view flag, std::string_view text) {

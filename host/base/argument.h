@@ -16,9 +16,9 @@ Error bad_argument(std::string_view flag, std::string_view expected, std::string
 std::int64_t read_whole(std::string_view flag, std::string_view text, std::int64_t low, std::int64_t high,
                         std::string_view example);
 
-/// A length in m; throws bad_argument() unless it is a number within [low_m, high_m].
-double read_length_m(std::string_view flag, std::string_view text, double low_m, double high_m,
-                     std::string_view example);
+/// A number in `unit` (empty: without one); throws bad_argument() unless it is within [low, high].
+double read_number(std::string_view flag, std::string_view text, std::string_view unit, double low,
+                   double high, std::string_view example);
 
 /// Frames first ... last, both included.
 struct FrameRange {

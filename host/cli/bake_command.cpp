@@ -62,8 +62,8 @@ BakeSettings read_settings(const BakeArguments& arguments, const scene::OceanSce
   settings.channels |= read_channels("--channels", arguments.channels);
   if (!arguments.velocity_depth.empty()) {
     settings.channels.set(static_cast<std::size_t>(ChannelGroup::velocity));
-    settings.velocity_depth_m = read_length_m("--velocity-depth-m", arguments.velocity_depth, 0.0,
-                                              std::min(deepest_m, water_depth_m), "2.5");
+    settings.velocity_depth_m = read_number("--velocity-depth-m", arguments.velocity_depth, "m", 0.0,
+                                            std::min(deepest_m, water_depth_m), "2.5");
   }
   settings.mesh = read_mesh_format("--mesh", arguments.mesh);
   return settings;

@@ -1,14 +1,13 @@
 #include <string>
 
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
 #include "host/base/process.h"
 #include "host/cli/devices_command.h"
 #include "host/cli/global_options.h"
 #include "host/cli/ocean_command.h"
-#include "host/cli/usage_error.h"
+#include "host/command_line/parse_arguments.h"
 #include "host/scene/version.h"
 
 namespace {
@@ -16,6 +15,7 @@ namespace {
 namespace cli = offing::cli;
 
 void build(CLI::App& app, cli::GlobalOptions& options) {
+  app.name("offing");
   app.description("Offing: oceans calibrated in metres, computed on any OpenCL device");
   app.set_version_flag("--version", "offing " + std::string(offing::scene::version()));
   app.set_help_flag("-h,--help", "print this help");
@@ -40,16 +40,7 @@ int run(int argc, char** argv) {
   offing::configure_log(options.verbosity);
   CLI::App app;
   build(app, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-      const int code = app.exit(error);  // prints the help or the version that was asked for
-      offing::finish_output();
-      return code;
-    }
-    throw cli::usage_error(app, error);
-  }
+  offing::parse_arguments(app, argc, argv);
   offing::finish_output();
   return 0;
 }

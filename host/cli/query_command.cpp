@@ -174,12 +174,12 @@ TimeRange read_times(const QueryArguments& arguments) {
 ocean::WaterQuery read_query(const QueryArguments& arguments, double water_depth_m) {
   ocean::WaterQuery query;
   if (!arguments.depth.empty()) {
-    query.depth_m =
-        read_length_m("--velocity-depth-m", arguments.depth, 0.0, std::min(deepest_m, water_depth_m), "2.5");
+    query.depth_m = read_number("--velocity-depth-m", arguments.depth, "m", 0.0,
+                                std::min(deepest_m, water_depth_m), "2.5");
   }
   if (!arguments.min_wavelength.empty()) {
     query.min_wavelength_m =
-        read_length_m("--min-wavelength-m", arguments.min_wavelength, 0.0, ocean::longest_filter_m, "30");
+        read_number("--min-wavelength-m", arguments.min_wavelength, "m", 0.0, ocean::longest_filter_m, "30");
   }
   return query;
 }

@@ -30,14 +30,14 @@ TEST(Argument, RefusesOtherFrameRanges) {
   }
 }
 
-// Fails if an end of the range is refused, or a text that is no length taken for one.
+// Fails if an end of the range is refused, or a text that is no number taken for one.
 TEST(Argument, ReadsLengths) {
-  EXPECT_EQ(read_length_m("--velocity-depth-m", "0", 0.0, 20.0, "2.5"), 0.0);
-  EXPECT_EQ(read_length_m("--velocity-depth-m", "20", 0.0, 20.0, "2.5"), 20.0);
-  EXPECT_EQ(read_length_m("--velocity-depth-m", "1.25e1", 0.0, 20.0, "2.5"), 12.5);
+  EXPECT_EQ(read_number("--velocity-depth-m", "0", "m", 0.0, 20.0, "2.5"), 0.0);
+  EXPECT_EQ(read_number("--velocity-depth-m", "20", "m", 0.0, 20.0, "2.5"), 20.0);
+  EXPECT_EQ(read_number("--velocity-depth-m", "1.25e1", "m", 0.0, 20.0, "2.5"), 12.5);
   for (const char* text : {"", "-1", "20.001", "2 m", "nan", "inf", "0x2", " 2"}) {
     test::expect_error(ErrorKind::bad_usage, "--velocity-depth-m: expected a number in m within [0, 20], got",
-                       [&] { read_length_m("--velocity-depth-m", text, 0.0, 20.0, "2.5"); });
+                       [&] { read_number("--velocity-depth-m", text, "m", 0.0, 20.0, "2.5"); });
   }
 }
 

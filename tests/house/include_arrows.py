@@ -18,8 +18,9 @@ ARROWS = {
     "host/world": tuple(f"host/{name}" for name in SIMULATIONS),
     "host/scene": ("host/world", "host/io"),
     "host/c": ("host/scene",),
-    "host/cli": ("host/scene",),
-    "present": ("host/scene",),
+    "host/command_line": ("host/scene",),
+    "host/cli": ("host/command_line",),
+    "present": ("host/command_line",),
     "mesh_tools": ("host/scene",),
     "tests": ("host/c", "host/cli", "present", "mesh_tools"),
 }

@@ -131,7 +131,10 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
   refused({scene(), "--record", path("a_%d.png"), "--frames", "5:2"}, "--frames");
   refused({scene(), "--transfer", "carrier-pigeon", "-o", path("a.png")}, "mapped-pointer");
   refused({scene(), "--nonsense"}, "--nonsense");
-  refused({path("missing.toml"), "-o", path("a.png")}, "missing.toml");
+  refused({scene(), "--hedless"}, "did you mean --headless?");
+  refused({scene(), "--size"}, "offing-view: --size: expected a value, found none");
+  refused({scene(), "--time", "noon", "-o", path("a.png")}, "--time: expected a number in s");
+  refused({path("missing.toml"), "-o", path("a.png")}, "leave the scene out");
   std::ofstream(path("bad.toml")) << "version = 1\n[camera]\nfov_deg = 1000\n";
   refused({path("bad.toml"), "-o", path("a.png")}, "bad.toml:3:11: camera.fov_deg");
 }

@@ -1,13 +1,18 @@
-#include "host/cli/usage_error.h"
+#include "host/command_line/parse_arguments.h"
 
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
 
+#include "host/base/error.h"
 #include "host/scene/nearest_name.h"
 
-namespace offing::cli {
+namespace offing {
 
 namespace {
 
@@ -23,7 +28,7 @@ const CLI::App& innermost(const CLI::App& app) {
 /// "offing ocean bake".
 std::string full_name(const CLI::App& command) {
   const CLI::App* parent = command.get_parent();
-  return parent ? full_name(*parent) + ' ' + command.get_name() : std::string("offing");
+  return parent ? full_name(*parent) + ' ' + command.get_name() : command.get_name();
 }
 
 std::vector<std::string> known_names(const CLI::App& command) {
@@ -39,7 +44,15 @@ std::vector<std::string> known_names(const CLI::App& command) {
   return names;
 }
 
-}  // namespace
+/// What the parser says, in the words of our own errors where it knows only its own.
+std::string told(const CLI::ParseError& error) {
+  const std::string_view text = error.what();
+  // "--seeds: 1 required K missing".
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && text.ends_with(" missing")) {
+    return fmt::format("{}: expected a value, found none", text.substr(0, text.find(':')));
+  }
+  return std::string(text);
+}
 
 Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = innermost(app);
@@ -49,7 +62,7 @@ Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const bool is_unknown_word = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
                                dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
   if (!is_unknown_word || extras.empty()) {
-    return Error(ErrorKind::bad_usage, fmt::format("{}: {}", full_name(command), error.what()), help);
+    return Error(ErrorKind::bad_usage, fmt::format("{}: {}", full_name(command), told(error)), help);
   }
   const std::vector<std::string> names = known_names(command);
   const std::vector<std::string_view> candidates(names.begin(), names.end());
@@ -60,4 +73,19 @@ Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
                near.empty() ? help : fmt::format("did you mean {}?", near));
 }
 
-}  // namespace offing::cli
+}  // namespace
+
+bool parse_arguments(CLI::App& app, int argc, const char* const* argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      app.exit(error);  // prints the help or the version that was asked for
+      return false;
+    }
+    throw usage_error(app, error);
+  }
+  return true;
+}
+
+}  // namespace offing
