@@ -52,9 +52,9 @@ void remove_file(const fs::path& file) {
   }
 }
 
-[[noreturn]] void refuse_folder(const fs::path& folder, const std::string& why) {
-  throw Error(ErrorKind::file, fmt::format("{}: cannot write frames there: {}", folder.string(), why),
-              "name another folder with -o, or change its permissions");
+[[noreturn]] void refuse_folder(const fs::path& folder, const std::string& why,
+                                const char* mend = "name another folder with -o") {
+  throw Error(ErrorKind::file, fmt::format("{}: cannot write frames there: {}", folder.string(), why), mend);
 }
 
 }  // namespace
@@ -71,7 +71,8 @@ void FrameFiles::prepare_folder() const {
     refuse_folder(folder, error ? error.message() : "there is a file of that name");
   }
   if (access(folder.c_str(), W_OK | X_OK) != 0) {
-    refuse_folder(folder, std::strerror(errno));
+    refuse_folder(folder, std::strerror(errno),
+                  "give yourself the right to write in it, or name another folder with -o");
   }
   remove_stale_partials(folder, "ocean.");
   remove_stale_partials(folder, "contact_sheet.");
@@ -95,7 +96,8 @@ void FrameFiles::prepare_folder() const {
     }
   }
   if (error) {
-    refuse_folder(folder, "it cannot be listed: " + error.message());
+    refuse_folder(folder, "it cannot be listed: " + error.message(),
+                  "give yourself the right to read it, or name another folder with -o");
   }
 }
 

@@ -38,8 +38,15 @@ std::string hint_for(int error_number, const fs::path& target) {
     case EFBIG:
       return "raise the file size limit (ulimit -f), or write smaller files";
     case ENOENT:
-    case ENOTDIR:
-      return fmt::format("create the folder {} first, or write to an existing one", folder);
+    case ENOTDIR: {
+      std::error_code ignored;
+      const fs::file_type type = fs::status(folder, ignored).type();
+      if (type == fs::file_type::not_found) {
+        return fmt::format("create the folder {} first, or write to an existing one", folder);
+      }
+      return fmt::format("{} {}: write to another folder", folder,
+                         type == fs::file_type::directory ? "takes no new files" : "is no folder");
+    }
     case EACCES:
     case EPERM:
     case EROFS:
@@ -180,6 +187,10 @@ void write_file_atomically(const fs::path& target, std::string_view bytes) {
   AtomicFile file(target);
   file.write(bytes);
   file.commit();
+}
+
+void require_writable(const fs::path& target) {
+  const AtomicFile removed_at_once(target);
 }
 
 std::size_t remove_stale_partials(const fs::path& folder, std::string_view name_prefix) {

@@ -13,9 +13,9 @@ namespace offing {
 /// Bytes go to a temporary name in the target's own folder (`.ocean.0003.exr.<16 hex digits>.partial`),
 /// locked for as long as this object lives; commit() flushes, syncs the file, renames it over the target and
 /// syncs the folder. Destroying the object without commit() removes the temporary. Libraries that want a name
-/// write to temporary(). Every failure throws Error(file) that names the target and what the system said, also
-/// if the target is a folder, a device or anything else that a rename must not replace; the hint says the mend
-/// that fits, such as room on a full disk.
+/// write to temporary(). Every failure throws Error(file) that names the target and what the system said,
+/// also if the target is a folder, a device or anything else that a rename must not replace; the hint says
+/// the mend that fits, such as room on a full disk.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path target);
@@ -48,6 +48,10 @@ class AtomicFile {
 
 /// Writes `bytes` to `target` in one go, as AtomicFile does.
 void write_file_atomically(const std::filesystem::path& target, std::string_view bytes);
+
+/// Makes sure, before long work, that `target` can be written: throws what AtomicFile would throw. Nothing is
+/// left behind.
+void require_writable(const std::filesystem::path& target);
 
 /// Removes temporaries that killed runs left in `folder` for targets whose name begins with `name_prefix`
 /// (empty: all). Those of living writers, in this or any other process, are locked and stay. Returns how many

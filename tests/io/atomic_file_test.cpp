@@ -177,6 +177,21 @@ TEST(AtomicFile, NamesBadPlaces) {
   EXPECT_THAT(is_folder.what(), HasSubstr("found a folder"));
   EXPECT_EQ(error_of([] { AtomicFile file("/dev/null"); }).kind(), ErrorKind::file);
   EXPECT_EQ(error_of([] { AtomicFile file(""); }).kind(), ErrorKind::file);
+
+  std::ofstream(folder.path() / "file") << "x";
+  const Error below_file = error_of([&] { AtomicFile file(folder.path() / "file" / "a.exr"); });
+  EXPECT_THAT(below_file.hint(), HasSubstr("file is no folder: write to another folder"));
+  EXPECT_THAT(error_of([] { AtomicFile file("/proc/a.exr"); }).hint(), HasSubstr("/proc takes no new files"));
+}
+
+// Fails if a place is found out to be bad only after the work, or looking at a good one leaves something.
+TEST(AtomicFile, PlacesAreTriedBeforehand) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(error_of([&] { require_writable(folder.path() / "no" / "a.exr"); }).what(),
+              HasSubstr("cannot create: No such file"));
+  EXPECT_THAT(error_of([&] { require_writable(folder.path()); }).what(), HasSubstr("found a folder"));
+  require_writable(folder.path() / "a.exr");
+  EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
 // Fails if running out of room is silent, leaves a partial or hurts finished files. A file size limit stands
