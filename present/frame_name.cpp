@@ -19,7 +19,7 @@ FrameName::FrameName(std::string_view pattern) {
   before_ = parts[1];
   digits_ = parts[2].length() == 0 ? 1 : std::stoi(parts[2]);
   after_ = parts[3];
-  require_picture_name(of(0));
+  require_picture_name(text);
 }
 
 std::filesystem::path FrameName::of(int frame) const {

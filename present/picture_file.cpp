@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "host/base/error.h"
 #include "host/io/exr_image.h"
+#include "host/io/file_extension.h"
 #include "host/io/file_presence.h"
 #include "host/io/png_image.h"
 
@@ -52,9 +52,7 @@ bool is_exr(const std::filesystem::path& path) {
 }  // namespace
 
 void require_picture_name(const std::filesystem::path& path) {
-  if (is_exr(path) || path.extension() == ".png") return;
-  throw Error(ErrorKind::bad_usage,
-              fmt::format("{}: expected a name that ends in .png or .exr", path.string()), "name it out.png");
+  require_extension(path, {".png", ".exr"});
 }
 
 std::filesystem::path unused_picture_name(const std::string& stem) {

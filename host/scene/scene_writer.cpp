@@ -11,6 +11,7 @@
 
 #include "host/base/error.h"
 #include "host/io/atomic_file.h"
+#include "host/io/file_extension.h"
 #include "host/io/file_presence.h"
 #include "host/scene/parameter_table.h"
 
@@ -184,10 +185,7 @@ std::string scene_text(const OceanScene& scene, const std::filesystem::path& fol
 }
 
 void save_scene(const OceanScene& scene, const std::filesystem::path& file, Existing existing) {
-  if (file.extension() != ".toml") {
-    throw Error(ErrorKind::bad_usage, fmt::format("{}: expected a name that ends in .toml", file.string()),
-                "name it scene.toml");
-  }
+  require_extension(file, {".toml"});
   if (existing == Existing::keep && is_there(file)) {
     throw Error(ErrorKind::bad_usage, fmt::format("{}: is there already", file.string()),
                 "choose another name, or overwrite it");

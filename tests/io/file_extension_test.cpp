@@ -1,0 +1,27 @@
+#include "host/io/file_extension.h"
+
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+
+namespace offing {
+namespace {
+
+// Fails if a picture may be given a name that promises another format, or the mend is not the name that fits.
+TEST(FileExtension, IsThatOfTheFormat) {
+  EXPECT_NO_THROW(require_extension("a/b.png", {".png"}));
+  EXPECT_NO_THROW(require_extension("a/b.exr", {".png", ".exr"}));
+  for (const char* name : {"a/b.jpg", "a/b", "a/b.png.jpg", "a/bpng"}) {
+    try {
+      require_extension(name, {".png", ".exr"});
+      ADD_FAILURE() << name;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_usage);
+      EXPECT_EQ(error.what(), std::string(name) + ": expected a name that ends in .png or .exr");
+      EXPECT_TRUE(error.hint().ends_with(".png")) << error.hint();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace offing
