@@ -12,6 +12,7 @@
 #include "host/base/error.h"
 #include "host/base/world_limits.h"
 #include "host/command_line/parse_arguments.h"
+#include "host/io/atomic_file.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/version.h"
 #include "present/picture_file.h"
@@ -127,6 +128,27 @@ void require_sources(const std::filesystem::path& folder) {
               "name a checkout of Offing");
 }
 
+/// Throws at the first flag that the others leave without effect.
+void refuse_unused(const Written& written, const ViewOptions& options) {
+  const auto refuse = [](const char* what, const char* mend) {
+    throw Error(ErrorKind::bad_usage, what, mend);
+  };
+  if (!written.frames.empty() && !options.recording) {
+    refuse("--frames: expected --record, whose frames these are, found none", "add --record out_%04d.png");
+  }
+  if (!written.fps.empty() && !options.recording) {
+    refuse("--fps: expected --record, whose frames it times, found none", "add --record out_%04d.png");
+  }
+  if (!written.time.empty() && options.recording && options.output.empty()) {
+    refuse("--time: expected no --record, whose frames have times of their own",
+           "choose the frames with --frames A:B, or make one picture with -o");
+  }
+  if (written.is_paused && (!options.opens_window || options.recording)) {
+    refuse("--paused: expected a window without a recording, which is where time runs",
+           "leave --paused out, or open a window");
+  }
+}
+
 ViewOptions checked(const Written& written) {
   ViewOptions options;
   options.verbosity = written.is_quiet     ? Verbosity::quiet
@@ -161,6 +183,9 @@ ViewOptions checked(const Written& written) {
     throw Error(ErrorKind::bad_usage, "--headless: expected a picture to make, found neither -o nor --record",
                 "add -o out.png");
   }
+  refuse_unused(written, options);
+  if (!options.output.empty()) require_writable(options.output);
+  if (options.recording) require_writable(options.recording->name.of(options.recording->frames.first));
   return options;
 }
 

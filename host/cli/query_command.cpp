@@ -223,6 +223,10 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
                             arguments.at.empty() ? "neither" : "both"),
                 "write --at 12.5,-40 for one point, or --points FILE for many");
   }
+  if (arguments.force && arguments.output_file.empty()) {
+    throw Error(ErrorKind::bad_usage, "--force: expected -o, whose file it replaces, found none",
+                "add -o FILE, or leave --force out");
+  }
   const TimeRange times = read_times(arguments);
   const scene::OceanScene scene = arguments.parameters.read();
   const scene::Sea sea = scene::prepare_sea(scene);

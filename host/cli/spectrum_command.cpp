@@ -10,11 +10,14 @@
 #include <nlohmann/json.hpp>
 
 #include "host/base/argument.h"
+#include "host/base/error.h"
 #include "host/base/progress.h"
 #include "host/base/wave_spectrum.h"
 #include "host/cli/direction_text.h"
 #include "host/cli/pictures/spectrum_plot.h"
 #include "host/cli/spectrum_text.h"
+#include "host/io/atomic_file.h"
+#include "host/io/file_extension.h"
 #include "host/io/spectra/read_spectra.h"
 #include "host/io/spectra/write_ww3_spectra.h"
 #include "host/ocean/spectrum_parameters.h"
@@ -98,12 +101,25 @@ void print_list(const std::string& file, const std::vector<Listed>& records, Dir
   }
 }
 
+/// A plot is of one record: of many, it must be said which.
+void require_one_record(const SpectrumArguments& arguments, std::size_t count) {
+  if (arguments.plot.empty() || !arguments.record.empty() || count == 1) return;
+  throw Error(ErrorKind::bad_usage,
+              fmt::format("--plot: expected --record, which of the {} records to draw, found none", count),
+              fmt::format("write --record N with N within [0, {}]", count - 1));
+}
+
 void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
+  if (!arguments.plot.empty()) require_extension(arguments.plot, {".png"});
   const std::vector<WaveSpectrum> records = read_spectra(arguments.file);
   std::optional<std::size_t> chosen;
   if (!arguments.record.empty()) {
     chosen = static_cast<std::size_t>(
         read_whole("--record", arguments.record, 0, static_cast<std::int64_t>(records.size()) - 1, "0"));
+  }
+  require_one_record(arguments, records.size());
+  for (const std::string* output : {&arguments.plot, &arguments.export_file}) {
+    if (!output->empty()) require_writable(*output);
   }
   if (!arguments.plot.empty()) {
     const WaveSpectrum& drawn = records[chosen.value_or(0)];

@@ -209,16 +209,18 @@ TEST_F(Listing, ListsRecords) {
   EXPECT_THAT(run_offing({"ocean", "spectrum", file()}).output, testing::HasSubstr("2020-06-08T02:50Z"));
 }
 
-// Fails if listing thousands of records cannot be stopped. The plot, which comes first, tells that reading is
-// over; a listing of 4000 that nobody stops takes twenty seconds and exits with 0.
+// Fails if listing thousands of records cannot be stopped. The export, which comes first, tells that reading
+// is over; a listing of 4000 that nobody stops takes twenty seconds and exits with 0.
 TEST_F(Listing, StopsWhenAsked) {
-  std::ofstream more(file(), std::ios::app);
+  std::ofstream many(path("many.spec"));
+  many << "'WAVEWATCH III SPECTRA'     2     4     1 'waves'\n  0.1 0.2\n  0.0 1.5708 3.1416 4.7124\n";
   for (int i = 0; i < 4000; ++i) {
-    more << "2020 06 08 01 50 0.225 1.000 (0.100) 1.000 (0.200)\n";
+    many << "20200608 015000\n'41010     '  28.90 -78.50  800.0  10.0 90.0  0.00 90.0\n"
+            "  1.0 0.5 0.1 0.1 0.1 0.1 0.1 0.1\n";
   }
-  more.close();
-  OffingProgram program({"ocean", "spectrum", file(), "--plot", path("plot.png")});
-  while (program.is_running() && !std::filesystem::exists(path("plot.png"))) {
+  many.close();
+  OffingProgram program({"ocean", "spectrum", path("many.spec"), "--export-spectrum", path("all.spec")});
+  while (program.is_running() && !std::filesystem::exists(path("all.spec"))) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   program.send_signal(SIGINT);

@@ -131,12 +131,31 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
   refused({scene(), "--record", path("a_%d.png"), "--frames", "5:2"}, "--frames");
   refused({scene(), "--transfer", "carrier-pigeon", "-o", path("a.png")}, "mapped-pointer");
   refused({scene(), "--nonsense"}, "--nonsense");
+  refused({scene(), "--frames", "0:5", "-o", path("a.png")}, "--frames: expected --record");
+  refused({scene(), "--fps", "5", "-o", path("a.png")}, "--fps: expected --record");
+  refused({scene(), "--time", "5", "--record", path("a_%d.png")}, "--time: expected no --record");
+  refused({scene(), "--paused", "-o", path("a.png")}, "--paused: expected a window");
+  refused({scene(), "--record", path("a_%d.jpg")}, "name it a_%d.png");
   refused({scene(), "--hedless"}, "did you mean --headless?");
   refused({scene(), "--size"}, "offing-view: --size: expected a value, found none");
   refused({scene(), "--time", "noon", "-o", path("a.png")}, "--time: expected a number in s");
   refused({path("missing.toml"), "-o", path("a.png")}, "leave the scene out");
   std::ofstream(path("bad.toml")) << "version = 1\n[camera]\nfov_deg = 1000\n";
   refused({path("bad.toml"), "-o", path("a.png")}, "bad.toml:3:11: camera.fov_deg");
+}
+
+// Fails if a picture is drawn before it is found that it cannot be written: told within the time that reading
+// the scene takes, without a word of OpenGL.
+TEST_F(ViewProgramTest, LooksAtTheOutputFirst) {
+  std::filesystem::create_directory(path("folder.png"));
+  for (const std::vector<std::string>& output : {std::vector<std::string>{"-o", path("missing/a.png")},
+                                                 {"-o", path("folder.png")},
+                                                 {"--record", path("missing/a_%d.png")}}) {
+    const ProgramResult result = view(output);
+    EXPECT_EQ(result.exit_code, 1) << result.errors;
+    EXPECT_EQ(result.errors.find("error: "), 0u) << result.errors;
+    EXPECT_EQ(result.errors.find("OpenGL"), std::string::npos) << result.errors;
+  }
 }
 
 // Fails if a rung that is forced is not used, or not printed.
