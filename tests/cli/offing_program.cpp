@@ -51,7 +51,7 @@ OffingProgram::~OffingProgram() {
 }
 
 void OffingProgram::send_signal(int number) const {
-  kill(process_, number);
+  if (process_ > 0) kill(process_, number);  // -1, one that has ended, would mean every process there is
 }
 
 bool OffingProgram::is_running() {

@@ -25,6 +25,7 @@ class OffingProgram {
   /// Kills it if nobody waited for it.
   ~OffingProgram();
 
+  /// Does nothing once it is known to have ended.
   void send_signal(int number) const;
   bool is_running();
   ProgramResult wait();
