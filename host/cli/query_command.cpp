@@ -105,7 +105,7 @@ class AnswerSink {
 
   void add(const QueryAnswer& answer) {
     ++count_;
-    largest_residual_m_ = std::max<double>(largest_residual_m_, answer.sample.residual_m);
+    largest_residual_m_ = std::max(largest_residual_m_, answer.sample.residual_m);
     missed_ += answer.sample.residual_m <= ocean::WaterQuery{}.tolerance_m * 1.1 ? 0 : 1;
     if (style_ == Style::csv) {
       append_csv(answer, text_);
@@ -140,7 +140,7 @@ class AnswerSink {
 
   std::size_t count() const { return count_; }
   std::size_t missed() const { return missed_; }
-  double largest_residual_m() const { return largest_residual_m_; }
+  float largest_residual_m() const { return largest_residual_m_; }
 
  private:
   enum class Style { words, csv, json_object, json_array };
@@ -161,7 +161,7 @@ class AnswerSink {
   std::optional<AtomicFile> file_;
   std::string text_;
   std::size_t count_ = 0, missed_ = 0;
-  double largest_residual_m_ = 0.0;
+  float largest_residual_m_ = 0.0f;
 };
 
 TimeRange read_times(const QueryArguments& arguments) {
@@ -212,7 +212,7 @@ nlohmann::ordered_json summary_json(const QueryArguments& arguments, const ocean
           {"samples", sink.count()},
           {"depth_m", query.depth_m},
           {"min_wavelength_m", query.min_wavelength_m},
-          {"largest_residual_m", sink.largest_residual_m()},
+          {"largest_residual_m", shortest_decimals(sink.largest_residual_m())},
           {"scene_hash", hash}};
 }
 

@@ -15,13 +15,16 @@ struct QueryAnswer {
   ocean::WaterSample sample;
 };
 
+/// The double of the shortest decimals that give this float again, so that JSON has these alone; never -0.
+double shortest_decimals(float value);
+
 /// The names of the columns, with units.
 std::string csv_header();
 /// Appends a line.
 void append_csv(const QueryAnswer& answer, std::string& text);
 
-/// The same as an object: "normal" and "velocity_mps" are arrays of x, y and z, all else is a number with the
-/// name of its column.
+/// The same as an object, floats by the shortest decimals that give them again: "normal" and "velocity_mps"
+/// are arrays of x, y and z, all else is a number with the name of its column.
 nlohmann::ordered_json to_json(const QueryAnswer& answer);
 
 /// For people.
