@@ -80,10 +80,24 @@ const std::string& checked_name(const Parameter& parameter, const WrittenValue& 
 /// Years for which the sun's place is known (host/sky/sun_position.h).
 constexpr int first_year = 1900, last_year = 2100;
 
+/// Throws with the mend where a time lacks nothing but its zone.
+void require_zone(const Parameter& parameter, const WrittenValue& written, const Place& place) {
+  const std::string_view quote = written.shown.starts_with('"') ? "\"" : "";
+  std::string_view text = written.shown;
+  if (!quote.empty()) text = text.substr(1, text.size() - 2);
+  if (!parse_iso_time(fmt::format("{}Z", text))) return;
+  throw Error(
+      ErrorKind::bad_input,
+      fmt::format("{}: expected {}, got {} without a zone", place.subject, expected_text(parameter),
+                  written.shown),
+      fmt::format("add a Z, which says that it is UTC: {}{}{}Z{}", place.assignment, quote, text, quote));
+}
+
 UtcTime checked_time(const Parameter& parameter, const WrittenValue& written, const Place& place) {
   const auto* text = std::get_if<std::string>(&written.value);
   const std::optional<UtcTime> time = text ? parse_iso_time(*text) : std::nullopt;
   if (!time || time->year < first_year || time->year > last_year) {
+    require_zone(parameter, written, place);
     refuse(parameter, written, place);
   }
   return *time;

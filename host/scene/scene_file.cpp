@@ -105,7 +105,7 @@ class SceneReader {
     } else if (!repeated && node.is_table()) {
       read_table(*node.as_table(), full_key + '.');
     } else {
-      const std::string header = repeated ? fmt::format("[[{}]]", full_key) : fmt::format("[{}]", full_key);
+      const std::string header = header_of(full_key);
       throw Error(ErrorKind::bad_input,
                   fmt::format("{}: {}: expected a section {}, got {}", place_of(key.source()), full_key,
                               header, shown_text(node)),
@@ -151,14 +151,42 @@ class SceneReader {
                               place, full_key),
                   fmt::format("remove {} from the scene", full_key));
     }
-    const std::vector<std::string> siblings = names_below(prefix);
-    const std::vector<std::string_view> candidates(siblings.begin(), siblings.end());
-    const std::string_view near = nearest_name(key.str(), candidates);
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: {}: expected a known key, got \"{}\"", place, full_key.substr(0, 60),
                             key.str().substr(0, 60)),
-                near.empty() ? fmt::format("known here: {}", fmt::join(siblings, ", "))
-                             : fmt::format("did you mean {}?", near));
+                mend_of(key.str(), prefix));
+  }
+
+  /// Where a key stands that is unknown below this prefix, or which one was meant: the key's own name
+  /// anywhere, else the nearest here, else the nearest anywhere.
+  static std::string mend_of(std::string_view name, std::string_view prefix) {
+    if (const std::string sections = sections_of(name); !sections.empty()) {
+      return fmt::format("{} belongs in {}", name, sections);
+    }
+    const std::vector<std::string> siblings = names_below(prefix);
+    const std::vector<std::string_view> here(siblings.begin(), siblings.end());
+    if (const std::string_view near = nearest_name(name, here); !near.empty()) {
+      return fmt::format("did you mean {}?", near);
+    }
+    std::vector<std::string_view> anywhere;
+    for (const Parameter& row : parameter_table()) anywhere.push_back(name_of(row.key));
+    if (const std::string_view near = nearest_name(name, anywhere); !near.empty()) {
+      return fmt::format("did you mean {} in {}?", near, sections_of(near));
+    }
+    return fmt::format("known here: {}", fmt::join(siblings, ", "));
+  }
+
+  /// The headers of the sections that have a key of this name, such as "[wind] or [[ocean.swell]]".
+  static std::string sections_of(std::string_view name) {
+    std::vector<std::string> headers;
+    for (const Parameter& row : parameter_table()) {
+      if (name_of(row.key) == name) headers.push_back(header_of(section_of(row.key)));
+    }
+    return fmt::format("{}", fmt::join(headers, " or "));
+  }
+
+  static std::string header_of(std::string_view section) {
+    return fmt::format(fmt::runtime(is_repeated(section) ? "[[{}]]" : "[{}]"), section);
   }
 
   /// Keys and sections directly below a prefix such as "ocean.", each once.
