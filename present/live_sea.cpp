@@ -21,7 +21,7 @@ LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, cons
       scene_(scene),
       world_(std::make_unique<world::World>(device_, scene::prepare_world(scene))),
       frame_(std::make_unique<Frame>(context, device_, settings.frame)) {
-  warning_ = scene::choppiness_warning(scene_, world_->parameters().trochoids);
+  warning_ = scene::steepness_warning(scene_, world_->parameters().trochoids);
   // What was written where has been checked: edits are not to be warned of as if they were in the file.
   scene_.set_at.clear();
 }
@@ -45,7 +45,7 @@ void LiveSea::edit(const scene::OceanScene& scene) {
     throw;
   }
   scene_ = std::move(edited);
-  std::string warning = scene::choppiness_warning(scene_, world_->parameters().trochoids);
+  std::string warning = scene::steepness_warning(scene_, world_->parameters().trochoids);
   if (warning_.empty() && !warning.empty()) spdlog::warn("{}", warning);
   warning_ = std::move(warning);
   edit_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

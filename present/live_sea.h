@@ -35,7 +35,7 @@ class LiveSea {
   void edit(const scene::OceanScene& scene);
   /// How long the last edit took.
   double edit_s() const { return edit_s_; }
-  /// What there is to say about the scene, scene::choppiness_warning(); logged when it comes up.
+  /// What there is to say about the scene, scene::steepness_warning(); logged when it comes up.
   const std::string& warning() const { return warning_; }
   const scene::OceanScene& scene() const { return scene_; }
   /// Compiles kernels and shaders again, from where they come from (ocl::Program, shader_file()).

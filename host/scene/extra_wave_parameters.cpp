@@ -108,7 +108,9 @@ std::vector<Parameter> raindrop_parameters() {
        .unit = "m",
        .low = -10.0,
        .high = 10.0,
-       .help = "height of the water where the drop falls, when it falls; negative for a hollow",
+       .help =
+           "height of the water where the drop falls, when it falls; negative for a hollow; from a 14th of "
+           "wavelength_m on it is steeper than waves of water",
        .max_count = max_raindrops},
       {.key = "ocean.raindrop.wavelength_m",
        .flag = "",

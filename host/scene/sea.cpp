@@ -1,6 +1,8 @@
 #include "host/scene/sea.h"
 
+#include <cmath>
 #include <numbers>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -44,16 +46,6 @@ std::optional<ocean::TrochoidChoice> choose_gerstner_waves(const OceanScene& sce
                                .seed = scene.ocean.seed};
 }
 
-void log_warnings(const OceanScene& scene, const Sea& sea) {
-  const std::string limited = choppiness_warning(scene, trochoids_of(sea, sea.parameters.seed));
-  if (!limited.empty()) spdlog::warn("{}", limited);
-  for (const std::string& line : unused_parameters(scene, sea)) {
-    spdlog::warn("{}", line);
-  }
-}
-
-}  // namespace
-
 std::string choppiness_warning(const OceanScene& scene, const ocean::TrochoidSea& trochoids) {
   const ocean::HorizontalScale horizontal = ocean::horizontal_scale(trochoids);
   if (!horizontal.is_limited) return {};
@@ -64,6 +56,45 @@ std::string choppiness_warning(const OceanScene& scene, const ocean::TrochoidSea
       "the {} have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to {:.3g}, with more "
       "they would fold",
       waves, horizontal.scale, trochoids.choppiness, horizontal.steepness);
+}
+
+/// The steepest wave of deep water is 0.1412 of its length high: k A = pi 0.1412 (Michell 1893).
+constexpr double breaking_steepness = std::numbers::pi * 0.1412;
+
+/// Rings are drawn at any height, since they do not move sideways; so they do not fold, but look wrong.
+std::string raindrop_warning(std::span<const ocean::Raindrop> drops) {
+  const auto steepness = [](const ocean::Raindrop& drop) {
+    return 2.0 * std::numbers::pi * std::abs(drop.amplitude_m) / drop.wavelength_m;
+  };
+  std::size_t count = 0;
+  const ocean::Raindrop* steepest = nullptr;
+  for (const ocean::Raindrop& drop : drops) {
+    if (steepness(drop) <= breaking_steepness) continue;
+    ++count;
+    if (steepest == nullptr || steepness(drop) > steepness(*steepest)) steepest = &drop;
+  }
+  if (steepest == nullptr) return {};
+  return fmt::format(
+      "{} of {} raindrops begin steeper than water stays whole: a ring of amplitude_m = {:g} and "
+      "wavelength_m = {:g} has k A = {:.3g}, waves break at {:.2f}",
+      count, drops.size(), steepest->amplitude_m, steepest->wavelength_m, steepness(*steepest),
+      breaking_steepness);
+}
+
+void log_warnings(const OceanScene& scene, const Sea& sea) {
+  const std::string too_steep = steepness_warning(scene, trochoids_of(sea, sea.parameters.seed));
+  if (!too_steep.empty()) spdlog::warn("{}", too_steep);
+  for (const std::string& line : unused_parameters(scene, sea)) {
+    spdlog::warn("{}", line);
+  }
+}
+
+}  // namespace
+
+std::string steepness_warning(const OceanScene& scene, const ocean::TrochoidSea& trochoids) {
+  const std::string waves = choppiness_warning(scene, trochoids);
+  const std::string rings = raindrop_warning(trochoids.raindrops);
+  return waves.empty() || rings.empty() ? waves + rings : waves + "; " + rings;
 }
 
 std::vector<ocean::Trochoid> swells_of(const OceanScene& scene, const ocean::Dispersion& dispersion) {

@@ -34,15 +34,15 @@ enum class Warnings { logged, left_out };
 /// Reads the measured spectrum if there is one, makes the spectrum and chooses cascades and Gerstner waves;
 /// swells and raindrops come beside.
 /// Warnings are those of parameters that were set and do not matter (unused_parameters()), and
-/// choppiness_warning().
+/// steepness_warning().
 ///
 /// Water depth is the scene's, else that of the measured record, else infinite. Throws Error(bad_input) for a
 /// spectrum file that cannot be read, a record that it does not have, or values that do not go together.
 Sea prepare_sea(const OceanScene& scene, Warnings warnings = Warnings::logged);
 
 /// One line where the Gerstner waves and swells of a scene are so steep that their choppiness is limited
-/// (horizontal_scale()); else empty.
-std::string choppiness_warning(const OceanScene& scene, const ocean::TrochoidSea& trochoids);
+/// (horizontal_scale()), or a raindrop's ring is steeper than water stays whole; else empty.
+std::string steepness_warning(const OceanScene& scene, const ocean::TrochoidSea& trochoids);
 
 /// The swells of a scene in water of this dispersion. Throws Error(bad_input) for a period whose wave is
 /// longer or shorter than a swell can be.

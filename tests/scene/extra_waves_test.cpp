@@ -66,6 +66,24 @@ TEST(ExtraWaves, ComeBesideTheSpectrumsTrochoids) {
   EXPECT_FALSE(prepare_sea(scene_with("")).has_trochoids());
 }
 
+// Fails if a ring that water cannot form is passed over in silence, or one that it can is not: k A = 0.44 is
+// the steepest wave; or if rings hide that swells are too steep.
+TEST(ExtraWaves, TooSteepRingsAreTold) {
+  const auto warning = [](const std::string& more) {
+    const OceanScene scene = scene_with(more);
+    return steepness_warning(scene, trochoids_of(prepare_sea(scene, Warnings::left_out), 1));
+  };
+  const std::string gentle = "[[ocean.raindrop]]\namplitude_m = -0.07\nwavelength_m = 1\n";
+  const std::string steep = "[[ocean.raindrop]]\namplitude_m = -0.0708\nwavelength_m = 1\n";
+  EXPECT_EQ(warning(gentle), "");
+  EXPECT_EQ(warning(gentle + steep),
+            "1 of 2 raindrops begin steeper than water stays whole: a ring of amplitude_m = -0.0708 and "
+            "wavelength_m = 1 has k A = 0.445, waves break at 0.44");
+  const std::string both = warning(steep + "[[ocean.swell]]\namplitude_m = 20\n");
+  EXPECT_NE(both.find("the swells have a choppiness"), std::string::npos) << both;
+  EXPECT_NE(both.find("; 1 of 1 raindrops"), std::string::npos) << both;
+}
+
 // Fails if 64 swells beside 64 Gerstner waves do not fit the sea.
 TEST(ExtraWaves, TheMostOfBothFit) {
   std::string text = "[ocean.gerstner]\ncount = 64\n";
