@@ -106,10 +106,13 @@ class Bake {
   void write_frames() noexcept {
     try {
       while (const std::optional<BakedFrame> frame = queue_.pop()) {
-        writer_.write(*frame);
+        writer_.write(*frame, cancel_);
         ++written_;
         progress_.advance();
       }
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::cancelled) fail(std::current_exception());  // run() tells of a stop
+      queue_.close();
     } catch (...) {
       fail(std::current_exception());
       queue_.close();

@@ -36,10 +36,10 @@ FrameWriter::FrameWriter(const scene::Sea& sea, const BakeSettings& settings, co
   hs_m_ = state.hs_m;
 }
 
-void FrameWriter::write(const BakedFrame& frame) const {
+void FrameWriter::write(const BakedFrame& frame, const CancelToken& cancel) const {
   files_.remove_foreign_files(frame.number);
   if (settings_.preview == PreviewUse::pictures) {
-    write_preview(frame);
+    write_preview(frame, cancel);
   }
   if (settings_.mesh == MeshFormat::obj) {
     write_obj(files_.mesh(frame.number), frame.mesh);
@@ -70,7 +70,7 @@ void FrameWriter::write(const BakedFrame& frame) const {
 
 /// Seen from a ship's bridge, the same for every sea that does not reach it, so that a calm and a storm
 /// differ as their heights do; looking against the waves and a little aside.
-void FrameWriter::write_preview(const BakedFrame& frame) const {
+void FrameWriter::write_preview(const BakedFrame& frame, const CancelToken& cancel) const {
   std::vector<PreviewCascade> cascades;
   for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
     cascades.push_back(
@@ -80,9 +80,8 @@ void FrameWriter::write_preview(const BakedFrame& frame) const {
   view.camera_height_m = std::max(10.0, 1.3 * hs_m_);
   view.yaw_rad = mean_direction_rad_ + 2.6;
   view.sun_azimuth_rad = view.yaw_rad + 0.7;
-  write_png(
-      files_.preview(frame.number),
-      render_sea_preview(PreviewSurface(cascades, sea_.parameters.foam, {trochoids_, frame.time_s}), view));
+  const PreviewSurface surface(cascades, sea_.parameters.foam, {trochoids_, frame.time_s});
+  write_png(files_.preview(frame.number), render_sea_preview(surface, view, cancel));
 }
 
 ExrImage FrameWriter::image_of(const BakedFrame& frame) const {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "host/base/cancel_token.h"
 #include "host/cli/bake_settings.h"
 #include "host/cli/baked_frame.h"
 #include "host/cli/frame_files.h"
@@ -17,10 +18,11 @@ class FrameWriter {
   FrameWriter(const scene::Sea& sea, const BakeSettings& settings, const FrameFiles& files,
               std::string scene_hash, std::string spectrum_name);
 
-  void write(const BakedFrame& frame) const;
+  /// Throws Error(cancelled), with nothing written, when asked to stop while it draws the preview.
+  void write(const BakedFrame& frame, const CancelToken& cancel) const;
 
  private:
-  void write_preview(const BakedFrame& frame) const;
+  void write_preview(const BakedFrame& frame, const CancelToken& cancel) const;
   ExrImage image_of(const BakedFrame& frame) const;
   void add_gerstner_attributes(ExrImage& image, double time_s) const;
   void add_cascade(ExrImage& image, const BakedFrame::CascadeFields& fields, const std::string& layer) const;

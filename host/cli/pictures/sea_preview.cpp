@@ -126,12 +126,13 @@ std::vector<MeshRow> mesh_rows(const PreviewView& view, const PreviewSurface& su
 }
 
 std::vector<RasterSample> visible_surface(const PreviewSurface& surface, const PreviewView& view,
-                                          const Camera& camera) {
+                                          const Camera& camera, const CancelToken& cancel) {
   const std::vector<MeshRow> rows = mesh_rows(view, surface);
   const int columns = static_cast<int>(1.1 * view.width / mesh_cell_px) + 2;
   const double cos_yaw = std::cos(view.yaw_rad), sin_yaw = std::sin(view.yaw_rad);
   std::vector<ScreenVertex> vertices(rows.size() * columns);
   parallel_rows(static_cast<int>(rows.size()), [&](int row) {
+    cancel.throw_if_cancelled();
     const MeshRow& line = rows[row];
     const double cell_m = 2.0 * line.half_width_m / (columns - 1);
     const float footprint_m = static_cast<float>(std::sqrt(cell_m * line.depth_m));
@@ -170,14 +171,16 @@ Vec3 radiance_of(const RasterSample& sample, Vec3 ray, const PreviewSurface& sur
 
 }  // namespace
 
-RgbImage render_sea_preview(const PreviewSurface& surface, const PreviewView& view) {
+RgbImage render_sea_preview(const PreviewSurface& surface, const PreviewView& view,
+                            const CancelToken& cancel) {
   check(view);
   const Camera camera(view);
   const PreviewLight light(view.sun_azimuth_rad, radians(view.sun_elevation_deg), view.ripple_variance);
-  const std::vector<RasterSample> samples = visible_surface(surface, view, camera);
+  const std::vector<RasterSample> samples = visible_surface(surface, view, camera, cancel);
   RgbImage image{view.width, view.height,
                  std::vector<std::uint8_t>(std::size_t{3} * view.width * view.height)};
   parallel_rows(view.height, [&](int row) {
+    cancel.throw_if_cancelled();
     for (int column = 0; column < view.width; ++column) {
       Vec3 sum;
       for (int i = 0; i < view.samples * view.samples; ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/base/cancel_token.h"
 #include "host/cli/pictures/preview_surface.h"
 #include "host/io/png_image.h"
 
@@ -23,7 +24,9 @@ struct PreviewView {
 /// A picture of the sea from a low eye: displaced surface with hidden parts removed, mirrored sky, sun
 /// glitter, light through crests, foam and haze. Heights and distances are true to scale, so a low sea looks
 /// low. The sea has no end: the patches repeat to the horizon. The same input gives the same picture on any
-/// number of processors. Throws Error(bad_input) for a view out of range.
-RgbImage render_sea_preview(const PreviewSurface& surface, const PreviewView& view);
+/// number of processors. Throws Error(bad_input) for a view out of range, Error(cancelled) within a row when
+/// asked to stop: a picture takes seconds.
+RgbImage render_sea_preview(const PreviewSurface& surface, const PreviewView& view,
+                            const CancelToken& cancel = {});
 
 }  // namespace offing::cli

@@ -106,6 +106,18 @@ TEST(FoamTexture, CoversWhatItIsAskedTo) {
   }
 }
 
+// Fails if who stops a bake has to wait for a picture that takes seconds.
+TEST(SeaPreview, StopsWhenAsked) {
+  CancelToken cancel;
+  cancel.cancel();
+  try {
+    render_sea_preview(surface_of(noisy_slopes(64, 0.3f), 64.0), small_view(), cancel);
+    ADD_FAILURE() << "was drawn to its end";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::cancelled);
+  }
+}
+
 // Fails if a view that cannot be drawn ends in an endless mesh or a crash instead of an error.
 TEST(SeaPreview, BadViewsAreRefused) {
   const PreviewSurface surface = surface_of(calm_sea(16), 64.0);
