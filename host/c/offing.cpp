@@ -12,7 +12,6 @@
 
 #include "host/base/error.h"
 #include "host/ocl/device.h"
-#include "host/scene/moving_view.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/version.h"
 #include "host/scene/world_scene.h"
@@ -29,12 +28,6 @@ struct OffingScene {
 struct OffingWorld {
   offing::scene::OceanScene scene;
   offing::world::World world;
-
-  void at(double time_s) {
-    const offing::scene::ViewScene view = offing::scene::view_at(scene, time_s);
-    offing::scene::set_view(world, view);
-    world.at(time_s, view.camera.eye_m.y);
-  }
 };
 
 namespace {
@@ -182,7 +175,7 @@ OffingStatus offing_make_world(const OffingDevice* device, const OffingScene* sc
     require(world, "world");
     auto made = std::make_unique<OffingWorld>(
         scene->scene, offing::world::World(device->device, offing::scene::prepare_world(scene->scene)));
-    made->at(scene->scene.start_s);
+    offing::scene::show_at(made->world, made->scene, made->scene.start_s);
     *world = made.release();
   });
 }
@@ -194,7 +187,7 @@ void offing_free_world(OffingWorld* world) {
 OffingStatus offing_frame(OffingWorld* world, double time_s) {
   return run([&] {
     require(world, "world");
-    world->at(time_s);
+    offing::scene::show_at(world->world, world->scene, time_s);
   });
 }
 

@@ -85,6 +85,13 @@ void set_view(world::World& world, const ViewScene& view) {
   }
 }
 
+ViewScene show_at(world::World& world, const OceanScene& scene, double time_s) {
+  ViewScene view = view_at(scene, time_s);
+  set_view(world, view);
+  world.at(time_s, view.camera.eye_m.y);
+  return view;
+}
+
 void edit_world(world::World& world, const OceanScene& before, const OceanScene& after) {
   const ViewScene view = view_at(after, after.start_s);
   switch (sea_change(before, after)) {

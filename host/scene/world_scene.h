@@ -12,6 +12,10 @@ world::WorldParameters prepare_world(const OceanScene& scene, Warnings warnings 
 /// Gives a world the sun and the air of a view; what has not changed costs nothing.
 void set_view(world::World& world, const ViewScene& view);
 
+/// Takes a world to what its scene shows at this time, seen from the scene's own camera: sun and air, the
+/// water, and the eye's height in the sky. Returns that view. Throws what view_at() and World::at() throw.
+ViewScene show_at(world::World& world, const OceanScene& scene, double time_s);
+
 /// Makes the world that `before` was prepared for that of `after`, with the view of its start: as a fresh
 /// start with it would, but only what the two differ in is made anew. Swells and raindrops cost nothing, the
 /// seed draws the same spectrum again, all else of the sea makes it anew. Logs no warnings. Throws what
