@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "host/base/progress.h"
-#include "host/scene/moving_view.h"
 #include "host/scene/world_scene.h"
 #include "present/exposure.h"
 #include "present/frame.h"
@@ -30,11 +29,9 @@ class PictureMaker {
   }
 
   void make(double time_s, const std::filesystem::path& path) {
-    scene::ViewScene view = scene::view_at(scene_, time_s);
+    scene::ViewScene view = scene::show_at(world_, scene_, time_s);
     view.camera.width_px = size_.width;
     view.camera.height_px = size_.height;
-    scene::set_view(world_, view);
-    world_.at(time_s, view.camera.eye_m.y);
     const double exposure = exposure_for(world_.sky(), view.camera, view.exposure_ev);
     frame_.draw(world_, {.camera = view.camera, .exposure = exposure});
     write_picture(path, frame_, time_s, exposure);
@@ -59,11 +56,10 @@ void make_pictures(const ViewOptions& options, const CancelToken& cancel) {
   }
   if (!options.recording) return;
   const Recording& recording = *options.recording;
-  const int count = recording.frames.last - recording.frames.first + 1;
   {
-    Progress progress(count, "frames", options.verbosity);
+    Progress progress(recording.count(), "frames", options.verbosity);
     for (int frame = recording.frames.first; frame <= recording.frames.last; ++frame) {
-      cancel.throw_if_cancelled();
+      if (cancel.cancelled()) throw stopped_recording(recording, frame - recording.frames.first);
       maker.make(frame / recording.frames_per_second, recording.name.of(frame));
       progress.advance();
     }

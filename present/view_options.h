@@ -4,11 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "host/base/argument.h"
 #include "host/base/cancel_token.h"
 #include "host/base/log.h"
 #include "host/scene/ocean_scene.h"
-#include "present/frame_name.h"
+#include "present/recording.h"
 #include "present/transfer.h"
 #include "present/water_pass.h"
 
@@ -28,13 +27,6 @@ enum class Detail {
 };
 WaterDetail water_detail(Detail detail);
 
-/// Frames to be written, one file each.
-struct Recording {
-  FrameName name;
-  FrameRange frames;
-  double frames_per_second = 24.0;  ///< frame i shows time i / frames_per_second
-};
-
 /// What the command line asks for, checked.
 struct ViewOptions {
   scene::OceanScene scene;
@@ -43,7 +35,7 @@ struct ViewOptions {
   std::optional<PictureSize> size;  ///< absent: what suits the machine
   std::optional<Detail> detail;
   double time_s = 0.0;
-  bool starts_paused = false;  ///< a window stands at time_s until it is let run
+  bool starts_paused = false;    ///< a window stands at time_s until it is let run
   std::filesystem::path output;  ///< one picture; empty: none
   std::optional<Recording> recording;
   std::optional<TransferRung> transfer;

@@ -299,7 +299,8 @@ void Viewer::save_scene() {
 void Viewer::record_frame() {
   const Recording& recording = *options_.recording;
   sea_.write(recording.name.of(recording.frames.first + recorded_));
-  is_quitting_ = is_quitting_ || recording.frames.first + ++recorded_ > recording.frames.last;
+  ++recorded_;
+  is_quitting_ = is_quitting_ || recorded_ == recording.count();
 }
 
 void Viewer::toggle_fullscreen() {
@@ -319,7 +320,10 @@ void show_window(const ViewOptions& options, const CancelToken& cancel) {
   Viewer viewer(options);
   while (!cancel.cancelled() && viewer.turn()) {
   }
-  cancel.throw_if_cancelled();
+  if (!cancel.cancelled()) return;
+  if (options.recording) throw stopped_recording(*options.recording, viewer.recorded());
+  throw Error(ErrorKind::cancelled, "offing-view: the window was closed by a signal",
+              "Esc or the window's own button closes it without an error");
 }
 
 }  // namespace offing::present

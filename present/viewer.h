@@ -26,6 +26,8 @@ class Viewer {
   bool turn();
 
   const ViewState& state() const { return state_; }
+  /// Frames of the recording that are written.
+  int recorded() const { return recorded_; }
   LiveSea& sea() { return sea_; }
   GLFWwindow* window() const { return context_.window_handle(); }
 
@@ -67,7 +69,8 @@ class Viewer {
 };
 
 /// Shows the scene of the options in a window until it is closed, Esc is pressed or the token is cancelled;
-/// with a recording, until its last frame is written. Throws what Viewer throws.
+/// with a recording, until its last frame is written. Throws what Viewer throws, Error(cancelled) where the
+/// token ended it.
 void show_window(const ViewOptions& options, const CancelToken& cancel);
 
 }  // namespace offing::present

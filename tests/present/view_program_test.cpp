@@ -1,11 +1,15 @@
 // The program offing-view as its users run it, without a display server.
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "host/io/exr_image.h"
@@ -156,6 +160,26 @@ TEST_F(ViewProgramTest, LooksAtTheOutputFirst) {
     EXPECT_EQ(result.errors.find("error: "), 0u) << result.errors;
     EXPECT_EQ(result.errors.find("OpenGL"), std::string::npos) << result.errors;
   }
+}
+
+// Fails if a recording that is stopped does not say how to go on, or that is not what is missing.
+TEST_F(ViewProgramTest, StoppedRecordingsTellHowToGoOn) {
+  OffingProgram program({scene(), "--size", "160x90", "--detail", "low", "--record", path("stop_%d.png"),
+                         "--frames", "5:4000", "--quiet"});
+  while (program.is_running() && !std::filesystem::exists(path("stop_5.png"))) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  program.send_signal(SIGTERM);
+  const ProgramResult stopped = program.wait();
+  EXPECT_EQ(stopped.exit_code, 130);
+  int next = 5;
+  while (std::filesystem::exists(path(fmt::format("stop_{}.png", next)))) ++next;
+  EXPECT_NE(stopped.errors.find(fmt::format("stopped with {} of 3996 frames written", next - 5)),
+            std::string::npos)
+      << stopped.errors;
+  EXPECT_NE(stopped.errors.find(fmt::format("hint: --frames {}:4000 makes the others", next)),
+            std::string::npos)
+      << stopped.errors;
 }
 
 // Fails if a rung that is forced is not used, or not printed.
