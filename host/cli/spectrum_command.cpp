@@ -123,7 +123,7 @@ void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
   }
   if (!arguments.plot.empty()) {
     const WaveSpectrum& drawn = records[chosen.value_or(0)];
-    write_spectrum_plot(arguments.plot, drawn, state_of(drawn));
+    write_spectrum_plot(arguments.plot, drawn, state_of(drawn), arguments.directions);
   }
   if (!arguments.export_file.empty()) {
     const std::span<const WaveSpectrum> all(records);
@@ -160,7 +160,7 @@ void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
       ->type_name("");
   command->add_option("--record", arguments->record, "draw this record, counted from 0 (default: list all)")
       ->type_name("N");
-  command->add_option("--plot", arguments->plot, "write a picture: energy against frequency, and polar (PNG)")
+  command->add_option("--plot", arguments->plot, "write a picture (.png): energy against frequency, and polar")
       ->type_name("FILE");
   command
       ->add_option("--export-spectrum", arguments->export_file,

@@ -40,12 +40,12 @@ std::string spectrum_text(const WaveSpectrum& record, const ocean::SeaState& sta
     fmt::format_to(out, "  mean {:.1f} {}", direction_deg(state.mean_direction_rad, style),
                    direction_unit(style));
   }
-  fmt::format_to(out, "\n\n{:>8}  {:>10}  {:>6}\n", "Hz", "m^2/Hz", "deg");
+  fmt::format_to(out, "\n\n{:>8}  {:>10}  {:>11}\n", "Hz", "m^2/Hz", direction_unit(style));
   const double largest = *std::max_element(record.energy.begin(), record.energy.end());
   for (std::size_t i = 0; i < record.frequencies_hz.size(); ++i) {
     const auto direction_rad = row_direction_rad(record, i);
     const double share = largest > 0.0 ? record.energy[i] / largest : 0.0;
-    fmt::format_to(out, "{:>8.4f}  {:>10.4g}  {:>6}  {}\n", record.frequencies_hz[i], record.energy[i],
+    fmt::format_to(out, "{:>8.4f}  {:>10.4g}  {:>11}  {}\n", record.frequencies_hz[i], record.energy[i],
                    direction_rad ? fmt::format("{:.0f}", direction_deg(*direction_rad, style)) : "-",
                    std::string(static_cast<std::size_t>(std::lround(bar_width * share)), '#'));
   }

@@ -135,7 +135,7 @@ void draw_frequency_plot(PlotCanvas& canvas, const WaveSpectrum& record) {
   canvas.upward_text({26, 0.5 * (top_px + bottom_px)}, "variance density E(f), m\u00b2/Hz", text_px);
 }
 
-void draw_rose_grid(PlotCanvas& canvas, double end_hz) {
+void draw_rose_grid(PlotCanvas& canvas, double end_hz, DirectionStyle style) {
   for (int i = 0; i < 12; ++i) {
     const double angle = i * std::numbers::pi / 6.0;
     canvas.line(
@@ -156,7 +156,9 @@ void draw_rose_grid(PlotCanvas& canvas, double end_hz) {
   canvas.text({rose.x + outside, rose.y}, "E", text_px, Align::center);
   canvas.text({rose.x, rose.y + outside}, "S", text_px, Align::center);
   canvas.text({rose.x - outside, rose.y}, "W", text_px, Align::center);
-  canvas.text({rose.x, rose.y + outside + 26}, "direction of travel", text_px, Align::center);
+  canvas.text({rose.x, rose.y + outside + 26},
+              style == DirectionStyle::travel ? "waves travel toward this side" : "waves come from this side",
+              text_px, Align::center);
 }
 
 void draw_colour_bar(PlotCanvas& canvas, double largest) {
@@ -181,7 +183,7 @@ void draw_colour_bar(PlotCanvas& canvas, double largest) {
               Align::right);
 }
 
-void draw_rose(PlotCanvas& canvas, const WaveSpectrum& record) {
+void draw_rose(PlotCanvas& canvas, const WaveSpectrum& record, DirectionStyle style) {
   const double end_hz = shown_hz(record);
   double largest = 0.0;
   const std::size_t directions = record.directions_rad.size();
@@ -189,29 +191,31 @@ void draw_rose(PlotCanvas& canvas, const WaveSpectrum& record) {
     largest = std::max(largest, record.spreading[i] * record.energy[i / directions]);
   }
   if (!record.is_directional() || largest <= 0.0) {
-    draw_rose_grid(canvas, end_hz);
+    draw_rose_grid(canvas, end_hz, style);
     canvas.text({rose.x, rose.y - 14}, record.is_directional() ? "no energy" : "no directions in this record",
                 text_px + 1, Align::center);
     return;
   }
   const int radius = static_cast<int>(rose_radius_px);
+  const double sense = style == DirectionStyle::travel ? 1.0 : -1.0;  // from where, opposite to where to
   for (int row = -radius; row <= radius; ++row) {
     for (int column = -radius; column <= radius; ++column) {
       const double distance = std::hypot(column, row);
       if (distance > rose_radius_px) continue;
       // +x is east and +z south: just as the picture's columns and rows run with north up.
-      const double value = density(record, end_hz * distance / rose_radius_px, std::atan2(row, column));
+      const double value =
+          density(record, end_hz * distance / rose_radius_px, std::atan2(sense * row, sense * column));
       canvas.pixel(static_cast<int>(rose.x) + column, static_cast<int>(rose.y) + row,
                    density_colour(value / largest));
     }
   }
-  draw_rose_grid(canvas, end_hz);
+  draw_rose_grid(canvas, end_hz, style);
   draw_colour_bar(canvas, largest);
 }
 
 }  // namespace
 
-RgbImage draw_spectrum_plot(const WaveSpectrum& record, const ocean::SeaState& state) {
+RgbImage draw_spectrum_plot(const WaveSpectrum& record, const ocean::SeaState& state, DirectionStyle style) {
   if (record.frequencies_hz.size() < 2 || record.energy.size() != record.frequencies_hz.size() ||
       record.spreading.size() !=
           record.directions_rad.size() * (record.is_directional() ? record.energy.size() : 0)) {
@@ -222,13 +226,13 @@ RgbImage draw_spectrum_plot(const WaveSpectrum& record, const ocean::SeaState& s
   PlotCanvas canvas(picture_width, picture_height);
   draw_heading(canvas, record, state);
   draw_frequency_plot(canvas, record);
-  draw_rose(canvas, record);
+  draw_rose(canvas, record, style);
   return canvas.image();
 }
 
 void write_spectrum_plot(const std::filesystem::path& path, const WaveSpectrum& record,
-                         const ocean::SeaState& state) {
-  write_png(path, draw_spectrum_plot(record, state));
+                         const ocean::SeaState& state, DirectionStyle style) {
+  write_png(path, draw_spectrum_plot(record, state, style));
 }
 
 }  // namespace offing::cli

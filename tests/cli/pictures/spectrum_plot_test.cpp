@@ -70,6 +70,14 @@ TEST(SpectrumPlot, RosePointsWhereTheSeaTravels) {
   }
 }
 
+// Fails if bearings, which text gives as those where the sea comes from, are drawn where it goes: opposite.
+TEST(SpectrumPlot, RoseFollowsBearings) {
+  const double radius = 215.0 * 0.25 / 0.42;
+  const Point found = darkest_in_rose(draw_spectrum_plot(narrow_sea(0.0), {}, DirectionStyle::from_bearing));
+  EXPECT_NEAR(found.x, -radius, 8.0);
+  EXPECT_NEAR(found.y, 0.0, 8.0);
+}
+
 // Fails if a record without directions or without energy cannot be drawn, or a plot differs from run to run.
 TEST(SpectrumPlot, DrawsWhatRecordsLack) {
   WaveSpectrum record = narrow_sea(0.0);
