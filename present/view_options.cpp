@@ -6,11 +6,11 @@
 #include <cstdlib>
 
 #include <CLI/App.hpp>
-#include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 
 #include "host/base/error.h"
 #include "host/base/world_limits.h"
+#include "host/command_line/help_format.h"
 #include "host/command_line/parse_arguments.h"
 #include "host/io/atomic_file.h"
 #include "host/scene/scene_file.h"
@@ -41,21 +41,21 @@ struct Written {
 
 void add_options(CLI::App& app, Written& written) {
   app.name("offing-view");
+  format_help(app);
   app.description("offing-view: the sea of a scene, in a window or in pictures without one");
-  app.set_version_flag("--version", "offing-view " + std::string(scene::version()));
+  app.set_version_flag("--version", "offing-view " + std::string(scene::version()), "print the version");
   app.set_help_flag("-h,--help", "print this help");
-  app.get_formatter()->column_width(34);
   app.add_option("SCENE", written.scene, "scene file (.toml); without one, a default sea")->type_name("");
   const char* pictures = "Pictures";
   app.add_flag("--headless", written.is_headless, "no window: write a picture (-o)")->group(pictures);
   app.add_flag("--window", written.is_window, "a window although pictures are recorded")->group(pictures);
   app.add_option("--size", written.size,
-                 "of the picture or the window (default 1280x720; where the CPU draws, a window shows a "
-                 "smaller picture enlarged, unless this is given)")
+                 "of the picture or the window (default 1280x720)\nwhere the CPU draws, a window without "
+                 "it shows a smaller picture enlarged")
       ->type_name("WxH")
       ->group(pictures);
   app.add_option("--detail", written.detail,
-                 "low or high (default high; of a window where the CPU draws, low)")
+                 "low or high (default high; low for a window where the CPU draws)")
       ->type_name("LEVEL")
       ->group(pictures);
   app.add_option("--time", written.time, "seconds (default the scene's start)")
@@ -77,21 +77,19 @@ void add_options(CLI::App& app, Written& written) {
       ->type_name("F")
       ->group(pictures);
   const char* general = "General";
-  app.add_option(
-         "--device", written.device,
-         "OpenCL device: an index, cpu, gpu, or part of a name (default $OFFING_DEVICE, then the first GPU, "
-         "then the CPU)")
+  app.add_option("--device", written.device,
+                 "OpenCL device, of `offing devices`: an index, cpu, gpu, or part of a name\n"
+                 "default $OFFING_DEVICE, then the first GPU, then the CPU")
       ->type_name("DEVICE")
       ->group(general);
   app.add_option("--transfer", written.transfer,
-                 "how maps get from OpenCL to OpenGL: gl-sharing, mapped-pointer, pbo-ring, orphaned-pbo or "
-                 "blocking-read "
-                 "(default the best one)")
+                 "how maps get from OpenCL to OpenGL (default the best that works)\none of gl-sharing, "
+                 "mapped-pointer, pbo-ring, orphaned-pbo, blocking-read")
       ->type_name("RUNG")
       ->group(general);
   app.add_option("--sources", written.sources,
-                 "a checkout of Offing: its kernels and shaders are used, and read again with F5 (default "
-                 "those built in)")
+                 "checkout of Offing whose kernels and shaders are used, again with F5\n(default: those "
+                 "built in)")
       ->type_name("FOLDER")
       ->group(general);
   CLI::Option* quiet = app.add_flag("--quiet", written.is_quiet, "errors only, no progress");

@@ -183,20 +183,18 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
   add("--compression", arguments->compression, "NAME", "zip, zips, piz or none (default zip)");
   add("--mesh", arguments->mesh, "FORMAT",
       "obj or ply: the displaced surface of all cascades, over the longest patch");
-  add_switch("--preview", "a shaded picture a frame, and a contact sheet",
+  add_switch("--preview", "a shaded picture a frame, which takes seconds each, and a contact sheet",
              [&settings] { settings.preview = PreviewUse::pictures; });
-  add_switch(
-      "--include-gerstner",
-      "add the Gerstner waves, swells and raindrops to cascade c0 and its mesh, which do not tile then; its "
-      "Jacobian and foam are those of the whole sea (default: Gerstner waves and swells listed in the header "
-      "alone)",
-      [&settings] { settings.gerstner = GerstnerUse::included; });
+  add_switch("--include-gerstner",
+             "add Gerstner waves, swells and raindrops to cascade c0 and its mesh\nc0 does not tile then, "
+             "and has the "
+             "Jacobian and foam of the whole sea\n(default: listed in the header, without raindrops)",
+             [&settings] { settings.gerstner = GerstnerUse::included; });
   add("--export-spectrum", arguments->export_file, "FILE",
       "write the spectrum as WAVEWATCH III text (.spec)");
   add("--chunk", arguments->chunk, "i/n",
       "make share i of n, for n processes that share a folder (default 1/1)");
-  add_switch("--force",
-             "replace these frames where they are of another scene, all its files (default: refuse to mix)",
+  add_switch("--force", "replace frames of another scene, with all their files (default: refuse to mix)",
              [&settings] { settings.foreign = ForeignFrames::replace; });
   command.add_flag("--json", arguments->json, "a summary for scripts")->group(group);
 }
@@ -206,9 +204,8 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
 void add_bake_command(CLI::App& ocean, GlobalOptions& options) {
   using enum scene::ParameterGroup;
   const auto arguments = std::make_shared<BakeArguments>();
-  CLI::App* command = ocean.add_subcommand(
-      "bake",
-      "write frames of displacement, slope, Jacobian and foam maps as OpenEXR; goes on where it was stopped");
+  CLI::App* command =
+      ocean.add_subcommand("bake", "write frames of the sea's maps as OpenEXR; goes on where it was stopped");
   add_output_options(*command, arguments);
   arguments->parameters.add_to(*command, {world, time, sea, grid, foam});
   add_global_options(*command, options, DeviceUse::any_number);

@@ -9,14 +9,13 @@ void add_global_options(CLI::App& command, GlobalOptions& options, DeviceUse dev
   if (device_use != DeviceUse::none) {
     const std::string all =
         device_use == DeviceUse::any_number
-            ? ", or all to share the frames among all of them: those of different drivers then agree within "
-              "1e-4 of the significant height, not bit for bit"
+            ? "\nall: shares the frames among all; those of different drivers agree within 1e-4 of the "
+              "significant height"
             : "";
     command
-        .add_option(
-            "--device", options.device,
-            "OpenCL device: an index, cpu, gpu, or part of a name" + all +
-                " (`offing devices` lists them; default $OFFING_DEVICE, then the first GPU, then the CPU)")
+        .add_option("--device", options.device,
+                    "OpenCL device, of `offing devices`: an index, cpu, gpu, or part of a name" + all +
+                        "\ndefault $OFFING_DEVICE, then the first GPU, then the CPU")
         ->type_name("DEVICE")
         ->group(group);
   }

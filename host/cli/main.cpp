@@ -1,12 +1,12 @@
 #include <string>
 
 #include <CLI/App.hpp>
-#include <CLI/Formatter.hpp>
 
 #include "host/base/process.h"
 #include "host/cli/devices_command.h"
 #include "host/cli/global_options.h"
 #include "host/cli/ocean_command.h"
+#include "host/command_line/help_format.h"
 #include "host/command_line/parse_arguments.h"
 #include "host/scene/version.h"
 
@@ -16,10 +16,10 @@ namespace cli = offing::cli;
 
 void build(CLI::App& app, cli::GlobalOptions& options) {
   app.name("offing");
+  offing::format_help(app);
   app.description("Offing: oceans calibrated in metres, computed on any OpenCL device");
-  app.set_version_flag("--version", "offing " + std::string(offing::scene::version()));
+  app.set_version_flag("--version", "offing " + std::string(offing::scene::version()), "print the version");
   app.set_help_flag("-h,--help", "print this help");
-  app.get_formatter()->column_width(34);
   app.require_subcommand(1);
   cli::add_ocean_command(app, options);
   cli::add_devices_command(app, options);

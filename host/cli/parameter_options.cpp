@@ -1,7 +1,6 @@
 #include "host/cli/parameter_options.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
@@ -59,16 +58,17 @@ double number_in(const scene::WrittenValue& written) {
   return whole ? static_cast<double>(*whole) : std::get<double>(written.value);
 }
 
-/// "wind speed ...; a number in m/s within [0.1, 60] (default 10)".
+/// What it is, and on a line of its own "a number in m/s within [0.1, 60]; default 10".
 std::string description(const Parameter& parameter) {
-  return fmt::format("{}: {} (default {})", parameter.help, scene::expected_text(parameter),
+  return fmt::format("{}\n{}; default {}", parameter.help, scene::expected_text(parameter),
                      scene::value_text({}, parameter));
 }
 
-std::string placeholder(const Parameter& parameter) {
-  std::string name(scene::name_of(parameter.key));
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-  return name;
+/// What stands for the value in a usage: units and range are told beside it.
+const char* placeholder(const Parameter& parameter) {
+  if (std::holds_alternative<std::string& (*)(scene::OceanScene&)>(parameter.storage)) return "FILE";
+  if (std::holds_alternative<scene::ChoiceStorage>(parameter.storage)) return "NAME";
+  return is_list(parameter) ? "X,..." : "X";
 }
 
 }  // namespace
@@ -77,9 +77,9 @@ void ParameterOptions::add_to(CLI::App& command, std::initializer_list<Parameter
   command.add_option("SCENE", scene_file_, "scene file (.toml); flags override what it says")->type_name("");
   command.add_flag_callback(
       "--compass", [this] { directions_ = DirectionStyle::from_bearing; },
-      "directions of flags and results are those that wind and sea come from, clockwise from north (default: "
-      "of "
-      "travel, from +x (east) toward +z (south), as in scene files always)");
+      "directions are those that wind and sea come from, clockwise from north\n(default: of travel, from +x "
+      "(east) "
+      "toward +z (south), as in scene files always)");
   for (const Parameter& parameter : scene::parameter_table()) {
     if (parameter.flag.empty() || std::find(groups.begin(), groups.end(), parameter.group) == groups.end()) {
       continue;

@@ -259,7 +259,7 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   using enum scene::ParameterGroup;
   const auto arguments = std::make_shared<QueryArguments>();
   CLI::App* command = ocean.add_subcommand(
-      "query", "the water at points of the world: height, normal, velocity and pressure; wave probes");
+      "query", "the water at points: height, normal, velocity and pressure; wave probes");
   constexpr const char* group = "Query";
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group(group);
@@ -268,19 +268,19 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   add("--points", arguments->points_file, "FILE",
       "many: CSV with the columns x_m and z_m, or with these two numbers a line");
   CLI::Option* one_time = add("--time", arguments->time, "T", "one time, s (default 0)");
-  add("--times", arguments->times, "A:B:DT", "times A, A + DT, ... to B, s")->excludes(one_time);
+  add("--times", arguments->times, "A:B:DT", "instead of --time: A, A + DT, ... to B, s")->excludes(one_time);
   add("--velocity-depth-m", arguments->depth, "D",
-      "velocity and pressure D m below the moving surface (linear theory with Wheeler stretching), down to "
-      "the bed (default 0)");
+      "velocity and pressure D m below the moving surface, down to the bed (default 0)\nby linear theory "
+      "with "
+      "Wheeler stretching");
   add("--min-wavelength-m", arguments->min_wavelength, "L",
       "leave shorter waves out, as a hull longer than they are does not feel them (default 0: none)");
   add("-o,--output", arguments->output_file, "FILE",
       "write CSV there, whole or not at all (default: to standard output)");
   command->add_flag("--force", arguments->force, "replace a file that is there")->group(group);
   command
-      ->add_flag(
-          "--json", arguments->json,
-          "results for scripts: an object for one point and time, else an array of them; with -o a summary")
+      ->add_flag("--json", arguments->json,
+                 "results for scripts: an object for one point and time, else an array\nwith -o a summary")
       ->group(group);
   arguments->parameters.add_to(*command, {world, sea, grid});
   add_global_options(*command, options, DeviceUse::one);

@@ -160,7 +160,8 @@ void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
       ->type_name("");
   command->add_option("--record", arguments->record, "draw this record, counted from 0 (default: list all)")
       ->type_name("N");
-  command->add_option("--plot", arguments->plot, "write a picture (.png): energy against frequency, and polar")
+  command
+      ->add_option("--plot", arguments->plot, "write a picture (.png): energy against frequency, and polar")
       ->type_name("FILE");
   command
       ->add_option("--export-spectrum", arguments->export_file,

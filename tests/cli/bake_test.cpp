@@ -391,20 +391,5 @@ TEST_F(Bake, StopsCleanly) {
   EXPECT_TRUE(folder_content(folder("out")) == whole);
 }
 
-// Fails if a stop while a preview is drawn is told as anything but an interrupted bake, or leaves a frame
-// without its files.
-TEST_F(Bake, StopsWithinAPreview) {
-  OffingProgram program(command("out", {"--frames", "0:40", "--preview"}));
-  while (program.is_running() && !std::filesystem::exists(folder("out") / "ocean.0000.png")) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  program.send_signal(SIGINT);
-  const ProgramResult stopped = program.wait();
-  EXPECT_EQ(stopped.exit_code, 130);
-  EXPECT_THAT(stopped.errors, testing::ContainsRegex("out: interrupted with [0-9]+ of 41 frames done"));
-  EXPECT_THAT(stopped.errors, testing::HasSubstr("hint: run the same command again to make the others"));
-  EXPECT_THAT(file_names(folder("out")), testing::Each(testing::Not(testing::HasSubstr("partial"))));
-}
-
 }  // namespace
 }  // namespace offing::test

@@ -12,9 +12,9 @@ namespace offing {
 /// (spectra::NdbcCompanionPaths), WAVEWATCH III and SWAN as text and as NetCDF, Datawell .spt. See the
 /// parse_...() functions of this folder for what each holds. Never empty.
 ///
-/// Throws Error(bad_input) if there is no such file, it cannot be read, is no regular file, larger than 1 GiB,
-/// of no known format or damaged: what() names file and line. Logs a warning if only some of the directional
-/// files of an NDBC spectrum are there.
+/// Throws Error(bad_input) if there is no such file, it cannot be read, is no regular file, larger than 1
+/// GiB, of no known format or damaged: what() names file and line. Logs a warning if only some of the
+/// directional files of an NDBC spectrum are there.
 std::vector<WaveSpectrum> read_spectra(const std::filesystem::path& path);
 
 }  // namespace offing
