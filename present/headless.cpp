@@ -28,13 +28,18 @@ class PictureMaker {
                  to_string(frame_.transfer_rung()));
   }
 
-  void make(double time_s, const std::filesystem::path& path) {
+  /// False, with nothing written, when asked to stop.
+  bool make(double time_s, const std::filesystem::path& path, const CancelToken& cancel) {
+    if (cancel.cancelled()) return false;
     scene::ViewScene view = scene::show_at(world_, scene_, time_s);
     view.camera.width_px = size_.width;
     view.camera.height_px = size_.height;
     const double exposure = exposure_for(world_.sky(), view.camera, view.exposure_ev);
+    if (cancel.cancelled()) return false;
     frame_.draw(world_, {.camera = view.camera, .exposure = exposure});
+    if (cancel.cancelled()) return false;
     write_picture(path, frame_, time_s, exposure);
+    return true;
   }
 
  private:
@@ -51,7 +56,7 @@ class PictureMaker {
 void make_pictures(const ViewOptions& options, const CancelToken& cancel) {
   PictureMaker maker(options);
   if (!options.output.empty()) {
-    maker.make(options.time_s, options.output);
+    if (!maker.make(options.time_s, options.output, cancel)) cancel.throw_if_cancelled();
     fmt::print("{}\n", options.output.string());
   }
   if (!options.recording) return;
@@ -59,8 +64,10 @@ void make_pictures(const ViewOptions& options, const CancelToken& cancel) {
   {
     Progress progress(recording.count(), "frames", options.verbosity);
     for (int frame = recording.frames.first; frame <= recording.frames.last; ++frame) {
-      if (cancel.cancelled()) throw stopped_recording(recording, frame - recording.frames.first);
-      maker.make(frame / recording.frames_per_second, recording.name.of(frame));
+      const double time_s = frame / recording.frames_per_second;
+      if (!maker.make(time_s, recording.name.of(frame), cancel)) {
+        throw stopped_recording(recording, frame - recording.frames.first);
+      }
       progress.advance();
     }
   }

@@ -64,13 +64,13 @@ void add_options(CLI::App& app, Written& written) {
   app.add_flag("--paused", written.is_paused, "a window stands at that time until it is let run (Space)")
       ->group(pictures);
   app.add_option("-o,--output", written.output,
-                 "picture: .png as a screen shows it, .exr scene-linear kcd/m2")
+                 "picture, replaced if it is there: .png as a screen shows it, .exr scene-linear kcd/m2")
       ->type_name("FILE")
       ->group(pictures);
   app.add_option("--record", written.record, "a picture a frame: out_%04d.png")
       ->type_name("NAMES")
       ->group(pictures);
-  app.add_option("--frames", written.frames, "of the recording, both ends included (default the scene's)")
+  app.add_option("--frames", written.frames, "of the recording, A to B or A alone (default the scene's)")
       ->type_name("A:B")
       ->group(pictures);
   app.add_option("--fps", written.fps, "frame i shows time i / fps (default the scene's)")

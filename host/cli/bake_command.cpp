@@ -169,7 +169,7 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
   };
   add("-o,--output", arguments->folder, "DIR", "folder for the frames; made if it is not there")->required();
   add("--frames", arguments->frames, "A:B",
-      "frames to make, both included; time = frame / fps (default: the scene's)");
+      "frames to make, A to B or A alone; time = frame / fps (default: the scene's)");
   add("--channels", arguments->channels, "LIST",
       "of displacement, slope, gradient, jacobian, foam, velocity (default: all but velocity)");
   add_switch("--velocity", "particle velocity at the surface too",

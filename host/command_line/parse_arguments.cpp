@@ -44,6 +44,15 @@ std::vector<std::string> known_names(const CLI::App& command) {
   return names;
 }
 
+/// "offing ocean bake" for the name of a command that is found below another one; empty if there is none.
+std::string command_below(const CLI::App& command, std::string_view name) {
+  for (const CLI::App* subcommand : command.get_subcommands([](const CLI::App*) { return true; })) {
+    if (subcommand->get_name() == name) return full_name(*subcommand);
+    if (std::string found = command_below(*subcommand, name); !found.empty()) return found;
+  }
+  return {};
+}
+
 /// What the parser says, in the words of our own errors where it knows only its own.
 std::string told(const CLI::ParseError& error) {
   const std::string_view text = error.what();
@@ -66,7 +75,8 @@ Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
   }
   const std::vector<std::string> names = known_names(command);
   const std::vector<std::string_view> candidates(names.begin(), names.end());
-  const std::string_view near = scene::nearest_name(extras.front(), candidates);
+  std::string near(scene::nearest_name(extras.front(), candidates));
+  if (near.empty()) near = command_below(app, extras.front());
   return Error(ErrorKind::bad_usage,
                fmt::format("{}: expected options and commands that it knows, got \"{}\"", full_name(command),
                            extras.front().substr(0, 60)),

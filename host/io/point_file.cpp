@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t longest_line = 4095;
 constexpr std::size_t shown_characters = 60;
-constexpr const char* mend = "write a line for each point: x_m,z_m as two numbers in m, such as 12.5,-40";
+constexpr const char* mend =
+    "write a line for each point, its x and z in m, such as 12.5,-40; a first line x_m,z_m may name them";
 
 std::string_view trimmed(std::string_view text) {
   constexpr const char* blanks = " \t\r";

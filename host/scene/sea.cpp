@@ -8,6 +8,7 @@
 
 #include "host/base/error.h"
 #include "host/base/log.h"
+#include "host/io/file_presence.h"
 #include "host/io/spectra/read_spectra.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/spectrum_tail.h"
@@ -17,7 +18,18 @@ namespace offing::scene {
 
 namespace {
 
+/// A file that is missing is told where it is named.
+void require_spectrum_file(const OceanScene& scene) {
+  const auto place = scene.set_at.find("ocean.spectrum_file");
+  if (place == scene.set_at.end() || is_there(scene.spectrum_file)) return;
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected a wave spectrum file, got no such file, {}", place->second,
+                          scene.spectrum_file),
+              "check the path; in a scene it is relative to the scene file");
+}
+
 WaveSpectrum read_record(const OceanScene& scene) {
+  require_spectrum_file(scene);
   std::vector<WaveSpectrum> records = read_spectra(scene.spectrum_file);
   const auto index = static_cast<std::size_t>(scene.record);
   if (index >= records.size()) {

@@ -29,7 +29,7 @@ std::vector<Parameter> sea_parameters() {
        .low = 0.1,
        .high = 60.0,
        .help = "wind speed, at 19.5 m above the sea for pm and at 10 m for all others",
-       .example = "8.7",
+       .example = "10",
        .absent = "that of [wind]: 10",
        .use = ParameterUse::own_wind},
       {.key = "ocean.wind_direction_deg",

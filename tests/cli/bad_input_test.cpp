@@ -36,7 +36,8 @@ struct BadInput {
   std::function<void(const std::filesystem::path& folder)> prepare;
   std::vector<std::string> arguments;  ///< `@` stands for a folder of this test
   int exit_code;
-  const char* error;  ///< regular expression that the whole error line must match
+  const char* error;      ///< regular expression that the whole error line must match
+  const char* hint = "";  ///< what the hint says too
 };
 
 const auto nothing = [](const std::filesystem::path&) {};
@@ -74,6 +75,17 @@ const std::vector<BadInput> bad_inputs = {
     // The command line.
     {"no_command", nothing, {}, 2, "offing: .*[Ss]ubcommand.*"},
     {"unknown_command", nothing, {"ocaen"}, 2, "offing: .*\"ocaen\".*"},
+    {"command_without_its_group",
+     nothing,
+     {"bake"},
+     2,
+     "offing: .*\"bake\".*",
+     "did you mean offing ocean bake?"},
+    {"missing_spectrum_of_a_scene",
+     file("s.toml", "version = 1\n[ocean]\nspectrum_file = \"none.spec\"\n"),
+     {"ocean", "query", "@/s.toml", "--at", "0,0"},
+     2,
+     ".*/s.toml:3:17: ocean.spectrum_file: expected a wave spectrum file, got no such file, .*/none.spec"},
     {"unknown_flag", nothing, stats({"--wind-sped-mps", "5"}), 2,
      "offing ocean stats: .*\"--wind-sped-mps\".*"},
     {"flag_without_value",
@@ -150,7 +162,8 @@ const std::vector<BadInput> bad_inputs = {
      "time: expected frames between .*"},
 
     // Spectrum files.
-    {"spectrum_missing", nothing, stats({"--spectrum-file", "@/none.spec"}), 2, ".*/none.spec: .*"},
+    {"spectrum_missing", nothing, stats({"--spectrum-file", "@/none.spec"}), 2,
+     "--spectrum-file: expected a wave spectrum file, got no such file, .*/none.spec"},
     {"spectrum_empty", file("a.data_spec", ""), stats({"--spectrum-file", "@/a.data_spec"}), 2,
      ".*/a.data_spec.*"},
     {"spectrum_of_zeros", file("a.data_spec", std::string(4096, '\0')),
@@ -253,6 +266,7 @@ TEST_P(BadInputs, EndInTwoLinesAndACode) {
   EXPECT_TRUE(std::regex_match(errors[0], std::regex(GetParam().error))) << errors[0];
   ASSERT_EQ(hints.size(), 1u) << result.errors;
   EXPECT_GT(hints[0].size(), 10u);
+  EXPECT_NE(hints[0].find(GetParam().hint), std::string::npos) << hints[0];
 }
 
 INSTANTIATE_TEST_SUITE_P(CommandLine, BadInputs, testing::ValuesIn(bad_inputs),

@@ -182,6 +182,30 @@ TEST_F(ViewProgramTest, StoppedRecordingsTellHowToGoOn) {
       << stopped.errors;
 }
 
+// Fails if a picture is made to its end, or its file appears, after the user asked to stop. The first file of
+// an empty kernel cache tells that the program is at work, with most of it before it.
+TEST_F(ViewProgramTest, AStoppedPictureIsNotWritten) {
+  const char* const cache = std::getenv("OFFING_CACHE_DIR");
+  const std::string usual = cache != nullptr ? cache : "";
+  const std::string empty = path("empty_cache");
+  std::filesystem::create_directory(empty);
+  setenv("OFFING_CACHE_DIR", empty.c_str(), 1);
+  OffingProgram program({scene(), "--headless", "-o", path("stopped.png")});
+  if (usual.empty()) {
+    unsetenv("OFFING_CACHE_DIR");
+  } else {
+    setenv("OFFING_CACHE_DIR", usual.c_str(), 1);
+  }
+  while (program.is_running() && std::filesystem::is_empty(empty)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  program.send_signal(SIGTERM);
+  const ProgramResult stopped = program.wait();
+  EXPECT_EQ(stopped.exit_code, 130) << stopped.errors;
+  EXPECT_NE(stopped.errors.find("stopped at the user's request"), std::string::npos) << stopped.errors;
+  EXPECT_FALSE(std::filesystem::exists(path("stopped.png")));
+}
+
 // Fails if a rung that is forced is not used, or not printed.
 TEST_F(ViewProgramTest, PrintsTheTransfer) {
   const ProgramResult result = view({"--transfer", "blocking-read", "--time", "2", "-o", path("a.png")});

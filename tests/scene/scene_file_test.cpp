@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{
             "wrong_type", "version = 1\n[ocean]\nwind_speed_mps = \"17 kn\"\n",
             "storm.toml:3:18: ocean.wind_speed_mps: expected a number in m/s within [0.1, 60], got \"17 kn\"",
-            "write wind_speed_mps = 8.7"},
+            "write wind_speed_mps = 10"},
         BadScene{"out_of_range", "version = 1\n[ocean]\ndepth_m = -5\n",
                  "storm.toml:3:11: ocean.depth_m: expected a number in m within [0.1, 12000], got -5",
                  "write depth_m = 50"},

@@ -43,7 +43,7 @@ LoadedFile load(const std::filesystem::path& path) {
   if (kind.type() == std::filesystem::file_type::not_found) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a wave spectrum file, got no such file", shown),
-                "check the path; paths in a scene are relative to the scene file");
+                "check the path");
   }
   if (!status && !std::filesystem::is_regular_file(kind)) {
     throw Error(ErrorKind::bad_input,
