@@ -4,9 +4,9 @@
 
 #include "host/base/progress.h"
 #include "host/scene/world_scene.h"
-#include "present/exposure.h"
 #include "present/frame.h"
 #include "present/gl_context.h"
+#include "present/light_meter.h"
 #include "present/picture_file.h"
 
 namespace offing::present {
@@ -34,7 +34,7 @@ class PictureMaker {
     scene::ViewScene view = scene::show_at(world_, scene_, time_s);
     view.camera.width_px = size_.width;
     view.camera.height_px = size_.height;
-    const double exposure = exposure_for(world_.sky(), view.camera, view.exposure_ev);
+    const double exposure = light_meter_.exposure(world_.sky(), view.camera, view.exposure_ev);
     if (cancel.cancelled()) return false;
     frame_.draw(world_, {.camera = view.camera, .exposure = exposure});
     if (cancel.cancelled()) return false;
@@ -47,6 +47,7 @@ class PictureMaker {
   ocl::Device device_;
   world::World world_;
   Frame frame_;
+  LightMeter light_meter_;
   scene::OceanScene scene_;
   PictureSize size_;
 };

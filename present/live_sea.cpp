@@ -8,7 +8,6 @@
 #include "host/base/log.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/world_scene.h"
-#include "present/exposure.h"
 #include "present/picture_file.h"
 
 namespace offing::present {
@@ -79,7 +78,7 @@ void LiveSea::draw(const SeaView& view) {
   view_ = view;
   scene::set_view(*world_, now);
   simulate(view);
-  exposure_ = exposure_for(world_->sky(), view.camera, now.exposure_ev);
+  exposure_ = light_meter_.exposure(world_->sky(), view.camera, now.exposure_ev);
   frame_->draw(*world_,
                {.camera = view.camera, .exposure = exposure_, .debug = view.debug, .fill = view.fill});
 }

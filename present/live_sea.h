@@ -8,6 +8,7 @@
 #include "host/world/world.h"
 #include "present/frame.h"
 #include "present/gl_context.h"
+#include "present/light_meter.h"
 
 namespace offing::present {
 
@@ -42,7 +43,7 @@ class LiveSea {
   void reload();
 
   /// Height of the last picture's water above its mean at a place, m. Throws Error(bad_input) where no point
-  /// may be (ocean::farthest_point_m).
+  /// may be (farthest_point_m).
   double water_height_m(double x_m, double z_m);
 
   /// Sun, air and exposure are those of the scene at that time. Throws what scene::view_at() throws.
@@ -65,6 +66,7 @@ class LiveSea {
   std::string warning_;
   std::unique_ptr<world::World> world_;
   std::unique_ptr<Frame> frame_;
+  LightMeter light_meter_;
   SeaView view_;  // of the last picture
   double exposure_ = 1.0, edit_s_ = 0.0;
 };

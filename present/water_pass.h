@@ -46,7 +46,7 @@ std::string_view to_string(DebugView view);
 /// What to draw: the world as this camera sees it.
 struct FrameRequest {
   Camera camera;
-  double exposure = 1.0;  ///< 1 / (kcd/m2), of exposure_for()
+  double exposure = 1.0;  ///< 1 / (kcd/m2), of LightMeter
   DebugView debug = DebugView::none;
   Fill fill = Fill::solid;
 };

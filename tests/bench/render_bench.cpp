@@ -8,9 +8,9 @@
 #include "host/ocean/trochoid_choice.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/world_scene.h"
-#include "present/exposure.h"
 #include "present/frame.h"
 #include "present/gl_context.h"
+#include "present/light_meter.h"
 #include "present/view_options.h"
 #include "tests/bench/benches.h"
 
@@ -46,7 +46,7 @@ class Renderer {
       world_.at(time_s_, view_.camera.eye_m.y);
       device_.finish();
     }
-    const double exposure = present::exposure_for(world_.sky(), view_.camera, view_.exposure_ev);
+    const double exposure = light_meter_.exposure(world_.sky(), view_.camera, view_.exposure_ev);
     frame_.draw(world_, {.camera = view_.camera, .exposure = exposure});
     glFinish();
     frame_.times().end_frame();
@@ -62,6 +62,7 @@ class Renderer {
   ocl::Device device_;
   world::World world_;
   present::Frame frame_;
+  present::LightMeter light_meter_;
   scene::ViewScene view_;
   double time_s_ = 0.0;
 };

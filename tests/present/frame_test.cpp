@@ -16,7 +16,7 @@
 #include "host/base/error.h"
 #include "host/ocean/spectrum_parameters.h"
 #include "host/sky/sun_position.h"
-#include "present/exposure.h"
+#include "present/light_meter.h"
 
 namespace offing::present {
 namespace {
@@ -175,8 +175,8 @@ TEST_F(FrameTest, DoesNotShimmerAtTheHorizon) {
   camera_.height_px = 180;
   const auto screen = [&](int frame) {
     stage_->world.at(5.0 + frame / 24.0, camera_.eye_m.y);
-    stage_->frame.draw(stage_->world,
-                       {.camera = camera_, .exposure = exposure_for(stage_->world.sky(), camera_, 0.0)});
+    stage_->frame.draw(stage_->world, {.camera = camera_,
+                                       .exposure = LightMeter().exposure(stage_->world.sky(), camera_, 0.0)});
     return stage_->frame.screen().read_bytes();
   };
   constexpr int frames = 8, rows = 6;
@@ -218,8 +218,8 @@ TEST_F(FrameTest, IsTheSameByEveryTransfer) {
   }
 }
 
-// Fails if a shader asks for more uniforms than OpenGL 3.3 promises: 1024 numbers a stage outside of blocks, of
-// which drivers may give each element of an array four. Both stages of a program are counted together.
+// Fails if a shader asks for more uniforms than OpenGL 3.3 promises: 1024 numbers a stage outside of blocks,
+// of which drivers may give each element of an array four. Both stages of a program are counted together.
 TEST_F(FrameTest, NeedsNoMoreUniformsThanPromised) {
   picture(0.0);
   constexpr GLuint far_beyond_names = 1000;
@@ -287,13 +287,30 @@ TEST_F(FrameTest, ShowsHeightsAboveTheSea) {
   EXPECT_GT(red, 0.5 * blue);
 }
 
+// Fails if a light meter goes by what it has seen where sun or camera are others now.
+TEST_F(FrameTest, MetersAnewWhatHasChanged) {
+  LightMeter meter;
+  const auto is_as_of_a_new_one = [&] {
+    const double exposure = meter.exposure(stage_->world.sky(), camera_, 0.5);
+    EXPECT_EQ(exposure, meter.exposure(stage_->world.sky(), camera_, 0.5));
+    return exposure == LightMeter().exposure(stage_->world.sky(), camera_, 0.5);
+  };
+  stage_->world.at(2.0, camera_.eye_m.y);
+  EXPECT_TRUE(is_as_of_a_new_one());
+  camera_.yaw_rad += 1.0;
+  EXPECT_TRUE(is_as_of_a_new_one());
+  stage_->world.set_sun(sky::direction_of(150.0 * degree, 5.0 * degree), 1.0);
+  stage_->world.at(2.0, camera_.eye_m.y);
+  EXPECT_TRUE(is_as_of_a_new_one());
+}
+
 // Fails if the exposure does not follow the light: the same picture stays readable from noon to dusk.
 TEST_F(FrameTest, ExposesForTheLight) {
   for (const double elevation_deg : {60.0, 10.0, 0.0, -4.0}) {
     stage_->world.set_sun(sky::direction_of(150.0 * degree, elevation_deg * degree), 1.0);
     stage_->world.at(2.0, camera_.eye_m.y);
-    stage_->frame.draw(stage_->world,
-                       {.camera = camera_, .exposure = exposure_for(stage_->world.sky(), camera_, 0.0)});
+    stage_->frame.draw(stage_->world, {.camera = camera_,
+                                       .exposure = LightMeter().exposure(stage_->world.sky(), camera_, 0.0)});
     double sum = 0.0;
     for (const unsigned char value : stage_->frame.screen().read_bytes()) sum += value;
     const double mean = sum / (3.0 * camera_.width_px * camera_.height_px);

@@ -1,8 +1,7 @@
-#include "present/exposure.h"
+#include "present/light_meter.h"
 
-#include <array>
 #include <cmath>
-#include <vector>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -15,9 +14,7 @@ constexpr double key = 0.36;
 // Below this light, deep dusk, pictures grow dark as the eye's do.
 constexpr double least_kcdpm2 = 1e-4;
 
-}  // namespace
-
-double exposure_for(const sky::ClearSky& sky, const Camera& camera, double ev) {
+std::vector<std::array<double, 3>> metered_directions(const Camera& camera) {
   std::vector<std::array<double, 3>> directions;
   for (int row = 0; row < meter_rows; ++row) {
     for (int column = 0; column < meter_columns; ++column) {
@@ -28,11 +25,23 @@ double exposure_for(const sky::ClearSky& sky, const Camera& camera, double ev) {
       directions.push_back({seen.x, seen.y, seen.z});
     }
   }
-  double log_sum = 0.0;
-  for (const sky::Rgb& light : sky.read_light(directions).sky_kcdpm2) {
-    log_sum += std::log(sky::luminance(light) + least_kcdpm2);
+  return directions;
+}
+
+}  // namespace
+
+double LightMeter::exposure(const sky::ClearSky& sky, const Camera& camera, double ev) {
+  std::vector<std::array<double, 3>> directions = metered_directions(camera);
+  if (sky.revision() != revision_ || directions != directions_) {
+    double log_sum = 0.0;
+    for (const sky::Rgb& light : sky.read_light(directions).sky_kcdpm2) {
+      log_sum += std::log(sky::luminance(light) + least_kcdpm2);
+    }
+    mean_stops_ = log_sum / std::log(2.0) / static_cast<double>(directions.size());
+    revision_ = sky.revision();
+    directions_ = std::move(directions);
   }
-  return key * std::exp2(ev - log_sum / std::log(2.0) / static_cast<double>(directions.size()));
+  return key * std::exp2(ev - mean_stops_);
 }
 
 }  // namespace offing::present
