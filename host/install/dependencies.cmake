@@ -17,6 +17,7 @@ offing_dependency(glm::glm CMAKE "find_dependency(glm)")
 offing_dependency(OpenCL::OpenCL CMAKE "find_dependency(OpenCL)" PKG_CONFIG OpenCL)
 offing_dependency(OpenEXR::OpenEXR CMAKE "find_dependency(OpenEXR)" PKG_CONFIG OpenEXR)
 offing_dependency(Imath::Imath CMAKE "find_dependency(Imath)" PKG_CONFIG Imath)
+offing_dependency(GDAL::GDAL CMAKE "find_dependency(GDAL)" PKG_CONFIG gdal)
 offing_dependency(PNG::PNG CMAKE "find_dependency(PNG)" PKG_CONFIG libpng)
 offing_dependency(PkgConfig::NETCDF
   CMAKE "find_dependency(PkgConfig)" "pkg_check_modules(NETCDF REQUIRED QUIET IMPORTED_TARGET netcdf)"

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+#include "host/io/height_maps/source_heights.h"
+
+namespace offing::height_maps {
+
+/// Heights of any raster that GDAL knows, with its voids, its unit of height and where its posts lie;
+/// south-up rasters are turned over. Throws Error(bad_input) as read_height_map() says.
+SourceHeights read_gdal_heights(const std::filesystem::path& path, const HeightMapOptions& options);
+
+}  // namespace offing::height_maps

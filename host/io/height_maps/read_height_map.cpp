@@ -1,0 +1,233 @@
+#include "host/io/height_maps/read_height_map.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/io/height_maps/exr_heights.h"
+#include "host/io/height_maps/gdal_heights.h"
+#include "host/io/height_maps/ground_spacing.h"
+#include "host/io/height_maps/raw_heights.h"
+#include "host/io/height_maps/reprojection.h"
+#include "host/io/height_maps/source_heights.h"
+#include "host/io/height_maps/void_fill.h"
+
+namespace offing {
+
+namespace {
+
+using height_maps::SourceHeights;
+
+/// GDAL would open folders, addresses of servers and strings that describe rasters too.
+void check_is_file(const std::filesystem::path& path) {
+  std::error_code status;
+  const auto kind = std::filesystem::status(path, status).type();
+  if (kind == std::filesystem::file_type::not_found) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a height map, found no such file", path.string()),
+                "check the path");
+  }
+  if (kind != std::filesystem::file_type::regular) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a height map, found a {}", path.string(),
+                            kind == std::filesystem::file_type::directory ? "folder" : "device"),
+                "give the path of a file");
+  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (!file) {
+    throw Error(ErrorKind::file, fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)),
+                "check the permissions of the file and its folders");
+  }
+}
+
+void check_options(const std::filesystem::path& path, const HeightMapOptions& options) {
+  const auto check_spacing = [&](const std::optional<double>& spacing_m) {
+    if (spacing_m && !(*spacing_m > 0.0 && std::isfinite(*spacing_m))) {
+      throw Error(
+          ErrorKind::bad_input,
+          fmt::format("{}: expected a spacing of posts above 0 m, found {:g}", path.string(), *spacing_m),
+          "write the metres between two posts, such as --spacing-m 30");
+    }
+  };
+  check_spacing(options.spacing_x_m);
+  check_spacing(options.spacing_z_m);
+  if (!std::isfinite(options.vertical_scale) || options.vertical_scale == 0.0 ||
+      !std::isfinite(options.offset_m)) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: expected a finite scale of heights other than 0 and a finite offset, found {:g} and "
+                    "{:g} m",
+                    path.string(), options.vertical_scale, options.offset_m),
+        "write the metres a unit, such as --scale 0.1");
+  }
+}
+
+SourceHeights read_source(const std::filesystem::path& path, const HeightMapOptions& options) {
+  if (height_maps::is_raw_name(path)) {
+    return height_maps::read_raw_heights(path, options);
+  }
+  std::string extension = path.extension().string();
+  return extension == ".exr" || extension == ".EXR" ? height_maps::read_exr_heights(path, options)
+                                                    : height_maps::read_gdal_heights(path, options);
+}
+
+/// Without a coordinate system: whether the numbers look like degrees, which would make metres a bad guess.
+bool may_be_degrees(const SourceHeights& source) {
+  const Georeference& place = *source.georeference;
+  const double far_x = place.origin_x + place.step_x * (source.columns - 1);
+  const double far_y = place.origin_y + place.step_y * (source.rows - 1);
+  constexpr double widest_step_deg = 0.1;
+  return std::max(std::abs(place.origin_x), std::abs(far_x)) <= 360.0 &&
+         std::max(std::abs(place.origin_y), std::abs(far_y)) <= 90.0 && place.step_x < widest_step_deg;
+}
+
+height_maps::CoordinateUnits units_of(const std::filesystem::path& path, const SourceHeights& source,
+                                      HorizontalUnit wanted) {
+  if (!source.georeference->coordinate_system.empty()) {
+    return height_maps::coordinate_units(path, source.georeference->coordinate_system);
+  }
+  if (wanted == HorizontalUnit::of_file && may_be_degrees(source)) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: expected a coordinate system, found none and a spacing of {:g}: metres or degrees?",
+                    path.string(), source.georeference->step_x),
+        "say --unit degree or --unit metre, or state the spacing with --spacing-m");
+  }
+  height_maps::CoordinateUnits units;
+  units.is_geographic = wanted == HorizontalUnit::degree;
+  // WGS 84.
+  units.equatorial_radius_m = 6378137.0;
+  units.flattening = 1.0 / 298.257223563;
+  return units;
+}
+
+/// Spacing of a geographic map at its middle latitude, where one spacing will do for the whole of it.
+std::pair<double, double> spacing_of_degrees(const std::filesystem::path& path, const SourceHeights& source,
+                                             const height_maps::CoordinateUnits& units) {
+  const Georeference& place = *source.georeference;
+  const double north_deg = place.origin_y * units.degrees_a_unit;
+  const double south_deg = north_deg + place.step_y * units.degrees_a_unit * (source.rows - 1);
+  const auto length_at = [&](double latitude_deg) {
+    return height_maps::degree_length(std::clamp(latitude_deg, -90.0, 90.0), units.equatorial_radius_m,
+                                      units.flattening);
+  };
+  const height_maps::DegreeLength middle = length_at(0.5 * (north_deg + south_deg));
+  const double worst = std::max(std::abs(length_at(north_deg).east_m - middle.east_m),
+                                std::abs(length_at(south_deg).east_m - middle.east_m)) /
+                       middle.east_m;
+  constexpr double most = 0.05;
+  if (!(worst <= most)) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: in degrees from {:.4g} to {:.4g} N, where the spacing along x changes by {:.0f} %, "
+                    "expected at most {:.0f} %",
+                    path.string(), south_deg, north_deg, 100.0 * worst, 100.0 * most),
+        "resample it to metres with --reproject utm or --reproject EPSG:CODE, or cut out a part");
+  }
+  return {place.step_x * units.degrees_a_unit * middle.east_m,
+          -place.step_y * units.degrees_a_unit * middle.north_m};
+}
+
+/// Spacing, where it comes from, and the centre.
+void settle_spacing(const std::filesystem::path& path, const SourceHeights& source,
+                    const HeightMapOptions& options, HeightMapFile& file) {
+  HeightMap& map = file.map;
+  if (source.georeference) {
+    map.georeference = *source.georeference;
+  }
+  const bool is_stated = options.spacing_x_m && options.spacing_z_m;
+  if (source.georeference && !is_stated) {
+    const height_maps::CoordinateUnits units = units_of(path, source, options.horizontal_unit);
+    file.source.coordinate_system = units.name;
+    if (units.is_geographic) {
+      std::tie(map.spacing_x_m, map.spacing_z_m) = spacing_of_degrees(path, source, units);
+      file.source.spacing_source = SpacingSource::latitude;
+    } else {
+      map.spacing_x_m = source.georeference->step_x * units.metres_a_unit;
+      map.spacing_z_m = -source.georeference->step_y * units.metres_a_unit;
+      file.source.spacing_source =
+          options.reproject_to.empty() ? SpacingSource::file : SpacingSource::reprojected;
+    }
+  }
+  if (options.spacing_x_m || options.spacing_z_m) {
+    map.spacing_x_m = options.spacing_x_m.value_or(map.spacing_x_m);
+    map.spacing_z_m = options.spacing_z_m.value_or(map.spacing_z_m);
+    file.source.spacing_source = SpacingSource::options;
+  }
+  if (source.georeference && !source.georeference->coordinate_system.empty()) {
+    const Georeference& place = *source.georeference;
+    const auto centre = height_maps::geographic_place(
+        place.coordinate_system, place.origin_x + 0.5 * place.step_x * (source.columns - 1),
+        place.origin_y + 0.5 * place.step_y * (source.rows - 1));
+    if (centre) {
+      file.source.centre_latitude_deg = centre->latitude_deg;
+      file.source.centre_longitude_deg = centre->longitude_deg;
+    }
+  }
+}
+
+/// Range and voids; fills them.
+void settle_voids(const std::filesystem::path& path, const HeightMapOptions& options, HeightMapFile& file) {
+  HeightMap& map = file.map;
+  HeightMapSource& source = file.source;
+  source.void_posts = static_cast<std::size_t>(std::count(map.is_void.begin(), map.is_void.end(), 1));
+  if (source.void_posts == map.heights_m.size()) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected heights, found nothing but voids at its {}x{} posts", path.string(),
+                            map.columns, map.rows),
+                "check the nodata value of the file, and that it covers the part you want");
+  }
+  source.void_area_m2 = static_cast<double>(source.void_posts) * map.spacing_x_m * map.spacing_z_m;
+  bool is_first = true;
+  for (std::size_t i = 0; i < map.heights_m.size(); ++i) {
+    if (map.is_void[i] == 0) {
+      source.lowest_m = is_first ? map.heights_m[i] : std::min(source.lowest_m, map.heights_m[i]);
+      source.highest_m = is_first ? map.heights_m[i] : std::max(source.highest_m, map.heights_m[i]);
+      is_first = false;
+    }
+  }
+  if (source.void_posts == 0) {
+    map.is_void = {};
+    return;
+  }
+  if (!options.void_height_m) {
+    fill_voids(map.columns, map.rows, map.heights_m, map.is_void);
+    return;
+  }
+  for (std::size_t i = 0; i < map.heights_m.size(); ++i) {
+    if (map.is_void[i] != 0) {
+      map.heights_m[i] = static_cast<float>(*options.void_height_m);
+    }
+  }
+}
+
+}  // namespace
+
+HeightMapFile read_height_map(const std::filesystem::path& path, const HeightMapOptions& options) {
+  check_is_file(path);
+  check_options(path, options);
+  SourceHeights source = read_source(path, options);
+  if (!options.reproject_to.empty()) {
+    source = height_maps::reproject(path, source, options.reproject_to);
+  }
+  HeightMapFile file;
+  file.source.format = source.format;
+  file.source.sample_type = source.sample_type;
+  file.source.sample_extent = source.sample_extent;
+  file.map.columns = source.columns;
+  file.map.rows = source.rows;
+  settle_spacing(path, source, options, file);
+  file.map.heights_m = std::move(source.heights_m);
+  file.map.is_void = std::move(source.is_void);
+  settle_voids(path, options, file);
+  return file;
+}
+
+}  // namespace offing

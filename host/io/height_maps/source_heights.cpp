@@ -1,0 +1,78 @@
+#include "host/io/height_maps/source_heights.h"
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+
+namespace offing::height_maps {
+
+namespace {
+
+/// Memory that can be taken without swapping, bytes; without limit where the system does not say.
+double free_memory_bytes() {
+  std::ifstream file("/proc/meminfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("MemAvailable:")) {
+      return 1024.0 * std::stod(line.substr(line.find(':') + 1));
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+void check_size(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows) {
+  constexpr std::int64_t most = std::numeric_limits<int>::max();
+  if (columns < 2 || rows < 2 || columns > most || rows > most) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: a height map of {}x{} posts, expected at least 2x2", path.string(), columns, rows),
+        "ground lies between posts: give at least two along each side");
+  }
+  constexpr double bytes_a_post = sizeof(float) + sizeof(std::uint8_t);
+  const double wanted_bytes = bytes_a_post * static_cast<double>(columns) * static_cast<double>(rows);
+  const double free_bytes = free_memory_bytes();
+  if (wanted_bytes > free_bytes) {
+    throw Error(ErrorKind::out_of_memory,
+                fmt::format("{}: {}x{} posts need {:.1f} GB of memory, {:.1f} GB are free", path.string(),
+                            columns, rows, wanted_bytes * 1e-9, free_bytes * 1e-9),
+                "cut out a part or make it coarser first, as with gdal_translate -srcwin or -outsize");
+  }
+}
+
+SourceHeights begin_heights(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows) {
+  check_size(path, columns, rows);
+  SourceHeights source;
+  source.columns = static_cast<int>(columns);
+  source.rows = static_cast<int>(rows);
+  // Reserved memory costs nothing until it is written.
+  const std::size_t posts = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  source.heights_m.reserve(posts);
+  source.is_void.reserve(posts);
+  return source;
+}
+
+void append_height(const std::filesystem::path& path, SourceHeights& source, float height_m) {
+  if (!std::isfinite(height_m)) {
+    const std::size_t place = source.heights_m.size();
+    const std::size_t columns = static_cast<std::size_t>(source.columns);
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: row {}, column {}: expected a finite height, found {}", path.string(),
+                            place / columns, place % columns, height_m),
+                std::isnan(height_m)
+                    ? "if NaN marks voids, say --nodata nan; else repair the file"
+                    : "if it marks voids, say --nodata inf or --nodata=-inf; else repair the file");
+  }
+  source.heights_m.push_back(height_m);
+  source.is_void.push_back(0);
+}
+
+bool is_nodata(double sample, const std::optional<double>& nodata) {
+  return nodata && (sample == *nodata || (std::isnan(sample) && std::isnan(*nodata)));
+}
+
+}  // namespace offing::height_maps

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/base/height_map.h"
+#include "host/io/height_maps/read_height_map.h"
+
+namespace offing::height_maps {
+
+/// Heights as a reader hands them over: voids marked, spacing and fill still to be settled.
+struct SourceHeights {
+  int columns = 0, rows = 0;
+  std::vector<float> heights_m;       ///< [rows][columns], in the order of the file; 0 in voids
+  std::vector<std::uint8_t> is_void;  ///< [rows][columns]
+  std::optional<Georeference> georeference;
+  std::string format, sample_type;
+  SampleExtent sample_extent = SampleExtent::unknown;
+};
+
+/// From a sample of the file to metres.
+struct HeightScale {
+  double factor = 1.0, offset_m = 0.0;
+  float to_metres(double sample) const { return static_cast<float>(sample * factor + offset_m); }
+};
+
+/// Throws Error(bad_input) unless the map is at least 2x2, Error(out_of_memory) if it would not fit into the
+/// memory that is free.
+void check_size(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows);
+
+/// A map of that size without rows. Memory is taken as rows arrive: a header may promise more than there is.
+SourceHeights begin_heights(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows);
+
+/// Adds the next post. Throws Error(bad_input) with row and column if the height is not finite.
+void append_height(const std::filesystem::path& path, SourceHeights& source, float height_m);
+inline void append_void(SourceHeights& source) {
+  source.heights_m.push_back(0.0f);
+  source.is_void.push_back(1);
+}
+
+/// Whether a sample equals the value that marks voids; NaN equals NaN.
+bool is_nodata(double sample, const std::optional<double>& nodata);
+
+}  // namespace offing::height_maps

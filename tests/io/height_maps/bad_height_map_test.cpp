@@ -1,0 +1,173 @@
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "host/io/height_maps/read_height_map.h"
+#include "tests/io/height_maps/raster_writer.h"
+#include "tests/io/temporary_folder.h"
+
+namespace offing {
+namespace {
+
+using test::Raster;
+using test::raster_of;
+using test::write_raster;
+using ::testing::HasSubstr;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Each test fails if a bad file is taken for a map, or its error does not say which file and what is wrong
+/// on one line, with the mend beside it.
+class BadHeightMap : public ::testing::Test {
+ protected:
+  std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
+
+  static Raster in_metres(int columns, int rows) {
+    Raster raster = raster_of(columns, rows, [](int column, int row) { return column + 10.0 * row; });
+    raster.geotransform = {500000.0, 20.0, 0.0, 6400000.0, 0.0, -20.0};
+    raster.coordinate_system = "EPSG:32719";
+    return raster;
+  }
+
+  static void expect_error(const std::filesystem::path& path, ErrorKind kind, const std::string& part,
+                           const HeightMapOptions& options = {}) {
+    try {
+      read_height_map(path, options);
+      ADD_FAILURE() << path << ": expected an Error that says " << part;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), kind) << error.what();
+      EXPECT_THAT(error.what(), HasSubstr(path.string()));
+      EXPECT_THAT(error.what(), HasSubstr(part));
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+      EXPECT_NE(error.hint(), "");
+    }
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(BadHeightMap, NoFileAndAFolder) {
+  expect_error(path("none.tif"), ErrorKind::bad_input, "no such file");
+  expect_error(folder_.path(), ErrorKind::bad_input, "found a folder");
+}
+
+TEST_F(BadHeightMap, ForeignContent) {
+  std::ofstream(path("text.tif")) << "these are no heights";
+  expect_error(path("text.tif"), ErrorKind::bad_input, "cannot be opened");
+}
+
+TEST_F(BadHeightMap, CutShort) {
+  write_raster(path("cut.tif"), "GTiff", in_metres(300, 200));
+  std::filesystem::resize_file(path("cut.tif"), std::filesystem::file_size(path("cut.tif")) / 2);
+  expect_error(path("cut.tif"), ErrorKind::bad_input, "can be read");
+}
+
+TEST_F(BadHeightMap, NothingButVoids) {
+  Raster raster = in_metres(5, 4);
+  raster.nodata = -9999.0;
+  raster.bands[0].assign(20, -9999.0);
+  write_raster(path("voids.tif"), "GTiff", raster);
+  expect_error(path("voids.tif"), ErrorKind::bad_input, "nothing but voids");
+}
+
+TEST_F(BadHeightMap, ASingleRow) {
+  write_raster(path("row.tif"), "GTiff", in_metres(9, 1));
+  expect_error(path("row.tif"), ErrorKind::bad_input, "9x1 posts, expected at least 2x2");
+}
+
+TEST_F(BadHeightMap, HeightsThatAreNotFinite) {
+  for (const double bad : {nan, HUGE_VAL, -HUGE_VAL}) {
+    Raster raster = in_metres(5, 4);
+    raster.bands[0][7] = bad;
+    write_raster(path("bad.tif"), "GTiff", raster);
+    expect_error(path("bad.tif"), ErrorKind::bad_input, "row 1, column 2: expected a finite height");
+  }
+}
+
+TEST_F(BadHeightMap, NoSpacing) {
+  write_raster(path("good.tif"), "GTiff", in_metres(5, 4));
+  HeightMapOptions options;
+  options.spacing_x_m = options.spacing_z_m = 0.0;
+  expect_error(path("good.tif"), ErrorKind::bad_input, "spacing of posts above 0 m, found 0", options);
+  std::ofstream(path("flat.vrt"))
+      << "<VRTDataset rasterXSize=\"4\" rasterYSize=\"4\"><GeoTransform>0,0,0,0,0,-1"
+         "</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\"/></VRTDataset>";
+  expect_error(path("flat.vrt"), ErrorKind::bad_input, "found a spacing of 0");
+}
+
+// One spacing along x for 50 degrees of latitude would be wrong by a third.
+TEST_F(BadHeightMap, DegreesThatOneSpacingDoesNotSuit) {
+  Raster raster = in_metres(50, 50);
+  raster.geotransform = {0.0, 1.0, 0.0, 70.0, 0.0, -1.0};
+  raster.coordinate_system = "EPSG:4326";
+  write_raster(path("wide.tif"), "GTiff", raster);
+  expect_error(path("wide.tif"), ErrorKind::bad_input, "spacing along x changes by");
+}
+
+TEST_F(BadHeightMap, MetresOrDegrees) {
+  std::ofstream(path("grid.asc"))
+      << "ncols 2\nnrows 2\nxllcenter 7\nyllcenter 45\ncellsize 0.001\n1 2\n3 4\n";
+  expect_error(path("grid.asc"), ErrorKind::bad_input, "metres or degrees?");
+  HeightMapOptions options;
+  options.horizontal_unit = HorizontalUnit::degree;
+  EXPECT_EQ(read_height_map(path("grid.asc"), options).source.spacing_source, SpacingSource::latitude);
+}
+
+// A header for 100,000 x 100,000 floats, 40 GB, over no data: refused before memory is taken, by its size or
+// for want of data. The file is a TIFF without any strip that holds bytes.
+TEST_F(BadHeightMap, AHeaderWithoutData) {
+  Raster raster = in_metres(2, 2);
+  raster.creation_options = {"SPARSE_OK=TRUE"};
+  raster.bands[0].assign(4, 0.0);
+  write_raster(path("sparse.tif"), "GTiff", raster);
+  expect_error(path("sparse.tif"), ErrorKind::bad_input, "expected heights, found none");
+  std::ofstream(path("huge.vrt")) << "<VRTDataset rasterXSize=\"100000\" rasterYSize=\"100000\">"
+                                     "<VRTRasterBand dataType=\"Float32\" band=\"1\"/></VRTDataset>";
+  try {
+    read_height_map(path("huge.vrt"));
+    ADD_FAILURE() << "expected an Error";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), ::testing::AnyOf(HasSubstr("GB of memory"), HasSubstr("found none")));
+  }
+}
+
+TEST_F(BadHeightMap, ColoursWithoutAnEncodingAndPlainHeightsWithOne) {
+  Raster raster = raster_of(3, 3, [](int, int) { return 90.0; });
+  raster.type = "Byte";
+  raster.bands.resize(3, raster.bands[0]);
+  write_raster(path("rgb.png"), "PNG", raster);
+  expect_error(path("rgb.png"), ErrorKind::bad_input, "found a colour picture");
+  write_raster(path("plain.tif"), "GTiff", in_metres(3, 3));
+  HeightMapOptions options;
+  options.encoding = HeightEncoding::mapbox;
+  expect_error(path("plain.tif"), ErrorKind::bad_input, "expected red, green and blue", options);
+}
+
+TEST_F(BadHeightMap, FilesWithoutHeaderOfAnotherSize) {
+  std::ofstream(path("a.r16"), std::ios::binary) << std::string(2 * 25, '\1');
+  expect_error(path("a.r16"), ErrorKind::bad_input, "expected its size in posts");
+  HeightMapOptions options;
+  options.raw_columns = 6;
+  options.raw_rows = 5;
+  expect_error(path("a.r16"), ErrorKind::bad_input, "take 60 bytes, found 50", options);
+}
+
+TEST_F(BadHeightMap, NothingToReprojectFrom) {
+  Raster raster = raster_of(3, 3, [](int, int) { return 90.0; });
+  raster.type = "UInt16";
+  write_raster(path("plain.png"), "PNG", raster);
+  HeightMapOptions options;
+  options.reproject_to = "utm";
+  expect_error(path("plain.png"), ErrorKind::bad_input, "expected a file with a coordinate system", options);
+  write_raster(path("good.tif"), "GTiff", in_metres(3, 3));
+  options.reproject_to = "EPSG:4326";
+  expect_error(path("good.tif"), ErrorKind::bad_input, "expected a coordinate system in metres", options);
+}
+
+}  // namespace
+}  // namespace offing
