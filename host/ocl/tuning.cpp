@@ -29,6 +29,7 @@ constexpr KernelTuning group{KernelShape::group};
 constexpr std::array rows{
     TuningRow{"fft", DeviceClass::vector_cpu, strip},
     TuningRow{"trochoids", DeviceClass::vector_cpu, strip},
+    TuningRow{"terrain", DeviceClass::vector_cpu, strip},
 };
 
 DeviceClass class_of(const DeviceInfo& device) {

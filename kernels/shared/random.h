@@ -22,6 +22,8 @@ typedef std::uint64_t offing_uint64;
 // Ocean cascade i uses OFFING_STREAM_OCEAN_CASCADE + i, i < 4.
 #define OFFING_STREAM_OCEAN_CASCADE 0x0cea0000u
 #define OFFING_STREAM_OCEAN_TROCHOIDS 0x0cea0100u
+// Terrain: n and m are a lattice point, index its octave.
+#define OFFING_STREAM_TERRAIN_FRACTAL 0x7e110000u
 
 typedef struct {
   offing_uint32 v[4];

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace offing::terrain {
+
+/// A square of made ground. Heights are a function of the place: more posts over the same side show the same
+/// ground more finely.
+struct FractalParameters {
+  int posts = 1025;  ///< a side, 2 ... 65536
+  double side_m = 20'000.0;
+  double relief_m = 1500.0;   ///< about what lies between lowest and highest
+  double longest_m = 9000.0;  ///< wavelength of the largest hills
+  double roughness = 0.5;     ///< height of each octave over that of the one before, 0.2 ... 0.8
+  std::uint64_t seed = 1;
+};
+
+/// Throws Error(bad_input) that names what is out of range.
+void require_valid(const FractalParameters& parameters);
+
+/// Hills of ever shorter wavelengths: gradient noise (Perlin 2002, Improving noise) whose octaves are weaker
+/// where those before are steep (Musgrave in Ebert et al. 2003, Texturing and modeling, chapter 16), so that
+/// valleys are smooth and slopes rugged. Octaves end at two posts a wavelength.
+class FractalGround {
+ public:
+  /// Throws what require_valid() throws.
+  explicit FractalGround(const FractalParameters& parameters);
+
+  /// Heights [posts] m of a row, 0 at the north edge. Rows in order are quickest; any order gives the same.
+  void fill_row(int row, std::span<float> heights_m);
+
+ private:
+  struct Gradient {
+    double x, z;
+  };
+  struct Octave {
+    double wavelength_m, height_m;
+    int index, top = -1;                 ///< of the rows of the lattice that are kept
+    std::vector<Gradient> upper, lower;  ///< rows top and top + 1
+  };
+  void fill_lattice(Octave& octave, int lattice_row, std::vector<Gradient>& gradients) const;
+
+  FractalParameters parameters_;
+  std::vector<Octave> octaves_;
+};
+
+}  // namespace offing::terrain

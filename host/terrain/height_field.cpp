@@ -1,0 +1,201 @@
+#include "host/terrain/height_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/ocl/program.h"
+#include "host/terrain/picture.h"
+
+namespace offing::terrain {
+namespace {
+
+constexpr float farthest_height_m = 1e6f;
+// Rays that come from outside start where a level has about this many nodes: higher ones are hardly ever
+// empty.
+constexpr int nodes_at_start = 8;
+// Rays that are on the device at a time: 92 MB with their hits.
+constexpr std::size_t most_rays = std::size_t{1} << 20;
+
+struct Range {
+  float lowest_m, highest_m;
+};
+
+Range range_of(const PostGrid& grid, std::span<const float> heights_m) {
+  require_valid(grid);
+  const auto columns = static_cast<std::size_t>(grid.columns);
+  if (heights_m.size() != columns * static_cast<std::size_t>(grid.rows)) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("height field: expected {} x {} heights, found {}", grid.columns, grid.rows,
+                            heights_m.size()),
+                "give columns and rows of the map");
+  }
+  Range range{heights_m[0], heights_m[0]};
+  for (std::size_t i = 0; i < heights_m.size(); ++i) {
+    const float height_m = heights_m[i];
+    if (!(std::abs(height_m) <= farthest_height_m)) {
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("height field: row {}, column {}: expected a height within {:g} m, found {:g}",
+                              i / columns, i % columns, farthest_height_m, height_m),
+                  "fill the map's holes first");
+    }
+    range.lowest_m = std::min(range.lowest_m, height_m);
+    range.highest_m = std::max(range.highest_m, height_m);
+  }
+  return range;
+}
+
+int up_rule_of(CastMethod method) {
+  switch (method) {
+    case CastMethod::parity:
+      return TERRAIN_UP_WITH_PARENT;
+    case CastMethod::paper:
+      return TERRAIN_UP_ALWAYS;
+    case CastMethod::pdm:
+    case CastMethod::linear:
+      break;
+  }
+  return TERRAIN_UP_NEVER;
+}
+
+int start_level(const PyramidLayout& layout) {
+  int level = layout.top_level;
+  while (level > 1 && std::max(layout.nodes_x(level), layout.nodes_z(level)) < nodes_at_start) --level;
+  return level;
+}
+
+constexpr std::size_t up_rules = 3;
+
+}  // namespace
+
+struct HeightField::State {
+  ocl::Device device;
+  PostGrid grid;
+  Range range;
+  int lanes;
+  ocl::Buffer<float> heights_m;
+  Pyramid pyramid;
+  // Of each up rule; built when they are first asked for.
+  std::array<std::optional<ocl::Kernel>, up_rules> distance_kernels, picture_kernels, ray_kernels;
+  ocl::Buffer<TerrainRay> rays;
+  ocl::Buffer<TerrainHit> hits;
+
+  State(const ocl::Device& on, const PostGrid& posts, std::span<const float> heights)
+      : device(on),
+        grid(posts),
+        range(range_of(posts, heights)),
+        lanes(lanes_of(on)),
+        heights_m(on, heights, "heights"),
+        pyramid(on, posts, heights_m) {}
+
+  TerrainField field(CastMethod method) const {
+    const PyramidLayout& layout = pyramid.layout();
+    const bool uses_pyramid = method != CastMethod::linear;
+    const int first_level = method == CastMethod::parity ? start_level(layout) : layout.top_level;
+    return {.columns = grid.columns,
+            .cells_x = grid.columns - 1,
+            .cells_z = grid.rows - 1,
+            .padded_x = layout.padded_x,
+            .padded_z = layout.padded_z,
+            .top_level = layout.top_level,
+            .first_level = uses_pyramid ? first_level : 0,
+            .starts_at_origin = method == CastMethod::parity ? 1 : 0,
+            .highest_m = range.highest_m,
+            .largest_m = std::max(std::abs(range.lowest_m), std::abs(range.highest_m)),
+            .cells_per_m_x = static_cast<float>(1.0 / grid.spacing_x_m),
+            .cells_per_m_z = static_cast<float>(1.0 / grid.spacing_z_m)};
+  }
+
+  ocl::Defines defines(CastMethod method) const {
+    return ocl::Defines().set("LANES", lanes).set("UP_RULE", up_rule_of(method));
+  }
+
+  template <class Record>
+  void cast_picture(std::optional<ocl::Kernel>& kernel, const ocl::Defines& definitions, const Camera& camera,
+                    ocl::Buffer<Record>& records, CastMethod method) {
+    const TerrainView view = device_view(camera, grid);
+    require_room("picture", pixel_count(camera), records.size());
+    if (!kernel)
+      kernel = ocl::Program::build(device, "terrain/quadtree_cast.cl", definitions).kernel("quadtree_cast");
+    kernel->launch(picture_shape(camera, lanes), heights_m, pyramid.lids_m(), field(method), view, records);
+  }
+};
+
+HeightField::HeightField(const ocl::Device& device, const PostGrid& grid, std::span<const float> heights_m)
+    : state_(std::make_unique<State>(device, grid, heights_m)) {}
+HeightField::HeightField(HeightField&&) noexcept = default;
+HeightField& HeightField::operator=(HeightField&&) noexcept = default;
+HeightField::~HeightField() = default;
+
+const PostGrid& HeightField::grid() const {
+  return state_->grid;
+}
+const ocl::Buffer<float>& HeightField::heights_m() const {
+  return state_->heights_m;
+}
+const Pyramid& HeightField::pyramid() const {
+  return state_->pyramid;
+}
+float HeightField::lowest_m() const {
+  return state_->range.lowest_m;
+}
+float HeightField::highest_m() const {
+  return state_->range.highest_m;
+}
+TerrainField HeightField::device_field(CastMethod method) const {
+  return state_->field(method);
+}
+
+void HeightField::cast(const Camera& camera, ocl::Buffer<float>& distances_m, CastMethod method) {
+  auto& kernel = state_->distance_kernels[static_cast<std::size_t>(up_rule_of(method))];
+  state_->cast_picture(kernel, state_->defines(method), camera, distances_m, method);
+}
+
+void HeightField::cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits, CastMethod method) {
+  auto& kernel = state_->picture_kernels[static_cast<std::size_t>(up_rule_of(method))];
+  state_->cast_picture(kernel, state_->defines(method).set_flag("WRITES_HITS"), camera, hits, method);
+}
+
+void HeightField::cast(const ocl::Buffer<TerrainRay>& rays, std::size_t count, ocl::Buffer<TerrainHit>& hits,
+                       CastMethod method) {
+  require_room("rays", count, rays.size());
+  require_room("hits", count, hits.size());
+  if (count == 0) return;
+  auto& kernel = state_->ray_kernels[static_cast<std::size_t>(up_rule_of(method))];
+  if (!kernel) {
+    kernel = ocl::Program::build(state_->device, "terrain/ray_cast.cl", state_->defines(method))
+                 .kernel("ray_cast");
+  }
+  const auto lanes = static_cast<std::size_t>(state_->lanes);
+  ocl::LaunchShape shape{{(count + lanes - 1) / lanes}};
+  if (lanes > 1) shape.local = {1};
+  kernel->launch(shape, state_->heights_m, state_->pyramid.lids_m(), state_->field(method), rays,
+                 static_cast<int>(count), hits);
+}
+
+std::vector<TerrainHit> HeightField::cast(std::span<const Ray> rays, CastMethod method) {
+  for (const Ray& ray : rays) require_valid(ray, state_->grid);
+  const std::size_t most = std::min(rays.size(), most_rays);
+  if (state_->rays.size() < most) {
+    state_->rays = ocl::Buffer<TerrainRay>(state_->device, most, "rays");
+    state_->hits = ocl::Buffer<TerrainHit>(state_->device, most, "hits");
+  }
+  std::vector<TerrainHit> hits(rays.size());
+  std::vector<TerrainRay> packed(most);
+  for (std::size_t first = 0; first < rays.size(); first += most_rays) {
+    const std::size_t count = std::min(most_rays, rays.size() - first);
+    std::transform(rays.begin() + static_cast<std::ptrdiff_t>(first),
+                   rays.begin() + static_cast<std::ptrdiff_t>(first + count), packed.begin(),
+                   [&](const Ray& ray) { return device_ray(ray, state_->grid); });
+    state_->rays.write(std::span(packed).first(count));
+    cast(state_->rays, count, state_->hits, method);
+    state_->hits.read(std::span(hits).subspan(first, count));
+  }
+  return hits;
+}
+
+}  // namespace offing::terrain

@@ -1,0 +1,124 @@
+#include "host/terrain/ray.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "host/base/error.h"
+
+namespace offing::terrain {
+namespace {
+
+constexpr int most_posts_a_side = 1 << 20;
+constexpr long long most_posts = 1LL << 30;
+// Whole cells from an origin to a border are exact as floats.
+constexpr double farthest_cells = 1 << 22;
+constexpr double direction_tolerance = 1e-4;
+
+[[noreturn]] void refuse(const std::string& what, const std::string& hint) {
+  throw Error(ErrorKind::bad_input, what, hint);
+}
+
+void require_posts(const char* name, int count) {
+  if (count >= 2 && count <= most_posts_a_side) return;
+  refuse(fmt::format("height field: {}: expected 2 ... {}, found {}", name, most_posts_a_side, count),
+         "give a map of at least 2 x 2 posts");
+}
+
+void require_spacing(const char* name, double spacing_m) {
+  if (std::isfinite(spacing_m) && spacing_m > 0.0) return;
+  refuse(fmt::format("height field: {}: expected a finite distance above 0, found {:g}", name, spacing_m),
+         "give the distance of neighbouring posts in metres");
+}
+
+struct SplitPlace {
+  int cell;
+  float fraction;
+};
+
+SplitPlace split(double place_in_cells) {
+  const double cell = std::floor(place_in_cells);
+  // A fraction that rounds to 1 would be the next cell's 0, across its border.
+  const float largest = std::nextafter(1.0f, 0.0f);
+  return {static_cast<int>(cell), std::min(static_cast<float>(place_in_cells - cell), largest)};
+}
+
+float rest_of(double value) {
+  return static_cast<float>(value - static_cast<float>(value));
+}
+
+}  // namespace
+
+void require_valid(const PostGrid& grid) {
+  require_posts("columns", grid.columns);
+  require_posts("rows", grid.rows);
+  if (static_cast<long long>(grid.columns) * grid.rows > most_posts) {
+    refuse(fmt::format("height field: expected at most {} posts, found {} x {}", most_posts, grid.columns,
+                       grid.rows),
+           "cut the map into parts");
+  }
+  require_spacing("spacing_x_m", grid.spacing_x_m);
+  require_spacing("spacing_z_m", grid.spacing_z_m);
+  for (const double origin_m : {grid.origin_x_m, grid.origin_z_m}) {
+    if (!std::isfinite(origin_m)) {
+      refuse(fmt::format("height field: origin: expected finite metres, found {:g}", origin_m),
+             "say where the first post is");
+    }
+  }
+}
+
+PostGrid post_grid(const HeightMap& map) {
+  return {.columns = map.columns,
+          .rows = map.rows,
+          .spacing_x_m = map.spacing_x_m,
+          .spacing_z_m = map.spacing_z_m};
+}
+
+void require_valid(const Ray& ray, const PostGrid& grid) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::isfinite(ray.origin_m[axis]) && std::isfinite(ray.direction[axis])) continue;
+    refuse(fmt::format("ray: expected finite numbers, found origin {:g} and direction {:g} on axis {}",
+                       ray.origin_m[axis], ray.direction[axis], "xyz"[axis]),
+           "leave the ray out");
+  }
+  const double length = glm::length(ray.direction);
+  if (!(std::abs(length - 1.0) <= direction_tolerance)) {
+    refuse(fmt::format("ray: expected a direction of length 1, found {:g}", length),
+           "divide the direction by its length");
+  }
+  if (!(ray.limit_m >= 0.0)) {
+    refuse(fmt::format("ray: limit_m: expected 0 or more, found {:g}", ray.limit_m),
+           "leave limit_m out for no limit");
+  }
+  const glm::dvec2 place((ray.origin_m.x - grid.origin_x_m) / grid.spacing_x_m,
+                         (ray.origin_m.z - grid.origin_z_m) / grid.spacing_z_m);
+  for (const double cells : {place.x, place.y}) {
+    if (std::abs(cells) > farthest_cells) {
+      refuse(fmt::format("ray: expected an origin within {:g} cells of the map, found {:g}", farthest_cells,
+                         cells),
+             "move the origin toward the map");
+    }
+  }
+}
+
+TerrainRay device_ray(const Ray& ray, const PostGrid& grid) {
+  const SplitPlace x = split((ray.origin_m.x - grid.origin_x_m) / grid.spacing_x_m);
+  const SplitPlace z = split((ray.origin_m.z - grid.origin_z_m) / grid.spacing_z_m);
+  const double along_x = ray.direction.x / grid.spacing_x_m, along_z = ray.direction.z / grid.spacing_z_m;
+  return {.cell_x = x.cell,
+          .cell_z = z.cell,
+          .fraction_x = x.fraction,
+          .fraction_z = z.fraction,
+          .height_m = static_cast<float>(ray.origin_m.y),
+          .height_rest_m = rest_of(ray.origin_m.y),
+          .along_x = static_cast<float>(along_x),
+          .along_z = static_cast<float>(along_z),
+          .along_x_rest = rest_of(along_x),
+          .along_z_rest = rest_of(along_z),
+          .rise = static_cast<float>(ray.direction.y),
+          .limit_m = static_cast<float>(ray.limit_m)};
+}
+
+}  // namespace offing::terrain

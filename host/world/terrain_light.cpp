@@ -1,0 +1,39 @@
+#include "host/world/terrain_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace offing::world {
+
+CoverLines cover_lines(double latitude_deg) {
+  constexpr double highest_m = 5000.0, tropics_deg = 25.0, at_the_sea_deg = 75.0, below_snow_m = 800.0;
+  const double share =
+      std::clamp((at_the_sea_deg - std::abs(latitude_deg)) / (at_the_sea_deg - tropics_deg), 0.0, 1.0);
+  return {.tree_line_m = highest_m * share - below_snow_m, .snow_line_m = highest_m * share};
+}
+
+TerrainLight terrain_light(const sky::ClearSky& sky, const sky::Atmosphere& atmosphere,
+                           const CoverLines& lines) {
+  const sky::Illuminance light = sky.read_illuminance();
+  const auto narrow = [](double value) { return static_cast<float>(value); };
+  // Of red, green and blue: the wavelengths of the sky that lie there.
+  const sky::Spectrum& depth = atmosphere.rayleigh_optical_depth;
+  const double rayleigh_m = atmosphere.rayleigh_scale_height_m;
+  return {.sun_red_klx = narrow(light.sun_klx[0]),
+          .sun_green_klx = narrow(light.sun_klx[1]),
+          .sun_blue_klx = narrow(light.sun_klx[2]),
+          .sky_red_klx = narrow(light.sky_klx[0]),
+          .sky_green_klx = narrow(light.sky_klx[1]),
+          .sky_blue_klx = narrow(light.sky_klx[2]),
+          .rayleigh_red_perm = narrow(depth[0] / rayleigh_m),
+          .rayleigh_green_perm = narrow(0.5 * (depth[1] + depth[2]) / rayleigh_m),
+          .rayleigh_blue_perm = narrow(depth[3] / rayleigh_m),
+          .aerosol_perm = narrow(atmosphere.aerosol_optical_depth / atmosphere.aerosol_scale_height_m),
+          .rayleigh_scale_height_m = narrow(rayleigh_m),
+          .aerosol_scale_height_m = narrow(atmosphere.aerosol_scale_height_m),
+          .sea_level_m = narrow(lines.sea_level_m),
+          .tree_line_m = narrow(lines.tree_line_m),
+          .snow_line_m = narrow(lines.snow_line_m)};
+}
+
+}  // namespace offing::world

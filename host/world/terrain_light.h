@@ -1,0 +1,26 @@
+#pragma once
+
+#include "host/sky/atmosphere.h"
+#include "host/sky/clear_sky.h"
+#include "kernels/shared/terrain_light.h"
+
+namespace offing::world {
+
+/// Heights at which the ground's cover changes, m above the sea.
+struct CoverLines {
+  double sea_level_m = 0.0;  ///< ground at or below is water
+  double tree_line_m = 2000.0;
+  double snow_line_m = 2800.0;
+};
+
+/// A rule of thumb for the lines of a latitude: snow lies all year from 5000 m on within 25 degrees of the
+/// equator and down to the sea at 75, evenly falling between; trees end 800 m lower. Dry and wet mountains
+/// are off by up to 1 km.
+CoverLines cover_lines(double latitude_deg);
+
+/// The light of this sky as terrain kernels take it. Waits for the illuminance at the eye of the sky's last
+/// at().
+TerrainLight terrain_light(const sky::ClearSky& sky, const sky::Atmosphere& atmosphere,
+                           const CoverLines& lines);
+
+}  // namespace offing::world

@@ -1,0 +1,23 @@
+// Light on terrain and the air before it, one layout for host and device: 4-byte scalars only. Colours are linear
+// Rec.709.
+#ifndef OFFING_KERNELS_SHARED_TERRAIN_LIGHT_H
+#define OFFING_KERNELS_SHARED_TERRAIN_LIGHT_H
+
+typedef struct {
+  float sun_red_klx, sun_green_klx, sun_blue_klx;  // on a surface that faces the sun
+  float sky_red_klx, sky_green_klx, sky_blue_klx;  // on a level surface, by the sky alone
+  // Of light, the share that a metre of air at sea level takes away.
+  float rayleigh_red_perm, rayleigh_green_perm, rayleigh_blue_perm;
+  float aerosol_perm;
+  float rayleigh_scale_height_m, aerosol_scale_height_m;
+  // Heights between which the ground's cover changes.
+  float sea_level_m;   // ground at or below is water
+  float tree_line_m;
+  float snow_line_m;
+} TerrainLight;
+
+#ifndef __OPENCL_VERSION__
+static_assert(sizeof(TerrainLight) == 60, "no padding");
+#endif
+
+#endif

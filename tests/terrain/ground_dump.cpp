@@ -1,0 +1,90 @@
+// ground_dump FILE: rays and a picture of a small map through every kernel of the terrain, on the device that
+// the environment names. FILE: distances in metres by all methods (1e6 where rays miss), then the picture's
+// light.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <vector>
+
+#include "host/base/error.h"
+#include "host/terrain/terrain_shade.h"
+#include "tests/terrain/example_maps.h"
+
+namespace {
+
+using namespace offing;
+using terrain::Texel;
+
+class Dump {
+ public:
+  explicit Dump(const char* path) : file_(path, std::ios::binary) {}
+  void add(float value) { file_.write(reinterpret_cast<const char*>(&value), sizeof(value)); }
+  void add_distance(float distance_m) { add(std::isinf(distance_m) ? 1e6f : distance_m); }
+
+ private:
+  std::ofstream file_;
+};
+
+void dump_picture(const ocl::Device& device, terrain::HeightField& field, const Camera& camera, Dump& dump) {
+  const auto pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
+  ocl::Buffer<TerrainHit> hits(device, pixels, "hits");
+  ocl::Buffer<float> distances_m(device, pixels, "distances");
+  field.cast(camera, hits);
+  field.cast(camera, distances_m);
+  for (const float distance_m : distances_m.read()) dump.add_distance(distance_m);
+  TerrainLight light{};
+  light.sun_red_klx = light.sun_green_klx = light.sun_blue_klx = 90.0f;
+  light.sky_red_klx = light.sky_green_klx = light.sky_blue_klx = 12.0f;
+  light.rayleigh_scale_height_m = 8000.0f;
+  light.aerosol_scale_height_m = 1200.0f;
+  light.aerosol_perm = 1e-4f;
+  light.sea_level_m = -20.0f;
+  light.tree_line_m = 20.0f;
+  light.snow_line_m = 50.0f;
+  SkyParams sky{};
+  sky.sun_direction_x = 0.8f;
+  sky.sun_direction_y = 0.6f;
+  sky.sun_angular_radius_rad = 0.05f;
+  sky.ground_radius_m = 6.36e6f;
+  sky.eye_altitude_m = 2.0f;
+  const std::vector<Texel> table(SKY_VIEW_COLUMNS * SKY_VIEW_ROWS * SKY_VIEW_LAYERS,
+                                 Texel{1.0f, 2.0f, 3.0f, 0.0f});
+  const ocl::Buffer<Texel> view_table(device, table, "sky");
+  ocl::Buffer<Texel> image(device, pixels, "image");
+  terrain::TerrainShade(device).at(field, camera, hits, {light, sky, view_table}, image);
+  for (const Texel& texel : image.read())
+    std::for_each(texel.begin(), texel.end(), [&](float v) { dump.add(v); });
+}
+
+void write_dump(const char* path) {
+  const ocl::Device device = ocl::Device::open();
+  const test::HeightMap map =
+      test::valleys({.columns = 45, .rows = 38, .spacing_x_m = 10.0, .spacing_z_m = 12.5});
+  terrain::HeightField field(device, map.grid, map.heights_m);
+  Dump dump(path);
+  using terrain::CastMethod;
+  const std::vector<terrain::Ray> rays = test::example_rays(map, 90, 51);
+  for (const CastMethod method :
+       {CastMethod::parity, CastMethod::paper, CastMethod::pdm, CastMethod::linear}) {
+    for (const TerrainHit& hit : field.cast(rays, method)) dump.add_distance(hit.distance_m);
+  }
+  // From above, whose rays go one way in part of the blocks, and from within.
+  dump_picture(device, field,
+               {.eye_m = {200.0, 130.0, 440.0}, .pitch_rad = -0.4, .width_px = 21, .height_px = 11}, dump);
+  dump_picture(device, field, {.eye_m = {100.0, 40.0, 300.0}, .yaw_rad = 0.8, .width_px = 18, .height_px = 6},
+               dump);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  try {
+    write_dump(argv[1]);
+  } catch (const Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

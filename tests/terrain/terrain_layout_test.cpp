@@ -1,0 +1,56 @@
+// Structs that host and device both read: each test fails if a compiler pads one, so that parameters would
+// arrive shifted. All members are of 4 bytes: the first, some and the last.
+#include <gtest/gtest.h>
+
+#include "kernels/shared/terrain.h"
+#include "kernels/shared/terrain_light.h"
+#include "tests/ocl/shared_layout.h"
+
+namespace offing {
+namespace {
+
+using Layout = std::vector<std::size_t>;
+
+Layout layout_of(const char* header, const char* type, const std::vector<std::string>& members) {
+  return test::device_layout(ocl::Device::open(), header, type, members);
+}
+
+TEST(TerrainLayoutTest, TerrainField) {
+  using S = TerrainField;
+  EXPECT_EQ(
+      layout_of("shared/terrain.h", "TerrainField", {"columns", "top_level", "highest_m", "cells_per_m_z"}),
+      (Layout{sizeof(S), offsetof(S, columns), offsetof(S, top_level), offsetof(S, highest_m),
+              offsetof(S, cells_per_m_z)}));
+}
+
+TEST(TerrainLayoutTest, TerrainView) {
+  using S = TerrainView;
+  EXPECT_EQ(layout_of("shared/terrain.h", "TerrainView", {"cell_x", "height_m", "right_x", "height_px"}),
+            (Layout{sizeof(S), offsetof(S, cell_x), offsetof(S, height_m), offsetof(S, right_x),
+                    offsetof(S, height_px)}));
+}
+
+TEST(TerrainLayoutTest, TerrainRay) {
+  using S = TerrainRay;
+  EXPECT_EQ(layout_of("shared/terrain.h", "TerrainRay", {"cell_x", "height_m", "along_x_rest", "limit_m"}),
+            (Layout{sizeof(S), offsetof(S, cell_x), offsetof(S, height_m), offsetof(S, along_x_rest),
+                    offsetof(S, limit_m)}));
+}
+
+TEST(TerrainLayoutTest, TerrainHit) {
+  using S = TerrainHit;
+  EXPECT_EQ(layout_of("shared/terrain.h", "TerrainHit", {"distance_m", "kind", "u", "normal_x", "steps"}),
+            (Layout{sizeof(S), offsetof(S, distance_m), offsetof(S, kind), offsetof(S, u),
+                    offsetof(S, normal_x), offsetof(S, steps)}));
+}
+
+TEST(TerrainLayoutTest, TerrainLight) {
+  using S = TerrainLight;
+  EXPECT_EQ(layout_of("shared/terrain_light.h", "TerrainLight",
+                      {"sun_red_klx", "rayleigh_red_perm", "aerosol_perm", "snow_line_m"}),
+            (Layout{sizeof(S), offsetof(S, sun_red_klx), offsetof(S, rayleigh_red_perm),
+                    offsetof(S, aerosol_perm), offsetof(S, snow_line_m)}));
+}
+
+}  // namespace
+}  // namespace offing

@@ -1,0 +1,164 @@
+// Light on ground whose colour is known, that of water, against formulas in double precision.
+#include "host/terrain/terrain_shade.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace offing {
+namespace {
+
+using terrain::Texel;
+
+constexpr double pi = std::numbers::pi;
+constexpr double water_red = 0.042;  // of kernels/terrain/ground_cover.clh
+constexpr float haze = 3.0f;         // of the sky in all directions
+constexpr std::size_t columns_px = 41, rows_px = 33;
+
+TerrainLight clear_light() {
+  TerrainLight light{};
+  light.sun_red_klx = 100.0f;
+  light.sky_red_klx = 10.0f;
+  light.rayleigh_scale_height_m = 8000.0f;
+  light.aerosol_scale_height_m = 1200.0f;
+  light.sea_level_m = 1000.0f;
+  return light;
+}
+
+/// A picture straight down from 80 m above the middle of a map under water; the sun stands in the east.
+struct Scene {
+  TerrainLight light = clear_light();
+  double sun_elevation_rad = 0.6, sun_radius_rad = 0.00465;
+  Camera camera{.eye_m = {64.0, 80.0, 64.0},
+                .pitch_rad = -0.5 * pi,
+                .vertical_field_of_view_rad = 0.9,
+                .width_px = columns_px,
+                .height_px = rows_px};
+
+  std::vector<Texel> draw(const std::function<double(int, int)>& height_m) const {
+    const terrain::PostGrid posts{.columns = 65, .rows = 65, .spacing_x_m = 2.0, .spacing_z_m = 2.0};
+    std::vector<float> heights_m;
+    for (int row = 0; row < posts.rows; ++row) {
+      for (int column = 0; column < posts.columns; ++column) {
+        heights_m.push_back(static_cast<float>(height_m(column, row)));
+      }
+    }
+    const ocl::Device device = ocl::Device::open();
+    terrain::HeightField field(device, posts, heights_m);
+    ocl::Buffer<TerrainHit> hits(device, columns_px * rows_px, "hits");
+    field.cast(camera, hits);
+    SkyParams sky{};
+    sky.sun_direction_x = static_cast<float>(std::cos(sun_elevation_rad));
+    sky.sun_direction_y = static_cast<float>(std::sin(sun_elevation_rad));
+    sky.sun_angular_radius_rad = static_cast<float>(sun_radius_rad);
+    sky.ground_radius_m = 6.36e6f;
+    sky.eye_altitude_m = 2.0f;
+    std::vector<Texel> table(SKY_VIEW_COLUMNS * SKY_VIEW_ROWS * SKY_VIEW_LAYERS, Texel{});
+    std::fill_n(table.begin(), SKY_VIEW_COLUMNS * SKY_VIEW_ROWS, Texel{haze, haze, haze, 0.0f});
+    const ocl::Buffer<Texel> view_table(device, table, "sky");
+    ocl::Buffer<Texel> image(device, columns_px * rows_px, "image");
+    terrain::TerrainShade(device).at(field, camera, hits, {light, sky, view_table}, image);
+    return image.read();
+  }
+};
+
+/// Red light that water sends up, of which the sun lights a share; `to_sun` and `up` are cosines of its
+/// normal.
+double water_light(double to_sun, double up, double level_sun, double sun_share) {
+  const double sky_share = 0.5 + 0.5 * up;
+  const double bounced = water_red * (1.0 - sky_share) * (100.0 * level_sun + 10.0);
+  return water_red / pi * (100.0 * to_sun * sun_share + 10.0 * sky_share + bounced);
+}
+
+// Floats: gate 1e-5 of the light. Fails if a normal, the share of sky or the sun's angle is wrong, or if the
+// ground shades itself where it faces the sun.
+TEST(TerrainShadeTest, LightsSlopesByTheirAngle) {
+  const Scene scene;
+  const double level_sun = std::sin(scene.sun_elevation_rad);
+  for (const double slope : {0.0, 0.3, -0.3}) {
+    const std::vector<Texel> image = scene.draw([&](int column, int) { return slope * 2.0 * (column - 32); });
+    const double up = 1.0 / std::hypot(1.0, slope);
+    const double to_sun = (level_sun - slope * std::cos(scene.sun_elevation_rad)) * up;
+    const double expected = water_light(to_sun, up, level_sun, 1.0);
+    for (const Texel& texel : image) {
+      ASSERT_NEAR(texel[0], expected, 1e-5 * expected) << "slope " << slope;
+      ASSERT_EQ(texel[3], 1.0f);
+    }
+  }
+}
+
+// West of a wall of 20 m the sun's disc, 11 degrees wide here, goes down behind its edge: pixels know how
+// much of the disc is above it. The area above a level line is (a - sin a cos a) / pi; the cubic is 0.03 off,
+// the rest is the lift of shadows' origins and the disc's edges, which the fan takes as straight up; gate
+// 0.06. Fails if shadows are hard, misplaced or of another width.
+TEST(TerrainShadeTest, CutsTheSunsDiscAtTheHorizon) {
+  Scene scene;
+  scene.sun_radius_rad = 0.1;
+  const double wall_m = 20.0, wall_x_m = 84.0;
+  const std::vector<Texel> image =
+      scene.draw([&](int column, int) { return 2.0 * column >= wall_x_m ? wall_m : 0.0; });
+  const double level_sun = std::sin(scene.sun_elevation_rad), dark = water_light(0.0, 1.0, level_sun, 0.0);
+  int partly = 0;
+  for (std::size_t column = 0; column < columns_px; ++column) {
+    // The middle row, whose rays stay in the plane of the sun.
+    const double clip = (static_cast<double>(column) + 0.5) * 2.0 / columns_px - 1.0;
+    const double x_m = 64.0 + 80.0 * std::tan(0.45) * columns_px / rows_px * clip;
+    if (x_m > wall_x_m - 6.0) continue;  // slopes there are averaged with the wall's
+    const double edge_rad = std::atan2(wall_m, wall_x_m - x_m);
+    const double above = std::clamp((scene.sun_elevation_rad - edge_rad) / scene.sun_radius_rad, -1.0, 1.0);
+    const double angle = std::acos(-above);
+    const double share = (angle - std::sin(angle) * std::cos(angle)) / pi;
+    const double found = (image[rows_px / 2 * columns_px + column][0] - dark) /
+                         (water_light(level_sun, 1.0, level_sun, 1.0) - dark);
+    EXPECT_NEAR(found, share, 0.06) << "column " << column << ", " << x_m << " m";
+    partly += share > 0.1 && share < 0.9 ? 1 : 0;
+  }
+  EXPECT_GE(partly, 2) << "the penumbra is not in the picture";
+}
+
+// Through air of an optical depth the ground fades into the sky. Gate 1e-5.
+TEST(TerrainShadeTest, AirTakesAndAddsLight) {
+  Scene scene;
+  scene.light.aerosol_perm = 0.004f;
+  const double level_sun = std::sin(scene.sun_elevation_rad);
+  const Texel middle = scene.draw([](int, int) { return 0.0; })[rows_px / 2 * columns_px + columns_px / 2];
+  // Straight down from 80 m through air that thins by e in 1200 m.
+  const double left = std::exp(-0.004 * 1200.0 * (1.0 - std::exp(-80.0 / 1200.0)));
+  const double expected = water_light(level_sun, 1.0, level_sun, 1.0) * left + haze * (1.0 - left);
+  EXPECT_NEAR(middle[0], expected, 1e-5 * expected);
+}
+
+// Nothing is drawn where nothing is hit: the sky is not the ground's to draw.
+TEST(TerrainShadeTest, LeavesTheSkyAlone) {
+  Scene scene;
+  scene.camera.pitch_rad = 0.5 * pi;
+  for (const Texel& texel : scene.draw([](int, int) { return 0.0; })) EXPECT_EQ(texel, (Texel{}));
+}
+
+// Posts of noise smaller than a pixel: its light is that of the mean slope, 0. Slopes between posts next to
+// each other are 0.3 in the mean, which dims a sun overhead by 4 %; those over the 8 posts of a pixel here
+// are at most 0.05, which dims it by 0.1 %. Gate 1 %.
+TEST(TerrainShadeTest, AveragesSlopesThatAPixelDoesNotResolve) {
+  Scene scene;
+  scene.sun_elevation_rad = 1.5;
+  scene.camera.eye_m.y = 66'000.0;
+  scene.camera.vertical_field_of_view_rad = 0.008;
+  const double level_sun = std::sin(scene.sun_elevation_rad);
+  const std::vector<Texel> image =
+      scene.draw([](int column, int row) { return 0.4 * ((column * 7919 + row * 104729) % 5); });
+  const double expected = water_light(level_sun, 1.0, level_sun, 1.0);
+  int ground = 0;
+  for (const Texel& texel : image) {
+    if (texel[3] == 0.0f) continue;
+    ++ground;
+    EXPECT_NEAR(texel[0], expected, 0.01 * expected);
+  }
+  EXPECT_GE(ground, 49);
+}
+
+}  // namespace
+}  // namespace offing
