@@ -6,6 +6,7 @@
 #include "host/cli/devices_command.h"
 #include "host/cli/global_options.h"
 #include "host/cli/ocean_command.h"
+#include "host/cli/terrain_command.h"
 #include "host/command_line/help_format.h"
 #include "host/command_line/parse_arguments.h"
 #include "host/scene/version.h"
@@ -22,6 +23,7 @@ void build(CLI::App& app, cli::GlobalOptions& options) {
   app.set_help_flag("-h,--help", "print this help");
   app.require_subcommand(1);
   cli::add_ocean_command(app, options);
+  cli::add_terrain_command(app, options);
   cli::add_devices_command(app, options);
   app.footer(R"(
 Examples:
@@ -30,6 +32,8 @@ Examples:
   offing ocean bake --spectrum-file 41010.data_spec --record 0 --frames 0:9 --combined -o out
   offing ocean stats scenes/storm.toml --seeds 20
   offing ocean query scenes/storm.toml --at 120,-35 --time 12.5
+  offing terrain info N42E001.hgt.zip
+  offing terrain render S33W071.tif -o andes.png
 
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device, 130 interrupted.)");
 }

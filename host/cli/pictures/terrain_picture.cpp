@@ -1,0 +1,112 @@
+#include "host/cli/pictures/terrain_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "host/cli/pictures/preview_light.h"
+#include "host/sky/sun_position.h"
+#include "host/terrain/terrain_shade.h"
+
+namespace offing::cli {
+namespace {
+
+// Of a level surface of mean ground, what it comes out at before the tone curve, where 1 is white.
+constexpr double key = 0.3;
+constexpr double mean_albedo = 0.18;
+constexpr double least_klx = 1e-4;
+
+void store(RgbImage& image, std::size_t pixel, Vec3 linear) {
+  image.rgb[3 * pixel] = srgb_from_linear(linear.x);
+  image.rgb[3 * pixel + 1] = srgb_from_linear(linear.y);
+  image.rgb[3 * pixel + 2] = srgb_from_linear(linear.z);
+}
+
+/// Marks of 0, 16, 40 and 80 steps, linear colours.
+Vec3 step_colour(int steps) {
+  constexpr std::array<float, 4> marks{0.0f, 16.0f, 40.0f, 80.0f};
+  constexpr std::array<Vec3, 4> colours{
+      {{0.01f, 0.02f, 0.25f}, {0.02f, 0.5f, 0.1f}, {0.9f, 0.7f, 0.02f}, {0.7f, 0.01f, 0.01f}}};
+  const float at = std::min(static_cast<float>(steps), marks.back());
+  std::size_t i = 1;
+  while (i + 1 < marks.size() && at > marks[i]) ++i;
+  return mix(colours[i - 1], colours[i], (at - marks[i - 1]) / (marks[i] - marks[i - 1]));
+}
+
+/// Directions of the pixels whose rays meet no ground.
+std::vector<std::array<double, 3>> open_directions(const Camera& camera,
+                                                   const std::vector<TerrainHit>& hits) {
+  std::vector<std::array<double, 3>> directions;
+  for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
+    if (hits[pixel].kind != TERRAIN_MISS) continue;
+    const auto width = static_cast<std::size_t>(camera.width_px);
+    const glm::dvec2 clip(2.0 * (static_cast<double>(pixel % width) + 0.5) / camera.width_px - 1.0,
+                          1.0 - 2.0 * (static_cast<double>(pixel / width) + 0.5) / camera.height_px);
+    const glm::dvec3 ray = glm::normalize(ray_direction(camera, clip));
+    directions.push_back({ray.x, ray.y, ray.z});
+  }
+  return directions;
+}
+
+void draw_light(const ocl::Device& device, const terrain::HeightField& field, const Camera& camera,
+                const TerrainScenery& scenery, const ocl::Buffer<TerrainHit>& hits_on_device,
+                const std::vector<TerrainHit>& hits, RgbImage& image) {
+  const sky::Atmosphere atmosphere;
+  sky::ClearSky sky(device, atmosphere);
+  sky.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad),
+          .eye_altitude_m = std::max(0.0, camera.eye_m.y - scenery.lines.sea_level_m)});
+  const TerrainLight light = world::terrain_light(sky, atmosphere, scenery.lines);
+  ocl::Buffer<terrain::Texel> ground(device, hits.size(), "terrain image");
+  terrain::TerrainShade(device).at(field, camera, hits_on_device, {light, sky.params(), sky.view_table()},
+                                   ground);
+  const sky::SkyLight seen = sky.read_light(open_directions(camera, hits));
+
+  const sky::Illuminance at_eye = sky.read_illuminance();
+  const double level_sun = std::max(0.0, std::sin(scenery.sun_elevation_rad));
+  const double level_klx =
+      sky::luminance(at_eye.sun_klx) * level_sun + sky::luminance(at_eye.sky_klx) + least_klx;
+  const double exposure = key * std::exp2(scenery.exposure_ev) / (mean_albedo / 3.14159265358979 * level_klx);
+  const std::vector<terrain::Texel> texels = ground.read();
+  std::size_t next_open = 0;
+  for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
+    std::array<double, 3> colour{texels[pixel][0], texels[pixel][1], texels[pixel][2]};
+    if (hits[pixel].kind == TERRAIN_MISS) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        colour[i] = seen.sky_kcdpm2[next_open][i] + seen.sun_kcdpm2[next_open][i];
+      }
+      ++next_open;
+    }
+    const Vec3 exposed{static_cast<float>(exposure * colour[0]), static_cast<float>(exposure * colour[1]),
+                       static_cast<float>(exposure * colour[2])};
+    store(image, pixel, tone_mapped(exposed));
+  }
+}
+
+}  // namespace
+
+TerrainPicture draw_terrain(const ocl::Device& device, terrain::HeightField& field, const Camera& camera,
+                            const TerrainScenery& scenery, TerrainShow show) {
+  const auto width = static_cast<std::size_t>(camera.width_px),
+             height = static_cast<std::size_t>(camera.height_px);
+  ocl::Buffer<TerrainHit> hits_on_device(device, width * height, "terrain hits");
+  field.cast(camera, hits_on_device);
+  const std::vector<TerrainHit> hits = hits_on_device.read();
+  TerrainPicture picture;
+  picture.image = {camera.width_px, camera.height_px, std::vector<std::uint8_t>(3 * hits.size())};
+  if (show == TerrainShow::light) {
+    draw_light(device, field, camera, scenery, hits_on_device, hits, picture.image);
+  }
+  for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
+    const TerrainHit& hit = hits[pixel];
+    if (show == TerrainShow::steps) store(picture.image, pixel, step_colour(hit.steps));
+    picture.distances_m.push_back(hit.distance_m);
+    picture.ground_pixels += hit.kind == TERRAIN_MISS ? 0 : 1;
+    picture.mean_steps += hit.steps / static_cast<double>(hits.size());
+  }
+  return picture;
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "host/base/camera.h"
+#include "host/io/png_image.h"
+#include "host/sky/clear_sky.h"
+#include "host/terrain/height_field.h"
+#include "host/world/terrain_light.h"
+
+namespace offing::cli {
+
+/// What a picture of the ground is lit by.
+struct TerrainScenery {
+  double sun_azimuth_rad = 0.0;  ///< clockwise from north
+  double sun_elevation_rad = 0.0;
+  world::CoverLines lines = {};
+  double exposure_ev = 0.0;  ///< stops above what the light asks for
+};
+
+/// What a picture shows.
+enum class TerrainShow { light, steps };
+
+struct TerrainPicture {
+  RgbImage image;
+  std::vector<float> distances_m;  ///< [height][width] along each pixel's unit ray, +inf where it misses
+  std::size_t ground_pixels = 0;
+  double mean_steps = 0.0;
+};
+
+/// The ground before a clear sky, as a camera sees it; or the steps that its rays took (T11), from blue
+/// (none) through green (16) and yellow to red (80 and more).
+TerrainPicture draw_terrain(const ocl::Device& device, terrain::HeightField& field, const Camera& camera,
+                            const TerrainScenery& scenery, TerrainShow show);
+
+}  // namespace offing::cli

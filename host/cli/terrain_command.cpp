@@ -1,0 +1,25 @@
+#include "host/cli/terrain_command.h"
+
+#include "host/cli/terrain_generate_command.h"
+#include "host/cli/terrain_height_command.h"
+#include "host/cli/terrain_info_command.h"
+#include "host/cli/terrain_los_command.h"
+#include "host/cli/terrain_profile_command.h"
+#include "host/cli/terrain_ray_command.h"
+#include "host/cli/terrain_render_command.h"
+
+namespace offing::cli {
+
+void add_terrain_command(CLI::App& app, GlobalOptions& options) {
+  CLI::App* terrain = app.add_subcommand("terrain", "the ground: look at height maps, make, draw and ask them");
+  terrain->require_subcommand(1);
+  add_terrain_info_command(*terrain, options);
+  add_terrain_generate_command(*terrain, options);
+  add_terrain_render_command(*terrain, options);
+  add_terrain_height_command(*terrain, options);
+  add_terrain_profile_command(*terrain, options);
+  add_terrain_ray_command(*terrain, options);
+  add_terrain_los_command(*terrain, options);
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,120 @@
+#include "host/cli/terrain_generate_command.h"
+
+#include <algorithm>
+#include <bit>
+#include <memory>
+
+#include <CLI/Option.hpp>
+#include <fmt/format.h>
+
+#include "host/base/argument.h"
+#include "host/base/error_report.h"
+#include "host/base/progress.h"
+#include "host/cli/number_list.h"
+#include "host/cli/terrain_place.h"
+#include "host/io/atomic_file.h"
+#include "host/io/file_presence.h"
+#include "host/terrain/fractal_ground.h"
+
+namespace offing::cli {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, ".r32 is written as it lies in memory");
+
+struct TerrainGenerateArguments {
+  std::string output, posts, side, relief, longest, roughness, seed;
+  bool json = false;
+  bool force = false;
+};
+
+terrain::FractalParameters read_parameters(const TerrainGenerateArguments& arguments) {
+  terrain::FractalParameters parameters;
+  const auto number = [](const char* flag, const std::string& text, double& value, double low, double high,
+                         const char* example) {
+    if (!text.empty()) value = read_number(flag, text, low, high, example);
+  };
+  if (!arguments.posts.empty()) {
+    parameters.posts = static_cast<int>(read_whole("--posts", arguments.posts, 2, 65536, "1025"));
+  }
+  number("--side-m", arguments.side, parameters.side_m, 1.0, 1e7, "20000");
+  number("--relief-m", arguments.relief, parameters.relief_m, 0.0, 2e4, "1500");
+  number("--longest-m", arguments.longest, parameters.longest_m, 1e-3 * parameters.side_m, 1e7, "9000");
+  number("--roughness", arguments.roughness, parameters.roughness, 0.2, 0.8, "0.5");
+  if (!arguments.seed.empty()) {
+    constexpr std::int64_t most = std::int64_t{1} << 53;
+    parameters.seed = static_cast<std::uint64_t>(read_whole("--seed", arguments.seed, 0, most, "7"));
+  }
+  return parameters;
+}
+
+void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options) {
+  const terrain::FractalParameters parameters = read_parameters(arguments);
+  if (!arguments.output.ends_with(".r32")) {
+    throw bad_argument("--output", "a name that ends with .r32: floats, m, without a header",
+                       arguments.output, "valley.r32");
+  }
+  if (!arguments.force && is_there(arguments.output)) {
+    throw Error(ErrorKind::file, fmt::format("{}: is there already", one_line(arguments.output)),
+                "--force replaces it, or name another file with -o");
+  }
+  terrain::FractalGround ground(parameters);
+  AtomicFile file(arguments.output);
+  std::vector<float> heights_m(static_cast<std::size_t>(parameters.posts));
+  float lowest_m = 0.0f, highest_m = 0.0f;
+  {
+    Progress progress(parameters.posts, "rows", options.verbosity);
+    for (int row = 0; row < parameters.posts; ++row) {
+      options.cancel.throw_if_cancelled();
+      ground.fill_row(row, heights_m);
+      const auto [low, high] = std::minmax_element(heights_m.begin(), heights_m.end());
+      lowest_m = row == 0 ? *low : std::min(lowest_m, *low);
+      highest_m = row == 0 ? *high : std::max(highest_m, *high);
+      file.write(heights_m.data(), heights_m.size() * sizeof(float));
+      progress.advance();
+    }
+  }
+  file.commit();
+  const double spacing_m = parameters.side_m / (parameters.posts - 1);
+  if (arguments.json) {
+    print_json({{"file", arguments.output},
+                {"columns", parameters.posts},
+                {"rows", parameters.posts},
+                {"spacing_m", spacing_m},
+                {"lowest_m", lowest_m},
+                {"highest_m", highest_m}});
+  } else {
+    fmt::print("{}: {} x {} posts, {:g} ... {:g} m; read it with --raw-size {}x{} --spacing-m {:.10g}\n",
+               one_line(arguments.output), parameters.posts, parameters.posts, lowest_m, highest_m,
+               parameters.posts, parameters.posts, spacing_m);
+  }
+}
+
+}  // namespace
+
+void add_terrain_generate_command(CLI::App& terrain, GlobalOptions& options) {
+  const auto arguments = std::make_shared<TerrainGenerateArguments>();
+  CLI::App* command = terrain.add_subcommand("generate", "made ground, for scenes without data");
+  const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
+    return command->add_option(names, target, help)->type_name(placeholder);
+  };
+  add("-o,--output", arguments->output, "FILE", "height map to write, .r32")->required();
+  add("--posts", arguments->posts, "N", "posts a side, 2 ... 65536 (default 1025)");
+  add("--side-m", arguments->side, "L", "length of a side, m (default 20000)");
+  add("--relief-m", arguments->relief, "H", "about what lies between lowest and highest, m (default 1500)");
+  add("--longest-m", arguments->longest, "L", "wavelength of the largest hills, m (default 9000)");
+  add("--roughness", arguments->roughness, "R", "0.2 smooth ... 0.8 jagged (default 0.5)");
+  add("--seed", arguments->seed, "S", "another ground for each whole number (default 1)");
+  command->add_flag("--force", arguments->force, "replace a file that is there");
+  command->add_flag("--json", arguments->json, "results for scripts");
+  add_global_options(*command, options, DeviceUse::none);
+  command->footer(R"(
+The same seed gives the same ground, whatever the number of posts. Rows are written as they are made.
+
+Example:
+  offing terrain generate --posts 2049 --seed 7 -o valley.r32
+  offing terrain render valley.r32 --raw-size 2049x2049 --spacing-m 9.765625 -o valley.png)");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

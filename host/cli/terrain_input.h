@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include <CLI/App.hpp>
+
+#include "host/cli/global_options.h"
+#include "host/cli/height_map_flags.h"
+#include "host/io/height_maps/read_height_map.h"
+#include "host/terrain/height_field.h"
+
+namespace offing::cli {
+
+/// The height map that a terrain command works on, and the flags that say how to read it.
+class TerrainInput {
+ public:
+  /// `this` must outlive the command.
+  void add_to(CLI::App& command);
+
+  const std::string& file() const { return file_; }
+  HeightMapOptions options() const { return flags_.read(); }
+  /// Throws what read_height_map() throws.
+  HeightMapFile read() const { return read_height_map(file_, options()); }
+
+ private:
+  std::string file_;
+  HeightMapFlags flags_;
+};
+
+/// The map on a device, its first post at x = z = 0.
+terrain::HeightField make_field(const HeightMap& map, const ocl::Device& device);
+
+}  // namespace offing::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string_view>
+
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
+
+#include "host/terrain/ground.h"
+
+namespace offing::cli {
+
+/// How every command that takes places explains them.
+inline constexpr const char* place_footer =
+    "Places are metres east (X) and south (Z) of the map's north-west post; Y is height, H height above "
+    "ground.";
+
+/// The ground under (x_m, z_m). Throws Error(bad_input) that names the flag beyond the map's edge.
+terrain::GroundPoint ground_under(std::string_view flag, const HeightMap& map, double x_m, double z_m);
+
+/// Degrees from level.
+double slope_deg(const glm::dvec3& normal);
+
+nlohmann::ordered_json to_json(const glm::dvec3& vector);
+
+/// As scripts take it.
+void print_json(const nlohmann::ordered_json& json);
+
+}  // namespace offing::cli

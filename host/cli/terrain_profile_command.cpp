@@ -1,0 +1,79 @@
+#include "host/cli/terrain_profile_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "host/base/argument.h"
+#include "host/cli/number_list.h"
+#include "host/cli/terrain_input.h"
+#include "host/cli/terrain_place.h"
+#include "host/io/atomic_file.h"
+#include "host/io/file_presence.h"
+
+namespace offing::cli {
+
+namespace {
+
+constexpr double most_points = 1e7;
+
+struct TerrainProfileArguments {
+  TerrainInput input;
+  std::string from, to, step, output;
+  bool force = false;
+};
+
+void run(const TerrainProfileArguments& arguments) {
+  const auto from = read_numbers("--from", arguments.from, 2, "X,Z", "0,0");
+  const auto to = read_numbers("--to", arguments.to, 2, "X,Z", "1200,350");
+  if (!arguments.output.empty() && !arguments.force && is_there(arguments.output)) {
+    throw Error(ErrorKind::file, fmt::format("{}: is there already", arguments.output),
+                "--force replaces it, or name another file with -o");
+  }
+  const HeightMapFile file = arguments.input.read();
+  const HeightMap& map = file.map;
+  const double length_m = std::hypot(to[0] - from[0], to[1] - from[1]);
+  const double step_m = arguments.step.empty() ? std::min(map.spacing_x_m, map.spacing_z_m)
+                                               : read_number("--step-m", arguments.step, 1e-3, 1e6, "10");
+  const double steps = std::max(1.0, std::ceil(length_m / step_m));
+  if (steps > most_points) {
+    throw bad_argument("--step-m", fmt::format("a step of at least {:g} m here", length_m / most_points),
+                       arguments.step, "10");
+  }
+  std::string text = "distance_m,x_m,z_m,height_m\n";
+  for (double step = 0.0; step <= steps; ++step) {
+    const double share = step / steps;
+    const double x_m = std::lerp(from[0], to[0], share), z_m = std::lerp(from[1], to[1], share);
+    const double height_m = ground_under(share < 0.5 ? "--from" : "--to", map, x_m, z_m).height_m;
+    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.7g}\n", share * length_m, x_m, z_m, height_m);
+  }
+  if (arguments.output.empty()) {
+    fmt::print("{}", text);
+  } else {
+    write_file_atomically(arguments.output, text);
+  }
+}
+
+}  // namespace
+
+void add_terrain_profile_command(CLI::App& terrain, GlobalOptions& options) {
+  const auto arguments = std::make_shared<TerrainProfileArguments>();
+  CLI::App* command = terrain.add_subcommand("profile", "heights along a line, as CSV");
+  arguments->input.add_to(*command);
+  command->add_option("--from", arguments->from, "where it begins, m")->type_name("X,Z")->required();
+  command->add_option("--to", arguments->to, "where it ends, m")->type_name("X,Z")->required();
+  command->add_option("--step-m", arguments->step, "at most this far apart (default: as the posts)")
+      ->type_name("S");
+  command->add_option("-o,--output", arguments->output, "CSV to write (default: standard output)")
+      ->type_name("FILE");
+  command->add_flag("--force", arguments->force, "replace a file that is there");
+  add_global_options(*command, options, DeviceUse::none);
+  command->footer(fmt::format(
+      "\n{}\n\nExample:\n  offing terrain profile S33W071.tif --from 0,55000 --to 90000,55000 --step-m 100",
+      place_footer));
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,110 @@
+#include "host/cli/terrain_ray_command.h"
+
+#include <memory>
+
+#include <CLI/Option.hpp>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "host/base/argument.h"
+#include "host/cli/device_choice.h"
+#include "host/cli/number_list.h"
+#include "host/cli/terrain_input.h"
+#include "host/cli/terrain_place.h"
+
+namespace offing::cli {
+
+namespace {
+
+struct TerrainRayArguments {
+  TerrainInput input;
+  std::string from, to, direction;
+  bool json = false;
+};
+
+glm::dvec3 read_vector(const char* flag, const std::string& text, const char* example) {
+  const auto numbers = read_numbers(flag, text, 3, "X,Y,Z", example);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+terrain::Ray read_ray(const TerrainRayArguments& arguments) {
+  const glm::dvec3 from = read_vector("--from", arguments.from, "100,2500,100");
+  const bool has_target = !arguments.to.empty();
+  if (has_target == !arguments.direction.empty()) {
+    throw Error(ErrorKind::bad_usage, "terrain ray: expected one of --to and --direction",
+                "write --to X,Y,Z for a point, or --direction X,Y,Z for a way");
+  }
+  const glm::dvec3 way = has_target ? read_vector("--to", arguments.to, "900,1200,400") - from
+                                    : read_vector("--direction", arguments.direction, "1,-0.2,0");
+  const double length_m = glm::length(way);
+  if (length_m == 0.0) {
+    throw bad_argument(has_target ? "--to" : "--direction",
+                       has_target ? "another point than --from" : "a way",
+                       has_target ? arguments.to : arguments.direction, "1,-0.2,0");
+  }
+  terrain::Ray ray{.origin_m = from, .direction = way / length_m};
+  if (has_target) ray.limit_m = length_m;
+  return ray;
+}
+
+const char* name_of(int kind) {
+  switch (kind) {
+    case TERRAIN_SURFACE:
+      return "surface";
+    case TERRAIN_SIDE:
+      return "side";
+    case TERRAIN_INSIDE:
+      return "inside";
+    default:
+      return "miss";
+  }
+}
+
+void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
+  const terrain::Ray ray = read_ray(arguments);
+  const HeightMapFile file = arguments.input.read();
+  terrain::HeightField field = make_field(file.map, ocl::Device::open(choose_one_device(options.device)));
+  const TerrainHit hit = field.cast(std::span(&ray, 1))[0];
+  const glm::dvec3 point_m = ray.origin_m + static_cast<double>(hit.distance_m) * ray.direction;
+  const glm::dvec3 normal(hit.normal_x, hit.normal_y, hit.normal_z);
+  const bool is_hit = hit.kind != TERRAIN_MISS;
+  if (arguments.json) {
+    nlohmann::ordered_json json = {{"hit", name_of(hit.kind)}};
+    if (is_hit) {
+      json["distance_m"] = hit.distance_m;
+      json["point_m"] = to_json(point_m);
+      json["normal"] = to_json(normal);
+      json["cell"] = {hit.cell_x, hit.cell_z};
+      json["place_in_cell"] = {hit.u, hit.v};
+    }
+    json["steps"] = hit.steps;
+    print_json(json);
+  } else if (is_hit) {
+    fmt::print("{} at {:.3f} m: ({:.3f}, {:.3f}, {:.3f}), normal ({:.4f}, {:.4f}, {:.4f}), {} steps\n",
+               name_of(hit.kind), hit.distance_m, point_m.x, point_m.y, point_m.z, normal.x, normal.y,
+               normal.z, hit.steps);
+  } else {
+    fmt::print("miss, {} steps\n", hit.steps);
+  }
+}
+
+}  // namespace
+
+void add_terrain_ray_command(CLI::App& terrain, GlobalOptions& options) {
+  const auto arguments = std::make_shared<TerrainRayArguments>();
+  CLI::App* command = terrain.add_subcommand("ray", "what a ray hits first");
+  arguments->input.add_to(*command);
+  command->add_option("--from", arguments->from, "where it starts, m")->type_name("X,Y,Z")->required();
+  command->add_option("--to", arguments->to, "where it ends, m")->type_name("X,Y,Z");
+  command->add_option("--direction", arguments->direction, "its way without end, of any length")
+      ->type_name("X,Y,Z");
+  command->add_flag("--json", arguments->json, "results for scripts");
+  add_global_options(*command, options, DeviceUse::one);
+  command->footer(fmt::format(
+      "\n{}\nHits are of the surface, of the map's side (ground is solid), or inside: it starts below.\n\n"
+      "Example:\n  offing terrain ray S33W071.tif --from 47000,6000,80000 --direction 0.1,-0.3,-1",
+      place_footer));
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

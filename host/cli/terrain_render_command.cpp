@@ -1,0 +1,162 @@
+#include "host/cli/terrain_render_command.h"
+
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/base/argument.h"
+#include "host/base/error_report.h"
+#include "host/cli/device_choice.h"
+#include "host/cli/number_list.h"
+#include "host/cli/pictures/terrain_picture.h"
+#include "host/cli/terrain_camera.h"
+#include "host/cli/terrain_input.h"
+#include "host/cli/terrain_place.h"
+#include "host/io/exr_image.h"
+#include "host/io/file_presence.h"
+
+namespace offing::cli {
+
+namespace {
+
+constexpr double radians = std::numbers::pi / 180.0;
+constexpr double highest_line_m = 20'000.0;
+
+struct TerrainRenderArguments {
+  TerrainInput input;
+  std::string camera = "fly", size = "1280x720", output, depth, show = "light";
+  std::string field_of_view, sun, exposure, sea_level, tree_line, snow_line;
+  bool json = false;
+  bool force = false;
+};
+
+void read_size(const std::string& text, Camera& camera) {
+  constexpr int most_px = 16384;
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) throw bad_argument("--size", "WIDTHxHEIGHT", text, "1280x720");
+  const std::string_view sides = text;
+  camera.width_px = static_cast<int>(read_whole("--size", sides.substr(0, cross), 1, most_px, "1280x720"));
+  camera.height_px = static_cast<int>(read_whole("--size", sides.substr(cross + 1), 1, most_px, "1280x720"));
+}
+
+Camera read_camera(const TerrainRenderArguments& arguments, const HeightMap& map) {
+  Camera camera = read_terrain_camera(arguments.camera, map);
+  read_size(arguments.size, camera);
+  const double degrees = arguments.field_of_view.empty()
+                             ? 60.0
+                             : read_number("--fov-deg", arguments.field_of_view, 1.0, 170.0, "60");
+  camera.vertical_field_of_view_rad = degrees * radians;
+  return camera;
+}
+
+TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const HeightMapSource& source) {
+  TerrainScenery scenery{.sun_azimuth_rad = 225.0 * radians, .sun_elevation_rad = 30.0 * radians};
+  if (!arguments.sun.empty()) {
+    const auto sun = read_numbers("--sun", arguments.sun, 2, "AZIMUTH_DEG,ELEVATION_DEG", "225,30");
+    scenery.sun_azimuth_rad = sun[0] * radians;
+    scenery.sun_elevation_rad =
+        read_number("--sun", fmt::format("{}", sun[1]), -90.0, 90.0, "225,30") * radians;
+  }
+  if (source.centre_latitude_deg) scenery.lines = world::cover_lines(*source.centre_latitude_deg);
+  const auto line = [](const char* flag, const std::string& text, double& height_m) {
+    if (!text.empty()) height_m = read_number(flag, text, -highest_line_m, highest_line_m, "2500");
+  };
+  line("--sea-level-m", arguments.sea_level, scenery.lines.sea_level_m);
+  line("--tree-line-m", arguments.tree_line, scenery.lines.tree_line_m);
+  line("--snow-line-m", arguments.snow_line, scenery.lines.snow_line_m);
+  if (!arguments.exposure.empty()) {
+    scenery.exposure_ev = read_number("--exposure-ev", arguments.exposure, -20.0, 20.0, "1");
+  }
+  return scenery;
+}
+
+TerrainShow read_show(const std::string& text) {
+  if (text == "light") return TerrainShow::light;
+  if (text == "steps") return TerrainShow::steps;
+  throw bad_argument("--show", "light or steps", text, "steps");
+}
+
+void require_new(const TerrainRenderArguments& arguments, const std::string& file) {
+  if (file.empty() || arguments.force || !is_there(file)) return;
+  throw Error(ErrorKind::file, fmt::format("{}: is there already", one_line(file)),
+              "--force replaces it, or name another file");
+}
+
+void write_depth(const std::string& file, const Camera& camera, const std::vector<float>& distances_m) {
+  const ExrImage image{
+      .width = camera.width_px,
+      .height = camera.height_px,
+      .channels = {{"Z", distances_m}},
+      .attributes = {{"meaning", "metres along each pixel's ray; infinite where it is sky"}}};
+  write_exr(file, image, PixelType::float_32, ExrCompression::zip);
+}
+
+void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) {
+  const TerrainShow show = read_show(arguments.show);
+  require_new(arguments, arguments.output);
+  require_new(arguments, arguments.depth);
+  const HeightMapFile file = arguments.input.read();
+  const Camera camera = read_camera(arguments, file.map);
+  const TerrainScenery scenery = read_scenery(arguments, file.source);
+  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
+  terrain::HeightField field = make_field(file.map, device);
+  options.cancel.throw_if_cancelled();
+  const TerrainPicture picture = draw_terrain(device, field, camera, scenery, show);
+  options.cancel.throw_if_cancelled();
+  write_png(arguments.output, picture.image);
+  if (!arguments.depth.empty()) write_depth(arguments.depth, camera, picture.distances_m);
+
+  const double ground_share =
+      static_cast<double>(picture.ground_pixels) / static_cast<double>(picture.distances_m.size());
+  if (arguments.json) {
+    const nlohmann::ordered_json json = {
+        {"picture", arguments.output},         {"eye_m", {camera.eye_m.x, camera.eye_m.y, camera.eye_m.z}},
+        {"yaw_deg", camera.yaw_rad / radians}, {"pitch_deg", camera.pitch_rad / radians},
+        {"ground_share", ground_share},        {"mean_steps", picture.mean_steps}};
+    print_json(json);
+  } else {
+    fmt::print("{}: from ({:.1f}, {:.1f}, {:.1f}) m, {:.1f} % ground, {:.1f} steps a ray\n",
+               one_line(arguments.output), camera.eye_m.x, camera.eye_m.y, camera.eye_m.z,
+               100.0 * ground_share, picture.mean_steps);
+  }
+}
+
+}  // namespace
+
+void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
+  const auto arguments = std::make_shared<TerrainRenderArguments>();
+  CLI::App* command = terrain.add_subcommand("render", "a picture of a height map under a clear sky");
+  arguments->input.add_to(*command);
+  const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
+    return command->add_option(names, target, help)->type_name(placeholder)->group("Picture");
+  };
+  add("-o,--output", arguments->output, "FILE", "PNG to write")->required();
+  add("--depth", arguments->depth, "FILE", "EXR of the distance along each pixel's ray, m, channel Z");
+  add("--camera", arguments->camera, "CAMERA",
+      "fly, walk, or X,Y,Z,YAW_DEG,PITCH_DEG: metres east of, above and south of the map's north-west post "
+      "at height 0; yaw clockwise from north (default fly)");
+  add("--fov-deg", arguments->field_of_view, "V", "vertical angle of view, degrees (default 60)");
+  add("--size", arguments->size, "WxH", "pixels (default 1280x720)");
+  add("--sun", arguments->sun, "AZIMUTH_DEG,ELEVATION_DEG",
+      "where the sun stands, azimuth clockwise from north (default 225,30)");
+  add("--exposure-ev", arguments->exposure, "EV", "stops brighter than the light asks for (default 0)");
+  add("--sea-level-m", arguments->sea_level, "H", "ground at or below is water (default 0)");
+  add("--tree-line-m", arguments->tree_line, "H", "where trees end (default by latitude, else 2000)");
+  add("--snow-line-m", arguments->snow_line, "H", "where snow begins (default by latitude, else 2800)");
+  add("--show", arguments->show, "WHAT",
+      "light, or steps: how far each ray walked, blue 0, green 16, yellow 40, red 80 and more");
+  command->add_flag("--force", arguments->force, "replace files that are there");
+  command->add_flag("--json", arguments->json, "results for scripts");
+  add_global_options(*command, options, DeviceUse::one);
+  command->footer(R"(
+Examples:
+  offing terrain render S33W071.tif -o andes.png
+  offing terrain render S33W071.tif --camera walk --sun 300,12 --size 1920x1080 -o dusk.png --depth dusk.exr
+  offing terrain render heights.r16 --raw-size 1025x1025 --spacing-m 75 --show steps -o steps.png)");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,98 @@
+// Heights, profiles, rays and lines of sight from the command line.
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/offing_program.h"
+#include "tests/io/temporary_folder.h"
+
+namespace offing::test {
+namespace {
+
+/// Ground that rises to the east by 1 m in 2, with a wall 100 m high across the middle: 21 x 21 posts, 10 m
+/// apart.
+class TerrainQuery : public ::testing::Test {
+ protected:
+  TerrainQuery() {
+    std::ofstream grid(path("grid.asc"));
+    grid << "ncols 21\nnrows 21\nxllcenter 0\nyllcenter 0\ncellsize 10\n";
+    for (int row = 0; row < 21; ++row) {
+      for (int column = 0; column < 21; ++column) grid << 5 * column + (row == 10 ? 100 : 0) << ' ';
+      grid << "\n";
+    }
+  }
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+  ProgramResult ask(const std::string& command, std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"terrain", command, path("grid.asc")});
+    return run_offing(arguments);
+  }
+  nlohmann::json answer(const std::string& command, std::vector<std::string> arguments) const {
+    arguments.push_back("--json");
+    const ProgramResult result = ask(command, arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return nlohmann::json::parse(result.output);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(TerrainQuery, HeightIsBilinearBetweenPosts) {
+  const auto json = answer("height", {"--at", "33,7"});
+  EXPECT_NEAR(json["height_m"].get<double>(), 16.5, 1e-9);
+  EXPECT_NEAR(json["slope_deg"].get<double>(), std::atan(0.5) * 180.0 / std::numbers::pi, 1e-9);
+  EXPECT_NEAR(json["normal"][0].get<double>(), -1.0 / std::sqrt(5.0), 1e-9);
+}
+
+// Straight down, and up to a point below what it would hit.
+TEST_F(TerrainQuery, RaysEndOnTheGround) {
+  const auto down = answer("ray", {"--from", "33,116.5,7", "--direction", "0,-2,0"});
+  EXPECT_EQ(down["hit"], "surface");
+  EXPECT_NEAR(down["distance_m"].get<double>(), 100.0, 1e-3);
+  EXPECT_NEAR(down["point_m"][1].get<double>(), 16.5, 1e-3);
+  EXPECT_EQ(down["cell"], nlohmann::json({3, 0}));
+  EXPECT_EQ(answer("ray", {"--from", "33,116.5,7", "--to", "33,20,7"})["hit"], "miss");
+  EXPECT_EQ(answer("ray", {"--from", "33,10,7", "--to", "33,20,7"})["hit"], "inside");
+}
+
+// On its own side of the wall a target on the very ground is seen; behind the wall only from above it.
+TEST_F(TerrainQuery, WallsHide) {
+  EXPECT_EQ(answer("los", {"--from", "20,20,2", "--to", "180,80,0"})["visible"], true);
+  const auto hidden = answer("los", {"--from", "100,20,2", "--to", "100,180,2"});
+  EXPECT_EQ(hidden["visible"], false);
+  // Its slope begins at 90 m and rises 10 m in 1: at 2 m above the ground it is 0.2 m farther.
+  EXPECT_NEAR(hidden["hidden_at_m"].get<double>(), 70.2, 0.05);
+  EXPECT_EQ(answer("los", {"--from", "100,20,101", "--to", "100,180,101"})["visible"], true);
+}
+
+TEST_F(TerrainQuery, ProfilesHaveBothEnds) {
+  const ProgramResult result = ask("profile", {"--from", "0,5", "--to", "100,5", "--step-m", "50"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.output, "distance_m,x_m,z_m,height_m\n0,0,5,0\n50,50,5,25\n100,100,5,50\n");
+}
+
+TEST_F(TerrainQuery, RefusesWithAHint) {
+  const auto refuse = [&](const std::string& command, const std::vector<std::string>& arguments) {
+    const ProgramResult result = ask(command, arguments);
+    EXPECT_EQ(result.exit_code, 2) << command << ' ' << arguments.back();
+    EXPECT_THAT(result.errors, ::testing::MatchesRegex("error: [^\n]+\nhint: [^\n]+\n")) << arguments.back();
+    EXPECT_EQ(result.output, "");
+  };
+  refuse("height", {"--at", "201,0"});
+  refuse("height", {"--at", "1"});
+  refuse("ray", {"--from", "1,2,3"});
+  refuse("ray", {"--from", "1,2,3", "--to", "1,2,3"});
+  refuse("ray", {"--from", "1,2,3", "--to", "4,5,6", "--direction", "1,0,0"});
+  refuse("los", {"--from", "1,2,-1", "--to", "4,5,6"});
+  refuse("los", {"--from", "1,2,3", "--to", "1,2,3"});
+  refuse("profile", {"--from", "0,0", "--to", "500,0"});
+  refuse("profile", {"--from", "0,0", "--to", "100,0", "--step-m", "0"});
+}
+
+}  // namespace
+}  // namespace offing::test

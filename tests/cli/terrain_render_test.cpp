@@ -1,0 +1,102 @@
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "host/io/exr_image.h"
+#include "host/io/png_image.h"
+#include "tests/cli/offing_program.h"
+#include "tests/io/temporary_folder.h"
+
+namespace offing::test {
+namespace {
+
+/// A level map of 100 m, 21 x 21 posts, 50 m apart.
+class TerrainRender : public ::testing::Test {
+ protected:
+  TerrainRender() {
+    std::ofstream grid(path("grid.asc"));
+    grid << "ncols 21\nnrows 21\nxllcenter 0\nyllcenter 0\ncellsize 50\n";
+    for (int row = 0; row < 21; ++row) {
+      for (int column = 0; column < 21; ++column) grid << "100 ";
+      grid << "\n";
+    }
+  }
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+  ProgramResult render(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"terrain", "render", path("grid.asc"), "-o", path("out.png")});
+    return run_offing(arguments);
+  }
+
+  TemporaryFolder folder_;
+};
+
+// Fails if the camera does not stand where it is told, or the depth is not that of the ground below it: 40 m
+// straight down in the middle, 40 / cos(30 degrees) at the middle of the upper edge, but for half a pixel.
+TEST_F(TerrainRender, DrawsPictureAndDepth) {
+  const ProgramResult result =
+      render({"--camera", "500,140,500,0,-90", "--size", "65x65", "--depth", path("depth.exr"), "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["ground_share"], 1.0);
+  EXPECT_EQ(json["eye_m"], nlohmann::json({500.0, 140.0, 500.0}));
+  const RgbImage image = read_png(path("out.png"));
+  EXPECT_EQ(image.width, 65);
+  EXPECT_EQ(image.height, 65);
+  const std::vector<float> depth_m = read_exr(path("depth.exr")).channel("Z");
+  EXPECT_NEAR(depth_m[65 * 32 + 32], 40.0, 1e-4);
+  EXPECT_NEAR(depth_m[32], 40.0 / 0.8660, 0.4);
+}
+
+// Above the horizon of "walk" there is sky, below it the level ground: half the picture each, but for the row
+// at the horizon.
+TEST_F(TerrainRender, WalksOnTheGround) {
+  const ProgramResult result = render({"--camera", "walk", "--size", "64x64", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_NEAR(json["eye_m"][1].get<double>(), 101.7, 1e-9);
+  EXPECT_NEAR(json["ground_share"].get<double>(), 0.5, 0.02);
+}
+
+// A picture of steps needs no light: it differs from that of the light, and the sky of it is blue throughout.
+TEST_F(TerrainRender, ShowsSteps) {
+  ASSERT_EQ(render({"--camera", "walk", "--size", "32x32", "--show", "steps"}).exit_code, 0);
+  const RgbImage image = read_png(path("out.png"));
+  EXPECT_GT(image.rgb[2], 100);
+  EXPECT_LT(image.rgb[0], 60);
+}
+
+TEST_F(TerrainRender, RefusesWithAHint) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--camera", "stand"},
+                                                    {"--camera", "1,2,3,4"},
+                                                    {"--camera", "1,2,3,4,99"},
+                                                    {"--size", "640"},
+                                                    {"--size", "0x10"},
+                                                    {"--fov-deg", "180"},
+                                                    {"--sun", "10"},
+                                                    {"--sun", "10,100"},
+                                                    {"--show", "light,steps"},
+                                                    {"--snow-line-m", "high"},
+                                                    {"--exposure-ev", "nan"}}) {
+    const ProgramResult result = render(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments.back();
+    EXPECT_THAT(result.errors, ::testing::MatchesRegex("error: [^\n]+\nhint: [^\n]+\n")) << arguments.back();
+    EXPECT_FALSE(std::filesystem::exists(path("out.png"))) << arguments.back();
+  }
+}
+
+// Fails if somebody's picture is replaced unasked.
+TEST_F(TerrainRender, KeepsFilesThatAreThere) {
+  std::ofstream(path("out.png")) << "mine";
+  EXPECT_EQ(render({"--size", "16x16"}).exit_code, 1);
+  EXPECT_EQ(std::filesystem::file_size(path("out.png")), 4u);
+  EXPECT_EQ(render({"--size", "16x16", "--force"}).exit_code, 0);
+  EXPECT_NE(std::filesystem::file_size(path("out.png")), 4u);
+}
+
+}  // namespace
+}  // namespace offing::test
