@@ -116,6 +116,15 @@ int run_command_line(int argc, char** argv) {
     });
   });
 
+  CLI::App& terrain = *app.add_subcommand(
+      "terrain", "rays at height maps against Embree 3, on real maps if OFFING_TEST_DATA is set");
+  add_options(terrain, options);
+  terrain.callback([&] {
+    run(options, [&](const auto& device, const bench::Sinks& sinks) {
+      bench::bench_terrain(device, options.settings, sinks);
+    });
+  });
+
   CLI::App& first_frame = *app.add_subcommand("first-frame", "what the start-up benchmark starts");
   first_frame.group("");
   first_frame.add_option("--device", options.settings.device);

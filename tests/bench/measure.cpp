@@ -47,6 +47,12 @@ double block_ms(const Work& work) {
   return median(repetitions);
 }
 
+double once_ms(const Work& work) {
+  const double start = now_ms();
+  work();
+  return now_ms() - start;
+}
+
 std::size_t fastest(const std::vector<Work>& alternatives) {
   std::vector<double> best(alternatives.size(), std::numeric_limits<double>::infinity());
   for (int round = 0; round < selection_rounds; ++round) {

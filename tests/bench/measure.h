@@ -12,6 +12,9 @@ using Work = std::function<void()>;
 /// after a warm-up of 15 ms and at least one.
 double block_ms(const Work& work);
 
+/// Milliseconds of one run, without a warm-up.
+double once_ms(const Work& work);
+
 /// Runs the alternatives in turn for a few rounds; index of the one with the shortest block.
 std::size_t fastest(const std::vector<Work>& alternatives);
 
