@@ -16,6 +16,12 @@ namespace {
 constexpr double weakening = 2.0;
 // Of gradient noise in two dimensions, lowest to highest, and of a sum of octaves of it.
 constexpr double range_of_sum = 1.6;
+// Gullies: the widest beside the largest hills, how many kinds of half the width of the one before, and how
+// deep their cuts are beside their width.
+constexpr double widest_share = 0.09;
+constexpr int most_gullies = 5;
+constexpr double gully_depth = 0.3;
+constexpr double least_posts_a_gully = 4.0;
 
 void require(bool is_valid, const char* name, const char* expected, double found) {
   if (is_valid) return;
@@ -40,6 +46,7 @@ void require_valid(const FractalParameters& parameters) {
           "a thousandth of the side ... 1e7 m", parameters.longest_m);
   require(parameters.roughness >= 0.2 && parameters.roughness <= 0.8, "roughness", "0.2 ... 0.8",
           parameters.roughness);
+  require(parameters.erosion >= 0.0 && parameters.erosion <= 1.0, "erosion", "0 ... 1", parameters.erosion);
 }
 
 FractalGround::FractalGround(const FractalParameters& parameters) : parameters_(parameters) {
@@ -52,6 +59,11 @@ FractalGround::FractalGround(const FractalParameters& parameters) : parameters_(
     wavelength_m *= 0.5;
     height_m *= parameters.roughness;
   } while (wavelength_m >= 2.0 * spacing_m);
+  double width_m = widest_share * parameters.longest_m;
+  for (int i = 0; i < most_gullies && parameters.erosion > 0.0 && width_m >= least_posts_a_gully * spacing_m;
+       ++i, width_m *= 0.5) {
+    gullies_.emplace_back(width_m, gully_depth * parameters.erosion, parameters.side_m, parameters.seed, i);
+  }
 }
 
 void FractalGround::fill_lattice(Octave& octave, int lattice_row, std::vector<Gradient>& gradients) const {
@@ -80,8 +92,10 @@ void FractalGround::fill_row(int row, std::span<float> heights_m) {
     fill_lattice(octave, top + 1, octave.lower);
     octave.top = top;
   }
+  for (Gullies& gullies : gullies_) gullies.move_to(row * spacing_m);
   for (int column = 0; column < parameters_.posts; ++column) {
     double height_m = 0.0, slope_x = 0.0, slope_z = 0.0;
+    double ground_x = 0.0, ground_z = 0.0;  // slopes of what is wider than gullies
     for (const Octave& octave : octaves_) {
       const double x = column * spacing_m / octave.wavelength_m, z = row * spacing_m / octave.wavelength_m;
       const auto left = static_cast<std::size_t>(x);
@@ -100,8 +114,18 @@ void FractalGround::fill_row(int row, std::span<float> heights_m) {
           (south - north) * down_slope;
       slope_x += noise_x * octave.height_m / octave.wavelength_m;
       slope_z += noise_z * octave.height_m / octave.wavelength_m;
-      height_m += octave.height_m * std::lerp(north, south, down) /
-                  (1.0 + weakening * (slope_x * slope_x + slope_z * slope_z));
+      const double weight = 1.0 / (1.0 + weakening * (slope_x * slope_x + slope_z * slope_z));
+      height_m += octave.height_m * std::lerp(north, south, down) * weight;
+      if (octave.wavelength_m >= widest_share * parameters_.longest_m) {
+        ground_x += noise_x * octave.height_m / octave.wavelength_m * weight;
+        ground_z += noise_z * octave.height_m / octave.wavelength_m * weight;
+      }
+    }
+    for (const Gullies& gullies : gullies_) {
+      const Gullies::Cut cut = gullies.at(column * spacing_m, row * spacing_m, ground_x, ground_z);
+      height_m += cut.height_m;
+      ground_x += cut.slope_x;
+      ground_z += cut.slope_z;
     }
     heights_m[static_cast<std::size_t>(column)] = static_cast<float>(height_m);
   }

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "host/terrain/gullies.h"
+
 namespace offing::terrain {
 
 /// A square of made ground. Heights are a function of the place: more posts over the same side show the same
@@ -14,6 +16,7 @@ struct FractalParameters {
   double relief_m = 1500.0;   ///< about what lies between lowest and highest
   double longest_m = 9000.0;  ///< wavelength of the largest hills
   double roughness = 0.5;     ///< height of each octave over that of the one before, 0.2 ... 0.8
+  double erosion = 0.0;       ///< 0 none ... 1: how deep gullies are cut into slopes
   std::uint64_t seed = 1;
 };
 
@@ -22,7 +25,9 @@ void require_valid(const FractalParameters& parameters);
 
 /// Hills of ever shorter wavelengths: gradient noise (Perlin 2002, Improving noise) whose octaves are weaker
 /// where those before are steep (Musgrave in Ebert et al. 2003, Texturing and modeling, chapter 16), so that
-/// valleys are smooth and slopes rugged. Octaves end at two posts a wavelength.
+/// valleys are smooth and slopes rugged. Into the slopes gullies are cut, the wide ones first, each kind
+/// along the slopes that those before have left. Octaves end at two posts a wavelength, gullies at four a
+/// width.
 class FractalGround {
  public:
   /// Throws what require_valid() throws.
@@ -44,6 +49,7 @@ class FractalGround {
 
   FractalParameters parameters_;
   std::vector<Octave> octaves_;
+  std::vector<Gullies> gullies_;
 };
 
 }  // namespace offing::terrain

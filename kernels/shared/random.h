@@ -24,6 +24,8 @@ typedef std::uint64_t offing_uint64;
 #define OFFING_STREAM_OCEAN_TROCHOIDS 0x0cea0100u
 // Terrain: n and m are a lattice point, index its octave.
 #define OFFING_STREAM_TERRAIN_FRACTAL 0x7e110000u
+// Terrain: n and m are a cell, index the gullies of one width.
+#define OFFING_STREAM_TERRAIN_GULLIES 0x7e110001u
 
 typedef struct {
   offing_uint32 v[4];

@@ -132,7 +132,7 @@ TEST(Stats, TellsWhatIsNotUsed) {
 TEST(Stats, TakesTheScenesWithoutAWarning) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(OFFING_SCENES)) {
-    if (entry.path().extension() == ".toml") {
+    if (entry.path().extension() == ".toml" && entry.path().stem() != "bench_terrain") {
       ++count;
       const ProgramResult result =
           run_offing({"ocean", "stats", entry.path().string(), "--size", "32", "--seeds", "1"});

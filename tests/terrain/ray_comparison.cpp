@@ -27,11 +27,22 @@ bool is_robust(const HeightMap& map, const terrain::Ray& ray, const ReferenceHit
   return true;
 }
 
+std::vector<ReferenceHit> reference_hits(const HeightMap& map, const std::vector<terrain::Ray>& rays) {
+  std::vector<ReferenceHit> hits;
+  for (const terrain::Ray& ray : rays) hits.push_back(reference_hit(map, ray));
+  return hits;
+}
+
 RayComparison compare(const HeightMap& map, const std::vector<terrain::Ray>& rays,
                       const std::vector<TerrainHit>& found) {
+  return compare(map, rays, reference_hits(map, rays), found);
+}
+
+RayComparison compare(const HeightMap& map, const std::vector<terrain::Ray>& rays,
+                      const std::vector<ReferenceHit>& references, const std::vector<TerrainHit>& found) {
   RayComparison comparison;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const ReferenceHit expected = reference_hit(map, rays[i]);
+    const ReferenceHit& expected = references[i];
     const bool is_hit = expected.kind != TERRAIN_MISS;
     comparison.hits += is_hit ? 1 : 0;
     double error_cells = 0.0;

@@ -20,7 +20,12 @@ struct RayComparison {
   double worst_cells = 0.0;  ///< |t - t_reference| |n.d| of the others
 };
 
+std::vector<ReferenceHit> reference_hits(const HeightMap& map, const std::vector<terrain::Ray>& rays);
+
 /// Adds a failure for each of the first few wrong rays.
+RayComparison compare(const HeightMap& map, const std::vector<terrain::Ray>& rays,
+                      const std::vector<ReferenceHit>& references, const std::vector<TerrainHit>& found);
+/// The same against reference_hits(map, rays).
 RayComparison compare(const HeightMap& map, const std::vector<terrain::Ray>& rays,
                       const std::vector<TerrainHit>& found);
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later (offing-bench links FFTW)
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/terrain/height_field.h"
+#include "tests/bench/terrain_cameras.h"
+
+namespace offing::bench {
+
+/// Steps of rays, iterations of their walks (T11 of docs/sources.md).
+struct StepStatistics {
+  double mean = 0.0;
+  int of_90 = 0, of_95 = 0, of_99 = 0;    ///< 90, 95 and 99 % of the rays take no more
+  double within_16 = 0.0, over_80 = 0.0;  ///< shares of the rays
+};
+
+/// Of at least one hit or miss.
+StepStatistics step_statistics(const std::vector<TerrainHit>& hits);
+
+/// What the pixels' rays of all cameras of a way take.
+struct CameraSteps {
+  struct Method {
+    std::string name;
+    StepStatistics steps;
+  };
+  std::string way;
+  std::vector<Method> methods;  ///< "parity", "paper", "pdm", "linear", each ray on its own, and "picture"
+  /// |t - t'| |n.d| between any method and the first, of rays that both hit, in cells; and how many rays
+  /// only one of them hits.
+  double worst_cells = 0.0;
+  std::size_t unlike = 0, rays = 0;
+};
+
+/// Of cameras that fly and of those that walk. "picture" is what HeightField::cast(camera) takes: on a CPU a
+/// ray's share of the steps that 64 pixels share, rounded up.
+std::vector<CameraSteps> camera_steps(terrain::HeightField& field, const ocl::Device& device,
+                                      const std::vector<TerrainCamera>& cameras);
+
+/// A line a method.
+std::vector<std::string> text_of(const std::string& map_name, const CameraSteps& steps);
+
+}  // namespace offing::bench
