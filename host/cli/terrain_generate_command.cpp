@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <memory>
+#include <span>
+#include <thread>
+#include <vector>
 
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
@@ -23,7 +26,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, ".r32 is written as it lies in memory");
 
 struct TerrainGenerateArguments {
-  std::string output, posts, side, relief, longest, roughness, erosion, seed;
+  std::string output, posts, side, relief, mean, longest, roughness, erosion, seed;
   bool json = false;
   bool force = false;
 };
@@ -39,6 +42,7 @@ terrain::FractalParameters read_parameters(const TerrainGenerateArguments& argum
   }
   number("--side-m", arguments.side, parameters.side_m, 1.0, 1e7, "20000");
   number("--relief-m", arguments.relief, parameters.relief_m, 0.0, 2e4, "1500");
+  number("--mean-m", arguments.mean, parameters.mean_m, -1e4, 1e4, "600");
   number("--longest-m", arguments.longest, parameters.longest_m, 1e-3 * parameters.side_m, 1e7, "9000");
   number("--roughness", arguments.roughness, parameters.roughness, 0.2, 0.8, "0.5");
   number("--erosion", arguments.erosion, parameters.erosion, 0.0, 1.0, "0.7");
@@ -48,6 +52,42 @@ terrain::FractalParameters read_parameters(const TerrainGenerateArguments& argum
   }
   return parameters;
 }
+
+/// Rows of a ground, made by all cores.
+class RowMakers {
+ public:
+  explicit RowMakers(const terrain::FractalParameters& parameters)
+      : posts_(parameters.posts),
+        makers_(std::max(1u, std::thread::hardware_concurrency()), terrain::FractalGround(parameters)),
+        heights_m_(static_cast<std::size_t>(rows_at_once()) * static_cast<std::size_t>(posts_)) {}
+
+  int rows_at_once() const { return rows_a_maker * static_cast<int>(makers_.size()); }
+
+  /// Heights [rows][posts] m of the rows from `first` on, as many as are made at once or are left.
+  std::span<const float> make(int first) {
+    const auto posts = static_cast<std::size_t>(posts_);
+    const int rows = std::min(rows_at_once(), posts_ - first);
+    {
+      std::vector<std::jthread> threads;
+      for (int begin = 0; begin < rows; begin += rows_a_maker) {
+        threads.emplace_back([this, posts, first, begin, end = std::min(begin + rows_a_maker, rows)] {
+          terrain::FractalGround& maker = makers_[static_cast<std::size_t>(begin / rows_a_maker)];
+          for (int row = begin; row < end; ++row) {
+            maker.fill_row(first + row,
+                           std::span(heights_m_).subspan(static_cast<std::size_t>(row) * posts, posts));
+          }
+        });
+      }
+    }
+    return std::span(heights_m_).first(static_cast<std::size_t>(rows) * posts);
+  }
+
+ private:
+  static constexpr int rows_a_maker = 16;
+  int posts_;
+  std::vector<terrain::FractalGround> makers_;
+  std::vector<float> heights_m_;
+};
 
 void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options) {
   const terrain::FractalParameters parameters = read_parameters(arguments);
@@ -59,20 +99,20 @@ void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options
     throw Error(ErrorKind::file, fmt::format("{}: is there already", one_line(arguments.output)),
                 "--force replaces it, or name another file with -o");
   }
-  terrain::FractalGround ground(parameters);
   AtomicFile file(arguments.output);
-  std::vector<float> heights_m(static_cast<std::size_t>(parameters.posts));
   float lowest_m = 0.0f, highest_m = 0.0f;
   {
     Progress progress(parameters.posts, "rows", options.verbosity);
-    for (int row = 0; row < parameters.posts; ++row) {
+    RowMakers makers(parameters);
+    for (int first = 0; first < parameters.posts; first += makers.rows_at_once()) {
       options.cancel.throw_if_cancelled();
-      ground.fill_row(row, heights_m);
+      const std::span<const float> heights_m = makers.make(first);
       const auto [low, high] = std::minmax_element(heights_m.begin(), heights_m.end());
-      lowest_m = row == 0 ? *low : std::min(lowest_m, *low);
-      highest_m = row == 0 ? *high : std::max(highest_m, *high);
-      file.write(heights_m.data(), heights_m.size() * sizeof(float));
-      progress.advance();
+      lowest_m = first == 0 ? *low : std::min(lowest_m, *low);
+      highest_m = first == 0 ? *high : std::max(highest_m, *high);
+      file.write(heights_m.data(), heights_m.size_bytes());
+      for (std::size_t row = 0; row < heights_m.size() / static_cast<std::size_t>(parameters.posts); ++row)
+        progress.advance();
     }
   }
   file.commit();
@@ -103,6 +143,7 @@ void add_terrain_generate_command(CLI::App& terrain, GlobalOptions& options) {
   add("--posts", arguments->posts, "N", "posts a side, 2 ... 65536 (default 1025)");
   add("--side-m", arguments->side, "L", "length of a side, m (default 20000)");
   add("--relief-m", arguments->relief, "H", "about what lies between lowest and highest, m (default 1500)");
+  add("--mean-m", arguments->mean, "H", "about the middle between them, m above the sea (default 600)");
   add("--longest-m", arguments->longest, "L", "wavelength of the largest hills, m (default 9000)");
   add("--roughness", arguments->roughness, "R", "0.2 smooth ... 0.8 jagged (default 0.5)");
   add("--erosion", arguments->erosion, "E", "gullies that water has cut, 0 none ... 1 deep (default 0)");

@@ -42,6 +42,7 @@ void require_valid(const FractalParameters& parameters) {
   require(parameters.side_m >= 1.0 && parameters.side_m <= 1e7, "side_m", "1 ... 1e7 m", parameters.side_m);
   require(parameters.relief_m >= 0.0 && parameters.relief_m <= 2e4, "relief_m", "0 ... 20000 m",
           parameters.relief_m);
+  require(std::abs(parameters.mean_m) <= 1e4, "mean_m", "-10000 ... 10000 m", parameters.mean_m);
   require(parameters.longest_m >= 1e-3 * parameters.side_m && parameters.longest_m <= 1e7, "longest_m",
           "a thousandth of the side ... 1e7 m", parameters.longest_m);
   require(parameters.roughness >= 0.2 && parameters.roughness <= 0.8, "roughness", "0.2 ... 0.8",
@@ -94,7 +95,7 @@ void FractalGround::fill_row(int row, std::span<float> heights_m) {
   }
   for (Gullies& gullies : gullies_) gullies.move_to(row * spacing_m);
   for (int column = 0; column < parameters_.posts; ++column) {
-    double height_m = 0.0, slope_x = 0.0, slope_z = 0.0;
+    double height_m = parameters_.mean_m, slope_x = 0.0, slope_z = 0.0;
     double ground_x = 0.0, ground_z = 0.0;  // slopes of what is wider than gullies
     for (const Octave& octave : octaves_) {
       const double x = column * spacing_m / octave.wavelength_m, z = row * spacing_m / octave.wavelength_m;

@@ -14,6 +14,7 @@ struct FractalParameters {
   int posts = 1025;  ///< a side, 2 ... 65536
   double side_m = 20'000.0;
   double relief_m = 1500.0;   ///< about what lies between lowest and highest
+  double mean_m = 600.0;      ///< about the middle between them
   double longest_m = 9000.0;  ///< wavelength of the largest hills
   double roughness = 0.5;     ///< height of each octave over that of the one before, 0.2 ... 0.8
   double erosion = 0.0;       ///< 0 none ... 1: how deep gullies are cut into slopes

@@ -43,6 +43,8 @@ TEST_F(TerrainGenerate, RefusesWithAHint) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--posts", "1"},
                                                     {"--side-m", "0"},
                                                     {"--roughness", "2"},
+                                                    {"--erosion", "2"},
+                                                    {"--mean-m", "inf"},
                                                     {"--seed", "-1"},
                                                     {"--longest-m", "1"},
                                                     {"--relief-m", "nan"}}) {

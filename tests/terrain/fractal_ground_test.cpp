@@ -26,7 +26,7 @@ std::vector<float> heights_of(const FractalParameters& parameters) {
 
 // Fails if rows depend on those asked for before.
 TEST(FractalGroundTest, RowsComeInAnyOrder) {
-  const FractalParameters parameters{.posts = 129, .seed = 5};
+  const FractalParameters parameters{.posts = 129, .erosion = 0.5, .seed = 5};
   const std::vector<float> expected = heights_of(parameters);
   FractalGround ground(parameters);
   std::vector<float> row_m(129);
@@ -61,6 +61,55 @@ TEST(FractalGroundTest, HasTheReliefThatIsAsked) {
   }
 }
 
+// Fails if the middle is not where it is asked: within half the relief.
+TEST(FractalGroundTest, HasTheMiddleThatIsAsked) {
+  const std::vector<float> low = heights_of({.posts = 129, .mean_m = -500.0}),
+                           high = heights_of({.posts = 129, .mean_m = 1000.0});
+  for (std::size_t i = 0; i < low.size(); ++i) EXPECT_NEAR(high[i] - low[i], 1500.0f, 1e-3f);
+  double sum_m = 0.0;
+  for (const float height_m : high) sum_m += height_m;
+  EXPECT_NEAR(sum_m / static_cast<double>(high.size()), 1000.0, 750.0);
+}
+
+// Fails if gullies lift the ground, cut deeper than their depths together (0.3 of widths 810 m, 405 m, ...:
+// 486 m), cut no slopes, or are not the same ground with more posts: the finest kind, 101 m wide and cut by
+// 30 m, is added.
+TEST(FractalGroundTest, ErosionCutsGullies) {
+  FractalParameters parameters{.posts = 513, .erosion = 1.0};
+  const std::vector<float> cut = heights_of(parameters);
+  parameters.erosion = 0.0;
+  const std::vector<float> uncut = heights_of(parameters);
+  double deepest_m = 0.0, sum_m = 0.0;
+  for (std::size_t i = 0; i < cut.size(); ++i) {
+    EXPECT_LE(cut[i], uncut[i]);
+    deepest_m = std::max<double>(deepest_m, uncut[i] - cut[i]);
+    sum_m += uncut[i] - cut[i];
+  }
+  EXPECT_LT(deepest_m, 486.0);
+  EXPECT_GT(deepest_m, 30.0);
+  EXPECT_GT(sum_m / static_cast<double>(cut.size()), 2.0);
+}
+
+// Fails if gullies do not run downhill: in a plane that falls to the east, the ground varies along z and not
+// along x, but where spots of waves meet.
+TEST(FractalGroundTest, GulliesRunDownhill) {
+  terrain::Gullies gullies(100.0, 0.3, 10'000.0, 3, 0);
+  double along_m = 0.0, across_m = 0.0;
+  for (double z_m = 0.0; z_m < 2000.0; z_m += 10.0) {
+    gullies.move_to(z_m);
+    for (double x_m = 0.0; x_m < 2000.0; x_m += 10.0) {
+      const double here_m = gullies.at(x_m, z_m, -0.5, 0.0).height_m;
+      along_m += std::abs(gullies.at(x_m + 10.0, z_m, -0.5, 0.0).height_m - here_m);
+      gullies.move_to(z_m + 10.0);
+      across_m += std::abs(gullies.at(x_m, z_m + 10.0, -0.5, 0.0).height_m - here_m);
+      gullies.move_to(z_m);
+    }
+  }
+  // Measured 5.7.
+  EXPECT_GT(across_m, 3.0 * along_m);
+  EXPECT_EQ(gullies.at(500.0, 500.0, 0.0, 0.0).height_m, 0.0);
+}
+
 TEST(FractalGroundTest, SeedsDiffer) {
   EXPECT_NE(heights_of({.posts = 33, .seed = 1}), heights_of({.posts = 33, .seed = 2}));
 }
@@ -70,6 +119,8 @@ TEST(FractalGroundTest, RefusesWhatIsOutOfRange) {
   test::expect_error(ErrorKind::bad_input, "side_m", [] { FractalGround({.side_m = 0.0}); });
   test::expect_error(ErrorKind::bad_input, "relief_m", [] { FractalGround({.relief_m = std::nan("")}); });
   test::expect_error(ErrorKind::bad_input, "longest_m", [] { FractalGround({.longest_m = 1.0}); });
+  test::expect_error(ErrorKind::bad_input, "erosion", [] { FractalGround({.erosion = -0.1}); });
+  test::expect_error(ErrorKind::bad_input, "mean_m", [] { FractalGround({.mean_m = std::nan("")}); });
   test::expect_error(ErrorKind::bad_input, "roughness", [] { FractalGround({.roughness = 1.0}); });
 }
 
