@@ -52,6 +52,11 @@ std::string to_json(const std::vector<Row>& rows) {
                      {"ratio", number_or_null(row.ratio)},
                      {"ratio_low", number_or_null(row.ratio_low)},
                      {"spread", row.spread}});
+    if (row.steps) {
+      array.back()["steps"] = {{"mean", row.steps->mean},           {"of_90", row.steps->of_90},
+                               {"of_95", row.steps->of_95},         {"of_99", row.steps->of_99},
+                               {"within_16", row.steps->within_16}, {"over_80", row.steps->over_80}};
+    }
   }
   return array.dump(2);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/bench/measure.h"
+#include "tests/bench/step_statistics.h"
 
 namespace offing::bench {
 
@@ -20,6 +21,7 @@ struct Row {
   std::optional<double> ratio{};      ///< peer_ms / ours_ms
   std::optional<double> ratio_low{};  ///< lower bound of the 95 % confidence interval of the ratio
   double spread = 0.0;                ///< interquartile range over median, of the ratios or else of ours_ms
+  std::optional<StepStatistics> steps{};  ///< of the rays of four cameras, where rays are cast
 };
 
 Row row_of(std::string name, int size, std::string peer, const Comparison& comparison);

@@ -37,6 +37,17 @@ void require_equal(const std::string& name, double cell_m, const std::vector<flo
               "run the tests of this device: ctest -L quick");
 }
 
+/// Throws Error(device) where methods hit differently by more than 1e-3 cells across the surface, or in more
+/// than the rays that touch it.
+void require_agreement(const std::string& name, const CameraSteps& steps) {
+  if (steps.worst_cells <= 1e-3 && steps.unlike <= steps.rays / 10'000) return;
+  throw Error(ErrorKind::device,
+              fmt::format("{}: methods differ by {:.2g} cells and in {} of {} rays, expected 1e-3 and one in "
+                          "10,000",
+                          name, steps.worst_cells, steps.unlike, steps.rays),
+              "run the tests of this device: ctest -L quick");
+}
+
 struct Mode {
   EmbreePeer* peer;
   EmbreePeer::Packet packet;
@@ -151,8 +162,13 @@ void bench_map(const ocl::Device& device, const NamedMap& named, const Settings&
     bench_cameras(device, named, way, field, peers.modes(), settings, sinks);
   }
   for (const CameraSteps& steps : camera_steps(field, device, terrain_cameras(named.map))) {
-    for (const std::string& line : text_of(fmt::format("{} {}", named.name, named.map.columns), steps)) {
-      sinks.note(line);
+    require_agreement(named.name, steps);
+    for (const auto& [method, of, ms] : steps.methods) {
+      sinks.row({.name = fmt::format("terrain_{}_{}_{}", steps.way, named.name, method),
+                 .size = named.map.columns,
+                 .ours_ms = ms,
+                 .peer = text_of(of),
+                 .steps = of});
     }
   }
 }

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "tests/bench/measure.h"
+
 namespace offing::bench {
 namespace {
 
@@ -50,33 +52,48 @@ void compare_hits(const std::vector<terrain::Ray>& rays, const std::vector<Terra
   }
 }
 
+/// The median of three casts of a picture.
+double cast_ms(terrain::HeightField& field, const ocl::Device& device, const Camera& camera,
+               ocl::Buffer<TerrainHit>& hits, CastMethod method) {
+  std::vector<double> times_ms;
+  for (int i = 0; i < 3; ++i) {
+    times_ms.push_back(once_ms([&] {
+      field.cast(camera, hits, method);
+      device.finish();
+    }));
+  }
+  return median(times_ms);
+}
+
 CameraSteps steps_of_way(const std::string& way, terrain::HeightField& field, const ocl::Device& device,
                          const std::vector<TerrainCamera>& cameras) {
   const double cell_m = std::min(field.grid().spacing_x_m, field.grid().spacing_z_m);
   CameraSteps result;
   result.way = way;
   std::array<std::vector<TerrainHit>, methods.size()> all;
+  std::array<double, methods.size()> times_ms{};
   std::vector<TerrainHit> of_pictures;
   for (const auto& [camera_way, camera] : cameras) {
     if (camera_way != way) continue;
     const std::vector<terrain::Ray> rays = rays_of(camera);
     result.rays += rays.size();
+    ocl::Buffer<TerrainHit> picture(device, rays.size(), "hits");
     std::vector<TerrainHit> first;
     for (std::size_t i = 0; i < methods.size(); ++i) {
       const std::vector<TerrainHit> hits = field.cast(rays, methods[i].method);
       if (i == 0) first = hits;
       compare_hits(rays, first, hits, cell_m, result);
       all[i].insert(all[i].end(), hits.begin(), hits.end());
+      times_ms[i] += cast_ms(field, device, camera, picture, methods[i].method);
     }
-    ocl::Buffer<TerrainHit> picture(device, rays.size(), "hits");
     field.cast(camera, picture);
     const std::vector<TerrainHit> hits = picture.read();
     of_pictures.insert(of_pictures.end(), hits.begin(), hits.end());
   }
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    result.methods.push_back({methods[i].name, step_statistics(all[i])});
+    result.methods.push_back({methods[i].name, step_statistics(all[i]), times_ms[i]});
   }
-  result.methods.push_back({"picture", step_statistics(of_pictures)});
+  result.methods.push_back({"picture", step_statistics(of_pictures), times_ms[0]});
   return result;
 }
 
@@ -108,19 +125,10 @@ std::vector<CameraSteps> camera_steps(terrain::HeightField& field, const ocl::De
   return {steps_of_way("fly", field, device, cameras), steps_of_way("walk", field, device, cameras)};
 }
 
-std::vector<std::string> text_of(const std::string& map_name, const CameraSteps& steps) {
-  std::vector<std::string> lines;
-  for (const auto& [name, of] : steps.methods) {
-    lines.push_back(fmt::format(
-        "{} {} {}: {:.2f} steps in the mean, 90 / 95 / 99 % of the rays within {} / {} / {}, {:.1f} % within "
-        "16, {:.2f} % over 80",
-        map_name, steps.way, name, of.mean, of.of_90, of.of_95, of.of_99, 100.0 * of.within_16,
-        100.0 * of.over_80));
-  }
-  lines.push_back(fmt::format(
-      "{} {}: methods differ by {:.2g} cells at most across the surface, and by {} of {} rays in hit or miss",
-      map_name, steps.way, steps.worst_cells, steps.unlike, steps.rays));
-  return lines;
+std::string text_of(const StepStatistics& steps) {
+  return fmt::format("{:.2f} steps, 90 / 95 / 99 % within {} / {} / {}, {:.1f} % within 16, {:.2f} % over 80",
+                     steps.mean, steps.of_90, steps.of_95, steps.of_99, 100.0 * steps.within_16,
+                     100.0 * steps.over_80);
 }
 
 }  // namespace offing::bench

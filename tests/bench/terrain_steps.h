@@ -5,16 +5,10 @@
 #include <vector>
 
 #include "host/terrain/height_field.h"
+#include "tests/bench/step_statistics.h"
 #include "tests/bench/terrain_cameras.h"
 
 namespace offing::bench {
-
-/// Steps of rays, iterations of their walks (T11 of docs/sources.md).
-struct StepStatistics {
-  double mean = 0.0;
-  int of_90 = 0, of_95 = 0, of_99 = 0;    ///< 90, 95 and 99 % of the rays take no more
-  double within_16 = 0.0, over_80 = 0.0;  ///< shares of the rays
-};
 
 /// Of at least one hit or miss.
 StepStatistics step_statistics(const std::vector<TerrainHit>& hits);
@@ -24,6 +18,7 @@ struct CameraSteps {
   struct Method {
     std::string name;
     StepStatistics steps;
+    double ms = 0.0;  ///< to cast the pictures of all cameras into hits, device memory to device memory
   };
   std::string way;
   std::vector<Method> methods;  ///< "parity", "paper", "pdm", "linear", each ray on its own, and "picture"
@@ -38,7 +33,6 @@ struct CameraSteps {
 std::vector<CameraSteps> camera_steps(terrain::HeightField& field, const ocl::Device& device,
                                       const std::vector<TerrainCamera>& cameras);
 
-/// A line a method.
-std::vector<std::string> text_of(const std::string& map_name, const CameraSteps& steps);
+std::string text_of(const StepStatistics& steps);
 
 }  // namespace offing::bench
