@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include <fmt/format.h>
@@ -25,6 +26,18 @@ struct Range {
   float lowest_m, highest_m;
 };
 
+/// Throws Error(bad_input) that names the first height that is not finite or too far.
+[[noreturn]] void throw_bad_height(const PostGrid& grid, std::span<const float> heights_m) {
+  const auto bad = std::find_if(heights_m.begin(), heights_m.end(),
+                                [](float height_m) { return !(std::abs(height_m) <= farthest_height_m); });
+  const auto place = static_cast<std::size_t>(bad - heights_m.begin());
+  const auto columns = static_cast<std::size_t>(grid.columns);
+  throw Error(ErrorKind::bad_input,
+              fmt::format("height field: row {}, column {}: expected a height within {:g} m, found {:g}",
+                          place / columns, place % columns, farthest_height_m, *bad),
+              "fill the map's holes first");
+}
+
 Range range_of(const PostGrid& grid, std::span<const float> heights_m) {
   require_valid(grid);
   const auto columns = static_cast<std::size_t>(grid.columns);
@@ -34,19 +47,28 @@ Range range_of(const PostGrid& grid, std::span<const float> heights_m) {
                             heights_m.size()),
                 "give columns and rows of the map");
   }
-  Range range{heights_m[0], heights_m[0]};
-  for (std::size_t i = 0; i < heights_m.size(); ++i) {
-    const float height_m = heights_m[i];
-    if (!(std::abs(height_m) <= farthest_height_m)) {
-      throw Error(ErrorKind::bad_input,
-                  fmt::format("height field: row {}, column {}: expected a height within {:g} m, found {:g}",
-                              i / columns, i % columns, farthest_height_m, height_m),
-                  "fill the map's holes first");
-    }
-    range.lowest_m = std::min(range.lowest_m, height_m);
-    range.highest_m = std::max(range.highest_m, height_m);
+  // Side by side, as a compiler may not change the order of comparisons by itself.
+  constexpr std::size_t lanes = 16;
+  std::array<float, lanes> lowest_m, highest_m;
+  std::array<std::int32_t, lanes> is_bad{};
+  lowest_m.fill(heights_m[0]);
+  highest_m.fill(heights_m[0]);
+  const auto take = [&](std::size_t place, std::size_t lane) {
+    const float height_m = heights_m[place];
+    is_bad[lane] |= std::abs(height_m) <= farthest_height_m ? 0 : 1;
+    lowest_m[lane] = height_m < lowest_m[lane] ? height_m : lowest_m[lane];
+    highest_m[lane] = height_m > highest_m[lane] ? height_m : highest_m[lane];
+  };
+  const std::size_t whole = heights_m.size() / lanes * lanes;
+  for (std::size_t i = 0; i < whole; i += lanes) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) take(i + lane, lane);
   }
-  return range;
+  for (std::size_t i = whole; i < heights_m.size(); ++i) take(i, 0);
+  if (std::any_of(is_bad.begin(), is_bad.end(), [](std::int32_t bad) { return bad != 0; })) {
+    throw_bad_height(grid, heights_m);
+  }
+  return {*std::min_element(lowest_m.begin(), lowest_m.end()),
+          *std::max_element(highest_m.begin(), highest_m.end())};
 }
 
 int up_rule_of(CastMethod method) {
