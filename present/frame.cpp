@@ -1,6 +1,25 @@
 #include "present/frame.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "present/device_stage.h"
+
 namespace offing::present {
+namespace {
+
+/// The camera whose rays see the ground.
+Camera ground_camera(const FrameRequest& request) {
+  Camera camera = request.camera;
+  const auto scaled = [&](int side_px) {
+    return std::max(1, static_cast<int>(std::lround(side_px * request.ground_scale)));
+  };
+  camera.width_px = scaled(camera.width_px);
+  camera.height_px = scaled(camera.height_px);
+  return camera;
+}
+
+}  // namespace
 
 Frame::Frame(const GlContext& context, const ocl::Device& device, const FrameSettings& settings)
     : capabilities_(context.capabilities()),
@@ -13,32 +32,57 @@ void Frame::fit(int width, int height) {
   screen_ = RenderTarget(width, height, GL_RGBA8, RenderTarget::Depth::none);
 }
 
-void Frame::draw(world::World& world, const FrameRequest& request) {
-  fit(request.camera.width_px, request.camera.height_px);
-  // Depth is 1 at the near plane and 0 at infinity.
-  if (capabilities_.has_clip_control) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  {
-    const StageTimes::Scope stage(times_, Stage::transfer);
-    water_.prepare(world, transfer_);
-    sky_.prepare(world.sky());
+void Frame::draw_light(world::World& world, const FrameRequest& request, bool sees_ground) {
+  light_.bind();
+  glClearDepth(0.0);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  if (sees_ground) {
+    const StageTimes::Scope stage(times_, Stage::terrain);
+    terrain_.draw(request.camera, TerrainPass::Part::covered);
   }
-  {
+  if (world.has_sea()) {
     const StageTimes::Scope stage(times_, Stage::water);
-    light_.bind();
-    glClearDepth(0.0);
-    glClear(GL_DEPTH_BUFFER_BIT);
     water_.draw(world, request, sky_.environment(), light_);
   }
   {
-    // Last, where nothing else is.
+    // Where nothing else is.
     const StageTimes::Scope stage(times_, Stage::sky);
     light_.bind();
     sky_.draw(request.camera);
   }
+  if (sees_ground) {
+    const StageTimes::Scope stage(times_, Stage::terrain);
+    terrain_.draw(request.camera, TerrainPass::Part::edges);
+  }
+}
+
+void Frame::draw(world::World& world, const FrameRequest& request) {
+  fit(request.camera.width_px, request.camera.height_px);
+  // Depth is 1 at the near plane and 0 at infinity.
+  if (capabilities_.has_clip_control) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  if (world.ground()) {
+    run_stage(times_, Stage::terrain, world.device(), [&] { world.see_ground(ground_camera(request)); });
+  }
+  const bool sees_ground = world.ground() && world.ground()->is_in_reach();
+  const bool shows_steps = sees_ground && request.ground == GroundShow::steps;
+  {
+    const StageTimes::Scope stage(times_, Stage::transfer);
+    if (world.has_sea() && !shows_steps) water_.prepare(world, transfer_);
+    sky_.prepare(world.sky());
+    if (sees_ground) terrain_.prepare(*world.ground(), transfer_);
+  }
+  if (shows_steps) {
+    const StageTimes::Scope stage(times_, Stage::terrain);
+    light_.bind();
+    terrain_.draw_steps();
+  } else {
+    draw_light(world, request, sees_ground);
+  }
   {
     const StageTimes::Scope stage(times_, Stage::tone);
     screen_.bind();
-    tone_.draw(light_, request.exposure);
+    tone_.draw(light_, shows_steps ? 1.0 : request.exposure,
+               shows_steps ? TonePass::Curve::none : TonePass::Curve::filmic);
   }
   require_no_gl_error("frame");
 }

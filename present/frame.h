@@ -8,6 +8,7 @@
 #include "present/render_target.h"
 #include "present/sky_pass.h"
 #include "present/stage_times.h"
+#include "present/terrain_pass.h"
 #include "present/tone_pass.h"
 #include "present/transfer.h"
 #include "present/water_pass.h"
@@ -38,11 +39,13 @@ class Frame {
 
  private:
   void fit(int width, int height);
+  void draw_light(world::World& world, const FrameRequest& request, bool sees_ground);
 
   GlCapabilities capabilities_;
   TransferLadder transfer_;
   SkyPass sky_;
   WaterPass water_;
+  TerrainPass terrain_;
   TonePass tone_;
   RenderTarget light_, screen_;
   StageTimes times_;

@@ -18,10 +18,10 @@ class PictureMaker {
       : context_(GlContext::headless()),
         device_(ocl::Device::open_shared(ocl::select_device(options.device), ocl::Profiling::off,
                                          context_.share_properties())),
-        world_(device_, scene::prepare_world(options.scene)),
+        scene_(options.scene),
+        world_(device_, scene::prepare_shown_world(scene_)),
         frame_(context_, device_,
                {.water = water_detail(options.detail.value_or(Detail::high)), .transfer = options.transfer}),
-        scene_(options.scene),
         size_(options.size.value_or(PictureSize{})) {
     spdlog::info("OpenGL {} ({}, {}); OpenCL {}; transfer {}", context_.capabilities().version,
                  context_.capabilities().renderer, context_.capabilities().platform, device_.info().name,
@@ -45,10 +45,10 @@ class PictureMaker {
  private:
   GlContext context_;
   ocl::Device device_;
+  scene::OceanScene scene_;
   world::World world_;
   Frame frame_;
   LightMeter light_meter_;
-  scene::OceanScene scene_;
   PictureSize size_;
 };
 

@@ -8,6 +8,7 @@
 #include "host/base/log.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/world_scene.h"
+#include "present/device_stage.h"
 #include "present/picture_file.h"
 
 namespace offing::present {
@@ -18,7 +19,7 @@ LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, cons
       device_(ocl::Device::open_shared(ocl::select_device(settings.device), ocl::Profiling::on,
                                        context.share_properties())),
       scene_(scene),
-      world_(std::make_unique<world::World>(device_, scene::prepare_world(scene))),
+      world_(std::make_unique<world::World>(device_, scene::prepare_shown_world(scene_))),
       frame_(std::make_unique<Frame>(context, device_, settings.frame)) {
   warning_ = scene::steepness_warning(scene_, world_->parameters().trochoids);
   // What was written where has been checked: edits are not to be warned of as if they were in the file.
@@ -65,12 +66,8 @@ double LiveSea::water_height_m(double x_m, double z_m) {
 }
 
 void LiveSea::simulate(const SeaView& view) {
-  const StageTimes::Scope stage(frame_->times(), Stage::simulate);
-  const ocl::Event start = device_.mark();
-  world_->at(view.time_s, view.camera.eye_m.y);
-  const ocl::Event end = device_.mark();
-  device_.finish();
-  frame_->times().add_device_ms(Stage::simulate, 1e3 * (end.end_s() - start.end_s()));
+  run_stage(frame_->times(), Stage::simulate, device_,
+            [&] { world_->at(view.time_s, view.camera.eye_m.y); });
 }
 
 void LiveSea::draw(const SeaView& view) {
@@ -80,7 +77,12 @@ void LiveSea::draw(const SeaView& view) {
   simulate(view);
   exposure_ = light_meter_.exposure(world_->sky(), view.camera, now.exposure_ev);
   frame_->draw(*world_,
-               {.camera = view.camera, .exposure = exposure_, .debug = view.debug, .fill = view.fill});
+               {.camera = view.camera,
+                .exposure = exposure_,
+                .debug = view.debug,
+                .fill = view.fill,
+                .ground = view.ground,
+                .ground_scale = view.ground_scale});
 }
 
 void LiveSea::write(const std::filesystem::path& path) const {

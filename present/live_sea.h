@@ -23,6 +23,8 @@ struct SeaView {
   Camera camera;
   DebugView debug = DebugView::none;
   Fill fill = Fill::solid;
+  GroundShow ground = GroundShow::light;
+  double ground_scale = 1.0;  ///< of FrameRequest
 };
 
 /// A scene's world and the passes that draw it, both of which can be exchanged while they are shown. Whatever

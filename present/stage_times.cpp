@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace offing::present {
 namespace {
@@ -13,21 +14,24 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 std::string_view to_string(Stage stage) {
-  constexpr std::array<std::string_view, stage_count> names{"simulate", "transfer", "sky",
-                                                            "water",    "tone",     "panels"};
+  constexpr std::array<std::string_view, stage_count> names{"simulate", "terrain", "transfer", "sky",
+                                                            "water",    "tone",    "panels"};
   return names[static_cast<std::size_t>(stage)];
 }
 
 StageTimes::StageTimes() {
   for (auto& frame : queries_) {
-    for (GlQuery& query : frame) query = GlQuery::make();
+    for (auto& stage : frame) {
+      for (GlQuery& query : stage) query = GlQuery::make();
+    }
   }
 }
 
 StageTimes::Scope::Scope(StageTimes& times, Stage stage)
     : times_(times), stage_(stage), start_(std::chrono::steady_clock::now()) {
-  glBeginQuery(GL_TIME_ELAPSED, times_.queries_[times_.slot_][index(stage)].name());
-  times_.is_asked_[times_.slot_][index(stage)] = true;
+  std::size_t& part = times_.asked_[times_.slot_][index(stage)];
+  glBeginQuery(GL_TIME_ELAPSED, times_.queries_[times_.slot_][index(stage)].at(part).name());
+  ++part;
 }
 
 StageTimes::Scope::~Scope() {
@@ -53,13 +57,15 @@ void StageTimes::end_frame() {
   for (std::size_t i = 0; i < stage_count; ++i) {
     append(cpu_ms_[i], current_ms_[i]);
     current_ms_[i] = 0.0;
-    GLuint64 nanoseconds = 0;
-    if (is_asked_[slot_][i]) {
+    double measured_ms = added_ms_[i];
+    const std::size_t parts = std::exchange(asked_[slot_][i], 0);
+    for (std::size_t part = 0; part < parts; ++part) {
       // The oldest frame's: done by now.
-      glGetQueryObjectui64v(queries_[slot_][i].name(), GL_QUERY_RESULT, &nanoseconds);
-      is_asked_[slot_][i] = false;
+      GLuint64 nanoseconds = 0;
+      glGetQueryObjectui64v(queries_[slot_][i][part].name(), GL_QUERY_RESULT, &nanoseconds);
+      measured_ms += 1e-6 * static_cast<double>(nanoseconds);
     }
-    append(device_ms_[i], added_ms_[i] + 1e-6 * static_cast<double>(nanoseconds));
+    append(device_ms_[i], measured_ms);
     added_ms_[i] = 0.0;
   }
 }

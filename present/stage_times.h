@@ -10,8 +10,8 @@
 namespace offing::present {
 
 /// Parts of a frame whose time is shown.
-enum class Stage { simulate, transfer, sky, water, tone, panels };
-inline constexpr std::size_t stage_count = 6;
+enum class Stage { simulate, terrain, transfer, sky, water, tone, panels };
+inline constexpr std::size_t stage_count = 7;
 std::string_view to_string(Stage stage);
 
 /// Who measures a stage: the CPU's clock, or that of the device that works: OpenCL's events, OpenGL's
@@ -25,8 +25,8 @@ class StageTimes {
 
   StageTimes();
 
-  /// Measures one stage from here to its end; stages do not nest. Both clocks run: the CPU's and
-  /// OpenGL's timer queries.
+  /// Measures one stage from here to its end, or a part of it: up to three in a frame add up. Stages do not
+  /// nest. Both clocks run: the CPU's and OpenGL's timer queries.
   class Scope {
    public:
     Scope(StageTimes& times, Stage stage);
@@ -60,7 +60,7 @@ class StageTimes {
 
  private:
   using History = std::array<float, history_length>;
-  static constexpr std::size_t latency = 4;
+  static constexpr std::size_t latency = 4, most_parts = 3;
 
   static std::size_t index(Stage stage) { return static_cast<std::size_t>(stage); }
   static double mean_of(const History& history);
@@ -69,8 +69,8 @@ class StageTimes {
   std::array<History, stage_count> cpu_ms_{}, device_ms_{};
   History frame_ms_{};
   std::array<double, stage_count> current_ms_{}, added_ms_{};
-  std::array<std::array<GlQuery, stage_count>, latency> queries_;
-  std::array<std::array<bool, stage_count>, latency> is_asked_{};
+  std::array<std::array<std::array<GlQuery, most_parts>, stage_count>, latency> queries_;
+  std::array<std::array<std::size_t, stage_count>, latency> asked_{};  // parts that were measured
   std::size_t slot_ = 0;
   bool waits_ = false;
   std::chrono::steady_clock::time_point frame_start_ = std::chrono::steady_clock::now();

@@ -10,8 +10,10 @@ namespace offing::present {
 class TonePass {
  public:
   TonePass();
+  /// The way from light to the screen; colours that are no light keep themselves.
+  enum class Curve { filmic, none };
   /// Draws `picture` onto the bound target of the same size.
-  void draw(const RenderTarget& picture, double exposure) const;
+  void draw(const RenderTarget& picture, double exposure, Curve curve = Curve::filmic) const;
 
  private:
   ShaderProgram program_;

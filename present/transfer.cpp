@@ -36,14 +36,14 @@ class UnpackBinding {
 };
 
 std::size_t bytes_of(const Upload& upload) {
-  return upload.source->size() * sizeof(float);
+  return upload.source.size() * sizeof(float);
 }
 
 class MappedPointer : public TransferLadder::Way {
  public:
   void upload(std::span<const Upload> uploads) override {
     for (const Upload& upload : uploads) {
-      const auto view = upload.source->map();
+      const auto view = upload.source.map();
       upload.target->specify(view.span().data());
     }
   }
@@ -53,8 +53,8 @@ class BlockingRead : public TransferLadder::Way {
  public:
   void upload(std::span<const Upload> uploads) override {
     for (const Upload& upload : uploads) {
-      staging_.resize(upload.source->size());
-      upload.source->read(staging_);
+      staging_.resize(upload.source.size());
+      upload.source.read(staging_);
       upload.target->specify(staging_.data());
     }
   }
@@ -73,7 +73,7 @@ class OrphanedPbo : public TransferLadder::Way {
       void* memory =
           glMapBufferRange(GL_PIXEL_UNPACK_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
       if (memory == nullptr) throw Error(ErrorKind::device, "OpenGL: a pixel buffer cannot be mapped");
-      upload.source->read(std::span(static_cast<float*>(memory), upload.source->size()));
+      upload.source.read(std::span(static_cast<float*>(memory), upload.source.size()));
       if (glUnmapBuffer(GL_PIXEL_UNPACK_BUFFER) != GL_TRUE) {
         throw Error(ErrorKind::device, "OpenGL: the content of a pixel buffer was lost");
       }
@@ -106,7 +106,7 @@ class FencedPbo {
     }
     glDeleteSync(std::exchange(fence_, nullptr));
   }
-  void specify(const MapTexture& target) {
+  void specify(const TextureArray& target) {
     const UnpackBinding binding(buffer_);
     target.specify(nullptr);
     fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -141,7 +141,7 @@ class SharedPbo : public FencedPbo {
  public:
   SharedPbo(const ocl::Device& device, std::size_t bytes) : FencedPbo(bytes), imported_(imported(device)) {}
 
-  void copy_from(const ocl::Buffer<float>& source) { imported_.copy_from(source); }
+  void copy_from(const ocl::FloatView& source) { imported_.copy_from(source); }
 
  private:
   ocl::ImportedBuffer imported(const ocl::Device& device) {
@@ -188,7 +188,7 @@ class PboRing : public TransferLadder::Way {
     auto& slots = ring_.next(uploads);
     std::vector<ocl::Event> reads;
     for (std::size_t i = 0; i < uploads.size(); ++i) {
-      reads.push_back(uploads[i].source->begin_read(static_cast<float*>(slots[i]->memory())));
+      reads.push_back(uploads[i].source.begin_read(static_cast<float*>(slots[i]->memory())));
     }
     // Each map is passed on while the next ones are still read.
     for (std::size_t i = 0; i < uploads.size(); ++i) {
@@ -208,7 +208,7 @@ class GlSharing : public TransferLadder::Way {
   void upload(std::span<const Upload> uploads) override {
     auto& slots = ring_.next(uploads);
     for (std::size_t i = 0; i < uploads.size(); ++i) {
-      slots[i]->copy_from(*uploads[i].source);
+      slots[i]->copy_from(uploads[i].source);
       slots[i]->specify(*uploads[i].target);
     }
   }
@@ -249,9 +249,9 @@ std::unique_ptr<TransferLadder::Way> make_way(TransferRung rung, const ocl::Devi
 
 void require_equal_sizes(std::span<const Upload> uploads) {
   for (const Upload& upload : uploads) {
-    if (upload.source->size() == upload.target->count()) continue;
+    if (upload.source.size() == upload.target->count()) continue;
     throw Error(ErrorKind::bad_usage, fmt::format("texture upload: expected {} floats, found {}",
-                                                  upload.target->count(), upload.source->size()));
+                                                  upload.target->count(), upload.source.size()));
   }
 }
 

@@ -6,10 +6,10 @@
 #include <span>
 #include <string_view>
 
-#include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
+#include "host/ocl/float_view.h"
 #include "present/gl_context.h"
-#include "present/map_texture.h"
+#include "present/texture_array.h"
 
 namespace offing::present {
 
@@ -32,8 +32,8 @@ TransferRung transfer_rung(std::string_view name);
 
 /// A map of a simulation, and where it is to be drawn from.
 struct Upload {
-  const ocl::Buffer<float>* source = nullptr;
-  const MapTexture* target = nullptr;
+  ocl::FloatView source;
+  const TextureArray* target = nullptr;
 };
 
 /// Takes maps from OpenCL to OpenGL by the best rung that both sides offer; a rung that fails gives way to

@@ -26,12 +26,13 @@ constexpr const char* footer = R"(
 Examples:
   offing-view scenes/storm.toml --headless --size 1920x1080 --time 12.5 -o storm.png
   offing-view scenes/storm.toml --record out_%04d.png --frames 0:47 --fps 24
+  offing-view --terrain S33W071.tif
 
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device or display, 130 interrupted.)";
 
 // The command line as it was written.
 struct Written {
-  std::string scene, size, detail, time, output, record, frames, fps, transfer, device, sources;
+  std::string scene, terrain, size, detail, time, output, record, frames, fps, transfer, device, sources;
   bool is_headless = false;
   bool is_window = false;
   bool is_paused = false;
@@ -42,10 +43,15 @@ struct Written {
 void add_options(CLI::App& app, Written& written) {
   app.name("offing-view");
   format_help(app);
-  app.description("offing-view: the sea of a scene, in a window or in pictures without one");
+  app.description("offing-view: the sea and the ground of a scene, in a window or in pictures without one");
   app.set_version_flag("--version", "offing-view " + std::string(scene::version()), "print the version");
   app.set_help_flag("-h,--help", "print this help");
-  app.add_option("SCENE", written.scene, "scene file (.toml); without one, a default sea")->type_name("");
+  app.add_option("SCENE", written.scene, "scene file (.toml); without one, a default sea, or --terrain alone")
+      ->type_name("");
+  app.add_option("--terrain", written.terrain,
+                 "height map to show: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR; as [terrain] file = FILE in\n"
+                 "the scene would, whose other keys say how to read it and where its eye is")
+      ->type_name("FILE");
   const char* pictures = "Pictures";
   app.add_flag("--headless", written.is_headless, "no window: write a picture (-o)")->group(pictures);
   app.add_flag("--window", written.is_window, "a window although pictures are recorded")->group(pictures);
@@ -153,6 +159,11 @@ ViewOptions checked(const Written& written) {
                       : written.is_verbose ? Verbosity::verbose
                                            : Verbosity::normal;
   if (!written.scene.empty()) options.scene = scene::load_scene(written.scene);
+  if (!written.terrain.empty()) {
+    options.scene.terrain.is_given = true;
+    options.scene.terrain.file = written.terrain;
+    options.scene.set_at.insert_or_assign("terrain.file", "--terrain");
+  }
   options.scene_name = std::filesystem::path(written.scene).stem().string();
   if (!written.size.empty()) options.size = read_size("--size", written.size);
   if (!written.detail.empty()) options.detail = read_detail(written.detail);

@@ -35,6 +35,16 @@ LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& c
           .frame = {.water = water_detail(options.detail.value_or(usual)), .transfer = options.transfer}};
 }
 
+ViewState start_state(const ViewOptions& options, const LiveSea& sea) {
+  ViewState state{.scene = options.scene,
+                  .camera = FreeCamera(sea.scene().view.camera),
+                  .clock = SceneClock(options.time_s),
+                  .save_name = (options.scene_name.empty() ? "scene" : options.scene_name) + "_edited.toml",
+                  .message = {.text = sea.warning()}};
+  state.scene.view.camera = sea.scene().view.camera;
+  return state;
+}
+
 bool is_of_camera(std::string_view key) {
   return key.starts_with("camera.");
 }
@@ -66,16 +76,13 @@ Viewer::Viewer(const ViewOptions& options)
                                   .width = options.size.value_or(PictureSize{}).width,
                                   .height = options.size.value_or(PictureSize{}).height})),
       sea_(context_, sea_settings(options, context_.capabilities()), options.scene),
-      state_{.scene = options.scene,
-             .camera = FreeCamera(options.scene.view.camera),
-             .clock = SceneClock(options.time_s),
-             .save_name = (options.scene_name.empty() ? "scene" : options.scene_name) + "_edited.toml",
-             .message = {.text = sea_.warning()}},
+      state_(start_state(options, sea_)),
       input_(window()),
       panels_(window()),
       last_turn_s_(glfwGetTime()),
       drawn_s_(options.time_s),
       is_on_path_(has_camera_path(options.scene)) {
+  options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
   if (options.starts_paused) state_.clock.toggle_pause();
   spdlog::info("OpenGL {} ({}); OpenCL {}; transfer {}", context_.capabilities().version,
                context_.capabilities().renderer, sea_.device().name, to_string(sea_.frame().transfer_rung()));

@@ -24,12 +24,12 @@ void WaterMaps::prepare(world::World& world, TransferLadder& transfer) {
     gradient_ = MapTexture(size, layers, 4);
     foam_ = MapTexture(size, layers, 1);
   }
-  const std::array<Upload, 3> uploads{{{&ocean.displacement_map(), &displacement_},
-                                       {&ocean.gradient_map(), &gradient_},
-                                       {&ocean.foam_map(), &foam_}}};
+  const std::array<Upload, 3> uploads{{{ocean.displacement_map(), &displacement_},
+                                       {ocean.gradient_map(), &gradient_},
+                                       {ocean.foam_map(), &foam_}}};
   glActiveTexture(GL_TEXTURE0);
   transfer.upload(uploads);
-  for (const Upload& upload : uploads) upload.target->make_levels();
+  for (const MapTexture* map : {&displacement_, &gradient_, &foam_}) map->make_levels();
 }
 
 void WaterMaps::bind(const ShaderProgram& program, const world::World& world, glm::dvec2 eye_m) const {

@@ -51,13 +51,6 @@ glm::vec3 haze_perm(const sky::Atmosphere& air) {
 
 }  // namespace
 
-std::string_view to_string(DebugView view) {
-  constexpr std::array<std::string_view, all_debug_views.size()> names{
-      "none", "height",    "slope",     "jacobian",  "foam",     "footprint",
-      "grid", "cascade 0", "cascade 1", "cascade 2", "cascade 3"};
-  return names[static_cast<std::size_t>(view)];
-}
-
 WaterPass::WaterPass(const GlCapabilities& capabilities, WaterDetail detail)
     : detail_(detail),
       surface_(capabilities, detail.cells),

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
-#include <string_view>
-
 #include "host/base/camera.h"
 #include "host/world/world.h"
+#include "present/frame_request.h"
 #include "present/gl_context.h"
 #include "present/gl_objects.h"
 #include "present/render_target.h"
@@ -21,34 +19,6 @@ struct WaterDetail {
   GridCells cells;
   /// Samples along a pixel's footprint, which is long where water is seen at a grazing angle.
   int taps = 1;
-};
-
-/// What the water shows instead of light.
-enum class DebugView {
-  none,
-  height,
-  slope,
-  jacobian,
-  foam,
-  footprint,
-  grid,
-  cascade_0,
-  cascade_1,
-  cascade_2,
-  cascade_3
-};
-inline constexpr std::array all_debug_views{DebugView::none,      DebugView::height,    DebugView::slope,
-                                            DebugView::jacobian,  DebugView::foam,      DebugView::footprint,
-                                            DebugView::grid,      DebugView::cascade_0, DebugView::cascade_1,
-                                            DebugView::cascade_2, DebugView::cascade_3};
-std::string_view to_string(DebugView view);
-
-/// What to draw: the world as this camera sees it.
-struct FrameRequest {
-  Camera camera;
-  double exposure = 1.0;  ///< 1 / (kcd/m2), of LightMeter
-  DebugView debug = DebugView::none;
-  Fill fill = Fill::solid;
 };
 
 /// Draws the ocean: its shape (WaterSurface), then its light on the pixels that show it.

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "host/ocean/projected_grid.h"
+#include "present/view_depth.h"
 
 namespace offing::present {
 namespace {
 
-constexpr double near_m = 0.05;
 constexpr int output_count = 3;
 constexpr int first_shape_unit = 0;
 

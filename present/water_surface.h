@@ -4,6 +4,7 @@
 
 #include "host/base/camera.h"
 #include "host/world/world.h"
+#include "present/frame_request.h"
 #include "present/gl_context.h"
 #include "present/gl_objects.h"
 #include "present/render_target.h"
@@ -12,8 +13,6 @@
 #include "present/water_shape.h"
 
 namespace offing::present {
-
-enum class Fill { solid, wireframe };
 
 /// The water as a camera sees it: the displaced grid of a WaterShape, drawn into textures that hold for each
 /// pixel what its light depends on (water_surface.frag). Light is worked out from them once a pixel, however

@@ -33,6 +33,10 @@ const char* title(ParameterGroup group) {
       return "Raindrop";
     case ParameterGroup::foam:
       return "Foam";
+    case ParameterGroup::terrain:
+      return "Ground";
+    case ParameterGroup::walk:
+      return "Walk";
     case ParameterGroup::camera:
       return "Camera";
     case ParameterGroup::sun:

@@ -1,12 +1,12 @@
 #include "host/cli/terrain_camera.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "host/base/argument.h"
 #include "host/cli/number_list.h"
+#include "host/terrain/flying_camera.h"
 #include "host/terrain/ground.h"
 
 namespace offing::cli {
@@ -14,20 +14,16 @@ namespace {
 
 constexpr double radians = std::numbers::pi / 180.0;
 constexpr double eye_height_m = 1.7;
-constexpr double flying_height_m = 300.0;
-constexpr double flying_pitch_rad = -15.0 * radians;
 
 }  // namespace
 
 Camera read_terrain_camera(std::string_view text, const HeightMap& map) {
   Camera camera;
-  const double width_m = map.spacing_x_m * (map.columns - 1), depth_m = map.spacing_z_m * (map.rows - 1);
   if (text == "fly") {
-    const float highest_m = *std::max_element(map.heights_m.begin(), map.heights_m.end());
-    camera.eye_m = {0.5 * width_m, highest_m + flying_height_m, depth_m};
-    camera.pitch_rad = flying_pitch_rad;
+    camera = terrain::flying_camera(map);
   } else if (text == "walk") {
-    const double x_m = 0.5 * width_m, z_m = 0.5 * depth_m;
+    const double x_m = 0.5 * map.spacing_x_m * (map.columns - 1),
+                 z_m = 0.5 * map.spacing_z_m * (map.rows - 1);
     const terrain::GroundPoint ground = *terrain::ground_at(map, x_m, z_m);
     camera.eye_m = {x_m, ground.height_m + eye_height_m, z_m};
     // Level ground has no way down: north.

@@ -4,7 +4,6 @@
 #include <bit>
 #include <memory>
 #include <span>
-#include <thread>
 #include <vector>
 
 #include <CLI/Option.hpp>
@@ -17,7 +16,7 @@
 #include "host/cli/terrain_place.h"
 #include "host/io/atomic_file.h"
 #include "host/io/file_presence.h"
-#include "host/terrain/fractal_ground.h"
+#include "host/terrain/row_makers.h"
 
 namespace offing::cli {
 
@@ -53,42 +52,6 @@ terrain::FractalParameters read_parameters(const TerrainGenerateArguments& argum
   return parameters;
 }
 
-/// Rows of a ground, made by all cores.
-class RowMakers {
- public:
-  explicit RowMakers(const terrain::FractalParameters& parameters)
-      : posts_(parameters.posts),
-        makers_(std::max(1u, std::thread::hardware_concurrency()), terrain::FractalGround(parameters)),
-        heights_m_(static_cast<std::size_t>(rows_at_once()) * static_cast<std::size_t>(posts_)) {}
-
-  int rows_at_once() const { return rows_a_maker * static_cast<int>(makers_.size()); }
-
-  /// Heights [rows][posts] m of the rows from `first` on, as many as are made at once or are left.
-  std::span<const float> make(int first) {
-    const auto posts = static_cast<std::size_t>(posts_);
-    const int rows = std::min(rows_at_once(), posts_ - first);
-    {
-      std::vector<std::jthread> threads;
-      for (int begin = 0; begin < rows; begin += rows_a_maker) {
-        threads.emplace_back([this, posts, first, begin, end = std::min(begin + rows_a_maker, rows)] {
-          terrain::FractalGround& maker = makers_[static_cast<std::size_t>(begin / rows_a_maker)];
-          for (int row = begin; row < end; ++row) {
-            maker.fill_row(first + row,
-                           std::span(heights_m_).subspan(static_cast<std::size_t>(row) * posts, posts));
-          }
-        });
-      }
-    }
-    return std::span(heights_m_).first(static_cast<std::size_t>(rows) * posts);
-  }
-
- private:
-  static constexpr int rows_a_maker = 16;
-  int posts_;
-  std::vector<terrain::FractalGround> makers_;
-  std::vector<float> heights_m_;
-};
-
 void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options) {
   const terrain::FractalParameters parameters = read_parameters(arguments);
   if (!arguments.output.ends_with(".r32")) {
@@ -103,7 +66,7 @@ void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options
   float lowest_m = 0.0f, highest_m = 0.0f;
   {
     Progress progress(parameters.posts, "rows", options.verbosity);
-    RowMakers makers(parameters);
+    terrain::RowMakers makers(parameters);
     for (int first = 0; first < parameters.posts; first += makers.rows_at_once()) {
       options.cancel.throw_if_cancelled();
       const std::span<const float> heights_m = makers.make(first);

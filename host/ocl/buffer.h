@@ -116,6 +116,7 @@ class Buffer {
     memory_.fill(&value, sizeof(T));
   }
   MappedView<T> map() const { return MappedView<T>(memory_, count_); }
+  const detail::Memory& memory() const { return memory_; }
 
  private:
   detail::Memory memory_;

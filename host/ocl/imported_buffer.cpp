@@ -37,12 +37,13 @@ ImportedBuffer::~ImportedBuffer() {
   if (memory_ != nullptr) clReleaseMemObject(memory_);
 }
 
-void ImportedBuffer::copy_bytes(cl_mem source, std::size_t bytes) {
+void ImportedBuffer::copy_from(const FloatView& source) {
+  const std::size_t bytes = source.size() * sizeof(float);
   const std::string& where = device_->info.name;
   const cl_command_queue queue = device_->queue.get();
   check(clEnqueueAcquireGLObjects(queue, 1, &memory_, 0, nullptr, nullptr), "clEnqueueAcquireGLObjects",
         where);
-  const int status = clEnqueueCopyBuffer(queue, source, memory_, 0, 0, bytes, 0, nullptr, nullptr);
+  const int status = clEnqueueCopyBuffer(queue, source.handle(), memory_, 0, 0, bytes, 0, nullptr, nullptr);
   // OpenGL gets the buffer back also after a failure.
   check(clEnqueueReleaseGLObjects(queue, 1, &memory_, 0, nullptr, nullptr), "clEnqueueReleaseGLObjects",
         where);

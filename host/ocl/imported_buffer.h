@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <memory>
 
-#include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
+#include "host/ocl/float_view.h"
 
 namespace offing::ocl {
 
@@ -18,15 +18,10 @@ class ImportedBuffer {
   ImportedBuffer& operator=(ImportedBuffer&& other) noexcept;
   ~ImportedBuffer();
 
-  /// Copies all elements to the start of the OpenGL buffer and waits; OpenGL must be done with the buffer.
-  template <class T>
-  void copy_from(const Buffer<T>& source) {
-    copy_bytes(source.handle(), source.size() * sizeof(T));
-  }
+  /// Copies all floats to the start of the OpenGL buffer and waits; OpenGL must be done with the buffer.
+  void copy_from(const FloatView& source);
 
  private:
-  void copy_bytes(cl_mem source, std::size_t bytes);
-
   std::shared_ptr<detail::DeviceState> device_;
   cl_mem memory_ = nullptr;
 };

@@ -10,6 +10,7 @@
 #include "host/ocean/ocean.h"
 #include "host/ocean/spectrum_parameters.h"
 #include "host/ocean/trochoids.h"
+#include "host/scene/terrain_scene.h"
 #include "host/scene/view_scene.h"
 
 namespace offing::scene {
@@ -23,8 +24,8 @@ struct SwellScene {
   double phase_rad = 0.0;      ///< at the origin and time 0; 0 is a crest
 };
 
-/// Everything a scene file or the command line can say about a sea and its pictures, checked one value at a
-/// time by the parameter table (parameter_table.h), which holds every key, flag, unit and range. A
+/// Everything a scene file or the command line can say about a sea, the ground and their pictures, checked one
+/// value at a time by the parameter table (parameter_table.h), which holds every key, flag, unit and range. A
 /// default-made scene is the default sea.
 struct OceanScene {
   double latitude_rad = 0.0;   ///< of the origin, north positive
@@ -52,6 +53,11 @@ struct OceanScene {
   std::vector<SwellScene> swells;
   std::vector<ocean::Raindrop> raindrops;
   ocean::OceanParameters ocean;  ///< its cascades are filled in by prepare_sea()
+
+  bool names_sea = false;  ///< the scene has an [ocean] section
+  TerrainScene terrain;
+  /// Ground that is given without a sea stands alone.
+  bool has_sea() const { return names_sea || !terrain.is_given; }
 
   ViewScene view;  ///< for the presenter; no simulation reads it
   /// Key of each parameter of the view that moves -> how, in the stored unit; see view_at().

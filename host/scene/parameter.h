@@ -35,11 +35,11 @@ using Storage = std::variant<double& (*)(OceanScene&), std::optional<double>& (*
                              std::string& (*)(OceanScene&), std::optional<UtcTime>& (*)(OceanScene&),
                              std::vector<double>& (*)(OceanScene&), ChoiceStorage, ElementStorage>;
 
-enum class ParameterGroup { world, time, wind, sea, grid, swell, raindrop, foam, camera, sun, sky, render };
+enum class ParameterGroup { world, time, wind, sea, grid, swell, raindrop, foam, camera, sun, sky, render, terrain, walk };
 enum class ParameterRule { within_range, power_of_two };
 /// Whether a value may have keyframes (parameter_track.h), and goes from one to the next as an angle does.
 enum class ParameterMotion { constant, keyed, keyed_angle };
-/// Which seas a parameter matters to (unused_parameters.h).
+/// Which scenes a parameter matters to (unused_parameters.h).
 enum class ParameterUse {
   always,
   modelled_sea,      ///< not one of a measured spectrum
@@ -57,6 +57,9 @@ enum class ParameterUse {
   chosen_cascades,     ///< whose patches are not given
   gerstner,            ///< with Gerstner waves
   dated_sun,           ///< under a sun that stands where its time says
+  terrain_file,        ///< with ground that is read from a file
+  made_ground,         ///< with ground that is made
+  dry_scene,           ///< with ground and without a sea
 };
 
 /// One row of the parameter table: everything there is to say about one value of a scene.

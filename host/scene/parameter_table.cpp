@@ -4,6 +4,7 @@
 #include "host/scene/parameter_storage.h"
 #include "host/scene/sea_parameters.h"
 #include "host/scene/sky_parameters.h"
+#include "host/scene/terrain_parameters.h"
 #include "host/scene/view_parameters.h"
 
 namespace offing::scene {
@@ -200,7 +201,7 @@ std::span<const Parameter> parameter_table() {
     std::vector<Parameter> rows;
     for (const std::vector<Parameter>& more :
          {world_rows(), sea_parameters(), grid_rows(), extra_wave_parameters(), view_parameters(),
-          sky_parameters()}) {
+          sky_parameters(), terrain_parameters()}) {
       rows.insert(rows.end(), more.begin(), more.end());
     }
     return rows;

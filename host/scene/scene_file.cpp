@@ -25,8 +25,8 @@ namespace {
 constexpr std::streamsize max_scene_bytes = 4 << 20;
 
 /// Parts of the scene format that have no system behind them in this version.
-constexpr std::array<std::string_view, 7> planned_keys = {
-    "world.sea_level_m", "ocean.wake", "body", "terrain", "clouds", "mesh", "light"};
+constexpr std::array<std::string_view, 6> planned_keys = {"world.sea_level_m", "ocean.wake", "body",
+                                                           "clouds", "mesh", "light"};
 
 class SceneReader {
  public:
@@ -36,6 +36,8 @@ class SceneReader {
   OceanScene read(const toml::table& root) {
     check_version(root);
     read_table(root, "");
+    scene_.names_sea = root.contains("ocean");
+    scene_.terrain.is_given = root.contains("terrain");
     return std::move(scene_);
   }
 
@@ -137,8 +139,9 @@ class SceneReader {
       return;
     }
     store(scene_, parameter, written_value(node), place);
-    if (parameter.key == "ocean.spectrum_file") {
-      scene_.spectrum_file = (folder_ / scene_.spectrum_file).string();
+    for (const auto& [file_key, file] : {std::pair("ocean.spectrum_file", &scene_.spectrum_file),
+                                         std::pair("terrain.file", &scene_.terrain.file)}) {
+      if (parameter.key == file_key) *file = (folder_ / *file).string();
     }
   }
 

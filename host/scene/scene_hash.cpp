@@ -20,10 +20,11 @@ constexpr std::array<std::string_view, 8> indirect_keys = {
     "time.start_s",        "time.end_s",   "ocean.wind_speed_mps", "ocean.wind_direction_deg",
     "ocean.spectrum_file", "ocean.record", "ocean.cascade_count",  "ocean.cascade.patch_m"};
 
-/// Rows that only pictures of the presenter depend on.
+/// Rows that only pictures of the presenter depend on: no sea does.
 bool is_of_pictures(const Parameter& row) {
   return row.group == ParameterGroup::camera || row.group == ParameterGroup::sun ||
          row.group == ParameterGroup::sky || row.group == ParameterGroup::render ||
+         row.group == ParameterGroup::terrain || row.group == ParameterGroup::walk ||
          row.use == ParameterUse::dated_sun;
 }
 

@@ -146,6 +146,18 @@ void leave_out_what_does_not_count(Section& section) {
   }
 }
 
+/// Sections that say something by being there, where all in them is as usual.
+void add_bare_sections(const OceanScene& scene, std::vector<Section>& sections) {
+  const auto is_missing = [&](std::string_view name) {
+    return std::none_of(sections.begin(), sections.end(), [&](const Section& one) {
+      return one.name == name || one.name.starts_with(fmt::format("{}.", name));
+    });
+  };
+  if (!scene.terrain.is_given) return;
+  if (is_missing("terrain")) sections.push_back({.name = "terrain", .lines = {}});
+  if (scene.names_sea && is_missing("ocean")) sections.push_back({.name = "ocean", .lines = {}});
+}
+
 /// What is not as in a default-made scene, in the order of the table; rows of a section need not be
 /// neighbours.
 std::vector<Section> changed_sections(const OceanScene& scene, const std::filesystem::path& folder) {
@@ -160,6 +172,7 @@ std::vector<Section> changed_sections(const OceanScene& scene, const std::filesy
     section->lines.push_back({.name = name_of(row.key), .values = values_of(scene, row, folder)});
   }
   for (Section& section : sections) leave_out_what_does_not_count(section);
+  add_bare_sections(scene, sections);
   return sections;
 }
 

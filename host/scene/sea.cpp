@@ -146,6 +146,10 @@ OceanScene with_resolved_wind(OceanScene scene) {
 }
 
 Sea prepare_sea(const OceanScene& scene, Warnings warnings) {
+  if (!scene.has_sea()) {
+    throw Error(ErrorKind::bad_input, "scene: expected a sea, found ground alone",
+                "add an [ocean] section to the scene");
+  }
   Sea sea;
   const OceanScene resolved = with_resolved_wind(scene);
   ocean::SpectrumParameters spectrum = scene.spectrum;

@@ -36,6 +36,8 @@ enum class Warnings { logged, left_out };
 /// Warnings are those of parameters that were set and do not matter (unused_parameters()), and
 /// steepness_warning().
 ///
+/// Throws Error(bad_input) for a scene of ground alone.
+///
 /// Water depth is the scene's, else that of the measured record, else infinite. Throws Error(bad_input) for a
 /// spectrum file that cannot be read, a record that it does not have, or values that do not go together.
 Sea prepare_sea(const OceanScene& scene, Warnings warnings = Warnings::logged);

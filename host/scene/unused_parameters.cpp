@@ -1,6 +1,7 @@
 #include "host/scene/unused_parameters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 
@@ -18,12 +19,27 @@ using ocean::SpreadingModel;
 /// Why a use of parameters has no part in a sea; empty where it has.
 class Reasons {
  public:
-  Reasons(const OceanScene& scene, const Sea& sea)
+  /// `sea` is nullptr without one.
+  Reasons(const OceanScene& scene, const Sea* sea)
       : scene_(scene),
-        is_measured_(sea.measured.has_value()),
-        is_directional_(is_measured_ && sea.measured->is_directional()),
-        is_deep_(std::isinf(sea.spectrum.dispersion.depth_m)),
-        last_hz_(is_measured_ ? sea.measured->frequencies_hz.back() : 0.0) {}
+        has_sea_(sea != nullptr),
+        is_measured_(has_sea_ && sea->measured.has_value()),
+        is_directional_(is_measured_ && sea->measured->is_directional()),
+        is_deep_(has_sea_ && std::isinf(sea->spectrum.dispersion.depth_m)),
+        last_hz_(is_measured_ ? sea->measured->frequencies_hz.back() : 0.0) {}
+
+  std::string against(const Parameter& row) const {
+    return !has_sea_ && is_of_sea(row) ? "the scene has no [ocean]" : against(row.use);
+  }
+
+ private:
+  static bool is_of_sea(const Parameter& row) {
+    using enum ParameterGroup;
+    constexpr std::array groups{wind, sea, grid, swell, raindrop, foam};
+    constexpr std::array<std::string_view, 2> keys{"world.seed", "time.loop_period_s"};
+    return std::find(groups.begin(), groups.end(), row.group) != groups.end() ||
+           std::find(keys.begin(), keys.end(), row.key) != keys.end();
+  }
 
   std::string against(ParameterUse use) const {
     switch (use) {
@@ -62,11 +78,16 @@ class Reasons {
         return scene_.gerstner_count > 0 ? "" : "there are no Gerstner waves";
       case ParameterUse::dated_sun:
         return scene_.view.sun_time_utc ? "" : "sun.time_utc is not given";
+      case ParameterUse::terrain_file:
+        return scene_.terrain.file.empty() ? "terrain.file is not given, the ground is made" : "";
+      case ParameterUse::made_ground:
+        return scene_.terrain.file.empty() ? "" : "the ground is that of " + scene_.terrain.file;
+      case ParameterUse::dry_scene:
+        return has_sea_ ? "the scene has a sea" : "";
     }
     return "";
   }
 
- private:
   std::string spectrum_is() const {
     return "the spectrum is " + value_text(scene_, *find_parameter("ocean.spectrum"));
   }
@@ -118,28 +139,36 @@ class Reasons {
   }
 
   const OceanScene& scene_;
+  bool has_sea_;
   bool is_measured_;
   bool is_directional_;
   bool is_deep_;
   double last_hz_;
 };
 
-}  // namespace
-
-std::vector<std::string> unused_parameters(const OceanScene& scene, const Sea& sea) {
-  const Reasons reasons(scene, sea);
+std::vector<std::string> unused_lines(const OceanScene& scene, const Reasons& reasons) {
   std::vector<std::string> lines;
   for (const Parameter& row : parameter_table()) {
     const auto place = scene.set_at.find(row.key);
     if (place == scene.set_at.end()) {
       continue;
     }
-    const std::string reason = reasons.against(row.use);
+    const std::string reason = reasons.against(row);
     if (!reason.empty()) {
       lines.push_back(fmt::format("{}: not used: {}", place->second, reason));
     }
   }
   return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> unused_parameters(const OceanScene& scene, const Sea& sea) {
+  return unused_lines(scene, Reasons(scene, &sea));
+}
+
+std::vector<std::string> unused_parameters(const OceanScene& scene) {
+  return unused_lines(scene, Reasons(scene, nullptr));
 }
 
 }  // namespace offing::scene

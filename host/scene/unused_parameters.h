@@ -12,5 +12,7 @@ namespace offing::scene {
 ///
 /// A value that another one overrides on purpose, a flag the scene file's or [ocean] that of [wind], is none.
 std::vector<std::string> unused_parameters(const OceanScene& scene, const Sea& sea);
+/// The same for a scene without a sea.
+std::vector<std::string> unused_parameters(const OceanScene& scene);
 
 }  // namespace offing::scene

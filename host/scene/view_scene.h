@@ -6,14 +6,21 @@
 #include "host/base/camera.h"
 #include "host/base/utc_time.h"
 #include "host/sky/atmosphere.h"
+#include "host/terrain/walker.h"
 
 namespace offing::scene {
+
+/// How the camera of a window moves.
+enum class CameraMode { fly, walk };
 
 /// What a scene says about its pictures: eye, sun, air and exposure. At one time: view_at() (moving_view.h).
 struct ViewScene {
   Camera camera{.eye_m = {0.0, 5.0, 0.0},
                 .pitch_rad = -std::numbers::pi / 90.0,
                 .vertical_field_of_view_rad = std::numbers::pi / 4.0};
+  CameraMode mode = CameraMode::fly;
+  terrain::WalkerParameters walker;
+  double walking_mps = 1.5;
   double sun_azimuth_rad = std::numbers::pi / 4.0;    ///< clockwise from north (-z)
   double sun_elevation_rad = std::numbers::pi / 6.0;  ///< above the horizon
   double sun_distance_au = 1.0;

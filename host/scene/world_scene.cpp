@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "host/base/log.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/parameter_table.h"
+#include "host/scene/scene_ground.h"
+#include "host/scene/unused_parameters.h"
 #include "host/sky/sun_position.h"
 
 namespace offing::scene {
@@ -20,6 +23,8 @@ SeaChange change_of(const Parameter& row) {
     case ParameterGroup::sun:
     case ParameterGroup::sky:
     case ParameterGroup::render:
+    case ParameterGroup::terrain:
+    case ParameterGroup::walk:
       return SeaChange::none;
     case ParameterGroup::swell:
     case ParameterGroup::raindrop:
@@ -38,6 +43,8 @@ SeaChange change_of(const Parameter& row) {
 }
 
 SeaChange sea_change(const OceanScene& before, const OceanScene& after) {
+  if (before.has_sea() != after.has_sea()) return SeaChange::all;
+  if (!after.has_sea()) return SeaChange::none;
   SeaChange change = SeaChange::none;
   for (const Parameter& row : parameter_table()) {
     if (change_of(row) > change &&
@@ -58,21 +65,41 @@ ocean::TrochoidSea with_waves_beside(ocean::TrochoidSea trochoids, const OceanSc
   return trochoids;
 }
 
+/// All that a world needs of a scene but its ground.
+world::WorldParameters prepare_sea_and_sky(const OceanScene& scene, Warnings warnings) {
+  const ViewScene view = view_at(scene, scene.start_s);
+  world::WorldParameters parameters{
+      .has_sea = scene.has_sea(),
+      .atmosphere = atmosphere_of(view),
+      .sun_direction = sky::direction_of(view.sun_azimuth_rad, view.sun_elevation_rad),
+      .sun_distance_au = view.sun_distance_au};
+  if (!parameters.has_sea) {
+    if (warnings == Warnings::left_out) return parameters;
+    for (const std::string& line : unused_parameters(scene)) spdlog::warn("{}", line);
+    return parameters;
+  }
+  const OceanScene resolved = with_resolved_wind(scene);
+  Sea sea = prepare_sea(scene, warnings);
+  parameters.trochoids = trochoids_of(sea, sea.parameters.seed);
+  parameters.spectrum = std::move(sea.spectrum);
+  parameters.ocean = std::move(sea.parameters);
+  parameters.wind_speed_mps = resolved.wind_speed_mps;
+  parameters.wind_direction_rad = resolved.wind_direction_rad;
+  return parameters;
+}
+
 }  // namespace
 
 world::WorldParameters prepare_world(const OceanScene& scene, Warnings warnings) {
-  const OceanScene resolved = with_resolved_wind(scene);
-  const ViewScene view = view_at(scene, scene.start_s);
-  Sea sea = prepare_sea(scene, warnings);
-  ocean::TrochoidSea trochoids = trochoids_of(sea, sea.parameters.seed);
-  return {.spectrum = std::move(sea.spectrum),
-          .ocean = std::move(sea.parameters),
-          .trochoids = std::move(trochoids),
-          .wind_speed_mps = resolved.wind_speed_mps,
-          .wind_direction_rad = resolved.wind_direction_rad,
-          .atmosphere = atmosphere_of(view),
-          .sun_direction = sky::direction_of(view.sun_azimuth_rad, view.sun_elevation_rad),
-          .sun_distance_au = view.sun_distance_au};
+  world::WorldParameters parameters = prepare_sea_and_sky(scene, warnings);
+  parameters.ground = prepare_ground(scene);
+  return parameters;
+}
+
+world::WorldParameters prepare_shown_world(OceanScene& scene) {
+  world::WorldParameters parameters = prepare_world(scene);
+  place_camera(scene, parameters.ground);
+  return parameters;
 }
 
 void set_view(world::World& world, const ViewScene& view) {
@@ -87,6 +114,7 @@ void set_view(world::World& world, const ViewScene& view) {
 
 ViewScene show_at(world::World& world, const OceanScene& scene, double time_s) {
   ViewScene view = view_at(scene, time_s);
+  if (world.ground()) stand_on_ground(*world.ground(), view);
   set_view(world, view);
   world.at(time_s, view.camera.eye_m.y);
   return view;
@@ -94,6 +122,8 @@ ViewScene show_at(world::World& world, const OceanScene& scene, double time_s) {
 
 void edit_world(world::World& world, const OceanScene& before, const OceanScene& after) {
   const ViewScene view = view_at(after, after.start_s);
+  const std::optional<world::GroundParameters> ground =
+      edited_ground(world.parameters().ground, before, after);
   switch (sea_change(before, after)) {
     case SeaChange::none:
       break;
@@ -106,9 +136,10 @@ void edit_world(world::World& world, const OceanScene& before, const OceanScene&
       break;
     }
     case SeaChange::all:
-      world.set_sea(prepare_world(after, Warnings::left_out));
+      world.set_sea(prepare_sea_and_sky(after, Warnings::left_out));
       break;
   }
+  world.set_ground(ground);
   set_view(world, view);
 }
 

@@ -13,8 +13,6 @@ namespace {
 
 constexpr int most_posts_a_side = 1 << 20;
 constexpr long long most_posts = 1LL << 30;
-// Whole cells from an origin to a border are exact as floats.
-constexpr double farthest_cells = 1 << 22;
 constexpr double direction_tolerance = 1e-4;
 
 [[noreturn]] void refuse(const std::string& what, const std::string& hint) {
@@ -95,8 +93,8 @@ void require_valid(const Ray& ray, const PostGrid& grid) {
   const glm::dvec2 place((ray.origin_m.x - grid.origin_x_m) / grid.spacing_x_m,
                          (ray.origin_m.z - grid.origin_z_m) / grid.spacing_z_m);
   for (const double cells : {place.x, place.y}) {
-    if (std::abs(cells) > farthest_cells) {
-      refuse(fmt::format("ray: expected an origin within {:g} cells of the map, found {:g}", farthest_cells,
+    if (std::abs(cells) > farthest_origin_cells) {
+      refuse(fmt::format("ray: expected an origin within {:g} cells of the map, found {:g}", farthest_origin_cells,
                          cells),
              "move the origin toward the map");
     }

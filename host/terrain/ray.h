@@ -31,6 +31,9 @@ void require_valid(const PostGrid& grid);
 /// The posts of a map, the first one at x = z = 0.
 PostGrid post_grid(const HeightMap& map);
 
+/// The farthest that a ray may start from a map: whole cells from there to a border are exact as floats.
+inline constexpr double farthest_origin_cells = 1 << 22;
+
 /// Throws Error(bad_input) unless origin and direction are finite, the direction's length is 1 within 1e-4,
 /// the origin is at most 2^22 cells from the map, and the limit is not below 0.
 void require_valid(const Ray& ray, const PostGrid& grid);

@@ -12,9 +12,8 @@ CoverLines cover_lines(double latitude_deg) {
   return {.tree_line_m = highest_m * share - below_snow_m, .snow_line_m = highest_m * share};
 }
 
-TerrainLight terrain_light(const sky::ClearSky& sky, const sky::Atmosphere& atmosphere,
+TerrainLight terrain_light(const sky::Illuminance& light, const sky::Atmosphere& atmosphere,
                            const CoverLines& lines) {
-  const sky::Illuminance light = sky.read_illuminance();
   const auto narrow = [](double value) { return static_cast<float>(value); };
   // Of red, green and blue: the wavelengths of the sky that lie there.
   const sky::Spectrum& depth = atmosphere.rayleigh_optical_depth;

@@ -11,6 +11,8 @@ struct CoverLines {
   double sea_level_m = 0.0;  ///< ground at or below is water
   double tree_line_m = 2000.0;
   double snow_line_m = 2800.0;
+
+  bool operator==(const CoverLines&) const = default;
 };
 
 /// A rule of thumb for the lines of a latitude: snow lies all year from 5000 m on within 25 degrees of the
@@ -18,9 +20,8 @@ struct CoverLines {
 /// are off by up to 1 km.
 CoverLines cover_lines(double latitude_deg);
 
-/// The light of this sky as terrain kernels take it. Waits for the illuminance at the eye of the sky's last
-/// at().
-TerrainLight terrain_light(const sky::ClearSky& sky, const sky::Atmosphere& atmosphere,
+/// The light at the eye as terrain kernels take it.
+TerrainLight terrain_light(const sky::Illuminance& light, const sky::Atmosphere& atmosphere,
                            const CoverLines& lines);
 
 }  // namespace offing::world

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "host/base/error.h"
+
 namespace offing::world {
 namespace {
 
@@ -85,14 +87,30 @@ double height_of_rings_m(const std::vector<ocean::Raindrop>& drops, double time_
 }  // namespace
 
 World::World(const ocl::Device& device, const WorldParameters& parameters)
-    : device_(device),
-      parameters_(parameters),
-      ocean_(device, parameters.spectrum, parameters.ocean),
-      sky_(device, parameters.atmosphere) {
+    : device_(device), parameters_(parameters), sky_(device, parameters.atmosphere) {
+  make_sea(parameters);
+  if (parameters.ground) ground_.emplace(device, *parameters.ground);
+}
+
+void World::make_sea(const WorldParameters& parameters) {
+  if (!parameters.has_sea) {
+    ocean_.reset();
+    hidden_slopes_ = {};
+    deviation_m_ = 0.0;
+    return;
+  }
   ocean::require_valid_trochoids(parameters.trochoids);
-  const std::vector<std::vector<float>> variances = variances_of(ocean_);
+  ocean::Ocean made(device_, parameters.spectrum, parameters.ocean);
+  const std::vector<std::vector<float>> variances = variances_of(made);
   hidden_slopes_ = shared_out(hidden_by_levels(parameters.ocean, variances), parameters);
   deviation_m_ = deviation_m(variances);
+  ocean_ = std::move(made);
+}
+
+ocean::Ocean& World::ocean() {
+  if (ocean_) return *ocean_;
+  throw Error(ErrorKind::bad_usage, "world: expected a sea, found ground alone",
+              "add an [ocean] section to the scene");
 }
 
 void World::set_sun(const std::array<double, 3>& direction, double distance_au) {
@@ -115,19 +133,15 @@ void World::set_trochoids(const ocean::TrochoidSea& trochoids) {
 
 void World::reseed(std::uint64_t seed, const ocean::TrochoidSea& trochoids) {
   ocean::require_valid_trochoids(trochoids);
-  ocean_.reseed(seed);
+  ocean().reseed(seed);
   parameters_.ocean.seed = seed;
   parameters_.trochoids = trochoids;
   hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_);
 }
 
 void World::set_sea(const WorldParameters& parameters) {
-  ocean::require_valid_trochoids(parameters.trochoids);
-  ocean::Ocean changed(device_, parameters.spectrum, parameters.ocean);
-  const std::vector<std::vector<float>> variances = variances_of(changed);
-  hidden_slopes_ = shared_out(hidden_by_levels(parameters.ocean, variances), parameters);
-  deviation_m_ = deviation_m(variances);
-  ocean_ = std::move(changed);
+  make_sea(parameters);
+  parameters_.has_sea = parameters.has_sea;
   parameters_.spectrum = parameters.spectrum;
   parameters_.ocean = parameters.ocean;
   parameters_.trochoids = parameters.trochoids;
@@ -135,7 +149,24 @@ void World::set_sea(const WorldParameters& parameters) {
   parameters_.wind_direction_rad = parameters.wind_direction_rad;
 }
 
+void World::set_ground(const std::optional<GroundParameters>& ground) {
+  if (ground == parameters_.ground) return;
+  const bool is_same_shape = ground && ground_ && ground->map == ground_->parameters().map &&
+                             ground->origin_x_m == ground_->parameters().origin_x_m &&
+                             ground->origin_z_m == ground_->parameters().origin_z_m;
+  if (is_same_shape) {
+    ground_->set_lines(ground->lines);
+  } else if (ground) {
+    ground_ = GroundView(device_, *ground);
+  } else {
+    ground_.reset();
+  }
+  parameters_.ground = ground;
+  sky_altitude_m_.reset();
+}
+
 ocean::SurfaceReach World::reach() const {
+  if (!ocean_) return {};
   const double waves_m = reach_deviations * deviation_m_;
   double trochoids_m = 0.0;
   for (const ocean::Trochoid& wave : parameters_.trochoids.waves) trochoids_m += wave.amplitude_m;
@@ -152,14 +183,23 @@ void World::look_at_sky(double eye_altitude_m) {
            .sun_distance_au = parameters_.sun_distance_au,
            .eye_altitude_m = altitude_m});
   illuminance_ = sky_.read_illuminance();
+  if (ground_) {
+    ground_light_ = terrain_light(illuminance_, parameters_.atmosphere, ground_->parameters().lines);
+  }
   sky_altitude_m_ = altitude_m;
 }
 
 void World::at(double time_s, double eye_altitude_m) {
   look_at_sky(eye_altitude_m);
-  ocean_.at(time_s);
-  ocean_.foam_map();
+  if (ocean_) {
+    ocean_->at(time_s);
+    ocean_->foam_map();
+  }
   time_s_ = time_s;
+}
+
+void World::see_ground(const Camera& camera) {
+  if (ground_) ground_->at(camera, sky_, ground_light_);
 }
 
 }  // namespace offing::world

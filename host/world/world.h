@@ -14,13 +14,15 @@
 #include "host/ocl/device.h"
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
+#include "host/world/ground_view.h"
 
 namespace offing::world {
 
 /// Everything that a world is made of: no file names, no defaults left to choose.
 struct WorldParameters {
-  ocean::SeaSpectrum spectrum;
-  ocean::OceanParameters ocean;
+  bool has_sea = true;  ///< without one, all down to the wind says nothing
+  ocean::SeaSpectrum spectrum = {};
+  ocean::OceanParameters ocean = {};
   ocean::TrochoidSea trochoids = {};  ///< those of the spectrum below the cascades' k_split, and swells
   /// Wind over the ripples that the spectrum or its maps leave out.
   double wind_speed_mps = 10.0;
@@ -28,6 +30,7 @@ struct WorldParameters {
   sky::Atmosphere atmosphere = {};
   std::array<double, 3> sun_direction{0.0, 1.0, 0.0};  ///< unit, toward the sun
   double sun_distance_au = 1.0;
+  std::optional<GroundParameters> ground = {};
 };
 
 /// Slopes that a picture must not draw one by one.
@@ -53,11 +56,15 @@ class World {
 
   /// Enqueues the world of this time, as seen from this height above the sea: sky, sea, foam.
   void at(double time_s, double eye_altitude_m);
+  /// Enqueues what a camera sees of the ground, if there is any, in the light of the last at(). An eye that
+  /// is farther from the map than rays reach sees nothing of it. Throws what require_valid(camera) throws.
+  void see_ground(const Camera& camera);
 
-  /// The water at points of the world by the last at(): Ocean::sample() with this world's trochoids.
+  /// The water at points of the world by the last at(): Ocean::sample() with this world's trochoids. Throws
+  /// what ocean() throws.
   std::vector<ocean::WaterSample> sample(std::span<const ocean::WaterPoint> points,
                                          const ocean::WaterQuery& query = {}) {
-    return ocean_.sample(points, parameters_.trochoids, query);
+    return ocean().sample(points, parameters_.trochoids, query);
   }
 
   // Changes while it runs. All take effect with the next at(), which then gives what a world made with the
@@ -73,27 +80,37 @@ class World {
   /// Draws another sea of the same spectrum. Trochoids are drawn from it by the same seed: give those of the
   /// new one.
   void reseed(std::uint64_t seed, const ocean::TrochoidSea& trochoids);
-  /// Changes spectrum, grid, foam, wind and trochoids to these parameters' own: the sea is made anew. Leaves
-  /// sun and air.
+  /// Changes spectrum, grid, foam, wind and trochoids to these parameters' own: the sea is made anew, or
+  /// taken away. Leaves sun, air and ground.
   void set_sea(const WorldParameters& parameters);
+  /// Changes the ground; other heights or another place make it anew. Throws what GroundView throws.
+  void set_ground(const std::optional<GroundParameters>& ground);
 
-  ocean::Ocean& ocean() { return ocean_; }
+  bool has_sea() const { return ocean_.has_value(); }
+  /// Throws Error(bad_usage) in a world without a sea.
+  ocean::Ocean& ocean();
+  /// nullptr in a world without ground.
+  const GroundView* ground() const { return ground_ ? &*ground_ : nullptr; }
+  GroundView* ground() { return ground_ ? &*ground_ : nullptr; }
   const sky::ClearSky& sky() const { return sky_; }
   /// Light at the eye, by the last at().
   const sky::Illuminance& illuminance() const { return illuminance_; }
   const HiddenSlopes& hidden_slopes() const { return hidden_slopes_; }
 
-  /// The farthest that waves move the surface at the time of the last at(): six standard deviations of the
-  /// cascades, which one sample in 10^8 exceeds, all trochoids at once, and the eight tallest rings.
+  /// The farthest that waves move the surface at the time of the last at(), 0 without a sea: six standard
+  /// deviations of the cascades, which one sample in 10^8 exceeds, all trochoids at once, and the eight tallest rings.
   ocean::SurfaceReach reach() const;
 
  private:
+  void make_sea(const WorldParameters& parameters);
   void look_at_sky(double eye_altitude_m);
 
   ocl::Device device_;
   WorldParameters parameters_;
-  ocean::Ocean ocean_;
+  std::optional<ocean::Ocean> ocean_;
   sky::ClearSky sky_;
+  std::optional<GroundView> ground_;
+  TerrainLight ground_light_{};  // of the sky's tables
   double time_s_ = 0.0;
   std::optional<double> sky_altitude_m_;  // of the sky's tables; none: they are out of date
   sky::Illuminance illuminance_;

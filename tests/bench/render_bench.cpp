@@ -88,7 +88,7 @@ void measure(Renderer& renderer, const std::string& name, int size, int blocks, 
       stage_ms[s].push_back(renderer.stage_ms(static_cast<Stage>(s)));
     }
   }
-  for (const Stage stage : {Stage::simulate, Stage::transfer, Stage::sky, Stage::water, Stage::tone}) {
+  for (const Stage stage : {Stage::simulate, Stage::terrain, Stage::transfer, Stage::sky, Stage::water, Stage::tone}) {
     row(fmt::format("{}_{}", name, to_string(stage)), stage_ms[static_cast<std::size_t>(stage)]);
   }
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "present/map_texture.h"
 #include "tests/present/gl_test.h"
 
 namespace offing::present {
@@ -63,7 +64,7 @@ TEST_P(TransferTest, BringsEveryTexel) {
     const std::vector<float> narrow_values = numbers(narrow.count(), static_cast<float>(-777 * frame));
     wide_source.write(wide_values);
     narrow_source.write(narrow_values);
-    const std::array<Upload, 2> uploads{{{&wide_source, &wide}, {&narrow_source, &narrow}}};
+    const std::array<Upload, 2> uploads{{{wide_source, &wide}, {narrow_source, &narrow}}};
     ladder_->upload(uploads);
     EXPECT_EQ(texels_of(wide, GL_RGBA), wide_values) << "frame " << frame;
     EXPECT_EQ(texels_of(narrow, GL_RED), narrow_values) << "frame " << frame;
@@ -74,7 +75,7 @@ TEST_P(TransferTest, BringsEveryTexel) {
 TEST_P(TransferTest, RefusesAnotherSize) {
   const MapTexture texture(64, 1, 4);
   const ocl::Buffer<float> source(device_, texture.count() - 1, "map");
-  const std::array<Upload, 1> uploads{{{&source, &texture}}};
+  const std::array<Upload, 1> uploads{{{source, &texture}}};
   EXPECT_THROW(ladder_->upload(uploads), Error);
 }
 

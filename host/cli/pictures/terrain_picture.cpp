@@ -9,6 +9,7 @@
 
 #include "host/cli/pictures/preview_light.h"
 #include "host/sky/sun_position.h"
+#include "host/terrain/step_colours.h"
 #include "host/terrain/terrain_shade.h"
 
 namespace offing::cli {
@@ -23,17 +24,6 @@ void store(RgbImage& image, std::size_t pixel, Vec3 linear) {
   image.rgb[3 * pixel] = srgb_from_linear(linear.x);
   image.rgb[3 * pixel + 1] = srgb_from_linear(linear.y);
   image.rgb[3 * pixel + 2] = srgb_from_linear(linear.z);
-}
-
-/// Marks of 0, 16, 40 and 80 steps, linear colours.
-Vec3 step_colour(int steps) {
-  constexpr std::array<float, 4> marks{0.0f, 16.0f, 40.0f, 80.0f};
-  constexpr std::array<Vec3, 4> colours{
-      {{0.01f, 0.02f, 0.25f}, {0.02f, 0.5f, 0.1f}, {0.9f, 0.7f, 0.02f}, {0.7f, 0.01f, 0.01f}}};
-  const float at = std::min(static_cast<float>(steps), marks.back());
-  std::size_t i = 1;
-  while (i + 1 < marks.size() && at > marks[i]) ++i;
-  return mix(colours[i - 1], colours[i], (at - marks[i - 1]) / (marks[i] - marks[i - 1]));
 }
 
 /// Directions of the pixels whose rays meet no ground.
@@ -58,7 +48,7 @@ void draw_light(const ocl::Device& device, const terrain::HeightField& field, co
   sky::ClearSky sky(device, atmosphere);
   sky.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad),
           .eye_altitude_m = std::max(0.0, camera.eye_m.y - scenery.lines.sea_level_m)});
-  const TerrainLight light = world::terrain_light(sky, atmosphere, scenery.lines);
+  const TerrainLight light = world::terrain_light(sky.read_illuminance(), atmosphere, scenery.lines);
   ocl::Buffer<terrain::Texel> ground(device, hits.size(), "terrain image");
   terrain::TerrainShade(device).at(field, camera, hits_on_device, {light, sky.params(), sky.view_table()},
                                    ground);
@@ -101,7 +91,10 @@ TerrainPicture draw_terrain(const ocl::Device& device, terrain::HeightField& fie
   }
   for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
     const TerrainHit& hit = hits[pixel];
-    if (show == TerrainShow::steps) store(picture.image, pixel, step_colour(hit.steps));
+    if (show == TerrainShow::steps) {
+      const auto [red, green, blue] = terrain::step_colour(static_cast<float>(hit.steps));
+      store(picture.image, pixel, {red, green, blue});
+    }
     picture.distances_m.push_back(hit.distance_m);
     picture.ground_pixels += hit.kind == TERRAIN_MISS ? 0 : 1;
     picture.mean_steps += hit.steps / static_cast<double>(hits.size());

@@ -1,0 +1,128 @@
+#include "host/scene/scene_ground.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/io/file_presence.h"
+#include "host/io/height_maps/read_height_map.h"
+#include "host/scene/parameter_table.h"
+#include "host/terrain/flying_camera.h"
+#include "host/terrain/row_makers.h"
+
+namespace offing::scene {
+namespace {
+
+/// Rows that say where heights are, or what covers them.
+constexpr std::array<std::string_view, 5> keys_beside_heights{
+    "terrain.origin_x_m", "terrain.origin_z_m", "terrain.water_line_m", "terrain.tree_line_m",
+    "terrain.snow_line_m"};
+
+struct Heights {
+  std::shared_ptr<const HeightMap> map;
+  std::optional<double> latitude_deg;
+};
+
+Heights made_heights(const TerrainScene& terrain) {
+  const terrain::FractalParameters& parameters = terrain.fractal;
+  terrain::RowMakers makers(parameters);
+  HeightMap map;
+  map.columns = map.rows = parameters.posts;
+  map.spacing_x_m = map.spacing_z_m = parameters.side_m / (parameters.posts - 1);
+  const auto posts = static_cast<std::size_t>(parameters.posts);
+  map.heights_m.reserve(posts * posts);
+  for (int first = 0; first < parameters.posts; first += makers.rows_at_once()) {
+    const std::span<const float> rows = makers.make(first);
+    map.heights_m.insert(map.heights_m.end(), rows.begin(), rows.end());
+  }
+  return {.map = std::make_shared<const HeightMap>(std::move(map)), .latitude_deg = {}};
+}
+
+/// Faults are told where the scene names the file.
+Heights read_heights(const OceanScene& scene) {
+  const TerrainScene& terrain = scene.terrain;
+  const auto set_at = scene.set_at.find("terrain.file");
+  const std::string place = set_at == scene.set_at.end() ? "terrain.file" : set_at->second;
+  if (!is_there(terrain.file)) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a height map, got no such file, {}", place, terrain.file),
+                "check the path; in a scene it is relative to the scene file");
+  }
+  try {
+    HeightMapFile file = read_height_map(terrain.file, terrain.reading);
+    return {.map = std::make_shared<const HeightMap>(std::move(file.map)),
+            .latitude_deg = file.source.centre_latitude_deg};
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("{}: {}", place, error.what()), error.hint());
+  }
+}
+
+/// The scene's lines, else those of the map's latitude. Below a sea nothing is painted as water.
+world::CoverLines cover_of(const OceanScene& scene, std::optional<double> latitude_deg) {
+  constexpr double deepest_m = -1e6;
+  world::CoverLines lines = latitude_deg ? world::cover_lines(*latitude_deg) : world::CoverLines{};
+  lines.sea_level_m = scene.has_sea() ? deepest_m : scene.terrain.water_line_m;
+  lines.tree_line_m = scene.terrain.tree_line_m.value_or(lines.tree_line_m);
+  lines.snow_line_m = scene.terrain.snow_line_m.value_or(lines.snow_line_m);
+  return lines;
+}
+
+world::GroundParameters placed(const OceanScene& scene, const Heights& heights) {
+  const HeightMap& map = *heights.map;
+  return {.map = heights.map,
+          .origin_x_m = scene.terrain.origin_x_m.value_or(-0.5 * map.spacing_x_m * (map.columns - 1)),
+          .origin_z_m = scene.terrain.origin_z_m.value_or(-0.5 * map.spacing_z_m * (map.rows - 1)),
+          .latitude_deg = heights.latitude_deg,
+          .lines = cover_of(scene, heights.latitude_deg)};
+}
+
+bool is_of_heights(const Parameter& row) {
+  return row.group == ParameterGroup::terrain &&
+         std::find(keys_beside_heights.begin(), keys_beside_heights.end(), row.key) ==
+             keys_beside_heights.end();
+}
+
+}  // namespace
+
+std::optional<world::GroundParameters> prepare_ground(const OceanScene& scene) {
+  if (!scene.terrain.is_given) return std::nullopt;
+  return placed(scene, scene.terrain.file.empty() ? made_heights(scene.terrain) : read_heights(scene));
+}
+
+std::optional<world::GroundParameters> edited_ground(const std::optional<world::GroundParameters>& now,
+                                                     const OceanScene& before, const OceanScene& after) {
+  const auto table = parameter_table();
+  const bool are_other_heights = !now || std::any_of(table.begin(), table.end(), [&](const Parameter& row) {
+    return is_of_heights(row) &&
+           value_text(before, row, Digits::exact) != value_text(after, row, Digits::exact);
+  });
+  if (!after.terrain.is_given || are_other_heights) return prepare_ground(after);
+  return placed(after, {.map = now->map, .latitude_deg = now->latitude_deg});
+}
+
+void stand_on_ground(const world::GroundView& ground, ViewScene& view) {
+  if (view.mode != CameraMode::walk) return;
+  glm::dvec3& eye_m = view.camera.eye_m;
+  const std::optional<terrain::GroundPoint> below = ground.ground_at(eye_m.x, eye_m.z);
+  if (below) eye_m.y = below->height_m + view.walker.eye_height_m;
+}
+
+void place_camera(OceanScene& scene, const std::optional<world::GroundParameters>& ground) {
+  for (const char* key : {"camera.x_m", "camera.y_m", "camera.z_m", "camera.yaw_deg", "camera.pitch_deg"}) {
+    if (scene.set_at.contains(key)) return;
+  }
+  if (!ground) return;
+  Camera& camera = scene.view.camera;
+  const Camera placed = terrain::flying_camera(*ground->map);
+  camera.eye_m = placed.eye_m + glm::dvec3(ground->origin_x_m, 0.0, ground->origin_z_m);
+  camera.yaw_rad = placed.yaw_rad;
+  camera.pitch_rad = placed.pitch_rad;
+}
+
+}  // namespace offing::scene

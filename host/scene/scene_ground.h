@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "host/scene/ocean_scene.h"
+#include "host/world/ground_view.h"
+
+namespace offing::scene {
+
+/// The ground of a scene, with its height map read or made; nothing where it has none. Throws
+/// Error(bad_input) that names the place in the scene for a file that is not there, and what
+/// read_height_map() and FractalGround throw.
+std::optional<world::GroundParameters> prepare_ground(const OceanScene& scene);
+
+/// The same for a scene that is an edit of another one, whose ground is `now`: heights are read or made only
+/// if they are others.
+std::optional<world::GroundParameters> edited_ground(const std::optional<world::GroundParameters>& now,
+                                                     const OceanScene& before, const OceanScene& after);
+
+/// Where a scene has ground and does not say where its eye is: terrain::flying_camera() over that ground, with
+/// the scene's field of view. Does nothing else.
+void place_camera(OceanScene& scene, const std::optional<world::GroundParameters>& ground);
+
+/// Where the camera walks and is over the ground: its eye goes to a walker's height.
+void stand_on_ground(const world::GroundView& ground, ViewScene& view);
+
+}  // namespace offing::scene

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host/io/height_maps/height_map_options.h"
+#include "host/terrain/fractal_ground.h"
+
+namespace offing::scene {
+
+/// What a scene says about its ground: a file of heights or, without one, made ground.
+struct TerrainScene {
+  bool is_given = false;  ///< the scene has a [terrain] section
+  std::string file;       ///< height map; empty: made ground
+  HeightMapOptions reading;
+  terrain::FractalParameters fractal;
+  std::optional<double> origin_x_m, origin_z_m;  ///< of the first post; absent: the map's middle is at 0
+  double water_line_m = 0.0;                     ///< ground at or below is water, where there is no sea
+  std::optional<double> tree_line_m, snow_line_m;
+};
+
+}  // namespace offing::scene

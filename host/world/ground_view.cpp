@@ -1,0 +1,57 @@
+#include "host/world/ground_view.h"
+
+#include <algorithm>
+
+#include "host/terrain/picture.h"
+
+namespace offing::world {
+namespace {
+
+terrain::PostGrid grid_of(const GroundParameters& parameters) {
+  terrain::PostGrid grid = terrain::post_grid(*parameters.map);
+  grid.origin_x_m = parameters.origin_x_m;
+  grid.origin_z_m = parameters.origin_z_m;
+  return grid;
+}
+
+/// With a cell to spare.
+bool rays_reach(const terrain::PostGrid& grid, const glm::dvec3& eye_m) {
+  const double x = (eye_m.x - grid.origin_x_m) / grid.spacing_x_m,
+               z = (eye_m.z - grid.origin_z_m) / grid.spacing_z_m;
+  const double beyond = std::max({-x, x - grid.columns, -z, z - grid.rows});
+  return beyond < terrain::farthest_origin_cells - 1.0;
+}
+
+}  // namespace
+
+GroundView::GroundView(const ocl::Device& device, const GroundParameters& parameters)
+    : device_(device),
+      parameters_(parameters),
+      field_(device, grid_of(parameters), parameters.map->heights_m),
+      shade_(device),
+      hit_planes_(device) {}
+
+std::optional<terrain::GroundPoint> GroundView::ground_at(double x_m, double z_m) const {
+  return terrain::ground_at(*parameters_.map, x_m - parameters_.origin_x_m, z_m - parameters_.origin_z_m);
+}
+
+void GroundView::fit(const Camera& camera) {
+  if (width_px_ == camera.width_px && height_px_ == camera.height_px) return;
+  const std::size_t pixels = terrain::pixel_count(camera);
+  hits_ = ocl::Buffer<TerrainHit>(device_, pixels, "ground's hits");
+  image_ = ocl::Buffer<terrain::Texel>(device_, pixels, "ground's image");
+  planes_ = ocl::Buffer<float>(device_, terrain::HitPlanes::plane_count * pixels, "ground's planes");
+  width_px_ = camera.width_px;
+  height_px_ = camera.height_px;
+}
+
+void GroundView::at(const Camera& camera, const sky::ClearSky& sky, const TerrainLight& light) {
+  is_in_reach_ = rays_reach(field_.grid(), camera.eye_m);
+  if (!is_in_reach_) return;
+  fit(camera);
+  field_.cast(camera, hits_);
+  shade_.at(field_, camera, hits_, {light, sky.params(), sky.view_table()}, image_);
+  hit_planes_.at(hits_, terrain::pixel_count(camera), planes_);
+}
+
+}  // namespace offing::world

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "host/base/camera.h"
+#include "host/base/height_map.h"
+#include "host/ocl/buffer.h"
+#include "host/ocl/device.h"
+#include "host/sky/clear_sky.h"
+#include "host/terrain/ground.h"
+#include "host/terrain/height_field.h"
+#include "host/terrain/hit_planes.h"
+#include "host/terrain/terrain_shade.h"
+#include "host/world/terrain_light.h"
+
+namespace offing::world {
+
+/// The ground of a world.
+struct GroundParameters {
+  std::shared_ptr<const HeightMap> map;       ///< not null
+  double origin_x_m = 0.0, origin_z_m = 0.0;  ///< of the first post
+  std::optional<double> latitude_deg;         ///< of the map's middle, where its file tells
+  CoverLines lines;
+
+  bool operator==(const GroundParameters&) const = default;
+};
+
+/// The ground of a world on a device, and what a camera sees of it.
+class GroundView {
+ public:
+  /// Throws what HeightField throws.
+  GroundView(const ocl::Device& device, const GroundParameters& parameters);
+
+  const GroundParameters& parameters() const { return parameters_; }
+  /// The same ground, with its cover in other lines.
+  void set_lines(const CoverLines& lines) { parameters_.lines = lines; }
+  terrain::HeightField& field() { return field_; }
+  const terrain::HeightField& field() const { return field_; }
+  /// The ground above or below a point of the world; nothing beyond the map's edge.
+  std::optional<terrain::GroundPoint> ground_at(double x_m, double z_m) const;
+
+  /// Enqueues what this camera sees under a sky whose eye is the camera's: nothing from where no rays reach
+  /// the map (terrain::farthest_origin_cells).
+  void at(const Camera& camera, const sky::ClearSky& sky, const TerrainLight& light);
+  /// Whether the camera of the last at() was near enough; only then is there anything of what follows.
+  bool is_in_reach() const { return is_in_reach_; }
+
+  // What at() made, exactly as large as its picture, row 0 at the top.
+
+  /// [height_px][width_px]
+  const ocl::Buffer<TerrainHit>& hits() const { return hits_; }
+  /// [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709, premultiplied.
+  const ocl::Buffer<terrain::Texel>& image() const { return image_; }
+  /// [2][height_px][width_px]: distance m, +inf where there is no ground; steps of the ray.
+  const ocl::Buffer<float>& planes() const { return planes_; }
+  int width_px() const { return width_px_; }
+  int height_px() const { return height_px_; }
+
+ private:
+  void fit(const Camera& camera);
+
+  ocl::Device device_;
+  GroundParameters parameters_;
+  terrain::HeightField field_;
+  terrain::TerrainShade shade_;
+  terrain::HitPlanes hit_planes_;
+  ocl::Buffer<TerrainHit> hits_;
+  ocl::Buffer<terrain::Texel> image_;
+  ocl::Buffer<float> planes_;
+  int width_px_ = 0, height_px_ = 0;
+  bool is_in_reach_ = false;
+};
+
+}  // namespace offing::world

@@ -1,0 +1,79 @@
+#include "present/terrain_pass.h"
+
+#include <array>
+#include <vector>
+
+#include "host/terrain/step_colours.h"
+#include "present/view_depth.h"
+#include "present/view_ray.h"
+
+namespace offing::present {
+namespace {
+
+constexpr int image_unit = 0, planes_unit = 1;
+
+ShaderProgram terrain_program(const char* fragment) {
+  return ShaderProgram({.vertex = {shader_file("screen.vert")},
+                        .fragment = {shader_file("view_ray.glsl"), shader_file("ground_texels.glsl"),
+                                     shader_file(fragment)}});
+}
+
+void fit(TextureArray& texture, const TextureArray::Shape& shape) {
+  if (texture.shape() != shape) texture = TextureArray(shape);
+}
+
+}  // namespace
+
+TerrainPass::TerrainPass()
+    : light_(terrain_program("terrain.frag")),
+      steps_(terrain_program("terrain_steps.frag")),
+      no_vertices_(GlVertexArray::make()) {}
+
+void TerrainPass::prepare(const world::GroundView& ground, TransferLadder& transfer) {
+  glActiveTexture(GL_TEXTURE0);
+  const int width = ground.width_px(), height = ground.height_px();
+  fit(image_, {.width = width, .height = height, .layers = 1, .channels = 4});
+  fit(planes_,
+      {.width = width, .height = height, .layers = terrain::HitPlanes::plane_count, .channels = 1});
+  const std::array<Upload, 2> uploads{{{ground.image(), &image_}, {ground.planes(), &planes_}}};
+  transfer.upload(uploads);
+}
+
+void TerrainPass::bind(const ShaderProgram& program) const {
+  program.use();
+  image_.bind(image_unit);
+  planes_.bind(planes_unit);
+  program.set("ground_image", image_unit);
+  program.set("ground_planes", planes_unit);
+  glBindVertexArray(no_vertices_.name());
+}
+
+void TerrainPass::draw(const Camera& camera, Part part) const {
+  bind(light_);
+  set_view_rays(light_, camera);
+  light_.set("picture_size", glm::vec2(camera.width_px, camera.height_px));
+  light_.set("near_m", static_cast<float>(near_m));
+  light_.set("draws_edges", part == Part::edges ? 1 : 0);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GEQUAL);
+  if (part == Part::edges) {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // light is premultiplied
+  }
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void TerrainPass::draw_steps() const {
+  bind(steps_);
+  std::vector<glm::vec4> marks;
+  for (const terrain::StepColour& mark : terrain::step_colours) {
+    marks.emplace_back(mark.rgb[0], mark.rgb[1], mark.rgb[2], mark.steps);
+  }
+  steps_.set("marks", marks);
+  glDisable(GL_DEPTH_TEST);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace offing::present
