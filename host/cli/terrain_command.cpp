@@ -7,6 +7,7 @@
 #include "host/cli/terrain_profile_command.h"
 #include "host/cli/terrain_ray_command.h"
 #include "host/cli/terrain_render_command.h"
+#include "host/cli/terrain_tile_command.h"
 
 namespace offing::cli {
 
@@ -16,6 +17,7 @@ void add_terrain_command(CLI::App& app, GlobalOptions& options) {
   add_terrain_info_command(*terrain, options);
   add_terrain_generate_command(*terrain, options);
   add_terrain_render_command(*terrain, options);
+  add_terrain_tile_command(*terrain, options);
   add_terrain_height_command(*terrain, options);
   add_terrain_profile_command(*terrain, options);
   add_terrain_ray_command(*terrain, options);

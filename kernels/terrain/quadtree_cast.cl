@@ -1,5 +1,6 @@
 // What a camera's rays hit first: Park, Oh & Cho 2007, section 3 (T3, T9 of docs/sources.md).
-// In:  heights [rows][columns] m, lids of terrain/pyramid_base.cl and pyramid_reduce.cl, field, view (shared/terrain.h).
+// In:  heights [rows][columns] m, lids of terrain/pyramid_base.cl and pyramid_reduce.cl, or with TILED the pool and pages
+//      of shared/terrain_tiles.h; field, view (shared/terrain.h).
 // Out: records [height_px][width_px], row 0 at the top: distances in metres along the unit ray, +inf for misses; with
 //      WRITES_HITS, TerrainHit.
 #include "terrain/hit_record.clh"
@@ -7,8 +8,9 @@
 #include "terrain/traversal.clh"
 
 
-// By the default rule, the strip shape casts pixels whose rays go the same way as packets.
-#if LANES > 1 && UP_RULE == TERRAIN_UP_WITH_PARENT
+// By the default rule, the strip shape casts pixels whose rays go the same way as packets; not over tiles, whose leaves
+// differ in size.
+#if LANES > 1 && UP_RULE == TERRAIN_UP_WITH_PARENT && !defined(TILED)
 #include "terrain/packet.clh"
 #define CAST_COLUMNS PACKET_COLUMNS
 #define CAST_ROWS PACKET_ROWS
@@ -23,7 +25,7 @@ __kernel void quadtree_cast(__global const float *restrict heights_m, __global c
                             TerrainField field, TerrainView view, __global HitRecord *restrict records) {
   int_lanes first_level = (int_lanes)field.first_level;
   if (field.starts_at_origin) {
-    first_level = level_at_origin(lids_m, field, (int_lanes)view.cell_x, (int_lanes)view.cell_z, (lanes)view.height_m);
+    first_level = level_at_origin(heights_m, lids_m, field, (int_lanes)view.cell_x, (int_lanes)view.cell_z, (lanes)view.height_m);
   }
 #ifdef PACKET_RAYS
   // From above all lids, or from beside the map, everything is ahead.
@@ -57,7 +59,7 @@ __kernel void quadtree_cast(__global const float *restrict heights_m, __global c
           hits[i] = walk(heights_m, lids_m, field, courses[i], level);
         }
         HitRecord block[LANES];
-        record_hits(heights_m, field, courses[i].ray, hits[i], block);
+        record_hits(heights_m, lids_m, field, courses[i].ray, hits[i], block);
         const int x = column + i % BLOCKS_A_ROW * BLOCK_COLUMNS, y = row + i / BLOCKS_A_ROW * BLOCK_ROWS;
         for (int down = 0; down < min(BLOCK_ROWS, view.height_px - y); ++down) {
           for (int across = 0; across < min(BLOCK_COLUMNS, view.width_px - x); ++across) {

@@ -1,6 +1,6 @@
 // What any rays hit first, by the walk of terrain/quadtree_cast.cl.
-// In:  heights [rows][columns] m, lids of terrain/pyramid_base.cl and pyramid_reduce.cl, field, rays [count]
-//      (shared/terrain.h).
+// In:  heights [rows][columns] m, lids of terrain/pyramid_base.cl and pyramid_reduce.cl, or with TILED the pool and pages
+//      of shared/terrain_tiles.h; field, rays [count] (shared/terrain.h).
 // Out: hits [count]; rays that are not finite miss.
 #define WRITES_HITS
 #include "terrain/hit_record.clh"
@@ -32,11 +32,11 @@ __kernel void ray_cast(__global const float *restrict heights_m, __global const 
                          load_lanes(numbers[6]), load_lanes(numbers[7]), load_lanes(numbers[8]), load_lanes(numbers[9])};
   int_lanes first_level = (int_lanes)field.first_level;
   if (field.starts_at_origin) {
-    first_level = level_at_origin(lids_m, field, of_lanes.cell_x, of_lanes.cell_z, of_lanes.height_m);
+    first_level = level_at_origin(heights_m, lids_m, field, of_lanes.cell_x, of_lanes.cell_z, of_lanes.height_m);
   }
   TerrainHit records[LANES];
   const Course course = course_of(field, of_lanes);
   const Hits found = walk(heights_m, lids_m, field, course, level_at_start(field, course, first_level));
-  record_hits(heights_m, field, of_lanes, found, records);
+  record_hits(heights_m, lids_m, field, of_lanes, found, records);
   for (int lane = 0; lane < min(LANES, count - first); ++lane) hits[first + lane] = records[lane];
 }

@@ -1,12 +1,13 @@
 // The light that a camera sees of the ground its rays hit (T10 of docs/sources.md): diffuse cover in the light of the sun
 // and the sky, the sun's disc cut by the horizon that a second walk finds, and the air between the ground and the eye.
-// In:  heights [rows][columns] m, lids of terrain/pyramid_base.cl and pyramid_reduce.cl, field, view (shared/terrain.h);
-//      hits [height_px][width_px] of terrain/quadtree_cast.cl for the same view; light; sky and view_table of
+// In:  heights [rows][columns] m, lids of terrain/pyramid_base.cl and pyramid_reduce.cl, or with TILED the pool and pages
+//      of shared/terrain_tiles.h; field, view (shared/terrain.h); hits [height_px][width_px] of terrain/quadtree_cast.cl for the same view; light; sky and view_table of
 //      sky/view_table.cl for the same eye.
 // Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss.
 #define WALKS_CONE
 #include "sky/clear_sky.clh"
 #include "terrain/ground_cover.clh"
+#include "terrain/ground_height.clh"
 #include "terrain/mean_slope.clh"
 #include "terrain/picture_rays.clh"
 #include "terrain/traversal.clh"
@@ -60,7 +61,7 @@ FFT_INLINE lanes sun_share(__global const float *heights_m, __global const float
                      (lanes)0.0f,
                      (lanes)(sky.sun_direction_y - half_spread),
                      select((lanes)-1.0f, (lanes)FARTHEST_M, is_wanted)};
-  const int_lanes first_level = level_at_origin(lids_m, field, ground.cell_x, ground.cell_z, rays.height_m);
+  const int_lanes first_level = level_at_origin(heights_m, lids_m, field, ground.cell_x, ground.cell_z, rays.height_m);
   Course course = course_of(field, rays);
   course.spread = (lanes)(2.0f * half_spread);
   const Hits fans = walk(heights_m, lids_m, field, course, level_at_start(field, course, first_level));
@@ -87,11 +88,17 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
     for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); column += BLOCK_COLUMNS) {
       const Rays rays = rays_of(field, view, column + (int_lanes)lane_column, row + (int_lanes)lane_row);
       const GroundHits ground = ground_hits(hits, view, column, row);
-      const Patches patch = patch_of(heights_m, field.columns, ground.cell_x, ground.cell_z, ground.is_hit);
-      const lanes height_m = patch.h0 + patch.a * ground.u + patch.b * ground.v + patch.c * (ground.u * ground.v);
+      const lanes height_m =
+          ground_height(heights_m, lids_m, field, ground.cell_x, ground.cell_z, ground.u, ground.v, ground.is_hit);
 
       // Slopes as coarse as the pixel, between the two strides next to it.
       const lanes footprint_m = ground.t_m * pixel_rad;
+#ifdef TILED
+      // Tiles are as coarse as that themselves.
+      const Slopes slopes =
+          slopes_in_tiles(heights_m, lids_m, field, ground.cell_x, ground.cell_z, ground.u, ground.v, ground.is_hit);
+      const lanes slope_x = slopes.x, slope_z = slopes.z;
+#else
       const lanes detail = clamp(log2(fmax(footprint_m / side_m, (lanes)1.0f)), (lanes)0.0f, (lanes)12.0f);
       const int_lanes level = convert_int_lanes(detail);
       const Slopes near = mean_slopes(heights_m, field, ground.cell_x, ground.cell_z, ground.u, ground.v, level, ground.is_hit);
@@ -99,6 +106,7 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
           mean_slopes(heights_m, field, ground.cell_x, ground.cell_z, ground.u, ground.v, level + 1, ground.is_hit);
       const lanes between = detail - convert_lanes(level);
       const lanes slope_x = mix(near.x, far.x, between), slope_z = mix(near.z, far.z, between);
+#endif
       const lanes up = rsqrt(1.0f + slope_x * slope_x + slope_z * slope_z);
 
       const lanes to_sun =

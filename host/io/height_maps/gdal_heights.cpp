@@ -133,6 +133,7 @@ void read_rgb(const Raster& raster, HeightEncoding encoding, const HeightScale& 
         append_height(raster.path(), source, scale.to_metres(*height_m));
       }
     }
+    hand_over_rows(source);
   });
 }
 
@@ -186,6 +187,7 @@ void read_plain(const Raster& raster, const HeightMapOptions& options, SourceHei
         append_height(raster.path(), source, scale.to_metres(samples[i]));
       }
     }
+    hand_over_rows(source);
   });
 }
 
@@ -248,24 +250,32 @@ void turn_over(SourceHeights& source) {
 
 }  // namespace
 
-SourceHeights read_gdal_heights(const std::filesystem::path& path, const HeightMapOptions& options) {
+SourceHeights read_gdal_heights(const std::filesystem::path& path, const HeightMapOptions& options,
+                                const RowTaker& taker) {
   const Raster raster(path);
   if (raster.bands() == 0) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a raster of heights, found none in it", path.string()),
                 "if it holds several, name one as a file of its own");
   }
-  SourceHeights source = begin_heights(path, raster.columns(), raster.rows());
+  SourceHeights source = begin_heights(path, raster.columns(), raster.rows(), taker);
   source.georeference = georeference_of(raster);
   source.format = GDALGetDriverLongName(GDALGetDatasetDriver(raster.handle()));
   source.sample_type = GDALGetDataTypeName(GDALGetRasterDataType(raster.band(1)));
   source.sample_extent = sample_extent_of(raster);
+  const bool is_south_up = source.georeference && source.georeference->step_y > 0.0;
+  if (is_south_up && taker.rows) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected rows from north to south, found a south-up raster", path.string()),
+                "turn it over with gdalwarp, whose result is north-up");
+  }
+  if (taker.begin) taker.begin(source);
   if (options.encoding == HeightEncoding::plain) {
     read_plain(raster, options, source);
   } else {
     read_rgb(raster, options.encoding, {options.vertical_scale, options.offset_m}, source);
   }
-  if (source.georeference && source.georeference->step_y > 0.0) {
+  if (is_south_up) {
     turn_over(source);
   }
   return source;

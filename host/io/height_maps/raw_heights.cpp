@@ -80,7 +80,8 @@ bool is_raw_name(const std::filesystem::path& path) {
   return extension == ".r16" || extension == ".r32" || extension == ".raw" || extension == ".bin";
 }
 
-SourceHeights read_raw_heights(const std::filesystem::path& path, const HeightMapOptions& options) {
+SourceHeights read_raw_heights(const std::filesystem::path& path, const HeightMapOptions& options,
+                               const RowTaker& taker) {
   const RawType type = raw_type_of(path, options);
   const std::size_t sample_bytes = type == RawType::float_32 ? 4 : 2;
   const std::uintmax_t bytes = std::filesystem::file_size(path);
@@ -101,10 +102,11 @@ SourceHeights read_raw_heights(const std::filesystem::path& path, const HeightMa
                     ? size_hint(bytes / sample_bytes)
                     : "the file is cut short, or its samples are of another type: --raw-type");
   }
-  SourceHeights source = begin_heights(path, options.raw_columns, options.raw_rows);
+  SourceHeights source = begin_heights(path, options.raw_columns, options.raw_rows, taker);
   source.format = "raw";
   source.sample_type = name_of(type);
   const HeightScale scale{options.vertical_scale, options.offset_m};
+  if (taker.begin) taker.begin(source);
   std::ifstream file(path, std::ios::binary);
   std::vector<char> row(sample_bytes * static_cast<std::size_t>(source.columns));
   for (int r = 0; r < source.rows; ++r) {
@@ -120,6 +122,7 @@ SourceHeights read_raw_heights(const std::filesystem::path& path, const HeightMa
         append_height(path, source, scale.to_metres(sample));
       }
     }
+    hand_over_rows(source);
   }
   return source;
 }

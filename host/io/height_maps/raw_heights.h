@@ -11,6 +11,7 @@ bool is_raw_name(const std::filesystem::path& path);
 
 /// Heights of a file without a header, row by row from the north. Throws Error(bad_input) if the options
 /// state no size or type, or the file has not just as many bytes as they take.
-SourceHeights read_raw_heights(const std::filesystem::path& path, const HeightMapOptions& options);
+SourceHeights read_raw_heights(const std::filesystem::path& path, const HeightMapOptions& options,
+                               const RowTaker& taker = {});
 
 }  // namespace offing::height_maps

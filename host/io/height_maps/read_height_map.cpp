@@ -14,9 +14,11 @@
 #include "host/io/height_maps/exr_heights.h"
 #include "host/io/height_maps/gdal_heights.h"
 #include "host/io/height_maps/ground_spacing.h"
+#include "host/io/height_maps/mosaic.h"
 #include "host/io/height_maps/raw_heights.h"
 #include "host/io/height_maps/reprojection.h"
 #include "host/io/height_maps/source_heights.h"
+#include "host/io/height_maps/void_bands.h"
 #include "host/io/height_maps/void_fill.h"
 
 namespace offing {
@@ -69,13 +71,20 @@ void check_options(const std::filesystem::path& path, const HeightMapOptions& op
   }
 }
 
-SourceHeights read_source(const std::filesystem::path& path, const HeightMapOptions& options) {
+SourceHeights read_source(const std::filesystem::path& path, const HeightMapOptions& options,
+                          const height_maps::RowTaker& taker = {}) {
   if (height_maps::is_raw_name(path)) {
-    return height_maps::read_raw_heights(path, options);
+    return height_maps::read_raw_heights(path, options, taker);
   }
-  std::string extension = path.extension().string();
-  return extension == ".exr" || extension == ".EXR" ? height_maps::read_exr_heights(path, options)
-                                                    : height_maps::read_gdal_heights(path, options);
+  const std::string extension = path.extension().string();
+  if (extension != ".exr" && extension != ".EXR") {
+    return height_maps::read_gdal_heights(path, options, taker);
+  }
+  SourceHeights source = height_maps::read_exr_heights(path, options);
+  source.taker = taker;
+  if (taker.begin) taker.begin(source);
+  height_maps::hand_over_rows(source);
+  return source;
 }
 
 /// Without a coordinate system: whether the numbers look like degrees, which would make metres a bad guess.
@@ -135,10 +144,15 @@ std::pair<double, double> spacing_of_degrees(const std::filesystem::path& path, 
           -place.step_y * units.degrees_a_unit * middle.north_m};
 }
 
-/// Spacing, where it comes from, and the centre.
+/// Size, spacing, where it comes from, and the centre.
 void settle_spacing(const std::filesystem::path& path, const SourceHeights& source,
                     const HeightMapOptions& options, HeightMapFile& file) {
+  file.source.format = source.format;
+  file.source.sample_type = source.sample_type;
+  file.source.sample_extent = source.sample_extent;
   HeightMap& map = file.map;
+  map.columns = source.columns;
+  map.rows = source.rows;
   if (source.georeference) {
     map.georeference = *source.georeference;
   }
@@ -173,16 +187,20 @@ void settle_spacing(const std::filesystem::path& path, const SourceHeights& sour
   }
 }
 
+[[noreturn]] void refuse_all_voids(const std::filesystem::path& path, const HeightMap& map) {
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected heights, found nothing but voids at its {}x{} posts", path.string(),
+                          map.columns, map.rows),
+              "check the nodata value of the file, and that it covers the part you want");
+}
+
 /// Range and voids; fills them.
 void settle_voids(const std::filesystem::path& path, const HeightMapOptions& options, HeightMapFile& file) {
   HeightMap& map = file.map;
   HeightMapSource& source = file.source;
   source.void_posts = static_cast<std::size_t>(std::count(map.is_void.begin(), map.is_void.end(), 1));
   if (source.void_posts == map.heights_m.size()) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected heights, found nothing but voids at its {}x{} posts", path.string(),
-                            map.columns, map.rows),
-                "check the nodata value of the file, and that it covers the part you want");
+    refuse_all_voids(path, map);
   }
   source.void_area_m2 = static_cast<double>(source.void_posts) * map.spacing_x_m * map.spacing_z_m;
   bool is_first = true;
@@ -218,16 +236,50 @@ HeightMapFile read_height_map(const std::filesystem::path& path, const HeightMap
     source = height_maps::reproject(path, source, options.reproject_to);
   }
   HeightMapFile file;
-  file.source.format = source.format;
-  file.source.sample_type = source.sample_type;
-  file.source.sample_extent = source.sample_extent;
-  file.map.columns = source.columns;
-  file.map.rows = source.rows;
   settle_spacing(path, source, options, file);
   file.map.heights_m = std::move(source.heights_m);
   file.map.is_void = std::move(source.is_void);
   settle_voids(path, options, file);
   return file;
+}
+
+HeightMapSource stream_height_map(const std::filesystem::path& path, const HeightMapOptions& options,
+                                  const std::function<void(const HeightMapFile&)>& begin,
+                                  const std::function<void(std::span<const float>)>& row) {
+  std::optional<height_maps::Mosaic> mosaic;
+  std::error_code status;
+  if (std::filesystem::is_directory(path, status)) {
+    mosaic.emplace(path);
+  } else {
+    check_is_file(path);
+  }
+  check_options(path, options);
+  if (!options.reproject_to.empty()) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: a map that is read row by row cannot be resampled to \"{}\"", path.string(),
+                            options.reproject_to),
+                "resample it first, as with gdalwarp -t_srs EPSG:32719, and leave --reproject out");
+  }
+  HeightMapFile about;
+  std::optional<height_maps::VoidBands> bands;
+  height_maps::RowTaker taker;
+  taker.begin = [&](const SourceHeights& source) {
+    settle_spacing(path, source, options, about);
+    begin(about);
+    bands.emplace(source.columns, options.void_height_m, row);
+  };
+  taker.rows = [&](std::span<const float> heights_m, std::span<const std::uint8_t> is_void) {
+    bands->add(heights_m, is_void);
+  };
+  read_source(mosaic ? mosaic->path() : path, options, taker);
+  bands->finish();
+  about.source.void_posts = bands->void_posts();
+  if (bands->void_posts() == bands->posts()) refuse_all_voids(path, about.map);
+  about.source.void_area_m2 =
+      static_cast<double>(bands->void_posts()) * about.map.spacing_x_m * about.map.spacing_z_m;
+  about.source.lowest_m = bands->lowest_m();
+  about.source.highest_m = bands->highest_m();
+  return about.source;
 }
 
 }  // namespace offing

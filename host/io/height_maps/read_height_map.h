@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "host/base/height_map.h"
@@ -57,5 +59,16 @@ struct HeightMapFile {
 /// infinite, no post at all, fewer than 2x2 posts, no spacing or a spacing of 0; Error(out_of_memory) for a
 /// map larger than the memory that is free, before any of it is taken; Error(file) if reading is not allowed.
 HeightMapFile read_height_map(const std::filesystem::path& path, const HeightMapOptions& options = {});
+
+/// Reads a height map row by row, of any size, with memory for some rows only: a file as read_height_map()
+/// reads it, a VRT, or a folder whose rasters together are one map. `begin` gets what is known beforehand
+/// (heights, voids and range are not), `row` the heights [columns] m of each row from north to south. Voids are
+/// filled in bands of 256 rows, each beginning with the last row of the one before; before the first height
+/// they are 0. Returns what was read.
+///
+/// Throws what read_height_map() throws, and Error(bad_input) for south-up rasters and reproject_to.
+HeightMapSource stream_height_map(const std::filesystem::path& path, const HeightMapOptions& options,
+                                  const std::function<void(const HeightMapFile&)>& begin,
+                                  const std::function<void(std::span<const float>)>& row);
 
 }  // namespace offing

@@ -23,9 +23,7 @@ double free_memory_bytes() {
   return std::numeric_limits<double>::infinity();
 }
 
-}  // namespace
-
-void check_size(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows) {
+void check_sides(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows) {
   constexpr std::int64_t most = std::numeric_limits<int>::max();
   if (columns < 2 || rows < 2 || columns > most || rows > most) {
     throw Error(
@@ -33,6 +31,12 @@ void check_size(const std::filesystem::path& path, std::int64_t columns, std::in
         fmt::format("{}: a height map of {}x{} posts, expected at least 2x2", path.string(), columns, rows),
         "ground lies between posts: give at least two along each side");
   }
+}
+
+}  // namespace
+
+void check_size(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows) {
+  check_sides(path, columns, rows);
   constexpr double bytes_a_post = sizeof(float) + sizeof(std::uint8_t);
   const double wanted_bytes = bytes_a_post * static_cast<double>(columns) * static_cast<double>(rows);
   const double free_bytes = free_memory_bytes();
@@ -44,11 +48,17 @@ void check_size(const std::filesystem::path& path, std::int64_t columns, std::in
   }
 }
 
-SourceHeights begin_heights(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows) {
-  check_size(path, columns, rows);
+SourceHeights begin_heights(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows,
+                            const RowTaker& taker) {
   SourceHeights source;
   source.columns = static_cast<int>(columns);
   source.rows = static_cast<int>(rows);
+  source.taker = taker;
+  if (taker.rows) {
+    check_sides(path, columns, rows);
+    return source;
+  }
+  check_size(path, columns, rows);
   // Reserved memory costs nothing until it is written.
   const std::size_t posts = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   source.heights_m.reserve(posts);
@@ -56,9 +66,17 @@ SourceHeights begin_heights(const std::filesystem::path& path, std::int64_t colu
   return source;
 }
 
+void hand_over_rows(SourceHeights& source) {
+  if (!source.taker.rows) return;
+  source.taker.rows(source.heights_m, source.is_void);
+  source.posts_taken += source.heights_m.size();
+  source.heights_m.clear();
+  source.is_void.clear();
+}
+
 void append_height(const std::filesystem::path& path, SourceHeights& source, float height_m) {
   if (!std::isfinite(height_m)) {
-    const std::size_t place = source.heights_m.size();
+    const std::size_t place = source.posts_taken + source.heights_m.size();
     const std::size_t columns = static_cast<std::size_t>(source.columns);
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: row {}, column {}: expected a finite height, found {}", path.string(),

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,15 @@
 #include "host/io/height_maps/read_height_map.h"
 
 namespace offing::height_maps {
+
+struct SourceHeights;
+
+/// Who takes rows as they are read, instead of all of a map: `begin` gets what is known before the first row,
+/// `rows` whole rows of heights and voids in order. Empty functions: nobody.
+struct RowTaker {
+  std::function<void(const SourceHeights&)> begin;
+  std::function<void(std::span<const float>, std::span<const std::uint8_t>)> rows;
+};
 
 /// Heights as a reader hands them over: voids marked, spacing and fill still to be settled.
 struct SourceHeights {
@@ -19,6 +30,8 @@ struct SourceHeights {
   std::optional<Georeference> georeference;
   std::string format, sample_type;
   SampleExtent sample_extent = SampleExtent::unknown;
+  RowTaker taker;
+  std::size_t posts_taken = 0;
 };
 
 /// From a sample of the file to metres.
@@ -32,7 +45,12 @@ struct HeightScale {
 void check_size(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows);
 
 /// A map of that size without rows. Memory is taken as rows arrive: a header may promise more than there is.
-SourceHeights begin_heights(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows);
+/// With a taker only its rows need memory.
+SourceHeights begin_heights(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows,
+                            const RowTaker& taker = {});
+
+/// Gives the rows that have come in to the taker, if there is one.
+void hand_over_rows(SourceHeights& source);
 
 /// Adds the next post. Throws Error(bad_input) with row and column if the height is not finite.
 void append_height(const std::filesystem::path& path, SourceHeights& source, float height_m);

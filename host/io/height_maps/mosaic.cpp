@@ -1,0 +1,53 @@
+#include "host/io/height_maps/mosaic.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <cpl_vsi.h>
+#include <fmt/format.h>
+#include <gdal_utils.h>
+
+#include "host/base/error.h"
+#include "host/io/height_maps/gdal_session.h"
+
+namespace offing::height_maps {
+
+Mosaic::Mosaic(const std::filesystem::path& folder)
+    : path_(fmt::format("/vsimem/{}/mosaic.vrt", static_cast<const void*>(this))) {
+  const GdalSession session;
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().string();
+    if (entry.is_regular_file() && GDALIdentifyDriver(name.c_str(), nullptr) != nullptr) names.push_back(name);
+  }
+  if (names.empty()) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a folder of height maps, found none in it", folder.string()),
+                "give a folder of GeoTIFF or HGT tiles, or a file");
+  }
+  std::sort(names.begin(), names.end());
+  std::vector<const char*> pointers;
+  for (const std::string& name : names) pointers.push_back(name.c_str());
+  // A raster that does not fit in is an error, not left out.
+  char strict[] = "-strict";
+  char* arguments[] = {strict, nullptr};
+  const std::unique_ptr<GDALBuildVRTOptions, void (*)(GDALBuildVRTOptions*)> options(
+      GDALBuildVRTOptionsNew(arguments, nullptr), GDALBuildVRTOptionsFree);
+  int is_wrong = 0;
+  const Dataset mosaic(GDALBuildVRT(path_.c_str(), static_cast<int>(pointers.size()), nullptr, pointers.data(),
+                                    options.get(), &is_wrong));
+  if (!mosaic || is_wrong != 0) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected height maps that fit together, found {} of which not all do: {}",
+                            folder.string(), names.size(), session.failure()),
+                "bring them to one coordinate system with gdalwarp, and leave no other rasters in the folder");
+  }
+}
+
+Mosaic::~Mosaic() {
+  VSIUnlink(path_.c_str());
+}
+
+}  // namespace offing::height_maps

@@ -1,0 +1,228 @@
+#include "host/io/tile_store/tile_store.h"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#define TOML_EXCEPTIONS 1
+#include <toml++/toml.h>
+
+#include "host/base/error.h"
+#include "host/io/atomic_file.h"
+#include "host/io/tile_store/tile_file.h"
+
+namespace offing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* header_name = "store.toml";
+constexpr int format_version = 1;
+
+fs::path tile_path(const fs::path& folder, const TileKey& key) {
+  return folder / std::to_string(key.level) / fmt::format("{:04}", key.row) / fmt::format("{:04}.tile", key.column);
+}
+
+std::optional<std::string> content_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  std::error_code status;
+  const auto bytes = fs::file_size(path, status);
+  if (status) return std::nullopt;
+  std::string content(bytes, '\0');
+  file.read(content.data(), static_cast<std::streamsize>(bytes));
+  content.resize(static_cast<std::size_t>(file.gcount()));
+  return content;
+}
+
+[[noreturn]] void refuse_header(const fs::path& path, const std::string& what) {
+  throw Error(ErrorKind::bad_input, fmt::format("{}: {}", path.string(), what),
+              "make the store with `offing terrain tile MAP -o STORE`");
+}
+
+/// Values of a header by name.
+class HeaderReader {
+ public:
+  HeaderReader(fs::path path, const toml::table& table) : path_(std::move(path)), table_(table) {}
+
+  template <class T>
+  T value(const char* name) const {
+    if (const auto found = table_[name].value<T>()) return *found;
+    refuse_header(path_, fmt::format("expected a value for {}, found none", name));
+  }
+  template <class T>
+  std::optional<T> optional(const char* name) const {
+    return table_[name].value<T>();
+  }
+  int whole(const char* name, std::int64_t low, std::int64_t high) const {
+    const auto number = value<std::int64_t>(name);
+    if (number >= low && number <= high) return static_cast<int>(number);
+    refuse_header(path_, fmt::format("{}: expected {} ... {}, found {}", name, low, high, number));
+  }
+  double above_zero(const char* name) const {
+    const auto number = value<double>(name);
+    if (number > 0.0 && number < 1e9) return number;
+    refuse_header(path_, fmt::format("{}: expected metres above 0, found {:g}", name, number));
+  }
+
+ private:
+  fs::path path_;
+  const toml::table& table_;
+};
+
+std::uint64_t checksum_of(const fs::path& path, const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  if (error == std::errc{} && end == text.data() + text.size()) return value;
+  refuse_header(path, fmt::format("heights_checksum: expected 16 hexadecimal digits, found \"{}\"", text));
+}
+
+TileStoreHeader read_header(const fs::path& folder) {
+  const fs::path path = folder / header_name;
+  const auto content = content_of(path);
+  if (!content) refuse_header(path, "expected the header of a tile store, found no such file");
+  toml::table table;
+  try {
+    table = toml::parse(*content);
+  } catch (const toml::parse_error& error) {
+    refuse_header(path, fmt::format("expected TOML, found {} in line {}", error.description(), error.source().begin.line));
+  }
+  const HeaderReader reader(path, table);
+  reader.whole("version", format_version, format_version);
+  reader.whole("tile_cells", tile_cells, tile_cells);
+  constexpr int most_posts = 1 << 20;
+  TileStoreHeader header;
+  header.shape = TileSetShape::of(reader.whole("columns", 2, most_posts), reader.whole("rows", 2, most_posts));
+  reader.whole("levels", header.shape.levels, header.shape.levels);
+  header.spacing_x_m = reader.above_zero("spacing_x_m");
+  header.spacing_z_m = reader.above_zero("spacing_z_m");
+  header.lowest_m = static_cast<float>(reader.value<double>("lowest_m"));
+  header.highest_m = static_cast<float>(reader.value<double>("highest_m"));
+  header.void_posts = static_cast<std::uint64_t>(std::max<std::int64_t>(0, reader.value<std::int64_t>("void_posts")));
+  header.heights_checksum = checksum_of(path, reader.value<std::string>("heights_checksum"));
+  header.georeference = {reader.optional<std::string>("coordinate_system").value_or(""),
+                         reader.optional<double>("first_post_x").value_or(0.0),
+                         reader.optional<double>("first_post_y").value_or(0.0),
+                         reader.optional<double>("step_x").value_or(0.0),
+                         reader.optional<double>("step_y").value_or(0.0)};
+  header.centre_latitude_deg = reader.optional<double>("centre_latitude_deg");
+  header.centre_longitude_deg = reader.optional<double>("centre_longitude_deg");
+  return header;
+}
+
+/// A number that reads as a float of TOML, with all its digits.
+std::string digits(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string header_text(const TileStoreHeader& header) {
+  std::string text = "# A height map in tiles, made by `offing terrain tile`.\n";
+  const auto line = [&](const char* name, const std::string& value) { text += fmt::format("{} = {}\n", name, value); };
+  line("version", std::to_string(format_version));
+  line("columns", std::to_string(header.shape.columns));
+  line("rows", std::to_string(header.shape.rows));
+  line("tile_cells", std::to_string(tile_cells));
+  line("levels", std::to_string(header.shape.levels));
+  line("spacing_x_m", digits(header.spacing_x_m));
+  line("spacing_z_m", digits(header.spacing_z_m));
+  line("lowest_m", digits(header.lowest_m));
+  line("highest_m", digits(header.highest_m));
+  line("void_posts", std::to_string(header.void_posts));
+  line("heights_checksum", fmt::format("\"{:016x}\"", header.heights_checksum));
+  if (header.centre_latitude_deg && header.centre_longitude_deg) {
+    line("centre_latitude_deg", digits(*header.centre_latitude_deg));
+    line("centre_longitude_deg", digits(*header.centre_longitude_deg));
+  }
+  const Georeference& place = header.georeference;
+  if (place.step_x != 0.0) {
+    line("first_post_x", digits(place.origin_x));
+    line("first_post_y", digits(place.origin_y));
+    line("step_x", digits(place.step_x));
+    line("step_y", digits(place.step_y));
+    if (!place.coordinate_system.empty()) line("coordinate_system", "'''" + place.coordinate_system + "'''");
+  }
+  return text;
+}
+
+/// Whether an entry of a folder could be of a store that was not finished: a level, or a temporary of the
+/// header's.
+bool is_of_store(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  const bool is_level = name.size() == 1 && name[0] >= '0' && name[0] <= '8' && entry.is_directory();
+  return is_level || name.starts_with(fmt::format(".{}.", header_name));
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code status;
+  fs::create_directories(folder, status);
+  if (!status) return;
+  throw Error(ErrorKind::file, fmt::format("{}: cannot be made a folder: {}", folder.string(), status.message()),
+              "name a folder that does not exist yet, where you may write");
+}
+
+}  // namespace
+
+bool is_tile_store(const fs::path& path) {
+  std::error_code status;
+  return fs::is_directory(path, status) && fs::is_regular_file(path / header_name, status);
+}
+
+TileStore::TileStore(fs::path folder) : folder_(std::move(folder)), header_(read_header(folder_)) {}
+
+fs::path TileStore::path_of(const TileKey& key) const {
+  return tile_path(folder_, key);
+}
+
+HeightTile TileStore::read(const TileKey& key) const {
+  const fs::path path = path_of(key);
+  const auto content = content_of(path);
+  if (content) return tile_store::decode_tile(path, *content, key);
+  throw Error(ErrorKind::bad_input, fmt::format("{}: expected a tile, found none that can be read", path.string()),
+              "make the store again with `offing terrain tile`: tiles that are whole are kept");
+}
+
+TileStoreWriter::TileStoreWriter(fs::path folder, const TileSetShape& shape, Existing existing)
+    : folder_(std::move(folder)) {
+  make_folder(folder_);
+  if (is_tile_store(folder_) && existing == Existing::refuse) {
+    throw Error(ErrorKind::file, fmt::format("{}: a finished tile store is there already", folder_.string()),
+                "--force makes it again, or name another folder with -o");
+  }
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
+    if (entry.path().filename() == header_name || is_of_store(entry)) continue;
+    throw Error(ErrorKind::file,
+                fmt::format("{}: expected an empty folder or a tile store, found {} in it", folder_.string(),
+                            entry.path().filename().string()),
+                "name a new folder with -o");
+  }
+  // Until it is whole again it is no store.
+  std::error_code status;
+  fs::remove(folder_ / header_name, status);
+  remove_stale_partials(folder_);
+  for (int level = 0; level < shape.levels; ++level) {
+    for (int row = 0; row < shape.tiles_z(level); ++row) {
+      const fs::path rows = tile_path(folder_, {level, 0, row}).parent_path();
+      make_folder(rows);
+      remove_stale_partials(rows);
+    }
+  }
+}
+
+bool TileStoreWriter::write(const HeightTile& tile) const {
+  const std::string bytes = tile_store::encode_tile(tile);
+  const fs::path path = tile_path(folder_, tile.key);
+  if (content_of(path) == bytes) return false;
+  write_file_atomically(path, bytes);
+  return true;
+}
+
+void TileStoreWriter::finish(const TileStoreHeader& header) const {
+  write_file_atomically(folder_ / header_name, header_text(header));
+}
+
+}  // namespace offing

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "host/base/height_map.h"
+#include "host/base/height_tile.h"
+
+namespace offing {
+
+/// What a store says of its map.
+struct TileStoreHeader {
+  TileSetShape shape;
+  double spacing_x_m = 1.0, spacing_z_m = 1.0;
+  float lowest_m = 0.0f, highest_m = 0.0f;
+  std::uint64_t void_posts = 0;  ///< filled in
+  Georeference georeference;     ///< step 0 where the source had none
+  std::optional<double> centre_latitude_deg, centre_longitude_deg;
+  std::uint64_t heights_checksum = 0;  ///< XXH3 of the map's heights, row by row
+};
+
+/// Whether a path is a folder that a store's header lies in.
+bool is_tile_store(const std::filesystem::path& path);
+
+/// A height map as a folder of tiles: store.toml (TOML, a value a line), and LEVEL/ROW/COLUMN.tile for every
+/// tile of every level (tile_file.h).
+class TileStore {
+ public:
+  /// Throws Error(bad_input) if the folder holds no finished store of this version.
+  explicit TileStore(std::filesystem::path folder);
+
+  const TileStoreHeader& header() const { return header_; }
+  std::filesystem::path path_of(const TileKey& key) const;
+  /// Throws Error(bad_input) that names the file if it is missing or not as it was written. Safe to use from
+  /// several threads at once.
+  HeightTile read(const TileKey& key) const;
+
+ private:
+  std::filesystem::path folder_;
+  TileStoreHeader header_;
+};
+
+/// Fills a folder with a store. A folder in which an earlier run was stopped is gone on with: tiles that are
+/// there as they would be written are kept. The header is written last: a folder without one is no store.
+class TileStoreWriter {
+ public:
+  enum class Existing { refuse, replace };
+
+  /// Makes the folder. Throws Error(file) if it holds something else, or a finished store that may not be
+  /// replaced.
+  TileStoreWriter(std::filesystem::path folder, const TileSetShape& shape, Existing existing);
+
+  /// Writes a tile unless it is there; returns whether it was. Safe to use from several threads at once.
+  bool write(const HeightTile& tile) const;
+  /// Publishes the store.
+  void finish(const TileStoreHeader& header) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace offing
