@@ -17,17 +17,33 @@ constexpr double eye_height_m = 1.7;
 
 }  // namespace
 
-Camera read_terrain_camera(std::string_view text, const HeightMap& map) {
+CameraGround camera_ground(const HeightMap& map) {
+  return {.extent = terrain::extent_of(map),
+          .under = [&map](double x_m, double z_m) { return *terrain::ground_at(map, x_m, z_m); }};
+}
+
+CameraGround camera_ground(terrain::TiledField& field) {
+  const terrain::TiledMap& map = field.map();
+  return {.extent = {.width_m = map.width_m(), .depth_m = map.depth_m(), .highest_m = map.highest_m},
+          .under = [&field](double x_m, double z_m) {
+            // With the eye there, the tile is of the finest level.
+            const double above_m = field.map().highest_m + 1.0;
+            field.look_and_wait({.eye_m = {x_m, field.map().lowest_m, z_m}});
+            const TerrainHit hit = field.cast(std::vector{terrain::Ray{.origin_m = {x_m, above_m, z_m}}}).front();
+            return terrain::GroundPoint{above_m - hit.distance_m, {hit.normal_x, hit.normal_y, hit.normal_z}};
+          }};
+}
+
+Camera read_terrain_camera(std::string_view text, const CameraGround& ground) {
   Camera camera;
   if (text == "fly") {
-    camera = terrain::flying_camera(map);
+    camera = terrain::flying_camera(ground.extent);
   } else if (text == "walk") {
-    const double x_m = 0.5 * map.spacing_x_m * (map.columns - 1),
-                 z_m = 0.5 * map.spacing_z_m * (map.rows - 1);
-    const terrain::GroundPoint ground = *terrain::ground_at(map, x_m, z_m);
-    camera.eye_m = {x_m, ground.height_m + eye_height_m, z_m};
+    const double x_m = 0.5 * ground.extent.width_m, z_m = 0.5 * ground.extent.depth_m;
+    const terrain::GroundPoint below = ground.under(x_m, z_m);
+    camera.eye_m = {x_m, below.height_m + eye_height_m, z_m};
     // Level ground has no way down: north.
-    camera.yaw_rad = std::atan2(ground.normal.x, -ground.normal.z);
+    camera.yaw_rad = std::atan2(below.normal.x, -below.normal.z);
   } else {
     const std::vector<double> place =
         read_numbers("--camera", text, 5, "fly, walk or X,Y,Z,YAW_DEG,PITCH_DEG", "500,300,900,0,-15");

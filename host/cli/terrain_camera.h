@@ -1,15 +1,29 @@
 #pragma once
 
+#include <functional>
 #include <string_view>
 
 #include "host/base/camera.h"
 #include "host/base/height_map.h"
+#include "host/terrain/flying_camera.h"
+#include "host/terrain/ground.h"
+#include "host/terrain/tiled_field.h"
 
 namespace offing::cli {
+
+/// What a camera needs to know of the ground that it stands on, whose first post is at x = z = 0.
+struct CameraGround {
+  terrain::GroundExtent extent;
+  std::function<terrain::GroundPoint(double x_m, double z_m)> under;
+};
+
+/// Those of a map and of a field, which must live as long.
+CameraGround camera_ground(const HeightMap& map);
+CameraGround camera_ground(terrain::TiledField& field);
 
 /// Where a camera of `--camera` stands: "fly" (over the middle of the southern edge, 300 m above the highest
 /// post, looking north and 15 degrees down), "walk" (on the ground in the middle of the map, 1.7 m high,
 /// looking where it falls) or "X,Y,Z,YAW_DEG,PITCH_DEG". Throws Error(bad_usage) for anything else.
-Camera read_terrain_camera(std::string_view text, const HeightMap& map);
+Camera read_terrain_camera(std::string_view text, const CameraGround& ground);
 
 }  // namespace offing::cli

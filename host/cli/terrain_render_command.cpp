@@ -12,6 +12,7 @@
 #include "host/cli/device_choice.h"
 #include "host/cli/number_list.h"
 #include "host/cli/pictures/terrain_picture.h"
+#include "host/cli/store_field.h"
 #include "host/cli/terrain_camera.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
@@ -27,6 +28,7 @@ constexpr double highest_line_m = 20'000.0;
 
 struct TerrainRenderArguments {
   TerrainInput input;
+  CacheFlags cache;
   std::string camera = "fly", size = "1280x720", output, depth, show = "light";
   std::string field_of_view, sun, exposure, sea_level, tree_line, snow_line;
   bool json = false;
@@ -42,8 +44,8 @@ void read_size(const std::string& text, Camera& camera) {
   camera.height_px = static_cast<int>(read_whole("--size", sides.substr(cross + 1), 1, most_px, "1280x720"));
 }
 
-Camera read_camera(const TerrainRenderArguments& arguments, const HeightMap& map) {
-  Camera camera = read_terrain_camera(arguments.camera, map);
+Camera read_camera(const TerrainRenderArguments& arguments, const CameraGround& ground) {
+  Camera camera = read_terrain_camera(arguments.camera, ground);
   read_size(arguments.size, camera);
   const double degrees = arguments.field_of_view.empty()
                              ? 60.0
@@ -52,7 +54,7 @@ Camera read_camera(const TerrainRenderArguments& arguments, const HeightMap& map
   return camera;
 }
 
-TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const HeightMapSource& source) {
+TerrainScenery read_scenery(const TerrainRenderArguments& arguments, std::optional<double> latitude_deg) {
   TerrainScenery scenery{.sun_azimuth_rad = 225.0 * radians, .sun_elevation_rad = 30.0 * radians};
   if (!arguments.sun.empty()) {
     const auto sun = read_numbers("--sun", arguments.sun, 2, "AZIMUTH_DEG,ELEVATION_DEG", "225,30");
@@ -60,7 +62,7 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const Heigh
     scenery.sun_elevation_rad =
         read_number("--sun", fmt::format("{}", sun[1]), -90.0, 90.0, "225,30") * radians;
   }
-  if (source.centre_latitude_deg) scenery.lines = world::cover_lines(*source.centre_latitude_deg);
+  if (latitude_deg) scenery.lines = world::cover_lines(*latitude_deg);
   const auto line = [](const char* flag, const std::string& text, double& height_m) {
     if (!text.empty()) height_m = read_number(flag, text, -highest_line_m, highest_line_m, "2500");
   };
@@ -94,17 +96,38 @@ void write_depth(const std::string& file, const Camera& camera, const std::vecto
   write_exr(file, image, PixelType::float_32, ExrCompression::zip);
 }
 
+struct Rendered {
+  Camera camera;
+  TerrainPicture picture;
+};
+
+Rendered render_map(const TerrainRenderArguments& arguments, const GlobalOptions& options, TerrainShow show) {
+  const HeightMapFile file = arguments.input.read();
+  const Camera camera = read_camera(arguments, camera_ground(file.map));
+  const TerrainScenery scenery = read_scenery(arguments, file.source.centre_latitude_deg);
+  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
+  terrain::HeightField field = make_field(file.map, device);
+  options.cancel.throw_if_cancelled();
+  return {camera, draw_terrain(device, field, camera, scenery, show)};
+}
+
+Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptions& options, TerrainShow show) {
+  const TileStore store(arguments.input.file());
+  const TerrainScenery scenery = read_scenery(arguments, store.header().centre_latitude_deg);
+  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
+  terrain::TiledField field = make_field(store, device, arguments.cache);
+  const Camera camera = read_camera(arguments, camera_ground(field));
+  field.look_and_wait(camera);
+  options.cancel.throw_if_cancelled();
+  return {camera, draw_terrain(device, field, camera, scenery, show)};
+}
+
 void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) {
   const TerrainShow show = read_show(arguments.show);
   require_new(arguments, arguments.output);
   require_new(arguments, arguments.depth);
-  const HeightMapFile file = arguments.input.read();
-  const Camera camera = read_camera(arguments, file.map);
-  const TerrainScenery scenery = read_scenery(arguments, file.source);
-  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
-  terrain::HeightField field = make_field(file.map, device);
-  options.cancel.throw_if_cancelled();
-  const TerrainPicture picture = draw_terrain(device, field, camera, scenery, show);
+  const auto [camera, picture] = is_tile_store(arguments.input.file()) ? render_store(arguments, options, show)
+                                                                       : render_map(arguments, options, show);
   options.cancel.throw_if_cancelled();
   write_png(arguments.output, picture.image);
   if (!arguments.depth.empty()) write_depth(arguments.depth, camera, picture.distances_m);
@@ -130,6 +153,7 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainRenderArguments>();
   CLI::App* command = terrain.add_subcommand("render", "a picture of a height map under a clear sky");
   arguments->input.add_to(*command);
+  arguments->cache.add_to(*command);
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group("Picture");
   };
@@ -152,6 +176,8 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
+FILE may also be a tile store of `offing terrain tile`.
+
 Examples:
   offing terrain render S33W071.tif -o andes.png
   offing terrain render S33W071.tif --camera walk --sun 300,12 --size 1920x1080 -o dusk.png --depth dusk.exr

@@ -119,7 +119,7 @@ void place_camera(OceanScene& scene, const std::optional<world::GroundParameters
   }
   if (!ground) return;
   Camera& camera = scene.view.camera;
-  const Camera placed = terrain::flying_camera(*ground->map);
+  const Camera placed = terrain::flying_camera(terrain::extent_of(*ground->map));
   camera.eye_m = placed.eye_m + glm::dvec3(ground->origin_x_m, 0.0, ground->origin_z_m);
   camera.yaw_rad = placed.yaw_rad;
   camera.pitch_rad = placed.pitch_rad;

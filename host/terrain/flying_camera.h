@@ -5,8 +5,16 @@
 
 namespace offing::terrain {
 
-/// Over the middle of a map's southern edge, 300 m above its highest post, looking north and 15 degrees down.
-/// The map's first post is at x = z = 0. Field of view and size are a Camera's own.
-Camera flying_camera(const HeightMap& map);
+/// The box of a ground whose first post is at x = z = 0.
+struct GroundExtent {
+  double width_m = 0.0, depth_m = 0.0;  ///< along x and z
+  double highest_m = 0.0;
+};
+
+GroundExtent extent_of(const HeightMap& map);
+
+/// Over the middle of the southern edge, 300 m above the highest post, looking north and 15 degrees down.
+/// Field of view and size are a Camera's own.
+Camera flying_camera(const GroundExtent& extent);
 
 }  // namespace offing::terrain

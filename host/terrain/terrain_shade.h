@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "host/base/camera.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
 #include "host/terrain/height_field.h"
+#include "host/terrain/tiled_field.h"
 #include "kernels/shared/sky_params.h"
 #include "kernels/shared/terrain_light.h"
 
@@ -27,18 +29,21 @@ struct GroundLight {
 /// over what a pixel sees.
 class TerrainShade {
  public:
-  /// Throws what programs throw.
   explicit TerrainShade(const ocl::Device& device);
 
   /// Enqueues the image [height_px][width_px] (r, g, b, coverage), kcd/m2 in linear Rec.709, of what the
   /// camera's rays hit, as HeightField::cast() wrote it; (0, 0, 0, 0) where they miss. Throws
-  /// Error(bad_usage) for buffers that hold fewer, and what device_view() throws.
+  /// Error(bad_usage) for buffers that hold fewer, and what device_view() and programs throw.
   void at(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
+          const GroundLight& light, ocl::Buffer<Texel>& image) const;
+  /// The same for the tiles of the field's last look().
+  void at(const TiledField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
           const GroundLight& light, ocl::Buffer<Texel>& image) const;
 
  private:
+  ocl::Device device_;
   int lanes_;
-  ocl::Kernel kernel_;
+  mutable std::optional<ocl::Kernel> kernel_, tiles_kernel_;  ///< built when they are first asked for
 };
 
 }  // namespace offing::terrain

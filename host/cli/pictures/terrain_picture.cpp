@@ -41,7 +41,8 @@ std::vector<std::array<double, 3>> open_directions(const Camera& camera,
   return directions;
 }
 
-void draw_light(const ocl::Device& device, const terrain::HeightField& field, const Camera& camera,
+template <class Field>
+void draw_light(const ocl::Device& device, const Field& field, const Camera& camera,
                 const TerrainScenery& scenery, const ocl::Buffer<TerrainHit>& hits_on_device,
                 const std::vector<TerrainHit>& hits, RgbImage& image) {
   const sky::Atmosphere atmosphere;
@@ -75,10 +76,9 @@ void draw_light(const ocl::Device& device, const terrain::HeightField& field, co
   }
 }
 
-}  // namespace
-
-TerrainPicture draw_terrain(const ocl::Device& device, terrain::HeightField& field, const Camera& camera,
-                            const TerrainScenery& scenery, TerrainShow show) {
+template <class Field>
+TerrainPicture draw(const ocl::Device& device, Field& field, const Camera& camera, const TerrainScenery& scenery,
+                    TerrainShow show) {
   const auto width = static_cast<std::size_t>(camera.width_px),
              height = static_cast<std::size_t>(camera.height_px);
   ocl::Buffer<TerrainHit> hits_on_device(device, width * height, "terrain hits");
@@ -100,6 +100,18 @@ TerrainPicture draw_terrain(const ocl::Device& device, terrain::HeightField& fie
     picture.mean_steps += hit.steps / static_cast<double>(hits.size());
   }
   return picture;
+}
+
+}  // namespace
+
+TerrainPicture draw_terrain(const ocl::Device& device, terrain::HeightField& field, const Camera& camera,
+                            const TerrainScenery& scenery, TerrainShow show) {
+  return draw(device, field, camera, scenery, show);
+}
+
+TerrainPicture draw_terrain(const ocl::Device& device, terrain::TiledField& field, const Camera& camera,
+                            const TerrainScenery& scenery, TerrainShow show) {
+  return draw(device, field, camera, scenery, show);
 }
 
 }  // namespace offing::cli

@@ -7,6 +7,7 @@
 #include "host/io/png_image.h"
 #include "host/sky/clear_sky.h"
 #include "host/terrain/height_field.h"
+#include "host/terrain/tiled_field.h"
 #include "host/world/terrain_light.h"
 
 namespace offing::cli {
@@ -32,6 +33,9 @@ struct TerrainPicture {
 /// The ground before a clear sky, as a camera sees it; or the steps that its rays took (T11), from blue
 /// (none) through green (16) and yellow to red (80 and more).
 TerrainPicture draw_terrain(const ocl::Device& device, terrain::HeightField& field, const Camera& camera,
+                            const TerrainScenery& scenery, TerrainShow show);
+/// The same of the tiles of the field's last look().
+TerrainPicture draw_terrain(const ocl::Device& device, terrain::TiledField& field, const Camera& camera,
                             const TerrainScenery& scenery, TerrainShow show);
 
 }  // namespace offing::cli

@@ -1,0 +1,75 @@
+#include "host/cli/flight_recorder.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include <sys/resource.h>
+
+#include "host/sky/sun_position.h"
+#include "host/terrain/picture.h"
+
+namespace offing::cli {
+namespace {
+
+constexpr double sun_azimuth_rad = 225.0 * std::numbers::pi / 180.0,
+                 sun_elevation_rad = 30.0 * std::numbers::pi / 180.0;
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+FlightRecorder::FlightRecorder(const ocl::Device& device, const Camera& first, double latitude_deg)
+    : device_(device),
+      sky_(device, atmosphere_),
+      shade_(device),
+      hits_(device, terrain::pixel_count(first), "terrain hits"),
+      image_(device, terrain::pixel_count(first), "terrain image") {
+  sky_.at({.sun_direction = sky::direction_of(sun_azimuth_rad, sun_elevation_rad),
+           .eye_altitude_m = std::max(0.0, first.eye_m.y)});
+  light_ = world::terrain_light(sky_, atmosphere_, world::cover_lines(latitude_deg));
+}
+
+template <class Field>
+void FlightRecorder::cast_and_shade(Field& field, const Camera& camera) {
+  field.cast(camera, hits_);
+  shade_.at(field, camera, hits_, {light_, sky_.params(), sky_.view_table()}, image_);
+  device_.finish();
+}
+
+double FlightRecorder::draw(terrain::TiledField& field, const Camera& camera, double ahead_m) {
+  const Stopwatch stopwatch;
+  field.look(camera, ahead_m);
+  cast_and_shade(field, camera);
+  return stopwatch.seconds();
+}
+
+double FlightRecorder::draw(terrain::HeightField& field, const Camera& camera) {
+  const Stopwatch stopwatch;
+  cast_and_shade(field, camera);
+  return stopwatch.seconds();
+}
+
+FrameTimes frame_times(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  const auto at = [&](double share) {
+    return seconds[static_cast<std::size_t>(std::ceil(share * static_cast<double>(seconds.size()))) - 1];
+  };
+  return {at(0.5), at(0.99), seconds.back()};
+}
+
+std::size_t peak_resident_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace offing::cli

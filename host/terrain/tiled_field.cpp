@@ -1,0 +1,255 @@
+#include "host/terrain/tiled_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "host/base/error.h"
+#include "host/ocl/program.h"
+#include "host/terrain/page_table.h"
+#include "host/terrain/picture.h"
+#include "host/terrain/tile_cache.h"
+#include "kernels/shared/terrain_tiles.h"
+
+namespace offing::terrain {
+namespace {
+
+// Of the slots, those that the cut may take: the others keep tiles that were used a moment ago or will be.
+constexpr double cut_share = 0.75;
+// A ray from outside begins where a level has about this many nodes.
+constexpr int levels_below_top = 3;
+constexpr std::size_t rays_at_once = std::size_t{1} << 18;
+
+PostGrid grid_of(const TiledMap& map) {
+  return {.columns = map.shape.columns,
+          .rows = map.shape.rows,
+          .spacing_x_m = map.spacing_x_m,
+          .spacing_z_m = map.spacing_z_m};
+}
+
+CutView view_of(const TiledMap& map, const Camera& camera) {
+  const glm::dvec2 extent = half_extent(camera);
+  return {.eye_x_m = camera.eye_m.x,
+          .eye_z_m = camera.eye_m.z,
+          .above_m = std::max(0.0, camera.eye_m.y - map.highest_m),
+          .pixel_rad = 2.0 * extent.y / camera.height_px};
+}
+
+}  // namespace
+
+struct TiledField::State {
+  ocl::Device device;
+  TiledMap map;
+  PostGrid grid;
+  int lanes;
+  TileCache cache;
+  PageTable table;
+  ocl::Buffer<float> pages;
+  Statistics statistics;
+  std::optional<glm::dvec3> last_eye_m;
+  std::optional<ocl::Kernel> distance_kernel, picture_kernel, ray_kernel;
+
+  State(const ocl::Device& on, const TiledMap& of, TileReader read, std::size_t cache_bytes)
+      : device(on),
+        map(of),
+        grid(grid_of(of)),
+        lanes(lanes_of(on)),
+        cache(on, of, read, cache_bytes),
+        table(of.shape),
+        pages(on, table.pages().size(), "terrain pages") {}
+
+  std::vector<TileKey> cut(const CutView& view) const {
+    return choose_cut(map, view, static_cast<std::size_t>(cut_share * static_cast<double>(cache.slot_count())));
+  }
+
+  /// The tile itself, or the nearest that is there of those that cover it.
+  std::pair<TileKey, int> resident(TileKey key) {
+    while (true) {
+      if (const auto slot = cache.use(key)) return {key, *slot};
+      key = parent_of(key);
+    }
+  }
+
+  void lay(const std::vector<TileKey>& keys) {
+    statistics.tiles = keys.size();
+    statistics.stood_in = 0;
+    for (const TileKey& key : keys) {
+      const auto [there, slot] = resident(key);
+      statistics.stood_in += there == key ? 0 : 1;
+      table.lay(key, there, slot, cache.square_lids_m(slot));
+    }
+    table.reduce_lids();
+    pages.write(table.pages());
+    cache.write_head(table.lids_m());
+    statistics.loaded = cache.loaded();
+    statistics.failed = cache.failed();
+    statistics.slots = cache.slot_count();
+    statistics.bytes = cache.bytes() + pages.size() * sizeof(float);
+  }
+
+  /// What the camera wants where it will be.
+  void add_ahead(std::vector<TileKey>& keys, const Camera& camera, double ahead_m) const {
+    if (ahead_m <= 0.0 || !last_eye_m) return;
+    const glm::dvec3 way = camera.eye_m - *last_eye_m;
+    if (glm::length(way) == 0.0) return;
+    Camera later = camera;
+    later.eye_m += glm::normalize(way) * ahead_m;
+    for (const TileKey& key : cut(view_of(map, later))) {
+      if (keys.size() + 2 >= cache.slot_count()) break;
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+    }
+  }
+
+  void look(const Camera& camera, double ahead_m) {
+    require_valid(camera);
+    cache.begin_frame();
+    const std::vector<TileKey> keys = cut(view_of(map, camera));
+    // Before any make room for others.
+    for (const TileKey& key : keys) resident(key);
+    cache.take_in();
+    std::vector<TileKey> wanted = keys;
+    add_ahead(wanted, camera, ahead_m);
+    cache.want(wanted);
+    last_eye_m = camera.eye_m;
+    lay(keys);
+  }
+
+  void look_and_wait(const Camera& camera) {
+    require_valid(camera);
+    const std::vector<TileKey> keys = cut(view_of(map, camera));
+    do {
+      cache.begin_frame();
+      for (const TileKey& key : keys) resident(key);
+    } while (cache.want(keys) > 0 && cache.wait_and_take_in());
+    last_eye_m = camera.eye_m;
+    lay(keys);
+  }
+
+  TerrainField field() const {
+    const PagesShape& shape = table.shape();
+    return {.columns = grid.columns,
+            .cells_x = grid.columns - 1,
+            .cells_z = grid.rows - 1,
+            .padded_x = shape.columns << TERRAIN_TILE_LOG2,
+            .padded_z = shape.rows << TERRAIN_TILE_LOG2,
+            .top_level = shape.top_level,
+            .first_level = std::max(1, shape.top_level - levels_below_top),
+            .starts_at_origin = 1,
+            .highest_m = map.highest_m,
+            .largest_m = std::max(std::abs(map.lowest_m), std::abs(map.highest_m)),
+            .cells_per_m_x = static_cast<float>(1.0 / grid.spacing_x_m),
+            .cells_per_m_z = static_cast<float>(1.0 / grid.spacing_z_m)};
+  }
+
+  ocl::Defines defines() const {
+    return ocl::Defines().set("LANES", lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT).set_flag("TILED");
+  }
+
+  void require_look() const {
+    if (statistics.tiles > 0) return;
+    throw Error(ErrorKind::bad_usage, "tiled field: expected tiles to be chosen before rays are cast",
+                "call look() first");
+  }
+
+  template <class Record>
+  void cast_picture(std::optional<ocl::Kernel>& kernel, const ocl::Defines& definitions, const Camera& camera,
+                    ocl::Buffer<Record>& records) {
+    require_look();
+    const TerrainView view = terrain::device_view(camera, grid);
+    require_room("picture", pixel_count(camera), records.size());
+    if (!kernel) {
+      kernel = ocl::Program::build(device, "terrain/quadtree_cast.cl", definitions).kernel("quadtree_cast");
+    }
+    kernel->launch(picture_shape(camera, lanes), cache.pool(), pages, field(), view, records);
+  }
+};
+
+TiledField::TiledField(const ocl::Device& device, const TiledMap& map, TileReader read, std::size_t cache_bytes)
+    : state_(std::make_unique<State>(device, map, std::move(read), cache_bytes)) {}
+TiledField::TiledField(TiledField&&) noexcept = default;
+TiledField& TiledField::operator=(TiledField&&) noexcept = default;
+TiledField::~TiledField() = default;
+
+const TiledMap& TiledField::map() const {
+  return state_->map;
+}
+const PostGrid& TiledField::grid() const {
+  return state_->grid;
+}
+const ocl::Buffer<float>& TiledField::pool() const {
+  return state_->cache.pool();
+}
+const ocl::Buffer<float>& TiledField::pages() const {
+  return state_->pages;
+}
+const TiledField::Statistics& TiledField::statistics() const {
+  return state_->statistics;
+}
+TerrainField TiledField::device_field() const {
+  return state_->field();
+}
+TerrainView TiledField::device_view(const Camera& camera) const {
+  return terrain::device_view(camera, state_->grid);
+}
+
+void TiledField::look(const Camera& camera, double ahead_m) {
+  state_->look(camera, ahead_m);
+}
+
+void TiledField::look_and_wait(const Camera& camera) {
+  state_->look_and_wait(camera);
+}
+
+void TiledField::cast(const Camera& camera, ocl::Buffer<float>& distances_m) {
+  state_->cast_picture(state_->distance_kernel, state_->defines(), camera, distances_m);
+}
+
+void TiledField::cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits) {
+  state_->cast_picture(state_->picture_kernel, state_->defines().set_flag("WRITES_HITS"), camera, hits);
+}
+
+std::vector<TerrainHit> TiledField::cast(std::span<const Ray> rays) {
+  state_->require_look();
+  std::vector<TerrainHit> hits(rays.size());
+  if (rays.empty()) return hits;
+  if (!state_->ray_kernel) {
+    state_->ray_kernel =
+        ocl::Program::build(state_->device, "terrain/ray_cast.cl", state_->defines()).kernel("ray_cast");
+  }
+  const auto lanes = static_cast<std::size_t>(state_->lanes);
+  const std::size_t most = std::min(rays.size(), rays_at_once);
+  ocl::Buffer<TerrainRay> packed_on_device(state_->device, most, "rays");
+  ocl::Buffer<TerrainHit> hits_on_device(state_->device, most, "hits");
+  std::vector<TerrainRay> packed(most);
+  for (std::size_t first = 0; first < rays.size(); first += most) {
+    const std::size_t count = std::min(most, rays.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      require_valid(rays[first + i], state_->grid);
+      packed[i] = device_ray(rays[first + i], state_->grid);
+    }
+    packed_on_device.write(std::span(packed).first(count));
+    ocl::LaunchShape shape{{(count + lanes - 1) / lanes}};
+    if (lanes > 1) shape.local = {1};
+    state_->ray_kernel->launch(shape, pool(), pages(), device_field(), packed_on_device, static_cast<int>(count),
+                               hits_on_device);
+    hits_on_device.read(std::span(hits).subspan(first, count));
+  }
+  return hits;
+}
+
+float TiledField::coarse_height_m(double x_m, double z_m) const {
+  const TiledMap& map = state_->map;
+  const int level = map.shape.coarsest();
+  const auto post_of = [&](double place_m, double spacing_m, int cells) {
+    return std::clamp(static_cast<int>(std::lround(std::ldexp(place_m / spacing_m, -level))), 0, cells - 1);
+  };
+  const int x = post_of(x_m, map.spacing_x_m, map.shape.cells_x(level)),
+            z = post_of(z_m, map.spacing_z_m, map.shape.cells_z(level));
+  const std::vector<float>& heights_m = state_->cache.coarsest_m(x / tile_cells, z / tile_cells);
+  return heights_m[static_cast<std::size_t>(z % tile_cells * tile_posts + x % tile_cells)];
+}
+
+}  // namespace offing::terrain
