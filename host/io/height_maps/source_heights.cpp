@@ -44,7 +44,8 @@ void check_size(const std::filesystem::path& path, std::int64_t columns, std::in
     throw Error(ErrorKind::out_of_memory,
                 fmt::format("{}: {}x{} posts need {:.1f} GB of memory, {:.1f} GB are free", path.string(),
                             columns, rows, wanted_bytes * 1e-9, free_bytes * 1e-9),
-                "cut out a part or make it coarser first, as with gdal_translate -srcwin or -outsize");
+                "`offing terrain tile` makes a store of it that needs little memory; gdal_translate -outsize "
+                "makes it coarser");
   }
 }
 
