@@ -16,15 +16,6 @@ namespace {
 constexpr double sun_azimuth_rad = 225.0 * std::numbers::pi / 180.0,
                  sun_elevation_rad = 30.0 * std::numbers::pi / 180.0;
 
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
-
 }  // namespace
 
 FlightRecorder::FlightRecorder(const ocl::Device& device, const Camera& first, double latitude_deg)
@@ -35,27 +26,16 @@ FlightRecorder::FlightRecorder(const ocl::Device& device, const Camera& first, d
       image_(device, terrain::pixel_count(first), "terrain image") {
   sky_.at({.sun_direction = sky::direction_of(sun_azimuth_rad, sun_elevation_rad),
            .eye_altitude_m = std::max(0.0, first.eye_m.y)});
-  light_ = world::terrain_light(sky_, atmosphere_, world::cover_lines(latitude_deg));
-}
-
-template <class Field>
-void FlightRecorder::cast_and_shade(Field& field, const Camera& camera) {
-  field.cast(camera, hits_);
-  shade_.at(field, camera, hits_, {light_, sky_.params(), sky_.view_table()}, image_);
-  device_.finish();
+  light_ = world::terrain_light(sky_.read_illuminance(), atmosphere_, world::cover_lines(latitude_deg));
 }
 
 double FlightRecorder::draw(terrain::TiledField& field, const Camera& camera, double ahead_m) {
-  const Stopwatch stopwatch;
+  const auto start = std::chrono::steady_clock::now();
   field.look(camera, ahead_m);
-  cast_and_shade(field, camera);
-  return stopwatch.seconds();
-}
-
-double FlightRecorder::draw(terrain::HeightField& field, const Camera& camera) {
-  const Stopwatch stopwatch;
-  cast_and_shade(field, camera);
-  return stopwatch.seconds();
+  field.cast(camera, hits_);
+  shade_.at(field, camera, hits_, {light_, sky_.params(), sky_.view_table()}, image_);
+  device_.finish();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 FrameTimes frame_times(std::vector<double> seconds) {

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <filesystem>
+#include <cstddef>
 #include <vector>
 
 #include "host/base/camera.h"
 #include "host/ocl/device.h"
 #include "host/sky/clear_sky.h"
-#include "host/terrain/height_field.h"
 #include "host/terrain/terrain_shade.h"
 #include "host/terrain/tiled_field.h"
 #include "host/world/terrain_light.h"
@@ -20,15 +19,11 @@ class FlightRecorder {
 
   /// Draws the frame; returns the seconds that it took, the choice of tiles included.
   double draw(terrain::TiledField& field, const Camera& camera, double ahead_m);
-  double draw(terrain::HeightField& field, const Camera& camera);
 
   /// What the last frame's rays hit.
   std::vector<TerrainHit> read_hits() const { return hits_.read(); }
 
  private:
-  template <class Field>
-  void cast_and_shade(Field& field, const Camera& camera);
-
   ocl::Device device_;
   sky::Atmosphere atmosphere_;
   sky::ClearSky sky_;

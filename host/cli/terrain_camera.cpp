@@ -57,4 +57,12 @@ Camera read_terrain_camera(std::string_view text, const CameraGround& ground) {
   return camera;
 }
 
+void read_picture_size(std::string_view text, Camera& camera) {
+  constexpr int most_px = 16384;
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos) throw bad_argument("--size", "WIDTHxHEIGHT", text, "1280x720");
+  camera.width_px = static_cast<int>(read_whole("--size", text.substr(0, cross), 1, most_px, "1280x720"));
+  camera.height_px = static_cast<int>(read_whole("--size", text.substr(cross + 1), 1, most_px, "1280x720"));
+}
+
 }  // namespace offing::cli

@@ -26,4 +26,7 @@ CameraGround camera_ground(terrain::TiledField& field);
 /// looking where it falls) or "X,Y,Z,YAW_DEG,PITCH_DEG". Throws Error(bad_usage) for anything else.
 Camera read_terrain_camera(std::string_view text, const CameraGround& ground);
 
+/// `--size WxH`, the pixels of a camera. Throws Error(bad_usage) for anything else.
+void read_picture_size(std::string_view text, Camera& camera);
+
 }  // namespace offing::cli

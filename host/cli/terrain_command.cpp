@@ -1,5 +1,6 @@
 #include "host/cli/terrain_command.h"
 
+#include "host/cli/terrain_fly_command.h"
 #include "host/cli/terrain_generate_command.h"
 #include "host/cli/terrain_height_command.h"
 #include "host/cli/terrain_info_command.h"
@@ -18,6 +19,7 @@ void add_terrain_command(CLI::App& app, GlobalOptions& options) {
   add_terrain_generate_command(*terrain, options);
   add_terrain_render_command(*terrain, options);
   add_terrain_tile_command(*terrain, options);
+  add_terrain_fly_command(*terrain, options);
   add_terrain_height_command(*terrain, options);
   add_terrain_profile_command(*terrain, options);
   add_terrain_ray_command(*terrain, options);

@@ -35,18 +35,9 @@ struct TerrainRenderArguments {
   bool force = false;
 };
 
-void read_size(const std::string& text, Camera& camera) {
-  constexpr int most_px = 16384;
-  const std::size_t cross = text.find('x');
-  if (cross == std::string::npos) throw bad_argument("--size", "WIDTHxHEIGHT", text, "1280x720");
-  const std::string_view sides = text;
-  camera.width_px = static_cast<int>(read_whole("--size", sides.substr(0, cross), 1, most_px, "1280x720"));
-  camera.height_px = static_cast<int>(read_whole("--size", sides.substr(cross + 1), 1, most_px, "1280x720"));
-}
-
 Camera read_camera(const TerrainRenderArguments& arguments, const CameraGround& ground) {
   Camera camera = read_terrain_camera(arguments.camera, ground);
-  read_size(arguments.size, camera);
+  read_picture_size(arguments.size, camera);
   const double degrees = arguments.field_of_view.empty()
                              ? 60.0
                              : read_number("--fov-deg", arguments.field_of_view, 1.0, 170.0, "60");
