@@ -22,13 +22,27 @@ struct Row {
   }
 };
 
-/// Of each post the two cells beside it in a row.
-template <class Join>
-std::vector<float> joined(const std::vector<float>& cells, Join join) {
+/// What lies half a cell before the mean of a cell, straight on from the next one's.
+float before(float mean, float next) {
+  return 1.5f * mean - 0.5f * next;
+}
+
+/// Of each post the higher of the two cells beside it in a row.
+std::vector<float> highest_posts(const std::vector<float>& cells) {
   std::vector<float> posts(cells.size() + 1);
   posts.front() = cells.front();
   posts.back() = cells.back();
-  for (std::size_t i = 1; i < cells.size(); ++i) posts[i] = join(cells[i - 1], cells[i]);
+  for (std::size_t i = 1; i < cells.size(); ++i) posts[i] = std::max(cells[i - 1], cells[i]);
+  return posts;
+}
+
+/// Of each post the mean of the two cells beside it in a row.
+std::vector<float> mean_posts(const std::vector<float>& cells) {
+  const std::size_t last = cells.size() - 1;
+  std::vector<float> posts(cells.size() + 1);
+  posts.front() = last > 0 ? before(cells[0], cells[1]) : cells[0];
+  posts.back() = last > 0 ? before(cells[last], cells[last - 1]) : cells[0];
+  for (std::size_t i = 1; i < cells.size(); ++i) posts[i] = 0.5f * (cells[i - 1] + cells[i]);
   return posts;
 }
 
@@ -97,15 +111,24 @@ void TileBuilder::add_cells_below(int level, const CellRow& cells) {
 
 void TileBuilder::add_cells(int level, const CellRow& cells) {
   Level& of = levels_[static_cast<std::size_t>(level)];
-  std::vector<float> highest_m = joined(cells.highest_m, higher), means_m = joined(cells.means_m, mean);
-  const bool is_first = of.rows == 0, is_last = of.rows + 2 == of.posts_z;
-  CellRow posts{highest_m, means_m};
-  if (!is_first) {
-    join_into(highest_m, of.before.highest_m, higher);
-    join_into(means_m, of.before.means_m, mean);
+  const int row = of.cell_rows++, last = shape_.cells_z(level) - 1;
+  CellRow posts{highest_posts(cells.highest_m), mean_posts(cells.means_m)};
+  const auto add_edge = [&](const CellRow& edge, const CellRow& inner) {
+    std::vector<float> means_m = edge.means_m;
+    join_into(means_m, inner.means_m, before);
+    add_posts(level, edge.highest_m, means_m);
+  };
+  if (last == 0) {
+    add_posts(level, posts.highest_m, posts.means_m);
+    add_posts(level, posts.highest_m, posts.means_m);
+  } else if (row > 0) {
+    if (row == 1) add_edge(of.before, posts);
+    CellRow between = posts;
+    join_into(between.highest_m, of.before.highest_m, higher);
+    join_into(between.means_m, of.before.means_m, mean);
+    add_posts(level, between.highest_m, between.means_m);
+    if (row == last) add_edge(posts, of.before);
   }
-  add_posts(level, highest_m, means_m);
-  if (is_last) add_posts(level, posts.highest_m, posts.means_m);
   of.before = std::move(posts);
   if (level + 1 < shape_.levels) add_cells_below(level + 1, cells);
 }

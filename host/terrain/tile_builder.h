@@ -19,7 +19,7 @@ class TileBuilder {
   void add_row(std::span<const float> heights_m);
 
  private:
-  /// Of cells of a level.
+  /// Of cells of a level, or of posts.
   struct CellRow {
     std::vector<float> highest_m, means_m;
   };
@@ -28,9 +28,9 @@ class TileBuilder {
     std::vector<std::vector<float>> highest_m, means_m;  ///< the last rows of posts, by row modulo their number
     int rows = 0;                                        ///< of posts that came in
     int next_tiles = 0;                                  ///< row of tiles to be cut next
-    CellRow before;                                      ///< cells of this level, the row before
+    CellRow before;                                      ///< the row of cells before, joined to posts
     CellRow half;                                        ///< the first of two rows of the level below
-    int cell_rows_below = 0;
+    int cell_rows = 0, cell_rows_below = 0;              ///< that came in
   };
 
   void add_posts(int level, std::span<const float> highest_m, std::span<const float> means_m);

@@ -10,7 +10,7 @@ namespace {
 
 /// From a place to an interval, of which an infinite map has many.
 double distance_to(double place, double from, double to, double side, MapEdge edge) {
-  const auto plain = [place](double low, double high) { return std::max({low - place, place - high, 0.0}); };
+  const auto plain = [&place](double low, double high) { return std::max({low - place, place - high, 0.0}); };
   double distance = plain(from, to);
   if (edge == MapEdge::ends) return distance;
   // Of the copies those around the one that the place is in.
