@@ -1,6 +1,7 @@
 #include "host/base/argument.h"
 
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -15,6 +16,13 @@ std::optional<std::int64_t> whole(std::string_view text) {
   if (error != std::errc{} || end != text.data() + text.size()) {
     return std::nullopt;
   }
+  return value;
+}
+
+std::optional<double> finite(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }
 
@@ -52,15 +60,30 @@ std::int64_t read_whole(std::string_view flag, std::string_view text, std::int64
 
 double read_number(std::string_view flag, std::string_view text, std::string_view unit, double low,
                    double high, std::string_view example) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_number = error == std::errc{} && end == text.data() + text.size();
-  if (!is_number || !(value >= low && value <= high)) {
+  const std::optional<double> value = finite(text);
+  if (!value || *value < low || *value > high) {
     const std::string in_unit = unit.empty() ? "" : fmt::format(" in {}", unit);
     throw bad_argument(flag, fmt::format("a number{} within [{:g}, {:g}]", in_unit, low, high), text,
                        example);
   }
-  return value;
+  return *value;
+}
+
+std::vector<double> read_numbers(std::string_view flag, std::string_view text, std::size_t count,
+                                 std::string_view form, std::string_view example) {
+  std::vector<double> numbers;
+  for (std::string_view rest = text; numbers.size() <= count;) {
+    const std::size_t comma = rest.find(',');
+    const std::optional<double> number = finite(rest.substr(0, comma));
+    if (!number) break;
+    numbers.push_back(*number);
+    if (comma == std::string_view::npos) {
+      if (numbers.size() == count) return numbers;
+      break;
+    }
+    rest.remove_prefix(comma + 1);
+  }
+  throw bad_argument(flag, form, text, example);
 }
 
 FrameRange read_frame_range(std::string_view flag, std::string_view text) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "host/base/error.h"
 
@@ -19,6 +21,10 @@ std::int64_t read_whole(std::string_view flag, std::string_view text, std::int64
 /// A number in `unit` (empty: without one); throws bad_argument() unless it is within [low, high].
 double read_number(std::string_view flag, std::string_view text, std::string_view unit, double low,
                    double high, std::string_view example);
+
+/// Finite numbers between commas, as many as `count`; throws bad_argument() that expects `form` otherwise.
+std::vector<double> read_numbers(std::string_view flag, std::string_view text, std::size_t count,
+                                 std::string_view form, std::string_view example);
 
 /// Frames first ... last, both included.
 struct FrameRange {

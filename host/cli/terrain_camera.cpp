@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "host/base/argument.h"
-#include "host/cli/number_list.h"
 #include "host/terrain/flying_camera.h"
 #include "host/terrain/ground.h"
 

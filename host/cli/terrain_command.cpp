@@ -9,11 +9,13 @@
 #include "host/cli/terrain_ray_command.h"
 #include "host/cli/terrain_render_command.h"
 #include "host/cli/terrain_tile_command.h"
+#include "host/cli/terrain_viewshed_command.h"
 
 namespace offing::cli {
 
 void add_terrain_command(CLI::App& app, GlobalOptions& options) {
-  CLI::App* terrain = app.add_subcommand("terrain", "the ground: look at height maps, make, draw and ask them");
+  CLI::App* terrain =
+      app.add_subcommand("terrain", "the ground: look at height maps, make, draw and ask them");
   terrain->require_subcommand(1);
   add_terrain_info_command(*terrain, options);
   add_terrain_generate_command(*terrain, options);
@@ -24,6 +26,7 @@ void add_terrain_command(CLI::App& app, GlobalOptions& options) {
   add_terrain_profile_command(*terrain, options);
   add_terrain_ray_command(*terrain, options);
   add_terrain_los_command(*terrain, options);
+  add_terrain_viewshed_command(*terrain, options);
 }
 
 }  // namespace offing::cli

@@ -12,7 +12,6 @@
 #include "host/base/argument.h"
 #include "host/base/error_report.h"
 #include "host/base/progress.h"
-#include "host/cli/number_list.h"
 #include "host/cli/terrain_place.h"
 #include "host/io/atomic_file.h"
 #include "host/io/file_presence.h"
@@ -34,7 +33,7 @@ terrain::FractalParameters read_parameters(const TerrainGenerateArguments& argum
   terrain::FractalParameters parameters;
   const auto number = [](const char* flag, const std::string& text, double& value, double low, double high,
                          const char* example) {
-    if (!text.empty()) value = read_number(flag, text, low, high, example);
+    if (!text.empty()) value = read_number(flag, text, "", low, high, example);
   };
   if (!arguments.posts.empty()) {
     parameters.posts = static_cast<int>(read_whole("--posts", arguments.posts, 2, 65536, "1025"));

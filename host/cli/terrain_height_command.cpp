@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "host/cli/number_list.h"
+#include "host/base/argument.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "host/base/argument.h"
-#include "host/cli/number_list.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
 #include "host/io/atomic_file.h"
@@ -35,8 +34,9 @@ void run(const TerrainProfileArguments& arguments) {
   const HeightMapFile file = arguments.input.read();
   const HeightMap& map = file.map;
   const double length_m = std::hypot(to[0] - from[0], to[1] - from[1]);
-  const double step_m = arguments.step.empty() ? std::min(map.spacing_x_m, map.spacing_z_m)
-                                               : read_number("--step-m", arguments.step, 1e-3, 1e6, "10");
+  const double step_m = arguments.step.empty()
+                            ? std::min(map.spacing_x_m, map.spacing_z_m)
+                            : read_number("--step-m", arguments.step, "m", 1e-3, 1e6, "10");
   const double steps = std::max(1.0, std::ceil(length_m / step_m));
   if (steps > most_points) {
     throw bad_argument("--step-m", fmt::format("a step of at least {:g} m here", length_m / most_points),

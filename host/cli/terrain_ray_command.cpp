@@ -8,7 +8,6 @@
 
 #include "host/base/argument.h"
 #include "host/cli/device_choice.h"
-#include "host/cli/number_list.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
 

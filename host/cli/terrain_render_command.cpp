@@ -10,7 +10,6 @@
 #include "host/base/argument.h"
 #include "host/base/error_report.h"
 #include "host/cli/device_choice.h"
-#include "host/cli/number_list.h"
 #include "host/cli/pictures/terrain_picture.h"
 #include "host/cli/store_field.h"
 #include "host/cli/terrain_camera.h"
@@ -40,7 +39,7 @@ Camera read_camera(const TerrainRenderArguments& arguments, const CameraGround& 
   read_picture_size(arguments.size, camera);
   const double degrees = arguments.field_of_view.empty()
                              ? 60.0
-                             : read_number("--fov-deg", arguments.field_of_view, 1.0, 170.0, "60");
+                             : read_number("--fov-deg", arguments.field_of_view, "degrees", 1.0, 170.0, "60");
   camera.vertical_field_of_view_rad = degrees * radians;
   return camera;
 }
@@ -51,17 +50,17 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, std::option
     const auto sun = read_numbers("--sun", arguments.sun, 2, "AZIMUTH_DEG,ELEVATION_DEG", "225,30");
     scenery.sun_azimuth_rad = sun[0] * radians;
     scenery.sun_elevation_rad =
-        read_number("--sun", fmt::format("{}", sun[1]), -90.0, 90.0, "225,30") * radians;
+        read_number("--sun", fmt::format("{}", sun[1]), "degrees", -90.0, 90.0, "225,30") * radians;
   }
   if (latitude_deg) scenery.lines = world::cover_lines(*latitude_deg);
   const auto line = [](const char* flag, const std::string& text, double& height_m) {
-    if (!text.empty()) height_m = read_number(flag, text, -highest_line_m, highest_line_m, "2500");
+    if (!text.empty()) height_m = read_number(flag, text, "m", -highest_line_m, highest_line_m, "2500");
   };
   line("--sea-level-m", arguments.sea_level, scenery.lines.sea_level_m);
   line("--tree-line-m", arguments.tree_line, scenery.lines.tree_line_m);
   line("--snow-line-m", arguments.snow_line, scenery.lines.snow_line_m);
   if (!arguments.exposure.empty()) {
-    scenery.exposure_ev = read_number("--exposure-ev", arguments.exposure, -20.0, 20.0, "1");
+    scenery.exposure_ev = read_number("--exposure-ev", arguments.exposure, "stops", -20.0, 20.0, "1");
   }
   return scenery;
 }

@@ -4,6 +4,7 @@
 
 #include "kernels/shared/terrain.h"
 #include "kernels/shared/terrain_light.h"
+#include "kernels/shared/terrain_sight.h"
 #include "tests/ocl/shared_layout.h"
 
 namespace offing {
@@ -50,6 +51,14 @@ TEST(TerrainLayoutTest, TerrainLight) {
                       {"sun_red_klx", "rayleigh_red_perm", "aerosol_perm", "snow_line_m"}),
             (Layout{sizeof(S), offsetof(S, sun_red_klx), offsetof(S, rayleigh_red_perm),
                     offsetof(S, aerosol_perm), offsetof(S, snow_line_m)}));
+}
+
+TEST(TerrainLayoutTest, TerrainSight) {
+  using S = TerrainSight;
+  EXPECT_EQ(layout_of("shared/terrain_sight.h", "TerrainSight",
+                      {"cell_x", "eye_above_m", "bend_x_m", "radius_share_z"}),
+            (Layout{sizeof(S), offsetof(S, cell_x), offsetof(S, eye_above_m), offsetof(S, bend_x_m),
+                    offsetof(S, radius_share_z)}));
 }
 
 }  // namespace

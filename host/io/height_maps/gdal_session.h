@@ -19,6 +19,7 @@ class GdalSession {
 
   /// First failure since the session began, as one line; "no reason given" without one.
   std::string failure() const;
+  bool has_failed() const { return !first_failure_.empty(); }
 
  private:
   static void CPL_STDCALL note(CPLErr severity, CPLErrorNum number, const char* message);

@@ -1,0 +1,124 @@
+#include "host/cli/terrain_viewshed_command.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "host/base/argument.h"
+#include "host/base/error_report.h"
+#include "host/cli/device_choice.h"
+#include "host/cli/earth_curve_flags.h"
+#include "host/cli/new_output.h"
+#include "host/cli/terrain_input.h"
+#include "host/cli/terrain_place.h"
+#include "host/io/file_extension.h"
+#include "host/io/height_maps/byte_raster.h"
+#include "host/terrain/viewshed.h"
+
+namespace offing::cli {
+
+namespace {
+
+constexpr double highest_m = 1e6, farthest_m = 1e9;
+constexpr std::uint8_t visible = 255, of_void = 128;
+
+struct TerrainViewshedArguments {
+  TerrainInput input;
+  EarthCurveFlags curve;
+  std::string observer, observer_height, target_height, radius, output;
+  bool json = false;
+  bool force = false;
+};
+
+terrain::ViewshedParameters read_parameters(const TerrainViewshedArguments& arguments) {
+  const auto place = read_numbers("--observer", arguments.observer, 2, "X,Z", "1200,350");
+  terrain::ViewshedParameters parameters{.observer_x_m = place[0], .observer_z_m = place[1]};
+  const auto number = [](const char* flag, const std::string& text, double& value, double low, double high,
+                         const char* example) {
+    if (!text.empty()) value = read_number(flag, text, "m", low, high, example);
+  };
+  number("--observer-height-m", arguments.observer_height, parameters.observer_height_m, 0.0, highest_m,
+         "1.7");
+  number("--target-height-m", arguments.target_height, parameters.target_height_m, 0.0, highest_m, "10");
+  number("--radius-m", arguments.radius, parameters.radius_m, 1e-3, farthest_m, "20000");
+  parameters.curve = arguments.curve.read();
+  return parameters;
+}
+
+void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options) {
+  const terrain::ViewshedParameters parameters = read_parameters(arguments);
+  require_extension(arguments.output, {".tif", ".tiff"});
+  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused);
+  const HeightMapFile file = arguments.input.read();
+  const HeightMap& map = file.map;
+  const terrain::GroundPoint ground =
+      ground_under("--observer", map, parameters.observer_x_m, parameters.observer_z_m);
+  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
+  const terrain::HeightField field = make_field(map, device);
+  options.cancel.throw_if_cancelled();
+  ocl::Buffer<std::uint8_t> buffer(device, map.heights_m.size(), "viewshed");
+  terrain::Viewshed(device).at(field, parameters, buffer);
+  std::vector<std::uint8_t> seen = buffer.read();
+  options.cancel.throw_if_cancelled();
+  for (std::size_t i = 0; i < map.is_void.size(); ++i) {
+    if (map.is_void[i] != 0) seen[i] = of_void;
+  }
+  write_byte_raster(arguments.output,
+                    {.columns = map.columns,
+                     .rows = map.rows,
+                     .values = seen,
+                     .georeference = map.georeference,
+                     .nodata = map.is_void.empty() ? std::nullopt : std::optional(of_void)});
+
+  const auto seen_posts = std::count(seen.begin(), seen.end(), visible);
+  const double area_m2 = static_cast<double>(seen_posts) * map.spacing_x_m * map.spacing_z_m;
+  const double eye_m = ground.height_m + parameters.observer_height_m;
+  if (arguments.json) {
+    print_json({{"file", arguments.output},
+                {"columns", map.columns},
+                {"rows", map.rows},
+                {"eye_m", eye_m},
+                {"seen_posts", seen_posts},
+                {"seen_area_m2", area_m2},
+                {"void_posts", file.source.void_posts}});
+  } else {
+    fmt::print("{}: from {:.1f} m up, {} of {} posts are seen, {:.4g} km^2\n", one_line(arguments.output),
+               eye_m, seen_posts, seen.size(), 1e-6 * area_m2);
+  }
+}
+
+}  // namespace
+
+void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
+  const auto arguments = std::make_shared<TerrainViewshedArguments>();
+  CLI::App* command = terrain.add_subcommand("viewshed", "which ground is seen from a point, as a GeoTIFF");
+  arguments->input.add_to(*command);
+  const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
+    return command->add_option(names, target, help)->type_name(placeholder);
+  };
+  add("--observer", arguments->observer, "X,Z", "where the observer stands, m")->required();
+  add("--observer-height-m", arguments->observer_height, "H", "of the eye above ground (default 1.7)");
+  add("--target-height-m", arguments->target_height, "H",
+      "above ground, of what is to be seen (default 0: the ground itself)");
+  add("--radius-m", arguments->radius, "R", "what is farther, in plan, is not seen (default: no limit)");
+  arguments->curve.add_to(*command);
+  add("-o,--output", arguments->output, "FILE", "GeoTIFF to write, .tif, whole or not at all")->required();
+  command->add_flag("--force", arguments->force, "replace a file that is there");
+  command->add_flag("--json", arguments->json, "results for scripts");
+  add_global_options(*command, options, DeviceUse::one);
+  command->footer(fmt::format(R"(
+{}
+The raster has a byte for each post of the map, with its georeference: 255 seen, 0 not, and 128, its nodata value,
+where the map has a void. Ground hides what is behind it by the surface between its posts, which is exact, not by
+steps from post to post.
+
+Examples:
+  offing terrain viewshed S33W071.tif --observer 47000,55000 -o seen.tif
+  offing terrain viewshed S33W071.tif --observer 47000,55000 --observer-height-m 30 --target-height-m 2 \
+    --radius-m 40000 --curvature -o mast.tif)",
+                              place_footer));
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

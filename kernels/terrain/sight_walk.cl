@@ -1,0 +1,77 @@
+// Which posts are seen from a point, line by line: those that are undecided.
+// In:    heights [rows][columns] m, lids of terrain/pyramid_base.cl and pyramid_reduce.cl, field (shared/terrain.h),
+//        sight (shared/terrain_sight.h).
+// inout: seen [rows][columns], SIGHT_UNDECIDED -> SIGHT_HIDDEN or SIGHT_VISIBLE.
+// A work-item takes columns_each posts of a row.
+#define IS_CURVED
+#define WALKS_SIGHT
+#include "shared/terrain_sight.h"
+#include "terrain/traversal.clh"
+
+// Cells from the eye to a post, and what that loses as a float.
+FFT_INLINE lanes cells_to(int_lanes post, int cell, float fraction, lanes *rest) {
+  const lanes whole = convert_lanes(post - cell), cells = whole - fraction;
+  *rest = (whole - cells) - fraction;
+  return cells;
+}
+
+FFT_INLINE int_lanes is_seen(__global const float *heights_m, __global const float *lids_m, TerrainField field,
+                             TerrainSight sight, int_lanes first_level, int_lanes column, int row) {
+  lanes rest_x, rest_z;
+  const lanes x = cells_to(column, sight.cell_x, sight.fraction_x, &rest_x);
+  const lanes z = cells_to((int_lanes)row, sight.cell_z, sight.fraction_z, &rest_z);
+  const lanes bend = sight.bend_x_m * (x * x) + sight.bend_z_m * (z * z);
+  const lanes target_m = gathered(heights_m, row * field.columns + column);
+  const lanes rise = (target_m - sight.eye_m) + (sight.target_above_m - sight.eye_rest_m) - bend;
+  const Rays rays = {(int_lanes)sight.cell_x,
+                     (int_lanes)sight.cell_z,
+                     (lanes)sight.fraction_x,
+                     (lanes)sight.fraction_z,
+                     (lanes)sight.eye_m,
+                     (lanes)sight.eye_rest_m,
+                     x,
+                     z,
+                     rest_x,
+                     rest_z,
+                     rise,
+                     (lanes)1.0f};
+  Course course = course_of(field, rays);
+  course.bend = bend;
+  course.target_x = column;
+  course.target_z = (int_lanes)row;
+  course.eye_above_m = sight.eye_above_m;
+  course.target_above_m = sight.target_above_m;
+  const Hits hits = walk(heights_m, lids_m, field, course, level_at_start(field, course, first_level));
+  return mask_of(hits.kind == TERRAIN_MISS);
+}
+
+__kernel void sight_walk(__global const float *restrict heights_m, __global const float *restrict lids_m,
+                         TerrainField field, TerrainSight sight, int columns_each, __global uchar *seen) {
+  const int row = (int)get_global_id(1), first = (int)get_global_id(0) * columns_each;
+  const int end = min(first + columns_each, field.columns);
+  const float z = (float)(row - sight.cell_z) - sight.fraction_z, far_z = sight.radius_share_z * (z * z);
+  const int_lanes first_level = level_at_origin(heights_m, lids_m, field, (int_lanes)sight.cell_x,
+                                                (int_lanes)sight.cell_z, (lanes)sight.eye_m);
+  __global uchar *of_row = seen + (size_t)row * field.columns;
+  int columns[LANES];
+  int count = 0;
+  for (int column = first; column < end; ++column) {
+    if (of_row[column] == SIGHT_UNDECIDED) {
+      const float x = (float)(column - sight.cell_x) - sight.fraction_x;
+      if (sight.radius_share_x * (x * x) + far_z > 1.0f) {
+        of_row[column] = SIGHT_HIDDEN;
+      } else {
+        columns[count++] = column;
+      }
+    }
+    if (count == LANES || (count > 0 && column == end - 1)) {
+      for (int lane = count; lane < LANES; ++lane) columns[lane] = columns[0];
+      int answers[LANES];
+      store_lanes(is_seen(heights_m, lids_m, field, sight, first_level, load_lanes(columns), row), answers);
+      for (int lane = 0; lane < count; ++lane) {
+        of_row[columns[lane]] = answers[lane] != 0 ? SIGHT_VISIBLE : SIGHT_HIDDEN;
+      }
+      count = 0;
+    }
+  }
+}
