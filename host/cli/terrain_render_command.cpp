@@ -29,7 +29,7 @@ struct TerrainRenderArguments {
   TerrainInput input;
   CacheFlags cache;
   std::string camera = "fly", size = "1280x720", output, depth, show = "light";
-  std::string field_of_view, sun, exposure, sea_level, tree_line, snow_line;
+  std::string field_of_view, sun, exposure, sea_level, tree_line, snow_line, samples = "auto";
   bool json = false;
   bool force = false;
 };
@@ -59,6 +59,10 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, std::option
   line("--sea-level-m", arguments.sea_level, scenery.lines.sea_level_m);
   line("--tree-line-m", arguments.tree_line, scenery.lines.tree_line_m);
   line("--snow-line-m", arguments.snow_line, scenery.lines.snow_line_m);
+  if (arguments.samples != "auto") {
+    scenery.sampling = {.rays = static_cast<int>(read_whole("--samples", arguments.samples, 1, 4096, "auto")),
+                        .least_contrast = -1.0};
+  }
   if (!arguments.exposure.empty()) {
     scenery.exposure_ev = read_number("--exposure-ev", arguments.exposure, "stops", -20.0, 20.0, "1");
   }
@@ -126,9 +130,10 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
       static_cast<double>(picture.ground_pixels) / static_cast<double>(picture.distances_m.size());
   if (arguments.json) {
     const nlohmann::ordered_json json = {
-        {"picture", arguments.output},         {"eye_m", {camera.eye_m.x, camera.eye_m.y, camera.eye_m.z}},
-        {"yaw_deg", camera.yaw_rad / radians}, {"pitch_deg", camera.pitch_rad / radians},
-        {"ground_share", ground_share},        {"mean_steps", picture.mean_steps}};
+        {"picture", arguments.output},           {"eye_m", {camera.eye_m.x, camera.eye_m.y, camera.eye_m.z}},
+        {"yaw_deg", camera.yaw_rad / radians},   {"pitch_deg", camera.pitch_rad / radians},
+        {"ground_share", ground_share},          {"mean_steps", picture.mean_steps},
+        {"refined_share", picture.refined_share}};
     print_json(json);
   } else {
     fmt::print("{}: from ({:.1f}, {:.1f}, {:.1f}) m, {:.1f} % ground, {:.1f} steps a ray\n",
@@ -160,6 +165,9 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
   add("--sea-level-m", arguments->sea_level, "H", "ground at or below is water (default 0)");
   add("--tree-line-m", arguments->tree_line, "H", "where trees end (default by latitude, else 2000)");
   add("--snow-line-m", arguments->snow_line, "H", "where snow begins (default by latitude, else 2800)");
+  add("--samples", arguments->samples, "N",
+      "rays a pixel, 1 to 4096; or auto: 16 where light or coverage change from pixel to pixel (default "
+      "auto)");
   add("--show", arguments->show, "WHAT",
       "light, or steps: how far each ray walked, blue 0, green 16, yellow 40, red 80 and more");
   command->add_flag("--force", arguments->force, "replace files that are there");

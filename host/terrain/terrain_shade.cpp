@@ -1,46 +1,93 @@
 #include "host/terrain/terrain_shade.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
 #include "host/ocl/program.h"
 #include "host/terrain/picture.h"
 
 namespace offing::terrain {
 namespace {
 
-ocl::Kernel build(const ocl::Device& device, const ocl::Defines& defines) {
-  return ocl::Program::build(device, "terrain/terrain_shade.cl", defines).kernel("terrain_shade");
-}
+constexpr int most_rays = 4096;
 
-ocl::Defines defines_for(int lanes) {
-  return ocl::Defines().set("LANES", lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT);
-}
-
-void require_pictures(const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
-                      const ocl::Buffer<Texel>& image) {
-  require_room("hits", pixel_count(camera), hits.size());
-  require_room("image", pixel_count(camera), image.size());
+void require_valid(const Sampling& sampling) {
+  if (sampling.rays < 1 || sampling.rays > most_rays) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("terrain sampling: rays: expected 1 ... {}, found {}", most_rays, sampling.rays),
+                "16 rays a pixel are enough for smooth edges");
+  }
+  if (!std::isfinite(sampling.least_contrast)) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("terrain sampling: least_contrast: expected a finite share, found {}",
+                            sampling.least_contrast),
+                "0.1 is a tenth of a pixel's luminance");
+  }
 }
 
 }  // namespace
 
-TerrainShade::TerrainShade(const ocl::Device& device) : device_(device), lanes_(lanes_of(device)) {}
+TerrainShade::TerrainShade(const ocl::Device& device)
+    : device_(device),
+      lanes_(lanes_of(device)),
+      contrast_kernel_(
+          ocl::Program::build(device, "terrain/terrain_contrast.cl").kernel("terrain_contrast")) {}
+
+TerrainShade::Kernels TerrainShade::build(GroundKind kind) const {
+  ocl::Defines defines = ocl::Defines().set("LANES", lanes_).set("UP_RULE", TERRAIN_UP_WITH_PARENT);
+  if (kind == GroundKind::tiles) defines.set_flag("TILED");
+  return {ocl::Program::build(device_, "terrain/terrain_shade.cl", defines).kernel("terrain_shade"),
+          ocl::Program::build(device_, "terrain/terrain_refine.cl", defines).kernel("terrain_refine")};
+}
 
 void TerrainShade::at(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
-                      const GroundLight& light, ocl::Buffer<Texel>& image) const {
-  const TerrainView view = device_view(camera, field.grid());
-  require_pictures(camera, hits, image);
-  if (!kernel_) kernel_ = build(device_, defines_for(lanes_));
-  kernel_->launch(picture_shape(camera, lanes_), field.heights_m(), field.pyramid().lids_m(),
-                  field.device_field(CastMethod::parity), view, hits, light.light, light.sky, light.view_table,
-                  image);
+                      const GroundLight& light, ocl::Buffer<Texel>& image, const Sampling& sampling) {
+  if (!map_kernels_) map_kernels_ = build(GroundKind::map);
+  paint(*map_kernels_,
+        {field.heights_m(), field.pyramid().lids_m(), field.device_field(CastMethod::parity),
+         device_view(camera, field.grid())},
+        camera, hits, light, image, sampling);
 }
 
 void TerrainShade::at(const TiledField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
-                      const GroundLight& light, ocl::Buffer<Texel>& image) const {
-  const TerrainView view = field.device_view(camera);
-  require_pictures(camera, hits, image);
-  if (!tiles_kernel_) tiles_kernel_ = build(device_, defines_for(lanes_).set_flag("TILED"));
-  tiles_kernel_->launch(picture_shape(camera, lanes_), field.pool(), field.pages(), field.device_field(), view,
-                        hits, light.light, light.sky, light.view_table, image);
+                      const GroundLight& light, ocl::Buffer<Texel>& image, const Sampling& sampling) {
+  if (!tile_kernels_) tile_kernels_ = build(GroundKind::tiles);
+  paint(*tile_kernels_, {field.pool(), field.pages(), field.device_field(), field.device_view(camera)},
+        camera, hits, light, image, sampling);
+}
+
+void TerrainShade::paint(const Kernels& kernels, const SeenGround& ground, const Camera& camera,
+                         const ocl::Buffer<TerrainHit>& hits, const GroundLight& light,
+                         ocl::Buffer<Texel>& image, const Sampling& sampling) {
+  require_valid(sampling);
+  const std::size_t pixels = pixel_count(camera);
+  require_room("hits", pixels, hits.size());
+  require_room("image", pixels, image.size());
+  pixels_ = pixels;
+  if (needs_.size() < pixels) needs_ = ocl::Buffer<std::uint8_t>(device_, pixels, "terrain needs");
+  const bool refines_all = sampling.rays > 1 && sampling.least_contrast < 0.0;
+  if (refines_all || sampling.rays == 1) needs_.fill(refines_all ? TERRAIN_MANY_RAYS : TERRAIN_ONE_RAY);
+  if (!refines_all) {
+    kernels.shade.launch(picture_shape(camera, lanes_), ground.heights_m, ground.lids_m, ground.field,
+                         ground.view, hits, light.light, light.sky, light.view_table, image);
+    if (sampling.rays == 1) return;
+    contrast_kernel_.launch(
+        {{static_cast<std::size_t>(camera.width_px), static_cast<std::size_t>(camera.height_px)}}, image,
+        camera.width_px, camera.height_px, static_cast<float>(sampling.least_contrast), needs_);
+  }
+  kernels.refine.launch(picture_shape(camera, lanes_), ground.heights_m, ground.lids_m, ground.field,
+                        ground.view, light.light, light.sky, light.view_table, needs_, sampling.rays, image);
+}
+
+double TerrainShade::refined_share() const {
+  if (pixels_ == 0) return 0.0;
+  const auto needs = needs_.map();
+  const auto begin = needs.span().begin(), end = begin + static_cast<std::ptrdiff_t>(pixels_);
+  const auto left = std::count(begin, end, TERRAIN_ONE_RAY);
+  return 1.0 - static_cast<double>(left) / static_cast<double>(pixels_);
 }
 
 }  // namespace offing::terrain

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 
 #include "host/base/camera.h"
 #include "host/ocl/buffer.h"
+#include "host/ocl/device.h"
 #include "host/ocl/kernel.h"
 #include "host/terrain/height_field.h"
 #include "host/terrain/tiled_field.h"
@@ -24,26 +26,58 @@ struct GroundLight {
   const ocl::Buffer<Texel>& view_table;
 };
 
+/// Rays a pixel. All pixels get one; those whose light or coverage differs from that of a neighbour by more
+/// than a share of the brighter one's luminance get `rays` of their own instead, spread evenly over the
+/// pixel.
+struct Sampling {
+  int rays = 16;                ///< 1 ... 4096; 1: no pixel gets more
+  double least_contrast = 0.1;  ///< below 0: all pixels get them
+};
+
 /// The light that a camera sees of the ground: cover by height and slope, the sun with soft shadows by a walk
 /// of its own through the pyramid, the sky, and the air between (T10 of docs/sources.md). Slopes are averaged
-/// over what a pixel sees.
+/// over what a pixel sees, and edges over the rays of `Sampling`.
 class TerrainShade {
  public:
   explicit TerrainShade(const ocl::Device& device);
 
-  /// Enqueues the image [height_px][width_px] (r, g, b, coverage), kcd/m2 in linear Rec.709, of what the
-  /// camera's rays hit, as HeightField::cast() wrote it; (0, 0, 0, 0) where they miss. Throws
-  /// Error(bad_usage) for buffers that hold fewer, and what device_view() and programs throw.
+  /// Enqueues the image [height_px][width_px] (r, g, b, coverage) of what the camera sees, kcd/m2 in linear
+  /// Rec.709, premultiplied by the coverage, the share of a pixel's rays that hit: what is behind shines
+  /// through with 1 - coverage. `hits` are those of HeightField::cast() for the same camera. Throws
+  /// Error(bad_usage) for buffers that hold fewer, Error(bad_input) for a sampling out of range, and what
+  /// device_view() and programs throw.
   void at(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
-          const GroundLight& light, ocl::Buffer<Texel>& image) const;
+          const GroundLight& light, ocl::Buffer<Texel>& image, const Sampling& sampling = {});
+
   /// The same for the tiles of the field's last look().
   void at(const TiledField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
-          const GroundLight& light, ocl::Buffer<Texel>& image) const;
+          const GroundLight& light, ocl::Buffer<Texel>& image, const Sampling& sampling = {});
+
+  /// Waits for the share of pixels of the last at() that got rays of their own.
+  double refined_share() const;
 
  private:
+  enum class GroundKind { map, tiles };
+  struct Kernels {
+    ocl::Kernel shade, refine;
+  };
+  /// As kernels take it: heights and lids, or the pool and pages of tiles.
+  struct SeenGround {
+    const ocl::Buffer<float>&heights_m, &lids_m;
+    TerrainField field;
+    TerrainView view;
+  };
+  Kernels build(GroundKind kind) const;
+  void paint(const Kernels& kernels, const SeenGround& ground, const Camera& camera,
+             const ocl::Buffer<TerrainHit>& hits, const GroundLight& light, ocl::Buffer<Texel>& image,
+             const Sampling& sampling);
+
   ocl::Device device_;
   int lanes_;
-  mutable std::optional<ocl::Kernel> kernel_, tiles_kernel_;  ///< built when they are first asked for
+  std::optional<Kernels> map_kernels_, tile_kernels_;  ///< built when they are first asked for
+  ocl::Kernel contrast_kernel_;
+  ocl::Buffer<std::uint8_t> needs_;  // [height_px][width_px]
+  std::size_t pixels_ = 0;           // of the last picture
 };
 
 }  // namespace offing::terrain

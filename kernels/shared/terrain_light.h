@@ -3,6 +3,11 @@
 #ifndef OFFING_KERNELS_SHARED_TERRAIN_LIGHT_H
 #define OFFING_KERNELS_SHARED_TERRAIN_LIGHT_H
 
+// Rays that a pixel needs.
+#define TERRAIN_ONE_RAY 0
+#define TERRAIN_FEW_RAYS 1  // a quarter of many
+#define TERRAIN_MANY_RAYS 2
+
 typedef struct {
   float sun_red_klx, sun_green_klx, sun_blue_klx;  // on a surface that faces the sun
   float sky_red_klx, sky_green_klx, sky_blue_klx;  // on a level surface, by the sky alone

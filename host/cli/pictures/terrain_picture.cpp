@@ -10,7 +10,6 @@
 #include "host/cli/pictures/preview_light.h"
 #include "host/sky/sun_position.h"
 #include "host/terrain/step_colours.h"
-#include "host/terrain/terrain_shade.h"
 
 namespace offing::cli {
 namespace {
@@ -26,12 +25,12 @@ void store(RgbImage& image, std::size_t pixel, Vec3 linear) {
   image.rgb[3 * pixel + 2] = srgb_from_linear(linear.z);
 }
 
-/// Directions of the pixels whose rays meet no ground.
+/// Directions of the pixels that the ground does not cover.
 std::vector<std::array<double, 3>> open_directions(const Camera& camera,
-                                                   const std::vector<TerrainHit>& hits) {
+                                                   const std::vector<terrain::Texel>& ground) {
   std::vector<std::array<double, 3>> directions;
-  for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
-    if (hits[pixel].kind != TERRAIN_MISS) continue;
+  for (std::size_t pixel = 0; pixel < ground.size(); ++pixel) {
+    if (ground[pixel][3] >= 1.0f) continue;
     const auto width = static_cast<std::size_t>(camera.width_px);
     const glm::dvec2 clip(2.0 * (static_cast<double>(pixel % width) + 0.5) / camera.width_px - 1.0,
                           1.0 - 2.0 * (static_cast<double>(pixel / width) + 0.5) / camera.height_px);
@@ -43,36 +42,36 @@ std::vector<std::array<double, 3>> open_directions(const Camera& camera,
 
 template <class Field>
 void draw_light(const ocl::Device& device, const Field& field, const Camera& camera,
-                const TerrainScenery& scenery, const ocl::Buffer<TerrainHit>& hits_on_device,
-                const std::vector<TerrainHit>& hits, RgbImage& image) {
+                const TerrainScenery& scenery, const ocl::Buffer<TerrainHit>& hits, TerrainPicture& picture) {
   const sky::Atmosphere atmosphere;
   sky::ClearSky sky(device, atmosphere);
   sky.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad),
           .eye_altitude_m = std::max(0.0, camera.eye_m.y - scenery.lines.sea_level_m)});
   const TerrainLight light = world::terrain_light(sky.read_illuminance(), atmosphere, scenery.lines);
   ocl::Buffer<terrain::Texel> ground(device, hits.size(), "terrain image");
-  terrain::TerrainShade(device).at(field, camera, hits_on_device, {light, sky.params(), sky.view_table()},
-                                   ground);
-  const sky::SkyLight seen = sky.read_light(open_directions(camera, hits));
+  terrain::TerrainShade shade(device);
+  shade.at(field, camera, hits, {light, sky.params(), sky.view_table()}, ground, scenery.sampling);
+  picture.refined_share = shade.refined_share();
+  const std::vector<terrain::Texel> texels = ground.read();
+  const sky::SkyLight seen = sky.read_light(open_directions(camera, texels));
 
   const sky::Illuminance at_eye = sky.read_illuminance();
   const double level_sun = std::max(0.0, std::sin(scenery.sun_elevation_rad));
   const double level_klx =
       sky::luminance(at_eye.sun_klx) * level_sun + sky::luminance(at_eye.sky_klx) + least_klx;
   const double exposure = key * std::exp2(scenery.exposure_ev) / (mean_albedo / 3.14159265358979 * level_klx);
-  const std::vector<terrain::Texel> texels = ground.read();
   std::size_t next_open = 0;
-  for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
+  for (std::size_t pixel = 0; pixel < texels.size(); ++pixel) {
     std::array<double, 3> colour{texels[pixel][0], texels[pixel][1], texels[pixel][2]};
-    if (hits[pixel].kind == TERRAIN_MISS) {
+    if (const double open = 1.0 - static_cast<double>(texels[pixel][3]); open > 0.0) {
       for (std::size_t i = 0; i < 3; ++i) {
-        colour[i] = seen.sky_kcdpm2[next_open][i] + seen.sun_kcdpm2[next_open][i];
+        colour[i] += open * (seen.sky_kcdpm2[next_open][i] + seen.sun_kcdpm2[next_open][i]);
       }
       ++next_open;
     }
     const Vec3 exposed{static_cast<float>(exposure * colour[0]), static_cast<float>(exposure * colour[1]),
                        static_cast<float>(exposure * colour[2])};
-    store(image, pixel, tone_mapped(exposed));
+    store(picture.image, pixel, tone_mapped(exposed));
   }
 }
 
@@ -87,7 +86,7 @@ TerrainPicture draw(const ocl::Device& device, Field& field, const Camera& camer
   TerrainPicture picture;
   picture.image = {camera.width_px, camera.height_px, std::vector<std::uint8_t>(3 * hits.size())};
   if (show == TerrainShow::light) {
-    draw_light(device, field, camera, scenery, hits_on_device, hits, picture.image);
+    draw_light(device, field, camera, scenery, hits_on_device, picture);
   }
   for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
     const TerrainHit& hit = hits[pixel];

@@ -7,6 +7,7 @@
 #include "host/io/png_image.h"
 #include "host/sky/clear_sky.h"
 #include "host/terrain/height_field.h"
+#include "host/terrain/terrain_shade.h"
 #include "host/terrain/tiled_field.h"
 #include "host/world/terrain_light.h"
 
@@ -18,6 +19,7 @@ struct TerrainScenery {
   double sun_elevation_rad = 0.0;
   world::CoverLines lines = {};
   double exposure_ev = 0.0;  ///< stops above what the light asks for
+  terrain::Sampling sampling = {};
 };
 
 /// What a picture shows.
@@ -28,6 +30,7 @@ struct TerrainPicture {
   std::vector<float> distances_m;  ///< [height][width] along each pixel's unit ray, +inf where it misses
   std::size_t ground_pixels = 0;
   double mean_steps = 0.0;
+  double refined_share = 0.0;  ///< of the pixels, those that got rays of their own
 };
 
 /// The ground before a clear sky, as a camera sees it; or the steps that its rays took (T11), from blue

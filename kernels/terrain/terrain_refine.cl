@@ -1,0 +1,87 @@
+// The light of pixels that need more rays than one, as the mean over rays of their own, spread evenly over each: terrain/ground_light.clh.
+// In:  heights, lids, field, view, light, sky, view_table as of terrain/terrain_shade.cl; needs [height_px][width_px]
+//      of terrain/terrain_contrast.cl; samples, rays of a pixel that needs many.
+// Inout: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709, times the coverage.
+#include "terrain/ground_light.clh"
+#include "terrain/hit_places.clh"
+#include "terrain/picture_rays.clh"
+
+// In [0, 1): the bits of a number mirrored at the point.
+FFT_INLINE float radical_inverse(uint number) {
+  uint bits = number;
+  bits = (bits << 16) | (bits >> 16);
+  bits = ((bits & 0x00ff00ffu) << 8) | ((bits & 0xff00ff00u) >> 8);
+  bits = ((bits & 0x0f0f0f0fu) << 4) | ((bits & 0xf0f0f0f0u) >> 4);
+  bits = ((bits & 0x33333333u) << 2) | ((bits & 0xccccccccu) >> 2);
+  bits = ((bits & 0x55555555u) << 1) | ((bits & 0xaaaaaaaau) >> 1);
+  return (float)(bits >> 8) * (1.0f / 16777216.0f);
+}
+
+// The light of LANES pixels, (r, g, b, coverage). All pixels have the same pattern of rays, so that what stands still does
+// not flicker: the points of Hammersley, one in each of `samples` columns and rows of a pixel.
+FFT_INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first_level, lanes column, lanes row,
+                           int samples, float4 *lights) {
+  const TerrainField field = scenery->field;
+  const float sample_rad = pixel_rad(view) / sqrt((float)samples);
+  Colours sum = plain_colour(0.0f, 0.0f, 0.0f);
+  lanes covered = (lanes)0.0f;
+  for (int i = 0; i < samples; ++i) {
+    const Rays rays = rays_through(field, view, column + ((float)i + 0.5f) / (float)samples,
+                                   row + radical_inverse((uint)i) + 0.5f / (float)samples);
+    const Course course = course_of(field, rays);
+    const Hits hits =
+        walk(scenery->heights_m, scenery->lids_m, field, course, level_at_start(field, course, first_level));
+    const HitPlaces places = places_of_hits(scenery->lids_m, field, rays, hits);
+    const int_lanes is_hit = mask_of(hits.kind != TERRAIN_MISS);
+    const lanes t_m = select((lanes)1.0f, hits.t_m + hits.rest_m, is_hit);
+    const GroundHits ground = {is_hit, places.cell_x, places.cell_z, t_m, places.u, places.v, t_m * sample_rad};
+    const Colours seen = ground_light(scenery, rays, ground);
+    sum.red += seen.red;
+    sum.green += seen.green;
+    sum.blue += seen.blue;
+    covered += select((lanes)0.0f, (lanes)1.0f, is_hit);
+  }
+  float values[4][LANES];
+  store_lanes(sum.red, values[0]);
+  store_lanes(sum.green, values[1]);
+  store_lanes(sum.blue, values[2]);
+  store_lanes(covered, values[3]);
+  for (int lane = 0; lane < LANES; ++lane) {
+    lights[lane] = (float4)(values[0][lane], values[1][lane], values[2][lane], values[3][lane]) / (float)samples;
+  }
+}
+
+__kernel void terrain_refine(__global const float *restrict heights_m, __global const float *restrict lids_m,
+                             TerrainField field, TerrainView view, TerrainLight light, SkyParams sky,
+                             __global const float4 *restrict view_table, __global const uchar *restrict needs, int samples,
+                             __global float4 *restrict image) {
+  const Scenery scenery = {heights_m, lids_m, field, light, sky, view_table};
+  const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
+  int_lanes first_level = (int_lanes)field.first_level;
+  if (field.starts_at_origin) {
+    first_level = level_at_origin(heights_m, lids_m, field, (int_lanes)view.cell_x, (int_lanes)view.cell_z, (lanes)view.height_m);
+  }
+  for (int need = TERRAIN_FEW_RAYS; need <= TERRAIN_MANY_RAYS; ++need) {
+    // The tile's pixels of this need, LANES at a time.
+    int places[TILE_COLUMNS * TILE_ROWS];
+    int count = 0;
+    for (int row = top; row < min(top + TILE_ROWS, view.height_px); ++row) {
+      for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); ++column) {
+        places[count] = row * view.width_px + column;
+        count += needs[places[count]] == need;
+      }
+    }
+    const int rays = need == TERRAIN_MANY_RAYS ? samples : max(samples / 4, 1);
+    for (int first = 0; first < count; first += LANES) {
+      float columns[LANES], rows[LANES];
+      for (int lane = 0; lane < LANES; ++lane) {
+        const int place = places[min(first + lane, count - 1)];  // lanes beyond the last repeat it
+        columns[lane] = (float)(place % view.width_px);
+        rows[lane] = (float)(place / view.width_px);
+      }
+      float4 lights[LANES];
+      mean_light(&scenery, view, first_level, load_lanes(columns), load_lanes(rows), rays, lights);
+      for (int lane = 0; lane < min(LANES, count - first); ++lane) image[places[first + lane]] = lights[lane];
+    }
+  }
+}

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "host/ocl/buffer.h"
+#include "host/terrain/height_field.h"
+#include "host/terrain/terrain_shade.h"
+#include "tests/terrain/example_maps.h"
+
+namespace offing::test {
+
+/// A red sun in the east, a dimmer red sky, air that does nothing; all ground is water.
+struct GroundScene {
+  TerrainLight light = clear_light();
+  double sun_elevation_rad = 0.6, sun_radius_rad = 0.00465;
+  float haze_kcdpm2 = 3.0f;  ///< of the sky in all directions
+
+  static TerrainLight clear_light();
+  /// The same with three colours and with cover that changes within the heights of `map`.
+  static GroundScene covered(const HeightMap& map);
+};
+
+/// Pictures of a map, on the default device.
+class GroundPainter {
+ public:
+  GroundPainter(const HeightMap& map, const GroundScene& scene);
+
+  /// [height_px][width_px] (r, g, b, coverage).
+  std::vector<terrain::Texel> draw(const Camera& camera, const terrain::Sampling& sampling);
+  double refined_share() const { return shade_.refined_share(); }
+
+ private:
+  ocl::Device device_;
+  terrain::HeightField field_;
+  terrain::TerrainShade shade_;
+  TerrainLight light_;
+  SkyParams sky_;
+  ocl::Buffer<terrain::Texel> view_table_;
+};
+
+}  // namespace offing::test
