@@ -24,7 +24,7 @@ void require_valid(const Sampling& sampling) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("terrain sampling: least_contrast: expected a finite share, found {}",
                             sampling.least_contrast),
-                "0.1 is a tenth of a pixel's luminance");
+                "0.2 is a fifth of a pixel's luminance");
   }
 }
 

@@ -31,7 +31,7 @@ struct GroundLight {
 /// pixel.
 struct Sampling {
   int rays = 16;                ///< 1 ... 4096; 1: no pixel gets more
-  double least_contrast = 0.1;  ///< below 0: all pixels get them
+  double least_contrast = 0.2;  ///< below 0: all pixels get them
 };
 
 /// The light that a camera sees of the ground: cover by height and slope, the sun with soft shadows by a walk

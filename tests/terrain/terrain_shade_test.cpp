@@ -1,6 +1,4 @@
 // Light on ground whose colour is known, that of water, against formulas in double precision.
-#include "tests/terrain/ground_painter.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -8,6 +6,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "tests/terrain/ground_painter.h"
 
 namespace offing {
 namespace {
@@ -101,7 +101,8 @@ TEST(TerrainShadeTest, AirTakesAndAddsLight) {
   const Texel middle = scene.draw([](int, int) { return 0.0; })[rows_px / 2 * columns_px + columns_px / 2];
   // Straight down from 80 m through air that thins by e in 1200 m.
   const double left = std::exp(-0.004 * 1200.0 * (1.0 - std::exp(-80.0 / 1200.0)));
-  const double expected = water_light(level_sun, 1.0, level_sun, 1.0) * left + scene.haze_kcdpm2 * (1.0 - left);
+  const double expected =
+      water_light(level_sun, 1.0, level_sun, 1.0) * left + scene.haze_kcdpm2 * (1.0 - left);
   EXPECT_NEAR(middle[0], expected, 1e-5 * expected);
 }
 
@@ -113,8 +114,8 @@ TEST(TerrainShadeTest, LeavesTheSkyAlone) {
 }
 
 // Posts of noise smaller than a pixel: its light is that of the mean slope, 0. Slopes between posts next to
-// each other are 0.3 in the mean, which dims a sun overhead by 4 %; those over the 13 posts around a stride of
-// the 16 posts of a pixel here are 0.03, and 0.07 at most, which dims it by 0.3 %. Gate 1 %.
+// each other are 0.3 in the mean, which dims a sun overhead by 4 %; those over the 13 posts around a stride
+// of the 16 posts of a pixel here are 0.03, and 0.07 at most, which dims it by 0.3 %. Gate 1 %.
 TEST(TerrainShadeTest, AveragesSlopesThatAPixelDoesNotResolve) {
   Scene scene;
   scene.sun_elevation_rad = 1.5;
