@@ -33,8 +33,9 @@ void require_valid(const Sampling& sampling) {
 TerrainShade::TerrainShade(const ocl::Device& device)
     : device_(device),
       lanes_(lanes_of(device)),
-      contrast_kernel_(
-          ocl::Program::build(device, "terrain/terrain_contrast.cl").kernel("terrain_contrast")) {}
+      contrast_kernel_(ocl::Program::build(device, "terrain/terrain_contrast.cl").kernel("terrain_contrast")),
+      no_colours_(device, 1, "colour map"),
+      no_shares_(device, 1, "shares of the sky") {}
 
 TerrainShade::Kernels TerrainShade::build(GroundKind kind) const {
   ocl::Defines defines = ocl::Defines().set("LANES", lanes_).set("UP_RULE", TERRAIN_UP_WITH_PARENT);
@@ -44,42 +45,54 @@ TerrainShade::Kernels TerrainShade::build(GroundKind kind) const {
 }
 
 void TerrainShade::at(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
-                      const GroundLight& light, ocl::Buffer<Texel>& image, const Sampling& sampling) {
+                      const GroundLight& light, ocl::Buffer<Texel>& image, const GroundLook& look) {
   if (!map_kernels_) map_kernels_ = build(GroundKind::map);
   paint(*map_kernels_,
         {field.heights_m(), field.pyramid().lids_m(), field.device_field(CastMethod::parity),
          device_view(camera, field.grid())},
-        camera, hits, light, image, sampling);
+        camera, hits, light, image, look);
 }
 
 void TerrainShade::at(const TiledField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
-                      const GroundLight& light, ocl::Buffer<Texel>& image, const Sampling& sampling) {
+                      const GroundLight& light, ocl::Buffer<Texel>& image, const GroundLook& look) {
+  if (look.open_sky != nullptr) {
+    throw Error(ErrorKind::bad_usage, "terrain shade: shares of the sky are not those of tiles",
+                "leave open_sky out");
+  }
   if (!tile_kernels_) tile_kernels_ = build(GroundKind::tiles);
   paint(*tile_kernels_, {field.pool(), field.pages(), field.device_field(), field.device_view(camera)},
-        camera, hits, light, image, sampling);
+        camera, hits, light, image, look);
 }
 
 void TerrainShade::paint(const Kernels& kernels, const SeenGround& ground, const Camera& camera,
                          const ocl::Buffer<TerrainHit>& hits, const GroundLight& light,
-                         ocl::Buffer<Texel>& image, const Sampling& sampling) {
+                         ocl::Buffer<Texel>& image, const GroundLook& look) {
+  const Sampling& sampling = look.sampling;
   require_valid(sampling);
   const std::size_t pixels = pixel_count(camera);
   require_room("hits", pixels, hits.size());
   require_room("image", pixels, image.size());
   pixels_ = pixels;
   if (needs_.size() < pixels) needs_ = ocl::Buffer<std::uint8_t>(device_, pixels, "terrain needs");
+  TerrainLook device_look{};
+  if (look.colours != nullptr) look.colours->describe(device_look);
+  if (look.open_sky != nullptr) look.open_sky->describe(device_look);
+  const auto& colours = look.colours != nullptr ? look.colours->colours() : no_colours_;
+  const auto& shares = look.open_sky != nullptr ? look.open_sky->shares() : no_shares_;
   const bool refines_all = sampling.rays > 1 && sampling.least_contrast < 0.0;
   if (refines_all || sampling.rays == 1) needs_.fill(refines_all ? TERRAIN_MANY_RAYS : TERRAIN_ONE_RAY);
   if (!refines_all) {
     kernels.shade.launch(picture_shape(camera, lanes_), ground.heights_m, ground.lids_m, ground.field,
-                         ground.view, hits, light.light, light.sky, light.view_table, image);
+                         ground.view, hits, light.light, light.sky, light.view_table, device_look, colours,
+                         shares, image);
     if (sampling.rays == 1) return;
     contrast_kernel_.launch(
         {{static_cast<std::size_t>(camera.width_px), static_cast<std::size_t>(camera.height_px)}}, image,
         camera.width_px, camera.height_px, static_cast<float>(sampling.least_contrast), needs_);
   }
   kernels.refine.launch(picture_shape(camera, lanes_), ground.heights_m, ground.lids_m, ground.field,
-                        ground.view, light.light, light.sky, light.view_table, needs_, sampling.rays, image);
+                        ground.view, light.light, light.sky, light.view_table, device_look, colours, shares,
+                        needs_, sampling.rays, image);
 }
 
 double TerrainShade::refined_share() const {

@@ -8,7 +8,9 @@
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 #include "host/ocl/kernel.h"
+#include "host/terrain/colour_layer.h"
 #include "host/terrain/height_field.h"
+#include "host/terrain/open_sky.h"
 #include "host/terrain/tiled_field.h"
 #include "kernels/shared/sky_params.h"
 #include "kernels/shared/terrain_light.h"
@@ -34,9 +36,16 @@ struct Sampling {
   double least_contrast = 0.2;  ///< below 0: all pixels get them
 };
 
-/// The light that a camera sees of the ground: cover by height and slope, the sun with soft shadows by a walk
-/// of its own through the pyramid, the sky, and the air between (T10 of docs/sources.md). Slopes are averaged
-/// over what a pixel sees, and edges over the rays of `Sampling`.
+/// What lies on the ground, and how finely it is drawn. What is pointed to is not kept.
+struct GroundLook {
+  Sampling sampling = {};
+  const ColourLayer* colours = nullptr;  ///< none: cover by height and slope
+  const OpenSky* open_sky = nullptr;     ///< none: nothing but its own slope hides the sky from ground
+};
+
+/// The light that a camera sees of the ground: its colours, or cover by height and slope, the sun with soft
+/// shadows by a walk of its own through the pyramid, the sky, and the air between (T10 of docs/sources.md).
+/// Slopes are averaged over what a pixel sees, and edges over the rays of `Sampling`.
 class TerrainShade {
  public:
   explicit TerrainShade(const ocl::Device& device);
@@ -47,11 +56,12 @@ class TerrainShade {
   /// Error(bad_usage) for buffers that hold fewer, Error(bad_input) for a sampling out of range, and what
   /// device_view() and programs throw.
   void at(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
-          const GroundLight& light, ocl::Buffer<Texel>& image, const Sampling& sampling = {});
+          const GroundLight& light, ocl::Buffer<Texel>& image, const GroundLook& look = {});
 
-  /// The same for the tiles of the field's last look().
+  /// The same for the tiles of the field's last look(). Throws Error(bad_usage) for a look with shares of the
+  /// sky, which are those of a HeightField.
   void at(const TiledField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
-          const GroundLight& light, ocl::Buffer<Texel>& image, const Sampling& sampling = {});
+          const GroundLight& light, ocl::Buffer<Texel>& image, const GroundLook& look = {});
 
   /// Waits for the share of pixels of the last at() that got rays of their own.
   double refined_share() const;
@@ -70,12 +80,14 @@ class TerrainShade {
   Kernels build(GroundKind kind) const;
   void paint(const Kernels& kernels, const SeenGround& ground, const Camera& camera,
              const ocl::Buffer<TerrainHit>& hits, const GroundLight& light, ocl::Buffer<Texel>& image,
-             const Sampling& sampling);
+             const GroundLook& look);
 
   ocl::Device device_;
   int lanes_;
   std::optional<Kernels> map_kernels_, tile_kernels_;  ///< built when they are first asked for
   ocl::Kernel contrast_kernel_;
+  ocl::Buffer<std::uint32_t> no_colours_;
+  ocl::Buffer<std::uint8_t> no_shares_;
   ocl::Buffer<std::uint8_t> needs_;  // [height_px][width_px]
   std::size_t pixels_ = 0;           // of the last picture
 };

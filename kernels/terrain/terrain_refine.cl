@@ -1,5 +1,5 @@
 // The light of pixels that need more rays than one, as the mean over rays of their own, spread evenly over each: terrain/ground_light.clh.
-// In:  heights, lids, field, view, light, sky, view_table as of terrain/terrain_shade.cl; needs [height_px][width_px]
+// In:  heights, lids, field, view, light, sky, view_table, look, colours, sky_shares as of terrain/terrain_shade.cl; needs [height_px][width_px]
 //      of terrain/terrain_contrast.cl; samples, rays of a pixel that needs many.
 // Inout: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709, times the coverage.
 #include "terrain/ground_light.clh"
@@ -53,9 +53,10 @@ FFT_INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes f
 
 __kernel void terrain_refine(__global const float *restrict heights_m, __global const float *restrict lids_m,
                              TerrainField field, TerrainView view, TerrainLight light, SkyParams sky,
-                             __global const float4 *restrict view_table, __global const uchar *restrict needs, int samples,
-                             __global float4 *restrict image) {
-  const Scenery scenery = {heights_m, lids_m, field, light, sky, view_table};
+                             __global const float4 *restrict view_table, TerrainLook look,
+                             __global const uint *restrict colours, __global const uchar *restrict sky_shares,
+                             __global const uchar *restrict needs, int samples, __global float4 *restrict image) {
+  const Scenery scenery = {heights_m, lids_m, field, light, sky, view_table, look, colours, sky_shares};
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   int_lanes first_level = (int_lanes)field.first_level;
   if (field.starts_at_origin) {

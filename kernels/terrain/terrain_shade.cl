@@ -1,7 +1,9 @@
 // The light that a camera sees of the ground its rays hit, one ray a pixel: terrain/ground_light.clh.
 // In:  heights [rows][columns] m, lids of terrain/pyramid_base.cl and pyramid_reduce.cl, or with TILED the pool and pages
 //      of shared/terrain_tiles.h; field, view (shared/terrain.h); hits [height_px][width_px] of
-//      terrain/quadtree_cast.cl for the same view; light; sky and view_table of sky/view_table.cl for the same eye.
+//      terrain/quadtree_cast.cl for the same view; light; sky and view_table of sky/view_table.cl for the same eye;
+//      look (shared/terrain_look.h), colours of terrain/colour_base.cl and colour_reduce.cl, sky_shares of
+//      terrain/open_sky.cl: of none of these, anything.
 // Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss.
 #include "terrain/ground_light.clh"
 #include "terrain/picture_rays.clh"
@@ -29,8 +31,9 @@ FFT_INLINE GroundHits ground_hits(__global const TerrainHit *hits, TerrainView v
 __kernel void terrain_shade(__global const float *restrict heights_m, __global const float *restrict lids_m,
                             TerrainField field, TerrainView view, __global const TerrainHit *restrict hits,
                             TerrainLight light, SkyParams sky, __global const float4 *restrict view_table,
+                            TerrainLook look, __global const uint *restrict colours, __global const uchar *restrict sky_shares,
                             __global float4 *restrict image) {
-  const Scenery scenery = {heights_m, lids_m, field, light, sky, view_table};
+  const Scenery scenery = {heights_m, lids_m, field, light, sky, view_table, look, colours, sky_shares};
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   for (int row = top; row < min(top + TILE_ROWS, view.height_px); row += BLOCK_ROWS) {
     for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); column += BLOCK_COLUMNS) {

@@ -57,12 +57,12 @@ GroundPainter::GroundPainter(const HeightMap& map, const GroundScene& scene)
       sky_(sky_of(scene)),
       view_table_(device_, sky_table(scene.haze_kcdpm2), "sky") {}
 
-std::vector<Texel> GroundPainter::draw(const Camera& camera, const terrain::Sampling& sampling) {
+std::vector<Texel> GroundPainter::draw(const Camera& camera, const terrain::GroundLook& look) {
   const auto pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   ocl::Buffer<TerrainHit> hits(device_, pixels, "hits");
   ocl::Buffer<Texel> image(device_, pixels, "image");
   field_.cast(camera, hits);
-  shade_.at(field_, camera, hits, {light_, sky_, view_table_}, image, sampling);
+  shade_.at(field_, camera, hits, {light_, sky_, view_table_}, image, look);
   return image.read();
 }
 

@@ -27,7 +27,9 @@ class GroundPainter {
   GroundPainter(const HeightMap& map, const GroundScene& scene);
 
   /// [height_px][width_px] (r, g, b, coverage).
-  std::vector<terrain::Texel> draw(const Camera& camera, const terrain::Sampling& sampling);
+  std::vector<terrain::Texel> draw(const Camera& camera, const terrain::GroundLook& look);
+  const ocl::Device& device() const { return device_; }
+  const terrain::HeightField& field() const { return field_; }
   double refined_share() const { return shade_.refined_share(); }
 
  private:

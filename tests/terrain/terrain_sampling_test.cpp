@@ -81,9 +81,9 @@ TEST(TerrainSamplingTest, CoversPixelsByTheirShareOfGround) {
 TEST(TerrainSamplingTest, AgreesWithManyRaysAPixel) {
   const test::HeightMap map = hills();
   test::GroundPainter painter(map, test::GroundScene::covered(map));
-  const std::vector<Texel> reference = painter.draw(among_hills(), many_rays);
+  const std::vector<Texel> reference = painter.draw(among_hills(), {many_rays});
   const auto difference = [&](const Sampling& sampling, double& mean) {
-    const std::vector<Texel> image = painter.draw(among_hills(), sampling);
+    const std::vector<Texel> image = painter.draw(among_hills(), {sampling});
     double light = 0.0, sum = 0.0, squares = 0.0;
     for (std::size_t i = 0; i < image.size(); ++i) {
       light += static_cast<double>(reference[i][1]);
@@ -112,8 +112,8 @@ double flicker(test::GroundPainter& painter, const Sampling& sampling, const glm
   std::vector<Texel> last_reference;
   double light = 0.0, squares = 0.0;
   for (int frame = 0; frame < 8; ++frame) {
-    const std::vector<Texel> image = painter.draw(camera, sampling);
-    const std::vector<Texel> reference = painter.draw(camera, many_rays);
+    const std::vector<Texel> image = painter.draw(camera, {sampling});
+    const std::vector<Texel> reference = painter.draw(camera, {many_rays});
     for (std::size_t i = 0; frame > 0 && i < image.size(); ++i) {
       const double change = static_cast<double>(image[i][1]) - static_cast<double>(last[i][1]);
       const double expected =
@@ -155,7 +155,7 @@ TEST(TerrainSamplingTest, RefusesSamplingOutOfRange) {
   test::GroundPainter painter(map, {});
   for (const Sampling& sampling :
        {Sampling{.rays = 0}, Sampling{.rays = 5000}, Sampling{.least_contrast = std::nan("")}}) {
-    EXPECT_THROW(painter.draw(among_hills(), sampling), Error);
+    EXPECT_THROW(painter.draw(among_hills(), {sampling}), Error);
   }
 }
 

@@ -35,7 +35,7 @@ struct Scene : test::GroundScene {
         map.heights_m.push_back(static_cast<float>(height_m(column, row)));
       }
     }
-    return test::GroundPainter(map, *this).draw(camera, {.rays = 1});
+    return test::GroundPainter(map, *this).draw(camera, {.sampling = {.rays = 1}});
   }
 };
 

@@ -50,7 +50,7 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
   const TerrainLight light = world::terrain_light(sky.read_illuminance(), atmosphere, scenery.lines);
   ocl::Buffer<terrain::Texel> ground(device, hits.size(), "terrain image");
   terrain::TerrainShade shade(device);
-  shade.at(field, camera, hits, {light, sky.params(), sky.view_table()}, ground, scenery.sampling);
+  shade.at(field, camera, hits, {light, sky.params(), sky.view_table()}, ground, {.sampling = scenery.sampling});
   picture.refined_share = shade.refined_share();
   const std::vector<terrain::Texel> texels = ground.read();
   const sky::SkyLight seen = sky.read_light(open_directions(camera, texels));
