@@ -37,16 +37,16 @@ TerrainShade::TerrainShade(const ocl::Device& device)
       no_colours_(device, 1, "colour map"),
       no_shares_(device, 1, "shares of the sky") {}
 
-TerrainShade::Kernels TerrainShade::build(GroundKind kind) const {
-  ocl::Defines defines = ocl::Defines().set("LANES", lanes_).set("UP_RULE", TERRAIN_UP_WITH_PARENT);
-  if (kind == GroundKind::tiles) defines.set_flag("TILED");
+TerrainShade::Kernels TerrainShade::build(const ocl::Defines& defines) const {
   return {ocl::Program::build(device_, "terrain/terrain_shade.cl", defines).kernel("terrain_shade"),
           ocl::Program::build(device_, "terrain/terrain_refine.cl", defines).kernel("terrain_refine")};
 }
 
 void TerrainShade::at(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
                       const GroundLight& light, ocl::Buffer<Texel>& image, const GroundLook& look) {
-  if (!map_kernels_) map_kernels_ = build(GroundKind::map);
+  if (!map_kernels_) {
+    map_kernels_ = build(ocl::Defines().set("LANES", lanes_).set("UP_RULE", TERRAIN_UP_WITH_PARENT));
+  }
   paint(*map_kernels_,
         {field.heights_m(), field.pyramid().lids_m(), field.device_field(CastMethod::parity),
          device_view(camera, field.grid())},
@@ -59,9 +59,10 @@ void TerrainShade::at(const TiledField& field, const Camera& camera, const ocl::
     throw Error(ErrorKind::bad_usage, "terrain shade: shares of the sky are not those of tiles",
                 "leave open_sky out");
   }
-  if (!tile_kernels_) tile_kernels_ = build(GroundKind::tiles);
-  paint(*tile_kernels_, {field.pool(), field.pages(), field.device_field(), field.device_view(camera)},
-        camera, hits, light, image, look);
+  std::optional<Kernels>& kernels = tile_kernels_[static_cast<std::size_t>(field.map().edge)];
+  if (!kernels) kernels = build(tiles_defines(lanes_, field.map().edge));
+  paint(*kernels, {field.pool(), field.pages(), field.device_field(), field.device_view(camera)}, camera,
+        hits, light, image, look);
 }
 
 void TerrainShade::paint(const Kernels& kernels, const SeenGround& ground, const Camera& camera,

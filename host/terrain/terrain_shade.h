@@ -8,6 +8,7 @@
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 #include "host/ocl/kernel.h"
+#include "host/ocl/program.h"
 #include "host/terrain/colour_layer.h"
 #include "host/terrain/height_field.h"
 #include "host/terrain/open_sky.h"
@@ -67,7 +68,6 @@ class TerrainShade {
   double refined_share() const;
 
  private:
-  enum class GroundKind { map, tiles };
   struct Kernels {
     ocl::Kernel shade, refine;
   };
@@ -77,14 +77,16 @@ class TerrainShade {
     TerrainField field;
     TerrainView view;
   };
-  Kernels build(GroundKind kind) const;
+  Kernels build(const ocl::Defines& defines) const;
   void paint(const Kernels& kernels, const SeenGround& ground, const Camera& camera,
              const ocl::Buffer<TerrainHit>& hits, const GroundLight& light, ocl::Buffer<Texel>& image,
              const GroundLook& look);
 
   ocl::Device device_;
   int lanes_;
-  std::optional<Kernels> map_kernels_, tile_kernels_;  ///< built when they are first asked for
+  // Built when they are first asked for; those of tiles by MapEdge.
+  std::optional<Kernels> map_kernels_;
+  std::array<std::optional<Kernels>, 3> tile_kernels_;
   ocl::Kernel contrast_kernel_;
   ocl::Buffer<std::uint32_t> no_colours_;
   ocl::Buffer<std::uint8_t> no_shares_;

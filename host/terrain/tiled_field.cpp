@@ -40,6 +40,17 @@ CutView view_of(const TiledMap& map, const Camera& camera) {
 
 }  // namespace
 
+ocl::Defines tiles_defines(int lanes, MapEdge edge) {
+  const int map_edge = edge == MapEdge::repeats   ? TERRAIN_EDGE_REPEATS
+                       : edge == MapEdge::mirrors ? TERRAIN_EDGE_MIRRORS
+                                                  : TERRAIN_EDGE_ENDS;
+  return ocl::Defines()
+      .set("LANES", lanes)
+      .set("UP_RULE", TERRAIN_UP_WITH_PARENT)
+      .set_flag("TILED")
+      .set("MAP_EDGE", map_edge);
+}
+
 struct TiledField::State {
   ocl::Device device;
   TiledMap map;
@@ -144,8 +155,20 @@ struct TiledField::State {
             .cells_per_m_z = static_cast<float>(1.0 / grid.spacing_z_m)};
   }
 
-  ocl::Defines defines() const {
-    return ocl::Defines().set("LANES", lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT).set_flag("TILED");
+  ocl::Defines defines() const { return tiles_defines(lanes, map.edge); }
+
+  /// A place brought to the copy of the map that kernels begin in.
+  glm::dvec3 near_place(glm::dvec3 place_m) const {
+    if (map.edge == MapEdge::ends) return place_m;
+    const double copies = map.edge == MapEdge::mirrors ? 2.0 : 1.0;
+    const auto bring = [](double at, double period) { return at - std::floor(at / period) * period; };
+    return {bring(place_m.x, copies * map.width_m()), place_m.y, bring(place_m.z, copies * map.depth_m())};
+  }
+
+  TerrainView device_view(Camera camera) const {
+    require_valid(camera);
+    camera.eye_m = near_place(camera.eye_m);
+    return terrain::device_view(camera, grid);
   }
 
   void require_look() const {
@@ -158,7 +181,7 @@ struct TiledField::State {
   void cast_picture(std::optional<ocl::Kernel>& kernel, const ocl::Defines& definitions, const Camera& camera,
                     ocl::Buffer<Record>& records) {
     require_look();
-    const TerrainView view = terrain::device_view(camera, grid);
+    const TerrainView view = device_view(camera);
     require_room("picture", pixel_count(camera), records.size());
     if (!kernel) {
       kernel = ocl::Program::build(device, "terrain/quadtree_cast.cl", definitions).kernel("quadtree_cast");
@@ -192,7 +215,7 @@ TerrainField TiledField::device_field() const {
   return state_->field();
 }
 TerrainView TiledField::device_view(const Camera& camera) const {
-  return terrain::device_view(camera, state_->grid);
+  return state_->device_view(camera);
 }
 
 void TiledField::look(const Camera& camera, double ahead_m) {
@@ -227,8 +250,10 @@ std::vector<TerrainHit> TiledField::cast(std::span<const Ray> rays) {
   for (std::size_t first = 0; first < rays.size(); first += most) {
     const std::size_t count = std::min(most, rays.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
-      require_valid(rays[first + i], state_->grid);
-      packed[i] = device_ray(rays[first + i], state_->grid);
+      Ray ray = rays[first + i];
+      ray.origin_m = state_->near_place(ray.origin_m);
+      require_valid(ray, state_->grid);
+      packed[i] = device_ray(ray, state_->grid);
     }
     packed_on_device.write(std::span(packed).first(count));
     ocl::LaunchShape shape{{(count + lanes - 1) / lanes}};

@@ -8,11 +8,15 @@
 #include "host/base/camera.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
+#include "host/ocl/program.h"
 #include "host/terrain/ray.h"
 #include "host/terrain/tile_cut.h"
 #include "host/terrain/tile_loader.h"
 
 namespace offing::terrain {
+
+/// How kernels are built that walk tiles.
+ocl::Defines tiles_defines(int lanes, MapEdge edge);
 
 /// A map of any size, of which a device holds as many tiles as a budget allows: near the eye the map's own
 /// posts, farther away coarser ones, so that a cell is about a pixel wide (T12 of docs/sources.md).
@@ -20,7 +24,8 @@ namespace offing::terrain {
 /// What rays hit is the surface of the tiles that lie there. It is that of a HeightField where they are of
 /// level 0. Coarser tiles are nowhere below the map's surface, so that a ray that hits the map always hits
 /// them; a tile that is not there yet, or cannot be read, is stood in for by a coarser one. Ground is solid
-/// where tiles of two levels meet.
+/// where tiles of two levels meet. Where the map repeats or mirrors, rays go through up to 64 copies of it; hits
+/// name the cells of the map, and shadows end at its edges.
 ///
 /// Not safe for use from several threads at once; tiles are read by a thread of its own.
 class TiledField {

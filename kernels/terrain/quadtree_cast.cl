@@ -3,6 +3,7 @@
 //      of shared/terrain_tiles.h; field, view (shared/terrain.h).
 // Out: records [height_px][width_px], row 0 at the top: distances in metres along the unit ray, +inf for misses; with
 //      WRITES_HITS, TerrainHit.
+#include "terrain/endless.clh"
 #include "terrain/hit_record.clh"
 #include "terrain/picture_rays.clh"
 #include "terrain/traversal.clh"
@@ -54,10 +55,7 @@ __kernel void quadtree_cast(__global const float *restrict heights_m, __global c
       }
 #endif
       for (int i = 0; i < CAST_BLOCKS; ++i) {
-        if (!is_cast) {
-          const int_lanes level = level_at_start(field, courses[i], first_level);
-          hits[i] = walk(heights_m, lids_m, field, courses[i], level);
-        }
+        if (!is_cast) hits[i] = first_hits(heights_m, lids_m, field, first_level, &courses[i]);
         HitRecord block[LANES];
         record_hits(heights_m, lids_m, field, courses[i].ray, hits[i], block);
         const int x = column + i % BLOCKS_A_ROW * BLOCK_COLUMNS, y = row + i / BLOCKS_A_ROW * BLOCK_ROWS;

@@ -3,6 +3,7 @@
 //      of shared/terrain_tiles.h; field, rays [count] (shared/terrain.h).
 // Out: hits [count]; rays that are not finite miss.
 #define WRITES_HITS
+#include "terrain/endless.clh"
 #include "terrain/hit_record.clh"
 
 __kernel void ray_cast(__global const float *restrict heights_m, __global const float *restrict lids_m,
@@ -35,8 +36,8 @@ __kernel void ray_cast(__global const float *restrict heights_m, __global const 
     first_level = level_at_origin(heights_m, lids_m, field, of_lanes.cell_x, of_lanes.cell_z, of_lanes.height_m);
   }
   TerrainHit records[LANES];
-  const Course course = course_of(field, of_lanes);
-  const Hits found = walk(heights_m, lids_m, field, course, level_at_start(field, course, first_level));
-  record_hits(heights_m, lids_m, field, of_lanes, found, records);
+  Course course = course_of(field, of_lanes);
+  const Hits found = first_hits(heights_m, lids_m, field, first_level, &course);
+  record_hits(heights_m, lids_m, field, course.ray, found, records);
   for (int lane = 0; lane < min(LANES, count - first); ++lane) hits[first + lane] = records[lane];
 }

@@ -2,6 +2,7 @@
 // In:  heights, lids, field, view, light, sky, view_table, look, colours, sky_shares as of terrain/terrain_shade.cl; needs [height_px][width_px]
 //      of terrain/terrain_contrast.cl; samples, rays of a pixel that needs many.
 // Inout: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709, times the coverage.
+#include "terrain/endless.clh"
 #include "terrain/ground_light.clh"
 #include "terrain/hit_places.clh"
 #include "terrain/picture_rays.clh"
@@ -28,13 +29,17 @@ FFT_INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes f
   for (int i = 0; i < samples; ++i) {
     const Rays rays = rays_through(field, view, column + ((float)i + 0.5f) / (float)samples,
                                    row + radical_inverse((uint)i) + 0.5f / (float)samples);
-    const Course course = course_of(field, rays);
-    const Hits hits =
-        walk(scenery->heights_m, scenery->lids_m, field, course, level_at_start(field, course, first_level));
-    const HitPlaces places = places_of_hits(scenery->lids_m, field, rays, hits);
+    Course course = course_of(field, rays);
+    const Hits hits = first_hits(scenery->heights_m, scenery->lids_m, field, first_level, &course);
+    const HitPlaces places = places_of_hits(scenery->lids_m, field, course.ray, hits);
     const int_lanes is_hit = mask_of(hits.kind != TERRAIN_MISS);
     const lanes t_m = select((lanes)1.0f, hits.t_m + hits.rest_m, is_hit);
-    const GroundHits ground = {is_hit, places.cell_x, places.cell_z, t_m, places.u, places.v, t_m * sample_rad};
+    GroundHits ground = {is_hit, places.cell_x, places.cell_z, t_m, places.u, places.v, t_m * sample_rad,
+                         (lanes)1.0f, (lanes)1.0f};
+#if MAP_EDGE == TERRAIN_EDGE_MIRRORS
+    ground.way_x = select((lanes)1.0f, (lanes)-1.0f, hits.flips_x);
+    ground.way_z = select((lanes)1.0f, (lanes)-1.0f, hits.flips_z);
+#endif
     const Colours seen = ground_light(scenery, rays, ground);
     sum.red += seen.red;
     sum.green += seen.green;

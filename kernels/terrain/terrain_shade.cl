@@ -24,9 +24,17 @@ FFT_INLINE GroundHits ground_hits(__global const TerrainHit *hits, TerrainView v
   }
   const lanes t_m = load_lanes(places[0]);
   const GroundHits ground = {load_lanes(numbers[0]), load_lanes(numbers[1]), load_lanes(numbers[2]), t_m,
-                             load_lanes(places[1]),  load_lanes(places[2]),  t_m * pixel_rad(view)};
+                             load_lanes(places[1]),  load_lanes(places[2]),  t_m * pixel_rad(view), (lanes)1.0f, (lanes)1.0f};
   return ground;
 }
+
+#if MAP_EDGE == TERRAIN_EDGE_MIRRORS
+// Of places so far from the eye on one axis, in cells: -1 in copies of the map that go back.
+FFT_INLINE lanes turned(int cell, float fraction, lanes way, int cells) {
+  const lanes copy = floor(((float)cell + fraction + way) / (float)cells);
+  return 1.0f - 2.0f * (copy - 2.0f * floor(0.5f * copy));
+}
+#endif
 
 __kernel void terrain_shade(__global const float *restrict heights_m, __global const float *restrict lids_m,
                             TerrainField field, TerrainView view, __global const TerrainHit *restrict hits,
@@ -38,7 +46,11 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
   for (int row = top; row < min(top + TILE_ROWS, view.height_px); row += BLOCK_ROWS) {
     for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); column += BLOCK_COLUMNS) {
       const Rays rays = rays_of(field, view, column + (int_lanes)lane_column, row + (int_lanes)lane_row);
-      const GroundHits ground = ground_hits(hits, view, column, row);
+      GroundHits ground = ground_hits(hits, view, column, row);
+#if MAP_EDGE == TERRAIN_EDGE_MIRRORS
+      ground.way_x = turned(view.cell_x, view.fraction_x, ground.t_m * rays.along_x, field.cells_x);
+      ground.way_z = turned(view.cell_z, view.fraction_z, ground.t_m * rays.along_z, field.cells_z);
+#endif
       const Colours seen = ground_light(&scenery, rays, ground);
       float values[4][LANES];
       store_lanes(seen.red, values[0]);

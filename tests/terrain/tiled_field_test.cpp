@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -201,6 +202,66 @@ TEST(TiledFieldFlight, RefusesWhatCannotBe) {
   TiledField field(device, example.tiled_map(), example.reader(), 64 * mebibyte);
   test::expect_error(ErrorKind::bad_usage, "tiles to be chosen", [&] { field.cast(std::vector<Ray>(1)); });
 }
+
+// A map beyond whose edge is more of it: rays from and into its copies must hit what a map of 3 x 3 such copies
+// has there, built by hand, of which the middle one is the map. Copies that repeat have cliffs at their borders,
+// those that mirror have none. Rays end within the 3 x 3 copies.
+class TiledFieldEdges : public ::testing::TestWithParam<terrain::MapEdge> {};
+
+TEST_P(TiledFieldEdges, CopiesGoOnBeyondTheMap) {
+  const bool mirrors = GetParam() == terrain::MapEdge::mirrors;
+  constexpr int cells_x = 299, cells_z = 260;
+  const test::HeightMap map = test::valleys({.columns = cells_x + 1, .rows = cells_z + 1, .spacing_z_m = 1.5});
+  const auto folded = [&](int place, int cells) {
+    const int copy = place / cells, rest = place % cells;
+    return mirrors && copy % 2 == 0 ? cells - rest : rest;
+  };
+  // The outer copies of 3 x 3 are odd ones, at 0 and 2; posts on a border are those of the copy that begins there.
+  test::HeightMap many{"copies",
+                       {.columns = 3 * cells_x + 1,
+                        .rows = 3 * cells_z + 1,
+                        .spacing_z_m = 1.5,
+                        .origin_x_m = -1.0 * cells_x,
+                        .origin_z_m = -1.5 * cells_z},
+                       {}};
+  for (int row = 0; row < many.grid.rows; ++row) {
+    for (int column = 0; column < many.grid.columns; ++column) {
+      many.heights_m.push_back(map.at(folded(column, cells_x), folded(row, cells_z)));
+    }
+  }
+  const ocl::Device device = ocl::Device::open();
+  const test::ExampleTiles example(map);
+  TiledField field(device, example.tiled_map(GetParam()), example.reader(), 64 * mebibyte);
+  field.look_and_wait({.eye_m = {150.0, 20.0, 200.0}, .width_px = 16000, .height_px = 16000});
+  ASSERT_EQ(field.statistics().stood_in, 0u);
+  std::vector<Ray> rays = test::example_rays(many, 4000, 12);
+  std::size_t compared = 0, wrong = 0;
+  const std::vector<TerrainHit> found = field.cast(rays);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const glm::dvec3& from = rays[i].origin_m;
+    const bool is_over = from.x > -cells_x && from.x < 2 * cells_x && from.z > -1.5 * cells_z && from.z < 3.0 * cells_z;
+    const test::ReferenceHit expected = test::reference_hit(many, rays[i]);
+    // What leaves the copies that were built hits one that was not; at a repeated border a cliff stands in the
+    // tiles, and a steep patch in the map of copies.
+    if (!is_over || expected.kind == TERRAIN_MISS || expected.kind == TERRAIN_SIDE) continue;
+    const auto is_at_border = [&](double distance_m) {
+      const glm::dvec3 at = from + distance_m * rays[i].direction;
+      const glm::dvec2 copies(at.x / cells_x, at.z / (1.5 * cells_z));
+      const glm::dvec2 off = glm::abs(copies - glm::round(copies));
+      return off.x < 1.5 / cells_x || off.y < 1.5 / cells_z;
+    };
+    if (!mirrors && (is_at_border(expected.distance_m) || is_at_border(found[i].distance_m))) continue;
+    if (!test::is_robust(many, rays[i], expected)) continue;
+    ++compared;
+    const double error_cells = std::abs(found[i].distance_m - expected.distance_m) * expected.facing;
+    if (found[i].kind != expected.kind || !(error_cells <= 1e-3)) ++wrong;
+  }
+  EXPECT_EQ(wrong, 0u);
+  EXPECT_GT(compared, 1000u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Edges, TiledFieldEdges,
+                         ::testing::Values(terrain::MapEdge::repeats, terrain::MapEdge::mirrors));
 
 }  // namespace
 }  // namespace offing
