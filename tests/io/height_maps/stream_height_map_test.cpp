@@ -1,0 +1,139 @@
+// Maps that are read row by row against the same maps read at once.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/io/height_maps/read_height_map.h"
+#include "tests/io/height_maps/raster_writer.h"
+#include "tests/io/temporary_folder.h"
+#include "tests/ocl/expect_error.h"
+
+namespace offing {
+namespace {
+
+using test::Raster;
+
+double height_of(int column, int row) {
+  return 100 + 7 * column + 53 * row;
+}
+
+/// A raster of 20 m by 30 m cells whose first one is so many columns and rows from the corner.
+Raster raster_at(int columns, int rows, int first_column, int first_row) {
+  Raster raster = test::raster_of(columns, rows, [&](int column, int row) {
+    return height_of(column + first_column, row + first_row);
+  });
+  raster.geotransform = {500'000.0 + 20.0 * first_column, 20.0, 0.0, 6'400'000.0 - 30.0 * first_row, 0.0, -30.0};
+  raster.coordinate_system = "EPSG:32719";
+  return raster;
+}
+
+class StreamHeightMap : public ::testing::Test {
+ protected:
+  std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
+
+  /// Rows as they come.
+  HeightMapFile stream(const std::string& name, const HeightMapOptions& options = {}) const {
+    HeightMapFile file;
+    std::vector<float> heights_m;
+    const HeightMapSource source = stream_height_map(
+        path(name), options, [&](const HeightMapFile& about) { file = about; },
+        [&](std::span<const float> row) {
+          EXPECT_EQ(row.size(), static_cast<std::size_t>(file.map.columns));
+          heights_m.insert(heights_m.end(), row.begin(), row.end());
+        });
+    file.source = source;
+    file.map.heights_m = heights_m;
+    return file;
+  }
+
+  TemporaryFolder folder_;
+};
+
+// Fails if heights, size, place or range differ from those of the whole map, whose 700 rows are more than two
+// bands.
+TEST_F(StreamHeightMap, IsTheMap) {
+  test::write_raster(path("map.tif"), "GTiff", raster_at(40, 700, 0, 0));
+  const HeightMapFile streamed = stream("map.tif"), whole = read_height_map(path("map.tif"));
+  EXPECT_EQ(streamed.map.heights_m, whole.map.heights_m);
+  EXPECT_EQ(streamed.map.spacing_x_m, 20.0);
+  EXPECT_EQ(streamed.map.spacing_z_m, 30.0);
+  EXPECT_EQ(streamed.map.georeference.origin_y, whole.map.georeference.origin_y);
+  EXPECT_EQ(streamed.source.centre_latitude_deg, whole.source.centre_latitude_deg);
+  EXPECT_EQ(streamed.source.lowest_m, whole.source.lowest_m);
+  EXPECT_EQ(streamed.source.highest_m, whole.source.highest_m);
+}
+
+// Four files of one map, in a folder.
+TEST_F(StreamHeightMap, JoinsTheFilesOfAFolder) {
+  std::filesystem::create_directory(path("tiles"));
+  for (int row = 0; row < 2; ++row) {
+    for (int column = 0; column < 2; ++column) {
+      test::write_raster(path("tiles/" + std::to_string(10 * row + column) + ".tif"), "GTiff",
+                         raster_at(30, 50, 30 * column, 50 * row));
+    }
+  }
+  const HeightMapFile file = stream("tiles");
+  ASSERT_EQ(file.map.columns, 60);
+  ASSERT_EQ(file.map.rows, 100);
+  for (int row = 0; row < 100; ++row) {
+    for (int column = 0; column < 60; ++column) {
+      ASSERT_EQ(file.map.heights_m[file.map.index(column, row)], height_of(column, row));
+    }
+  }
+}
+
+// Voids across the border of two bands (rows 256 and on) are filled without a step, between the lowest and the
+// highest of what is around; those before the first height are level.
+TEST_F(StreamHeightMap, FillsVoidsInBands) {
+  constexpr double nodata = -9999.0;
+  Raster raster = test::raster_of(64, 600, [&](int column, int row) {
+    const bool is_hole = row >= 230 && row < 280 && column > 20 && column < 40;
+    return is_hole ? nodata : 1000.0 + column + 0.1 * row;
+  });
+  raster.nodata = nodata;
+  test::write_raster(path("holes.tif"), "GTiff", raster);
+  HeightMapOptions options;
+  options.spacing_x_m = options.spacing_z_m = 10.0;
+  const HeightMapFile file = stream("holes.tif", options);
+  EXPECT_EQ(file.source.void_posts, 50u * 19u);
+  EXPECT_EQ(file.source.lowest_m, 1000.0f);
+  double steepest_m = 0.0;
+  for (int row = 1; row < 600; ++row) {
+    for (int column = 0; column < 64; ++column) {
+      const float height_m = file.map.heights_m[file.map.index(column, row)];
+      EXPECT_GE(height_m, 1000.0f);
+      EXPECT_LE(height_m, 1123.0f);
+      steepest_m = std::max(
+          steepest_m, std::abs(static_cast<double>(height_m) - file.map.heights_m[file.map.index(column, row - 1)]));
+    }
+  }
+  // The hole is 19 wide and its rims differ by 20 m: a step of more than half of that would be a seam.
+  EXPECT_LT(steepest_m, 10.0);
+  options.void_height_m = 7.0;
+  EXPECT_EQ(stream("holes.tif", options).map.heights_m[file.map.index(30, 250)], 7.0f);
+}
+
+TEST_F(StreamHeightMap, RefusesWhatItCannot) {
+  Raster south_up = raster_at(5, 4, 0, 0);
+  (*south_up.geotransform)[5] = 30.0;
+  test::write_raster(path("south.tif"), "GTiff", south_up);
+  test::expect_error(ErrorKind::bad_input, "south-up", [&] { stream("south.tif"); });
+  HeightMapOptions options;
+  options.reproject_to = "utm";
+  test::expect_error(ErrorKind::bad_input, "utm", [&] { stream("south.tif", options); });
+  std::filesystem::create_directory(path("empty"));
+  test::expect_error(ErrorKind::bad_input, "found none", [&] { stream("empty"); });
+  Raster voids = raster_at(5, 4, 0, 0);
+  voids.nodata = 3.0;
+  for (double& height_m : voids.bands[0]) height_m = 3.0;
+  test::write_raster(path("voids.tif"), "GTiff", voids);
+  test::expect_error(ErrorKind::bad_input, "nothing but voids", [&] { stream("voids.tif"); });
+}
+
+}  // namespace
+}  // namespace offing
