@@ -16,6 +16,7 @@ namespace offing::terrain {
 namespace {
 
 constexpr double highest_above_m = 1e6;
+constexpr std::size_t octants = 8;
 
 void require(bool is_valid, const char* name, const char* expected, double found) {
   if (is_valid) return;
@@ -88,7 +89,12 @@ Viewshed::Viewshed(const ocl::Device& device)
     : lanes_(lanes_of(device)),
       walk_(ocl::Program::build(device, "terrain/sight_walk.cl",
                                 ocl::Defines().set("LANES", lanes_).set("UP_RULE", TERRAIN_UP_WITH_PARENT))
-                .kernel("sight_walk")) {}
+                .kernel("sight_walk")) {
+  if (lanes_ > 1) {
+    sweep_ = ocl::Program::build(device, "terrain/horizon_sweep.cl", ocl::Defines().set("LANES", lanes_))
+                 .kernel("horizon_sweep");
+  }
+}
 
 void Viewshed::at(const HeightField& field, const ViewshedParameters& parameters,
                   ocl::Buffer<std::uint8_t>& seen) const {
@@ -97,12 +103,20 @@ void Viewshed::at(const HeightField& field, const ViewshedParameters& parameters
   const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
   require_room("viewshed", columns * rows, seen.size());
   seen.fill(SIGHT_UNDECIDED);
+  const TerrainSight sight = device_sight(field, parameters);
+  if (lanes_ > 1) {
+    // Rays a line of posts, and two aside.
+    const std::size_t wedges = std::max(columns, rows) + 2,
+                      wedges_each = static_cast<std::size_t>(lanes_) - 1;
+    sweep_.launch({{wedges / wedges_each + 1, octants}, {1, 1}}, field.heights_m(),
+                  field.device_field(CastMethod::parity), sight, seen);
+  }
   // Few lines are left of a row, which fill vectors only together.
   const std::size_t columns_each = lanes_ > 1 ? columns : 1;
   const ocl::LaunchShape shape =
       lanes_ > 1 ? ocl::LaunchShape{{1, rows}, {1, 1}} : ocl::LaunchShape{{columns, rows}};
   walk_.launch(shape, field.heights_m(), field.pyramid().lids_m(), field.device_field(CastMethod::parity),
-               device_sight(field, parameters), static_cast<int>(columns_each), seen);
+               sight, static_cast<int>(columns_each), seen);
 }
 
 }  // namespace offing::terrain

@@ -41,7 +41,7 @@ class Viewshed {
 
  private:
   int lanes_;
-  ocl::Kernel walk_;
+  ocl::Kernel sweep_, walk_;
 };
 
 }  // namespace offing::terrain
