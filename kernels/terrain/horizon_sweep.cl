@@ -40,19 +40,22 @@ FFT_INLINE Axis axis_of(int cell, float fraction, int cells, float bend_m, bool 
   return goes_up ? up : down;
 }
 
+FFT_INLINE lanes above_eye(TerrainSight sight, lanes height_m) { return (height_m - sight.eye_m) - sight.eye_rest_m; }
+
 // Ground along rays between two crossings: from `from_m` at `from` cells to `to_m` at `to`, `bulge` s^2 among its terms.
-// The highest that it is in the eye's picture.
+// The highest that it is in the eye's picture, if that is at neither of them; from an eye on the ground on, its slope.
 FFT_INLINE lanes highest_between(lanes from, lanes from_m, lanes to, lanes to_m, lanes bulge) {
   const lanes length = most(to - from, (lanes)1e-6f);
   const lanes slope = (to_m - from_m) / length - bulge * length;
+  const lanes at_eye = select((lanes)NO_GROUND, slope, mask_of(from == 0.0f) & mask_of(from_m == 0.0f));
   // Positive where it still rises in the picture.
   const lanes rises = slope * from - from_m;
   const int_lanes turns = mask_of(bulge < 0.0f) & mask_of(rises > 0.0f) &
                           mask_of((slope + 2.0f * bulge * length) * to - to_m < 0.0f);
-  if (!any_lane(turns)) return (lanes)NO_GROUND;
+  if (!any_lane(turns)) return at_eye;
   const lanes r = rises / select((lanes)1.0f, -bulge, turns);
   const lanes way = least(r / (from + sqrt(most(from * from + r, (lanes)0.0f))), length);
-  return select((lanes)NO_GROUND, (from_m + way * (slope + way * bulge)) / (from + way), turns);
+  return select(at_eye, (from_m + way * (slope + way * bulge)) / (from + way), turns);
 }
 
 // The least of h + f1 s + f2 s^2, s from 0 to `length`; of (f1 s + f2 s^2) / s where h is 0.
@@ -95,8 +98,8 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
   // The posts of the last line at the cell.
   const int first_line = 1 + (int)major.fraction;
   const int before = base + (first_line - 1) * major_step + start_column * minor_step;
-  lanes before_low_m = (lanes)(heights_m[before] - sight.eye_m - sight.eye_rest_m);
-  lanes before_high_m = (lanes)(heights_m[before + minor_step] - sight.eye_m - sight.eye_rest_m);
+  lanes before_low_m = (lanes)heights_m[before], before_high_m = (lanes)heights_m[before + minor_step];
+  // Heights above the eye, less what the Earth falls away.
   lanes ground_m = (lanes)(-sight.eye_above_m), last_ahead = (lanes)0.0f;
   lanes upper_left = (lanes)NO_GROUND, upper_right = (lanes)NO_GROUND;
   lanes lower_left = (lanes)NO_GROUND, lower_right = (lanes)NO_GROUND;
@@ -115,14 +118,14 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
 
     const int row = base + line * major_step;
     const int_lanes at = row + cell * minor_step, behind = at - major_step;
-    const lanes low_m = gathered(heights_m, at) - sight.eye_m - sight.eye_rest_m;
-    const lanes high_m = gathered(heights_m + minor_step, at) - sight.eye_m - sight.eye_rest_m;
+    const lanes low_m = gathered(heights_m, at);
+    const lanes high_m = gathered(heights_m + minor_step, at);
     const int_lanes crosses = mask_of(cell != last_cell);
     lanes behind_low_m = before_low_m, behind_high_m = before_high_m, last_low_m = low_m, last_high_m = high_m;
     if (any_lane(crosses)) {
-      behind_low_m = gathered(heights_m, behind) - sight.eye_m - sight.eye_rest_m;
-      behind_high_m = gathered(heights_m + minor_step, behind) - sight.eye_m - sight.eye_rest_m;
-      last_low_m = gathered(heights_m, row + last_cell * minor_step) - sight.eye_m - sight.eye_rest_m;
+      behind_low_m = gathered(heights_m, behind);
+      behind_high_m = gathered(heights_m + minor_step, behind);
+      last_low_m = gathered(heights_m, row + last_cell * minor_step);
       last_high_m = select(high_m, low_m, crosses);
     }
 
@@ -137,8 +140,8 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
     const lanes post_aside = convert_lanes(post) - minor.fraction;
     const lanes post_m = select(high_m, low_m, is_on_axis);
     const lanes drop_m = major.bend_m * (ahead * ahead) + minor.bend_m * (post_aside * post_aside);
-    const lanes post_height = (post_m - drop_m) / ahead;
-    const lanes target = (post_m + sight.target_above_m - drop_m) / ahead;
+    const lanes post_height = (above_eye(sight, post_m) - drop_m) / ahead;
+    const lanes target = post_height + sight.target_above_m / ahead;
 
     // On the diagonal octants meet, and on the axes: one of them answers.
     const int_lanes is_mine =
@@ -172,7 +175,7 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
     }
 
     // Along each ray: at the border between two patches, in them, and at the line.
-    const lanes line_m = low_m + place * (high_m - low_m) - bend_m * (ahead * ahead);
+    const lanes line_m = above_eye(sight, low_m) + place * (high_m - low_m) - bend_m * (ahead * ahead);
     const lanes at_line = line_m / ahead;
     const lanes last_twist_m = (last_high_m - last_low_m) - (before_high_m - before_low_m);
     const lanes last_bulge = last_twist_m * slope - bend_m;
@@ -183,7 +186,7 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
       const lanes border_ahead = last_ahead + step;
       const lanes border_share = border_ahead - (ahead - 1.0f);
       const lanes border_m =
-          behind_low_m + border_share * (low_m - behind_low_m) - bend_m * (border_ahead * border_ahead);
+          above_eye(sight, behind_low_m) + border_share * (low_m - behind_low_m) - bend_m * (border_ahead * border_ahead);
       const lanes twist_m = (high_m - low_m) - (behind_high_m - behind_low_m);
       border = select(border, border_m / border_ahead, crosses);
       const lanes end = select((lanes)ahead, border_ahead, crosses), end_m = select(line_m, border_m, crosses);
@@ -194,13 +197,15 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
       highest = highest_between(last_ahead, ground_m, (lanes)ahead, line_m, last_bulge);
     }
     const lanes noise = ROUNDING * (fabs(at_line) + rough / ahead);
-    highest = most(most(highest, border), at_line) + noise;
+    // Between rays the Earth's curve arches above straight lines.
+    const float arch = 0.25f * minor.bend_m * ahead / ((float)spaces * (float)spaces);
+    highest = most(most(highest, border), at_line) + noise + arch;
 
     // Over each wedge.
     upper_left = most(upper_left, highest);
     upper_right = most(upper_right, next_lane(highest));
     const lanes upper_width = upper_right - upper_left;
-    const lanes missing = post_height - (upper_left + share * upper_width) + ROUNDING * (fabs(post_height) + fabs(upper_width));
+    const lanes missing = post_height + arch - (upper_left + share * upper_width) + ROUNDING * (fabs(post_height) + fabs(upper_width));
     const lanes raised = select((lanes)0.0f, most(missing, (lanes)0.0f), is_between);
     upper_left += raised;
     upper_right += raised;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ocl/expect_error.h"
+#include "tests/ocl/scoped_environment.h"
 #include "tests/terrain/sight_reference.h"
 
 namespace offing {
@@ -67,6 +68,20 @@ TEST(ViewshedTest, AgreesWithDoublePrecision) {
     EXPECT_EQ(wrong, 0) << map.name;
     if (map.name != "flat" && map.name != "ramp") {
       EXPECT_LE(touching, posts / 100'000) << map.name;
+    }
+  }
+}
+
+// Most posts are decided by bounds of the horizon, and only the others by walks along their lines. Without
+// bounds, as devices of narrow lanes go, each walks: fails if that gives another answer for any post.
+TEST(ViewshedTest, BoundsDecideAsWalksDo) {
+  for (const test::HeightMap& map : test::example_maps()) {
+    for (const ViewshedParameters& parameters : example_observers(map.grid)) {
+      // On a plane, eyes and targets on it: rounding decides.
+      if (map.name == "ramp" && parameters.observer_height_m == 0.0) continue;
+      const std::vector<std::uint8_t> by_bounds = seen_from(map, parameters);
+      const test::ScopedEnvironment shape("OFFING_SHAPE", "group");
+      EXPECT_EQ(by_bounds, seen_from(map, parameters)) << map.name << ' ' << parameters.observer_x_m;
     }
   }
 }
