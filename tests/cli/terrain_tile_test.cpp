@@ -168,7 +168,7 @@ TEST_F(TerrainTile, FliesOnOverBrokenTiles) {
   ASSERT_EQ(tile(ground, "store").exit_code, 0);
   fs::remove(path("store/0/0001/0001.tile"));
   fs::resize_file(path("store/0/0001/0002.tile"), 5000);
-  std::vector<std::string> command{"terrain", "fly", path("store"), "--frames", "8", "--every", "2", "--size", "64x36",
+  std::vector<std::string> command{"terrain", "fly", path("store"), "--frames", "4", "--every", "2", "--size", "640x360",
                                    "--speed-mps", "100", "--json", "--compare"};
   command.insert(command.end(), ground.begin(), ground.end());
   const ProgramResult flown = run_offing(command);
