@@ -105,7 +105,8 @@ Rendered render_map(const TerrainRenderArguments& arguments, const GlobalOptions
   return {camera, draw_terrain(device, field, camera, scenery, show)};
 }
 
-Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptions& options, TerrainShow show) {
+Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptions& options,
+                      TerrainShow show) {
   const TileStore store(arguments.input.file());
   const TerrainScenery scenery = read_scenery(arguments, store.header().centre_latitude_deg);
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
@@ -120,8 +121,9 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
   const TerrainShow show = read_show(arguments.show);
   require_new(arguments, arguments.output);
   require_new(arguments, arguments.depth);
-  const auto [camera, picture] = is_tile_store(arguments.input.file()) ? render_store(arguments, options, show)
-                                                                       : render_map(arguments, options, show);
+  const auto [camera, picture] = is_tile_store(arguments.input.file())
+                                     ? render_store(arguments, options, show)
+                                     : render_map(arguments, options, show);
   options.cancel.throw_if_cancelled();
   write_png(arguments.output, picture.image);
   if (!arguments.depth.empty()) write_depth(arguments.depth, camera, picture.distances_m);

@@ -73,7 +73,8 @@ struct TiledField::State {
         pages(on, table.pages().size(), "terrain pages") {}
 
   std::vector<TileKey> cut(const CutView& view) const {
-    return choose_cut(map, view, static_cast<std::size_t>(cut_share * static_cast<double>(cache.slot_count())));
+    return choose_cut(map, view,
+                      static_cast<std::size_t>(cut_share * static_cast<double>(cache.slot_count())));
   }
 
   /// The tile itself, or the nearest that is there of those that cover it.
@@ -190,7 +191,8 @@ struct TiledField::State {
   }
 };
 
-TiledField::TiledField(const ocl::Device& device, const TiledMap& map, TileReader read, std::size_t cache_bytes)
+TiledField::TiledField(const ocl::Device& device, const TiledMap& map, TileReader read,
+                       std::size_t cache_bytes)
     : state_(std::make_unique<State>(device, map, std::move(read), cache_bytes)) {}
 TiledField::TiledField(TiledField&&) noexcept = default;
 TiledField& TiledField::operator=(TiledField&&) noexcept = default;
@@ -258,8 +260,8 @@ std::vector<TerrainHit> TiledField::cast(std::span<const Ray> rays) {
     packed_on_device.write(std::span(packed).first(count));
     ocl::LaunchShape shape{{(count + lanes - 1) / lanes}};
     if (lanes > 1) shape.local = {1};
-    state_->ray_kernel->launch(shape, pool(), pages(), device_field(), packed_on_device, static_cast<int>(count),
-                               hits_on_device);
+    state_->ray_kernel->launch(shape, pool(), pages(), device_field(), packed_on_device,
+                               static_cast<int>(count), hits_on_device);
     hits_on_device.read(std::span(hits).subspan(first, count));
   }
   return hits;

@@ -24,18 +24,18 @@ ocl::Defines tiles_defines(int lanes, MapEdge edge);
 /// What rays hit is the surface of the tiles that lie there. It is that of a HeightField where they are of
 /// level 0. Coarser tiles are nowhere below the map's surface, so that a ray that hits the map always hits
 /// them; a tile that is not there yet, or cannot be read, is stood in for by a coarser one. Ground is solid
-/// where tiles of two levels meet. Where the map repeats or mirrors, rays go through up to 64 copies of it; hits
-/// name the cells of the map, and shadows end at its edges.
+/// where tiles of two levels meet. Where the map repeats or mirrors, rays go through up to 64 copies of it;
+/// hits name the cells of the map, and shadows end at its edges.
 ///
 /// Not safe for use from several threads at once; tiles are read by a thread of its own.
 class TiledField {
  public:
   /// How the tiles of the last look() stand.
   struct Statistics {
-    std::size_t tiles = 0;      ///< of the cut
-    std::size_t stood_in = 0;   ///< of these, those for which coarser ones stand in
-    std::uint64_t loaded = 0;   ///< since the beginning
-    std::uint64_t failed = 0;   ///< that could not be read; a warning named each
+    std::size_t tiles = 0;     ///< of the cut
+    std::size_t stood_in = 0;  ///< of these, those for which coarser ones stand in
+    std::uint64_t loaded = 0;  ///< since the beginning
+    std::uint64_t failed = 0;  ///< that could not be read; a warning named each
     std::size_t slots = 0, bytes = 0;
   };
 
@@ -64,8 +64,8 @@ class TiledField {
   /// The same for rays in host memory; waits.
   std::vector<TerrainHit> cast(std::span<const Ray> rays);
 
-  /// Highest post of the coarsest level around a place of the plan, which is held to the map: nothing there is
-  /// higher.
+  /// Highest post of the coarsest level around a place of the plan, which is held to the map: nothing there
+  /// is higher.
   float coarse_height_m(double x_m, double z_m) const;
 
   /// A camera as kernels take it; its eye is brought to the map where that repeats or mirrors.

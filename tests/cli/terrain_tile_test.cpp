@@ -34,7 +34,8 @@ class TerrainTile : public ::testing::Test {
     EXPECT_EQ(made.exit_code, 0) << made.errors;
     return {path("ground.r32"), "--raw-size", size + "x" + size, "--spacing-m", "10"};
   }
-  std::vector<std::string> tile_command(const std::vector<std::string>& ground, const std::string& store) const {
+  std::vector<std::string> tile_command(const std::vector<std::string>& ground,
+                                        const std::string& store) const {
     std::vector<std::string> command{"terrain", "tile"};
     command.insert(command.end(), ground.begin(), ground.end());
     command.insert(command.end(), {"-o", path(store), "--json"});
@@ -56,8 +57,8 @@ class TerrainTile : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-// Fails if a picture of a store is another than that of its map: where tiles of level 0 lie, distances are the
-// same but for rounding (1e-5 of themselves), and colours to 1 of 255 on the mean.
+// Fails if a picture of a store is another than that of its map: where tiles of level 0 lie, distances are
+// the same but for rounding (1e-5 of themselves), and colours to 1 of 255 on the mean.
 TEST_F(TerrainTile, AStoreLooksAsItsMap) {
   const std::vector<std::string> ground = make_ground(600);
   const ProgramResult tiled = tile(ground, "store");
@@ -68,8 +69,8 @@ TEST_F(TerrainTile, AStoreLooksAsItsMap) {
   const auto render = [&](const std::vector<std::string>& input, const std::string& name) {
     std::vector<std::string> command{"terrain", "render"};
     command.insert(command.end(), input.begin(), input.end());
-    command.insert(command.end(), {"-o", path(name + ".png"), "--depth", path(name + ".exr"), "--size", "1280x1440",
-                                   "--camera", "3000,1800,5000,0,-20"});
+    command.insert(command.end(), {"-o", path(name + ".png"), "--depth", path(name + ".exr"), "--size",
+                                   "1280x1440", "--camera", "3000,1800,5000,0,-20"});
     const ProgramResult result = run_offing(command);
     EXPECT_EQ(result.exit_code, 0) << result.errors;
   };
@@ -131,7 +132,8 @@ TEST_F(TerrainTile, RefusesBadInput) {
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.errors, ::testing::MatchesRegex("error: [^\n]+\nhint: [^\n]+\n"));
   EXPECT_FALSE(fs::exists(path("store")));
-  const ProgramResult resampled = tile({path("short.r32"), "--raw-size", "9x9", "--reproject", "utm"}, "store");
+  const ProgramResult resampled =
+      tile({path("short.r32"), "--raw-size", "9x9", "--reproject", "utm"}, "store");
   EXPECT_EQ(resampled.exit_code, 2);
   fs::create_directory(path("empty"));
   EXPECT_EQ(tile({path("empty")}, "store").exit_code, 2);
@@ -139,14 +141,15 @@ TEST_F(TerrainTile, RefusesBadInput) {
   EXPECT_FALSE(fs::exists(path("store")));
 }
 
-// Fails if a flight shows sky where the map has ground, takes more memory for tiles than it may, or writes other
-// pictures than it says.
+// Fails if a flight shows sky where the map has ground, takes more memory for tiles than it may, or writes
+// other pictures than it says.
 TEST_F(TerrainTile, FliesOverAStore) {
   const std::vector<std::string> ground = make_ground(1500);
   ASSERT_EQ(tile(ground, "store").exit_code, 0);
-  std::vector<std::string> command{"terrain", "fly", path("store"), "--frames", "12", "--every", "4", "--size", "160x90",
-                                   "--speed-mps", "3000", "--cache-mb", "40", "--json", "-o", path("frames"),
-                                   "--compare"};
+  std::vector<std::string> command{"terrain",      "fly",        path("store"), "--frames", "12",
+                                   "--every",      "4",          "--size",      "160x90",   "--speed-mps",
+                                   "3000",         "--cache-mb", "40",          "--json",   "-o",
+                                   path("frames"), "--compare"};
   command.insert(command.end(), ground.begin(), ground.end());
   const ProgramResult flown = run_offing(command);
   ASSERT_EQ(flown.exit_code, 0) << flown.errors;
@@ -168,8 +171,8 @@ TEST_F(TerrainTile, FliesOnOverBrokenTiles) {
   ASSERT_EQ(tile(ground, "store").exit_code, 0);
   fs::remove(path("store/0/0001/0001.tile"));
   fs::resize_file(path("store/0/0001/0002.tile"), 5000);
-  std::vector<std::string> command{"terrain", "fly", path("store"), "--frames", "4", "--every", "2", "--size", "640x360",
-                                   "--speed-mps", "100", "--json", "--compare"};
+  std::vector<std::string> command{"terrain", "fly",     path("store"), "--frames", "4",      "--every",  "2",
+                                   "--size",  "640x360", "--speed-mps", "100",      "--json", "--compare"};
   command.insert(command.end(), ground.begin(), ground.end());
   const ProgramResult flown = run_offing(command);
   ASSERT_EQ(flown.exit_code, 0) << flown.errors;

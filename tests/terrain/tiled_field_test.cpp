@@ -26,8 +26,8 @@ using terrain::TiledField;
 
 constexpr std::size_t mebibyte = 1 << 20;
 
-/// A camera with so fine pixels that all tiles are wanted at level 0, or with such coarse ones that only those
-/// around the eye are.
+/// A camera with so fine pixels that all tiles are wanted at level 0, or with such coarse ones that only
+/// those around the eye are.
 Camera fine_camera() {
   return {.eye_m = {3500.0, 300.0, 3200.0}, .width_px = 16000, .height_px = 16000};
 }
@@ -42,8 +42,8 @@ class TiledFieldTest : public ::testing::Test {
   TiledField field_{device_, example_.tiled_map(), example_.reader(), 64 * mebibyte};
 };
 
-// Fails if tiles of level 0 are another ground than the map: every robust ray must have the kind of hit and the
-// distance of the reference, to 1e-3 cells, as those of a HeightField (ray_comparison.h). Such rays start
+// Fails if tiles of level 0 are another ground than the map: every robust ray must have the kind of hit and
+// the distance of the reference, to 1e-3 cells, as those of a HeightField (ray_comparison.h). Such rays start
 // anywhere, go anywhere, and cross many tiles. Measured: 3e-5 cells.
 TEST_F(TiledFieldTest, FineTilesAreTheMap) {
   field_.look_and_wait(fine_camera());
@@ -79,8 +79,8 @@ TEST_F(TiledFieldTest, HitsAreInTheMapsCells) {
   EXPECT_GT(checked, 500u);
 }
 
-// Fails if coarse tiles show sky where ground is, or ground behind the map's: all rays that hit the map robustly
-// hit its tiles, and no later. Cuts of all sizes, so that levels meet in many ways.
+// Fails if coarse tiles show sky where ground is, or ground behind the map's: all rays that hit the map
+// robustly hit its tiles, and no later. Cuts of all sizes, so that levels meet in many ways.
 TEST_F(TiledFieldTest, CoarseTilesAreNowhereBelowTheMap) {
   HeightField whole(device_, example_.map().grid, example_.map().heights_m);
   std::vector<Ray> rays = test::example_rays(example_.map(), 8000, 7);
@@ -105,8 +105,8 @@ TEST_F(TiledFieldTest, CoarseTilesAreNowhereBelowTheMap) {
   }
 }
 
-// A picture is the rays of its pixels, also across borders of levels. Directions of pixels are floats: 3e-7 of
-// 7e3 m across slopes, gate 0.05 m; a ray that grazes a ridge may differ.
+// A picture is the rays of its pixels, also across borders of levels. Directions of pixels are floats: 3e-7
+// of 7e3 m across slopes, gate 0.05 m; a ray that grazes a ridge may differ.
 TEST_F(TiledFieldTest, APictureIsTheRaysOfItsPixels) {
   const Camera camera = coarse_camera();
   field_.look_and_wait(camera);
@@ -140,15 +140,16 @@ TEST_F(TiledFieldTest, APictureIsTheRaysOfItsPixels) {
 TEST_F(TiledFieldTest, CoarseGroundStandsInForBrokenTiles) {
   std::atomic<int> asked = 0;
   const terrain::TileReader whole = example_.reader();
-  TiledField field(device_, example_.tiled_map(),
-                   [&](const TileKey& key) {
-                     if (key == TileKey{0, 1, 1}) {
-                       ++asked;
-                       throw Error(ErrorKind::bad_input, "0/0001/0001.tile: expected checksum 1, found 2");
-                     }
-                     return whole(key);
-                   },
-                   64 * mebibyte);
+  TiledField field(
+      device_, example_.tiled_map(),
+      [&](const TileKey& key) {
+        if (key == TileKey{0, 1, 1}) {
+          ++asked;
+          throw Error(ErrorKind::bad_input, "0/0001/0001.tile: expected checksum 1, found 2");
+        }
+        return whole(key);
+      },
+      64 * mebibyte);
   ::testing::internal::CaptureStdout();
   for (int frame = 0; frame < 5; ++frame) field.look_and_wait(fine_camera());
   ::testing::internal::GetCapturedStdout();
@@ -174,8 +175,8 @@ TEST_F(TiledFieldTest, TilesComeWhileItLooks) {
   EXPECT_EQ(field_.statistics().stood_in, 0u);
 }
 
-// A flight over more tiles than there are slots: memory stays within the budget, and what lies under the eye is
-// the map itself all the way, though slots have changed hands.
+// A flight over more tiles than there are slots: memory stays within the budget, and what lies under the eye
+// is the map itself all the way, though slots have changed hands.
 TEST(TiledFieldFlight, KeepsItsBudget) {
   const ocl::Device device = ocl::Device::open();
   const test::ExampleTiles example(test::valleys({.columns = 2300, .rows = 1800}));
@@ -203,20 +204,22 @@ TEST(TiledFieldFlight, RefusesWhatCannotBe) {
   test::expect_error(ErrorKind::bad_usage, "tiles to be chosen", [&] { field.cast(std::vector<Ray>(1)); });
 }
 
-// A map beyond whose edge is more of it: rays from and into its copies must hit what a map of 3 x 3 such copies
-// has there, built by hand, of which the middle one is the map. Copies that repeat have cliffs at their borders,
-// those that mirror have none. Rays end within the 3 x 3 copies.
+// A map beyond whose edge is more of it: rays from and into its copies must hit what a map of 3 x 3 such
+// copies has there, built by hand, of which the middle one is the map. Copies that repeat have cliffs at
+// their borders, those that mirror have none. Rays end within the 3 x 3 copies.
 class TiledFieldEdges : public ::testing::TestWithParam<terrain::MapEdge> {};
 
 TEST_P(TiledFieldEdges, CopiesGoOnBeyondTheMap) {
   const bool mirrors = GetParam() == terrain::MapEdge::mirrors;
   constexpr int cells_x = 299, cells_z = 260;
-  const test::HeightMap map = test::valleys({.columns = cells_x + 1, .rows = cells_z + 1, .spacing_z_m = 1.5});
+  const test::HeightMap map =
+      test::valleys({.columns = cells_x + 1, .rows = cells_z + 1, .spacing_z_m = 1.5});
   const auto folded = [&](int place, int cells) {
     const int copy = place / cells, rest = place % cells;
     return mirrors && copy % 2 == 0 ? cells - rest : rest;
   };
-  // The outer copies of 3 x 3 are odd ones, at 0 and 2; posts on a border are those of the copy that begins there.
+  // The outer copies of 3 x 3 are odd ones, at 0 and 2; posts on a border are those of the copy that begins
+  // there.
   test::HeightMap many{"copies",
                        {.columns = 3 * cells_x + 1,
                         .rows = 3 * cells_z + 1,
@@ -239,10 +242,11 @@ TEST_P(TiledFieldEdges, CopiesGoOnBeyondTheMap) {
   const std::vector<TerrainHit> found = field.cast(rays);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const glm::dvec3& from = rays[i].origin_m;
-    const bool is_over = from.x > -cells_x && from.x < 2 * cells_x && from.z > -1.5 * cells_z && from.z < 3.0 * cells_z;
+    const bool is_over =
+        from.x > -cells_x && from.x < 2 * cells_x && from.z > -1.5 * cells_z && from.z < 3.0 * cells_z;
     const test::ReferenceHit expected = test::reference_hit(many, rays[i]);
-    // What leaves the copies that were built hits one that was not; at a repeated border a cliff stands in the
-    // tiles, and a steep patch in the map of copies.
+    // What leaves the copies that were built hits one that was not; at a repeated border a cliff stands in
+    // the tiles, and a steep patch in the map of copies.
     if (!is_over || expected.kind == TERRAIN_MISS || expected.kind == TERRAIN_SIDE) continue;
     const auto is_at_border = [&](double distance_m) {
       const glm::dvec3 at = from + distance_m * rays[i].direction;

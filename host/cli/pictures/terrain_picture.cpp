@@ -76,8 +76,8 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
 }
 
 template <class Field>
-TerrainPicture draw(const ocl::Device& device, Field& field, const Camera& camera, const TerrainScenery& scenery,
-                    TerrainShow show) {
+TerrainPicture draw(const ocl::Device& device, Field& field, const Camera& camera,
+                    const TerrainScenery& scenery, TerrainShow show) {
   const auto width = static_cast<std::size_t>(camera.width_px),
              height = static_cast<std::size_t>(camera.height_px);
   ocl::Buffer<TerrainHit> hits_on_device(device, width * height, "terrain hits");

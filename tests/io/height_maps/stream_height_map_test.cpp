@@ -24,10 +24,10 @@ double height_of(int column, int row) {
 
 /// A raster of 20 m by 30 m cells whose first one is so many columns and rows from the corner.
 Raster raster_at(int columns, int rows, int first_column, int first_row) {
-  Raster raster = test::raster_of(columns, rows, [&](int column, int row) {
-    return height_of(column + first_column, row + first_row);
-  });
-  raster.geotransform = {500'000.0 + 20.0 * first_column, 20.0, 0.0, 6'400'000.0 - 30.0 * first_row, 0.0, -30.0};
+  Raster raster = test::raster_of(
+      columns, rows, [&](int column, int row) { return height_of(column + first_column, row + first_row); });
+  raster.geotransform = {500'000.0 + 20.0 * first_column, 20.0, 0.0,
+                         6'400'000.0 - 30.0 * first_row,  0.0,  -30.0};
   raster.coordinate_system = "EPSG:32719";
   return raster;
 }
@@ -87,8 +87,8 @@ TEST_F(StreamHeightMap, JoinsTheFilesOfAFolder) {
   }
 }
 
-// Voids across the border of two bands (rows 256 and on) are filled without a step, between the lowest and the
-// highest of what is around; those before the first height are level.
+// Voids across the border of two bands (rows 256 and on) are filled without a step, between the lowest and
+// the highest of what is around; those before the first height are level.
 TEST_F(StreamHeightMap, FillsVoidsInBands) {
   constexpr double nodata = -9999.0;
   Raster raster = test::raster_of(64, 600, [&](int column, int row) {
@@ -108,8 +108,8 @@ TEST_F(StreamHeightMap, FillsVoidsInBands) {
       const float height_m = file.map.heights_m[file.map.index(column, row)];
       EXPECT_GE(height_m, 1000.0f);
       EXPECT_LE(height_m, 1123.0f);
-      steepest_m = std::max(
-          steepest_m, std::abs(static_cast<double>(height_m) - file.map.heights_m[file.map.index(column, row - 1)]));
+      steepest_m = std::max(steepest_m, std::abs(static_cast<double>(height_m) -
+                                                 file.map.heights_m[file.map.index(column, row - 1)]));
     }
   }
   // The hole is 19 wide and its rims differ by 20 m: a step of more than half of that would be a seam.

@@ -64,9 +64,8 @@ class TileStoreTest : public ::testing::Test {
       for (int row = 0; row < shape.tiles_z(level); ++row) {
         for (int column = 0; column < shape.tiles_x(level); ++column) {
           if (written == most) return written;
-          written += writer.write(made({level, column, row}, [&](int x, int z) {
-            return hills(x + 256 * column, z + 256 * row);
-          }))
+          written += writer.write(made({level, column, row},
+                                       [&](int x, int z) { return hills(x + 256 * column, z + 256 * row); }))
                          ? 1
                          : 0;
         }
@@ -113,8 +112,8 @@ TEST_F(TileStoreTest, KeepsTheHeader) {
   EXPECT_EQ(found.heights_checksum, expected.heights_checksum);
 }
 
-// Heights of the map and highest posts come back to the last bit; means of coarse levels within half a step, a
-// 65536th of their range. Whole metres take half the room.
+// Heights of the map and highest posts come back to the last bit; means of coarse levels within half a step,
+// a 65536th of their range. Whole metres take half the room.
 TEST_F(TileStoreTest, KeepsTiles) {
   const auto through = [](const HeightTile& tile) {
     return tile_store::decode_tile("a.tile", tile_store::encode_tile(tile), tile.key);
@@ -175,17 +174,26 @@ TEST_F(TileStoreTest, NamesDamagedTiles) {
     test::expect_error(ErrorKind::bad_input, part, [&] { store.read(key); });
     test::expect_error(ErrorKind::bad_input, path.string(), [&] { store.read(key); });
   };
-  damage({0, 0, 0}, [](const fs::path& path) {
-    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-    file.seekp(5000);
-    file.put('x');
-  }, "checksum");
-  damage({0, 1, 0}, [](const fs::path& path) { fs::resize_file(path, 10'000); }, "checksum");
-  damage({0, 2, 0}, [](const fs::path& path) { fs::resize_file(path, 12); }, "12 bytes");
-  damage({0, 0, 1}, [](const fs::path& path) { fs::remove(path); }, "found none");
-  damage({1, 0, 0}, [&](const fs::path& path) {
-    fs::copy_file(store.path_of({1, 1, 0}), path, fs::copy_options::overwrite_existing);
-  }, "column 0");
+  damage(
+      {0, 0, 0},
+      [](const fs::path& path) {
+        std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+        file.seekp(5000);
+        file.put('x');
+      },
+      "checksum");
+  damage(
+      {0, 1, 0}, [](const fs::path& path) { fs::resize_file(path, 10'000); }, "checksum");
+  damage(
+      {0, 2, 0}, [](const fs::path& path) { fs::resize_file(path, 12); }, "12 bytes");
+  damage(
+      {0, 0, 1}, [](const fs::path& path) { fs::remove(path); }, "found none");
+  damage(
+      {1, 0, 0},
+      [&](const fs::path& path) {
+        fs::copy_file(store.path_of({1, 1, 0}), path, fs::copy_options::overwrite_existing);
+      },
+      "column 0");
 }
 
 TEST_F(TileStoreTest, RefusesWhatIsNoStore) {
