@@ -1,6 +1,6 @@
 // ground_dump FILE: rays and a picture of a small map through every kernel of the terrain, on the device that
 // the environment names. FILE: distances in metres by all methods (1e6 where rays miss), then the picture's
-// light.
+// light, then a viewshed.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,6 +9,7 @@
 
 #include "host/base/error.h"
 #include "host/terrain/terrain_shade.h"
+#include "host/terrain/viewshed.h"
 #include "tests/terrain/example_maps.h"
 
 namespace {
@@ -57,6 +58,21 @@ void dump_picture(const ocl::Device& device, terrain::HeightField& field, const 
     std::for_each(texel.begin(), texel.end(), [&](float v) { dump.add(v); });
 }
 
+void dump_viewshed(const ocl::Device& device, const terrain::HeightField& field, Dump& dump) {
+  const terrain::PostGrid& grid = field.grid();
+  ocl::Buffer<std::uint8_t> seen(
+      device, static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows), "seen");
+  terrain::Viewshed(device).at(field,
+                               {.observer_x_m = 201.0,
+                                .observer_z_m = 130.0,
+                                .observer_height_m = 3.0,
+                                .target_height_m = 1.0,
+                                .radius_m = 300.0,
+                                .curve = {.radius_m = 1e5, .refraction = 0.13}},
+                               seen);
+  for (const std::uint8_t post : seen.read()) dump.add(post);
+}
+
 void write_dump(const char* path) {
   const ocl::Device device = ocl::Device::open();
   const test::HeightMap map =
@@ -74,6 +90,7 @@ void write_dump(const char* path) {
                {.eye_m = {200.0, 130.0, 440.0}, .pitch_rad = -0.4, .width_px = 21, .height_px = 11}, dump);
   dump_picture(device, field, {.eye_m = {100.0, 40.0, 300.0}, .yaw_rad = 0.8, .width_px = 18, .height_px = 6},
                dump);
+  dump_viewshed(device, field, dump);
 }
 
 }  // namespace
