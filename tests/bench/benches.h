@@ -54,6 +54,11 @@ void bench_queries(const ocl::Device& device, const Settings& settings, const Si
 /// Throws Error(device) where hits differ.
 void bench_terrain(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
+/// Which posts of height maps are seen from a point, all of them, against GDAL's approximate sweep: valleys
+/// of each size, and the real maps of OFFING_TEST_DATA where that is set. Throws Error(device) where answers
+/// differ.
+void bench_viewshed(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
+
 /// From the start of a process to its first 256 x 256 frame of three cascades, with an empty kernel cache and
 /// with a filled one; nothing unless 256 is among the sizes.
 void bench_start(const Settings& settings, const Sinks& sinks);

@@ -125,6 +125,15 @@ int run_command_line(int argc, char** argv) {
     });
   });
 
+  CLI::App& viewshed = *app.add_subcommand(
+      "viewshed", "what is seen from a point against GDAL, on real maps too if OFFING_TEST_DATA is set");
+  add_options(viewshed, options);
+  viewshed.callback([&] {
+    run(options, [&](const auto& device, const bench::Sinks& sinks) {
+      bench::bench_viewshed(device, options.settings, sinks);
+    });
+  });
+
   CLI::App& first_frame = *app.add_subcommand("first-frame", "what the start-up benchmark starts");
   first_frame.group("");
   first_frame.add_option("--device", options.settings.device);

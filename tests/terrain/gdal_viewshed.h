@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "host/base/height_map.h"
@@ -8,9 +9,20 @@
 
 namespace offing::test {
 
-/// What GDAL's viewshed says, [rows][columns], 255 seen and 0 not, of an observer at a post: an approximate
-/// sweep over the posts. The map's heights as they are, voids filled.
-std::vector<std::uint8_t> gdal_viewshed(const offing::HeightMap& map,
-                                        const terrain::ViewshedParameters& parameters);
+/// GDAL's viewshed, an approximate sweep over the posts, of one map: its heights as they are, voids filled.
+class GdalViewshed {
+ public:
+  explicit GdalViewshed(const offing::HeightMap& map);
+
+  /// [rows][columns], 255 seen and 0 not; the observer is at a post.
+  std::vector<std::uint8_t> at(const terrain::ViewshedParameters& parameters) const;
+
+ private:
+  struct CloseDataset {
+    void operator()(void* dataset) const;
+  };
+  std::unique_ptr<void, CloseDataset> heights_;
+  int columns_, rows_;
+};
 
 }  // namespace offing::test

@@ -78,7 +78,7 @@ TEST_P(ViewshedDataTest, AgreesWithDoublePrecision) {
 // valley 97.3 % do, and 99.1 % from 10 m on: what is hidden far off is then decided in the first cells, where
 // neighbours see little alike.
 TEST_P(ViewshedDataTest, AgreesWithGdal) {
-  const std::vector<std::uint8_t> expected = test::gdal_viewshed(map_, parameters_);
+  const std::vector<std::uint8_t> expected = test::GdalViewshed(map_).at(parameters_);
   std::size_t unlike = 0, only_ours = 0;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     unlike += seen_[i] == expected[i] ? 0 : 1;
