@@ -10,6 +10,7 @@
 #include "host/base/argument.h"
 #include "host/base/error_report.h"
 #include "host/cli/device_choice.h"
+#include "host/cli/new_output.h"
 #include "host/cli/pictures/terrain_picture.h"
 #include "host/cli/store_field.h"
 #include "host/cli/terrain_camera.h"
@@ -17,6 +18,7 @@
 #include "host/cli/terrain_place.h"
 #include "host/io/exr_image.h"
 #include "host/io/file_presence.h"
+#include "host/io/height_maps/read_colour_map.h"
 
 namespace offing::cli {
 
@@ -29,7 +31,8 @@ struct TerrainRenderArguments {
   TerrainInput input;
   CacheFlags cache;
   std::string camera = "fly", size = "1280x720", output, depth, show = "light";
-  std::string field_of_view, sun, exposure, sea_level, tree_line, snow_line, samples = "auto";
+  std::string field_of_view, sun, exposure, sea_level, tree_line, snow_line, samples = "auto", colour;
+  std::string sky_visibility = "on";
   bool json = false;
   bool force = false;
 };
@@ -44,6 +47,11 @@ Camera read_camera(const TerrainRenderArguments& arguments, const CameraGround& 
   return camera;
 }
 
+bool read_switch(const char* flag, const std::string& text) {
+  if (text == "on" || text == "off") return text == "on";
+  throw bad_argument(flag, "on or off", text, "on");
+}
+
 TerrainScenery read_scenery(const TerrainRenderArguments& arguments, std::optional<double> latitude_deg) {
   TerrainScenery scenery{.sun_azimuth_rad = 225.0 * radians, .sun_elevation_rad = 30.0 * radians};
   if (!arguments.sun.empty()) {
@@ -52,6 +60,7 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, std::option
     scenery.sun_elevation_rad =
         read_number("--sun", fmt::format("{}", sun[1]), "degrees", -90.0, 90.0, "225,30") * radians;
   }
+  scenery.sees_horizons = read_switch("--sky-visibility", arguments.sky_visibility);
   if (latitude_deg) scenery.lines = world::cover_lines(*latitude_deg);
   const auto line = [](const char* flag, const std::string& text, double& height_m) {
     if (!text.empty()) height_m = read_number(flag, text, "m", -highest_line_m, highest_line_m, "2500");
@@ -75,12 +84,6 @@ TerrainShow read_show(const std::string& text) {
   throw bad_argument("--show", "light or steps", text, "steps");
 }
 
-void require_new(const TerrainRenderArguments& arguments, const std::string& file) {
-  if (file.empty() || arguments.force || !is_there(file)) return;
-  throw Error(ErrorKind::file, fmt::format("{}: is there already", one_line(file)),
-              "--force replaces it, or name another file");
-}
-
 void write_depth(const std::string& file, const Camera& camera, const std::vector<float>& distances_m) {
   const ExrImage image{
       .width = camera.width_px,
@@ -98,7 +101,8 @@ struct Rendered {
 Rendered render_map(const TerrainRenderArguments& arguments, const GlobalOptions& options, TerrainShow show) {
   const HeightMapFile file = arguments.input.read();
   const Camera camera = read_camera(arguments, camera_ground(file.map));
-  const TerrainScenery scenery = read_scenery(arguments, file.source.centre_latitude_deg);
+  TerrainScenery scenery = read_scenery(arguments, file.source.centre_latitude_deg);
+  if (!arguments.colour.empty()) scenery.colours = read_colour_map(arguments.colour, file.map);
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::HeightField field = make_field(file.map, device);
   options.cancel.throw_if_cancelled();
@@ -107,6 +111,10 @@ Rendered render_map(const TerrainRenderArguments& arguments, const GlobalOptions
 
 Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptions& options,
                       TerrainShow show) {
+  if (!arguments.colour.empty()) {
+    throw Error(ErrorKind::bad_usage, "--colour: expected a height map to lie on, found a store of tiles",
+                "leave it out: tiles are coloured by height and slope");
+  }
   const TileStore store(arguments.input.file());
   const TerrainScenery scenery = read_scenery(arguments, store.header().centre_latitude_deg);
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
@@ -119,8 +127,9 @@ Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptio
 
 void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) {
   const TerrainShow show = read_show(arguments.show);
-  require_new(arguments, arguments.output);
-  require_new(arguments, arguments.depth);
+  const Overwriting overwriting = arguments.force ? Overwriting::allowed : Overwriting::refused;
+  require_new(arguments.output, overwriting);
+  require_new(arguments.depth, overwriting);
   const auto [camera, picture] = is_tile_store(arguments.input.file())
                                      ? render_store(arguments, options, show)
                                      : render_map(arguments, options, show);
@@ -167,6 +176,11 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
   add("--sea-level-m", arguments->sea_level, "H", "ground at or below is water (default 0)");
   add("--tree-line-m", arguments->tree_line, "H", "where trees end (default by latitude, else 2000)");
   add("--snow-line-m", arguments->snow_line, "H", "where snow begins (default by latitude, else 2800)");
+  add("--colour", arguments->colour, "FILE",
+      "picture of the ground from above (GeoTIFF, PNG ...), by its georeference or else stretched over the "
+      "map");
+  add("--sky-visibility", arguments->sky_visibility, "SWITCH",
+      "on or off: whether ground around a place hides the sky's light from it (default on; not of tiles)");
   add("--samples", arguments->samples, "N",
       "rays a pixel, 1 to 4096; or auto: 16 where light or coverage change from pixel to pixel (default "
       "auto)");
@@ -181,6 +195,7 @@ FILE may also be a tile store of `offing terrain tile`.
 Examples:
   offing terrain render S33W071.tif -o andes.png
   offing terrain render S33W071.tif --camera walk --sun 300,12 --size 1920x1080 -o dusk.png --depth dusk.exr
+  offing terrain render dem.tif --colour orthophoto.tif --camera 4000,2500,9000,20,-15 -o valley.png
   offing terrain render heights.r16 --raw-size 1025x1025 --spacing-m 75 --show steps -o steps.png)");
   command->callback([arguments, &options] { run(*arguments, options); });
 }

@@ -6,7 +6,7 @@
 namespace offing::terrain {
 namespace {
 
-constexpr long long most_shares = 4'200'000;
+constexpr long long most_shares = 1'100'000;
 
 int count_of(int posts, int stride) {
   return (posts - 1 + stride - 1) / stride + 1;

@@ -14,7 +14,7 @@ namespace offing::terrain {
 /// hundredth of what walks for every pixel would.
 class OpenSky {
  public:
-  /// Enqueues. Of maps of more than 4 million posts, every second, fourth ... post gets a share of its own.
+  /// Enqueues. Of maps of more than 1.1 million posts, every second, fourth ... post gets a share of its own.
   OpenSky(const ocl::Device& device, const HeightField& field);
 
   /// [rows][columns], 255 for all the light that the post's own slope gets from an open sky.

@@ -70,6 +70,36 @@ TEST_F(TerrainRender, ShowsSteps) {
   EXPECT_LT(image.rgb[0], 60);
 }
 
+// A picture of one colour, stretched over the map: the ground is red, and greener without it. Fails if the
+// flag is read and dropped.
+TEST_F(TerrainRender, ColoursTheGround) {
+  const RgbImage red{2, 2, {200, 10, 10, 200, 10, 10, 200, 10, 10, 200, 10, 10}};
+  write_png(path("red.png"), red);
+  const std::vector<std::string> view{"--camera", "500,140,500,0,-90", "--size", "9x9", "--force"};
+  std::vector<std::string> coloured = view;
+  coloured.insert(coloured.end(), {"--colour", path("red.png")});
+  ASSERT_EQ(render(coloured).exit_code, 0);
+  const RgbImage with = read_png(path("out.png"));
+  EXPECT_GT(with.rgb[0], 2 * with.rgb[1]);
+  ASSERT_EQ(render(view).exit_code, 0);
+  const RgbImage without = read_png(path("out.png"));
+  EXPECT_LT(without.rgb[0], 2 * without.rgb[1]);
+}
+
+// Automatic samples are for the horizon, where ground and sky meet. Fails if --samples does nothing.
+TEST_F(TerrainRender, CastsManyRaysAPixel) {
+  const auto refined_share = [&](const std::string& samples) {
+    const ProgramResult result =
+        render({"--camera", "walk", "--size", "8x65", "--samples", samples, "--force", "--json"});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return nlohmann::json::parse(result.output)["refined_share"].get<double>();
+  };
+  EXPECT_EQ(refined_share("1"), 0.0);
+  EXPECT_EQ(refined_share("4"), 1.0);
+  EXPECT_GT(refined_share("auto"), 0.0);
+  EXPECT_LT(refined_share("auto"), 0.5);
+}
+
 TEST_F(TerrainRender, RefusesWithAHint) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--camera", "stand"},
                                                     {"--camera", "1,2,3,4"},
@@ -81,6 +111,10 @@ TEST_F(TerrainRender, RefusesWithAHint) {
                                                     {"--sun", "10,100"},
                                                     {"--show", "light,steps"},
                                                     {"--snow-line-m", "high"},
+                                                    {"--samples", "0"},
+                                                    {"--samples", "many"},
+                                                    {"--sky-visibility", "some"},
+                                                    {"--colour", "none.png"},
                                                     {"--exposure-ev", "nan"}}) {
     const ProgramResult result = render(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments.back();

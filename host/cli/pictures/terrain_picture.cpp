@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <type_traits>
 
 #include <glm/geometric.hpp>
 
@@ -49,8 +51,15 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
           .eye_altitude_m = std::max(0.0, camera.eye_m.y - scenery.lines.sea_level_m)});
   const TerrainLight light = world::terrain_light(sky.read_illuminance(), atmosphere, scenery.lines);
   ocl::Buffer<terrain::Texel> ground(device, hits.size(), "terrain image");
+  std::optional<terrain::ColourLayer> colours;
+  std::optional<terrain::OpenSky> open_sky;
+  terrain::GroundLook look{.sampling = scenery.sampling};
+  if (scenery.colours) look.colours = &colours.emplace(device, *scenery.colours);
+  if constexpr (std::is_same_v<Field, terrain::HeightField>) {
+    if (scenery.sees_horizons) look.open_sky = &open_sky.emplace(device, field);
+  }
   terrain::TerrainShade shade(device);
-  shade.at(field, camera, hits, {light, sky.params(), sky.view_table()}, ground, {.sampling = scenery.sampling});
+  shade.at(field, camera, hits, {light, sky.params(), sky.view_table()}, ground, look);
   picture.refined_share = shade.refined_share();
   const std::vector<terrain::Texel> texels = ground.read();
   const sky::SkyLight seen = sky.read_light(open_directions(camera, texels));

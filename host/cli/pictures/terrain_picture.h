@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "host/base/camera.h"
+#include "host/base/colour_map.h"
 #include "host/io/png_image.h"
 #include "host/sky/clear_sky.h"
 #include "host/terrain/height_field.h"
@@ -20,6 +21,8 @@ struct TerrainScenery {
   world::CoverLines lines = {};
   double exposure_ev = 0.0;  ///< stops above what the light asks for
   terrain::Sampling sampling = {};
+  std::optional<ColourMap> colours = {};  ///< none: cover by height and slope
+  bool sees_horizons = true;              ///< whether ground hides the sky from ground
 };
 
 /// What a picture shows.
