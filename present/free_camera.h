@@ -20,17 +20,22 @@ struct CameraInput {
   bool moves() const { return move != glm::dvec3(0.0) || turn_px != glm::dvec2(0.0); }
 };
 
-/// Height of the water above its mean at a place, m.
-using WaterHeight = std::function<double(double x_m, double z_m)>;
+/// Height at a place of the water or the ground, whichever is higher, above the water's mean, m.
+using SurfaceHeight = std::function<double(double x_m, double z_m)>;
 
-/// A camera that flies over the water, as far as a scene file lets eyes be. Where it stands still it stays,
-/// though waves may reach it.
+/// A camera that flies over water and ground, as far as a scene file lets eyes be. Where it stands still it
+/// stays, though waves may reach it.
 class FreeCamera {
  public:
   explicit FreeCamera(const Camera& start);
 
-  /// Moves by what was asked for in so much time, not into the water. `water_m` is asked only if it moves.
-  void advance(const CameraInput& input, double seconds, const WaterHeight& water_m);
+  /// Moves by what was asked for in so much time, not into water or ground. `surface_m` is asked only if it
+  /// moves.
+  void advance(const CameraInput& input, double seconds, const SurfaceHeight& surface_m);
+  /// Turns by what was asked for, without moving.
+  void look(const CameraInput& input);
+  /// Up out of a surface of this height, if it is in it.
+  void rise_above(double surface_m);
   /// Back to where it began.
   void reset();
   /// To where another camera is, with the picture's size as it is.

@@ -34,7 +34,7 @@ class PictureMaker {
     scene::ViewScene view = scene::show_at(world_, scene_, time_s);
     view.camera.width_px = size_.width;
     view.camera.height_px = size_.height;
-    const double exposure = light_meter_.exposure(world_.sky(), view.camera, view.exposure_ev);
+    const double exposure = light_meter_.exposure(world_, view.camera, view.exposure_ev);
     if (cancel.cancelled()) return false;
     frame_.draw(world_, {.camera = view.camera, .exposure = exposure});
     if (cancel.cancelled()) return false;

@@ -10,7 +10,7 @@ namespace offing::present {
 
 std::span<const KeyBinding> key_bindings() {
   using enum ViewAction;
-  static constexpr std::array<KeyBinding, 15> bindings{{
+  static constexpr std::array<KeyBinding, 19> bindings{{
       {GLFW_KEY_H, "H", toggle_help, "this help"},
       {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
       {GLFW_KEY_SPACE, "Space", toggle_pause, "pause"},
@@ -21,6 +21,10 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_BACKSPACE, "Backspace", real_time, "real time"},
       {GLFW_KEY_G, "G", toggle_wireframe, "wireframe of the grid"},
       {GLFW_KEY_V, "V", next_debug_view, "next debug view"},
+      {GLFW_KEY_F, "F", toggle_walk, "on foot, or flying again"},
+      {GLFW_KEY_M, "M", toggle_map, "map of the ground; a click on it goes there"},
+      {GLFW_KEY_T, "T", toggle_steps, "steps that rays take to the ground"},
+      {GLFW_KEY_P, "P", pick_ray, "nodes that the ray under the mouse meets; into the sky: none"},
       {GLFW_KEY_F12, "F12", take_screenshot, "picture without panels, in the folder of the start"},
       {GLFW_KEY_F5, "F5", reload, "read kernels and shaders again"},
       {GLFW_KEY_F11, "F11", toggle_fullscreen, "full screen"},
@@ -31,13 +35,14 @@ std::span<const KeyBinding> key_bindings() {
 }
 
 std::span<const CameraControl> camera_controls() {
-  static constexpr std::array<CameraControl, 6> controls{{
+  static constexpr std::array<CameraControl, 7> controls{{
       {"W S", "forward, back"},
       {"A D", "left, right"},
       {"E Q", "up, down"},
-      {"Shift, Ctrl", "five times faster, slower"},
+      {"Shift, Ctrl", "five times faster (on foot: running), slower"},
       {"Mouse drag", "look around"},
       {"Wheel", "speed"},
+      {"Middle click", "to that point of the ground"},
   }};
   return controls;
 }

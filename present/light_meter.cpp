@@ -1,6 +1,8 @@
 #include "present/light_meter.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -14,14 +16,25 @@ constexpr double key = 0.36;
 // Below this light, deep dusk, pictures grow dark as the eye's do.
 constexpr double least_kcdpm2 = 1e-4;
 
-std::vector<std::array<double, 3>> metered_directions(const Camera& camera) {
+// Of ground between woods and scree.
+constexpr double mean_albedo = 0.2;
+
+double level_ground_kcdpm2(const world::World& world) {
+  const sky::Illuminance& light = world.illuminance();
+  const double level_sun = std::max(0.0, static_cast<double>(world.sky().params().sun_direction_y));
+  return mean_albedo / std::numbers::pi *
+         (level_sun * sky::luminance(light.sun_klx) + sky::luminance(light.sky_klx));
+}
+
+std::vector<std::array<double, 3>> metered_directions(const Camera& camera, bool has_water) {
   std::vector<std::array<double, 3>> directions;
   for (int row = 0; row < meter_rows; ++row) {
     for (int column = 0; column < meter_columns; ++column) {
       const glm::dvec2 clip((2.0 * column + 1.0) / meter_columns - 1.0, (2.0 * row + 1.0) / meter_rows - 1.0);
       const glm::dvec3 ray = glm::normalize(ray_direction(camera, clip));
       // Water mirrors the sky above it; grazing rays see it higher up, where waves turn toward the eye.
-      const glm::dvec3 seen = glm::normalize(glm::dvec3(ray.x, std::abs(ray.y) + 0.02, ray.z));
+      const glm::dvec3 mirrored = glm::normalize(glm::dvec3(ray.x, std::abs(ray.y) + 0.02, ray.z));
+      const glm::dvec3 seen = has_water || ray.y >= 0.0 ? mirrored : ray;
       directions.push_back({seen.x, seen.y, seen.z});
     }
   }
@@ -30,15 +43,22 @@ std::vector<std::array<double, 3>> metered_directions(const Camera& camera) {
 
 }  // namespace
 
-double LightMeter::exposure(const sky::ClearSky& sky, const Camera& camera, double ev) {
-  std::vector<std::array<double, 3>> directions = metered_directions(camera);
-  if (sky.revision() != revision_ || directions != directions_) {
+double LightMeter::exposure(const world::World& world, const Camera& camera, double ev) {
+  const sky::ClearSky& sky = world.sky();
+  const bool has_water = world.has_sea() || !world.ground();
+  std::vector<std::array<double, 3>> directions = metered_directions(camera, has_water);
+  if (sky.revision() != revision_ || directions != directions_ || has_water != has_water_) {
+    const double ground_kcdpm2 = level_ground_kcdpm2(world);
+    const sky::SkyLight light = sky.read_light(directions);
     double log_sum = 0.0;
-    for (const sky::Rgb& light : sky.read_light(directions).sky_kcdpm2) {
-      log_sum += std::log(sky::luminance(light) + least_kcdpm2);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const bool is_ground = !has_water && directions[i][1] < 0.0;
+      const double seen_kcdpm2 = is_ground ? ground_kcdpm2 : sky::luminance(light.sky_kcdpm2[i]);
+      log_sum += std::log(seen_kcdpm2 + least_kcdpm2);
     }
     mean_stops_ = log_sum / std::log(2.0) / static_cast<double>(directions.size());
     revision_ = sky.revision();
+    has_water_ = has_water;
     directions_ = std::move(directions);
   }
   return key * std::exp2(ev - mean_stops_);

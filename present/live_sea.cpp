@@ -1,7 +1,10 @@
 #include "present/live_sea.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "host/base/error.h"
@@ -60,14 +63,19 @@ void LiveSea::reload() {
   frame_ = std::move(frame);
 }
 
-double LiveSea::water_height_m(double x_m, double z_m) {
-  const std::array<ocean::WaterPoint, 1> point{{{x_m, z_m}}};
-  return world_->sample(point, {.fields = ocean::WaterQuery::Fields::surface}).front().height_m;
+double LiveSea::surface_height_m(double x_m, double z_m) {
+  double height_m = -std::numeric_limits<double>::infinity();
+  if (world_->has_sea()) {
+    const std::array<ocean::WaterPoint, 1> point{{{x_m, z_m}}};
+    height_m = world_->sample(point, {.fields = ocean::WaterQuery::Fields::surface}).front().height_m;
+  }
+  if (ground() == nullptr) return height_m;
+  const std::optional<terrain::GroundPoint> below = ground()->ground_at(x_m, z_m);
+  return below ? std::max(height_m, below->height_m) : height_m;
 }
 
 void LiveSea::simulate(const SeaView& view) {
-  run_stage(frame_->times(), Stage::simulate, device_,
-            [&] { world_->at(view.time_s, view.camera.eye_m.y); });
+  run_stage(frame_->times(), Stage::simulate, device_, [&] { world_->at(view.time_s, view.camera.eye_m.y); });
 }
 
 void LiveSea::draw(const SeaView& view) {
@@ -75,14 +83,13 @@ void LiveSea::draw(const SeaView& view) {
   view_ = view;
   scene::set_view(*world_, now);
   simulate(view);
-  exposure_ = light_meter_.exposure(world_->sky(), view.camera, now.exposure_ev);
-  frame_->draw(*world_,
-               {.camera = view.camera,
-                .exposure = exposure_,
-                .debug = view.debug,
-                .fill = view.fill,
-                .ground = view.ground,
-                .ground_scale = view.ground_scale});
+  exposure_ = light_meter_.exposure(*world_, view.camera, now.exposure_ev);
+  frame_->draw(*world_, {.camera = view.camera,
+                         .exposure = exposure_,
+                         .debug = view.debug,
+                         .fill = view.fill,
+                         .ground = view.ground,
+                         .ground_scale = view.ground_scale});
 }
 
 void LiveSea::write(const std::filesystem::path& path) const {

@@ -44,9 +44,12 @@ class LiveSea {
   /// Compiles kernels and shaders again, from where they come from (ocl::Program, shader_file()).
   void reload();
 
-  /// Height of the last picture's water above its mean at a place, m. Throws Error(bad_input) where no point
-  /// may be (farthest_point_m).
-  double water_height_m(double x_m, double z_m);
+  /// Height of the last picture's water or of the ground at a place, whichever is higher, above the water's
+  /// mean, m; -inf where there is neither. Throws Error(bad_input) where no point of the water may be
+  /// (farthest_point_m).
+  double surface_height_m(double x_m, double z_m);
+  /// nullptr without ground.
+  world::GroundView* ground() { return world_->ground(); }
 
   /// Sun, air and exposure are those of the scene at that time. Throws what scene::view_at() throws.
   void draw(const SeaView& view);

@@ -11,6 +11,7 @@
 
 #include "host/scene/parameter_table.h"
 #include "present/key_bindings.h"
+#include "present/ray_overlay.h"
 #include "present/time_graph.h"
 
 namespace offing::present {
@@ -93,6 +94,25 @@ void draw_group(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
   }
 }
 
+/// Whether a scene has what a group says something about.
+bool is_in(const scene::OceanScene& scene, ParameterGroup group) {
+  switch (group) {
+    case ParameterGroup::wind:
+    case ParameterGroup::sea:
+    case ParameterGroup::grid:
+    case ParameterGroup::swell:
+    case ParameterGroup::raindrop:
+    case ParameterGroup::foam:
+      return scene.has_sea();
+    case ParameterGroup::terrain:
+    case ParameterGroup::height_map:
+    case ParameterGroup::walk:
+      return scene.terrain.is_given;
+    default:
+      return true;
+  }
+}
+
 void draw_clock(ViewState& state) {
   const double frame_s = 1.0 / state.scene.frames_per_second;
   if (ImGui::Button(state.clock.is_paused() ? "run##clock" : "pause##clock")) state.clock.toggle_pause();
@@ -108,8 +128,31 @@ void draw_clock(ViewState& state) {
   }
 }
 
-void draw_view(ViewState& state) {
+void draw_ground_view(ViewState& state, const ViewFacts& facts) {
+  bool shows_steps = state.ground == GroundShow::steps;
+  if (ImGui::Checkbox("steps of rays", &shows_steps)) {
+    state.ground = shows_steps ? GroundShow::steps : GroundShow::light;
+  }
+  ImGui::SameLine();
+  ImGui::Checkbox("map", &state.shows_map);
+  constexpr std::array<const char*, 5> names{"each pixel", "3/4 of the pixels", "1/2 of the pixels",
+                                             "1/4 of the pixels", "by the frame's time"};
+  if (ImGui::BeginCombo("rays", names[static_cast<std::size_t>(state.rays)])) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const auto choice = static_cast<RayChoice>(i);
+      if (ImGui::Selectable(names[i], choice == state.rays)) state.rays = choice;
+    }
+    ImGui::EndCombo();
+  }
+  if (state.rays != RayChoice::automatic) return;
+  ImGui::SliderFloat("wanted frame", &state.wanted_frame_ms, 4.0f, 200.0f, "%.0f ms",
+                     ImGuiSliderFlags_AlwaysClamp);
+  ImGui::TextDisabled("now %s", names[facts.ray_rung]);
+}
+
+void draw_view(ViewState& state, const ViewFacts& facts) {
   if (!ImGui::CollapsingHeader("View")) return;
+  if (facts.ground) draw_ground_view(state, facts);
   if (ImGui::BeginCombo("show", std::string(to_string(state.debug)).c_str())) {
     for (const DebugView view : all_debug_views) {
       if (ImGui::Selectable(std::string(to_string(view)).c_str(), view == state.debug)) state.debug = view;
@@ -164,8 +207,10 @@ void draw_main_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits
   ImGui::Begin("Offing", nullptr, ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoResize);
   ImGui::PushItemWidth(11.0f * ImGui::GetFontSize());
   draw_clock(state);
-  draw_view(state);
-  for (const GroupPanel& panel : group_panels()) draw_group(panel, state, edits);
+  draw_view(state, facts);
+  for (const GroupPanel& panel : group_panels()) {
+    if (is_in(state.scene, panel.group)) draw_group(panel, state, edits);
+  }
   draw_file(state, edits);
   draw_times(state, facts);
   ImGui::PopItemWidth();
@@ -195,6 +240,12 @@ void draw_help() {
   ImGui::End();
 }
 
+void draw_ground_layers(const ViewState& state, const ViewFacts& facts, PanelEdits& edits) {
+  if (state.pick) draw_ray_overlay(*state.pick, *facts.ground, state.camera.camera());
+  if (state.ground == GroundShow::steps) draw_step_legend();
+  if (state.shows_map && facts.map) edits.wanted_place = facts.map->draw(state.camera.camera());
+}
+
 void draw_message(Message& message) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(0.0f, screen.y), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
@@ -215,12 +266,15 @@ void draw_message(Message& message) {
 }  // namespace
 
 std::span<const GroupPanel> group_panels() {
-  static constexpr std::array<GroupPanel, 12> panels{{{ParameterGroup::wind, "Wind"},
+  static constexpr std::array<GroupPanel, 15> panels{{{ParameterGroup::wind, "Wind"},
                                                       {ParameterGroup::sea, "Spectrum"},
                                                       {ParameterGroup::grid, "Cascades and Gerstner waves"},
                                                       {ParameterGroup::swell, "Swells"},
                                                       {ParameterGroup::raindrop, "Raindrops"},
                                                       {ParameterGroup::foam, "Foam"},
+                                                      {ParameterGroup::terrain, "Ground"},
+                                                      {ParameterGroup::height_map, "Height map"},
+                                                      {ParameterGroup::walk, "Walk"},
                                                       {ParameterGroup::sun, "Sun"},
                                                       {ParameterGroup::sky, "Air"},
                                                       {ParameterGroup::camera, "Camera"},
@@ -239,6 +293,7 @@ PanelEdits draw_panels(ViewState& state, const ViewFacts& facts) {
   PanelEdits edits;
   if (state.shows_panels) draw_main_panel(state, facts, edits);
   if (state.shows_help) draw_help();
+  if (facts.ground) draw_ground_layers(state, facts, edits);
   if (!state.message.text.empty()) draw_message(state.message);
   return edits;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -8,13 +10,15 @@
 #include "host/scene/ocean_scene.h"
 #include "host/scene/parameter.h"
 #include "host/scene/scene_writer.h"
+#include "present/frame_request.h"
 #include "present/free_camera.h"
 #include "present/gl_context.h"
+#include "present/ground_pick.h"
+#include "present/mini_map.h"
 #include "present/parameter_widget.h"
 #include "present/scene_clock.h"
 #include "present/stage_times.h"
 #include "present/transfer.h"
-#include "present/water_pass.h"
 
 namespace offing::present {
 
@@ -33,6 +37,10 @@ struct GroupPanel {
 };
 std::span<const GroupPanel> group_panels();
 
+/// For how many of the picture's pixels rays are cast at the ground: rungs of ray_shares, or one that the
+/// time of a frame chooses.
+enum class RayChoice { all, three_quarters, half, quarter, automatic };
+
 /// Everything that keys and panels change, and the window shows.
 struct ViewState {
   scene::OceanScene scene;  ///< as edited; its view's camera is the one that flies
@@ -40,10 +48,15 @@ struct ViewState {
   SceneClock clock;
   DebugView debug = DebugView::none;
   Fill fill = Fill::solid;
+  GroundShow ground = GroundShow::light;
+  RayChoice rays = RayChoice::all;
+  float wanted_frame_ms = 33.0f;  ///< of RayChoice::automatic
+  std::optional<GroundPick> pick = {};
   float frame_limit_hz = 60.0f;  ///< 0: none
   float render_scale = 1.0f;     ///< pixels that are drawn a pixel of the window, along a side
   bool shows_panels = true;
   bool shows_help = false;
+  bool shows_map = false;
   TimeSource shown_times = TimeSource::cpu;
   std::string save_name = {};  ///< file that the edited scene is to be saved as
   scene::Existing overwriting = scene::Existing::keep;
@@ -58,6 +71,9 @@ struct ViewFacts {
   const ocl::DeviceInfo& device;
   TransferRung transfer;
   int width_px, height_px;  ///< of the picture that is drawn
+  const world::GroundView* ground = nullptr;
+  const MiniMap* map = nullptr;
+  std::size_t ray_rung = 0;  ///< of ray_shares, that the ground was seen with
 };
 
 /// What the user asked for in one frame, and panels cannot do by themselves.
@@ -65,7 +81,8 @@ struct PanelEdits {
   Edit scene = Edit::none;  ///< of all but the camera
   bool is_camera_moved = false;
   bool wants_save = false;
-  bool wants_original = false;  ///< the scene as it was when the window opened
+  bool wants_original = false;                  ///< the scene as it was when the window opened
+  std::optional<glm::dvec2> wanted_place = {};  ///< of the camera, east and south: a click on the map
 };
 
 /// Draws all panels between PanelLayer::begin() and end().

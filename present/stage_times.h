@@ -38,6 +38,7 @@ class StageTimes {
     StageTimes& times_;
     Stage stage_;
     std::chrono::steady_clock::time_point start_;
+    bool is_queried_ = false;
   };
 
   /// Ends a frame: its times enter the history. Queries are read a few frames later, so that nobody waits.

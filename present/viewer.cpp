@@ -16,6 +16,7 @@
 #include "host/base/error.h"
 #include "host/base/log.h"
 #include "host/scene/moving_view.h"
+#include "host/scene/scene_ground.h"
 #include "host/scene/scene_writer.h"
 #include "present/picture_file.h"
 
@@ -139,6 +140,18 @@ void Viewer::act(ViewAction action) {
       state_.debug = all_debug_views[next % all_debug_views.size()];
       break;
     }
+    case ViewAction::toggle_walk:
+      if (pilot_.toggle_walk(state_, sea_)) leave_path();
+      break;
+    case ViewAction::toggle_steps:
+      state_.ground = state_.ground == GroundShow::light ? GroundShow::steps : GroundShow::light;
+      break;
+    case ViewAction::toggle_map:
+      state_.shows_map = !state_.shows_map;
+      break;
+    case ViewAction::pick_ray:
+      pick_ray();
+      break;
     case ViewAction::take_screenshot:
       take_screenshot();
       break;
@@ -163,8 +176,20 @@ void Viewer::act(ViewAction action) {
 void Viewer::move_camera(double wall_s) {
   const CameraInput input = input_.take_camera_input();
   if (is_on_path_ && input.moves()) leave_path();
-  state_.camera.advance(input, wall_s,
-                        [this](double x_m, double z_m) { return sea_.water_height_m(x_m, z_m); });
+  for (const glm::dvec2 clip : input_.take_clicks()) {
+    if (pilot_.go_through(state_, sea_, clip)) leave_path();
+  }
+  if (!is_on_path_) pilot_.move(state_, sea_, input, wall_s);
+}
+
+void Viewer::pick_ray() {
+  state_.pick.reset();
+  if (!sea_.ground() || !sea_.ground()->is_in_reach()) return;
+  state_.pick = pick_ground(*sea_.ground(), state_.camera.camera(), input_.pointer());
+}
+
+std::size_t Viewer::ray_rung() const {
+  return state_.rays == RayChoice::automatic ? ladder_.rung() : static_cast<std::size_t>(state_.rays);
 }
 
 /// From here on the camera is the user's.
@@ -198,9 +223,22 @@ bool Viewer::show() {
   const int swap_interval = state_.frame_limit_hz > 0.0f ? 1 : 0;
   if (std::exchange(swap_interval_, swap_interval) != swap_interval) glfwSwapInterval(swap_interval);
   glfwSwapBuffers(window());
-  sea_.frame().times().end_frame();
+  end_frame();
   apply(edits);
   return true;
+}
+
+void Viewer::end_frame() {
+  StageTimes& times = sea_.frame().times();
+  times.end_frame();
+  const auto last_ms = [&](Stage stage) {
+    return static_cast<double>(times.history_ms(stage, TimeSource::cpu).back());
+  };
+  double frame_ms = 0.0;
+  for (std::size_t i = 0; i < stage_count; ++i) frame_ms += last_ms(static_cast<Stage>(i));
+  if (state_.rays == RayChoice::automatic) {
+    ladder_.note(frame_ms, last_ms(Stage::terrain), state_.wanted_frame_ms);
+  }
 }
 
 void Viewer::draw_sea(int width, int height) {
@@ -212,9 +250,17 @@ void Viewer::draw_sea(int width, int height) {
   camera.width_px = std::max(1, static_cast<int>(std::lround(width * scale)));
   camera.height_px = std::max(1, static_cast<int>(std::lround(height * scale)));
   try {
-    if (is_on_path_) state_.camera.place(scene::view_at(options_.scene, state_.clock.time_s()).camera);
-    sea_.draw(
-        {.time_s = state_.clock.time_s(), .camera = camera, .debug = state_.debug, .fill = state_.fill});
+    if (is_on_path_) {
+      scene::ViewScene now = scene::view_at(options_.scene, state_.clock.time_s());
+      if (sea_.ground()) scene::stand_on_ground(*sea_.ground(), now);
+      state_.camera.place(now.camera);
+    }
+    sea_.draw({.time_s = state_.clock.time_s(),
+               .camera = camera,
+               .debug = state_.debug,
+               .fill = state_.fill,
+               .ground = state_.ground,
+               .ground_scale = ScaleLadder::side_scale(ray_rung())});
     drawn_s_ = state_.clock.time_s();
   } catch (const Error& error) {
     // A time that the scene does not have, such as one beyond the sun's calendar: a recording ends there, the
@@ -240,19 +286,24 @@ void Viewer::copy_to_window(int width, int height) {
 
 PanelEdits Viewer::draw_panels() {
   Frame& frame = sea_.frame();
+  if (sea_.ground() && state_.shows_map) map_.show(sea_.ground()->parameters());
   panels_.begin();
   const PanelEdits edits = present::draw_panels(state_, {.times = frame.times(),
                                                          .capabilities = context_.capabilities(),
                                                          .device = sea_.device(),
                                                          .transfer = frame.transfer_rung(),
                                                          .width_px = frame.screen().width(),
-                                                         .height_px = frame.screen().height()});
+                                                         .height_px = frame.screen().height(),
+                                                         .ground = sea_.ground(),
+                                                         .map = &map_,
+                                                         .ray_rung = ray_rung()});
   panels_.end();
   return edits;
 }
 
 void Viewer::apply(const PanelEdits& edits) {
   if (edits.is_camera_moved && is_on_path_) leave_path();
+  if (edits.wanted_place && pilot_.go_to(state_, sea_, *edits.wanted_place)) leave_path();
   // The sea follows a slider while it is held, unless that would hold up the slider.
   constexpr double quick_s = 0.1;
   const bool follows = edits.scene == Edit::going_on && sea_.edit_s() < quick_s;
@@ -270,6 +321,7 @@ void Viewer::apply(const PanelEdits& edits) {
 void Viewer::edit_sea(Edit edit) {
   try {
     sea_.edit(state_.scene);
+    state_.pick.reset();  // the ground may be another one
     if (edit != Edit::refused) state_.message = {.text = sea_.warning()};
   } catch (const Error& error) {
     state_.message = fault_message(error);

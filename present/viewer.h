@@ -5,11 +5,14 @@
 #include <optional>
 
 #include "host/base/cancel_token.h"
+#include "present/camera_pilot.h"
 #include "present/frame_limiter.h"
 #include "present/gl_context.h"
 #include "present/live_sea.h"
+#include "present/mini_map.h"
 #include "present/panel_layer.h"
 #include "present/panels.h"
+#include "present/scale_ladder.h"
 #include "present/view_options.h"
 #include "present/window_input.h"
 
@@ -35,11 +38,14 @@ class Viewer {
   void act(ViewAction action);
   void move_camera(double wall_s);
   void leave_path();
+  void pick_ray();
+  std::size_t ray_rung() const;
   void reset_camera();
   void take_screenshot();
   void toggle_fullscreen();
   bool show();
   void draw_sea(int width, int height);
+  void end_frame();
   void copy_to_window(int width, int height);
   PanelEdits draw_panels();
   void apply(const PanelEdits& edits);
@@ -55,6 +61,9 @@ class Viewer {
   ViewState state_;
   WindowInput input_;
   PanelLayer panels_;
+  CameraPilot pilot_;
+  MiniMap map_;
+  ScaleLadder ladder_;
   FrameLimiter limiter_;
   double last_turn_s_;
   double drawn_s_;   // time of the last picture; before the first one, of that

@@ -28,11 +28,13 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
   glfwSetWindowUserPointer(window, this);
   glfwSetKeyCallback(window, on_key);
   glfwSetScrollCallback(window, on_wheel);
+  glfwSetMouseButtonCallback(window, on_button);
 }
 
 WindowInput::~WindowInput() {
   glfwSetKeyCallback(window_, nullptr);
   glfwSetScrollCallback(window_, nullptr);
+  glfwSetMouseButtonCallback(window_, nullptr);
   glfwSetWindowUserPointer(window_, nullptr);
 }
 
@@ -46,6 +48,24 @@ void WindowInput::on_key(GLFWwindow* window, int key, int, int action, int) {
 
 void WindowInput::on_wheel(GLFWwindow* window, double, double y) {
   if (!panels_want_mouse()) input_of(window).wheel_ += y;
+}
+
+void WindowInput::on_button(GLFWwindow* window, int button, int action, int) {
+  if (button != GLFW_MOUSE_BUTTON_MIDDLE || action != GLFW_PRESS || panels_want_mouse()) return;
+  WindowInput& input = input_of(window);
+  input.clicks_.push_back(input.pointer());
+}
+
+std::vector<glm::dvec2> WindowInput::take_clicks() {
+  return std::exchange(clicks_, {});
+}
+
+glm::dvec2 WindowInput::pointer() const {
+  double x = 0.0, y = 0.0;
+  int width = 1, height = 1;
+  glfwGetCursorPos(window_, &x, &y);
+  glfwGetWindowSize(window_, &width, &height);
+  return {2.0 * (x + 0.5) / width - 1.0, 1.0 - 2.0 * (y + 0.5) / height};
 }
 
 bool WindowInput::is_held(int key) const {

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "present/free_camera.h"
 #include "present/key_bindings.h"
 
@@ -22,15 +24,21 @@ class WindowInput {
   /// What was asked for since the last call, in order.
   std::vector<ViewAction> take_actions();
   CameraInput take_camera_input();
+  /// Where the middle button went down since the last call, in clip coordinates of the window.
+  std::vector<glm::dvec2> take_clicks();
+  /// Where the mouse is, in clip coordinates of the window.
+  glm::dvec2 pointer() const;
 
  private:
   static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
   static void on_wheel(GLFWwindow* window, double x, double y);
+  static void on_button(GLFWwindow* window, int button, int action, int modifiers);
 
   bool is_held(int key) const;
 
   GLFWwindow* window_;
   std::vector<ViewAction> actions_;
+  std::vector<glm::dvec2> clicks_;
   double wheel_ = 0.0;
   bool is_dragging_ = false;
   double drag_x_ = 0.0, drag_y_ = 0.0;  // where the mouse was

@@ -35,6 +35,8 @@ const char* title(ParameterGroup group) {
       return "Foam";
     case ParameterGroup::terrain:
       return "Ground";
+    case ParameterGroup::height_map:
+      return "Height map";
     case ParameterGroup::walk:
       return "Walk";
     case ParameterGroup::camera:

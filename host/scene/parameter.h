@@ -35,7 +35,23 @@ using Storage = std::variant<double& (*)(OceanScene&), std::optional<double>& (*
                              std::string& (*)(OceanScene&), std::optional<UtcTime>& (*)(OceanScene&),
                              std::vector<double>& (*)(OceanScene&), ChoiceStorage, ElementStorage>;
 
-enum class ParameterGroup { world, time, wind, sea, grid, swell, raindrop, foam, camera, sun, sky, render, terrain, walk };
+enum class ParameterGroup {
+  world,
+  time,
+  wind,
+  sea,
+  grid,
+  swell,
+  raindrop,
+  foam,
+  camera,
+  sun,
+  sky,
+  render,
+  terrain,
+  height_map,
+  walk
+};
 enum class ParameterRule { within_range, power_of_two };
 /// Whether a value may have keyframes (parameter_track.h), and goes from one to the next as an angle does.
 enum class ParameterMotion { constant, keyed, keyed_angle };

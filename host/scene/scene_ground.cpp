@@ -20,9 +20,9 @@ namespace offing::scene {
 namespace {
 
 /// Rows that say where heights are, or what covers them.
-constexpr std::array<std::string_view, 5> keys_beside_heights{
-    "terrain.origin_x_m", "terrain.origin_z_m", "terrain.water_line_m", "terrain.tree_line_m",
-    "terrain.snow_line_m"};
+constexpr std::array<std::string_view, 5> keys_beside_heights{"terrain.origin_x_m", "terrain.origin_z_m",
+                                                              "terrain.water_line_m", "terrain.tree_line_m",
+                                                              "terrain.snow_line_m"};
 
 struct Heights {
   std::shared_ptr<const HeightMap> map;
@@ -83,7 +83,7 @@ world::GroundParameters placed(const OceanScene& scene, const Heights& heights) 
 }
 
 bool is_of_heights(const Parameter& row) {
-  return row.group == ParameterGroup::terrain &&
+  return (row.group == ParameterGroup::terrain || row.group == ParameterGroup::height_map) &&
          std::find(keys_beside_heights.begin(), keys_beside_heights.end(), row.key) ==
              keys_beside_heights.end();
 }

@@ -22,9 +22,9 @@ constexpr std::array<std::string_view, 8> indirect_keys = {
 
 /// Rows that only pictures of the presenter depend on: no sea does.
 bool is_of_pictures(const Parameter& row) {
-  return row.group == ParameterGroup::camera || row.group == ParameterGroup::sun ||
-         row.group == ParameterGroup::sky || row.group == ParameterGroup::render ||
-         row.group == ParameterGroup::terrain || row.group == ParameterGroup::walk ||
+  using enum ParameterGroup;
+  constexpr std::array groups{camera, sun, sky, render, terrain, height_map, walk};
+  return std::find(groups.begin(), groups.end(), row.group) != groups.end() ||
          row.use == ParameterUse::dated_sun;
 }
 

@@ -32,7 +32,7 @@ ChoiceStorage reprojections() {
 }
 
 std::vector<Parameter> file_rows() {
-  constexpr auto group = ParameterGroup::terrain;
+  constexpr auto group = ParameterGroup::height_map;
   constexpr auto use = ParameterUse::terrain_file;
   return {
       {.key = "terrain.file",
@@ -40,6 +40,7 @@ std::vector<Parameter> file_rows() {
        .group = group,
        .storage = &member<ground, &TerrainScene::file>,
        .help = "height map: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR, .r16, .r32",
+       .example = "andes.tif",
        .absent = "none: made ground"},
       {.key = "terrain.vertical_scale",
        .flag = "",
@@ -89,8 +90,7 @@ std::vector<Parameter> file_rows() {
       {.key = "terrain.horizontal_unit",
        .flag = "",
        .group = group,
-       .storage =
-           choice<ground, reading, &HeightMapOptions::horizontal_unit>({"of_file", "metre", "degree"}),
+       .storage = choice<ground, reading, &HeightMapOptions::horizontal_unit>({"of_file", "metre", "degree"}),
        .help = "what coordinates count in, where the file does not say",
        .use = use},
       {.key = "terrain.encoding",

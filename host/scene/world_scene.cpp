@@ -24,6 +24,7 @@ SeaChange change_of(const Parameter& row) {
     case ParameterGroup::sky:
     case ParameterGroup::render:
     case ParameterGroup::terrain:
+    case ParameterGroup::height_map:
     case ParameterGroup::walk:
       return SeaChange::none;
     case ParameterGroup::swell:

@@ -46,7 +46,7 @@ class Renderer {
       world_.at(time_s_, view_.camera.eye_m.y);
       device_.finish();
     }
-    const double exposure = light_meter_.exposure(world_.sky(), view_.camera, view_.exposure_ev);
+    const double exposure = light_meter_.exposure(world_, view_.camera, view_.exposure_ev);
     frame_.draw(world_, {.camera = view_.camera, .exposure = exposure});
     glFinish();
     frame_.times().end_frame();
@@ -88,7 +88,8 @@ void measure(Renderer& renderer, const std::string& name, int size, int blocks, 
       stage_ms[s].push_back(renderer.stage_ms(static_cast<Stage>(s)));
     }
   }
-  for (const Stage stage : {Stage::simulate, Stage::terrain, Stage::transfer, Stage::sky, Stage::water, Stage::tone}) {
+  for (const Stage stage :
+       {Stage::simulate, Stage::terrain, Stage::transfer, Stage::sky, Stage::water, Stage::tone}) {
     row(fmt::format("{}_{}", name, to_string(stage)), stage_ms[static_cast<std::size_t>(stage)]);
   }
 }

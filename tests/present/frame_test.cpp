@@ -175,8 +175,8 @@ TEST_F(FrameTest, DoesNotShimmerAtTheHorizon) {
   camera_.height_px = 180;
   const auto screen = [&](int frame) {
     stage_->world.at(5.0 + frame / 24.0, camera_.eye_m.y);
-    stage_->frame.draw(stage_->world, {.camera = camera_,
-                                       .exposure = LightMeter().exposure(stage_->world.sky(), camera_, 0.0)});
+    stage_->frame.draw(stage_->world,
+                       {.camera = camera_, .exposure = LightMeter().exposure(stage_->world, camera_, 0.0)});
     return stage_->frame.screen().read_bytes();
   };
   constexpr int frames = 8, rows = 6;
@@ -291,9 +291,9 @@ TEST_F(FrameTest, ShowsHeightsAboveTheSea) {
 TEST_F(FrameTest, MetersAnewWhatHasChanged) {
   LightMeter meter;
   const auto is_as_of_a_new_one = [&] {
-    const double exposure = meter.exposure(stage_->world.sky(), camera_, 0.5);
-    EXPECT_EQ(exposure, meter.exposure(stage_->world.sky(), camera_, 0.5));
-    return exposure == LightMeter().exposure(stage_->world.sky(), camera_, 0.5);
+    const double exposure = meter.exposure(stage_->world, camera_, 0.5);
+    EXPECT_EQ(exposure, meter.exposure(stage_->world, camera_, 0.5));
+    return exposure == LightMeter().exposure(stage_->world, camera_, 0.5);
   };
   stage_->world.at(2.0, camera_.eye_m.y);
   EXPECT_TRUE(is_as_of_a_new_one());
@@ -309,8 +309,8 @@ TEST_F(FrameTest, ExposesForTheLight) {
   for (const double elevation_deg : {60.0, 10.0, 0.0, -4.0}) {
     stage_->world.set_sun(sky::direction_of(150.0 * degree, elevation_deg * degree), 1.0);
     stage_->world.at(2.0, camera_.eye_m.y);
-    stage_->frame.draw(stage_->world, {.camera = camera_,
-                                       .exposure = LightMeter().exposure(stage_->world.sky(), camera_, 0.0)});
+    stage_->frame.draw(stage_->world,
+                       {.camera = camera_, .exposure = LightMeter().exposure(stage_->world, camera_, 0.0)});
     double sum = 0.0;
     for (const unsigned char value : stage_->frame.screen().read_bytes()) sum += value;
     const double mean = sum / (3.0 * camera_.width_px * camera_.height_px);

@@ -94,7 +94,7 @@ TEST_F(LiveSeaTest, KnowsTheWaterBelowAPoint) {
   picture();
   double lowest_m = 0.0, highest_m = 0.0;
   for (int i = 0; i < 30; ++i) {
-    const double height_m = sea_->water_height_m(30.0 * i, 0.0);
+    const double height_m = sea_->surface_height_m(30.0 * i, 0.0);
     lowest_m = std::min(lowest_m, height_m);
     highest_m = std::max(highest_m, height_m);
   }

@@ -68,6 +68,11 @@ TEST_F(WindowKeysTest, EveryKeyDoesWhatItSays) {
       {ViewAction::real_time, [](const auto&, const auto& b) { return b.clock.scale() == 1.0; }},
       {ViewAction::toggle_wireframe, [](const auto& a, const auto& b) { return a.fill != b.fill; }},
       {ViewAction::next_debug_view, [](const auto& a, const auto& b) { return a.debug != b.debug; }},
+      {ViewAction::toggle_walk,
+       [](const auto&, const auto& b) { return b.message.text.find("no ground") != std::string::npos; }},
+      {ViewAction::toggle_steps, [](const auto& a, const auto& b) { return a.ground != b.ground; }},
+      {ViewAction::toggle_map, [](const auto& a, const auto& b) { return a.shows_map != b.shows_map; }},
+      {ViewAction::pick_ray, [](const auto&, const auto& b) { return !b.pick; }},  // window_ground_test.cpp
       {ViewAction::take_screenshot,
        [](const auto&, const auto& b) { return b.message.text.find("wrote ") == 0 && !b.message.is_fault; }},
       {ViewAction::reload,

@@ -191,9 +191,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"unknown_nested", "version = 1\n[[ocean.cascade]]\npatch = 3\n",
                  "storm.toml:3:1: ocean.cascade.patch: expected a known key, got \"patch\"",
                  "did you mean patch_m?"},
-        BadScene{"planned_section", "version = 1\n[terrain]\nfile = \"a.tif\"\n",
-                 "storm.toml:2:2: terrain: expected parts that this version has, got one that it has not yet",
-                 "remove terrain from the scene"},
+        BadScene{"planned_section", "version = 1\n[clouds]\ncount = 3\n",
+                 "storm.toml:2:2: clouds: expected parts that this version has, got one that it has not yet",
+                 "remove clouds from the scene"},
         BadScene{"planned_nested", "version = 1\n[ocean.wake]\nsize = 16\n",
                  "storm.toml:2:8: ocean.wake: expected parts that this version has, got one that it has not "
                  "yet",

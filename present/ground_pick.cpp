@@ -1,0 +1,21 @@
+#include "present/ground_pick.h"
+
+#include <cmath>
+#include <span>
+
+#include <glm/geometric.hpp>
+
+namespace offing::present {
+
+std::optional<GroundPick> pick_ground(world::GroundView& ground, const Camera& camera, glm::dvec2 clip) {
+  GroundPick pick{
+      .ray = {.origin_m = camera.eye_m, .direction = glm::normalize(ray_direction(camera, clip))}};
+  const TerrainHit hit = ground.field().cast(std::span(&pick.ray, 1)).front();
+  if (hit.kind == TERRAIN_MISS) return std::nullopt;
+  pick.distance_m = hit.distance_m;
+  pick.place_m = pick.ray.origin_m + pick.distance_m * pick.ray.direction;
+  pick.nodes = terrain::nodes_on_ray(ground.field(), pick.ray, pick.distance_m);
+  return pick;
+}
+
+}  // namespace offing::present
