@@ -111,12 +111,16 @@ Rendered render_map(const TerrainRenderArguments& arguments, const GlobalOptions
 
 Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptions& options,
                       TerrainShow show) {
-  if (!arguments.colour.empty()) {
-    throw Error(ErrorKind::bad_usage, "--colour: expected a height map to lie on, found a store of tiles",
-                "leave it out: tiles are coloured by height and slope");
-  }
   const TileStore store(arguments.input.file());
-  const TerrainScenery scenery = read_scenery(arguments, store.header().centre_latitude_deg);
+  const TileStoreHeader& header = store.header();
+  TerrainScenery scenery = read_scenery(arguments, header.centre_latitude_deg);
+  if (!arguments.colour.empty()) {
+    HeightMap place;
+    place.columns = header.shape.columns;
+    place.rows = header.shape.rows;
+    place.georeference = header.georeference;
+    scenery.colours = read_colour_map(arguments.colour, place);
+  }
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::TiledField field = make_field(store, device, arguments.cache);
   const Camera camera = read_camera(arguments, camera_ground(field));

@@ -42,7 +42,7 @@ class TerrainCrossDeviceTest : public testing::Test {
   }
 
   // Roots and exponentials of two implementations differ by ulps: 1e-3 cells (10 m) of distance and 1/255 of
-  // light are promised. A ray that grazes a ridge may differ by all there is: of 1,400 values five.
+  // light are promised. A ray that grazes a ridge may differ by all there is: of 3,400 values five.
   static void expect_same(const std::vector<float>& found, const std::vector<float>& expected) {
     ASSERT_EQ(found.size(), expected.size());
     ASSERT_FALSE(expected.empty());

@@ -1,6 +1,7 @@
-// ground_dump FILE: rays and a picture of a small map through every kernel of the terrain, on the device that
-// the environment names. FILE: distances in metres by all methods (1e6 where rays miss), then the picture's
-// light, then a viewshed.
+// ground_dump FILE: rays and pictures of a small map through every kernel of the terrain, on the device that
+// the environment names. FILE: distances in metres by all methods (1e6 where rays miss), then the pictures'
+// light: plain, and with a colour map over half of the ground, shares of the sky and automatic sampling;
+// then a viewshed.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -26,6 +27,17 @@ class Dump {
  private:
   std::ofstream file_;
 };
+
+/// 5 x 7 texels, every third not covered, over the west of the map.
+ColourMap coloured_squares() {
+  ColourMap map{.columns = 5, .rows = 7, .rgba = {}, .left = 0.0, .top = 1.0, .right = 25.0, .bottom = 37.0};
+  for (int i = 0; i < 35; ++i) {
+    for (const int value : {7 * i, 255 - 6 * i, 90, i % 3 == 0 ? 0 : 255}) {
+      map.rgba.push_back(static_cast<std::uint8_t>(value));
+    }
+  }
+  return map;
+}
 
 void dump_picture(const ocl::Device& device, terrain::HeightField& field, const Camera& camera, Dump& dump) {
   const auto pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
@@ -53,9 +65,17 @@ void dump_picture(const ocl::Device& device, terrain::HeightField& field, const 
                                  Texel{1.0f, 2.0f, 3.0f, 0.0f});
   const ocl::Buffer<Texel> view_table(device, table, "sky");
   ocl::Buffer<Texel> image(device, pixels, "image");
-  terrain::TerrainShade(device).at(field, camera, hits, {light, sky, view_table}, image);
-  for (const Texel& texel : image.read())
-    std::for_each(texel.begin(), texel.end(), [&](float v) { dump.add(v); });
+  terrain::TerrainShade shade(device);
+  const terrain::ColourLayer colours(device, coloured_squares());
+  const terrain::OpenSky open_sky(device, field);
+  for (const terrain::GroundLook& look :
+       {terrain::GroundLook{.sampling = {.rays = 1}},
+        terrain::GroundLook{.sampling = {}, .colours = &colours, .open_sky = &open_sky}}) {
+    shade.at(field, camera, hits, {light, sky, view_table}, image, look);
+    for (const Texel& texel : image.read()) {
+      std::for_each(texel.begin(), texel.end(), [&](float v) { dump.add(v); });
+    }
+  }
 }
 
 void dump_viewshed(const ocl::Device& device, const terrain::HeightField& field, Dump& dump) {

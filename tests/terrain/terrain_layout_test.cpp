@@ -4,6 +4,7 @@
 
 #include "kernels/shared/terrain.h"
 #include "kernels/shared/terrain_light.h"
+#include "kernels/shared/terrain_look.h"
 #include "kernels/shared/terrain_sight.h"
 #include "tests/ocl/shared_layout.h"
 
@@ -59,6 +60,14 @@ TEST(TerrainLayoutTest, TerrainSight) {
                       {"cell_x", "eye_above_m", "bend_x_m", "radius_share_z"}),
             (Layout{sizeof(S), offsetof(S, cell_x), offsetof(S, eye_above_m), offsetof(S, bend_x_m),
                     offsetof(S, radius_share_z)}));
+}
+
+TEST(TerrainLayoutTest, TerrainLook) {
+  using S = TerrainLook;
+  EXPECT_EQ(layout_of("shared/terrain_look.h", "TerrainLook",
+                      {"colour_columns", "colour_left", "open_sky_stride", "open_sky_rows"}),
+            (Layout{sizeof(S), offsetof(S, colour_columns), offsetof(S, colour_left),
+                    offsetof(S, open_sky_stride), offsetof(S, open_sky_rows)}));
 }
 
 }  // namespace
