@@ -9,6 +9,7 @@
 #include "tests/bench/benches.h"
 #include "tests/bench/embree_peer.h"
 #include "tests/bench/terrain_cameras.h"
+#include "tests/bench/terrain_frames.h"
 #include "tests/bench/terrain_maps.h"
 #include "tests/bench/terrain_steps.h"
 
@@ -161,6 +162,7 @@ void bench_map(const ocl::Device& device, const NamedMap& named, const Settings&
   for (const char* way : {"fly", "walk"}) {
     bench_cameras(device, named, way, field, peers.modes(), settings, sinks);
   }
+  bench_terrain_frames(device, named, field, settings, sinks);
   for (const CameraSteps& steps : camera_steps(field, device, terrain_cameras(named.map))) {
     require_agreement(named.name, steps);
     for (const auto& [method, of, ms] : steps.methods) {
