@@ -1,17 +1,19 @@
 // ground_dump FILE: rays and pictures of a small map through every kernel of the terrain, on the device that
 // the environment names. FILE: distances in metres by all methods (1e6 where rays miss), then the pictures'
 // light: plain, and with a colour map over half of the ground, shares of the sky and automatic sampling;
-// then a viewshed.
+// then a viewshed, and rays and pictures of a map in tiles.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "host/base/error.h"
 #include "host/terrain/terrain_shade.h"
 #include "host/terrain/viewshed.h"
-#include "tests/terrain/example_maps.h"
+#include "tests/terrain/example_tiles.h"
 
 namespace {
 
@@ -39,7 +41,8 @@ ColourMap coloured_squares() {
   return map;
 }
 
-void dump_picture(const ocl::Device& device, terrain::HeightField& field, const Camera& camera, Dump& dump) {
+template <class Field>
+void dump_picture(const ocl::Device& device, Field& field, const Camera& camera, Dump& dump) {
   const auto pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   ocl::Buffer<TerrainHit> hits(device, pixels, "hits");
   ocl::Buffer<float> distances_m(device, pixels, "distances");
@@ -67,10 +70,10 @@ void dump_picture(const ocl::Device& device, terrain::HeightField& field, const 
   ocl::Buffer<Texel> image(device, pixels, "image");
   terrain::TerrainShade shade(device);
   const terrain::ColourLayer colours(device, coloured_squares());
-  const terrain::OpenSky open_sky(device, field);
-  for (const terrain::GroundLook& look :
-       {terrain::GroundLook{.sampling = {.rays = 1}},
-        terrain::GroundLook{.sampling = {}, .colours = &colours, .open_sky = &open_sky}}) {
+  std::optional<terrain::OpenSky> open_sky;
+  terrain::GroundLook rich{.sampling = {}, .colours = &colours};
+  if constexpr (std::is_same_v<Field, terrain::HeightField>) rich.open_sky = &open_sky.emplace(device, field);
+  for (const terrain::GroundLook& look : {terrain::GroundLook{.sampling = {.rays = 1}}, rich}) {
     shade.at(field, camera, hits, {light, sky, view_table}, image, look);
     for (const Texel& texel : image.read()) {
       std::for_each(texel.begin(), texel.end(), [&](float v) { dump.add(v); });
@@ -93,6 +96,22 @@ void dump_viewshed(const ocl::Device& device, const terrain::HeightField& field,
   for (const std::uint8_t post : seen.read()) dump.add(post);
 }
 
+/// Tiles of two levels, of which a coarse picture wants both, and beyond the map its mirror.
+void dump_tiles(const ocl::Device& device, Dump& dump) {
+  constexpr std::size_t cache_bytes = std::size_t{34} << 20;
+  const test::ExampleTiles example(test::valleys({.columns = 290, .rows = 270}));
+  for (const terrain::MapEdge edge : {terrain::MapEdge::ends, terrain::MapEdge::mirrors}) {
+    terrain::TiledField field(device, example.tiled_map(edge), example.reader(), cache_bytes);
+    const Camera camera{
+        .eye_m = {250.0, 90.0, 250.0}, .yaw_rad = 0.5, .pitch_rad = -0.3, .width_px = 18, .height_px = 7};
+    field.look_and_wait(camera);
+    dump_picture(device, field, camera, dump);
+    for (const TerrainHit& hit : field.cast(test::example_rays(example.map(), 40, 52))) {
+      dump.add_distance(hit.distance_m);
+    }
+  }
+}
+
 void write_dump(const char* path) {
   const ocl::Device device = ocl::Device::open();
   const test::HeightMap map =
@@ -111,6 +130,7 @@ void write_dump(const char* path) {
   dump_picture(device, field, {.eye_m = {100.0, 40.0, 300.0}, .yaw_rad = 0.8, .width_px = 18, .height_px = 6},
                dump);
   dump_viewshed(device, field, dump);
+  dump_tiles(device, dump);
 }
 
 }  // namespace

@@ -39,10 +39,12 @@ TEST(TileSetShape, CoversAMapByEveryLevel) {
   EXPECT_EQ(shape.tile_count(), 21845);
   EXPECT_EQ(TileSetShape::of(257, 2).levels, 1);
   EXPECT_EQ(TileSetShape::of(258, 2).levels, 2);
-  EXPECT_EQ(TileSetShape::of(1 << 18, 300).levels, 9) << "a cell of the coarsest level is a tile of the finest";
+  EXPECT_EQ(TileSetShape::of(1 << 18, 300).levels, 9)
+      << "a cell of the coarsest level is a tile of the finest";
 }
 
-// Fails if a tile is missing, comes twice, or level 0 is not the map to the last bit, held on beyond its edge.
+// Fails if a tile is missing, comes twice, or level 0 is not the map to the last bit, held on beyond its
+// edge.
 TEST(TileBuilder, CutsTheMapItself) {
   const test::ExampleTiles example = test::hilly_tiles();
   EXPECT_EQ(static_cast<long long>(example.tiles().size()), example.shape().tile_count());
@@ -109,7 +111,8 @@ TEST(TileBuilder, NeighboursShareTheirEdges) {
 TEST(TileBuilder, MeansKeepSlopes) {
   test::HeightMap map{"ramp", {.columns = 513, .rows = 513}, {}};
   for (int row = 0; row < 513; ++row) {
-    for (int column = 0; column < 513; ++column) map.heights_m.push_back(static_cast<float>(0.75 * column - 0.5 * row));
+    for (int column = 0; column < 513; ++column)
+      map.heights_m.push_back(static_cast<float>(0.75 * column - 0.5 * row));
   }
   const test::ExampleTiles example(map);
   for (const auto& [key, tile] : example.tiles()) {

@@ -195,6 +195,50 @@ TEST(TiledFieldFlight, KeepsItsBudget) {
   EXPECT_GT(field.statistics().loaded, 2 * field.statistics().slots);
 }
 
+// Maps of more than 65536 posts a side have several tiles of the coarsest level, whose cells are as wide as a
+// tile of level 0. A ramp of 1 mm a post, made tile by tile: all the way to its far end rays must hit within
+// a coarse cell's rise of it, 0.512 m, and long level rays where they meet it, not before by more than that
+// rise.
+TEST(TiledFieldFlight, SeesAcrossHugeMaps) {
+  constexpr double rise = 1e-3;
+  const TileSetShape shape = TileSetShape::of(150'001, 1200);
+  ASSERT_EQ(shape.tiles_x(shape.coarsest()), 3);
+  const auto ramp = [&](const TileKey& key) {
+    HeightTile tile{key, {}, {}};
+    for (int row = -1; row <= tile_posts; ++row) {
+      for (int column = -1; column <= tile_posts; ++column) {
+        const double x = std::ldexp(key.column * tile_cells + column, key.level);
+        const double reach = key.level > 0 ? std::ldexp(1.0, key.level) : 0.0;
+        tile.means_m.push_back(static_cast<float>(rise * x));
+        if (row >= 0 && row < tile_posts && column >= 0 && column < tile_posts) {
+          tile.highest_m.push_back(static_cast<float>(rise * std::min(x + reach, 150'000.0)));
+        }
+      }
+    }
+    return tile;
+  };
+  const ocl::Device device = ocl::Device::open();
+  TiledField field(device, {shape, 1.0, 1.0, 0.0f, 150.0f}, ramp, 64 * mebibyte);
+  field.look_and_wait({.eye_m = {1000.0, 40.0, 600.0}, .width_px = 640, .height_px = 360});
+  EXPECT_GT(field.statistics().tiles, 20u);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 300; ++i) rays.push_back({.origin_m = {500.0 * i + 3.3, 300.0, 600.2}});
+  for (int i = 1; i < 140; ++i) {
+    rays.push_back({.origin_m = {1000.0, 1.0 * i + 0.5, 3.0 * i}, .direction = {1.0, 0.0, 0.0}});
+  }
+  const std::vector<TerrainHit> hits = field.cast(rays);
+  for (std::size_t i = 0; i < 300; ++i) {
+    const double raised_m = 300.0 - hits[i].distance_m - rise * rays[i].origin_m.x;
+    EXPECT_GE(raised_m, -1e-4) << i;
+    EXPECT_LE(raised_m, 0.513) << i;
+  }
+  for (std::size_t i = 300; i < rays.size(); ++i) {
+    const double met_m = rays[i].origin_m.y / rise - 1000.0;
+    EXPECT_LE(hits[i].distance_m, met_m + 0.1) << i;
+    EXPECT_GE(hits[i].distance_m, met_m - 513.0) << i;
+  }
+}
+
 TEST(TiledFieldFlight, RefusesWhatCannotBe) {
   const ocl::Device device = ocl::Device::open();
   const test::ExampleTiles example = test::hilly_tiles();
