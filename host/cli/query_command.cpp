@@ -15,12 +15,12 @@
 #include "host/base/progress.h"
 #include "host/base/world_limits.h"
 #include "host/cli/device_choice.h"
+#include "host/cli/new_output.h"
 #include "host/cli/parameter_options.h"
 #include "host/cli/query_settings.h"
 #include "host/cli/query_text.h"
 #include "host/io/atomic_file.h"
-#include "host/io/file_presence.h"
-#include "host/io/point_file.h"
+#include "host/io/number_table.h"
 #include "host/scene/scene_hash.h"
 #include "host/scene/sea.h"
 
@@ -46,7 +46,9 @@ class PointSource {
       single_ = read_point("--at", arguments.at);
       return;
     }
-    file_.emplace(arguments.points_file);
+    file_.emplace(arguments.points_file, NumberColumns{.names = {"x_m", "z_m"},
+                                                       .meaning = "for each point, its x and z in m",
+                                                       .example = "12.5,-40"});
     if (times.count > 1 && !file_->can_rewind()) {
       throw Error(ErrorKind::bad_usage,
                   fmt::format("--points: expected a file that can be read once for each of {} times, found "
@@ -68,9 +70,8 @@ class PointSource {
   std::vector<ocean::WaterPoint> next() {
     std::vector<ocean::WaterPoint> points;
     if (file_) {
-      for (const auto& [x_m, z_m] : file_->next(block_points)) {
-        points.push_back({x_m, z_m});
-      }
+      const std::vector<double> numbers = file_->next(block_points);
+      for (std::size_t i = 0; i < numbers.size(); i += 2) points.push_back({numbers[i], numbers[i + 1]});
     } else if (is_at_start_) {
       points.push_back(single_);
     }
@@ -80,7 +81,7 @@ class PointSource {
 
  private:
   ocean::WaterPoint single_;
-  std::optional<PointFile> file_;
+  std::optional<NumberTable> file_;
   bool is_at_start_ = true;
 };
 
@@ -90,10 +91,7 @@ class AnswerSink {
   AnswerSink(const QueryArguments& arguments, const TimeRange& times, double depth_m)
       : depth_m_(depth_m), style_(style_of(arguments, times)) {
     if (!arguments.output_file.empty()) {
-      if (!arguments.force && is_there(arguments.output_file)) {
-        throw Error(ErrorKind::file, fmt::format("{}: is there already", arguments.output_file),
-                    "--force replaces it, or name another file with -o");
-      }
+      require_new(arguments.output_file, arguments.force ? Overwriting::allowed : Overwriting::refused);
       file_.emplace(arguments.output_file);
     }
     if (style_ == Style::csv) {

@@ -53,13 +53,13 @@ FlightSettings read_settings(const TerrainFlyArguments& arguments) {
 
 std::vector<Camera> path_over(const terrain::TiledField& field, const FlightSettings& settings,
                               const std::string& size) {
-  std::vector<Camera> cameras = flight_path(
-      {.width_m = field.map().width_m(),
-       .depth_m = field.map().depth_m(),
-       .step_m = settings.speed_mps / settings.frames_a_second,
-       .height_m = settings.height_m,
-       .frames = settings.frames,
-       .bound_m = [&](double x_m, double z_m) { return field.coarse_height_m(x_m, z_m); }});
+  std::vector<Camera> cameras =
+      flight_path({.width_m = field.map().width_m(),
+                   .depth_m = field.map().depth_m(),
+                   .step_m = settings.speed_mps / settings.frames_a_second,
+                   .height_m = settings.height_m,
+                   .frames = settings.frames,
+                   .bound_m = [&](double x_m, double z_m) { return field.coarse_height_m(x_m, z_m); }});
   for (Camera& camera : cameras) {
     camera.vertical_field_of_view_rad = 60.0 * radians;
     read_picture_size(size, camera);
@@ -134,10 +134,10 @@ class Flying {
 
   void keep(int frame, const Camera& camera, FlightRecorder& recorder) {
     if (!arguments_.output.empty()) {
-      const TerrainScenery scenery{.sun_azimuth_rad = 225.0 * radians,
-                                   .sun_elevation_rad = 30.0 * radians,
-                                   .lines = world::cover_lines(
-                                       store_.header().centre_latitude_deg.value_or(usual_latitude_deg))};
+      const TerrainScenery scenery{
+          .sun_azimuth_rad = 225.0 * radians,
+          .sun_elevation_rad = 30.0 * radians,
+          .lines = world::cover_lines(store_.header().centre_latitude_deg.value_or(usual_latitude_deg))};
       const std::string name = fmt::format("frame.{:06}.png", frame);
       write_png(std::filesystem::path(arguments_.output) / name,
                 draw_terrain(device_, field_, camera, scenery, TerrainShow::light).image);
@@ -204,7 +204,8 @@ void print_text(const TerrainFlyArguments& arguments, const FlightReport& report
   if (!report.comparison) return;
   const FlightComparison::Result& of = *report.comparison;
   fmt::print(
-      "  compared   {} frames of {} pixels in all: {} holes in flight, {} once loaded, {} pixels of ground where "
+      "  compared   {} frames of {} pixels in all: {} holes in flight, {} once loaded, {} pixels of ground "
+      "where "
       "the map has sky; distance off by {:.2g} of itself in the median, {:.2g} in the worst hundredth\n",
       of.frames, of.pixels, of.holes_flown, of.holes_loaded, of.raised, of.median_error,
       of.worst_hundredth_error);
@@ -224,7 +225,9 @@ void run(const TerrainFlyArguments& arguments, const GlobalOptions& options) {
 void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainFlyArguments>();
   CLI::App* command = terrain.add_subcommand("fly", "a flight over a tile store, and what its frames cost");
-  command->add_option("STORE", arguments->store, "tile store of `offing terrain tile`")->required()->type_name("");
+  command->add_option("STORE", arguments->store, "tile store of `offing terrain tile`")
+      ->required()
+      ->type_name("");
   arguments->cache.add_to(*command);
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group("Flight");
@@ -237,7 +240,8 @@ void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
   add("-o,--output", arguments->output, "FOLDER", "writes pictures there, frame.000000.png and so on");
   add("--every", arguments->every, "K", "of every K-th frame (default 12)");
   add("--compare", arguments->compared, "FILE",
-      "height map that the store was made of: compares every K-th frame with that of the whole map in memory");
+      "height map that the store was made of: compares every K-th frame with that of the whole map in "
+      "memory");
   arguments->map_flags.add_to(*command);
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::one);

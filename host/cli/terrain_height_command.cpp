@@ -1,10 +1,12 @@
 #include "host/cli/terrain_height_command.h"
 
+#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
 
 #include "host/base/argument.h"
+#include "host/cli/terrain_batch.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
 
@@ -14,15 +16,14 @@ namespace {
 
 struct TerrainHeightArguments {
   TerrainInput input;
+  TerrainBatch batch;
   std::string at;
   bool json = false;
 };
 
-void run(const TerrainHeightArguments& arguments) {
-  const auto place = read_numbers("--at", arguments.at, 2, "X,Z", "1200,350.5");
-  const HeightMapFile file = arguments.input.read();
-  const terrain::GroundPoint ground = ground_under("--at", file.map, place[0], place[1]);
-  if (arguments.json) {
+void answer_one(const HeightMap& map, const std::vector<double>& place, bool is_json) {
+  const terrain::GroundPoint ground = ground_under("--at", map, place[0], place[1]);
+  if (is_json) {
     print_json({{"height_m", ground.height_m},
                 {"normal", to_json(ground.normal)},
                 {"slope_deg", slope_deg(ground.normal)}});
@@ -32,18 +33,45 @@ void run(const TerrainHeightArguments& arguments) {
   }
 }
 
+void run(const TerrainHeightArguments& arguments, const GlobalOptions& options) {
+  arguments.batch.require_question(arguments.at);
+  if (!arguments.batch.is_asked()) {
+    const auto place = read_numbers("--at", arguments.at, 2, "X,Z", "1200,350.5");
+    return answer_one(arguments.input.read().map, place, arguments.json);
+  }
+  const HeightMapFile file = arguments.input.read();
+  arguments.batch.answer(
+      "x_m,z_m,height_m,normal_x,normal_y,normal_z,slope_deg",
+      [&](const std::vector<double>& rows, const NumberTable& table, std::string& text) {
+        for (std::size_t i = 0; i < rows.size(); i += 2) {
+          const double x_m = rows[i], z_m = rows[i + 1];
+          const terrain::GroundPoint ground = ground_under(table.place_of(i / 2), file.map, x_m, z_m);
+          fmt::format_to(std::back_inserter(text), "{:.12g},{:.12g},{:.9g},{:.7g},{:.7g},{:.7g},{:.7g}\n",
+                         x_m, z_m, ground.height_m, ground.normal.x, ground.normal.y, ground.normal.z,
+                         slope_deg(ground.normal));
+        }
+      },
+      options);
+}
+
 }  // namespace
 
 void add_terrain_height_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainHeightArguments>();
   CLI::App* command = terrain.add_subcommand("height", "height, normal and slope of the ground at a point");
   arguments->input.add_to(*command);
-  command->add_option("--at", arguments->at, "where, m")->type_name("X,Z")->required();
+  command->add_option("--at", arguments->at, "where, m")->type_name("X,Z");
   command->add_flag("--json", arguments->json, "results for scripts");
+  arguments->batch.add_to(
+      *command,
+      {.names = {"x_m", "z_m"}, .meaning = "for each point, its x and z in m", .example = "1200,350.5"},
+      "--at");
   add_global_options(*command, options, DeviceUse::none);
-  command->footer(fmt::format("\n{}\n\nExample:\n  offing terrain height S33W071.tif --at 47000,55000 --json",
-                              place_footer));
-  command->callback([arguments] { run(*arguments); });
+  command->footer(
+      fmt::format("\n{}\n\nExample:\n  offing terrain height S33W071.tif --at 47000,55000 --json\n"
+                  "  offing terrain height S33W071.tif --points wells.csv -o heights.csv",
+                  place_footer));
+  command->callback([arguments, &options] { run(*arguments, options); });
 }
 
 }  // namespace offing::cli

@@ -1,13 +1,16 @@
 #include "host/cli/terrain_los_command.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
+#include <span>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "host/base/argument.h"
 #include "host/cli/device_choice.h"
+#include "host/cli/terrain_batch.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
 
@@ -20,47 +23,105 @@ constexpr double slack_cells = 2e-3, slack_share = 2e-7;
 
 struct TerrainLosArguments {
   TerrainInput input;
+  TerrainBatch batch;
   std::string from, to;
   bool json = false;
 };
 
-glm::dvec3 read_eye(const char* flag, const std::string& text, const HeightMap& map) {
-  const auto numbers = read_numbers(flag, text, 3, "X,Z,H", "1200,350,1.7");
-  if (numbers[2] < 0.0) throw bad_argument(flag, "a height above ground of 0 or more", text, "1200,350,1.7");
-  return {numbers[0], ground_under(flag, map, numbers[0], numbers[1]).height_m + numbers[2], numbers[1]};
-}
+/// A line from an eye to a target.
+struct Sight {
+  glm::dvec3 from_m, way;
+  double distance_m, slack_m;
 
-void run(const TerrainLosArguments& arguments, const GlobalOptions& options) {
-  const HeightMapFile file = arguments.input.read();
-  const HeightMap& map = file.map;
-  const glm::dvec3 from = read_eye("--from", arguments.from, map), to = read_eye("--to", arguments.to, map);
-  const double distance_m = glm::length(to - from);
+  terrain::Ray ray() const {
+    // From one slack to the other: both ends may lie on the ground.
+    return {.origin_m = from_m + slack_m * way, .direction = way, .limit_m = distance_m - 2.0 * slack_m};
+  }
+  double hidden_at_m(const TerrainHit& hit) const { return slack_m + static_cast<double>(hit.distance_m); }
+};
+
+/// Between two points, each as x, z and the height above ground. Errors name the place of a bad one.
+Sight sight_between(const HeightMap& map, const std::string& from_place, std::span<const double> from,
+                    const std::string& to_place, std::span<const double> to) {
+  const auto eye = [&](const std::string& place, std::span<const double> point) {
+    if (point[2] < 0.0) {
+      throw Error(
+          ErrorKind::bad_usage,
+          fmt::format("{}: expected a height above ground of 0 or more, found {:g} m", place, point[2]),
+          "give X,Z,H such as 1200,350,1.7");
+    }
+    return glm::dvec3(point[0], ground_under(place, map, point[0], point[1]).height_m + point[2], point[1]);
+  };
+  const glm::dvec3 from_m = eye(from_place, from), to_m = eye(to_place, to);
+  const double distance_m = glm::length(to_m - from_m);
   const double slack_m = slack_cells * std::max(map.spacing_x_m, map.spacing_z_m) + slack_share * distance_m;
   if (distance_m <= 2.0 * slack_m) {
-    throw bad_argument("--to", "another place than --from", arguments.to, "1200,350,1.7");
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("{}: expected another place than where the line begins, found one {:g} m away",
+                            to_place, distance_m),
+                "give X,Z,H such as 1200,350,1.7");
   }
-  // From one slack to the other: both ends may lie on the ground.
-  const glm::dvec3 way = (to - from) / distance_m;
-  const terrain::Ray ray{
-      .origin_m = from + slack_m * way, .direction = way, .limit_m = distance_m - 2.0 * slack_m};
-  terrain::HeightField field = make_field(map, ocl::Device::open(choose_one_device(options.device)));
-  const TerrainHit hit = field.cast(std::span(&ray, 1))[0];
+  return {from_m, (to_m - from_m) / distance_m, distance_m, slack_m};
+}
+
+void answer_one(const Sight& sight, const TerrainHit& hit, bool is_json) {
   const bool is_visible = hit.kind == TERRAIN_MISS;
-  const double hidden_at_m = slack_m + static_cast<double>(hit.distance_m);
-  if (arguments.json) {
-    nlohmann::ordered_json json = {{"visible", is_visible}, {"distance_m", distance_m}};
+  const glm::dvec3 by_m = sight.from_m + sight.hidden_at_m(hit) * sight.way;
+  if (is_json) {
+    nlohmann::ordered_json json = {{"visible", is_visible}, {"distance_m", sight.distance_m}};
     if (!is_visible) {
-      json["hidden_at_m"] = hidden_at_m;
-      json["hidden_by_m"] = to_json(from + hidden_at_m * way);
+      json["hidden_at_m"] = sight.hidden_at_m(hit);
+      json["hidden_by_m"] = to_json(by_m);
     }
     print_json(json);
   } else if (is_visible) {
-    fmt::print("visible, {:.1f} m away\n", distance_m);
+    fmt::print("visible, {:.1f} m away\n", sight.distance_m);
   } else {
-    const glm::dvec3 by_m = from + hidden_at_m * way;
     fmt::print("hidden: ground at ({:.1f}, {:.1f}, {:.1f}), {:.1f} m of {:.1f} m\n", by_m.x, by_m.y, by_m.z,
-               hidden_at_m, distance_m);
+               sight.hidden_at_m(hit), sight.distance_m);
   }
+}
+
+void answer_all(const TerrainLosArguments& arguments, const HeightMap& map, terrain::HeightField& field,
+                const GlobalOptions& options) {
+  arguments.batch.answer(
+      "from_x_m,from_z_m,from_height_m,to_x_m,to_z_m,to_height_m,visible,distance_m,hidden_at_m",
+      [&](const std::vector<double>& rows, const NumberTable& table, std::string& text) {
+        std::vector<Sight> sights;
+        std::vector<terrain::Ray> rays;
+        for (std::size_t i = 0; i < rows.size(); i += 6) {
+          const std::string place = table.place_of(i / 6);
+          const std::span<const double> row = std::span(rows).subspan(i, 6);
+          sights.push_back(sight_between(map, place, row.first(3), place, row.subspan(3)));
+          rays.push_back(sights.back().ray());
+        }
+        const std::vector<TerrainHit> hits = field.cast(rays);
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+          const bool is_visible = hits[i].kind == TERRAIN_MISS;
+          for (std::size_t column = 0; column < 6; ++column) {
+            fmt::format_to(std::back_inserter(text), "{:.12g},", rows[6 * i + column]);
+          }
+          fmt::format_to(std::back_inserter(text), "{},{:.9g},{}\n", is_visible ? 1 : 0, sights[i].distance_m,
+                         is_visible ? "" : fmt::format("{:.7g}", sights[i].hidden_at_m(hits[i])));
+        }
+      },
+      options);
+}
+
+void run(const TerrainLosArguments& arguments, const GlobalOptions& options) {
+  arguments.batch.require_question(arguments.from);
+  if (arguments.batch.is_asked()) {
+    const HeightMapFile file = arguments.input.read();
+    terrain::HeightField field = make_field(file.map, ocl::Device::open(choose_one_device(options.device)));
+    return answer_all(arguments, file.map, field, options);
+  }
+  const auto from = read_numbers("--from", arguments.from, 3, "X,Z,H", "1200,350,1.7");
+  const auto to = read_numbers("--to", arguments.to, 3, "X,Z,H", "1200,350,1.7");
+  const HeightMapFile file = arguments.input.read();
+  const Sight sight = sight_between(file.map, "--from", from, "--to", to);
+  terrain::HeightField field = make_field(file.map, ocl::Device::open(choose_one_device(options.device)));
+  const terrain::Ray ray = sight.ray();
+  answer_one(sight, field.cast(std::span(&ray, 1))[0], arguments.json);
 }
 
 }  // namespace
@@ -69,13 +130,20 @@ void add_terrain_los_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainLosArguments>();
   CLI::App* command = terrain.add_subcommand("los", "line of sight: whether two points see each other");
   arguments->input.add_to(*command);
-  command->add_option("--from", arguments->from, "one end, m")->type_name("X,Z,H")->required();
-  command->add_option("--to", arguments->to, "the other end, m")->type_name("X,Z,H")->required();
+  command->add_option("--from", arguments->from, "one end, m")->type_name("X,Z,H");
+  command->add_option("--to", arguments->to, "the other end, m")->type_name("X,Z,H")->needs("--from");
   command->add_flag("--json", arguments->json, "results for scripts");
+  arguments->batch.add_to(
+      *command,
+      {.names = {"from_x_m", "from_z_m", "from_height_m", "to_x_m", "to_z_m", "to_height_m"},
+       .meaning = "for each pair, x, z and height above ground of both in m",
+       .example = "47000,80000,1.7,47000,20000,30"},
+      "--from");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(
       fmt::format("\n{}\nThe Earth is taken as flat.\n\n"
-                  "Example:\n  offing terrain los S33W071.tif --from 47000,80000,1.7 --to 47000,20000,30",
+                  "Example:\n  offing terrain los S33W071.tif --from 47000,80000,1.7 --to 47000,20000,30\n"
+                  "  offing terrain los S33W071.tif --points masts.csv -o seen.csv",
                   place_footer));
   command->callback([arguments, &options] { run(*arguments, options); });
 }

@@ -1,5 +1,6 @@
 #include "host/cli/terrain_ray_command.h"
 
+#include <iterator>
 #include <memory>
 
 #include <CLI/Option.hpp>
@@ -8,6 +9,7 @@
 
 #include "host/base/argument.h"
 #include "host/cli/device_choice.h"
+#include "host/cli/terrain_batch.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
 
@@ -17,6 +19,7 @@ namespace {
 
 struct TerrainRayArguments {
   TerrainInput input;
+  TerrainBatch batch;
   std::string from, to, direction;
   bool json = false;
 };
@@ -59,15 +62,24 @@ const char* name_of(int kind) {
   }
 }
 
-void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
-  const terrain::Ray ray = read_ray(arguments);
-  const HeightMapFile file = arguments.input.read();
-  terrain::HeightField field = make_field(file.map, ocl::Device::open(choose_one_device(options.device)));
-  const TerrainHit hit = field.cast(std::span(&ray, 1))[0];
-  const glm::dvec3 point_m = ray.origin_m + static_cast<double>(hit.distance_m) * ray.direction;
+/// As terrain::require_valid(); errors name the place that the ray comes from.
+void require_valid(const terrain::Ray& ray, const terrain::PostGrid& grid, const std::string& place) {
+  try {
+    terrain::require_valid(ray, grid);
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("{}: {}", place, error.what()), error.hint());
+  }
+}
+
+glm::dvec3 point_of(const terrain::Ray& ray, const TerrainHit& hit) {
+  return ray.origin_m + static_cast<double>(hit.distance_m) * ray.direction;
+}
+
+void answer_one(const terrain::Ray& ray, const TerrainHit& hit, bool is_json) {
+  const glm::dvec3 point_m = point_of(ray, hit);
   const glm::dvec3 normal(hit.normal_x, hit.normal_y, hit.normal_z);
   const bool is_hit = hit.kind != TERRAIN_MISS;
-  if (arguments.json) {
+  if (is_json) {
     nlohmann::ordered_json json = {{"hit", name_of(hit.kind)}};
     if (is_hit) {
       json["distance_m"] = hit.distance_m;
@@ -87,21 +99,75 @@ void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
   }
 }
 
+void answer_all(const TerrainRayArguments& arguments, terrain::HeightField& field,
+                const GlobalOptions& options) {
+  arguments.batch.answer(
+      "x_m,y_m,z_m,direction_x,direction_y,direction_z,hit,distance_m,hit_x_m,hit_y_m,hit_z_m,"
+      "normal_x,normal_y,normal_z",
+      [&](const std::vector<double>& rows, const NumberTable& table, std::string& text) {
+        std::vector<terrain::Ray> rays;
+        for (std::size_t i = 0; i < rows.size(); i += 6) {
+          const glm::dvec3 way(rows[i + 3], rows[i + 4], rows[i + 5]);
+          const double length = glm::length(way);
+          if (length == 0.0) {
+            throw Error(ErrorKind::bad_input,
+                        fmt::format("{}: expected a direction, found 0,0,0", table.place_of(i / 6)),
+                        "give a way of any length above 0");
+          }
+          rays.push_back({.origin_m = {rows[i], rows[i + 1], rows[i + 2]}, .direction = way / length});
+          require_valid(rays.back(), field.grid(), table.place_of(i / 6));
+        }
+        const std::vector<TerrainHit> hits = field.cast(rays);
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+          const auto out = std::back_inserter(text);
+          const TerrainHit& hit = hits[i];
+          for (std::size_t column = 0; column < 6; ++column)
+            fmt::format_to(out, "{:.12g},", rows[6 * i + column]);
+          if (hit.kind == TERRAIN_MISS) {
+            fmt::format_to(out, "{},,,,,,,\n", name_of(hit.kind));
+            continue;
+          }
+          const glm::dvec3 point_m = point_of(rays[i], hit);
+          fmt::format_to(out, "{},{:.7g},{:.9g},{:.9g},{:.9g},{:.7g},{:.7g},{:.7g}\n", name_of(hit.kind),
+                         hit.distance_m, point_m.x, point_m.y, point_m.z, hit.normal_x, hit.normal_y,
+                         hit.normal_z);
+        }
+      },
+      options);
+}
+
+void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
+  arguments.batch.require_question(arguments.from);
+  const bool is_single = !arguments.batch.is_asked();
+  const terrain::Ray ray = is_single ? read_ray(arguments) : terrain::Ray{};
+  const HeightMapFile file = arguments.input.read();
+  terrain::HeightField field = make_field(file.map, ocl::Device::open(choose_one_device(options.device)));
+  if (!is_single) return answer_all(arguments, field, options);
+  answer_one(ray, field.cast(std::span(&ray, 1))[0], arguments.json);
+}
+
 }  // namespace
 
 void add_terrain_ray_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainRayArguments>();
   CLI::App* command = terrain.add_subcommand("ray", "what a ray hits first");
   arguments->input.add_to(*command);
-  command->add_option("--from", arguments->from, "where it starts, m")->type_name("X,Y,Z")->required();
-  command->add_option("--to", arguments->to, "where it ends, m")->type_name("X,Y,Z");
+  command->add_option("--from", arguments->from, "where it starts, m")->type_name("X,Y,Z");
+  command->add_option("--to", arguments->to, "where it ends, m")->type_name("X,Y,Z")->needs("--from");
   command->add_option("--direction", arguments->direction, "its way without end, of any length")
-      ->type_name("X,Y,Z");
+      ->type_name("X,Y,Z")
+      ->needs("--from");
   command->add_flag("--json", arguments->json, "results for scripts");
+  arguments->batch.add_to(*command,
+                          {.names = {"x_m", "y_m", "z_m", "direction_x", "direction_y", "direction_z"},
+                           .meaning = "for each ray, where it starts in m and its way, of any length",
+                           .example = "47000,6000,80000,0.1,-0.3,-1"},
+                          "--from");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(fmt::format(
       "\n{}\nHits are of the surface, of the map's side (ground is solid), or inside: it starts below.\n\n"
-      "Example:\n  offing terrain ray S33W071.tif --from 47000,6000,80000 --direction 0.1,-0.3,-1",
+      "Example:\n  offing terrain ray S33W071.tif --from 47000,6000,80000 --direction 0.1,-0.3,-1\n"
+      "  offing terrain ray S33W071.tif --points beams.csv -o hits.csv",
       place_footer));
   command->callback([arguments, &options] { run(*arguments, options); });
 }

@@ -108,9 +108,9 @@ void run(const TerrainTileArguments& arguments, const GlobalOptions& options) {
                 {"void_posts", header.void_posts},
                 {"seconds", taken.count()}});
   } else {
-    fmt::print("{}: {} x {} posts in {} tiles of {} levels, {} of them kept, {}\n", one_line(arguments.output),
-               header.shape.columns, header.shape.rows, header.shape.tile_count(), header.shape.levels,
-               tiling.kept(), duration_text(taken.count()));
+    fmt::print("{}: {} x {} posts in {} tiles of {} levels, {} of them kept, {}\n",
+               one_line(arguments.output), header.shape.columns, header.shape.rows, header.shape.tile_count(),
+               header.shape.levels, tiling.kept(), duration_text(taken.count()));
   }
 }
 

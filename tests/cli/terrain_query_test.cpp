@@ -70,6 +70,55 @@ TEST_F(TerrainQuery, WallsHide) {
   EXPECT_EQ(answer("los", {"--from", "100,20,101", "--to", "100,180,101"})["visible"], true);
 }
 
+// Fails if an answer of a file is not that of the single question, or another line's.
+TEST_F(TerrainQuery, FilesAskManyAtOnce) {
+  const auto lines = [&](const std::string& command, const std::string& questions) {
+    std::ofstream(path("questions.csv")) << questions;
+    const ProgramResult result =
+        ask(command, {"--points", path("questions.csv"), "-o", path("answers.csv"), "--force"});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_EQ(result.output, "");
+    std::ifstream file(path("answers.csv"));
+    std::vector<std::string> read;
+    for (std::string line; std::getline(file, line);) read.push_back(line);
+    return read;
+  };
+  EXPECT_THAT(lines("height", "33,7\n# a wall\n0,100\n"),
+              ::testing::ElementsAre("x_m,z_m,height_m,normal_x,normal_y,normal_z,slope_deg",
+                                     ::testing::StartsWith("33,7,16.5,-0.4472136,0.8944272,"),
+                                     ::testing::StartsWith("0,100,100,")));
+  EXPECT_THAT(lines("los", "20,20,2,180,80,0\n100,20,2,100,180,2\n"),
+              ::testing::ElementsAre(::testing::StartsWith("from_x_m,"),
+                                     ::testing::MatchesRegex("20,20,2,180,80,0,1,[0-9.]+,"),
+                                     ::testing::MatchesRegex("100,20,2,100,180,2,0,160,70.2[0-9]*")));
+  EXPECT_THAT(
+      lines("ray",
+            "name,direction_x,direction_y,direction_z,x_m,y_m,z_m\na,0,-2,0,33,116.5,7\nb,0,1,0,3,900,7\n"),
+      ::testing::ElementsAre(::testing::StartsWith("x_m,y_m,z_m,direction_x,"),
+                             ::testing::StartsWith("33,116.5,7,0,-2,0,surface,100,33,16.5,7,-0.4472"),
+                             "3,900,7,0,1,0,miss,,,,,,,"));
+}
+
+// Fails if a bad line is not named, or leaves a file.
+TEST_F(TerrainQuery, FilesNameTheirBadLines) {
+  const auto refuse = [&](const std::string& command, const std::string& questions,
+                          const std::string& expected) {
+    std::ofstream(path("questions.csv")) << questions;
+    const ProgramResult result = ask(command, {"--points", path("questions.csv"), "-o", path("answers.csv")});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.errors, ::testing::HasSubstr("questions.csv:" + expected));
+    EXPECT_THAT(result.errors, ::testing::HasSubstr("\nhint: "));
+    EXPECT_FALSE(std::ifstream(path("answers.csv")).is_open());
+  };
+  refuse("height", "1,2\n3,4\n900,2\n", "3: expected a place within");
+  refuse("height", "1,2\n3\n", "2: expected x_m,z_m as two numbers");
+  refuse("los", "1,2,3,4,5,-6\n", "1: expected a height above ground");
+  refuse("los", "x,y\n1,2,3,1,2,3\n", "1: expected from_x_m,");
+  refuse("los", "1,2,3,1,2,3\n", "1: expected another place");
+  refuse("ray", "1,2,3,0,0,0\n", "1: expected a direction");
+  refuse("ray", "1e7,2,3,0,1,0\n9e7,2,3,0,1,0\n", "2: expected x_m,y_m");
+}
+
 TEST_F(TerrainQuery, ProfilesHaveBothEnds) {
   const ProgramResult result = ask("profile", {"--from", "0,5", "--to", "100,5", "--step-m", "50"});
   EXPECT_EQ(result.exit_code, 0);
@@ -88,6 +137,10 @@ TEST_F(TerrainQuery, RefusesWithAHint) {
   refuse("ray", {"--from", "1,2,3"});
   refuse("ray", {"--from", "1,2,3", "--to", "1,2,3"});
   refuse("ray", {"--from", "1,2,3", "--to", "4,5,6", "--direction", "1,0,0"});
+  refuse("height", {"--points", "missing.csv"});
+  refuse("height", {"--points", "missing.csv", "--at", "1,2"});
+  refuse("height", {"--at", "1,2", "-o", "answers.csv"});
+  refuse("los", {"--points", "missing.csv", "--json"});
   refuse("los", {"--from", "1,2,-1", "--to", "4,5,6"});
   refuse("los", {"--from", "1,2,3", "--to", "1,2,3"});
   refuse("profile", {"--from", "0,0", "--to", "500,0"});

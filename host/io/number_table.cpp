@@ -1,13 +1,16 @@
-#include "host/io/point_file.h"
+#include "host/io/number_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "host/base/error.h"
 #include "host/base/world_limits.h"
@@ -17,8 +20,6 @@ namespace {
 
 constexpr std::size_t longest_line = 4095;
 constexpr std::size_t shown_characters = 60;
-constexpr const char* mend =
-    "write a line for each point, its x and z in m, such as 12.5,-40; a first line x_m,z_m may name them";
 
 std::string_view trimmed(std::string_view text) {
   constexpr const char* blanks = " \t\r";
@@ -43,9 +44,26 @@ bool read_number(std::string_view text, double& value) {
   return error == std::errc{} && end == text.data() + text.size() && std::abs(value) <= farthest_point_m;
 }
 
+/// As words go in sentences.
+std::string count_text(std::size_t count) {
+  constexpr std::array<std::string_view, 7> words = {"no", "one", "two", "three", "four", "five", "six"};
+  return count < words.size() ? std::string(words[count]) : fmt::format("{}", count);
+}
+
+/// 0, 1, 2 ...
+std::vector<std::size_t> in_order(std::size_t count) {
+  std::vector<std::size_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  return numbers;
+}
+
 }  // namespace
 
-PointFile::PointFile(std::filesystem::path path) : path_(std::move(path)), buffer_(longest_line + 1) {
+NumberTable::NumberTable(std::filesystem::path path, NumberColumns columns)
+    : path_(std::move(path)),
+      columns_(std::move(columns)),
+      buffer_(longest_line + 1),
+      fields_(in_order(columns_.names.size())) {
   errno = 0;
   file_.open(path_, std::ios::binary);
   std::error_code ignored;
@@ -53,11 +71,11 @@ PointFile::PointFile(std::filesystem::path path) : path_(std::move(path)), buffe
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: cannot be read: {}", path_.string(),
                             file_ ? "it is a folder" : std::strerror(errno)),
-                "give a file of points with lines x_m,z_m");
+                fmt::format("give a file with lines {}", fmt::join(columns_.names, ",")));
   }
 }
 
-bool PointFile::read_line(std::string_view& line) {
+bool NumberTable::read_line(std::string_view& line) {
   while (file_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()))) {
     ++line_number_;
     // What was taken, less the end of the line where there is one.
@@ -66,7 +84,7 @@ bool PointFile::read_line(std::string_view& line) {
     if (line.find('\0') != std::string_view::npos) {
       throw Error(ErrorKind::bad_input,
                   fmt::format("{}:{}: expected text, found a byte of value 0", path_.string(), line_number_),
-                  "save the points as plain text in UTF-8 or ASCII");
+                  "save it as plain text in UTF-8 or ASCII");
     }
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (line_number_ == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
@@ -81,65 +99,76 @@ bool PointFile::read_line(std::string_view& line) {
   throw Error(ErrorKind::bad_input,
               fmt::format("{}:{}: expected a line of at most {} characters, found a longer one",
                           path_.string(), line_number_ + 1, longest_line),
-              mend);
+              mend());
+}
+
+std::string NumberTable::mend() const {
+  return fmt::format("write a line {}, such as {}; a first line {} may name them", columns_.meaning,
+                     columns_.example, fmt::join(columns_.names, ","));
 }
 
 /// Whether the first line names columns; takes note of them.
-bool PointFile::read_header(std::string_view line) {
+bool NumberTable::read_header(std::string_view line) {
   const std::vector<std::string_view> fields = fields_of(line);
-  const auto find = [&](std::string_view name) {
-    std::size_t column = 0;
-    while (column < fields.size() && fields[column] != name) ++column;
-    return column;
-  };
-  const std::array<std::size_t, 2> found{find("x_m"), find("z_m")};
-  if (found[0] == fields.size() || found[1] == fields.size()) return false;
-  columns_ = found;
+  std::vector<std::size_t> found;
+  for (const std::string& name : columns_.names) {
+    const auto field = std::find(fields.begin(), fields.end(), name);
+    if (field == fields.end()) return false;
+    found.push_back(static_cast<std::size_t>(field - fields.begin()));
+  }
+  fields_ = found;
   has_header_ = true;
   return true;
 }
 
-std::array<double, 2> PointFile::read_place(std::string_view line) const {
+void NumberTable::read_row(std::string_view line, std::vector<double>& numbers) const {
   const std::vector<std::string_view> fields = fields_of(line);
-  std::array<double, 2> place{};
-  const bool has_columns =
-      has_header_ ? fields.size() > std::max(columns_[0], columns_[1]) : fields.size() == 2;
-  if (!has_columns || !read_number(fields[columns_[0]], place[0]) ||
-      !read_number(fields[columns_[1]], place[1])) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{}:{}: expected x_m,z_m as two numbers within [{:g}, {:g}], found \"{}\"",
-                            path_.string(), line_number_, -farthest_point_m, farthest_point_m,
-                            line.substr(0, shown_characters)),
-                mend);
+  const std::size_t last = *std::max_element(fields_.begin(), fields_.end());
+  bool is_row = has_header_ ? fields.size() > last : fields.size() == fields_.size();
+  for (std::size_t i = 0; is_row && i < fields_.size(); ++i) {
+    numbers.push_back(0.0);
+    is_row = read_number(fields[fields_[i]], numbers.back());
   }
-  return place;
+  if (is_row) return;
+  throw Error(
+      ErrorKind::bad_input,
+      fmt::format("{}:{}: expected {} as {} numbers within [{:g}, {:g}], found \"{}\"", path_.string(),
+                  line_number_, fmt::join(columns_.names, ","), count_text(fields_.size()), -farthest_point_m,
+                  farthest_point_m, line.substr(0, shown_characters)),
+      mend());
 }
 
-std::vector<std::array<double, 2>> PointFile::next(std::size_t most) {
-  std::vector<std::array<double, 2>> places;
+std::vector<double> NumberTable::next(std::size_t most) {
+  std::vector<double> numbers;
+  lines_.clear();
   std::string_view line;
-  while (places.size() < most && read_line(line)) {
-    if (places_ == 0 && !has_header_ && read_header(line)) continue;
-    places.push_back(read_place(line));
-    ++places_;
+  while (lines_.size() < most && read_line(line)) {
+    if (rows_ == 0 && !has_header_ && read_header(line)) continue;
+    read_row(line, numbers);
+    lines_.push_back(line_number_);
+    ++rows_;
   }
-  if (places_ == 0) {
-    throw Error(ErrorKind::bad_input, fmt::format("{}: expected points, found none", path_.string()), mend);
+  if (rows_ == 0) {
+    throw Error(ErrorKind::bad_input, fmt::format("{}: expected points, found none", path_.string()), mend());
   }
-  return places;
+  return numbers;
 }
 
-bool PointFile::can_rewind() {
+std::string NumberTable::place_of(std::size_t row) const {
+  return fmt::format("{}:{}", path_.string(), lines_[row]);
+}
+
+bool NumberTable::can_rewind() {
   return file_.tellg() != std::ifstream::pos_type(-1);
 }
 
-void PointFile::rewind() {
+void NumberTable::rewind() {
   file_.clear();
   file_.seekg(0);
   line_number_ = 0;
-  places_ = 0;
+  rows_ = 0;
   has_header_ = false;
-  columns_ = {0, 1};
+  fields_ = in_order(columns_.names.size());
 }
 
 }  // namespace offing

@@ -1,0 +1,70 @@
+#include "host/cli/terrain_batch.h"
+
+#include <optional>
+#include <utility>
+
+#include <CLI/Option.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/base/error.h"
+#include "host/cli/new_output.h"
+#include "host/io/atomic_file.h"
+
+namespace offing::cli {
+
+namespace {
+
+constexpr std::size_t block_rows = 65536;
+constexpr const char* group = "Many at once";
+
+}  // namespace
+
+void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::string& single) {
+  columns_ = std::move(columns);
+  single_ = single;
+  CLI::Option* points = command
+                            .add_option("--points", points_,
+                                        fmt::format("CSV with columns {},\nin any order under a header line, "
+                                                    "alone and in this order without",
+                                                    fmt::join(columns_.names, ",")))
+                            ->type_name("FILE")
+                            ->group(group)
+                            ->excludes(command.get_option(single))
+                            ->excludes(command.get_option("--json"));
+  command
+      .add_option("-o,--output", output_,
+                  "write CSV there, whole or not at all (default: to standard output)")
+      ->type_name("FILE")
+      ->group(group)
+      ->needs(points);
+  command.add_flag("--force", force_, "replace a file that is there")->group(group)->needs(points);
+}
+
+void TerrainBatch::require_question(const std::string& single) const {
+  if (is_asked() || !single.empty()) return;
+  throw Error(ErrorKind::bad_usage, fmt::format("expected {} or --points, found neither", single_),
+              "give one question, or a file of them");
+}
+
+void TerrainBatch::answer(std::string_view heading, const Answer& answer,
+                          const GlobalOptions& options) const {
+  require_new(output_, force_ ? Overwriting::allowed : Overwriting::refused);
+  NumberTable table(points_, columns_);
+  std::optional<AtomicFile> file;
+  if (!output_.empty()) file.emplace(output_);
+  std::string text = fmt::format("{}\n", heading);
+  for (auto rows = table.next(block_rows); !rows.empty(); rows = table.next(block_rows)) {
+    options.cancel.throw_if_cancelled();
+    answer(rows, table, text);
+    if (file) {
+      file->write(text);
+    } else {
+      fmt::print("{}", text);
+    }
+    text.clear();
+  }
+  if (file) file->commit();
+}
+
+}  // namespace offing::cli
