@@ -33,12 +33,6 @@ const char* title(ParameterGroup group) {
       return "Raindrop";
     case ParameterGroup::foam:
       return "Foam";
-    case ParameterGroup::terrain:
-      return "Ground";
-    case ParameterGroup::height_map:
-      return "Height map";
-    case ParameterGroup::walk:
-      return "Walk";
     case ParameterGroup::camera:
       return "Camera";
     case ParameterGroup::sun:
@@ -47,6 +41,12 @@ const char* title(ParameterGroup group) {
       return "Sky";
     case ParameterGroup::render:
       return "Picture";
+    case ParameterGroup::terrain:
+      return "Ground";
+    case ParameterGroup::height_map:
+      return "Height map";
+    case ParameterGroup::walk:
+      return "Walk";
   }
   return "";
 }

@@ -6,7 +6,9 @@
 
 #include "host/ocean/cascades.h"
 #include "host/ocean/trochoid_choice.h"
+#include "host/scene/moving_view.h"
 #include "host/scene/scene_file.h"
+#include "host/scene/scene_ground.h"
 #include "host/scene/world_scene.h"
 #include "present/frame.h"
 #include "present/gl_context.h"
@@ -35,6 +37,7 @@ class Renderer {
         view_(view) {
     view_.camera.width_px = size.width;
     view_.camera.height_px = size.height;
+    if (world_.ground()) scene::stand_on_ground(*world_.ground(), view_);
   }
 
   const std::string& gl_renderer() const { return context_.capabilities().renderer; }
@@ -101,6 +104,17 @@ void bench_render(const Settings& settings, const Sinks& sinks) {
   {
     Renderer renderer(settings.device, scene::prepare_world(rough), rough.view, {640, 360});
     measure(renderer, "render_rough", rough.ocean.size, settings.blocks, sinks);
+  }
+  for (const std::string name : {"valley_fly", "valley_walk"}) {
+    const scene::OceanScene valley =
+        scene::load_scene(std::filesystem::path(OFFING_SCENES) / (name + ".toml"));
+    const world::WorldParameters parameters = scene::prepare_world(valley);
+    for (const present::PictureSize size :
+         {present::PictureSize{640, 360}, present::PictureSize{1280, 720}}) {
+      Renderer renderer(settings.device, parameters, scene::view_at(valley, 0.0), size);
+      measure(renderer, fmt::format("render_{}_{}", name, size.height), valley.terrain.fractal.posts,
+              settings.blocks, sinks);
+    }
   }
   for (const int size : settings.sizes) {
     // The paper's frame: one patch, 16 Gerstner waves on 128 x 128 points, 1280 x 1024 pixels.

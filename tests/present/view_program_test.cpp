@@ -116,6 +116,25 @@ TEST_F(ViewProgramTest, WritesSceneLinearLight) {
   for (const float value : content.channel("B")) ASSERT_GE(value, 0.0f);
 }
 
+// Fails if ground is not in the picture, or one that is made twice differs; if --terrain shows another
+// picture than the scene that names the file.
+TEST_F(ViewProgramTest, ShowsGround) {
+  std::ofstream(path("hill.asc")) << "ncols 4\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 50\n"
+                                     "0 10 10 0\n0 60 40 0\n0 5 20 0\n";
+  std::ofstream(path("hill.toml")) << "version = 1\n[terrain]\nfile = \"hill.asc\"\n";
+  const auto shown = [](std::vector<std::string> arguments, const std::string& name) {
+    arguments.insert(arguments.end(), {"--headless", "--size", "160x90", "-o", path(name)});
+    const ProgramResult result = run_offing(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return bytes_of(path(name));
+  };
+  const auto hill = shown({path("hill.toml")}, "hill.png");
+  EXPECT_EQ(shown({path("hill.toml")}, "again.png"), hill);
+  EXPECT_EQ(shown({"--terrain", path("hill.asc")}, "named.png"), hill);
+  std::ofstream(path("made.toml")) << "version = 1\n[terrain]\nposts = 65\n";
+  EXPECT_NE(shown({path("made.toml")}, "made.png"), hill);
+}
+
 // Fails if a fault of the command line or the scene is not told in two lines, with exit code 2.
 TEST_F(ViewProgramTest, RefusesBadInput) {
   const auto refused = [&](const std::vector<std::string>& arguments, const std::string& named) {
@@ -144,6 +163,9 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
   refused({scene(), "--size"}, "offing-view: --size: expected a value, found none");
   refused({scene(), "--time", "noon", "-o", path("a.png")}, "--time: expected a number in s");
   refused({path("missing.toml"), "-o", path("a.png")}, "leave the scene out");
+  refused({"--terrain", path("missing.tif"), "-o", path("a.png")}, "--terrain: expected a height map");
+  std::ofstream(path("no_map.toml")) << "version = 1\n[terrain]\nfile = \"missing.tif\"\n";
+  refused({path("no_map.toml"), "-o", path("a.png")}, "no_map.toml:3:8: terrain.file: expected a height map");
   std::ofstream(path("bad.toml")) << "version = 1\n[camera]\nfov_deg = 1000\n";
   refused({path("bad.toml"), "-o", path("a.png")}, "bad.toml:3:11: camera.fov_deg");
 }
