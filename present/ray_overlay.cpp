@@ -14,10 +14,11 @@
 namespace offing::present {
 namespace {
 
-// Levels 0, 1, ... in turn (Okabe & Ito 2008).
-constexpr std::array<ImU32, 6> level_colours{IM_COL32(255, 255, 255, 255), IM_COL32(240, 228, 66, 255),
-                                             IM_COL32(230, 159, 0, 255),   IM_COL32(213, 94, 0, 255),
-                                             IM_COL32(204, 121, 167, 255), IM_COL32(86, 180, 233, 255)};
+constexpr ImU32 cell_colour = IM_COL32(255, 255, 255, 255);
+// Levels 1, 2, ... in turn (Okabe & Ito 2008).
+constexpr std::array<ImU32, 5> level_colours{IM_COL32(240, 228, 66, 255), IM_COL32(230, 159, 0, 255),
+                                             IM_COL32(213, 94, 0, 255), IM_COL32(204, 121, 167, 255),
+                                             IM_COL32(86, 180, 233, 255)};
 constexpr ImU32 ray_colour = IM_COL32(0, 158, 115, 255);
 constexpr double near_m = 0.1;
 
@@ -71,6 +72,11 @@ glm::dvec3 corner_m(const terrain::RayNode& node, const world::GroundView& groun
           ground.parameters().origin_z_m + row * map.spacing_z_m};
 }
 
+ImU32 colour_of(int level) {
+  if (level == 0) return cell_colour;
+  return level_colours[static_cast<std::size_t>(level - 1) % level_colours.size()];
+}
+
 ImVec4 screen_colour(float steps) {
   const std::array<float, 3> linear = terrain::step_colour(steps);
   const auto srgb = [](float value) {
@@ -84,7 +90,7 @@ ImVec4 screen_colour(float steps) {
 void draw_ray_overlay(const GroundPick& pick, const world::GroundView& ground, const Camera& camera) {
   Pen pen(camera);
   for (const terrain::RayNode& node : pick.nodes) {
-    const ImU32 colour = level_colours[static_cast<std::size_t>(node.level) % level_colours.size()];
+    const ImU32 colour = colour_of(node.level);
     const float width_px = node.is_passed_over ? 1.0f : 2.0f;
     const std::array<glm::dvec3, 4> corners{corner_m(node, ground, 0, 0), corner_m(node, ground, 1, 0),
                                             corner_m(node, ground, 1, 1), corner_m(node, ground, 0, 1)};

@@ -61,6 +61,9 @@ class PanelEditsTest : public WindowTest, public testing::WithParamInterface<pre
     if (group == scene::ParameterGroup::terrain || group == scene::ParameterGroup::walk) {
       options.scene.terrain.is_given = options.scene.names_sea = true;
       options.scene.terrain.fractal.posts = 33;
+      // A scene that says where its eye is: nothing else places it.
+      options.scene.view.camera.eye_m.y = 2500.0;
+      options.scene.set_at.emplace("camera.y_m", "the test");
     }
     return options;
   }
