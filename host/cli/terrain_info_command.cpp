@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "host/base/error_report.h"
+#include "host/cli/store_info.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
+#include "host/io/tile_store/tile_store.h"
 
 namespace offing::cli {
 
@@ -125,6 +127,10 @@ void print_text(const TerrainInfoArguments& arguments, const HeightMapOptions& o
 }
 
 void run(const TerrainInfoArguments& arguments) {
+  if (is_tile_store(arguments.input.file())) {
+    print_store_info(arguments.input.file(), arguments.json ? InfoStyle::json : InfoStyle::text);
+    return;
+  }
   const HeightMapOptions options = arguments.input.options();
   const HeightMapFile file = arguments.input.read();
   if (arguments.json) {
@@ -143,6 +149,8 @@ void add_terrain_info_command(CLI::App& terrain, GlobalOptions& options) {
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
+FILE may also be a tile store of `offing terrain tile`.
+
 Voids are places without a height. They are filled from the posts around them and stay marked.
 
 Examples:

@@ -1,6 +1,11 @@
 #include "host/cli/terrain_input.h"
 
 #include <CLI/Option.hpp>
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/error_report.h"
+#include "host/io/tile_store/tile_store.h"
 
 namespace offing::cli {
 
@@ -12,6 +17,15 @@ void TerrainInput::add_to(CLI::App& command) {
       ->required()
       ->type_name("");
   flags_.add_to(command);
+}
+
+HeightMapFile TerrainInput::read() const {
+  if (is_tile_store(file_)) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a height map, found a tile store", one_line(file_)),
+                "info, render and fly take tile stores; give this command the map that it was made of");
+  }
+  return read_height_map(file_, options());
 }
 
 terrain::HeightField make_field(const HeightMap& map, const ocl::Device& device) {

@@ -19,8 +19,8 @@ class TerrainInput {
 
   const std::string& file() const { return file_; }
   HeightMapOptions options() const { return flags_.read(); }
-  /// Throws what read_height_map() throws.
-  HeightMapFile read() const { return read_height_map(file_, options()); }
+  /// Throws what read_height_map() throws, and Error(bad_input) for a tile store, which few commands read.
+  HeightMapFile read() const;
 
  private:
   std::string file_;

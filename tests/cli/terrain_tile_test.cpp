@@ -112,6 +112,21 @@ TEST_F(TerrainTile, GoesOnAfterAKill) {
   EXPECT_EQ(content_of("killed"), content_of("once"));
 }
 
+// Fails if info tells another map than that of the store, or a command that wants a map does not say so.
+TEST_F(TerrainTile, TellsOfStores) {
+  ASSERT_EQ(tile(make_ground(300), "store").exit_code, 0);
+  const ProgramResult info = run_offing({"terrain", "info", path("store"), "--json"});
+  ASSERT_EQ(info.exit_code, 0) << info.errors;
+  const auto json = nlohmann::json::parse(info.output);
+  EXPECT_EQ(json["columns"], 300);
+  EXPECT_EQ(json["spacing_x_m"], 10.0);
+  EXPECT_EQ(json["tiles"], 5);
+  EXPECT_THAT(run_offing({"terrain", "info", path("store")}).output, ::testing::HasSubstr("300 x 300"));
+  const ProgramResult height = run_offing({"terrain", "height", path("store"), "--at", "5,5"});
+  EXPECT_EQ(height.exit_code, 2);
+  EXPECT_THAT(height.errors, ::testing::HasSubstr("found a tile store"));
+}
+
 TEST_F(TerrainTile, KeepsWhatIsThere) {
   const std::vector<std::string> ground = make_ground(300);
   ASSERT_EQ(tile(ground, "store").exit_code, 0);
