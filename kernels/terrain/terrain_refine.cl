@@ -8,14 +8,13 @@
 #include "terrain/picture_rays.clh"
 
 // In [0, 1): the bits of a number mirrored at the point.
-FFT_INLINE float radical_inverse(uint number) {
-  uint bits = number;
-  bits = (bits << 16) | (bits >> 16);
-  bits = ((bits & 0x00ff00ffu) << 8) | ((bits & 0xff00ff00u) >> 8);
-  bits = ((bits & 0x0f0f0f0fu) << 4) | ((bits & 0xf0f0f0f0u) >> 4);
-  bits = ((bits & 0x33333333u) << 2) | ((bits & 0xccccccccu) >> 2);
-  bits = ((bits & 0x55555555u) << 1) | ((bits & 0xaaaaaaaau) >> 1);
-  return (float)(bits >> 8) * (1.0f / 16777216.0f);
+FFT_INLINE float radical_inverse(int number) {
+  float inverse = 0.0f, part = 0.5f;
+  for (int bits = number; bits > 0; bits >>= 1) {
+    inverse += (bits & 1) != 0 ? part : 0.0f;
+    part *= 0.5f;
+  }
+  return inverse;
 }
 
 // The light of LANES pixels, (r, g, b, coverage). All pixels have the same pattern of rays, so that what stands still does
@@ -28,7 +27,7 @@ FFT_INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes f
   lanes covered = (lanes)0.0f;
   for (int i = 0; i < samples; ++i) {
     const Rays rays = rays_through(field, view, column + ((float)i + 0.5f) / (float)samples,
-                                   row + radical_inverse((uint)i) + 0.5f / (float)samples);
+                                   row + radical_inverse(i) + 0.5f / (float)samples);
     Course course = course_of(field, rays);
     const Hits hits = first_hits(scenery->heights_m, scenery->lids_m, field, first_level, &course);
     const HitPlaces places = places_of_hits(scenery->lids_m, field, course.ray, hits);
