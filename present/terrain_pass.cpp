@@ -12,10 +12,16 @@ namespace {
 
 constexpr int image_unit = 0, planes_unit = 1;
 
-ShaderProgram terrain_program(const char* fragment) {
+ShaderProgram light_program(const char* ground_here) {
   return ShaderProgram({.vertex = {shader_file("screen.vert")},
                         .fragment = {shader_file("view_ray.glsl"), shader_file("ground_texels.glsl"),
-                                     shader_file(fragment)}});
+                                     shader_file(ground_here), shader_file("terrain.frag")}});
+}
+
+ShaderProgram steps_program() {
+  return ShaderProgram({.vertex = {shader_file("screen.vert")},
+                        .fragment = {shader_file("view_ray.glsl"), shader_file("ground_texels.glsl"),
+                                     shader_file("terrain_steps.frag")}});
 }
 
 void fit(TextureArray& texture, const TextureArray::Shape& shape) {
@@ -25,16 +31,16 @@ void fit(TextureArray& texture, const TextureArray::Shape& shape) {
 }  // namespace
 
 TerrainPass::TerrainPass()
-    : light_(terrain_program("terrain.frag")),
-      steps_(terrain_program("terrain_steps.frag")),
+    : exact_(light_program("ground_exact.glsl")),
+      enlarged_(light_program("ground_enlarged.glsl")),
+      steps_(steps_program()),
       no_vertices_(GlVertexArray::make()) {}
 
 void TerrainPass::prepare(const world::GroundView& ground, TransferLadder& transfer) {
   glActiveTexture(GL_TEXTURE0);
   const int width = ground.width_px(), height = ground.height_px();
   fit(image_, {.width = width, .height = height, .layers = 1, .channels = 4});
-  fit(planes_,
-      {.width = width, .height = height, .layers = terrain::HitPlanes::plane_count, .channels = 1});
+  fit(planes_, {.width = width, .height = height, .layers = terrain::HitPlanes::plane_count, .channels = 1});
   const std::array<Upload, 2> uploads{{{ground.image(), &image_}, {ground.planes(), &planes_}}};
   transfer.upload(uploads);
 }
@@ -49,11 +55,13 @@ void TerrainPass::bind(const ShaderProgram& program) const {
 }
 
 void TerrainPass::draw(const Camera& camera, Part part) const {
-  bind(light_);
-  set_view_rays(light_, camera);
-  light_.set("picture_size", glm::vec2(camera.width_px, camera.height_px));
-  light_.set("near_m", static_cast<float>(near_m));
-  light_.set("draws_edges", part == Part::edges ? 1 : 0);
+  const TextureArray::Shape& seen = image_.shape();
+  const bool is_exact = seen.width == camera.width_px && seen.height == camera.height_px;
+  const ShaderProgram& program = is_exact ? exact_ : enlarged_;
+  bind(program);
+  set_view_rays(program, camera);
+  program.set("near_m", static_cast<float>(near_m));
+  program.set("draws_edges", part == Part::edges ? 1 : 0);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GEQUAL);
   if (part == Part::edges) {

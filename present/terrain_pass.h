@@ -29,7 +29,7 @@ class TerrainPass {
  private:
   void bind(const ShaderProgram& program) const;
 
-  ShaderProgram light_, steps_;
+  ShaderProgram exact_, enlarged_, steps_;
   GlVertexArray no_vertices_;
   TextureArray image_, planes_;
 };

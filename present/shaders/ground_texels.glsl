@@ -10,3 +10,12 @@ ivec2 ground_size() {
 vec2 ground_point() {
   return vec2(0.5 + 0.5 * clip.x, 0.5 - 0.5 * clip.y) * vec2(ground_size());
 }
+
+struct Ground {
+  vec4 light;
+  float distance_m;
+};
+
+Ground ground_texel(ivec2 texel) {
+  return Ground(texelFetch(ground_image, ivec3(texel, 0), 0), texelFetch(ground_planes, ivec3(texel, 0), 0).r);
+}

@@ -1,0 +1,36 @@
+// The ground under a pixel of the picture, of a coarser view.
+
+// Texels whose distances differ by more than this share show different slopes.
+const float one_slope = 0.1;
+
+// Between four texels of a coarser view: those of the slope that the nearest one shows. Sky among them thins the
+// ground.
+Ground ground_here() {
+  vec2 point = ground_point();
+  vec2 corner = floor(point - 0.5);
+  vec2 share = point - 0.5 - corner;
+  ivec2 last = ground_size() - 1;
+  Ground texels[4];
+  float weights[4];
+  int nearest = 0;
+  for (int i = 0; i < 4; ++i) {
+    ivec2 step = ivec2(i & 1, i >> 1);
+    texels[i] = ground_texel(clamp(ivec2(corner) + step, ivec2(0), last));
+    weights[i] = (step.x == 1 ? share.x : 1.0 - share.x) * (step.y == 1 ? share.y : 1.0 - share.y);
+    if (weights[i] > weights[nearest]) nearest = i;
+  }
+  float middle_m = texels[nearest].distance_m;
+  if (isinf(middle_m)) {
+    for (int i = 0; i < 4; ++i) middle_m = min(middle_m, texels[i].distance_m);
+  }
+  Ground ground = Ground(vec4(0.0), middle_m);
+  float sum = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    bool is_sky = isinf(texels[i].distance_m);
+    if (!is_sky && abs(texels[i].distance_m - middle_m) > one_slope * middle_m) continue;
+    ground.light += weights[i] * texels[i].light;
+    sum += weights[i];
+  }
+  ground.light /= sum;
+  return ground;
+}
