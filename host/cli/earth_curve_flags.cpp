@@ -25,4 +25,10 @@ terrain::EarthCurve EarthCurveFlags::read() const {
   return curve;
 }
 
+std::vector<TerrainHit> cast(terrain::HeightField& field, std::span<const terrain::Ray> rays,
+                             const terrain::EarthCurve& curve) {
+  // Rays over flat ground need a kernel that is there already.
+  return curve.bend_perm() == 0.0 ? field.cast(rays) : field.cast(rays, curve);
+}
+
 }  // namespace offing::cli

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include <CLI/App.hpp>
 
 #include "host/terrain/earth_curve.h"
+#include "host/terrain/height_field.h"
 
 namespace offing::cli {
 
@@ -21,5 +24,9 @@ class EarthCurveFlags {
   bool is_curved_ = false;
   std::string refraction_;
 };
+
+/// What rays hit over ground that falls away by a curve, or none.
+std::vector<TerrainHit> cast(terrain::HeightField& field, std::span<const terrain::Ray> rays,
+                             const terrain::EarthCurve& curve);
 
 }  // namespace offing::cli

@@ -1,6 +1,7 @@
 #include "host/cli/terrain_los_command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <span>
@@ -10,6 +11,7 @@
 
 #include "host/base/argument.h"
 #include "host/cli/device_choice.h"
+#include "host/cli/earth_curve_flags.h"
 #include "host/cli/terrain_batch.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
@@ -24,25 +26,39 @@ constexpr double slack_cells = 2e-3, slack_share = 2e-7;
 struct TerrainLosArguments {
   TerrainInput input;
   TerrainBatch batch;
+  EarthCurveFlags curve;
   std::string from, to;
   bool json = false;
 };
 
-/// A line from an eye to a target.
+/// A line from an eye to a target, over ground that falls away by `bend_perm` times the square of the
+/// distance.
 struct Sight {
   glm::dvec3 from_m, way;
-  double distance_m, slack_m;
+  double distance_m, slack_m, bend_perm;
 
+  /// How far a metre of the way comes in plan.
+  double plan_share() const { return std::hypot(way.x, way.z); }
+  /// From one slack to the other: both ends may lie on the ground. Over its own origin the ground does not
+  /// fall.
   terrain::Ray ray() const {
-    // From one slack to the other: both ends may lie on the ground.
-    return {.origin_m = from_m + slack_m * way, .direction = way, .limit_m = distance_m - 2.0 * slack_m};
+    const double start_m = slack_m * plan_share();
+    const glm::dvec3 rise(0.0, 2.0 * bend_perm * start_m * plan_share(), 0.0);
+    return {.origin_m = point(slack_m),
+            .direction = glm::normalize(way + rise),
+            .limit_m = distance_m - 2.0 * slack_m};
   }
   double hidden_at_m(const TerrainHit& hit) const { return slack_m + static_cast<double>(hit.distance_m); }
+  /// Where the line is, as the map has heights.
+  glm::dvec3 point(double along_m) const {
+    const double plan_m = along_m * plan_share();
+    return from_m + along_m * way + glm::dvec3(0.0, bend_perm * plan_m * plan_m, 0.0);
+  }
 };
 
 /// Between two points, each as x, z and the height above ground. Errors name the place of a bad one.
-Sight sight_between(const HeightMap& map, const std::string& from_place, std::span<const double> from,
-                    const std::string& to_place, std::span<const double> to) {
+Sight sight_between(const HeightMap& map, const terrain::EarthCurve& curve, const std::string& from_place,
+                    std::span<const double> from, const std::string& to_place, std::span<const double> to) {
   const auto eye = [&](const std::string& place, std::span<const double> point) {
     if (point[2] < 0.0) {
       throw Error(
@@ -52,7 +68,10 @@ Sight sight_between(const HeightMap& map, const std::string& from_place, std::sp
     }
     return glm::dvec3(point[0], ground_under(place, map, point[0], point[1]).height_m + point[2], point[1]);
   };
-  const glm::dvec3 from_m = eye(from_place, from), to_m = eye(to_place, to);
+  const glm::dvec3 from_m = eye(from_place, from);
+  glm::dvec3 to_m = eye(to_place, to);
+  const double plan_m = std::hypot(to_m.x - from_m.x, to_m.z - from_m.z);
+  to_m.y -= curve.bend_perm() * plan_m * plan_m;
   const double distance_m = glm::length(to_m - from_m);
   const double slack_m = slack_cells * std::max(map.spacing_x_m, map.spacing_z_m) + slack_share * distance_m;
   if (distance_m <= 2.0 * slack_m) {
@@ -61,12 +80,12 @@ Sight sight_between(const HeightMap& map, const std::string& from_place, std::sp
                             to_place, distance_m),
                 "give X,Z,H such as 1200,350,1.7");
   }
-  return {from_m, (to_m - from_m) / distance_m, distance_m, slack_m};
+  return {from_m, (to_m - from_m) / distance_m, distance_m, slack_m, curve.bend_perm()};
 }
 
 void answer_one(const Sight& sight, const TerrainHit& hit, bool is_json) {
   const bool is_visible = hit.kind == TERRAIN_MISS;
-  const glm::dvec3 by_m = sight.from_m + sight.hidden_at_m(hit) * sight.way;
+  const glm::dvec3 by_m = sight.point(sight.hidden_at_m(hit));
   if (is_json) {
     nlohmann::ordered_json json = {{"visible", is_visible}, {"distance_m", sight.distance_m}};
     if (!is_visible) {
@@ -84,6 +103,7 @@ void answer_one(const Sight& sight, const TerrainHit& hit, bool is_json) {
 
 void answer_all(const TerrainLosArguments& arguments, const HeightMap& map, terrain::HeightField& field,
                 const GlobalOptions& options) {
+  const terrain::EarthCurve curve = arguments.curve.read();
   arguments.batch.answer(
       "from_x_m,from_z_m,from_height_m,to_x_m,to_z_m,to_height_m,visible,distance_m,hidden_at_m",
       [&](const std::vector<double>& rows, const NumberTable& table, std::string& text) {
@@ -92,10 +112,10 @@ void answer_all(const TerrainLosArguments& arguments, const HeightMap& map, terr
         for (std::size_t i = 0; i < rows.size(); i += 6) {
           const std::string place = table.place_of(i / 6);
           const std::span<const double> row = std::span(rows).subspan(i, 6);
-          sights.push_back(sight_between(map, place, row.first(3), place, row.subspan(3)));
+          sights.push_back(sight_between(map, curve, place, row.first(3), place, row.subspan(3)));
           rays.push_back(sights.back().ray());
         }
-        const std::vector<TerrainHit> hits = field.cast(rays);
+        const std::vector<TerrainHit> hits = cast(field, rays, curve);
         for (std::size_t i = 0; i < hits.size(); ++i) {
           const bool is_visible = hits[i].kind == TERRAIN_MISS;
           for (std::size_t column = 0; column < 6; ++column) {
@@ -115,13 +135,14 @@ void run(const TerrainLosArguments& arguments, const GlobalOptions& options) {
     terrain::HeightField field = make_field(file.map, ocl::Device::open(choose_one_device(options.device)));
     return answer_all(arguments, file.map, field, options);
   }
+  const terrain::EarthCurve curve = arguments.curve.read();
   const auto from = read_numbers("--from", arguments.from, 3, "X,Z,H", "1200,350,1.7");
   const auto to = read_numbers("--to", arguments.to, 3, "X,Z,H", "1200,350,1.7");
   const HeightMapFile file = arguments.input.read();
-  const Sight sight = sight_between(file.map, "--from", from, "--to", to);
+  const Sight sight = sight_between(file.map, curve, "--from", from, "--to", to);
   terrain::HeightField field = make_field(file.map, ocl::Device::open(choose_one_device(options.device)));
   const terrain::Ray ray = sight.ray();
-  answer_one(sight, field.cast(std::span(&ray, 1))[0], arguments.json);
+  answer_one(sight, cast(field, std::span(&ray, 1), curve)[0], arguments.json);
 }
 
 }  // namespace
@@ -132,6 +153,7 @@ void add_terrain_los_command(CLI::App& terrain, GlobalOptions& options) {
   arguments->input.add_to(*command);
   command->add_option("--from", arguments->from, "one end, m")->type_name("X,Z,H");
   command->add_option("--to", arguments->to, "the other end, m")->type_name("X,Z,H")->needs("--from");
+  arguments->curve.add_to(*command);
   command->add_flag("--json", arguments->json, "results for scripts");
   arguments->batch.add_to(
       *command,
@@ -141,7 +163,7 @@ void add_terrain_los_command(CLI::App& terrain, GlobalOptions& options) {
       "--from");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(
-      fmt::format("\n{}\nThe Earth is taken as flat.\n\n"
+      fmt::format("\n{}\n\n"
                   "Example:\n  offing terrain los S33W071.tif --from 47000,80000,1.7 --to 47000,20000,30\n"
                   "  offing terrain los S33W071.tif --points masts.csv -o seen.csv",
                   place_footer));

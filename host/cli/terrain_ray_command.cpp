@@ -1,5 +1,6 @@
 #include "host/cli/terrain_ray_command.h"
 
+#include <cmath>
 #include <iterator>
 #include <memory>
 
@@ -9,6 +10,7 @@
 
 #include "host/base/argument.h"
 #include "host/cli/device_choice.h"
+#include "host/cli/earth_curve_flags.h"
 #include "host/cli/terrain_batch.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
@@ -20,6 +22,7 @@ namespace {
 struct TerrainRayArguments {
   TerrainInput input;
   TerrainBatch batch;
+  EarthCurveFlags curve;
   std::string from, to, direction;
   bool json = false;
 };
@@ -71,12 +74,14 @@ void require_valid(const terrain::Ray& ray, const terrain::PostGrid& grid, const
   }
 }
 
-glm::dvec3 point_of(const terrain::Ray& ray, const TerrainHit& hit) {
-  return ray.origin_m + static_cast<double>(hit.distance_m) * ray.direction;
+/// As the map has heights: the ground falls away by a curve.
+glm::dvec3 point_of(const terrain::Ray& ray, const TerrainHit& hit, const terrain::EarthCurve& curve) {
+  const glm::dvec3 way_m = static_cast<double>(hit.distance_m) * ray.direction;
+  const double plan_m = std::hypot(way_m.x, way_m.z);
+  return ray.origin_m + way_m + glm::dvec3(0.0, curve.bend_perm() * plan_m * plan_m, 0.0);
 }
 
-void answer_one(const terrain::Ray& ray, const TerrainHit& hit, bool is_json) {
-  const glm::dvec3 point_m = point_of(ray, hit);
+void answer_one(const TerrainHit& hit, const glm::dvec3& point_m, bool is_json) {
   const glm::dvec3 normal(hit.normal_x, hit.normal_y, hit.normal_z);
   const bool is_hit = hit.kind != TERRAIN_MISS;
   if (is_json) {
@@ -101,6 +106,7 @@ void answer_one(const terrain::Ray& ray, const TerrainHit& hit, bool is_json) {
 
 void answer_all(const TerrainRayArguments& arguments, terrain::HeightField& field,
                 const GlobalOptions& options) {
+  const terrain::EarthCurve curve = arguments.curve.read();
   arguments.batch.answer(
       "x_m,y_m,z_m,direction_x,direction_y,direction_z,hit,distance_m,hit_x_m,hit_y_m,hit_z_m,"
       "normal_x,normal_y,normal_z",
@@ -117,7 +123,7 @@ void answer_all(const TerrainRayArguments& arguments, terrain::HeightField& fiel
           rays.push_back({.origin_m = {rows[i], rows[i + 1], rows[i + 2]}, .direction = way / length});
           require_valid(rays.back(), field.grid(), table.place_of(i / 6));
         }
-        const std::vector<TerrainHit> hits = field.cast(rays);
+        const std::vector<TerrainHit> hits = cast(field, rays, curve);
         for (std::size_t i = 0; i < hits.size(); ++i) {
           const auto out = std::back_inserter(text);
           const TerrainHit& hit = hits[i];
@@ -127,7 +133,7 @@ void answer_all(const TerrainRayArguments& arguments, terrain::HeightField& fiel
             fmt::format_to(out, "{},,,,,,,\n", name_of(hit.kind));
             continue;
           }
-          const glm::dvec3 point_m = point_of(rays[i], hit);
+          const glm::dvec3 point_m = point_of(rays[i], hit, curve);
           fmt::format_to(out, "{},{:.7g},{:.9g},{:.9g},{:.9g},{:.7g},{:.7g},{:.7g}\n", name_of(hit.kind),
                          hit.distance_m, point_m.x, point_m.y, point_m.z, hit.normal_x, hit.normal_y,
                          hit.normal_z);
@@ -143,7 +149,9 @@ void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
   const HeightMapFile file = arguments.input.read();
   terrain::HeightField field = make_field(file.map, ocl::Device::open(choose_one_device(options.device)));
   if (!is_single) return answer_all(arguments, field, options);
-  answer_one(ray, field.cast(std::span(&ray, 1))[0], arguments.json);
+  const terrain::EarthCurve curve = arguments.curve.read();
+  const TerrainHit hit = cast(field, std::span(&ray, 1), curve)[0];
+  answer_one(hit, point_of(ray, hit, curve), arguments.json);
 }
 
 }  // namespace
@@ -157,6 +165,7 @@ void add_terrain_ray_command(CLI::App& terrain, GlobalOptions& options) {
   command->add_option("--direction", arguments->direction, "its way without end, of any length")
       ->type_name("X,Y,Z")
       ->needs("--from");
+  arguments->curve.add_to(*command);
   command->add_flag("--json", arguments->json, "results for scripts");
   arguments->batch.add_to(*command,
                           {.names = {"x_m", "y_m", "z_m", "direction_x", "direction_y", "direction_z"},

@@ -103,6 +103,7 @@ struct HeightField::State {
   Pyramid pyramid;
   // Of each up rule; built when they are first asked for.
   std::array<std::optional<ocl::Kernel>, up_rules> distance_kernels, picture_kernels, ray_kernels;
+  std::optional<ocl::Kernel> curved_kernel;
   ocl::Buffer<TerrainRay> rays;
   ocl::Buffer<TerrainHit> hits;
 
@@ -145,6 +146,45 @@ struct HeightField::State {
       kernel = ocl::Program::build(device, "terrain/quadtree_cast.cl", definitions).kernel("quadtree_cast");
     kernel->launch(picture_shape(camera, lanes), heights_m, pyramid.lids_m(), field(method), view, records);
   }
+
+  /// `bends` are what the kernel takes with IS_CURVED.
+  template <class... Bends>
+  void cast_rays(std::optional<ocl::Kernel>& kernel, const ocl::Defines& definitions,
+                 const ocl::Buffer<TerrainRay>& from, std::size_t count, ocl::Buffer<TerrainHit>& to,
+                 CastMethod method, Bends... bends) const {
+    require_room("rays", count, from.size());
+    require_room("hits", count, to.size());
+    if (count == 0) return;
+    if (!kernel) kernel = ocl::Program::build(device, "terrain/ray_cast.cl", definitions).kernel("ray_cast");
+    const auto rays_each = static_cast<std::size_t>(lanes);
+    ocl::LaunchShape shape{{(count + rays_each - 1) / rays_each}};
+    if (lanes > 1) shape.local = {1};
+    kernel->launch(shape, heights_m, pyramid.lids_m(), field(method), from, static_cast<int>(count), to,
+                   bends...);
+  }
+
+  /// Calls cast(count) for rays that lie on the device, until all have been there.
+  template <class Cast>
+  std::vector<TerrainHit> cast_in_turn(std::span<const Ray> all, Cast cast) {
+    for (const Ray& ray : all) require_valid(ray, grid);
+    const std::size_t most = std::min(all.size(), most_rays);
+    if (rays.size() < most) {
+      rays = ocl::Buffer<TerrainRay>(device, most, "rays");
+      hits = ocl::Buffer<TerrainHit>(device, most, "hits");
+    }
+    std::vector<TerrainHit> found(all.size());
+    std::vector<TerrainRay> packed(most);
+    for (std::size_t first = 0; first < all.size(); first += most_rays) {
+      const std::size_t count = std::min(most_rays, all.size() - first);
+      std::transform(all.begin() + static_cast<std::ptrdiff_t>(first),
+                     all.begin() + static_cast<std::ptrdiff_t>(first + count), packed.begin(),
+                     [&](const Ray& ray) { return device_ray(ray, grid); });
+      rays.write(std::span(packed).first(count));
+      cast(count);
+      hits.read(std::span(found).subspan(first, count));
+    }
+    return found;
+  }
 };
 
 HeightField::HeightField(const ocl::Device& device, const PostGrid& grid, std::span<const float> heights_m)
@@ -184,40 +224,25 @@ void HeightField::cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits, Cast
 
 void HeightField::cast(const ocl::Buffer<TerrainRay>& rays, std::size_t count, ocl::Buffer<TerrainHit>& hits,
                        CastMethod method) {
-  require_room("rays", count, rays.size());
-  require_room("hits", count, hits.size());
-  if (count == 0) return;
   auto& kernel = state_->ray_kernels[static_cast<std::size_t>(up_rule_of(method))];
-  if (!kernel) {
-    kernel = ocl::Program::build(state_->device, "terrain/ray_cast.cl", state_->defines(method))
-                 .kernel("ray_cast");
-  }
-  const auto lanes = static_cast<std::size_t>(state_->lanes);
-  ocl::LaunchShape shape{{(count + lanes - 1) / lanes}};
-  if (lanes > 1) shape.local = {1};
-  kernel->launch(shape, state_->heights_m, state_->pyramid.lids_m(), state_->field(method), rays,
-                 static_cast<int>(count), hits);
+  state_->cast_rays(kernel, state_->defines(method), rays, count, hits, method);
 }
 
 std::vector<TerrainHit> HeightField::cast(std::span<const Ray> rays, CastMethod method) {
-  for (const Ray& ray : rays) require_valid(ray, state_->grid);
-  const std::size_t most = std::min(rays.size(), most_rays);
-  if (state_->rays.size() < most) {
-    state_->rays = ocl::Buffer<TerrainRay>(state_->device, most, "rays");
-    state_->hits = ocl::Buffer<TerrainHit>(state_->device, most, "hits");
-  }
-  std::vector<TerrainHit> hits(rays.size());
-  std::vector<TerrainRay> packed(most);
-  for (std::size_t first = 0; first < rays.size(); first += most_rays) {
-    const std::size_t count = std::min(most_rays, rays.size() - first);
-    std::transform(rays.begin() + static_cast<std::ptrdiff_t>(first),
-                   rays.begin() + static_cast<std::ptrdiff_t>(first + count), packed.begin(),
-                   [&](const Ray& ray) { return device_ray(ray, state_->grid); });
-    state_->rays.write(std::span(packed).first(count));
-    cast(state_->rays, count, state_->hits, method);
-    state_->hits.read(std::span(hits).subspan(first, count));
-  }
-  return hits;
+  return state_->cast_in_turn(rays,
+                              [&](std::size_t count) { cast(state_->rays, count, state_->hits, method); });
+}
+
+std::vector<TerrainHit> HeightField::cast(std::span<const Ray> rays, const EarthCurve& curve) {
+  require_valid(curve);
+  const auto bend_m = [&](double spacing_m) {
+    return static_cast<float>(curve.bend_perm() * spacing_m * spacing_m);
+  };
+  const ocl::Defines definitions = state_->defines(CastMethod::parity).set_flag("IS_CURVED");
+  return state_->cast_in_turn(rays, [&](std::size_t count) {
+    state_->cast_rays(state_->curved_kernel, definitions, state_->rays, count, state_->hits,
+                      CastMethod::parity, bend_m(state_->grid.spacing_x_m), bend_m(state_->grid.spacing_z_m));
+  });
 }
 
 }  // namespace offing::terrain

@@ -7,6 +7,7 @@
 #include "host/base/camera.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
+#include "host/terrain/earth_curve.h"
 #include "host/terrain/pyramid.h"
 #include "host/terrain/ray.h"
 
@@ -68,6 +69,9 @@ class HeightField {
   /// The same for rays in host memory; waits. Throws what require_valid(ray, grid) throws, before any is
   /// cast.
   std::vector<TerrainHit> cast(std::span<const Ray> rays, CastMethod method = CastMethod::parity);
+  /// The same over ground that lies curve.bend_perm() d^2 lower at a distance d, in plan, from a ray's
+  /// origin. Throws what require_valid(curve) throws too.
+  std::vector<TerrainHit> cast(std::span<const Ray> rays, const EarthCurve& curve);
 
  private:
   struct State;

@@ -1,6 +1,8 @@
 // What any rays hit first, by the walk of terrain/quadtree_cast.cl.
 // In:  heights [rows][columns] m, lids of terrain/pyramid_base.cl and pyramid_reduce.cl, or with TILED the pool and pages
 //      of shared/terrain_tiles.h; field, rays [count] (shared/terrain.h).
+//      With IS_CURVED (not with endless maps), bend_x_m and bend_z_m: how far the ground falls away at a cell's distance
+//      from the origin along x, along z.
 // Out: hits [count]; rays that are not finite miss.
 #define WRITES_HITS
 #include "terrain/endless.clh"
@@ -8,7 +10,11 @@
 
 __kernel void ray_cast(__global const float *restrict heights_m, __global const float *restrict lids_m,
                        TerrainField field, __global const TerrainRay *restrict rays, int count,
-                       __global TerrainHit *restrict hits) {
+                       __global TerrainHit *restrict hits
+#ifdef IS_CURVED
+                       , float bend_x_m, float bend_z_m
+#endif
+) {
   const int first = (int)get_global_id(0) * LANES;
   int cells[2][LANES];
   float numbers[10][LANES];
@@ -37,6 +43,9 @@ __kernel void ray_cast(__global const float *restrict heights_m, __global const 
   }
   TerrainHit records[LANES];
   Course course = course_of(field, of_lanes);
+#ifdef IS_CURVED
+  course.bend = bend_x_m * (of_lanes.along_x * of_lanes.along_x) + bend_z_m * (of_lanes.along_z * of_lanes.along_z);
+#endif
   const Hits found = first_hits(heights_m, lids_m, field, first_level, &course);
   record_hits(heights_m, lids_m, field, course.ray, found, records);
   for (int lane = 0; lane < min(LANES, count - first); ++lane) hits[first + lane] = records[lane];

@@ -70,6 +70,35 @@ TEST_F(TerrainQuery, WallsHide) {
   EXPECT_EQ(answer("los", {"--from", "100,20,101", "--to", "100,180,101"})["visible"], true);
 }
 
+// The ground of a flat sea 200 km long falls away by d^2 / 2R = 62.8 m within 28.3 km: an eye 10 m up sees
+// the water as far as sqrt(2R 10 m) = 11.29 km, and what is 22.6 m above it beyond that at 28.3 km: (28.3
+// - 11.29)^2 / 2R.
+TEST_F(TerrainQuery, TheEarthCurves) {
+  std::ofstream sea(path("sea.asc"));
+  sea << "ncols 41\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1000\n";
+  for (int i = 0; i < 82; ++i) sea << "0 ";
+  sea.close();
+  const auto sees = [&](const std::string& target, const std::vector<std::string>& flags) {
+    std::vector<std::string> arguments = {"terrain",  "los",  path("sea.asc"), "--from",
+                                          "0,500,10", "--to", target,          "--json"};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    const ProgramResult result = run_offing(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return nlohmann::json::parse(result.output)["visible"].get<bool>();
+  };
+  EXPECT_TRUE(sees("28300,500,1", {}));
+  EXPECT_FALSE(sees("28300,500,22.2", {"--refraction", "0"}));
+  EXPECT_TRUE(sees("28300,500,23.2", {"--refraction", "0"}));
+  EXPECT_TRUE(sees("28300,500,22.2", {"--curvature"}));
+  const auto hit =
+      nlohmann::json::parse(run_offing({"terrain", "ray", path("sea.asc"), "--from", "0,10,500",
+                                        "--direction", "1,-0.0018,0", "--refraction", "0", "--json"})
+                                .output);
+  // Reaches it where x^2 / 2R - 0.0018 x + 10 = 0, first at 9445 m, on the water.
+  EXPECT_NEAR(hit["point_m"][1].get<double>(), 0.0, 0.01);
+  EXPECT_NEAR(hit["distance_m"].get<double>(), 9445.0, 5.0);
+}
+
 // Fails if an answer of a file is not that of the single question, or another line's.
 TEST_F(TerrainQuery, FilesAskManyAtOnce) {
   const auto lines = [&](const std::string& command, const std::string& questions) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "host/terrain/height_field.h"
@@ -150,6 +151,37 @@ TEST(RayCastTest, StatesHowARayEnds) {
   EXPECT_NEAR(surface.normal_x, -std::numbers::sqrt2 / 2.0, 1e-6);
   EXPECT_NEAR(surface.normal_y, std::numbers::sqrt2 / 2.0, 1e-6);
   EXPECT_EQ(cast_one(slope, {.origin_m = {0.25, 1.0, 0.5}, .limit_m = 0.7}).kind, TERRAIN_MISS);
+}
+
+// From 20 m above a level sea of radius R, a ray that dips by a slope of p reaches the water where
+// 20 - p x + x^2 / 2R = 0, or never. Fails if nodes are passed over that the falling ground leaves below the
+// ray, or if the curve is taken along one axis alone. Gate 1e-3 cells across the surface, at least p / 4
+// steep.
+TEST(RayCastTest, CurvedGroundFallsAway) {
+  const terrain::PostGrid grid{.columns = 301, .rows = 301, .spacing_x_m = 10.0, .spacing_z_m = 15.0};
+  HeightField field(ocl::Device::open(), grid, std::vector<float>(301 * 301, 5.0f));
+  const double radius_m = 50'000.0;
+  std::vector<Ray> rays;
+  for (int i = 0; i < 200; ++i) {
+    const double heading = 0.1 + 0.007 * i, slope = 0.02 + 0.0004 * i;
+    rays.push_back({.origin_m = {3.0, 25.0, 7.0},
+                    .direction = glm::normalize(glm::dvec3(std::cos(heading), -slope, std::sin(heading)))});
+  }
+  const std::vector<TerrainHit> hits = field.cast(rays, terrain::EarthCurve{.radius_m = radius_m});
+  int misses = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const double slope = -rays[i].direction.y / std::hypot(rays[i].direction.x, rays[i].direction.z);
+    const double root = slope * slope - 40.0 / radius_m;
+    if (root < 0.0) {
+      EXPECT_EQ(hits[i].kind, TERRAIN_MISS) << slope;
+      ++misses;
+      continue;
+    }
+    const double plan_m = radius_m * (slope - std::sqrt(root));
+    ASSERT_EQ(hits[i].kind, TERRAIN_SURFACE) << slope;
+    EXPECT_NEAR(hits[i].distance_m, plan_m * std::sqrt(1.0 + slope * slope), 1e-2 * 4.0 / slope) << slope;
+  }
+  EXPECT_GT(misses, 10);
 }
 
 }  // namespace
