@@ -45,17 +45,17 @@ FFT_INLINE lanes above_eye(TerrainSight sight, lanes height_m) { return (height_
 // Ground along rays between two crossings: from `from_m` at `from` cells to `to_m` at `to`, `bulge` s^2 among its terms.
 // The highest that it is in the eye's picture, if that is at neither of them; from an eye on the ground on, its slope.
 FFT_INLINE lanes highest_between(lanes from, lanes from_m, lanes to, lanes to_m, lanes bulge) {
-  const lanes length = most(to - from, (lanes)1e-6f);
-  const lanes slope = (to_m - from_m) / length - bulge * length;
-  const lanes at_eye = select((lanes)NO_GROUND, slope, mask_of(from == 0.0f) & mask_of(from_m == 0.0f));
-  // Positive where it still rises in the picture.
-  const lanes rises = slope * from - from_m;
-  const int_lanes turns = mask_of(bulge < 0.0f) & mask_of(rises > 0.0f) &
-                          mask_of((slope + 2.0f * bulge * length) * to - to_m < 0.0f);
-  if (!any_lane(turns)) return at_eye;
-  const lanes r = rises / select((lanes)1.0f, -bulge, turns);
-  const lanes way = least(r / (from + sqrt(most(from * from + r, (lanes)0.0f))), length);
-  return select(at_eye, (from_m + way * (slope + way * bulge)) / (from + way), turns);
+  const lanes length = to - from, rise_m = to_m - from_m, arch_m = bulge * length * length;
+  const int_lanes at_eye = mask_of(from == 0.0f) & mask_of(from_m == 0.0f);
+  // Still rises in the picture where it begins, and falls where it ends.
+  const int_lanes turns = mask_of(bulge < 0.0f) & mask_of((rise_m - arch_m) * from > from_m * length) &
+                          mask_of((rise_m + arch_m) * to < to_m * length);
+  if (!any_lane(turns | at_eye)) return (lanes)NO_GROUND;
+  const lanes slope = (rise_m - arch_m) / most(length, (lanes)1e-6f);
+  const lanes r = most(slope * from - from_m, (lanes)0.0f) / select((lanes)1.0f, -bulge, turns);
+  const lanes way = least(r / (from + sqrt(from * from + r)), length);
+  const lanes at_turn = (from_m + way * (slope + way * bulge)) / (from + way);
+  return select(select((lanes)NO_GROUND, slope, at_eye), at_turn, turns);
 }
 
 // The least of h + f1 s + f2 s^2, s from 0 to `length`; of (f1 s + f2 s^2) / s where h is 0.
@@ -89,7 +89,7 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
   // The first ray is aside of the axis, so that posts on it are between rays.
   const lanes number = (float)first_ray - 0.5f + LANE_INDEX;
   const lanes slope = least(number / (float)spaces, (lanes)1.0f);
-  const lanes gap = next_lane(slope) - slope;
+  const lanes per_gap = 1.0f / most(next_lane(slope) - slope, (lanes)1e-9f);
   const lanes bend_m = major.bend_m + minor.bend_m * (slope * slope);  // at a line's distance
 
   const int start_column = min((int)minor.fraction, minor.last - 1);
@@ -106,6 +106,7 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
 
   for (int line = first_line; line <= last_line; ++line) {
     const float ahead = (float)line - major.fraction;
+    const float per_cell = 1.0f / ahead;
     const float ahead_rest = ((float)line - ahead) - major.fraction;
     const lanes way = slope * ahead, whole = floor(way);
     const lanes aside = (way - whole) + (fma(slope, (lanes)ahead, -way) + slope * ahead_rest + minor.fraction);
@@ -117,16 +118,17 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
     if (!any_lane(mask_of(convert_lanes(cell) + place <= (float)minor.last + 1.0f))) break;
 
     const int row = base + line * major_step;
-    const int_lanes at = row + cell * minor_step, behind = at - major_step;
+    const int_lanes at = row + cell * minor_step;
     const lanes low_m = gathered(heights_m, at);
     const lanes high_m = gathered(heights_m + minor_step, at);
     const int_lanes crosses = mask_of(cell != last_cell);
-    lanes behind_low_m = before_low_m, behind_high_m = before_high_m, last_low_m = low_m, last_high_m = high_m;
+    // Cells follow each other, so that a post of the last cell is also one of the next.
+    const lanes behind_low_m = select(before_low_m, before_high_m, crosses);
+    const lanes last_high_m = select(high_m, low_m, crosses);
+    lanes behind_high_m = before_high_m, last_low_m = low_m;
     if (any_lane(crosses)) {
-      behind_low_m = gathered(heights_m, behind);
-      behind_high_m = gathered(heights_m + minor_step, behind);
+      behind_high_m = gathered(heights_m + minor_step, at - major_step);
       last_low_m = gathered(heights_m, row + last_cell * minor_step);
-      last_high_m = select(high_m, low_m, crosses);
     }
 
     // The post between a ray and the next, if there is one.
@@ -136,12 +138,12 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
     const lanes next_place = next_lane(place);
     const int_lanes is_between = mask_of(to_post > 0.0f) & mask_of(post <= minor.last) &
                                  mask_of(convert_lanes(next_lane(cell) - post) + next_place >= 0.0f);
-    const lanes share = clamp(to_post / most(ahead * gap, (lanes)1e-30f), (lanes)0.0f, (lanes)1.0f);
+    const lanes share = clamp(to_post * per_cell * per_gap, (lanes)0.0f, (lanes)1.0f);
     const lanes post_aside = convert_lanes(post) - minor.fraction;
     const lanes post_m = select(high_m, low_m, is_on_axis);
     const lanes drop_m = major.bend_m * (ahead * ahead) + minor.bend_m * (post_aside * post_aside);
-    const lanes post_height = (above_eye(sight, post_m) - drop_m) / ahead;
-    const lanes target = post_height + sight.target_above_m / ahead;
+    const lanes post_height = (above_eye(sight, post_m) - drop_m) * per_cell;
+    const lanes target = post_height + sight.target_above_m * per_cell;
 
     // On the diagonal octants meet, and on the axes: one of them answers.
     const int_lanes is_mine =
@@ -154,16 +156,16 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
       const lanes beside_m = select(low_m, high_m, is_on_axis), across_m = select(behind_low_m, behind_high_m, is_on_axis);
       const lanes back_m = select(behind_high_m, behind_low_m, is_on_axis) - post_m;
       const lanes side_m = beside_m - post_m, twist_m = (across_m - beside_m) - back_m;
-      const lanes slant = post_aside / ahead;
-      const lanes f1 = -target - back_m - side_m * slant - 2.0f * drop_m / ahead;
-      const lanes f2 = drop_m / (ahead * ahead) - twist_m * slant;
+      const lanes slant = post_aside * per_cell;
+      const lanes f1 = -target - back_m - side_m * slant - 2.0f * drop_m * per_cell;
+      const lanes f2 = drop_m * (per_cell * per_cell) - twist_m * slant;
       const lanes clear = least_clearance(sight.target_above_m, f1, f2, min(1.0f, ahead));
-      const lanes noise = ROUNDING * (fabs(target) + fabs(back_m) + fabs(side_m) + fabs(twist_m) + drop_m / ahead +
+      const lanes noise = ROUNDING * (fabs(target) + fabs(back_m) + fabs(side_m) + fabs(twist_m) + drop_m * per_cell +
                                       sight.target_above_m);
       const lanes width = upper_right - upper_left, above = target - (upper_left + share * width);
       const lanes below = (lower_left + share * (lower_right - lower_left)) - target;
       const lanes margin = ROUNDING * (fabs(target) + fabs(width) + fabs(lower_right - lower_left) +
-                                       (drop_m + sight.target_above_m) / ahead);
+                                       (drop_m + sight.target_above_m) * per_cell);
       const int_lanes is_seen = is_asked & mask_of(above > margin) & mask_of(clear > noise);
       const int_lanes is_hidden = is_asked & (mask_of(below > margin) | mask_of(clear < -noise));
       int places[LANES], answers[LANES];
@@ -176,7 +178,7 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
 
     // Along each ray: at the border between two patches, in them, and at the line.
     const lanes line_m = above_eye(sight, low_m) + place * (high_m - low_m) - bend_m * (ahead * ahead);
-    const lanes at_line = line_m / ahead;
+    const lanes at_line = line_m * per_cell;
     const lanes last_twist_m = (last_high_m - last_low_m) - (before_high_m - before_low_m);
     const lanes last_bulge = last_twist_m * slope - bend_m;
     lanes border = (lanes)NO_GROUND, highest;
@@ -196,7 +198,7 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
     } else {
       highest = highest_between(last_ahead, ground_m, (lanes)ahead, line_m, last_bulge);
     }
-    const lanes noise = ROUNDING * (fabs(at_line) + rough / ahead);
+    const lanes noise = ROUNDING * (fabs(at_line) + rough * per_cell);
     // Between rays the Earth's curve arches above straight lines.
     const float arch = 0.25f * minor.bend_m * ahead / ((float)spaces * (float)spaces);
     highest = most(most(highest, border), at_line) + noise + arch;
