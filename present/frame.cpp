@@ -23,6 +23,7 @@ Camera ground_camera(const FrameRequest& request) {
 
 Frame::Frame(const GlContext& context, const ocl::Device& device, const FrameSettings& settings)
     : capabilities_(context.capabilities()),
+      ground_sampling_(settings.ground),
       transfer_(context, device, settings.transfer),
       water_(context.capabilities(), settings.water) {}
 
@@ -61,7 +62,8 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
   // Depth is 1 at the near plane and 0 at infinity.
   if (capabilities_.has_clip_control) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   if (world.ground()) {
-    run_stage(times_, Stage::terrain, world.device(), [&] { world.see_ground(ground_camera(request)); });
+    run_stage(times_, Stage::terrain, world.device(),
+              [&] { world.see_ground(ground_camera(request), ground_sampling_); });
   }
   const bool sees_ground = world.ground() && world.ground()->is_in_reach();
   const bool shows_steps = sees_ground && request.ground == GroundShow::steps;

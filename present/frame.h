@@ -18,6 +18,7 @@ namespace offing::present {
 struct FrameSettings {
   WaterDetail water;
   std::optional<TransferRung> transfer = {};  ///< the best one where absent
+  terrain::Sampling ground = {};
 };
 
 /// Draws pictures of a world, always into framebuffers of its own, so that a window, a file and a test see
@@ -42,6 +43,7 @@ class Frame {
   void draw_light(world::World& world, const FrameRequest& request, bool sees_ground);
 
   GlCapabilities capabilities_;
+  terrain::Sampling ground_sampling_;
   TransferLadder transfer_;
   SkyPass sky_;
   WaterPass water_;

@@ -20,8 +20,7 @@ class PictureMaker {
                                          context_.share_properties())),
         scene_(options.scene),
         world_(device_, scene::prepare_shown_world(scene_)),
-        frame_(context_, device_,
-               {.water = water_detail(options.detail.value_or(Detail::high)), .transfer = options.transfer}),
+        frame_(context_, device_, frame_settings(options.detail.value_or(Detail::high), options.transfer)),
         size_(options.size.value_or(PictureSize{})) {
     spdlog::info("OpenGL {} ({}, {}); OpenCL {}; transfer {}", context_.capabilities().version,
                  context_.capabilities().renderer, context_.capabilities().platform, device_.info().name,

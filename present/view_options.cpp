@@ -48,9 +48,10 @@ void add_options(CLI::App& app, Written& written) {
   app.set_help_flag("-h,--help", "print this help");
   app.add_option("SCENE", written.scene, "scene file (.toml); without one, a default sea, or --terrain alone")
       ->type_name("");
-  app.add_option("--terrain", written.terrain,
-                 "height map to show: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR; as [terrain] file = FILE in\n"
-                 "the scene would, whose other keys say how to read it and where its eye is")
+  app.add_option(
+         "--terrain", written.terrain,
+         "height map to show: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR; as [terrain] file = FILE in\n"
+         "the scene would, whose other keys say how to read it and where its eye is")
       ->type_name("FILE");
   const char* pictures = "Pictures";
   app.add_flag("--headless", written.is_headless, "no window: write a picture (-o)")->group(pictures);
@@ -218,9 +219,11 @@ PictureSize read_size(std::string_view flag, std::string_view text) {
   throw bad_argument(flag, fmt::format("WxH, each within [1, {}]", largest), text, "1280x720");
 }
 
-WaterDetail water_detail(Detail detail) {
-  return detail == Detail::low ? WaterDetail{.cells = {128, 128}, .taps = 1}
-                               : WaterDetail{.cells = {384, 384}, .taps = 4};
+FrameSettings frame_settings(Detail detail, std::optional<TransferRung> transfer) {
+  if (detail == Detail::low) {
+    return {.water = {.cells = {128, 128}, .taps = 1}, .transfer = transfer, .ground = {.rays = 1}};
+  }
+  return {.water = {.cells = {384, 384}, .taps = 4}, .transfer = transfer, .ground = {.rays = 16}};
 }
 
 std::optional<ViewOptions> read_view_options(int argc, const char* const* argv) {

@@ -7,9 +7,9 @@
 #include "host/base/cancel_token.h"
 #include "host/base/log.h"
 #include "host/scene/ocean_scene.h"
+#include "present/frame.h"
 #include "present/recording.h"
 #include "present/transfer.h"
-#include "present/water_pass.h"
 
 namespace offing::present {
 
@@ -25,7 +25,7 @@ enum class Detail {
   low,   ///< for a window where the CPU draws
   high,  ///< for pictures in files, and where a GPU draws
 };
-WaterDetail water_detail(Detail detail);
+FrameSettings frame_settings(Detail detail, std::optional<TransferRung> transfer = {});
 
 /// What the command line asks for, checked.
 struct ViewOptions {

@@ -33,7 +33,7 @@ std::string title(const ViewOptions& options) {
 LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& capabilities) {
   const Detail usual = capabilities.is_software ? Detail::low : Detail::high;
   return {.device = options.device,
-          .frame = {.water = water_detail(options.detail.value_or(usual)), .transfer = options.transfer}};
+          .frame = frame_settings(options.detail.value_or(usual), options.transfer)};
 }
 
 ViewState start_state(const ViewOptions& options, const LiveSea& sea) {

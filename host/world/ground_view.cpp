@@ -45,12 +45,13 @@ void GroundView::fit(const Camera& camera) {
   height_px_ = camera.height_px;
 }
 
-void GroundView::at(const Camera& camera, const sky::ClearSky& sky, const TerrainLight& light) {
+void GroundView::at(const Camera& camera, const sky::ClearSky& sky, const TerrainLight& light,
+                    const terrain::Sampling& sampling) {
   is_in_reach_ = rays_reach(field_.grid(), camera.eye_m);
   if (!is_in_reach_) return;
   fit(camera);
   field_.cast(camera, hits_);
-  shade_.at(field_, camera, hits_, {light, sky.params(), sky.view_table()}, image_);
+  shade_.at(field_, camera, hits_, {light, sky.params(), sky.view_table()}, image_, {.sampling = sampling});
   hit_planes_.at(hits_, terrain::pixel_count(camera), planes_);
 }
 

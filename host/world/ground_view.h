@@ -41,8 +41,10 @@ class GroundView {
   std::optional<terrain::GroundPoint> ground_at(double x_m, double z_m) const;
 
   /// Enqueues what this camera sees under a sky whose eye is the camera's: nothing from where no rays reach
-  /// the map (terrain::farthest_origin_cells).
-  void at(const Camera& camera, const sky::ClearSky& sky, const TerrainLight& light);
+  /// the map (terrain::farthest_origin_cells). Throws what require_valid(camera) throws, Error(bad_input) for
+  /// a sampling out of range.
+  void at(const Camera& camera, const sky::ClearSky& sky, const TerrainLight& light,
+          const terrain::Sampling& sampling);
   /// Whether the camera of the last at() was near enough; only then is there anything of what follows.
   bool is_in_reach() const { return is_in_reach_; }
 

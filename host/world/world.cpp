@@ -198,8 +198,8 @@ void World::at(double time_s, double eye_altitude_m) {
   time_s_ = time_s;
 }
 
-void World::see_ground(const Camera& camera) {
-  if (ground_) ground_->at(camera, sky_, ground_light_);
+void World::see_ground(const Camera& camera, const terrain::Sampling& sampling) {
+  if (ground_) ground_->at(camera, sky_, ground_light_, sampling);
 }
 
 }  // namespace offing::world

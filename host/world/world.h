@@ -57,8 +57,8 @@ class World {
   /// Enqueues the world of this time, as seen from this height above the sea: sky, sea, foam.
   void at(double time_s, double eye_altitude_m);
   /// Enqueues what a camera sees of the ground, if there is any, in the light of the last at(). An eye that
-  /// is farther from the map than rays reach sees nothing of it. Throws what require_valid(camera) throws.
-  void see_ground(const Camera& camera);
+  /// is farther from the map than rays reach sees nothing of it. Throws what GroundView::at() throws.
+  void see_ground(const Camera& camera, const terrain::Sampling& sampling = {});
 
   /// The water at points of the world by the last at(): Ocean::sample() with this world's trochoids. Throws
   /// what ocean() throws.
@@ -98,7 +98,8 @@ class World {
   const HiddenSlopes& hidden_slopes() const { return hidden_slopes_; }
 
   /// The farthest that waves move the surface at the time of the last at(), 0 without a sea: six standard
-  /// deviations of the cascades, which one sample in 10^8 exceeds, all trochoids at once, and the eight tallest rings.
+  /// deviations of the cascades, which one sample in 10^8 exceeds, all trochoids at once, and the eight
+  /// tallest rings.
   ocean::SurfaceReach reach() const;
 
  private:

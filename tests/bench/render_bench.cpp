@@ -33,7 +33,7 @@ class Renderer {
         device_(ocl::Device::open_shared(ocl::select_device(selector), ocl::Profiling::off,
                                          context_.share_properties())),
         world_(device_, parameters),
-        frame_(context_, device_, {.water = present::water_detail(present::Detail::low)}),
+        frame_(context_, device_, present::frame_settings(present::Detail::low)),
         view_(view) {
     view_.camera.width_px = size.width;
     view_.camera.height_px = size.height;

@@ -156,10 +156,9 @@ TEST_F(TerrainPassTest, SharesTheWorldWithTheSea) {
     for (int column = 0; column < width; ++column) {
       const auto i = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
       const double distance_m = planes[texel(column, row)];
-      if (std::isinf(distance_m)) continue;
-      const double hit_m = coast.eye_m.y + distance_m * ray_of(coast, column, row).y;
       const terrain::Texel& ground = image[texel(column, row)];
-      if (ground[3] < 1.0f) continue;  // an edge, mixed with what is behind
+      if (std::isinf(distance_m) || ground[3] < 1.0f) continue;  // edges are mixed with what is behind
+      const double hit_m = coast.eye_m.y + distance_m * ray_of(coast, column, row).y;
       bool shows_ground = true;
       for (std::size_t c = 0; c < 3; ++c) {
         shows_ground = shows_ground && std::abs(pixels[4 * i + c] - ground[c]) <= 2.0 * half_step * ground[c];
