@@ -9,8 +9,8 @@
 
 namespace offing::present {
 
-/// Lays the ground that OpenCL saw over the picture, pixel by pixel where it was seen as finely as the picture
-/// is drawn; coarser views are enlarged without mixing what is near with what is far.
+/// Lays the ground that OpenCL saw over the picture, pixel by pixel where it was seen as finely as the
+/// picture is drawn; coarser views are enlarged without mixing what is near with what is far.
 class TerrainPass {
  public:
   TerrainPass();

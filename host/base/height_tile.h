@@ -44,8 +44,8 @@ struct TileSetShape {
 /// The ground of a tile. Beyond the map's edge heights are those of the edge, and means go on straight.
 struct HeightTile {
   TileKey key;
-  /// [tile_posts][tile_posts] m. At level 0 the map's heights; else of each post the highest of the map within
-  /// a cell of this level around it, so that the bilinear surface between is nowhere below the map's.
+  /// [tile_posts][tile_posts] m. At level 0 the map's heights; else of each post the highest of the map
+  /// within a cell of this level around it, so that the bilinear surface between is nowhere below the map's.
   std::vector<float> highest_m;
   /// [ringed_tile_posts][ringed_tile_posts] m, from the post before the tile's first one on: means over the
   /// four cells of this level around, for slopes. At level 0 the map's heights.

@@ -26,9 +26,10 @@ terrain::EarthCurve EarthCurveFlags::read() const {
 }
 
 std::vector<TerrainHit> cast(terrain::HeightField& field, std::span<const terrain::Ray> rays,
-                             const terrain::EarthCurve& curve) {
+                             const terrain::EarthCurve& curve, terrain::HitNormals normals) {
   // Rays over flat ground need a kernel that is there already.
-  return curve.bend_perm() == 0.0 ? field.cast(rays) : field.cast(rays, curve);
+  return curve.bend_perm() == 0.0 ? field.cast(rays, terrain::CastMethod::parity, normals)
+                                  : field.cast(rays, curve, normals);
 }
 
 }  // namespace offing::cli

@@ -27,6 +27,7 @@ class EarthCurveFlags {
 
 /// What rays hit over ground that falls away by a curve, or none.
 std::vector<TerrainHit> cast(terrain::HeightField& field, std::span<const terrain::Ray> rays,
-                             const terrain::EarthCurve& curve);
+                             const terrain::EarthCurve& curve,
+                             terrain::HitNormals normals = terrain::HitNormals::patch);
 
 }  // namespace offing::cli

@@ -33,7 +33,8 @@ FlightComparison::Result FlightComparison::result() const {
   if (errors_.empty()) return result;
   std::vector<float> errors = errors_;
   const auto at = [&](double share) {
-    const auto place = errors.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(errors.size() - 1));
+    const auto place =
+        errors.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(errors.size() - 1));
     std::nth_element(errors.begin(), place, errors.end());
     return static_cast<double>(*place);
   };

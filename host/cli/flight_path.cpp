@@ -15,7 +15,8 @@ constexpr double pitch_rad = -10.0 * std::numbers::pi / 180.0;
 constexpr int smoothed_steps = 60;
 
 glm::dvec2 figure(const Flight& flight, double phase) {
-  return {flight.width_m * (0.5 + 0.4 * std::sin(phase)), flight.depth_m * (0.5 + 0.4 * std::sin(2.0 * phase))};
+  return {flight.width_m * (0.5 + 0.4 * std::sin(phase)),
+          flight.depth_m * (0.5 + 0.4 * std::sin(2.0 * phase))};
 }
 
 }  // namespace
@@ -42,7 +43,8 @@ std::vector<Camera> flight_path(const Flight& flight) {
   for (int frame = 0; frame < flight.frames; ++frame) {
     const int at = frame + smoothed_steps;
     double sum_m = 0.0;
-    for (int i = at - smoothed_steps; i <= at + smoothed_steps; ++i) sum_m += highest_m[static_cast<std::size_t>(i)];
+    for (int i = at - smoothed_steps; i <= at + smoothed_steps; ++i)
+      sum_m += highest_m[static_cast<std::size_t>(i)];
     const glm::dvec2 here = places[static_cast<std::size_t>(at)],
                      way = places[static_cast<std::size_t>(at + 1)] - here;
     Camera camera;

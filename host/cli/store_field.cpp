@@ -18,8 +18,8 @@ void CacheFlags::add_to(CLI::App& command) {
 
 std::size_t CacheFlags::bytes() const {
   constexpr std::size_t mebibyte = 1 << 20;
-  return mebibyte *
-         static_cast<std::size_t>(cache_mb_.empty() ? 256 : read_whole("--cache-mb", cache_mb_, 32, 65536, "256"));
+  return mebibyte * static_cast<std::size_t>(
+                        cache_mb_.empty() ? 256 : read_whole("--cache-mb", cache_mb_, 32, 65536, "256"));
 }
 
 terrain::MapEdge CacheFlags::edge() const {

@@ -17,13 +17,23 @@ namespace {
 struct TerrainHeightArguments {
   TerrainInput input;
   TerrainBatch batch;
+  bool smooth_normals = false;
   std::string at;
   bool json = false;
 };
 
-void answer_one(const HeightMap& map, const std::vector<double>& place, bool is_json) {
-  const terrain::GroundPoint ground = ground_under("--at", map, place[0], place[1]);
-  if (is_json) {
+/// `place` names where the question comes from.
+terrain::GroundPoint ground_of(const TerrainHeightArguments& arguments, const std::string& place,
+                               const HeightMap& map, double x_m, double z_m) {
+  terrain::GroundPoint ground = ground_under(place, map, x_m, z_m);
+  if (arguments.smooth_normals) ground.normal = *terrain::smooth_normal_at(map, x_m, z_m);
+  return ground;
+}
+
+void answer_one(const TerrainHeightArguments& arguments, const HeightMap& map,
+                const std::vector<double>& place) {
+  const terrain::GroundPoint ground = ground_of(arguments, "--at", map, place[0], place[1]);
+  if (arguments.json) {
     print_json({{"height_m", ground.height_m},
                 {"normal", to_json(ground.normal)},
                 {"slope_deg", slope_deg(ground.normal)}});
@@ -37,7 +47,7 @@ void run(const TerrainHeightArguments& arguments, const GlobalOptions& options) 
   arguments.batch.require_question(arguments.at);
   if (!arguments.batch.is_asked()) {
     const auto place = read_numbers("--at", arguments.at, 2, "X,Z", "1200,350.5");
-    return answer_one(arguments.input.read().map, place, arguments.json);
+    return answer_one(arguments, arguments.input.read().map, place);
   }
   const HeightMapFile file = arguments.input.read();
   arguments.batch.answer(
@@ -45,7 +55,7 @@ void run(const TerrainHeightArguments& arguments, const GlobalOptions& options) 
       [&](const std::vector<double>& rows, const NumberTable& table, std::string& text) {
         for (std::size_t i = 0; i < rows.size(); i += 2) {
           const double x_m = rows[i], z_m = rows[i + 1];
-          const terrain::GroundPoint ground = ground_under(table.place_of(i / 2), file.map, x_m, z_m);
+          const terrain::GroundPoint ground = ground_of(arguments, table.place_of(i / 2), file.map, x_m, z_m);
           fmt::format_to(std::back_inserter(text), "{:.12g},{:.12g},{:.9g},{:.7g},{:.7g},{:.7g},{:.7g}\n",
                          x_m, z_m, ground.height_m, ground.normal.x, ground.normal.y, ground.normal.z,
                          slope_deg(ground.normal));
@@ -61,6 +71,8 @@ void add_terrain_height_command(CLI::App& terrain, GlobalOptions& options) {
   CLI::App* command = terrain.add_subcommand("height", "height, normal and slope of the ground at a point");
   arguments->input.add_to(*command);
   command->add_option("--at", arguments->at, "where, m")->type_name("X,Z");
+  command->add_flag("--smooth-normals", arguments->smooth_normals,
+                    "normal and slope without creases, from posts around the patch; default its own");
   command->add_flag("--json", arguments->json, "results for scripts");
   arguments->batch.add_to(
       *command,

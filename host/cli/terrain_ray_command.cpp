@@ -23,6 +23,7 @@ struct TerrainRayArguments {
   TerrainInput input;
   TerrainBatch batch;
   EarthCurveFlags curve;
+  bool smooth_normals = false;
   std::string from, to, direction;
   bool json = false;
 };
@@ -63,6 +64,10 @@ const char* name_of(int kind) {
     default:
       return "miss";
   }
+}
+
+terrain::HitNormals normals_of(const TerrainRayArguments& arguments) {
+  return arguments.smooth_normals ? terrain::HitNormals::smooth : terrain::HitNormals::patch;
 }
 
 /// As terrain::require_valid(); errors name the place that the ray comes from.
@@ -123,7 +128,7 @@ void answer_all(const TerrainRayArguments& arguments, terrain::HeightField& fiel
           rays.push_back({.origin_m = {rows[i], rows[i + 1], rows[i + 2]}, .direction = way / length});
           require_valid(rays.back(), field.grid(), table.place_of(i / 6));
         }
-        const std::vector<TerrainHit> hits = cast(field, rays, curve);
+        const std::vector<TerrainHit> hits = cast(field, rays, curve, normals_of(arguments));
         for (std::size_t i = 0; i < hits.size(); ++i) {
           const auto out = std::back_inserter(text);
           const TerrainHit& hit = hits[i];
@@ -150,7 +155,7 @@ void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
   terrain::HeightField field = make_field(file.map, ocl::Device::open(choose_one_device(options.device)));
   if (!is_single) return answer_all(arguments, field, options);
   const terrain::EarthCurve curve = arguments.curve.read();
-  const TerrainHit hit = cast(field, std::span(&ray, 1), curve)[0];
+  const TerrainHit hit = cast(field, std::span(&ray, 1), curve, normals_of(arguments))[0];
   answer_one(hit, point_of(ray, hit, curve), arguments.json);
 }
 
@@ -166,6 +171,8 @@ void add_terrain_ray_command(CLI::App& terrain, GlobalOptions& options) {
       ->type_name("X,Y,Z")
       ->needs("--from");
   arguments->curve.add_to(*command);
+  command->add_flag("--smooth-normals", arguments->smooth_normals,
+                    "normals without creases, from posts around the hit's patch; default its own");
   command->add_flag("--json", arguments->json, "results for scripts");
   arguments->batch.add_to(*command,
                           {.names = {"x_m", "y_m", "z_m", "direction_x", "direction_y", "direction_z"},

@@ -24,9 +24,9 @@ struct SwellScene {
   double phase_rad = 0.0;      ///< at the origin and time 0; 0 is a crest
 };
 
-/// Everything a scene file or the command line can say about a sea, the ground and their pictures, checked one
-/// value at a time by the parameter table (parameter_table.h), which holds every key, flag, unit and range. A
-/// default-made scene is the default sea.
+/// Everything a scene file or the command line can say about a sea, the ground and their pictures, checked
+/// one value at a time by the parameter table (parameter_table.h), which holds every key, flag, unit and
+/// range. A default-made scene is the default sea.
 struct OceanScene {
   double latitude_rad = 0.0;   ///< of the origin, north positive
   double longitude_rad = 0.0;  ///< of the origin, east positive

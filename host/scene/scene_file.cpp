@@ -25,8 +25,8 @@ namespace {
 constexpr std::streamsize max_scene_bytes = 4 << 20;
 
 /// Parts of the scene format that have no system behind them in this version.
-constexpr std::array<std::string_view, 6> planned_keys = {"world.sea_level_m", "ocean.wake", "body",
-                                                           "clouds", "mesh", "light"};
+constexpr std::array<std::string_view, 6> planned_keys = {
+    "world.sea_level_m", "ocean.wake", "body", "clouds", "mesh", "light"};
 
 class SceneReader {
  public:

@@ -17,8 +17,8 @@ std::optional<world::GroundParameters> prepare_ground(const OceanScene& scene);
 std::optional<world::GroundParameters> edited_ground(const std::optional<world::GroundParameters>& now,
                                                      const OceanScene& before, const OceanScene& after);
 
-/// Where a scene has ground and does not say where its eye is: terrain::flying_camera() over that ground, with
-/// the scene's field of view. Does nothing else.
+/// Where a scene has ground and does not say where its eye is: terrain::flying_camera() over that ground,
+/// with the scene's field of view. Does nothing else.
 void place_camera(OceanScene& scene, const std::optional<world::GroundParameters>& ground);
 
 /// Where the camera walks and is over the ground: its eye goes to a walker's height.

@@ -86,7 +86,8 @@ std::vector<Parameter> view_parameters() {
        .flag = "",
        .group = camera,
        .storage = choice<view, &ViewScene::mode>({"fly", "walk"}),
-       .help = "how a window's camera moves; on foot y_m is that of the ground and the eye's height above it"},
+       .help =
+           "how a window's camera moves; on foot y_m is that of the ground and the eye's height above it"},
 
       {.key = "walk.eye_height_m",
        .flag = "",

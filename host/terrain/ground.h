@@ -18,4 +18,8 @@ struct GroundPoint {
 /// beyond the map's edge. The same surface that rays hit.
 std::optional<GroundPoint> ground_at(const HeightMap& map, double x_m, double z_m);
 
+/// The unit normal at (x_m, z_m) that goes on smoothly from patch to patch, as HitNormals::smooth has it;
+/// nothing beyond the map's edge.
+std::optional<glm::dvec3> smooth_normal_at(const HeightMap& map, double x_m, double z_m);
+
 }  // namespace offing::terrain

@@ -101,9 +101,10 @@ struct HeightField::State {
   int lanes;
   ocl::Buffer<float> heights_m;
   Pyramid pyramid;
-  // Of each up rule; built when they are first asked for.
-  std::array<std::optional<ocl::Kernel>, up_rules> distance_kernels, picture_kernels, ray_kernels;
-  std::optional<ocl::Kernel> curved_kernel;
+  // Of each up rule, of hits with either kind of normals; built when they are first asked for.
+  std::array<std::optional<ocl::Kernel>, up_rules> distance_kernels;
+  std::array<std::array<std::optional<ocl::Kernel>, up_rules>, 2> picture_kernels, ray_kernels;
+  std::array<std::optional<ocl::Kernel>, 2> curved_kernels;  ///< by normals
   ocl::Buffer<TerrainRay> rays;
   ocl::Buffer<TerrainHit> hits;
 
@@ -135,6 +136,10 @@ struct HeightField::State {
 
   ocl::Defines defines(CastMethod method) const {
     return ocl::Defines().set("LANES", lanes).set("UP_RULE", up_rule_of(method));
+  }
+  ocl::Defines defines(CastMethod method, HitNormals normals) const {
+    ocl::Defines definitions = defines(method);
+    return normals == HitNormals::smooth ? definitions.set_flag("SMOOTH_NORMALS") : definitions;
   }
 
   template <class Record>
@@ -217,31 +222,38 @@ void HeightField::cast(const Camera& camera, ocl::Buffer<float>& distances_m, Ca
   state_->cast_picture(kernel, state_->defines(method), camera, distances_m, method);
 }
 
-void HeightField::cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits, CastMethod method) {
-  auto& kernel = state_->picture_kernels[static_cast<std::size_t>(up_rule_of(method))];
-  state_->cast_picture(kernel, state_->defines(method).set_flag("WRITES_HITS"), camera, hits, method);
+void HeightField::cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits, CastMethod method,
+                       HitNormals normals) {
+  auto& kernel =
+      state_
+          ->picture_kernels[static_cast<std::size_t>(normals)][static_cast<std::size_t>(up_rule_of(method))];
+  state_->cast_picture(kernel, state_->defines(method, normals).set_flag("WRITES_HITS"), camera, hits,
+                       method);
 }
 
 void HeightField::cast(const ocl::Buffer<TerrainRay>& rays, std::size_t count, ocl::Buffer<TerrainHit>& hits,
-                       CastMethod method) {
-  auto& kernel = state_->ray_kernels[static_cast<std::size_t>(up_rule_of(method))];
-  state_->cast_rays(kernel, state_->defines(method), rays, count, hits, method);
+                       CastMethod method, HitNormals normals) {
+  auto& kernel =
+      state_->ray_kernels[static_cast<std::size_t>(normals)][static_cast<std::size_t>(up_rule_of(method))];
+  state_->cast_rays(kernel, state_->defines(method, normals), rays, count, hits, method);
 }
 
-std::vector<TerrainHit> HeightField::cast(std::span<const Ray> rays, CastMethod method) {
-  return state_->cast_in_turn(rays,
-                              [&](std::size_t count) { cast(state_->rays, count, state_->hits, method); });
+std::vector<TerrainHit> HeightField::cast(std::span<const Ray> rays, CastMethod method, HitNormals normals) {
+  return state_->cast_in_turn(
+      rays, [&](std::size_t count) { cast(state_->rays, count, state_->hits, method, normals); });
 }
 
-std::vector<TerrainHit> HeightField::cast(std::span<const Ray> rays, const EarthCurve& curve) {
+std::vector<TerrainHit> HeightField::cast(std::span<const Ray> rays, const EarthCurve& curve,
+                                          HitNormals normals) {
   require_valid(curve);
   const auto bend_m = [&](double spacing_m) {
     return static_cast<float>(curve.bend_perm() * spacing_m * spacing_m);
   };
-  const ocl::Defines definitions = state_->defines(CastMethod::parity).set_flag("IS_CURVED");
+  const ocl::Defines definitions = state_->defines(CastMethod::parity, normals).set_flag("IS_CURVED");
   return state_->cast_in_turn(rays, [&](std::size_t count) {
-    state_->cast_rays(state_->curved_kernel, definitions, state_->rays, count, state_->hits,
-                      CastMethod::parity, bend_m(state_->grid.spacing_x_m), bend_m(state_->grid.spacing_z_m));
+    state_->cast_rays(state_->curved_kernels[static_cast<std::size_t>(normals)], definitions, state_->rays,
+                      count, state_->hits, CastMethod::parity, bend_m(state_->grid.spacing_x_m),
+                      bend_m(state_->grid.spacing_z_m));
   });
 }
 

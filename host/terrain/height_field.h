@@ -22,6 +22,12 @@ enum class CastMethod {
   linear,  ///< from patch to patch, without the pyramid
 };
 
+/// Where the normals of hits come from.
+enum class HitNormals {
+  patch,   ///< the bilinear patch that is hit: exact, with creases between patches
+  smooth,  ///< of posts the mean slopes between their neighbours, bilinear between posts: no creases
+};
+
 /// A map of heights on a device, the surface of bilinear patches between its posts, and what rays hit of it
 /// (T1-T9 of docs/sources.md).
 ///
@@ -60,18 +66,21 @@ class HeightField {
   /// fewer.
   void cast(const Camera& camera, ocl::Buffer<float>& distances_m, CastMethod method = CastMethod::parity);
   /// The same with all of a TerrainHit.
-  void cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits, CastMethod method = CastMethod::parity);
+  void cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits, CastMethod method = CastMethod::parity,
+            HitNormals normals = HitNormals::patch);
 
   /// Enqueues what the first `count` rays hit first. Rays with numbers that are not finite miss. Throws
   /// Error(bad_usage) if a buffer holds fewer.
   void cast(const ocl::Buffer<TerrainRay>& rays, std::size_t count, ocl::Buffer<TerrainHit>& hits,
-            CastMethod method = CastMethod::parity);
+            CastMethod method = CastMethod::parity, HitNormals normals = HitNormals::patch);
   /// The same for rays in host memory; waits. Throws what require_valid(ray, grid) throws, before any is
   /// cast.
-  std::vector<TerrainHit> cast(std::span<const Ray> rays, CastMethod method = CastMethod::parity);
+  std::vector<TerrainHit> cast(std::span<const Ray> rays, CastMethod method = CastMethod::parity,
+                               HitNormals normals = HitNormals::patch);
   /// The same over ground that lies curve.bend_perm() d^2 lower at a distance d, in plan, from a ray's
   /// origin. Throws what require_valid(curve) throws too.
-  std::vector<TerrainHit> cast(std::span<const Ray> rays, const EarthCurve& curve);
+  std::vector<TerrainHit> cast(std::span<const Ray> rays, const EarthCurve& curve,
+                               HitNormals normals = HitNormals::patch);
 
  private:
   struct State;

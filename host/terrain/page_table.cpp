@@ -22,7 +22,8 @@ int padded(int squares, int levels) {
 PagesShape PagesShape::of(const TileSetShape& shape) {
   const int columns = shape.tiles_x(0), rows = shape.tiles_z(0);
   // Of a long strip the top has several nodes, so that padding is at most three quarters.
-  const int levels = std::min(levels_above(std::max(columns, rows)), levels_above(std::min(columns, rows)) + 2);
+  const int levels =
+      std::min(levels_above(std::max(columns, rows)), levels_above(std::min(columns, rows)) + 2);
   return {padded(columns, levels), padded(rows, levels), TERRAIN_TILE_LOG2 + levels};
 }
 

@@ -23,7 +23,8 @@ class PageTable {
 
   /// Lays the part of a resident tile that `covered`, itself or one of those it covers, takes up.
   /// square_lids_m as tile_image.h has them.
-  void lay(const TileKey& covered, const TileKey& resident, int slot, const std::vector<float>& square_lids_m);
+  void lay(const TileKey& covered, const TileKey& resident, int slot,
+           const std::vector<float>& square_lids_m);
   /// Once every square has been laid.
   void reduce_lids();
 

@@ -94,8 +94,8 @@ void require_valid(const Ray& ray, const PostGrid& grid) {
                          (ray.origin_m.z - grid.origin_z_m) / grid.spacing_z_m);
   for (const double cells : {place.x, place.y}) {
     if (std::abs(cells) > farthest_origin_cells) {
-      refuse(fmt::format("ray: expected an origin within {:g} cells of the map, found {:g}", farthest_origin_cells,
-                         cells),
+      refuse(fmt::format("ray: expected an origin within {:g} cells of the map, found {:g}",
+                         farthest_origin_cells, cells),
              "move the origin toward the map");
     }
   }

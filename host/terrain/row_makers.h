@@ -15,8 +15,8 @@ class RowMakers {
 
   int rows_at_once() const { return rows_a_maker * static_cast<int>(makers_.size()); }
 
-  /// Heights [rows][posts] m of the rows from `first` on, as many as are made at once or are left; valid until
-  /// the next call.
+  /// Heights [rows][posts] m of the rows from `first` on, as many as are made at once or are left; valid
+  /// until the next call.
   std::span<const float> make(int first);
 
  private:

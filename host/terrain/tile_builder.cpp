@@ -91,7 +91,8 @@ void TileBuilder::add_row(std::span<const float> heights_m) {
 void TileBuilder::add_cells_below(int level, const CellRow& cells) {
   Level& of = levels_[static_cast<std::size_t>(level)];
   const std::size_t count = (cells.highest_m.size() + 1) / 2, pairs = cells.highest_m.size() / 2;
-  CellRow row{std::vector<float>(count, cells.highest_m.back()), std::vector<float>(count, cells.means_m.back())};
+  CellRow row{std::vector<float>(count, cells.highest_m.back()),
+              std::vector<float>(count, cells.means_m.back())};
   for (std::size_t i = 0; i < pairs; ++i) {
     row.highest_m[i] = higher(cells.highest_m[2 * i], cells.highest_m[2 * i + 1]);
     row.means_m[i] = mean(cells.means_m[2 * i], cells.means_m[2 * i + 1]);

@@ -25,12 +25,13 @@ class TileBuilder {
   };
   struct Level {
     int posts_x = 0, posts_z = 0;
-    std::vector<std::vector<float>> highest_m, means_m;  ///< the last rows of posts, by row modulo their number
-    int rows = 0;                                        ///< of posts that came in
-    int next_tiles = 0;                                  ///< row of tiles to be cut next
-    CellRow before;                                      ///< the row of cells before, joined to posts
-    CellRow half;                                        ///< the first of two rows of the level below
-    int cell_rows = 0, cell_rows_below = 0;              ///< that came in
+    std::vector<std::vector<float>> highest_m,
+        means_m;                             ///< the last rows of posts, by row modulo their number
+    int rows = 0;                            ///< of posts that came in
+    int next_tiles = 0;                      ///< row of tiles to be cut next
+    CellRow before;                          ///< the row of cells before, joined to posts
+    CellRow half;                            ///< the first of two rows of the level below
+    int cell_rows = 0, cell_rows_below = 0;  ///< that came in
   };
 
   void add_posts(int level, std::span<const float> highest_m, std::span<const float> means_m);

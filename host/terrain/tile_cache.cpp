@@ -37,11 +37,12 @@ std::size_t slots_within(const ocl::Device& device, const TileSetShape& shape, s
   const std::size_t needed = coarsest + least_slots;
   if (slots < needed) {
     constexpr double mebibyte = 1 << 20;
-    throw Error(ErrorKind::bad_input,
-                fmt::format("tile cache: expected room for {} tiles, found {} in {:.0f} MiB", needed, slots,
-                            static_cast<double>(budget_bytes) / mebibyte),
-                fmt::format("give it {:.0f} MiB or more",
-                            static_cast<double>(needed * slot_bytes + fixed_bytes + loader_bytes) / mebibyte + 1.0));
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("tile cache: expected room for {} tiles, found {} in {:.0f} MiB", needed, slots,
+                    static_cast<double>(budget_bytes) / mebibyte),
+        fmt::format("give it {:.0f} MiB or more",
+                    static_cast<double>(needed * slot_bytes + fixed_bytes + loader_bytes) / mebibyte + 1.0));
   }
   return slots;
 }
@@ -93,9 +94,8 @@ std::size_t TileCache::want(const std::vector<TileKey>& keys) {
 }
 
 std::optional<int> TileCache::free_slot() const {
-  const auto oldest = std::min_element(slots_.begin(), slots_.end(), [](const Slot& a, const Slot& b) {
-    return a.last_frame < b.last_frame;
-  });
+  const auto oldest = std::min_element(
+      slots_.begin(), slots_.end(), [](const Slot& a, const Slot& b) { return a.last_frame < b.last_frame; });
   if (oldest->last_frame >= frame_) return std::nullopt;
   return static_cast<int>(oldest - slots_.begin());
 }

@@ -79,7 +79,8 @@ std::vector<TileKey> choose_cut(const TiledMap& map, const CutView& view, std::s
   while (!open.empty()) {
     const Candidate next = open.top();
     open.pop();
-    const std::vector<TileKey> children = next.key.level > 0 ? cut.children(next.key) : std::vector<TileKey>{};
+    const std::vector<TileKey> children =
+        next.key.level > 0 ? cut.children(next.key) : std::vector<TileKey>{};
     const bool has_room = open.size() + chosen.size() + children.size() <= most_tiles;
     if (next.pixels <= 1.0 || children.empty() || !has_room) {
       chosen.push_back(next);

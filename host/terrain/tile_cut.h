@@ -27,13 +27,13 @@ struct TiledMap {
 /// From where tiles are looked at, and how closely.
 struct CutView {
   double eye_x_m = 0.0, eye_z_m = 0.0;
-  double above_m = 0.0;      ///< of the eye over the map's highest post, at least 0
-  double pixel_rad = 1e-3;   ///< angle that a pixel sees
+  double above_m = 0.0;     ///< of the eye over the map's highest post, at least 0
+  double pixel_rad = 1e-3;  ///< angle that a pixel sees
 };
 
 /// Tiles that cover the map once, each so coarse that a cell is at most about a pixel wide, and at most
-/// `most_tiles` (or as many as the coarsest level has): where they do not suffice, all are coarser by the same
-/// factor. Those that are seen most coarsely come first.
+/// `most_tiles` (or as many as the coarsest level has): where they do not suffice, all are coarser by the
+/// same factor. Those that are seen most coarsely come first.
 std::vector<TileKey> choose_cut(const TiledMap& map, const CutView& view, std::size_t most_tiles);
 
 }  // namespace offing::terrain

@@ -70,7 +70,8 @@ TileImage tile_image(const HeightTile& tile, double spacing_x_m, double spacing_
   for (int level = 0, side = tile_cells; side >= 1; ++level, side /= 2) {
     if (level > 0) lids = reduced(lids, 2 * side);
     if (level == TERRAIN_TILE_LOG2 - tile.key.level) image.square_lids_m = lids;
-    if (level >= 1 && level < TERRAIN_TILE_LOG2) image.words.insert(image.words.end(), lids.begin(), lids.end());
+    if (level >= 1 && level < TERRAIN_TILE_LOG2)
+      image.words.insert(image.words.end(), lids.begin(), lids.end());
   }
   append_slopes(image.words, tile, spacing_x_m, spacing_z_m);
   return image;

@@ -21,8 +21,8 @@ TileLoader::~TileLoader() {
 }
 
 bool TileLoader::is_loaded(const TileKey& key) const {
-  return at_hand_ == key || std::any_of(loaded_.begin(), loaded_.end(),
-                                        [&](const Loaded& loaded) { return loaded.key == key; });
+  return at_hand_ == key ||
+         std::any_of(loaded_.begin(), loaded_.end(), [&](const Loaded& loaded) { return loaded.key == key; });
 }
 
 void TileLoader::want(const std::vector<TileKey>& keys) {

@@ -1,5 +1,5 @@
-// Light on terrain and the air before it, one layout for host and device: 4-byte scalars only. Colours are linear
-// Rec.709.
+// Light on terrain and the air before it, one layout for host and device: 4-byte scalars only. Colours are
+// linear Rec.709.
 #ifndef OFFING_KERNELS_SHARED_TERRAIN_LIGHT_H
 #define OFFING_KERNELS_SHARED_TERRAIN_LIGHT_H
 
@@ -16,7 +16,7 @@ typedef struct {
   float aerosol_perm;
   float rayleigh_scale_height_m, aerosol_scale_height_m;
   // Heights between which the ground's cover changes.
-  float sea_level_m;   // ground at or below is water
+  float sea_level_m;  // ground at or below is water
   float tree_line_m;
   float snow_line_m;
 } TerrainLight;

@@ -1,12 +1,12 @@
-// What lies on terrain beside its light: a map of colours and the share of the sky that its posts see, one layout for
-// host and device: 4-byte scalars only.
+// What lies on terrain beside its light: a map of colours and the share of the sky that its posts see, one
+// layout for host and device: 4-byte scalars only.
 #ifndef OFFING_KERNELS_SHARED_TERRAIN_LOOK_H
 #define OFFING_KERNELS_SHARED_TERRAIN_LOOK_H
 
 typedef struct {
   // Of the finest level; each further one has half as many, rounded up. No columns: no colours.
   int colour_columns, colour_rows, colour_levels;
-  float colour_left, colour_top;            // the edge of the first texel, in cells from the first post
+  float colour_left, colour_top;  // the edge of the first texel, in cells from the first post
   float colours_a_cell_x, colours_a_cell_z;
   // Shares of the sky stand at every so many posts, and at the last ones. 0: there are none.
   int open_sky_stride;

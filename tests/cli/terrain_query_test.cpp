@@ -60,6 +60,21 @@ TEST_F(TerrainQuery, RaysEndOnTheGround) {
   EXPECT_EQ(answer("ray", {"--from", "33,10,7", "--to", "33,20,7"})["hit"], "inside");
 }
 
+// At the top of the wall's side patches lean by the wall's 10 m in 1, smooth normals by half of it, as level
+// ground follows. Fails if --smooth-normals does nothing.
+TEST_F(TerrainQuery, NormalsAreSmoothOnRequest) {
+  const auto lean = [](const nlohmann::json& json) {
+    return std::abs(json["normal"][2].get<double>() / json["normal"][1].get<double>());
+  };
+  EXPECT_NEAR(lean(answer("height", {"--at", "33,90.001"})), 10.0, 1e-6);
+  EXPECT_NEAR(lean(answer("height", {"--at", "33,90.001", "--smooth-normals"})), 5.0, 1e-3);
+  const std::vector<std::string> down{"--from", "33,300,90.001", "--direction", "0,-1,0"};
+  std::vector<std::string> smooth = down;
+  smooth.push_back("--smooth-normals");
+  EXPECT_NEAR(lean(answer("ray", down)), 10.0, 1e-3);
+  EXPECT_NEAR(lean(answer("ray", smooth)), 5.0, 1e-2);
+}
+
 // On its own side of the wall a target on the very ground is seen; behind the wall only from above it.
 TEST_F(TerrainQuery, WallsHide) {
   EXPECT_EQ(answer("los", {"--from", "20,20,2", "--to", "180,80,0"})["visible"], true);

@@ -20,7 +20,8 @@ Mosaic::Mosaic(const std::filesystem::path& folder)
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().string();
-    if (entry.is_regular_file() && GDALIdentifyDriver(name.c_str(), nullptr) != nullptr) names.push_back(name);
+    if (entry.is_regular_file() && GDALIdentifyDriver(name.c_str(), nullptr) != nullptr)
+      names.push_back(name);
   }
   if (names.empty()) {
     throw Error(ErrorKind::bad_input,
@@ -36,13 +37,14 @@ Mosaic::Mosaic(const std::filesystem::path& folder)
   const std::unique_ptr<GDALBuildVRTOptions, void (*)(GDALBuildVRTOptions*)> options(
       GDALBuildVRTOptionsNew(arguments, nullptr), GDALBuildVRTOptionsFree);
   int is_wrong = 0;
-  const Dataset mosaic(GDALBuildVRT(path_.c_str(), static_cast<int>(pointers.size()), nullptr, pointers.data(),
-                                    options.get(), &is_wrong));
+  const Dataset mosaic(GDALBuildVRT(path_.c_str(), static_cast<int>(pointers.size()), nullptr,
+                                    pointers.data(), options.get(), &is_wrong));
   if (!mosaic || is_wrong != 0) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected height maps that fit together, found {} of which not all do: {}",
-                            folder.string(), names.size(), session.failure()),
-                "bring them to one coordinate system with gdalwarp, and leave no other rasters in the folder");
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: expected height maps that fit together, found {} of which not all do: {}",
+                    folder.string(), names.size(), session.failure()),
+        "bring them to one coordinate system with gdalwarp, and leave no other rasters in the folder");
   }
 }
 

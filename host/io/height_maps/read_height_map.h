@@ -62,9 +62,9 @@ HeightMapFile read_height_map(const std::filesystem::path& path, const HeightMap
 
 /// Reads a height map row by row, of any size, with memory for some rows only: a file as read_height_map()
 /// reads it, a VRT, or a folder whose rasters together are one map. `begin` gets what is known beforehand
-/// (heights, voids and range are not), `row` the heights [columns] m of each row from north to south. Voids are
-/// filled in bands of 256 rows, each beginning with the last row of the one before; before the first height
-/// they are 0. Returns what was read.
+/// (heights, voids and range are not), `row` the heights [columns] m of each row from north to south. Voids
+/// are filled in bands of 256 rows, each beginning with the last row of the one before; before the first
+/// height they are 0. Returns what was read.
 ///
 /// Throws what read_height_map() throws, and Error(bad_input) for south-up rasters and reproject_to.
 HeightMapSource stream_height_map(const std::filesystem::path& path, const HeightMapOptions& options,

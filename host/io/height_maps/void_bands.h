@@ -14,7 +14,8 @@ namespace offing::height_maps {
 class VoidBands {
  public:
   /// void_height_m is that of all voids, if given; else those before the first height become 0.
-  VoidBands(int columns, std::optional<double> void_height_m, std::function<void(std::span<const float>)> take);
+  VoidBands(int columns, std::optional<double> void_height_m,
+            std::function<void(std::span<const float>)> take);
 
   /// Whole rows; is_void 1 where a height is missing.
   void add(std::span<const float> heights_m, std::span<const std::uint8_t> is_void);

@@ -104,8 +104,9 @@ std::vector<float> read_layer(const Layer& layer, const char* bytes, std::size_t
   }
   std::vector<std::uint16_t> steps(posts);
   std::memcpy(steps.data(), bytes, posts * sizeof(std::uint16_t));
-  std::transform(steps.begin(), steps.end(), heights_m.begin(),
-                 [&](std::uint16_t step) { return layer.lowest_m + static_cast<float>(step) * layer.step_m; });
+  std::transform(steps.begin(), steps.end(), heights_m.begin(), [&](std::uint16_t step) {
+    return layer.lowest_m + static_cast<float>(step) * layer.step_m;
+  });
   return heights_m;
 }
 
@@ -141,18 +142,22 @@ std::string encode_tile(const HeightTile& tile) {
 HeightTile decode_tile(const std::filesystem::path& path, std::string_view bytes, const TileKey& key) {
   Header header{};
   if (bytes.size() >= sizeof(Header)) std::memcpy(&header, bytes.data(), sizeof(Header));
-  if (header.magic != magic) refuse(path, fmt::format("expected a tile, found {} bytes of something else", bytes.size()));
+  if (header.magic != magic)
+    refuse(path, fmt::format("expected a tile, found {} bytes of something else", bytes.size()));
   if (header.version != format_version) {
-    refuse(path, fmt::format("expected a tile of version {}, found version {}", format_version, header.version));
+    refuse(path,
+           fmt::format("expected a tile of version {}, found version {}", format_version, header.version));
   }
   if (header.checksum != checksum_of(bytes)) {
-    refuse(path, fmt::format("expected checksum {:016x}, found {:016x}: the tile is damaged or cut short", header.checksum,
-                             checksum_of(bytes)));
+    refuse(path, fmt::format("expected checksum {:016x}, found {:016x}: the tile is damaged or cut short",
+                             header.checksum, checksum_of(bytes)));
   }
   const TileKey found{header.level, header.column, header.row};
   if (found != key) {
-    refuse(path, fmt::format("expected the tile of level {}, column {}, row {}, found that of level {}, column {}, row {}",
-                             key.level, key.column, key.row, found.level, found.column, found.row));
+    refuse(path,
+           fmt::format(
+               "expected the tile of level {}, column {}, row {}, found that of level {}, column {}, row {}",
+               key.level, key.column, key.row, found.level, found.column, found.row));
   }
   const std::size_t means_bytes = layer_bytes(header.means, ringed_posts);
   if (bytes.size() != sizeof(Header) + means_bytes + layer_bytes(header.highest, plain_posts)) {

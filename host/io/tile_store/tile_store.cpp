@@ -23,7 +23,8 @@ constexpr const char* header_name = "store.toml";
 constexpr int format_version = 1;
 
 fs::path tile_path(const fs::path& folder, const TileKey& key) {
-  return folder / std::to_string(key.level) / fmt::format("{:04}", key.row) / fmt::format("{:04}.tile", key.column);
+  return folder / std::to_string(key.level) / fmt::format("{:04}", key.row) /
+         fmt::format("{:04}.tile", key.column);
 }
 
 std::optional<std::string> content_of(const fs::path& path) {
@@ -88,20 +89,23 @@ TileStoreHeader read_header(const fs::path& folder) {
   try {
     table = toml::parse(*content);
   } catch (const toml::parse_error& error) {
-    refuse_header(path, fmt::format("expected TOML, found {} in line {}", error.description(), error.source().begin.line));
+    refuse_header(path, fmt::format("expected TOML, found {} in line {}", error.description(),
+                                    error.source().begin.line));
   }
   const HeaderReader reader(path, table);
   reader.whole("version", format_version, format_version);
   reader.whole("tile_cells", tile_cells, tile_cells);
   constexpr int most_posts = 1 << 20;
   TileStoreHeader header;
-  header.shape = TileSetShape::of(reader.whole("columns", 2, most_posts), reader.whole("rows", 2, most_posts));
+  header.shape =
+      TileSetShape::of(reader.whole("columns", 2, most_posts), reader.whole("rows", 2, most_posts));
   reader.whole("levels", header.shape.levels, header.shape.levels);
   header.spacing_x_m = reader.above_zero("spacing_x_m");
   header.spacing_z_m = reader.above_zero("spacing_z_m");
   header.lowest_m = static_cast<float>(reader.value<double>("lowest_m"));
   header.highest_m = static_cast<float>(reader.value<double>("highest_m"));
-  header.void_posts = static_cast<std::uint64_t>(std::max<std::int64_t>(0, reader.value<std::int64_t>("void_posts")));
+  header.void_posts =
+      static_cast<std::uint64_t>(std::max<std::int64_t>(0, reader.value<std::int64_t>("void_posts")));
   header.heights_checksum = checksum_of(path, reader.value<std::string>("heights_checksum"));
   header.georeference = {reader.optional<std::string>("coordinate_system").value_or(""),
                          reader.optional<double>("first_post_x").value_or(0.0),
@@ -122,7 +126,9 @@ std::string digits(double value) {
 
 std::string header_text(const TileStoreHeader& header) {
   std::string text = "# A height map in tiles, made by `offing terrain tile`.\n";
-  const auto line = [&](const char* name, const std::string& value) { text += fmt::format("{} = {}\n", name, value); };
+  const auto line = [&](const char* name, const std::string& value) {
+    text += fmt::format("{} = {}\n", name, value);
+  };
   line("version", std::to_string(format_version));
   line("columns", std::to_string(header.shape.columns));
   line("rows", std::to_string(header.shape.rows));
@@ -161,7 +167,8 @@ void make_folder(const fs::path& folder) {
   std::error_code status;
   fs::create_directories(folder, status);
   if (!status) return;
-  throw Error(ErrorKind::file, fmt::format("{}: cannot be made a folder: {}", folder.string(), status.message()),
+  throw Error(ErrorKind::file,
+              fmt::format("{}: cannot be made a folder: {}", folder.string(), status.message()),
               "name a folder that does not exist yet, where you may write");
 }
 
@@ -182,7 +189,8 @@ HeightTile TileStore::read(const TileKey& key) const {
   const fs::path path = path_of(key);
   const auto content = content_of(path);
   if (content) return tile_store::decode_tile(path, *content, key);
-  throw Error(ErrorKind::bad_input, fmt::format("{}: expected a tile, found none that can be read", path.string()),
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected a tile, found none that can be read", path.string()),
               "make the store again with `offing terrain tile`: tiles that are whole are kept");
 }
 
