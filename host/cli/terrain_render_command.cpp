@@ -184,9 +184,10 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
       "picture of the ground from above (GeoTIFF, PNG ...), by its georeference or else stretched over the "
       "map");
   add("--sky-visibility", arguments->sky_visibility, "SWITCH",
-      "on or off: whether ground around a place hides the sky's light from it (default on; not of tiles)");
+      "on or off: whether ground around a place hides the sky's light from it (default on; off of tile "
+      "stores)");
   add("--samples", arguments->samples, "N",
-      "rays a pixel, 1 to 4096; or auto: 16 where light or coverage change from pixel to pixel (default "
+      "rays a pixel, 1 to 4096; or auto: 4 or 16 where light or coverage change from pixel to pixel (default "
       "auto)");
   add("--show", arguments->show, "WHAT",
       "light, or steps: how far each ray walked, blue 0, green 16, yellow 40, red 80 and more");

@@ -29,12 +29,12 @@ struct GroundLight {
   const ocl::Buffer<Texel>& view_table;
 };
 
-/// Rays a pixel. All pixels get one; those whose light or coverage differs from that of a neighbour by more
-/// than a share of the brighter one's luminance get `rays` of their own instead, spread evenly over the
-/// pixel.
+/// Rays a pixel. All pixels get one. Those whose light differs from that of a neighbour by more than a share
+/// of the brighter one's luminance get a quarter of `rays` of their own instead, and all of them where it
+/// differs by four times as much or where the ground ends; they are spread evenly over the pixel.
 struct Sampling {
   int rays = 16;                ///< 1 ... 4096; 1: no pixel gets more
-  double least_contrast = 0.2;  ///< below 0: all pixels get them
+  double least_contrast = 0.2;  ///< below 0: all pixels get all of them
 };
 
 /// What lies on the ground, and how finely it is drawn. What is pointed to is not kept.
