@@ -73,6 +73,13 @@ smoothed). From 256 to 4096 {terrain_growth}; the paper's frame takes about 2.5 
 
 {terrain_paper}
 
+## Viewsheds
+
+`offing-bench viewshed`: which posts of a whole map an eye 30 m above the ground sees, into host memory, on a flat and on the curved Earth,
+against `GDALViewshedGenerate`, which runs on one core and is approximate.
+
+{viewsheds}
+
 ## Beside the paper
 
 Tables of Lee & Lee (2006, 2007), which print frames a second on a GeForce 6800 Ultra and on a Pentium 4 at 3 GHz
@@ -251,7 +258,9 @@ def main(programs):
     terrain = json.loads(
         output_of(programs / "offing-bench", "terrain", "--sizes", ",".join(map(str, PAPER_TERRAIN)), "--blocks", blocks, "--json")
     )
+    viewsheds = json.loads(output_of(programs / "offing-bench", "viewshed", "--sizes", 1024, "--blocks", blocks, "--json"))
     page = PAGE.format(
+        viewsheds=rows_table(viewsheds),
         terrain=rows_table([row for row in terrain if "steps" not in row]),
         terrain_means=terrain_means(terrain),
         terrain_steps=terrain_steps_table(terrain),
