@@ -68,7 +68,7 @@ patch by patch; `picture`: the default's packets of pixels on a CPU, a ray's sha
 
 {terrain_steps}
 
-Park, Oh & Cho (2007) print frames a second on a Radeon 2900 and seconds of preprocessing on a CPU at 2.33 GHz; ours are casts
+Park, Oh & Cho (2007) print frames a second on a Radeon 2900 and seconds of preprocessing on a CPU at 2.33 GHz; ours are whole
 frames, rays and light, on the CPU named above, over the same made ground at every size, one ray a pixel (`smooth_frame`: with edges
 smoothed). From 256 to 4096 {terrain_growth}; the paper's frame takes about 2.5 times as long:
 
