@@ -12,9 +12,9 @@
 #include "host/base/argument.h"
 #include "host/base/error_report.h"
 #include "host/base/progress.h"
+#include "host/cli/new_output.h"
 #include "host/cli/terrain_place.h"
 #include "host/io/atomic_file.h"
-#include "host/io/file_presence.h"
 #include "host/terrain/row_makers.h"
 
 namespace offing::cli {
@@ -57,10 +57,7 @@ void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options
     throw bad_argument("--output", "a name that ends with .r32: floats, m, without a header",
                        arguments.output, "valley.r32");
   }
-  if (!arguments.force && is_there(arguments.output)) {
-    throw Error(ErrorKind::file, fmt::format("{}: is there already", one_line(arguments.output)),
-                "--force replaces it, or name another file with -o");
-  }
+  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused);
   AtomicFile file(arguments.output);
   float lowest_m = 0.0f, highest_m = 0.0f;
   {

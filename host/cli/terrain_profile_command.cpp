@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "host/base/argument.h"
+#include "host/cli/new_output.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
 #include "host/io/atomic_file.h"
-#include "host/io/file_presence.h"
 
 namespace offing::cli {
 
@@ -27,10 +27,7 @@ struct TerrainProfileArguments {
 void run(const TerrainProfileArguments& arguments) {
   const auto from = read_numbers("--from", arguments.from, 2, "X,Z", "0,0");
   const auto to = read_numbers("--to", arguments.to, 2, "X,Z", "1200,350");
-  if (!arguments.output.empty() && !arguments.force && is_there(arguments.output)) {
-    throw Error(ErrorKind::file, fmt::format("{}: is there already", arguments.output),
-                "--force replaces it, or name another file with -o");
-  }
+  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused);
   const HeightMapFile file = arguments.input.read();
   const HeightMap& map = file.map;
   const double length_m = std::hypot(to[0] - from[0], to[1] - from[1]);

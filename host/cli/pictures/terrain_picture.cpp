@@ -49,7 +49,8 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
   sky::ClearSky sky(device, atmosphere);
   sky.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad),
           .eye_altitude_m = std::max(0.0, camera.eye_m.y - scenery.lines.sea_level_m)});
-  const TerrainLight light = world::terrain_light(sky.read_illuminance(), atmosphere, scenery.lines);
+  const sky::Illuminance at_eye = sky.read_illuminance();
+  const TerrainLight light = world::terrain_light(at_eye, atmosphere, scenery.lines);
   ocl::Buffer<terrain::Texel> ground(device, hits.size(), "terrain image");
   std::optional<terrain::ColourLayer> colours;
   std::optional<terrain::OpenSky> open_sky;
@@ -64,7 +65,6 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
   const std::vector<terrain::Texel> texels = ground.read();
   const sky::SkyLight seen = sky.read_light(open_directions(camera, texels));
 
-  const sky::Illuminance at_eye = sky.read_illuminance();
   const double level_sun = std::max(0.0, std::sin(scenery.sun_elevation_rad));
   const double level_klx =
       sky::luminance(at_eye.sun_klx) * level_sun + sky::luminance(at_eye.sky_klx) + least_klx;
