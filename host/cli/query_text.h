@@ -12,7 +12,7 @@ namespace offing::cli {
 struct QueryAnswer {
   double time_s = 0.0;
   ocean::WaterPoint point;
-  ocean::WaterSample sample;
+  ocean::WaterSample sample{};
 };
 
 /// The double of the shortest decimals that give this float again, so that JSON has these alone; never -0.

@@ -1,6 +1,9 @@
 #include "host/cli/query_text.h"
 
+#include <array>
 #include <cfloat>
+#include <cstddef>
+#include <new>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,6 +22,15 @@ TEST(QueryText, FloatsHaveTheirOwnDigits) {
   for (const float value : {1.0f / 3.0f, 16777217.0f, FLT_MIN, FLT_MAX, -1e-12f}) {
     EXPECT_EQ(static_cast<float>(shortest_decimals(value)), value);
   }
+}
+
+// Fails if an answer starts with what lay in memory before it.
+TEST(QueryText, AnswersStartAsZero) {
+  alignas(QueryAnswer) std::array<std::byte, sizeof(QueryAnswer)> memory;
+  memory.fill(std::byte{0xbe});
+  const QueryAnswer* const answer = new (memory.data()) QueryAnswer;
+  EXPECT_EQ(answer->sample.residual_m, 0.0f);
+  EXPECT_EQ(answer->sample.velocity_z_mps, 0.0f);
 }
 
 // Fails if what is 0 as far as it is printed has a sign.
