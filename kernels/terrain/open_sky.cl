@@ -21,6 +21,7 @@ FFT_INLINE lanes light_above(lanes horizon, lanes slope, lanes up) {
 
 __kernel void open_sky(__global const float *restrict heights_m, __global const float *restrict lids_m, TerrainField field,
                        int stride, int share_columns, __global uchar *restrict shares) {
+  const Ground ground = {heights_m, lids_m, field};
   const int first = (int)get_global_id(0) * LANES, share_row = (int)get_global_id(1);
   const int_lanes share_column = first + convert_int_lanes((lanes)LANE_INDEX);
   const int_lanes post_x = up_to(share_column * stride, field.cells_x);
@@ -29,7 +30,7 @@ __kernel void open_sky(__global const float *restrict heights_m, __global const 
   const Slopes slopes = slopes_of_post(heights_m, field, post_x, post_z, (int_lanes)stride, (int_lanes)-1);
   const lanes up = rsqrt(1.0f + slopes.x * slopes.x + slopes.z * slopes.z);
   const lanes origin_m = height_m + HORIZON_LIFT / max(field.cells_per_m_x, field.cells_per_m_z);
-  const int_lanes level = level_at_origin(heights_m, lids_m, field, post_x, post_z, origin_m);
+  const int_lanes level = level_at_origin(ground, post_x, post_z, origin_m);
   const lanes turn = convert_lanes((share_column & 1) + 2 * (share_row & 1)) * 0.25f;
   lanes sum = (lanes)0.0f, whole = (lanes)0.0f;
   for (int i = 0; i < DIRECTIONS; ++i) {
@@ -51,7 +52,7 @@ __kernel void open_sky(__global const float *restrict heights_m, __global const 
                        least_rise,
                        (lanes)FARTHEST_M};
     const Course course = course_of(field, rays);
-    const lanes horizon = horizon_of(heights_m, lids_m, field, course, level_at_start(field, course, level));
+    const lanes horizon = horizon_of(ground, course, level_at_start(field, course, level));
     sum += light_above(horizon, slope, up);
     whole += light_above(fmax(slope, (lanes)0.0f), slope, up);
   }

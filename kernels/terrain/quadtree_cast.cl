@@ -8,7 +8,6 @@
 #include "terrain/picture_rays.clh"
 #include "terrain/traversal.clh"
 
-
 // By the default rule, the strip shape casts pixels whose rays go the same way as packets; not over tiles, whose leaves
 // differ in size.
 #if LANES > 1 && UP_RULE == TERRAIN_UP_WITH_PARENT && !defined(TILED)
@@ -24,9 +23,10 @@
 
 __kernel void quadtree_cast(__global const float *restrict heights_m, __global const float *restrict lids_m,
                             TerrainField field, TerrainView view, __global HitRecord *restrict records) {
+  const Ground ground = {heights_m, lids_m, field};
   int_lanes first_level = (int_lanes)field.first_level;
   if (field.starts_at_origin) {
-    first_level = level_at_origin(heights_m, lids_m, field, (int_lanes)view.cell_x, (int_lanes)view.cell_z, (lanes)view.height_m);
+    first_level = level_at_origin(ground, (int_lanes)view.cell_x, (int_lanes)view.cell_z, (lanes)view.height_m);
   }
 #ifdef PACKET_RAYS
   // From above all lids, or from beside the map, everything is ahead.
@@ -51,13 +51,13 @@ __kernel void quadtree_cast(__global const float *restrict heights_m, __global c
       const Frustum frustum = frustum_of(courses);
       is_cast = frustum.is_empty || frustum.is_one_way;
       if (is_cast && !frustum.is_empty) {
-        packet_walk(heights_m, lids_m, field, view, courses, frustum, home_level, hits);
+        packet_walk(ground, view, courses, frustum, home_level, hits);
       }
 #endif
       for (int i = 0; i < CAST_BLOCKS; ++i) {
-        if (!is_cast) hits[i] = first_hits(heights_m, lids_m, field, first_level, &courses[i]);
+        if (!is_cast) hits[i] = first_hits(ground, first_level, &courses[i]);
         HitRecord block[LANES];
-        record_hits(heights_m, lids_m, field, courses[i].ray, hits[i], block);
+        record_hits(ground, courses[i].ray, hits[i], block);
         const int x = column + i % BLOCKS_A_ROW * BLOCK_COLUMNS, y = row + i / BLOCKS_A_ROW * BLOCK_ROWS;
         for (int down = 0; down < min(BLOCK_ROWS, view.height_px - y); ++down) {
           for (int across = 0; across < min(BLOCK_COLUMNS, view.width_px - x); ++across) {

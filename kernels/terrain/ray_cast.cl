@@ -15,6 +15,7 @@ __kernel void ray_cast(__global const float *restrict heights_m, __global const 
                        , float bend_x_m, float bend_z_m
 #endif
 ) {
+  const Ground ground = {heights_m, lids_m, field};
   const int first = (int)get_global_id(0) * LANES;
   int cells[2][LANES];
   float numbers[10][LANES];
@@ -39,14 +40,14 @@ __kernel void ray_cast(__global const float *restrict heights_m, __global const 
                          load_lanes(numbers[6]), load_lanes(numbers[7]), load_lanes(numbers[8]), load_lanes(numbers[9])};
   int_lanes first_level = (int_lanes)field.first_level;
   if (field.starts_at_origin) {
-    first_level = level_at_origin(heights_m, lids_m, field, of_lanes.cell_x, of_lanes.cell_z, of_lanes.height_m);
+    first_level = level_at_origin(ground, of_lanes.cell_x, of_lanes.cell_z, of_lanes.height_m);
   }
   TerrainHit records[LANES];
   Course course = course_of(field, of_lanes);
 #ifdef IS_CURVED
   course.bend = bend_x_m * (of_lanes.along_x * of_lanes.along_x) + bend_z_m * (of_lanes.along_z * of_lanes.along_z);
 #endif
-  const Hits found = first_hits(heights_m, lids_m, field, first_level, &course);
-  record_hits(heights_m, lids_m, field, course.ray, found, records);
+  const Hits found = first_hits(ground, first_level, &course);
+  record_hits(ground, course.ray, found, records);
   for (int lane = 0; lane < min(LANES, count - first); ++lane) hits[first + lane] = records[lane];
 }

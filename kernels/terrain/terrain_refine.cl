@@ -21,7 +21,7 @@ FFT_INLINE float radical_inverse(int number) {
 // not flicker: the points of Hammersley, one in each of `samples` columns and rows of a pixel.
 FFT_INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first_level, lanes column, lanes row,
                            int samples, float4 *lights) {
-  const TerrainField field = scenery->field;
+  const TerrainField field = scenery->ground.field;
   const float sample_rad = pixel_rad(view) / sqrt((float)samples);
   Colours sum = plain_colour(0.0f, 0.0f, 0.0f);
   lanes covered = (lanes)0.0f;
@@ -29,17 +29,17 @@ FFT_INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes f
     const Rays rays = rays_through(field, view, column + ((float)i + 0.5f) / (float)samples,
                                    row + radical_inverse(i) + 0.5f / (float)samples);
     Course course = course_of(field, rays);
-    const Hits hits = first_hits(scenery->heights_m, scenery->lids_m, field, first_level, &course);
-    const HitPlaces places = places_of_hits(scenery->lids_m, field, course.ray, hits);
+    const Hits hits = first_hits(scenery->ground, first_level, &course);
+    const HitPlaces places = places_of_hits(scenery->ground, course.ray, hits);
     const int_lanes is_hit = mask_of(hits.kind != TERRAIN_MISS);
     const lanes t_m = select((lanes)1.0f, hits.t_m + hits.rest_m, is_hit);
-    GroundHits ground = {is_hit, places.cell_x, places.cell_z, t_m, places.u, places.v, t_m * sample_rad,
+    GroundHits on_ground = {is_hit, places.cell_x, places.cell_z, t_m, places.u, places.v, t_m * sample_rad,
                          (lanes)1.0f, (lanes)1.0f};
 #if MAP_EDGE == TERRAIN_EDGE_MIRRORS
-    ground.way_x = select((lanes)1.0f, (lanes)-1.0f, hits.flips_x);
-    ground.way_z = select((lanes)1.0f, (lanes)-1.0f, hits.flips_z);
+    on_ground.way_x = select((lanes)1.0f, (lanes)-1.0f, hits.flips_x);
+    on_ground.way_z = select((lanes)1.0f, (lanes)-1.0f, hits.flips_z);
 #endif
-    const Colours seen = ground_light(scenery, rays, ground);
+    const Colours seen = ground_light(scenery, rays, on_ground);
     sum.red += seen.red;
     sum.green += seen.green;
     sum.blue += seen.blue;
@@ -60,11 +60,11 @@ __kernel void terrain_refine(__global const float *restrict heights_m, __global 
                              __global const float4 *restrict view_table, TerrainLook look,
                              __global const uint *restrict colours, __global const uchar *restrict sky_shares,
                              __global const uchar *restrict needs, int samples, __global float4 *restrict image) {
-  const Scenery scenery = {heights_m, lids_m, field, light, sky, view_table, look, colours, sky_shares};
+  const Scenery scenery = {{heights_m, lids_m, field}, light, sky, view_table, look, colours, sky_shares};
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   int_lanes first_level = (int_lanes)field.first_level;
   if (field.starts_at_origin) {
-    first_level = level_at_origin(heights_m, lids_m, field, (int_lanes)view.cell_x, (int_lanes)view.cell_z, (lanes)view.height_m);
+    first_level = level_at_origin(scenery.ground, (int_lanes)view.cell_x, (int_lanes)view.cell_z, (lanes)view.height_m);
   }
   for (int need = TERRAIN_FEW_RAYS; need <= TERRAIN_MANY_RAYS; ++need) {
     // The tile's pixels of this need, LANES at a time.
