@@ -140,7 +140,8 @@ class SceneReader {
     }
     store(scene_, parameter, written_value(node), place);
     for (const auto& [file_key, file] : {std::pair("ocean.spectrum_file", &scene_.spectrum_file),
-                                         std::pair("terrain.file", &scene_.terrain.file)}) {
+                                         std::pair("terrain.file", &scene_.terrain.file),
+                                         std::pair("terrain.colour", &scene_.terrain.colour)}) {
       if (parameter.key == file_key) *file = (folder_ / *file).string();
     }
   }

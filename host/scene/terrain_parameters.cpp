@@ -285,6 +285,20 @@ std::vector<Parameter> place_rows() {
        .help = "where snow begins",
        .example = "2600",
        .absent = "by the latitude that the file tells, else 2800"},
+      {.key = "terrain.colour",
+       .flag = "",
+       .group = group,
+       .storage = &member<ground, &TerrainScene::colour>,
+       .help = "picture of the ground from above (GeoTIFF, PNG ...), placed by its georeference or else "
+               "stretched over the map",
+       .example = "orthophoto.tif",
+       .absent = "none: colours by height and slope"},
+      {.key = "terrain.sky_visibility",
+       .flag = "",
+       .group = group,
+       .storage = choice<ground, &TerrainScene::sky_visibility>({"off", "on"}),
+       .help =
+           "whether ground around a place hides the sky's light from it; costs a second or two at the start"},
   };
 }
 

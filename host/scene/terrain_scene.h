@@ -8,6 +8,9 @@
 
 namespace offing::scene {
 
+/// Whether ground around a place hides the sky's light from it.
+enum class SkyVisibility { off, on };
+
 /// What a scene says about its ground: a file of heights or, without one, made ground.
 struct TerrainScene {
   bool is_given = false;  ///< the scene has a [terrain] section
@@ -17,6 +20,8 @@ struct TerrainScene {
   std::optional<double> origin_x_m, origin_z_m;  ///< of the first post; absent: the map's middle is at 0
   double water_line_m = 0.0;                     ///< ground at or below is water, where there is no sea
   std::optional<double> tree_line_m, snow_line_m;
+  std::string colour;  ///< picture of the ground from above; empty: cover by height
+  SkyVisibility sky_visibility = SkyVisibility::off;
 };
 
 }  // namespace offing::scene

@@ -1,6 +1,7 @@
 #include "host/world/ground_view.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "host/terrain/picture.h"
 
@@ -29,7 +30,25 @@ GroundView::GroundView(const ocl::Device& device, const GroundParameters& parame
       parameters_(parameters),
       field_(device, grid_of(parameters), parameters.map->heights_m),
       shade_(device),
-      hit_planes_(device) {}
+      hit_planes_(device) {
+  if (parameters.colours) colours_.emplace(device, *parameters.colours);
+  if (parameters.sees_horizons) open_sky_.emplace(device, field_);
+}
+
+void GroundView::set_cover(const GroundParameters& parameters) {
+  const bool are_other_colours = parameters.colours != parameters_.colours;
+  std::optional<terrain::ColourLayer> colours;
+  if (are_other_colours && parameters.colours) colours.emplace(device_, *parameters.colours);
+  if (!parameters.sees_horizons) {
+    open_sky_.reset();
+  } else if (!open_sky_) {
+    open_sky_.emplace(device_, field_);
+  }
+  if (are_other_colours) colours_ = std::move(colours);
+  parameters_.lines = parameters.lines;
+  parameters_.colours = parameters.colours;
+  parameters_.sees_horizons = parameters.sees_horizons;
+}
 
 std::optional<terrain::GroundPoint> GroundView::ground_at(double x_m, double z_m) const {
   return terrain::ground_at(*parameters_.map, x_m - parameters_.origin_x_m, z_m - parameters_.origin_z_m);
@@ -51,7 +70,10 @@ void GroundView::at(const Camera& camera, const sky::ClearSky& sky, const Terrai
   if (!is_in_reach_) return;
   fit(camera);
   field_.cast(camera, hits_);
-  shade_.at(field_, camera, hits_, {light, sky.params(), sky.view_table()}, image_, {.sampling = sampling});
+  const terrain::GroundLook look{.sampling = sampling,
+                                 .colours = colours_ ? &*colours_ : nullptr,
+                                 .open_sky = open_sky_ ? &*open_sky_ : nullptr};
+  shade_.at(field_, camera, hits_, {light, sky.params(), sky.view_table()}, image_, look);
   hit_planes_.at(hits_, terrain::pixel_count(camera), planes_);
 }
 

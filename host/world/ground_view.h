@@ -4,13 +4,16 @@
 #include <optional>
 
 #include "host/base/camera.h"
+#include "host/base/colour_map.h"
 #include "host/base/height_map.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 #include "host/sky/clear_sky.h"
+#include "host/terrain/colour_layer.h"
 #include "host/terrain/ground.h"
 #include "host/terrain/height_field.h"
 #include "host/terrain/hit_planes.h"
+#include "host/terrain/open_sky.h"
 #include "host/terrain/terrain_shade.h"
 #include "host/world/terrain_light.h"
 
@@ -22,6 +25,8 @@ struct GroundParameters {
   double origin_x_m = 0.0, origin_z_m = 0.0;  ///< of the first post
   std::optional<double> latitude_deg;         ///< of the map's middle, where its file tells
   CoverLines lines;
+  std::shared_ptr<const ColourMap> colours = {};  ///< none: cover by height and slope
+  bool sees_horizons = false;                     ///< whether ground hides the sky's light from ground
 
   bool operator==(const GroundParameters&) const = default;
 };
@@ -33,8 +38,9 @@ class GroundView {
   GroundView(const ocl::Device& device, const GroundParameters& parameters);
 
   const GroundParameters& parameters() const { return parameters_; }
-  /// The same ground, with its cover in other lines.
-  void set_lines(const CoverLines& lines) { parameters_.lines = lines; }
+  /// The same heights in the same place, with the lines, the colours and the horizons of these parameters.
+  /// One that throws has changed nothing. Throws what ColourLayer and OpenSky throw.
+  void set_cover(const GroundParameters& parameters);
   terrain::HeightField& field() { return field_; }
   const terrain::HeightField& field() const { return field_; }
   /// The ground above or below a point of the world; nothing beyond the map's edge.
@@ -67,6 +73,8 @@ class GroundView {
   terrain::HeightField field_;
   terrain::TerrainShade shade_;
   terrain::HitPlanes hit_planes_;
+  std::optional<terrain::ColourLayer> colours_;
+  std::optional<terrain::OpenSky> open_sky_;
   ocl::Buffer<TerrainHit> hits_;
   ocl::Buffer<terrain::Texel> image_;
   ocl::Buffer<float> planes_;

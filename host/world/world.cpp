@@ -155,7 +155,7 @@ void World::set_ground(const std::optional<GroundParameters>& ground) {
                              ground->origin_x_m == ground_->parameters().origin_x_m &&
                              ground->origin_z_m == ground_->parameters().origin_z_m;
   if (is_same_shape) {
-    ground_->set_lines(ground->lines);
+    ground_->set_cover(*ground);
   } else if (ground) {
     ground_ = GroundView(device_, *ground);
   } else {

@@ -1,10 +1,12 @@
 // What a world with ground shows of it.
 #include "host/world/ground_view.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -14,8 +16,9 @@
 namespace offing::world {
 namespace {
 
-/// A ridge along z, 100 m high in the middle, of 65 x 33 posts.
-GroundParameters ridge() {
+/// A ridge along z, 100 m high in the middle, of 65 x 33 posts; or a valley, with another change of height
+/// from post to post.
+GroundParameters ridge(double step_m = -3.0) {
   auto map = std::make_shared<HeightMap>();
   map->columns = 65;
   map->rows = 33;
@@ -23,10 +26,21 @@ GroundParameters ridge() {
   map->spacing_z_m = 20.0;
   for (int row = 0; row < map->rows; ++row) {
     for (int column = 0; column < map->columns; ++column) {
-      map->heights_m.push_back(static_cast<float>(100.0 - 3.0 * std::abs(column - 32)));
+      map->heights_m.push_back(static_cast<float>(100.0 + step_m * std::abs(column - 32)));
     }
   }
   return {.map = map, .origin_x_m = -320.0, .origin_z_m = -320.0, .latitude_deg = {}, .lines = {}};
+}
+
+/// Red and green side by side.
+std::shared_ptr<const ColourMap> striped() {
+  return std::make_shared<const ColourMap>(ColourMap{.columns = 2,
+                                                     .rows = 1,
+                                                     .rgba = {200, 0, 0, 255, 0, 200, 0, 255},
+                                                     .left = 0.0,
+                                                     .top = 0.0,
+                                                     .right = 64.0,
+                                                     .bottom = 32.0});
 }
 
 class GroundViewTest : public testing::Test {
@@ -89,29 +103,69 @@ TEST_F(GroundViewTest, SeesNothingFromTooFar) {
   EXPECT_TRUE(world.ground()->is_in_reach());
 }
 
+// Fails if a picture of the ground is not on it, or not in its place: red west of the ridge, green east of
+// it.
+TEST_F(GroundViewTest, WearsItsColours) {
+  WorldParameters painted = parameters();
+  painted.ground->colours = striped();
+  World world(device_, painted);
+  Camera above = camera();
+  above.eye_m = {0.0, 900.0, 0.0};
+  above.yaw_rad = 0.0;
+  above.pitch_rad = -1.5;
+  world.at(0.0, above.eye_m.y);
+  world.see_ground(above, {.rays = 1});
+  const auto hits = world.ground()->hits().read();
+  const auto image = world.ground()->image().read();
+  std::array<int, 2> seen{};
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    // Colours are mixed across the border between the texels' middles; half a texel aside they are pure.
+    if (hits[i].kind != TERRAIN_SURFACE || (hits[i].cell_x >= 15 && hits[i].cell_x < 49)) continue;
+    const bool is_west = hits[i].cell_x < 32;
+    ++seen[is_west ? 0 : 1];
+    EXPECT_GT(image[i][is_west ? 0 : 1], 4.0f * image[i][is_west ? 1 : 0]) << i;
+  }
+  EXPECT_GT(seen[0], 20);
+  EXPECT_GT(seen[1], 20);
+}
+
 // Fails if a world without a sea has water, or its ground changes otherwise than a fresh world's would.
 TEST_F(GroundViewTest, ChangesAsAFreshWorldHasIt) {
   World world(device_, parameters());
   EXPECT_FALSE(world.has_sea());
   EXPECT_THROW(world.ocean(), Error);
   EXPECT_EQ(world.reach().vertical_m, 0.0);
-  GroundParameters changed = ridge();
-  changed.lines.snow_line_m = 40.0;
-  for (const double origin_z_m : {ridge().origin_z_m, -300.0}) {
-    changed.origin_z_m = origin_z_m;
+  Camera above = camera();
+  above.eye_m.y = 700.0;
+  above.pitch_rad = -0.8;
+  // A ridge hides no sky.
+  std::vector<GroundParameters> changes(5, ridge(6.0));
+  for (GroundParameters& changed : changes) changed.lines.snow_line_m = 40.0;
+  changes[1].origin_z_m = -300.0;
+  changes[2].colours = striped();
+  changes[3] = changes[2];
+  changes[3].sees_horizons = true;
+  changes[4].sees_horizons = true;
+  std::vector<terrain::Texel> before;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    GroundParameters& changed = changes[i];
+    changed.map = changes[0].map;
     world.set_ground(changed);
     WorldParameters fresh_parameters = parameters();
     fresh_parameters.ground = changed;
     World fresh(device_, fresh_parameters);
     for (World* one : {&world, &fresh}) {
-      one->at(0.0, camera().eye_m.y);
-      one->see_ground(camera());
+      one->at(0.0, above.eye_m.y);
+      one->see_ground(above);
     }
-    EXPECT_EQ(world.ground()->image().read(), fresh.ground()->image().read());
+    const std::vector<terrain::Texel> image = world.ground()->image().read();
+    EXPECT_TRUE(image == fresh.ground()->image().read()) << "change " << i;
+    EXPECT_TRUE(image != before) << "change " << i << " shows nothing";
+    before = image;
   }
   world.set_ground(std::nullopt);
   EXPECT_EQ(world.ground(), nullptr);
-  EXPECT_NO_THROW(world.see_ground(camera()));
+  EXPECT_NO_THROW(world.see_ground(above));
 }
 
 }  // namespace
