@@ -1,0 +1,70 @@
+#include "mesh_tools/curvature/prepared_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "host/base/error.h"
+
+namespace offing::mesh_tools {
+namespace {
+
+// Areas and curvatures of such meshes are still finite numbers.
+constexpr double largest_extent_m = 1e100, smallest_extent_m = 1e-100;
+
+void require_finite(const std::vector<glm::dvec3>& positions_m) {
+  for (std::size_t i = 0; i < positions_m.size(); ++i) {
+    const glm::dvec3& p = positions_m[i];
+    // A sum is finite only if all of it is, or nearly as large as numbers get.
+    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("mesh: vertex {}: expected finite coordinates, found ({}, {}, {})", i, p.x, p.y, p.z),
+        "write the mesh anew with the program it comes from");
+  }
+}
+
+}  // namespace
+
+PreparedMesh prepare_mesh(const TriangleMesh& mesh) {
+  require_finite(mesh.positions_m);
+  PreparedMesh prepared;
+  glm::dvec3 low(0.0), high(0.0);
+  for (std::size_t i = 0; i < mesh.positions_m.size(); ++i) {
+    low = i == 0 ? mesh.positions_m[i] : glm::min(low, mesh.positions_m[i]);
+    high = i == 0 ? mesh.positions_m[i] : glm::max(high, mesh.positions_m[i]);
+  }
+  const glm::dvec3 extent = high - low;
+  const double largest_m = std::max({extent.x, extent.y, extent.z});
+  if (!(largest_m <= largest_extent_m)) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("mesh: expected an extent of at most {:g} m, found {:g} m", largest_extent_m, largest_m),
+        "look for vertices that are far off");
+  }
+  prepared.scale_m = std::max(largest_m, smallest_extent_m);
+  prepared.first = first_at_position(mesh.positions_m);
+  prepared.neighbours = mesh_neighbours(mesh.positions_m.size(), welded_faces(mesh.faces, prepared.first));
+  prepared.positions.reserve(mesh.positions_m.size());
+  for (const glm::dvec3& position_m : mesh.positions_m) {
+    prepared.positions.push_back((position_m - low) / prepared.scale_m);
+  }
+  double sum = 0.0;
+  for (const auto& [a, b] : prepared.neighbours.edges) {
+    sum += glm::distance(prepared.positions[a], prepared.positions[b]);
+  }
+  if (sum > 0.0) prepared.mean_edge = sum / static_cast<double>(prepared.neighbours.edges.size());
+  return prepared;
+}
+
+long long euler_characteristic(const MeshNeighbours& mesh) {
+  long long vertices = 0, faces = 0;
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) vertices += mesh.vertex_faces.row(i).empty() ? 0 : 1;
+  for (const TriangleIndices& edges : mesh.face_edges) faces += edges[0] == MeshNeighbours::none ? 0 : 1;
+  return vertices - static_cast<long long>(mesh.edges.size()) + faces;
+}
+
+}  // namespace offing::mesh_tools
