@@ -2,12 +2,12 @@
 #include "mesh_tools/face_intersections.h"
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
+
+#include "host/base/vertex_places.h"
 
 namespace offing::mesh_tools {
 namespace {
@@ -83,23 +83,6 @@ bool has_no_area(const TriangleMesh& mesh, const TriangleIndices& face) {
 std::size_t count_faces_without_area(const TriangleMesh& mesh) {
   return static_cast<std::size_t>(std::count_if(mesh.faces.begin(), mesh.faces.end(),
                                                 [&](const auto& face) { return has_no_area(mesh, face); }));
-}
-
-std::vector<std::uint32_t> first_at_place(const std::vector<glm::dvec3>& positions_m) {
-  std::vector<std::uint32_t> order(positions_m.size()), first(positions_m.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto place = [&](std::uint32_t i) {
-    const glm::dvec3& p = positions_m[i];
-    return std::tie(p.x, p.y, p.z);
-  };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return place(a) < place(b) || (place(a) == place(b) && a < b);
-  });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool is_new = i == 0 || place(order[i]) != place(order[i - 1]);
-    first[order[i]] = is_new ? order[i] : first[order[i - 1]];
-  }
-  return first;
 }
 
 std::vector<std::array<std::uint32_t, 2>> intersecting_faces(const TriangleMesh& mesh,

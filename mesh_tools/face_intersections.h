@@ -21,7 +21,4 @@ std::size_t count_faces_without_area(const TriangleMesh& mesh);
 std::vector<std::array<std::uint32_t, 2>> intersecting_faces(const TriangleMesh& mesh,
                                                              const CancelToken& cancel);
 
-/// For each vertex the first one at the same place.
-std::vector<std::uint32_t> first_at_place(const std::vector<glm::dvec3>& positions_m);
-
 }  // namespace offing::mesh_tools

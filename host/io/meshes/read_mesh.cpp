@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <new>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,11 +11,13 @@
 #include "host/base/error.h"
 #include "host/base/error_report.h"
 #include "host/base/log.h"
+#include "host/io/meshes/gltf_mesh.h"
+#include "host/io/meshes/mesh_bytes.h"
 #include "host/io/meshes/obj_mesh.h"
 #include "host/io/meshes/off_mesh.h"
 #include "host/io/meshes/ply_mesh.h"
+#include "host/io/meshes/stl_mesh.h"
 #include "host/io/meshes/text_lines.h"
-#include "host/io/whole_file.h"
 
 namespace offing {
 namespace {
@@ -39,6 +40,10 @@ MeshFile parse(std::string_view bytes, const std::filesystem::path& path) {
   if (word == "ply" || extension == ".ply") return meshes::parse_ply(bytes, name).file;
   if (extension == ".obj") return meshes::parse_obj(bytes, name);
   if (meshes::is_off_keyword(word) || extension == ".off") return meshes::parse_off(bytes, name);
+  if (extension == ".stl") return meshes::parse_stl(bytes, name);
+  if (bytes.starts_with("glTF") || extension == ".gltf" || extension == ".glb")
+    return meshes::parse_gltf(bytes, path);
+  if (word == "solid") return meshes::parse_stl(bytes, name);
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a mesh, got {}", one_line(name),
                           bytes.empty() ? "an empty file" : "a file of no format that is known"),
@@ -48,15 +53,7 @@ MeshFile parse(std::string_view bytes, const std::filesystem::path& path) {
 }  // namespace
 
 MeshFile read_mesh_file(const std::filesystem::path& path) {
-  try {
-    constexpr std::size_t most_bytes = std::size_t{1} << 36;
-    const std::string bytes = read_whole_file(path, {.kind = "a mesh file", .most_bytes = most_bytes});
-    return parse(bytes, path);
-  } catch (const std::bad_alloc&) {
-    throw Error(ErrorKind::out_of_memory,
-                fmt::format("{}: not enough memory for its mesh", one_line(path.string())),
-                "cut the mesh into parts");
-  }
+  return meshes::parse_mesh_file(path, [&](std::string_view bytes) { return parse(bytes, path); });
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& path) {
