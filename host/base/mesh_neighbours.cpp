@@ -1,7 +1,6 @@
 #include "host/base/mesh_neighbours.h"
 
 #include <algorithm>
-#include <bit>
 #include <compare>
 
 #include <fmt/format.h>
@@ -95,16 +94,6 @@ void find_edges(MeshNeighbours& mesh) {
   }
 }
 
-std::uint64_t hash_of(const glm::dvec3& position_m) {
-  std::uint64_t hash = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    // -0 and 0 are one place. The multiplier is 2^64 over the golden ratio (Knuth 1998, section 6.4).
-    hash = (hash ^ std::bit_cast<std::uint64_t>(position_m[axis] + 0.0)) * 0x9E3779B97F4A7C15u;
-    hash ^= hash >> 29;
-  }
-  return hash;
-}
-
 }  // namespace
 
 bool MeshNeighbours::runs_along(std::uint32_t face, std::uint32_t edge) const {
@@ -127,20 +116,6 @@ MeshNeighbours mesh_neighbours(std::size_t vertex_count, std::vector<TriangleInd
     for (const std::uint32_t vertex : mesh.edges[edge]) add(vertex);
   });
   return mesh;
-}
-
-std::vector<std::uint32_t> first_at_position(std::span<const glm::dvec3> positions_m) {
-  const std::size_t slots = std::bit_ceil(2 * positions_m.size() + 1);
-  std::vector<std::uint32_t> table(slots, MeshNeighbours::none), first(positions_m.size());
-  for (std::size_t vertex = 0; vertex < positions_m.size(); ++vertex) {
-    std::size_t slot = hash_of(positions_m[vertex]) & (slots - 1);
-    while (table[slot] != MeshNeighbours::none && positions_m[table[slot]] != positions_m[vertex]) {
-      slot = (slot + 1) & (slots - 1);
-    }
-    if (table[slot] == MeshNeighbours::none) table[slot] = static_cast<std::uint32_t>(vertex);
-    first[vertex] = table[slot];
-  }
-  return first;
 }
 
 std::vector<TriangleIndices> welded_faces(std::span<const TriangleIndices> faces,

@@ -46,11 +46,7 @@ struct MeshNeighbours {
 /// not there, and Error(out_of_memory) beyond 2^30 faces.
 MeshNeighbours mesh_neighbours(std::size_t vertex_count, std::vector<TriangleIndices> faces);
 
-/// For each vertex the first one at exactly its position: that vertex itself, or one before it. Files repeat
-/// vertices along seams of texture coordinates.
-std::vector<std::uint32_t> first_at_position(std::span<const glm::dvec3> positions_m);
-
-/// The faces of a mesh with each vertex replaced by the first one at its position.
+/// The faces of a mesh with each vertex replaced by the first one at its place (first_at_place()).
 std::vector<TriangleIndices> welded_faces(std::span<const TriangleIndices> faces,
                                           std::span<const std::uint32_t> first);
 

@@ -12,7 +12,7 @@ struct FaceShare {
   double area = 0.0;
 };
 
-std::vector<FaceShare> face_shares(const PreparedMesh& mesh, const SurfaceMeasures& measures, int threads) {
+std::vector<FaceShare> face_shares(const UnitMesh& mesh, const SurfaceMeasures& measures, int threads) {
   std::vector<FaceShare> shares(mesh.neighbours.faces.size());
   parallel_for(shares.size(), threads, [&](std::size_t face) {
     const TriangleIndices& edges = mesh.neighbours.face_edges[face];
@@ -35,7 +35,7 @@ std::vector<FaceShare> face_shares(const PreparedMesh& mesh, const SurfaceMeasur
 // H1 with whole triangles: faces with a vertex in the ball. An edge on the rim of the region bends half as
 // much within it as it does in all; with all of it, curvatures come out some 8 % too large on meshes however
 // fine.
-std::vector<VertexBend> ball_tensor_bends(const PreparedMesh& mesh, const SurfaceMeasures& measures,
+std::vector<VertexBend> ball_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
                                           double radius, int threads) {
   const std::vector<FaceShare> shares = face_shares(mesh, measures, threads);
   std::vector<VertexBend> bends(mesh.vertex_count());

@@ -60,7 +60,7 @@ double area_in_ball(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& 
 }  // namespace
 
 // H1 as its formula means it: |e in B| and |B| of the ball itself.
-std::vector<VertexBend> clipped_tensor_bends(const PreparedMesh& mesh, const SurfaceMeasures& measures,
+std::vector<VertexBend> clipped_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
                                              double radius, int threads) {
   std::vector<VertexBend> bends(mesh.vertex_count());
   parallel_chunks(bends.size(), threads, [&](ChunkQueue& queue) {

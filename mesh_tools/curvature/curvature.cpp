@@ -29,7 +29,7 @@ void require_option(std::string_view name, double value, double least, double mo
               fmt::format("choose {} within that range", name));
 }
 
-double radius_of(const PreparedMesh& mesh, const CurvatureOptions& options) {
+double radius_of(const UnitMesh& mesh, const CurvatureOptions& options) {
   if (!options.radius_m) {
     require_option("radius in edges", options.radius_edges, 0.01, 100.0);
     return options.radius_edges * mesh.mean_edge;
@@ -38,7 +38,7 @@ double radius_of(const PreparedMesh& mesh, const CurvatureOptions& options) {
   return *options.radius_m / mesh.scale_m;
 }
 
-std::vector<VertexBend> bends_of(const PreparedMesh& mesh, const SurfaceMeasures& measures,
+std::vector<VertexBend> bends_of(const UnitMesh& mesh, const SurfaceMeasures& measures,
                                  const CurvatureOptions& options) {
   switch (options.method) {
     case CurvatureMethod::tensor:
@@ -65,7 +65,7 @@ bool is_on_border(const MeshNeighbours& mesh, std::uint32_t vertex) {
 
 /// How much one direction is preferred: 0 where all bend alike, 1 where one does not bend at all or bends the
 /// other way.
-double confidence_of(const PreparedMesh& mesh, std::uint32_t vertex, const VertexBend& bend) {
+double confidence_of(const UnitMesh& mesh, std::uint32_t vertex, const VertexBend& bend) {
   // Over an edge, less than this angle is rounding: a plane has no direction.
   constexpr double flat_rad = 1e-9;
   constexpr double border_share = 0.5;
@@ -79,7 +79,7 @@ bool is_sound(const VertexBend& bend) {
   return std::isfinite(sum) && bend.normal != glm::dvec3(0.0);
 }
 
-void store(const PreparedMesh& mesh, const SurfaceMeasures& measures, const std::vector<VertexBend>& bends,
+void store(const UnitMesh& mesh, const SurfaceMeasures& measures, const std::vector<VertexBend>& bends,
            std::uint32_t vertex, CurvatureResult& result) {
   const std::uint32_t source = mesh.first[vertex];
   VertexCurvatures& curvatures = result.curvatures;
@@ -96,7 +96,7 @@ void store(const PreparedMesh& mesh, const SurfaceMeasures& measures, const std:
 
 }  // namespace
 
-CurvatureResult vertex_curvatures(const PreparedMesh& mesh, const CurvatureOptions& options) {
+CurvatureResult vertex_curvatures(const UnitMesh& mesh, const CurvatureOptions& options) {
   require_option("threads", options.threads, 0, 1 << 16);
   const SurfaceMeasures measures = measure_surface(mesh, options.threads);
   const std::vector<VertexBend> bends = bends_of(mesh, measures, options);
@@ -117,7 +117,7 @@ CurvatureResult vertex_curvatures(const PreparedMesh& mesh, const CurvatureOptio
 }
 
 CurvatureResult vertex_curvatures(const TriangleMesh& mesh, const CurvatureOptions& options) {
-  return vertex_curvatures(prepare_mesh(mesh), options);
+  return vertex_curvatures(unit_mesh(mesh), options);
 }
 
 CurvatureMethod curvature_method(std::string_view name) {

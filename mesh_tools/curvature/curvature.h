@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "host/base/triangle_mesh.h"
-#include "mesh_tools/curvature/prepared_mesh.h"
+#include "mesh_tools/curvature/unit_mesh.h"
 
 namespace offing::mesh_tools {
 
@@ -44,7 +44,7 @@ struct CurvatureResult {
 CurvatureResult vertex_curvatures(const TriangleMesh& mesh, const CurvatureOptions& options = {});
 
 /// The same of a mesh whose neighbours are known already.
-CurvatureResult vertex_curvatures(const PreparedMesh& mesh, const CurvatureOptions& options = {});
+CurvatureResult vertex_curvatures(const UnitMesh& mesh, const CurvatureOptions& options = {});
 
 /// "tensor", "tensor-exact", "paper", "diffused", "jet". Throws Error(bad_usage) for any other.
 CurvatureMethod curvature_method(std::string_view name);

@@ -20,7 +20,7 @@ void add(Share& sum, const Share& share) {
 // An edge's angle belongs half to either end, a face's area by thirds to its corners. In a round of averaging
 // each vertex gives its share away in equal parts, to its neighbours and itself: nothing is lost, so that no
 // edge counts for more than another because of how many its ends have.
-std::vector<VertexBend> diffused_tensor_bends(const PreparedMesh& mesh, const SurfaceMeasures& measures,
+std::vector<VertexBend> diffused_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
                                               int rounds, int threads) {
   const MeshNeighbours& neighbours = mesh.neighbours;
   const std::size_t vertices = mesh.vertex_count();

@@ -68,7 +68,7 @@ VertexBend fitted_bend(std::vector<Kernel::Point_3>& points, const glm::dvec3& o
 
 }  // namespace
 
-std::vector<VertexBend> jet_bends(const PreparedMesh& mesh, const SurfaceMeasures& measures, int threads) {
+std::vector<VertexBend> jet_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, int threads) {
   std::vector<VertexBend> bends(mesh.vertex_count());
   parallel_chunks(bends.size(), threads, [&](ChunkQueue& queue) {
     Rings around(mesh.neighbours);

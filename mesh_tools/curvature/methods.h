@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "mesh_tools/curvature/curvature.h"
-#include "mesh_tools/curvature/prepared_mesh.h"
 #include "mesh_tools/curvature/surface_measures.h"
+#include "mesh_tools/curvature/unit_mesh.h"
 
 namespace offing::mesh_tools {
 
@@ -42,14 +42,14 @@ inline bool has_two_faces(const MeshNeighbours& mesh, std::uint32_t edge) {
 }
 
 /// [vertices] of each method. The radius is in units of the mesh's scale.
-std::vector<VertexBend> ball_tensor_bends(const PreparedMesh& mesh, const SurfaceMeasures& measures,
+std::vector<VertexBend> ball_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
                                           double radius, int threads);
-std::vector<VertexBend> clipped_tensor_bends(const PreparedMesh& mesh, const SurfaceMeasures& measures,
+std::vector<VertexBend> clipped_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
                                              double radius, int threads);
-std::vector<VertexBend> printed_tensor_bends(const PreparedMesh& mesh, const SurfaceMeasures& measures,
+std::vector<VertexBend> printed_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
                                              double radius, EdgeAngles angles, int threads);
-std::vector<VertexBend> diffused_tensor_bends(const PreparedMesh& mesh, const SurfaceMeasures& measures,
+std::vector<VertexBend> diffused_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
                                               int rounds, int threads);
-std::vector<VertexBend> jet_bends(const PreparedMesh& mesh, const SurfaceMeasures& measures, int threads);
+std::vector<VertexBend> jet_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, int threads);
 
 }  // namespace offing::mesh_tools

@@ -34,7 +34,7 @@ VertexBend printed_bend(const SymmetricTensor& mean, const glm::dvec3& outward) 
 
 }  // namespace
 
-std::vector<VertexBend> printed_tensor_bends(const PreparedMesh& mesh, const SurfaceMeasures& measures,
+std::vector<VertexBend> printed_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
                                              double radius, EdgeAngles angles, int threads) {
   std::vector<SymmetricTensor> tensors = measures.edge_tensors;
   if (angles == EdgeAngles::unsigned_as_printed) {

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "mesh_tools/curvature/prepared_mesh.h"
+#include "mesh_tools/curvature/unit_mesh.h"
 
 namespace offing::mesh_tools {
 
@@ -13,7 +13,7 @@ namespace offing::mesh_tools {
 /// the number of the region, so that nothing has to be wiped in between.
 class Region {
  public:
-  explicit Region(const PreparedMesh& mesh)
+  explicit Region(const UnitMesh& mesh)
       : mesh_(mesh), vertex_marks_(mesh.vertex_count(), 0), face_marks_(mesh.neighbours.faces.size(), 0) {}
 
   /// Visits faces that hang together with the vertex, each once: those around it, and those around every
@@ -41,7 +41,7 @@ class Region {
   const std::vector<std::uint32_t>& vertices() const { return queue_; }
 
  private:
-  const PreparedMesh& mesh_;
+  const UnitMesh& mesh_;
   std::vector<std::uint32_t> vertex_marks_, face_marks_, queue_;
   std::uint32_t number_ = 0;
 };

@@ -7,7 +7,7 @@
 namespace offing::mesh_tools {
 namespace {
 
-void measure_faces(const PreparedMesh& mesh, int threads, SurfaceMeasures& measures) {
+void measure_faces(const UnitMesh& mesh, int threads, SurfaceMeasures& measures) {
   const std::size_t faces = mesh.neighbours.faces.size();
   measures.face_normals.assign(faces, {});
   measures.face_areas.assign(faces, 0.0);
@@ -23,7 +23,7 @@ void measure_faces(const PreparedMesh& mesh, int threads, SurfaceMeasures& measu
   });
 }
 
-void measure_vertices(const PreparedMesh& mesh, int threads, SurfaceMeasures& measures) {
+void measure_vertices(const UnitMesh& mesh, int threads, SurfaceMeasures& measures) {
   measures.normals.assign(mesh.vertex_count(), {});
   measures.areas.assign(mesh.vertex_count(), 0.0);
   parallel_for(mesh.vertex_count(), threads, [&](std::size_t vertex) {
@@ -42,7 +42,7 @@ void measure_vertices(const PreparedMesh& mesh, int threads, SurfaceMeasures& me
 
 }  // namespace
 
-double edge_angle(const PreparedMesh& mesh, const std::vector<glm::dvec3>& face_normals, std::uint32_t edge) {
+double edge_angle(const UnitMesh& mesh, const std::vector<glm::dvec3>& face_normals, std::uint32_t edge) {
   const auto faces = mesh.neighbours.edge_faces.row(edge);
   if (faces.size() != 2) return 0.0;
   const bool first_along = mesh.neighbours.runs_along(faces[0], edge);
@@ -58,7 +58,7 @@ double edge_angle(const PreparedMesh& mesh, const std::vector<glm::dvec3>& face_
   return std::atan2(first_along ? sine : -sine, glm::dot(first, second));
 }
 
-SurfaceMeasures measure_surface(const PreparedMesh& mesh, int threads) {
+SurfaceMeasures measure_surface(const UnitMesh& mesh, int threads) {
   SurfaceMeasures measures;
   measure_faces(mesh, threads, measures);
   measure_vertices(mesh, threads, measures);

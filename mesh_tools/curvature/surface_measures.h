@@ -4,8 +4,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "mesh_tools/curvature/prepared_mesh.h"
 #include "mesh_tools/curvature/tangent_plane.h"
+#include "mesh_tools/curvature/unit_mesh.h"
 
 namespace offing::mesh_tools {
 
@@ -18,10 +18,10 @@ struct SurfaceMeasures {
   std::vector<SymmetricTensor> edge_tensors;  ///< angle * length * e e^T, e the unit edge; convex positive
 };
 
-SurfaceMeasures measure_surface(const PreparedMesh& mesh, int threads);
+SurfaceMeasures measure_surface(const UnitMesh& mesh, int threads);
 
 /// The angle between the faces of an edge, positive where convex; 0 unless it has two, both with areas. Faces
 /// that disagree which side is out are measured as if the second were turned over.
-double edge_angle(const PreparedMesh& mesh, const std::vector<glm::dvec3>& face_normals, std::uint32_t edge);
+double edge_angle(const UnitMesh& mesh, const std::vector<glm::dvec3>& face_normals, std::uint32_t edge);
 
 }  // namespace offing::mesh_tools

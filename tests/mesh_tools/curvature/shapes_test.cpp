@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "mesh_tools/curvature/prepared_mesh.h"
+#include "mesh_tools/curvature/unit_mesh.h"
 #include "mesh_tools/shapes/shape.h"
 
 namespace offing::mesh_tools {
@@ -15,7 +15,7 @@ namespace {
 
 /// Closed, and every edge is passed once each way.
 void expect_closed(const Shape& shape, long long characteristic) {
-  const PreparedMesh mesh = prepare_mesh(shape.mesh);
+  const UnitMesh mesh = unit_mesh(shape.mesh);
   EXPECT_EQ(euler_characteristic(mesh.neighbours), characteristic);
   for (std::uint32_t edge = 0; edge < mesh.neighbours.edges.size(); ++edge) {
     const auto faces = mesh.neighbours.edge_faces.row(edge);

@@ -1,4 +1,4 @@
-#include "mesh_tools/curvature/prepared_mesh.h"
+#include "mesh_tools/curvature/unit_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
+#include "host/base/vertex_places.h"
 
 namespace offing::mesh_tools {
 namespace {
@@ -29,9 +30,9 @@ void require_finite(const std::vector<glm::dvec3>& positions_m) {
 
 }  // namespace
 
-PreparedMesh prepare_mesh(const TriangleMesh& mesh) {
+UnitMesh unit_mesh(const TriangleMesh& mesh) {
   require_finite(mesh.positions_m);
-  PreparedMesh prepared;
+  UnitMesh unit;
   glm::dvec3 low(0.0), high(0.0);
   for (std::size_t i = 0; i < mesh.positions_m.size(); ++i) {
     low = i == 0 ? mesh.positions_m[i] : glm::min(low, mesh.positions_m[i]);
@@ -45,19 +46,19 @@ PreparedMesh prepare_mesh(const TriangleMesh& mesh) {
         fmt::format("mesh: expected an extent of at most {:g} m, found {:g} m", largest_extent_m, largest_m),
         "look for vertices that are far off");
   }
-  prepared.scale_m = std::max(largest_m, smallest_extent_m);
-  prepared.first = first_at_position(mesh.positions_m);
-  prepared.neighbours = mesh_neighbours(mesh.positions_m.size(), welded_faces(mesh.faces, prepared.first));
-  prepared.positions.reserve(mesh.positions_m.size());
+  unit.scale_m = std::max(largest_m, smallest_extent_m);
+  unit.first = first_at_place(mesh.positions_m);
+  unit.neighbours = mesh_neighbours(mesh.positions_m.size(), welded_faces(mesh.faces, unit.first));
+  unit.positions.reserve(mesh.positions_m.size());
   for (const glm::dvec3& position_m : mesh.positions_m) {
-    prepared.positions.push_back((position_m - low) / prepared.scale_m);
+    unit.positions.push_back((position_m - low) / unit.scale_m);
   }
   double sum = 0.0;
-  for (const auto& [a, b] : prepared.neighbours.edges) {
-    sum += glm::distance(prepared.positions[a], prepared.positions[b]);
+  for (const auto& [a, b] : unit.neighbours.edges) {
+    sum += glm::distance(unit.positions[a], unit.positions[b]);
   }
-  if (sum > 0.0) prepared.mean_edge = sum / static_cast<double>(prepared.neighbours.edges.size());
-  return prepared;
+  if (sum > 0.0) unit.mean_edge = sum / static_cast<double>(unit.neighbours.edges.size());
+  return unit;
 }
 
 long long euler_characteristic(const MeshNeighbours& mesh) {

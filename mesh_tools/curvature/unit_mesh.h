@@ -10,10 +10,10 @@
 
 namespace offing::mesh_tools {
 
-/// A mesh made ready for measuring: welded, moved and scaled into a cube of side 1 (so that squares of
+/// A mesh made ready for being measured: welded, moved and scaled into a cube of side 1 (so that squares of
 /// lengths neither overflow nor vanish), with its neighbours. What vertex_curvatures() does not count as its
 /// own time.
-struct PreparedMesh {
+struct UnitMesh {
   std::vector<std::uint32_t> first;   ///< [vertices]: the vertex that stands for it, itself or one before
   MeshNeighbours neighbours;          ///< of the faces between those that stand for others
   std::vector<glm::dvec3> positions;  ///< [vertices] in units of scale_m
@@ -24,7 +24,7 @@ struct PreparedMesh {
 };
 
 /// Throws Error(bad_input) as vertex_curvatures() does.
-PreparedMesh prepare_mesh(const TriangleMesh& mesh);
+UnitMesh unit_mesh(const TriangleMesh& mesh);
 
 /// Vertices - edges + faces of what has faces: 2 for a sphere, 0 for a torus, 1 for a disc.
 long long euler_characteristic(const MeshNeighbours& mesh);
