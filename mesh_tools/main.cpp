@@ -8,6 +8,10 @@
 #include "host/scene/version.h"
 #include "mesh_tools/check_command.h"
 #include "mesh_tools/options.h"
+#include "mesh_tools/remesh_command.h"
+#include "mesh_tools/repair_command.h"
+#include "mesh_tools/simplify_command.h"
+#include "mesh_tools/subdivide_command.h"
 
 namespace {
 
@@ -22,9 +26,15 @@ void build(CLI::App& app, mesh_tools::Options& options) {
   app.set_help_flag("-h,--help", "print this help");
   app.require_subcommand(1);
   mesh_tools::add_check_command(app, options);
+  mesh_tools::add_repair_command(app, options);
+  mesh_tools::add_remesh_command(app, options);
+  mesh_tools::add_simplify_command(app, options);
+  mesh_tools::add_subdivide_command(app, options);
   app.footer(R"(
 Examples:
   offing-mesh check scan.ply
+  offing-mesh repair scan.obj -o scan.ply
+  offing-mesh simplify scan.ply --faces 5000 -o coarse.ply
 
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 130 interrupted.)");
 }
