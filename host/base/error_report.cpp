@@ -5,6 +5,23 @@
 #include <fmt/format.h>
 
 namespace offing {
+namespace {
+
+/// Control bytes and those above `highest` as \xNN.
+std::string escaped(std::string_view text, unsigned char highest) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f || byte > highest) {
+      out += fmt::format("\\x{:02x}", byte);
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+}  // namespace
 
 void report(const Error& error) {
   // Not fmt::print(), which throws where stderr is full: there is nobody left to tell.
@@ -16,16 +33,12 @@ void report(const Error& error) {
 }
 
 std::string one_line(std::string_view text) {
-  std::string line;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f) {
-      line += fmt::format("\\x{:02x}", byte);
-    } else {
-      line += c;
-    }
-  }
-  return line;
+  return escaped(text, 0xff);
+}
+
+std::string printable(std::string_view text) {
+  constexpr std::size_t most = 60;
+  return escaped(text.substr(0, most), 0x7f) + (text.size() > most ? "..." : "");
 }
 
 }  // namespace offing

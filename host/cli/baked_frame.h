@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "host/io/grid_mesh.h"
+#include "host/io/meshes/grid_mesh.h"
 #include "host/ocean/ocean.h"
 
 namespace offing::cli {

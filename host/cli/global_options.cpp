@@ -2,10 +2,11 @@
 
 #include <CLI/Option.hpp>
 
+#include "host/command_line/verbosity_flags.h"
+
 namespace offing::cli {
 
 void add_global_options(CLI::App& command, GlobalOptions& options, DeviceUse device_use) {
-  constexpr const char* group = "General";
   if (device_use != DeviceUse::none) {
     const std::string all =
         device_use == DeviceUse::any_number
@@ -17,15 +18,9 @@ void add_global_options(CLI::App& command, GlobalOptions& options, DeviceUse dev
                     "OpenCL device, of `offing devices`: an index, cpu, gpu, or part of a name" + all +
                         "\ndefault $OFFING_DEVICE, then the first GPU, then the CPU")
         ->type_name("DEVICE")
-        ->group(group);
+        ->group(general_group);
   }
-  CLI::Option* quiet = command.add_flag_callback(
-      "--quiet", [&options] { options.verbosity = Verbosity::quiet; }, "errors only, no progress");
-  CLI::Option* verbose = command.add_flag_callback(
-      "--verbose", [&options] { options.verbosity = Verbosity::verbose; }, "more about what is done");
-  command.parse_complete_callback([&options] { configure_log(options.verbosity); });
-  quiet->group(group);
-  verbose->group(group)->excludes(quiet);
+  add_verbosity_flags(command, options.verbosity);
 }
 
 }  // namespace offing::cli

@@ -5,6 +5,7 @@
 
 #include "host/base/error_report.h"
 #include "host/cli/terrain_place.h"
+#include "host/command_line/print_json.h"
 #include "host/io/tile_store/tile_store.h"
 
 namespace offing::cli {

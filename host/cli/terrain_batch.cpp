@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "host/base/error.h"
-#include "host/cli/new_output.h"
+#include "host/command_line/new_output.h"
 #include "host/io/atomic_file.h"
 
 namespace offing::cli {

@@ -12,8 +12,9 @@
 #include "host/base/argument.h"
 #include "host/base/error_report.h"
 #include "host/base/progress.h"
-#include "host/cli/new_output.h"
 #include "host/cli/terrain_place.h"
+#include "host/command_line/new_output.h"
+#include "host/command_line/print_json.h"
 #include "host/io/atomic_file.h"
 #include "host/terrain/row_makers.h"
 

@@ -9,6 +9,7 @@
 #include "host/cli/store_info.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
+#include "host/command_line/print_json.h"
 #include "host/io/tile_store/tile_store.h"
 
 namespace offing::cli {

@@ -28,8 +28,4 @@ nlohmann::ordered_json to_json(const glm::dvec3& vector) {
   return {vector.x, vector.y, vector.z};
 }
 
-void print_json(const nlohmann::ordered_json& json) {
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-}
-
 }  // namespace offing::cli

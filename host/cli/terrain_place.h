@@ -22,7 +22,4 @@ double slope_deg(const glm::dvec3& normal);
 
 nlohmann::ordered_json to_json(const glm::dvec3& vector);
 
-/// As scripts take it.
-void print_json(const nlohmann::ordered_json& json);
-
 }  // namespace offing::cli

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "host/base/argument.h"
-#include "host/cli/new_output.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
+#include "host/command_line/new_output.h"
 #include "host/io/atomic_file.h"
 
 namespace offing::cli {

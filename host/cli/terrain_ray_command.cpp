@@ -14,6 +14,7 @@
 #include "host/cli/terrain_batch.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
+#include "host/command_line/print_json.h"
 
 namespace offing::cli {
 

@@ -15,6 +15,7 @@
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
 #include "host/cli/tile_writers.h"
+#include "host/command_line/print_json.h"
 #include "host/terrain/tile_builder.h"
 
 namespace offing::cli {

@@ -23,3 +23,4 @@ offing_dependency(PkgConfig::NETCDF
   CMAKE "find_dependency(PkgConfig)" "pkg_check_modules(NETCDF REQUIRED QUIET IMPORTED_TARGET netcdf)"
   PKG_CONFIG netcdf)
 offing_dependency(tomlplusplus::tomlplusplus CMAKE "find_dependency(tomlplusplus)" PKG_CONFIG tomlplusplus)
+offing_dependency(nlohmann_json::nlohmann_json CMAKE "find_dependency(nlohmann_json)" PKG_CONFIG nlohmann_json)

@@ -26,6 +26,8 @@ typedef std::uint64_t offing_uint64;
 #define OFFING_STREAM_TERRAIN_FRACTAL 0x7e110000u
 // Terrain: n and m are a cell, index the gullies of one width.
 #define OFFING_STREAM_TERRAIN_GULLIES 0x7e110001u
+// Made shapes: n is a vertex or a cell, m what is drawn for it.
+#define OFFING_STREAM_SHAPES 0x5a9e0000u
 
 typedef struct {
   offing_uint32 v[4];

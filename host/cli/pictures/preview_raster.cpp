@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "host/cli/pictures/parallel_rows.h"
+#include "host/base/parallel_rows.h"
 
 namespace offing::cli {
 namespace {

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/parallel_rows.h"
 #include "host/cli/pictures/foam_texture.h"
-#include "host/cli/pictures/parallel_rows.h"
 #include "host/cli/pictures/preview_light.h"
 #include "host/cli/pictures/preview_raster.h"
 

@@ -1,9 +1,5 @@
 #include "host/io/spectra/read_spectra.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 #include <new>
 #include <optional>
 #include <span>
@@ -14,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/error_report.h"
 #include "host/base/log.h"
 #include "host/io/spectra/datawell_spectra.h"
 #include "host/io/spectra/ndbc_spectra.h"
@@ -21,13 +18,12 @@
 #include "host/io/spectra/swan_spectra.h"
 #include "host/io/spectra/text_cursor.h"
 #include "host/io/spectra/ww3_spectra.h"
+#include "host/io/whole_file.h"
 
 namespace offing {
 namespace {
 
 using spectra::NamedText;
-
-constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 30;
 
 struct LoadedFile {
   std::string name;
@@ -37,35 +33,10 @@ struct LoadedFile {
 };
 
 LoadedFile load(const std::filesystem::path& path) {
-  const std::string shown = spectra::printable_name(path.string());
-  std::error_code status;
-  const std::filesystem::file_status kind = std::filesystem::status(path, status);
-  if (kind.type() == std::filesystem::file_type::not_found) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected a wave spectrum file, got no such file", shown),
-                "check the path");
-  }
-  if (!status && !std::filesystem::is_regular_file(kind)) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected a wave spectrum file, got a folder or device", shown),
-                "give the path of a file");
-  }
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  const auto fail = [&](const std::string& reason) {
-    throw Error(ErrorKind::bad_input, fmt::format("{}: cannot be read: {}", shown, reason),
-                "check the permissions of the file and its folders");
-  };
-  if (!file) fail(std::strerror(errno));
-  const std::uintmax_t size = std::filesystem::file_size(path, status);
-  if (status) fail(status.message());
-  if (size > most_bytes) {
-    throw Error(ErrorKind::bad_input, fmt::format("{}: expected at most 1 GiB, got {} bytes", shown, size),
-                "cut the file into months, or extract the records that you need");
-  }
-  LoadedFile loaded{path.string(), std::string(static_cast<std::size_t>(size), '\0')};
-  loaded.bytes.resize(std::fread(loaded.bytes.data(), 1, loaded.bytes.size(), file.get()));
-  if (std::ferror(file.get())) fail(std::strerror(errno));
-  return loaded;
+  return {path.string(), read_whole_file(path, {.kind = "a wave spectrum file",
+                                                .most_bytes = std::size_t{1} << 30,
+                                                .mend_of_size = "cut the file into months, or extract the "
+                                                                "records that you need"})};
 }
 
 std::optional<LoadedFile> load_if_there(const std::filesystem::path& path) {
@@ -124,7 +95,7 @@ std::vector<WaveSpectrum> parse(const LoadedFile& file, const std::filesystem::p
   if (is_datawell(line, path)) return spectra::parse_datawell(file.bytes, file.name);
   throw Error(ErrorKind::bad_input,
               fmt::format("{}:1: expected a wave spectrum file, got {}", spectra::printable_name(file.name),
-                          file.bytes.empty() ? "an empty file" : "\"" + spectra::printable(line) + "\""),
+                          file.bytes.empty() ? "an empty file" : "\"" + printable(line) + "\""),
               "formats read: NDBC .data_spec or historical text, WAVEWATCH III or SWAN text or NetCDF, "
               "Datawell .spt");
 }

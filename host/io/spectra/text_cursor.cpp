@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/error_report.h"
 
 namespace offing::spectra {
 namespace {
@@ -43,27 +44,10 @@ std::size_t exponent_end(std::string_view text, std::size_t at) {
   return is_bare_exponent ? end : at;
 }
 
-std::string escaped(std::string_view text, bool keep_high_bytes, std::size_t limit) {
-  std::string out;
-  for (const char c : text.substr(0, limit)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f || (byte >= 0x80 && !keep_high_bytes)) {
-      out += fmt::format("\\x{:02x}", byte);
-    } else {
-      out += c;
-    }
-  }
-  if (text.size() > limit) out += "...";
-  return out;
-}
-
 }  // namespace
 
-std::string printable(std::string_view text) {
-  return escaped(text, false, 60);
-}
 std::string printable_name(std::string_view name) {
-  return escaped(name, true, 4096);
+  return one_line(name);
 }
 
 std::optional<double> take_number(std::string_view& rest) {

@@ -7,9 +7,6 @@
 
 namespace offing::spectra {
 
-/// `text` fit for one line of an error message: control and non-ASCII bytes as \xNN, cut after 60 characters.
-std::string printable(std::string_view text);
-
 /// A file name fit for one line of an error message: control bytes as \xNN, UTF-8 kept.
 std::string printable_name(std::string_view name);
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/cli/pictures/parallel_rows.h"
+#include "host/base/parallel_rows.h"
 
 namespace offing::cli {
 namespace {

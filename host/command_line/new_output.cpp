@@ -1,4 +1,4 @@
-#include "host/cli/new_output.h"
+#include "host/command_line/new_output.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include "host/base/error_report.h"
 #include "host/io/file_presence.h"
 
-namespace offing::cli {
+namespace offing {
 
 void require_new(const std::string& output, Overwriting overwriting) {
   if (output.empty() || overwriting == Overwriting::allowed || !is_there(output)) return;
@@ -14,4 +14,4 @@ void require_new(const std::string& output, Overwriting overwriting) {
               "--force replaces it, or name another file");
 }
 
-}  // namespace offing::cli
+}  // namespace offing

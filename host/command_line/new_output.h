@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace offing::cli {
+namespace offing {
 
 enum class Overwriting { refused, allowed };
 
@@ -10,4 +10,4 @@ enum class Overwriting { refused, allowed };
 /// is no output.
 void require_new(const std::string& output, Overwriting overwriting);
 
-}  // namespace offing::cli
+}  // namespace offing

@@ -8,12 +8,13 @@
 #include <thread>
 #include <vector>
 
-namespace offing::cli {
+namespace offing {
 
-/// Calls work(row) for every row in [0, rows) on all processors; rows must not write what others touch. The
-/// first exception, if any, is thrown here once all threads have ended.
+/// Calls work(row) for every row in [0, rows) on `threads` threads, this one among them, 0 for as many as
+/// there are processors; rows must not write what others touch. The first exception, if any, is thrown here
+/// once all threads have ended.
 template <typename Work>
-void parallel_rows(int rows, Work work) {
+void parallel_rows(int rows, Work work, int threads = 0) {
   std::atomic<int> next{0};
   std::exception_ptr failure;
   std::mutex failure_mutex;
@@ -26,7 +27,8 @@ void parallel_rows(int rows, Work work) {
       next = rows;
     }
   };
-  const int threads = std::min(rows, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  if (threads == 0) threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  threads = std::min(rows, threads);
   {
     std::vector<std::jthread> others;
     try {
@@ -39,4 +41,4 @@ void parallel_rows(int rows, Work work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace offing::cli
+}  // namespace offing

@@ -1,4 +1,4 @@
-#include "host/io/grid_mesh.h"
+#include "host/io/meshes/grid_mesh.h"
 
 #include <array>
 #include <cmath>

@@ -1,0 +1,269 @@
+#include "host/io/meshes/gltf_document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/base/error_report.h"
+#include "host/io/meshes/data_uri.h"
+#include "host/io/meshes/text_lines.h"
+#include "host/io/whole_file.h"
+
+namespace offing::meshes {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t most_bytes = std::size_t{1} << 36;
+
+std::uint32_t word_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t word = 0;
+  std::memcpy(&word, bytes.data() + at, sizeof(word));
+  return word;
+}
+
+template <typename Number>
+double number_at(const char* at, bool is_normalised) {
+  Number number;
+  std::memcpy(&number, at, sizeof(number));
+  if constexpr (std::numeric_limits<Number>::is_integer) {
+    // glTF 2.0, 3.11: the most negative number is as far as the one after it.
+    if (is_normalised)
+      return std::max(static_cast<double>(number) / std::numeric_limits<Number>::max(), -1.0);
+  }
+  return static_cast<double>(number);
+}
+
+// Component types of glTF 2.0, 3.6.2.2.
+constexpr std::size_t signed_byte = 5120, unsigned_byte = 5121, signed_short = 5122, unsigned_short = 5123,
+                      unsigned_int = 5125, real = 5126;
+
+std::size_t bytes_of(std::size_t component_type) {
+  switch (component_type) {
+    case signed_byte:
+    case unsigned_byte:
+      return 1;
+    case signed_short:
+    case unsigned_short:
+      return 2;
+    case unsigned_int:
+    case real:
+      return 4;
+    default:
+      return 0;
+  }
+}
+
+double component_at(const char* at, std::size_t component_type, bool is_normalised) {
+  switch (component_type) {
+    case signed_byte:
+      return number_at<std::int8_t>(at, is_normalised);
+    case unsigned_byte:
+      return number_at<std::uint8_t>(at, is_normalised);
+    case signed_short:
+      return number_at<std::int16_t>(at, is_normalised);
+    case unsigned_short:
+      return number_at<std::uint16_t>(at, is_normalised);
+    case unsigned_int:
+      return number_at<std::uint32_t>(at, is_normalised);
+    default:
+      return number_at<float>(at, is_normalised);
+  }
+}
+
+}  // namespace
+
+std::string shown(const json& value) {
+  // Lists may be nested so deep that printing them ends the stack.
+  return value.is_string()      ? printable(value.get<std::string>())
+         : value.is_primitive() ? value.dump()
+                                : value.type_name();
+}
+
+GltfDocument::GltfDocument(std::string_view bytes, const std::filesystem::path& path)
+    : path_(path), bytes_(bytes.size()) {
+  const std::string_view text = parse_container(bytes);
+  root_ = json::parse(text, nullptr, false);
+  if (root_.is_discarded() || !root_.is_object()) fail("glTF: an object in JSON", "what is none");
+  const auto asset = root_.find("asset");
+  if (asset == root_.end() || !asset->is_object() || asset->value("version", json()) != "2.0") {
+    fail("glTF with asset.version 2.0", "another");
+  }
+  load_buffers();
+}
+
+/// The JSON of a .gltf, which it is, or of a .glb: 12 bytes of header, then chunks of a length, a type and
+/// data.
+std::string_view GltfDocument::parse_container(std::string_view bytes) {
+  if (!bytes.starts_with("glTF")) return bytes;
+  is_binary_ = true;
+  constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8;
+  constexpr std::uint32_t json_type = 0x4e4f534a, binary_type = 0x004e4942;
+  if (bytes.size() < header_bytes + chunk_header_bytes) fail("the header of a .glb", "the end of the file");
+  if (word_at(bytes, 4) != 2) fail("a .glb of version 2", fmt::format("version {}", word_at(bytes, 4)));
+  const std::size_t length = word_at(bytes, 8);
+  if (length > bytes.size()) {
+    fail(fmt::format("{} bytes", length), fmt::format("a file of {}", bytes.size()));
+  }
+  bytes_over_ = bytes.size() - length;
+  std::string_view rest = bytes.substr(0, length), text;
+  rest.remove_prefix(std::min(header_bytes, rest.size()));
+  while (!rest.empty()) {
+    if (rest.size() < chunk_header_bytes || rest.size() - chunk_header_bytes < word_at(rest, 0)) {
+      fail("whole chunks in a .glb", "one that ends early");
+    }
+    const std::uint32_t type = word_at(rest, 4);
+    const std::string_view data = rest.substr(chunk_header_bytes, word_at(rest, 0));
+    rest.remove_prefix(chunk_header_bytes + data.size());
+    if (type == json_type && text.empty()) text = data;
+    if (type == binary_type && binary_chunk_.empty()) binary_chunk_ = data;
+  }
+  return text;
+}
+
+void GltfDocument::load_buffers() {
+  const std::size_t buffer_count = count("buffers");
+  own_buffers_.reserve(buffer_count);  // views into them must stay
+  for (std::size_t i = 0; i < buffer_count; ++i) {
+    const json& buffer = object("buffers", i);
+    const std::size_t length = whole(buffer, "byteLength", std::nullopt);
+    std::string_view data = binary_chunk_;
+    if (const auto uri = buffer.find("uri"); uri != buffer.end()) {
+      if (!uri->is_string()) fail("a string as the URI of a buffer", uri->type_name());
+      own_buffers_.push_back(load_buffer(uri->get<std::string>()));
+      data = own_buffers_.back();
+      bytes_ += data.size();
+    } else if (i != 0 || !is_binary_) {
+      fail("a URI for each buffer but the first of a .glb", fmt::format("none of buffer {}", i));
+    }
+    if (length > data.size()) {
+      fail(fmt::format("{} bytes in buffer {}", length, i), fmt::format("{}", data.size()));
+    }
+    buffers_.push_back(data.substr(0, length));
+  }
+}
+
+std::string GltfDocument::load_buffer(const std::string& uri) const {
+  if (uri.starts_with("data:")) {
+    if (std::optional<std::string> data = decode_data_uri(uri)) return std::move(*data);
+    fail("a data URI in base64", '"' + printable(uri) + '"');
+  }
+  const std::string name = decode_percent(uri);
+  const bool is_relative = uri.find("://") == std::string::npos && std::filesystem::path(name).is_relative();
+  if (!is_relative) fail("buffers in files beside the glTF", '"' + printable(uri) + '"');
+  return read_whole_file(path_.parent_path() / name,
+                         {.kind = "a buffer of a glTF", .most_bytes = most_bytes});
+}
+
+const json& GltfDocument::object(const char* list, std::size_t index) const {
+  const auto found = root_.find(list);
+  if (found == root_.end() || !found->is_array() || index >= found->size() || !(*found)[index].is_object()) {
+    fail(fmt::format("an object {}[{}]", list, index), "none");
+  }
+  return (*found)[index];
+}
+
+std::size_t GltfDocument::count(const char* list) const {
+  const auto found = root_.find(list);
+  if (found == root_.end()) return 0;
+  if (!found->is_array()) fail(fmt::format("a list {}", list), found->type_name());
+  return found->size();
+}
+
+std::size_t GltfDocument::whole(const json& object, const char* key,
+                                std::optional<std::size_t> otherwise) const {
+  const auto found = object.find(key);
+  if (found == object.end() && otherwise) return *otherwise;
+  if (found == object.end() || !found->is_number_unsigned()) {
+    fail(fmt::format("a whole number {}", key), found == object.end() ? "none" : shown(*found));
+  }
+  return found->get<std::size_t>();
+}
+
+std::vector<double> GltfDocument::numbers(const json& object, const char* key, std::size_t count) const {
+  const auto found = object.find(key);
+  std::vector<double> numbers;
+  if (found == object.end()) return numbers;
+  if (!found->is_array() || found->size() != count)
+    fail(fmt::format("{} numbers in {}", count, key), "others");
+  for (const json& number : *found) {
+    if (!number.is_number() || !std::isfinite(number.get<double>())) {
+      fail(fmt::format("{} numbers in {}", count, key), shown(number));
+    }
+    numbers.push_back(number.get<double>());
+  }
+  return numbers;
+}
+
+GltfDocument::View GltfDocument::view_of(std::size_t accessor, std::string_view type,
+                                         std::size_t components) const {
+  const json& object_of = object("accessors", accessor);
+  const std::string name = fmt::format("accessors[{}]", accessor);
+  if (object_of.value("type", json()) != type) fail(fmt::format("{} of type {}", name, type), "another");
+  if (object_of.contains("sparse") || !object_of.contains("bufferView")) {
+    fail(fmt::format("{} with all its values in a buffer", name), "a sparse one, or none");
+  }
+  View view{};
+  view.count = whole(object_of, "count", std::nullopt);
+  view.component_type = whole(object_of, "componentType", std::nullopt);
+  view.is_normalised = object_of.value("normalized", json()) == true;
+  const std::size_t element_bytes = components * bytes_of(view.component_type);
+  if (element_bytes == 0) fail(fmt::format("a component type of {} that glTF knows", name), "another");
+
+  const json& buffer_view = object("bufferViews", whole(object_of, "bufferView", std::nullopt));
+  const std::size_t buffer = whole(buffer_view, "buffer", std::nullopt);
+  if (buffer >= buffers_.size())
+    fail(fmt::format("buffers[{}]", buffer), fmt::format("{} buffers", buffers_.size()));
+  view.bytes = buffers_[buffer];
+  for (const std::size_t offset : {whole(buffer_view, "byteOffset", 0), whole(object_of, "byteOffset", 0)}) {
+    if (offset > view.bytes.size())
+      fail(fmt::format("the begin of {} within its buffer", name), "one beyond");
+    view.bytes.remove_prefix(offset);
+  }
+  view.stride = whole(buffer_view, "byteStride", element_bytes);
+  if (view.stride < element_bytes || view.stride > 252)
+    fail(fmt::format("a stride of {} to 252 bytes", element_bytes), fmt::format("{}", view.stride));
+  const std::size_t room =
+      view.bytes.size() < element_bytes ? 0 : (view.bytes.size() - element_bytes) / view.stride + 1;
+  if (view.count > room) {
+    fail(fmt::format("{} elements of {}", view.count, name), fmt::format("a buffer with room for {}", room));
+  }
+  return view;
+}
+
+std::vector<glm::dvec3> GltfDocument::vectors(std::size_t accessor) const {
+  const View view = view_of(accessor, "VEC3", 3);
+  const std::size_t step = bytes_of(view.component_type);
+  std::vector<glm::dvec3> vectors(view.count);
+  for (std::size_t i = 0; i < view.count; ++i) {
+    const char* const at = view.bytes.data() + i * view.stride;
+    for (int axis = 0; axis < 3; ++axis) {
+      vectors[i][axis] =
+          component_at(at + static_cast<std::size_t>(axis) * step, view.component_type, view.is_normalised);
+    }
+  }
+  return vectors;
+}
+
+std::vector<std::uint32_t> GltfDocument::indices(std::size_t accessor) const {
+  const View view = view_of(accessor, "SCALAR", 1);
+  const bool is_unsigned = view.component_type == unsigned_byte || view.component_type == unsigned_short ||
+                           view.component_type == unsigned_int;
+  if (!is_unsigned) fail("unsigned indices", fmt::format("component type {}", view.component_type));
+  std::vector<std::uint32_t> indices(view.count);
+  for (std::size_t i = 0; i < view.count; ++i) {
+    indices[i] = static_cast<std::uint32_t>(
+        component_at(view.bytes.data() + i * view.stride, view.component_type, false));
+  }
+  return indices;
+}
+
+void GltfDocument::fail(std::string_view expected, std::string_view got) const {
+  throw mesh_error(path_.string(), 0, expected, got);
+}
+
+}  // namespace offing::meshes

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
+
+namespace offing::meshes {
+
+/// A value of a document as an error shows it.
+std::string shown(const nlohmann::json& value);
+
+/// A glTF 2.0 document with its buffers: what it refers to is checked when it is asked for.
+class GltfDocument {
+ public:
+  /// Of a .gltf or a .glb; buffers beside the file are read. Throws Error(bad_input) for what is neither.
+  GltfDocument(std::string_view bytes, const std::filesystem::path& path);
+
+  /// Object `index` of a list at the document's top, such as "nodes". Throws Error(bad_input) if there is
+  /// none.
+  const nlohmann::json& object(const char* list, std::size_t index) const;
+  /// How many the list has; 0 if there is none.
+  std::size_t count(const char* list) const;
+
+  /// A whole number from 0 on of an object; `otherwise` if it is not there. Throws Error(bad_input) if it is
+  /// none, or if it is needed.
+  std::size_t whole(const nlohmann::json& object, const char* key,
+                    std::optional<std::size_t> otherwise) const;
+  /// `count` finite numbers, or nothing if there are none.
+  std::vector<double> numbers(const nlohmann::json& object, const char* key, std::size_t count) const;
+
+  /// Vectors and whole numbers of accessors; normalised integers are divided by their largest value.
+  std::vector<glm::dvec3> vectors(std::size_t accessor) const;
+  std::vector<std::uint32_t> indices(std::size_t accessor) const;
+
+  const nlohmann::json& root() const { return root_; }
+  std::size_t bytes() const { return bytes_; }            ///< of the file and its buffers
+  std::size_t bytes_over() const { return bytes_over_; }  ///< after the end of a .glb
+  bool is_binary() const { return is_binary_; }
+
+  /// Throws Error(bad_input).
+  [[noreturn]] void fail(std::string_view expected, std::string_view got) const;
+
+ private:
+  struct View {
+    std::string_view bytes;  ///< from the first element on
+    std::size_t count, stride, component_type;
+    bool is_normalised;
+  };
+
+  std::string_view parse_container(std::string_view bytes);
+  void load_buffers();
+  std::string load_buffer(const std::string& uri) const;
+  View view_of(std::size_t accessor, std::string_view type, std::size_t components) const;
+
+  std::filesystem::path path_;
+  nlohmann::json root_;
+  std::string_view binary_chunk_;
+  std::vector<std::string> own_buffers_;
+  std::vector<std::string_view> buffers_;
+  std::size_t bytes_ = 0, bytes_over_ = 0;
+  bool is_binary_ = false;
+};
+
+}  // namespace offing::meshes

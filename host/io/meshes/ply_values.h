@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "host/io/meshes/ply_header.h"
+#include "host/io/meshes/text_lines.h"
+
+namespace offing::meshes {
+
+/// The values of a PLY after its header, one after the other, in text or binary.
+class PlyValues {
+ public:
+  PlyValues(std::string_view text, std::string_view file_name, const PlyHeader& header);
+
+  /// The next value; each type fits a double exactly. In text it must be a finite number, in binary it may be
+  /// a NaN. Throws Error(bad_input) at the end of the file.
+  double next(PlyType type);
+  /// The next length of a list; throws Error(bad_input) for one that the rest of the file cannot hold.
+  std::size_t next_length(const PlyProperty& list);
+  /// Passes over a value or a list.
+  void skip(const PlyProperty& property);
+
+  /// Throws Error(bad_input) if the rest of the file cannot hold all of an element: a header that lies must
+  /// not make anybody allocate.
+  void require_room(const PlyElement& element) const;
+  std::size_t bytes_left() const;
+  /// After the last value: bytes that belong to nothing, but for blanks at the end of a text.
+  std::size_t bytes_over();
+
+  /// Throws Error(bad_input) that names the line, or the element's number where the file is binary.
+  [[noreturn]] void fail(std::string_view expected, std::string_view got) const;
+  /// Which one is being read, for fail().
+  void at(std::string_view element, std::size_t index) {
+    element_ = element;
+    index_ = index;
+  }
+
+ private:
+  void require_bytes(std::size_t count, PlyType type) const;
+
+  PlyEncoding encoding_;
+  std::string file_name_;
+  TextLines lines_;          // in text
+  std::string_view binary_;  // what is left of it
+  std::string_view element_;
+  std::size_t index_ = 0;
+};
+
+}  // namespace offing::meshes

@@ -1,0 +1,67 @@
+#include "host/io/meshes/read_mesh.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/error_report.h"
+#include "host/base/log.h"
+#include "host/io/meshes/gltf_mesh.h"
+#include "host/io/meshes/mesh_bytes.h"
+#include "host/io/meshes/obj_mesh.h"
+#include "host/io/meshes/off_mesh.h"
+#include "host/io/meshes/ply_mesh.h"
+#include "host/io/meshes/stl_mesh.h"
+#include "host/io/meshes/text_lines.h"
+
+namespace offing {
+namespace {
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+std::string_view first_word(std::string_view text) {
+  meshes::TextLines lines(text.substr(0, 4096), "");
+  return lines.next_line() ? lines.word() : std::string_view();
+}
+
+MeshFile parse(std::string_view bytes, const std::filesystem::path& path) {
+  const std::string name = path.string(), extension = lower_extension(path);
+  const std::string_view word = first_word(bytes);
+  if (word == "ply" || extension == ".ply") return meshes::parse_ply(bytes, name).file;
+  if (extension == ".obj") return meshes::parse_obj(bytes, name);
+  if (meshes::is_off_keyword(word) || extension == ".off") return meshes::parse_off(bytes, name);
+  if (extension == ".stl") return meshes::parse_stl(bytes, name);
+  if (bytes.starts_with("glTF") || extension == ".gltf" || extension == ".glb")
+    return meshes::parse_gltf(bytes, path);
+  if (word == "solid") return meshes::parse_stl(bytes, name);
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected a mesh, got {}", one_line(name),
+                          bytes.empty() ? "an empty file" : "a file of no format that is known"),
+              "formats read: .obj, .ply, .off, .stl, .gltf, .glb");
+}
+
+}  // namespace
+
+MeshFile read_mesh_file(const std::filesystem::path& path) {
+  return meshes::parse_mesh_file(path, [&](std::string_view bytes) { return parse(bytes, path); });
+}
+
+TriangleMesh read_mesh(const std::filesystem::path& path) {
+  MeshFile file = read_mesh_file(path);
+  for (const LeftOut& item : file.report.left_out) {
+    spdlog::warn("{}: left out: {} {}", one_line(path.string()), item.count, item.what);
+  }
+  return std::move(file.mesh);
+}
+
+}  // namespace offing

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "host/io/meshes/mesh_file.h"
+
+namespace offing {
+
+/// The mesh of a file: OBJ, PLY (text, binary), OFF, STL (text, binary), glTF (.gltf, .glb). The name says
+/// which, the content where it does not. Vertices are those of the file in its order (of an STL, which has
+/// none: corners at one place are one vertex, numbered as they come), faces in its order, polygons of more
+/// than three corners cut into triangles (meshes::PolygonCutter). Degenerate and repeated faces are kept. See
+/// the parse_...() functions of this folder for what each format holds.
+///
+/// Throws Error(bad_input) if there is no such file, it cannot be read, is no regular file, has no faces, is
+/// of no known format or damaged: what() names file and line.
+MeshFile read_mesh_file(const std::filesystem::path& path);
+
+/// The same without the report: logs a warning for what a mesh cannot hold.
+TriangleMesh read_mesh(const std::filesystem::path& path);
+
+}  // namespace offing

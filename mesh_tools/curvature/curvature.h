@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "host/base/triangle_mesh.h"
+#include "mesh_tools/curvature/unit_mesh.h"
+
+namespace offing::mesh_tools {
+
+enum class CurvatureMethod {
+  tensor,        ///< angles of edges within a ball, rim edges by half (H1, H2 of docs/sources.md)
+  tensor_exact,  ///< the same, edges and triangles clipped to the ball
+  paper,         ///< H1 as printed, for comparison: its bias does not go away with finer meshes
+  diffused,      ///< angles of the edges around each vertex, averaged with neighbours: the fastest
+  jet,           ///< CGAL's fit of a quadratic through two rings of neighbours
+};
+
+/// Whether concave edges bend the other way (as they do) or count as convex ones do (as printed).
+enum class EdgeAngles { with_sign, unsigned_as_printed };
+
+struct CurvatureOptions {
+  CurvatureMethod method = CurvatureMethod::tensor;
+  double radius_edges = 3.0;                  ///< of the ball, in mean edge lengths of the mesh, 0.01 ... 100
+  std::optional<double> radius_m{};           ///< of the ball; overrides radius_edges
+  int rounds = 3;                             ///< of averaging, of the method diffused, 0 ... 1000
+  EdgeAngles angles = EdgeAngles::with_sign;  ///< of the method paper
+  int threads = 0;                            ///< 0: as many as there are processors. Changes no result
+};
+
+struct CurvatureResult {
+  VertexCurvatures curvatures;
+  std::vector<glm::dvec3> normals;  ///< [vertices] unit, e_max x e_min; 0 where a vertex has no surface
+};
+
+/// Curvatures at all vertices of a mesh, 1:1 in its order. Vertices at exactly one position are one vertex of
+/// the surface, as at seams of texture coordinates, and get the same. Whatever the faces are, nothing is NaN
+/// or infinite: what has no surface around it has curvature 0 and confidence 0; edges of other than two faces
+/// do not bend. Throws Error(bad_usage) for options out of range, Error(bad_input) for faces that name no
+/// vertex, and for positions that are not finite or farther than 1e100 m apart.
+CurvatureResult vertex_curvatures(const TriangleMesh& mesh, const CurvatureOptions& options = {});
+
+/// The same of a mesh whose neighbours are known already.
+CurvatureResult vertex_curvatures(const UnitMesh& mesh, const CurvatureOptions& options = {});
+
+/// "tensor", "tensor-exact", "paper", "diffused", "jet". Throws Error(bad_usage) for any other.
+CurvatureMethod curvature_method(std::string_view name);
+std::string_view name_of(CurvatureMethod method);
+
+}  // namespace offing::mesh_tools

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "mesh_tools/curvature/curvature.h"
+#include "mesh_tools/curvature/surface_measures.h"
+#include "mesh_tools/curvature/unit_mesh.h"
+
+namespace offing::mesh_tools {
+
+/// What a method says of one vertex, in units of the mesh's scale; all 0 where it has nothing to say.
+struct VertexBend {
+  double k_max = 0.0, k_min = 0.0;
+  glm::dvec3 e_max{}, e_min{}, normal{};  ///< unit, e_max x e_min = normal
+};
+
+/// From the mean tensor of edges about a vertex: an angle is stored on edges along the axis of bending, so
+/// that the larger eigenvalue's own direction is that of the smaller curvature (H2).
+///
+/// Edges away from the vertex lean out of its tangent plane, so that a part of them is lost there: at x along
+/// e, whose normal curvature is k, they lean by k x, and lose k^2 x^2. `spread` is the mean of x^2, of either
+/// axis; edges along e carry the other curvature.
+inline VertexBend bend_of_tensor(const SymmetricTensor& mean, const glm::dvec3& normal, double spread) {
+  const TangentEigen eigen = tangent_eigen(mean, normal);
+  constexpr double most = 0.25;  // where it is larger, the region is no small part of the surface
+  const auto loss = [&](double curvature) { return std::min(most, spread * curvature * curvature); };
+  return {.k_max = eigen.larger * (1.0 + loss(eigen.smaller)),
+          .k_min = eigen.smaller * (1.0 + loss(eigen.larger)),
+          .e_max = eigen.of_smaller,
+          .e_min = -eigen.of_larger,
+          .normal = normal};
+}
+
+/// What a face or vertex with an edge that does not bend (on a border, or where three faces meet) counts
+/// beside others: it misses a part of its tensor, but is better than nothing.
+inline constexpr double border_weight = 1e-6;
+
+inline bool has_two_faces(const MeshNeighbours& mesh, std::uint32_t edge) {
+  return mesh.edge_faces.begin[edge + 1] - mesh.edge_faces.begin[edge] == 2;
+}
+
+/// [vertices] of each method. The radius is in units of the mesh's scale.
+std::vector<VertexBend> ball_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
+                                          double radius, int threads);
+std::vector<VertexBend> clipped_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
+                                             double radius, int threads);
+std::vector<VertexBend> printed_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
+                                             double radius, EdgeAngles angles, int threads);
+std::vector<VertexBend> diffused_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
+                                              int rounds, int threads);
+std::vector<VertexBend> jet_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, int threads);
+
+}  // namespace offing::mesh_tools

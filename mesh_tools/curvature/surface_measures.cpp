@@ -1,0 +1,76 @@
+#include "mesh_tools/curvature/surface_measures.h"
+
+#include <cmath>
+
+#include "host/base/parallel_chunks.h"
+
+namespace offing::mesh_tools {
+namespace {
+
+void measure_faces(const UnitMesh& mesh, int threads, SurfaceMeasures& measures) {
+  const std::size_t faces = mesh.neighbours.faces.size();
+  measures.face_normals.assign(faces, {});
+  measures.face_areas.assign(faces, 0.0);
+  parallel_for(faces, threads, [&](std::size_t face) {
+    if (mesh.neighbours.face_edges[face][0] == MeshNeighbours::none) return;
+    const auto& [a, b, c] = mesh.neighbours.faces[face];
+    const glm::dvec3 across =
+        glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+    const double length = glm::length(across);
+    if (!(length > 0.0)) return;
+    measures.face_areas[face] = 0.5 * length;
+    measures.face_normals[face] = across / length;
+  });
+}
+
+void measure_vertices(const UnitMesh& mesh, int threads, SurfaceMeasures& measures) {
+  measures.normals.assign(mesh.vertex_count(), {});
+  measures.areas.assign(mesh.vertex_count(), 0.0);
+  parallel_for(mesh.vertex_count(), threads, [&](std::size_t vertex) {
+    glm::dvec3 sum(0.0);
+    double area = 0.0;
+    for (const std::uint32_t face : mesh.neighbours.vertex_faces.row(vertex)) {
+      sum += measures.face_areas[face] * measures.face_normals[face];
+      area += measures.face_areas[face];
+    }
+    measures.areas[vertex] = area / 3.0;
+    const double length = glm::length(sum);
+    // Faces back to back cancel but for rounding.
+    if (length > 1e-12 * area) measures.normals[vertex] = sum / length;
+  });
+}
+
+}  // namespace
+
+double edge_angle(const UnitMesh& mesh, const std::vector<glm::dvec3>& face_normals, std::uint32_t edge) {
+  const auto faces = mesh.neighbours.edge_faces.row(edge);
+  if (faces.size() != 2) return 0.0;
+  const bool first_along = mesh.neighbours.runs_along(faces[0], edge);
+  const bool agree = first_along != mesh.neighbours.runs_along(faces[1], edge);
+  const glm::dvec3 &first = face_normals[faces[0]],
+                   second = agree ? face_normals[faces[1]] : -face_normals[faces[1]];
+  const auto& [from, to] = mesh.neighbours.edges[edge];
+  const glm::dvec3 along = mesh.positions[to] - mesh.positions[from];
+  const double length = glm::length(along);
+  if (!(length > 0.0)) return 0.0;
+  // Seen along the edge, the face that runs along it lies to the left of the other.
+  const double sine = glm::dot(glm::cross(first, second), along) / length;
+  return std::atan2(first_along ? sine : -sine, glm::dot(first, second));
+}
+
+SurfaceMeasures measure_surface(const UnitMesh& mesh, int threads) {
+  SurfaceMeasures measures;
+  measure_faces(mesh, threads, measures);
+  measure_vertices(mesh, threads, measures);
+  measures.edge_tensors.resize(mesh.neighbours.edges.size());
+  parallel_for(mesh.neighbours.edges.size(), threads, [&](std::size_t edge) {
+    const auto& [from, to] = mesh.neighbours.edges[edge];
+    const glm::dvec3 along = mesh.positions[to] - mesh.positions[from];
+    const double angle = edge_angle(mesh, measures.face_normals, static_cast<std::uint32_t>(edge));
+    measures.edge_tensors[edge] =
+        angle == 0.0 ? SymmetricTensor{} : outer_square(angle / glm::length(along), along);
+  });
+  return measures;
+}
+
+}  // namespace offing::mesh_tools

@@ -1,0 +1,47 @@
+#include <string>
+
+#include <CLI/App.hpp>
+
+#include "host/base/process.h"
+#include "host/command_line/help_format.h"
+#include "host/command_line/parse_arguments.h"
+#include "host/scene/version.h"
+#include "mesh_tools/check_command.h"
+#include "mesh_tools/options.h"
+
+namespace {
+
+namespace mesh_tools = offing::mesh_tools;
+
+void build(CLI::App& app, mesh_tools::Options& options) {
+  app.name("offing-mesh");
+  offing::format_help(app);
+  app.description("Offing's mesh tools: checks, repairs and prepares triangle meshes");
+  app.set_version_flag("--version", "offing-mesh " + std::string(offing::scene::version()),
+                       "print the version");
+  app.set_help_flag("-h,--help", "print this help");
+  app.require_subcommand(1);
+  mesh_tools::add_check_command(app, options);
+  app.footer(R"(
+Examples:
+  offing-mesh check scan.ply
+
+Exit codes: 0 done, 1 failed, 2 wrong usage or input, 130 interrupted.)");
+}
+
+int run(int argc, char** argv) {
+  static mesh_tools::Options options;  // signals may come until the process ends
+  offing::cancel_on_signals(options.cancel);
+  offing::configure_log(options.verbosity);
+  CLI::App app;
+  build(app, options);
+  offing::parse_arguments(app, argc, argv);
+  offing::finish_output();
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return offing::run_program([&] { return run(argc, argv); });
+}

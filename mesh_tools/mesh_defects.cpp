@@ -1,0 +1,122 @@
+#include "mesh_tools/mesh_defects.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh_tools/disjoint_sets.h"
+#include "mesh_tools/edge_table.h"
+#include "mesh_tools/face_intersections.h"
+
+namespace offing::mesh_tools {
+namespace {
+
+/// Counts sets among the things that are marked.
+std::size_t count_sets(DisjointSets& sets, const std::vector<std::uint8_t>& is_marked) {
+  std::vector<std::uint8_t> has_root(is_marked.size(), 0);
+  for (std::uint32_t i = 0; i < is_marked.size(); ++i) {
+    if (is_marked[i] != 0) has_root[sets.root_of(i).index] = 1;
+  }
+  return static_cast<std::size_t>(std::count(has_root.begin(), has_root.end(), 1));
+}
+
+void count_vertices(const TriangleMesh& mesh, MeshDefects& defects) {
+  DisjointSets sets(mesh.positions_m.size());
+  std::vector<std::uint8_t> is_used(mesh.positions_m.size(), 0);
+  for (const TriangleIndices& face : mesh.faces) {
+    for (const std::uint32_t vertex : face) {
+      is_used[vertex] = 1;
+      sets.join(face[0], vertex);
+    }
+  }
+  defects.components = count_sets(sets, is_used);
+  defects.isolated_vertices = static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 0));
+}
+
+std::size_t count_duplicates(const std::vector<TriangleIndices>& faces) {
+  std::vector<TriangleIndices> sorted = faces;
+  for (TriangleIndices& face : sorted) std::sort(face.begin(), face.end());
+  std::sort(sorted.begin(), sorted.end());
+  return static_cast<std::size_t>(sorted.end() - std::unique(sorted.begin(), sorted.end()));
+}
+
+/// The number of a face's corner at a vertex, among the three of each face.
+std::uint32_t corner_at(const std::vector<TriangleIndices>& faces, std::uint32_t face, std::uint32_t vertex) {
+  const TriangleIndices& corners = faces[face];
+  return 3 * face + (corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2);
+}
+
+/// Joins what lies around an edge, and counts the edge.
+class EdgeCounter {
+ public:
+  EdgeCounter(const TriangleMesh& mesh, MeshDefects& defects)
+      : faces_(mesh.faces),
+        defects_(defects),
+        border_(mesh.positions_m.size()),
+        is_on_border_(mesh.positions_m.size(), 0),
+        sides_(mesh.faces.size()),
+        fans_(3 * mesh.faces.size()),
+        fan_count_(mesh.positions_m.size(), 0) {}
+
+  void add(std::span<const EdgeUse> uses) {
+    const EdgeUse& first = uses.front();
+    if (uses.size() == 1) {
+      ++defects_.boundary_edges;
+      border_.join(first.low, first.high);
+      is_on_border_[first.low] = is_on_border_[first.high] = 1;
+    } else if (uses.size() == 2) {
+      const bool is_turned = first.way == uses.back().way;
+      defects_.turned_edges += is_turned;
+      using enum DisjointSets::Relation;
+      if (!sides_.join(first.face, uses.back().face, is_turned ? turned : same)) defects_.orientable = false;
+    } else {
+      ++defects_.non_manifold_edges;
+    }
+    for (const EdgeUse& use : uses.subspan(1)) {
+      for (const std::uint32_t vertex : {first.low, first.high}) {
+        fans_.join(corner_at(faces_, first.face, vertex), corner_at(faces_, use.face, vertex));
+      }
+    }
+  }
+
+  void finish() {
+    defects_.boundary_loops = count_sets(border_, is_on_border_);
+    for (std::uint32_t corner = 0; corner < 3 * faces_.size(); ++corner) {
+      const TriangleIndices& face = faces_[corner / 3];
+      if (!repeats_vertex(face) && fans_.root_of(corner).index == corner) ++fan_count_[face[corner % 3]];
+    }
+    defects_.non_manifold_vertices = static_cast<std::size_t>(
+        std::count_if(fan_count_.begin(), fan_count_.end(), [](std::uint32_t fans) { return fans > 1; }));
+  }
+
+ private:
+  const std::vector<TriangleIndices>& faces_;
+  MeshDefects& defects_;
+  DisjointSets border_;  // of vertices
+  std::vector<std::uint8_t> is_on_border_;
+  DisjointSets sides_;  // of faces
+  DisjointSets fans_;   // of corners
+  std::vector<std::uint32_t> fan_count_;
+};
+
+}  // namespace
+
+MeshDefects find_defects(const TriangleMesh& mesh, const CancelToken& cancel) {
+  MeshDefects defects;
+  defects.vertices = mesh.positions_m.size();
+  defects.faces = mesh.faces.size();
+  count_vertices(mesh, defects);
+  defects.duplicate_faces = count_duplicates(mesh.faces);
+  cancel.throw_if_cancelled();
+  EdgeCounter counter(mesh, defects);
+  EdgeTable(mesh.faces).for_each_edge([&](std::span<const EdgeUse> uses) { counter.add(uses); });
+  counter.finish();
+  cancel.throw_if_cancelled();
+  defects.degenerate_faces = count_faces_without_area(mesh);
+  defects.self_intersections = intersecting_faces(mesh, cancel).size();
+  return defects;
+}
+
+}  // namespace offing::mesh_tools

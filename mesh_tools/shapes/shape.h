@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "host/base/triangle_mesh.h"
+
+namespace offing::mesh_tools {
+
+/// A mesh made by a formula.
+struct Shape {
+  TriangleMesh mesh;  ///< with the normals of the smooth surface where truth is known, else with none
+  /// What the smooth surface has where the vertices lie (before noise); areas are those of the mesh. Absent
+  /// where no formula gives it.
+  std::optional<VertexCurvatures> truth;
+};
+
+/// How far vertices are from where an even mesh would have them. Drawn from the seed, vertex by vertex.
+struct Roughness {
+  double jitter = 0.0;        ///< along the surface, up to this many edge lengths a direction, 0 ... 0.45
+  double normal_noise = 0.0;  ///< off the surface: the standard deviation in edge lengths, 0 ... 1
+  std::uint64_t seed = 1;
+};
+
+/// Which way squares of a grid are cut into triangles.
+enum class Diagonals { parallel, random };
+
+/// A grid of cells over two parameters.
+struct Grid {
+  int u_cells = 0, v_cells = 0;
+  Diagonals diagonals = Diagonals::parallel;
+};
+
+/// Icospheres of 20 * 4^level faces, level 0 ... 9, whose edges are split in halves. All shapes throw
+/// Error(bad_usage) for sizes that are not positive and finite, and for what is not within the ranges said
+/// here.
+Shape make_sphere(double radius_m, int level, const Roughness& roughness = {});
+
+/// An icosphere, stretched to three semi-axes.
+Shape make_ellipsoid(const glm::dvec3& semi_axes_m, int level, const Roughness& roughness = {});
+
+/// About the z axis; u runs around it, v around the tube. The edge length of the roughness is that of a cell,
+/// along u and along v; noise counts in edges along v. tube_radius_m < radius_m; 3 cells or more each way.
+Shape make_torus(double radius_m, double tube_radius_m, const Grid& grid, const Roughness& roughness = {});
+
+/// A tube along the knot that winds `around` times about the z axis and `through` times through the hole of a
+/// torus: (2, 3) is the trefoil. Sizes as a torus; the tube must be thin enough not to bend onto itself.
+struct TorusKnot {
+  int around = 2, through = 3;
+  double radius_m = 1.0;        ///< of the torus that it lies on
+  double winding_m = 0.45;      ///< radius of that torus's tube
+  double tube_radius_m = 0.18;  ///< of the knot's own tube
+};
+/// 120 x 12 cells are 2,880 faces.
+Shape make_torus_knot(const TorusKnot& knot, const Grid& grid, const Roughness& roughness = {});
+
+/// The patch z = (0.75 x^2 - 0.4 y^2 + 0.1 x^3 / s) / s over |x|, |y| <= s = half_width_m, with its border;
+/// no jitter on the border across it.
+Shape make_saddle(double half_width_m, const Grid& grid, const Roughness& roughness = {});
+
+/// A blob with skull, brow, nose, cheeks, chin, ears and neck, star-shaped about its middle: the level set of
+/// a sum of Gaussians, looking toward +z with +y up. radius_m is about that of the skull.
+Shape make_head(double radius_m, int level, const Roughness& roughness = {});
+
+/// A hull with its deck: a closed surface of u_cells sections of v_cells quads and a fan at each end, bow
+/// toward +x, +y up. Its edges (sheer, stem, transom) have no curvature, so that there is no truth. Beam and
+/// depth follow from the length.
+Shape make_ship(double length_m, const Grid& grid);
+
+}  // namespace offing::mesh_tools

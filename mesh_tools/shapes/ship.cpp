@@ -1,0 +1,90 @@
+#include <cmath>
+#include <numbers>
+
+#include "mesh_tools/shapes/shape_parts.h"
+
+namespace offing::mesh_tools {
+namespace {
+
+// Of the length: those of a coaster.
+constexpr double half_breadth = 0.085, draught = 0.075, freeboard = 0.055, sheer_rise = 0.035;
+constexpr double camber = 0.06;        // of the half breadth
+constexpr double stem_breadth = 0.02;  // of the half breadth, where the bow ends
+constexpr double transom_breadth = 0.7;
+// A quarter of each ring is deck.
+constexpr double hull_share = 0.75;
+
+/// A cross section at x = -1 (transom) ... 1 (stem), in half breadths and lengths.
+struct Section {
+  double x, half_breadth, sheer, keel, fullness;
+};
+
+Section section_at(double x) {
+  const double bow = std::max(0.0, x), stern = std::max(0.0, -x);
+  const double narrowing =
+      (1.0 - stem_breadth) * std::pow(bow, 2.6) + (1.0 - transom_breadth) * stern * stern * stern;
+  return {.x = x,
+          .half_breadth = half_breadth * (1.0 - narrowing),
+          .sheer = freeboard + sheer_rise * x * x * (x > 0.0 ? 1.0 : 0.4),
+          .keel = -draught * (1.0 - 0.15 * bow * bow - 0.6 * stern * stern * stern),
+          // Round amidships, a V at the bow.
+          .fullness = 0.45 + 0.5 * bow * bow + 0.15 * stern};
+}
+
+/// Around a section from its starboard sheer under the keel to the port sheer, and back over the deck; in
+/// lengths.
+glm::dvec3 ring_point(const Section& section, double share) {
+  // The stem rakes: it is longer above.
+  const auto at = [&](double side, double height) {
+    const double rake = section.x > 0.0 ? 0.05 * std::pow(section.x, 4.0) * (height - section.keel) /
+                                              (section.sheer - section.keel)
+                                        : 0.0;
+    return glm::dvec3(0.5 * section.x + rake, height, side * section.half_breadth);
+  };
+  if (share < hull_share) {
+    const double angle = std::numbers::pi * (share / hull_share - 0.5);
+    const double side =
+        std::copysign(std::pow(std::abs(std::sin(angle)), section.fullness), -std::sin(angle));
+    return at(side, section.sheer + (section.keel - section.sheer) * std::cos(angle));
+  }
+  const double side = 2.0 * (share - hull_share) / (1.0 - hull_share) - 1.0;
+  return at(side, section.sheer + camber * section.half_breadth * (1.0 - side * side));
+}
+
+}  // namespace
+
+Shape make_ship(double length_m, const Grid& grid) {
+  require_shape_size("length", length_m);
+  require_grid(grid, 4);
+  Shape ship;
+  TriangleMesh& mesh = ship.mesh;
+  const auto rings = static_cast<std::uint32_t>(grid.u_cells) + 1,
+             ring_size = static_cast<std::uint32_t>(grid.v_cells);
+  for (std::uint32_t ring = 0; ring < rings; ++ring) {
+    // Sections stand closer at both ends.
+    const Section section = section_at(-std::cos(std::numbers::pi * ring / grid.u_cells));
+    for (std::uint32_t i = 0; i < ring_size; ++i) {
+      mesh.positions_m.push_back(length_m * ring_point(section, static_cast<double>(i) / ring_size));
+    }
+  }
+  // Each end is closed about its middle.
+  const std::uint32_t transom = rings * ring_size, stem = transom + 1;
+  for (const std::uint32_t first : {0u, transom - ring_size}) {
+    glm::dvec3 sum(0.0);
+    for (std::uint32_t i = 0; i < ring_size; ++i) sum += mesh.positions_m[first + i];
+    mesh.positions_m.push_back(sum / static_cast<double>(ring_size));
+  }
+  for (std::uint32_t i = 0; i < ring_size; ++i) {
+    const std::uint32_t next = (i + 1) % ring_size;
+    mesh.faces.push_back({transom, next, i});
+    for (std::uint32_t first = 0; first + ring_size < transom; first += ring_size) {
+      const std::uint32_t a = first + i, b = first + ring_size + i, c = first + ring_size + next,
+                          d = first + next;
+      mesh.faces.insert(mesh.faces.end(), {{a, c, b}, {a, d, c}});
+    }
+    mesh.faces.push_back({stem, transom - ring_size + i, transom - ring_size + next});
+  }
+  return ship;
+}
+
+}  // namespace offing::mesh_tools

@@ -1,0 +1,170 @@
+// Curvatures against those of the smooth surfaces that meshes were made from.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mesh_tools/curvature/curvature.h"
+#include "tests/mesh_tools/curvature/accuracy.h"
+
+namespace offing::mesh_tools {
+namespace {
+
+using testing::Each;
+using testing::Lt;
+
+VertexCurvatures measured(const TriangleMesh& mesh, CurvatureMethod method) {
+  return vertex_curvatures(mesh, {.method = method}).curvatures;
+}
+
+struct Gate {
+  CurvatureMethod method;
+  // Of ellipsoid, torus, noisy torus, saddle: curvature %, direction degrees.
+  double curvature_percent[4], direction_deg[4];
+};
+
+class CurvatureAccuracy : public testing::TestWithParam<Gate> {};
+
+// Each method on meshes with jittered vertices and random diagonals, one with noise, one with a border. Gates
+// are a tenth above what is measured: a weight or a sign that is wrong costs several times that. Measured
+// (%/degrees): tensor 0.88/0.62, 1.12/1.12, 2.03/1.49, 0.91/0.20;
+// tensor-exact 1.04/0.82, 1.03/1.10, 2.14/1.42, 1.81/0.28; diffused 0.48/0.52, 1.07/1.24, 3.26/1.68,
+// 0.78/0.23; jet 0.38/0.24, 1.07/0.38, 6.02/1.84, 0.51/0.10.
+TEST_P(CurvatureAccuracy, ComesNearTheSmoothSurface) {
+  const Gate& gate = GetParam();
+  std::size_t index = 0;
+  for (const test::NamedShape& named : test::comparison_shapes()) {
+    const auto errors = test::errors_of(measured(named.shape.mesh, gate.method), *named.shape.truth);
+    EXPECT_LE(100.0 * errors.curvature, gate.curvature_percent[index]) << named.name;
+    EXPECT_LE(errors.direction_deg, gate.direction_deg[index]) << named.name;
+    ++index;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Methods, CurvatureAccuracy,
+    testing::Values(Gate{CurvatureMethod::tensor, {1.0, 1.25, 2.25, 1.0}, {0.7, 1.25, 1.65, 0.23}},
+                    Gate{CurvatureMethod::tensor_exact, {1.15, 1.15, 2.4, 2.0}, {0.9, 1.25, 1.6, 0.32}},
+                    Gate{CurvatureMethod::diffused, {0.55, 1.2, 3.6, 0.87}, {0.6, 1.4, 1.85, 0.26}},
+                    Gate{CurvatureMethod::jet, {0.45, 1.2, 6.6, 0.57}, {0.27, 0.42, 2.05, 0.12}}),
+    [](const auto& instance) {
+      std::string name(name_of(instance.param.method));
+      std::ranges::replace(name, '-', '_');
+      return name;
+    });
+
+double mean_error_on_sphere(int level, CurvatureMethod method) {
+  const Shape sphere = make_sphere(2.0, level);
+  return test::errors_of(measured(sphere.mesh, method), *sphere.truth).curvature;
+}
+
+// 2.5 k, 10 k and 41 k vertices. Fails if a bias is left that finer meshes do not remove: regions counted by
+// other edges than areas. The error of a region of fixed edges falls with the square of the edge; irregular
+// corners of an icosphere, twelve whatever the level, leave a little less than that.
+TEST(CurvatureConvergence, ErrorsFallAsSpheresAreRefined) {
+  for (const CurvatureMethod method :
+       {CurvatureMethod::tensor, CurvatureMethod::diffused, CurvatureMethod::jet}) {
+    const double coarse = mean_error_on_sphere(4, method), fine = mean_error_on_sphere(5, method),
+                 finest = mean_error_on_sphere(6, method);
+    EXPECT_LT(fine, 0.6 * coarse) << name_of(method);
+    EXPECT_LT(finest, 0.6 * fine) << name_of(method);
+    EXPECT_LT(finest, 1e-3) << name_of(method);
+  }
+  EXPECT_LT(mean_error_on_sphere(6, CurvatureMethod::tensor_exact), 0.02);
+}
+
+// The bias of the print, which docs/meshes.md states: edges on the rim of the region count in full though
+// half of what they bend lies outside. Fails if `paper` is repaired by mistake, or gets worse. Measured 7.2
+// and 8.6 %.
+TEST(CurvatureConvergence, ThePrintKeepsItsBias) {
+  for (const int level : {4, 6}) {
+    const double error = mean_error_on_sphere(level, CurvatureMethod::paper);
+    EXPECT_GT(error, 0.05) << level;
+    EXPECT_LT(error, 0.12) << level;
+  }
+}
+
+// Angles without a sign make every saddle a dome: curvatures there are off by more than themselves.
+TEST(CurvatureConvergence, UnsignedAnglesLoseConcaveParts) {
+  const test::NamedShape saddle = test::jittered_saddle();
+  const auto errors = [&](EdgeAngles angles) {
+    const CurvatureOptions options{.method = CurvatureMethod::paper, .angles = angles};
+    return test::errors_of(vertex_curvatures(saddle.shape.mesh, options).curvatures, *saddle.shape.truth);
+  };
+  EXPECT_LT(errors(EdgeAngles::with_sign).curvature, 0.1);
+  EXPECT_GT(errors(EdgeAngles::unsigned_as_printed).curvature, 0.5);
+}
+
+struct IntegralCase {
+  test::NamedShape named;
+  double expected;  ///< of the Gaussian curvature over the surface
+};
+
+// Gauss and Bonnet: on a closed surface the integral is 2 pi times Euler's characteristic; on the saddle that
+// of the smooth surface over the same vertices, borders left out. Fails if curvature is lost or found anew,
+// as where regions' edges lean out of the tangent plane. The bound is 2 % of the absolute integral; measured
+// at most 1.96 %.
+TEST(CurvatureIntegral, IsThatOfTheTopology) {
+  std::vector<IntegralCase> cases{{test::jittered_ellipsoid(), 4.0 * std::numbers::pi},
+                                  {test::jittered_torus(), 0.0},
+                                  {test::noisy_torus(), 0.0}};
+  for (const IntegralCase& closed : cases) {
+    for (const CurvatureMethod method : {CurvatureMethod::tensor, CurvatureMethod::tensor_exact,
+                                         CurvatureMethod::diffused, CurvatureMethod::jet}) {
+      const VertexCurvatures found = measured(closed.named.shape.mesh, method);
+      double sum = 0.0, absolute = 0.0;
+      for (std::size_t i = 0; i < found.area_m2.size(); ++i) {
+        const double part = found.k_max_per_m[i] * found.k_min_per_m[i] * found.area_m2[i];
+        sum += part;
+        absolute += std::abs(part);
+      }
+      EXPECT_LE(std::abs(sum - closed.expected), 0.02 * absolute)
+          << closed.named.name << " " << name_of(method);
+    }
+  }
+}
+
+TEST(CurvatureIntegral, IsThatOfTheSaddleWithinItsBorder) {
+  const Shape saddle = test::jittered_saddle().shape;
+  const VertexCurvatures& truth = *saddle.truth;
+  for (const CurvatureMethod method : {CurvatureMethod::tensor, CurvatureMethod::tensor_exact,
+                                       CurvatureMethod::diffused, CurvatureMethod::jet}) {
+    const VertexCurvatures found = measured(saddle.mesh, method);
+    double sum = 0.0, absolute = 0.0, expected = 0.0;
+    for (std::size_t i = 0; i < found.area_m2.size(); ++i) {
+      const glm::dvec3& p = saddle.mesh.positions_m[i];
+      if (std::max(std::abs(p.x), std::abs(p.y)) > 1.0 - 1e-9) continue;
+      const double part = found.k_max_per_m[i] * found.k_min_per_m[i] * found.area_m2[i];
+      sum += part;
+      absolute += std::abs(part);
+      expected += truth.k_max_per_m[i] * truth.k_min_per_m[i] * found.area_m2[i];
+    }
+    EXPECT_LE(std::abs(sum - expected), 0.02 * absolute) << name_of(method);
+  }
+}
+
+// Fails if a sign or an order is swapped: a ball in metres, seen from outside, bends by 1 / r both ways.
+TEST(CurvatureConvention, ConvexIsPositiveInOneOverMetres) {
+  const Shape sphere = make_sphere(4.0, 4);
+  for (const CurvatureMethod method :
+       {CurvatureMethod::tensor, CurvatureMethod::tensor_exact, CurvatureMethod::paper,
+        CurvatureMethod::diffused, CurvatureMethod::jet}) {
+    const CurvatureResult result = vertex_curvatures(sphere.mesh, {.method = method});
+    for (std::size_t i = 0; i < result.normals.size(); ++i) {
+      ASSERT_NEAR(result.curvatures.k_max_per_m[i], 0.25, 0.05) << name_of(method);
+      ASSERT_GE(result.curvatures.k_max_per_m[i], result.curvatures.k_min_per_m[i]) << name_of(method);
+      ASSERT_GT(glm::dot(result.normals[i], sphere.mesh.normals[i]), 0.999) << name_of(method);
+      const glm::dvec3 across = glm::cross(result.curvatures.e_max[i], result.curvatures.e_min[i]);
+      ASSERT_LT(glm::distance(across, result.normals[i]), 1e-9) << name_of(method);
+    }
+    // A sphere prefers no direction.
+    EXPECT_THAT(result.curvatures.confidence, Each(Lt(0.1))) << name_of(method);
+  }
+}
+
+}  // namespace
+}  // namespace offing::mesh_tools
