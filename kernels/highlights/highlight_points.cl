@@ -25,6 +25,8 @@ static void find_zero(__global const float *vertices, int pitch, const int *corn
     x[i] = field_x[corners[i]];
     y[i] = field_y[corners[i]];
   }
+  // Most faces that reach across y = 0 do so on one side: no edge crosses the ray, or two.
+  if (fmax(fmax(x[0], x[1]), x[2]) <= 0.0f || fmin(fmin(x[0], x[1]), x[2]) > 0.0f) return;
   int crossings = 0, orientation = 0;
   for (int i = 0; i < 3; ++i) {
     const int j = i == 2 ? 0 : i + 1;
