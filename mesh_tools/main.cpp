@@ -7,6 +7,8 @@
 #include "host/command_line/parse_arguments.h"
 #include "host/scene/version.h"
 #include "mesh_tools/check_command.h"
+#include "mesh_tools/curvature_command.h"
+#include "mesh_tools/generate_command.h"
 #include "mesh_tools/options.h"
 
 namespace {
@@ -22,9 +24,13 @@ void build(CLI::App& app, mesh_tools::Options& options) {
   app.set_help_flag("-h,--help", "print this help");
   app.require_subcommand(1);
   mesh_tools::add_check_command(app, options);
+  mesh_tools::add_curvature_command(app, options);
+  mesh_tools::add_generate_command(app, options);
   app.footer(R"(
 Examples:
   offing-mesh check scan.ply
+  offing-mesh generate torus-knot -o knot.ply
+  offing-mesh curvature knot.ply -o knot_curvature.ply
 
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 130 interrupted.)");
 }

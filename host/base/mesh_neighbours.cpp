@@ -115,6 +115,13 @@ MeshNeighbours mesh_neighbours(std::size_t vertex_count, std::vector<TriangleInd
   mesh.vertex_edges = lists_of(vertex_count, mesh.edges.size(), [&](std::size_t edge, const auto& add) {
     for (const std::uint32_t vertex : mesh.edges[edge]) add(vertex);
   });
+  mesh.neighbours.reserve(mesh.vertex_edges.entries.size());
+  for (std::uint32_t vertex = 0; vertex < vertex_count; ++vertex) {
+    for (const std::uint32_t edge : mesh.vertex_edges.row(vertex)) {
+      const auto& [a, b] = mesh.edges[edge];
+      mesh.neighbours.push_back(a == vertex ? b : a);
+    }
+  }
   return mesh;
 }
 

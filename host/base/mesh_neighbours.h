@@ -35,9 +35,14 @@ struct MeshNeighbours {
   std::vector<TriangleIndices> face_edges;  ///< [faces]: the edges corner 0 - 1, 1 - 2, 2 - 0; or none
   IndexLists vertex_faces;                  ///< of each vertex its faces, ascending
   IndexLists vertex_edges;                  ///< of each vertex its edges, ascending
+  std::vector<std::uint32_t> neighbours;    ///< beside each entry of vertex_edges the edge's other vertex
   IndexLists edge_faces;                    ///< of each edge its faces, ascending
 
   std::size_t vertex_count() const { return vertex_faces.rows(); }
+  std::span<const std::uint32_t> neighbours_of(std::size_t vertex) const {
+    const std::size_t begin = vertex_edges.begin[vertex];
+    return std::span(neighbours).subspan(begin, vertex_edges.begin[vertex + 1] - begin);
+  }
   /// Whether a face that has the edge passes it from its first vertex to its second.
   bool runs_along(std::uint32_t face, std::uint32_t edge) const;
 };

@@ -60,8 +60,9 @@ std::vector<VertexBend> ball_tensor_bends(const UnitMesh& mesh, const SurfaceMea
             return glm::dot(off, off) < radius * radius;
           });
       if (!(area > 0.0)) return;
-      bends[vertex] =
-          bend_of_tensor((1.0 / area) * tensor, measures.normals[vertex], 0.5 * second_moment / area);
+      bends[vertex] = bend_of_tensor((1.0 / area) * tensor, measures.normals[vertex]);
+      const double along_each = 0.5 * second_moment / area;
+      straighten(bends[vertex], {along_each, along_each});
     });
   });
   return bends;

@@ -89,8 +89,9 @@ std::vector<VertexBend> clipped_tensor_bends(const UnitMesh& mesh, const Surface
           },
           [](std::uint32_t, bool is_in) { return is_in; });
       if (!(area > 0.0)) return;
-      // The mean of x^2 over a disc.
-      bends[vertex] = bend_of_tensor((1.0 / area) * tensor, measures.normals[vertex], 0.25 * radius * radius);
+      bends[vertex] = bend_of_tensor((1.0 / area) * tensor, measures.normals[vertex]);
+      const double of_disc = 0.25 * radius * radius;
+      straighten(bends[vertex], {of_disc, of_disc});
     });
   });
   return bends;

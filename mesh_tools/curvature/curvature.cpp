@@ -56,13 +56,6 @@ std::vector<VertexBend> bends_of(const UnitMesh& mesh, const SurfaceMeasures& me
   throw Error(ErrorKind::bad_usage, "curvature: unknown method", "use one of CurvatureMethod");
 }
 
-bool is_on_border(const MeshNeighbours& mesh, std::uint32_t vertex) {
-  for (const std::uint32_t edge : mesh.vertex_edges.row(vertex)) {
-    if (mesh.edge_faces.row(edge).size() != 2) return true;
-  }
-  return false;
-}
-
 /// How much one direction is preferred: 0 where all bend alike, 1 where one does not bend at all or bends the
 /// other way.
 double confidence_of(const UnitMesh& mesh, std::uint32_t vertex, const VertexBend& bend) {
@@ -70,7 +63,7 @@ double confidence_of(const UnitMesh& mesh, std::uint32_t vertex, const VertexBen
   constexpr double flat_rad = 1e-9;
   constexpr double border_share = 0.5;
   const double sum = std::abs(bend.k_max) + std::abs(bend.k_min) + flat_rad / mesh.mean_edge;
-  return (bend.k_max - bend.k_min) / sum * (is_on_border(mesh.neighbours, vertex) ? border_share : 1.0);
+  return (bend.k_max - bend.k_min) / sum * (mesh.on_border[vertex] != 0 ? border_share : 1.0);
 }
 
 bool is_sound(const VertexBend& bend) {

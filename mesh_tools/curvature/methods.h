@@ -18,19 +18,27 @@ struct VertexBend {
 
 /// From the mean tensor of edges about a vertex: an angle is stored on edges along the axis of bending, so
 /// that the larger eigenvalue's own direction is that of the smaller curvature (H2).
-///
-/// Edges away from the vertex lean out of its tangent plane, so that a part of them is lost there: at x along
-/// e, whose normal curvature is k, they lean by k x, and lose k^2 x^2. `spread` is the mean of x^2, of either
-/// axis; edges along e carry the other curvature.
-inline VertexBend bend_of_tensor(const SymmetricTensor& mean, const glm::dvec3& normal, double spread) {
+inline VertexBend bend_of_tensor(const SymmetricTensor& mean, const glm::dvec3& normal) {
   const TangentEigen eigen = tangent_eigen(mean, normal);
+  return {eigen.larger, eigen.smaller, eigen.of_smaller, -eigen.of_larger, normal};
+}
+
+/// Where the edges of a mean tensor lie about the vertex: the mean square of the distance along e_max and
+/// e_min.
+struct Spread {
+  double along_max = 0.0, along_min = 0.0;
+};
+
+/// Edges away from the vertex lean out of its tangent plane, so that a part of them is lost there: at x along
+/// e, whose normal curvature is k, they lean by k x and lose k^2 x^2. Edges along e carry the other
+/// curvature.
+inline void straighten(VertexBend& bend, const Spread& spread) {
   constexpr double most = 0.25;  // where it is larger, the region is no small part of the surface
-  const auto loss = [&](double curvature) { return std::min(most, spread * curvature * curvature); };
-  return {.k_max = eigen.larger * (1.0 + loss(eigen.smaller)),
-          .k_min = eigen.smaller * (1.0 + loss(eigen.larger)),
-          .e_max = eigen.of_smaller,
-          .e_min = -eigen.of_larger,
-          .normal = normal};
+  const double max_loss = std::min(most, spread.along_min * bend.k_min * bend.k_min);
+  const double min_loss = std::min(most, spread.along_max * bend.k_max * bend.k_max);
+  // Capped losses could turn the order round.
+  const double k_max = bend.k_max * (1.0 + max_loss), k_min = bend.k_min * (1.0 + min_loss);
+  if (k_max >= k_min) bend.k_max = k_max, bend.k_min = k_min;
 }
 
 /// What a face or vertex with an edge that does not bend (on a border, or where three faces meet) counts

@@ -53,6 +53,11 @@ UnitMesh unit_mesh(const TriangleMesh& mesh) {
   for (const glm::dvec3& position_m : mesh.positions_m) {
     unit.positions.push_back((position_m - low) / unit.scale_m);
   }
+  unit.on_border.assign(mesh.positions_m.size(), 0);
+  for (std::size_t edge = 0; edge < unit.neighbours.edges.size(); ++edge) {
+    if (unit.neighbours.edge_faces.row(edge).size() == 2) continue;
+    for (const std::uint32_t end : unit.neighbours.edges[edge]) unit.on_border[end] = 1;
+  }
   double sum = 0.0;
   for (const auto& [a, b] : unit.neighbours.edges) {
     sum += glm::distance(unit.positions[a], unit.positions[b]);

@@ -14,9 +14,10 @@ namespace offing::mesh_tools {
 /// lengths neither overflow nor vanish), with its neighbours. What vertex_curvatures() does not count as its
 /// own time.
 struct UnitMesh {
-  std::vector<std::uint32_t> first;   ///< [vertices]: the vertex that stands for it, itself or one before
-  MeshNeighbours neighbours;          ///< of the faces between those that stand for others
-  std::vector<glm::dvec3> positions;  ///< [vertices] in units of scale_m
+  std::vector<std::uint32_t> first;     ///< [vertices]: the vertex that stands for it, itself or one before
+  MeshNeighbours neighbours;            ///< of the faces between those that stand for others
+  std::vector<glm::dvec3> positions;    ///< [vertices] in units of scale_m
+  std::vector<std::uint8_t> on_border;  ///< [vertices]: 1 for those with an edge of other than two faces
   double scale_m = 1.0;
   double mean_edge = 0.0;  ///< in units of scale_m; 0 without edges
 
