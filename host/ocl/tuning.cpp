@@ -30,6 +30,7 @@ constexpr std::array rows{
     TuningRow{"fft", DeviceClass::vector_cpu, strip},
     TuningRow{"trochoids", DeviceClass::vector_cpu, strip},
     TuningRow{"terrain", DeviceClass::vector_cpu, strip},
+    TuningRow{"highlights", DeviceClass::vector_cpu, strip},
 };
 
 DeviceClass class_of(const DeviceInfo& device) {

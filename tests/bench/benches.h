@@ -59,6 +59,12 @@ void bench_terrain(const ocl::Device& device, const Settings& settings, const Si
 /// differ.
 void bench_viewshed(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
+/// Searches for highlights, against a loop over the faces on one core, and whole frames of highlights that
+/// turn: points, tracks, projectors and regions, without drawing. Meshes of ours, and the penguin of
+/// OFFING_TEST_DATA where that is set; the sizes of the settings do not matter. Only in builds with
+/// offing-mesh. Throws Error(device) where the numbers of points differ.
+void bench_highlights(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
+
 /// From the start of a process to its first 256 x 256 frame of three cascades, with an empty kernel cache and
 /// with a filled one; nothing unless 256 is among the sizes.
 void bench_start(const Settings& settings, const Sinks& sinks);

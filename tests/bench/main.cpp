@@ -134,6 +134,18 @@ int run_command_line(int argc, char** argv) {
     });
   });
 
+#ifdef OFFING_BUILD_MESH_TOOLS
+  CLI::App& highlights = *app.add_subcommand(
+      "highlights",
+      "searches for highlights and frames of them, on the penguin too if OFFING_TEST_DATA is set");
+  add_options(highlights, options);
+  highlights.callback([&] {
+    run(options, [&](const auto& device, const bench::Sinks& sinks) {
+      bench::bench_highlights(device, options.settings, sinks);
+    });
+  });
+#endif
+
   CLI::App& first_frame = *app.add_subcommand("first-frame", "what the start-up benchmark starts");
   first_frame.group("");
   first_frame.add_option("--device", options.settings.device);

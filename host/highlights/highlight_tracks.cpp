@@ -1,0 +1,64 @@
+#include "host/highlights/highlight_tracks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "host/base/parameter_check.h"
+#include "host/base/world_limits.h"
+#include "host/highlights/track_step.h"
+
+namespace offing::highlights {
+
+HighlightTracks::HighlightTracks(const HighlightSurface& surface, LightingAt lighting,
+                                 const TrackOptions& options)
+    : surface_(&surface), lighting_(std::move(lighting)), options_(options), search_(surface.device()) {
+  require_valid(options_);
+  if (options_.size.cap_radius_m == 0.0) options_.size.cap_radius_m = default_size(surface).cap_radius_m;
+  reset(0.0);
+}
+
+double HighlightTracks::time_of(std::int64_t step) const {
+  return start_s_ + static_cast<double>(step) * options_.step_s;
+}
+
+double HighlightTracks::time_s() const {
+  return time_of(state_.step);
+}
+
+std::vector<HighlightPoint> HighlightTracks::points_at(std::int64_t step) {
+  return search_.find(*surface_, lighting_(time_of(step)));
+}
+
+void HighlightTracks::reset(double start_s) {
+  require_within("highlights.start_s", start_s, -largest_time_s, largest_time_s);
+  start_s_ = start_s;
+  state_ = first_state(*surface_, points_at(0), options_);
+  keys_.assign(1, state_);
+}
+
+void HighlightTracks::advance_to(double time_s) {
+  require_within("highlights.time_s", time_s, start_s_, largest_time_s);
+  // A time that is a step but for rounding is that step.
+  const auto wanted = static_cast<std::int64_t>(std::floor((time_s - start_s_) / options_.step_s + 1e-6));
+  if (wanted < state_.step) {
+    const auto after =
+        std::upper_bound(keys_.begin(), keys_.end(), wanted,
+                         [](std::int64_t step, const TrackState& key) { return step < key.step; });
+    state_ = after == keys_.begin() ? keys_.front() : *std::prev(after);
+  }
+  while (state_.step < wanted) {
+    advance(*surface_, points_at(state_.step + 1), options_, state_);
+    keep_if_key();
+  }
+}
+
+void HighlightTracks::restore(const TrackState& state) {
+  state_ = state;
+}
+
+void HighlightTracks::keep_if_key() {
+  if (state_.step % options_.key_steps == 0 && state_.step > keys_.back().step) keys_.push_back(state_);
+}
+
+}  // namespace offing::highlights

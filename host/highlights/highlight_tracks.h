@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "host/highlights/highlight_points.h"
+#include "host/highlights/highlight_track.h"
+
+namespace offing::highlights {
+
+/// Eye and lamps in the mesh's axes at a time; the same for the same time.
+using LightingAt = std::function<Lighting(double time_s)>;
+
+/// The highlights of a surface through time, in fixed steps from a start: what is shown at a time depends on
+/// the start and on the lighting only, not on the frames that were asked for. Key states are kept, so that
+/// going back costs at most their distance.
+class HighlightTracks {
+ public:
+  /// The surface must outlive the tracks. Starts at time 0. Throws Error(bad_input) for options out of range.
+  HighlightTracks(const HighlightSurface& surface, LightingAt lighting, const TrackOptions& options = {});
+
+  /// Starts anew: one highlight of full opacity for each point at this time. Throws Error(bad_input) for a
+  /// time beyond 1e8 s.
+  void reset(double start_s);
+  /// Goes to the last step that is not after this time, forward or back. Throws Error(bad_input) for a time
+  /// before the start or beyond 1e8 s.
+  void advance_to(double time_s);
+  /// Starts from a state of this surface and lighting and of the same start, such as one that was stored.
+  void restore(const TrackState& state);
+
+  double time_s() const;
+  const TrackState& state() const { return state_; }
+  const std::vector<HighlightTrack>& tracks() const { return state_.tracks; }
+  const TrackOptions& options() const { return options_; }
+
+ private:
+  double time_of(std::int64_t step) const;
+  std::vector<HighlightPoint> points_at(std::int64_t step);
+  void keep_if_key();
+
+  const HighlightSurface* surface_;
+  LightingAt lighting_;
+  TrackOptions options_;
+  HighlightPoints search_;
+  double start_s_ = 0.0;
+  TrackState state_;
+  std::vector<TrackState> keys_;  // ascending steps, the first is that of the start
+};
+
+}  // namespace offing::highlights

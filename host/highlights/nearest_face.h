@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+#include "host/highlights/highlight_surface.h"
+
+namespace offing::highlights {
+
+/// Square of the distance from a point to a triangle.
+double squared_distance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+/// A face from which none that it touches is nearer to a point, found by steps downhill from `face`.
+std::uint32_t nearest_face(const HighlightSurface& surface, std::uint32_t face, const glm::dvec3& point_m);
+
+}  // namespace offing::highlights

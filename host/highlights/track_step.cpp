@@ -1,0 +1,159 @@
+#include "host/highlights/track_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "host/base/parameter_check.h"
+#include "host/highlights/track_motion.h"
+
+namespace offing::highlights {
+namespace {
+
+// A highlight that is fading out is taken up again by a point that appears this much nearer than the one
+// expected.
+constexpr double revival_share = 0.4;
+// Two highlights are one region while the middle of one is this deep in the other's box (0 middle, 1 rim);
+// they are two from `parted` on.
+constexpr double united = 0.25, parted = 0.75;
+
+HighlightTrack born(const HighlightPoint& point, const TrackOptions& options, std::uint64_t id) {
+  HighlightTrack track;
+  track.id = id;
+  track.point = point;
+  track.projector = first_projector(point, options.size);
+  track.seed_face = point.face;
+  return track;
+}
+
+struct Pair {
+  double distance_m;
+  std::size_t track, point;
+};
+
+/// Every track with every point that it may have come to.
+std::vector<Pair> possible_pairs(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
+                                 const TrackOptions& options, const std::vector<HighlightTrack>& tracks) {
+  const double jump_m = options.jump_share * surface.diagonal_m();
+  const double lag_m = options.lag_share * surface.diagonal_m();
+  std::vector<Pair> pairs;
+  for (std::size_t t = 0; t < tracks.size(); ++t) {
+    const HighlightTrack& track = tracks[t];
+    const bool is_alive = track.state == HighlightTrack::State::alive;
+    const glm::dvec3 expected_m = track.point.position_m + (is_alive ? track.way_m : glm::dvec3(0.0));
+    const double reach_m = is_alive ? jump_m : revival_share * jump_m;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if (points[p].lamp != track.point.lamp || points[p].orientation != track.point.orientation) continue;
+      const double distance_m = glm::distance(points[p].position_m, expected_m);
+      const bool is_in_sight = glm::distance(points[p].position_m, track.projector.centre_m) <= lag_m;
+      if (distance_m <= reach_m && is_in_sight) pairs.push_back({distance_m, t, p});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return std::tie(a.distance_m, a.track, a.point) < std::tie(b.distance_m, b.track, b.point);
+  });
+  return pairs;
+}
+
+void match(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
+           const TrackOptions& options, TrackState& state) {
+  std::vector<HighlightTrack>& tracks = state.tracks;
+  std::vector<std::uint8_t> track_is_taken(tracks.size(), 0), point_is_taken(points.size(), 0);
+  for (const Pair& pair : possible_pairs(surface, points, options, tracks)) {
+    if (track_is_taken[pair.track] != 0 || point_is_taken[pair.point] != 0) continue;
+    track_is_taken[pair.track] = point_is_taken[pair.point] = 1;
+    HighlightTrack& track = tracks[pair.track];
+    track.way_m = track.state == HighlightTrack::State::alive
+                      ? points[pair.point].position_m - track.point.position_m
+                      : glm::dvec3(0.0);
+    track.point = points[pair.point];
+    track.state = HighlightTrack::State::alive;
+  }
+  for (std::size_t t = 0; t < tracks.size(); ++t) {
+    if (track_is_taken[t] == 0) tracks[t].state = HighlightTrack::State::fading;
+  }
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (point_is_taken[p] == 0) tracks.push_back(born(points[p], options, state.next_id++));
+  }
+}
+
+/// How deep the middle of one lies in the other's box, of both ways the deeper: 0 in the middle, 1 at the
+/// rim.
+double depth_apart(const Projector& a, const Projector& b) {
+  const glm::dvec3 way_m = b.centre_m - a.centre_m;
+  const auto apart = [&](const Projector& box) {
+    const glm::dvec3 q(glm::dot(way_m, box.right) / box.width_m, glm::dot(way_m, box.up) / box.height_m,
+                       glm::dot(way_m, box.normal) / std::max(box.width_m, box.height_m));
+    return 2.0 * glm::length(q);
+  };
+  return std::min(apart(a), apart(b));
+}
+
+/// What each may show beside older ones of its lamp.
+void share_regions(std::vector<HighlightTrack>& tracks) {
+  for (std::size_t younger = 0; younger < tracks.size(); ++younger) {
+    HighlightTrack& track = tracks[younger];
+    track.share = 1.0;
+    for (std::size_t older = 0; older < younger; ++older) {
+      const HighlightTrack& other = tracks[older];
+      if (other.point.lamp != track.point.lamp) continue;
+      const double overlap =
+          1.0 - glm::smoothstep(united, parted, depth_apart(other.projector, track.projector));
+      track.share *= 1.0 - overlap * other.presence * other.share;
+    }
+  }
+}
+
+bool is_over(const HighlightTrack& track) {
+  return track.state == HighlightTrack::State::fading && track.presence <= 0.0 && track.opacity <= 0.0;
+}
+
+}  // namespace
+
+void require_valid(const TrackOptions& options) {
+  require_within("highlights.step_s", options.step_s, 1e-4, 1.0);
+  require_within("highlights.threshold", options.size.threshold, 0.0, 1.0 - 1e-9);
+  require_within("highlights.cap_radius_m", options.size.cap_radius_m, 0.0, 1e12);
+  require_within("highlights.move_per_s", options.limits.move_per_s, 1e-3, 1e3);
+  require_within("highlights.scale_per_s", options.limits.scale_per_s, 1e-3, 1e3);
+  require_within("highlights.turn_radps", options.limits.turn_radps, 1e-3, 1e3);
+  require_within("highlights.fade_per_s", options.limits.fade_per_s, 1e-3, 1e3);
+  require_within("highlights.jump_share", options.jump_share, 0.0, 1.0);
+  require_within("highlights.lag_share", options.lag_share, 0.0, 1.0);
+  require_within("highlights.key_steps", options.key_steps, 1, 1e6);
+}
+
+TrackState first_state(const HighlightSurface&, const std::vector<HighlightPoint>& points,
+                       const TrackOptions& options) {
+  TrackState state;
+  for (const HighlightPoint& point : points) {
+    state.tracks.push_back(born(point, options, state.next_id++));
+    state.tracks.back().presence = 1.0;
+  }
+  share_regions(state.tracks);
+  for (HighlightTrack& track : state.tracks) track.opacity = track.share;
+  return state;
+}
+
+void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
+             const TrackOptions& options, TrackState& state) {
+  match(surface, points, options, state);
+  const double fade = options.limits.fade_per_s * options.step_s;
+  for (HighlightTrack& track : state.tracks) {
+    const bool is_alive = track.state == HighlightTrack::State::alive;
+    track.presence = std::clamp(track.presence + (is_alive ? fade : -fade), 0.0, 1.0);
+    if (is_alive) follow_point(surface, options, track);
+  }
+  share_regions(state.tracks);
+  for (HighlightTrack& track : state.tracks) {
+    const double wanted = track.presence * track.share;
+    track.opacity += std::clamp(wanted - track.opacity, -fade, fade);
+  }
+  std::erase_if(state.tracks, is_over);
+  ++state.step;
+}
+
+}  // namespace offing::highlights

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/highlights/highlight_frame.h"
+#include "host/highlights/highlight_surface.h"
+#include "host/highlights/highlight_tracks.h"
+
+namespace offing::test {
+
+/// A mesh that turns about a line through its middle before an eye and a lamp at rest, for `moving_frames`
+/// frames, and then stands.
+struct TurningMesh {
+  double degrees_per_frame = 0.5, frames_per_s = 30.0;
+  int moving_frames = 720;
+
+  highlights::RigidMotion motion(const highlights::HighlightSurface& surface, double time_s) const;
+  highlights::Lighting lighting(const highlights::HighlightSurface& surface, double time_s) const;
+  highlights::LightingAt lighting_at(const highlights::HighlightSurface& surface) const;
+};
+
+/// What changed most from a frame to the next, of all highlights, in the world and in the mesh's axes.
+struct FrameChanges {
+  double move_share = 0.0;  ///< of the diagonal
+  double scale = 0.0;       ///< |ratio of widths - 1|, of either way
+  double turn_deg = 0.0;
+  double fade = 0.0;
+};
+
+/// How well highlights kept up with the points that were searched for.
+struct Coherence {
+  FrameChanges changes;
+  double covered = 0.0;            ///< share of points of at least ten frames of age that carry a highlight
+  double median_lag_frames = 0.0;  ///< distance behind the point over its way in a frame
+  double mean_points = 0.0, mean_shown = 0.0;
+  std::size_t births = 0;
+};
+
+/// Turns a mesh for all its frames.
+Coherence turn(const highlights::HighlightSurface& surface, const TurningMesh& turning,
+               highlights::HighlightTracks& tracks);
+
+}  // namespace offing::test

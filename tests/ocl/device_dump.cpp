@@ -1,0 +1,50 @@
+#include "tests/ocl/device_dump.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+namespace offing::test {
+namespace {
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+std::vector<float> DeviceDump::values(const std::string& prefix) const {
+  const std::string output = path("output"), dump = path("dump");
+  const std::string command = "OFFING_CACHE_DIR=" + path("cache") + " " + prefix + " " + program_ + " " +
+                              dump + " > " + output + " 2>&1";
+  std::filesystem::remove(dump);
+  EXPECT_EQ(std::system(command.c_str()), 0) << prefix << "\n" << text_of(output);
+  std::vector<float> result;
+  std::ifstream file(dump, std::ios::binary);
+  for (float value = 0.0f; file.read(reinterpret_cast<char*>(&value), sizeof(value));)
+    result.push_back(value);
+  return result;
+}
+
+std::vector<float> DeviceDump::values_under_oclgrind(const std::string& shape) const {
+  // Oclgrind 21.10 compiles the builtin prefetch, and does not know it when it runs.
+  std::vector<float> result =
+      values("OFFING_SHAPE=" + shape + " oclgrind --build-options -DFFT_NO_PREFETCH --data-races --log " +
+             path("log"));
+  EXPECT_EQ(text_of(path("log")), "") << shape;
+  return result;
+}
+
+bool DeviceDump::has_oclgrind() {
+  return std::system("command -v oclgrind > /dev/null 2>&1") == 0;
+}
+
+bool DeviceDump::has_rusticl() {
+  return std::filesystem::exists("/etc/OpenCL/vendors/rusticl.icd");
+}
+
+}  // namespace offing::test

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/io/temporary_folder.h"
+
+namespace offing::test {
+
+/// A program that writes floats to the file that it is given, run on one OpenCL implementation after the
+/// other: drivers read their environment once, so each needs a process of its own. Each run has the same
+/// empty program cache, so that kernels are compiled by the device at hand.
+class DeviceDump {
+ public:
+  /// PoCL with the kernels shaped for a CPU.
+  static constexpr const char* default_device = "OFFING_SHAPE=strip OFFING_DEVICE=portable";
+
+  explicit DeviceDump(std::string program) : program_(std::move(program)) {}
+
+  /// What the program writes with this before its command: variables, or a program that runs it. A failure of
+  /// the test if it does not end well.
+  std::vector<float> values(const std::string& prefix) const;
+  /// The same under Oclgrind, which watches memory and data races, with the kernels in one shape ("strip",
+  /// "group"). A failure of the test if that has anything to say.
+  std::vector<float> values_under_oclgrind(const std::string& shape) const;
+
+  static bool has_oclgrind();
+  static bool has_rusticl();
+
+ private:
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+
+  std::string program_;
+  TemporaryFolder folder_;
+};
+
+}  // namespace offing::test
