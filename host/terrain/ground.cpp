@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -17,12 +18,18 @@ struct CellPlace {
   double u, v;
 };
 
+/// The last post's place is a product, which the quotient may miss by a rounding of each.
+constexpr double past_last_post = 1.0 + 2.0 * std::numeric_limits<double>::epsilon();
+
 std::optional<CellPlace> cell_of(const HeightMap& map, double x_m, double z_m) {
   const double x = x_m / map.spacing_x_m, z = z_m / map.spacing_z_m;
-  if (!(x >= 0.0 && x <= map.columns - 1 && z >= 0.0 && z <= map.rows - 1)) return std::nullopt;
+  const double last_x = map.columns - 1, last_z = map.rows - 1;
+  if (!(x >= 0.0 && x <= past_last_post * last_x && z >= 0.0 && z <= past_last_post * last_z)) {
+    return std::nullopt;
+  }
   const int column = std::min(static_cast<int>(x), map.columns - 2);
   const int row = std::min(static_cast<int>(z), map.rows - 2);
-  return CellPlace{column, row, x - column, z - row};
+  return CellPlace{column, row, std::min(x - column, 1.0), std::min(z - row, 1.0)};
 }
 
 double height_of(const HeightMap& map, int column, int row) {

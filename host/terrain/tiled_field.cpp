@@ -208,6 +208,7 @@ const ocl::Buffer<float>& TiledField::pool() const {
   return state_->cache.pool();
 }
 const ocl::Buffer<float>& TiledField::pages() const {
+  state_->require_look();
   return state_->pages;
 }
 const TiledField::Statistics& TiledField::statistics() const {

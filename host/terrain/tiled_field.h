@@ -73,6 +73,7 @@ class TiledField {
   /// As kernels take it with TILED.
   TerrainField device_field() const;
   const ocl::Buffer<float>& pool() const;
+  /// Throws Error(bad_usage) before the first look.
   const ocl::Buffer<float>& pages() const;
 
  private:

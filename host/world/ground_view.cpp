@@ -15,12 +15,8 @@ terrain::PostGrid grid_of(const GroundParameters& parameters) {
   return grid;
 }
 
-/// With a cell to spare.
 bool rays_reach(const terrain::PostGrid& grid, const glm::dvec3& eye_m) {
-  const double x = (eye_m.x - grid.origin_x_m) / grid.spacing_x_m,
-               z = (eye_m.z - grid.origin_z_m) / grid.spacing_z_m;
-  const double beyond = std::max({-x, x - grid.columns, -z, z - grid.rows});
-  return beyond < terrain::farthest_origin_cells - 1.0;
+  return terrain::cells_beyond(grid, eye_m.x, eye_m.z) <= terrain::farthest_origin_cells;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -141,6 +142,25 @@ TEST(WalkerTest, StopsAtTheEdge) {
   walker.advance_to(100.0, {50.0, -3.0});
   EXPECT_EQ(walker.state().eye_m, glm::dvec3(200.0, 4.0 + 1.7, 0.0));
   EXPECT_EQ(walker.state().velocity_mps, glm::dvec3(0.0));
+}
+
+// Fails if the last posts are not on the map where their place, a product, does not divide back: 20.6 m.
+TEST(WalkerTest, StopsAtEdgesThatAreRounded) {
+  for (const auto& [columns, spacing_m] :
+       {std::pair(1024, 20.6), std::pair(3601, 0.7), std::pair(1024, 0.1)}) {
+    HeightMap map;
+    map.columns = columns;
+    map.rows = 2;
+    map.spacing_x_m = map.spacing_z_m = spacing_m;
+    map.heights_m.assign(2 * static_cast<std::size_t>(columns), 4.0f);
+    const double edge_m = spacing_m * (columns - 1);
+    ASSERT_TRUE(terrain::ground_at(map, edge_m, spacing_m));
+    EXPECT_FALSE(terrain::ground_at(map, edge_m * (1.0 + 1e-12), spacing_m));
+    Walker walker(map);
+    walker.reset(edge_m - 1e-3, 0.5 * spacing_m);
+    walker.advance_to(1.0, {50.0, 50.0});
+    EXPECT_EQ(walker.state().eye_m, glm::dvec3(edge_m, 4.0 + 1.7, spacing_m));
+  }
 }
 
 TEST(WalkerTest, RefusesWhatIsOutOfRange) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -95,10 +96,20 @@ TEST_F(GroundViewTest, AnswersInPlacesOfTheWorld) {
 TEST_F(GroundViewTest, SeesNothingFromTooFar) {
   World world(device_, parameters());
   Camera far = camera();
-  far.eye_m.x = -1e8;
   world.at(0.0, far.eye_m.y);
-  EXPECT_NO_THROW(world.see_ground(far));
-  EXPECT_FALSE(world.ground()->is_in_reach());
+  for (const double x_m : {-1e8, 1e8}) {
+    far.eye_m.x = x_m;
+    EXPECT_NO_THROW(world.see_ground(far));
+    EXPECT_FALSE(world.ground()->is_in_reach());
+  }
+  // As far east of the map as rays reach, which is farther from its first post.
+  const auto& [map, ground] = std::pair(*parameters().ground->map, *parameters().ground);
+  const double edge_m = ground.origin_x_m + map.spacing_x_m * (map.columns - 1);
+  for (const double beyond : {terrain::farthest_origin_cells - 0.5, terrain::farthest_origin_cells + 0.5}) {
+    far.eye_m.x = edge_m + beyond * map.spacing_x_m;
+    EXPECT_NO_THROW(world.see_ground(far));
+    EXPECT_EQ(world.ground()->is_in_reach(), beyond < terrain::farthest_origin_cells);
+  }
   world.see_ground(camera());
   EXPECT_TRUE(world.ground()->is_in_reach());
 }
