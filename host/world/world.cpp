@@ -152,6 +152,7 @@ void World::set_sea(const WorldParameters& parameters) {
 void World::set_ground(const std::optional<GroundParameters>& ground) {
   if (ground == parameters_.ground) return;
   const bool is_same_shape = ground && ground_ && ground->map == ground_->parameters().map &&
+                             ground->tiles == ground_->parameters().tiles &&
                              ground->origin_x_m == ground_->parameters().origin_x_m &&
                              ground->origin_z_m == ground_->parameters().origin_z_m;
   if (is_same_shape) {
@@ -198,8 +199,8 @@ void World::at(double time_s, double eye_altitude_m) {
   time_s_ = time_s;
 }
 
-void World::see_ground(const Camera& camera, const terrain::Sampling& sampling) {
-  if (ground_) ground_->at(camera, sky_, ground_light_, sampling);
+void World::see_ground(const Camera& camera, const terrain::Sampling& sampling, TileWait wait) {
+  if (ground_) ground_->at(camera, sky_, ground_light_, sampling, wait);
 }
 
 }  // namespace offing::world
