@@ -98,13 +98,14 @@ void GroundView::fit(const Camera& camera) {
 }
 
 void GroundView::at(const Camera& camera, const sky::ClearSky& sky, const TerrainLight& light,
-                    const terrain::Sampling& sampling, TileWait wait) {
+                    const terrain::Sampling& sampling, TileWait wait, const terrain::SeaOverGround& sea) {
   is_in_reach_ = rays_reach(field_ ? field_->grid() : tiles_->grid(), camera.eye_m);
   if (!is_in_reach_) return;
   fit(camera);
   const terrain::GroundLook look{.sampling = sampling,
                                  .colours = colours_ ? &*colours_ : nullptr,
-                                 .open_sky = open_sky_ ? &*open_sky_ : nullptr};
+                                 .open_sky = open_sky_ ? &*open_sky_ : nullptr,
+                                 .sea = sea};
   const terrain::GroundLight ground_light{light, sky.params(), sky.view_table()};
   if (field_) {
     field_->cast(camera, hits_);

@@ -73,7 +73,8 @@ class GroundView {
   /// the map (terrain::farthest_origin_cells). Throws what require_valid(camera) throws, Error(bad_input) for
   /// a sampling out of range.
   void at(const Camera& camera, const sky::ClearSky& sky, const TerrainLight& light,
-          const terrain::Sampling& sampling, TileWait wait = TileWait::all);
+          const terrain::Sampling& sampling, TileWait wait = TileWait::all,
+          const terrain::SeaOverGround& sea = {});
   /// Whether the camera of the last at() was near enough; only then is there anything of what follows.
   bool is_in_reach() const { return is_in_reach_; }
 

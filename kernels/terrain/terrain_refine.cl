@@ -31,8 +31,9 @@ FFT_INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes f
     Course course = course_of(field, rays);
     const Hits hits = first_hits(scenery->heights_m, scenery->lids_m, field, first_level, &course);
     const HitPlaces places = places_of_hits(scenery->lids_m, field, course.ray, hits);
-    const int_lanes is_hit = mask_of(hits.kind != TERRAIN_MISS);
-    const lanes t_m = select((lanes)1.0f, hits.t_m + hits.rest_m, is_hit);
+    const int_lanes is_met = mask_of(hits.kind != TERRAIN_MISS);
+    const lanes t_m = select((lanes)1.0f, hits.t_m + hits.rest_m, is_met);
+    const int_lanes is_hit = is_met & above_water(scenery->look, course.ray, t_m);
     GroundHits ground = {is_hit, places.cell_x, places.cell_z, t_m, places.u, places.v, t_m * sample_rad,
                          (lanes)1.0f, (lanes)1.0f};
 #if MAP_EDGE == TERRAIN_EDGE_MIRRORS
