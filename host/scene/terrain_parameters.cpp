@@ -39,7 +39,7 @@ std::vector<Parameter> file_rows() {
        .flag = "",
        .group = group,
        .storage = &member<ground, &TerrainScene::file>,
-       .help = "height map: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR, .r16, .r32",
+       .help = "height map: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR, .r16, .r32; or a tile store",
        .example = "andes.tif",
        .absent = "none: made ground"},
       {.key = "terrain.vertical_scale",
@@ -154,6 +154,15 @@ std::vector<Parameter> file_rows() {
        .storage = choice<ground, reading, &HeightMapOptions::raw_byte_order>({"little", "big"}),
        .help = "byte order of a file without a header",
        .use = use},
+      {.key = "terrain.cache_mb",
+       .flag = "",
+       .group = group,
+       .storage = &member<ground, &TerrainScene::cache_mb>,
+       .unit = "MiB",
+       .low = 32.0,
+       .high = 65536.0,
+       .help = "memory for the tiles of a tile store",
+       .use = ParameterUse::tile_store},
   };
 }
 
@@ -298,7 +307,8 @@ std::vector<Parameter> place_rows() {
        .group = group,
        .storage = choice<ground, &TerrainScene::sky_visibility>({"off", "on"}),
        .help =
-           "whether ground around a place hides the sky's light from it; costs a second or two at the start"},
+           "whether ground around a place hides the sky's light from it; costs a second or two at the start",
+       .use = ParameterUse::whole_map},
   };
 }
 

@@ -13,10 +13,12 @@
 
 #include "host/base/error.h"
 #include "host/io/png_image.h"
+#include "host/io/tile_store/tile_store.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/scene_writer.h"
 #include "host/scene/sea.h"
 #include "host/scene/world_scene.h"
+#include "host/terrain/tile_builder.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/ocl/log_capture.h"
 
@@ -147,6 +149,43 @@ TEST_F(SceneGroundTest, ReadsPicturesOfTheGround) {
       HasSubstr("valley.toml:4:10: terrain.colour: expected a picture of the ground, got no such file"));
   EXPECT_THAT(fault_of(made + "\"small.r32\"\n", folder_.path()),
               testing::AllOf(HasSubstr("valley.toml:4:10: terrain.colour: "), HasSubstr("small.r32")));
+}
+
+// Fails if a tile store is not read as one, or keys that say how to read a map are passed over for it.
+TEST_F(SceneGroundTest, TakesTileStores) {
+  const TileSetShape shape = TileSetShape::of(300, 200);
+  const TileStoreWriter writer(folder_.path() / "hills.tiles", shape, TileStoreWriter::Existing::refuse);
+  terrain::TileBuilder builder(shape, [&](const HeightTile& tile) { writer.write(tile); });
+  std::vector<float> heights_m(300);
+  for (int row = 0; row < 200; ++row) {
+    for (int column = 0; column < 300; ++column)
+      heights_m[static_cast<std::size_t>(column)] = static_cast<float>(column + 2 * row);
+    builder.add_row(heights_m);
+  }
+  TileStoreHeader header;
+  header.shape = shape;
+  header.spacing_x_m = 4.0;
+  header.spacing_z_m = 5.0;
+  header.highest_m = 697.0f;
+  writer.finish(header);
+  const std::string text = "[terrain]\nfile = \"hills.tiles\"\ncache_mb = 40\n";
+  const auto ground = prepare_ground(scene_of(text, folder_.path()));
+  ASSERT_TRUE(ground);
+  EXPECT_EQ(ground->map, nullptr);
+  ASSERT_NE(ground->tiles, nullptr);
+  EXPECT_EQ(ground->tiles->cache_bytes, std::size_t{40} << 20);
+  EXPECT_EQ(ground->origin_x_m, -0.5 * 4.0 * 299);
+  EXPECT_EQ(terrain::ground_at(ground->posts(), 4.0 * 280, 5.0 * 150)->height_m, 280.0 + 300.0);
+  OceanScene scene = scene_of(text, folder_.path());
+  place_camera(scene, ground);
+  EXPECT_EQ(scene.view.camera.eye_m.y, 997.0);
+  const test::LogCapture log;
+  prepare_world(scene_of(text + "offset_m = 3\nsky_visibility = \"on\"\n", folder_.path()));
+  EXPECT_THAT(log.text(),
+              HasSubstr("valley.toml:5:12: terrain.offset_m: not used: the ground is that of a tile store"));
+  EXPECT_THAT(log.text(), HasSubstr("terrain.sky_visibility: not used"));
+  prepare_world(scene_of("[terrain]\nposts = 9\ncache_mb = 40\n"));
+  EXPECT_THAT(log.text(), HasSubstr("terrain.cache_mb: not used: terrain.file is no tile store"));
 }
 
 // Fails if the sky is hidden by ground without being asked for, or is not where it is.

@@ -2,7 +2,9 @@
 #include "host/world/ground_view.h"
 
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -13,6 +15,7 @@
 
 #include "host/base/error.h"
 #include "host/world/world.h"
+#include "tests/terrain/example_tiles.h"
 
 namespace offing::world {
 namespace {
@@ -138,6 +141,107 @@ TEST_F(GroundViewTest, WearsItsColours) {
   }
   EXPECT_GT(seen[0], 20);
   EXPECT_GT(seen[1], 20);
+}
+
+/// The tiles of hills, as a map and as a store, with the first post away from the origin.
+class GroundInTilesTest : public testing::Test {
+ protected:
+  GroundParameters in_tiles(const terrain::TileReader& read) const {
+    return {.map = nullptr,
+            .tiles = std::make_shared<const GroundTiles>(
+                GroundTiles{.map = example_.tiled_map(), .read = read, .cache_bytes = std::size_t{64} << 20}),
+            .origin_x_m = -1000.0,
+            .origin_z_m = 500.0,
+            .latitude_deg = {},
+            .lines = {}};
+  }
+  GroundParameters whole() const {
+    GroundParameters parameters = in_tiles(example_.reader());
+    parameters.tiles.reset();
+    auto map = std::make_shared<HeightMap>();
+    const test::HeightMap& from = example_.map();
+    map->columns = from.grid.columns;
+    map->rows = from.grid.rows;
+    map->spacing_x_m = from.grid.spacing_x_m;
+    map->spacing_z_m = from.grid.spacing_z_m;
+    map->heights_m = from.heights_m;
+    parameters.map = map;
+    return parameters;
+  }
+  /// So fine that all tiles are wanted at level 0.
+  static Camera fine_camera() {
+    return {.eye_m = {1500.0, 400.0, 4000.0},
+            .pitch_rad = -0.3,
+            .vertical_field_of_view_rad = 0.05,
+            .width_px = 96,
+            .height_px = 64};
+  }
+  static World world_of(const ocl::Device& device, const GroundParameters& ground) {
+    WorldParameters parameters;
+    parameters.has_sea = false;
+    parameters.ground = ground;
+    return {device, parameters};
+  }
+  ocl::Device device_ = ocl::Device::open();
+  test::ExampleTiles example_ = test::hilly_tiles();
+};
+
+// Fails if ground in tiles is seen elsewhere than its map, or answers otherwise.
+TEST_F(GroundInTilesTest, IsTheGroundOfItsMap) {
+  World of_tiles = world_of(device_, in_tiles(example_.reader())), of_map = world_of(device_, whole());
+  for (World* world : {&of_tiles, &of_map}) {
+    world->at(0.0, 400.0);
+    world->see_ground(fine_camera());
+  }
+  EXPECT_EQ(of_tiles.ground()->tiles()->statistics().stood_in, 0u);
+  const auto found = of_tiles.ground()->hits().read(), expected = of_map.ground()->hits().read();
+  std::size_t seen = 0, differ = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    seen += expected[i].kind == TERRAIN_MISS ? 0 : 1;
+    const bool is_same = found[i].kind == expected[i].kind && found[i].cell_x == expected[i].cell_x &&
+                         found[i].cell_z == expected[i].cell_z;
+    // At the border of two cells a ray's cell may be either's.
+    differ += is_same ? 0 : 1;
+  }
+  EXPECT_GT(seen, 1000u);
+  EXPECT_LE(differ, found.size() / 500);
+  for (const auto& [x_m, z_m] : {std::pair(0.0, 700.0), {-1000.0, 500.0}, {5999.0, 6000.0}}) {
+    const auto point = of_tiles.ground()->ground_at(x_m, z_m);
+    ASSERT_TRUE(point);
+    EXPECT_EQ(point->height_m, of_map.ground()->ground_at(x_m, z_m)->height_m);
+  }
+  EXPECT_FALSE(of_tiles.ground()->ground_at(-1001.0, 700.0));
+  const terrain::Ray down{.origin_m = {1234.0, 5000.0, 2345.0}};
+  EXPECT_NEAR(of_tiles.ground()->cast(down).distance_m, of_map.ground()->cast(down).distance_m, 0.01);
+}
+
+// Fails if a window waits for tiles, shows a hole until they are there, or coarse ones for ever.
+TEST_F(GroundInTilesTest, CoarseTilesStandInUntilFineOnesAreThere) {
+  std::promise<void> gate;
+  const std::shared_future<void> opened = gate.get_future().share();
+  World world = world_of(device_, in_tiles([&](const TileKey& key) {
+                           if (key.level < example_.shape().coarsest()) opened.wait();
+                           return example_.reader()(key);
+                         }));
+  World of_map = world_of(device_, whole());
+  world.at(0.0, 400.0);
+  of_map.at(0.0, 400.0);
+  of_map.see_ground(fine_camera());
+  world.see_ground(fine_camera(), {}, TileWait::none);
+  EXPECT_GT(world.ground()->tiles()->statistics().stood_in, 0u);
+  const auto coarse = world.ground()->hits().read(), expected = of_map.ground()->hits().read();
+  std::size_t holes = 0;
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    holes += expected[i].kind != TERRAIN_MISS && coarse[i].kind == TERRAIN_MISS ? 1 : 0;
+  }
+  EXPECT_EQ(holes, 0u);
+  gate.set_value();
+  const auto start = std::chrono::steady_clock::now();
+  do {
+    world.see_ground(fine_camera(), {}, TileWait::none);
+  } while (world.ground()->tiles()->statistics().stood_in > 0 &&
+           std::chrono::steady_clock::now() - start < std::chrono::seconds(60));
+  EXPECT_EQ(world.ground()->tiles()->statistics().stood_in, 0u);
 }
 
 // Fails if a world without a sea has water, or its ground changes otherwise than a fresh world's would.
