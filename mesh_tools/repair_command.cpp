@@ -86,8 +86,9 @@ void run(const RepairArguments& arguments, const Options& options) {
     has_changed = true;
   }
   if (!has_changed) fmt::print("  nothing to mend\n");
-  if (after.self_intersections > 0) {
-    fmt::print("  {:<46} {}\n", "self-intersections that are left", after.self_intersections);
+  for (const auto& [label, count] : {std::pair("faces without an area that are left", after.degenerate_faces),
+                                     {"self-intersections that are left", after.self_intersections}}) {
+    if (count > 0) fmt::print("  {:<46} {}\n", label, count);
   }
 }
 

@@ -48,7 +48,10 @@ TEST(Repair, AnySoupBecomesAManifold) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     std::mt19937 random(seed);
     TriangleMesh mesh;
-    for (int i = 0; i < 12; ++i) mesh.positions_m.emplace_back(random() % 9, random() % 9, random() % 9);
+    const unsigned places = seed % 2 == 0 ? 9 : 3;  // of three a line, many faces have no area
+    for (int i = 0; i < 12; ++i) {
+      mesh.positions_m.emplace_back(random() % places, random() % places, random() % places);
+    }
     for (int i = 0; i < 25; ++i) {
       mesh.faces.push_back({static_cast<std::uint32_t>(random() % 12),
                             static_cast<std::uint32_t>(random() % 12),
