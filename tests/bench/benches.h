@@ -59,6 +59,11 @@ void bench_terrain(const ocl::Device& device, const Settings& settings, const Si
 /// differ.
 void bench_viewshed(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
+/// Curvatures of a noisy torus of size x size / 2 vertices, from its neighbours on, by the methods of
+/// offing-mesh on one core and on all, and on the device, against CGAL's jets on one core. Only in builds
+/// with the mesh tools. Throws Error(device) where a method does not find the torus.
+void bench_curvature(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
+
 /// From the start of a process to its first 256 x 256 frame of three cascades, with an empty kernel cache and
 /// with a filled one; nothing unless 256 is among the sizes.
 void bench_start(const Settings& settings, const Sinks& sinks);

@@ -134,6 +134,16 @@ int run_command_line(int argc, char** argv) {
     });
   });
 
+#ifdef OFFING_BUILD_MESH_TOOLS
+  CLI::App& curvature = *app.add_subcommand("curvature", "curvatures of a noisy mesh against CGAL's jets");
+  add_options(curvature, options);
+  curvature.callback([&] {
+    run(options, [&](const auto& device, const bench::Sinks& sinks) {
+      bench::bench_curvature(device, options.settings, sinks);
+    });
+  });
+#endif
+
   CLI::App& first_frame = *app.add_subcommand("first-frame", "what the start-up benchmark starts");
   first_frame.group("");
   first_frame.add_option("--device", options.settings.device);
