@@ -131,6 +131,7 @@ HighlightSurface::HighlightSurface(const ocl::Device& device, TriangleMesh mesh,
   require_within("highlights.smoothing_rounds", options.smoothing_rounds, 0, 1000);
   require_within("highlights.touching_share", options.touching_share, 0.0, 0.01);
   measure();
+  for (glm::dvec3& normal : mesh_.normals) normal = unit_or_zero(normal);
   if (mesh_.normals.empty()) mesh_.normals = normals_of_faces(mesh_, face_normals_, links_);
   for (int round = 0; round < options.smoothing_rounds; ++round) smooth(mesh_, links_, mesh_.normals);
   upload();

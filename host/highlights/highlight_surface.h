@@ -19,8 +19,8 @@ struct SurfaceOptions {
   double touching_share = 1e-6;
 };
 
-/// A mesh as highlights need it, on the host and on a device. Normals are those of the mesh, or where it has
-/// none, of the faces around each place, weighted by their angles there.
+/// A mesh as highlights need it, on the host and on a device. Normals are those of the mesh, whatever their
+/// length, or where it has none, of the faces around each place, weighted by their angles there.
 class HighlightSurface {
  public:
   /// Throws Error(bad_input) if curvatures or normals do not match the vertices, if a face names a vertex

@@ -15,6 +15,9 @@ static float difference_of_products(float a, float b, float c, float d) {
   return fma(a, b, -product) + error;
 }
 
+// Zeros of N = -H are none, nor are those that the field has where H points against its direction in the middle of the mesh.
+#define LEAST_N_DOT_H 0.5f
+
 static void find_zero(__global const float *vertices, int pitch, const int *corners, __global const HighlightLight *lights,
                       int light_index, __global const float *field, HighlightRecord *record,
                       __global HighlightRecord *records, int capacity, __global int *count) {
@@ -48,7 +51,7 @@ static void find_zero(__global const float *vertices, int pitch, const int *corn
   for (int i = 0; i < 3; ++i) weights[i] = total > 0.0f ? weights[i] / total : 1.0f / 3.0f;
   const HighlightLight light = lights[light_index];
   record->orientation = orientation;
-  append_record(vertices, pitch, corners, weights, &light, 0.0f, record, records, capacity, count);
+  append_record(vertices, pitch, corners, weights, &light, LEAST_N_DOT_H, record, records, capacity, count);
 }
 
 __kernel void highlight_points(__global const float *restrict vertices, int pitch, __global const int *restrict faces,

@@ -25,6 +25,14 @@ PAPER_TERRAIN = {
     4096: (45, "40 to 44", "32 to 67"),
 }
 
+# Lee & Choi 2006 on an Athlon XP 3200 with a GeForce 7800, drawing included: mesh -> (faces, highlights, frames a second),
+# and our mesh of about that size.
+PAPER_HIGHLIGHTS = {
+    "sphere": ("-", "1", "2164", "sphere"),
+    "torus knot": ("2880", "6 / 7", "808 / 750", "knot"),
+    "Karlos": ("23829", "9 / 11", "147 / 137", "fine_knot"),
+}
+
 PAGE = """# Results
 
 Written by `tests/bench/record_results.py`; `tests/bench/README.md` says how things are measured and what the
@@ -80,6 +88,17 @@ smoothed). From 256 to 4096 {terrain_growth}; the paper's frame takes about 2.5 
 against `GDALViewshedGenerate`, which runs on one core and is approximate.
 
 {viewsheds}
+
+## Highlights
+
+`offing-bench highlights`: a search for highlight points against a loop over the faces on one core, and whole frames of meshes that
+turn: search, tracks, projectors and regions, without drawing. `size` is faces.
+
+{highlights}
+
+Lee & Choi (2006) print frames a second on an Athlon XP 3200 with a GeForce 7800, drawing included:
+
+{highlights_paper}
 
 ## Beside the paper
 
@@ -236,6 +255,17 @@ def terrain_paper_table(rows):
     )
 
 
+def highlights_paper_table(rows):
+    lines = []
+    for mesh, (faces, count, fps, ours) in PAPER_HIGHLIGHTS.items():
+        row = next(row for row in rows if row["name"] == f"highlights_frame_{ours}")
+        our_count = re.search(r"([\d.]+) highlights", row["peer"]).group(1)
+        lines.append([mesh, faces, count, fps, ours, str(row["size"]), our_count, number(1000 / row["ours_ms"], 0)])
+    return table(
+        ["paper", "faces", "highlights", "fps", "ours", "faces", "highlights", "fps, without drawing"], lines
+    )
+
+
 def terrain_growth(rows):
     smallest, largest = min(PAPER_TERRAIN) + 1, max(PAPER_TERRAIN) + 1
     growth = {
@@ -260,7 +290,10 @@ def main(programs):
         output_of(programs / "offing-bench", "terrain", "--sizes", ",".join(map(str, PAPER_TERRAIN)), "--blocks", blocks, "--json")
     )
     viewsheds = json.loads(output_of(programs / "offing-bench", "viewshed", "--sizes", 1024, "--blocks", blocks, "--json"))
+    highlights = json.loads(output_of(programs / "offing-bench", "highlights", "--blocks", blocks, "--json"))
     page = PAGE.format(
+        highlights=rows_table(highlights),
+        highlights_paper=highlights_paper_table(highlights),
         viewsheds=rows_table(viewsheds),
         terrain=rows_table([row for row in terrain if "steps" not in row]),
         terrain_means=terrain_means(terrain),
