@@ -28,7 +28,7 @@ using Json = nlohmann::ordered_json;
 
 struct CurvatureArguments {
   std::string input, output;
-  std::string method = "tensor", radius_edges, radius_m, rounds, threads, colour;
+  std::string method = "fit", radius_edges, radius_m, rounds, threads, colour;
   bool is_unsigned = false;
   bool stats = false;
   bool json = false;
@@ -45,10 +45,10 @@ void require_unused(const std::string& flag, bool is_given, const std::string& m
 
 CurvatureOptions options_of(const CurvatureArguments& arguments) {
   CurvatureOptions options{.method = curvature_method(arguments.method)};
-  const bool is_ball = options.method == CurvatureMethod::tensor ||
+  const bool is_ball = options.method == CurvatureMethod::fit || options.method == CurvatureMethod::tensor ||
                        options.method == CurvatureMethod::tensor_exact ||
                        options.method == CurvatureMethod::paper;
-  const char* balls = "tensor, tensor-exact or paper";
+  const char* balls = "fit, tensor, tensor-exact or paper";
   require_unused("--radius-edges", !is_ball && !arguments.radius_edges.empty(), balls, arguments.method);
   require_unused("--radius-m", !is_ball && !arguments.radius_m.empty(), balls, arguments.method);
   require_unused("--rounds", options.method != CurvatureMethod::diffused && !arguments.rounds.empty(),
@@ -164,13 +164,13 @@ void add_curvature_command(CLI::App& program, Options& options) {
   command->add_option("-o,--output", arguments->output, "PLY with curvatures")
       ->required()
       ->type_name("OUT.ply");
-  command->add_option("--method", arguments->method, "tensor, tensor-exact, paper, diffused or jet")
+  command->add_option("--method", arguments->method, "fit, tensor, tensor-exact, diffused, paper or jet")
       ->type_name("M")
       ->capture_default_str();
   CLI::Option* edges =
       command
           ->add_option("--radius-edges", arguments->radius_edges,
-                       "radius of the ball in mean edge lengths (tensor, tensor-exact, paper) [3]")
+                       "radius of the ball in mean edge lengths [fit 3.5, tensor, tensor-exact and paper 3]")
           ->type_name("R");
   command->add_option("--radius-m,--radius", arguments->radius_m, "the same in metres")
       ->type_name("R")
@@ -194,9 +194,10 @@ Vertices keep their order; those at exactly one position are one of the surface.
 being the normal; area in m2; confidence 0 ... 1, how far directions can be trusted: 0 where all bend alike, half on
 borders.
 
+  fit           a quadric fitted to the vertices within a ball; the most accurate
   tensor        angles of edges within a ball, rim edges by half
   tensor-exact  the same, clipped to the ball; slower
-  diffused      angles of the edges around each vertex, averaged with neighbours; fastest, most accurate without noise
+  diffused      angles of the edges around each vertex, averaged with neighbours; the fastest
   paper         as printed, for comparison: some 8 % too large however fine the mesh
   jet           a quadratic fitted by CGAL: accurate on clean meshes, not on noisy ones
 

@@ -9,6 +9,11 @@ bool repeats_vertex(const TriangleIndices& face) {
   return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
 }
 
+std::uint32_t corner_at(const std::vector<TriangleIndices>& faces, std::uint32_t face, std::uint32_t vertex) {
+  const TriangleIndices& corners = faces[face];
+  return 3 * face + (corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2);
+}
+
 EdgeTable::EdgeTable(const std::vector<TriangleIndices>& faces) {
   uses_.reserve(3 * faces.size());
   for (std::uint32_t f = 0; f < faces.size(); ++f) {

@@ -19,6 +19,9 @@ struct EdgeUse {
 /// Whether a face names a vertex twice.
 bool repeats_vertex(const TriangleIndices& face);
 
+/// The number of a face's corner at one of its vertices, among three for each face.
+std::uint32_t corner_at(const std::vector<TriangleIndices>& faces, std::uint32_t face, std::uint32_t vertex);
+
 /// The edges of all faces that name three vertices: for each edge all its uses, side by side.
 class EdgeTable {
  public:

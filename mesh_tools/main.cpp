@@ -10,6 +10,10 @@
 #include "mesh_tools/curvature_command.h"
 #include "mesh_tools/generate_command.h"
 #include "mesh_tools/options.h"
+#include "mesh_tools/remesh_command.h"
+#include "mesh_tools/repair_command.h"
+#include "mesh_tools/simplify_command.h"
+#include "mesh_tools/subdivide_command.h"
 
 namespace {
 
@@ -26,11 +30,17 @@ void build(CLI::App& app, mesh_tools::Options& options) {
   mesh_tools::add_check_command(app, options);
   mesh_tools::add_curvature_command(app, options);
   mesh_tools::add_generate_command(app, options);
+  mesh_tools::add_repair_command(app, options);
+  mesh_tools::add_remesh_command(app, options);
+  mesh_tools::add_simplify_command(app, options);
+  mesh_tools::add_subdivide_command(app, options);
   app.footer(R"(
 Examples:
   offing-mesh check scan.ply
+  offing-mesh curvature scan.ply -o scan_curvature.ply
   offing-mesh generate torus-knot -o knot.ply
-  offing-mesh curvature knot.ply -o knot_curvature.ply
+  offing-mesh repair scan.obj -o scan.ply
+  offing-mesh simplify scan.ply --faces 5000 -o coarse.ply
 
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 130 interrupted.)");
 }

@@ -42,12 +42,6 @@ std::size_t count_duplicates(const std::vector<TriangleIndices>& faces) {
   return static_cast<std::size_t>(sorted.end() - std::unique(sorted.begin(), sorted.end()));
 }
 
-/// The number of a face's corner at a vertex, among the three of each face.
-std::uint32_t corner_at(const std::vector<TriangleIndices>& faces, std::uint32_t face, std::uint32_t vertex) {
-  const TriangleIndices& corners = faces[face];
-  return 3 * face + (corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2);
-}
-
 /// Joins what lies around an edge, and counts the edge.
 class EdgeCounter {
  public:
@@ -103,16 +97,22 @@ class EdgeCounter {
 
 }  // namespace
 
-MeshDefects find_defects(const TriangleMesh& mesh, const CancelToken& cancel) {
+MeshDefects find_index_defects(const TriangleMesh& mesh) {
   MeshDefects defects;
   defects.vertices = mesh.positions_m.size();
   defects.faces = mesh.faces.size();
   count_vertices(mesh, defects);
   defects.duplicate_faces = count_duplicates(mesh.faces);
-  cancel.throw_if_cancelled();
+  defects.repeating_faces =
+      static_cast<std::size_t>(std::count_if(mesh.faces.begin(), mesh.faces.end(), repeats_vertex));
   EdgeCounter counter(mesh, defects);
   EdgeTable(mesh.faces).for_each_edge([&](std::span<const EdgeUse> uses) { counter.add(uses); });
   counter.finish();
+  return defects;
+}
+
+MeshDefects find_defects(const TriangleMesh& mesh, const CancelToken& cancel) {
+  MeshDefects defects = find_index_defects(mesh);
   cancel.throw_if_cancelled();
   defects.degenerate_faces = count_faces_without_area(mesh);
   defects.self_intersections = intersecting_faces(mesh, cancel).size();

@@ -22,8 +22,12 @@ struct MeshDefects {
   std::size_t isolated_vertices = 0;      ///< of no face
   std::size_t turned_edges = 0;           ///< edges of two faces that run along it the same way
   bool orientable = true;                 ///< whether turning faces can leave no such edge
+  std::size_t repeating_faces = 0;        ///< which name a vertex twice
   std::size_t self_intersections = 0;     ///< pairs of faces that meet elsewhere than in what they share
 };
+
+/// All but what needs geometry: degenerate_faces and self_intersections stay 0.
+MeshDefects find_index_defects(const TriangleMesh& mesh);
 
 /// Throws Error(cancelled) when asked to stop.
 MeshDefects find_defects(const TriangleMesh& mesh, const CancelToken& cancel);

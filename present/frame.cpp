@@ -63,7 +63,7 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
   if (capabilities_.has_clip_control) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   if (world.ground()) {
     run_stage(times_, Stage::terrain, world.device(),
-              [&] { world.see_ground(ground_camera(request), ground_sampling_); });
+              [&] { world.see_ground(ground_camera(request), ground_sampling_, request.tiles); });
   }
   const bool sees_ground = world.ground() && world.ground()->is_in_reach();
   const bool shows_steps = sees_ground && request.ground == GroundShow::steps;

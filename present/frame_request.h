@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "host/base/camera.h"
+#include "host/world/ground_view.h"
 
 namespace offing::present {
 
@@ -42,6 +43,7 @@ struct FrameRequest {
   DebugView debug = DebugView::none;
   Fill fill = Fill::solid;
   GroundShow ground = GroundShow::light;
+  world::TileWait tiles = world::TileWait::all;
   double ground_scale = 1.0;  ///< rays that are cast at the ground a pixel of the picture, along a side
 };
 

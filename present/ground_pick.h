@@ -17,7 +17,7 @@ struct GroundPick {
   terrain::Ray ray;
   double distance_m = 0.0;
   glm::dvec3 place_m{0.0};                   ///< of the hit
-  std::vector<terrain::RayNode> nodes = {};  ///< of the pyramid, that the ray met on its way
+  std::vector<terrain::RayNode> nodes = {};  ///< that the ray met on its way; none of maps in tiles
 };
 
 /// Through a point of the picture in clip coordinates; nothing where there is sky. Waits for the device.

@@ -89,6 +89,7 @@ void LiveSea::draw(const SeaView& view) {
                          .debug = view.debug,
                          .fill = view.fill,
                          .ground = view.ground,
+                         .tiles = view.tiles,
                          .ground_scale = view.ground_scale});
 }
 

@@ -24,6 +24,7 @@ struct SeaView {
   DebugView debug = DebugView::none;
   Fill fill = Fill::solid;
   GroundShow ground = GroundShow::light;
+  world::TileWait tiles = world::TileWait::all;
   double ground_scale = 1.0;  ///< of FrameRequest
 };
 

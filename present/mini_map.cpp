@@ -10,6 +10,8 @@
 #include <glm/vec3.hpp>
 #include <imgui.h>
 
+#include "host/terrain/tile_posts.h"
+
 namespace offing::present {
 namespace {
 
@@ -62,13 +64,16 @@ std::vector<unsigned char> MiniMap::shaded(const HeightMap& map, int width, int 
 
 void MiniMap::show(const world::GroundParameters& ground) {
   origin_m_ = {ground.origin_x_m, ground.origin_z_m};
-  if (map_ == ground.map) return;
+  if (width_px_ > 0 && map_ == ground.map && tiles_ == ground.tiles) return;
   map_ = ground.map;
-  size_m_ = {map_->spacing_x_m * (map_->columns - 1), map_->spacing_z_m * (map_->rows - 1)};
+  tiles_ = ground.tiles;
+  const terrain::GroundExtent extent = ground.extent();
+  size_m_ = {extent.width_m, extent.depth_m};
   const double scale = longest_side_px / std::max(size_m_.x, size_m_.y);
   width_px_ = std::max(8, static_cast<int>(std::lround(size_m_.x * scale)));
   height_px_ = std::max(8, static_cast<int>(std::lround(size_m_.y * scale)));
-  const std::vector<unsigned char> pixels = shaded(*map_, width_px_, height_px_);
+  const std::vector<unsigned char> pixels =
+      shaded(map_ ? *map_ : terrain::overview_of(tiles_->map, tiles_->read), width_px_, height_px_);
   texture_ = GlTexture::make();
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, texture_.name());

@@ -25,7 +25,8 @@ class MiniMap {
   static std::vector<unsigned char> shaded(const HeightMap& map, int width, int height);
 
  private:
-  std::shared_ptr<const HeightMap> map_;
+  std::shared_ptr<const HeightMap> map_;  ///< of the picture
+  std::shared_ptr<const world::GroundTiles> tiles_;
   glm::dvec2 origin_m_{0.0}, size_m_{1.0};
   int width_px_ = 0, height_px_ = 0;
   GlTexture texture_;

@@ -260,6 +260,7 @@ void Viewer::draw_sea(int width, int height) {
                .debug = state_.debug,
                .fill = state_.fill,
                .ground = state_.ground,
+               .tiles = options_.recording ? world::TileWait::all : world::TileWait::none,
                .ground_scale = ScaleLadder::side_scale(ray_rung())});
     drawn_s_ = state_.clock.time_s();
   } catch (const Error& error) {

@@ -26,8 +26,9 @@ class WalkingCamera {
   void begin(const world::GroundParameters& ground, const terrain::WalkerParameters& parameters,
              glm::dvec2 place_m);
 
-  std::shared_ptr<const HeightMap> map_;  // which the walker is on
-  glm::dvec2 origin_m_{0.0};              // of its first post
+  std::shared_ptr<const HeightMap> map_;  // which the walker is on, or these:
+  std::shared_ptr<const world::GroundTiles> tiles_;
+  glm::dvec2 origin_m_{0.0};  // of its first post
   std::optional<terrain::Walker> walker_;
   glm::dvec3 eye_m_{0.0};  // where the camera was left
 };

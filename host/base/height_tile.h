@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <vector>
 
 namespace offing {
@@ -50,6 +51,8 @@ struct HeightTile {
   /// [ringed_tile_posts][ringed_tile_posts] m, from the post before the tile's first one on: means over the
   /// four cells of this level around, for slopes. At level 0 the map's heights.
   std::vector<float> means_m;
+  /// [tile_posts][tile_posts], at level 0: 1 where nothing was measured; empty if all was, and above.
+  std::vector<std::uint8_t> is_void = {};
 };
 
 }  // namespace offing

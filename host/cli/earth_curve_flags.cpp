@@ -17,19 +17,12 @@ void EarthCurveFlags::add_to(CLI::App& command) {
 }
 
 terrain::EarthCurve EarthCurveFlags::read() const {
-  if (!is_curved_ && refraction_.empty()) return {};
+  if (!are_given()) return {};
   terrain::EarthCurve curve{terrain::earth_radius_m, terrain::light_refraction};
   if (!refraction_.empty()) {
     curve.refraction = read_number("--refraction", refraction_, "", 0.0, 1.0, "0.13");
   }
   return curve;
-}
-
-std::vector<TerrainHit> cast(terrain::HeightField& field, std::span<const terrain::Ray> rays,
-                             const terrain::EarthCurve& curve, terrain::HitNormals normals) {
-  // Rays over flat ground need a kernel that is there already.
-  return curve.bend_perm() == 0.0 ? field.cast(rays, terrain::CastMethod::parity, normals)
-                                  : field.cast(rays, curve, normals);
 }
 
 }  // namespace offing::cli

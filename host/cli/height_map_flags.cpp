@@ -1,5 +1,7 @@
 #include "host/cli/height_map_flags.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
@@ -81,6 +83,13 @@ void HeightMapFlags::add_to(CLI::App& command) {
   add(raw, "--raw-size", raw_size_, "WxH", "posts along x and z");
   add(raw, "--raw-type", raw_type_, "TYPE", "u16, s16 or f32 (default by the ending: .r16 u16, .r32 f32)");
   add(raw, "--raw-order", raw_order_, "ORDER", "little or big: byte order (default little)");
+}
+
+bool HeightMapFlags::are_given() const {
+  const std::array all{&encoding_, &scale_,        &offset_,   &band_,      &channel_,
+                       &nodata_,   &void_height_,  &spacing_,  &spacing_x_, &spacing_z_,
+                       &unit_,     &reproject_to_, &raw_size_, &raw_type_,  &raw_order_};
+  return std::any_of(all.begin(), all.end(), [](const std::string* text) { return !text->empty(); });
 }
 
 HeightMapOptions HeightMapFlags::read() const {

@@ -16,6 +16,7 @@ class HeightMapFlags {
 
   /// Throws Error(bad_usage) for a flag that cannot be used.
   HeightMapOptions read() const;
+  bool are_given() const;
 
  private:
   std::string encoding_, band_, channel_, raw_size_, raw_type_, raw_order_;

@@ -5,15 +5,25 @@
 #include <CLI/Option.hpp>
 
 #include "host/base/argument.h"
+#include "host/scene/stored_ground.h"
 
 namespace offing::cli {
 
+namespace {
+
+void add(CLI::App& command, const char* names, std::string& target, const char* placeholder,
+         const char* help) {
+  command.add_option(names, target, help)->type_name(placeholder)->group("Tile stores");
+}
+
+}  // namespace
+
 void CacheFlags::add_to(CLI::App& command) {
-  const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
-    command.add_option(names, target, help)->type_name(placeholder)->group("Tile stores");
-  };
-  add("--cache-mb", cache_mb_, "MB", "memory for tiles, MiB (default 256)");
-  add("--edge", edge_, "WHAT", "ends, repeats or mirrors: the map beyond its edges (default ends)");
+  add(command, "--cache-mb", cache_mb_, "MB", "memory for tiles, MiB (default 256)");
+}
+
+void CacheFlags::add_edge_to(CLI::App& command) {
+  add(command, "--edge", edge_, "WHAT", "ends, repeats or mirrors: the map beyond its edges (default ends)");
 }
 
 std::size_t CacheFlags::bytes() const {
@@ -29,13 +39,8 @@ terrain::MapEdge CacheFlags::edge() const {
   throw bad_argument("--edge", "ends, repeats or mirrors", edge_, "mirrors");
 }
 
-terrain::TiledMap tiled_map(const TileStoreHeader& header, terrain::MapEdge edge) {
-  return {header.shape, header.spacing_x_m, header.spacing_z_m, header.lowest_m, header.highest_m, edge};
-}
-
 terrain::TiledField make_field(const TileStore& store, const ocl::Device& device, const CacheFlags& flags) {
-  return {device, tiled_map(store.header(), flags.edge()),
-          [store](const TileKey& key) { return store.read(key); }, flags.bytes()};
+  return {device, scene::tiled_map(store.header(), flags.edge()), scene::tile_reader(store), flags.bytes()};
 }
 
 }  // namespace offing::cli

@@ -230,6 +230,7 @@ void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
       ->required()
       ->type_name("");
   arguments->cache.add_to(*command);
+  arguments->cache.add_edge_to(*command);
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group("Flight");
   };

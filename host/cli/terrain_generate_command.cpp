@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,8 @@
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/io/atomic_file.h"
+#include "host/io/file_extension.h"
+#include "host/io/height_maps/height_raster.h"
 #include "host/terrain/row_makers.h"
 
 namespace offing::cli {
@@ -52,14 +55,43 @@ terrain::FractalParameters read_parameters(const TerrainGenerateArguments& argum
   return parameters;
 }
 
+/// Floats without a header (.r32), or a GeoTIFF.
+class GroundFile {
+ public:
+  GroundFile(const std::string& name, int posts, double spacing_m) {
+    if (name.ends_with(".r32")) {
+      raw_.emplace(name);
+    } else {
+      raster_.emplace(name, posts, posts, spacing_m);
+    }
+  }
+  void add_rows(std::span<const float> heights_m) {
+    if (raw_) {
+      raw_->write(heights_m.data(), heights_m.size_bytes());
+    } else {
+      raster_->add_rows(heights_m);
+    }
+  }
+  void commit() {
+    if (raw_) {
+      raw_->commit();
+    } else {
+      raster_->commit();
+    }
+  }
+
+ private:
+  std::optional<AtomicFile> raw_;
+  std::optional<HeightRasterWriter> raster_;
+};
+
 void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options) {
   const terrain::FractalParameters parameters = read_parameters(arguments);
-  if (!arguments.output.ends_with(".r32")) {
-    throw bad_argument("--output", "a name that ends with .r32: floats, m, without a header",
-                       arguments.output, "valley.r32");
-  }
+  require_extension(arguments.output, {".r32", ".tif", ".tiff"});
+  const bool is_raw = arguments.output.ends_with(".r32");
+  const double spacing_m = parameters.side_m / (parameters.posts - 1);
   require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused);
-  AtomicFile file(arguments.output);
+  GroundFile file(arguments.output, parameters.posts, spacing_m);
   float lowest_m = 0.0f, highest_m = 0.0f;
   {
     Progress progress(parameters.posts, "rows", options.verbosity);
@@ -70,13 +102,12 @@ void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options
       const auto [low, high] = std::minmax_element(heights_m.begin(), heights_m.end());
       lowest_m = first == 0 ? *low : std::min(lowest_m, *low);
       highest_m = first == 0 ? *high : std::max(highest_m, *high);
-      file.write(heights_m.data(), heights_m.size_bytes());
+      file.add_rows(heights_m);
       for (std::size_t row = 0; row < heights_m.size() / static_cast<std::size_t>(parameters.posts); ++row)
         progress.advance();
     }
   }
   file.commit();
-  const double spacing_m = parameters.side_m / (parameters.posts - 1);
   if (arguments.json) {
     print_json({{"file", arguments.output},
                 {"columns", parameters.posts},
@@ -85,9 +116,11 @@ void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options
                 {"lowest_m", lowest_m},
                 {"highest_m", highest_m}});
   } else {
-    fmt::print("{}: {} x {} posts, {:g} ... {:g} m; read it with --raw-size {}x{} --spacing-m {:.10g}\n",
-               one_line(arguments.output), parameters.posts, parameters.posts, lowest_m, highest_m,
-               parameters.posts, parameters.posts, spacing_m);
+    fmt::print("{}: {} x {} posts, {:g} ... {:g} m{}\n", one_line(arguments.output), parameters.posts,
+               parameters.posts, lowest_m, highest_m,
+               is_raw ? fmt::format("; read it with --raw-size {}x{} --spacing-m {:.10g}", parameters.posts,
+                                    parameters.posts, spacing_m)
+                      : "");
   }
 }
 
@@ -99,7 +132,8 @@ void add_terrain_generate_command(CLI::App& terrain, GlobalOptions& options) {
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder);
   };
-  add("-o,--output", arguments->output, "FILE", "height map to write, .r32")->required();
+  add("-o,--output", arguments->output, "FILE", "height map to write: .tif, or .r32, floats without a header")
+      ->required();
   add("--posts", arguments->posts, "N", "posts a side, 2 ... 65536 (default 1025)");
   add("--side-m", arguments->side, "L", "length of a side, m (default 20000)");
   add("--relief-m", arguments->relief, "H", "about what lies between lowest and highest, m (default 1500)");
@@ -115,8 +149,8 @@ void add_terrain_generate_command(CLI::App& terrain, GlobalOptions& options) {
 The same seed gives the same ground, whatever the number of posts. Rows are written as they are made.
 
 Example:
-  offing terrain generate --posts 2049 --seed 7 -o valley.r32
-  offing terrain render valley.r32 --raw-size 2049x2049 --spacing-m 9.765625 -o valley.png)");
+  offing terrain generate --posts 2049 --seed 7 -o valley.tif
+  offing terrain render valley.tif -o valley.png)");
   command->callback([arguments, &options] { run(*arguments, options); });
 }
 

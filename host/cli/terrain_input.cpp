@@ -13,7 +13,7 @@ void TerrainInput::add_to(CLI::App& command) {
   command
       .add_option("FILE", file_,
                   "GeoTIFF, SRTM .hgt (.hgt.zip), USGS DEM, ASCII grid, PNG, EXR, .r16, .r32, or another "
-                  "raster that GDAL reads")
+                  "raster that GDAL reads; or a tile store")
       ->required()
       ->type_name("");
   flags_.add_to(command);
@@ -23,7 +23,7 @@ HeightMapFile TerrainInput::read() const {
   if (is_tile_store(file_)) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a height map, found a tile store", one_line(file_)),
-                "info, render and fly take tile stores; give this command the map that it was made of");
+                "give this command the map that it was made of");
   }
   return read_height_map(file_, options());
 }

@@ -19,7 +19,9 @@ class TerrainInput {
 
   const std::string& file() const { return file_; }
   HeightMapOptions options() const { return flags_.read(); }
-  /// Throws what read_height_map() throws, and Error(bad_input) for a tile store, which few commands read.
+  /// Whether a flag says how to read a height map.
+  bool has_reading_flags() const { return flags_.are_given(); }
+  /// Throws what read_height_map() throws, and Error(bad_input) for a tile store.
   HeightMapFile read() const;
 
  private:

@@ -13,7 +13,7 @@
 #include "host/cli/device_choice.h"
 #include "host/cli/earth_curve_flags.h"
 #include "host/cli/terrain_batch.h"
-#include "host/cli/terrain_input.h"
+#include "host/cli/terrain_ground.h"
 #include "host/cli/terrain_place.h"
 #include "host/command_line/print_json.h"
 
@@ -26,6 +26,7 @@ constexpr double slack_cells = 2e-3, slack_share = 2e-7;
 
 struct TerrainLosArguments {
   TerrainInput input;
+  CacheFlags cache;
   TerrainBatch batch;
   EarthCurveFlags curve;
   std::string from, to;
@@ -58,8 +59,9 @@ struct Sight {
 };
 
 /// Between two points, each as x, z and the height above ground. Errors name the place of a bad one.
-Sight sight_between(const HeightMap& map, const terrain::EarthCurve& curve, const std::string& from_place,
-                    std::span<const double> from, const std::string& to_place, std::span<const double> to) {
+Sight sight_between(const terrain::GroundPosts& posts, const terrain::EarthCurve& curve,
+                    const std::string& from_place, std::span<const double> from, const std::string& to_place,
+                    std::span<const double> to) {
   const auto eye = [&](const std::string& place, std::span<const double> point) {
     if (point[2] < 0.0) {
       throw Error(
@@ -67,14 +69,15 @@ Sight sight_between(const HeightMap& map, const terrain::EarthCurve& curve, cons
           fmt::format("{}: expected a height above ground of 0 or more, found {:g} m", place, point[2]),
           "give X,Z,H such as 1200,350,1.7");
     }
-    return glm::dvec3(point[0], ground_under(place, map, point[0], point[1]).height_m + point[2], point[1]);
+    return glm::dvec3(point[0], ground_under(place, posts, point[0], point[1]).height_m + point[2], point[1]);
   };
   const glm::dvec3 from_m = eye(from_place, from);
   glm::dvec3 to_m = eye(to_place, to);
   const double plan_m = std::hypot(to_m.x - from_m.x, to_m.z - from_m.z);
   to_m.y -= curve.bend_perm() * plan_m * plan_m;
   const double distance_m = glm::length(to_m - from_m);
-  const double slack_m = slack_cells * std::max(map.spacing_x_m, map.spacing_z_m) + slack_share * distance_m;
+  const double slack_m =
+      slack_cells * std::max(posts.spacing_x_m, posts.spacing_z_m) + slack_share * distance_m;
   if (distance_m <= 2.0 * slack_m) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("{}: expected another place than where the line begins, found one {:g} m away",
@@ -102,8 +105,7 @@ void answer_one(const Sight& sight, const TerrainHit& hit, bool is_json) {
   }
 }
 
-void answer_all(const TerrainLosArguments& arguments, const HeightMap& map, terrain::HeightField& field,
-                const GlobalOptions& options) {
+void answer_all(const TerrainLosArguments& arguments, TerrainGround& ground, const GlobalOptions& options) {
   const terrain::EarthCurve curve = arguments.curve.read();
   arguments.batch.answer(
       "from_x_m,from_z_m,from_height_m,to_x_m,to_z_m,to_height_m,visible,distance_m,hidden_at_m",
@@ -113,10 +115,10 @@ void answer_all(const TerrainLosArguments& arguments, const HeightMap& map, terr
         for (std::size_t i = 0; i < rows.size(); i += 6) {
           const std::string place = table.place_of(i / 6);
           const std::span<const double> row = std::span(rows).subspan(i, 6);
-          sights.push_back(sight_between(map, curve, place, row.first(3), place, row.subspan(3)));
+          sights.push_back(sight_between(ground.posts(), curve, place, row.first(3), place, row.subspan(3)));
           rays.push_back(sights.back().ray());
         }
-        const std::vector<TerrainHit> hits = cast(field, rays, curve);
+        const std::vector<TerrainHit> hits = ground.cast(rays, curve);
         for (std::size_t i = 0; i < hits.size(); ++i) {
           const bool is_visible = hits[i].kind == TERRAIN_MISS;
           for (std::size_t column = 0; column < 6; ++column) {
@@ -132,18 +134,18 @@ void answer_all(const TerrainLosArguments& arguments, const HeightMap& map, terr
 void run(const TerrainLosArguments& arguments, const GlobalOptions& options) {
   arguments.batch.require_question(arguments.from);
   if (arguments.batch.is_asked()) {
-    const HeightMapFile file = arguments.input.read();
-    terrain::HeightField field = make_field(file.map, ocl::Device::open(choose_one_device(options.device)));
-    return answer_all(arguments, file.map, field, options);
+    TerrainGround ground(arguments.input, arguments.cache);
+    ground.open(ocl::Device::open(choose_one_device(options.device)));
+    return answer_all(arguments, ground, options);
   }
   const terrain::EarthCurve curve = arguments.curve.read();
   const auto from = read_numbers("--from", arguments.from, 3, "X,Z,H", "1200,350,1.7");
   const auto to = read_numbers("--to", arguments.to, 3, "X,Z,H", "1200,350,1.7");
-  const HeightMapFile file = arguments.input.read();
-  const Sight sight = sight_between(file.map, curve, "--from", from, "--to", to);
-  terrain::HeightField field = make_field(file.map, ocl::Device::open(choose_one_device(options.device)));
+  TerrainGround ground(arguments.input, arguments.cache);
+  const Sight sight = sight_between(ground.posts(), curve, "--from", from, "--to", to);
+  ground.open(ocl::Device::open(choose_one_device(options.device)));
   const terrain::Ray ray = sight.ray();
-  answer_one(sight, cast(field, std::span(&ray, 1), curve)[0], arguments.json);
+  answer_one(sight, ground.cast(std::span(&ray, 1), curve)[0], arguments.json);
 }
 
 }  // namespace
@@ -152,6 +154,7 @@ void add_terrain_los_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainLosArguments>();
   CLI::App* command = terrain.add_subcommand("los", "line of sight: whether two points see each other");
   arguments->input.add_to(*command);
+  arguments->cache.add_to(*command);
   command->add_option("--from", arguments->from, "one end, m")->type_name("X,Z,H");
   command->add_option("--to", arguments->to, "the other end, m")->type_name("X,Z,H")->needs("--from");
   arguments->curve.add_to(*command);

@@ -10,14 +10,27 @@
 
 namespace offing::cli {
 
-terrain::GroundPoint ground_under(std::string_view flag, const HeightMap& map, double x_m, double z_m) {
-  if (const auto ground = terrain::ground_at(map, x_m, z_m)) return *ground;
-  throw Error(
-      ErrorKind::bad_input,
-      fmt::format("{}: expected a place within 0 ... {:g} m east and 0 ... {:g} m south of the "
-                  "north-west post, found {:g}, {:g}",
-                  flag, map.spacing_x_m * (map.columns - 1), map.spacing_z_m * (map.rows - 1), x_m, z_m),
-      "`offing terrain info` tells the extent of the map");
+namespace {
+
+Error beyond_map(std::string_view flag, double width_m, double depth_m, double x_m, double z_m) {
+  return {ErrorKind::bad_input,
+          fmt::format("{}: expected a place within 0 ... {:g} m east and 0 ... {:g} m south of the "
+                      "north-west post, found {:g}, {:g}",
+                      flag, width_m, depth_m, x_m, z_m),
+          "`offing terrain info` tells the extent of the map"};
+}
+
+}  // namespace
+
+void require_within(std::string_view flag, double width_m, double depth_m, double x_m, double z_m) {
+  if (x_m >= 0.0 && x_m <= width_m && z_m >= 0.0 && z_m <= depth_m) return;
+  throw beyond_map(flag, width_m, depth_m, x_m, z_m);
+}
+
+terrain::GroundPoint ground_under(std::string_view flag, const terrain::GroundPosts& posts, double x_m,
+                                  double z_m) {
+  if (const auto ground = terrain::ground_at(posts, x_m, z_m)) return *ground;
+  throw beyond_map(flag, posts.width_m(), posts.depth_m(), x_m, z_m);
 }
 
 double slope_deg(const glm::dvec3& normal) {

@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 
 #include "host/base/argument.h"
-#include "host/cli/terrain_input.h"
+#include "host/cli/earth_curve_flags.h"
+#include "host/cli/terrain_ground.h"
 #include "host/cli/terrain_place.h"
 #include "host/command_line/new_output.h"
 #include "host/io/atomic_file.h"
@@ -20,6 +21,7 @@ constexpr double most_points = 1e7;
 
 struct TerrainProfileArguments {
   TerrainInput input;
+  EarthCurveFlags curve;
   std::string from, to, step, output;
   bool force = false;
 };
@@ -28,23 +30,30 @@ void run(const TerrainProfileArguments& arguments) {
   const auto from = read_numbers("--from", arguments.from, 2, "X,Z", "0,0");
   const auto to = read_numbers("--to", arguments.to, 2, "X,Z", "1200,350");
   require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused);
-  const HeightMapFile file = arguments.input.read();
-  const HeightMap& map = file.map;
+  const terrain::EarthCurve curve = arguments.curve.read();
+  const bool is_curved = arguments.curve.are_given();
+  const TerrainGround of(arguments.input, {});
+  const terrain::GroundPosts& posts = of.posts();
   const double length_m = std::hypot(to[0] - from[0], to[1] - from[1]);
   const double step_m = arguments.step.empty()
-                            ? std::min(map.spacing_x_m, map.spacing_z_m)
+                            ? std::min(posts.spacing_x_m, posts.spacing_z_m)
                             : read_number("--step-m", arguments.step, "m", 1e-3, 1e6, "10");
   const double steps = std::max(1.0, std::ceil(length_m / step_m));
   if (steps > most_points) {
     throw bad_argument("--step-m", fmt::format("a step of at least {:g} m here", length_m / most_points),
                        arguments.step, "10");
   }
-  std::string text = "distance_m,x_m,z_m,height_m\n";
+  std::string text =
+      fmt::format("distance_m,x_m,z_m,height_m,measured{}\n", is_curved ? ",fallen_height_m" : "");
   for (double step = 0.0; step <= steps; ++step) {
     const double share = step / steps;
     const double x_m = std::lerp(from[0], to[0], share), z_m = std::lerp(from[1], to[1], share);
-    const double height_m = ground_under(share < 0.5 ? "--from" : "--to", map, x_m, z_m).height_m;
-    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.7g}\n", share * length_m, x_m, z_m, height_m);
+    const double height_m = ground_under(share < 0.5 ? "--from" : "--to", posts, x_m, z_m).height_m;
+    const double distance_m = share * length_m;
+    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.7g},{}", distance_m, x_m, z_m, height_m,
+                        *terrain::is_measured_at(posts, x_m, z_m) ? 1 : 0);
+    if (is_curved) text += fmt::format(",{:.7g}", height_m - curve.bend_perm() * distance_m * distance_m);
+    text += '\n';
   }
   if (arguments.output.empty()) {
     fmt::print("{}", text);
@@ -63,12 +72,16 @@ void add_terrain_profile_command(CLI::App& terrain, GlobalOptions& options) {
   command->add_option("--to", arguments->to, "where it ends, m")->type_name("X,Z")->required();
   command->add_option("--step-m", arguments->step, "at most this far apart (default: as the posts)")
       ->type_name("S");
+  arguments->curve.add_to(*command);
   command->add_option("-o,--output", arguments->output, "CSV to write (default: standard output)")
       ->type_name("FILE");
   command->add_flag("--force", arguments->force, "replace a file that is there");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(fmt::format(
-      "\n{}\n\nExample:\n  offing terrain profile S33W071.tif --from 0,55000 --to 90000,55000 --step-m 100",
+      "\n{}\nmeasured is 0 where the map has a void, which was filled in. With --curvature, fallen_height_m "
+      "is how high "
+      "\nthe ground is above a level line from the profile's beginning.\n\n"
+      "Example:\n  offing terrain profile S33W071.tif --from 0,55000 --to 90000,55000 --step-m 100",
       place_footer));
   command->callback([arguments] { run(*arguments); });
 }

@@ -12,7 +12,7 @@
 #include "host/cli/device_choice.h"
 #include "host/cli/earth_curve_flags.h"
 #include "host/cli/terrain_batch.h"
-#include "host/cli/terrain_input.h"
+#include "host/cli/terrain_ground.h"
 #include "host/cli/terrain_place.h"
 #include "host/command_line/print_json.h"
 
@@ -22,6 +22,7 @@ namespace {
 
 struct TerrainRayArguments {
   TerrainInput input;
+  CacheFlags cache;
   TerrainBatch batch;
   EarthCurveFlags curve;
   bool smooth_normals = false;
@@ -110,8 +111,7 @@ void answer_one(const TerrainHit& hit, const glm::dvec3& point_m, bool is_json) 
   }
 }
 
-void answer_all(const TerrainRayArguments& arguments, terrain::HeightField& field,
-                const GlobalOptions& options) {
+void answer_all(const TerrainRayArguments& arguments, TerrainGround& ground, const GlobalOptions& options) {
   const terrain::EarthCurve curve = arguments.curve.read();
   arguments.batch.answer(
       "x_m,y_m,z_m,direction_x,direction_y,direction_z,hit,distance_m,hit_x_m,hit_y_m,hit_z_m,"
@@ -127,9 +127,9 @@ void answer_all(const TerrainRayArguments& arguments, terrain::HeightField& fiel
                         "give a way of any length above 0");
           }
           rays.push_back({.origin_m = {rows[i], rows[i + 1], rows[i + 2]}, .direction = way / length});
-          require_valid(rays.back(), field.grid(), table.place_of(i / 6));
+          require_valid(rays.back(), ground.grid(), table.place_of(i / 6));
         }
-        const std::vector<TerrainHit> hits = cast(field, rays, curve, normals_of(arguments));
+        const std::vector<TerrainHit> hits = ground.cast(rays, curve, normals_of(arguments));
         for (std::size_t i = 0; i < hits.size(); ++i) {
           const auto out = std::back_inserter(text);
           const TerrainHit& hit = hits[i];
@@ -152,11 +152,11 @@ void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
   arguments.batch.require_question(arguments.from);
   const bool is_single = !arguments.batch.is_asked();
   const terrain::Ray ray = is_single ? read_ray(arguments) : terrain::Ray{};
-  const HeightMapFile file = arguments.input.read();
-  terrain::HeightField field = make_field(file.map, ocl::Device::open(choose_one_device(options.device)));
-  if (!is_single) return answer_all(arguments, field, options);
+  TerrainGround ground(arguments.input, arguments.cache);
+  ground.open(ocl::Device::open(choose_one_device(options.device)));
+  if (!is_single) return answer_all(arguments, ground, options);
   const terrain::EarthCurve curve = arguments.curve.read();
-  const TerrainHit hit = cast(field, std::span(&ray, 1), curve, normals_of(arguments))[0];
+  const TerrainHit hit = ground.cast(std::span(&ray, 1), curve, normals_of(arguments))[0];
   answer_one(hit, point_of(ray, hit, curve), arguments.json);
 }
 
@@ -166,6 +166,7 @@ void add_terrain_ray_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainRayArguments>();
   CLI::App* command = terrain.add_subcommand("ray", "what a ray hits first");
   arguments->input.add_to(*command);
+  arguments->cache.add_to(*command);
   command->add_option("--from", arguments->from, "where it starts, m")->type_name("X,Y,Z");
   command->add_option("--to", arguments->to, "where it ends, m")->type_name("X,Y,Z")->needs("--from");
   command->add_option("--direction", arguments->direction, "its way without end, of any length")

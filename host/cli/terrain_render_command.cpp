@@ -13,13 +13,14 @@
 #include "host/cli/pictures/terrain_picture.h"
 #include "host/cli/store_field.h"
 #include "host/cli/terrain_camera.h"
-#include "host/cli/terrain_input.h"
+#include "host/cli/terrain_ground.h"
 #include "host/cli/terrain_place.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/io/exr_image.h"
 #include "host/io/file_presence.h"
 #include "host/io/height_maps/read_colour_map.h"
+#include "host/scene/stored_ground.h"
 
 namespace offing::cli {
 
@@ -116,11 +117,7 @@ Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptio
   const TileStoreHeader& header = store.header();
   TerrainScenery scenery = read_scenery(arguments, header.centre_latitude_deg);
   if (!arguments.colour.empty()) {
-    HeightMap place;
-    place.columns = header.shape.columns;
-    place.rows = header.shape.rows;
-    place.georeference = header.georeference;
-    scenery.colours = read_colour_map(arguments.colour, place);
+    scenery.colours = read_colour_map(arguments.colour, scene::place_of(header));
   }
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::TiledField field = make_field(store, device, arguments.cache);
@@ -132,6 +129,7 @@ Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptio
 
 void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) {
   const TerrainShow show = read_show(arguments.show);
+  require_flags_of(arguments.input, arguments.cache);
   const Overwriting overwriting = arguments.force ? Overwriting::allowed : Overwriting::refused;
   require_new(arguments.output, overwriting);
   require_new(arguments.depth, overwriting);
@@ -165,6 +163,7 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
   CLI::App* command = terrain.add_subcommand("render", "a picture of a height map under a clear sky");
   arguments->input.add_to(*command);
   arguments->cache.add_to(*command);
+  arguments->cache.add_edge_to(*command);
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group("Picture");
   };

@@ -52,14 +52,14 @@ class Tiling {
     builder_.emplace(header_.shape, [this](HeightTile tile) { writers_->add(std::move(tile)); });
   }
 
-  void add_row(std::span<const float> heights_m) {
+  void add_row(std::span<const float> heights_m, std::span<const std::uint8_t> is_void) {
     options_.cancel.throw_if_cancelled();
     XXH3_64bits_update(&heights_hash_, heights_m.data(), heights_m.size_bytes());
     for (const float height_m : heights_m) {
       lowest_m_ = std::min(lowest_m_, height_m);
       highest_m_ = std::max(highest_m_, height_m);
     }
-    builder_->add_row(heights_m);
+    builder_->add_row(heights_m, is_void);
   }
 
   const TileStoreHeader& finish(const HeightMapSource& source) {
@@ -94,7 +94,9 @@ void run(const TerrainTileArguments& arguments, const GlobalOptions& options) {
   const HeightMapSource source = stream_height_map(
       arguments.input.file(), arguments.input.options(),
       [&](const HeightMapFile& about) { tiling.begin(about); },
-      [&](std::span<const float> heights_m) { tiling.add_row(heights_m); });
+      [&](std::span<const float> heights_m, std::span<const std::uint8_t> is_void) {
+        tiling.add_row(heights_m, is_void);
+      });
   const TileStoreHeader& header = tiling.finish(source);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (arguments.json) {

@@ -1,6 +1,7 @@
 #include "host/cli/terrain_viewshed_command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
@@ -9,12 +10,13 @@
 #include "host/base/error_report.h"
 #include "host/cli/device_choice.h"
 #include "host/cli/earth_curve_flags.h"
-#include "host/cli/terrain_input.h"
+#include "host/cli/terrain_ground.h"
 #include "host/cli/terrain_place.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/io/file_extension.h"
 #include "host/io/height_maps/byte_raster.h"
+#include "host/scene/stored_ground.h"
 #include "host/terrain/viewshed.h"
 
 namespace offing::cli {
@@ -26,6 +28,7 @@ constexpr std::uint8_t visible = 255, of_void = 128;
 
 struct TerrainViewshedArguments {
   TerrainInput input;
+  CacheFlags cache;
   EarthCurveFlags curve;
   std::string observer, observer_height, target_height, radius, output;
   bool json = false;
@@ -47,14 +50,50 @@ terrain::ViewshedParameters read_parameters(const TerrainViewshedArguments& argu
   return parameters;
 }
 
+/// A map, or the part of a store that is near enough, and where its first post is.
+struct SeenMap {
+  HeightMap map;
+  double first_x_m = 0.0, first_z_m = 0.0;
+};
+
+// Of a post: heights here and on the device, lids, voids, and what is seen.
+constexpr double bytes_a_post = 12.0;
+
+SeenMap read_store(const TerrainViewshedArguments& arguments, const terrain::ViewshedParameters& parameters) {
+  const TileStore store(arguments.input.file());
+  const TileStoreHeader& header = store.header();
+  const double x_m = parameters.observer_x_m, z_m = parameters.observer_z_m;
+  const terrain::TiledMap of = scene::tiled_map(header);
+  require_within("--observer", of.width_m(), of.depth_m(), x_m, z_m);
+  const scene::PostWindow window = scene::window_around(header, x_m, z_m, parameters.radius_m);
+  constexpr double mebibyte = 1 << 20;
+  const double needed_mb = std::ceil(bytes_a_post * window.columns * window.rows / mebibyte);
+  const double found_mb = static_cast<double>(arguments.cache.bytes()) / mebibyte;
+  if (needed_mb > found_mb) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format(
+            "{}: expected a viewshed for which {:.0f} MiB are enough, found one of {} x {} posts, which "
+            "takes {:.0f} MiB",
+            one_line(arguments.input.file()), found_mb, window.columns, window.rows, needed_mb),
+        fmt::format("give a smaller --radius-m, or --cache-mb {:.0f}", needed_mb));
+  }
+  return {scene::read_window(store, window), window.first_column * header.spacing_x_m,
+          window.first_row * header.spacing_z_m};
+}
+
 void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options) {
-  const terrain::ViewshedParameters parameters = read_parameters(arguments);
+  terrain::ViewshedParameters parameters = read_parameters(arguments);
   require_extension(arguments.output, {".tif", ".tiff"});
   require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused);
-  const HeightMapFile file = arguments.input.read();
-  const HeightMap& map = file.map;
+  require_flags_of(arguments.input, arguments.cache);
+  const SeenMap seen_map = is_tile_store(arguments.input.file()) ? read_store(arguments, parameters)
+                                                                 : SeenMap{arguments.input.read().map};
+  const HeightMap& map = seen_map.map;
+  parameters.observer_x_m -= seen_map.first_x_m;
+  parameters.observer_z_m -= seen_map.first_z_m;
   const terrain::GroundPoint ground =
-      ground_under("--observer", map, parameters.observer_x_m, parameters.observer_z_m);
+      ground_under("--observer", terrain::posts_of(map), parameters.observer_x_m, parameters.observer_z_m);
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   const terrain::HeightField field = make_field(map, device);
   options.cancel.throw_if_cancelled();
@@ -82,7 +121,7 @@ void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options
                 {"eye_m", eye_m},
                 {"seen_posts", seen_posts},
                 {"seen_area_m2", area_m2},
-                {"void_posts", file.source.void_posts}});
+                {"void_posts", std::count(map.is_void.begin(), map.is_void.end(), 1)}});
   } else {
     fmt::print("{}: from {:.1f} m up, {} of {} posts are seen, {:.4g} km^2\n", one_line(arguments.output),
                eye_m, seen_posts, seen.size(), 1e-6 * area_m2);
@@ -95,6 +134,7 @@ void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainViewshedArguments>();
   CLI::App* command = terrain.add_subcommand("viewshed", "which ground is seen from a point, as a GeoTIFF");
   arguments->input.add_to(*command);
+  arguments->cache.add_to(*command);
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder);
   };
@@ -112,7 +152,8 @@ void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
 {}
 The raster has a byte for each post of the map, with its georeference: 255 seen, 0 not, and 128, its nodata value,
 where the map has a void. Ground hides what is behind it by the surface between its posts, which is exact, not by
-steps from post to post.
+steps from post to post. Of a tile store the raster covers the square that --radius-m reaches, in full detail;
+--cache-mb has to be enough for it, 12 bytes a post.
 
 Examples:
   offing terrain viewshed S33W071.tif --observer 47000,55000 -o seen.tif

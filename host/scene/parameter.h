@@ -73,7 +73,9 @@ enum class ParameterUse {
   chosen_cascades,     ///< whose patches are not given
   gerstner,            ///< with Gerstner waves
   dated_sun,           ///< under a sun that stands where its time says
-  terrain_file,        ///< with ground that is read from a file
+  terrain_file,        ///< with ground that is read from a file, but for tile stores
+  tile_store,          ///< with ground from a tile store
+  whole_map,           ///< with ground that is no tile store
   made_ground,         ///< with ground that is made
   dry_scene,           ///< with ground and without a sea
 };

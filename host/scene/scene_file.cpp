@@ -28,6 +28,9 @@ constexpr std::streamsize max_scene_bytes = 4 << 20;
 constexpr std::array<std::string_view, 6> planned_keys = {
     "world.sea_level_m", "ocean.wake", "body", "clouds", "mesh", "light"};
 
+/// What benchmarks take from a scene: nothing of it changes the scene.
+constexpr std::string_view bench_section = "bench";
+
 class SceneReader {
  public:
   SceneReader(std::string_view name, std::filesystem::path folder)
@@ -62,7 +65,7 @@ class SceneReader {
   void read_table(const toml::table& table, const std::string& prefix) {
     for (const auto& [key, node] : table) {
       const std::string full_key = prefix + std::string(key.str());
-      if (full_key == "version") {
+      if (full_key == "version" || (full_key == bench_section && node.is_table())) {
         continue;
       }
       if (const Parameter* parameter = find_parameter(full_key)) {
@@ -140,7 +143,8 @@ class SceneReader {
     }
     store(scene_, parameter, written_value(node), place);
     for (const auto& [file_key, file] : {std::pair("ocean.spectrum_file", &scene_.spectrum_file),
-                                         std::pair("terrain.file", &scene_.terrain.file)}) {
+                                         std::pair("terrain.file", &scene_.terrain.file),
+                                         std::pair("terrain.colour", &scene_.terrain.colour)}) {
       if (parameter.key == file_key) *file = (folder_ / *file).string();
     }
   }

@@ -11,8 +11,11 @@
 
 #include "host/base/error.h"
 #include "host/io/file_presence.h"
+#include "host/io/height_maps/read_colour_map.h"
 #include "host/io/height_maps/read_height_map.h"
+#include "host/io/tile_store/tile_store.h"
 #include "host/scene/parameter_table.h"
+#include "host/scene/stored_ground.h"
 #include "host/terrain/flying_camera.h"
 #include "host/terrain/row_makers.h"
 
@@ -20,13 +23,15 @@ namespace offing::scene {
 namespace {
 
 /// Rows that say where heights are, or what covers them.
-constexpr std::array<std::string_view, 5> keys_beside_heights{"terrain.origin_x_m", "terrain.origin_z_m",
-                                                              "terrain.water_line_m", "terrain.tree_line_m",
-                                                              "terrain.snow_line_m"};
+constexpr std::array<std::string_view, 7> keys_beside_heights{
+    "terrain.origin_x_m",  "terrain.origin_z_m", "terrain.water_line_m",  "terrain.tree_line_m",
+    "terrain.snow_line_m", "terrain.colour",     "terrain.sky_visibility"};
 
+/// A map, or one in tiles.
 struct Heights {
-  std::shared_ptr<const HeightMap> map;
-  std::optional<double> latitude_deg;
+  std::shared_ptr<const HeightMap> map = {};
+  std::shared_ptr<const world::GroundTiles> tiles = {};
+  std::optional<double> latitude_deg = {};
 };
 
 Heights made_heights(const TerrainScene& terrain) {
@@ -41,26 +46,53 @@ Heights made_heights(const TerrainScene& terrain) {
     const std::span<const float> rows = makers.make(first);
     map.heights_m.insert(map.heights_m.end(), rows.begin(), rows.end());
   }
-  return {.map = std::make_shared<const HeightMap>(std::move(map)), .latitude_deg = {}};
+  return {.map = std::make_shared<const HeightMap>(std::move(map))};
 }
 
-/// Faults are told where the scene names the file.
-Heights read_heights(const OceanScene& scene) {
-  const TerrainScene& terrain = scene.terrain;
-  const auto set_at = scene.set_at.find("terrain.file");
-  const std::string place = set_at == scene.set_at.end() ? "terrain.file" : set_at->second;
-  if (!is_there(terrain.file)) {
+/// What read() gives; faults are told where the scene names the file by this key.
+template <class Read>
+auto read_named(const OceanScene& scene, std::string_view key, const char* expected, const std::string& file,
+                Read read) {
+  const auto set_at = scene.set_at.find(key);
+  const std::string place = set_at == scene.set_at.end() ? std::string(key) : set_at->second;
+  if (!is_there(file)) {
     throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected a height map, got no such file, {}", place, terrain.file),
+                fmt::format("{}: expected {}, got no such file, {}", place, expected, file),
                 "check the path; in a scene it is relative to the scene file");
   }
   try {
-    HeightMapFile file = read_height_map(terrain.file, terrain.reading);
-    return {.map = std::make_shared<const HeightMap>(std::move(file.map)),
-            .latitude_deg = file.source.centre_latitude_deg};
+    return read();
   } catch (const Error& error) {
     throw Error(error.kind(), fmt::format("{}: {}", place, error.what()), error.hint());
   }
+}
+
+Heights read_heights(const OceanScene& scene) {
+  const TerrainScene& terrain = scene.terrain;
+  return read_named(scene, "terrain.file", "a height map", terrain.file, [&] {
+    if (is_tile_store(terrain.file)) {
+      const TileStore store(terrain.file);
+      constexpr std::size_t mebibyte = 1 << 20;
+      return Heights{.tiles = std::make_shared<const world::GroundTiles>(world::GroundTiles{
+                         .map = tiled_map(store.header()),
+                         .read = tile_reader(store),
+                         .cache_bytes = mebibyte * static_cast<std::size_t>(terrain.cache_mb)}),
+                     .latitude_deg = store.header().centre_latitude_deg};
+    }
+    HeightMapFile file = read_height_map(terrain.file, terrain.reading);
+    return Heights{.map = std::make_shared<const HeightMap>(std::move(file.map)),
+                   .latitude_deg = file.source.centre_latitude_deg};
+  });
+}
+
+std::shared_ptr<const ColourMap> read_colours(const OceanScene& scene, const Heights& heights) {
+  const std::string& file = scene.terrain.colour;
+  if (file.empty()) return nullptr;
+  return read_named(scene, "terrain.colour", "a picture of the ground", file, [&] {
+    return std::make_shared<const ColourMap>(
+        heights.map ? read_colour_map(file, *heights.map)
+                    : read_colour_map(file, place_of(TileStore(scene.terrain.file).header())));
+  });
 }
 
 /// The scene's lines, else those of the map's latitude. Below a sea nothing is painted as water.
@@ -73,13 +105,19 @@ world::CoverLines cover_of(const OceanScene& scene, std::optional<double> latitu
   return lines;
 }
 
-world::GroundParameters placed(const OceanScene& scene, const Heights& heights) {
-  const HeightMap& map = *heights.map;
-  return {.map = heights.map,
-          .origin_x_m = scene.terrain.origin_x_m.value_or(-0.5 * map.spacing_x_m * (map.columns - 1)),
-          .origin_z_m = scene.terrain.origin_z_m.value_or(-0.5 * map.spacing_z_m * (map.rows - 1)),
-          .latitude_deg = heights.latitude_deg,
-          .lines = cover_of(scene, heights.latitude_deg)};
+world::GroundParameters placed(const OceanScene& scene, const Heights& heights,
+                               std::shared_ptr<const ColourMap> colours) {
+  world::GroundParameters ground{
+      .map = heights.map,
+      .tiles = heights.tiles,
+      .latitude_deg = heights.latitude_deg,
+      .lines = cover_of(scene, heights.latitude_deg),
+      .colours = std::move(colours),
+      .sees_horizons = heights.map && scene.terrain.sky_visibility == SkyVisibility::on};
+  const terrain::GroundExtent extent = ground.extent();
+  ground.origin_x_m = scene.terrain.origin_x_m.value_or(-0.5 * extent.width_m);
+  ground.origin_z_m = scene.terrain.origin_z_m.value_or(-0.5 * extent.depth_m);
+  return ground;
 }
 
 bool is_of_heights(const Parameter& row) {
@@ -92,7 +130,8 @@ bool is_of_heights(const Parameter& row) {
 
 std::optional<world::GroundParameters> prepare_ground(const OceanScene& scene) {
   if (!scene.terrain.is_given) return std::nullopt;
-  return placed(scene, scene.terrain.file.empty() ? made_heights(scene.terrain) : read_heights(scene));
+  const Heights heights = scene.terrain.file.empty() ? made_heights(scene.terrain) : read_heights(scene);
+  return placed(scene, heights, read_colours(scene, heights));
 }
 
 std::optional<world::GroundParameters> edited_ground(const std::optional<world::GroundParameters>& now,
@@ -103,7 +142,9 @@ std::optional<world::GroundParameters> edited_ground(const std::optional<world::
            value_text(before, row, Digits::exact) != value_text(after, row, Digits::exact);
   });
   if (!after.terrain.is_given || are_other_heights) return prepare_ground(after);
-  return placed(after, {.map = now->map, .latitude_deg = now->latitude_deg});
+  const Heights heights{.map = now->map, .tiles = now->tiles, .latitude_deg = now->latitude_deg};
+  const bool are_same_colours = before.terrain.colour == after.terrain.colour;
+  return placed(after, heights, are_same_colours ? now->colours : read_colours(after, heights));
 }
 
 void stand_on_ground(const world::GroundView& ground, ViewScene& view) {
@@ -119,7 +160,7 @@ void place_camera(OceanScene& scene, const std::optional<world::GroundParameters
   }
   if (!ground) return;
   Camera& camera = scene.view.camera;
-  const Camera placed = terrain::flying_camera(terrain::extent_of(*ground->map));
+  const Camera placed = terrain::flying_camera(ground->extent());
   camera.eye_m = placed.eye_m + glm::dvec3(ground->origin_x_m, 0.0, ground->origin_z_m);
   camera.yaw_rad = placed.yaw_rad;
   camera.pitch_rad = placed.pitch_rad;

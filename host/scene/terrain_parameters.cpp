@@ -39,7 +39,7 @@ std::vector<Parameter> file_rows() {
        .flag = "",
        .group = group,
        .storage = &member<ground, &TerrainScene::file>,
-       .help = "height map: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR, .r16, .r32",
+       .help = "height map: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR, .r16, .r32; or a tile store",
        .example = "andes.tif",
        .absent = "none: made ground"},
       {.key = "terrain.vertical_scale",
@@ -154,6 +154,15 @@ std::vector<Parameter> file_rows() {
        .storage = choice<ground, reading, &HeightMapOptions::raw_byte_order>({"little", "big"}),
        .help = "byte order of a file without a header",
        .use = use},
+      {.key = "terrain.cache_mb",
+       .flag = "",
+       .group = group,
+       .storage = &member<ground, &TerrainScene::cache_mb>,
+       .unit = "MiB",
+       .low = 32.0,
+       .high = 65536.0,
+       .help = "memory for the tiles of a tile store",
+       .use = ParameterUse::tile_store},
   };
 }
 
@@ -285,6 +294,21 @@ std::vector<Parameter> place_rows() {
        .help = "where snow begins",
        .example = "2600",
        .absent = "by the latitude that the file tells, else 2800"},
+      {.key = "terrain.colour",
+       .flag = "",
+       .group = group,
+       .storage = &member<ground, &TerrainScene::colour>,
+       .help = "picture of the ground from above (GeoTIFF, PNG ...), placed by its georeference or else "
+               "stretched over the map",
+       .example = "orthophoto.tif",
+       .absent = "none: colours by height and slope"},
+      {.key = "terrain.sky_visibility",
+       .flag = "",
+       .group = group,
+       .storage = choice<ground, &TerrainScene::sky_visibility>({"off", "on"}),
+       .help =
+           "whether ground around a place hides the sky's light from it; costs a second or two at the start",
+       .use = ParameterUse::whole_map},
   };
 }
 

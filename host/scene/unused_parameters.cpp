@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "host/io/tile_store/tile_store.h"
 #include "host/scene/parameter_table.h"
 
 namespace offing::scene {
@@ -79,7 +80,12 @@ class Reasons {
       case ParameterUse::dated_sun:
         return scene_.view.sun_time_utc ? "" : "sun.time_utc is not given";
       case ParameterUse::terrain_file:
-        return scene_.terrain.file.empty() ? "terrain.file is not given, the ground is made" : "";
+        return scene_.terrain.file.empty() ? "terrain.file is not given, the ground is made"
+                                           : against(ParameterUse::whole_map);
+      case ParameterUse::tile_store:
+        return is_tile_store(scene_.terrain.file) ? "" : "terrain.file is no tile store";
+      case ParameterUse::whole_map:
+        return is_tile_store(scene_.terrain.file) ? "the ground is that of a tile store" : "";
       case ParameterUse::made_ground:
         return scene_.terrain.file.empty() ? "" : "the ground is that of " + scene_.terrain.file;
       case ParameterUse::dry_scene:

@@ -68,8 +68,8 @@ FractalGround::FractalGround(const FractalParameters& parameters) : parameters_(
 }
 
 void FractalGround::fill_lattice(Octave& octave, int lattice_row, std::vector<Gradient>& gradients) const {
-  const auto columns = static_cast<std::size_t>(parameters_.side_m / octave.wavelength_m) + 2;
-  gradients.resize(columns);
+  const auto columns = static_cast<std::size_t>(parameters_.side_m / octave.wavelength_m) + 3;
+  gradients.resize(columns);  // one on each side of the last post, which rounding may put beyond the side
   for (std::size_t column = 0; column < columns; ++column) {
     const PhiloxBlock block =
         philox_block(static_cast<std::uint32_t>(parameters_.seed),

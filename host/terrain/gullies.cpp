@@ -20,7 +20,8 @@ constexpr double half_deep_slope = 0.35;
 Gullies::Gullies(double width_m, double depth, double side_m, std::uint64_t seed, int index)
     : width_m_(width_m),
       depth_(depth),
-      columns_(static_cast<int>(side_m / width_m * cells_a_width) + 3),
+      columns_(static_cast<int>(side_m / width_m * cells_a_width) +
+               4),  // of which rounding may need the last
       seed_(seed),
       index_(index),
       top_(std::numeric_limits<int>::min()) {}

@@ -57,6 +57,11 @@ void PageTable::lay(const TileKey& covered, const TileKey& resident, int slot,
   }
 }
 
+int PageTable::level_at(int column, int row) const {
+  return static_cast<int>(pages_[static_cast<std::size_t>(row * pages_shape_.columns + column)]) %
+         TERRAIN_PAGE_LEVELS;
+}
+
 void PageTable::reduce_lids() {
   auto below = static_cast<std::size_t>(0);
   for (int level = 1; level <= pages_shape_.top_level - TERRAIN_TILE_LOG2; ++level) {

@@ -28,6 +28,9 @@ class PageTable {
   /// Once every square has been laid.
   void reduce_lids();
 
+  /// Level of the tile that lies on a square.
+  int level_at(int column, int row) const;
+
   const PagesShape& shape() const { return pages_shape_; }
   const std::vector<float>& pages() const { return pages_; }    ///< [rows][columns]
   const std::vector<float>& lids_m() const { return lids_m_; }  ///< level 8 and up, one behind the other

@@ -74,6 +74,11 @@ PostGrid post_grid(const HeightMap& map) {
           .spacing_z_m = map.spacing_z_m};
 }
 
+double cells_beyond(const PostGrid& grid, double x_m, double z_m) {
+  const double x = (x_m - grid.origin_x_m) / grid.spacing_x_m, z = (z_m - grid.origin_z_m) / grid.spacing_z_m;
+  return std::max({0.0, -x, x - (grid.columns - 1), -z, z - (grid.rows - 1)});
+}
+
 void require_valid(const Ray& ray, const PostGrid& grid) {
   for (int axis = 0; axis < 3; ++axis) {
     if (std::isfinite(ray.origin_m[axis]) && std::isfinite(ray.direction[axis])) continue;
@@ -90,14 +95,11 @@ void require_valid(const Ray& ray, const PostGrid& grid) {
     refuse(fmt::format("ray: limit_m: expected 0 or more, found {:g}", ray.limit_m),
            "leave limit_m out for no limit");
   }
-  const glm::dvec2 place((ray.origin_m.x - grid.origin_x_m) / grid.spacing_x_m,
-                         (ray.origin_m.z - grid.origin_z_m) / grid.spacing_z_m);
-  for (const double cells : {place.x, place.y}) {
-    if (std::abs(cells) > farthest_origin_cells) {
-      refuse(fmt::format("ray: expected an origin within {:g} cells of the map, found {:g}",
-                         farthest_origin_cells, cells),
-             "move the origin toward the map");
-    }
+  const double beyond = cells_beyond(grid, ray.origin_m.x, ray.origin_m.z);
+  if (beyond > farthest_origin_cells) {
+    refuse(fmt::format("ray: expected an origin within {:g} cells of the map, found {:g}",
+                       farthest_origin_cells, beyond),
+           "move the origin toward the map");
   }
 }
 

@@ -34,6 +34,9 @@ PostGrid post_grid(const HeightMap& map);
 /// The farthest that a ray may start from a map: whole cells from there to a border are exact as floats.
 inline constexpr double farthest_origin_cells = 1 << 22;
 
+/// How far a place lies beyond the map's edges, cells; 0 within.
+double cells_beyond(const PostGrid& grid, double x_m, double z_m);
+
 /// Throws Error(bad_input) unless origin and direction are finite, the direction's length is 1 within 1e-4,
 /// the origin is at most 2^22 cells from the map, and the limit is not below 0.
 void require_valid(const Ray& ray, const PostGrid& grid);

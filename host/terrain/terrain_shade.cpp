@@ -76,6 +76,8 @@ void TerrainShade::paint(const Kernels& kernels, const SeenGround& ground, const
   pixels_ = pixels;
   if (needs_.size() < pixels) needs_ = ocl::Buffer<std::uint8_t>(device_, pixels, "terrain needs");
   TerrainLook device_look{};
+  device_look.hidden_below_m = static_cast<float>(look.sea.below_m);
+  device_look.hidden_bend_perm = static_cast<float>(look.sea.bend_perm);
   if (look.colours != nullptr) look.colours->describe(device_look);
   if (look.open_sky != nullptr) look.open_sky->describe(device_look);
   const auto& colours = look.colours != nullptr ? look.colours->colours() : no_colours_;

@@ -37,11 +37,18 @@ struct Sampling {
   double least_contrast = 0.2;  ///< below 0: all pixels get all of them
 };
 
+/// A sea that is drawn over its bed: pixels do not see ground that lies deeper than this.
+struct SeaOverGround {
+  double below_m = -1e30;
+  double bend_perm = 0.0;  ///< the depth grows by this times the square of the distance
+};
+
 /// What lies on the ground, and how finely it is drawn. What is pointed to is not kept.
 struct GroundLook {
   Sampling sampling = {};
   const ColourLayer* colours = nullptr;  ///< none: cover by height and slope
   const OpenSky* open_sky = nullptr;     ///< none: nothing but its own slope hides the sky from ground
+  SeaOverGround sea = {};
 };
 
 /// The light that a camera sees of the ground: its colours, or cover by height and slope, the sun with soft

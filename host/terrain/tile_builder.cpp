@@ -61,7 +61,10 @@ float mean(float a, float b) {
 }  // namespace
 
 TileBuilder::TileBuilder(const TileSetShape& shape, std::function<void(HeightTile)> take)
-    : shape_(shape), take_(std::move(take)), levels_(static_cast<std::size_t>(shape.levels)) {
+    : shape_(shape),
+      take_(std::move(take)),
+      levels_(static_cast<std::size_t>(shape.levels)),
+      is_void_(rows_kept) {
   for (int level = 0; level < shape.levels; ++level) {
     Level& of = levels_[static_cast<std::size_t>(level)];
     of.posts_x = shape.cells_x(level) + 1;
@@ -71,7 +74,11 @@ TileBuilder::TileBuilder(const TileSetShape& shape, std::function<void(HeightTil
   }
 }
 
-void TileBuilder::add_row(std::span<const float> heights_m) {
+void TileBuilder::add_row(std::span<const float> heights_m, std::span<const std::uint8_t> is_void) {
+  const bool has_voids =
+      std::any_of(is_void.begin(), is_void.end(), [](std::uint8_t each) { return each != 0; });
+  is_void_[static_cast<std::size_t>(levels_.front().rows % rows_kept)].assign(
+      is_void.begin(), has_voids ? is_void.end() : is_void.begin());
   add_posts(0, heights_m, heights_m);
   if (!row_before_m_.empty() && shape_.levels > 1) {
     const std::size_t cells = heights_m.size() - 1;
@@ -173,8 +180,26 @@ void TileBuilder::cut_tiles(int level) {
         tile.means_m.push_back(is_beyond ? 2.0f * at - inner.straight(first + i) : at);
       }
     }
+    if (level == 0) cut_voids(tile);
     take_(std::move(tile));
   }
+}
+
+void TileBuilder::cut_voids(HeightTile& tile) const {
+  const int first_row = tile.key.row * tile_cells, first = tile.key.column * tile_cells;
+  std::vector<std::uint8_t> mask(static_cast<std::size_t>(tile_posts) * tile_posts);
+  bool has_voids = false;
+  for (int row = 0; row < std::min(tile_posts, shape_.rows - first_row); ++row) {
+    const std::vector<std::uint8_t>& is_void =
+        is_void_[static_cast<std::size_t>((first_row + row) % rows_kept)];
+    if (is_void.empty()) continue;
+    for (int i = 0; i < std::min(tile_posts, shape_.columns - first); ++i) {
+      const std::uint8_t here = is_void[static_cast<std::size_t>(first + i)];
+      mask[static_cast<std::size_t>(row * tile_posts + i)] = here;
+      has_voids = has_voids || here != 0;
+    }
+  }
+  if (has_voids) tile.is_void = std::move(mask);
 }
 
 }  // namespace offing::terrain

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -15,8 +16,8 @@ class TileBuilder {
   /// `take` gets each tile once, in an order that depends on nothing but the shape.
   TileBuilder(const TileSetShape& shape, std::function<void(HeightTile)> take);
 
-  /// Heights [columns] m of the next row.
-  void add_row(std::span<const float> heights_m);
+  /// Heights [columns] m of the next row, and 1 where nothing was measured; none where all was.
+  void add_row(std::span<const float> heights_m, std::span<const std::uint8_t> is_void = {});
 
  private:
   /// Of cells of a level, or of posts.
@@ -38,11 +39,13 @@ class TileBuilder {
   void add_cells_below(int level, const CellRow& cells);
   void add_cells(int level, const CellRow& cells);
   void cut_tiles(int level);
+  void cut_voids(HeightTile& tile) const;
 
   TileSetShape shape_;
   std::function<void(HeightTile)> take_;
   std::vector<Level> levels_;
   std::vector<float> row_before_m_;
+  std::vector<std::vector<std::uint8_t>> is_void_;  ///< as highest_m of level 0; empty rows have no voids
 };
 
 }  // namespace offing::terrain

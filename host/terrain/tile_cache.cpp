@@ -111,8 +111,9 @@ void TileCache::put(int slot, TileImage image) {
   ++loaded_;
 }
 
-void TileCache::take(TileLoader::Loaded loaded) {
+void TileCache::take(TileLoader::Loaded loaded, Unreadable unreadable) {
   if (!loaded.image) {
+    if (unreadable == Unreadable::refused) throw Error(ErrorKind::bad_input, loaded.failure, loaded.hint);
     if (failed_.insert(loaded.key).second) {
       spdlog::warn("{}; coarser ground stands in for it", loaded.failure);
     }
@@ -123,13 +124,13 @@ void TileCache::take(TileLoader::Loaded loaded) {
   if (slot && !places_.contains(loaded.key)) put(*slot, std::move(*loaded.image));
 }
 
-void TileCache::take_in() {
-  while (auto loaded = loader_.take()) take(std::move(*loaded));
+void TileCache::take_in(Unreadable unreadable) {
+  while (auto loaded = loader_.take()) take(std::move(*loaded), unreadable);
 }
 
-bool TileCache::wait_and_take_in() {
+bool TileCache::wait_and_take_in(Unreadable unreadable) {
   if (!loader_.wait()) return false;
-  take_in();
+  take_in(unreadable);
   return true;
 }
 

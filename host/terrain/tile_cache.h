@@ -28,10 +28,11 @@ class TileCache {
   /// What to load, most wanted first; tiles that are there, or cannot be read, are left out. Returns how many
   /// are on the list.
   std::size_t want(const std::vector<TileKey>& keys);
-  /// Takes tiles that have been loaded into slots that this frame does not use.
-  void take_in();
+  /// Takes tiles that have been loaded into slots that this frame does not use. Of those that cannot be read
+  /// a warning names each; or Error(bad_input), if they are refused.
+  void take_in(Unreadable unreadable = Unreadable::stood_in_for);
   /// The same once something has been loaded; false if nothing is wanted any more.
-  bool wait_and_take_in();
+  bool wait_and_take_in(Unreadable unreadable = Unreadable::stood_in_for);
 
   const ocl::Buffer<float>& pool() const { return pool_; }
   /// Lids of nodes of whole squares, at the pool's beginning.
@@ -40,6 +41,8 @@ class TileCache {
     return slots_[static_cast<std::size_t>(slot)].square_lids_m;
   }
   std::size_t slot_count() const { return slots_.size(); }
+  /// Of the slots, those that the coarsest level has for ever.
+  std::size_t coarsest_count() const { return coarsest_m_.size(); }
   std::size_t bytes() const;
   std::uint64_t loaded() const { return loaded_; }
   std::uint64_t failed() const { return failed_.size(); }
@@ -56,7 +59,7 @@ class TileCache {
   std::size_t head_floats() const;
   std::optional<int> free_slot() const;
   void put(int slot, TileImage image);
-  void take(TileLoader::Loaded loaded);
+  void take(TileLoader::Loaded loaded, Unreadable unreadable);
 
   TiledMap map_;
   std::vector<Slot> slots_;

@@ -39,9 +39,9 @@ class Cut {
 
   Candidate candidate(const TileKey& key) const {
     const double scale = std::ldexp(1.0, key.level), tile = scale * tile_cells;
-    const double x = distance_to(view_.eye_x_m, tile * key.column * map_.spacing_x_m,
+    const double x = distance_to(view_.eye_x_m - map_.origin_x_m, tile * key.column * map_.spacing_x_m,
                                  tile * (key.column + 1) * map_.spacing_x_m, map_.width_m(), map_.edge);
-    const double z = distance_to(view_.eye_z_m, tile * key.row * map_.spacing_z_m,
+    const double z = distance_to(view_.eye_z_m - map_.origin_z_m, tile * key.row * map_.spacing_z_m,
                                  tile * (key.row + 1) * map_.spacing_z_m, map_.depth_m(), map_.edge);
     const double distance_m = std::max(std::hypot(x, z, view_.above_m), 1e-3);
     return {scale * std::max(map_.spacing_x_m, map_.spacing_z_m) / (distance_m * view_.pixel_rad), key};

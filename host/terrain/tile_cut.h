@@ -13,12 +13,13 @@ enum class MapEdge {
   mirrors,  ///< it goes back
 };
 
-/// A map as its tiles have it, the first post at x = z = 0.
+/// A map as its tiles have it.
 struct TiledMap {
   TileSetShape shape;
   double spacing_x_m = 1.0, spacing_z_m = 1.0;
   float lowest_m = 0.0f, highest_m = 0.0f;
   MapEdge edge = MapEdge::ends;
+  double origin_x_m = 0.0, origin_z_m = 0.0;  ///< of the first post
 
   double width_m() const { return spacing_x_m * (shape.columns - 1); }
   double depth_m() const { return spacing_z_m * (shape.rows - 1); }

@@ -17,6 +17,12 @@ namespace offing::terrain {
 /// Gives a tile, or throws; called from a thread of its own.
 using TileReader = std::function<HeightTile(const TileKey&)>;
 
+/// What becomes of a tile that cannot be read.
+enum class Unreadable {
+  refused,      ///< what is asked is not answered: an error names the tile
+  stood_in_for  ///< by a coarser one
+};
+
 /// A thread that reads tiles and makes images of them, most wanted first.
 class TileLoader {
  public:

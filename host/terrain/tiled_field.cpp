@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -9,6 +10,7 @@
 
 #include "host/base/error.h"
 #include "host/ocl/program.h"
+#include "host/terrain/fine_cast.h"
 #include "host/terrain/page_table.h"
 #include "host/terrain/picture.h"
 #include "host/terrain/tile_cache.h"
@@ -21,13 +23,18 @@ namespace {
 constexpr double cut_share = 0.75;
 // A ray from outside begins where a level has about this many nodes.
 constexpr int levels_below_top = 3;
+// By how much finer a tile is taken where a ray hits a coarse one: a ray that passes high above the ground
+// asks for few tiles, one that hits it for two.
+constexpr int levels_a_try = 4;
 constexpr std::size_t rays_at_once = std::size_t{1} << 18;
 
 PostGrid grid_of(const TiledMap& map) {
   return {.columns = map.shape.columns,
           .rows = map.shape.rows,
           .spacing_x_m = map.spacing_x_m,
-          .spacing_z_m = map.spacing_z_m};
+          .spacing_z_m = map.spacing_z_m,
+          .origin_x_m = map.origin_x_m,
+          .origin_z_m = map.origin_z_m};
 }
 
 CutView view_of(const TiledMap& map, const Camera& camera) {
@@ -61,7 +68,7 @@ struct TiledField::State {
   ocl::Buffer<float> pages;
   Statistics statistics;
   std::optional<glm::dvec3> last_eye_m;
-  std::optional<ocl::Kernel> distance_kernel, picture_kernel, ray_kernel;
+  std::optional<ocl::Kernel> distance_kernel, picture_kernel, ray_kernel, curved_kernel;
 
   State(const ocl::Device& on, const TiledMap& of, TileReader read, std::size_t cache_bytes)
       : device(on),
@@ -100,6 +107,32 @@ struct TiledField::State {
     statistics.failed = cache.failed();
     statistics.slots = cache.slot_count();
     statistics.bytes = cache.bytes() + pages.size() * sizeof(float);
+  }
+
+  /// The finer tile that a hit asks for, unless it is on one of level 0.
+  std::optional<TileKey> finer_tile(const TerrainHit& hit) const {
+    if (hit.kind == TERRAIN_MISS) return std::nullopt;
+    const int column = hit.cell_x / tile_cells, row = hit.cell_z / tile_cells;
+    const int level = table.level_at(column, row);
+    if (level == 0) return std::nullopt;
+    const int finer = std::max(0, level - levels_a_try);
+    return TileKey{finer, column >> finer, row >> finer};
+  }
+
+  /// Waits for these tiles, and lays them over the coarsest.
+  void lay_fine(std::vector<TileKey> keys) {
+    do {
+      cache.begin_frame();
+      for (const TileKey& key : keys) cache.use(key);
+    } while (cache.want(keys) > 0 && cache.wait_and_take_in(Unreadable::refused));
+    const int coarsest = map.shape.coarsest();
+    for (int row = 0; row < map.shape.tiles_z(coarsest); ++row) {
+      for (int column = 0; column < map.shape.tiles_x(coarsest); ++column)
+        keys.push_back({coarsest, column, row});
+    }
+    // Coarse ones first: finer ones lie over them.
+    std::sort(keys.begin(), keys.end(), std::greater<>());
+    lay(keys);
   }
 
   /// What the camera wants where it will be.
@@ -163,7 +196,8 @@ struct TiledField::State {
     if (map.edge == MapEdge::ends) return place_m;
     const double copies = map.edge == MapEdge::mirrors ? 2.0 : 1.0;
     const auto bring = [](double at, double period) { return at - std::floor(at / period) * period; };
-    return {bring(place_m.x, copies * map.width_m()), place_m.y, bring(place_m.z, copies * map.depth_m())};
+    return {map.origin_x_m + bring(place_m.x - map.origin_x_m, copies * map.width_m()), place_m.y,
+            map.origin_z_m + bring(place_m.z - map.origin_z_m, copies * map.depth_m())};
   }
 
   TerrainView device_view(Camera camera) const {
@@ -176,6 +210,36 @@ struct TiledField::State {
     if (statistics.tiles > 0) return;
     throw Error(ErrorKind::bad_usage, "tiled field: expected tiles to be chosen before rays are cast",
                 "call look() first");
+  }
+
+  /// `bends` are what the kernel takes with IS_CURVED.
+  template <class... Bends>
+  std::vector<TerrainHit> cast_rays(std::optional<ocl::Kernel>& kernel, const ocl::Defines& definitions,
+                                    std::span<const Ray> rays, Bends... bends) {
+    std::vector<TerrainHit> hits(rays.size());
+    if (rays.empty()) return hits;
+    if (!kernel) kernel = ocl::Program::build(device, "terrain/ray_cast.cl", definitions).kernel("ray_cast");
+    const auto rays_each = static_cast<std::size_t>(lanes);
+    const std::size_t most = std::min(rays.size(), rays_at_once);
+    ocl::Buffer<TerrainRay> packed_on_device(device, most, "rays");
+    ocl::Buffer<TerrainHit> hits_on_device(device, most, "hits");
+    std::vector<TerrainRay> packed(most);
+    for (std::size_t first = 0; first < rays.size(); first += most) {
+      const std::size_t count = std::min(most, rays.size() - first);
+      for (std::size_t i = 0; i < count; ++i) {
+        Ray ray = rays[first + i];
+        ray.origin_m = near_place(ray.origin_m);
+        require_valid(ray, grid);
+        packed[i] = device_ray(ray, grid);
+      }
+      packed_on_device.write(std::span(packed).first(count));
+      ocl::LaunchShape shape{{(count + rays_each - 1) / rays_each}};
+      if (lanes > 1) shape.local = {1};
+      kernel->launch(shape, cache.pool(), pages, field(), packed_on_device, static_cast<int>(count),
+                     hits_on_device, bends...);
+      hits_on_device.read(std::span(hits).subspan(first, count));
+    }
+    return hits;
   }
 
   template <class Record>
@@ -208,6 +272,7 @@ const ocl::Buffer<float>& TiledField::pool() const {
   return state_->cache.pool();
 }
 const ocl::Buffer<float>& TiledField::pages() const {
+  state_->require_look();
   return state_->pages;
 }
 const TiledField::Statistics& TiledField::statistics() const {
@@ -238,33 +303,28 @@ void TiledField::cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits) {
 
 std::vector<TerrainHit> TiledField::cast(std::span<const Ray> rays) {
   state_->require_look();
-  std::vector<TerrainHit> hits(rays.size());
-  if (rays.empty()) return hits;
-  if (!state_->ray_kernel) {
-    state_->ray_kernel =
-        ocl::Program::build(state_->device, "terrain/ray_cast.cl", state_->defines()).kernel("ray_cast");
+  return state_->cast_rays(state_->ray_kernel, state_->defines(), rays);
+}
+
+std::vector<TerrainHit> TiledField::cast_fully(std::span<const Ray> rays, const EarthCurve& curve) {
+  require_valid(curve);
+  if (map().edge != MapEdge::ends) {
+    throw Error(ErrorKind::bad_usage, "tiled field: expected a map that ends, found one that goes on",
+                "ask the map itself");
   }
-  const auto lanes = static_cast<std::size_t>(state_->lanes);
-  const std::size_t most = std::min(rays.size(), rays_at_once);
-  ocl::Buffer<TerrainRay> packed_on_device(state_->device, most, "rays");
-  ocl::Buffer<TerrainHit> hits_on_device(state_->device, most, "hits");
-  std::vector<TerrainRay> packed(most);
-  for (std::size_t first = 0; first < rays.size(); first += most) {
-    const std::size_t count = std::min(most, rays.size() - first);
-    for (std::size_t i = 0; i < count; ++i) {
-      Ray ray = rays[first + i];
-      ray.origin_m = state_->near_place(ray.origin_m);
-      require_valid(ray, state_->grid);
-      packed[i] = device_ray(ray, state_->grid);
-    }
-    packed_on_device.write(std::span(packed).first(count));
-    ocl::LaunchShape shape{{(count + lanes - 1) / lanes}};
-    if (lanes > 1) shape.local = {1};
-    state_->ray_kernel->launch(shape, pool(), pages(), device_field(), packed_on_device,
-                               static_cast<int>(count), hits_on_device);
-    hits_on_device.read(std::span(hits).subspan(first, count));
-  }
-  return hits;
+  const auto bend_m = [&](double spacing_m) {
+    return static_cast<float>(curve.bend_perm() * spacing_m * spacing_m);
+  };
+  const bool is_flat = curve.bend_perm() == 0.0;
+  const auto cast = [&](std::span<const Ray> some) {
+    if (is_flat) return state_->cast_rays(state_->ray_kernel, state_->defines(), some);
+    return state_->cast_rays(state_->curved_kernel, state_->defines().set_flag("IS_CURVED"), some,
+                             bend_m(map().spacing_x_m), bend_m(map().spacing_z_m));
+  };
+  return cast_until_fine(rays, {.most_tiles = state_->cache.slot_count() - state_->cache.coarsest_count(),
+                                .lay = [&](const std::vector<TileKey>& keys) { state_->lay_fine(keys); },
+                                .finer_tile = [&](const TerrainHit& hit) { return state_->finer_tile(hit); },
+                                .cast = cast});
 }
 
 float TiledField::coarse_height_m(double x_m, double z_m) const {
@@ -273,8 +333,8 @@ float TiledField::coarse_height_m(double x_m, double z_m) const {
   const auto post_of = [&](double place_m, double spacing_m, int cells) {
     return std::clamp(static_cast<int>(std::lround(std::ldexp(place_m / spacing_m, -level))), 0, cells - 1);
   };
-  const int x = post_of(x_m, map.spacing_x_m, map.shape.cells_x(level)),
-            z = post_of(z_m, map.spacing_z_m, map.shape.cells_z(level));
+  const int x = post_of(x_m - map.origin_x_m, map.spacing_x_m, map.shape.cells_x(level)),
+            z = post_of(z_m - map.origin_z_m, map.spacing_z_m, map.shape.cells_z(level));
   const std::vector<float>& heights_m = state_->cache.coarsest_m(x / tile_cells, z / tile_cells);
   return heights_m[static_cast<std::size_t>(z % tile_cells * tile_posts + x % tile_cells)];
 }

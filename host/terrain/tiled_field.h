@@ -9,6 +9,7 @@
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 #include "host/ocl/program.h"
+#include "host/terrain/earth_curve.h"
 #include "host/terrain/ray.h"
 #include "host/terrain/tile_cut.h"
 #include "host/terrain/tile_loader.h"
@@ -46,7 +47,7 @@ class TiledField {
   ~TiledField();
 
   const TiledMap& map() const;
-  /// Places of the map's posts; the first is at x = z = 0.
+  /// Places of the map's posts.
   const PostGrid& grid() const;
 
   /// Chooses tiles for a camera, takes in those that have been loaded and asks for the others, and then for
@@ -64,6 +65,13 @@ class TiledField {
   /// The same for rays in host memory; waits.
   std::vector<TerrainHit> cast(std::span<const Ray> rays);
 
+  /// What the rays hit first of the map itself, whatever tiles the last look() chose: those of level 0 are
+  /// loaded wherever a ray does not pass above coarser ones, and waited for. `curve` as HeightField::cast()
+  /// takes it. Needs no look(), and another one is due before the next picture. Throws Error(bad_usage) for a
+  /// map that repeats or mirrors, Error(bad_input) for a tile that cannot be read, and where a single ray
+  /// needs more tiles than there are slots.
+  std::vector<TerrainHit> cast_fully(std::span<const Ray> rays, const EarthCurve& curve = {});
+
   /// Highest post of the coarsest level around a place of the plan, which is held to the map: nothing there
   /// is higher.
   float coarse_height_m(double x_m, double z_m) const;
@@ -73,6 +81,7 @@ class TiledField {
   /// As kernels take it with TILED.
   TerrainField device_field() const;
   const ocl::Buffer<float>& pool() const;
+  /// Throws Error(bad_usage) before the first look.
   const ocl::Buffer<float>& pages() const;
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -41,22 +42,21 @@ void require_valid(const WalkerParameters& parameters) {
           gravity_mps2);
 }
 
-Walker::Walker(const HeightMap& map, const WalkerParameters& parameters)
-    : map_(&map),
+Walker::Walker(GroundPosts posts, const WalkerParameters& parameters)
+    : posts_(std::move(posts)),
       parameters_(parameters),
       least_normal_y_(std::cos(parameters.slope_limit_rad)),
       friction_(std::tan(parameters.slope_limit_rad)) {
   require_valid(parameters);
-  reset(0.5 * map.spacing_x_m * (map.columns - 1), 0.5 * map.spacing_z_m * (map.rows - 1));
+  reset(0.5 * posts_.width_m(), 0.5 * posts_.depth_m());
 }
 
 void Walker::reset(double x_m, double z_m, double time_s) {
-  const auto ground = ground_at(*map_, x_m, z_m);
+  const auto ground = ground_at(posts_, x_m, z_m);
   if (!ground) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("walker: expected a place within the map, found {:g}, {:g} m", x_m, z_m),
-                fmt::format("it reaches from 0 to {:g} m and {:g} m", map_->spacing_x_m * (map_->columns - 1),
-                            map_->spacing_z_m * (map_->rows - 1)));
+                fmt::format("it reaches from 0 to {:g} m and {:g} m", posts_.width_m(), posts_.depth_m()));
   }
   require(std::isfinite(time_s), "time_s", "a finite time", time_s);
   start_s_ = time_s_ = time_s;
@@ -84,7 +84,7 @@ void Walker::advance_to(double time_s, glm::dvec2 wanted_mps) {
 }
 
 glm::dvec2 Walker::within_map(glm::dvec2 place_m) const {
-  const glm::dvec2 extent_m(map_->spacing_x_m * (map_->columns - 1), map_->spacing_z_m * (map_->rows - 1));
+  const glm::dvec2 extent_m(posts_.width_m(), posts_.depth_m());
   return glm::clamp(place_m, glm::dvec2(0.0), extent_m);
 }
 
@@ -95,7 +95,7 @@ bool Walker::holds(const glm::dvec3& normal) const {
 void Walker::step(Feet& feet, double duration_s, glm::dvec2 wanted_mps) const {
   const glm::dvec2 falling_mps(feet.velocity_mps.x, feet.velocity_mps.z);
   const double way_m = glm::length(feet.is_falling ? falling_mps : wanted_mps) * duration_s;
-  const double part_m = longest_part_cells * std::min(map_->spacing_x_m, map_->spacing_z_m);
+  const double part_m = longest_part_cells * std::min(posts_.spacing_x_m, posts_.spacing_z_m);
   const double parts = std::max(1.0, std::ceil(way_m / part_m));
   for (double part = 0.0; part < parts; ++part) {
     if (feet.is_falling) {
@@ -114,7 +114,7 @@ void Walker::walk(Feet& feet, double duration_s, glm::dvec2 wanted_mps) const {
     feet.place_m = next_m;
   };
   const glm::dvec2 wanted_m = within_map(from_m + duration_s * wanted_mps);
-  const GroundPoint ahead = *ground_at(*map_, wanted_m.x, wanted_m.y);
+  const GroundPoint ahead = *ground_at(posts_, wanted_m.x, wanted_m.y);
   if (wanted_m == from_m || holds(ahead.normal)) return go_to(wanted_m, ahead.height_m);
   if (ahead.height_m < feet.place_m.y) {
     const glm::dvec2 velocity_mps = (wanted_m - from_m) / duration_s;
@@ -128,7 +128,7 @@ void Walker::walk(Feet& feet, double duration_s, glm::dvec2 wanted_mps) const {
   for (const glm::dvec2 along_mps :
        {wanted_mps - against_mps * uphill, glm::dvec2(wanted_mps.x, 0.0), glm::dvec2(0.0, wanted_mps.y)}) {
     const glm::dvec2 place_m = within_map(from_m + duration_s * along_mps);
-    const GroundPoint ground = *ground_at(*map_, place_m.x, place_m.y);
+    const GroundPoint ground = *ground_at(posts_, place_m.x, place_m.y);
     if (holds(ground.normal)) return go_to(place_m, ground.height_m);
   }
   feet.velocity_mps = glm::dvec3(0.0);
@@ -148,7 +148,7 @@ void Walker::fall(Feet& feet, double duration_s) const {
   const glm::dvec2 place_m = within_map(ahead_m);
   if (place_m.x != ahead_m.x) velocity_mps.x = 0.0;
   if (place_m.y != ahead_m.y) velocity_mps.z = 0.0;
-  const GroundPoint ground = *ground_at(*map_, place_m.x, place_m.y);
+  const GroundPoint ground = *ground_at(posts_, place_m.x, place_m.y);
   const double height_m = feet.place_m.y + duration_s * (velocity_mps.y - 0.5 * gained_mps);
   velocity_mps.y -= gained_mps;
   feet.place_m = {place_m.x, std::max(height_m, ground.height_m), place_m.y};

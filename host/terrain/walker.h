@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "host/base/height_map.h"
+#include "host/terrain/ground.h"
 
 namespace offing::terrain {
 
@@ -41,8 +41,9 @@ class Walker {
  public:
   static constexpr double step_s = 1.0 / 120.0;
 
-  /// The map must outlive the walker, who stands in its middle. Throws what require_valid() throws.
-  explicit Walker(const HeightMap& map, const WalkerParameters& parameters = {});
+  /// Stands in the middle of the map. Throws what require_valid() throws, and everywhere what asking for
+  /// posts throws.
+  explicit Walker(GroundPosts posts, const WalkerParameters& parameters = {});
 
   /// At rest on the ground under (x_m, z_m), at a time. Throws Error(bad_input) beyond the map's edge.
   void reset(double x_m, double z_m, double time_s = 0.0);
@@ -71,7 +72,7 @@ class Walker {
   void step(Feet& feet, double duration_s, glm::dvec2 wanted_mps) const;
   void show(const Feet& feet);
 
-  const HeightMap* map_;
+  GroundPosts posts_;
   WalkerParameters parameters_;
   double least_normal_y_, friction_;
   double start_s_ = 0.0, time_s_ = 0.0;

@@ -1,42 +1,71 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 
 #include "host/base/camera.h"
+#include "host/base/colour_map.h"
 #include "host/base/height_map.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 #include "host/sky/clear_sky.h"
+#include "host/terrain/colour_layer.h"
+#include "host/terrain/flying_camera.h"
 #include "host/terrain/ground.h"
 #include "host/terrain/height_field.h"
 #include "host/terrain/hit_planes.h"
+#include "host/terrain/open_sky.h"
 #include "host/terrain/terrain_shade.h"
+#include "host/terrain/tiled_field.h"
 #include "host/world/terrain_light.h"
 
 namespace offing::world {
 
-/// The ground of a world.
+/// A map in tiles, of which a device holds as many as a budget allows.
+struct GroundTiles {
+  terrain::TiledMap map;  ///< the first post is at x = z = 0, and there is nothing beyond the edges
+  terrain::TileReader read;
+  std::size_t cache_bytes = std::size_t{256} << 20;
+};
+
+/// The ground of a world: either a map in memory or one in tiles.
 struct GroundParameters {
-  std::shared_ptr<const HeightMap> map;       ///< not null
+  std::shared_ptr<const HeightMap> map;
+  std::shared_ptr<const GroundTiles> tiles = {};
   double origin_x_m = 0.0, origin_z_m = 0.0;  ///< of the first post
   std::optional<double> latitude_deg;         ///< of the map's middle, where its file tells
   CoverLines lines;
+  std::shared_ptr<const ColourMap> colours = {};  ///< none: cover by height and slope
+  bool sees_horizons = false;                     ///< whether ground hides the sky's light from ground
 
   bool operator==(const GroundParameters&) const = default;
+
+  /// Posts of tiles that cannot be read are stood in for. Keeps what it answers about.
+  terrain::GroundPosts posts() const;
+  /// Of the map, as if its first post were at x = z = 0.
+  terrain::GroundExtent extent() const;
 };
+
+/// Whether a picture waits for tiles; if not, coarser ones stand in for those that are not there yet.
+enum class TileWait { none, all };
 
 /// The ground of a world on a device, and what a camera sees of it.
 class GroundView {
  public:
-  /// Throws what HeightField throws.
+  /// Throws what HeightField or TiledField throws.
   GroundView(const ocl::Device& device, const GroundParameters& parameters);
 
   const GroundParameters& parameters() const { return parameters_; }
-  /// The same ground, with its cover in other lines.
-  void set_lines(const CoverLines& lines) { parameters_.lines = lines; }
-  terrain::HeightField& field() { return field_; }
-  const terrain::HeightField& field() const { return field_; }
+  /// The same heights in the same place, with the lines, the colours and the horizons of these parameters.
+  /// One that throws has changed nothing. Throws what ColourLayer and OpenSky throw.
+  void set_cover(const GroundParameters& parameters);
+  /// nullptr where the ground is in tiles.
+  const terrain::HeightField* field() const { return field_ ? &*field_ : nullptr; }
+  /// nullptr where it is not.
+  const terrain::TiledField* tiles() const { return tiles_ ? &*tiles_ : nullptr; }
+  /// What a ray hits first, of tiles those of the last at().
+  TerrainHit cast(const terrain::Ray& ray);
   /// The ground above or below a point of the world; nothing beyond the map's edge.
   std::optional<terrain::GroundPoint> ground_at(double x_m, double z_m) const;
 
@@ -44,7 +73,8 @@ class GroundView {
   /// the map (terrain::farthest_origin_cells). Throws what require_valid(camera) throws, Error(bad_input) for
   /// a sampling out of range.
   void at(const Camera& camera, const sky::ClearSky& sky, const TerrainLight& light,
-          const terrain::Sampling& sampling);
+          const terrain::Sampling& sampling, TileWait wait = TileWait::all,
+          const terrain::SeaOverGround& sea = {});
   /// Whether the camera of the last at() was near enough; only then is there anything of what follows.
   bool is_in_reach() const { return is_in_reach_; }
 
@@ -64,9 +94,13 @@ class GroundView {
 
   ocl::Device device_;
   GroundParameters parameters_;
-  terrain::HeightField field_;
+  terrain::GroundPosts posts_;
+  std::optional<terrain::HeightField> field_;  // either this
+  std::optional<terrain::TiledField> tiles_;   // or this
   terrain::TerrainShade shade_;
   terrain::HitPlanes hit_planes_;
+  std::optional<terrain::ColourLayer> colours_;
+  std::optional<terrain::OpenSky> open_sky_;
   ocl::Buffer<TerrainHit> hits_;
   ocl::Buffer<terrain::Texel> image_;
   ocl::Buffer<float> planes_;

@@ -16,6 +16,7 @@ namespace {
 constexpr double altitude_step = 0.01;
 constexpr double reach_deviations = 6.0;
 constexpr std::size_t rings_that_meet = 8;
+constexpr double sea_radius_m = 6.36e6;  // as the water is drawn: present/shaders/water.glsl
 
 std::vector<std::vector<float>> variances_of(const ocean::Ocean& ocean) {
   std::vector<std::vector<float>> variances;
@@ -152,10 +153,11 @@ void World::set_sea(const WorldParameters& parameters) {
 void World::set_ground(const std::optional<GroundParameters>& ground) {
   if (ground == parameters_.ground) return;
   const bool is_same_shape = ground && ground_ && ground->map == ground_->parameters().map &&
+                             ground->tiles == ground_->parameters().tiles &&
                              ground->origin_x_m == ground_->parameters().origin_x_m &&
                              ground->origin_z_m == ground_->parameters().origin_z_m;
   if (is_same_shape) {
-    ground_->set_lines(ground->lines);
+    ground_->set_cover(*ground);
   } else if (ground) {
     ground_ = GroundView(device_, *ground);
   } else {
@@ -198,8 +200,14 @@ void World::at(double time_s, double eye_altitude_m) {
   time_s_ = time_s;
 }
 
-void World::see_ground(const Camera& camera, const terrain::Sampling& sampling) {
-  if (ground_) ground_->at(camera, sky_, ground_light_, sampling);
+void World::see_ground(const Camera& camera, const terrain::Sampling& sampling, TileWait wait) {
+  if (!ground_) return;
+  terrain::SeaOverGround sea;
+  const double waves_m = reach().vertical_m;
+  // From above the crests, what is deeper than the troughs is behind water, which falls away as the Earth
+  // bends.
+  if (ocean_ && camera.eye_m.y > waves_m) sea = {-waves_m, 0.5 / sea_radius_m};
+  ground_->at(camera, sky_, ground_light_, sampling, wait, sea);
 }
 
 }  // namespace offing::world

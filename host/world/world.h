@@ -58,7 +58,8 @@ class World {
   void at(double time_s, double eye_altitude_m);
   /// Enqueues what a camera sees of the ground, if there is any, in the light of the last at(). An eye that
   /// is farther from the map than rays reach sees nothing of it. Throws what GroundView::at() throws.
-  void see_ground(const Camera& camera, const terrain::Sampling& sampling = {});
+  void see_ground(const Camera& camera, const terrain::Sampling& sampling = {},
+                  TileWait wait = TileWait::all);
 
   /// The water at points of the world by the last at(): Ocean::sample() with this world's trochoids. Throws
   /// what ocean() throws.

@@ -11,10 +11,13 @@ typedef struct {
   // Shares of the sky stand at every so many posts, and at the last ones. 0: there are none.
   int open_sky_stride;
   int open_sky_columns, open_sky_rows;
+  // Ground lower than hidden_below_m, less hidden_bend_perm times the square of its distance, is under water that is
+  // drawn over it: it counts as missed.
+  float hidden_below_m, hidden_bend_perm;
 } TerrainLook;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(TerrainLook) == 40, "no padding");
+static_assert(sizeof(TerrainLook) == 48, "no padding");
 #endif
 
 #endif

@@ -7,7 +7,8 @@
 #include "terrain/hit_places.clh"
 #include "terrain/picture_rays.clh"
 
-// In [0, 1): the bits of a number mirrored at the point.
+// In [0, 1): the bits of a number mirrored at the point. In floats, because compilers make of whole numbers a bit reversal
+// that Oclgrind 21.10 does not know.
 FFT_INLINE float radical_inverse(int number) {
   float inverse = 0.0f, part = 0.5f;
   for (int bits = number; bits > 0; bits >>= 1) {
@@ -31,8 +32,9 @@ FFT_INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes f
     Course course = course_of(field, rays);
     const Hits hits = first_hits(scenery->ground, first_level, &course);
     const HitPlaces places = places_of_hits(scenery->ground, course.ray, hits);
-    const int_lanes is_hit = mask_of(hits.kind != TERRAIN_MISS);
-    const lanes t_m = select((lanes)1.0f, hits.t_m + hits.rest_m, is_hit);
+    const int_lanes is_met = mask_of(hits.kind != TERRAIN_MISS);
+    const lanes t_m = select((lanes)1.0f, hits.t_m + hits.rest_m, is_met);
+    const int_lanes is_hit = is_met & above_water(scenery->look, course.ray, t_m);
     GroundHits on_ground = {is_hit, places.cell_x, places.cell_z, t_m, places.u, places.v, t_m * sample_rad,
                          (lanes)1.0f, (lanes)1.0f};
 #if MAP_EDGE == TERRAIN_EDGE_MIRRORS

@@ -4,7 +4,8 @@
 //      terrain/quadtree_cast.cl for the same view; light; sky and view_table of sky/view_table.cl for the same eye;
 //      look (shared/terrain_look.h), colours of terrain/colour_base.cl and colour_reduce.cl, sky_shares of
 //      terrain/open_sky.cl: of none of these, anything.
-// Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss.
+// Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss,
+//      or what they hit is under water.
 #include "terrain/ground_light.clh"
 #include "terrain/picture_rays.clh"
 
@@ -47,6 +48,7 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
     for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); column += BLOCK_COLUMNS) {
       const Rays rays = rays_of(field, view, column + (int_lanes)lane_column, row + (int_lanes)lane_row);
       GroundHits ground = ground_hits(hits, view, column, row);
+      ground.is_hit &= above_water(look, rays, ground.t_m);
 #if MAP_EDGE == TERRAIN_EDGE_MIRRORS
       ground.way_x = turned(view.cell_x, view.fraction_x, ground.t_m * rays.along_x, field.cells_x);
       ground.way_z = turned(view.cell_z, view.fraction_z, ground.t_m * rays.along_z, field.cells_z);

@@ -13,7 +13,8 @@
 namespace offing::mesh_tools {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, CurvatureMethod>, 5> methods{{
+constexpr std::array<std::pair<std::string_view, CurvatureMethod>, 6> methods{{
+    {"fit", CurvatureMethod::fit},
     {"tensor", CurvatureMethod::tensor},
     {"tensor-exact", CurvatureMethod::tensor_exact},
     {"paper", CurvatureMethod::paper},
@@ -31,8 +32,11 @@ void require_option(std::string_view name, double value, double least, double mo
 
 double radius_of(const UnitMesh& mesh, const CurvatureOptions& options) {
   if (!options.radius_m) {
-    require_option("radius in edges", options.radius_edges, 0.01, 100.0);
-    return options.radius_edges * mesh.mean_edge;
+    // A fit's weights fall toward the rim: it takes a wider ball to hold as much.
+    const double radius_edges =
+        options.radius_edges.value_or(options.method == CurvatureMethod::fit ? 3.5 : 3.0);
+    require_option("radius in edges", radius_edges, 0.01, 100.0);
+    return radius_edges * mesh.mean_edge;
   }
   require_option("radius in metres", *options.radius_m, 1e-100, 1e100);
   return *options.radius_m / mesh.scale_m;
@@ -41,6 +45,8 @@ double radius_of(const UnitMesh& mesh, const CurvatureOptions& options) {
 std::vector<VertexBend> bends_of(const UnitMesh& mesh, const SurfaceMeasures& measures,
                                  const CurvatureOptions& options) {
   switch (options.method) {
+    case CurvatureMethod::fit:
+      return fitted_bends(mesh, measures, radius_of(mesh, options), options.threads);
     case CurvatureMethod::tensor:
       return ball_tensor_bends(mesh, measures, radius_of(mesh, options), options.threads);
     case CurvatureMethod::tensor_exact:
@@ -119,7 +125,7 @@ CurvatureMethod curvature_method(std::string_view name) {
   }
   throw Error(
       ErrorKind::bad_usage,
-      fmt::format("--method: expected tensor, tensor-exact, paper, diffused or jet, got \"{}\"", name),
+      fmt::format("--method: expected fit, tensor, tensor-exact, paper, diffused or jet, got \"{}\"", name),
       "leave it out for the default");
 }
 

@@ -12,6 +12,7 @@
 namespace offing::mesh_tools {
 
 enum class CurvatureMethod {
+  fit,           ///< a quadric fitted to the vertices within a ball, over chords: the most accurate
   tensor,        ///< angles of edges within a ball, rim edges by half (H1, H2 of docs/sources.md)
   tensor_exact,  ///< the same, edges and triangles clipped to the ball
   paper,         ///< H1 as printed, for comparison: its bias does not go away with finer meshes
@@ -23,8 +24,9 @@ enum class CurvatureMethod {
 enum class EdgeAngles { with_sign, unsigned_as_printed };
 
 struct CurvatureOptions {
-  CurvatureMethod method = CurvatureMethod::tensor;
-  double radius_edges = 3.0;                  ///< of the ball, in mean edge lengths of the mesh, 0.01 ... 100
+  CurvatureMethod method = CurvatureMethod::fit;
+  /// Of the ball, in mean edge lengths of the mesh, 0.01 ... 100; by default 3.5 for fit, else 3.
+  std::optional<double> radius_edges{};
   std::optional<double> radius_m{};           ///< of the ball; overrides radius_edges
   int rounds = 3;                             ///< of averaging, of the method diffused, 0 ... 1000
   EdgeAngles angles = EdgeAngles::with_sign;  ///< of the method paper
@@ -46,7 +48,7 @@ CurvatureResult vertex_curvatures(const TriangleMesh& mesh, const CurvatureOptio
 /// The same of a mesh whose neighbours are known already.
 CurvatureResult vertex_curvatures(const UnitMesh& mesh, const CurvatureOptions& options = {});
 
-/// "tensor", "tensor-exact", "paper", "diffused", "jet". Throws Error(bad_usage) for any other.
+/// "fit", "tensor", "tensor-exact", "paper", "diffused", "jet". Throws Error(bad_usage) for any other.
 CurvatureMethod curvature_method(std::string_view name);
 std::string_view name_of(CurvatureMethod method);
 

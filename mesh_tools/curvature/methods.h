@@ -58,6 +58,8 @@ std::vector<VertexBend> printed_tensor_bends(const UnitMesh& mesh, const Surface
                                              double radius, EdgeAngles angles, int threads);
 std::vector<VertexBend> diffused_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
                                               int rounds, int threads);
+std::vector<VertexBend> fitted_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, double radius,
+                                     int threads);
 std::vector<VertexBend> jet_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, int threads);
 
 }  // namespace offing::mesh_tools

@@ -37,6 +37,22 @@ class Region {
     }
   }
 
+  /// Reaches vertices that hang together with one within a ball about it.
+  void grow_vertices(std::uint32_t vertex, double radius) {
+    ++number_;
+    queue_.assign(1, vertex);
+    vertex_marks_[vertex] = number_;
+    const glm::dvec3 middle = mesh_.positions[vertex];
+    for (std::size_t i = 0; i < queue_.size(); ++i) {
+      for (const std::uint32_t other : mesh_.neighbours.neighbours_of(queue_[i])) {
+        if (vertex_marks_[other] == number_) continue;
+        vertex_marks_[other] = number_;
+        const glm::dvec3 off = mesh_.positions[other] - middle;
+        if (glm::dot(off, off) < radius * radius) queue_.push_back(other);
+      }
+    }
+  }
+
   /// The vertices that the last region reached, the middle first.
   const std::vector<std::uint32_t>& vertices() const { return queue_; }
 

@@ -19,3 +19,20 @@ struct Ground {
 Ground ground_texel(ivec2 texel) {
   return Ground(texelFetch(ground_image, ivec3(texel, 0), 0), texelFetch(ground_planes, ivec3(texel, 0), 0).r);
 }
+
+// How far ground is that covers a texel in part, whose own ray may have passed it: as the ground beside it.
+float edge_distance_m(ivec2 texel) {
+  const ivec2 steps[5] = ivec2[5](ivec2(0), ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
+  ivec2 last = ground_size() - 1;
+  float distance_m = ground_texel(texel).distance_m;
+  bool is_covered = false;
+  for (int i = 0; i < 5; ++i) {
+    Ground beside = ground_texel(clamp(texel + steps[i], ivec2(0), last));
+    // Rather as ground that is seen whole: what else rays have met may be under water.
+    bool covers = beside.light.a >= 1.0;
+    if (beside.light.a <= 0.0 || is_covered && !covers) continue;
+    distance_m = covers == is_covered ? min(distance_m, beside.distance_m) : beside.distance_m;
+    is_covered = covers;
+  }
+  return distance_m;
+}

@@ -59,6 +59,11 @@ void bench_terrain(const ocl::Device& device, const Settings& settings, const Si
 /// differ.
 void bench_viewshed(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
+/// Curvatures of a noisy torus of size x size / 2 vertices, from its neighbours on, by the methods of
+/// offing-mesh on one core and on all, and on the device, against CGAL's jets on one core. Only in builds
+/// with the mesh tools. Throws Error(device) where a method does not find the torus.
+void bench_curvature(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
+
 /// Searches for highlights, against a loop over the faces on one core, and whole frames of highlights that
 /// turn: points, tracks, projectors and regions, without drawing. Meshes of ours, and the penguin of
 /// OFFING_TEST_DATA where that is set; the sizes of the settings do not matter. Only in builds with

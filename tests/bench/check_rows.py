@@ -13,6 +13,13 @@ SIZES = {
     "ocean": ("32", ["ocean"]),
     "queries": ("64", ["queries", "queries_surface"]),
     "gerstner": ("64", ["gerstner", "gerstner_alone"]),
+    "curvature": (
+        "32",
+        [
+            *(f"curvature_{method}{cores}" for method in ("fit", "tensor", "diffused") for cores in ("", "_all_cores")),
+            "curvature_opencl",
+        ],
+    ),
 }
 
 

@@ -135,6 +135,13 @@ int run_command_line(int argc, char** argv) {
   });
 
 #ifdef OFFING_BUILD_MESH_TOOLS
+  CLI::App& curvature = *app.add_subcommand("curvature", "curvatures of a noisy mesh against CGAL's jets");
+  add_options(curvature, options);
+  curvature.callback([&] {
+    run(options, [&](const auto& device, const bench::Sinks& sinks) {
+      bench::bench_curvature(device, options.settings, sinks);
+    });
+  });
   CLI::App& highlights = *app.add_subcommand(
       "highlights",
       "searches for highlights and frames of them, on the penguin too if OFFING_TEST_DATA is set");

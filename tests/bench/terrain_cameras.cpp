@@ -32,7 +32,7 @@ Number number(const toml::node_view<const toml::node>& table, const char* key) {
 }
 
 Camera of_picture(const toml::table& cameras) {
-  const auto picture = std::as_const(cameras)["picture"];
+  const auto picture = cameras["picture"];
   Camera camera;
   camera.width_px = number<int>(picture, "width_px");
   camera.height_px = number<int>(picture, "height_px");
@@ -66,21 +66,24 @@ Camera walking(Camera camera, double eye_height_m, const HeightMap& map, std::mt
 }  // namespace
 
 std::vector<TerrainCamera> terrain_cameras(const HeightMap& map) {
-  toml::table cameras;
+  toml::table scene;
   try {
-    cameras = toml::parse_file(file);
+    scene = toml::parse_file(file);
   } catch (const toml::parse_error& error) {
     throw file_error(std::string(error.description()));
   }
+  const toml::table* of_bench = scene["bench"].as_table();
+  if (of_bench == nullptr) throw file_error("expected a section [bench]");
+  const toml::table& cameras = *of_bench;
   const toml::array* flights = cameras["fly"].as_array();
-  if (flights == nullptr) throw file_error("expected tables [[fly]]");
+  if (flights == nullptr) throw file_error("expected tables [[bench.fly]]");
   const float highest_m = *std::max_element(map.heights_m.begin(), map.heights_m.end());
   std::vector<TerrainCamera> all;
   for (const toml::node& flight : *flights) {
     all.push_back(
         {"fly", flying(toml::node_view<const toml::node>(flight), of_picture(cameras), map, highest_m)});
   }
-  const auto walk = std::as_const(cameras)["walk"];
+  const auto walk = cameras["walk"];
   std::mt19937_64 random(number<std::uint64_t>(walk, "seed"));
   for (int i = 0; i < number<int>(walk, "count"); ++i) {
     Camera camera = of_picture(cameras);

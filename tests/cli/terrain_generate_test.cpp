@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "host/io/height_maps/read_height_map.h"
 #include "tests/cli/offing_program.h"
 #include "tests/io/temporary_folder.h"
 
@@ -39,6 +40,21 @@ TEST_F(TerrainGenerate, WritesWhatInfoReads) {
   EXPECT_EQ(info["highest_m"], json["highest_m"]);
 }
 
+// Fails if the GeoTIFF has other heights than the plain numbers, or needs a flag to be read.
+TEST_F(TerrainGenerate, WritesTheSameAsGeoTiff) {
+  for (const char* name : {"b.tif", "b.r32"}) {
+    ASSERT_EQ(generate({"--posts", "150", "--side-m", "2980", "--seed", "3", "-o", path(name)}).exit_code, 0);
+  }
+  const HeightMap tiff = read_height_map(path("b.tif")).map;
+  HeightMapOptions plain;
+  plain.raw_columns = plain.raw_rows = 150;
+  const HeightMap raw = read_height_map(path("b.r32"), plain).map;
+  EXPECT_EQ(tiff.heights_m, raw.heights_m);
+  EXPECT_DOUBLE_EQ(tiff.spacing_x_m, 20.0);
+  EXPECT_DOUBLE_EQ(tiff.spacing_z_m, 20.0);
+  EXPECT_EQ(read_height_map(path("b.tif")).source.spacing_source, SpacingSource::file);
+}
+
 TEST_F(TerrainGenerate, RefusesWithAHint) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--posts", "1"},
                                                     {"--side-m", "0"},
@@ -55,7 +71,7 @@ TEST_F(TerrainGenerate, RefusesWithAHint) {
     EXPECT_THAT(result.errors, ::testing::MatchesRegex("error: [^\n]+\nhint: [^\n]+\n")) << arguments.back();
     EXPECT_FALSE(std::filesystem::exists(path("b.r32"))) << arguments.back();
   }
-  EXPECT_EQ(generate({"-o", path("b.tif")}).exit_code, 2);
+  EXPECT_EQ(generate({"-o", path("b.png")}).exit_code, 2);
   std::ofstream(path("c.r32")) << "mine";
   EXPECT_EQ(generate({"--posts", "9", "-o", path("c.r32")}).exit_code, 1);
   EXPECT_EQ(std::filesystem::file_size(path("c.r32")), 4u);

@@ -128,7 +128,7 @@ TEST_F(TerrainQuery, FilesAskManyAtOnce) {
     return read;
   };
   EXPECT_THAT(lines("height", "33,7\n# a wall\n0,100\n"),
-              ::testing::ElementsAre("x_m,z_m,height_m,normal_x,normal_y,normal_z,slope_deg",
+              ::testing::ElementsAre("x_m,z_m,height_m,normal_x,normal_y,normal_z,slope_deg,measured",
                                      ::testing::StartsWith("33,7,16.5,-0.4472136,0.8944272,"),
                                      ::testing::StartsWith("0,100,100,")));
   EXPECT_THAT(lines("los", "20,20,2,180,80,0\n100,20,2,100,180,2\n"),
@@ -166,7 +166,49 @@ TEST_F(TerrainQuery, FilesNameTheirBadLines) {
 TEST_F(TerrainQuery, ProfilesHaveBothEnds) {
   const ProgramResult result = ask("profile", {"--from", "0,5", "--to", "100,5", "--step-m", "50"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.output, "distance_m,x_m,z_m,height_m\n0,0,5,0\n50,50,5,25\n100,100,5,50\n");
+  EXPECT_EQ(result.output, "distance_m,x_m,z_m,height_m,measured\n0,0,5,0,1\n50,50,5,25,1\n100,100,5,50,1\n");
+}
+
+// Heights fall away as for lines of sight, by (1 - K) d^2 / 2R: 100 km from the beginning by 784.8 m without
+// refraction, 682.8 m with it.
+TEST_F(TerrainQuery, ProfilesFallAwayAsTheEarthCurves) {
+  std::ofstream(path("sea.asc")) << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 100000\n7 7 7 7\n";
+  const auto last_line = [&](const std::string& flag, const std::string& value) {
+    const ProgramResult result = run_offing({"terrain", "profile", path("sea.asc"), "--from", "0,0", "--to",
+                                             "100000,0", "--step-m", "50000", flag, value});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    EXPECT_THAT(result.output,
+                ::testing::StartsWith("distance_m,x_m,z_m,height_m,measured,fallen_height_m\n0,0,0,7,1,7\n"));
+    return result.output.substr(result.output.rfind('\n', result.output.size() - 2) + 1);
+  };
+  EXPECT_THAT(last_line("--refraction", "0"), ::testing::StartsWith("100000,100000,0,7,1,-777.8"));
+  EXPECT_THAT(last_line("--refraction", "0.13"), ::testing::StartsWith("100000,100000,0,7,1,-675.7"));
+}
+
+// Fails if ground that was filled in passes for measured: 3 x 3 posts with a void in the middle, which all
+// patches have as a corner, but not their outer edges.
+TEST_F(TerrainQuery, TellsWhatWasNotMeasured) {
+  std::ofstream(path("holed.asc"))
+      << "ncols 3\nnrows 3\nxllcenter 0\nyllcenter 0\ncellsize 10\nnodata_value -9\n"
+         "1 1 1\n1 -9 1\n1 1 1\n";
+  const auto measured = [&](const std::string& at) {
+    const ProgramResult result = run_offing({"terrain", "height", path("holed.asc"), "--at", at, "--json"});
+    return nlohmann::json::parse(result.output)["measured"].get<bool>();
+  };
+  EXPECT_FALSE(measured("10,10"));
+  EXPECT_FALSE(measured("5,5"));
+  EXPECT_TRUE(measured("0,5"));
+  EXPECT_TRUE(measured("20,20"));
+  EXPECT_THAT(run_offing({"terrain", "height", path("holed.asc"), "--at", "5,5"}).output,
+              ::testing::HasSubstr("not measured"));
+  EXPECT_THAT(run_offing({"terrain", "profile", path("holed.asc"), "--from", "0,10", "--to", "20,10"}).output,
+              ::testing::HasSubstr("10,10,10,1,0\n20,20,10,1,1\n"));
+  // A store of tiles tells the same.
+  ASSERT_EQ(run_offing({"terrain", "tile", path("holed.asc"), "-o", path("holed.tiles")}).exit_code, 0);
+  EXPECT_THAT(run_offing({"terrain", "height", path("holed.tiles"), "--at", "5,5", "--json"}).output,
+              ::testing::HasSubstr("\"measured\": false"));
+  EXPECT_THAT(run_offing({"terrain", "height", path("holed.tiles"), "--at", "0,5", "--json"}).output,
+              ::testing::HasSubstr("\"measured\": true"));
 }
 
 TEST_F(TerrainQuery, RefusesWithAHint) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -14,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/io/exr_image.h"
+#include "host/io/height_maps/read_height_map.h"
 #include "host/io/png_image.h"
 #include "tests/cli/offing_program.h"
 #include "tests/io/temporary_folder.h"
@@ -112,7 +114,8 @@ TEST_F(TerrainTile, GoesOnAfterAKill) {
   EXPECT_EQ(content_of("killed"), content_of("once"));
 }
 
-// Fails if info tells another map than that of the store, or a command that wants a map does not say so.
+// Fails if info tells another map than that of the store, or flags that say how to read a map are passed
+// over.
 TEST_F(TerrainTile, TellsOfStores) {
   ASSERT_EQ(tile(make_ground(300), "store").exit_code, 0);
   const ProgramResult info = run_offing({"terrain", "info", path("store"), "--json"});
@@ -122,9 +125,130 @@ TEST_F(TerrainTile, TellsOfStores) {
   EXPECT_EQ(json["spacing_x_m"], 10.0);
   EXPECT_EQ(json["tiles"], 5);
   EXPECT_THAT(run_offing({"terrain", "info", path("store")}).output, ::testing::HasSubstr("300 x 300"));
-  const ProgramResult height = run_offing({"terrain", "height", path("store"), "--at", "5,5"});
-  EXPECT_EQ(height.exit_code, 2);
-  EXPECT_THAT(height.errors, ::testing::HasSubstr("found a tile store"));
+  const ProgramResult scaled =
+      run_offing({"terrain", "height", path("store"), "--at", "5,5", "--scale", "2"});
+  EXPECT_EQ(scaled.exit_code, 2);
+  EXPECT_THAT(scaled.errors, ::testing::HasSubstr("found a tile store"));
+}
+
+// Fails if a store is asked and answers otherwise than its map, to the last digit where heights are read, to
+// 1e-3 cells where rays are cast: the tiles that an answer needs are loaded, whatever their level.
+TEST_F(TerrainTile, AStoreAnswersAsItsMap) {
+  const std::vector<std::string> ground = make_ground(1100);
+  ASSERT_EQ(tile(ground, "store").exit_code, 0);
+  const auto ask = [&](const std::string& command, const std::vector<std::string>& input,
+                       const std::vector<std::string>& question) {
+    std::vector<std::string> arguments{"terrain", command};
+    arguments.insert(arguments.end(), input.begin(), input.end());
+    arguments.insert(arguments.end(), question.begin(), question.end());
+    const ProgramResult result = run_offing(arguments);
+    EXPECT_EQ(result.exit_code, 0) << command << ": " << result.errors;
+    return result.output;
+  };
+  const std::vector<std::string> store{path("store")};
+  for (const auto& [command, question] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"height", {"--at", "2560,7777", "--json"}},
+           {"height", {"--at", "10990,10990", "--smooth-normals", "--json"}},
+           {"profile", {"--from", "0,0", "--to", "10990,9000", "--step-m", "40"}},
+           {"los", {"--from", "100,100,2", "--to", "10000,9000,20", "--json"}},
+           {"los", {"--from", "100,100,2000", "--to", "10000,9000,20", "--curvature", "--json"}}}) {
+    EXPECT_EQ(ask(command, store, question), ask(command, ground, question)) << command;
+  }
+  const std::vector<std::string> down{"--from",     "500,3000,500",     "--direction",
+                                      "1,-0.3,0.7", "--smooth-normals", "--json"};
+  const auto expected = nlohmann::json::parse(ask("ray", ground, down)),
+             found = nlohmann::json::parse(ask("ray", store, down));
+  EXPECT_EQ(found["cell"], expected["cell"]);
+  EXPECT_NEAR(found["distance_m"].get<double>(), expected["distance_m"].get<double>(), 0.01);
+  EXPECT_NEAR(found["normal"][1].get<double>(), expected["normal"][1].get<double>(), 1e-4);
+}
+
+// Fails if the viewshed of a store is not that of its map, or does not lie where it lies; or if one that is
+// larger than the cache is begun.
+TEST_F(TerrainTile, AStoreHasTheViewshedOfItsMap) {
+  ASSERT_EQ(
+      run_offing({"terrain", "generate", "--posts", "700", "--side-m", "6990", "-o", path("ground.tif")})
+          .exit_code,
+      0);
+  ASSERT_EQ(tile({path("ground.tif")}, "store").exit_code, 0);
+  const auto look = [&](const std::string& input, const std::string& name, std::vector<std::string> flags) {
+    flags.insert(flags.begin(), {"terrain", "viewshed", path(input), "--observer", "3333,2111",
+                                 "--observer-height-m", "30", "-o", path(name), "--json"});
+    return run_offing(flags);
+  };
+  const auto seen = [&](const std::string& name) { return read_height_map(path(name)).map; };
+  ASSERT_EQ(look("ground.tif", "map.tif", {}).exit_code, 0);
+  ASSERT_EQ(look("store", "all.tif", {}).exit_code, 0);
+  EXPECT_EQ(seen("all.tif").heights_m, seen("map.tif").heights_m);
+  ASSERT_EQ(look("ground.tif", "near_map.tif", {"--radius-m", "1500"}).exit_code, 0);
+  ASSERT_EQ(look("store", "near.tif", {"--radius-m", "1500"}).exit_code, 0);
+  const HeightMap whole = seen("near_map.tif"), part = seen("near.tif");
+  EXPECT_EQ(part.columns, 302);
+  const int right = static_cast<int>(
+                std::lround((part.georeference.origin_x - whole.georeference.origin_x) / 10.0)),
+            down = static_cast<int>(
+                std::lround((whole.georeference.origin_y - part.georeference.origin_y) / 10.0));
+  EXPECT_EQ(right, 183);
+  EXPECT_EQ(down, 61);
+  double visible = 0.0;
+  for (int row = 0; row < whole.rows; ++row) {
+    for (int column = 0; column < whole.columns; ++column) {
+      const int x = column - right, z = row - down;
+      const bool is_inside = x >= 0 && x < part.columns && z >= 0 && z < part.rows;
+      const float here = is_inside ? part.heights_m[part.index(x, z)] : 0.0f;
+      ASSERT_EQ(here, whole.heights_m[whole.index(column, row)]) << column << ", " << row;
+      visible += here / 255.0;
+    }
+  }
+  EXPECT_GT(visible, 1000.0);
+  ASSERT_EQ(tile(make_ground(2049), "large").exit_code, 0);
+  const ProgramResult refused = look("large", "large.tif", {"--cache-mb", "40"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, ::testing::HasSubstr("--radius-m, or --cache-mb 49"));
+  EXPECT_FALSE(fs::exists(path("large.tif")));
+}
+
+// A tile that breaks while a flight is under way, after its first frames: one warning for each that cannot be
+// read from then on, no hole, and the flight goes on to its end. Fails if a reader keeps what it has once
+// seen, or ends.
+TEST_F(TerrainTile, FliesOnWhenTilesBreakUnderWay) {
+  const std::vector<std::string> ground = make_ground(2049);
+  ASSERT_EQ(tile(ground, "store").exit_code, 0);
+  // So small a cache, and so far a way, that tiles are read to the last frame.
+  std::vector<std::string> command{"terrain",      "fly",        path("store"), "--frames", "60",
+                                   "--every",      "6",          "--size",      "160x90",   "--speed-mps",
+                                   "9000",         "--cache-mb", "40",          "--json",   "-o",
+                                   path("frames"), "--compare"};
+  command.insert(command.end(), ground.begin(), ground.end());
+  OffingProgram flight(command);
+  while (!fs::exists(path("frames/frame.000006.png")) && flight.is_running()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  int broken = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(path("store/0"))) {
+    if (!entry.is_regular_file()) continue;
+    if (++broken % 2 == 0) {
+      fs::remove(entry.path());
+    } else {
+      fs::resize_file(entry.path(), 5000);
+    }
+  }
+  EXPECT_EQ(broken, 64);
+  EXPECT_FALSE(fs::exists(path("frames/frame.000054.png"))) << "it was over before";
+  const ProgramResult flown = flight.wait();
+  ASSERT_EQ(flown.exit_code, 0) << flown.errors;
+  const auto json = nlohmann::json::parse(flown.output);
+  const int failed = json["tiles"]["failed"].get<int>();
+  EXPECT_GT(failed, 0);
+  EXPECT_EQ(json["comparison"]["holes_flown"], 0);
+  EXPECT_EQ(json["comparison"]["holes_loaded"], 0);
+  EXPECT_TRUE(fs::exists(path("frames/frame.000054.png")));
+  int warnings = 0;
+  for (std::size_t at = flown.errors.find("stands in"); at != std::string::npos;
+       at = flown.errors.find("stands in", at + 1)) {
+    ++warnings;
+  }
+  EXPECT_EQ(warnings, failed) << flown.errors;
 }
 
 TEST_F(TerrainTile, KeepsWhatIsThere) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the libFuzzer targets into build-fuzz/ and runs each for SECONDS_EACH seconds (default 300), starting from
 # tests/fuzz/corpus. Findings lie in build-fuzz/findings; the exit status is 1 if there are any.
-# Usage: tests/fuzz/run_fuzzers.sh [SECONDS_EACH [READER...]]      READER: datawell ndbc netcdf swan ww3
+# Usage: tests/fuzz/run_fuzzers.sh [SECONDS_EACH [READER...]]      READER: datawell ndbc netcdf swan ww3 gltf obj off ply stl
 set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
@@ -9,13 +9,13 @@ build="$root/build-fuzz"
 seconds_each=${1:-300}
 readers=("${@:2}")
 if ((${#readers[@]} == 0)); then
-  readers=(datawell ndbc netcdf swan ww3)
+  readers=(datawell ndbc netcdf swan ww3 gltf obj off ply stl)
 fi
 
 cmake -S "$root" -B "$build" -G Ninja \
   -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo -DOFFING_BUILD_FUZZERS=ON \
   -DOFFING_SANITIZE=address,undefined,fuzzer-no-link \
-  -DOFFING_BUILD_TESTS=OFF -DOFFING_BUILD_BENCH=OFF -DOFFING_INSTALL=OFF >/dev/null
+  -DOFFING_BUILD_TESTS=OFF -DOFFING_BUILD_BENCH=OFF -DOFFING_BUILD_MESH_TOOLS=OFF -DOFFING_INSTALL=OFF >/dev/null
 cmake --build "$build" --target fuzzers
 
 status=0

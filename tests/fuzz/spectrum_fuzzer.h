@@ -2,20 +2,15 @@
 
 #include <cmath>
 #include <numbers>
-#include <string_view>
 #include <vector>
 
 #include "host/base/error.h"
 #include "host/base/wave_spectrum.h"
 #include "host/ocean/spectrum_parameters.h"
 #include "host/ocean/spectrum_table.h"
+#include "tests/fuzz/expect.h"
 
 namespace offing::fuzz {
-
-/// Ends the process, which libFuzzer reports as a finding.
-inline void expect(bool holds) {
-  if (!holds) __builtin_trap();
-}
 
 /// What host/base/wave_spectrum.h promises.
 inline void expect_contract(const WaveSpectrum& spectrum) {
@@ -59,8 +54,7 @@ int check_reader(Parse parse) {
     for (const WaveSpectrum& spectrum : spectra) expect_contract(spectrum);
     expect_sea(spectra.front());
   } catch (const Error& error) {
-    expect(std::string_view(error.what()).find('\n') == std::string_view::npos);
-    expect(!error.hint().empty());
+    expect_told(error);
   }
   return 0;
 }

@@ -82,6 +82,20 @@ class HouseChecks(unittest.TestCase):
     def test_gpl_header_without_its_licence(self):
         self.assert_finds(include_arrows, "tests/fft/fft2d_test.cpp", "#include <fftw3.h>\n", "is GPL")
 
+    def test_mesh_library_below_the_mesh_tools(self):
+        self.assert_finds(
+            include_arrows, "host/base/error.h", "#include <CGAL/Surface_mesh.h>\n", "is reserved for mesh_tools"
+        )
+
+    def test_mesh_tools_include_the_other_command_line(self):
+        self.write("host/cli/bake.h", "#pragma once\n")
+        self.assert_finds(
+            include_arrows,
+            "mesh_tools/repair.h",
+            '#include "host/cli/bake.h"\n',
+            "mesh_tools must not include host/cli",
+        )
+
     def test_include_not_from_the_root(self):
         self.assert_finds(
             include_arrows, "host/ocean/ocean.cpp", '#include "error.h"\n', 'no file "error.h"'

@@ -21,7 +21,7 @@ ARROWS = {
     "host/command_line": ("host/scene",),
     "host/cli": ("host/command_line",),
     "present": ("host/command_line",),
-    "mesh_tools": ("host/scene",),
+    "mesh_tools": ("host/command_line",),
     "tests": ("host/c", "host/cli", "present", "mesh_tools"),
 }
 

@@ -149,7 +149,8 @@ TEST_F(PanelsTest, OptionalValuesComeAndGo) {
 TEST_F(PanelsTest, AllPanelsDraw) {
   StageTimes times;
   const ocl::DeviceInfo device = ocl::select_device();
-  ViewState state{.scene = {}, .camera = FreeCamera(Camera{}), .clock = SceneClock(0.0)};
+  const scene::OceanScene scene;
+  ViewState state{.scene = scene, .camera = FreeCamera(Camera{}), .clock = SceneClock(0.0)};
   state.message = {.text = "a message\nof two lines"};
   for (const bool shows_help : {false, true}) {
     state.shows_help = shows_help;

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -120,16 +122,19 @@ TEST_F(TerrainPassTest, LaysGroundOverTheSky) {
   EXPECT_LT(worst, 5e-3);
 }
 
-// Fails if depth is not that of the hits' distances along the line of sight: floats, so 2^-23 and what the
-// shader's length() and division add, a few 2^-23. Gate 1e-5 of itself.
+// Fails if depth is not that of the hits' distances along the line of sight, where ground covers pixels
+// whole: floats, so 2^-23 and what the shader's length() and division add, a few 2^-23. Gate 1e-5 of itself.
 TEST_F(TerrainPassTest, HasTheDepthOfItsHits) {
   open(hills);
   light(request(camera()));
   const auto planes = world_->ground()->planes().read();
+  const auto image = world_->ground()->image().read();
   const std::vector<float> found = depth();
   const glm::dvec3 forward = basis(camera()).forward;
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
+      const float coverage = image[texel(column, row)][3];
+      if (coverage > 0.0f && coverage < 1.0f) continue;
       const double distance_m = planes[texel(column, row)];
       const double along = distance_m * glm::dot(ray_of(camera(), column, row), forward);
       const double expected = std::isinf(distance_m) ? 0.0 : near_m / along;
@@ -157,7 +162,8 @@ TEST_F(TerrainPassTest, SharesTheWorldWithTheSea) {
       const auto i = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
       const double distance_m = planes[texel(column, row)];
       const terrain::Texel& ground = image[texel(column, row)];
-      if (std::isinf(distance_m) || ground[3] < 1.0f) continue;  // edges are mixed with what is behind
+      // Edges are mixed with what is behind; the bed is not drawn, and covers nothing.
+      if (std::isinf(distance_m) || (ground[3] > 0.0f && ground[3] < 1.0f)) continue;
       const double hit_m = coast.eye_m.y + distance_m * ray_of(coast, column, row).y;
       bool shows_ground = true;
       for (std::size_t c = 0; c < 3; ++c) {
@@ -175,6 +181,54 @@ TEST_F(TerrainPassTest, SharesTheWorldWithTheSea) {
   }
   EXPECT_GT(land, 500u);
   EXPECT_GT(water, 500u);
+}
+
+// Fails if the edges of hills are not blended with the water behind them where the middle of the pixel misses
+// the hill, whether it sees the sea beyond the map there or the bed under it, or if light of the bed comes
+// into them. The water is that of the same sea without ground; the framebuffer rounds to 2^-11, and the blend
+// once more. Gate 5e-3 of the light, which half a hill's light, or a bed's, is far beyond.
+TEST_F(TerrainPassTest, BlendsEdgesWithTheSea) {
+  const std::string sea = "[wind]\nspeed_mps = 4\n[ocean]\nsize = 32\n";
+  Camera coast = camera();
+  coast.eye_m = {300.0, 320.0, 2600.0};
+  coast.yaw_rad = -0.1;
+  coast.pitch_rad = -0.15;
+  coast.roll_rad = 0.0;
+  open(sea);
+  const std::vector<float> water = light(request(coast));
+  open(std::string(hills) + "mean_m = -60\n" + sea);
+  const std::vector<float> pixels = light(request(coast));
+  const auto image = world_->ground()->image().read();
+  const auto planes = world_->ground()->planes().read();
+  const double reach_m = world_->reach().vertical_m;
+  std::size_t over_bed = 0, over_open_sea = 0;
+  for (int row = 1; row + 1 < height; ++row) {
+    for (int column = 1; column + 1 < width; ++column) {
+      const terrain::Texel& ground = image[texel(column, row)];
+      if (ground[3] <= 0.0f || ground[3] >= 1.0f) continue;
+      const double rise = ray_of(coast, column, row).y, own_m = planes[texel(column, row)];
+      const bool is_bed = std::isfinite(own_m) && coast.eye_m.y + own_m * rise < -reach_m - 1.0;
+      if (rise > -0.01 || (std::isfinite(own_m) && !is_bed)) continue;
+      // A hill well before the water, not its shore.
+      double hill_m = std::numeric_limits<double>::infinity();
+      for (const auto& [right, up] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+        const std::size_t beside = texel(column + right, row + up);
+        if (image[beside][3] == 1.0f) hill_m = std::min(hill_m, static_cast<double>(planes[beside]));
+      }
+      if (!(hill_m < 0.8 * coast.eye_m.y / -rise)) continue;
+      ++(is_bed ? over_bed : over_open_sea);
+      const auto i = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double expected = ground[c] + (1.0 - ground[3]) * water[4 * i + c];
+        EXPECT_NEAR(pixels[4 * i + c], expected, 5e-3 * expected)
+            << column << ", " << row << ": " << ground[3];
+      }
+    }
+  }
+  RecordProperty("over_bed", static_cast<int>(over_bed));
+  RecordProperty("over_open_sea", static_cast<int>(over_open_sea));
+  EXPECT_GT(over_bed, 5u);
+  EXPECT_GT(over_open_sea, 5u);
 }
 
 // Fails if a pixel of the heat map has another colour than its steps: rounding and dither are less than a

@@ -1,5 +1,6 @@
 #include "host/scene/parameter_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -189,7 +190,8 @@ TEST(ParameterTable, NoTwoRowsShareStorage) {
       if (row.rule == ParameterRule::power_of_two) {
         return "16";
       }
-      return is_whole(row) ? "2" : std::to_string(0.25 * row.low + 0.75 * row.high);
+      if (is_whole(row)) return std::to_string(std::max(2, static_cast<int>(std::min(row.low, 1e9))));
+      return std::to_string(0.25 * row.low + 0.75 * row.high);
     }();
     store(scene, row, read_flag_value(row, text), place);
     for (const Parameter& other : parameter_table()) {

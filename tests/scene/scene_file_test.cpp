@@ -356,5 +356,15 @@ TEST(SceneFile, RefusesWhatCannotBeRead) {
   }
 }
 
+// Fails if what benchmarks read from a scene is refused, or passed over where it is no section of its own.
+TEST(SceneFile, LeavesBenchmarksToThemselves) {
+  const OceanScene scene = parse_scene(
+      "version = 1\n[terrain]\nposts = 9\n[bench.walk]\ncount = 4\n[[bench.fly]]\nx = 1\n", "a.toml", "");
+  EXPECT_EQ(scene.terrain.fractal.posts, 9);
+  EXPECT_TRUE(scene.set_at.contains("terrain.posts"));
+  EXPECT_THROW(parse_scene("version = 1\nbench = 4\n", "a.toml", ""), Error);
+  EXPECT_THROW(parse_scene("version = 1\n[terrain.bench]\nx = 4\n", "a.toml", ""), Error);
+}
+
 }  // namespace
 }  // namespace offing::scene

@@ -12,10 +12,13 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/io/png_image.h"
+#include "host/io/tile_store/tile_store.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/scene_writer.h"
 #include "host/scene/sea.h"
 #include "host/scene/world_scene.h"
+#include "host/terrain/tile_builder.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/ocl/log_capture.h"
 
@@ -129,6 +132,69 @@ TEST_F(SceneGroundTest, TellsWhatIsNotUsed) {
   EXPECT_THAT(logged(small_ground + "water_line_m = 3\n"), testing::Not(HasSubstr("not used")));
 }
 
+// Fails if a picture of the ground is not read, not where the map is, or its faults do not name their place.
+TEST_F(SceneGroundTest, ReadsPicturesOfTheGround) {
+  write_png(folder_.path() / "green.png", {2, 1, {0, 200, 0, 10, 20, 30}});
+  EXPECT_EQ(small("").colours, nullptr);
+  const world::GroundParameters painted = small("colour = \"green.png\"\n");
+  ASSERT_NE(painted.colours, nullptr);
+  EXPECT_THAT(painted.colours->rgba, testing::ElementsAre(0, 200, 0, 255, 10, 20, 30, 255));
+  // From the first posts of 3 x 2 to the last ones.
+  EXPECT_EQ(painted.colours->right, 2.0);
+  EXPECT_EQ(painted.colours->bottom, 1.0);
+  const std::string made = "[terrain]\nposts = 9\ncolour = ";
+  EXPECT_NE(prepare_ground(scene_of(made + "\"green.png\"\n", folder_.path()))->colours, nullptr);
+  EXPECT_THAT(
+      fault_of(made + "\"none.png\"\n", folder_.path()),
+      HasSubstr("valley.toml:4:10: terrain.colour: expected a picture of the ground, got no such file"));
+  EXPECT_THAT(fault_of(made + "\"small.r32\"\n", folder_.path()),
+              testing::AllOf(HasSubstr("valley.toml:4:10: terrain.colour: "), HasSubstr("small.r32")));
+}
+
+// Fails if a tile store is not read as one, or keys that say how to read a map are passed over for it.
+TEST_F(SceneGroundTest, TakesTileStores) {
+  const TileSetShape shape = TileSetShape::of(300, 200);
+  const TileStoreWriter writer(folder_.path() / "hills.tiles", shape, TileStoreWriter::Existing::refuse);
+  terrain::TileBuilder builder(shape, [&](const HeightTile& tile) { writer.write(tile); });
+  std::vector<float> heights_m(300);
+  for (int row = 0; row < 200; ++row) {
+    for (int column = 0; column < 300; ++column)
+      heights_m[static_cast<std::size_t>(column)] = static_cast<float>(column + 2 * row);
+    builder.add_row(heights_m);
+  }
+  TileStoreHeader header;
+  header.shape = shape;
+  header.spacing_x_m = 4.0;
+  header.spacing_z_m = 5.0;
+  header.highest_m = 697.0f;
+  writer.finish(header);
+  const std::string text = "[terrain]\nfile = \"hills.tiles\"\ncache_mb = 40\n";
+  const auto ground = prepare_ground(scene_of(text, folder_.path()));
+  ASSERT_TRUE(ground);
+  EXPECT_EQ(ground->map, nullptr);
+  ASSERT_NE(ground->tiles, nullptr);
+  EXPECT_EQ(ground->tiles->cache_bytes, std::size_t{40} << 20);
+  EXPECT_EQ(ground->origin_x_m, -0.5 * 4.0 * 299);
+  EXPECT_EQ(terrain::ground_at(ground->posts(), 4.0 * 280, 5.0 * 150)->height_m, 280.0 + 300.0);
+  OceanScene scene = scene_of(text, folder_.path());
+  place_camera(scene, ground);
+  EXPECT_EQ(scene.view.camera.eye_m.y, 997.0);
+  const test::LogCapture log;
+  prepare_world(scene_of(text + "offset_m = 3\nsky_visibility = \"on\"\n", folder_.path()));
+  EXPECT_THAT(log.text(),
+              HasSubstr("valley.toml:5:12: terrain.offset_m: not used: the ground is that of a tile store"));
+  EXPECT_THAT(log.text(), HasSubstr("terrain.sky_visibility: not used"));
+  prepare_world(scene_of("[terrain]\nposts = 9\ncache_mb = 40\n"));
+  EXPECT_THAT(log.text(), HasSubstr("terrain.cache_mb: not used: terrain.file is no tile store"));
+}
+
+// Fails if the sky is hidden by ground without being asked for, or is not where it is.
+TEST_F(SceneGroundTest, KnowsWhetherGroundHidesTheSky) {
+  EXPECT_FALSE(small("").sees_horizons);
+  EXPECT_TRUE(small("sky_visibility = \"on\"\n").sees_horizons);
+  EXPECT_FALSE(small("sky_visibility = \"off\"\n").sees_horizons);
+}
+
 // Fails if a saved scene is another one: without its sea, its ground, or a file that moved with the folder.
 TEST_F(SceneGroundTest, IsSavedWhole) {
   for (const char* text :
@@ -141,6 +207,10 @@ TEST_F(SceneGroundTest, IsSavedWhole) {
   }
   const OceanScene scene = scene_of("[terrain]\nfile = \"small.r32\"\n", folder_.path());
   EXPECT_THAT(scene_text(scene, folder_.path()), HasSubstr("file = \"small.r32\""));
+  const OceanScene painted =
+      scene_of("[terrain]\ncolour = \"photo.png\"\nsky_visibility = \"on\"\n", folder_.path());
+  EXPECT_THAT(scene_text(painted, folder_.path()),
+              testing::AllOf(HasSubstr("colour = \"photo.png\""), HasSubstr("sky_visibility = \"on\"")));
 }
 
 // Fails if an edit of lines or place makes the heights anew, or one of heights does not.
@@ -154,6 +224,16 @@ TEST_F(SceneGroundTest, MakesAnewOnlyWhatAnEditChanges) {
   EXPECT_EQ(moved->map, now->map);
   EXPECT_EQ(moved->lines.snow_line_m, 900.0);
   EXPECT_EQ(moved->origin_x_m, 7.0);
+  write_png(folder_.path() / "grey.png", {1, 1, {9, 9, 9}});
+  OceanScene painted = after;
+  painted.terrain.colour = (folder_.path() / "grey.png").string();
+  const auto with_colours = edited_ground(moved, after, painted);
+  EXPECT_EQ(with_colours->map, now->map);
+  ASSERT_NE(with_colours->colours, nullptr);
+  OceanScene higher_snow = painted;
+  higher_snow.terrain.snow_line_m = 901.0;
+  EXPECT_EQ(edited_ground(with_colours, painted, higher_snow)->colours, with_colours->colours);
+  EXPECT_EQ(edited_ground(with_colours, painted, after)->colours, nullptr);
   after.terrain.fractal.relief_m *= 2.0;
   const auto higher = edited_ground(now, before, after);
   EXPECT_NE(higher->map, now->map);

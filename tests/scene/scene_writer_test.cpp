@@ -1,5 +1,6 @@
 #include "host/scene/scene_writer.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -35,7 +36,7 @@ OceanScene unusual_scene() {
       written.value = std::int64_t{128};
     } else if (std::holds_alternative<int& (*)(OceanScene&)>(row.storage) ||
                std::holds_alternative<std::uint64_t& (*)(OceanScene&)>(row.storage)) {
-      written.value = std::int64_t{2};
+      written.value = std::max(std::int64_t{2}, static_cast<std::int64_t>(row.low) + 1);
     } else if (!row.example.empty()) {
       written = read_flag_value(row, row.example);
     }

@@ -90,17 +90,12 @@ TEST(SpectralOnlyScene, ShowsItsPatch) {
   EXPECT_GT(excess.strip_slope, 0.8);
 }
 
-// The cameras of `offing-bench terrain` are no scene.
-bool is_of_benchmark(const std::filesystem::path& path) {
-  return path.stem() == "bench_terrain";
-}
-
 // Fails if patches of a scene line up after a few repetitions: lengths in a ratio p / q with q <= 8, to one
 // part in a thousand, within which eight repetitions stay together.
 TEST(ShippedScenes, HavePatchesWithoutSimpleRatios) {
   int pairs = 0;
   for (const auto& entry : std::filesystem::directory_iterator(OFFING_SCENES)) {
-    if (entry.path().extension() != ".toml" || is_of_benchmark(entry.path())) continue;
+    if (entry.path().extension() != ".toml") continue;
     const OceanScene scene = load_scene(entry.path());
     if (!scene.has_sea()) continue;
     const Sea sea = prepare_sea(scene);

@@ -42,7 +42,8 @@ class TerrainCrossDeviceTest : public testing::Test {
   }
 
   // Roots and exponentials of two implementations differ by ulps: 1e-3 cells (10 m) of distance and 1/255 of
-  // light are promised. A ray that grazes a ridge may differ by all there is: of 3,400 values five.
+  // light are promised. A ray that grazes a ridge may differ by all there is, its distance or its light: of
+  // 7,469 values three. Measured: none.
   static void expect_same(const std::vector<float>& found, const std::vector<float>& expected) {
     ASSERT_EQ(found.size(), expected.size());
     ASSERT_FALSE(expected.empty());
@@ -50,7 +51,7 @@ class TerrainCrossDeviceTest : public testing::Test {
     for (std::size_t i = 0; i < expected.size(); ++i) {
       unlike += std::abs(found[i] - expected[i]) <= 1e-3f + 1e-4f * std::abs(expected[i]) ? 0 : 1;
     }
-    EXPECT_LE(unlike, 5u) << "of " << expected.size();
+    EXPECT_LE(unlike, 3u) << "of " << expected.size();
   }
 
   TemporaryFolder folder_;

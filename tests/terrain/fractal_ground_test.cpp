@@ -51,6 +51,16 @@ TEST(FractalGroundTest, MorePostsShowTheSameGround) {
   EXPECT_LT(worst_m, 20.8);
 }
 
+// Fails, under a sanitizer at the latest, if the last post has no lattice where its place rounds to beyond
+// the side: 199 * (1000 / 199) = 1000.0000000000001, which is 15 of the longest wavelengths and not less.
+TEST(FractalGroundTest, LastPostsHaveALattice) {
+  const FractalParameters parameters{
+      .posts = 200, .side_m = 1000.0, .longest_m = 66.66666666666667, .erosion = 0.5};
+  for (const float height_m : heights_of(parameters)) {
+    ASSERT_LE(std::abs(height_m - static_cast<float>(parameters.mean_m)), parameters.relief_m);
+  }
+}
+
 // About the relief that was asked for: within a factor of 2.
 TEST(FractalGroundTest, HasTheReliefThatIsAsked) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {

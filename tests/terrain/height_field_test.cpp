@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -109,6 +110,34 @@ TEST(HeightFieldTest, PicturesFindWhatSingleRaysFind) {
     EXPECT_GT(ground, 10'000u) << map.name;
     EXPECT_LE(differing, 48u * 75u * 45u / 10'000u) << map.name;
   }
+}
+
+// Fails if packets that are wide beside the map leave the pyramid, whose top level is below its root here.
+TEST(HeightFieldTest, FarPicturesFindWhatSingleRaysFind) {
+  const ocl::Device device = ocl::Device::open();
+  const test::HeightMap map =
+      test::valleys({.columns = 531, .rows = 531, .spacing_x_m = 10.0, .spacing_z_m = 10.0});
+  HeightField field(device, map.grid, map.heights_m);
+  ASSERT_LT(field.pyramid().layout().top_level, 7);
+  ocl::Buffer<TerrainHit> together(device, 64 * 36, "together"), alone(device, 64 * 36, "alone");
+  std::size_t ground = 0, differing = 0;
+  for (const double away_m : {3e3, 1e4, 3e4, 1e5}) {
+    const Camera camera{.eye_m = {-away_m, 0.8 * away_m, -away_m},
+                        .yaw_rad = 0.75 * std::numbers::pi,
+                        .pitch_rad = -0.5,
+                        .vertical_field_of_view_rad = 1.0,
+                        .width_px = 64,
+                        .height_px = 36};
+    field.cast(camera, together);
+    field.cast(camera, alone, terrain::CastMethod::paper);
+    const std::vector<TerrainHit> found = together.read(), expected = alone.read();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      differing += found[i].kind == expected[i].kind ? 0 : 1;
+      ground += found[i].kind == TERRAIN_SURFACE ? 1 : 0;
+    }
+  }
+  EXPECT_GT(ground, 100u);
+  EXPECT_EQ(differing, 0u);
 }
 
 }  // namespace

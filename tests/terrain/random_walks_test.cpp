@@ -20,6 +20,7 @@
 namespace offing {
 namespace {
 
+using terrain::posts_of;
 using terrain::Walker;
 using terrain::WalkerState;
 
@@ -34,7 +35,7 @@ double ulp(double value) {
 void walk_over(const std::string& name, const HeightMap& map) {
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> any(0.0, 1.0);
-  Walker walker(map);
+  Walker walker(posts_of(map));
   const double eye_height_m = walker.parameters().eye_height_m;
   const double slope_limit = std::cos(walker.parameters().slope_limit_rad);
   double worst_m = 0.0, lowest_m = 0.0, walked_m = 0.0, fallen_s = 0.0;

@@ -65,9 +65,9 @@ TEST(TerrainLayoutTest, TerrainSight) {
 TEST(TerrainLayoutTest, TerrainLook) {
   using S = TerrainLook;
   EXPECT_EQ(layout_of("shared/terrain_look.h", "TerrainLook",
-                      {"colour_columns", "colour_left", "open_sky_stride", "open_sky_rows"}),
+                      {"colour_columns", "colour_left", "open_sky_stride", "hidden_bend_perm"}),
             (Layout{sizeof(S), offsetof(S, colour_columns), offsetof(S, colour_left),
-                    offsetof(S, open_sky_stride), offsetof(S, open_sky_rows)}));
+                    offsetof(S, open_sky_stride), offsetof(S, hidden_bend_perm)}));
 }
 
 }  // namespace

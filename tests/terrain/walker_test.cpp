@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -15,6 +16,7 @@
 namespace offing {
 namespace {
 
+using terrain::posts_of;
 using terrain::Walker;
 using terrain::WalkerState;
 
@@ -38,7 +40,7 @@ double above_ground_m(const HeightMap& map, const WalkerState& state) {
 // Fails if velocity in plan depends on the slope, or feet leave gentle ground.
 TEST(WalkerTest, GoesAsWantedOverGentleGround) {
   const HeightMap map = made([](double x_m, double z_m) { return 0.5 * x_m - 0.25 * z_m; });
-  Walker walker(map);
+  Walker walker(posts_of(map));
   walker.reset(50.0, 120.0, 7.0);
   walker.advance_to(17.0, {3.0, -4.0});
   const WalkerState state = walker.state();
@@ -53,7 +55,7 @@ TEST(WalkerTest, GoesAsWantedOverGentleGround) {
 TEST(WalkerTest, FramesDoNotChangeTheWay) {
   const HeightMap map =
       made([](double x_m, double z_m) { return 30.0 * std::sin(0.07 * x_m) * std::cos(0.05 * z_m); });
-  Walker one(map), many(map);
+  Walker one(posts_of(map)), many(posts_of(map));
   one.advance_to(9.0, {4.0, 1.0});
   for (int frame = 1; frame <= 9 * 61; ++frame) many.advance_to(frame / 61.0, {4.0, 1.0});
   EXPECT_EQ(one.state().eye_m, many.state().eye_m);
@@ -63,7 +65,7 @@ TEST(WalkerTest, FramesDoNotChangeTheWay) {
 // Fails if frames between two steps show a place that jumps: 5 m/s are 5 mm in a millisecond.
 TEST(WalkerTest, FramesBetweenStepsAreEven) {
   const HeightMap map = made([](double, double) { return 0.0; });
-  Walker walker(map);
+  Walker walker(posts_of(map));
   double before_m = walker.state().eye_m.x;
   for (int frame = 1; frame <= 1000; ++frame) {
     walker.advance_to(frame * 1e-3, {5.0, 0.0});
@@ -76,7 +78,7 @@ TEST(WalkerTest, FramesBetweenStepsAreEven) {
 // what goes along it.
 TEST(WalkerTest, SlidesAlongSteepGround) {
   const HeightMap map = made([](double x_m, double) { return std::max(0.0, 2.0 * (x_m - 120.0)); });
-  Walker walker(map);
+  Walker walker(posts_of(map));
   walker.reset(110.0, 20.0);
   walker.advance_to(20.0, {3.0, 4.0});
   EXPECT_NEAR(walker.state().eye_m.x, 120.0, 3.0 * Walker::step_s);
@@ -91,7 +93,7 @@ TEST(WalkerTest, SlidesAlongSteepGround) {
 // 1/120 s tell that within one.
 TEST(WalkerTest, FallsFromACliff) {
   const HeightMap map = made([](double x_m, double) { return x_m <= 100.0 ? 10.0 : 0.0; });
-  Walker walker(map);
+  Walker walker(posts_of(map));
   walker.reset(95.0, 100.0);
   double fell_s = 0.0, landed_s = 0.0;
   for (int frame = 1; frame <= 480 && landed_s == 0.0; ++frame) {
@@ -112,7 +114,7 @@ TEST(WalkerTest, FallsFromACliff) {
 TEST(WalkerTest, SlidesDownWhatDoesNotHold) {
   const double slope = std::tan(std::numbers::pi / 3.0);
   const HeightMap map = made([&](double x_m, double) { return std::max(0.0, slope * (x_m - 60.0)); });
-  Walker walker(map);
+  Walker walker(posts_of(map));
   walker.reset(100.0, 100.0);
   EXPECT_TRUE(walker.state().is_falling);
   walker.advance_to(2.0, {50.0, 50.0});
@@ -128,7 +130,7 @@ TEST(WalkerTest, SlidesDownWhatDoesNotHold) {
 // Fails if he slides for ever between two steep sides.
 TEST(WalkerTest, ComesToRestBetweenSteepSides) {
   const HeightMap map = made([](double x_m, double) { return 3.0 * std::abs(x_m - 100.0); });
-  Walker walker(map);
+  Walker walker(posts_of(map));
   walker.reset(110.0, 100.0);
   walker.advance_to(30.0, {0.0, 0.0});
   EXPECT_FALSE(walker.state().is_falling);
@@ -137,22 +139,44 @@ TEST(WalkerTest, ComesToRestBetweenSteepSides) {
 
 TEST(WalkerTest, StopsAtTheEdge) {
   const HeightMap map = made([](double, double) { return 4.0; });
-  Walker walker(map);
+  Walker walker(posts_of(map));
   walker.advance_to(100.0, {50.0, -3.0});
   EXPECT_EQ(walker.state().eye_m, glm::dvec3(200.0, 4.0 + 1.7, 0.0));
   EXPECT_EQ(walker.state().velocity_mps, glm::dvec3(0.0));
 }
 
+// Fails if the last posts are not on the map where their place, a product, does not divide back: 20.6 m.
+TEST(WalkerTest, StopsAtEdgesThatAreRounded) {
+  for (const auto& [columns, spacing_m] :
+       {std::pair(1024, 20.6), std::pair(3601, 0.7), std::pair(1024, 0.1)}) {
+    HeightMap map;
+    map.columns = columns;
+    map.rows = 2;
+    map.spacing_x_m = map.spacing_z_m = spacing_m;
+    map.heights_m.assign(2 * static_cast<std::size_t>(columns), 4.0f);
+    const double edge_m = spacing_m * (columns - 1);
+    ASSERT_TRUE(terrain::ground_at(map, edge_m, spacing_m));
+    EXPECT_FALSE(terrain::ground_at(map, edge_m * (1.0 + 1e-12), spacing_m));
+    Walker walker(map);
+    walker.reset(edge_m - 1e-3, 0.5 * spacing_m);
+    walker.advance_to(1.0, {50.0, 50.0});
+    EXPECT_EQ(walker.state().eye_m, glm::dvec3(edge_m, 4.0 + 1.7, spacing_m));
+  }
+}
+
 TEST(WalkerTest, RefusesWhatIsOutOfRange) {
   const HeightMap map = made([](double, double) { return 4.0; });
-  Walker walker(map);
+  Walker walker(posts_of(map));
   test::expect_error(ErrorKind::bad_input, "within the map", [&] { walker.reset(-1.0, 3.0); });
   test::expect_error(ErrorKind::bad_input, "within the map", [&] { walker.reset(1.0, std::nan("")); });
   test::expect_error(ErrorKind::bad_input, "wanted velocity", [&] { walker.advance_to(1.0, {2000.0, 0.0}); });
   test::expect_error(ErrorKind::bad_input, "time_s", [&] { walker.advance_to(INFINITY, {1.0, 0.0}); });
-  test::expect_error(ErrorKind::bad_input, "eye_height_m", [&] { Walker(map, {.eye_height_m = -1.0}); });
-  test::expect_error(ErrorKind::bad_input, "slope_limit_rad", [&] { Walker(map, {.slope_limit_rad = 1.6}); });
-  test::expect_error(ErrorKind::bad_input, "gravity_mps2", [&] { Walker(map, {.gravity_mps2 = 0.0}); });
+  test::expect_error(ErrorKind::bad_input, "eye_height_m",
+                     [&] { Walker(posts_of(map), {.eye_height_m = -1.0}); });
+  test::expect_error(ErrorKind::bad_input, "slope_limit_rad",
+                     [&] { Walker(posts_of(map), {.slope_limit_rad = 1.6}); });
+  test::expect_error(ErrorKind::bad_input, "gravity_mps2",
+                     [&] { Walker(posts_of(map), {.gravity_mps2 = 0.0}); });
 }
 
 }  // namespace

@@ -245,7 +245,7 @@ HeightMapFile read_height_map(const std::filesystem::path& path, const HeightMap
 
 HeightMapSource stream_height_map(const std::filesystem::path& path, const HeightMapOptions& options,
                                   const std::function<void(const HeightMapFile&)>& begin,
-                                  const std::function<void(std::span<const float>)>& row) {
+                                  const TakeRow& row) {
   std::optional<height_maps::Mosaic> mosaic;
   std::error_code status;
   if (std::filesystem::is_directory(path, status)) {

@@ -60,15 +60,17 @@ struct HeightMapFile {
 /// map larger than the memory that is free, before any of it is taken; Error(file) if reading is not allowed.
 HeightMapFile read_height_map(const std::filesystem::path& path, const HeightMapOptions& options = {});
 
+/// Takes heights [columns] m of a row, and is_void [columns] as HeightMap has it.
+using TakeRow = std::function<void(std::span<const float> heights_m, std::span<const std::uint8_t> is_void)>;
+
 /// Reads a height map row by row, of any size, with memory for some rows only: a file as read_height_map()
 /// reads it, a VRT, or a folder whose rasters together are one map. `begin` gets what is known beforehand
-/// (heights, voids and range are not), `row` the heights [columns] m of each row from north to south. Voids
-/// are filled in bands of 256 rows, each beginning with the last row of the one before; before the first
-/// height they are 0. Returns what was read.
+/// (heights, voids and range are not), `row` the heights [columns] m of each row from north to south, and 1
+/// where nothing was measured. Voids are filled in bands of 256 rows, each beginning with the last row of the
+/// one before; before the first height they are 0. Returns what was read.
 ///
 /// Throws what read_height_map() throws, and Error(bad_input) for south-up rasters and reproject_to.
 HeightMapSource stream_height_map(const std::filesystem::path& path, const HeightMapOptions& options,
-                                  const std::function<void(const HeightMapFile&)>& begin,
-                                  const std::function<void(std::span<const float>)>& row);
+                                  const std::function<void(const HeightMapFile&)>& begin, const TakeRow& row);
 
 }  // namespace offing

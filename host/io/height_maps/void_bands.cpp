@@ -13,7 +13,7 @@ constexpr std::size_t rows_a_band = 256;
 }  // namespace
 
 VoidBands::VoidBands(int columns, std::optional<double> void_height_m,
-                     std::function<void(std::span<const float>)> take)
+                     std::function<void(std::span<const float>, std::span<const std::uint8_t>)> take)
     : columns_(static_cast<std::size_t>(columns)), void_height_m_(void_height_m), take_(std::move(take)) {}
 
 void VoidBands::note(float height_m) {
@@ -54,7 +54,8 @@ void VoidBands::pass_on() {
     }
   }
   for (std::size_t row = first_; row < rows; ++row) {
-    take_(std::span(heights_m_).subspan(row * columns_, columns_));
+    take_(std::span(heights_m_).subspan(row * columns_, columns_),
+          std::span(is_void_).subspan(row * columns_, columns_));
   }
   heights_m_.erase(heights_m_.begin(), heights_m_.end() - static_cast<std::ptrdiff_t>(columns_));
   is_void_.assign(columns_, 0);

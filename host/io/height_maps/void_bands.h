@@ -15,7 +15,7 @@ class VoidBands {
  public:
   /// void_height_m is that of all voids, if given; else those before the first height become 0.
   VoidBands(int columns, std::optional<double> void_height_m,
-            std::function<void(std::span<const float>)> take);
+            std::function<void(std::span<const float>, std::span<const std::uint8_t>)> take);
 
   /// Whole rows; is_void 1 where a height is missing.
   void add(std::span<const float> heights_m, std::span<const std::uint8_t> is_void);
@@ -34,9 +34,9 @@ class VoidBands {
 
   std::size_t columns_;
   std::optional<double> void_height_m_;
-  std::function<void(std::span<const float>)> take_;
+  std::function<void(std::span<const float>, std::span<const std::uint8_t>)> take_;
   std::vector<float> heights_m_;       ///< the row before the band, if there is one, and the band
-  std::vector<std::uint8_t> is_void_;  ///< the same
+  std::vector<std::uint8_t> is_void_;  ///< the same; the row before counts as known
   std::size_t first_ = 0;              ///< row of the band's first, 0 or 1
   std::size_t posts_ = 0, void_posts_ = 0, band_voids_ = 0;
   float lowest_m_ = 0.0f, highest_m_ = 0.0f;

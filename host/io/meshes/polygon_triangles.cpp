@@ -8,8 +8,6 @@
 namespace offing::meshes {
 namespace {
 
-constexpr std::size_t most_steps = 2'000'000'000;  // of some nanoseconds
-
 /// Twice the area of the triangle, positive if it is anticlockwise.
 double doubled_area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -81,12 +79,14 @@ void PolygonCutter::find_reflex() {
 bool PolygonCutter::is_ear(std::uint32_t corner) {
   if (!(turn_at(corner) > 0.0)) return false;
   const glm::dvec2 &a = points_[before_[corner]], &b = points_[corner], &c = points_[after_[corner]];
-  steps_ += reflex_.size();
-  return std::none_of(reflex_.begin(), reflex_.end(), [&](std::uint32_t other) {
+  const auto is_within = [&](std::uint32_t other) {
     const glm::dvec2& p = points_[other];
     if (p == a || p == b || p == c) return false;
     return doubled_area(a, b, p) >= 0.0 && doubled_area(b, c, p) >= 0.0 && doubled_area(c, a, p) >= 0.0;
-  });
+  };
+  const auto found = std::find_if(reflex_.begin(), reflex_.end(), is_within);
+  steps_ += static_cast<std::size_t>(found - reflex_.begin());
+  return found == reflex_.end();
 }
 
 bool PolygonCutter::cut_ears(std::span<const std::uint32_t> corners, std::vector<TriangleIndices>& faces) {
@@ -101,7 +101,7 @@ bool PolygonCutter::cut_ears(std::span<const std::uint32_t> corners, std::vector
   const std::size_t first_face = faces.size();
   std::uint32_t corner = 0, misses = 0;
   for (std::uint32_t left = count; left > 2;) {
-    if (++steps_ > most_steps) {
+    if (++steps_ > most_steps_) {
       faces.resize(first_face);
       return false;
     }

@@ -21,10 +21,12 @@ namespace offing::meshes {
 /// have no area may have no ear left; then any corner is cut off, so that they are kept, too.
 class PolygonCutter {
  public:
-  explicit PolygonCutter(std::span<const glm::dvec3> positions_m) : positions_m_(positions_m) {}
+  /// `most_steps` of some nanoseconds: all polygons together.
+  explicit PolygonCutter(std::span<const glm::dvec3> positions_m, std::size_t most_steps = 1'000'000'000)
+      : positions_m_(positions_m), most_steps_(most_steps) {}
 
   /// Adds the triangles of a polygon of four corners or more. False, without its triangles, if this one and
-  /// those before have taken more steps than a few seconds hold: ears of n corners take n^2 at worst.
+  /// those before have taken too many steps: ears of n corners take n^2 at worst.
   bool cut(std::span<const std::uint32_t> corners, std::vector<TriangleIndices>& faces);
 
  private:
@@ -39,7 +41,7 @@ class PolygonCutter {
   std::vector<glm::dvec2> points_;             // corners of the polygon in its plane, anticlockwise
   std::vector<std::uint32_t> before_, after_;  // the ring of corners that are not cut off
   std::vector<std::uint32_t> reflex_;          // corners that may lie in an ear
-  std::size_t steps_ = 0;
+  std::size_t most_steps_, steps_ = 0;
 };
 
 }  // namespace offing::meshes

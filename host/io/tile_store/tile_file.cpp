@@ -20,7 +20,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "files are written as they lie in memory");
 
 constexpr std::uint64_t magic = 0x656c69742d66666fULL;  // "off-tile"
-constexpr std::uint32_t format_version = 1;
+constexpr std::uint32_t format_version = 2;
 
 enum class Encoding : std::uint32_t {
   floats,  ///< as they are
@@ -38,12 +38,14 @@ struct Header {
   std::uint32_t version;
   std::int32_t level, column, row;
   Layer means, highest;
+  std::uint64_t void_bytes;  ///< of the voids, a bit a post, behind the layers; 0: there are none
 };
-static_assert(sizeof(Header) == 56, "no padding");
+static_assert(sizeof(Header) == 64, "no padding");
 
 constexpr std::size_t checked_from = 16;
 constexpr std::size_t ringed_posts = std::size_t{ringed_tile_posts} * ringed_tile_posts;
 constexpr std::size_t plain_posts = std::size_t{tile_posts} * tile_posts;
+constexpr std::size_t void_bytes = (plain_posts + 7) / 8;
 constexpr float most_steps = 65535.0f;
 
 enum class Rounding { none, allowed };
@@ -110,6 +112,24 @@ std::vector<float> read_layer(const Layer& layer, const char* bytes, std::size_t
   return heights_m;
 }
 
+/// Empty if there are none.
+std::vector<std::uint8_t> packed_voids(const std::vector<std::uint8_t>& is_void) {
+  if (is_void.empty()) return {};
+  std::vector<std::uint8_t> packed(void_bytes);
+  for (std::size_t i = 0; i < plain_posts; ++i) {
+    if (is_void[i] != 0) packed[i / 8] = static_cast<std::uint8_t>(packed[i / 8] | 1u << i % 8);
+  }
+  return packed;
+}
+
+std::vector<std::uint8_t> unpacked_voids(std::string_view packed) {
+  std::vector<std::uint8_t> is_void(plain_posts);
+  for (std::size_t i = 0; i < plain_posts; ++i) {
+    is_void[i] = static_cast<std::uint8_t>(static_cast<unsigned char>(packed[i / 8]) >> i % 8 & 1u);
+  }
+  return is_void;
+}
+
 std::uint64_t checksum_of(std::string_view bytes) {
   return XXH3_64bits(bytes.data() + checked_from, bytes.size() - checked_from);
 }
@@ -123,17 +143,20 @@ std::uint64_t checksum_of(std::string_view bytes) {
 
 std::string encode_tile(const HeightTile& tile) {
   const TileKey& key = tile.key;
-  Header header{magic, 0, format_version, key.level, key.column, key.row, {}, {}};
+  Header header{magic, 0, format_version, key.level, key.column, key.row, {}, {}, 0};
   header.means = layer_for(tile.means_m, key.level == 0 ? Rounding::none : Rounding::allowed);
   header.highest = key.level == 0 && middle_of(tile.means_m) == tile.highest_m
                        ? Layer{Encoding::middle, 0.0f, 0.0f}
                        : layer_for(tile.highest_m, Rounding::none);
+  const std::vector<std::uint8_t> voids = packed_voids(tile.is_void);
+  header.void_bytes = voids.size();
   std::string bytes;
   bytes.reserve(sizeof(Header) + layer_bytes(header.means, ringed_posts) +
-                layer_bytes(header.highest, plain_posts));
+                layer_bytes(header.highest, plain_posts) + voids.size());
   append(bytes, &header, sizeof(Header));
   append_layer(bytes, header.means, tile.means_m);
   append_layer(bytes, header.highest, tile.highest_m);
+  append(bytes, voids.data(), voids.size());
   const std::uint64_t checksum = checksum_of(bytes);
   std::memcpy(bytes.data() + sizeof(magic), &checksum, sizeof(checksum));
   return bytes;
@@ -160,13 +183,18 @@ HeightTile decode_tile(const std::filesystem::path& path, std::string_view bytes
                key.level, key.column, key.row, found.level, found.column, found.row));
   }
   const std::size_t means_bytes = layer_bytes(header.means, ringed_posts);
-  if (bytes.size() != sizeof(Header) + means_bytes + layer_bytes(header.highest, plain_posts)) {
+  const std::size_t highest_bytes = layer_bytes(header.highest, plain_posts);
+  const bool are_voids_right = header.void_bytes == 0 || header.void_bytes == void_bytes;
+  if (!are_voids_right || bytes.size() != sizeof(Header) + means_bytes + highest_bytes + header.void_bytes) {
     refuse(path, fmt::format("expected as many heights as a tile has, found {} bytes", bytes.size()));
   }
   HeightTile tile{key, {}, read_layer(header.means, bytes.data() + sizeof(Header), ringed_posts)};
   tile.highest_m = header.highest.encoding == Encoding::middle
                        ? middle_of(tile.means_m)
                        : read_layer(header.highest, bytes.data() + sizeof(Header) + means_bytes, plain_posts);
+  if (header.void_bytes > 0) {
+    tile.is_void = unpacked_voids(bytes.substr(sizeof(Header) + means_bytes + highest_bytes));
+  }
   return tile;
 }
 

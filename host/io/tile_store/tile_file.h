@@ -10,8 +10,8 @@ namespace offing::tile_store {
 
 /// The bytes of a tile's file: magic, version, key, and the two layers of heights with their checksum (XXH3).
 /// Heights of the map and highest posts are kept to the last bit, as 16-bit whole metres where they are
-/// such; means of level 1 and up as 65536 steps between their lowest and highest. Equal tiles have equal
-/// bytes.
+/// such; means of level 1 and up as 65536 steps between their lowest and highest; voids, where there are any,
+/// as bits. Equal tiles have equal bytes.
 std::string encode_tile(const HeightTile& tile);
 
 /// The tile of a file's bytes. Throws Error(bad_input) that names the file if they are of another version or

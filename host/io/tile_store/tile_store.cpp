@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* header_name = "store.toml";
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 
 fs::path tile_path(const fs::path& folder, const TileKey& key) {
   return folder / std::to_string(key.level) / fmt::format("{:04}", key.row) /

@@ -42,7 +42,9 @@ class StreamHeightMap : public ::testing::Test {
     std::vector<float> heights_m;
     const HeightMapSource source = stream_height_map(
         path(name), options, [&](const HeightMapFile& about) { file = about; },
-        [&](std::span<const float> row) {
+        [&](std::span<const float> row, std::span<const std::uint8_t> is_void) {
+          EXPECT_EQ(is_void.size(), row.size());
+          file.map.is_void.insert(file.map.is_void.end(), is_void.begin(), is_void.end());
           EXPECT_EQ(row.size(), static_cast<std::size_t>(file.map.columns));
           heights_m.insert(heights_m.end(), row.begin(), row.end());
         });
@@ -101,6 +103,7 @@ TEST_F(StreamHeightMap, FillsVoidsInBands) {
   options.spacing_x_m = options.spacing_z_m = 10.0;
   const HeightMapFile file = stream("holes.tif", options);
   EXPECT_EQ(file.source.void_posts, 50u * 19u);
+  EXPECT_EQ(file.map.is_void, read_height_map(path("holes.tif"), options).map.is_void);
   EXPECT_EQ(file.source.lowest_m, 1000.0f);
   double steepest_m = 0.0;
   for (int row = 1; row < 600; ++row) {

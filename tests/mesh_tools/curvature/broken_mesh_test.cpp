@@ -14,9 +14,9 @@
 namespace offing::mesh_tools {
 namespace {
 
-constexpr CurvatureMethod all_methods[] = {CurvatureMethod::tensor, CurvatureMethod::tensor_exact,
-                                           CurvatureMethod::paper, CurvatureMethod::diffused,
-                                           CurvatureMethod::jet};
+constexpr CurvatureMethod all_methods[] = {CurvatureMethod::fit,          CurvatureMethod::tensor,
+                                           CurvatureMethod::tensor_exact, CurvatureMethod::paper,
+                                           CurvatureMethod::diffused,     CurvatureMethod::jet};
 
 /// All of the result is finite, directions are a frame or 0, confidence is within 0 ... 1, larger is larger.
 void expect_sound(const TriangleMesh& mesh, const std::string& what) {

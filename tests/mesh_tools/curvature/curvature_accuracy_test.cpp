@@ -47,9 +47,10 @@ TEST_P(CurvatureAccuracy, ComesNearTheSmoothSurface) {
 
 INSTANTIATE_TEST_SUITE_P(
     Methods, CurvatureAccuracy,
-    testing::Values(Gate{CurvatureMethod::tensor, {1.0, 1.25, 2.25, 1.0}, {0.7, 1.25, 1.65, 0.23}},
+    testing::Values(Gate{CurvatureMethod::fit, {0.36, 0.24, 2.1, 0.25}, {0.23, 0.18, 0.78, 0.04}},
+                    Gate{CurvatureMethod::tensor, {1.0, 1.25, 2.25, 1.0}, {0.7, 1.25, 1.65, 0.23}},
                     Gate{CurvatureMethod::tensor_exact, {1.15, 1.15, 2.4, 2.0}, {0.9, 1.25, 1.6, 0.32}},
-                    Gate{CurvatureMethod::diffused, {0.55, 1.2, 3.6, 0.87}, {0.6, 1.4, 1.85, 0.26}},
+                    Gate{CurvatureMethod::diffused, {0.52, 1.05, 3.6, 0.87}, {0.6, 1.4, 1.85, 0.26}},
                     Gate{CurvatureMethod::jet, {0.45, 1.2, 6.6, 0.57}, {0.27, 0.42, 2.05, 0.12}}),
     [](const auto& instance) {
       std::string name(name_of(instance.param.method));
@@ -67,11 +68,12 @@ double mean_error_on_sphere(int level, CurvatureMethod method) {
 // corners of an icosphere, twelve whatever the level, leave a little less than that.
 TEST(CurvatureConvergence, ErrorsFallAsSpheresAreRefined) {
   for (const CurvatureMethod method :
-       {CurvatureMethod::tensor, CurvatureMethod::diffused, CurvatureMethod::jet}) {
+       {CurvatureMethod::fit, CurvatureMethod::tensor, CurvatureMethod::diffused, CurvatureMethod::jet}) {
     const double coarse = mean_error_on_sphere(4, method), fine = mean_error_on_sphere(5, method),
                  finest = mean_error_on_sphere(6, method);
-    EXPECT_LT(fine, 0.6 * coarse) << name_of(method);
-    EXPECT_LT(finest, 0.6 * fine) << name_of(method);
+    // The fit is right on spheres but for the normals' errors, which are rounding soon.
+    EXPECT_LT(fine, 0.6 * coarse + 1e-7) << name_of(method);
+    EXPECT_LT(finest, 0.6 * fine + 1e-7) << name_of(method);
     EXPECT_LT(finest, 1e-3) << name_of(method);
   }
   EXPECT_LT(mean_error_on_sphere(6, CurvatureMethod::tensor_exact), 0.02);
@@ -113,8 +115,9 @@ TEST(CurvatureIntegral, IsThatOfTheTopology) {
                                   {test::jittered_torus(), 0.0},
                                   {test::noisy_torus(), 0.0}};
   for (const IntegralCase& closed : cases) {
-    for (const CurvatureMethod method : {CurvatureMethod::tensor, CurvatureMethod::tensor_exact,
-                                         CurvatureMethod::diffused, CurvatureMethod::jet}) {
+    for (const CurvatureMethod method :
+         {CurvatureMethod::fit, CurvatureMethod::tensor, CurvatureMethod::tensor_exact,
+          CurvatureMethod::diffused, CurvatureMethod::jet}) {
       const VertexCurvatures found = measured(closed.named.shape.mesh, method);
       double sum = 0.0, absolute = 0.0;
       for (std::size_t i = 0; i < found.area_m2.size(); ++i) {
@@ -131,8 +134,9 @@ TEST(CurvatureIntegral, IsThatOfTheTopology) {
 TEST(CurvatureIntegral, IsThatOfTheSaddleWithinItsBorder) {
   const Shape saddle = test::jittered_saddle().shape;
   const VertexCurvatures& truth = *saddle.truth;
-  for (const CurvatureMethod method : {CurvatureMethod::tensor, CurvatureMethod::tensor_exact,
-                                       CurvatureMethod::diffused, CurvatureMethod::jet}) {
+  for (const CurvatureMethod method :
+       {CurvatureMethod::fit, CurvatureMethod::tensor, CurvatureMethod::tensor_exact,
+        CurvatureMethod::diffused, CurvatureMethod::jet}) {
     const VertexCurvatures found = measured(saddle.mesh, method);
     double sum = 0.0, absolute = 0.0, expected = 0.0;
     for (std::size_t i = 0; i < found.area_m2.size(); ++i) {
@@ -151,7 +155,7 @@ TEST(CurvatureIntegral, IsThatOfTheSaddleWithinItsBorder) {
 TEST(CurvatureConvention, ConvexIsPositiveInOneOverMetres) {
   const Shape sphere = make_sphere(4.0, 4);
   for (const CurvatureMethod method :
-       {CurvatureMethod::tensor, CurvatureMethod::tensor_exact, CurvatureMethod::paper,
+       {CurvatureMethod::fit, CurvatureMethod::tensor, CurvatureMethod::tensor_exact, CurvatureMethod::paper,
         CurvatureMethod::diffused, CurvatureMethod::jet}) {
     const CurvatureResult result = vertex_curvatures(sphere.mesh, {.method = method});
     for (std::size_t i = 0; i < result.normals.size(); ++i) {

@@ -14,9 +14,9 @@
 namespace offing::mesh_tools {
 namespace {
 
-constexpr CurvatureMethod all_methods[] = {CurvatureMethod::tensor, CurvatureMethod::tensor_exact,
-                                           CurvatureMethod::paper, CurvatureMethod::diffused,
-                                           CurvatureMethod::jet};
+constexpr CurvatureMethod all_methods[] = {CurvatureMethod::fit,          CurvatureMethod::tensor,
+                                           CurvatureMethod::tensor_exact, CurvatureMethod::paper,
+                                           CurvatureMethod::diffused,     CurvatureMethod::jet};
 
 TriangleMesh rough_torus() {
   return make_torus(1.0, 0.4, {40, 20, Diagonals::random}, {.jitter = 0.3, .normal_noise = 0.02, .seed = 3})

@@ -1,0 +1,41 @@
+#include "mesh_tools/mesh_job.h"
+
+#include <fmt/format.h>
+
+#include "host/base/error_report.h"
+#include "host/command_line/new_output.h"
+#include "host/io/atomic_file.h"
+#include "host/io/meshes/read_mesh.h"
+#include "host/io/meshes/write_mesh.h"
+
+namespace offing::mesh_tools {
+
+void MeshJob::add_to(CLI::App& command) {
+  command.add_option("FILE", input, "mesh: .obj, .ply, .off, .stl, .gltf, .glb")->required();
+  command.add_option("-o,--output", output, "mesh to write: .ply (binary), .obj, .off, .stl")
+      ->type_name("FILE")
+      ->required();
+  command.add_flag("--force", force, "replace a file that is there");
+  command.add_flag("--json", json, "results for scripts");
+}
+
+void MeshJob::require_output() const {
+  require_mesh_extension(output);
+  require_new(output, force ? Overwriting::allowed : Overwriting::refused);
+  require_writable(output);
+}
+
+TriangleMesh MeshJob::read() const {
+  return read_mesh(input);
+}
+
+void MeshJob::write(const TriangleMesh& mesh) const {
+  write_mesh(output, mesh);
+}
+
+std::string MeshJob::told(const TriangleMesh& mesh) const {
+  return fmt::format("{}: {} vertices, {} faces", one_line(output), mesh.positions_m.size(),
+                     mesh.faces.size());
+}
+
+}  // namespace offing::mesh_tools

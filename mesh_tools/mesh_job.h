@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include <CLI/App.hpp>
+
+#include "host/base/triangle_mesh.h"
+#include "host/io/meshes/mesh_file.h"
+
+namespace offing::mesh_tools {
+
+/// What commands share that make a mesh of a mesh: `IN -o OUT [--force] [--json]`.
+struct MeshJob {
+  std::string input, output;
+  bool force = false;
+  bool json = false;
+
+  void add_to(CLI::App& command);
+
+  /// Throws Error for an output that no format fits or that is there already. Call it before work begins.
+  void require_output() const;
+  /// The mesh of the input; what it cannot hold is logged as a warning.
+  TriangleMesh read() const;
+  void write(const TriangleMesh& mesh) const;
+
+  /// "out.ply: 1200 vertices, 2396 faces".
+  std::string told(const TriangleMesh& mesh) const;
+};
+
+}  // namespace offing::mesh_tools
