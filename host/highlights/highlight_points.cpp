@@ -26,16 +26,13 @@ std::size_t items(int work, int work_per_item) {
 }
 
 HighlightPoint point_of(const HighlightSurface& surface, const HighlightRecord& record) {
-  const TriangleIndices& corners = surface.mesh().faces[static_cast<std::size_t>(record.face)];
-  const auto& positions_m = surface.mesh().positions_m;
   HighlightPoint point;
   point.face = static_cast<std::uint32_t>(record.face);
   point.lamp = record.light;
   point.orientation = record.orientation;
   point.weights = {record.weight_0, record.weight_1, record.weight_2};
   point.weights /= point.weights.x + point.weights.y + point.weights.z;
-  point.position_m = point.weights.x * positions_m[corners[0]] + point.weights.y * positions_m[corners[1]] +
-                     point.weights.z * positions_m[corners[2]];
+  point.position_m = place_on(surface, point.face, point.weights);
   point.normal = glm::normalize(glm::dvec3(record.normal_x, record.normal_y, record.normal_z));
   const glm::dvec3 e_max(record.e_max_x, record.e_max_y, record.e_max_z);
   point.e_max = glm::normalize(e_max - glm::dot(e_max, point.normal) * point.normal);
@@ -46,6 +43,13 @@ HighlightPoint point_of(const HighlightSurface& surface, const HighlightRecord& 
 }
 
 }  // namespace
+
+glm::dvec3 place_on(const HighlightSurface& surface, std::uint32_t face, const glm::dvec3& weights) {
+  const TriangleIndices& corners = surface.mesh().faces[face];
+  const std::vector<glm::dvec3>& positions_m = surface.mesh().positions_m;
+  return weights.x * positions_m[corners[0]] + weights.y * positions_m[corners[1]] +
+         weights.z * positions_m[corners[2]];
+}
 
 HighlightPoints::HighlightPoints(const ocl::Device& device)
     : device_(device),

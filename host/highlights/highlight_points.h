@@ -28,6 +28,9 @@ struct HighlightPoint {
   double n_dot_h = 1.0;
 };
 
+/// Where a face's corners with these weights are.
+glm::dvec3 place_on(const HighlightSurface& surface, std::uint32_t face, const glm::dvec3& weights);
+
 enum class SearchMethod {
   zeros,          ///< of a field that both faces of an edge share: none lost, none found twice
   least_squares,  ///< face by face as printed, duplicates merged

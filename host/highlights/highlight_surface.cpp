@@ -46,6 +46,14 @@ void require_numbers(const char* name, const std::vector<double>& values, std::s
   }
 }
 
+void require_vertices(const TriangleMesh& mesh, const VertexCurvatures& curvatures, std::size_t count) {
+  require_vectors("positions", mesh.positions_m, count);
+  if (!mesh.normals.empty()) require_vectors("normals", mesh.normals, count);
+  require_vectors("e_max", curvatures.e_max, count);
+  require_numbers("k_max", curvatures.k_max_per_m, count);
+  require_numbers("k_min", curvatures.k_min_per_m, count);
+}
+
 TriangleMesh checked(TriangleMesh mesh, const VertexCurvatures& curvatures) {
   const std::size_t count = mesh.positions_m.size();
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max() / 4;
@@ -53,11 +61,7 @@ TriangleMesh checked(TriangleMesh mesh, const VertexCurvatures& curvatures) {
     refuse(fmt::format("expected 1 to {} vertices and as many faces at most, found {} and {}", most, count,
                        mesh.faces.size()),
            "give a mesh with vertices, or parts of it one by one");
-  require_vectors("positions", mesh.positions_m, count);
-  if (!mesh.normals.empty()) require_vectors("normals", mesh.normals, count);
-  require_vectors("e_max", curvatures.e_max, count);
-  require_numbers("k_max", curvatures.k_max_per_m, count);
-  require_numbers("k_min", curvatures.k_min_per_m, count);
+  require_vertices(mesh, curvatures, count);
   for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
     for (const std::uint32_t corner : mesh.faces[face]) {
       if (corner >= count)
@@ -124,20 +128,34 @@ void smooth(const TriangleMesh& mesh, const VertexLinks& links, std::vector<glm:
 HighlightSurface::HighlightSurface(const ocl::Device& device, TriangleMesh mesh, VertexCurvatures curvatures,
                                    const SurfaceOptions& options)
     : device_(device),
+      smoothing_rounds_(options.smoothing_rounds),
       mesh_(checked(std::move(mesh), curvatures)),
       curvatures_(std::move(curvatures)),
-      diagonal_m_(diagonal(mesh_.positions_m)),
-      links_(mesh_, options.touching_share * diagonal_m_) {
+      links_(mesh_, options.touching_share * diagonal(mesh_.positions_m)) {
   require_within("highlights.smoothing_rounds", options.smoothing_rounds, 0, 1000);
   require_within("highlights.touching_share", options.touching_share, 0.0, 0.01);
   measure();
-  for (glm::dvec3& normal : mesh_.normals) normal = unit_or_zero(normal);
-  if (mesh_.normals.empty()) mesh_.normals = normals_of_faces(mesh_, face_normals_, links_);
-  for (int round = 0; round < options.smoothing_rounds; ++round) smooth(mesh_, links_, mesh_.normals);
-  upload();
+  set_normals();
+  upload_vertices();
+  upload_faces();
+}
+
+void HighlightSurface::deform(std::vector<glm::dvec3> positions_m, std::vector<glm::dvec3> normals,
+                              VertexCurvatures curvatures) {
+  TriangleMesh moved{.positions_m = std::move(positions_m), .normals = std::move(normals), .faces = {}};
+  require_vertices(moved, curvatures, mesh_.positions_m.size());
+  mesh_.positions_m = std::move(moved.positions_m);
+  mesh_.normals = std::move(moved.normals);
+  curvatures_ = std::move(curvatures);
+  measure();
+  set_normals();
+  upload_vertices();
 }
 
 void HighlightSurface::measure() {
+  diagonal_m_ = diagonal(mesh_.positions_m);
+  middle_m_ = glm::dvec3(0.0);
+  face_normals_.clear();
   for (const glm::dvec3& p : mesh_.positions_m) middle_m_ += p;
   middle_m_ /= static_cast<double>(mesh_.positions_m.size());
   double edges_m = 0.0;
@@ -150,7 +168,13 @@ void HighlightSurface::measure() {
   mean_edge_m_ = mesh_.faces.empty() ? 0.0 : edges_m / (3.0 * static_cast<double>(mesh_.faces.size()));
 }
 
-void HighlightSurface::upload() {
+void HighlightSurface::set_normals() {
+  for (glm::dvec3& normal : mesh_.normals) normal = unit_or_zero(normal);
+  if (mesh_.normals.empty()) mesh_.normals = normals_of_faces(mesh_, face_normals_, links_);
+  for (int round = 0; round < smoothing_rounds_; ++round) smooth(mesh_, links_, mesh_.normals);
+}
+
+void HighlightSurface::upload_vertices() {
   const std::size_t count = mesh_.positions_m.size();
   const std::size_t pitch = (count + widest_lanes - 1) / widest_lanes * widest_lanes;
   pitch_ = static_cast<int>(pitch);
@@ -165,7 +189,11 @@ void HighlightSurface::upload() {
     rows[HIGHLIGHT_K_MAX * pitch + vertex] = static_cast<float>(curvatures_.k_max_per_m[vertex]);
     rows[HIGHLIGHT_K_MIN * pitch + vertex] = static_cast<float>(curvatures_.k_min_per_m[vertex]);
   }
-  vertex_rows_ = ocl::Buffer<float>(device_, rows, "highlight vertices");
+  if (vertex_rows_.empty()) vertex_rows_ = ocl::Buffer<float>(device_, rows.size(), "highlight vertices");
+  vertex_rows_.write(rows);
+}
+
+void HighlightSurface::upload_faces() {
   std::vector<std::int32_t> corners(3 * std::max<std::size_t>(mesh_.faces.size(), 1), 0);
   for (std::size_t face = 0; face < mesh_.faces.size(); ++face) {
     for (std::size_t i = 0; i < 3; ++i) {

@@ -29,6 +29,11 @@ class HighlightSurface {
   HighlightSurface(const ocl::Device& device, TriangleMesh mesh, VertexCurvatures curvatures,
                    const SurfaceOptions& options = {});
 
+  /// The same faces with their vertices elsewhere, as a skinned mesh has them every frame. Normals that are
+  /// empty follow from the faces. What touches what stays as it was. Throws as the constructor does.
+  void deform(std::vector<glm::dvec3> positions_m, std::vector<glm::dvec3> normals,
+              VertexCurvatures curvatures);
+
   const TriangleMesh& mesh() const { return mesh_; }  ///< normals as they are used
   const VertexCurvatures& curvatures() const { return curvatures_; }
   const VertexLinks& links() const { return links_; }
@@ -47,9 +52,12 @@ class HighlightSurface {
 
  private:
   void measure();
-  void upload();
+  void set_normals();
+  void upload_vertices();
+  void upload_faces();
 
   ocl::Device device_;
+  int smoothing_rounds_;
   TriangleMesh mesh_;
   VertexCurvatures curvatures_;
   std::vector<glm::dvec3> face_normals_;

@@ -8,7 +8,8 @@
 
 namespace offing::highlights {
 
-/// Eye and lamps in the mesh's axes at a time; the same for the same time.
+/// Eye and lamps in the mesh's axes at a time; the same for the same time. It is asked before each search,
+/// and may deform the surface to what that is at this time: highlights go along with it.
 using LightingAt = std::function<Lighting(double time_s)>;
 
 /// The highlights of a surface through time, in fixed steps from a start: what is shown at a time depends on

@@ -29,6 +29,14 @@ HighlightTrack born(const HighlightPoint& point, const TrackOptions& options, st
   return track;
 }
 
+/// Points of the step before and what is shown of them go with the surface where that has been deformed
+/// since.
+void go_along(const HighlightSurface& surface, HighlightTrack& track) {
+  const glm::dvec3 place_m = place_on(surface, track.point.face, track.point.weights);
+  track.projector.centre_m += place_m - track.point.position_m;
+  track.point.position_m = place_m;
+}
+
 struct Pair {
   double distance_m;
   std::size_t track, point;
@@ -140,6 +148,7 @@ TrackState first_state(const HighlightSurface&, const std::vector<HighlightPoint
 
 void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
              const TrackOptions& options, TrackState& state) {
+  for (HighlightTrack& track : state.tracks) go_along(surface, track);
   match(surface, points, options, state);
   const double fade = options.limits.fade_per_s * options.step_s;
   for (HighlightTrack& track : state.tracks) {

@@ -83,20 +83,34 @@ TEST_F(HighlightTracksTest, AJumpOfTheLampFadesFromOneToAnother) {
   EXPECT_EQ(tracks.tracks()[0].opacity, 1.0);
 }
 
-/// A point by itself on a surface 2 m in diameter.
-HighlightPoint point_at(const glm::dvec3& position_m) {
-  HighlightPoint point;
-  point.position_m = position_m;
-  point.normal = {0.0, 0.0, 1.0};
-  point.e_max = {1.0, 0.0, 0.0};
-  point.k_max_per_m = 2.0;
-  point.k_min_per_m = 1.0;
-  return point;
-}
-
+// A triangle of as large a box as a sphere of radius 1, and points anywhere in its plane z = 1.
 class TrackStepTest : public HighlightTracksTest {
  protected:
-  HighlightSurface shape_ = surface(test::ellipsoid(3, glm::dvec3(1.0)));
+  static test::ExampleSurface triangle() {
+    constexpr std::size_t count = 3;
+    return {.mesh = {.positions_m = {{0.0, 0.0, 1.0}, {side_m, 0.0, 1.0}, {0.0, side_m, 1.0}},
+                     .normals = {},
+                     .faces = {{0, 1, 2}}},
+            .curvatures = {.k_max_per_m = std::vector<double>(count, 2.0),
+                           .k_min_per_m = std::vector<double>(count, 1.0),
+                           .e_max = std::vector<glm::dvec3>(count, {1.0, 0.0, 0.0}),
+                           .e_min = std::vector<glm::dvec3>(count, {0.0, 1.0, 0.0}),
+                           .area_m2 = std::vector<double>(count, 1.0),
+                           .confidence = std::vector<double>(count, 1.0)}};
+  }
+  HighlightPoint point_at(double x_m, double y_m) const {
+    HighlightPoint point;
+    point.weights = {1.0 - (x_m + y_m) / side_m, x_m / side_m, y_m / side_m};
+    point.position_m = place_on(shape_, point.face, point.weights);
+    point.normal = {0.0, 0.0, 1.0};
+    point.e_max = {1.0, 0.0, 0.0};
+    point.k_max_per_m = 2.0;
+    point.k_min_per_m = 1.0;
+    return point;
+  }
+
+  static constexpr double side_m = 2.45;
+  HighlightSurface shape_ = surface(triangle());
   TrackOptions options_{.size = {.threshold = 0.8, .cap_radius_m = 1.0}};
 };
 
@@ -104,8 +118,8 @@ class TrackStepTest : public HighlightTracksTest {
 // when they are at one place, both when they are apart. Fails if both are drawn over one another, or if one
 // pops.
 TEST_F(TrackStepTest, HighlightsMergeAndSplitWithWeights) {
-  const auto points = [](double apart_m) {
-    return std::vector<HighlightPoint>{point_at({0.0, 0.0, 1.0}), point_at({apart_m, 0.0, 1.0})};
+  const auto points = [this](double apart_m) {
+    return std::vector<HighlightPoint>{point_at(0.0, 0.0), point_at(apart_m, 0.0)};
   };
   TrackState state = first_state(shape_, points(1.0), options_);
   EXPECT_EQ(state.tracks[1].opacity, 1.0);
@@ -126,7 +140,7 @@ TEST_F(TrackStepTest, HighlightsMergeAndSplitWithWeights) {
 // If the older of two in one region ends, the other takes over. Fails if the region goes dark: together they
 // show at least one full highlight but for what a fade takes.
 TEST_F(TrackStepTest, AnHeirTakesOverTheRegion) {
-  const HighlightPoint first = point_at({0.0, 0.0, 1.0}), second = point_at({0.05, 0.0, 1.0});
+  const HighlightPoint first = point_at(0.0, 0.0), second = point_at(0.05, 0.0);
   TrackState state = first_state(shape_, {first, second}, options_);
   ASSERT_EQ(state.tracks[1].opacity, 0.0);
   for (int step = 0; step < 30; ++step) {
@@ -143,7 +157,7 @@ TEST_F(TrackStepTest, AnHeirTakesOverTheRegion) {
 // A point that a noisy surface loses for some steps is the same when it is back; one that has faded out is
 // another.
 TEST_F(TrackStepTest, AHighlightThatIsBackSoonKeepsItsId) {
-  const std::vector<HighlightPoint> points{point_at({0.0, 0.0, 1.0})};
+  const std::vector<HighlightPoint> points{point_at(0.0, 0.0)};
   TrackState state = first_state(shape_, points, options_);
   for (int step = 0; step < 5; ++step) advance(shape_, {}, options_, state);
   advance(shape_, points, options_, state);
@@ -158,11 +172,12 @@ TEST_F(TrackStepTest, AHighlightThatIsBackSoonKeepsItsId) {
 
 // Humps and saddles are born in pairs at one place: fails if one takes the other's id.
 TEST_F(TrackStepTest, HumpsAndSaddlesAreNotTakenForOneAnother) {
-  HighlightPoint saddle = point_at({0.01, 0.0, 1.0});
+  HighlightPoint saddle = point_at(0.01, 0.0);
   saddle.orientation = -1;
-  TrackState state = first_state(shape_, {point_at({0.0, 0.0, 1.0}), saddle}, options_);
-  std::swap(saddle.position_m.x, saddle.position_m.y);
-  advance(shape_, {saddle, point_at({0.01, 0.0, 1.0})}, options_, state);
+  TrackState state = first_state(shape_, {point_at(0.0, 0.0), saddle}, options_);
+  HighlightPoint moved_saddle = point_at(0.0, 0.01);
+  moved_saddle.orientation = -1;
+  advance(shape_, {moved_saddle, point_at(0.01, 0.0)}, options_, state);
   ASSERT_EQ(state.tracks.size(), 2u);
   EXPECT_EQ(state.tracks[0].point.orientation, 1);
   EXPECT_EQ(state.tracks[1].point.orientation, -1);
@@ -171,7 +186,7 @@ TEST_F(TrackStepTest, HumpsAndSaddlesAreNotTakenForOneAnother) {
 // Directions of curvature are lines. Fails if a texture turns over when the search gives the other end of
 // one, or spins where curvatures are so alike that noise decides about their direction.
 TEST_F(TrackStepTest, AxesDoNotTurnOverNorFollowNoise) {
-  HighlightPoint point = point_at({0.0, 0.0, 1.0});
+  HighlightPoint point = point_at(0.0, 0.0);
   TrackState state = first_state(shape_, {point}, options_);
   const Projector start = state.tracks[0].projector;
   for (int step = 0; step < 50; ++step) {
@@ -192,8 +207,8 @@ TEST_F(TrackStepTest, AxesDoNotTurnOverNorFollowNoise) {
 // What is shown follows a point that runs, tilts, turns and shrinks faster than the limits, and arrives.
 // Fails if a limit is exceeded in any step, or if it never gets there.
 TEST_F(TrackStepTest, LimitsHoldAndThePointIsReached) {
-  TrackState state = first_state(shape_, {point_at({0.0, 0.0, 1.0})}, options_);
-  HighlightPoint point = point_at({0.0, 0.1, 1.0});
+  TrackState state = first_state(shape_, {point_at(0.0, 0.0)}, options_);
+  HighlightPoint point = point_at(0.0, 0.1);
   point.normal = glm::normalize(glm::dvec3(0.5, 0.3, 1.0));
   point.e_max = glm::normalize(glm::cross(glm::dvec3(0.3, -1.0, 0.2), point.normal));
   point.k_max_per_m = 40.0;
@@ -254,6 +269,36 @@ TEST_F(HighlightTracksTest, TheSameTimeShowsTheSame) {
   often.reset(7.0);
   EXPECT_EQ(often.time_s(), 7.0);
   for (const HighlightTrack& track : often.tracks()) EXPECT_LT(track.id, often.tracks().size());
+}
+
+// A sphere that is carried off by a diagonal a second and drawn out to an ellipsoid on the way: its one
+// highlight goes along. Fails if it is taken for another, falls behind, or is not where a surface made of the
+// same vertices has it.
+TEST_F(HighlightTracksTest, HighlightsGoAlongWithADeformedSurface) {
+  const auto at = [](double time_s) {
+    return test::moved(test::ellipsoid(4, {1.0 + 0.5 * time_s, 1.0, 1.0 - 0.2 * time_s}), glm::dmat3(1.0),
+                       {0.0, 3.5 * time_s, 0.0});
+  };
+  HighlightSurface shape = surface(at(0.0));
+  HighlightTracks tracks(shape, [&](double time_s) {
+    const test::ExampleSurface now = at(time_s);
+    shape.deform(now.mesh.positions_m, now.mesh.normals, now.curvatures);
+    return circling(0.1 * time_s);
+  });
+  tracks.advance_to(2.0);
+  ASSERT_EQ(tracks.tracks().size(), 1u);
+  const HighlightTrack& track = tracks.tracks()[0];
+  EXPECT_EQ(track.id, 0u);
+  EXPECT_EQ(track.opacity, 1.0);
+  EXPECT_EQ(track.projector.centre_m, track.point.position_m);
+  HighlightPoints search(device_);
+  const auto expected = search.find(surface(at(2.0)), circling(0.2));
+  ASSERT_EQ(expected.size(), 1u);
+  EXPECT_EQ(track.point.position_m, expected[0].position_m);
+  EXPECT_EQ(track.point.k_max_per_m, expected[0].k_max_per_m);
+  test::ExampleSurface fewer = at(0.0);
+  fewer.mesh.positions_m.pop_back();
+  EXPECT_THROW(shape.deform(fewer.mesh.positions_m, fewer.mesh.normals, fewer.curvatures), Error);
 }
 
 TEST_F(HighlightTracksTest, BadTimesAndOptionsAreErrors) {
