@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/base/argument.h"
+#include "host/base/error.h"
 #include "host/base/error_report.h"
 #include "host/cli/device_choice.h"
 #include "host/cli/pictures/terrain_picture.h"
@@ -18,7 +19,6 @@
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/io/exr_image.h"
-#include "host/io/file_presence.h"
 #include "host/io/height_maps/read_colour_map.h"
 #include "host/scene/stored_ground.h"
 
@@ -133,6 +133,10 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
   const Overwriting overwriting = arguments.force ? Overwriting::allowed : Overwriting::refused;
   require_new(arguments.output, overwriting);
   require_new(arguments.depth, overwriting);
+  if (arguments.depth == arguments.output) {
+    throw Error(ErrorKind::bad_usage, "--depth: expected another file than that of -o, found the same",
+                "name an .exr");
+  }
   const auto [camera, picture] = is_tile_store(arguments.input.file())
                                      ? render_store(arguments, options, show)
                                      : render_map(arguments, options, show);

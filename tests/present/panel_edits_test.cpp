@@ -68,7 +68,10 @@ class PanelEditsTest : public WindowTest, public testing::WithParamInterface<pre
     return options;
   }
   void change(const Parameter& row, std::string& (*)(OceanScene&)) {
-    enter(find(main_panel(), parameter_label(row)), OFFING_SOURCES "/scenes/example_sea.data_spec");
+    const char* const file = row.group == scene::ParameterGroup::terrain
+                                 ? OFFING_SOURCES "/docs/gallery/calm.jpg"
+                                 : OFFING_SOURCES "/scenes/example_sea.data_spec";
+    enter(find(main_panel(), parameter_label(row)), file);
   }
   void change(const Parameter& row, std::optional<UtcTime>& (*)(OceanScene&)) {
     enter(find(main_panel(), parameter_label(row)), "2020-06-08T15:50Z");

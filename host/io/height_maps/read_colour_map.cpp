@@ -13,6 +13,7 @@
 
 #include "host/base/error.h"
 #include "host/io/height_maps/gdal_session.h"
+#include "host/io/height_maps/readable_file.h"
 
 namespace offing {
 namespace {
@@ -27,6 +28,7 @@ using Corner = std::array<double, 6>;
 class Picture {
  public:
   explicit Picture(const std::filesystem::path& path) : path_(path) {
+    height_maps::require_readable_file(path, "a picture");
     dataset_.reset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                               nullptr, nullptr, nullptr));
     if (!dataset_) {
@@ -34,6 +36,7 @@ class Picture {
              "give a GeoTIFF or a PNG; a file that is cut short must be copied again");
     }
     if (bands() == 0) refuse("expected a picture, found none in it", "name one of its pictures as a file");
+    require_size();
     if (GDALGetRasterColorTable(band(1)) != nullptr) {
       take(GDALTranslate("", dataset_.get(), translation({"-of", "MEM", "-expand", "rgba"}).get(), nullptr));
     }
@@ -41,11 +44,6 @@ class Picture {
     if (type != GDT_Byte && type != GDT_UInt16) {
       refuse(fmt::format("expected colours of 8 or 16 bits, found {}", GDALGetDataTypeName(type)),
              "if these are heights, give them as FILE");
-    }
-    const double pixels = static_cast<double>(columns()) * rows();
-    if (pixels > most_pixels) {
-      refuse(fmt::format("expected at most {:.0f} pixels, found {} x {}", most_pixels, columns(), rows()),
-             "cut out a part or make it coarser, as with gdal_translate -srcwin or -outsize");
     }
   }
 
@@ -80,6 +78,7 @@ class Picture {
     Dataset warped(GDALWarp("", nullptr, 1, &source, options, nullptr));
     GDALWarpAppOptionsFree(options);
     take(warped.release());
+    require_size();
   }
 
   std::vector<std::uint8_t> read_rgba() const {
@@ -108,6 +107,12 @@ class Picture {
 
   [[noreturn]] void refuse(const std::string& what, const char* hint) const {
     throw Error(ErrorKind::bad_input, fmt::format("{}: {}", path_.string(), what), hint);
+  }
+  void require_size() const {
+    const double pixels = static_cast<double>(columns()) * rows();
+    if (pixels <= most_pixels) return;
+    refuse(fmt::format("expected at most {:.0f} pixels, found {} x {}", most_pixels, columns(), rows()),
+           "cut out a part or make it coarser, as with gdal_translate -srcwin or -outsize");
   }
   int bands() const { return GDALGetRasterCount(dataset_.get()); }
   GDALRasterBandH band(int number) const { return GDALGetRasterBand(dataset_.get(), number); }

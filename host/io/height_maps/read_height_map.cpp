@@ -1,9 +1,7 @@
 #include "host/io/height_maps/read_height_map.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -16,6 +14,7 @@
 #include "host/io/height_maps/ground_spacing.h"
 #include "host/io/height_maps/mosaic.h"
 #include "host/io/height_maps/raw_heights.h"
+#include "host/io/height_maps/readable_file.h"
 #include "host/io/height_maps/reprojection.h"
 #include "host/io/height_maps/source_heights.h"
 #include "host/io/height_maps/void_bands.h"
@@ -26,28 +25,6 @@ namespace offing {
 namespace {
 
 using height_maps::SourceHeights;
-
-/// GDAL would open folders, addresses of servers and strings that describe rasters too.
-void check_is_file(const std::filesystem::path& path) {
-  std::error_code status;
-  const auto kind = std::filesystem::status(path, status).type();
-  if (kind == std::filesystem::file_type::not_found) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected a height map, found no such file", path.string()),
-                "check the path");
-  }
-  if (kind != std::filesystem::file_type::regular) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected a height map, found a {}", path.string(),
-                            kind == std::filesystem::file_type::directory ? "folder" : "device"),
-                "give the path of a file");
-  }
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) {
-    throw Error(ErrorKind::file, fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)),
-                "check the permissions of the file and its folders");
-  }
-}
 
 void check_options(const std::filesystem::path& path, const HeightMapOptions& options) {
   const auto check_spacing = [&](const std::optional<double>& spacing_m) {
@@ -68,6 +45,12 @@ void check_options(const std::filesystem::path& path, const HeightMapOptions& op
                     "{:g} m",
                     path.string(), options.vertical_scale, options.offset_m),
         "write the metres a unit, such as --scale 0.1");
+  }
+  if (options.void_height_m && !(std::abs(*options.void_height_m) <= height_maps::farthest_height_m)) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a height of voids within {:g} m, found {:g}", path.string(),
+                            height_maps::farthest_height_m, *options.void_height_m),
+                "write the metres, such as --void-height-m 0");
   }
 }
 
@@ -229,7 +212,7 @@ void settle_voids(const std::filesystem::path& path, const HeightMapOptions& opt
 }  // namespace
 
 HeightMapFile read_height_map(const std::filesystem::path& path, const HeightMapOptions& options) {
-  check_is_file(path);
+  height_maps::require_readable_file(path, "a height map");
   check_options(path, options);
   SourceHeights source = read_source(path, options);
   if (!options.reproject_to.empty()) {
@@ -251,7 +234,7 @@ HeightMapSource stream_height_map(const std::filesystem::path& path, const Heigh
   if (std::filesystem::is_directory(path, status)) {
     mosaic.emplace(path);
   } else {
-    check_is_file(path);
+    height_maps::require_readable_file(path, "a height map");
   }
   check_options(path, options);
   if (!options.reproject_to.empty()) {

@@ -76,9 +76,15 @@ void hand_over_rows(SourceHeights& source) {
 }
 
 void append_height(const std::filesystem::path& path, SourceHeights& source, float height_m) {
-  if (!std::isfinite(height_m)) {
+  if (!(std::abs(height_m) <= farthest_height_m)) {
     const std::size_t place = source.posts_taken + source.heights_m.size();
     const std::size_t columns = static_cast<std::size_t>(source.columns);
+    if (std::isfinite(height_m)) {
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}: row {}, column {}: expected a height within {:g} m, found {:g}",
+                              path.string(), place / columns, place % columns, farthest_height_m, height_m),
+                  "if it marks voids, say so with --nodata; else check --scale and the file's unit");
+    }
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: row {}, column {}: expected a finite height, found {}", path.string(),
                             place / columns, place % columns, height_m),

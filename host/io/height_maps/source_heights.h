@@ -34,6 +34,9 @@ struct SourceHeights {
   std::size_t posts_taken = 0;
 };
 
+/// The farthest from 0 m that a height may be: rays are exact up to there.
+inline constexpr double farthest_height_m = 1e6;
+
 /// From a sample of the file to metres.
 struct HeightScale {
   double factor = 1.0, offset_m = 0.0;
@@ -52,7 +55,7 @@ SourceHeights begin_heights(const std::filesystem::path& path, std::int64_t colu
 /// Gives the rows that have come in to the taker, if there is one.
 void hand_over_rows(SourceHeights& source);
 
-/// Adds the next post. Throws Error(bad_input) with row and column if the height is not finite.
+/// Adds the next post. Throws Error(bad_input) with row and column if the height is not finite or too far.
 void append_height(const std::filesystem::path& path, SourceHeights& source, float height_m);
 inline void append_void(SourceHeights& source) {
   source.heights_m.push_back(0.0f);

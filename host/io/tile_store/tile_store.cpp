@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <system_error>
 #include <utility>
@@ -63,6 +64,12 @@ class HeaderReader {
     if (number >= low && number <= high) return static_cast<int>(number);
     refuse_header(path_, fmt::format("{}: expected {} ... {}, found {}", name, low, high, number));
   }
+  double within(const char* name, double farthest) const {
+    const auto number = value<double>(name);
+    if (std::abs(number) <= farthest) return number;
+    refuse_header(path_,
+                  fmt::format("{}: expected a number within {:g}, found {:g}", name, farthest, number));
+  }
   double above_zero(const char* name) const {
     const auto number = value<double>(name);
     if (number > 0.0 && number < 1e9) return number;
@@ -102,8 +109,13 @@ TileStoreHeader read_header(const fs::path& folder) {
   reader.whole("levels", header.shape.levels, header.shape.levels);
   header.spacing_x_m = reader.above_zero("spacing_x_m");
   header.spacing_z_m = reader.above_zero("spacing_z_m");
-  header.lowest_m = static_cast<float>(reader.value<double>("lowest_m"));
-  header.highest_m = static_cast<float>(reader.value<double>("highest_m"));
+  constexpr double farthest_height_m = 1e6;
+  header.lowest_m = static_cast<float>(reader.within("lowest_m", farthest_height_m));
+  header.highest_m = static_cast<float>(reader.within("highest_m", farthest_height_m));
+  if (header.lowest_m > header.highest_m) {
+    refuse_header(path, fmt::format("highest_m: expected {:g} or more, as lowest_m is, found {:g}",
+                                    header.lowest_m, header.highest_m));
+  }
   header.void_posts =
       static_cast<std::uint64_t>(std::max<std::int64_t>(0, reader.value<std::int64_t>("void_posts")));
   header.heights_checksum = checksum_of(path, reader.value<std::string>("heights_checksum"));
@@ -211,6 +223,11 @@ TileStoreWriter::TileStoreWriter(fs::path folder, const TileSetShape& shape, Exi
   // Until it is whole again it is no store.
   std::error_code status;
   fs::remove(folder_ / header_name, status);
+  if (status) {
+    throw Error(ErrorKind::file,
+                fmt::format("{}: cannot be removed: {}", (folder_ / header_name).string(), status.message()),
+                "check the permissions of the folder");
+  }
   remove_stale_partials(folder_);
   for (int level = 0; level < shape.levels; ++level) {
     for (int row = 0; row < shape.tiles_z(level); ++row) {

@@ -89,6 +89,20 @@ TEST_F(BadHeightMap, HeightsThatAreNotFinite) {
   }
 }
 
+// Fails if a store or a frame gets heights that rays are not made for.
+TEST_F(BadHeightMap, HeightsThatAreTooFar) {
+  Raster raster = in_metres(5, 4);
+  raster.bands[0][7] = -1.5e6;
+  write_raster(path("deep.tif"), "GTiff", raster);
+  expect_error(path("deep.tif"), ErrorKind::bad_input, "row 1, column 2: expected a height within 1e+06 m");
+  raster.bands[0][7] = 0.0;
+  write_raster(path("good.tif"), "GTiff", raster);
+  HeightMapOptions options;
+  options.void_height_m = 1e39;
+  expect_error(path("good.tif"), ErrorKind::bad_input, "height of voids within 1e+06 m, found 1e+39",
+               options);
+}
+
 TEST_F(BadHeightMap, NoSpacing) {
   write_raster(path("good.tif"), "GTiff", in_metres(5, 4));
   HeightMapOptions options;

@@ -178,5 +178,17 @@ TEST_F(ReadColourMap, RefusesWithAHint) {
   }
 }
 
+// Fails if what GDAL would open, but is no file, is opened.
+TEST_F(ReadColourMap, ReadsFilesAlone) {
+  for (const char* const name : {".", "/dev/null"}) {
+    try {
+      read_colour_map(std::filesystem::path(name), map_in_metres());
+      ADD_FAILURE() << name << " was read";
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("expected a picture, found a ")) << name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace offing

@@ -222,6 +222,19 @@ TEST_F(TileStoreTest, RefusesWhatIsNoStore) {
   with("version = 2\ncolumns = 6000\nrows = 300", "levels");
   with("version = 2\nrows = 300", "columns");
   with("version = = 1", "TOML");
+  const auto with_range = [&](const std::string& lowest, const std::string& highest,
+                              const std::string& part) {
+    std::string changed = text;
+    for (const auto& [key, value] : {std::pair("lowest_m", lowest), std::pair("highest_m", highest)}) {
+      const std::size_t begin = changed.find(key);
+      changed.replace(begin, changed.find('\n', begin) - begin, std::string(key) + " = " + value);
+    }
+    std::ofstream(folder() / "store.toml") << changed;
+    test::expect_error(ErrorKind::bad_input, part, [&] { TileStore store(folder()); });
+  };
+  with_range("nan", "1.0", "lowest_m");
+  with_range("0.0", "inf", "highest_m");
+  with_range("5.0", "1.0", "highest_m: expected 5 or more");
   const fs::path other = temporary_.path() / "other";
   fs::create_directory(other);
   std::ofstream(other / "letter.txt") << "mine";

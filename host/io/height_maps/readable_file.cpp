@@ -1,0 +1,35 @@
+#include "host/io/height_maps/readable_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+
+namespace offing::height_maps {
+
+void require_readable_file(const std::filesystem::path& path, const char* expected) {
+  std::error_code status;
+  const auto kind = std::filesystem::status(path, status).type();
+  if (kind == std::filesystem::file_type::not_found) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected {}, found no such file", path.string(), expected),
+                "check the path");
+  }
+  if (kind != std::filesystem::file_type::regular) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected {}, found a {}", path.string(), expected,
+                            kind == std::filesystem::file_type::directory ? "folder" : "device"),
+                "give the path of a file");
+  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (!file) {
+    throw Error(ErrorKind::file, fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)),
+                "check the permissions of the file and its folders");
+  }
+}
+
+}  // namespace offing::height_maps
