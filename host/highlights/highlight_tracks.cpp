@@ -9,6 +9,11 @@
 #include "host/highlights/track_step.h"
 
 namespace offing::highlights {
+namespace {
+
+constexpr std::size_t most_keys = 1024;
+
+}  // namespace
 
 HighlightTracks::HighlightTracks(const HighlightSurface& surface, LightingAt lighting,
                                  const TrackOptions& options)
@@ -35,6 +40,7 @@ void HighlightTracks::reset(double start_s) {
   start_s_ = start_s;
   state_ = first_state(*surface_, points_at(0), options_);
   keys_.assign(1, state_);
+  key_spacing_ = options_.key_steps;
 }
 
 void HighlightTracks::advance_to(double time_s) {
@@ -58,7 +64,12 @@ void HighlightTracks::restore(const TrackState& state) {
 }
 
 void HighlightTracks::keep_if_key() {
-  if (state_.step % options_.key_steps == 0 && state_.step > keys_.back().step) keys_.push_back(state_);
+  if (state_.step % key_spacing_ != 0 || state_.step <= keys_.back().step) return;
+  keys_.push_back(state_);
+  if (keys_.size() <= most_keys) return;
+  // A day must not fill the memory: every second one goes.
+  key_spacing_ *= 2;
+  std::erase_if(keys_, [&](const TrackState& key) { return key.step % key_spacing_ != 0; });
 }
 
 }  // namespace offing::highlights

@@ -45,6 +45,7 @@ class HighlightTracks {
   HighlightPoints search_;
   double start_s_ = 0.0;
   TrackState state_;
+  std::int64_t key_spacing_ = 1;  // steps
   std::vector<TrackState> keys_;  // ascending steps, the first is that of the start
 };
 

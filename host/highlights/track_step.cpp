@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/parameter_check.h"
+#include "host/highlights/places_along_x.h"
 #include "host/highlights/track_motion.h"
 
 namespace offing::highlights {
@@ -47,18 +48,21 @@ std::vector<Pair> possible_pairs(const HighlightSurface& surface, const std::vec
                                  const TrackOptions& options, const std::vector<HighlightTrack>& tracks) {
   const double jump_m = options.jump_share * surface.diagonal_m();
   const double lag_m = options.lag_share * surface.diagonal_m();
+  PlacesAlongX places;
+  for (std::size_t p = 0; p < points.size(); ++p) places.add(p, points[p].position_m);
+  places.sort();
   std::vector<Pair> pairs;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
     const HighlightTrack& track = tracks[t];
     const bool is_alive = track.state == HighlightTrack::State::alive;
     const glm::dvec3 expected_m = track.point.position_m + (is_alive ? track.way_m : glm::dvec3(0.0));
     const double reach_m = is_alive ? jump_m : revival_share * jump_m;
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      if (points[p].lamp != track.point.lamp || points[p].orientation != track.point.orientation) continue;
+    places.visit_near(expected_m, reach_m, [&](std::size_t p) {
+      if (points[p].lamp != track.point.lamp || points[p].orientation != track.point.orientation) return;
       const double distance_m = glm::distance(points[p].position_m, expected_m);
       const bool is_in_sight = glm::distance(points[p].position_m, track.projector.centre_m) <= lag_m;
       if (distance_m <= reach_m && is_in_sight) pairs.push_back({distance_m, t, p});
-    }
+    });
   }
   std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
     return std::tie(a.distance_m, a.track, a.point) < std::tie(b.distance_m, b.track, b.point);
@@ -102,16 +106,24 @@ double depth_apart(const Projector& a, const Projector& b) {
 
 /// What each may show beside older ones of its lamp.
 void share_regions(std::vector<HighlightTrack>& tracks) {
+  PlacesAlongX places;
+  double widest_m = 0.0;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const Projector& box = tracks[i].projector;
+    places.add(i, box.centre_m);
+    widest_m = std::max({widest_m, box.width_m, box.height_m});
+  }
+  places.sort();
   for (std::size_t younger = 0; younger < tracks.size(); ++younger) {
     HighlightTrack& track = tracks[younger];
     track.share = 1.0;
-    for (std::size_t older = 0; older < younger; ++older) {
+    places.visit_near(track.projector.centre_m, 0.5 * parted * widest_m, [&](std::size_t older) {
       const HighlightTrack& other = tracks[older];
-      if (other.point.lamp != track.point.lamp) continue;
+      if (older >= younger || other.point.lamp != track.point.lamp) return;
       const double overlap =
           1.0 - glm::smoothstep(united, parted, depth_apart(other.projector, track.projector));
       track.share *= 1.0 - overlap * other.presence * other.share;
-    }
+    });
   }
 }
 

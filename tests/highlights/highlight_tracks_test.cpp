@@ -301,6 +301,17 @@ TEST_F(HighlightTracksTest, HighlightsGoAlongWithADeformedSurface) {
   EXPECT_THROW(shape.deform(fewer.mesh.positions_m, fewer.mesh.normals, fewer.curvatures), Error);
 }
 
+// Long runs keep fewer keys, not wrong ones. Fails if a key that has been dropped is gone back to.
+TEST_F(HighlightTracksTest, GoingBackAfterALongTimeShowsTheSame) {
+  const HighlightSurface shape = surface(test::ellipsoid(2, {1.0, 0.8, 0.6}));
+  const TrackOptions options{.key_steps = 1};
+  HighlightTracks once(shape, circling, options), back(shape, circling, options);
+  once.advance_to(10.05);
+  back.advance_to(1500.0 / 60.0);
+  back.advance_to(10.05);
+  expect_same(back.state(), once.state());
+}
+
 TEST_F(HighlightTracksTest, BadTimesAndOptionsAreErrors) {
   const HighlightSurface shape = surface(test::ellipsoid(1, glm::dvec3(1.0)));
   HighlightTracks tracks(shape, circling);
