@@ -30,11 +30,13 @@ __kernel void ring_tensor(__global const float *restrict positions_m, __global c
                           __global float4 *restrict normals) {
   const size_t vertex = get_global_id(0);
   float3 normal = (float3)(0.0f);
+  float4 largest = (float4)(0.0f);
   float area = 0.0f;
   for (uint i = faces_begin[vertex]; i < faces_begin[vertex + 1]; ++i) {
     const float4 face = face_normals[faces[i]];
     normal += face.w * face.xyz;
     area += face.w;
+    largest = face.w > largest.w ? face : largest;
   }
   const float normal_length = length(normal);
   area /= 3.0f;
@@ -59,6 +61,6 @@ __kernel void ring_tensor(__global const float *restrict positions_m, __global c
   }
   weight /= (float)(edges_begin[vertex + 1] - edges_begin[vertex] + 1);
   shares[vertex] = weight * (float8)(diagonal.x, others.x, others.y, diagonal.y, others.z, diagonal.z, area, 0.0f);
-  // Faces back to back cancel but for rounding.
-  normals[vertex] = (float4)(normal_length > 1e-5f * area ? normal / normal_length : (float3)(0.0f), area);
+  // Faces back to back cancel but for rounding: then one of them has to do.
+  normals[vertex] = (float4)(normal_length > 1e-5f * area ? normal / normal_length : largest.xyz, area);
 }

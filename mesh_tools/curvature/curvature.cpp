@@ -84,7 +84,10 @@ void store(const UnitMesh& mesh, const SurfaceMeasures& measures, const std::vec
   VertexCurvatures& curvatures = result.curvatures;
   curvatures.area_m2[vertex] = measures.areas[source] * mesh.scale_m * mesh.scale_m;
   const VertexBend& bend = bends[source];
-  if (!is_sound(bend)) return;
+  if (!is_sound(bend)) {
+    if (measures.normals[source] != glm::dvec3(0.0)) result.normals[vertex] = measures.normals[source];
+    return;
+  }
   curvatures.k_max_per_m[vertex] = bend.k_max / mesh.scale_m;
   curvatures.k_min_per_m[vertex] = bend.k_min / mesh.scale_m;
   curvatures.e_max[vertex] = bend.e_max;
@@ -105,10 +108,9 @@ CurvatureResult vertex_curvatures(const UnitMesh& mesh, const CurvatureOptions& 
                                       &result.curvatures.area_m2, &result.curvatures.confidence}) {
     values->assign(vertices, 0.0);
   }
-  for (std::vector<glm::dvec3>* vectors :
-       {&result.curvatures.e_max, &result.curvatures.e_min, &result.normals}) {
-    vectors->assign(vertices, {});
-  }
+  result.curvatures.e_max.assign(vertices, {});
+  result.curvatures.e_min.assign(vertices, {});
+  result.normals.assign(vertices, {0.0, 0.0, 1.0});
   parallel_for(vertices, options.threads, [&](std::size_t vertex) {
     store(mesh, measures, bends, static_cast<std::uint32_t>(vertex), result);
   });

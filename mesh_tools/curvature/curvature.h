@@ -35,7 +35,9 @@ struct CurvatureOptions {
 
 struct CurvatureResult {
   VertexCurvatures curvatures;
-  std::vector<glm::dvec3> normals;  ///< [vertices] unit, e_max x e_min; 0 where a vertex has no surface
+  /// [vertices] unit, e_max x e_min; (0, 0, 1) where a vertex has no surface, as files want one of unit
+  /// length.
+  std::vector<glm::dvec3> normals;
 };
 
 /// Curvatures at all vertices of a mesh, 1:1 in its order. Vertices at exactly one position are one vertex of

@@ -27,16 +27,18 @@ void measure_vertices(const UnitMesh& mesh, int threads, SurfaceMeasures& measur
   measures.normals.assign(mesh.vertex_count(), {});
   measures.areas.assign(mesh.vertex_count(), 0.0);
   parallel_for(mesh.vertex_count(), threads, [&](std::size_t vertex) {
-    glm::dvec3 sum(0.0);
-    double area = 0.0;
+    glm::dvec3 sum(0.0), largest_normal(0.0);
+    double area = 0.0, largest = 0.0;
     for (const std::uint32_t face : mesh.neighbours.vertex_faces.row(vertex)) {
-      sum += measures.face_areas[face] * measures.face_normals[face];
-      area += measures.face_areas[face];
+      const double face_area = measures.face_areas[face];
+      sum += face_area * measures.face_normals[face];
+      area += face_area;
+      if (face_area > largest) largest = face_area, largest_normal = measures.face_normals[face];
     }
     measures.areas[vertex] = area / 3.0;
     const double length = glm::length(sum);
-    // Faces back to back cancel but for rounding.
-    if (length > 1e-12 * area) measures.normals[vertex] = sum / length;
+    // Faces back to back cancel but for rounding: then one of them has to do.
+    measures.normals[vertex] = length > 1e-12 * area ? sum / length : largest_normal;
   });
 }
 

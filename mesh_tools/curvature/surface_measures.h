@@ -13,8 +13,9 @@ namespace offing::mesh_tools {
 struct SurfaceMeasures {
   std::vector<glm::dvec3> face_normals;  ///< unit; 0 without an area
   std::vector<double> face_areas;        ///< 0 for faces that are in no list
-  std::vector<glm::dvec3> normals;       ///< of vertices: the mean of the faces around by area; unit or 0
-  std::vector<double> areas;             ///< of vertices: a third of the faces around
+  std::vector<glm::dvec3>
+      normals;                ///< of vertices: the mean of the faces around by area; unit, 0 without any
+  std::vector<double> areas;  ///< of vertices: a third of the faces around
   std::vector<SymmetricTensor> edge_tensors;  ///< angle * length * e e^T, e the unit edge; convex positive
 };
 
