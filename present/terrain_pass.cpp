@@ -43,6 +43,7 @@ void TerrainPass::prepare(const world::GroundView& ground, TransferLadder& trans
   fit(planes_, {.width = width, .height = height, .layers = terrain::HitPlanes::plane_count, .channels = 1});
   const std::array<Upload, 2> uploads{{{ground.image(), &image_}, {ground.planes(), &planes_}}};
   transfer.upload(uploads);
+  sea_ = ground.sea();
 }
 
 void TerrainPass::bind(const ShaderProgram& program) const {
@@ -61,6 +62,9 @@ void TerrainPass::draw(const Camera& camera, Part part) const {
   bind(program);
   set_view_rays(program, camera);
   program.set("near_m", static_cast<float>(near_m));
+  program.set("eye_height_m", static_cast<float>(camera.eye_m.y));
+  program.set("hidden_below_m", static_cast<float>(sea_.below_m));
+  program.set("hidden_bend_perm", static_cast<float>(sea_.bend_perm));
   program.set("draws_edges", part == Part::edges ? 1 : 0);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GEQUAL);

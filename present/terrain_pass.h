@@ -32,6 +32,7 @@ class TerrainPass {
   ShaderProgram exact_, enlarged_, steps_;
   GlVertexArray no_vertices_;
   TextureArray image_, planes_;
+  terrain::SeaOverGround sea_;
 };
 
 }  // namespace offing::present

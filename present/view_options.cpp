@@ -48,10 +48,10 @@ void add_options(CLI::App& app, Written& written) {
   app.set_help_flag("-h,--help", "print this help");
   app.add_option("SCENE", written.scene, "scene file (.toml); without one, a default sea, or --terrain alone")
       ->type_name("");
-  app.add_option(
-         "--terrain", written.terrain,
-         "height map to show: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR; as [terrain] file = FILE in\n"
-         "the scene would, whose other keys say how to read it and where its eye is")
+  app.add_option("--terrain", written.terrain,
+                 "height map or tile store to show: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR; as "
+                 "[terrain] file =\n"
+                 "FILE in the scene would, whose other keys say how to read it and where its eye is")
       ->type_name("FILE");
   const char* pictures = "Pictures";
   app.add_flag("--headless", written.is_headless, "no window: write a picture (-o)")->group(pictures);

@@ -98,6 +98,7 @@ void GroundView::at(const Camera& camera, const sky::ClearSky& sky, const Terrai
   is_in_reach_ = rays_reach(field_ ? field_->grid() : tiles_->grid(), camera.eye_m);
   if (!is_in_reach_) return;
   fit(camera);
+  sea_ = sea;
   const terrain::GroundLook look{.sampling = sampling,
                                  .colours = colours_ ? &*colours_ : nullptr,
                                  .open_sky = open_sky_ ? &*open_sky_ : nullptr,

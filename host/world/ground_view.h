@@ -86,6 +86,7 @@ class GroundView {
   const ocl::Buffer<terrain::Texel>& image() const { return image_; }
   /// [2][height_px][width_px]: distance m, +inf where there is no ground; steps of the ray.
   const ocl::Buffer<float>& planes() const { return planes_; }
+  const terrain::SeaOverGround& sea() const { return sea_; }
   int width_px() const { return width_px_; }
   int height_px() const { return height_px_; }
 
@@ -104,6 +105,7 @@ class GroundView {
   ocl::Buffer<TerrainHit> hits_;
   ocl::Buffer<terrain::Texel> image_;
   ocl::Buffer<float> planes_;
+  terrain::SeaOverGround sea_;
   int width_px_ = 0, height_px_ = 0;
   bool is_in_reach_ = false;
 };

@@ -1,7 +1,10 @@
 // The program offing-view as its users run it, without a display server.
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -14,6 +17,8 @@
 
 #include "host/io/exr_image.h"
 #include "host/io/png_image.h"
+#include "host/io/tile_store/tile_store.h"
+#include "host/terrain/tile_builder.h"
 #include "tests/cli/offing_program.h"
 #include "tests/present/picture_difference.h"
 
@@ -133,6 +138,53 @@ TEST_F(ViewProgramTest, ShowsGround) {
   EXPECT_EQ(shown({"--terrain", path("hill.asc")}, "named.png"), hill);
   std::ofstream(path("made.toml")) << "version = 1\n[terrain]\nposts = 65\n";
   EXPECT_NE(shown({path("made.toml")}, "made.png"), hill);
+}
+
+// Fails if a tile store is not shown where a map would be, or as another ground: slopes of tiles are kept in
+// 512ths, and are the mean ones between posts, so that light differs, by less than 3 of 255 on the mean over
+// a map of few posts.
+TEST_F(ViewProgramTest, ShowsTileStores) {
+  const int side = 300;
+  const TileSetShape shape = TileSetShape::of(side, side);
+  const TileStoreWriter writer(path("hills.tiles"), shape, TileStoreWriter::Existing::refuse);
+  terrain::TileBuilder builder(shape, [&](const HeightTile& tile) { writer.write(tile); });
+  std::vector<float> all_m, row_m(side);
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      row_m[static_cast<std::size_t>(column)] =
+          static_cast<float>(40.0 * std::sin(0.05 * column) * std::cos(0.04 * row) + 60.0);
+    }
+    builder.add_row(row_m);
+    all_m.insert(all_m.end(), row_m.begin(), row_m.end());
+  }
+  TileStoreHeader header;
+  header.shape = shape;
+  header.spacing_x_m = header.spacing_z_m = 10.0;
+  header.lowest_m = *std::min_element(all_m.begin(), all_m.end());
+  header.highest_m = *std::max_element(all_m.begin(), all_m.end());
+  writer.finish(header);
+  std::ofstream(path("hills.r32"), std::ios::binary)
+      .write(reinterpret_cast<const char*>(all_m.data()), static_cast<std::streamsize>(4 * all_m.size()));
+  std::ofstream(path("hills.toml")) << "version = 1\n[terrain]\nfile = \"hills.r32\"\nraw_columns = 300\n"
+                                       "raw_rows = 300\nspacing_x_m = 10\nspacing_z_m = 10\n";
+  const auto shown = [](const std::vector<std::string>& what, const std::string& name) {
+    std::vector<std::string> arguments = what;
+    arguments.insert(arguments.end(), {"--headless", "--size", "160x90", "-o", path(name)});
+    const ProgramResult result = run_offing(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    return read_png(path(name));
+  };
+  const RgbImage map = shown({path("hills.toml")}, "map.png"),
+                 tiles = shown({"--terrain", path("hills.tiles")}, "tiles.png");
+  ASSERT_EQ(tiles.rgb.size(), map.rgb.size());
+  double difference = 0.0;
+  for (std::size_t i = 0; i < map.rgb.size(); ++i) difference += std::abs(map.rgb[i] - tiles.rgb[i]);
+  EXPECT_LT(difference / static_cast<double>(map.rgb.size()), 3.0);
+  std::filesystem::remove(path("hills.tiles/0/0000/0001.tile"));
+  EXPECT_EQ(run_offing({"--terrain", path("hills.tiles"), "--headless", "-o", path("broken.png"), "--size",
+                        "160x90"})
+                .exit_code,
+            0);
 }
 
 // Fails if a fault of the command line or the scene is not told in two lines, with exit code 2.

@@ -157,7 +157,7 @@ TEST(WalkerTest, StopsAtEdgesThatAreRounded) {
     const double edge_m = spacing_m * (columns - 1);
     ASSERT_TRUE(terrain::ground_at(map, edge_m, spacing_m));
     EXPECT_FALSE(terrain::ground_at(map, edge_m * (1.0 + 1e-12), spacing_m));
-    Walker walker(map);
+    Walker walker(posts_of(map));
     walker.reset(edge_m - 1e-3, 0.5 * spacing_m);
     walker.advance_to(1.0, {50.0, 50.0});
     EXPECT_EQ(walker.state().eye_m, glm::dvec3(edge_m, 4.0 + 1.7, spacing_m));
