@@ -18,6 +18,18 @@ namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
 
+constexpr double equilateral_area = std::numbers::sqrt3 / 4.0;  // of an edge of 1
+
+double area_m2_of(const TriangleMesh& mesh) {
+  double area_m2 = 0.0;
+  for (const TriangleIndices& face : mesh.faces) {
+    const glm::dvec3& origin = mesh.positions_m[face[0]];
+    const glm::dvec3 a = mesh.positions_m[face[1]] - origin, b = mesh.positions_m[face[2]] - origin;
+    area_m2 += 0.5 * glm::length(glm::cross(a, b));
+  }
+  return area_m2;
+}
+
 }  // namespace
 
 TriangleMesh remesh(const TriangleMesh& mesh, std::string_view file_name, const RemeshSettings& settings,
@@ -37,15 +49,18 @@ TriangleMesh remesh(const TriangleMesh& mesh, std::string_view file_name, const 
   return to_mesh(surface);
 }
 
-double edge_length_for(const TriangleMesh& mesh, double faces) {
-  double area_m2 = 0.0;
+double most_faces_at(const TriangleMesh& mesh, double edge_m) {
+  double edges_m = 0.0;
   for (const TriangleIndices& face : mesh.faces) {
-    const glm::dvec3 &a = mesh.positions_m[face[0]], &b = mesh.positions_m[face[1]],
-                     &c = mesh.positions_m[face[2]];
-    area_m2 += 0.5 * glm::length(glm::cross(b - a, c - a));
+    for (std::size_t i = 0; i < 3; ++i) {
+      edges_m += glm::distance(mesh.positions_m[face[i]], mesh.positions_m[face[(i + 1) % 3]]);
+    }
   }
-  // Area of an equilateral triangle: sqrt(3)/4 of its edge's square.
-  return std::sqrt(4.0 / std::numbers::sqrt3 * area_m2 / faces);
+  return area_m2_of(mesh) / (equilateral_area * edge_m * edge_m) + edges_m / edge_m;
+}
+
+double edge_length_for(const TriangleMesh& mesh, double faces) {
+  return std::sqrt(area_m2_of(mesh) / (equilateral_area * faces));
 }
 
 }  // namespace offing::mesh_tools

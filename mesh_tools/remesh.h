@@ -22,6 +22,10 @@ struct RemeshSettings {
 TriangleMesh remesh(const TriangleMesh& mesh, std::string_view file_name, const RemeshSettings& settings,
                     const CancelToken& cancel, Verbosity verbosity);
 
+/// How many faces edges of this length make at most, about: by the area, and by edges of the mesh that are
+/// cut.
+double most_faces_at(const TriangleMesh& mesh, double edge_m);
+
 /// The edge length at which equilateral triangles of its area are so many.
 double edge_length_for(const TriangleMesh& mesh, double faces);
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include <CLI/Option.hpp>
@@ -25,16 +26,29 @@ struct RemeshArguments {
   std::string edge, faces, rounds, sharp;
 };
 
-constexpr double longest_edge_m = 1e9;
-constexpr std::int64_t most_faces = 100'000'000;
+constexpr double longest_edge_m = 1e9, most_faces = 1e8;
 
-RemeshSettings settings_of(const RemeshArguments& arguments, const TriangleMesh& mesh) {
+/// How fine the mesh should be: one of the two.
+struct Fineness {
+  std::optional<double> edge_m, faces;
+};
+
+Fineness fineness_of(const RemeshArguments& arguments) {
+  if (arguments.edge.empty() == arguments.faces.empty()) {
+    throw Error(ErrorKind::bad_usage, "offing-mesh remesh: expected --edge-m or --faces, got neither",
+                "say how fine the mesh should be, such as --faces 5000");
+  }
+  if (!arguments.edge.empty()) {
+    return {.edge_m = read_number("--edge-m", arguments.edge, "m", 1e-9, longest_edge_m, "0.05"),
+            .faces = {}};
+  }
+  const std::int64_t faces =
+      read_whole("--faces", arguments.faces, 4, static_cast<std::int64_t>(most_faces), "5000");
+  return {.edge_m = {}, .faces = static_cast<double>(faces)};
+}
+
+RemeshSettings settings_of(const RemeshArguments& arguments) {
   RemeshSettings settings;
-  settings.edge_m =
-      arguments.edge.empty()
-          ? edge_length_for(
-                mesh, static_cast<double>(read_whole("--faces", arguments.faces, 4, most_faces, "5000")))
-          : read_number("--edge-m", arguments.edge, "m", 1e-9, longest_edge_m, "0.05");
   if (!arguments.rounds.empty()) {
     settings.rounds = static_cast<int>(read_whole("--rounds", arguments.rounds, 1, 100, "5"));
   }
@@ -45,27 +59,33 @@ RemeshSettings settings_of(const RemeshArguments& arguments, const TriangleMesh&
   return settings;
 }
 
+/// Far too short edges would fill the memory.
+void require_few_faces(const TriangleMesh& mesh, double edge_m) {
+  const double faces = most_faces_at(mesh, edge_m);
+  if (faces <= most_faces) return;  // not of an edge of 0
+  throw Error(
+      ErrorKind::bad_input,
+      fmt::format("offing-mesh remesh: expected edges that make fewer than 1e8 faces, got about {:.2g} with "
+                  "edges of {:.3g} m",
+                  faces, edge_m),
+      "choose longer edges or fewer faces; `offing-mesh check` tells of faces without an area");
+}
+
 void run(const RemeshArguments& arguments, const Options& options) {
-  if (arguments.edge.empty() == arguments.faces.empty()) {
-    throw Error(ErrorKind::bad_usage, "offing-mesh remesh: expected --edge-m or --faces, got neither",
-                "say how fine the mesh should be, such as --faces 5000");
-  }
+  const Fineness fineness = fineness_of(arguments);
+  RemeshSettings settings = settings_of(arguments);
   arguments.job.require_output();
   const TriangleMesh mesh = arguments.job.read();
-  RemeshSettings settings = settings_of(arguments, mesh);
-  // A far too short edge would fill the memory.
-  if (edge_length_for(mesh, static_cast<double>(most_faces)) > settings.edge_m) {
-    throw bad_argument("--edge-m",
-                       fmt::format("at least {:.3g} m, for 1e8 faces",
-                                   edge_length_for(mesh, static_cast<double>(most_faces))),
-                       arguments.edge, fmt::format("{:.3g}", edge_length_for(mesh, 1e5)));
-  }
-  TriangleMesh result = remesh(mesh, arguments.job.input, settings, options.cancel, options.verbosity);
-  if (!arguments.faces.empty()) {
-    // Edges come out a little shorter than asked: how much is seen from the first mesh.
-    const double asked = static_cast<double>(read_whole("--faces", arguments.faces, 4, most_faces, "5000"));
-    settings.edge_m *= std::sqrt(static_cast<double>(result.faces.size()) / asked);
-    result = remesh(mesh, arguments.job.input, settings, options.cancel, options.verbosity);
+  const auto remeshed = [&] {
+    require_few_faces(mesh, settings.edge_m);
+    return remesh(mesh, arguments.job.input, settings, options.cancel, options.verbosity);
+  };
+  settings.edge_m = fineness.edge_m ? *fineness.edge_m : edge_length_for(mesh, *fineness.faces);
+  TriangleMesh result = remeshed();
+  if (fineness.faces) {
+    // Edges come out a little shorter than asked: by how much is seen from the first mesh.
+    settings.edge_m *= std::sqrt(static_cast<double>(result.faces.size()) / *fineness.faces);
+    result = remeshed();
   }
   arguments.job.write(result);
   if (arguments.job.json) {

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <iterator>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,6 +21,7 @@
 #include "host/base/vertex_places.h"
 #include "mesh_tools/disjoint_sets.h"
 #include "mesh_tools/edge_table.h"
+#include "mesh_tools/fans.h"
 #include "mesh_tools/surface.h"
 
 namespace offing::mesh_tools {
@@ -84,70 +84,6 @@ std::size_t remove_duplicate_faces(TriangleMesh& mesh) {
   }
   mesh.faces.resize(kept);
   return is_repeated.size() - kept;
-}
-
-/// Faces turned so that neighbours agree, in breadth: where a one-sided surface forbids it, the seam is
-/// short.
-void turn_in_breadth(TriangleMesh& mesh, std::vector<std::uint8_t>& is_turned) {
-  struct Neighbour {
-    std::uint32_t face, other;
-    std::uint8_t disagrees;
-  };
-  std::vector<Neighbour> neighbours;
-  EdgeTable(mesh.faces).for_each_edge([&](std::span<const EdgeUse> uses) {
-    if (uses.size() != 2) return;
-    const std::uint8_t disagrees = uses[0].way == uses[1].way ? 1 : 0;
-    neighbours.push_back({uses[0].face, uses[1].face, disagrees});
-    neighbours.push_back({uses[1].face, uses[0].face, disagrees});
-  });
-  std::sort(neighbours.begin(), neighbours.end(), [](const Neighbour& a, const Neighbour& b) {
-    return std::tie(a.face, a.other) < std::tie(b.face, b.other);
-  });
-  std::vector<std::uint8_t> is_reached(mesh.faces.size(), 0);
-  std::vector<std::uint32_t> queue;
-  for (std::uint32_t seed = 0; seed < mesh.faces.size(); ++seed) {
-    if (is_reached[seed] != 0) continue;
-    is_reached[seed] = 1;
-    queue.assign(1, seed);
-    for (std::size_t next = 0; next < queue.size(); ++next) {
-      const std::uint32_t face = queue[next];
-      const auto first = std::lower_bound(neighbours.begin(), neighbours.end(), face,
-                                          [](const Neighbour& n, std::uint32_t f) { return n.face < f; });
-      for (auto n = first; n != neighbours.end() && n->face == face; ++n) {
-        if (std::exchange(is_reached[n->other], 1) != 0) continue;
-        is_turned[n->other] = is_turned[face] ^ n->disagrees;
-        queue.push_back(n->other);
-      }
-    }
-  }
-  for (std::size_t i = 0; i < is_turned.size(); ++i) {
-    if (is_turned[i] != 0) std::swap(mesh.faces[i][1], mesh.faces[i][2]);
-  }
-}
-
-/// Vertices taken apart so that only corners stay together whose faces meet, and agree, at an edge of two.
-void take_fans_apart(TriangleMesh& mesh) {
-  DisjointSets corners(3 * mesh.faces.size());
-  EdgeTable(mesh.faces).for_each_edge([&](std::span<const EdgeUse> uses) {
-    if (uses.size() != 2 || uses[0].way == uses[1].way) return;
-    for (const std::uint32_t vertex : {uses[0].low, uses[0].high}) {
-      corners.join(corner_at(mesh.faces, uses[0].face, vertex), corner_at(mesh.faces, uses[1].face, vertex));
-    }
-  });
-  std::vector<std::uint8_t> is_taken(mesh.positions_m.size(), 0);
-  std::vector<std::uint32_t> vertex_of(3 * mesh.faces.size());  // of the first corner of each fan
-  for (std::uint32_t corner = 0; corner < vertex_of.size(); ++corner) {
-    std::uint32_t& vertex = mesh.faces[corner / 3][corner % 3];
-    const std::uint32_t root = corners.root_of(corner).index;  // the fan's first corner
-    if (root == corner) {
-      vertex_of[corner] = vertex;
-      if (std::exchange(is_taken[vertex], 1) != 0) {
-        vertex_of[corner] = static_cast<std::uint32_t>(mesh.positions_m.size());
-        mesh.positions_m.push_back(mesh.positions_m[vertex]);
-      }
-    }
-    vertex = vertex_of[root];
-  }
 }
 
 struct TurnRecorder : pmp::Default_orientation_visitor {

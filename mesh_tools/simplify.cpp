@@ -28,9 +28,9 @@ class Watch : public sms::Edge_collapse_visitor_base<Surface> {
   Watch(const CancelToken& cancel, Progress& progress, std::size_t collapses)
       : cancel_(&cancel), progress_(&progress), collapses_left_(collapses) {}
 
-  // The name is CGAL's.
+  // NOLINTNEXTLINE(readability-identifier-naming): the name is CGAL's
   void OnSelected(const Profile& /*edge*/, boost::optional<double> /*cost*/, std::size_t /*initial*/,
-                  std::size_t /*current*/) {  // NOLINT(readability-identifier-naming)
+                  std::size_t /*current*/) {
     cancel_->throw_if_cancelled();
     if (collapses_left_ == 0) return;
     --collapses_left_;

@@ -25,8 +25,8 @@ namespace {
 
 // The names are OpenMesh's.
 struct DoubleTraits : OpenMesh::DefaultTraits {
-  using Point = OpenMesh::Vec3d;   // NOLINT(readability-identifier-naming)
-  using Normal = OpenMesh::Vec3d;  // NOLINT(readability-identifier-naming)
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
 };
 using Triangles = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
 using Polygons = OpenMesh::PolyMesh_ArrayKernelT<DoubleTraits>;

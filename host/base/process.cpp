@@ -49,7 +49,7 @@ int run_program(const std::function<int()>& work) {
     return exit_code(error.kind());
   } catch (const std::bad_alloc&) {
     report(Error(ErrorKind::out_of_memory, "memory: this needs more than the machine has",
-                 "choose a smaller --size or fewer --cascades"));
+                 "ask for less at once: a smaller --size, fewer --cascades, a part of the mesh"));
     return exit_code(ErrorKind::out_of_memory);
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) {  // printing throws std::system_error where the output is full

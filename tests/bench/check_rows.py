@@ -14,7 +14,7 @@ SIZES = {
     "queries": ("64", ["queries", "queries_surface"]),
     "gerstner": ("64", ["gerstner", "gerstner_alone"]),
     "curvature": (
-        "32",
+        "64",
         [
             *(f"curvature_{method}{cores}" for method in ("fit", "tensor", "diffused") for cores in ("", "_all_cores")),
             "curvature_opencl",

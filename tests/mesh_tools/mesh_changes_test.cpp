@@ -1,6 +1,7 @@
 // What repair, remesh, simplify and subdivide make of meshes.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -146,6 +147,39 @@ TEST(Repair, CutsAMoebiusStripAcross) {
   EXPECT_EQ(changes.split_vertices, 2u);
   EXPECT_EQ(find_index_defects(result).boundary_loops, 1u);
   EXPECT_EQ(find_index_defects(result).turned_edges, 0u);
+}
+
+// Fails if solids that touch along edges are cut open there, or joined the wrong way: boxes of a
+// checkerboard, whose edges have four faces where two boxes meet.
+TEST(Repair, TouchingSolidsStayClosed) {
+  TriangleMesh mesh;
+  const auto vertex = [&](int x, int y, int z) {
+    const glm::dvec3 place(x, y, z);
+    const auto found = std::find(mesh.positions_m.begin(), mesh.positions_m.end(), place);
+    if (found != mesh.positions_m.end()) return static_cast<std::uint32_t>(found - mesh.positions_m.begin());
+    mesh.positions_m.push_back(place);
+    return static_cast<std::uint32_t>(mesh.positions_m.size() - 1);
+  };
+  const std::vector<std::array<int, 3>> boxes = {{0, 0, 0}, {1, 1, 0}, {0, 2, 0}, {1, 0, 1}, {0, 1, 1}};
+  // Corners of a box by bits: x, y, z. Sides anticlockwise from outside.
+  constexpr std::array<std::array<int, 4>, 6> sides = {
+      {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+  for (const auto& [x, y, z] : boxes) {
+    for (const std::array<int, 4>& side : sides) {
+      std::array<std::uint32_t, 4> corners{};
+      for (std::size_t i = 0; i < 4; ++i)
+        corners[i] = vertex(x + (side[i] & 1), y + (side[i] >> 1 & 1), z + (side[i] >> 2));
+      mesh.faces.push_back({corners[0], corners[1], corners[2]});
+      mesh.faces.push_back({corners[0], corners[2], corners[3]});
+    }
+  }
+  EXPECT_GT(find_index_defects(mesh).non_manifold_edges, 3u);
+  RepairChanges changes;
+  const MeshDefects after = find_index_defects(mended(mesh, &changes, {.most_hole_edges = 0}));
+  EXPECT_EQ(after.components, boxes.size());
+  EXPECT_EQ(after.boundary_edges, 0u);
+  EXPECT_EQ(after.vertices, 8 * boxes.size());
+  EXPECT_EQ(changes.turned_faces, 0u);
 }
 
 // Fails if the outer border of a small patch is taken for a hole and closed to a bag.

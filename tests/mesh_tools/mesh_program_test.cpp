@@ -146,7 +146,7 @@ TEST_F(MeshProgram, BadUsage) {
   write_mesh(path("in.off"), random_mesh(1));
   const std::vector<std::pair<std::string, std::string>> wrong = {
       {"remesh", "--edge-m or --faces"},         {"remesh --faces 2", "--faces"},
-      {"remesh --edge-m 0", "--edge-m"},         {"remesh --edge-m 1e-6", "--edge-m"},
+      {"remesh --edge-m 0", "--edge-m"},         {"remesh --edge-m 1e-6", "fewer than 1e8 faces"},
       {"remesh --edge-m nan", "--edge-m"},       {"remesh --edge-m 1 --faces 10", "excludes"},
       {"simplify", "--edge-m or --faces"},       {"simplify --faces many", "--faces"},
       {"subdivide --method cubic", "--method"},  {"subdivide --levels 99", "--levels"},
@@ -155,6 +155,12 @@ TEST_F(MeshProgram, BadUsage) {
   const ProgramResult misspelt = run_offing({"chek", path("in.off")});
   EXPECT_EQ(misspelt.exit_code, 2);
   EXPECT_THAT(misspelt.errors, HasSubstr("did you mean check?"));
+}
+
+// Fails if a surface without an area, of which no edge length follows, is remeshed for ever.
+TEST_F(MeshProgram, RemeshNeedsAnArea) {
+  write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  expect_refusal(maker("remesh --faces 100", "line.obj", "out.ply"), "fewer than 1e8 faces", 2);
 }
 
 // Fails if a signal does not end long work with its own code (128 + 2 where it comes before the program

@@ -126,8 +126,9 @@ class GltfParser {
     };
     std::vector<std::uint8_t> is_visited(document_.count("nodes"), 0);
     std::vector<Visit> stack;
-    const auto push = [&](const std::vector<std::size_t>& nodes, const glm::dmat4& parent) {
-      for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) stack.push_back({*node, parent});
+    const auto push = [&](std::vector<std::size_t> nodes, const glm::dmat4& parent) {
+      std::reverse(nodes.begin(), nodes.end());  // the first is taken first
+      for (const std::size_t node : nodes) stack.push_back({node, parent});
     };
     push(roots, glm::dmat4(1.0));
     while (!stack.empty()) {

@@ -110,6 +110,35 @@ TEST(MeshFormats, GltfShowsItsScene) {
   }
 }
 
+// Fails if a buffer beside the document is not found, quantized positions are not divided by their largest
+// value, or normals are not kept, moved by the node and turned with it: it mirrors x and stretches y twice.
+TEST(MeshFormats, GltfWithABufferBesideIt) {
+  const TemporaryFolder folder;
+  const std::array<std::uint16_t, 12> positions = {0, 0, 0, 0,     65535, 0,
+                                                   0, 0, 0, 13107, 0,     0};  // 8 bytes each
+  const std::array<float, 9> normals = {1, 1, 0, 0, 0, 1, 0, 0, -1};
+  std::ofstream buffer(folder.path() / "the buffer.bin", std::ios::binary);
+  buffer.write(reinterpret_cast<const char*>(positions.data()), sizeof(positions));
+  buffer.write(reinterpret_cast<const char*>(normals.data()), sizeof(normals));
+  buffer.close();
+  std::ofstream(folder.path() / "a.gltf") << R"({"asset":{"version":"2.0"},
+    "extensionsRequired":["KHR_mesh_quantization"],
+    "buffers":[{"byteLength":60,"uri":"the%20buffer.bin"}],
+    "bufferViews":[{"buffer":0,"byteLength":24,"byteStride":8},{"buffer":0,"byteOffset":24,"byteLength":36}],
+    "accessors":[{"bufferView":0,"componentType":5123,"normalized":true,"count":3,"type":"VEC3"},
+                 {"bufferView":1,"componentType":5126,"count":3,"type":"VEC3"}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1}}]}],
+    "nodes":[{"mesh":0,"scale":[-1,2,1]}]})";
+  const TriangleMesh mesh = read_mesh(folder.path() / "a.gltf");
+  ASSERT_EQ(mesh.positions_m.size(), 3u);
+  EXPECT_EQ(mesh.positions_m[1], glm::dvec3(-1, 0, 0));
+  EXPECT_LT(glm::distance(mesh.positions_m[2], glm::dvec3(0, 0.4, 0)), 1e-15);
+  EXPECT_THAT(mesh.faces, ElementsAre(Face{0, 2, 1}));
+  ASSERT_EQ(mesh.normals.size(), 3u);
+  EXPECT_LT(glm::distance(mesh.normals[0], glm::normalize(glm::dvec3(-1, 0.5, 0))), 1e-15);
+  EXPECT_EQ(mesh.normals[1], glm::dvec3(0, 0, 1));
+}
+
 // Fails if what is written reads back otherwise: positions to the last bit (in STL as floats and by place),
 // the faces, their order.
 TEST(MeshFormats, WrittenMeshesReadBack) {
