@@ -96,13 +96,6 @@ void find_edges(MeshNeighbours& mesh) {
 
 }  // namespace
 
-bool MeshNeighbours::runs_along(std::uint32_t face, std::uint32_t edge) const {
-  const TriangleIndices& corners = faces[face];
-  const auto& [from, to] = edges[edge];
-  return (corners[0] == from && corners[1] == to) || (corners[1] == from && corners[2] == to) ||
-         (corners[2] == from && corners[0] == to);
-}
-
 MeshNeighbours mesh_neighbours(std::size_t vertex_count, std::vector<TriangleIndices> faces) {
   require_valid(vertex_count, faces);
   MeshNeighbours mesh;

@@ -44,7 +44,12 @@ struct MeshNeighbours {
     return std::span(neighbours).subspan(begin, vertex_edges.begin[vertex + 1] - begin);
   }
   /// Whether a face that has the edge passes it from its first vertex to its second.
-  bool runs_along(std::uint32_t face, std::uint32_t edge) const;
+  bool runs_along(std::uint32_t face, std::uint32_t edge) const {
+    const TriangleIndices& corners = faces[face];
+    const auto& [from, to] = edges[edge];
+    return (corners[0] == from && corners[1] == to) || (corners[1] == from && corners[2] == to) ||
+           (corners[2] == from && corners[0] == to);
+  }
 };
 
 /// The neighbours of a mesh of so many vertices. Throws Error(bad_input) where a face names a vertex that is
