@@ -18,7 +18,7 @@ struct Flight {
 };
 
 /// Eye and direction of each frame: along a figure of eight that keeps a tenth of the map from its edges and
-/// begins in the middle, following the bound of the ground smoothly, looking ahead and 10 degrees down.
+/// begins a little past the middle, following the bound of the ground smoothly, looking ahead and 10 degrees down.
 std::vector<Camera> flight_path(const Flight& flight);
 
 }  // namespace offing::cli

@@ -129,7 +129,7 @@ void add_terrain_tile_command(CLI::App& terrain, GlobalOptions& options) {
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
 FILE may also be a VRT or a folder of rasters. It is read row by row: memory for a few hundred rows is enough. A run
-that was stopped goes on when it is started again, and ends with the same bytes. A store takes 6.5 bytes a post, 3.5
+that was stopped goes on when it is started again, and ends with the same bytes. A store takes 6.1 bytes a post, 3.4
 where heights are whole metres.
 
 Examples:

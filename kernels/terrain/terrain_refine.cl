@@ -19,7 +19,7 @@ FFT_INLINE float radical_inverse(int number) {
 }
 
 // The light of LANES pixels, (r, g, b, coverage). All pixels have the same pattern of rays, so that what stands still does
-// not flicker: the points of Hammersley, one in each of `samples` columns and rows of a pixel.
+// not flicker: the points of Hammersley, one in each of `samples` columns of a pixel and, where they are a power of 2, rows.
 FFT_INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first_level, lanes column, lanes row,
                            int samples, float4 *lights) {
   const TerrainField field = scenery->ground.field;

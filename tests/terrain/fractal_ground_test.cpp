@@ -82,8 +82,7 @@ TEST(FractalGroundTest, HasTheMiddleThatIsAsked) {
 }
 
 // Fails if gullies lift the ground, cut deeper than their depths together (0.3 of widths 810 m, 405 m, ...:
-// 486 m), cut no slopes, or are not the same ground with more posts: the finest kind, 101 m wide and cut by
-// 30 m, is added.
+// 486 m), or cut no slopes.
 TEST(FractalGroundTest, ErosionCutsGullies) {
   FractalParameters parameters{.posts = 513, .erosion = 1.0};
   const std::vector<float> cut = heights_of(parameters);

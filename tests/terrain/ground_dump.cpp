@@ -24,6 +24,11 @@ class Dump {
  public:
   explicit Dump(const char* path) : file_(path, std::ios::binary) {}
   void add(float value) { file_.write(reinterpret_cast<const char*>(&value), sizeof(value)); }
+  /// Throws Error(file) unless all was written.
+  void finish() {
+    file_.close();
+    if (!file_) throw Error(ErrorKind::file, "the dump cannot be written", "make room");
+  }
   void add_distance(float distance_m) { add(std::isinf(distance_m) ? 1e6f : distance_m); }
 
  private:
@@ -131,6 +136,7 @@ void write_dump(const char* path) {
                dump);
   dump_viewshed(device, field, dump);
   dump_tiles(device, dump);
+  dump.finish();
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <cpl_vsi.h>
@@ -18,10 +19,16 @@ Mosaic::Mosaic(const std::filesystem::path& folder)
     : path_(fmt::format("/vsimem/{}/mosaic.vrt", static_cast<const void*>(this))) {
   const GdalSession session;
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().string();
-    if (entry.is_regular_file() && GDALIdentifyDriver(name.c_str(), nullptr) != nullptr)
+  std::error_code status, of_file;
+  for (std::filesystem::directory_iterator entry(folder, status), end; !status && entry != end;
+       entry.increment(status)) {
+    const std::string name = entry->path().string();
+    if (entry->is_regular_file(of_file) && GDALIdentifyDriver(name.c_str(), nullptr) != nullptr)
       names.push_back(name);
+  }
+  if (status) {
+    throw Error(ErrorKind::file, fmt::format("{}: cannot be read: {}", folder.string(), status.message()),
+                "check the permissions of the folder");
   }
   if (names.empty()) {
     throw Error(ErrorKind::bad_input,

@@ -213,15 +213,19 @@ TileStoreWriter::TileStoreWriter(fs::path folder, const TileSetShape& shape, Exi
     throw Error(ErrorKind::file, fmt::format("{}: a finished tile store is there already", folder_.string()),
                 "--force makes it again, or name another folder with -o");
   }
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
-    if (entry.path().filename() == header_name || is_of_store(entry)) continue;
+  std::error_code status;
+  for (fs::directory_iterator entry(folder_, status), end; !status && entry != end; entry.increment(status)) {
+    if (entry->path().filename() == header_name || is_of_store(*entry)) continue;
     throw Error(ErrorKind::file,
                 fmt::format("{}: expected an empty folder or a tile store, found {} in it", folder_.string(),
-                            entry.path().filename().string()),
+                            entry->path().filename().string()),
                 "name a new folder with -o");
   }
+  if (status) {
+    throw Error(ErrorKind::file, fmt::format("{}: cannot be read: {}", folder_.string(), status.message()),
+                "check the permissions of the folder");
+  }
   // Until it is whole again it is no store.
-  std::error_code status;
   fs::remove(folder_ / header_name, status);
   if (status) {
     throw Error(ErrorKind::file,
