@@ -4,6 +4,7 @@
 
 #include "host/base/error_report.h"
 #include "host/command_line/new_output.h"
+#include "host/command_line/print_json.h"
 #include "host/io/atomic_file.h"
 #include "host/io/meshes/read_mesh.h"
 #include "host/io/meshes/write_mesh.h"
@@ -36,6 +37,17 @@ void MeshJob::write(const TriangleMesh& mesh) const {
 std::string MeshJob::told(const TriangleMesh& mesh) const {
   return fmt::format("{}: {} vertices, {} faces", one_line(output), mesh.positions_m.size(),
                      mesh.faces.size());
+}
+
+void MeshJob::tell(const TriangleMesh& mesh, std::size_t faces_before) const {
+  if (json) {
+    print_json({{"file", output},
+                {"vertices", mesh.positions_m.size()},
+                {"faces", mesh.faces.size()},
+                {"faces_before", faces_before}});
+  } else {
+    fmt::print("{} of {}\n", told(mesh), faces_before);
+  }
 }
 
 }  // namespace offing::mesh_tools

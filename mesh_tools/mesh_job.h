@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include <CLI/App.hpp>
@@ -25,6 +26,8 @@ struct MeshJob {
 
   /// "out.ply: 1200 vertices, 2396 faces".
   std::string told(const TriangleMesh& mesh) const;
+  /// Prints what was made of so many faces, for people or with --json for scripts.
+  void tell(const TriangleMesh& mesh, std::size_t faces_before) const;
 };
 
 }  // namespace offing::mesh_tools

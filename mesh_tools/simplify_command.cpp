@@ -5,11 +5,9 @@
 #include <string>
 
 #include <CLI/Option.hpp>
-#include <fmt/format.h>
 
 #include "host/base/argument.h"
 #include "host/base/error.h"
-#include "host/command_line/print_json.h"
 #include "host/command_line/verbosity_flags.h"
 #include "mesh_tools/mesh_job.h"
 #include "mesh_tools/simplify.h"
@@ -46,14 +44,7 @@ void run(const SimplifyArguments& arguments, const Options& options) {
   const TriangleMesh mesh = arguments.job.read();
   const TriangleMesh result = simplified(arguments, mesh, options);
   arguments.job.write(result);
-  if (arguments.job.json) {
-    print_json({{"file", arguments.job.output},
-                {"vertices", result.positions_m.size()},
-                {"faces", result.faces.size()},
-                {"faces_before", mesh.faces.size()}});
-  } else {
-    fmt::print("{} of {}\n", arguments.job.told(result), mesh.faces.size());
-  }
+  arguments.job.tell(result, mesh.faces.size());
 }
 
 }  // namespace

@@ -6,10 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include <fmt/format.h>
-
 #include "host/base/argument.h"
-#include "host/command_line/print_json.h"
 #include "host/command_line/verbosity_flags.h"
 #include "mesh_tools/mesh_job.h"
 #include "mesh_tools/subdivide.h"
@@ -52,14 +49,7 @@ void run(const SubdivideArguments& arguments, const Options& options) {
   const TriangleMesh mesh = arguments.job.read();
   const TriangleMesh result = subdivide(mesh, arguments.job.input, method, levels, options.cancel);
   arguments.job.write(result);
-  if (arguments.job.json) {
-    print_json({{"file", arguments.job.output},
-                {"vertices", result.positions_m.size()},
-                {"faces", result.faces.size()},
-                {"faces_before", mesh.faces.size()}});
-  } else {
-    fmt::print("{} of {}\n", arguments.job.told(result), mesh.faces.size());
-  }
+  arguments.job.tell(result, mesh.faces.size());
 }
 
 }  // namespace
