@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace offing::highlights {
+
+/// What is drawn within a projector's box: a shape of this library, a picture with alpha, or a picture of
+/// normals that is shaded inside the highlight.
+enum class HighlightTexture { dot, window, star, ring, streak, heart, image, normal_map };
+
+/// What an artist changes of a highlight (H6 of docs/sources.md) at one time. Default-made, it changes
+/// nothing.
+struct HighlightControls {
+  glm::dvec2 offset{0.0};     ///< over the surface, along e_max and e_min, in half widths
+  double rotation_rad = 0.0;  ///< about the normal, from right toward up
+  double scale = 1.0;         ///< of both widths
+  double anisotropy = 0.0;    ///< -1 ... 1: longer along right (above 0) or up, the area stays
+  double squareness = 0.0;    ///< 0 as found ... 1 both widths alike, the area stays
+  int split = 1;              ///< copies side by side along right
+  double split_gap = 0.25;    ///< between copies, in widths of one
+  HighlightTexture texture = HighlightTexture::dot;
+  int picture = -1;        ///< of image and normal_map: index into the world's pictures
+  glm::dvec3 colour{1.0};  ///< linear Rec.709, times the lamp's
+  double opacity = 1.0;    ///< 0 ... 1, times the highlight's own
+  double softness = 0.3;   ///< of a shape's rim, in half widths
+};
+
+/// Controls with the highlights of a mesh that they are for. Of several rules that fit, the last one counts.
+struct HighlightRule {
+  std::optional<glm::dvec3> nearest_m = {};  ///< only the highlight nearest to this place of the mesh
+  std::optional<int> lamp = {};              ///< only those of this lamp
+  /// Not what is found: one highlight that stands here on the mesh, whatever the light.
+  std::optional<glm::dvec3> pin_m = {};
+  /// Highlights are drawn on faces of which a corner is within this distance of the place, only.
+  std::optional<glm::dvec3> mask_m = {};
+  double mask_radius_m = 1.0;
+  HighlightControls controls;
+};
+
+}  // namespace offing::highlights
