@@ -15,6 +15,7 @@
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
 #include "host/world/ground_view.h"
+#include "host/world/mesh_parameters.h"
 
 namespace offing::world {
 
@@ -31,6 +32,8 @@ struct WorldParameters {
   std::array<double, 3> sun_direction{0.0, 1.0, 0.0};  ///< unit, toward the sun
   double sun_distance_au = 1.0;
   std::optional<GroundParameters> ground = {};
+  std::vector<MeshParameters> meshes = {};
+  std::vector<Lamp> lamps = {};  ///< beside the sun, at the time that is shown
 };
 
 /// Slopes that a picture must not draw one by one.
