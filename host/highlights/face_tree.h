@@ -36,8 +36,8 @@ class FaceTree {
     glm::dvec3 first_m, side_1_m, side_2_m;
   };
   struct Node {
-    glm::dvec3 low_m, high_m;
-    std::uint32_t begin, count;  ///< of corners_; count 0: an inner node, whose halves are at begin, begin + 1
+    glm::dvec3 low_m{0.0}, high_m{0.0};
+    std::uint32_t begin = 0, count = 0;  ///< of corners_; count 0: an inner node, whose halves are at begin, begin + 1
   };
 
   void split(std::size_t node);
