@@ -6,7 +6,7 @@ uniform int texture_kind;
 uniform vec3 colour;         // of the artist
 uniform vec3 lamp_kcdpm2;    // of a white surface that faces the lamp
 uniform float opacity;
-uniform float softness;
+uniform float softness, shape_depth;  // in half widths
 uniform sampler2D picture;   // premultiplied
 uniform vec3 box_right;      // unit, in the world's axes
 uniform int shows_box;       // 1: all of the box, 2: all of the region, in plain colour
@@ -30,7 +30,7 @@ void main() {
   vec2 uv = vec2(0.5 + 0.5 * box_place.x, 0.5 - 0.5 * box_place.y);
   vec4 texel = texture(picture, uv);
   float alpha = texel.a;
-  if (texture_kind < first_picture) alpha = shape_coverage(texture_kind, box_place, softness);
+  if (texture_kind < first_picture) alpha = shape_opacity(texture_kind, box_place, softness, shape_depth);
   bool is_in_box = max(abs(box_place.x), abs(box_place.y)) <= 1.0;
   if (shows_box != 0) {
     light = vec4(box_light, 1.0) * (is_in_box || shows_box == 2 ? 0.75 : 0.0);

@@ -6,7 +6,7 @@ uniform int light_count;
 // Two a light: the direction toward it and 0, or its place and 1; what it sends on a surface that faces it, klx.
 layout(std140) uniform Lights { vec4 lights[2 * max_lights]; };
 uniform vec3 sky_klx;     // on a level surface that looks up, by the sky alone
-uniform vec3 ground_klx;  // on one that looks down
+uniform vec3 ground_klx;  // on one that looks down, by what lies below
 
 struct Material {
   vec3 colour;      // diffuse reflectance
