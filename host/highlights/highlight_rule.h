@@ -12,15 +12,18 @@ namespace offing::highlights {
 /// normals that is shaded inside the highlight.
 enum class HighlightTexture { dot, window, star, ring, streak, heart, image, normal_map };
 
+constexpr double most_offset = 50.0;  ///< of HighlightControls::offset, either way
+constexpr int most_copies = 64;
+
 /// What an artist changes of a highlight (H6 of docs/sources.md) at one time. Default-made, it changes
 /// nothing.
 struct HighlightControls {
   glm::dvec2 offset{0.0};     ///< over the surface, along e_max and e_min, in half widths
   double rotation_rad = 0.0;  ///< about the normal, from right toward up
   double scale = 1.0;         ///< of both widths
-  double anisotropy = 0.0;    ///< -1 ... 1: longer along right (above 0) or up, the area stays
+  double anisotropy = 0.0;    ///< -1 ... 1: longer along right (above 0) or up, 16 times at 1; the area stays
   double squareness = 0.0;    ///< 0 as found ... 1 both widths alike, the area stays
-  int split = 1;              ///< copies side by side along right
+  int split = 1;              ///< copies side by side along right, as wide as the one in all
   double split_gap = 0.25;    ///< between copies, in widths of one
   HighlightTexture texture = HighlightTexture::dot;
   int picture = -1;        ///< of image and normal_map: index into the world's pictures
@@ -31,14 +34,20 @@ struct HighlightControls {
 
 /// Controls with the highlights of a mesh that they are for. Of several rules that fit, the last one counts.
 struct HighlightRule {
-  std::optional<glm::dvec3> nearest_m = {};  ///< only the highlight nearest to this place of the mesh
-  std::optional<int> lamp = {};              ///< only those of this lamp
-  /// Not what is found: one highlight that stands here on the mesh, whatever the light.
+  /// Only the highlight nearest to this place of the mesh. Where another comes as near (2 % of the diagonal),
+  /// the rule goes over to it by degrees.
+  std::optional<glm::dvec3> nearest_m = {};
+  std::optional<int> lamp = {};  ///< only those of this lamp
+  /// Not what is found: one highlight that stands here on the mesh, wherever the lamps are; in the light of
+  /// `lamp`, or of the first one.
   std::optional<glm::dvec3> pin_m = {};
   /// Highlights are drawn on faces of which a corner is within this distance of the place, only.
   std::optional<glm::dvec3> mask_m = {};
   double mask_radius_m = 1.0;
   HighlightControls controls;
 };
+
+/// Throws Error(bad_input) that names the control which is out of range.
+void require_valid(const HighlightRule& rule);
 
 }  // namespace offing::highlights
