@@ -10,11 +10,13 @@
 #include "host/command_line/print_json.h"
 #include "host/command_line/verbosity_flags.h"
 #include "host/io/meshes/write_mesh.h"
-#include "mesh_tools/shapes/shape.h"
+#include "host/mesh_shapes/shape.h"
 
 namespace offing::mesh_tools {
 
 namespace {
+
+using namespace mesh_shapes;
 
 struct GenerateArguments {
   std::string output;

@@ -9,4 +9,10 @@ std::string_view to_string(DebugView view) {
   return names[static_cast<std::size_t>(view)];
 }
 
+std::string_view to_string(MeshShow show) {
+  constexpr std::array<std::string_view, all_mesh_shows.size()> names{"light",      "curvature", "directions",
+                                                                      "projectors", "regions",   "ids"};
+  return names[static_cast<std::size_t>(show)];
+}
+
 }  // namespace offing::present

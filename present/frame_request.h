@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "host/base/camera.h"
+#include "host/highlights/highlight_tracks.h"
 #include "host/world/ground_view.h"
 
 namespace offing::present {
@@ -36,6 +37,19 @@ enum class GroundShow {
   steps,  ///< how many steps each ray took, over the whole picture (terrain::step_colours)
 };
 
+/// What meshes show.
+enum class MeshShow {
+  light,
+  curvature,   ///< red: convex, blue: hollow, green: saddles
+  directions,  ///< strokes along e_max, red, and e_min, blue
+  projectors,  ///< the boxes of highlights
+  regions,     ///< the faces of highlights
+  ids,         ///< what is within highlights' boxes, a colour for each
+};
+inline constexpr std::array all_mesh_shows{MeshShow::light,      MeshShow::curvature, MeshShow::directions,
+                                           MeshShow::projectors, MeshShow::regions,   MeshShow::ids};
+std::string_view to_string(MeshShow show);
+
 /// What to draw: the world as this camera sees it.
 struct FrameRequest {
   Camera camera;
@@ -43,8 +57,11 @@ struct FrameRequest {
   DebugView debug = DebugView::none;
   Fill fill = Fill::solid;
   GroundShow ground = GroundShow::light;
+  MeshShow meshes = MeshShow::light;
   world::TileWait tiles = world::TileWait::all;
   double ground_scale = 1.0;  ///< rays that are cast at the ground a pixel of the picture, along a side
+  /// For highlights that depend on the time alone (World::see_meshes()); none: they follow the camera.
+  highlights::LightingAt lighting_at = {};
 };
 
 }  // namespace offing::present

@@ -15,7 +15,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 
 std::string_view to_string(Stage stage) {
   constexpr std::array<std::string_view, stage_count> names{"simulate", "terrain", "transfer", "sky",
-                                                            "water",    "tone",    "panels"};
+                                                            "water",    "meshes",  "tone",     "panels"};
   return names[static_cast<std::size_t>(stage)];
 }
 

@@ -7,8 +7,8 @@
 
 #include <glm/common.hpp>
 
+#include "present/air.h"
 #include "present/foam_texture.h"
-#include "present/sampler.h"
 #include "present/view_ray.h"
 
 namespace offing::present {
@@ -26,8 +26,8 @@ constexpr std::array<double, 3> water_reflectance{0.002, 0.011, 0.024};
 ShaderProgram water_program() {
   return ShaderProgram(
       {.vertex = {shader_file("screen.vert")},
-       .fragment = {shader_file("environment.glsl"), shader_file("view_ray.glsl"), shader_file("water.glsl"),
-                    shader_file("rings.glsl"), shader_file("water_light.glsl"),
+       .fragment = {shader_file("environment.glsl"), shader_file("air.glsl"), shader_file("view_ray.glsl"),
+                    shader_file("water.glsl"), shader_file("rings.glsl"), shader_file("water_light.glsl"),
                     shader_file("water_debug.glsl"), shader_file("water.frag")}});
 }
 
@@ -37,16 +37,6 @@ glm::vec3 to_vec3(const ocean::SlopeCovariance& slopes) {
 
 glm::vec3 to_vec3(const std::array<double, 3>& values) {
   return {values[0], values[1], values[2]};
-}
-
-// Extinction of the air at sea level, at red, green and blue.
-glm::vec3 haze_perm(const sky::Atmosphere& air) {
-  const double aerosol_perm = air.aerosol_optical_depth / air.aerosol_scale_height_m;
-  const auto at = [&](double rayleigh_depth) {
-    return static_cast<float>(rayleigh_depth / air.rayleigh_scale_height_m + aerosol_perm);
-  };
-  const sky::Spectrum& depth = air.rayleigh_optical_depth;
-  return {at(depth[0]), at(0.5 * (depth[1] + depth[2])), at(depth[3])};
 }
 
 }  // namespace
@@ -97,7 +87,6 @@ void WaterPass::set_light(const world::World& world) const {
   program_.set("sun_klx", to_vec3(light.sun_klx));
   program_.set("sky_klx", to_vec3(light.sky_klx));
   program_.set("water_kcdpm2", water);
-  program_.set("haze_perm", haze_perm(world.parameters().atmosphere));
 }
 
 void WaterPass::bind_surface() const {
@@ -121,7 +110,7 @@ void WaterPass::draw(const world::World& world, const FrameRequest& request, GLu
   set_waves(world, request.camera);
   set_light(world);
   bind_surface();
-  bind_sampler(program_, "environment", environment_unit, environment);
+  set_air(program_, world.parameters().atmosphere, environment, environment_unit);
   bind_sampler(program_, "foam_pattern", pattern_unit, foam_pattern_.name());
   program_.set("eye_height_m", static_cast<float>(request.camera.eye_m.y));
   program_.set("debug_view", static_cast<int>(request.debug));

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "host/ocean/projected_grid.h"
-#include "present/view_depth.h"
+#include "present/clip_from_eye.h"
 
 namespace offing::present {
 namespace {
@@ -29,18 +29,6 @@ std::vector<std::uint32_t> triangles(GridCells cells) {
     }
   }
   return indices;
-}
-
-// From eye-relative coordinates to those of the screen.
-glm::dmat4 clip_from_eye(const Camera& camera, bool has_clip_control) {
-  glm::dmat4 matrix = projection(camera, near_m) * view_rotation(camera);
-  if (!has_clip_control) {
-    // OpenGL then maps depth from -1 ... 1: z' = 2 z - w.
-    for (int column = 0; column < 4; ++column) {
-      matrix[column][2] = 2.0 * matrix[column][2] - matrix[column][3];
-    }
-  }
-  return matrix;
 }
 
 }  // namespace

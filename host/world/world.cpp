@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "host/base/error.h"
 
 namespace offing::world {
@@ -91,6 +93,8 @@ World::World(const ocl::Device& device, const WorldParameters& parameters)
     : device_(device), parameters_(parameters), sky_(device, parameters.atmosphere) {
   make_sea(parameters);
   if (parameters.ground) ground_.emplace(device, *parameters.ground);
+  set_meshes(parameters.meshes);
+  set_lamps(parameters.lamps);
 }
 
 void World::make_sea(const WorldParameters& parameters) {
@@ -165,6 +169,41 @@ void World::set_ground(const std::optional<GroundParameters>& ground) {
   }
   parameters_.ground = ground;
   sky_altitude_m_.reset();
+}
+
+void World::set_meshes(const std::vector<MeshParameters>& meshes) {
+  std::vector<MeshView> views;
+  for (const MeshParameters& mesh : meshes) views.emplace_back(device_, mesh);
+  meshes_ = std::move(views);
+  parameters_.meshes = meshes;
+}
+
+void World::set_lamps(const std::vector<Lamp>& lamps) {
+  if (lamps.size() > most_lamps) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("lamps: expected at most {}, found {}", most_lamps, lamps.size()),
+                "take some away");
+  }
+  parameters_.lamps = lamps;
+}
+
+highlights::Lighting World::lighting(const glm::dvec3& eye_m) const {
+  highlights::Lighting lighting{.eye = {.kind = highlights::Source::Kind::place, .vector = eye_m},
+                                .lamps = {}};
+  for (const Lamp& lamp : parameters_.lamps) lighting.lamps.push_back(lamp.source);
+  const auto& [x, y, z] = parameters_.sun_direction;
+  if (y > 0.0) lighting.lamps.push_back({.vector = {x, y, z}});
+  return lighting;
+}
+
+void World::see_meshes(const glm::dvec3& eye_m, const highlights::LightingAt& lighting_at) {
+  for (MeshView& mesh : meshes_) {
+    if (lighting_at) {
+      mesh.at(time_s_, lighting_at);
+    } else {
+      mesh.follow(time_s_, lighting(eye_m));
+    }
+  }
 }
 
 ocean::SurfaceReach World::reach() const {

@@ -15,6 +15,8 @@
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
 #include "host/world/ground_view.h"
+#include "host/world/mesh_parameters.h"
+#include "host/world/mesh_view.h"
 
 namespace offing::world {
 
@@ -31,7 +33,11 @@ struct WorldParameters {
   std::array<double, 3> sun_direction{0.0, 1.0, 0.0};  ///< unit, toward the sun
   double sun_distance_au = 1.0;
   std::optional<GroundParameters> ground = {};
+  std::vector<MeshParameters> meshes = {};
+  std::vector<Lamp> lamps = {};  ///< beside the sun, at the time that is shown
 };
+
+inline constexpr std::size_t most_lamps = 63;
 
 /// Slopes that a picture must not draw one by one.
 struct HiddenSlopes {
@@ -60,6 +66,10 @@ class World {
   /// is farther from the map than rays reach sees nothing of it. Throws what GroundView::at() throws.
   void see_ground(const Camera& camera, const terrain::Sampling& sampling = {},
                   TileWait wait = TileWait::all);
+  /// Takes the meshes to the time of the last at(), with the highlights that they have for this eye. With a
+  /// lighting, of the world's axes at any time (MeshView::at()), these depend on the time alone; without one
+  /// they follow the eye and the lamps as they are (MeshView::follow()).
+  void see_meshes(const glm::dvec3& eye_m, const highlights::LightingAt& lighting_at = {});
 
   /// The water at points of the world by the last at(): Ocean::sample() with this world's trochoids. Throws
   /// what ocean() throws.
@@ -86,6 +96,10 @@ class World {
   void set_sea(const WorldParameters& parameters);
   /// Changes the ground; other heights or another place make it anew. Throws what GroundView throws.
   void set_ground(const std::optional<GroundParameters>& ground);
+  /// Puts other meshes in their place, made anew. Throws what MeshView throws.
+  void set_meshes(const std::vector<MeshParameters>& meshes);
+  /// Throws Error(bad_usage) for more than most_lamps.
+  void set_lamps(const std::vector<Lamp>& lamps);
 
   bool has_sea() const { return ocean_.has_value(); }
   /// Throws Error(bad_usage) in a world without a sea.
@@ -93,6 +107,11 @@ class World {
   /// nullptr in a world without ground.
   const GroundView* ground() const { return ground_ ? &*ground_ : nullptr; }
   GroundView* ground() { return ground_ ? &*ground_ : nullptr; }
+  const std::vector<MeshView>& meshes() const { return meshes_; }
+  /// In the order of the parameters.
+  std::vector<MeshView>& meshes() { return meshes_; }
+  /// What lights the meshes for this eye: the lamps in their order and, while it is up, the sun.
+  highlights::Lighting lighting(const glm::dvec3& eye_m) const;
   const sky::ClearSky& sky() const { return sky_; }
   /// Light at the eye, by the last at().
   const sky::Illuminance& illuminance() const { return illuminance_; }
@@ -112,6 +131,7 @@ class World {
   std::optional<ocean::Ocean> ocean_;
   sky::ClearSky sky_;
   std::optional<GroundView> ground_;
+  std::vector<MeshView> meshes_;
   TerrainLight ground_light_{};  // of the sky's tables
   double time_s_ = 0.0;
   std::optional<double> sky_altitude_m_;  // of the sky's tables; none: they are out of date

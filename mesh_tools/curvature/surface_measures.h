@@ -4,7 +4,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "mesh_tools/curvature/tangent_plane.h"
+#include "host/base/tangent_plane.h"
 #include "mesh_tools/curvature/unit_mesh.h"
 
 namespace offing::mesh_tools {

@@ -7,7 +7,6 @@ uniform sampler2D strain_of;
 uniform sampler2D depth_of;
 uniform sampler2DArray gradient_map;  // dh/dx, dh/dz, d dx/dx, d dz/dz
 uniform sampler2DArray foam_map;      // coverage 0 ... 1
-uniform sampler2D environment;
 uniform sampler2D foam_pattern;  // even values 0 ... 1
 uniform vec2 foam_place;         // the eye's place on its tile
 uniform float foam_tile_m;       // side of its tile
@@ -22,7 +21,6 @@ uniform float sun_radius_rad;
 uniform vec3 sun_klx;   // on a surface that faces the sun
 uniform vec3 sky_klx;   // on a level surface, by the sky alone
 uniform vec3 water_kcdpm2;  // light from below the surface
-uniform vec3 haze_perm;     // extinction of the air
 uniform float eye_height_m;
 uniform vec2 foam_onset;    // Jacobian where foam begins, and how far below it covers all
 
@@ -31,11 +29,6 @@ out vec4 light;
 const float foam_albedo = 0.5;
 // Where the surface all but folds, slopes of a height field lose their meaning; foam hides such places.
 const float least_jacobian = 0.2;
-
-vec3 environment_light(vec3 direction) {
-  vec2 point = direction.xz / (1.0 + max(direction.y, 0.0));
-  return textureLod(environment, 0.5 + 0.5 / environment_margin * point, 0.0).rgb;
-}
 
 vec3 hidden_at(int cascade, float level) {
   float place = clamp(level, 0.0, float(level_count - 1));
@@ -153,10 +146,7 @@ void main() {
   vec3 foam_light = foam_albedo / pi * (sky_klx + sun_klx * max(dot(normal, sun_direction), 0.0));
   vec3 surface = mix(water, foam_light, foam);
 
-  // The air between sends the light of the horizon, as a long way through it does.
-  vec3 clear = exp(-haze_perm * distance_m);
-  vec3 horizon = environment_light(normalize(vec3(-v.x, 0.004, -v.z)));
-  light = vec4(mix(horizon, surface, clear), 1.0);
+  light = vec4(through_air(surface, ray, distance_m), 1.0);
   if (debug_view != 0) {
     light.rgb = debug_light(ray.y * distance_m + eye_height_m + earth_drop_m(label_m), slope, jacobian, coverage, width_m, label_m,
                             floor(strain.w));

@@ -4,8 +4,8 @@
 
 #include "host/base/error.h"
 #include "host/highlights/diffused_curvature.h"
+#include "host/mesh_shapes/shape.h"
 #include "mesh_tools/curvature/curvature.h"
-#include "mesh_tools/shapes/shape.h"
 #include "tests/bench/benches.h"
 #include "tests/mesh_tools/curvature/accuracy.h"
 
@@ -15,14 +15,14 @@ namespace {
 using mesh_tools::CurvatureMethod;
 
 /// A torus of n x n / 2 vertices with noise, as scans have.
-mesh_tools::Shape noisy_torus(int size) {
-  return mesh_tools::make_torus(1.0, 0.4, {size, size / 2, mesh_tools::Diagonals::random},
-                                {.jitter = 0.3, .normal_noise = 0.02, .seed = 7});
+mesh_shapes::Shape noisy_torus(int size) {
+  return mesh_shapes::make_torus(1.0, 0.4, {size, size / 2, mesh_shapes::Diagonals::random},
+                                 {.jitter = 0.3, .normal_noise = 0.02, .seed = 7});
 }
 
 /// Both sides must have measured the same surface: throws Error(device) where the mean error is above a fifth
 /// of the curvature. Noise that is a share of the edges bends finer meshes more: a tenth at n = 2048.
-void require_sound(const std::string& name, const mesh_tools::Shape& shape, const VertexCurvatures& found) {
+void require_sound(const std::string& name, const mesh_shapes::Shape& shape, const VertexCurvatures& found) {
   const double error = test::errors_of(found, *shape.truth).curvature;
   if (error < 0.2) return;
   throw Error(ErrorKind::device,
@@ -31,7 +31,7 @@ void require_sound(const std::string& name, const mesh_tools::Shape& shape, cons
 }
 
 void bench_size(const ocl::Device& device, int size, const Settings& settings, const Sinks& sinks) {
-  const mesh_tools::Shape shape = noisy_torus(size);
+  const mesh_shapes::Shape shape = noisy_torus(size);
   const mesh_tools::UnitMesh mesh = mesh_tools::unit_mesh(shape.mesh);
   const auto measuring = [&](CurvatureMethod method, int threads) -> Work {
     return [&mesh, method, threads] {

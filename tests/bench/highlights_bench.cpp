@@ -11,8 +11,8 @@
 #include "host/highlights/highlight_frame.h"
 #include "host/highlights/highlight_tracks.h"
 #include "host/io/meshes/read_mesh.h"
+#include "host/mesh_shapes/shape.h"
 #include "mesh_tools/curvature/curvature.h"
-#include "mesh_tools/shapes/shape.h"
 #include "tests/bench/benches.h"
 
 namespace offing::bench {
@@ -31,10 +31,10 @@ struct NamedMesh {
 /// Of the sizes of H12, and for the search one as large as a scan.
 std::vector<NamedMesh> meshes() {
   std::vector<NamedMesh> result;
-  result.push_back({"sphere", mesh_tools::make_sphere(1.0, 4).mesh});
-  result.push_back({"knot", mesh_tools::make_torus_knot({}, {120, 12}).mesh});
-  result.push_back({"fine_knot", mesh_tools::make_torus_knot({}, {360, 38}).mesh, 2});
-  result.push_back({"scan", mesh_tools::make_torus_knot({}, {2000, 200}).mesh});
+  result.push_back({"sphere", mesh_shapes::make_sphere(1.0, 4).mesh});
+  result.push_back({"knot", mesh_shapes::make_torus_knot({}, {120, 12}).mesh});
+  result.push_back({"fine_knot", mesh_shapes::make_torus_knot({}, {360, 38}).mesh, 2});
+  result.push_back({"scan", mesh_shapes::make_torus_knot({}, {2000, 200}).mesh});
   if (const char* folder = std::getenv("OFFING_TEST_DATA"); folder != nullptr)
     result.push_back({"penguin", read_mesh(std::filesystem::path(folder) / "meshes" / "penguin_26880.obj")});
   return result;

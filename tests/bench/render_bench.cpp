@@ -92,7 +92,7 @@ void measure(Renderer& renderer, const std::string& name, int size, int blocks, 
     }
   }
   for (const Stage stage :
-       {Stage::simulate, Stage::terrain, Stage::transfer, Stage::sky, Stage::water, Stage::tone}) {
+       {Stage::simulate, Stage::terrain, Stage::transfer, Stage::sky, Stage::water, Stage::meshes, Stage::tone}) {
     const std::vector<double>& times_ms = stage_ms[static_cast<std::size_t>(stage)];
     // A sea alone has no stage of ground, nor ground alone one of water.
     if (median(times_ms) > 0.0) row(fmt::format("{}_{}", name, to_string(stage)), times_ms);

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "host/io/meshes/read_mesh.h"
+#include "host/mesh_shapes/shape.h"
 #include "mesh_tools/curvature/curvature.h"
-#include "mesh_tools/shapes/shape.h"
 #include "tests/highlights/turning_mesh.h"
 
 namespace offing::highlights {
@@ -71,7 +71,7 @@ class CoherenceTest : public testing::Test {
 // Each fails if a highlight jumps, swells, spins or blinks, if one is missing where it has long been, if what
 // is shown stays behind, or if a replay ends elsewhere.
 TEST_F(CoherenceTest, OurKnot) {
-  expect_coherent(surface(mesh_tools::make_torus_knot({}, {120, 12}).mesh));
+  expect_coherent(surface(mesh_shapes::make_torus_knot({}, {120, 12}).mesh));
 }
 TEST_F(CoherenceTest, Knot) {
   expect_coherent_file("knot_2880.obj");

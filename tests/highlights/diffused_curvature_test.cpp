@@ -10,14 +10,14 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/mesh_shapes/shape.h"
 #include "mesh_tools/curvature/curvature.h"
-#include "mesh_tools/shapes/shape.h"
 
 namespace offing {
 namespace {
 
 using highlights::DiffusedCurvature;
-using mesh_tools::Diagonals;
+using mesh_shapes::Diagonals;
 
 std::vector<float> coordinates(const TriangleMesh& mesh) {
   std::vector<float> values;
@@ -55,7 +55,7 @@ VertexCurvatures on_host(const TriangleMesh& mesh, int rounds) {
 // curvatures. Areas lose the digits that thin
 // triangles cancel; confidence is less where bending comes near the rounding of floats, 1e-5 rad an edge.
 TEST(DiffusedCurvatureTest, IsThatOfTheHost) {
-  const mesh_tools::Roughness roughness{.jitter = 0.3, .normal_noise = 0.02, .seed = 3};
+  const mesh_shapes::Roughness roughness{.jitter = 0.3, .normal_noise = 0.02, .seed = 3};
   const TriangleMesh meshes[] = {rounded(make_torus(1.0, 0.4, {80, 40, Diagonals::random}, roughness).mesh),
                                  rounded(make_saddle(1.0, {40, 40, Diagonals::random}, roughness).mesh),
                                  rounded(make_ellipsoid({1.0, 0.75, 0.5}, 4, roughness).mesh)};
@@ -80,7 +80,7 @@ TEST(DiffusedCurvatureTest, IsThatOfTheHost) {
 
 // Frames follow one another: fails if anything of the last positions is kept.
 TEST(DiffusedCurvatureTest, FollowsADeformingMesh) {
-  const TriangleMesh sphere = mesh_tools::make_sphere(1.0, 3).mesh;
+  const TriangleMesh sphere = mesh_shapes::make_sphere(1.0, 3).mesh;
   TriangleMesh stretched = sphere;
   for (glm::dvec3& p : stretched.positions_m) p *= glm::dvec3(1.0, 2.0, 3.0);
   const ocl::Device device = ocl::Device::open();
@@ -95,7 +95,7 @@ TEST(DiffusedCurvatureTest, FollowsADeformingMesh) {
 
 // A seam: the same surface, each face with corners of its own.
 TEST(DiffusedCurvatureTest, WeldsSeams) {
-  const TriangleMesh sphere = mesh_tools::make_sphere(1.0, 2).mesh;
+  const TriangleMesh sphere = mesh_shapes::make_sphere(1.0, 2).mesh;
   TriangleMesh cut;
   for (const TriangleIndices& face : sphere.faces) {
     const auto first = static_cast<std::uint32_t>(cut.positions_m.size());
@@ -137,7 +137,7 @@ TEST(DiffusedCurvatureTest, AnswersWhateverTheFacesAre) {
 
 TEST(DiffusedCurvatureTest, RefusesWhatItCannotUse) {
   const ocl::Device device = ocl::Device::open();
-  const TriangleMesh sphere = mesh_tools::make_sphere(1.0, 1).mesh;
+  const TriangleMesh sphere = mesh_shapes::make_sphere(1.0, 1).mesh;
   EXPECT_THROW(DiffusedCurvature(device, sphere, -1), Error);
   EXPECT_THROW(DiffusedCurvature(device, {}, 3), Error);
   EXPECT_THROW(DiffusedCurvature(device, {{{0, 0, 0}}, {}, {{0, 0, 1}}}, 3), Error);

@@ -9,7 +9,7 @@
 namespace offing::test {
 namespace {
 
-using mesh_tools::Diagonals;
+using mesh_shapes::Diagonals;
 
 double line_angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
   const double cosine = std::min(1.0, std::abs(glm::dot(a, b)));
@@ -38,21 +38,22 @@ CurvatureErrors errors_of(const VertexCurvatures& measured, const VertexCurvatur
 }
 
 NamedShape jittered_ellipsoid() {
-  return {"ellipsoid", mesh_tools::make_ellipsoid({1.0, 0.75, 0.5}, 5, {.jitter = 0.25, .seed = 7})};
+  return {"ellipsoid", mesh_shapes::make_ellipsoid({1.0, 0.75, 0.5}, 5, {.jitter = 0.25, .seed = 7})};
 }
 
 NamedShape jittered_torus() {
   return {"torus",
-          mesh_tools::make_torus(1.0, 0.4, {160, 64, Diagonals::random}, {.jitter = 0.3, .seed = 7})};
+          mesh_shapes::make_torus(1.0, 0.4, {160, 64, Diagonals::random}, {.jitter = 0.3, .seed = 7})};
 }
 
 NamedShape noisy_torus() {
-  return {"noisy torus", mesh_tools::make_torus(1.0, 0.4, {160, 64, Diagonals::random},
-                                                {.jitter = 0.3, .normal_noise = 0.02, .seed = 7})};
+  return {"noisy torus", mesh_shapes::make_torus(1.0, 0.4, {160, 64, Diagonals::random},
+                                                 {.jitter = 0.3, .normal_noise = 0.02, .seed = 7})};
 }
 
 NamedShape jittered_saddle() {
-  return {"saddle", mesh_tools::make_saddle(1.0, {100, 100, Diagonals::random}, {.jitter = 0.25, .seed = 7})};
+  return {"saddle",
+          mesh_shapes::make_saddle(1.0, {100, 100, Diagonals::random}, {.jitter = 0.25, .seed = 7})};
 }
 
 std::vector<NamedShape> comparison_shapes() {

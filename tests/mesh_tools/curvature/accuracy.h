@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "host/mesh_shapes/shape.h"
 #include "mesh_tools/curvature/curvature.h"
-#include "mesh_tools/shapes/shape.h"
 
 namespace offing::test {
 
@@ -21,7 +21,7 @@ CurvatureErrors errors_of(const VertexCurvatures& measured, const VertexCurvatur
 /// vertices move along the surface and diagonals are random.
 struct NamedShape {
   std::string name;
-  mesh_tools::Shape shape;
+  mesh_shapes::Shape shape;
 };
 NamedShape jittered_ellipsoid();
 NamedShape jittered_torus();

@@ -8,11 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/mesh_shapes/shape.h"
 #include "mesh_tools/curvature/curvature.h"
-#include "mesh_tools/shapes/shape.h"
 
 namespace offing::mesh_tools {
 namespace {
+
+using namespace mesh_shapes;
 
 constexpr CurvatureMethod all_methods[] = {CurvatureMethod::fit,          CurvatureMethod::tensor,
                                            CurvatureMethod::tensor_exact, CurvatureMethod::paper,

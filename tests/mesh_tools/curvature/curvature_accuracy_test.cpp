@@ -14,6 +14,8 @@
 namespace offing::mesh_tools {
 namespace {
 
+using namespace mesh_shapes;
+
 using testing::Each;
 using testing::Lt;
 

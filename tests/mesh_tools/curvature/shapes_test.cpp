@@ -7,11 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/mesh_shapes/shape.h"
 #include "mesh_tools/curvature/unit_mesh.h"
-#include "mesh_tools/shapes/shape.h"
 
 namespace offing::mesh_tools {
 namespace {
+
+using namespace mesh_shapes;
 
 /// Closed, and every edge is passed once each way.
 void expect_closed(const Shape& shape, long long characteristic) {

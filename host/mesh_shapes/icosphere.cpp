@@ -3,9 +3,9 @@
 #include <map>
 #include <numbers>
 
-#include "mesh_tools/shapes/shape_parts.h"
+#include "host/mesh_shapes/shape_parts.h"
 
-namespace offing::mesh_tools {
+namespace offing::mesh_shapes {
 namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -75,4 +75,4 @@ Icosphere icosphere(int level, const Roughness& roughness) {
   return sphere;
 }
 
-}  // namespace offing::mesh_tools
+}  // namespace offing::mesh_shapes

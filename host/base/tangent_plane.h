@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-namespace offing::mesh_tools {
+namespace offing {
 
 /// A symmetric 3 x 3 matrix.
 struct SymmetricTensor {
@@ -81,4 +81,4 @@ inline TangentEigen tangent_eigen(const SymmetricTensor& tensor, const glm::dvec
           eigen.cosine * frame.w - eigen.sine * frame.u};
 }
 
-}  // namespace offing::mesh_tools
+}  // namespace offing

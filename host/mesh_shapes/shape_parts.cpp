@@ -1,4 +1,4 @@
-#include "mesh_tools/shapes/shape_parts.h"
+#include "host/mesh_shapes/shape_parts.h"
 
 #include <cmath>
 #include <numbers>
@@ -8,7 +8,7 @@
 #include "host/base/error.h"
 #include "kernels/shared/random.h"
 
-namespace offing::mesh_tools {
+namespace offing::mesh_shapes {
 namespace {
 
 constexpr int most_cells = 1 << 13;
@@ -123,4 +123,4 @@ std::vector<TriangleIndices> grid_faces(const Grid& grid, GridEnds ends, std::ui
   return faces;
 }
 
-}  // namespace offing::mesh_tools
+}  // namespace offing::mesh_shapes

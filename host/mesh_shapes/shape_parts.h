@@ -7,11 +7,11 @@
 
 #include <glm/vec3.hpp>
 
+#include "host/base/tangent_plane.h"
 #include "host/base/triangle_mesh.h"
-#include "mesh_tools/curvature/tangent_plane.h"
-#include "mesh_tools/shapes/shape.h"
+#include "host/mesh_shapes/shape.h"
 
-namespace offing::mesh_tools {
+namespace offing::mesh_shapes {
 
 /// Throws Error(bad_usage) unless the value is finite and within the range.
 void require_shape_value(std::string_view name, double value, double least, double most);
@@ -68,4 +68,4 @@ struct Icosphere {
 };
 Icosphere icosphere(int level, const Roughness& roughness);
 
-}  // namespace offing::mesh_tools
+}  // namespace offing::mesh_shapes

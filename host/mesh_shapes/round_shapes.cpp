@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "mesh_tools/shapes/shape_parts.h"
+#include "host/mesh_shapes/shape_parts.h"
 
-namespace offing::mesh_tools {
+namespace offing::mesh_shapes {
 namespace {
 
 /// A Gaussian with a width of its own along each axis, in head radii.
@@ -99,4 +99,4 @@ Shape make_head(double radius_m, int level, const Roughness& roughness) {
                   roughness.seed);
 }
 
-}  // namespace offing::mesh_tools
+}  // namespace offing::mesh_shapes

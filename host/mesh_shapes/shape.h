@@ -8,7 +8,7 @@
 
 #include "host/base/triangle_mesh.h"
 
-namespace offing::mesh_tools {
+namespace offing::mesh_shapes {
 
 /// A mesh made by a formula.
 struct Shape {
@@ -70,4 +70,4 @@ Shape make_head(double radius_m, int level, const Roughness& roughness = {});
 /// depth follow from the length.
 Shape make_ship(double length_m, const Grid& grid);
 
-}  // namespace offing::mesh_tools
+}  // namespace offing::mesh_shapes

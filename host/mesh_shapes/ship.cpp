@@ -1,9 +1,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh_tools/shapes/shape_parts.h"
+#include "host/mesh_shapes/shape_parts.h"
 
-namespace offing::mesh_tools {
+namespace offing::mesh_shapes {
 namespace {
 
 // Of the length: those of a coaster.
@@ -87,4 +87,4 @@ Shape make_ship(double length_m, const Grid& grid) {
   return ship;
 }
 
-}  // namespace offing::mesh_tools
+}  // namespace offing::mesh_shapes

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "mesh_tools/shapes/shape_parts.h"
+#include "host/mesh_shapes/shape_parts.h"
 
-namespace offing::mesh_tools {
+namespace offing::mesh_shapes {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
@@ -149,4 +149,4 @@ Shape make_saddle(double half_width_m, const Grid& grid, const Roughness& roughn
                   roughness.seed);
 }
 
-}  // namespace offing::mesh_tools
+}  // namespace offing::mesh_shapes

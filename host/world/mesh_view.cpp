@@ -1,0 +1,162 @@
+#include "host/world/mesh_view.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "host/highlights/diffused_curvature.h"
+#include "host/highlights/lamp_shadow.h"
+
+namespace offing::world {
+namespace {
+
+// Highlights of a time have a past of one to two of these, longer than any of them takes to fade or to reach
+// its place; it begins at 0 where that is within two.
+constexpr double past_s = 10.0;
+// Time jumps where a frame takes it further than that, and passes at least this much for who flies while it
+// stands.
+constexpr double longest_frame_s = 0.5, least_frame_s = 1.0 / 30.0;
+
+/// A function of the time alone, so that highlights are.
+double start_of_past(double time_s) {
+  if (time_s >= 0.0 && time_s < 2.0 * past_s) return 0.0;
+  return past_s * (std::floor(time_s / past_s) - 1.0);
+}
+
+/// As the device makes them of a mesh that brings none.
+VertexCurvatures diffused(const ocl::Device& device, const TriangleMesh& mesh) {
+  highlights::DiffusedCurvature method(device, mesh);
+  std::vector<float> positions_m;
+  positions_m.reserve(3 * mesh.positions_m.size());
+  for (const glm::dvec3& position_m : mesh.positions_m) {
+    for (int axis = 0; axis < 3; ++axis) positions_m.push_back(static_cast<float>(position_m[axis]));
+  }
+  ocl::Buffer<float> buffer(device, positions_m, "positions");
+  method.at(buffer);
+  return method.read();
+}
+
+highlights::HighlightSurface surface_of(const ocl::Device& device, const MeshParameters& parameters) {
+  return {device, *parameters.mesh,
+          parameters.curvatures ? *parameters.curvatures : diffused(device, *parameters.mesh),
+          parameters.surface};
+}
+
+std::uint64_t next_revision() {
+  static std::atomic<std::uint64_t> revisions{0};
+  return ++revisions;
+}
+
+}  // namespace
+
+struct MeshView::Shown {
+  explicit Shown(highlights::HighlightSurface made) : surface(std::move(made)), shadow(surface) {}
+
+  /// The tracks, which start with the lighting at hand.
+  highlights::HighlightTracks& tracks_of(const highlights::TrackOptions& options) {
+    if (!tracks) {
+      tracks.emplace(
+          surface, [this](double time_s) { return lighting(time_s); }, options);
+      drawn.emplace(surface, tracks->options().size);
+    }
+    return *tracks;
+  }
+
+  highlights::HighlightSurface surface;
+  highlights::LampShadow shadow;
+  highlights::LightingAt lighting;  // in the mesh's axes
+  std::optional<highlights::HighlightTracks> tracks;
+  std::optional<highlights::DrawnHighlights> drawn;
+  std::vector<highlights::DrawnHighlight> lit;
+  std::optional<double> start_s;        // of the past that the tracks have; none: they follow
+  std::optional<double> followed_to_s;  // time of the last follow()
+  double passed_s = 0.0;                // for tracks that follow
+};
+
+MeshView::MeshView(const ocl::Device& device, const MeshParameters& parameters)
+    : parameters_(parameters),
+      revision_(next_revision()),
+      shown_(std::make_unique<Shown>(surface_of(device, parameters))) {}
+
+MeshView::MeshView(MeshView&&) noexcept = default;
+MeshView& MeshView::operator=(MeshView&&) noexcept = default;
+MeshView::~MeshView() = default;
+
+const highlights::HighlightSurface& MeshView::surface() const {
+  return shown_->surface;
+}
+
+const std::vector<highlights::DrawnHighlight>& MeshView::highlights() const {
+  return shown_->lit;
+}
+
+const std::vector<std::uint32_t>& MeshView::highlight_faces() const {
+  static const std::vector<std::uint32_t> none;
+  return shown_->drawn ? shown_->drawn->faces() : none;
+}
+
+const highlights::HighlightTracks* MeshView::tracks() const {
+  return shown_->tracks ? &*shown_->tracks : nullptr;
+}
+
+highlights::RigidMotion MeshView::motion_at(double time_s) const {
+  return parameters_.motion ? parameters_.motion(time_s) : highlights::RigidMotion{};
+}
+
+void MeshView::at(double time_s, const highlights::LightingAt& lighting) {
+  motion_ = motion_at(time_s);
+  if (!parameters_.has_highlights) return;
+  shown_->lighting = [this, lighting](double past_time_s) {
+    return in_mesh_axes(lighting(past_time_s), motion_at(past_time_s));
+  };
+  highlights::HighlightTracks& tracks = shown_->tracks_of(parameters_.tracks);
+  const double start_s = start_of_past(time_s);
+  if (shown_->start_s != start_s) tracks.reset(start_s);
+  shown_->start_s = start_s;
+  tracks.advance_to(time_s);
+  show(shown_->lighting(time_s));
+}
+
+void MeshView::follow(double time_s, const highlights::Lighting& lighting) {
+  motion_ = motion_at(time_s);
+  if (!parameters_.has_highlights) return;
+  const highlights::Lighting in_axes = in_mesh_axes(lighting, motion_);
+  shown_->lighting = [in_axes](double) { return in_axes; };
+  highlights::HighlightTracks& tracks = shown_->tracks_of(parameters_.tracks);
+  const double frame_s = shown_->followed_to_s ? time_s - *shown_->followed_to_s : -1.0;
+  const bool goes_on = !shown_->start_s && frame_s >= 0.0 && frame_s <= longest_frame_s;
+  if (goes_on) {
+    shown_->passed_s += std::max(frame_s, least_frame_s);
+    tracks.advance_to(shown_->passed_s);
+  } else {
+    shown_->passed_s = 0.0;
+    tracks.reset(0.0);
+  }
+  shown_->start_s.reset();
+  shown_->followed_to_s = time_s;
+  show(in_axes);
+}
+
+void MeshView::show(const highlights::Lighting& lighting) {
+  const std::vector<highlights::HighlightTrack>& tracks = shown_->tracks->tracks();
+  shown_->drawn->update(tracks, parameters_.rules, static_cast<int>(lighting.lamps.size()));
+  std::vector<double> lit_shares;  // [tracks]
+  for (const highlights::HighlightTrack& track : tracks) {
+    const auto lamp = static_cast<std::size_t>(track.point.lamp);
+    // A highlight may fade after its lamp is gone, such as the sun.
+    lit_shares.push_back(
+        lamp < lighting.lamps.size() ? shown_->shadow.lit_share(track.projector, lighting.lamps[lamp]) : 1.0);
+  }
+  shown_->lit = shown_->drawn->highlights();
+  for (highlights::DrawnHighlight& highlight : shown_->lit) {
+    // Where it was found counts, not where an artist has it; pins stand in any light.
+    const auto track = std::lower_bound(tracks.begin(), tracks.end(), highlight.id,
+                                        [](const auto& a, std::uint64_t id) { return a.id < id; });
+    if (track == tracks.end() || track->id != highlight.id) continue;
+    highlight.opacity *= lit_shares[static_cast<std::size_t>(track - tracks.begin())];
+  }
+}
+
+}  // namespace offing::world

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "host/highlights/drawn_highlights.h"
+#include "host/highlights/highlight_surface.h"
+#include "host/highlights/highlight_tracks.h"
+#include "host/highlights/lighting.h"
+#include "host/ocl/device.h"
+#include "host/world/mesh_parameters.h"
+
+namespace offing::world {
+
+/// A mesh of a world on a device, and the highlights that eye and lamps make on it.
+class MeshView {
+ public:
+  /// Throws Error(bad_input) for a mesh that cannot be drawn, Error(out_of_memory) for one that does not fit.
+  MeshView(const ocl::Device& device, const MeshParameters& parameters);
+  MeshView(MeshView&&) noexcept;
+  MeshView& operator=(MeshView&&) noexcept;
+  ~MeshView();
+
+  const MeshParameters& parameters() const { return parameters_; }
+  /// Another one for each view that was ever made: what is copied from one need not be copied again.
+  std::uint64_t revision() const { return revision_; }
+  const highlights::HighlightSurface& surface() const;
+
+  // All take effect with the next at() or follow().
+  void set_material(const MeshMaterial& material) { parameters_.material = material; }
+  void set_rules(std::vector<highlights::HighlightRule> rules) { parameters_.rules = std::move(rules); }
+
+  /// The mesh at a time and its highlights, which depend on this time and on the lighting alone, whatever was
+  /// shown before. The lighting is that of the world's axes at any time, the same for the same time and at
+  /// every call.
+  void at(double time_s, const highlights::LightingAt& lighting);
+  /// The same for an eye that somebody moves: highlights go from where they were toward what this lighting
+  /// makes of them, as far as they get since the time of the last call, and a little while time stands. They
+  /// start anew where time has jumped.
+  void follow(double time_s, const highlights::Lighting& lighting);
+
+  // Of the last at() or follow().
+
+  const highlights::RigidMotion& motion() const { return motion_; }
+  /// In the mesh's axes; those that the mesh itself keeps from their lamp have faded or are gone.
+  const std::vector<highlights::DrawnHighlight>& highlights() const;
+  /// Of all highlights: DrawnHighlight::first_face.
+  const std::vector<std::uint32_t>& highlight_faces() const;
+  /// nullptr before the first at() or follow(), and without highlights.
+  const highlights::HighlightTracks* tracks() const;
+
+ private:
+  struct Shown;
+
+  highlights::RigidMotion motion_at(double time_s) const;
+  void show(const highlights::Lighting& lighting_in_mesh_axes);
+
+  MeshParameters parameters_;
+  std::uint64_t revision_;
+  std::unique_ptr<Shown> shown_;  // what refers to each other stays where it is
+  highlights::RigidMotion motion_;
+};
+
+}  // namespace offing::world

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "host/highlights/highlight_surface.h"
+#include "present/gl_objects.h"
+
+namespace offing::present {
+
+/// OpenGL's copy of a mesh: vertices relative to its middle, in its own axes.
+class MeshGeometry {
+ public:
+  explicit MeshGeometry(const highlights::HighlightSurface& surface);
+
+  /// Of the box around the vertices.
+  const glm::dvec3& low_m() const { return low_m_; }
+  const glm::dvec3& high_m() const { return high_m_; }
+
+  /// Draws all faces in their order.
+  void draw() const;
+  /// Draws these faces one after another, as if they were a mesh of their own.
+  void draw(GLsizei first_index, GLsizei count) const;
+  /// Gives draw(first, count) the faces' corners, three a face.
+  void set_drawn_faces(const std::vector<std::uint32_t>& corners) const;
+  /// Binds unit normal and middle of each face, two texels of four floats, to a unit of buffer textures.
+  void bind_faces(int unit) const;
+
+ private:
+  GlVertexArray all_, some_;
+  GlBuffer vertices_, corners_, some_corners_, faces_;
+  GlTexture face_texels_;
+  GLsizei count_;
+  glm::dvec3 low_m_, high_m_;
+};
+
+}  // namespace offing::present

@@ -1,0 +1,15 @@
+// The air between the eye and what it sees, which lies before the horizon of the sky's map (environment.glsl).
+uniform sampler2D environment;
+uniform vec3 haze_perm;  // extinction of the air
+
+vec3 environment_light(vec3 direction) {
+  vec2 point = direction.xz / (1.0 + max(direction.y, 0.0));
+  return textureLod(environment, 0.5 + 0.5 / environment_margin * point, 0.0).rgb;
+}
+
+// What is left of a light over this distance along a unit ray, with the light of the horizon that the air sends
+// besides, as a long way through it does.
+vec3 through_air(vec3 light, vec3 ray, float distance_m) {
+  vec3 horizon = environment_light(normalize(vec3(ray.x, 0.004, ray.z)));
+  return mix(horizon, light, exp(-haze_perm * distance_m));
+}

@@ -1,0 +1,44 @@
+// A highlight within its projector's box (highlights::HighlightTexture): a shape, a picture, or a picture of normals
+// that is shaded in the highlight.
+const int first_picture = 6, normal_picture = 7;
+
+uniform int texture_kind;
+uniform vec3 colour;         // of the artist
+uniform vec3 lamp_kcdpm2;    // of a white surface that faces the lamp
+uniform float opacity;
+uniform float softness, shape_depth;  // in half widths
+uniform sampler2D picture;   // premultiplied
+uniform vec3 box_right;      // unit, in the world's axes
+uniform int shows_box;       // 1: all of the box, 2: all of the region, in plain colour
+uniform vec3 box_light;
+
+in vec3 place_m;
+in vec3 normal;
+in vec2 box_place;
+out vec4 light;
+
+// Normals of the picture stand on the surface, with the box's right and up.
+vec3 pictured_light(vec4 texel) {
+  vec3 outward = normalize(gl_FrontFacing ? normal : -normal);
+  vec3 up = normalize(cross(outward, box_right)), right = cross(up, outward);
+  vec3 pictured = 2.0 * texel.rgb / max(texel.a, 1e-3) - 1.0;
+  vec3 shaded = normalize(pictured.x * right + pictured.y * up + max(pictured.z, 0.05) * outward);
+  return smooth_light(Material(colour, 0.4, 40.0), place_m, shaded);
+}
+
+void main() {
+  vec2 uv = vec2(0.5 + 0.5 * box_place.x, 0.5 - 0.5 * box_place.y);
+  vec4 texel = texture(picture, uv);
+  float alpha = texel.a;
+  if (texture_kind < first_picture) alpha = shape_opacity(texture_kind, box_place, softness, shape_depth);
+  bool is_in_box = max(abs(box_place.x), abs(box_place.y)) <= 1.0;
+  if (shows_box != 0) {
+    light = vec4(box_light, 1.0) * (is_in_box || shows_box == 2 ? 0.75 : 0.0);
+    return;
+  }
+  if (!is_in_box || alpha <= 0.0) discard;
+  vec3 surface = colour * lamp_kcdpm2;
+  if (texture_kind == first_picture) surface *= texel.rgb / alpha;
+  if (texture_kind == normal_picture) surface = pictured_light(texel);
+  light = vec4(through_air(surface, normalize(place_m), length(place_m)), 1.0) * alpha * opacity;
+}

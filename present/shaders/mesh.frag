@@ -1,0 +1,65 @@
+// A mesh below its highlights: smooth shading (world::BaseShading), or its curvatures as colours.
+uniform int shading;  // 0 phong, 1 gouraud, 2 cartoon, 3 flat
+uniform vec3 colour;
+uniform float specular, shininess;
+uniform int cartoon_steps;
+uniform samplerBuffer faces;  // two a face: unit normal; middle, in the axes of to_eye
+uniform mat4 to_eye;
+uniform int shows_curvature;
+uniform float length_of_mesh_m;
+uniform float debug_white;  // kcd/m2 that the picture shows as white
+
+in vec3 place_m;
+in vec3 normal;
+in vec3 vertex_light;
+in vec2 curvatures;
+out vec4 light;
+
+// Equal steps from dark to bright, whose edges are as wide as a pixel.
+float ramp(float facing) {
+  float place = clamp(facing, 0.0, 1.0) * float(cartoon_steps);
+  float width = max(fwidth(place), 1e-6);
+  float level = 0.0;
+  for (int step = 1; step < cartoon_steps; ++step) {
+    level += clamp((place - float(step)) / width + 0.5, 0.0, 1.0);
+  }
+  return cartoon_steps > 1 ? level / float(cartoon_steps - 1) : 1.0;
+}
+
+vec3 cartoon_light(vec3 unit_normal) {
+  vec3 klx = around_klx(0.0);
+  for (int i = 0; i < light_count; ++i) {
+    klx += lights[2 * i + 1].rgb * ramp(dot(unit_normal, toward_light(i, place_m)));
+  }
+  return colour / pi * klx;
+}
+
+// Red where the surface is convex, blue where it is hollow, white where it is flat, green for saddles.
+vec3 curvature_colour() {
+  vec2 k = curvatures * length_of_mesh_m * 0.1;
+  vec2 bend = k / (1.0 + abs(k));
+  float mean = 0.5 * (bend.x + bend.y), saddle = max(-bend.x * bend.y, 0.0);
+  vec3 shown = mean > 0.0 ? vec3(1.0, 1.0 - mean, 1.0 - mean) : vec3(1.0 + mean, 1.0 + mean, 1.0);
+  return mix(shown, vec3(0.1, 0.7, 0.1), sqrt(saddle));
+}
+
+void main() {
+  vec3 surface, lit_m = place_m;
+  float side = gl_FrontFacing ? 1.0 : -1.0;
+  Material material = Material(colour, specular, shininess);
+  if (shading == 3) {
+    lit_m = (to_eye * vec4(texelFetch(faces, 2 * gl_PrimitiveID + 1).xyz, 1.0)).xyz;
+    surface = smooth_light(material, lit_m, side * mat3(to_eye) * texelFetch(faces, 2 * gl_PrimitiveID).xyz);
+  } else if (shading == 2) {
+    surface = cartoon_light(side * normalize(normal));
+  } else if (shading == 1) {
+    surface = vertex_light;
+  } else {
+    surface = smooth_light(material, lit_m, side * normalize(normal));
+  }
+  light = vec4(through_air(surface, normalize(lit_m), length(lit_m)), 1.0);
+  if (shows_curvature == 1) {
+    float facing = 0.35 + 0.65 * abs(dot(normalize(normal), normalize(place_m)));
+    light.rgb = debug_white * facing * curvature_colour();
+  }
+}

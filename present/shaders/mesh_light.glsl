@@ -1,0 +1,40 @@
+// Light that meshes send to the eye, kcd/m2, linear Rec.709. Places are relative to the eye, in the world's axes.
+const float pi = 3.14159265;
+const int max_lights = 64;
+
+uniform int light_count;
+// Two a light: the direction toward it and 0, or its place and 1; what it sends on a surface that faces it, klx.
+layout(std140) uniform Lights { vec4 lights[2 * max_lights]; };
+uniform vec3 sky_klx;     // on a level surface that looks up, by the sky alone
+uniform vec3 ground_klx;  // on one that looks down, by what lies below
+
+struct Material {
+  vec3 colour;      // diffuse reflectance
+  float specular;   // reflectance of Blinn's highlight
+  float shininess;  // its exponent
+};
+
+vec3 toward_light(int i, vec3 place_m) {
+  return normalize(lights[2 * i].xyz - lights[2 * i].w * place_m);
+}
+
+vec3 around_klx(float rise) {
+  return mix(ground_klx, sky_klx, 0.5 + 0.5 * rise);
+}
+
+// Lambert's law and Blinn's highlight, (n + 8) / (8 pi) (N.H)^n times the light on the surface, which keeps the
+// light that is sent the same for all n.
+vec3 smooth_light(Material material, vec3 place_m, vec3 normal) {
+  vec3 toward_eye = -normalize(place_m);
+  vec3 on_surface_klx = around_klx(normal.y), mirrored_klx = vec3(0.0);
+  for (int i = 0; i < light_count; ++i) {
+    vec3 toward = toward_light(i, place_m);
+    vec3 klx = lights[2 * i + 1].rgb * max(dot(normal, toward), 0.0);
+    on_surface_klx += klx;
+    vec3 between = toward + toward_eye;
+    float cosine = max(dot(normal, between) * inversesqrt(max(dot(between, between), 1e-12)), 0.0);
+    mirrored_klx += klx * pow(max(cosine, 1e-6), material.shininess);
+  }
+  float gain = material.specular * (material.shininess + 8.0) / (8.0 * pi);
+  return material.colour / pi * on_surface_klx + gain * mirrored_klx;
+}
