@@ -5,19 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "host/base/rgba_image.h"
+
 namespace offing {
 
 /// An sRGB picture: rgb [height][width][3] row-major, row 0 at the top, 0 ... 255.
 struct RgbImage {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgb;
-};
-
-/// An sRGB picture with an opacity that is not multiplied in: rgba [height][width][4] row-major, row 0 at the
-/// top.
-struct RgbaImage {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;
 };
 
 /// sRGB byte of a linear intensity; 0 and below (and NaN) give 0, 1 and above 255. IEC 61966-2-1.
