@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "host/base/rgba_image.h"
+
 namespace offing {
 
 /// An sRGB picture: rgb [height][width][3] row-major, row 0 at the top, 0 ... 255.
@@ -23,5 +25,8 @@ void write_png(const std::filesystem::path& path, const RgbImage& image);
 /// Reads any PNG as 8-bit RGB, transparency over black. Throws Error(bad_input) if it cannot be read or is no
 /// PNG.
 RgbImage read_png(const std::filesystem::path& path);
+
+/// The same with its transparency; of one that has none, all 255.
+RgbaImage read_png_with_alpha(const std::filesystem::path& path);
 
 }  // namespace offing
