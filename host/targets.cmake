@@ -22,6 +22,24 @@ function(offing_configure target)
   endif()
 endfunction()
 
+# offing_precompile(<target> HEADERS <headers...> | LIKE <target>): where OFFING_PRECOMPILE_HEADERS says so, parses
+# headers that many sources include once for a target, or takes those of another one that is compiled the same way.
+function(offing_precompile target)
+  cmake_parse_arguments(ARG "" "LIKE" "HEADERS" ${ARGN})
+  if(NOT OFFING_PRECOMPILE_HEADERS)
+    return()
+  endif()
+  if(ARG_LIKE)
+    target_precompile_headers(${target} REUSE_FROM ${ARG_LIKE})
+  else()
+    target_precompile_headers(${target} PRIVATE ${ARG_HEADERS})
+  endif()
+endfunction()
+
+# What nearly every source includes.
+set(OFFING_COMMON_HEADERS <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <limits> <memory> <optional>
+    <string> <variant> <vector> <fmt/format.h> <glm/geometric.hpp>)
+
 # offing_library(<name> SOURCES <files...> LINKS <public libraries...> [PRIVATE_LINKS <libraries...>])
 # makes offing_<name> with the alias offing::<name>, and installs it with the headers of its folder (and of
 # shared/ below it) under include/offing/ in the same tree. A library outside Offing that it links needs a row in
@@ -33,6 +51,11 @@ function(offing_library name)
   set_target_properties(offing_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   offing_configure(offing_${name})
   target_link_libraries(offing_${name} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
+  if(name STREQUAL base)
+    offing_precompile(offing_base HEADERS ${OFFING_COMMON_HEADERS})
+  elseif(TARGET offing_base)
+    offing_precompile(offing_${name} LIKE offing_base)
+  endif()
 
   file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h ${CMAKE_CURRENT_SOURCE_DIR}/shared/*.h)
   target_sources(offing_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})

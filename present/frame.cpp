@@ -25,7 +25,8 @@ Frame::Frame(const GlContext& context, const ocl::Device& device, const FrameSet
     : capabilities_(context.capabilities()),
       ground_sampling_(settings.ground),
       transfer_(context, device, settings.transfer),
-      water_(context.capabilities(), settings.water) {}
+      water_(context.capabilities(), settings.water),
+      meshes_(context.capabilities()) {}
 
 void Frame::fit(int width, int height) {
   if (light_.width() == width && light_.height() == height) return;
@@ -51,6 +52,11 @@ void Frame::draw_light(world::World& world, const FrameRequest& request, bool se
     light_.bind();
     sky_.draw(request.camera);
   }
+  if (!world.meshes().empty()) {
+    const StageTimes::Scope stage(times_, Stage::meshes);
+    meshes_.draw(world, request, sky_.environment(), light_);
+    light_.bind();
+  }
   if (sees_ground) {
     const StageTimes::Scope stage(times_, Stage::terrain);
     terrain_.draw(request.camera, TerrainPass::Part::edges);
@@ -65,12 +71,17 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
     run_stage(times_, Stage::terrain, world.device(),
               [&] { world.see_ground(ground_camera(request), ground_sampling_, request.tiles); });
   }
+  if (!world.meshes().empty()) {
+    run_stage(times_, Stage::meshes, world.device(),
+              [&] { world.see_meshes(request.camera.eye_m, request.lighting_at); });
+  }
   const bool sees_ground = world.ground() && world.ground()->is_in_reach();
   const bool shows_steps = sees_ground && request.ground == GroundShow::steps;
   {
     const StageTimes::Scope stage(times_, Stage::transfer);
     if (world.has_sea() && !shows_steps) water_.prepare(world, transfer_);
     sky_.prepare(world.sky());
+    meshes_.prepare(world);
     if (sees_ground) terrain_.prepare(*world.ground(), transfer_);
   }
   if (shows_steps) {

@@ -5,6 +5,7 @@
 #include "host/base/camera.h"
 #include "host/world/world.h"
 #include "present/gl_context.h"
+#include "present/mesh_pass.h"
 #include "present/render_target.h"
 #include "present/sky_pass.h"
 #include "present/stage_times.h"
@@ -48,6 +49,7 @@ class Frame {
   SkyPass sky_;
   WaterPass water_;
   TerrainPass terrain_;
+  MeshPass meshes_;
   TonePass tone_;
   RenderTarget light_, screen_;
   StageTimes times_;

@@ -24,8 +24,10 @@ struct SeaView {
   DebugView debug = DebugView::none;
   Fill fill = Fill::solid;
   GroundShow ground = GroundShow::light;
+  MeshShow meshes = MeshShow::light;
   world::TileWait tiles = world::TileWait::all;
-  double ground_scale = 1.0;  ///< of FrameRequest
+  double ground_scale = 1.0;                ///< of FrameRequest
+  highlights::LightingAt lighting_at = {};  ///< of FrameRequest
 };
 
 /// A scene's world and the passes that draw it, both of which can be exchanged while they are shown. Whatever
@@ -51,6 +53,7 @@ class LiveSea {
   double surface_height_m(double x_m, double z_m);
   /// nullptr without ground.
   world::GroundView* ground() { return world_->ground(); }
+  bool has_meshes() const { return !world_->meshes().empty(); }
 
   /// Sun, air and exposure are those of the scene at that time. Throws what scene::view_at() throws.
   void draw(const SeaView& view);

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -97,7 +99,13 @@ MeshGeometry::MeshGeometry(const highlights::HighlightSurface& surface)
       some_corners_(GlBuffer::make()),
       faces_(GlBuffer::make()),
       face_texels_(GlTexture::make()),
-      count_(static_cast<GLsizei>(3 * surface.mesh().faces.size())) {
+      count_(static_cast<GLsizei>(3 * surface.mesh().faces.size())),
+      low_m_(std::numeric_limits<double>::infinity()),
+      high_m_(-low_m_) {
+  for (const glm::dvec3& position_m : surface.mesh().positions_m) {
+    low_m_ = glm::min(low_m_, position_m - surface.middle_m());
+    high_m_ = glm::max(high_m_, position_m - surface.middle_m());
+  }
   bind_vertices(all_, vertices_, corners_);
   fill(GL_ARRAY_BUFFER, vertices_, packed_vertices(surface), GL_STATIC_DRAW);
   fill(GL_ELEMENT_ARRAY_BUFFER, corners_, surface.mesh().faces, GL_STATIC_DRAW);

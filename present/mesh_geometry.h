@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "host/highlights/highlight_surface.h"
 #include "present/gl_objects.h"
 
@@ -12,6 +14,10 @@ namespace offing::present {
 class MeshGeometry {
  public:
   explicit MeshGeometry(const highlights::HighlightSurface& surface);
+
+  /// Of the box around the vertices.
+  const glm::dvec3& low_m() const { return low_m_; }
+  const glm::dvec3& high_m() const { return high_m_; }
 
   /// Draws all faces in their order.
   void draw() const;
@@ -27,6 +33,7 @@ class MeshGeometry {
   GlBuffer vertices_, corners_, some_corners_, faces_;
   GlTexture face_texels_;
   GLsizei count_;
+  glm::dvec3 low_m_, high_m_;
 };
 
 }  // namespace offing::present

@@ -15,8 +15,8 @@ MeshViewMatrices::MeshViewMatrices(const world::MeshView& mesh, const Camera& ca
                                    const GlCapabilities& capabilities)
     : to_eye(mesh.motion().rotation) {
   const highlights::RigidMotion& motion = mesh.motion();
-  to_eye[3] = glm::dvec4(
-      motion.rotation * mesh.surface().middle_m() + (motion.translation_m - camera.eye_m), 1.0);
+  to_eye[3] =
+      glm::dvec4(motion.rotation * mesh.surface().middle_m() + (motion.translation_m - camera.eye_m), 1.0);
   to_clip = clip_from_eye(camera, capabilities.has_clip_control) * to_eye;
 }
 
@@ -25,16 +25,13 @@ void MeshViewMatrices::set(const ShaderProgram& program) const {
   program.set("to_clip", glm::mat4(to_clip));
 }
 
-PixelBox pixels_of(const highlights::HighlightSurface& surface, const MeshViewMatrices& matrices,
+PixelBox pixels_of(const glm::dvec3& low_m, const glm::dvec3& high_m, const MeshViewMatrices& matrices,
                    const Camera& camera, double margin_px) {
   const PixelBox all{.width = camera.width_px, .height = camera.height_px};
   glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
   for (int corner = 0; corner < 8; ++corner) {
-    const auto side = [&](int axis) {
-      return ((corner >> axis) & 1) != 0 ? surface.high_m()[axis] : surface.low_m()[axis];
-    };
-    const glm::dvec4 clip =
-        matrices.to_clip * glm::dvec4(glm::dvec3(side(0), side(1), side(2)) - surface.middle_m(), 1.0);
+    const auto side = [&](int axis) { return ((corner >> axis) & 1) != 0 ? high_m[axis] : low_m[axis]; };
+    const glm::dvec4 clip = matrices.to_clip * glm::dvec4(side(0), side(1), side(2), 1.0);
     if (clip.w < near_m) return all;
     low = glm::min(low, glm::dvec2(clip) / clip.w);
     high = glm::max(high, glm::dvec2(clip) / clip.w);
@@ -42,7 +39,8 @@ PixelBox pixels_of(const highlights::HighlightSurface& surface, const MeshViewMa
   const glm::dvec2 size(camera.width_px, camera.height_px);
   const glm::dvec2 first = glm::clamp((0.5 + 0.5 * low) * size - margin_px, glm::dvec2(0.0), size);
   const glm::dvec2 last = glm::clamp((0.5 + 0.5 * high) * size + margin_px, glm::dvec2(0.0), size);
-  PixelBox box{.left = static_cast<int>(std::floor(first.x)), .bottom = static_cast<int>(std::floor(first.y))};
+  PixelBox box{.left = static_cast<int>(std::floor(first.x)),
+               .bottom = static_cast<int>(std::floor(first.y))};
   box.width = static_cast<int>(std::ceil(last.x)) - box.left;
   box.height = static_cast<int>(std::ceil(last.y)) - box.bottom;
   return box;

@@ -25,8 +25,9 @@ struct PixelBox {
   int left = 0, bottom = 0, width = 0, height = 0;
 };
 
-/// The pixels that a mesh may show itself on, with a margin; all of them where it reaches behind the eye.
-PixelBox pixels_of(const highlights::HighlightSurface& surface, const MeshViewMatrices& matrices,
+/// The pixels that a box around a mesh's vertices may be seen on, with a margin; all of them where it reaches
+/// behind the eye.
+PixelBox pixels_of(const glm::dvec3& low_m, const glm::dvec3& high_m, const MeshViewMatrices& matrices,
                    const Camera& camera, double margin_px);
 
 /// The smallest box around both; a box without pixels adds nothing.

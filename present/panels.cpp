@@ -153,15 +153,21 @@ void draw_ground_view(ViewState& state, const ViewFacts& facts) {
   ImGui::TextDisabled("now %s", names[facts.ray_rung]);
 }
 
+/// A list of what can be shown, of which one is.
+template <class Show, std::size_t count>
+void choose(const char* label, const std::array<Show, count>& all, Show& shown) {
+  if (!ImGui::BeginCombo(label, std::string(to_string(shown)).c_str())) return;
+  for (const Show show : all) {
+    if (ImGui::Selectable(std::string(to_string(show)).c_str(), show == shown)) shown = show;
+  }
+  ImGui::EndCombo();
+}
+
 void draw_view(ViewState& state, const ViewFacts& facts) {
   if (!ImGui::CollapsingHeader("View")) return;
   if (facts.ground) draw_ground_view(state, facts);
-  if (ImGui::BeginCombo("show", std::string(to_string(state.debug)).c_str())) {
-    for (const DebugView view : all_debug_views) {
-      if (ImGui::Selectable(std::string(to_string(view)).c_str(), view == state.debug)) state.debug = view;
-    }
-    ImGui::EndCombo();
-  }
+  choose("show", all_debug_views, state.debug);
+  if (facts.has_meshes) choose("meshes show", all_mesh_shows, state.meshes);
   bool is_wireframe = state.fill == Fill::wireframe;
   if (ImGui::Checkbox("wireframe", &is_wireframe)) state.fill = is_wireframe ? Fill::wireframe : Fill::solid;
   ImGui::SliderFloat("render scale", &state.render_scale, 0.1f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);

@@ -26,8 +26,8 @@ constexpr std::array<double, 3> water_reflectance{0.002, 0.011, 0.024};
 ShaderProgram water_program() {
   return ShaderProgram(
       {.vertex = {shader_file("screen.vert")},
-       .fragment = {shader_file("environment.glsl"), shader_file("air.glsl"), shader_file("view_ray.glsl"), shader_file("water.glsl"),
-                    shader_file("rings.glsl"), shader_file("water_light.glsl"),
+       .fragment = {shader_file("environment.glsl"), shader_file("air.glsl"), shader_file("view_ray.glsl"),
+                    shader_file("water.glsl"), shader_file("rings.glsl"), shader_file("water_light.glsl"),
                     shader_file("water_debug.glsl"), shader_file("water.frag")}});
 }
 

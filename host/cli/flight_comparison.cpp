@@ -8,7 +8,7 @@
 namespace offing::cli {
 
 void FlightComparison::add(const ocl::Device& device, const Camera& camera,
-                           const std::vector<TerrainHit>& flown, const std::vector<TerrainHit>& loaded) {
+                           const std::vector<bool>& sky_flown, const std::vector<TerrainHit>& loaded) {
   ocl::Buffer<float> distances(device, terrain::pixel_count(camera), "distances");
   field_.cast(camera, distances);
   const std::vector<float> map_m = distances.read();
@@ -17,7 +17,7 @@ void FlightComparison::add(const ocl::Device& device, const Camera& camera,
   for (std::size_t i = 0; i < map_m.size(); ++i) {
     const bool is_ground = std::isfinite(map_m[i]);
     if (is_ground) {
-      result_.holes_flown += flown[i].kind == TERRAIN_MISS ? 1 : 0;
+      result_.holes_flown += sky_flown[i] ? 1 : 0;
       result_.holes_loaded += loaded[i].kind == TERRAIN_MISS ? 1 : 0;
       if (loaded[i].kind != TERRAIN_MISS) {
         errors_.push_back(std::abs(loaded[i].distance_m - map_m[i]) / std::max(map_m[i], 1e-3f));

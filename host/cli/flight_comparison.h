@@ -13,8 +13,9 @@ class FlightComparison {
   /// field must outlive this.
   explicit FlightComparison(terrain::HeightField& field) : field_(field) {}
 
-  /// What tiles showed of a frame: while some were still missing, and once all were there.
-  void add(const ocl::Device& device, const Camera& camera, const std::vector<TerrainHit>& flown,
+  /// What tiles showed of a frame: where there was sky while some were still missing ([pixels]), and all once
+  /// they were there.
+  void add(const ocl::Device& device, const Camera& camera, const std::vector<bool>& sky_flown,
            const std::vector<TerrainHit>& loaded);
 
   struct Result {

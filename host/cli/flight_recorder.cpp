@@ -3,20 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 
 #include <sys/resource.h>
 
+#include "host/cli/pictures/terrain_picture.h"
 #include "host/sky/sun_position.h"
 #include "host/terrain/picture.h"
 
 namespace offing::cli {
-namespace {
-
-constexpr double sun_azimuth_rad = 225.0 * std::numbers::pi / 180.0,
-                 sun_elevation_rad = 30.0 * std::numbers::pi / 180.0;
-
-}  // namespace
 
 FlightRecorder::FlightRecorder(const ocl::Device& device, const Camera& first, double latitude_deg)
     : device_(device),
@@ -24,7 +18,8 @@ FlightRecorder::FlightRecorder(const ocl::Device& device, const Camera& first, d
       shade_(device),
       hits_(device, terrain::pixel_count(first), "terrain hits"),
       image_(device, terrain::pixel_count(first), "terrain image") {
-  sky_.at({.sun_direction = sky::direction_of(sun_azimuth_rad, sun_elevation_rad),
+  const TerrainScenery scenery;
+  sky_.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad),
            .eye_altitude_m = std::max(0.0, first.eye_m.y)});
   light_ = world::terrain_light(sky_.read_illuminance(), atmosphere_, world::cover_lines(latitude_deg));
 }

@@ -1,9 +1,11 @@
 #include "host/cli/terrain_fly_command.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
@@ -117,6 +119,7 @@ class Flying {
       progress.advance();
     }
     report.times = frame_times(seconds);
+    if (comparison_) compare(recorder);
     report.tiles = field_.statistics();
     report.peak_bytes = peak_resident_bytes();
     if (comparison_) report.comparison = comparison_->result();
@@ -136,18 +139,29 @@ class Flying {
   void keep(int frame, const Camera& camera, FlightRecorder& recorder) {
     if (!arguments_.output.empty()) {
       const TerrainScenery scenery{
-          .sun_azimuth_rad = 225.0 * radians,
-          .sun_elevation_rad = 30.0 * radians,
           .lines = world::cover_lines(store_.header().centre_latitude_deg.value_or(usual_latitude_deg))};
       const std::string name = fmt::format("frame.{:06}.png", frame);
       write_png(std::filesystem::path(arguments_.output) / name,
                 draw_terrain(device_, field_, camera, scenery, TerrainShow::light).image);
     }
-    if (!comparison_) return;
-    const std::vector<TerrainHit> flown = recorder.read_hits();
-    field_.look_and_wait(camera);
-    recorder.draw(field_, camera, 0.0);
-    comparison_->add(device_, camera, flown, recorder.read_hits());
+    if (comparison_) kept_.push_back({&camera, sky_of(recorder.read_hits())});
+  }
+
+  static std::vector<bool> sky_of(const std::vector<TerrainHit>& hits) {
+    std::vector<bool> is_sky(hits.size());
+    std::transform(hits.begin(), hits.end(), is_sky.begin(),
+                   [](const TerrainHit& hit) { return hit.kind == TERRAIN_MISS; });
+    return is_sky;
+  }
+
+  /// After the flight, which would find in the cache what this waits for.
+  void compare(FlightRecorder& recorder) {
+    for (const Kept& kept : kept_) {
+      options_.cancel.throw_if_cancelled();
+      field_.look_and_wait(*kept.camera);
+      recorder.draw(field_, *kept.camera, 0.0);
+      comparison_->add(device_, *kept.camera, kept.is_sky, recorder.read_hits());
+    }
   }
 
   const TerrainFlyArguments& arguments_;
@@ -159,6 +173,11 @@ class Flying {
   std::vector<Camera> cameras_;
   std::optional<terrain::HeightField> map_;
   std::optional<FlightComparison> comparison_;
+  struct Kept {
+    const Camera* camera;
+    std::vector<bool> is_sky;  ///< [pixels]
+  };
+  std::vector<Kept> kept_;
 };
 
 constexpr double mebibyte = 1 << 20;

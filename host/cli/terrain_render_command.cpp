@@ -55,7 +55,7 @@ bool read_switch(const char* flag, const std::string& text) {
 }
 
 TerrainScenery read_scenery(const TerrainRenderArguments& arguments, std::optional<double> latitude_deg) {
-  TerrainScenery scenery{.sun_azimuth_rad = 225.0 * radians, .sun_elevation_rad = 30.0 * radians};
+  TerrainScenery scenery;
   if (!arguments.sun.empty()) {
     const auto sun = read_numbers("--sun", arguments.sun, 2, "AZIMUTH_DEG,ELEVATION_DEG", "225,30");
     scenery.sun_azimuth_rad = sun[0] * radians;

@@ -13,7 +13,7 @@ namespace offing::highlights {
 /// Where a ray meets a face.
 struct FaceHit {
   std::uint32_t face = 0;
-  double distance = 0.0;  ///< in lengths of the ray's direction
+  double distance = 0.0;              ///< in lengths of the ray's direction
   glm::dvec3 weights{1.0, 0.0, 0.0};  ///< of the face's corners
 };
 
@@ -37,7 +37,8 @@ class FaceTree {
   };
   struct Node {
     glm::dvec3 low_m{0.0}, high_m{0.0};
-    std::uint32_t begin = 0, count = 0;  ///< of corners_; count 0: an inner node, whose halves are at begin, begin + 1
+    std::uint32_t begin = 0,
+                  count = 0;  ///< of corners_; count 0: an inner node, whose halves are at begin, begin + 1
   };
 
   void split(std::size_t node);

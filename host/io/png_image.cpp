@@ -17,6 +17,36 @@
 #include "host/io/atomic_file.h"
 
 namespace offing {
+namespace {
+
+/// Pixels as a PNG file; `name` stands for it in messages.
+std::string encoded(const std::string& name, int width, int height, png_uint_32 format,
+                    const std::vector<std::uint8_t>& pixels) {
+  const std::size_t channels = PNG_IMAGE_SAMPLE_CHANNELS(format);
+  const std::size_t bytes =
+      width < 1 || height < 1 ? 0 : channels * static_cast<unsigned>(width) * static_cast<unsigned>(height);
+  if (bytes == 0 || pixels.size() != bytes) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: cannot write a picture of {}x{} pixels from {} bytes", name, width, height,
+                            pixels.size()),
+                fmt::format("give width x height x {} bytes", channels));
+  }
+  png_image description{};
+  description.version = PNG_IMAGE_VERSION;
+  description.width = static_cast<png_uint_32>(width);
+  description.height = static_cast<png_uint_32>(height);
+  description.format = format;
+  std::string file(PNG_IMAGE_PNG_SIZE_MAX(description), '\0');
+  png_alloc_size_t size = file.size();
+  if (png_image_write_to_memory(&description, file.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
+    throw Error(ErrorKind::file, fmt::format("{}: cannot encode: {}", name, description.message),
+                "make the picture smaller");
+  }
+  file.resize(size);
+  return file;
+}
+
+}  // namespace
 
 namespace {
 
@@ -57,29 +87,11 @@ std::uint8_t srgb_from_linear(float linear) {
 }
 
 void write_png(const std::filesystem::path& path, const RgbImage& image) {
-  const std::size_t bytes =
-      image.width < 1 || image.height < 1
-          ? 0
-          : std::size_t{3} * static_cast<unsigned>(image.width) * static_cast<unsigned>(image.height);
-  if (bytes == 0 || image.rgb.size() != bytes) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{}: cannot write a picture of {}x{} pixels from {} bytes", path.string(),
-                            image.width, image.height, image.rgb.size()),
-                "give width x height x 3 bytes");
-  }
-  png_image description{};
-  description.version = PNG_IMAGE_VERSION;
-  description.width = static_cast<png_uint_32>(image.width);
-  description.height = static_cast<png_uint_32>(image.height);
-  description.format = PNG_FORMAT_RGB;
-  std::string encoded(PNG_IMAGE_PNG_SIZE_MAX(description), '\0');
-  png_alloc_size_t size = encoded.size();
-  if (png_image_write_to_memory(&description, encoded.data(), &size, 0, image.rgb.data(), 0, nullptr) == 0) {
-    throw Error(ErrorKind::file, fmt::format("{}: cannot encode: {}", path.string(), description.message),
-                "make the picture smaller");
-  }
-  encoded.resize(size);
-  write_file_atomically(path, encoded);
+  write_file_atomically(path, encoded(path.string(), image.width, image.height, PNG_FORMAT_RGB, image.rgb));
+}
+
+std::string png_bytes(const RgbaImage& image) {
+  return encoded("picture", image.width, image.height, PNG_FORMAT_RGBA, image.rgba);
 }
 
 RgbImage read_png(const std::filesystem::path& path) {

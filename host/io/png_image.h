@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "host/base/rgba_image.h"
@@ -14,6 +15,13 @@ struct RgbImage {
   std::vector<std::uint8_t> rgb;
 };
 
+/// An sRGB picture with an opacity that is not multiplied in: rgba [height][width][4] row-major, row 0 at the
+/// top.
+struct RgbaImage {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
 /// sRGB byte of a linear intensity; 0 and below (and NaN) give 0, 1 and above 255. IEC 61966-2-1.
 std::uint8_t srgb_from_linear(float linear);
 
@@ -21,6 +29,9 @@ std::uint8_t srgb_from_linear(float linear);
 /// Throws Error(bad_input) for an empty picture or pixels that do not match its size, Error(file) if it
 /// cannot be written.
 void write_png(const std::filesystem::path& path, const RgbImage& image);
+
+/// An 8-bit PNG marked as sRGB, for files that hold pictures. Throws Error(bad_input) as write_png() does.
+std::string png_bytes(const RgbaImage& image);
 
 /// Reads any PNG as 8-bit RGB, transparency over black. Throws Error(bad_input) if it cannot be read or is no
 /// PNG.

@@ -8,7 +8,6 @@
 
 #include "host/highlights/diffused_curvature.h"
 #include "host/highlights/lamp_shadow.h"
-#include "host/highlights/region.h"
 
 namespace offing::world {
 namespace {
@@ -53,24 +52,27 @@ std::uint64_t next_revision() {
 }  // namespace
 
 struct MeshView::Shown {
-  explicit Shown(highlights::HighlightSurface made)
-      : surface(std::move(made)), regions(surface), shadow(surface) {}
+  explicit Shown(highlights::HighlightSurface made) : surface(std::move(made)), shadow(surface) {}
 
   /// The tracks, which start with the lighting at hand.
   highlights::HighlightTracks& tracks_of(const highlights::TrackOptions& options) {
-    if (!tracks) tracks.emplace(surface, [this](double time_s) { return lighting(time_s); }, options);
+    if (!tracks) {
+      tracks.emplace(
+          surface, [this](double time_s) { return lighting(time_s); }, options);
+      drawn.emplace(surface, tracks->options().size);
+    }
     return *tracks;
   }
 
   highlights::HighlightSurface surface;
-  highlights::RegionSearch regions;
   highlights::LampShadow shadow;
   highlights::LightingAt lighting;  // in the mesh's axes
   std::optional<highlights::HighlightTracks> tracks;
-  highlights::HighlightFrame frame;
-  std::optional<double> start_s;               // of the past that the tracks have; none: they follow
-  std::optional<double> followed_to_s;         // time of the last follow()
-  double passed_s = 0.0;                       // for tracks that follow
+  std::optional<highlights::DrawnHighlights> drawn;
+  std::vector<highlights::DrawnHighlight> lit;
+  std::optional<double> start_s;        // of the past that the tracks have; none: they follow
+  std::optional<double> followed_to_s;  // time of the last follow()
+  double passed_s = 0.0;                // for tracks that follow
 };
 
 MeshView::MeshView(const ocl::Device& device, const MeshParameters& parameters)
@@ -86,8 +88,17 @@ const highlights::HighlightSurface& MeshView::surface() const {
   return shown_->surface;
 }
 
-const highlights::HighlightFrame& MeshView::highlights() const {
-  return shown_->frame;
+const std::vector<highlights::DrawnHighlight>& MeshView::highlights() const {
+  return shown_->lit;
+}
+
+const std::vector<std::uint32_t>& MeshView::highlight_faces() const {
+  static const std::vector<std::uint32_t> none;
+  return shown_->drawn ? shown_->drawn->faces() : none;
+}
+
+const highlights::HighlightTracks* MeshView::tracks() const {
+  return shown_->tracks ? &*shown_->tracks : nullptr;
 }
 
 highlights::RigidMotion MeshView::motion_at(double time_s) const {
@@ -129,14 +140,22 @@ void MeshView::follow(double time_s, const highlights::Lighting& lighting) {
 }
 
 void MeshView::show(const highlights::Lighting& lighting) {
-  highlights::HighlightFrame& frame = shown_->frame;
-  make_frame(shown_->tracks->tracks(), shown_->regions, frame);
-  for (highlights::ShownHighlight& highlight : frame.highlights) {
-    const auto lamp = static_cast<std::size_t>(highlight.lamp);
+  const std::vector<highlights::HighlightTrack>& tracks = shown_->tracks->tracks();
+  shown_->drawn->update(tracks, parameters_.rules, static_cast<int>(lighting.lamps.size()));
+  std::vector<double> lit_shares;  // [tracks]
+  for (const highlights::HighlightTrack& track : tracks) {
+    const auto lamp = static_cast<std::size_t>(track.point.lamp);
     // A highlight may fade after its lamp is gone, such as the sun.
-    if (lamp < lighting.lamps.size()) {
-      highlight.opacity *= shown_->shadow.lit_share(highlight.projector, lighting.lamps[lamp]);
-    }
+    lit_shares.push_back(
+        lamp < lighting.lamps.size() ? shown_->shadow.lit_share(track.projector, lighting.lamps[lamp]) : 1.0);
+  }
+  shown_->lit = shown_->drawn->highlights();
+  for (highlights::DrawnHighlight& highlight : shown_->lit) {
+    // Where it was found counts, not where an artist has it; pins stand in any light.
+    const auto track = std::lower_bound(tracks.begin(), tracks.end(), highlight.id,
+                                        [](const auto& a, std::uint64_t id) { return a.id < id; });
+    if (track == tracks.end() || track->id != highlight.id) continue;
+    highlight.opacity *= lit_shares[static_cast<std::size_t>(track - tracks.begin())];
   }
 }
 

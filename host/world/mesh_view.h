@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "host/highlights/highlight_frame.h"
+#include "host/highlights/drawn_highlights.h"
 #include "host/highlights/highlight_surface.h"
 #include "host/highlights/highlight_tracks.h"
 #include "host/highlights/lighting.h"
@@ -43,8 +43,12 @@ class MeshView {
   // Of the last at() or follow().
 
   const highlights::RigidMotion& motion() const { return motion_; }
-  /// In the mesh's axes.
-  const highlights::HighlightFrame& highlights() const;
+  /// In the mesh's axes; those that the mesh itself keeps from their lamp have faded or are gone.
+  const std::vector<highlights::DrawnHighlight>& highlights() const;
+  /// Of all highlights: DrawnHighlight::first_face.
+  const std::vector<std::uint32_t>& highlight_faces() const;
+  /// nullptr before the first at() or follow(), and without highlights.
+  const highlights::HighlightTracks* tracks() const;
 
  private:
   struct Shown;

@@ -20,13 +20,13 @@ mesh_shapes::Shape noisy_torus(int size) {
                                  {.jitter = 0.3, .normal_noise = 0.02, .seed = 7});
 }
 
-/// Both sides must have measured the same surface: throws Error(device) where the mean error is above a tenth
-/// of the curvature, on this noise.
+/// Both sides must have measured the same surface: throws Error(device) where the mean error is above a fifth
+/// of the curvature. Noise that is a share of the edges bends finer meshes more: a tenth at n = 2048.
 void require_sound(const std::string& name, const mesh_shapes::Shape& shape, const VertexCurvatures& found) {
   const double error = test::errors_of(found, *shape.truth).curvature;
-  if (error < 0.1) return;
+  if (error < 0.2) return;
   throw Error(ErrorKind::device,
-              fmt::format("{}: expected a mean error below 10 %, found {:.1f} %", name, 100.0 * error),
+              fmt::format("{}: expected a mean error below 20 %, found {:.1f} %", name, 100.0 * error),
               "run the tests of this device: ctest -L quick");
 }
 

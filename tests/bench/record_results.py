@@ -91,6 +91,10 @@ against `GDALViewshedGenerate`, which runs on one core and is approximate.
 
 ## Highlights
 
+`offing-bench curvature`: all vertices of a torus with noise, n x n / 2 of them, against CGAL's jet fitting on one core:
+
+{curvature}
+
 `offing-bench highlights`: a search for highlight points against a loop over the faces on one core, and whole frames of meshes that
 turn: search, tracks, projectors and regions, without drawing. `size` is faces.
 
@@ -290,8 +294,10 @@ def main(programs):
         output_of(programs / "offing-bench", "terrain", "--sizes", ",".join(map(str, PAPER_TERRAIN)), "--blocks", blocks, "--json")
     )
     viewsheds = json.loads(output_of(programs / "offing-bench", "viewshed", "--sizes", 1024, "--blocks", blocks, "--json"))
+    curvature = json.loads(output_of(programs / "offing-bench", "curvature", "--sizes", "256,512", "--blocks", blocks, "--json"))
     highlights = json.loads(output_of(programs / "offing-bench", "highlights", "--blocks", blocks, "--json"))
     page = PAGE.format(
+        curvature=rows_table(curvature),
         highlights=rows_table(highlights),
         highlights_paper=highlights_paper_table(highlights),
         viewsheds=rows_table(viewsheds),

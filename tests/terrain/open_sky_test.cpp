@@ -114,8 +114,8 @@ double share_by_steps(const test::HeightMap& map, int column, int row) {
   return sum / whole;
 }
 
-// On hills: the mean over posts is that of the brute force to 0.01, each post to what eight directions miss
-// of rough ground (found: 0.06; gate 0.1). Fails if nodes are passed over whose ground is on the horizon.
+// On hills: the mean over posts is that of the brute force to 0.005, each post to what fewer directions miss
+// of smooth hills: 0.02. Fails if nodes are passed over whose ground is on the horizon.
 TEST(OpenSkyTest, FindsTheHorizonsOfHills) {
   const test::HeightMap map =
       test::valleys({.columns = 180, .rows = 150, .spacing_x_m = 8.0, .spacing_z_m = 10.0});

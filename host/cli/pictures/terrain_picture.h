@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -16,8 +17,8 @@ namespace offing::cli {
 
 /// What a picture of the ground is lit by.
 struct TerrainScenery {
-  double sun_azimuth_rad = 0.0;  ///< clockwise from north
-  double sun_elevation_rad = 0.0;
+  double sun_azimuth_rad = 225.0 * std::numbers::pi / 180.0;  ///< clockwise from north
+  double sun_elevation_rad = 30.0 * std::numbers::pi / 180.0;
   world::CoverLines lines = {};
   double exposure_ev = 0.0;  ///< stops above what the light asks for
   terrain::Sampling sampling = {};

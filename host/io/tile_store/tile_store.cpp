@@ -4,8 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #define TOML_EXCEPTIONS 1
@@ -175,6 +177,46 @@ bool is_of_store(const fs::directory_entry& entry) {
   return is_level || name.starts_with(fmt::format(".{}.", header_name));
 }
 
+/// The number that a file or folder of a store is named by; nothing where it is some other file.
+std::optional<int> number_of(const fs::path& path, std::string_view extension) {
+  const std::string stem = path.stem().string();
+  int number = 0;
+  const auto [end, failure] = std::from_chars(stem.data(), stem.data() + stem.size(), number);
+  if (failure != std::errc() || end != stem.data() + stem.size() || path.extension() != extension) {
+    return std::nullopt;
+  }
+  return number;
+}
+
+std::vector<fs::path> entries_of(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code status;
+  for (fs::directory_iterator entry(folder, status), end; !status && entry != end; entry.increment(status)) {
+    entries.push_back(entry->path());
+  }
+  return entries;
+}
+
+/// Removes the tiles that a map of another shape had. What cannot be removed is never read and may stay.
+void remove_others(const fs::path& folder, const TileSetShape& shape) {
+  std::error_code ignored;
+  for (const fs::path& level_folder : entries_of(folder)) {
+    const std::optional<int> level = number_of(level_folder, "");
+    if (!level) continue;
+    for (const fs::path& row_folder : entries_of(level_folder)) {
+      const std::optional<int> row = number_of(row_folder, "");
+      if (!row) continue;
+      const bool has_row = *level < shape.levels && *row < shape.tiles_z(*level);
+      for (const fs::path& tile : entries_of(row_folder)) {
+        const std::optional<int> column = number_of(tile, ".tile");
+        if (column && !(has_row && *column < shape.tiles_x(*level))) fs::remove(tile, ignored);
+      }
+      if (!has_row) fs::remove(row_folder, ignored);  // if it is empty now
+    }
+    if (*level >= shape.levels) fs::remove(level_folder, ignored);
+  }
+}
+
 void make_folder(const fs::path& folder) {
   std::error_code status;
   fs::create_directories(folder, status);
@@ -251,6 +293,7 @@ bool TileStoreWriter::write(const HeightTile& tile) const {
 }
 
 void TileStoreWriter::finish(const TileStoreHeader& header) const {
+  remove_others(folder_, header.shape);
   write_file_atomically(folder_ / header_name, header_text(header));
 }
 

@@ -54,7 +54,7 @@ class TileStoreWriter {
 
   /// Writes a tile unless it is there; returns whether it was. Safe to use from several threads at once.
   bool write(const HeightTile& tile) const;
-  /// Publishes the store.
+  /// Publishes the store, without what is left of a store of another shape.
   void finish(const TileStoreHeader& header) const;
 
  private:

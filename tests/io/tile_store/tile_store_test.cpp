@@ -174,6 +174,27 @@ TEST_F(TileStoreTest, GoesOnAfterAnyTile) {
   }
 }
 
+// A store that replaces a larger one has its own tiles only, and leaves a stranger's file alone.
+TEST_F(TileStoreTest, KeepsNoTilesOfAnotherShape) {
+  const fs::path once = temporary_.path() / "once";
+  write(once, 1000);
+  const auto expected = content_of(once);
+  write(folder(), 1000);
+  for (const char* other : {"0/0000/0003.tile", "0/0002/0000.tile", "3/0000/0000.tile"}) {
+    const fs::path tile = folder() / other;
+    fs::create_directories(tile.parent_path());
+    std::ofstream(tile) << "of a larger map";
+  }
+  std::ofstream(folder() / "0" / "0002" / "notes.txt") << "keep";
+  fs::remove(folder() / "store.toml");
+  EXPECT_EQ(write(folder(), 1000), 0);
+  auto found = content_of(folder());
+  EXPECT_EQ(found["0/0002/notes.txt"], "keep");
+  found.erase("0/0002/notes.txt");
+  EXPECT_EQ(found, expected);
+  EXPECT_FALSE(fs::exists(folder() / "3"));
+}
+
 // Every kind of damage names the file: a bit, a cut, another tile's content, none at all.
 TEST_F(TileStoreTest, NamesDamagedTiles) {
   write(folder(), 1000);

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "host/io/png_image.h"
+
+namespace offing::animations {
+
+/// What a projector casts: alpha is where it is opaque.
+struct AnimatedTexture {
+  std::string name;  ///< of a built-in shape, or "image", "normal_map"
+  std::string file;  ///< of a picture, as it is to be named; empty for shapes
+  RgbaImage image;   ///< of a shape; empty for pictures
+};
+
+/// One projector at one time, in its mesh's axes: a box cast along -normal, with right x up = normal.
+struct ProjectorSample {
+  std::uint64_t id = 0;  ///< the same for the same highlight from frame to frame
+  int rule = -1;         ///< of the artist's, -1: none. A highlight between two rules has a projector of each
+  int copy = 0;          ///< of a highlight that is split
+  int lamp = 0;          ///< whose light it is, in the order of the scene
+  glm::dvec3 position_m{0.0}, right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, normal{0.0, 0.0, 1.0};
+  double width_m = 1.0, height_m = 1.0;  ///< full, along right and up
+  double opacity = 1.0;                  ///< 0 ... 1
+  std::size_t texture = 0;               ///< of HighlightAnimation::textures
+  double softness = 0.0;                 ///< of a shape's rim, in half widths
+  glm::dvec3 colour{1.0};                ///< linear Rec.709
+};
+
+/// A mesh at one time: world = rotation * mesh + translation_m.
+struct MeshFrame {
+  glm::dmat3 rotation{1.0};
+  glm::dvec3 translation_m{0.0};
+  std::vector<ProjectorSample> projectors;
+};
+
+struct AnimatedMesh {
+  std::string name;
+  std::vector<MeshFrame> frames;
+};
+
+/// The highlights of meshes, frame by frame: frame i is at (first_frame + i) / frames_per_s.
+struct HighlightAnimation {
+  std::string generator;  ///< the program that made it, with its version
+  double frames_per_s = 30.0;
+  int first_frame = 0;
+  std::vector<AnimatedTexture> textures;
+  std::vector<AnimatedMesh> meshes;  ///< as many frames each
+};
+
+/// By the name's ending, atomically: `.json`, for programs: every number, in the world's axes, next to the
+/// pose of each mesh; `.gltf` or `.glb`, for engines: a node a projector below one a mesh (see
+/// highlight_animation_gltf.h). The same animation gives the same bytes. Throws Error(bad_usage) for another
+/// ending, Error(file) if it cannot be written.
+void write_highlights(const std::filesystem::path& file, const HighlightAnimation& animation);
+
+/// Throws Error(bad_usage) unless the name ends in one of those that write_highlights() writes.
+void require_animation_name(const std::filesystem::path& file);
+
+}  // namespace offing::animations

@@ -1,0 +1,230 @@
+#include "host/io/animations/highlight_animation_gltf.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/gtc/quaternion.hpp>
+#include <nlohmann/json.hpp>
+
+#include "host/io/animations/gltf_buffer.h"
+#include "host/io/animations/gltf_container.h"
+
+namespace offing::animations {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int linear_filter = 9729, mip_mapped_filter = 9987, clamp_to_edge = 33071;
+// Of the square: positions and texture coordinates.
+constexpr std::size_t square_positions = 0, square_places = 1, square_indices = 2;
+
+/// Values of one node over its keys.
+struct NodeKeys {
+  std::vector<float> times_s, translations, rotations, scales, colours;
+
+  void add_pose(double time_s, const glm::dvec3& place_m, const glm::dmat3& axes) {
+    glm::dquat turn = glm::quat_cast(axes);
+    // Both signs are one rotation: the one nearer to the last is taken, so that nothing spins in between.
+    const std::size_t last = rotations.size();
+    if (last >= 4) {
+      const glm::dquat before(rotations[last - 1], rotations[last - 4], rotations[last - 3],
+                              rotations[last - 2]);
+      if (glm::dot(before, turn) < 0.0) turn = -turn;
+    }
+    times_s.push_back(static_cast<float>(time_s));
+    for (const double value : {place_m.x, place_m.y, place_m.z})
+      translations.push_back(static_cast<float>(value));
+    for (const double value : {turn.x, turn.y, turn.z, turn.w})
+      rotations.push_back(static_cast<float>(value));
+  }
+};
+
+/// One projector through time.
+struct Projector {
+  std::size_t first = 0, last = 0;  ///< frames
+  std::vector<std::pair<std::size_t, const ProjectorSample*>> samples;
+};
+
+using ProjectorKey = std::tuple<std::uint64_t, int, int>;  // id, rule, copy
+
+std::map<ProjectorKey, Projector> projectors_of(const AnimatedMesh& mesh) {
+  std::map<ProjectorKey, Projector> projectors;
+  for (std::size_t frame = 0; frame < mesh.frames.size(); ++frame) {
+    for (const ProjectorSample& sample : mesh.frames[frame].projectors)
+      projectors[{sample.id, sample.rule, sample.copy}].samples.emplace_back(frame, &sample);
+  }
+  for (auto& [key, projector] : projectors) {
+    const std::size_t first = projector.samples.front().first, last = projector.samples.back().first;
+    projector.first = first == 0 ? 0 : first - 1;
+    projector.last = std::min(last + 1, mesh.frames.size() - 1);
+  }
+  return projectors;
+}
+
+class Writer {
+ public:
+  explicit Writer(const HighlightAnimation& animation) : animation_(animation) {
+    // Row 0 of a texture is its upper edge.
+    constexpr std::array<float, 12> corners{-0.5f, -0.5f, 0.0f, 0.5f,  -0.5f, 0.0f,
+                                            0.5f,  0.5f,  0.0f, -0.5f, 0.5f,  0.0f};
+    constexpr std::array<float, 8> places{0.0f, 1.0f, 1.0f, 1.0f, 1.0f, 0.0f, 0.0f, 0.0f};
+    constexpr std::array<std::uint16_t, 6> indices{0, 1, 2, 0, 2, 3};
+    buffer_.add(corners, 3);
+    buffer_.add(places, 2);
+    buffer_.add_indices(indices);
+    for (const AnimatedTexture& texture : animation.textures) add_texture(texture);
+    for (const AnimatedMesh& mesh : animation.meshes) add_mesh(mesh);
+  }
+
+  Json document() const {
+    Json json = {{"asset", {{"version", "2.0"}, {"generator", animation_.generator}}},
+                 {"extensionsUsed", {"KHR_materials_unlit", "KHR_animation_pointer"}},
+                 {"scene", 0},
+                 {"scenes", {{{"nodes", roots_}}}},
+                 {"nodes", nodes_},
+                 {"meshes", meshes_},
+                 {"materials", materials_},
+                 {"textures", textures_},
+                 {"images", images_},
+                 {"samplers",
+                  {{{"magFilter", linear_filter},
+                    {"minFilter", mip_mapped_filter},
+                    {"wrapS", clamp_to_edge},
+                    {"wrapT", clamp_to_edge}}}},
+                 {"animations", {{{"name", "highlights"}, {"channels", channels_}, {"samplers", samplers_}}}},
+                 {"bufferViews", buffer_.views()},
+                 {"accessors", buffer_.accessors()}};
+    // An empty list is none to glTF.
+    for (const char* name : {"nodes", "meshes", "materials", "textures", "images"}) {
+      if (json[name].empty()) json.erase(name);
+    }
+    if (channels_.empty()) json.erase("animations");
+    if (roots_.empty()) json["scenes"] = {Json::object()};
+    return json;
+  }
+  const std::string& bytes() const { return buffer_.bytes(); }
+
+ private:
+  double time_s(std::size_t frame) const {
+    return (animation_.first_frame + static_cast<double>(frame)) / animation_.frames_per_s;
+  }
+
+  void add_texture(const AnimatedTexture& texture) {
+    if (texture.file.empty()) {
+      images_.push_back({{"name", texture.name},
+                         {"mimeType", "image/png"},
+                         {"bufferView", buffer_.add_bytes(png_bytes(texture.image))}});
+    } else {
+      images_.push_back({{"name", texture.name}, {"uri", texture.file}});
+    }
+    textures_.push_back({{"source", images_.size() - 1}, {"sampler", 0}});
+  }
+
+  void add_channel(Json target, std::size_t times, std::size_t values) {
+    samplers_.push_back({{"input", times}, {"output", values}});
+    channels_.push_back({{"sampler", samplers_.size() - 1}, {"target", std::move(target)}});
+  }
+
+  void add_poses(std::size_t node, const NodeKeys& keys, std::size_t times) {
+    add_channel({{"node", node}, {"path", "translation"}}, times, buffer_.add(keys.translations, 3));
+    add_channel({{"node", node}, {"path", "rotation"}}, times, buffer_.add(keys.rotations, 4));
+    if (!keys.scales.empty())
+      add_channel({{"node", node}, {"path", "scale"}}, times, buffer_.add(keys.scales, 3));
+  }
+
+  void add_mesh(const AnimatedMesh& mesh) {
+    const std::size_t node = nodes_.size();
+    nodes_.push_back({{"name", mesh.name}});
+    roots_.push_back(node);
+    NodeKeys keys;
+    for (std::size_t frame = 0; frame < mesh.frames.size(); ++frame)
+      keys.add_pose(time_s(frame), mesh.frames[frame].translation_m, mesh.frames[frame].rotation);
+    if (!mesh.frames.empty()) add_poses(node, keys, buffer_.add(keys.times_s, 1));
+    Json children = Json::array();
+    for (const auto& [key, projector] : projectors_of(mesh)) {
+      children.push_back(nodes_.size());
+      add_projector(projector);
+    }
+    if (!children.empty()) nodes_[node]["children"] = std::move(children);
+  }
+
+  /// A key a frame; where a projector is not there, the pose of the nearest time that it was, without a size.
+  static NodeKeys keys_of(const Writer& writer, const Projector& projector) {
+    NodeKeys keys;
+    std::size_t next = 0;
+    for (std::size_t frame = projector.first; frame <= projector.last; ++frame) {
+      const std::size_t last = projector.samples.size() - 1;
+      while (next < last && projector.samples[next].first < frame) ++next;
+      const ProjectorSample& sample = *projector.samples[next].second;
+      const bool is_there = projector.samples[next].first == frame;
+      keys.add_pose(writer.time_s(frame), sample.position_m,
+                    glm::dmat3(sample.right, sample.up, sample.normal));
+      const double size = is_there ? 1.0 : 0.0;
+      for (const double length_m :
+           {sample.width_m, sample.height_m, std::max(sample.width_m, sample.height_m)})
+        keys.scales.push_back(static_cast<float>(size * length_m));
+      for (int channel = 0; channel < 3; ++channel)
+        keys.colours.push_back(static_cast<float>(std::min(sample.colour[channel], 1.0)));
+      keys.colours.push_back(static_cast<float>(size * sample.opacity));
+    }
+    return keys;
+  }
+
+  void add_projector(const Projector& projector) {
+    const ProjectorSample& sample = *projector.samples.front().second;
+    const NodeKeys keys = keys_of(*this, projector);
+    const Json first_colour = {keys.colours[0], keys.colours[1], keys.colours[2], keys.colours[3]};
+    materials_.push_back(
+        {{"pbrMetallicRoughness",
+          {{"baseColorFactor", first_colour}, {"baseColorTexture", {{"index", sample.texture}}}}},
+         {"alphaMode", "BLEND"},
+         {"doubleSided", true},
+         {"extensions", {{"KHR_materials_unlit", Json::object()}}}});
+    meshes_.push_back({{"primitives",
+                        {{{"attributes", {{"POSITION", square_positions}, {"TEXCOORD_0", square_places}}},
+                          {"indices", square_indices},
+                          {"material", materials_.size() - 1}}}}});
+    const std::size_t node = nodes_.size();
+    nodes_.push_back({{"name", fmt::format("highlight {}.{}.{}", sample.id, sample.rule, sample.copy)},
+                      {"mesh", meshes_.size() - 1},
+                      {"extras",
+                       {{"id", sample.id},
+                        {"rule", sample.rule},
+                        {"copy", sample.copy},
+                        {"lamp", sample.lamp},
+                        {"texture", animation_.textures[sample.texture].name},
+                        {"softness", sample.softness}}}});
+    const std::size_t times = buffer_.add(keys.times_s, 1);
+    add_poses(node, keys, times);
+    const std::string pointer =
+        fmt::format("/materials/{}/pbrMetallicRoughness/baseColorFactor", materials_.size() - 1);
+    add_channel({{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}},
+                times, buffer_.add(keys.colours, 4));
+  }
+
+  const HighlightAnimation& animation_;
+  GltfBuffer buffer_;
+  Json nodes_ = Json::array(), roots_ = nodes_, meshes_ = nodes_, materials_ = nodes_, textures_ = nodes_,
+       images_ = nodes_, channels_ = nodes_, samplers_ = nodes_;
+};
+
+}  // namespace
+
+std::string highlight_animation_gltf(const HighlightAnimation& animation, GltfForm form) {
+  const Writer writer(animation);
+  Json document = writer.document();
+  Json buffer = {{"byteLength", writer.bytes().size()}};
+  if (form == GltfForm::text) {
+    buffer["uri"] = "data:application/octet-stream;base64," + base64(writer.bytes());
+    document["buffers"] = {std::move(buffer)};
+    return document.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+  }
+  document["buffers"] = {std::move(buffer)};
+  return gltf_binary(document.dump(-1, ' ', false, Json::error_handler_t::replace), writer.bytes());
+}
+
+}  // namespace offing::animations

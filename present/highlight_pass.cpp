@@ -1,0 +1,95 @@
+#include "present/highlight_pass.h"
+
+#include <array>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
+
+#include "host/highlights/texture_shapes.h"
+#include "present/air.h"
+#include "present/sampler.h"
+
+namespace offing::present {
+namespace {
+
+constexpr int environment_unit = 0, picture_unit = 1;
+
+ShaderProgram highlight_program() {
+  return ShaderProgram(
+      {.vertex = {shader_file("mesh_place.glsl"), shader_file("highlight.vert")},
+       .fragment = {shader_file("environment.glsl"), shader_file("air.glsl"), shader_file("mesh_light.glsl"),
+                    shader_file("highlight_shapes.glsl"), shader_file("highlight.frag")}});
+}
+
+/// One white, opaque texel.
+GlTexture white_texture() {
+  GlTexture texture = GlTexture::make();
+  constexpr std::array<unsigned char, 4> white{255, 255, 255, 255};
+  glBindTexture(GL_TEXTURE_2D, texture.name());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  return texture;
+}
+
+int box_show(MeshShow show) {
+  return show == MeshShow::ids ? 1 : show == MeshShow::regions ? 2 : 0;
+}
+
+}  // namespace
+
+glm::vec3 id_colour(std::uint64_t id) {
+  // Steps by the golden section around the colours' circle never come back to a place.
+  const double turn = 0.618033988749895 * static_cast<double>(id % 1'000'003);
+  const glm::dvec3 place = glm::fract(turn + glm::dvec3(0.0, 1.0 / 3.0, 2.0 / 3.0));
+  return glm::vec3(glm::clamp(glm::abs(6.0 * place - 3.0) - 1.0, 0.02, 1.0));
+}
+
+HighlightPass::HighlightPass() : program_(highlight_program()), no_picture_(white_texture()) {}
+
+void HighlightPass::draw_one(const world::MeshView& mesh, const highlights::DrawnHighlight& highlight,
+                             const Scenery& scenery) const {
+  const highlights::HighlightControls& controls = highlight.controls;
+  const glm::dmat4 to_box = highlights::projection_of(highlight.projector) *
+                            glm::translate(glm::dmat4(1.0), mesh.surface().middle_m());
+  program_.set("to_box", glm::mat4(to_box));
+  program_.set("texture_kind", static_cast<int>(controls.texture));
+  program_.set("colour", glm::vec3(controls.colour));
+  program_.set("lamp_kcdpm2", scenery.lights.white_kcdpm2(highlight.lamp));
+  program_.set("opacity", static_cast<float>(highlight.opacity));
+  program_.set("softness", static_cast<float>(controls.softness));
+  program_.set("shape_depth", static_cast<float>(highlights::depth_of(controls.texture)));
+  program_.set("box_right", glm::vec3(mesh.motion().rotation * highlight.projector.right));
+}
+
+void HighlightPass::draw(const world::MeshView& mesh, const MeshGeometry& geometry,
+                         const MeshViewMatrices& matrices, const FrameRequest& request,
+                         const Scenery& scenery) {
+  if (mesh.highlights().empty()) return;
+  corners_.clear();
+  for (const std::uint32_t face : mesh.highlight_faces()) {
+    const TriangleIndices& corners = mesh.surface().mesh().faces[face];
+    corners_.insert(corners_.end(), corners.begin(), corners.end());
+  }
+  geometry.set_drawn_faces(corners_);
+  program_.use();
+  matrices.set(program_);
+  scenery.lights.bind(program_);
+  set_air(program_, scenery.air, scenery.environment, environment_unit);
+  bind_sampler(program_, "picture", picture_unit, no_picture_.name());
+  program_.set("shows_box", box_show(request.meshes));
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthFunc(GL_GEQUAL);
+  glDepthMask(GL_FALSE);
+  for (const highlights::DrawnHighlight& highlight : mesh.highlights()) {
+    draw_one(mesh, highlight, scenery);
+    program_.set("box_light", id_colour(highlight.id) / static_cast<float>(request.exposure));
+    geometry.draw(static_cast<GLsizei>(3 * highlight.first_face),
+                  static_cast<GLsizei>(3 * highlight.face_count));
+  }
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace offing::present

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "host/world/mesh_view.h"
+#include "present/frame_request.h"
+#include "present/mesh_geometry.h"
+#include "present/mesh_lights.h"
+#include "present/mesh_view_matrices.h"
+#include "present/shader_program.h"
+
+namespace offing::present {
+
+/// Draws the highlights of a mesh over its base (H7, H9 of docs/sources.md): the faces of each one's region
+/// once more, clipped to its projector's box.
+class HighlightPass {
+ public:
+  HighlightPass();
+
+  /// What all meshes of a picture share.
+  struct Scenery {
+    const MeshLights& lights;
+    const sky::Atmosphere& air;
+    GLuint environment;
+  };
+  /// Onto the bound target, in which the mesh has been drawn with these matrices.
+  void draw(const world::MeshView& mesh, const MeshGeometry& geometry, const MeshViewMatrices& matrices,
+            const FrameRequest& request, const Scenery& scenery);
+
+ private:
+  void draw_one(const world::MeshView& mesh, const highlights::DrawnHighlight& highlight,
+                const Scenery& scenery) const;
+
+  ShaderProgram program_;
+  GlTexture no_picture_;
+  std::vector<std::uint32_t> corners_;
+};
+
+/// A bright colour for each highlight, unlike those of its neighbours: linear Rec.709.
+glm::vec3 id_colour(std::uint64_t id);
+
+}  // namespace offing::present

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "host/world/world.h"
+#include "present/frame_request.h"
+#include "present/gl_context.h"
+#include "present/highlight_pass.h"
+#include "present/mesh_geometry.h"
+#include "present/mesh_lights.h"
+#include "present/mesh_lines.h"
+#include "present/mesh_view_matrices.h"
+#include "present/multisample_target.h"
+#include "present/render_target.h"
+#include "present/shader_program.h"
+
+namespace offing::present {
+
+/// Draws the meshes of a world with their outlines and highlights, several samples a pixel, and lays them
+/// over what lies behind.
+class MeshPass {
+ public:
+  explicit MeshPass(const GlCapabilities& capabilities);
+
+  /// Copies meshes that are new.
+  void prepare(const world::World& world);
+  /// Draws onto a target whose depth is reversed: behind what is nearer there. `environment` is the map of
+  /// SkyPass.
+  void draw(const world::World& world, const FrameRequest& request, GLuint environment,
+            const RenderTarget& target);
+
+ private:
+  struct Mesh {
+    std::uint64_t revision;
+    MeshGeometry geometry;
+  };
+
+  PixelBox pixels(const world::World& world, const Camera& camera) const;
+  void begin(const RenderTarget& target);
+  void draw_mesh(const world::World& world, std::size_t index, const FrameRequest& request,
+                 GLuint environment);
+  void draw_base(const world::World& world, std::size_t index, const MeshViewMatrices& matrices,
+                 const FrameRequest& request, GLuint environment) const;
+  void draw_outline(std::size_t index, const MeshViewMatrices& matrices, const FrameRequest& request,
+                    const world::MeshMaterial& material) const;
+  void end(const RenderTarget& target) const;
+
+  GlCapabilities capabilities_;
+  ShaderProgram begin_, base_, outline_, end_;
+  GlVertexArray no_vertices_;
+  MeshLights lights_;
+  HighlightPass highlights_;
+  MeshLines lines_;
+  MultisampleTarget samples_;
+  std::vector<Mesh> meshes_;  // in the order of the world's
+};
+
+}  // namespace offing::present
