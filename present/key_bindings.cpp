@@ -10,7 +10,7 @@ namespace offing::present {
 
 std::span<const KeyBinding> key_bindings() {
   using enum ViewAction;
-  static constexpr std::array<KeyBinding, 22> bindings{{
+  static constexpr std::array<KeyBinding, 23> bindings{{
       {GLFW_KEY_H, "H", toggle_help, "this help"},
       {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
       {GLFW_KEY_SPACE, "Space", toggle_pause, "pause"},
@@ -21,6 +21,7 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_BACKSPACE, "Backspace", real_time, "real time"},
       {GLFW_KEY_G, "G", toggle_wireframe, "wireframe of the grid"},
       {GLFW_KEY_V, "V", next_debug_view, "next debug view"},
+      {GLFW_KEY_N, "N", next_mesh_show, "next view of meshes: curvatures, directions, projectors ..."},
       {GLFW_KEY_F, "F", toggle_walk, "on foot, or flying again"},
       {GLFW_KEY_M, "M", toggle_map, "map of the ground; a click on it goes there"},
       {GLFW_KEY_T, "T", toggle_steps, "steps that rays take to the ground"},

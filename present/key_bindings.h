@@ -16,6 +16,7 @@ enum class ViewAction {
   real_time,
   toggle_wireframe,
   next_debug_view,
+  next_mesh_show,
   toggle_walk,
   toggle_steps,
   toggle_map,

@@ -89,8 +89,10 @@ void LiveSea::draw(const SeaView& view) {
                          .debug = view.debug,
                          .fill = view.fill,
                          .ground = view.ground,
+                         .meshes = view.meshes,
                          .tiles = view.tiles,
-                         .ground_scale = view.ground_scale});
+                         .ground_scale = view.ground_scale,
+                         .lighting_at = view.lighting_at});
 }
 
 void LiveSea::write(const std::filesystem::path& path) const {

@@ -26,8 +26,10 @@ struct SeaView {
   DebugView debug = DebugView::none;
   Fill fill = Fill::solid;
   GroundShow ground = GroundShow::light;
+  MeshShow meshes = MeshShow::light;
   world::TileWait tiles = world::TileWait::all;
-  double ground_scale = 1.0;  ///< of FrameRequest
+  double ground_scale = 1.0;                ///< of FrameRequest
+  highlights::LightingAt lighting_at = {};  ///< of FrameRequest
 };
 
 /// A scene's world and the passes that draw it, both of which can be exchanged while they are shown. Whatever

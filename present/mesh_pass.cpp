@@ -90,8 +90,9 @@ void MeshPass::draw_base(const world::World& world, std::size_t index, const Mes
   set_air(base_, world.parameters().atmosphere, environment, environment_unit);
   meshes_[index].geometry.bind_faces(faces_unit);
   base_.set("faces", faces_unit);
+  const bool is_grey = request.meshes == MeshShow::directions;
   base_.set("shading", static_cast<int>(material.shading));
-  base_.set("colour", glm::vec3(material.colour));
+  base_.set("colour", is_grey ? glm::vec3(0.3f) : glm::vec3(material.colour));
   base_.set("specular", static_cast<float>(material.specular));
   base_.set("shininess", static_cast<float>(material.shininess));
   base_.set("cartoon_steps", material.cartoon_steps);
@@ -125,9 +126,11 @@ void MeshPass::draw_mesh(const world::World& world, std::size_t index, const Fra
   if (view.parameters().material.outline_px > 0.0 && request.fill == Fill::solid) {
     draw_outline(index, matrices, request, view.parameters().material);
   }
+  if (request.meshes == MeshShow::directions) lines_.draw_directions(view, matrices, request);
   if (request.meshes == MeshShow::curvature || request.meshes == MeshShow::directions) return;
   highlights_.draw(view, meshes_[index].geometry, matrices, request,
                    {.lights = lights_, .air = world.parameters().atmosphere, .environment = environment});
+  if (request.meshes == MeshShow::projectors) lines_.draw_projectors(view, matrices, request);
 }
 
 void MeshPass::end(const RenderTarget& target) const {

@@ -8,6 +8,7 @@
 #include "present/highlight_pass.h"
 #include "present/mesh_geometry.h"
 #include "present/mesh_lights.h"
+#include "present/mesh_lines.h"
 #include "present/mesh_view_matrices.h"
 #include "present/multisample_target.h"
 #include "present/render_target.h"
@@ -49,6 +50,7 @@ class MeshPass {
   GlVertexArray no_vertices_;
   MeshLights lights_;
   HighlightPass highlights_;
+  MeshLines lines_;
   MultisampleTarget samples_;
   std::vector<Mesh> meshes_;  // in the order of the world's
 };

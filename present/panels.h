@@ -50,6 +50,7 @@ struct ViewState {
   DebugView debug = DebugView::none;
   Fill fill = Fill::solid;
   GroundShow ground = GroundShow::light;
+  MeshShow meshes = MeshShow::light;
   RayChoice rays = RayChoice::all;
   float wanted_frame_ms = 33.0f;  ///< of RayChoice::automatic
   std::optional<GroundPick> pick = {};
@@ -73,6 +74,7 @@ struct ViewFacts {
   const ocl::DeviceInfo& device;
   TransferRung transfer;
   int width_px, height_px;  ///< of the picture that is drawn
+  bool has_meshes = false;
   const world::GroundView* ground = nullptr;
   const MiniMap* map = nullptr;
   std::size_t ray_rung = 0;  ///< of ray_shares, that the ground was seen with

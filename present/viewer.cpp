@@ -126,6 +126,11 @@ void Viewer::act(ViewAction action) {
       state_.debug = all_debug_views[next % all_debug_views.size()];
       break;
     }
+    case ViewAction::next_mesh_show: {
+      const auto next = static_cast<std::size_t>(state_.meshes) + 1;
+      state_.meshes = all_mesh_shows[next % all_mesh_shows.size()];
+      break;
+    }
     case ViewAction::toggle_walk:
       if (pilot_.toggle_walk(state_, sea_)) leave_path();
       break;
@@ -281,6 +286,7 @@ void Viewer::draw_sea(int width, int height) {
                .debug = state_.debug,
                .fill = state_.fill,
                .ground = state_.ground,
+               .meshes = state_.meshes,
                .tiles = options_.recording ? world::TileWait::all : world::TileWait::none,
                .ground_scale = ScaleLadder::side_scale(ray_rung())});
     drawn_s_ = state_.clock.time_s();
@@ -317,6 +323,7 @@ PanelEdits Viewer::draw_panels() {
                                                          .transfer = frame.transfer_rung(),
                                                          .width_px = frame.screen().width(),
                                                          .height_px = frame.screen().height(),
+                                                         .has_meshes = !sea_.meshes().empty(),
                                                          .ground = sea_.ground(),
                                                          .map = &map_,
                                                          .ray_rung = ray_rung()});

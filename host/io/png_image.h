@@ -30,4 +30,7 @@ std::string png_bytes(const RgbaImage& image);
 /// PNG.
 RgbImage read_png(const std::filesystem::path& path);
 
+/// The same with its transparency; of one that has none, all 255.
+RgbaImage read_png_with_alpha(const std::filesystem::path& path);
+
 }  // namespace offing

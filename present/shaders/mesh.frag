@@ -34,13 +34,13 @@ vec3 cartoon_light(vec3 unit_normal) {
   return colour / pi * klx;
 }
 
-// Red where the surface is convex, blue where it is hollow, white where it is flat, green for saddles.
+// Red where the surface is convex, blue where it is hollow, white where it is flat, green for saddles: full where
+// it bends by a radius of a tenth of the mesh.
 vec3 curvature_colour() {
   vec2 k = curvatures * length_of_mesh_m * 0.1;
-  vec2 bend = k / (1.0 + abs(k));
-  float mean = 0.5 * (bend.x + bend.y), saddle = max(-bend.x * bend.y, 0.0);
-  vec3 shown = mean > 0.0 ? vec3(1.0, 1.0 - mean, 1.0 - mean) : vec3(1.0 + mean, 1.0 + mean, 1.0);
-  return mix(shown, vec3(0.1, 0.7, 0.1), sqrt(saddle));
+  float mean = clamp(0.5 * (k.x + k.y), -1.0, 1.0), saddle = clamp(sqrt(max(-k.x * k.y, 0.0)), 0.0, 1.0);
+  vec3 shown = mix(vec3(0.8), mean > 0.0 ? vec3(0.75, 0.02, 0.02) : vec3(0.02, 0.05, 0.8), sqrt(abs(mean)));
+  return mix(shown, vec3(0.02, 0.4, 0.05), saddle);
 }
 
 void main() {
