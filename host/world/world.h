@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "host/base/rgba_image.h"
 #include "host/ocean/ocean.h"
 #include "host/ocean/projected_grid.h"
 #include "host/ocean/sea_spectrum.h"
@@ -34,7 +36,8 @@ struct WorldParameters {
   double sun_distance_au = 1.0;
   std::optional<GroundParameters> ground = {};
   std::vector<MeshParameters> meshes = {};
-  std::vector<Lamp> lamps = {};  ///< beside the sun, at the time that is shown
+  std::vector<Lamp> lamps = {};                                 ///< beside the sun, at the time that is shown
+  std::vector<std::shared_ptr<const RgbaImage>> pictures = {};  ///< of the highlights of meshes
 };
 
 inline constexpr std::size_t most_lamps = 63;
