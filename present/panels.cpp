@@ -10,6 +10,7 @@
 #include <imgui_stdlib.h>
 
 #include "host/scene/parameter_table.h"
+#include "host/scene/scene_elements.h"
 #include "present/key_bindings.h"
 #include "present/ray_overlay.h"
 #include "present/time_graph.h"
@@ -58,24 +59,26 @@ void draw_rows(const GroupPanel& panel, const std::vector<const scene::Parameter
 
 /// The rows of a section that may be repeated, once an element.
 void draw_elements(const GroupPanel& panel, const std::vector<const scene::Parameter*>& rows,
-                   const scene::ElementStorage& elements, ViewState& state, PanelEdits& edits) {
-  for (std::size_t i = 0; i < elements.count(state.scene); ++i) {
+                   ViewState& state, PanelEdits& edits) {
+  const scene::Parameter& first = *rows.front();
+  const std::vector<scene::ElementIndex> elements = scene::elements_of(state.scene, first.elements);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    ImGui::TextDisabled("[[%s]] %zu", std::string(scene::section_of(rows.front()->key)).c_str(), i + 1);
+    ImGui::TextDisabled("[[%s]] %zu", std::string(scene::section_of(first.key)).c_str(), i + 1);
     ImGui::SameLine();
     const bool is_removed = ImGui::SmallButton("remove");
     for (const scene::Parameter* row : rows) {
-      note(parameter_widget(state.scene, *row, state.edit, i), panel, state, edits);
+      note(parameter_widget(state.scene, *row, state.edit, elements[i]), panel, state, edits);
     }
     ImGui::PopID();
     if (!is_removed) continue;
-    elements.remove(state.scene, i);
+    scene::remove_element(state.scene, *first.elements, elements[i]);
     note(Edit::done, panel, state, edits);
     break;
   }
-  ImGui::BeginDisabled(elements.count(state.scene) >= rows.front()->max_count);
+  ImGui::BeginDisabled(elements.size() >= first.max_count);
   if (ImGui::Button(fmt::format("add##{}", panel.title).c_str())) {
-    elements.append(state.scene);
+    scene::append_element(state.scene, first, {.subject = std::string(first.key)});
     note(Edit::done, panel, state, edits);
   }
   ImGui::EndDisabled();
@@ -84,8 +87,8 @@ void draw_elements(const GroupPanel& panel, const std::vector<const scene::Param
 void draw_group(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
   if (!ImGui::CollapsingHeader(panel.title)) return;
   const std::vector<const scene::Parameter*> rows = rows_of(panel.group);
-  if (const auto* elements = std::get_if<scene::ElementStorage>(&rows.front()->storage)) {
-    draw_elements(panel, rows, *elements, state, edits);
+  if (rows.front()->elements) {
+    draw_elements(panel, rows, state, edits);
   } else {
     draw_rows(panel, rows, state, edits);
   }

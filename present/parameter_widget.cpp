@@ -1,9 +1,9 @@
 #include "present/parameter_widget.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <sstream>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -43,71 +43,82 @@ bool number_slider(const char* label, const Parameter& row, double& value) {
 /// One kind of widget for each alternative of scene::Storage.
 class Widget {
  public:
-  Widget(OceanScene& scene, const Parameter& row, EditInProgress& edit, std::size_t element)
+  Widget(OceanScene& scene, const Parameter& row, EditInProgress& edit, scene::ElementIndex element)
       : scene_(scene), row_(row), edit_(edit), element_(element), label_(parameter_label(row)) {}
 
-  Edit operator()(double& (*at)(OceanScene&)) { return number(at(scene_)); }
+  Edit operator()(scene::ValueAt<double> at) { return number(at(scene_, element_)); }
 
-  Edit operator()(std::optional<double>& (*at)(OceanScene&)) { return optional_number(at(scene_)); }
+  Edit operator()(scene::ValueAt<std::optional<double>> at) {
+    return optional_value(at(scene_, element_), [&](double& value) { return number(value); });
+  }
 
-  Edit operator()(int& (*at)(OceanScene&)) {
-    if (row_.rule == scene::ParameterRule::power_of_two) return power_of_two(at(scene_));
+  Edit operator()(scene::ValueAt<glm::dvec3> at) { return triple(at(scene_, element_)); }
+
+  Edit operator()(scene::ValueAt<std::optional<glm::dvec3>> at) {
+    return optional_value(at(scene_, element_), [&](glm::dvec3& value) { return triple(value); });
+  }
+
+  Edit operator()(scene::ValueAt<int> at) {
+    if (row_.rule == scene::ParameterRule::power_of_two) return power_of_two(at(scene_, element_));
     constexpr float drag_speed = 0.1f;
-    int value = at(scene_);
+    int value = at(scene_, element_);
     const bool is_changed = ImGui::DragInt(label_.c_str(), &value, drag_speed, static_cast<int>(row_.low),
                                            static_cast<int>(row_.high));
     return stored(is_changed, {.value = std::int64_t{value}, .shown = fmt::format("{}", value)});
   }
 
-  Edit operator()(std::uint64_t& (*at)(OceanScene&)) {
-    std::uint64_t value = at(scene_);
+  Edit operator()(scene::ValueAt<std::uint64_t> at) {
+    std::uint64_t value = at(scene_, element_);
     const bool is_changed = ImGui::InputScalar(label_.c_str(), ImGuiDataType_U64, &value);
     return stored(is_changed, scene::read_flag_value(row_, fmt::format("{}", value)));
   }
 
-  Edit operator()(std::string& (*at)(OceanScene&)) {
-    std::string text = at(scene_);
+  Edit operator()(scene::ValueAt<std::string> at) {
+    std::string text = at(scene_, element_);
     if (!is_entered(text)) return Edit::none;
     if (text.empty()) {
-      at(scene_).clear();
+      at(scene_, element_).clear();
       return Edit::done;
     }
     return is_taken({.value = text, .shown = text}) ? Edit::done : Edit::refused;
   }
 
-  Edit operator()(std::optional<UtcTime>& (*at)(OceanScene&)) {
-    std::string text = at(scene_) ? scene::value_text(scene_, row_) : "";
+  Edit operator()(scene::ValueAt<std::optional<UtcTime>> at) {
+    std::string text =
+        at(scene_, element_) ? scene::value_text(scene_, row_, element_, scene::Digits::readable) : "";
     if (!is_entered(text)) return Edit::none;
     if (text.empty()) {
-      at(scene_).reset();
+      at(scene_, element_).reset();
       return Edit::done;
     }
     return is_taken({.value = text, .shown = text}) ? Edit::done : Edit::refused;
   }
 
   /// Numbers between commas; nothing for the default.
-  Edit operator()(std::vector<double>& (*at)(OceanScene&)) {
-    std::string text = at(scene_).empty() ? "" : scene::value_text(scene_, row_);
+  Edit operator()(scene::ValueAt<std::vector<double>> at) {
+    std::string text = at(scene_, element_).empty()
+                           ? ""
+                           : scene::value_text(scene_, row_, element_, scene::Digits::readable);
     if (!is_entered(text)) return Edit::none;
-    const std::vector<double> before = at(scene_);
-    at(scene_).clear();
+    const std::vector<double> before = at(scene_, element_);
+    at(scene_, element_).clear();
     std::istringstream parts(text);
     for (std::string part; std::getline(parts, part, ',');) {
       part.erase(0, part.find_first_not_of(' '));
       if (is_taken(scene::read_flag_value(row_, part))) continue;
-      at(scene_) = before;
+      at(scene_, element_) = before;
       return Edit::refused;
     }
     return Edit::done;
   }
 
   Edit operator()(const scene::ChoiceStorage& choice) {
-    const std::size_t chosen = choice.get(scene_);
+    const std::size_t chosen = choice.get(scene_, element_);
     Edit edit = Edit::none;
     if (!ImGui::BeginCombo(label_.c_str(), std::string(choice.names[chosen]).c_str())) return edit;
     for (std::size_t i = 0; i < choice.names.size(); ++i) {
       if (ImGui::Selectable(std::string(choice.names[i]).c_str(), i == chosen)) {
-        choice.set(scene_, i);
+        choice.set(scene_, element_, i);
         edit = Edit::done;
       }
     }
@@ -115,27 +126,12 @@ class Widget {
     return edit;
   }
 
-  Edit operator()(const scene::ElementStorage& elements) {
-    const auto at = [&](auto function) -> Edit {
-      auto& value = function(scene_, element_);
-      if constexpr (std::is_same_v<decltype(value), double&>)
-        return number(value);
-      else
-        return optional_number(value);
-    };
-    return std::visit(at, elements.at);
-  }
-
  private:
   /// Through the table's own checks, as a scene file's values go.
   bool is_taken(const WrittenValue& written) {
     try {
       const scene::Place place{.subject = std::string(row_.key), .assignment = ""};
-      if (const auto* elements = std::get_if<scene::ElementStorage>(&row_.storage)) {
-        store_in_element(*elements, written, place);
-      } else {
-        scene::store(scene_, row_, written, place);
-      }
+      scene::store(scene_, row_, written, place, element_);
       edit_.fault.clear();
       return true;
     } catch (const Error& error) {
@@ -144,16 +140,8 @@ class Widget {
     }
   }
 
-  /// store() knows the last element only: one of a scene of its own.
-  void store_in_element(const scene::ElementStorage& elements, const WrittenValue& written,
-                        const scene::Place& place) {
-    OceanScene one;
-    elements.append(one);
-    scene::store(one, row_, written, place);
-    std::visit([&](auto at) { at(scene_, element_) = at(one, 0); }, elements.at);
-  }
-
-  Edit optional_number(std::optional<double>& at) {
+  template <class Value, class Draw>
+  Edit optional_value(std::optional<Value>& at, Draw draw) {
     const bool was_set = at.has_value();
     bool is_set = was_set;
     ImGui::Checkbox(fmt::format("##set {}", row_.key).c_str(), &is_set);
@@ -162,7 +150,7 @@ class Widget {
     if (is_set && !was_set) {
       return is_taken(scene::read_flag_value(row_, row_.example)) ? Edit::done : Edit::refused;
     }
-    if (is_set) return number(*at);
+    if (is_set) return draw(*at);
     at.reset();
     ImGui::TextDisabled("%s", std::string(scene::name_of(row_.key)).c_str());
     return was_set ? Edit::done : Edit::none;
@@ -172,6 +160,17 @@ class Widget {
     double value = at / row_.scale;
     const bool is_changed = number_slider(label_.c_str(), row_, value);
     return stored(is_changed, {.value = value, .shown = fmt::format("{:g}", value)});
+  }
+
+  Edit triple(const glm::dvec3& at) {
+    glm::dvec3 value = at / row_.scale;
+    constexpr double slowest = 0.01;  // units a pixel
+    const bool is_changed =
+        ImGui::DragScalarN(label_.c_str(), ImGuiDataType_Double, &value.x, 3,
+                           static_cast<float>(std::min(slowest, 1e-3 * (row_.high - row_.low))), &row_.low,
+                           &row_.high, format_of(row_).c_str());
+    return stored(is_changed, {.value = std::vector<double>{value.x, value.y, value.z},
+                               .shown = fmt::format("[{:g}, {:g}, {:g}]", value.x, value.y, value.z)});
   }
 
   /// Stores the value of the last item, if it changed.
@@ -210,15 +209,15 @@ class Widget {
   OceanScene& scene_;
   const Parameter& row_;
   EditInProgress& edit_;
-  std::size_t element_;
+  scene::ElementIndex element_;
   std::string label_;
 };
 
 /// Whether text is typed and taken with Enter.
 bool is_text(const Parameter& row) {
-  return std::holds_alternative<std::string& (*)(OceanScene&)>(row.storage) ||
-         std::holds_alternative<std::optional<UtcTime>& (*)(OceanScene&)>(row.storage) ||
-         std::holds_alternative<std::vector<double>& (*)(OceanScene&)>(row.storage);
+  return std::holds_alternative<scene::ValueAt<std::string>>(row.storage) ||
+         std::holds_alternative<scene::ValueAt<std::optional<UtcTime>>>(row.storage) ||
+         std::holds_alternative<scene::ValueAt<std::vector<double>>>(row.storage);
 }
 
 }  // namespace
@@ -227,12 +226,13 @@ std::string parameter_label(const Parameter& row) {
   return fmt::format("{}##{}", scene::name_of(row.key), row.key);
 }
 
-Edit parameter_widget(OceanScene& scene, const Parameter& row, EditInProgress& edit, std::size_t element) {
+Edit parameter_widget(OceanScene& scene, const Parameter& row, EditInProgress& edit,
+                      scene::ElementIndex element) {
   const Edit state = std::visit(Widget(scene, row, edit, element), row.storage);
   if (ImGui::IsItemHovered()) {
     std::string text(row.help);
     if (!row.absent.empty()) text += fmt::format("\nwithout: {}", row.absent);
-    if (scene.tracks.contains(row.key)) text += "\nmoves by keyframes, which an edit ends";
+    if (scene.tracks.contains({row.key, element})) text += "\nmoves by keyframes, which an edit ends";
     if (is_text(row)) text += "\nEnter takes what is typed";
     ImGui::SetTooltip("%s", text.c_str());
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 #include "host/scene/ocean_scene.h"
@@ -27,8 +26,8 @@ std::string parameter_label(const scene::Parameter& row);
 
 /// Draws a widget for one row of the parameter table, of the kind, range and unit that the row says, and
 /// stores what the user enters if the table takes it. When an edit ends with a value that it does not take,
-/// the scene is as it was before the edit. `element` counts in a repeated section.
+/// the scene is as it was before the edit. `element` is that of a repeated section.
 Edit parameter_widget(scene::OceanScene& scene, const scene::Parameter& row, EditInProgress& edit,
-                      std::size_t element = 0);
+                      scene::ElementIndex element = {});
 
 }  // namespace offing::present

@@ -52,14 +52,14 @@ bool is_of_camera(std::string_view key) {
 
 bool has_camera_path(const scene::OceanScene& scene) {
   return std::any_of(scene.tracks.begin(), scene.tracks.end(),
-                     [](const auto& track) { return is_of_camera(track.first); });
+                     [](const auto& track) { return is_of_camera(track.first.key); });
 }
 
 /// Gives a scene the camera's keyframes of another one, in the stead of its own.
 void take_camera_path(const scene::OceanScene& from, scene::OceanScene& to) {
-  std::erase_if(to.tracks, [](const auto& track) { return is_of_camera(track.first); });
+  std::erase_if(to.tracks, [](const auto& track) { return is_of_camera(track.first.key); });
   for (const auto& [key, track] : from.tracks) {
-    if (is_of_camera(key)) to.tracks.emplace(key, track);
+    if (is_of_camera(key.key)) to.tracks.emplace(key, track);
   }
 }
 

@@ -8,6 +8,8 @@ namespace offing {
 struct Keyframe {
   double time_s = 0.0;
   double value = 0.0;
+
+  bool operator==(const Keyframe&) const = default;
 };
 
 /// How a value goes from one key to the next.
@@ -27,6 +29,8 @@ struct KeyframeTrack {
   /// Of an angle, a whole turn in its unit: it goes the shorter way from key to key, half a turn as its
   /// numbers go. 0 for other values.
   double period = 0.0;
+
+  bool operator==(const KeyframeTrack&) const = default;
 };
 
 /// The value at a time, from the keys around it alone. Of an angle it may lie beyond those of the keys by

@@ -47,6 +47,12 @@ const char* title(ParameterGroup group) {
       return "Height map";
     case ParameterGroup::walk:
       return "Walk";
+    case ParameterGroup::light:
+      return "Lights";
+    case ParameterGroup::mesh:
+      return "Meshes";
+    case ParameterGroup::highlight:
+      return "Highlights";
   }
   return "";
 }
@@ -72,7 +78,7 @@ std::string description(const Parameter& parameter) {
 
 /// What stands for the value in a usage: units and range are told beside it.
 const char* placeholder(const Parameter& parameter) {
-  if (std::holds_alternative<std::string& (*)(scene::OceanScene&)>(parameter.storage)) return "FILE";
+  if (std::holds_alternative<scene::ValueAt<std::string>>(parameter.storage)) return "FILE";
   if (std::holds_alternative<scene::ChoiceStorage>(parameter.storage)) return "NAME";
   return is_list(parameter) ? "X,..." : "X";
 }

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 #include <png.h>
@@ -46,6 +48,36 @@ std::string encoded(const std::string& name, int width, int height, png_uint_32 
 
 }  // namespace
 
+namespace {
+
+/// Pixels in a format of libpng; returns width and height.
+std::pair<int, int> decode_png(const std::filesystem::path& path, png_uint_32 format,
+                               const png_color* background, std::vector<std::uint8_t>& pixels) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file.good() && !file.eof()) {
+    throw Error(ErrorKind::bad_input, fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)),
+                "check the path");
+  }
+  png_image description{};
+  description.version = PNG_IMAGE_VERSION;
+  bool decoded = png_image_begin_read_from_memory(&description, bytes.data(), bytes.size()) != 0;
+  if (decoded) {
+    description.format = format;
+    pixels.resize(PNG_IMAGE_SIZE(description));
+    decoded = png_image_finish_read(&description, background, pixels.data(), 0, nullptr) != 0;
+  }
+  if (!decoded) {
+    const std::string reason = description.message;
+    png_image_free(&description);
+    throw Error(ErrorKind::bad_input, fmt::format("{}: not a whole PNG file: {}", path.string(), reason),
+                "make the picture again");
+  }
+  return {static_cast<int>(description.width), static_cast<int>(description.height)};
+}
+
+}  // namespace
+
 std::uint8_t srgb_from_linear(float linear) {
   if (!(linear > 0.0f)) return 0;
   if (linear >= 1.0f) return 255;
@@ -63,30 +95,15 @@ std::string png_bytes(const RgbaImage& image) {
 }
 
 RgbImage read_png(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file.good() && !file.eof()) {
-    throw Error(ErrorKind::bad_input, fmt::format("{}: cannot read: {}", path.string(), std::strerror(errno)),
-                "check the path");
-  }
-  png_image description{};
-  description.version = PNG_IMAGE_VERSION;
+  const png_color black{0, 0, 0};
   RgbImage image;
-  bool decoded = png_image_begin_read_from_memory(&description, bytes.data(), bytes.size()) != 0;
-  if (decoded) {
-    description.format = PNG_FORMAT_RGB;
-    image.width = static_cast<int>(description.width);
-    image.height = static_cast<int>(description.height);
-    image.rgb.resize(PNG_IMAGE_SIZE(description));
-    const png_color black{0, 0, 0};
-    decoded = png_image_finish_read(&description, &black, image.rgb.data(), 0, nullptr) != 0;
-  }
-  if (!decoded) {
-    const std::string reason = description.message;
-    png_image_free(&description);
-    throw Error(ErrorKind::bad_input, fmt::format("{}: not a whole PNG file: {}", path.string(), reason),
-                "make the picture again");
-  }
+  std::tie(image.width, image.height) = decode_png(path, PNG_FORMAT_RGB, &black, image.rgb);
+  return image;
+}
+
+RgbaImage read_png_with_alpha(const std::filesystem::path& path) {
+  RgbaImage image;
+  std::tie(image.width, image.height) = decode_png(path, PNG_FORMAT_RGBA, nullptr, image.rgba);
   return image;
 }
 

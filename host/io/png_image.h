@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "host/base/rgba_image.h"
+
 namespace offing {
 
 /// An sRGB picture: rgb [height][width][3] row-major, row 0 at the top, 0 ... 255.
@@ -34,5 +36,8 @@ std::string png_bytes(const RgbaImage& image);
 /// Reads any PNG as 8-bit RGB, transparency over black. Throws Error(bad_input) if it cannot be read or is no
 /// PNG.
 RgbImage read_png(const std::filesystem::path& path);
+
+/// The same with its transparency; of one that has none, all 255.
+RgbaImage read_png_with_alpha(const std::filesystem::path& path);
 
 }  // namespace offing

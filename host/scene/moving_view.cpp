@@ -1,10 +1,12 @@
 #include "host/scene/moving_view.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/base/parameter_check.h"
 #include "host/base/world_limits.h"
 #include "host/scene/parameter_table.h"
+#include "host/scene/scene_elements.h"
 #include "host/sky/sun_position.h"
 
 namespace offing::scene {
@@ -30,14 +32,21 @@ sky::SunPosition sun_at(double unix_s, const sky::GeoPosition& position, const s
 
 }  // namespace
 
-ViewScene view_at(const OceanScene& scene, double time_s) {
+void move_to(OceanScene& moment, const OceanScene& scene, double time_s,
+             std::initializer_list<ParameterGroup> groups) {
   require_within("time_s", time_s, -largest_time_s, largest_time_s);
+  for (const auto& [key, track] : scene.tracks) {
+    const Parameter& row = *find_parameter(key.key);
+    if (std::find(groups.begin(), groups.end(), row.group) == groups.end()) continue;
+    *numbers_of(moment, row, key.element)[key.number] = value_at(track, time_s);
+  }
+}
+
+ViewScene view_at(const OceanScene& scene, double time_s) {
+  using enum ParameterGroup;
   OceanScene moment;  // rows address values of a whole scene
   moment.view = scene.view;
-  for (const auto& [key, track] : scene.tracks) {
-    const Storage& storage = find_parameter(key)->storage;
-    std::get<double& (*)(OceanScene&)>(storage)(moment) = value_at(track, time_s);
-  }
+  move_to(moment, scene, time_s, {camera, sun, sky, render});
   ViewScene& view = moment.view;
   if (view.sun_time_utc) {
     const double unix_s =

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,10 +12,33 @@
 #include "host/ocean/ocean.h"
 #include "host/ocean/spectrum_parameters.h"
 #include "host/ocean/trochoids.h"
+#include "host/scene/mesh_scene.h"
 #include "host/scene/terrain_scene.h"
 #include "host/scene/view_scene.h"
 
 namespace offing::scene {
+
+/// Which element of a repeated section: of [[mesh]] the outer one; of [[mesh.highlight]], which each mesh has
+/// its own of, the inner one too.
+struct ElementIndex {
+  std::size_t outer = 0, inner = 0;
+
+  auto operator<=>(const ElementIndex&) const = default;
+};
+
+/// A value of a scene, or one of the numbers that it is made of.
+struct ValueKey {
+  std::string_view key;  ///< of its row of the parameter table
+  ElementIndex element = {};
+  std::size_t number = 0;
+
+  // Implicit: most values have a key and no more.
+  ValueKey(const char* row_key) : key(row_key) {}  // NOLINT(google-explicit-constructor)
+  ValueKey(std::string_view row_key, ElementIndex index = {}, std::size_t which = 0)  // NOLINT
+      : key(row_key), element(index), number(which) {}
+
+  auto operator<=>(const ValueKey&) const = default;
+};
 
 /// A parallel swell beside the sea of the spectrum.
 struct SwellScene {
@@ -56,14 +81,16 @@ struct OceanScene {
 
   bool names_sea = false;  ///< the scene has an [ocean] section
   TerrainScene terrain;
-  /// Ground that is given without a sea stands alone.
-  bool has_sea() const { return names_sea || !terrain.is_given; }
+  std::vector<LightScene> lights;
+  std::vector<MeshScene> meshes;
+  /// Ground and meshes that are given without a sea stand alone.
+  bool has_sea() const { return names_sea || (!terrain.is_given && meshes.empty()); }
 
   ViewScene view;  ///< for the presenter; no simulation reads it
-  /// Key of each parameter of the view that moves -> how, in the stored unit; see view_at().
-  std::map<std::string_view, KeyframeTrack> tracks;
+  /// Each number that moves -> how, in the stored unit; see view_at() and meshes_at().
+  std::map<ValueKey, KeyframeTrack> tracks;
 
-  std::map<std::string_view, std::string> set_at;  ///< key of each parameter that was set -> where
+  std::map<ValueKey, std::string> set_at;  ///< each parameter that was set -> where
 };
 
 }  // namespace offing::scene

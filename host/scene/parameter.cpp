@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "host/base/error.h"
+#include "host/scene/scene_elements.h"
 
 namespace offing::scene {
 
@@ -27,8 +28,13 @@ std::string number_text(double value, Digits digits = Digits::readable) {
 /// Whether values are written in quotes.
 bool is_text(const Parameter& parameter) {
   return std::holds_alternative<ChoiceStorage>(parameter.storage) ||
-         std::holds_alternative<std::string& (*)(OceanScene&)>(parameter.storage) ||
-         std::holds_alternative<std::optional<UtcTime>& (*)(OceanScene&)>(parameter.storage);
+         std::holds_alternative<ValueAt<std::string>>(parameter.storage) ||
+         std::holds_alternative<ValueAt<std::optional<UtcTime>>>(parameter.storage);
+}
+
+bool is_triple(const Parameter& parameter) {
+  return std::holds_alternative<ValueAt<glm::dvec3>>(parameter.storage) ||
+         std::holds_alternative<ValueAt<std::optional<glm::dvec3>>>(parameter.storage);
 }
 
 [[noreturn]] void refuse(const Parameter& parameter, const WrittenValue& written, const Place& place) {
@@ -55,6 +61,15 @@ double checked_number(const Parameter& parameter, const WrittenValue& written, c
   return number * parameter.scale;
 }
 
+glm::dvec3 checked_triple(const Parameter& parameter, const WrittenValue& written, const Place& place) {
+  const auto* list = std::get_if<std::vector<double>>(&written.value);
+  const auto is_within = [&](double number) { return number >= parameter.low && number <= parameter.high; };
+  if (!list || list->size() != 3 || !std::all_of(list->begin(), list->end(), is_within)) {
+    refuse(parameter, written, place);
+  }
+  return parameter.scale * glm::dvec3((*list)[0], (*list)[1], (*list)[2]);
+}
+
 std::int64_t checked_whole(const Parameter& parameter, const WrittenValue& written, const Place& place) {
   const auto* whole = std::get_if<std::int64_t>(&written.value);
   if (!whole || static_cast<double>(*whole) < parameter.low || static_cast<double>(*whole) > parameter.high) {
@@ -66,8 +81,8 @@ std::int64_t checked_whole(const Parameter& parameter, const WrittenValue& writt
   return *whole;
 }
 
-/// A file name: not empty, and free of control characters, which would break messages and cut the name at a
-/// NUL.
+/// Text: not empty, and free of control characters, which would break messages and cut a file's name
+/// at a NUL.
 const std::string& checked_name(const Parameter& parameter, const WrittenValue& written, const Place& place) {
   const auto* name = std::get_if<std::string>(&written.value);
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
@@ -124,70 +139,115 @@ std::optional<Number> parse_whole_text(std::string_view text) {
   return number;
 }
 
+/// The numbers of "[1, 2.5, 3]" or "1, 2.5, 3".
+std::optional<std::vector<double>> parse_list_text(std::string_view text) {
+  if (text.starts_with('[') && text.ends_with(']')) text = text.substr(1, text.size() - 2);
+  std::vector<double> numbers;
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    const std::size_t end = std::min(text.find(','), text.size());
+    const std::optional<double> number = parse_whole_text<double>(text.substr(0, end));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    if (end == text.size()) return numbers;
+    text.remove_prefix(end + 1);
+  }
+}
+
+void append_to_list(std::vector<double>& list, const Parameter& parameter, const WrittenValue& written,
+                    const Place& place) {
+  const double number = checked_number(parameter, written, place);
+  if (list.size() == parameter.max_count) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected at most {} values, found more", place.subject, parameter.max_count),
+                "remove the values that are too many");
+  }
+  list.push_back(number);
+}
+
+/// `scene` is only read; accessors hand out references that can be written through.
+std::string text_of(OceanScene& scene, const Parameter& parameter, ElementIndex element, Digits digits) {
+  const auto scaled = [&](double value) { return number_text(value / parameter.scale, digits); };
+  const auto triple = [&](const glm::dvec3& value) {
+    return fmt::format("[{}, {}, {}]", scaled(value.x), scaled(value.y), scaled(value.z));
+  };
+  const std::string absent{parameter.absent};
+  return std::visit(
+      Overloaded{
+          [&](ValueAt<double> at) { return scaled(at(scene, element)); },
+          [&](ValueAt<std::optional<double>> at) {
+            return at(scene, element) ? scaled(*at(scene, element)) : absent;
+          },
+          [&](ValueAt<int> at) { return fmt::format("{}", at(scene, element)); },
+          [&](ValueAt<std::uint64_t> at) { return fmt::format("{}", at(scene, element)); },
+          [&](ValueAt<std::string> at) { return at(scene, element).empty() ? absent : at(scene, element); },
+          [&](ValueAt<std::optional<UtcTime>> at) {
+            return at(scene, element) ? iso_time(*at(scene, element)).value_or("") : absent;
+          },
+          [&](ValueAt<std::vector<double>> at) {
+            std::vector<std::string> texts;
+            for (const double value : at(scene, element)) texts.push_back(scaled(value));
+            return texts.empty() ? absent : fmt::format("{}", fmt::join(texts, ","));
+          },
+          [&](ValueAt<glm::dvec3> at) { return triple(at(scene, element)); },
+          [&](ValueAt<std::optional<glm::dvec3>> at) {
+            return at(scene, element) ? triple(*at(scene, element)) : absent;
+          },
+          [&](const ChoiceStorage& choice) { return std::string(choice.names[choice.get(scene, element)]); },
+      },
+      parameter.storage);
+}
+
 }  // namespace
 
-void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& written, const Place& place) {
+void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& written, const Place& place,
+           std::optional<ElementIndex> element) {
+  const ElementIndex index = element ? *element : last_element_or_first(scene, parameter, place);
   std::visit(
       Overloaded{
-          [&](double& (*at)(OceanScene&)) { at(scene) = checked_number(parameter, written, place); },
-          [&](std::optional<double>& (*at)(OceanScene&)) {
-            at(scene) = checked_number(parameter, written, place);
+          [&](ValueAt<double> at) { at(scene, index) = checked_number(parameter, written, place); },
+          [&](ValueAt<std::optional<double>> at) {
+            at(scene, index) = checked_number(parameter, written, place);
           },
-          [&](int& (*at)(OceanScene&)) {
-            at(scene) = static_cast<int>(checked_whole(parameter, written, place));
+          [&](ValueAt<int> at) {
+            at(scene, index) = static_cast<int>(checked_whole(parameter, written, place));
           },
-          [&](std::uint64_t& (*at)(OceanScene&)) {
-            at(scene) = static_cast<std::uint64_t>(checked_whole(parameter, written, place));
+          [&](ValueAt<std::uint64_t> at) {
+            at(scene, index) = static_cast<std::uint64_t>(checked_whole(parameter, written, place));
           },
-          [&](std::string& (*at)(OceanScene&)) { at(scene) = checked_name(parameter, written, place); },
-          [&](std::optional<UtcTime>& (*at)(OceanScene&)) {
-            at(scene) = checked_time(parameter, written, place);
+          [&](ValueAt<std::string> at) { at(scene, index) = checked_name(parameter, written, place); },
+          [&](ValueAt<std::optional<UtcTime>> at) {
+            at(scene, index) = checked_time(parameter, written, place);
           },
-          [&](std::vector<double>& (*at)(OceanScene&)) {
-            const double number = checked_number(parameter, written, place);
-            if (at(scene).size() == parameter.max_count) {
-              throw Error(ErrorKind::bad_input,
-                          fmt::format("{}: expected at most {} values, found more", place.subject,
-                                      parameter.max_count),
-                          "remove the values that are too many");
-            }
-            at(scene).push_back(number);
+          [&](ValueAt<std::vector<double>> at) {
+            append_to_list(at(scene, index), parameter, written, place);
+          },
+          [&](ValueAt<glm::dvec3> at) { at(scene, index) = checked_triple(parameter, written, place); },
+          [&](ValueAt<std::optional<glm::dvec3>> at) {
+            at(scene, index) = checked_triple(parameter, written, place);
           },
           [&](const ChoiceStorage& choice) {
-            choice.set(scene, checked_choice(parameter, choice, written, place));
-          },
-          [&](const ElementStorage& element) {
-            const double number = checked_number(parameter, written, place);
-            if (element.count(scene) == 0) element.append(scene);
-            std::visit([&](auto at) { at(scene, element.count(scene) - 1) = number; }, element.at);
+            choice.set(scene, index, checked_choice(parameter, choice, written, place));
           },
       },
       parameter.storage);
-  scene.tracks.erase(parameter.key);
-  scene.set_at.insert_or_assign(parameter.key, place.subject);
+  for (std::size_t number = 0; number < 3; ++number) scene.tracks.erase({parameter.key, index, number});
+  scene.set_at.insert_or_assign({parameter.key, index}, place.subject);
 }
 
 void clear_list(OceanScene& scene, const Parameter& parameter) {
-  if (const auto* at = std::get_if<std::vector<double>& (*)(OceanScene&)>(&parameter.storage)) {
-    (*at)(scene).clear();
+  if (const auto* at = std::get_if<ValueAt<std::vector<double>>>(&parameter.storage)) {
+    (*at)(scene, {}).clear();
   }
-}
-
-void append_element(OceanScene& scene, const Parameter& parameter, const Place& place) {
-  const auto* element = std::get_if<ElementStorage>(&parameter.storage);
-  if (!element) return;
-  if (element->count(scene) == parameter.max_count) {
-    throw Error(
-        ErrorKind::bad_input,
-        fmt::format("{}: expected at most {} sections, found more", place.subject, parameter.max_count),
-        "remove the sections that are too many");
-  }
-  element->append(scene);
 }
 
 WrittenValue read_flag_value(const Parameter& parameter, std::string_view text) {
   WrittenValue written{.value = std::string(text), .shown = fmt::format("\"{}\"", text)};
   if (is_text(parameter)) {
+    return written;
+  }
+  if (is_triple(parameter)) {
+    if (auto list = parse_list_text(text)) written.value = std::move(*list);
     return written;
   }
   if (const auto whole = parse_whole_text<std::int64_t>(text)) {
@@ -206,59 +266,46 @@ std::string expected_text(const Parameter& parameter) {
   const auto whole = [&](auto) {
     return (parameter.rule == ParameterRule::power_of_two ? "a power of two" : "a whole number") + range;
   };
+  const auto triple = [&](auto) { return "a list of three numbers" + range; };
   return std::visit(
       Overloaded{
-          [&](double& (*at)(OceanScene&)) { return number(at); },
-          [&](std::optional<double>& (*at)(OceanScene&)) { return number(at); },
-          [&](std::vector<double>& (*at)(OceanScene&)) { return number(at); },
-          [&](int& (*at)(OceanScene&)) { return whole(at); },
-          [](std::uint64_t& (*)(OceanScene&)) {
+          [&](ValueAt<double> at) { return number(at); },
+          [&](ValueAt<std::optional<double>> at) { return number(at); },
+          [&](ValueAt<std::vector<double>> at) { return number(at); },
+          [&](ValueAt<glm::dvec3> at) { return triple(at); },
+          [&](ValueAt<std::optional<glm::dvec3>> at) { return triple(at); },
+          [&](ValueAt<int> at) { return whole(at); },
+          [](ValueAt<std::uint64_t>) {
             // The largest value does not fit a double exactly: written out.
             return fmt::format("a whole number within [0, {}]", std::numeric_limits<std::int64_t>::max());
           },
-          [](std::string& (*)(OceanScene&)) { return std::string("a file name"); },
-          [](std::optional<UtcTime>& (*)(OceanScene&)) {
+          [&](ValueAt<std::string>) {
+            return std::string(parameter.rule == ParameterRule::file_name ? "a file name" : "a name");
+          },
+          [](ValueAt<std::optional<UtcTime>>) {
             return fmt::format("a time in UTC of the years {} ... {}", first_year, last_year);
           },
           [](const ChoiceStorage& choice) { return fmt::format("one of {}", fmt::join(choice.names, ", ")); },
-          [&](const ElementStorage& element) { return number(element); },
       },
       parameter.storage);
 }
 
+std::string value_text(const OceanScene& scene, const Parameter& parameter, ElementIndex element,
+                       Digits digits) {
+  OceanScene copy = scene;
+  return text_of(copy, parameter, element, digits);
+}
+
 std::string value_text(const OceanScene& scene, const Parameter& parameter, Digits digits) {
-  OceanScene copy = scene;  // accessors hand out references that can be written through
-  const auto scaled = [&](double value) { return number_text(value / parameter.scale, digits); };
-  const std::string absent{parameter.absent};
-  return std::visit(
-      Overloaded{
-          [&](double& (*at)(OceanScene&)) { return scaled(at(copy)); },
-          [&](std::optional<double>& (*at)(OceanScene&)) { return at(copy) ? scaled(*at(copy)) : absent; },
-          [&](int& (*at)(OceanScene&)) { return fmt::format("{}", at(copy)); },
-          [&](std::uint64_t& (*at)(OceanScene&)) { return fmt::format("{}", at(copy)); },
-          [&](std::string& (*at)(OceanScene&)) { return at(copy).empty() ? absent : at(copy); },
-          [&](std::optional<UtcTime>& (*at)(OceanScene&)) {
-            return at(copy) ? iso_time(*at(copy)).value_or("") : absent;
-          },
-          [&](std::vector<double>& (*at)(OceanScene&)) {
-            std::vector<std::string> texts;
-            for (const double value : at(copy)) {
-              texts.push_back(scaled(value));
-            }
-            return texts.empty() ? absent : fmt::format("{}", fmt::join(texts, ","));
-          },
-          [&](const ChoiceStorage& choice) { return std::string(choice.names[choice.get(copy)]); },
-          [&](const ElementStorage& element) {
-            std::vector<std::string> texts;
-            for (std::size_t i = 0; i < element.count(copy); ++i) {
-              const std::optional<double> value =
-                  std::visit([&](auto at) { return std::optional<double>(at(copy, i)); }, element.at);
-              texts.push_back(value ? scaled(*value) : absent);
-            }
-            return texts.empty() ? "none" : fmt::format("{}", fmt::join(texts, ","));
-          },
-      },
-      parameter.storage);
+  OceanScene copy = scene;
+  std::string text;
+  std::optional<ElementIndex> before;
+  for (const ElementIndex element : elements_of(scene, parameter.elements)) {
+    if (before) text += parameter.elements->parent && before->outer != element.outer ? ';' : ',';
+    text += text_of(copy, parameter, element, digits);
+    before = element;
+  }
+  return before ? text : "none";
 }
 
 std::string default_text(const Parameter& parameter) {

@@ -8,32 +8,38 @@
 #include <variant>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "host/base/utc_time.h"
 #include "host/scene/ocean_scene.h"
 
 namespace offing::scene {
 
+/// Where a value lives in the scene: every value outside of repeated sections is its own only element.
+template <class Value>
+using ValueAt = Value& (*)(OceanScene&, ElementIndex);
+
 /// One of several named values, stored as an enumeration whose values count from 0 in the order of the names.
 struct ChoiceStorage {
   std::vector<std::string_view> names;
-  std::size_t (*get)(OceanScene&);
-  void (*set)(OceanScene&, std::size_t);
+  std::size_t (*get)(OceanScene&, ElementIndex);
+  void (*set)(OceanScene&, ElementIndex, std::size_t);
 };
 
-/// A number of each element of a section that may be repeated, such as [[ocean.swell]].
-struct ElementStorage {
-  std::size_t (*count)(const OceanScene&);
-  void (*append)(OceanScene&);  ///< an element of default values
-  void (*remove)(OceanScene&, std::size_t);
-  std::variant<double& (*)(OceanScene&, std::size_t), std::optional<double>& (*)(OceanScene&, std::size_t)>
-      at;
-};
+/// Where a row's value lives; the alternative is its type. Triples are written as lists.
+using Storage =
+    std::variant<ValueAt<double>, ValueAt<std::optional<double>>, ValueAt<int>, ValueAt<std::uint64_t>,
+                 ValueAt<std::string>, ValueAt<std::optional<UtcTime>>, ValueAt<std::vector<double>>,
+                 ValueAt<glm::dvec3>, ValueAt<std::optional<glm::dvec3>>, ChoiceStorage>;
 
-/// Where a row's value lives in the scene; the alternative is its type.
-using Storage = std::variant<double& (*)(OceanScene&), std::optional<double>& (*)(OceanScene&),
-                             int& (*)(OceanScene&), std::uint64_t& (*)(OceanScene&),
-                             std::string& (*)(OceanScene&), std::optional<UtcTime>& (*)(OceanScene&),
-                             std::vector<double>& (*)(OceanScene&), ChoiceStorage, ElementStorage>;
+/// A section that may be repeated, such as [[ocean.swell]]; one within another's elements, such as
+/// [[mesh.highlight]], counts anew in each of them.
+struct RepeatedSection {
+  const RepeatedSection* parent = nullptr;
+  std::size_t (*count)(const OceanScene&, ElementIndex);  ///< within this element of the parent
+  void (*append)(OceanScene&, ElementIndex);              ///< an element of default values
+  void (*remove)(OceanScene&, ElementIndex);
+};
 
 enum class ParameterGroup {
   world,
@@ -50,9 +56,13 @@ enum class ParameterGroup {
   render,
   terrain,
   height_map,
-  walk
+  walk,
+  light,
+  mesh,
+  highlight
 };
-enum class ParameterRule { within_range, power_of_two };
+/// What a value must be beside its type: numbers within their range, text the name of a file.
+enum class ParameterRule { within_range, power_of_two, file_name, name };
 /// Whether a value may have keyframes (parameter_track.h), and goes from one to the next as an angle does.
 enum class ParameterMotion { constant, keyed, keyed_angle };
 /// Which scenes a parameter matters to (unused_parameters.h).
@@ -78,14 +88,27 @@ enum class ParameterUse {
   whole_map,           ///< with ground that is no tile store
   made_ground,         ///< with ground that is made
   dry_scene,           ///< with ground and without a sea
+  far_light,           ///< of a light that is a direction
+  near_light,          ///< of a light that stands at a place
+  made_mesh,           ///< of a mesh that is no file's
+  cartoon_mesh,        ///< of one that is shaded in steps
+  outlined_mesh,       ///< of one with an outline
+  shiny_mesh,          ///< of one with a highlight of Blinn's own
+  found_highlights,    ///< of a mesh with highlights
+  masked_highlight,    ///< of one that is drawn around a place only
+  split_highlight,     ///< of one in several copies
+  shape_highlight,     ///< of one that is no picture
+  picture_highlight,   ///< of one that is
 };
 
 /// One row of the parameter table: everything there is to say about one value of a scene.
 struct Parameter {
-  std::string_view key;   ///< in a scene file: "ocean.fetch_m"
-  std::string_view flag;  ///< on the command line: "--fetch-m"; empty: scene files only
+  std::string_view key;        ///< in a scene file: "ocean.fetch_m"
+  std::string_view flag = {};  ///< on the command line: "--fetch-m"; empty: scene files only
   ParameterGroup group = ParameterGroup::sea;
   Storage storage;
+  /// The section of its elements; nullptr for values outside of repeated sections.
+  const RepeatedSection* elements = nullptr;
   std::string_view unit = {};  ///< as written in the scene and on the command line; empty: dimensionless
   double low = 0.0;            ///< smallest and largest value, in `unit`, both included
   double high = 0.0;
@@ -112,7 +135,7 @@ inline std::string_view name_of(std::string_view key) {
 
 /// A value as it was written, before any check. std::monostate is a type that no parameter takes.
 struct WrittenValue {
-  std::variant<std::monostate, std::int64_t, double, std::string> value;
+  std::variant<std::monostate, std::int64_t, double, std::string, std::vector<double>> value;
   std::string shown;  ///< for messages: `"17 kn"`
 };
 
@@ -123,17 +146,14 @@ struct Place {
   std::string assignment = {};  ///< `wind_speed_mps = ` or `--wind-speed-mps `
 };
 
-/// Checks a value and stores it with its place, in the stead of keyframes; appends it to a list, and gives it
-/// to the last element of a repeated section, which gets its first one if it has none. Throws
+/// Checks a value and stores it with its place, in the stead of keyframes; appends it to a list. Without an
+/// element it is the last one's of a repeated section, which gets its first one if it has none. Throws
 /// Error(bad_input) that names place, expected and found.
-void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& written, const Place& place);
+void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& written, const Place& place,
+           std::optional<ElementIndex> element = {});
 
 /// Empties a parameter that is a list, so that new values replace the old ones; does nothing to others.
 void clear_list(OceanScene& scene, const Parameter& parameter);
-
-/// Begins a new element of default values in the repeated section of this row; does nothing for others.
-/// Throws Error(bad_input) where the section has its most elements; `place.subject` names the section.
-void append_element(OceanScene& scene, const Parameter& parameter, const Place& place);
 
 /// Text of a command line as the parameter's type asks: numbers where numbers are due, else text.
 WrittenValue read_flag_value(const Parameter& parameter, std::string_view text);
@@ -144,8 +164,13 @@ std::string expected_text(const Parameter& parameter);
 /// Twelve digits, as people write numbers, or as many as tell any two numbers apart.
 enum class Digits { readable, exact };
 
-/// The value in a scene, in the parameter's unit, or all values of a list or a repeated section, separated by
-/// commas; `absent` when there is none.
+/// The value of an element, in the parameter's unit, all values of a list separated by commas; `absent` when
+/// there is none.
+std::string value_text(const OceanScene& scene, const Parameter& parameter, ElementIndex element,
+                       Digits digits);
+
+/// The values of all elements, separated by commas, those of one parent from the next by semicolons; "none"
+/// without an element.
 std::string value_text(const OceanScene& scene, const Parameter& parameter, Digits digits = Digits::readable);
 
 /// The value without a word in the scene; of a repeated section, that of an element.

@@ -1,6 +1,9 @@
 #include "host/scene/parameter_table.h"
 
 #include "host/scene/extra_wave_parameters.h"
+#include "host/scene/highlight_parameters.h"
+#include "host/scene/light_parameters.h"
+#include "host/scene/mesh_parameters.h"
 #include "host/scene/parameter_storage.h"
 #include "host/scene/sea_parameters.h"
 #include "host/scene/sky_parameters.h"
@@ -201,7 +204,8 @@ std::span<const Parameter> parameter_table() {
     std::vector<Parameter> rows;
     for (const std::vector<Parameter>& more :
          {world_rows(), sea_parameters(), grid_rows(), extra_wave_parameters(), view_parameters(),
-          sky_parameters(), terrain_parameters()}) {
+          sky_parameters(), terrain_parameters(), light_parameters(), mesh_parameters(),
+          highlight_parameters()}) {
       rows.insert(rows.end(), more.begin(), more.end());
     }
     return rows;

@@ -10,6 +10,7 @@
 #include "host/base/error.h"
 #include "host/base/world_limits.h"
 #include "host/scene/parameter_table.h"
+#include "host/scene/scene_elements.h"
 
 namespace offing::scene {
 
@@ -19,10 +20,14 @@ constexpr std::size_t max_keys = 10'000;
 
 void require_movable(const Parameter& parameter, const Place& place) {
   if (parameter.motion != ParameterMotion::constant) return;
-  std::vector<std::string_view> movable;
+  std::vector<std::string_view> movable, sections;
   for (const Parameter& row : parameter_table()) {
-    if (row.motion != ParameterMotion::constant) movable.push_back(row.key);
+    if (row.motion == ParameterMotion::constant) continue;
+    const std::string_view section = section_of(row.key);
+    if (section == section_of(parameter.key)) movable.push_back(row.key);
+    if (sections.empty() || sections.back() != section) sections.push_back(section);
   }
+  if (movable.empty()) movable = sections;
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected one value, got keyframes, which it cannot have", place.subject),
               fmt::format("write one constant value; keyframes are for {}", fmt::join(movable, ", ")));
@@ -58,17 +63,21 @@ void store_track(OceanScene& scene, const Parameter& parameter, const std::vecto
                 fmt::format("{}: expected 1 ... {} keys, found {}", place.subject, max_keys, written.size()),
                 "write keys = [{ t = 0, value = 1 }, { t = 2, value = 3 }]");
   }
-  double& value = std::get<double& (*)(OceanScene&)>(parameter.storage)(scene);
-  KeyframeTrack track{.interpolation = interpolation};
-  if (parameter.motion == ParameterMotion::keyed_angle) track.period = 2.0 * std::numbers::pi;
+  KeyframeTrack like{.interpolation = interpolation};
+  if (parameter.motion == ParameterMotion::keyed_angle) like.period = 2.0 * std::numbers::pi;
+  const ElementIndex element = last_element_or_first(scene, parameter, place);
+  const std::vector<double*> numbers = numbers_of(scene, parameter, element);
+  std::vector<KeyframeTrack> tracks(numbers.size(), like);
   for (const WrittenKeyframe& key : written) {
-    const double time_s = checked_time_s(key, track.keys);
-    store(scene, parameter, key.value, key.value_place);
-    track.keys.push_back({time_s, value});
+    const double time_s = checked_time_s(key, tracks.front().keys);
+    store(scene, parameter, key.value, key.value_place, element);
+    for (std::size_t i = 0; i < numbers.size(); ++i) tracks[i].keys.push_back({time_s, *numbers[i]});
   }
-  value = track.keys.front().value;
-  scene.tracks.insert_or_assign(parameter.key, std::move(track));
-  scene.set_at.insert_or_assign(parameter.key, place.subject);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    *numbers[i] = tracks[i].keys.front().value;
+    scene.tracks.insert_or_assign({parameter.key, element, i}, std::move(tracks[i]));
+  }
+  scene.set_at.insert_or_assign({parameter.key, element}, place.subject);
 }
 
 }  // namespace offing::scene

@@ -14,6 +14,7 @@
 #include "host/base/error.h"
 #include "host/scene/nearest_name.h"
 #include "host/scene/parameter_table.h"
+#include "host/scene/scene_elements.h"
 #include "host/scene/toml_value.h"
 #include "host/scene/track_reader.h"
 
@@ -25,8 +26,8 @@ namespace {
 constexpr std::streamsize max_scene_bytes = 4 << 20;
 
 /// Parts of the scene format that have no system behind them in this version.
-constexpr std::array<std::string_view, 6> planned_keys = {
-    "world.sea_level_m", "ocean.wake", "body", "clouds", "mesh", "light"};
+constexpr std::array<std::string_view, 4> planned_keys = {"world.sea_level_m", "ocean.wake", "body",
+                                                          "clouds"};
 
 /// What benchmarks take from a scene: nothing of it changes the scene.
 constexpr std::string_view bench_section = "bench";
@@ -88,6 +89,12 @@ class SceneReader {
     return row == table.end() ? nullptr : &*row;
   }
 
+  static const Parameter* first_row_of(std::string_view section) {
+    const auto table = parameter_table();
+    return &*std::find_if(table.begin(), table.end(),
+                          [&](const Parameter& each) { return section_of(each.key) == section; });
+  }
+
   /// A section whose values are lists is written as an array of tables, one element an entry.
   static bool is_repeated(std::string_view key) {
     const std::string prefix = std::string(key) + '.';
@@ -102,7 +109,7 @@ class SceneReader {
     const bool repeated = is_repeated(full_key);
     const toml::array* elements = node.as_array();
     if (repeated && elements && elements->is_array_of_tables()) {
-      const Parameter& row = *first_row_below(full_key);
+      const Parameter& row = *first_row_of(full_key);
       for (const toml::node& element : *elements) {
         append_element(scene_, row, {.subject = fmt::format("{}: {}", place_of(element.source()), full_key)});
         read_table(*element.as_table(), full_key + '.');
@@ -142,10 +149,10 @@ class SceneReader {
       return;
     }
     store(scene_, parameter, written_value(node), place);
-    for (const auto& [file_key, file] : {std::pair("ocean.spectrum_file", &scene_.spectrum_file),
-                                         std::pair("terrain.file", &scene_.terrain.file),
-                                         std::pair("terrain.colour", &scene_.terrain.colour)}) {
-      if (parameter.key == file_key) *file = (folder_ / *file).string();
+    if (parameter.rule == ParameterRule::file_name) {
+      std::string& file =
+          std::get<ValueAt<std::string>>(parameter.storage)(scene_, last_element(scene_, parameter.elements));
+      file = (folder_ / file).string();
     }
   }
 

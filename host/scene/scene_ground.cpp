@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/io/file_presence.h"
 #include "host/io/height_maps/read_colour_map.h"
 #include "host/io/height_maps/read_height_map.h"
 #include "host/io/tile_store/tile_store.h"
+#include "host/scene/named_file.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/stored_ground.h"
 #include "host/terrain/flying_camera.h"
@@ -47,24 +47,6 @@ Heights made_heights(const TerrainScene& terrain) {
     map.heights_m.insert(map.heights_m.end(), rows.begin(), rows.end());
   }
   return {.map = std::make_shared<const HeightMap>(std::move(map))};
-}
-
-/// What read() gives; faults are told where the scene names the file by this key.
-template <class Read>
-auto read_named(const OceanScene& scene, std::string_view key, const char* expected, const std::string& file,
-                Read read) {
-  const auto set_at = scene.set_at.find(key);
-  const std::string place = set_at == scene.set_at.end() ? std::string(key) : set_at->second;
-  if (!is_there(file)) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected {}, got no such file, {}", place, expected, file),
-                "check the path; in a scene it is relative to the scene file");
-  }
-  try {
-    return read();
-  } catch (const Error& error) {
-    throw Error(error.kind(), fmt::format("{}: {}", place, error.what()), error.hint());
-  }
 }
 
 Heights read_heights(const OceanScene& scene) {

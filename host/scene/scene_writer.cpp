@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -14,13 +15,10 @@
 #include "host/io/file_extension.h"
 #include "host/io/file_presence.h"
 #include "host/scene/parameter_table.h"
+#include "host/scene/scene_elements.h"
 
 namespace offing::scene {
 namespace {
-
-using Text = std::string& (*)(OceanScene&);
-using List = std::vector<double>& (*)(OceanScene&);
-using Time = std::optional<UtcTime>& (*)(OceanScene&);
 
 std::string toml_text(std::string_view text) {
   std::string result = "\"";
@@ -38,42 +36,38 @@ std::string toml_text(std::string_view text) {
   return result + '"';
 }
 
-/// As people write it, where that is the same number.
-std::string number_of(const OceanScene& scene, const Parameter& row) {
-  const std::string exact = value_text(scene, row, Digits::exact);
-  std::string readable = value_text(scene, row, Digits::readable);
-  OceanScene copy = scene;
+/// A scene with a value of its own for the row, in an element if it needs one.
+OceanScene scene_of(const Parameter& row) {
+  OceanScene one;
+  append_element(one, row, {});
+  return one;
+}
+
+/// The value of such a scene as people write it, where that is the same number.
+std::string number_of(const OceanScene& one, const Parameter& row) {
+  const std::string exact = value_text(one, row, {}, Digits::exact);
+  std::string readable = value_text(one, row, {}, Digits::readable);
+  OceanScene copy = one;
   clear_list(copy, row);
-  store(copy, row, read_flag_value(row, readable), {.subject = std::string(row.key), .assignment = ""});
-  return value_text(copy, row, Digits::exact) == exact ? readable : exact;
+  store(copy, row, read_flag_value(row, readable), {.subject = std::string(row.key), .assignment = ""},
+        ElementIndex{});
+  return value_text(copy, row, {}, Digits::exact) == exact ? readable : exact;
 }
 
-/// The numbers of a repeated section's elements; empty text where an element has none.
-std::vector<std::string> element_numbers(const OceanScene& scene, const Parameter& row,
-                                         const ElementStorage& elements) {
-  OceanScene copy = scene;
-  OceanScene one;
-  elements.append(one);
-  std::vector<std::string> values;
-  for (std::size_t i = 0; i < elements.count(scene); ++i) {
-    const bool is_there = std::visit(
-        [&](auto at) { return std::optional<double>(at(one, 0) = at(copy, i)).has_value(); }, elements.at);
-    values.push_back(is_there ? number_of(one, row) : "");
-  }
-  return values;
-}
-
-/// `{ keys = [{ t = 0, value = 5 }, ...] }`.
-std::string track_text(const KeyframeTrack& track, const Parameter& row) {
-  OceanScene one;
-  double& value = std::get<double& (*)(OceanScene&)>(row.storage)(one);
+/// `{ keys = [{ t = 0, value = 5 }, ...] }`, from the tracks of the numbers of a value.
+std::string track_text(const OceanScene& scene, const Parameter& row, ElementIndex element) {
+  OceanScene one = scene_of(row);
+  const std::vector<double*> numbers = numbers_of(one, row, {});
+  const KeyframeTrack& first = scene.tracks.at({row.key, element});
   std::string keys;
-  for (const Keyframe& key : track.keys) {
-    value = key.value;
-    keys +=
-        fmt::format("{}{{ t = {}, value = {} }}", keys.empty() ? "" : ", ", key.time_s, number_of(one, row));
+  for (std::size_t key = 0; key < first.keys.size(); ++key) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      *numbers[i] = scene.tracks.at({row.key, element, i}).keys[key].value;
+    }
+    keys += fmt::format("{}{{ t = {}, value = {} }}", keys.empty() ? "" : ", ", first.keys[key].time_s,
+                        number_of(one, row));
   }
-  const char* rest = track.interpolation == Interpolation::linear ? ", interpolation = \"linear\"" : "";
+  const char* rest = first.interpolation == Interpolation::linear ? ", interpolation = \"linear\"" : "";
   return fmt::format("{{ keys = [{}]{} }}", keys, rest);
 }
 
@@ -87,114 +81,135 @@ std::string name_from(const std::filesystem::path& folder, const std::filesystem
   return (failure ? whole : name).generic_string();
 }
 
-/// One text a value: lists and repeated sections have several.
-std::vector<std::string> values_of(const OceanScene& scene, const Parameter& row,
-                                   const std::filesystem::path& folder) {
-  if (const auto track = scene.tracks.find(row.key); track != scene.tracks.end()) {
-    return {track_text(track->second, row)};
-  }
-  if (const auto* elements = std::get_if<ElementStorage>(&row.storage)) {
-    return element_numbers(scene, row, *elements);
-  }
-  if (std::holds_alternative<ChoiceStorage>(row.storage) || std::holds_alternative<Time>(row.storage))
-    return {toml_text(value_text(scene, row))};
-  OceanScene copy = scene;
-  if (const auto* text = std::get_if<Text>(&row.storage)) {
-    return {toml_text(name_from(folder, (*text)(copy)))};
-  }
-  if (const auto* list = std::get_if<List>(&row.storage)) {
-    OceanScene one;
-    std::vector<std::string> values;
-    for (const double value : (*list)(copy)) {
-      (*list)(one) = {value};
-      values.push_back(number_of(one, row));
+/// What is written of a scene.
+class SceneText {
+ public:
+  SceneText(const OceanScene& scene, std::filesystem::path folder)
+      : scene_(scene), folder_(std::move(folder)) {}
+
+  std::string write() {
+    std::vector<std::string_view> sections;
+    for (const Parameter& row : parameter_table()) {
+      const std::string_view section = section_of(row.key);
+      if (std::find(sections.begin(), sections.end(), section) != sections.end()) continue;
+      sections.push_back(section);
+      if (!row.elements || !row.elements->parent) append_section(row, {});
     }
-    return values;
+    append_bare_sections();
+    return std::move(text_);
   }
-  return {number_of(scene, row)};
-}
 
-bool is_as_usual(const OceanScene& scene, const Parameter& row) {
-  return !scene.tracks.contains(row.key) &&
-         value_text(scene, row, Digits::exact) == value_text(OceanScene{}, row, Digits::exact);
-}
-
-struct Line {
-  std::string_view name;
-  std::vector<std::string> values;  ///< empty where an element says nothing
-};
-
-struct Section {
-  std::string_view name;
-  bool is_repeated = false;  ///< written once an element of its lists
-  std::vector<Line> lines;
-};
-
-/// Of two values that say the same, a file gives one.
-void leave_out_what_does_not_count(Section& section) {
-  for (const Parameter& row : parameter_table()) {
-    if (row.instead_of.empty() || section_of(row.key) != section.name) continue;
-    const auto line_of = [&](std::string_view key) {
-      return std::find_if(section.lines.begin(), section.lines.end(),
-                          [&](const Line& line) { return line.name == name_of(key); });
-    };
-    const auto line = line_of(row.key), other = line_of(row.instead_of);
-    if (line == section.lines.end() || other == section.lines.end()) continue;
-    for (std::size_t i = 0; i < line->values.size(); ++i) {
-      if (!other->values[i].empty()) line->values[i].clear();
-    }
-  }
-}
-
-/// Sections that say something by being there, where all in them is as usual.
-void add_bare_sections(const OceanScene& scene, std::vector<Section>& sections) {
-  const auto is_missing = [&](std::string_view name) {
-    return std::none_of(sections.begin(), sections.end(), [&](const Section& one) {
-      return one.name == name || one.name.starts_with(fmt::format("{}.", name));
-    });
+ private:
+  struct Line {
+    std::string_view name;
+    std::string value;
   };
-  if (!scene.terrain.is_given) return;
-  if (is_missing("terrain")) sections.push_back({.name = "terrain", .lines = {}});
-  if (scene.names_sea && is_missing("ocean")) sections.push_back({.name = "ocean", .lines = {}});
-}
 
-/// What is not as in a default-made scene, in the order of the table; rows of a section need not be
-/// neighbours.
-std::vector<Section> changed_sections(const OceanScene& scene, const std::filesystem::path& folder) {
-  std::vector<Section> sections;
-  for (const Parameter& row : parameter_table()) {
-    if (is_as_usual(scene, row)) continue;
-    auto section = std::find_if(sections.begin(), sections.end(),
-                                [&](const Section& one) { return one.name == section_of(row.key); });
-    if (section == sections.end())
-      section = sections.insert(section, {.name = section_of(row.key), .lines = {}});
-    section->is_repeated = section->is_repeated || row.max_count > 1;
-    section->lines.push_back({.name = name_of(row.key), .values = values_of(scene, row, folder)});
-  }
-  for (Section& section : sections) leave_out_what_does_not_count(section);
-  add_bare_sections(scene, sections);
-  return sections;
-}
-
-void append(std::string& text, const Section& section) {
-  std::size_t count = 1;
-  for (const Line& line : section.lines) count = std::max(count, line.values.size());
-  for (std::size_t element = 0; element < count; ++element) {
-    text +=
-        section.is_repeated ? fmt::format("\n[[{}]]\n", section.name) : fmt::format("\n[{}]\n", section.name);
-    for (const Line& line : section.lines) {
-      if (element < line.values.size() && !line.values[element].empty())
-        text += fmt::format("{} = {}\n", line.name, line.values[element]);
+  /// The section of a row, of a repeated one all elements within this one of its parent.
+  void append_section(const Parameter& row, ElementIndex parent) {
+    const std::string_view section = section_of(row.key);
+    if (const auto* list = std::get_if<ValueAt<std::vector<double>>>(&row.storage)) {
+      append_list(row, (*list)(scene_, {}));
+    } else if (!row.elements) {
+      const std::vector<Line> lines = lines_of(section, {});
+      if (!lines.empty()) append("[{}]", section, lines);
+    } else {
+      for (std::size_t i = 0; i < row.elements->count(scene_, parent); ++i) {
+        append_element_of(row, row.elements->parent ? ElementIndex{parent.outer, i} : ElementIndex{i, 0});
+      }
     }
   }
-}
+
+  void append_element_of(const Parameter& row, ElementIndex element) {
+    append("[[{}]]", section_of(row.key), lines_of(section_of(row.key), element));
+    const Parameter* before = nullptr;
+    for (const Parameter& inner : parameter_table()) {
+      if (!inner.elements || inner.elements->parent != row.elements) continue;
+      if (!before || section_of(before->key) != section_of(inner.key)) append_section(inner, element);
+      before = &inner;
+    }
+  }
+
+  /// A section for each value.
+  void append_list(const Parameter& row, const std::vector<double>& values) {
+    OceanScene one;
+    for (const double value : values) {
+      std::get<ValueAt<std::vector<double>>>(row.storage)(one, {}) = {value};
+      append("[[{}]]", section_of(row.key), {{name_of(row.key), number_of(one, row)}});
+    }
+  }
+
+  /// Sections that say something by being there, where all in them is as usual.
+  void append_bare_sections() {
+    if (scene_.terrain.is_given && !has_section("terrain")) append("[{}]", "terrain", {});
+    const bool needs_sea = scene_.terrain.is_given || !scene_.meshes.empty();
+    if (scene_.names_sea && needs_sea && !has_section("ocean")) append("[{}]", "ocean", {});
+  }
+
+  bool has_section(std::string_view name) const {
+    return std::any_of(written_.begin(), written_.end(), [&](std::string_view section) {
+      return section == name || section.starts_with(fmt::format("{}.", name));
+    });
+  }
+
+  /// What is not as in a default-made element.
+  std::vector<Line> lines_of(std::string_view section, ElementIndex element) {
+    std::vector<Line> lines;
+    for (const Parameter& row : parameter_table()) {
+      if (section_of(row.key) != section) continue;
+      if (std::string value = text_of(row, element); !value.empty()) {
+        lines.push_back({name_of(row.key), std::move(value)});
+      }
+    }
+    leave_out_what_does_not_count(section, lines);
+    return lines;
+  }
+
+  /// Of two values that say the same, a file gives one.
+  static void leave_out_what_does_not_count(std::string_view section, std::vector<Line>& lines) {
+    for (const Parameter& row : parameter_table()) {
+      if (row.instead_of.empty() || section_of(row.key) != section) continue;
+      const auto is_other = [&](const Line& line) { return line.name == name_of(row.instead_of); };
+      if (std::none_of(lines.begin(), lines.end(), is_other)) continue;
+      std::erase_if(lines, [&](const Line& line) { return line.name == name_of(row.key); });
+    }
+  }
+
+  /// Empty for a value that is as usual.
+  std::string text_of(const Parameter& row, ElementIndex element) {
+    if (scene_.tracks.contains({row.key, element})) return track_text(scene_, row, element);
+    OceanScene one = scene_of(row);
+    const std::string usual = value_text(one, row, {}, Digits::exact);
+    copy_value(scene_, element, row, one, {});
+    if (value_text(one, row, {}, Digits::exact) == usual) return "";
+    if (const auto* text = std::get_if<ValueAt<std::string>>(&row.storage)) {
+      const std::string& value = (*text)(one, {});
+      return toml_text(row.rule == ParameterRule::file_name ? name_from(folder_, value) : value);
+    }
+    if (std::holds_alternative<ChoiceStorage>(row.storage) ||
+        std::holds_alternative<ValueAt<std::optional<UtcTime>>>(row.storage)) {
+      return toml_text(value_text(one, row));
+    }
+    return number_of(one, row);
+  }
+
+  void append(fmt::format_string<std::string_view&> header, std::string_view section,
+              const std::vector<Line>& lines) {
+    written_.push_back(section);
+    text_ += '\n' + fmt::format(header, section) + '\n';
+    for (const Line& line : lines) text_ += fmt::format("{} = {}\n", line.name, line.value);
+  }
+
+  OceanScene scene_;  // accessors hand out references that can be written through
+  std::filesystem::path folder_;
+  std::vector<std::string_view> written_;
+  std::string text_ = "version = 1\n";
+};
 
 }  // namespace
 
 std::string scene_text(const OceanScene& scene, const std::filesystem::path& folder) {
-  std::string text = "version = 1\n";
-  for (const Section& section : changed_sections(scene, folder)) append(text, section);
-  return text;
+  return SceneText(scene, folder).write();
 }
 
 void save_scene(const OceanScene& scene, const std::filesystem::path& file, Existing existing) {

@@ -14,20 +14,22 @@ ChoiceStorage raw_types() {
   using Type = std::optional<RawType>;
   return {.names = {"by_name", "u16", "s16", "f32"},
           .get =
-              [](OceanScene& scene) {
+              [](OceanScene& scene, ElementIndex) {
                 const Type type = scene.terrain.reading.raw_type;
                 return type ? static_cast<std::size_t>(*type) + 1 : 0;
               },
           .set =
-              [](OceanScene& scene, std::size_t index) {
+              [](OceanScene& scene, ElementIndex, std::size_t index) {
                 scene.terrain.reading.raw_type = index == 0 ? Type{} : static_cast<RawType>(index - 1);
               }};
 }
 
 ChoiceStorage reprojections() {
   return {.names = {"none", "utm"},
-          .get = [](OceanScene& scene) -> std::size_t { return scene.terrain.reading.reproject_to == "utm"; },
-          .set = [](OceanScene& scene,
+          .get = [](OceanScene& scene, ElementIndex) -> std::size_t {
+            return scene.terrain.reading.reproject_to == "utm";
+          },
+          .set = [](OceanScene& scene, ElementIndex,
                     std::size_t index) { scene.terrain.reading.reproject_to = index == 0 ? "" : "utm"; }};
 }
 
@@ -41,7 +43,8 @@ std::vector<Parameter> file_rows() {
        .storage = &member<ground, &TerrainScene::file>,
        .help = "height map: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR, .r16, .r32; or a tile store",
        .example = "andes.tif",
-       .absent = "none: made ground"},
+       .absent = "none: made ground",
+       .rule = ParameterRule::file_name},
       {.key = "terrain.vertical_scale",
        .flag = "",
        .group = group,
@@ -301,7 +304,8 @@ std::vector<Parameter> place_rows() {
        .help = "picture of the ground from above (GeoTIFF, PNG ...), placed by its georeference or else "
                "stretched over the map",
        .example = "orthophoto.tif",
-       .absent = "none: colours by height and slope"},
+       .absent = "none: colours by height and slope",
+       .rule = ParameterRule::file_name},
       {.key = "terrain.sky_visibility",
        .flag = "",
        .group = group,

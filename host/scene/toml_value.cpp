@@ -1,8 +1,12 @@
 #include "host/scene/toml_value.h"
 
+#include <optional>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "host/base/utc_time.h"
 
@@ -18,6 +22,24 @@ std::optional<std::string> utc_text(const toml::date_time& written) {
   return iso_time(from_unix_seconds(unix_seconds(local) - 60 * written.offset->minutes));
 }
 
+/// Those of a list of numbers.
+std::optional<std::vector<double>> numbers_of(const toml::node& node) {
+  const toml::array* list = node.as_array();
+  if (!list || list->empty()) return std::nullopt;
+  std::vector<double> numbers;
+  for (const toml::node& each : *list) {
+    if (!each.is_number()) return std::nullopt;
+    numbers.push_back(*each.value<double>());
+  }
+  return numbers;
+}
+
+std::string cut(std::string shown) {
+  constexpr std::size_t longest = 60;
+  if (shown.size() > longest) shown = shown.substr(0, longest - 3) + "...";
+  return shown;
+}
+
 }  // namespace
 
 std::string place_text(std::string_view file, const toml::source_region& region) {
@@ -25,6 +47,9 @@ std::string place_text(std::string_view file, const toml::source_region& region)
 }
 
 std::string shown_text(const toml::node& node) {
+  if (const std::optional<std::vector<double>> numbers = numbers_of(node)) {
+    return cut(fmt::format("[{:g}]", fmt::join(*numbers, ", ")));
+  }
   std::ostringstream text;
   node.visit([&](const auto& value) {
     using Node = std::remove_cvref_t<decltype(value)>;
@@ -40,12 +65,7 @@ std::string shown_text(const toml::node& node) {
       text << value;
     }
   });
-  constexpr std::size_t longest = 60;
-  std::string shown = text.str();
-  if (shown.size() > longest) {
-    shown = shown.substr(0, longest - 3) + "...";
-  }
-  return shown;
+  return cut(text.str());
 }
 
 WrittenValue written_value(const toml::node& node) {
@@ -56,6 +76,8 @@ WrittenValue written_value(const toml::node& node) {
     written.value = real->get();
   } else if (const auto* text = node.as_string()) {
     written.value = text->get();
+  } else if (std::optional<std::vector<double>> numbers = numbers_of(node)) {
+    written.value = std::move(*numbers);
   } else if (const auto* date = node.as_date_time()) {
     if (std::optional<std::string> utc = utc_text(date->get())) written.value = std::move(*utc);
   }

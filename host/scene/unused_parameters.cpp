@@ -9,6 +9,8 @@
 
 #include "host/io/tile_store/tile_store.h"
 #include "host/scene/parameter_table.h"
+#include "host/scene/scene_elements.h"
+#include "host/scene/unused_mesh_parameters.h"
 
 namespace offing::scene {
 
@@ -29,7 +31,10 @@ class Reasons {
         is_deep_(has_sea_ && std::isinf(sea->spectrum.dispersion.depth_m)),
         last_hz_(is_measured_ ? sea->measured->frequencies_hz.back() : 0.0) {}
 
-  std::string against(const Parameter& row) const {
+  std::string against(const Parameter& row, ElementIndex element) const {
+    if (row.group == ParameterGroup::light) return against_light(scene_.lights[element.outer], row.use);
+    if (row.group == ParameterGroup::mesh) return against_mesh(scene_, element, row.use);
+    if (row.group == ParameterGroup::highlight) return against_highlight(scene_, element, row.use);
     return !has_sea_ && is_of_sea(row) ? "the scene has no [ocean]" : against(row.use);
   }
 
@@ -90,8 +95,9 @@ class Reasons {
         return scene_.terrain.file.empty() ? "" : "the ground is that of " + scene_.terrain.file;
       case ParameterUse::dry_scene:
         return has_sea_ ? "the scene has a sea" : "";
+      default:  // of elements
+        return "";
     }
-    return "";
   }
 
   std::string spectrum_is() const {
@@ -155,13 +161,11 @@ class Reasons {
 std::vector<std::string> unused_lines(const OceanScene& scene, const Reasons& reasons) {
   std::vector<std::string> lines;
   for (const Parameter& row : parameter_table()) {
-    const auto place = scene.set_at.find(row.key);
-    if (place == scene.set_at.end()) {
-      continue;
-    }
-    const std::string reason = reasons.against(row);
-    if (!reason.empty()) {
-      lines.push_back(fmt::format("{}: not used: {}", place->second, reason));
+    for (const ElementIndex element : elements_of(scene, row.elements)) {
+      const auto place = scene.set_at.find({row.key, element});
+      if (place == scene.set_at.end()) continue;
+      const std::string reason = reasons.against(row, element);
+      if (!reason.empty()) lines.push_back(fmt::format("{}: not used: {}", place->second, reason));
     }
   }
   return lines;

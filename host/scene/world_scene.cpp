@@ -7,6 +7,7 @@
 #include "host/scene/moving_view.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_ground.h"
+#include "host/scene/scene_meshes.h"
 #include "host/scene/unused_parameters.h"
 #include "host/sky/sun_position.h"
 
@@ -26,6 +27,9 @@ SeaChange change_of(const Parameter& row) {
     case ParameterGroup::terrain:
     case ParameterGroup::height_map:
     case ParameterGroup::walk:
+    case ParameterGroup::light:
+    case ParameterGroup::mesh:
+    case ParameterGroup::highlight:
       return SeaChange::none;
     case ParameterGroup::swell:
     case ParameterGroup::raindrop:
@@ -94,6 +98,9 @@ world::WorldParameters prepare_sea_and_sky(const OceanScene& scene, Warnings war
 world::WorldParameters prepare_world(const OceanScene& scene, Warnings warnings) {
   world::WorldParameters parameters = prepare_sea_and_sky(scene, warnings);
   parameters.ground = prepare_ground(scene);
+  parameters.pictures = prepare_pictures(scene);
+  parameters.meshes = prepare_meshes(scene);
+  parameters.lamps = lamps_at(scene, scene.start_s);
   return parameters;
 }
 
@@ -117,6 +124,7 @@ ViewScene show_at(world::World& world, const OceanScene& scene, double time_s) {
   ViewScene view = view_at(scene, time_s);
   if (world.ground()) stand_on_ground(*world.ground(), view);
   set_view(world, view);
+  set_meshes_at(world, scene, time_s);
   world.at(time_s, view.camera.eye_m.y);
   return view;
 }
@@ -141,6 +149,7 @@ void edit_world(world::World& world, const OceanScene& before, const OceanScene&
       break;
   }
   world.set_ground(ground);
+  edit_meshes(world, before, after);
   set_view(world, view);
 }
 

@@ -24,24 +24,36 @@ class PanelEditsTest : public WindowTest, public testing::WithParamInterface<pre
   }
 
   void edit(const Parameter& row) {
+    if (row.elements) add_elements(row);
     const std::string before = value_of(row);
     std::visit([&](auto storage) { change(row, storage); }, row.storage);
     EXPECT_NE(value_of(row), before) << row.key << ": " << message();
     EXPECT_FALSE(state().message.is_fault) << row.key << ": " << message();
   }
 
+  /// Two: the second one is edited.
+  void add_elements(const Parameter& row) {
+    while (row.elements->count(state().scene, {}) < 2) {
+      const std::size_t before = row.elements->count(state().scene, {});
+      click(find(main_panel(), fmt::format("add##{}", GetParam().title), 20));
+      ASSERT_EQ(row.elements->count(state().scene, {}), before + 1);
+    }
+  }
+
+  static int shown_before(const Parameter& row) { return row.elements ? 1 : 0; }
+
   /// By its slider or field: to the right.
   void pull(const Parameter& row, int x_px) {
-    const Spot spot = find(main_panel(), parameter_label(row), x_px);
+    const Spot spot = find(main_panel(), parameter_label(row), x_px, shown_before(row));
     drag(spot, {spot.x + 35, spot.y});
   }
 
-  void change(const Parameter& row, double& (*)(OceanScene&)) { pull(row, 70); }
-  void change(const Parameter& row, std::optional<double>& (*)(OceanScene&)) {
-    click(find(main_panel(), "##set " + std::string(row.key), 16));
+  void change(const Parameter& row, scene::ValueAt<double>) { pull(row, 70); }
+  void change(const Parameter& row, scene::ValueAt<std::optional<double>>) {
+    click(find(main_panel(), "##set " + std::string(row.key), 16, shown_before(row)));
     pull(row, 97);
   }
-  void change(const Parameter& row, int& (*at)(OceanScene&)) {
+  void change(const Parameter& row, scene::ValueAt<int> at) {
     if (row.rule == scene::ParameterRule::power_of_two) {
       choose(parameter_label(row), "64");
       return;
@@ -49,10 +61,10 @@ class PanelEditsTest : public WindowTest, public testing::WithParamInterface<pre
     OceanScene copy = state().scene;
     // From the upper end of its range only to the left.
     const Spot spot = find(main_panel(), parameter_label(row), 70);
-    const int way = at(copy) >= row.high ? -25 : 25;
+    const int way = at(copy, {}) >= row.high ? -25 : 25;
     drag(spot, {spot.x + way, spot.y});
   }
-  void change(const Parameter& row, std::uint64_t& (*)(OceanScene&)) {
+  void change(const Parameter& row, scene::ValueAt<std::uint64_t>) {
     enter(find(main_panel(), parameter_label(row)), "12345");
   }
   /// Ground beside the sea, if it is the ground's panel.
@@ -67,33 +79,25 @@ class PanelEditsTest : public WindowTest, public testing::WithParamInterface<pre
     }
     return options;
   }
-  void change(const Parameter& row, std::string& (*)(OceanScene&)) {
+  void change(const Parameter& row, scene::ValueAt<std::string>) {
     const char* const file = row.group == scene::ParameterGroup::terrain
                                  ? OFFING_SOURCES "/docs/gallery/calm.jpg"
                                  : OFFING_SOURCES "/scenes/example_sea.data_spec";
     enter(find(main_panel(), parameter_label(row)), file);
   }
-  void change(const Parameter& row, std::optional<UtcTime>& (*)(OceanScene&)) {
+  void change(const Parameter& row, scene::ValueAt<std::optional<UtcTime>>) {
     enter(find(main_panel(), parameter_label(row)), "2020-06-08T15:50Z");
   }
-  /// Of the second of two elements.
-  void change(const Parameter& row, const scene::ElementStorage& elements) {
-    while (elements.count(state().scene) < 2) {
-      const std::size_t before = elements.count(state().scene);
-      click(find(main_panel(), fmt::format("add##{}", GetParam().title), 20));
-      ASSERT_EQ(elements.count(state().scene), before + 1);
-    }
-    const bool is_optional = elements.at.index() == 1;
-    if (is_optional) click(find(main_panel(), "##set " + std::string(row.key), 16, 1));
-    const Spot spot = find(main_panel(), parameter_label(row), is_optional ? 97 : 70, 1);
-    drag(spot, {spot.x + 35, spot.y});
+  void change(const Parameter&, scene::ValueAt<glm::dvec3>) { FAIL() << "no panel has triples"; }
+  void change(const Parameter&, scene::ValueAt<std::optional<glm::dvec3>>) {
+    FAIL() << "no panel has triples";
   }
-  void change(const Parameter& row, std::vector<double>& (*)(OceanScene&)) {
+  void change(const Parameter& row, scene::ValueAt<std::vector<double>>) {
     enter(find(main_panel(), parameter_label(row)), "250, 41");
   }
   void change(const Parameter& row, const scene::ChoiceStorage& choice) {
     OceanScene copy = state().scene;
-    const std::size_t other = (choice.get(copy) + 1) % choice.names.size();
+    const std::size_t other = (choice.get(copy, {}) + 1) % choice.names.size();
     choose(parameter_label(row), std::string(choice.names[other]));
   }
 };

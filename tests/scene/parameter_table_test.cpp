@@ -11,23 +11,25 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/scene/scene_elements.h"
 
 namespace offing::scene {
 namespace {
 
-using Number = double& (*)(OceanScene&);
-using OptionalNumber = std::optional<double>& (*)(OceanScene&);
-using Numbers = std::vector<double>& (*)(OceanScene&);
-using Whole = int& (*)(OceanScene&);
-using Seed = std::uint64_t& (*)(OceanScene&);
-using Text = std::string& (*)(OceanScene&);
+using Number = ValueAt<double>;
+using OptionalNumber = ValueAt<std::optional<double>>;
+using Numbers = ValueAt<std::vector<double>>;
+using Triple = ValueAt<glm::dvec3>;
+using OptionalTriple = ValueAt<std::optional<glm::dvec3>>;
+using Whole = ValueAt<int>;
+using Seed = ValueAt<std::uint64_t>;
+using Text = ValueAt<std::string>;
 
 /// A default scene with one element in each repeated section, so that all values show.
 OceanScene scene_with_elements() {
   OceanScene scene;
   for (const Parameter& row : parameter_table()) {
-    const auto* element = std::get_if<ElementStorage>(&row.storage);
-    if (element && element->count(scene) == 0) element->append(scene);
+    if (elements_of(scene, row.elements).empty()) append_element(scene, row, {});
   }
   return scene;
 }
@@ -36,7 +38,11 @@ const Place place{.subject = "here", .assignment = "it = "};
 
 bool is_number(const Parameter& row) {
   return std::holds_alternative<Number>(row.storage) || std::holds_alternative<OptionalNumber>(row.storage) ||
-         std::holds_alternative<Numbers>(row.storage) || std::holds_alternative<ElementStorage>(row.storage);
+         std::holds_alternative<Numbers>(row.storage);
+}
+
+bool is_triple(const Parameter& row) {
+  return std::holds_alternative<Triple>(row.storage) || std::holds_alternative<OptionalTriple>(row.storage);
 }
 
 bool is_whole(const Parameter& row) {
@@ -115,7 +121,17 @@ TEST_P(EachParameter, AcceptsItsOwnExample) {
 TEST_P(EachParameter, HoldsItsRange) {
   const Parameter& row = GetParam();
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (is_number(row)) {
+  if (is_triple(row)) {
+    const auto attempt = [&](double second) {
+      OceanScene scene;
+      store(scene, row, {.value = std::vector<double>{row.low, second, row.high}, .shown = "x"}, place);
+    };
+    EXPECT_NO_THROW(attempt(row.low));
+    EXPECT_NO_THROW(attempt(row.high));
+    EXPECT_THROW(attempt(std::nextafter(row.low, -infinity)), Error);
+    EXPECT_THROW(attempt(std::nextafter(row.high, infinity)), Error);
+    EXPECT_THROW(attempt(std::nan("")), Error);
+  } else if (is_number(row)) {
     EXPECT_NO_THROW(try_number(row, row.low));
     EXPECT_NO_THROW(try_number(row, row.high));
     EXPECT_THROW(try_number(row, std::nextafter(row.low, -infinity)), Error);
@@ -179,19 +195,22 @@ TEST(ParameterTable, NoTwoRowsShareStorage) {
     const OceanScene before = scene;
     const std::string text = [&]() -> std::string {
       if (const auto* choice = std::get_if<ChoiceStorage>(&row.storage)) {
-        return std::string(choice->names[choice->get(scene) == 0 ? 1 : 0]);
+        return std::string(choice->names[choice->get(scene, {}) == 0 ? 1 : 0]);
       }
       if (std::holds_alternative<Text>(row.storage)) {
         return "other.spec";
       }
-      if (std::holds_alternative<std::optional<UtcTime>& (*)(OceanScene&)>(row.storage)) {
+      if (is_triple(row)) return "[0.25, 0.5, 0.75]";
+      if (std::holds_alternative<ValueAt<std::optional<UtcTime>>>(row.storage)) {
         return "2001-02-03T04:05Z";
       }
       if (row.rule == ParameterRule::power_of_two) {
         return "16";
       }
-      if (is_whole(row)) return std::to_string(std::max(2, static_cast<int>(std::min(row.low, 1e9))));
-      return std::to_string(0.25 * row.low + 0.75 * row.high);
+      if (is_whole(row))
+        return std::to_string(
+            default_text(row) == "2" ? 3 : std::max(2, static_cast<int>(std::min(row.low, 1e9))));
+      return std::to_string(0.27 * row.low + 0.73 * row.high);
     }();
     store(scene, row, read_flag_value(row, text), place);
     for (const Parameter& other : parameter_table()) {
@@ -221,20 +240,24 @@ TEST(ParameterTable, ElementsHoldTheirOwnValues) {
             "here: expected at most 64 sections, found more");
 }
 
-// Fails if a value that a simulation depends on may move, which nothing follows, or one that is no number.
+// Fails if a value that a simulation depends on may move, which nothing follows, or one that is no number;
+// if an angle goes the long way round, or one that counts turns does not.
 TEST(ParameterTable, OnlyValuesOfPicturesMove) {
   using enum ParameterGroup;
   int count = 0;
   for (const Parameter& row : parameter_table()) {
     if (row.motion == ParameterMotion::constant) continue;
     ++count;
-    EXPECT_TRUE(row.group == camera || row.group == sun || row.group == sky || row.group == render)
+    EXPECT_TRUE(row.group == camera || row.group == sun || row.group == sky || row.group == render ||
+                row.group == light || row.group == mesh || row.group == highlight)
         << row.key;
-    EXPECT_TRUE(std::holds_alternative<Number>(row.storage)) << row.key;
-    EXPECT_EQ(row.motion == ParameterMotion::keyed_angle, row.unit == "deg" && row.high - row.low >= 360.0)
+    EXPECT_TRUE(std::holds_alternative<Number>(row.storage) || std::holds_alternative<Triple>(row.storage))
+        << row.key;
+    EXPECT_EQ(row.motion == ParameterMotion::keyed_angle,
+              row.unit == "deg" && row.high - row.low >= 360.0 && row.high - row.low <= 720.0)
         << row.key;
   }
-  EXPECT_EQ(count, 16);
+  EXPECT_EQ(count, 44);
 }
 
 // Fails if degrees are stored as radians or the other way round.

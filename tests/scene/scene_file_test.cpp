@@ -223,16 +223,18 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"gerstner_count", "version = 1\n[ocean.gerstner]\ncount = 65\n",
                  "storm.toml:3:9: ocean.gerstner.count: expected a whole number within [0, 64], got 65",
                  "write count = 0"},
-        BadScene{"gerstner_key", "version = 1\n[ocean.gerstner]\nsplit_m = 65\n",
-                 "storm.toml:3:1: ocean.gerstner.split_m: expected a known key, got \"split_m\"",
+        BadScene{"gerstner_key", "version = 1\n[ocean.gerstner]\nlimit_m = 65\n",
+                 "storm.toml:3:1: ocean.gerstner.limit_m: expected a known key, got \"limit_m\"",
                  "known here: count, split_wavelength_m"},
         BadScene{"keyframes_of_a_constant",
                  "version = 1\n[ocean]\ngamma = { keys = [{ t = 0, value = 1 }] }\n",
                  "storm.toml:3:9: ocean.gamma: expected one value, got keyframes, which it cannot have",
-                 "write one constant value; keyframes are for camera.x_m, camera.y_m, camera.z_m, "
-                 "camera.yaw_deg, camera.pitch_deg, camera.roll_deg, camera.fov_deg, render.exposure_ev, "
-                 "sun.azimuth_deg, sun.elevation_deg, sky.aerosol_optical_depth, sky.aerosol_scale_height_m, "
-                 "sky.aerosol_albedo, sky.aerosol_asymmetry, sky.ozone_du, sky.pressure_pa"},
+                 "write one constant value; keyframes are for camera, render, sun, sky, light, mesh, "
+                 "mesh.highlight"},
+        BadScene{"keyframes_of_a_constant_beside_others",
+                 "version = 1\n[sun]\ntime_scale = { keys = [{ t = 0, value = 1 }] }\n",
+                 "storm.toml:3:14: sun.time_scale: expected one value, got keyframes, which it cannot have",
+                 "write one constant value; keyframes are for sun.azimuth_deg, sun.elevation_deg"},
         BadScene{"keyframe_times_fall",
                  "version = 1\n[camera]\ny_m = { keys = [{ t = 2, value = 3 }, { t = 1, value = 4 }] }\n",
                  "storm.toml:3:45: camera.y_m: t: expected a time after 2, that of the key before, got 1",

@@ -34,16 +34,18 @@ OceanScene unusual_scene() {
       written.value = std::string(choice->names.back());
     } else if (row.rule == ParameterRule::power_of_two) {
       written.value = std::int64_t{128};
-    } else if (std::holds_alternative<int& (*)(OceanScene&)>(row.storage) ||
-               std::holds_alternative<std::uint64_t& (*)(OceanScene&)>(row.storage)) {
+    } else if (std::holds_alternative<ValueAt<int>>(row.storage) ||
+               std::holds_alternative<ValueAt<std::uint64_t>>(row.storage)) {
       written.value = std::max(std::int64_t{2}, static_cast<std::int64_t>(row.low) + 1);
+    } else if (std::holds_alternative<ValueAt<glm::dvec3>>(row.storage)) {
+      written.value = std::vector<double>{row.low, row.low + (row.high - row.low) / 3.0, row.high};
     } else if (!row.example.empty()) {
       written = read_flag_value(row, row.example);
     }
     // Of two rows that say the same a section takes one.
     if (!row.instead_of.empty()) continue;
     store(scene, row, written, place);
-    if (std::holds_alternative<std::vector<double>& (*)(OceanScene&)>(row.storage))
+    if (std::holds_alternative<ValueAt<std::vector<double>>>(row.storage))
       store(scene, row, {.value = row.low + 1.0 / 3.0, .shown = ""}, place);
   }
   return scene;
@@ -80,12 +82,12 @@ TEST(SceneWriter, KeyframesComeBack) {
   ASSERT_EQ(again.tracks.size(), scene.tracks.size());
   for (const auto& [key, track] : scene.tracks) {
     const KeyframeTrack& found = again.tracks.at(key);
-    EXPECT_EQ(found.interpolation, track.interpolation) << key;
-    EXPECT_EQ(found.period, track.period) << key;
-    ASSERT_EQ(found.keys.size(), track.keys.size()) << key;
+    EXPECT_EQ(found.interpolation, track.interpolation) << key.key;
+    EXPECT_EQ(found.period, track.period) << key.key;
+    ASSERT_EQ(found.keys.size(), track.keys.size()) << key.key;
     for (std::size_t i = 0; i < track.keys.size(); ++i) {
-      EXPECT_EQ(found.keys[i].time_s, track.keys[i].time_s) << key;
-      EXPECT_EQ(found.keys[i].value, track.keys[i].value) << key;
+      EXPECT_EQ(found.keys[i].time_s, track.keys[i].time_s) << key.key;
+      EXPECT_EQ(found.keys[i].value, track.keys[i].value) << key.key;
     }
   }
   EXPECT_EQ(scene_text(again, ""), text);

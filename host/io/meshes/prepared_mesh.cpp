@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -109,6 +111,15 @@ void write_prepared(const std::filesystem::path& path, const PreparedMesh& prepa
   all.comments = {"k_max, k_min in 1/m, positive where the surface is convex; area in m^2"};
   all.comments.insert(all.comments.end(), attributes.comments.begin(), attributes.comments.end());
   write_ply(path, prepared.mesh, all);
+}
+
+bool is_prepared(const std::filesystem::path& path) {
+  std::string start(std::size_t{1} << 16, '\0');  // longer than any header that people or programs write
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(file.gcount()));
+  const std::size_t end = start.find("end_header");
+  return start.starts_with("ply") && start.find(fmt::format(" {}", names.front())) < end;
 }
 
 PreparedMesh read_prepared(const std::filesystem::path& path) {

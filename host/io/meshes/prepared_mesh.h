@@ -20,6 +20,9 @@ struct PreparedMesh {
 void write_prepared(const std::filesystem::path& path, const PreparedMesh& prepared,
                     const VertexAttributes& attributes = {});
 
+/// Whether a file is a PLY with the first of these properties.
+bool is_prepared(const std::filesystem::path& path);
+
 /// Reads a prepared mesh. Throws Error(bad_input) for what read_mesh() refuses, for one that lacks a property
 /// or its normals, and for values that break what VertexCurvatures promises. Directions are made unit vectors
 /// again: floats hold them to 1e-7.

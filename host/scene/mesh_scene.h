@@ -1,0 +1,57 @@
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "host/world/mesh_parameters.h"
+
+namespace offing::scene {
+
+enum class LightKind { direction, place };
+
+/// A light beside the sun.
+struct LightScene {
+  std::string name;
+  LightKind kind = LightKind::direction;
+  double azimuth_rad = 0.0;  ///< clockwise from north (-z): where a light of a direction stands
+  double elevation_rad = std::numbers::pi / 4.0;  ///< above the horizon
+  glm::dvec3 place_m{0.0, 10.0, 0.0};
+  glm::dvec3 colour{1.0};
+  double illuminance_klx = 50.0;
+};
+
+/// What is drawn of the highlights of a mesh that fit, and which do.
+struct HighlightScene {
+  highlights::HighlightRule rule;  ///< lamp and picture are those of the names below
+  std::string light;               ///< of a [[light]], or "sun"; empty: any
+  std::string picture;             ///< file of HighlightTexture::image or normal_map
+};
+
+/// Shapes of host/mesh_shapes.
+enum class MeshShape { knot, sphere, ellipsoid, torus, saddle, head, ship };
+enum class MeshHighlights { off, on };
+
+/// A mesh of a scene: a file's or, without one, a shape.
+struct MeshScene {
+  std::string name;
+  std::string file;
+  MeshShape shape = MeshShape::knot;
+  double size_m = 1.0;
+  int detail = 2;
+  double scale = 1.0;
+  glm::dvec3 position_m{0.0};
+  double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;
+  double spin_radps = 0.0;
+  world::MeshMaterial material;
+  int smoothing_rounds = 0;
+  double threshold = 0.95;
+  std::optional<double> cap_radius_m;
+  MeshHighlights shown = MeshHighlights::on;
+  std::vector<HighlightScene> highlights;
+};
+
+}  // namespace offing::scene

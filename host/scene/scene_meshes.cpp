@@ -1,0 +1,250 @@
+#include "host/scene/scene_meshes.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/base/error.h"
+#include "host/io/png_image.h"
+#include "host/scene/mesh_data.h"
+#include "host/scene/mesh_motion.h"
+#include "host/scene/moving_view.h"
+#include "host/scene/named_file.h"
+#include "host/scene/parameter_table.h"
+#include "host/sky/sun_position.h"
+
+namespace offing::scene {
+
+namespace {
+
+using highlights::HighlightRule;
+using highlights::HighlightTexture;
+using highlights::Source;
+
+/// Rows that change without the surface, its motion or its highlights being found anew.
+constexpr std::array<std::string_view, 8> keys_of_looks{
+    "mesh.name",      "mesh.shading",       "mesh.colour",     "mesh.specular",
+    "mesh.shininess", "mesh.cartoon_steps", "mesh.outline_px", "mesh.outline_colour"};
+
+constexpr std::string_view sun_name = "sun";
+
+bool needs_picture(const HighlightScene& highlight) {
+  const HighlightTexture texture = highlight.rule.controls.texture;
+  return texture == HighlightTexture::image || texture == HighlightTexture::normal_map;
+}
+
+struct NamedPicture {
+  std::string file;
+  ElementIndex element;
+};
+
+/// Each file once, in the order of the scene.
+std::vector<NamedPicture> named_pictures(const OceanScene& scene) {
+  std::vector<NamedPicture> pictures;
+  for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+    for (std::size_t i = 0; i < scene.meshes[mesh].highlights.size(); ++i) {
+      const HighlightScene& highlight = scene.meshes[mesh].highlights[i];
+      const auto is_it = [&](const NamedPicture& each) { return each.file == highlight.picture; };
+      if (needs_picture(highlight) && std::none_of(pictures.begin(), pictures.end(), is_it)) {
+        pictures.push_back({highlight.picture, {mesh, i}});
+      }
+    }
+  }
+  return pictures;
+}
+
+/// The index of a highlight's light among the lamps; the sun is behind all of them.
+std::optional<int> lamp_of(const OceanScene& scene, ElementIndex element) {
+  const std::string& name = scene.meshes[element.outer].highlights[element.inner].light;
+  if (name.empty()) return std::nullopt;
+  const auto light = std::find_if(scene.lights.begin(), scene.lights.end(),
+                                  [&](const LightScene& each) { return each.name == name; });
+  if (light == scene.lights.end() && name != sun_name) {
+    std::vector<std::string> names{std::string(sun_name)};
+    for (const LightScene& each : scene.lights) {
+      if (!each.name.empty()) names.push_back(each.name);
+    }
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected the name of a [[light]] or sun, got \"{}\"",
+                            place_of_name(scene, {"mesh.highlight.light", element}), name),
+                fmt::format("known here: {}", fmt::join(names, ", ")));
+  }
+  return static_cast<int>(light - scene.lights.begin());
+}
+
+int picture_of(const OceanScene& scene, const HighlightScene& highlight) {
+  if (!needs_picture(highlight)) return -1;
+  const std::vector<NamedPicture> pictures = named_pictures(scene);
+  const auto found = std::find_if(pictures.begin(), pictures.end(),
+                                  [&](const NamedPicture& each) { return each.file == highlight.picture; });
+  return static_cast<int>(found - pictures.begin());
+}
+
+Source source_of(const LightScene& light) {
+  if (light.kind == LightKind::place) return {Source::Kind::place, light.place_m};
+  const auto [x, y, z] = sky::direction_of(light.azimuth_rad, light.elevation_rad);
+  return {Source::Kind::direction, {x, y, z}};
+}
+
+/// Meshes or lights of a scene at a time; nothing else of it.
+OceanScene moment_of(const OceanScene& scene, double time_s, ParameterGroup group) {
+  OceanScene moment;
+  if (group == ParameterGroup::light) {
+    moment.lights = scene.lights;
+  } else {
+    moment.meshes = scene.meshes;
+  }
+  move_to(moment, scene, time_s, {group});
+  return moment;
+}
+
+world::MeshParameters parameters_of(const OceanScene& scene, std::size_t index, const MeshData& data) {
+  const MeshScene& mesh = scene.meshes[index];
+  world::MeshParameters parameters;
+  parameters.name = mesh.name.empty() ? fmt::format("mesh {}", index + 1) : mesh.name;
+  parameters.mesh = data.mesh;
+  parameters.curvatures = data.curvatures;
+  parameters.motion = motion_of(scene, index);
+  parameters.surface.smoothing_rounds = mesh.smoothing_rounds;
+  parameters.has_highlights = mesh.shown == MeshHighlights::on;
+  parameters.tracks.size = {.threshold = mesh.threshold, .cap_radius_m = mesh.cap_radius_m.value_or(0.0)};
+  return parameters;
+}
+
+std::vector<world::MeshParameters> with_moment(std::vector<world::MeshParameters> meshes,
+                                               const OceanScene& scene) {
+  const std::vector<world::MeshMaterial> materials = mesh_materials_at(scene, scene.start_s);
+  std::vector<std::vector<HighlightRule>> rules = mesh_rules_at(scene, scene.start_s);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    meshes[i].material = materials[i];
+    meshes[i].rules = std::move(rules[i]);
+  }
+  return meshes;
+}
+
+bool is_same_form(const MeshScene& a, const MeshScene& b) {
+  return a.file == b.file && a.shape == b.shape && a.size_m == b.size_m && a.detail == b.detail &&
+         a.scale == b.scale;
+}
+
+bool has_same_keyframes(const OceanScene& before, const OceanScene& after, const Parameter& row) {
+  const auto tracks_of = [&](const OceanScene& scene) {
+    std::vector<std::pair<ValueKey, KeyframeTrack>> tracks;
+    for (const auto& track : scene.tracks) {
+      if (track.first.key == row.key) tracks.emplace_back(track);
+    }
+    return tracks;
+  };
+  return tracks_of(before) == tracks_of(after);
+}
+
+/// Whether meshes differ in more than their looks.
+bool are_other_meshes(const OceanScene& before, const OceanScene& after) {
+  const auto table = parameter_table();
+  return std::any_of(table.begin(), table.end(), [&](const Parameter& row) {
+    const bool is_beside =
+        std::find(keys_of_looks.begin(), keys_of_looks.end(), row.key) != keys_of_looks.end();
+    return row.group == ParameterGroup::mesh && !is_beside &&
+           (value_text(before, row, Digits::exact) != value_text(after, row, Digits::exact) ||
+            !has_same_keyframes(before, after, row));
+  });
+}
+
+}  // namespace
+
+std::vector<world::MeshParameters> prepare_meshes(const OceanScene& scene) {
+  std::vector<world::MeshParameters> meshes;
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    meshes.push_back(parameters_of(scene, i, mesh_data(scene, i)));
+  }
+  return with_moment(std::move(meshes), scene);
+}
+
+std::vector<std::shared_ptr<const RgbaImage>> prepare_pictures(const OceanScene& scene) {
+  std::vector<std::shared_ptr<const RgbaImage>> pictures;
+  for (const auto& [file, element] : named_pictures(scene)) {
+    if (file.empty()) {
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}: expected a mesh.highlight.picture beside it, found none",
+                              place_of_name(scene, {"mesh.highlight.texture", element})),
+                  "write picture = \"moon.png\" below it, or choose a shape");
+    }
+    pictures.push_back(read_named(scene, {"mesh.highlight.picture", element}, "a PNG picture", file, [&] {
+      return std::make_shared<const RgbaImage>(read_png_with_alpha(file));
+    }));
+  }
+  return pictures;
+}
+
+std::vector<world::MeshMaterial> mesh_materials_at(const OceanScene& scene, double time_s) {
+  std::vector<world::MeshMaterial> materials;
+  for (const MeshScene& mesh : moment_of(scene, time_s, ParameterGroup::mesh).meshes) {
+    materials.push_back(mesh.material);
+  }
+  return materials;
+}
+
+std::vector<std::vector<HighlightRule>> mesh_rules_at(const OceanScene& scene, double time_s) {
+  const OceanScene moment = moment_of(scene, time_s, ParameterGroup::highlight);
+  std::vector<std::vector<HighlightRule>> rules(scene.meshes.size());
+  for (std::size_t mesh = 0; mesh < rules.size(); ++mesh) {
+    for (std::size_t i = 0; i < scene.meshes[mesh].highlights.size(); ++i) {
+      const HighlightScene& highlight = moment.meshes[mesh].highlights[i];
+      HighlightRule& rule = rules[mesh].emplace_back(highlight.rule);
+      rule.lamp = lamp_of(scene, {mesh, i});
+      rule.controls.picture = picture_of(scene, highlight);
+    }
+  }
+  return rules;
+}
+
+std::vector<world::Lamp> lamps_at(const OceanScene& scene, double time_s) {
+  std::vector<world::Lamp> lamps;
+  for (const LightScene& light : moment_of(scene, time_s, ParameterGroup::light).lights) {
+    lamps.push_back({source_of(light), light.colour, light.illuminance_klx});
+  }
+  return lamps;
+}
+
+void set_meshes_at(world::World& world, const OceanScene& scene, double time_s) {
+  world.set_lamps(lamps_at(scene, time_s));
+  const std::vector<world::MeshMaterial> materials = mesh_materials_at(scene, time_s);
+  std::vector<std::vector<HighlightRule>> rules = mesh_rules_at(scene, time_s);
+  for (std::size_t i = 0; i < world.meshes().size(); ++i) {
+    world.meshes()[i].set_material(materials[i]);
+    world.meshes()[i].set_rules(std::move(rules[i]));
+  }
+}
+
+highlights::LightingAt lighting_of(const OceanScene& scene) {
+  const auto own = std::make_shared<const OceanScene>(scene);
+  return [own](double time_s) {
+    const ViewScene view = view_at(*own, time_s);
+    highlights::Lighting lighting{.eye = {Source::Kind::place, view.camera.eye_m}, .lamps = {}};
+    for (const world::Lamp& lamp : lamps_at(*own, time_s)) lighting.lamps.push_back(lamp.source);
+    const auto [x, y, z] = sky::direction_of(view.sun_azimuth_rad, view.sun_elevation_rad);
+    if (y > 0.0) lighting.lamps.push_back({Source::Kind::direction, {x, y, z}});
+    return lighting;
+  };
+}
+
+void edit_meshes(world::World& world, const OceanScene& before, const OceanScene& after) {
+  if (are_other_meshes(before, after)) {
+    std::vector<world::MeshParameters> meshes;
+    for (std::size_t i = 0; i < after.meshes.size(); ++i) {
+      const bool is_known = i < before.meshes.size() && is_same_form(before.meshes[i], after.meshes[i]);
+      const world::MeshParameters* known = is_known ? &world.parameters().meshes[i] : nullptr;
+      meshes.push_back(
+          parameters_of(after, i, known ? MeshData{known->mesh, known->curvatures} : mesh_data(after, i)));
+    }
+    world.set_meshes(with_moment(std::move(meshes), after));
+  }
+  set_meshes_at(world, after, after.start_s);
+}
+
+}  // namespace offing::scene

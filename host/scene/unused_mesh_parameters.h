@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "host/scene/parameter.h"
+
+namespace offing::scene {
+
+// Why a use of parameters has no part in a light, a mesh or a highlight; empty where it has.
+
+std::string against_light(const LightScene& light, ParameterUse use);
+std::string against_mesh(const OceanScene& scene, ElementIndex element, ParameterUse use);
+std::string against_highlight(const OceanScene& scene, ElementIndex element, ParameterUse use);
+
+}  // namespace offing::scene
