@@ -15,13 +15,6 @@ struct RgbImage {
   std::vector<std::uint8_t> rgb;
 };
 
-/// An sRGB picture with an opacity that is not multiplied in: rgba [height][width][4] row-major, row 0 at the
-/// top.
-struct RgbaImage {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;
-};
-
 /// sRGB byte of a linear intensity; 0 and below (and NaN) give 0, 1 and above 255. IEC 61966-2-1.
 std::uint8_t srgb_from_linear(float linear);
 
