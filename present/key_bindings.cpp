@@ -10,7 +10,7 @@ namespace offing::present {
 
 std::span<const KeyBinding> key_bindings() {
   using enum ViewAction;
-  static constexpr std::array<KeyBinding, 20> bindings{{
+  static constexpr std::array<KeyBinding, 23> bindings{{
       {GLFW_KEY_H, "H", toggle_help, "this help"},
       {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
       {GLFW_KEY_SPACE, "Space", toggle_pause, "pause"},
@@ -30,19 +30,23 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_F5, "F5", reload, "read kernels and shaders again"},
       {GLFW_KEY_F11, "F11", toggle_fullscreen, "full screen"},
       {GLFW_KEY_HOME, "Home", reset_camera, "camera of the scene"},
+      {GLFW_KEY_K, "K", set_keyframes, "keyframes of the picked highlight at this time"},
+      {GLFW_KEY_Z, "Ctrl Z", undo, "undo the last edit", GLFW_MOD_CONTROL},
+      {GLFW_KEY_Z, "Ctrl Shift Z", redo, "redo it", GLFW_MOD_CONTROL | GLFW_MOD_SHIFT},
       {GLFW_KEY_ESCAPE, "Esc", quit, "quit"},
   }};
   return bindings;
 }
 
 std::span<const CameraControl> camera_controls() {
-  static constexpr std::array<CameraControl, 7> controls{{
+  static constexpr std::array<CameraControl, 8> controls{{
       {"W S", "forward, back"},
       {"A D", "left, right"},
       {"E Q", "up, down"},
       {"Shift, Ctrl", "five times faster (on foot: running), slower"},
       {"Mouse drag", "look around"},
       {"Wheel", "speed"},
+      {"Click", "picks a highlight: its handles move, turn and resize it"},
       {"Middle click", "to that point of the ground"},
   }};
   return controls;

@@ -25,6 +25,9 @@ enum class ViewAction {
   reload,
   toggle_fullscreen,
   reset_camera,
+  set_keyframes,
+  undo,
+  redo,
   quit,
 };
 
@@ -33,6 +36,7 @@ struct KeyBinding {
   const char* name;  ///< as printed on the key
   ViewAction action;
   const char* help;
+  int modifiers = 0;  ///< of GLFW, that are held with it; 0: any
 };
 
 /// Every key that does something once: the one place that says which, for the window and its help.

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "host/scene/ocean_scene.h"
 #include "host/world/world.h"
@@ -53,7 +55,8 @@ class LiveSea {
   double surface_height_m(double x_m, double z_m);
   /// nullptr without ground.
   world::GroundView* ground() { return world_->ground(); }
-  bool has_meshes() const { return !world_->meshes().empty(); }
+  /// As the last picture shows them.
+  const std::vector<world::MeshView>& meshes() const { return std::as_const(*world_).meshes(); }
 
   /// Sun, air and exposure are those of the scene at that time. Throws what scene::view_at() throws.
   void draw(const SeaView& view);

@@ -14,6 +14,7 @@
 #include "present/free_camera.h"
 #include "present/gl_context.h"
 #include "present/ground_pick.h"
+#include "present/mesh_picker.h"
 #include "present/mini_map.h"
 #include "present/parameter_widget.h"
 #include "present/scene_clock.h"
@@ -53,6 +54,7 @@ struct ViewState {
   RayChoice rays = RayChoice::all;
   float wanted_frame_ms = 33.0f;  ///< of RayChoice::automatic
   std::optional<GroundPick> pick = {};
+  std::optional<HighlightName> picked = {};
   float frame_limit_hz = 60.0f;  ///< 0: none
   float render_scale = 1.0f;     ///< pixels that are drawn a pixel of the window, along a side
   bool shows_panels = true;

@@ -18,6 +18,7 @@
 #include "host/scene/moving_view.h"
 #include "host/scene/scene_ground.h"
 #include "host/scene/scene_writer.h"
+#include "present/camera_path.h"
 #include "present/picture_file.h"
 
 namespace offing::present {
@@ -46,23 +47,6 @@ ViewState start_state(const ViewOptions& options, const LiveSea& sea) {
   return state;
 }
 
-bool is_of_camera(std::string_view key) {
-  return key.starts_with("camera.");
-}
-
-bool has_camera_path(const scene::OceanScene& scene) {
-  return std::any_of(scene.tracks.begin(), scene.tracks.end(),
-                     [](const auto& track) { return is_of_camera(track.first.key); });
-}
-
-/// Gives a scene the camera's keyframes of another one, in the stead of its own.
-void take_camera_path(const scene::OceanScene& from, scene::OceanScene& to) {
-  std::erase_if(to.tracks, [](const auto& track) { return is_of_camera(track.first.key); });
-  for (const auto& [key, track] : from.tracks) {
-    if (is_of_camera(key.key)) to.tracks.emplace(key, track);
-  }
-}
-
 std::string whole_name(const std::filesystem::path& path) {
   std::error_code failure;
   const std::filesystem::path whole = std::filesystem::absolute(path, failure);
@@ -80,6 +64,7 @@ Viewer::Viewer(const ViewOptions& options)
       state_(start_state(options, sea_)),
       input_(window()),
       panels_(window()),
+      history_(state_.scene),
       last_turn_s_(glfwGetTime()),
       drawn_s_(options.time_s),
       is_on_path_(has_camera_path(options.scene)) {
@@ -98,6 +83,7 @@ bool Viewer::turn() {
     const Recording& recording = *options_.recording;
     state_.clock.set_time((recording.frames.first + recorded_) / recording.frames_per_second);
   }
+  edit_highlights();
   move_camera(wall_s);
   if (show()) {
     if (options_.recording) record_frame();
@@ -167,15 +153,50 @@ void Viewer::act(ViewAction action) {
       });
       break;
     case ViewAction::toggle_fullscreen:
-      toggle_fullscreen();
+      full_screen_.toggle(window());
       break;
     case ViewAction::reset_camera:
       reset_camera();
+      break;
+    case ViewAction::set_keyframes:
+      finish(highlights_.set_keys(state_, sea_.meshes()));
+      break;
+    case ViewAction::undo:
+      go_back(history_.undo(), "there is nothing to undo");
+      break;
+    case ViewAction::redo:
+      go_back(history_.redo(), "there is nothing to redo");
       break;
     case ViewAction::quit:
       is_quitting_ = true;
       break;
   }
+}
+
+void Viewer::edit_highlights() {
+  int width = 1, height = 1;
+  glfwGetWindowSize(window(), &width, &height);
+  const Screen screen{state_.camera.camera(), {std::max(width, 1), std::max(height, 1)}};
+  finish(highlights_.turn(state_, sea_.meshes(), screen, input_.take_pointer_events(), input_.pointer()));
+  if (highlights_.holds()) input_.hold_camera();
+}
+
+/// What an edit means for the world and for undo.
+void Viewer::finish(Edit edit) {
+  if (edit == Edit::none) return;
+  if (edit_sea(edit) && edit == Edit::done) history_.note(state_.scene);
+}
+
+/// To a scene of the history, with the camera as it is; the message says so where there is none.
+void Viewer::go_back(std::optional<scene::OceanScene> scene, const char* none) {
+  if (!scene) {
+    state_.message = {.text = none};
+    return;
+  }
+  take_camera_path(state_.scene, *scene);
+  scene->view.camera = state_.scene.view.camera;
+  state_.scene = std::move(*scene);
+  edit_sea(Edit::done);
 }
 
 void Viewer::move_camera(double wall_s) {
@@ -295,13 +316,14 @@ PanelEdits Viewer::draw_panels() {
   Frame& frame = sea_.frame();
   if (sea_.ground() && state_.shows_map) map_.show(sea_.ground()->parameters());
   panels_.begin();
+  if (state_.picked) draw_highlight_handles(*state_.picked, sea_.meshes(), state_.camera.camera());
   const PanelEdits edits = present::draw_panels(state_, {.times = frame.times(),
                                                          .capabilities = context_.capabilities(),
                                                          .device = sea_.device(),
                                                          .transfer = frame.transfer_rung(),
                                                          .width_px = frame.screen().width(),
                                                          .height_px = frame.screen().height(),
-                                                         .has_meshes = sea_.has_meshes(),
+                                                         .has_meshes = !sea_.meshes().empty(),
                                                          .ground = sea_.ground(),
                                                          .map = &map_,
                                                          .ray_rung = ray_rung()});
@@ -315,28 +337,30 @@ void Viewer::apply(const PanelEdits& edits) {
   // The sea follows a slider while it is held, unless that would hold up the slider.
   constexpr double quick_s = 0.1;
   const bool follows = edits.scene == Edit::going_on && sea_.edit_s() < quick_s;
-  if (edits.scene == Edit::done || edits.scene == Edit::refused || follows) edit_sea(edits.scene);
+  if (edits.scene == Edit::done || edits.scene == Edit::refused || follows) finish(edits.scene);
   if (edits.wants_save) save_scene();
   if (edits.wants_original) {
     state_.scene = options_.scene;
     reset_camera();
-    edit_sea(Edit::done);
+    finish(Edit::done);
   }
 }
 
-/// The sea of the edited scene; where that cannot be, the message says why and the scene is as it was, but
-/// for its camera, which is the user's.
-void Viewer::edit_sea(Edit edit) {
+/// The sea of the edited scene; where that cannot be, false: the message says why and the scene is as it was,
+/// but for its camera, which is the user's.
+bool Viewer::edit_sea(Edit edit) {
   try {
     sea_.edit(state_.scene);
     state_.pick.reset();  // the ground may be another one
     if (edit != Edit::refused) state_.message = {.text = sea_.warning()};
+    return true;
   } catch (const Error& error) {
     state_.message = fault_message(error);
     scene::OceanScene last = sea_.scene();
     take_camera_path(state_.scene, last);
     last.view.camera = state_.scene.view.camera;
     state_.scene = std::move(last);
+    return false;
   }
 }
 
@@ -368,19 +392,6 @@ void Viewer::record_frame() {
   sea_.write(recording.name.of(recording.frames.first + recorded_));
   ++recorded_;
   is_quitting_ = is_quitting_ || recorded_ == recording.count();
-}
-
-void Viewer::toggle_fullscreen() {
-  if (glfwGetWindowMonitor(window()) != nullptr) {
-    glfwSetWindowMonitor(window(), nullptr, windowed_.x, windowed_.y, windowed_.width, windowed_.height, 0);
-    return;
-  }
-  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
-  const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
-  if (mode == nullptr) return;
-  glfwGetWindowPos(window(), &windowed_.x, &windowed_.y);
-  glfwGetWindowSize(window(), &windowed_.width, &windowed_.height);
-  glfwSetWindowMonitor(window(), monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 void show_window(const ViewOptions& options, const CancelToken& cancel) {

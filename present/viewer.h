@@ -7,12 +7,15 @@
 #include "host/base/cancel_token.h"
 #include "present/camera_pilot.h"
 #include "present/frame_limiter.h"
+#include "present/full_screen.h"
 #include "present/gl_context.h"
+#include "present/highlight_editor.h"
 #include "present/live_sea.h"
 #include "present/mini_map.h"
 #include "present/panel_layer.h"
 #include "present/panels.h"
 #include "present/scale_ladder.h"
+#include "present/scene_history.h"
 #include "present/view_options.h"
 #include "present/window_input.h"
 
@@ -42,14 +45,16 @@ class Viewer {
   std::size_t ray_rung() const;
   void reset_camera();
   void take_screenshot();
-  void toggle_fullscreen();
   bool show();
   void draw_sea(int width, int height);
   void end_frame();
   void copy_to_window(int width, int height);
   PanelEdits draw_panels();
   void apply(const PanelEdits& edits);
-  void edit_sea(Edit edit);
+  bool edit_sea(Edit edit);
+  void edit_highlights();
+  void finish(Edit edit);
+  void go_back(std::optional<scene::OceanScene> scene, const char* none);
   void save_scene();
   void record_frame();
   /// Does something; the message says what came of it, or the fault.
@@ -62,6 +67,8 @@ class Viewer {
   WindowInput input_;
   PanelLayer panels_;
   CameraPilot pilot_;
+  HighlightEditor highlights_;
+  SceneHistory history_;
   MiniMap map_;
   ScaleLadder ladder_;
   FrameLimiter limiter_;
@@ -71,10 +78,7 @@ class Viewer {
   int recorded_ = 0;
   std::optional<int> swap_interval_;
   bool is_quitting_ = false;
-  struct Place {
-    int x = 0, y = 0, width = 0, height = 0;
-  };
-  Place windowed_;  // before full screen
+  FullScreen full_screen_;
 };
 
 /// Shows the scene of the options in a window until it is closed, Esc is pressed or the token is cancelled;

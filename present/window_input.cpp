@@ -38,11 +38,13 @@ WindowInput::~WindowInput() {
   glfwSetWindowUserPointer(window_, nullptr);
 }
 
-void WindowInput::on_key(GLFWwindow* window, int key, int, int action, int) {
+void WindowInput::on_key(GLFWwindow* window, int key, int, int action, int modifiers) {
   // Keys that are held do not repeat: a slow frame would queue up actions.
   if (action != GLFW_PRESS || panels_want_keys()) return;
   for (const KeyBinding& binding : key_bindings()) {
-    if (binding.key == key) input_of(window).actions_.push_back(binding.action);
+    const bool is_meant =
+        binding.modifiers == 0 || binding.modifiers == (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT));
+    if (binding.key == key && is_meant) input_of(window).actions_.push_back(binding.action);
   }
 }
 
@@ -51,13 +53,21 @@ void WindowInput::on_wheel(GLFWwindow* window, double, double y) {
 }
 
 void WindowInput::on_button(GLFWwindow* window, int button, int action, int) {
-  if (button != GLFW_MOUSE_BUTTON_MIDDLE || action != GLFW_PRESS || panels_want_mouse()) return;
   WindowInput& input = input_of(window);
-  input.clicks_.push_back(input.pointer());
+  const bool is_press = action == GLFW_PRESS;
+  if (is_press && panels_want_mouse()) return;
+  if (button == GLFW_MOUSE_BUTTON_MIDDLE && is_press) input.clicks_.push_back(input.pointer());
+  if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+  input.pointer_events_.push_back(
+      {is_press ? PointerEvent::Kind::pressed : PointerEvent::Kind::released, input.pointer()});
 }
 
 std::vector<glm::dvec2> WindowInput::take_clicks() {
   return std::exchange(clicks_, {});
+}
+
+std::vector<PointerEvent> WindowInput::take_pointer_events() {
+  return std::exchange(pointer_events_, {});
 }
 
 glm::dvec2 WindowInput::pointer() const {
@@ -92,8 +102,10 @@ CameraInput WindowInput::take_camera_input() {
   const bool is_down = glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
                        glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
   // A drag that began on a panel stays the panel's.
+  is_camera_held_ = is_camera_held_ && is_down;
+  if (is_camera_held_) is_dragging_ = false;
   if (is_down && is_dragging_) input.turn_px = {x - drag_x_, y - drag_y_};
-  is_dragging_ = is_down && (is_dragging_ || !panels_want_mouse());
+  is_dragging_ = is_down && !is_camera_held_ && (is_dragging_ || !panels_want_mouse());
   drag_x_ = x;
   drag_y_ = y;
   return input;

@@ -11,6 +11,13 @@ struct GLFWwindow;
 
 namespace offing::present {
 
+/// What the left button did, and where, in clip coordinates of the window.
+struct PointerEvent {
+  enum class Kind { pressed, released };
+  Kind kind = Kind::pressed;
+  glm::dvec2 clip{0.0};
+};
+
 /// Keys and mouse of a window, as far as panels leave them to the view. Made before ImGui, which passes
 /// events on.
 class WindowInput {
@@ -26,6 +33,10 @@ class WindowInput {
   CameraInput take_camera_input();
   /// Where the middle button went down since the last call, in clip coordinates of the window.
   std::vector<glm::dvec2> take_clicks();
+  /// What the left button did since the last call, in order; presses on panels are the panels'.
+  std::vector<PointerEvent> take_pointer_events();
+  /// The mouse does not turn the camera from here on until its buttons are up.
+  void hold_camera() { is_camera_held_ = true; }
   /// Where the mouse is, in clip coordinates of the window.
   glm::dvec2 pointer() const;
 
@@ -39,8 +50,9 @@ class WindowInput {
   GLFWwindow* window_;
   std::vector<ViewAction> actions_;
   std::vector<glm::dvec2> clicks_;
+  std::vector<PointerEvent> pointer_events_;
   double wheel_ = 0.0;
-  bool is_dragging_ = false;
+  bool is_dragging_ = false, is_camera_held_ = false;
   double drag_x_ = 0.0, drag_y_ = 0.0;  // where the mouse was
 };
 

@@ -15,6 +15,7 @@
 #include "host/cli/device_choice.h"
 #include "host/cli/parameter_options.h"
 #include "host/cli/pictures/contact_sheet.h"
+#include "host/cli/scene_frames.h"
 #include "host/io/spectra/write_ww3_spectra.h"
 #include "host/scene/sampled_spectrum.h"
 #include "host/scene/scene_hash.h"
@@ -36,19 +37,6 @@ struct BakeArguments {
   bool json = false;
   BakeSettings settings;
 };
-
-/// Frames of the scene's time span: from its start, stopping before its end.
-FrameRange frames_in_time_span(const scene::OceanScene& scene) {
-  const double first = std::ceil(scene.start_s * scene.frames_per_second - 1e-9);
-  const double last = std::ceil(scene.end_s * scene.frames_per_second - 1e-9) - 1.0;
-  if (last < first || last > 9'999'999.0) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("time: expected frames between start_s = {:g} and end_s = {:g}, found {}",
-                            scene.start_s, scene.end_s, last < first ? "none" : "too many"),
-                "write an end_s after start_s, or give --frames A:B");
-  }
-  return {static_cast<int>(first), static_cast<int>(last)};
-}
 
 BakeSettings read_settings(const BakeArguments& arguments, const scene::OceanScene& scene,
                            double water_depth_m) {

@@ -5,6 +5,7 @@
 #include "host/base/process.h"
 #include "host/cli/devices_command.h"
 #include "host/cli/global_options.h"
+#include "host/cli/highlights_command.h"
 #include "host/cli/ocean_command.h"
 #include "host/cli/terrain_command.h"
 #include "host/command_line/help_format.h"
@@ -24,6 +25,7 @@ void build(CLI::App& app, cli::GlobalOptions& options) {
   app.require_subcommand(1);
   cli::add_ocean_command(app, options);
   cli::add_terrain_command(app, options);
+  cli::add_highlights_command(app, options);
   cli::add_devices_command(app, options);
   app.footer(R"(
 Examples:
@@ -34,6 +36,7 @@ Examples:
   offing ocean query scenes/storm.toml --at 120,-35 --time 12.5
   offing terrain info N42E001.hgt.zip
   offing terrain render S33W071.tif -o andes.png
+  offing highlights scenes/knot.toml -o knot.glb
 
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device, 130 interrupted.)");
 }

@@ -114,6 +114,8 @@ void DrawnHighlights::add(const DrawnHighlight& highlight, const HighlightRule& 
   PlacedProjector placed =
       moved(*surface_, {highlight.projector, highlight.place}, controls.offset * half_widths_m);
   placed.projector = reshaped(placed.projector, controls);
+  drawn.found = highlight.projector;
+  drawn.whole = placed.projector;
   for (drawn.copy = 0; drawn.copy < controls.split; ++drawn.copy) {
     const CopyPlace share = copy_place(controls, drawn.copy);
     PlacedProjector copy = moved(*surface_, placed, {share.middle * placed.projector.width_m, 0.0});

@@ -24,6 +24,8 @@ struct DrawnHighlight {
   double opacity = 0.0;  ///< 0 ... 1, in all: that of the controls is in it
   Projector projector;   ///< in all: offset, rotation, sizes and split are in it
   SurfacePlace place;    ///< under its middle
+  Projector found = {};  ///< before any control
+  Projector whole = {};  ///< before it was split
   HighlightControls controls;
   std::size_t first_face = 0, face_count = 0;  ///< of DrawnHighlights::faces()
 };

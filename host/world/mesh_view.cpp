@@ -105,14 +105,14 @@ highlights::RigidMotion MeshView::motion_at(double time_s) const {
   return parameters_.motion ? parameters_.motion(time_s) : highlights::RigidMotion{};
 }
 
-void MeshView::at(double time_s, const highlights::LightingAt& lighting) {
+void MeshView::at(double time_s, const highlights::LightingAt& lighting, std::optional<double> start) {
   motion_ = motion_at(time_s);
   if (!parameters_.has_highlights) return;
   shown_->lighting = [this, lighting](double past_time_s) {
     return in_mesh_axes(lighting(past_time_s), motion_at(past_time_s));
   };
   highlights::HighlightTracks& tracks = shown_->tracks_of(parameters_.tracks);
-  const double start_s = start_of_past(time_s);
+  const double start_s = start.value_or(start_of_past(time_s));
   if (shown_->start_s != start_s) tracks.reset(start_s);
   shown_->start_s = start_s;
   tracks.advance_to(time_s);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "host/highlights/drawn_highlights.h"
@@ -33,8 +34,9 @@ class MeshView {
 
   /// The mesh at a time and its highlights, which depend on this time and on the lighting alone, whatever was
   /// shown before. The lighting is that of the world's axes at any time, the same for the same time and at
-  /// every call.
-  void at(double time_s, const highlights::LightingAt& lighting);
+  /// every call. With a start they have their past from there on, so that ids stay the same in all calls with
+  /// the same one; without one it is a round time from ten to twenty seconds before.
+  void at(double time_s, const highlights::LightingAt& lighting, std::optional<double> start_s = {});
   /// The same for an eye that somebody moves: highlights go from where they were toward what this lighting
   /// makes of them, as far as they get since the time of the last call, and a little while time stands. They
   /// start anew where time has jumped.

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,9 +14,9 @@ namespace {
 
 // Fails if two actions share a key, of which one would be lost.
 TEST(KeyBindingsTest, KeysAreNotShared) {
-  std::set<int> keys;
+  std::set<std::pair<int, int>> keys;
   for (const KeyBinding& binding : key_bindings())
-    EXPECT_TRUE(keys.insert(binding.key).second) << binding.name;
+    EXPECT_TRUE(keys.insert({binding.key, binding.modifiers}).second) << binding.name;
 }
 
 // Fails if the page of the window lacks a key.

@@ -9,7 +9,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "host/io/png_image.h"
+#include "host/base/rgba_image.h"
 
 namespace offing::animations {
 
@@ -51,6 +51,7 @@ struct HighlightAnimation {
   std::string generator;  ///< the program that made it, with its version
   double frames_per_s = 30.0;
   int first_frame = 0;
+  std::vector<std::string> lamps;  ///< names, in the order of ProjectorSample::lamp
   std::vector<AnimatedTexture> textures;
   std::vector<AnimatedMesh> meshes;  ///< as many frames each
 };

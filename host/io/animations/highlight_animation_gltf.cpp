@@ -12,6 +12,7 @@
 
 #include "host/io/animations/gltf_buffer.h"
 #include "host/io/animations/gltf_container.h"
+#include "host/io/png_image.h"
 
 namespace offing::animations {
 namespace {

@@ -64,6 +64,7 @@ std::string highlight_animation_json(const HighlightAnimation& animation) {
                      {"frames_per_s", animation.frames_per_s},
                      {"first_frame", animation.first_frame},
                      {"frame_count", frame_count},
+                     {"lamps", animation.lamps},
                      {"textures", std::move(textures)},
                      {"meshes", std::move(meshes)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';

@@ -59,6 +59,7 @@ HighlightAnimation example() {
   HighlightAnimation animation{.generator = "Offing test",
                                .frames_per_s = frames_per_s,
                                .first_frame = first_frame,
+                               .lamps = {"key", "sun"},
                                .textures = {{.name = "star", .file = {}, .image = checks()},
                                             {.name = "image", .file = "spark.png", .image = {}}},
                                .meshes = {{.name = "knot", .frames = {}}}};
@@ -88,6 +89,7 @@ TEST(HighlightAnimationTest, JsonReadsBackInTheWorldsAxes) {
   write_highlights(folder.path() / "h.json", animation);
   const nlohmann::json json = nlohmann::json::parse(content(folder.path() / "h.json"));
   EXPECT_EQ(json.at("frame_count"), frame_count);
+  EXPECT_EQ(json.at("lamps"), nlohmann::json({"key", "sun"}));
   EXPECT_EQ(json.at("textures").at(0), nlohmann::json({{"name", "star"}}));
   EXPECT_EQ(json.at("textures").at(1), nlohmann::json({{"name", "image"}, {"file", "spark.png"}}));
   for (int frame = 0; frame < frame_count; ++frame) {

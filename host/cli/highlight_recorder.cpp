@@ -1,0 +1,149 @@
+#include "host/cli/highlight_recorder.h"
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/highlights/texture_shapes.h"
+#include "host/scene/scene_meshes.h"
+#include "host/scene/version.h"
+#include "host/world/mesh_view.h"
+
+namespace offing::cli {
+namespace {
+
+using highlights::DrawnHighlight;
+using highlights::HighlightTexture;
+
+constexpr int picture_px = 128;
+// Pictures of shapes are made in steps of softness that no eye tells apart.
+constexpr double softness_steps = 32.0;
+// A highlight's past is no longer than this.
+constexpr double past_s = 10.0;
+
+/// A shape as a white picture with its opacity.
+RgbaImage picture_of(HighlightTexture shape, double softness) {
+  RgbaImage image{picture_px, picture_px, {}};
+  const double pixel = 2.0 / picture_px;
+  for (int row = 0; row < picture_px; ++row) {
+    for (int column = 0; column < picture_px; ++column) {
+      const glm::dvec2 q((column + 0.5) * pixel - 1.0, 1.0 - (row + 0.5) * pixel);
+      const double opacity = highlights::shape_opacity(shape, q, softness, pixel);
+      image.rgba.insert(image.rgba.end(),
+                        {255, 255, 255, static_cast<std::uint8_t>(std::lround(255.0 * opacity))});
+    }
+  }
+  return image;
+}
+
+bool is_picture(HighlightTexture texture) {
+  return texture == HighlightTexture::image || texture == HighlightTexture::normal_map;
+}
+
+/// The textures of an animation, each once.
+class Textures {
+ public:
+  explicit Textures(std::vector<animations::AnimatedTexture>& all) : all_(all) {}
+
+  /// `file` is that of a picture.
+  std::size_t index_of(const highlights::HighlightControls& controls, const std::string& file) {
+    const bool has_file = is_picture(controls.texture);
+    const double softness = has_file ? 0.0 : std::round(controls.softness * softness_steps) / softness_steps;
+    const auto [place, is_new] = known_.try_emplace(
+        std::tuple(controls.texture, softness, has_file ? file : std::string()), all_.size());
+    if (is_new) {
+      all_.push_back({.name = std::string(highlights::name_of(controls.texture)),
+                      .file = has_file ? file : std::string(),
+                      .image = has_file ? RgbaImage{} : picture_of(controls.texture, softness)});
+    }
+    return place->second;
+  }
+
+ private:
+  std::vector<animations::AnimatedTexture>& all_;
+  std::map<std::tuple<HighlightTexture, double, std::string>, std::size_t> known_;
+};
+
+animations::ProjectorSample sample_of(const DrawnHighlight& drawn, std::size_t texture) {
+  const highlights::Projector& box = drawn.projector;
+  return {.id = drawn.id,
+          .rule = drawn.rule,
+          .copy = drawn.copy,
+          .lamp = drawn.lamp,
+          .position_m = box.centre_m,
+          .right = box.right,
+          .up = box.up,
+          .normal = box.normal,
+          .width_m = box.width_m,
+          .height_m = box.height_m,
+          .opacity = drawn.opacity,
+          .texture = texture,
+          .softness = drawn.controls.softness,
+          .colour = drawn.controls.colour};
+}
+
+animations::MeshFrame frame_of(const world::MeshView& view, const scene::MeshScene& mesh,
+                               Textures& textures) {
+  animations::MeshFrame frame{view.motion().rotation, view.motion().translation_m, {}};
+  for (const DrawnHighlight& drawn : view.highlights()) {
+    if (!(drawn.opacity > 0.0)) continue;
+    const std::string file =
+        drawn.rule < 0 ? std::string() : mesh.highlights[static_cast<std::size_t>(drawn.rule)].picture;
+    frame.projectors.push_back(sample_of(drawn, textures.index_of(drawn.controls, file)));
+  }
+  return frame;
+}
+
+void require_highlights(const scene::OceanScene& scene) {
+  for (const scene::MeshScene& mesh : scene.meshes) {
+    if (mesh.shown == scene::MeshHighlights::on) return;
+  }
+  throw Error(ErrorKind::bad_input,
+              "highlights: expected a scene with a [[mesh]] that has highlights, found none",
+              "add a [[mesh]] to the scene, such as that of scenes/knot.toml");
+}
+
+}  // namespace
+
+animations::HighlightAnimation record_highlights(const ocl::Device& device, const scene::OceanScene& scene,
+                                                 const FrameRange& frames, Progress& progress,
+                                                 const CancelToken& cancel) {
+  require_highlights(scene);
+  animations::HighlightAnimation animation{.generator = fmt::format("Offing {}", scene::version()),
+                                           .frames_per_s = scene.frames_per_second,
+                                           .first_frame = frames.first,
+                                           .lamps = {},
+                                           .textures = {},
+                                           .meshes = {}};
+  for (const scene::LightScene& light : scene.lights) animation.lamps.push_back(light.name);
+  animation.lamps.emplace_back("sun");
+  std::vector<world::MeshView> views;
+  for (const world::MeshParameters& parameters : scene::prepare_meshes(scene)) {
+    animation.meshes.push_back({.name = parameters.name, .frames = {}});
+    views.emplace_back(device, parameters);
+  }
+  const highlights::LightingAt lighting = scene::lighting_of(scene);
+  // As a picture of the first frame has it; one past for all frames, so that each highlight keeps its id.
+  const double first_s = frames.first / scene.frames_per_second;
+  const double start_s = first_s < 2.0 * past_s ? std::min(first_s, 0.0) : first_s - past_s;
+  Textures textures(animation.textures);
+  for (int frame = frames.first; frame <= frames.last; ++frame) {
+    cancel.throw_if_cancelled();
+    const double time_s = frame / scene.frames_per_second;
+    const auto rules = scene::mesh_rules_at(scene, time_s);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      views[i].set_rules(rules[i]);
+      views[i].at(time_s, lighting, start_s);
+      animation.meshes[i].frames.push_back(frame_of(views[i], scene.meshes[i], textures));
+    }
+    progress.advance();
+  }
+  return animation;
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,27 @@
+#include "present/camera_path.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace offing::present {
+namespace {
+
+bool is_of_camera(const scene::ValueKey& value) {
+  return value.key.starts_with("camera.");
+}
+
+}  // namespace
+
+bool has_camera_path(const scene::OceanScene& scene) {
+  return std::any_of(scene.tracks.begin(), scene.tracks.end(),
+                     [](const auto& track) { return is_of_camera(track.first); });
+}
+
+void take_camera_path(const scene::OceanScene& from, scene::OceanScene& to) {
+  std::erase_if(to.tracks, [](const auto& track) { return is_of_camera(track.first); });
+  for (const auto& [value, track] : from.tracks) {
+    if (is_of_camera(value)) to.tracks.emplace(value, track);
+  }
+}
+
+}  // namespace offing::present

@@ -1,0 +1,75 @@
+#include "present/highlight_edits.h"
+
+#include <algorithm>
+
+#include "host/scene/parameter_table.h"
+#include "host/scene/scene_elements.h"
+
+namespace offing::present {
+namespace {
+
+using scene::ElementIndex;
+using scene::OceanScene;
+using scene::Parameter;
+
+enum class Keys { existing, all };
+
+void set_key(KeyframeTrack& track, double time_s, double value) {
+  const auto place = std::lower_bound(track.keys.begin(), track.keys.end(), time_s,
+                                      [](const Keyframe& key, double time) { return key.time_s < time; });
+  if (place != track.keys.end() && place->time_s == time_s) {
+    place->value = value;
+  } else {
+    track.keys.insert(place, {time_s, value});
+  }
+}
+
+/// The constant of a value that moves is that of its first key, as the reader of scenes has it.
+void store_tracks(OceanScene& scene, ElementIndex element, double time_s, Keys keys) {
+  for (const Parameter& row : scene::parameter_table()) {
+    if (row.group != scene::ParameterGroup::highlight || row.motion == scene::ParameterMotion::constant)
+      continue;
+    const std::vector<double*> numbers = scene::numbers_of(scene, row, element);
+    const bool moves = scene.tracks.contains({row.key, element});
+    if (!moves && keys == Keys::existing) continue;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      KeyframeTrack& track = scene.tracks[{row.key, element, i}];
+      set_key(track, time_s, *numbers[i]);
+      *numbers[i] = track.keys.front().value;
+    }
+  }
+}
+
+void store(OceanScene& scene, ElementIndex element, const highlights::HighlightControls& controls,
+           double time_s, Keys keys) {
+  highlights::HighlightControls& stored = scene.meshes[element.outer].highlights[element.inner].rule.controls;
+  const int picture = stored.picture;  // which the scene knows by its name
+  stored = controls;
+  stored.picture = picture;
+  store_tracks(scene, element, time_s, keys);
+}
+
+}  // namespace
+
+ElementIndex controls_of(OceanScene& scene, const HighlightName& name,
+                         const highlights::DrawnHighlight& highlight) {
+  std::vector<scene::HighlightScene>& all = scene.meshes[name.mesh].highlights;
+  if (highlight.rule >= 0) return {name.mesh, static_cast<std::size_t>(highlight.rule)};
+  scene::HighlightScene own;
+  own.rule.nearest_m = highlight.found.centre_m;
+  own.rule.controls = highlight.controls;
+  all.push_back(std::move(own));
+  return {name.mesh, all.size() - 1};
+}
+
+void store_controls(OceanScene& scene, ElementIndex element, const highlights::HighlightControls& controls,
+                    double time_s) {
+  store(scene, element, controls, time_s, Keys::existing);
+}
+
+void store_keys(OceanScene& scene, ElementIndex element, const highlights::HighlightControls& controls,
+                double time_s) {
+  store(scene, element, controls, time_s, Keys::all);
+}
+
+}  // namespace offing::present

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "host/highlights/drawn_highlights.h"
+#include "host/scene/ocean_scene.h"
+#include "present/mesh_picker.h"
+
+namespace offing::present {
+
+/// Where a scene has the controls of a highlight: the [[mesh.highlight]] that it is drawn by. One that is
+/// drawn as found gets one of its own, for the highlight nearest to where it is now.
+scene::ElementIndex controls_of(scene::OceanScene& scene, const HighlightName& name,
+                                const highlights::DrawnHighlight& highlight);
+
+/// Gives them these controls at a time: values with keyframes get one there, all others are changed for good.
+void store_controls(scene::OceanScene& scene, scene::ElementIndex element,
+                    const highlights::HighlightControls& controls, double time_s);
+
+/// Keyframes of all controls that can have them, with these values at this time; one that is there already is
+/// replaced.
+void store_keys(scene::OceanScene& scene, scene::ElementIndex element,
+                const highlights::HighlightControls& controls, double time_s);
+
+}  // namespace offing::present

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "host/scene/ocean_scene.h"
+
+namespace offing::present {
+
+/// Scenes before and after edits, for undo and redo: a hundred steps back.
+class SceneHistory {
+ public:
+  explicit SceneHistory(scene::OceanScene scene) : now_(std::move(scene)) {}
+
+  /// An edit has ended with this scene: what was undone before is gone.
+  void note(scene::OceanScene scene);
+  /// The scene before the last edit that still stands; nothing if there is none.
+  std::optional<scene::OceanScene> undo();
+  /// That of the last undo() taken back; nothing if there is none.
+  std::optional<scene::OceanScene> redo();
+
+ private:
+  scene::OceanScene now_;
+  std::deque<scene::OceanScene> before_;
+  std::vector<scene::OceanScene> after_;
+};
+
+}  // namespace offing::present
