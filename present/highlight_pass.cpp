@@ -1,6 +1,5 @@
 #include "present/highlight_pass.h"
 
-#include <array>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -22,16 +21,6 @@ ShaderProgram highlight_program() {
                     shader_file("highlight_shapes.glsl"), shader_file("highlight.frag")}});
 }
 
-/// One white, opaque texel.
-GlTexture white_texture() {
-  GlTexture texture = GlTexture::make();
-  constexpr std::array<unsigned char, 4> white{255, 255, 255, 255};
-  glBindTexture(GL_TEXTURE_2D, texture.name());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  return texture;
-}
-
 int box_show(MeshShow show) {
   return show == MeshShow::ids ? 1 : show == MeshShow::regions ? 2 : 0;
 }
@@ -45,18 +34,21 @@ glm::vec3 id_colour(std::uint64_t id) {
   return glm::vec3(glm::clamp(glm::abs(6.0 * place - 3.0) - 1.0, 0.02, 1.0));
 }
 
-HighlightPass::HighlightPass() : program_(highlight_program()), no_picture_(white_texture()) {}
+HighlightPass::HighlightPass() : program_(highlight_program()) {}
 
 void HighlightPass::draw_one(const world::MeshView& mesh, const highlights::DrawnHighlight& highlight,
-                             const Scenery& scenery) const {
+                             const Scenery& scenery) {
   const highlights::HighlightControls& controls = highlight.controls;
   const glm::dmat4 to_box = highlights::projection_of(highlight.projector) *
                             glm::translate(glm::dmat4(1.0), mesh.surface().middle_m());
+  bind_sampler(program_, "picture", picture_unit,
+               pictures_.texture(scenery.world.parameters().pictures, controls));
   program_.set("to_box", glm::mat4(to_box));
   program_.set("texture_kind", static_cast<int>(controls.texture));
   program_.set("colour", glm::vec3(controls.colour));
-  program_.set("lamp_kcdpm2", scenery.lights.white_kcdpm2(highlight.lamp));
-  program_.set("opacity", static_cast<float>(highlight.opacity));
+  program_.set("lamp_kcdpm2", scenery.lights.highlight_kcdpm2(highlight.lamp));
+  program_.set("opacity",
+               static_cast<float>(highlight.opacity * scenery.lights.highlight_share(highlight.lamp)));
   program_.set("softness", static_cast<float>(controls.softness));
   program_.set("shape_depth", static_cast<float>(highlights::depth_of(controls.texture)));
   program_.set("box_right", glm::vec3(mesh.motion().rotation * highlight.projector.right));
@@ -75,8 +67,7 @@ void HighlightPass::draw(const world::MeshView& mesh, const MeshGeometry& geomet
   program_.use();
   matrices.set(program_);
   scenery.lights.bind(program_);
-  set_air(program_, scenery.air, scenery.environment, environment_unit);
-  bind_sampler(program_, "picture", picture_unit, no_picture_.name());
+  set_air(program_, scenery.world.parameters().atmosphere, scenery.environment, environment_unit);
   program_.set("shows_box", box_show(request.meshes));
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

@@ -2,8 +2,9 @@
 
 #include <vector>
 
-#include "host/world/mesh_view.h"
+#include "host/world/world.h"
 #include "present/frame_request.h"
+#include "present/highlight_pictures.h"
 #include "present/mesh_geometry.h"
 #include "present/mesh_lights.h"
 #include "present/mesh_view_matrices.h"
@@ -19,8 +20,8 @@ class HighlightPass {
 
   /// What all meshes of a picture share.
   struct Scenery {
+    const world::World& world;
     const MeshLights& lights;
-    const sky::Atmosphere& air;
     GLuint environment;
   };
   /// Onto the bound target, in which the mesh has been drawn with these matrices.
@@ -29,10 +30,10 @@ class HighlightPass {
 
  private:
   void draw_one(const world::MeshView& mesh, const highlights::DrawnHighlight& highlight,
-                const Scenery& scenery) const;
+                const Scenery& scenery);
 
   ShaderProgram program_;
-  GlTexture no_picture_;
+  HighlightPictures pictures_;
   std::vector<std::uint32_t> corners_;
 };
 

@@ -10,6 +10,7 @@
 #include "host/base/error.h"
 #include "host/base/log.h"
 #include "host/scene/moving_view.h"
+#include "host/scene/scene_meshes.h"
 #include "host/scene/world_scene.h"
 #include "present/device_stage.h"
 #include "present/picture_file.h"
@@ -82,6 +83,7 @@ void LiveSea::draw(const SeaView& view) {
   const scene::ViewScene now = scene::view_at(scene_, view.time_s);
   view_ = view;
   scene::set_view(*world_, now);
+  scene::set_meshes_at(*world_, scene_, view.time_s);
   simulate(view);
   exposure_ = light_meter_.exposure(*world_, view.camera, now.exposure_ev);
   frame_->draw(*world_, {.camera = view.camera,

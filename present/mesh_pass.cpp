@@ -129,7 +129,7 @@ void MeshPass::draw_mesh(const world::World& world, std::size_t index, const Fra
   if (request.meshes == MeshShow::directions) lines_.draw_directions(view, matrices, request);
   if (request.meshes == MeshShow::curvature || request.meshes == MeshShow::directions) return;
   highlights_.draw(view, meshes_[index].geometry, matrices, request,
-                   {.lights = lights_, .air = world.parameters().atmosphere, .environment = environment});
+                   {.world = world, .lights = lights_, .environment = environment});
   if (request.meshes == MeshShow::projectors) lines_.draw_projectors(view, matrices, request);
 }
 

@@ -46,10 +46,6 @@ std::string encoded(const std::string& name, int width, int height, png_uint_32 
   return file;
 }
 
-}  // namespace
-
-namespace {
-
 /// Pixels in a format of libpng; returns width and height.
 std::pair<int, int> decode_png(const std::filesystem::path& path, png_uint_32 format,
                                const png_color* background, std::vector<std::uint8_t>& pixels) {

@@ -8,6 +8,7 @@
 #include "host/base/error.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/scene_file.h"
+#include "host/scene/scene_meshes.h"
 
 namespace offing::scene {
 namespace {
@@ -43,12 +44,28 @@ direction_deg = 30
 [[ocean.raindrop]]
 x_m = 2.5
 amplitude_m = -0.01
+[[light]]
+name = "lamp"
+colour = { keys = [{ t = 0, value = [1, 0.5, 0] }, { t = 2, value = [0, 0, 1] }] }
+[[mesh]]
+shape = "head"
+colour = [0.5, 0.25, 0]
+[[mesh.highlight]]
+light = "lamp"
+nearest_m = [0, 1, 2]
+opacity = { keys = [{ t = 0, value = 0 }, { t = 2, value = 1 }] }
+[[mesh.highlight]]
+texture = "star"
 )";
 
 // What comes of a text: "" for a scene that can be shown, else the message. Anything but Error fails.
 std::string outcome(const std::string& text) {
   try {
-    view_at(parse_scene(text, "a.toml", ""), 1.0);
+    const OceanScene scene = parse_scene(text, "a.toml", "");
+    view_at(scene, 1.0);
+    lamps_at(scene, 1.0);
+    mesh_materials_at(scene, 1.0);
+    mesh_rules_at(scene, 1.0);
     return "";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::bad_input);

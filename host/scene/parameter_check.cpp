@@ -1,0 +1,116 @@
+#include "host/scene/parameter_check.h"
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+
+namespace offing::scene {
+
+namespace {
+
+[[noreturn]] void refuse(const Parameter& parameter, const WrittenValue& written, const Place& place) {
+  const std::string example{parameter.example.empty() ? default_text(parameter)
+                                                      : std::string(parameter.example)};
+  const bool quote = is_text(parameter);
+  const bool in_file = place.assignment.ends_with("= ");
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected {}, got {}", place.subject, expected_text(parameter), written.shown),
+              fmt::format(fmt::runtime(quote && in_file ? "write {}\"{}\"" : "write {}{}"), place.assignment,
+                          example));
+}
+
+/// Throws with the mend where a time lacks nothing but its zone.
+void require_zone(const Parameter& parameter, const WrittenValue& written, const Place& place) {
+  const std::string_view quote = written.shown.starts_with('"') ? "\"" : "";
+  std::string_view text = written.shown;
+  if (!quote.empty()) text = text.substr(1, text.size() - 2);
+  if (!parse_iso_time(fmt::format("{}Z", text))) return;
+  throw Error(
+      ErrorKind::bad_input,
+      fmt::format("{}: expected {}, got {} without a zone", place.subject, expected_text(parameter),
+                  written.shown),
+      fmt::format("add a Z, which says that it is UTC: {}{}{}Z{}", place.assignment, quote, text, quote));
+}
+
+}  // namespace
+
+bool is_text(const Parameter& parameter) {
+  return std::holds_alternative<ChoiceStorage>(parameter.storage) ||
+         std::holds_alternative<ValueAt<std::string>>(parameter.storage) ||
+         std::holds_alternative<ValueAt<std::optional<UtcTime>>>(parameter.storage);
+}
+
+bool is_triple(const Parameter& parameter) {
+  return std::holds_alternative<ValueAt<glm::dvec3>>(parameter.storage) ||
+         std::holds_alternative<ValueAt<std::optional<glm::dvec3>>>(parameter.storage);
+}
+
+double checked_number(const Parameter& parameter, const WrittenValue& written, const Place& place) {
+  double number = std::numeric_limits<double>::quiet_NaN();
+  if (const auto* real = std::get_if<double>(&written.value)) {
+    number = *real;
+  } else if (const auto* whole = std::get_if<std::int64_t>(&written.value)) {
+    number = static_cast<double>(*whole);
+  }
+  if (!(number >= parameter.low && number <= parameter.high)) {  // false for NaN too
+    refuse(parameter, written, place);
+  }
+  return number * parameter.scale;
+}
+
+glm::dvec3 checked_triple(const Parameter& parameter, const WrittenValue& written, const Place& place) {
+  const auto* list = std::get_if<std::vector<double>>(&written.value);
+  const auto is_within = [&](double number) { return number >= parameter.low && number <= parameter.high; };
+  if (!list || list->size() != 3 || !std::all_of(list->begin(), list->end(), is_within)) {
+    refuse(parameter, written, place);
+  }
+  return parameter.scale * glm::dvec3((*list)[0], (*list)[1], (*list)[2]);
+}
+
+std::int64_t checked_whole(const Parameter& parameter, const WrittenValue& written, const Place& place) {
+  const auto* whole = std::get_if<std::int64_t>(&written.value);
+  if (!whole || static_cast<double>(*whole) < parameter.low || static_cast<double>(*whole) > parameter.high) {
+    refuse(parameter, written, place);
+  }
+  if (parameter.rule == ParameterRule::power_of_two && (*whole & (*whole - 1)) != 0) {
+    refuse(parameter, written, place);
+  }
+  return *whole;
+}
+
+const std::string& checked_name(const Parameter& parameter, const WrittenValue& written, const Place& place) {
+  const auto* name = std::get_if<std::string>(&written.value);
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  if (!name || name->empty() || std::find_if(name->begin(), name->end(), is_control) != name->end()) {
+    refuse(parameter, written, place);
+  }
+  return *name;
+}
+
+UtcTime checked_time(const Parameter& parameter, const WrittenValue& written, const Place& place) {
+  const auto* text = std::get_if<std::string>(&written.value);
+  const std::optional<UtcTime> time = text ? parse_iso_time(*text) : std::nullopt;
+  if (!time || time->year < first_year || time->year > last_year) {
+    require_zone(parameter, written, place);
+    refuse(parameter, written, place);
+  }
+  return *time;
+}
+
+std::size_t checked_choice(const Parameter& parameter, const ChoiceStorage& choice,
+                           const WrittenValue& written, const Place& place) {
+  const auto* name = std::get_if<std::string>(&written.value);
+  for (std::size_t i = 0; name && i < choice.names.size(); ++i) {
+    if (choice.names[i] == *name) {
+      return i;
+    }
+  }
+  refuse(parameter, written, place);
+}
+
+}  // namespace offing::scene
