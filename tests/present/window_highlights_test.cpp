@@ -26,7 +26,7 @@ y_m = 1
 z_m = 4
 yaw_deg = 0
 pitch_deg = 0
-fov_deg = 90
+fov_deg = 40
 
 [sun]
 azimuth_deg = 200
@@ -53,7 +53,13 @@ class WindowHighlightsTest : public WindowTest {
   void open(const present::ViewOptions& options) {
     WindowTest::open(options);
     press("Tab");
-    turn(5);
+    resize({400, 300});
+    turn(3);
+  }
+  /// Small windows are quick to draw.
+  void resize(Spot size) {
+    glfwSetWindowSize(viewer_->window(), size.x, size.y);
+    turn(3);
   }
   static present::ViewOptions options_of(scene::OceanScene scene) {
     present::ViewOptions options = quick_options();
@@ -214,12 +220,14 @@ TEST_F(WindowHighlightsTest, EditsKeysUndoAndSavedScenesShowTheSame) {
   EXPECT_NEAR(state().clock.time_s(), first_s, 1e-9);
   EXPECT_TRUE(settled_picture() == first);
 
+  resize({480, 1000});
   press("Tab");
   turn(3);
   toggle_header("Scene file");
   enter(find(main_panel(), "name"), "mine.toml");
   click(find(main_panel(), "save scene as", 40));
   EXPECT_FALSE(state().message.is_fault) << message();
+  resize({400, 300});
   for (int i = 0; i < 5; ++i) undo();
   EXPECT_TRUE(state().scene.tracks.empty());
   EXPECT_TRUE(state().scene.meshes[0].highlights.empty());
