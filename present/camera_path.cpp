@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "host/scene/scene_meshes.h"
+
 namespace offing::present {
 namespace {
 
@@ -22,6 +24,17 @@ void take_camera_path(const scene::OceanScene& from, scene::OceanScene& to) {
   for (const auto& [value, track] : from.tracks) {
     if (is_of_camera(value)) to.tracks.emplace(value, track);
   }
+}
+
+highlights::LightingAt recorded_lighting(const scene::OceanScene& scene, const world::GroundView* ground,
+                                         const std::optional<glm::dvec3>& eye_m) {
+  highlights::LightingAt lighting = scene::lighting_of(scene, ground);
+  if (!eye_m) return lighting;
+  return [lighting, eye_m](double time_s) {
+    highlights::Lighting there = lighting(time_s);
+    there.eye.vector = *eye_m;
+    return there;
+  };
 }
 
 }  // namespace offing::present

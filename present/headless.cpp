@@ -21,7 +21,7 @@ class PictureMaker {
                                          context_.share_properties())),
         scene_(options.scene),
         world_(device_, scene::prepare_shown_world(scene_)),
-        lighting_(scene::lighting_of(scene_)),
+        lighting_at_(scene::lighting_of(scene_, world_.ground())),
         frame_(context_, device_, frame_settings(options.detail.value_or(Detail::high), options.transfer)),
         size_(options.size.value_or(PictureSize{})) {
     spdlog::info("OpenGL {} ({}, {}); OpenCL {}; transfer {}", context_.capabilities().version,
@@ -37,7 +37,7 @@ class PictureMaker {
     view.camera.height_px = size_.height;
     const double exposure = light_meter_.exposure(world_, view.camera, view.exposure_ev);
     if (cancel.cancelled()) return false;
-    frame_.draw(world_, {.camera = view.camera, .exposure = exposure, .lighting_at = lighting_});
+    frame_.draw(world_, {.camera = view.camera, .exposure = exposure, .lighting_at = lighting_at_});
     if (cancel.cancelled()) return false;
     write_picture(path, frame_, time_s, exposure);
     return true;
@@ -48,7 +48,7 @@ class PictureMaker {
   ocl::Device device_;
   scene::OceanScene scene_;
   world::World world_;
-  highlights::LightingAt lighting_;
+  highlights::LightingAt lighting_at_;
   Frame frame_;
   LightMeter light_meter_;
   PictureSize size_;

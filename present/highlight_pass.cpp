@@ -46,8 +46,9 @@ void HighlightPass::draw_one(const world::MeshView& mesh, const highlights::Draw
   program_.set("to_box", glm::mat4(to_box));
   program_.set("texture_kind", static_cast<int>(controls.texture));
   program_.set("colour", glm::vec3(controls.colour));
-  program_.set("lamp_kcdpm2", scenery.lights.white_kcdpm2(highlight.lamp));
-  program_.set("opacity", static_cast<float>(highlight.opacity));
+  program_.set("lamp_kcdpm2", scenery.lights.highlight_kcdpm2(highlight.lamp));
+  program_.set("opacity",
+               static_cast<float>(highlight.opacity * scenery.lights.highlight_share(highlight.lamp)));
   program_.set("softness", static_cast<float>(controls.softness));
   program_.set("shape_depth", static_cast<float>(highlights::depth_of(controls.texture)));
   program_.set("box_right", glm::vec3(mesh.motion().rotation * highlight.projector.right));

@@ -13,6 +13,8 @@ namespace {
 constexpr int meter_columns = 9, meter_rows = 7;
 // What the mean of the sky comes out at before the tone curve, where 1 is white.
 constexpr double key = 0.36;
+// What white in all the light on meshes comes out at: colours in half of it are half as bright.
+constexpr double mesh_key = 1.8;
 // Below this light, deep dusk, pictures grow dark as the eye's do.
 constexpr double least_kcdpm2 = 1e-4;
 
@@ -24,6 +26,16 @@ double level_ground_kcdpm2(const world::World& world) {
   const double level_sun = std::max(0.0, static_cast<double>(world.sky().params().sun_direction_y));
   return mean_albedo / std::numbers::pi *
          (level_sun * sky::luminance(light.sun_klx) + sky::luminance(light.sky_klx));
+}
+
+/// Light of a white surface that faces all light there is.
+double white_kcdpm2(const world::World& world) {
+  double sum_klx = sky::luminance(world.illuminance().sky_klx) + sky::luminance(world.illuminance().sun_klx);
+  for (const world::Lamp& lamp : world.parameters().lamps) {
+    const glm::dvec3 klx = lamp.illuminance_klx * lamp.colour;
+    sum_klx += sky::luminance({klx.r, klx.g, klx.b});
+  }
+  return sum_klx / std::numbers::pi;
 }
 
 std::vector<std::array<double, 3>> metered_directions(const Camera& camera, bool has_water) {
@@ -44,6 +56,9 @@ std::vector<std::array<double, 3>> metered_directions(const Camera& camera, bool
 }  // namespace
 
 double LightMeter::exposure(const world::World& world, const Camera& camera, double ev) {
+  if (!world.meshes().empty() && !world.has_sea() && !world.ground()) {
+    return mesh_key * std::exp2(ev) / (white_kcdpm2(world) + least_kcdpm2);
+  }
   const sky::ClearSky& sky = world.sky();
   const bool has_water = world.has_sea() || !world.ground();
   std::vector<std::array<double, 3>> directions = metered_directions(camera, has_water);

@@ -12,6 +12,14 @@ static_assert(world::most_lamps + 1 == max_lights);
 // Of what lies under meshes: dark, as water and woods are.
 constexpr float albedo_below = 0.1f;
 
+// From this share of all light on a lamp has highlights of full opacity.
+constexpr float full_share = 0.01f;
+constexpr float least_klx = 1e-9f;  // the dark, but for division by it
+
+float luminance(const glm::vec3& klx) {
+  return static_cast<float>(sky::luminance({klx.r, klx.g, klx.b}));
+}
+
 glm::vec3 to_vec3(const sky::Rgb& values) {
   return {values[0], values[1], values[2]};
 }
@@ -38,6 +46,8 @@ void MeshLights::prepare(const world::World& world, const glm::dvec3& eye_m) {
   }
   block_.fill(std::move(values));
   sky_klx_ = to_vec3(light.sky_klx);
+  white_klx_ = luminance(sky_klx_);
+  for (const glm::vec3& klx : klx_) white_klx_ += luminance(klx);
   const float rise = std::max(0.0f, world.sky().params().sun_direction_y);
   ground_klx_ = albedo_below * (sky_klx_ + rise * sun_klx);
 }
@@ -49,9 +59,17 @@ void MeshLights::bind(const ShaderProgram& program) const {
   program.set("ground_klx", ground_klx_);
 }
 
-glm::vec3 MeshLights::white_kcdpm2(int lamp) const {
+glm::vec3 MeshLights::highlight_kcdpm2(int lamp) const {
   const auto i = static_cast<std::size_t>(lamp);
-  return i < klx_.size() ? klx_[i] / std::numbers::pi_v<float> : glm::vec3(0.0f);
+  if (i >= klx_.size()) return glm::vec3(0.0f);
+  return klx_[i] * (white_klx_ / std::numbers::pi_v<float> / std::max(luminance(klx_[i]), least_klx));
+}
+
+double MeshLights::highlight_share(int lamp) const {
+  const auto i = static_cast<std::size_t>(lamp);
+  if (i >= klx_.size()) return 0.0;
+  return std::min(1.0,
+                  static_cast<double>(luminance(klx_[i]) / std::max(full_share * white_klx_, least_klx)));
 }
 
 }  // namespace offing::present

@@ -18,12 +18,17 @@ class MeshLights {
   void prepare(const world::World& world, const glm::dvec3& eye_m);
   /// Gives them to a program in use.
   void bind(const ShaderProgram& program) const;
-  /// Light of a white surface that faces a lamp, kcd/m2; black for one that is not there any more.
-  glm::vec3 white_kcdpm2(int lamp) const;
+  /// Light of a white highlight of a lamp, kcd/m2, in the lamp's colour: as bright as white in all light that
+  /// there is, so that no lamp's highlights are darker than what they lie on.
+  glm::vec3 highlight_kcdpm2(int lamp) const;
+  /// How much a lamp counts for highlights, 0 ... 1: less than all where it sends but a hundredth of the
+  /// light, none where it is gone.
+  double highlight_share(int lamp) const;
 
  private:
   UniformBlock block_;
   std::vector<glm::vec3> klx_;  // in the order of World::lighting()
+  float white_klx_ = 0.0f;      // luminance of all light together
   glm::vec3 sky_klx_{0.0f}, ground_klx_{0.0f};
 };
 

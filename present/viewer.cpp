@@ -267,6 +267,14 @@ void Viewer::end_frame() {
   }
 }
 
+/// Of a recording, whose highlights depend on the time alone; else none.
+highlights::LightingAt Viewer::lighting_at() {
+  if (!options_.recording) return {};
+  const std::optional<glm::dvec3> stands_m =
+      is_on_path_ ? std::nullopt : std::optional(state_.camera.camera().eye_m);
+  return recorded_lighting(options_.scene, sea_.ground(), stands_m);
+}
+
 void Viewer::draw_sea(int width, int height) {
   const double pixels = static_cast<double>(width) * height;
   const bool is_enlarged = context_.capabilities().is_software && !options_.size;
@@ -288,7 +296,8 @@ void Viewer::draw_sea(int width, int height) {
                .ground = state_.ground,
                .meshes = state_.meshes,
                .tiles = options_.recording ? world::TileWait::all : world::TileWait::none,
-               .ground_scale = ScaleLadder::side_scale(ray_rung())});
+               .ground_scale = ScaleLadder::side_scale(ray_rung()),
+               .lighting_at = lighting_at()});
     drawn_s_ = state_.clock.time_s();
   } catch (const Error& error) {
     // A time that the scene does not have, such as one beyond the sun's calendar: a recording ends there, the

@@ -46,6 +46,7 @@ class Viewer {
   void reset_camera();
   void take_screenshot();
   bool show();
+  highlights::LightingAt lighting_at();
   void draw_sea(int width, int height);
   void end_frame();
   void copy_to_window(int width, int height);

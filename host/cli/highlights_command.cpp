@@ -15,8 +15,8 @@
 #include "host/cli/device_choice.h"
 #include "host/cli/highlight_recorder.h"
 #include "host/cli/scene_frames.h"
+#include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
-#include "host/command_line/require_new.h"
 #include "host/io/atomic_file.h"
 #include "host/scene/scene_file.h"
 

@@ -16,6 +16,7 @@
 #include "host/scene/moving_view.h"
 #include "host/scene/named_file.h"
 #include "host/scene/parameter_table.h"
+#include "host/scene/scene_ground.h"
 #include "host/sky/sun_position.h"
 
 namespace offing::scene {
@@ -221,10 +222,11 @@ void set_meshes_at(world::World& world, const OceanScene& scene, double time_s) 
   }
 }
 
-highlights::LightingAt lighting_of(const OceanScene& scene) {
+highlights::LightingAt lighting_of(const OceanScene& scene, const world::GroundView* ground) {
   const auto own = std::make_shared<const OceanScene>(scene);
-  return [own](double time_s) {
-    const ViewScene view = view_at(*own, time_s);
+  return [own, ground](double time_s) {
+    ViewScene view = view_at(*own, time_s);
+    if (ground != nullptr) stand_on_ground(*ground, view);
     highlights::Lighting lighting{.eye = {Source::Kind::place, view.camera.eye_m}, .lamps = {}};
     for (const world::Lamp& lamp : lamps_at(*own, time_s)) lighting.lamps.push_back(lamp.source);
     const auto [x, y, z] = sky::direction_of(view.sun_azimuth_rad, view.sun_elevation_rad);

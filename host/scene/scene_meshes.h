@@ -32,8 +32,9 @@ std::vector<world::Lamp> lamps_at(const OceanScene& scene, double time_s);
 void set_meshes_at(world::World& world, const OceanScene& scene, double time_s);
 
 /// Eye, lamps and, while it is up, the sun of a scene at any time, in the world's axes, in the order of
-/// World::lighting(). Its own copy of what it needs: the scene may go.
-highlights::LightingAt lighting_of(const OceanScene& scene);
+/// World::lighting(). Its own copy of what it needs: the scene may go; a ground, on which an eye on foot
+/// stands, must stay.
+highlights::LightingAt lighting_of(const OceanScene& scene, const world::GroundView* ground = nullptr);
 
 /// Makes the meshes of a world, which are those of `before`, those of `after`: anew only where more than
 /// their looks and their rules have changed. Throws what prepare_meshes() throws, and has changed nothing

@@ -4,7 +4,7 @@ const int first_picture = 6, normal_picture = 7;
 
 uniform int texture_kind;
 uniform vec3 colour;         // of the artist
-uniform vec3 lamp_kcdpm2;    // of a white surface that faces the lamp
+uniform vec3 lamp_kcdpm2;    // of a white highlight
 uniform float opacity;
 uniform float softness, shape_depth;  // in half widths
 uniform sampler2D picture;   // premultiplied

@@ -42,9 +42,12 @@ class HighlightPassTest : public MeshStage {
     return pair;
   }
 
-  /// How much of a highlight each pixel has, 0 ... 1: of white in the sun, over the mesh.
+  /// How much of a highlight each pixel has, 0 ... 1, over the mesh: of white in all light, in the sun's
+  /// colour.
   std::vector<double> opacities(const Pair& pair) const {
-    const double white = world_->illuminance().sun_klx[1] / std::numbers::pi;
+    const sky::Illuminance& sky = world_->illuminance();
+    const double sun_klx = sky::luminance(sky.sun_klx), all_klx = sun_klx + sky::luminance(sky.sky_klx);
+    const double white = sky.sun_klx[1] * all_klx / sun_klx / std::numbers::pi;
     std::vector<double> shares;
     for (std::size_t i = 1; i < pair.with.size(); i += 4) {
       shares.push_back((pair.with[i] - pair.without[i]) / (white - pair.without[i]));
