@@ -83,7 +83,7 @@ void LiveSea::draw(const SeaView& view) {
   const scene::ViewScene now = scene::view_at(scene_, view.time_s);
   view_ = view;
   scene::set_view(*world_, now);
-  if (!scene_.meshes.empty()) scene::set_meshes_at(*world_, scene_, view.time_s);
+  scene::set_meshes_at(*world_, scene_, view.time_s);
   simulate(view);
   exposure_ = light_meter_.exposure(*world_, view.camera, now.exposure_ev);
   frame_->draw(*world_, {.camera = view.camera,
