@@ -72,4 +72,12 @@ void store_keys(OceanScene& scene, ElementIndex element, const highlights::Highl
   store(scene, element, controls, time_s, Keys::all);
 }
 
+void remove_keys(OceanScene& scene, ElementIndex element, const highlights::HighlightControls& controls) {
+  std::erase_if(scene.tracks, [&](const auto& track) {
+    const Parameter& row = *scene::find_parameter(track.first.key);
+    return row.group == scene::ParameterGroup::highlight && track.first.element == element;
+  });
+  store(scene, element, controls, 0.0, Keys::existing);
+}
+
 }  // namespace offing::present

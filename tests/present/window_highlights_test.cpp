@@ -157,10 +157,11 @@ TEST_F(WindowHighlightsTest, HandlesTurnAndResize) {
   const std::uint64_t id = id_of(0);
   pick(id);
   const glm::dvec2 middle_px = place_px(id);
-  pull(handle_px(id, Handle::rotate), middle_px + glm::dvec2(-50.0, 0.0));
+  const glm::dvec2 knob_px = handle_px(id, Handle::rotate) - middle_px;
+  pull(middle_px + knob_px, middle_px + glm::dvec2(knob_px.y, -knob_px.x));
   const highlights::HighlightControls turned = shown(id).controls;
-  // Not a quarter turn sharp: the plane is seen askew.
-  EXPECT_NEAR(std::abs(turned.rotation_rad), 0.5 * std::numbers::pi, 0.6);
+  // Anticlockwise as it is seen. Not a quarter turn sharp: the plane is seen askew.
+  EXPECT_NEAR(turned.rotation_rad, 0.5 * std::numbers::pi, 0.6);
   EXPECT_EQ(turned.scale, 1.0);
   const double width_m = shown(id).whole.width_m, height_m = shown(id).whole.height_m;
   const glm::dvec2 corner_px = handle_px(id, Handle::scale);
