@@ -6,6 +6,8 @@
 #include <random>
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <gtest/gtest.h>
 
 #include "host/mesh_shapes/shape.h"
