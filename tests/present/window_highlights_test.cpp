@@ -17,6 +17,9 @@ namespace {
 using present::Handle;
 
 constexpr const char* scene_text = R"(version = 1
+[time]
+fps = 4
+
 [camera]
 x_m = 0
 y_m = 1
@@ -93,7 +96,7 @@ class WindowHighlightsTest : public WindowTest {
       hands_->move_to(at.x, at.y);
       turn();
     }
-    turn(6);
+    turn(5);
     hands_->button(Hands::Button::left, Hands::Motion::up);
     turn(2);
   }
@@ -195,7 +198,7 @@ TEST_F(WindowHighlightsTest, EditsKeysUndoAndSavedScenesShowTheSame) {
   ASSERT_TRUE(state().scene.tracks.contains(offset));
   const double first_s = state().clock.time_s();
 
-  for (int i = 0; i < 12; ++i) press("period");
+  for (int i = 0; i < 2; ++i) press("period");
   EXPECT_GT(state().clock.time_s(), first_s + 0.4);
   EXPECT_TRUE(settled_picture() == first) << "one key holds for all times";
   pull(place_px(id), place_px(id) + glm::dvec2(30.0, -20.0));
@@ -207,7 +210,7 @@ TEST_F(WindowHighlightsTest, EditsKeysUndoAndSavedScenesShowTheSame) {
   EXPECT_TRUE(settled_picture() == first);
   redo();
   EXPECT_TRUE(settled_picture() == second);
-  for (int i = 0; i < 12; ++i) press("comma");
+  for (int i = 0; i < 2; ++i) press("comma");
   EXPECT_NEAR(state().clock.time_s(), first_s, 1e-9);
   EXPECT_TRUE(settled_picture() == first);
 
@@ -224,7 +227,7 @@ TEST_F(WindowHighlightsTest, EditsKeysUndoAndSavedScenesShowTheSame) {
 
   open(options_of(scene::load_scene("mine.toml")));
   EXPECT_TRUE(settled_picture() == first);
-  for (int i = 0; i < 12; ++i) press("period");
+  for (int i = 0; i < 2; ++i) press("period");
   EXPECT_TRUE(settled_picture() == second);
 }
 
