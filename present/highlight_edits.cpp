@@ -4,6 +4,7 @@
 
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_elements.h"
+#include "host/scene/unused_mesh_parameters.h"
 
 namespace offing::present {
 namespace {
@@ -31,7 +32,8 @@ void store_tracks(OceanScene& scene, ElementIndex element, double time_s, Keys k
       continue;
     const std::vector<double*> numbers = scene::numbers_of(scene, row, element);
     const bool moves = scene.tracks.contains({row.key, element});
-    if (!moves && keys == Keys::existing) continue;
+    const bool is_wanted = keys == Keys::all && scene::against_highlight(scene, element, row.use).empty();
+    if (!moves && !is_wanted) continue;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       KeyframeTrack& track = scene.tracks[{row.key, element, i}];
       set_key(track, time_s, *numbers[i]);
@@ -70,6 +72,14 @@ void store_controls(OceanScene& scene, ElementIndex element, const highlights::H
 void store_keys(OceanScene& scene, ElementIndex element, const highlights::HighlightControls& controls,
                 double time_s) {
   store(scene, element, controls, time_s, Keys::all);
+}
+
+void remove_keys(OceanScene& scene, ElementIndex element, const highlights::HighlightControls& controls) {
+  std::erase_if(scene.tracks, [&](const auto& track) {
+    const Parameter& row = *scene::find_parameter(track.first.key);
+    return row.group == scene::ParameterGroup::highlight && track.first.element == element;
+  });
+  store(scene, element, controls, 0.0, Keys::existing);
 }
 
 }  // namespace offing::present

@@ -20,4 +20,8 @@ void store_controls(scene::OceanScene& scene, scene::ElementIndex element,
 void store_keys(scene::OceanScene& scene, scene::ElementIndex element,
                 const highlights::HighlightControls& controls, double time_s);
 
+/// Takes all their keyframes away: from here on they are these.
+void remove_keys(scene::OceanScene& scene, scene::ElementIndex element,
+                 const highlights::HighlightControls& controls);
+
 }  // namespace offing::present

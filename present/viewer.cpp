@@ -19,33 +19,15 @@
 #include "host/scene/scene_ground.h"
 #include "host/scene/scene_writer.h"
 #include "present/camera_path.h"
+#include "present/highlight_panel.h"
 #include "present/picture_file.h"
+#include "present/viewer_start.h"
 
 namespace offing::present {
 namespace {
 
 // Where the CPU draws, more pixels than these make frames too slow; the window shows them enlarged.
 constexpr double software_pixels = 640.0 * 360.0;
-
-std::string title(const ViewOptions& options) {
-  return options.scene_name.empty() ? "Offing" : fmt::format("Offing: {}", options.scene_name);
-}
-
-LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& capabilities) {
-  const Detail usual = capabilities.is_software ? Detail::low : Detail::high;
-  return {.device = options.device,
-          .frame = frame_settings(options.detail.value_or(usual), options.transfer)};
-}
-
-ViewState start_state(const ViewOptions& options, const LiveSea& sea) {
-  ViewState state{.scene = options.scene,
-                  .camera = FreeCamera(sea.scene().view.camera),
-                  .clock = SceneClock(options.time_s),
-                  .save_name = (options.scene_name.empty() ? "scene" : options.scene_name) + "_edited.toml",
-                  .message = {.text = sea.warning()}};
-  state.scene.view.camera = sea.scene().view.camera;
-  return state;
-}
 
 std::string whole_name(const std::filesystem::path& path) {
   std::error_code failure;
@@ -326,16 +308,17 @@ PanelEdits Viewer::draw_panels() {
   if (sea_.ground() && state_.shows_map) map_.show(sea_.ground()->parameters());
   panels_.begin();
   if (state_.picked) draw_highlight_handles(*state_.picked, sea_.meshes(), state_.camera.camera());
-  const PanelEdits edits = present::draw_panels(state_, {.times = frame.times(),
-                                                         .capabilities = context_.capabilities(),
-                                                         .device = sea_.device(),
-                                                         .transfer = frame.transfer_rung(),
-                                                         .width_px = frame.screen().width(),
-                                                         .height_px = frame.screen().height(),
-                                                         .has_meshes = !sea_.meshes().empty(),
-                                                         .ground = sea_.ground(),
-                                                         .map = &map_,
-                                                         .ray_rung = ray_rung()});
+  PanelEdits edits = present::draw_panels(state_, {.times = frame.times(),
+                                                   .capabilities = context_.capabilities(),
+                                                   .device = sea_.device(),
+                                                   .transfer = frame.transfer_rung(),
+                                                   .width_px = frame.screen().width(),
+                                                   .height_px = frame.screen().height(),
+                                                   .has_meshes = !sea_.meshes().empty(),
+                                                   .ground = sea_.ground(),
+                                                   .map = &map_,
+                                                   .ray_rung = ray_rung()});
+  if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_highlight_panel(state_, sea_.meshes()));
   panels_.end();
   return edits;
 }

@@ -62,6 +62,7 @@ Heights read_heights(const OceanScene& scene) {
                      .latitude_deg = store.header().centre_latitude_deg};
     }
     HeightMapFile file = read_height_map(terrain.file, terrain.reading);
+    warn_of_assumed_spacing(terrain.file, file.source);
     return Heights{.map = std::make_shared<const HeightMap>(std::move(file.map)),
                    .latitude_deg = file.source.centre_latitude_deg};
   });

@@ -7,6 +7,7 @@
 
 #include "host/highlights/face_tree.h"
 #include "host/ocean/spectrum_parameters.h"
+#include "present/light_meter.h"
 #include "tests/present/mesh_stage.h"
 
 namespace offing::present {
@@ -293,6 +294,22 @@ TEST_F(MeshPassTest, RepeatsEveryByte) {
   EXPECT_NE(light(), first);
   open(lit_world(sphere(BaseShading::phong)));
   EXPECT_EQ(light(), first);
+}
+
+// Fails if meshes alone are not exposed by the light on them: white in all of it comes out at 1.8, two stops
+// up at four times that, wherever the eye looks.
+TEST_F(MeshPassTest, IsExposedByTheLightOnMeshes) {
+  open(lit_world(sphere(BaseShading::phong)));
+  light();
+  const sky::Illuminance& sky = world_->illuminance();
+  const double lamp_klx = 40.0 * sky::luminance({0.2, 0.5, 1.0});
+  const double white =
+      (sky::luminance(sky.sun_klx) + sky::luminance(sky.sky_klx) + lamp_klx) / std::numbers::pi;
+  LightMeter meter;
+  EXPECT_NEAR(meter.exposure(*world_, camera(), 0.0) * white, 1.8, 0.01);
+  Camera other = camera();
+  other.yaw_rad = 1.0;
+  EXPECT_NEAR(meter.exposure(*world_, other, 2.0) * white, 7.2, 0.04);
 }
 
 // Fails if a mesh that the eye stands in, or one behind it, is an error.

@@ -1,0 +1,27 @@
+#include "present/viewer_start.h"
+
+#include <fmt/format.h>
+
+namespace offing::present {
+
+std::string title(const ViewOptions& options) {
+  return options.scene_name.empty() ? "Offing" : fmt::format("Offing: {}", options.scene_name);
+}
+
+LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& capabilities) {
+  const Detail usual = capabilities.is_software ? Detail::low : Detail::high;
+  return {.device = options.device,
+          .frame = frame_settings(options.detail.value_or(usual), options.transfer)};
+}
+
+ViewState start_state(const ViewOptions& options, const LiveSea& sea) {
+  ViewState state{.scene = options.scene,
+                  .camera = FreeCamera(sea.scene().view.camera),
+                  .clock = SceneClock(options.time_s),
+                  .save_name = (options.scene_name.empty() ? "scene" : options.scene_name) + "_edited.toml",
+                  .message = {.text = sea.warning()}};
+  state.scene.view.camera = sea.scene().view.camera;
+  return state;
+}
+
+}  // namespace offing::present

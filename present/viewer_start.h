@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "present/live_sea.h"
+#include "present/panels.h"
+#include "present/view_options.h"
+
+namespace offing::present {
+
+// What a window begins with.
+
+std::string title(const ViewOptions& options);
+LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& capabilities);
+/// With the camera of the sea's scene, which the ground may have placed.
+ViewState start_state(const ViewOptions& options, const LiveSea& sea);
+
+}  // namespace offing::present
