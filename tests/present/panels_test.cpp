@@ -152,6 +152,7 @@ TEST_F(PanelsTest, OptionalValuesComeAndGo) {
 // Fails if an edit of an element changes another one, ends only one of its keyframes, or if a triple is not
 // stored: a drag to the right over each of three kinds of widgets.
 TEST_F(PanelsTest, ElementsAreEditedOnTheirOwn) {
+  ImGui::GetIO().MouseDoubleClickTime = 0.0f;  // which would open a field to type in
   scene_.meshes.resize(2);
   scene_.meshes[1].highlights.resize(2);
   const struct {
