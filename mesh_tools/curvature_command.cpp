@@ -109,7 +109,8 @@ void run(const CurvatureArguments& arguments, const Options& program_options) {
   if (std::filesystem::path(arguments.output).extension() != ".ply") {
     throw bad_argument("--output", "a name that ends in .ply", arguments.output, "out.ply");
   }
-  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused);
+  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused,
+              {arguments.input});
   const bool has_colour = !arguments.colour.empty();
   const CurvatureColour colour = has_colour ? curvature_colour(arguments.colour) : CurvatureColour::mean;
 

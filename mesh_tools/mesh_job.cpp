@@ -5,7 +5,6 @@
 #include "host/base/error_report.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
-#include "host/io/atomic_file.h"
 #include "host/io/meshes/read_mesh.h"
 #include "host/io/meshes/write_mesh.h"
 
@@ -22,8 +21,7 @@ void MeshJob::add_to(CLI::App& command) {
 
 void MeshJob::require_output() const {
   require_mesh_extension(output);
-  require_new(output, force ? Overwriting::allowed : Overwriting::refused);
-  require_writable(output);
+  require_new(output, force ? Overwriting::allowed : Overwriting::refused, {input});
 }
 
 TriangleMesh MeshJob::read() const {

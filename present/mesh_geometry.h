@@ -23,16 +23,18 @@ class MeshGeometry {
   void draw() const;
   /// Draws these faces one after another, as if they were a mesh of their own.
   void draw(GLsizei first_index, GLsizei count) const;
+  /// Draws strips along the borders of an open mesh, which the outline's shader widens.
+  void draw_borders() const;
   /// Gives draw(first, count) the faces' corners, three a face.
   void set_drawn_faces(const std::vector<std::uint32_t>& corners) const;
   /// Binds unit normal and middle of each face, two texels of four floats, to a unit of buffer textures.
   void bind_faces(int unit) const;
 
  private:
-  GlVertexArray all_, some_;
-  GlBuffer vertices_, corners_, some_corners_, faces_;
+  GlVertexArray all_, some_, strips_;
+  GlBuffer vertices_, corners_, some_corners_, strip_vertices_, faces_;
   GlTexture face_texels_;
-  GLsizei count_;
+  GLsizei count_, strip_count_;
   glm::dvec3 low_m_, high_m_;
 };
 

@@ -116,6 +116,7 @@ void MeshPass::draw_outline(std::size_t index, const MeshViewMatrices& matrices,
   glCullFace(GL_FRONT);
   meshes_[index].geometry.draw();
   glDisable(GL_CULL_FACE);
+  meshes_[index].geometry.draw_borders();
 }
 
 void MeshPass::draw_mesh(const world::World& world, std::size_t index, const FrameRequest& request,

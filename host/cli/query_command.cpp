@@ -91,7 +91,8 @@ class AnswerSink {
   AnswerSink(const QueryArguments& arguments, const TimeRange& times, double depth_m)
       : depth_m_(depth_m), style_(style_of(arguments, times)) {
     if (!arguments.output_file.empty()) {
-      require_new(arguments.output_file, arguments.force ? Overwriting::allowed : Overwriting::refused);
+      require_new(arguments.output_file, arguments.force ? Overwriting::allowed : Overwriting::refused,
+                  {arguments.points_file});
       file_.emplace(arguments.output_file);
     }
     if (style_ == Style::csv) {

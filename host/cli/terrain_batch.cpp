@@ -41,7 +41,8 @@ void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::s
   command.add_flag("--force", force_, "replace a file that is there")->group(group)->needs(points);
 }
 
-void TerrainBatch::require_question(const std::string& single) const {
+void TerrainBatch::require_question(const std::string& single, const std::string& ground) const {
+  require_new(output_, force_ ? Overwriting::allowed : Overwriting::refused, {ground, points_});
   if (is_asked() || !single.empty()) return;
   throw Error(ErrorKind::bad_usage, fmt::format("expected {} or --points, found neither", single_),
               "give one question, or a file of them");
@@ -49,7 +50,6 @@ void TerrainBatch::require_question(const std::string& single) const {
 
 void TerrainBatch::answer(std::string_view heading, const Answer& answer,
                           const GlobalOptions& options) const {
-  require_new(output_, force_ ? Overwriting::allowed : Overwriting::refused);
   NumberTable table(points_, columns_);
   std::optional<AtomicFile> file;
   if (!output_.empty()) file.emplace(output_);

@@ -24,6 +24,7 @@
 #include "host/cli/terrain_camera.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
+#include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 
 namespace offing::cli {
@@ -38,7 +39,7 @@ struct TerrainFlyArguments {
   std::string frames = "600", every = "12", speed = "300", rate = "30", height = "150";
   CacheFlags cache;
   HeightMapFlags map_flags;
-  bool json = false;
+  bool force = false, json = false;
 };
 
 struct FlightSettings {
@@ -93,6 +94,7 @@ class Flying {
     if (!arguments_.output.empty()) make_folder();
     if (!arguments_.compared.empty()) {
       const HeightMapFile file = read_height_map(arguments_.compared, arguments_.map_flags.read());
+      require_map_of_store(file.map);
       map_.emplace(make_field(file.map, device_));
       comparison_.emplace(*map_);
     }
@@ -127,22 +129,52 @@ class Flying {
   }
 
  private:
+  struct Kept {
+    const Camera* camera;
+    std::vector<bool> is_sky;  ///< [pixels]
+  };
+
+  void require_map_of_store(const HeightMap& map) const {
+    const TileStoreHeader& of = store_.header();
+    const auto is_near = [](double a, double b) { return std::abs(a - b) <= 1e-6 * b; };
+    if (map.columns == of.shape.columns && map.rows == of.shape.rows &&
+        is_near(map.spacing_x_m, of.spacing_x_m) && is_near(map.spacing_z_m, of.spacing_z_m)) {
+      return;
+    }
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: expected the map that the store was made of, {} x {} posts, {:.6g} x {:.6g} m "
+                    "apart, found {} x {}, {:.6g} x {:.6g} m apart",
+                    one_line(arguments_.compared), of.shape.columns, of.shape.rows, of.spacing_x_m,
+                    of.spacing_z_m, map.columns, map.rows, map.spacing_x_m, map.spacing_z_m),
+        "name that map, and say how to read it as it was said to `offing terrain tile`");
+  }
+
+  /// Of every picture that is written.
+  std::filesystem::path path_of(int frame) const {
+    return std::filesystem::path(arguments_.output) / fmt::format("frame.{:06}.png", frame);
+  }
+
   void make_folder() const {
     std::error_code status;
     std::filesystem::create_directories(arguments_.output, status);
-    if (!status) return;
-    throw Error(ErrorKind::file,
-                fmt::format("{}: cannot be made a folder: {}", one_line(arguments_.output), status.message()),
-                "name a folder where you may write with -o");
+    if (status) {
+      throw Error(
+          ErrorKind::file,
+          fmt::format("{}: cannot be made a folder: {}", one_line(arguments_.output), status.message()),
+          "name a folder where you may write with -o");
+    }
+    const Overwriting overwriting = arguments_.force ? Overwriting::allowed : Overwriting::refused;
+    for (int frame = 0; frame < settings_.frames; frame += settings_.every) {
+      require_new(path_of(frame).string(), overwriting);
+    }
   }
 
   void keep(int frame, const Camera& camera, FlightRecorder& recorder) {
     if (!arguments_.output.empty()) {
       const TerrainScenery scenery{
           .lines = world::cover_lines(store_.header().centre_latitude_deg.value_or(usual_latitude_deg))};
-      const std::string name = fmt::format("frame.{:06}.png", frame);
-      write_png(std::filesystem::path(arguments_.output) / name,
-                draw_terrain(device_, field_, camera, scenery, TerrainShow::light).image);
+      write_png(path_of(frame), draw_terrain(device_, field_, camera, scenery, TerrainShow::light).image);
     }
     if (comparison_) kept_.push_back({&camera, sky_of(recorder.read_hits())});
   }
@@ -173,10 +205,6 @@ class Flying {
   std::vector<Camera> cameras_;
   std::optional<terrain::HeightField> map_;
   std::optional<FlightComparison> comparison_;
-  struct Kept {
-    const Camera* camera;
-    std::vector<bool> is_sky;  ///< [pixels]
-  };
   std::vector<Kept> kept_;
 };
 
@@ -264,6 +292,7 @@ void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
       "height map that the store was made of: compares every K-th frame with that of the whole map in "
       "memory");
   arguments->map_flags.add_to(*command);
+  command->add_flag("--force", arguments->force, "replace pictures that are there");
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(

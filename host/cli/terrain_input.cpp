@@ -25,7 +25,9 @@ HeightMapFile TerrainInput::read() const {
                 fmt::format("{}: expected a height map, found a tile store", one_line(file_)),
                 "give this command the map that it was made of");
   }
-  return read_height_map(file_, options());
+  HeightMapFile file = read_height_map(file_, options());
+  warn_of_assumed_spacing(file_, file.source);
+  return file;
 }
 
 terrain::HeightField make_field(const HeightMap& map, const ocl::Device& device) {

@@ -29,11 +29,15 @@ struct TerrainProfileArguments {
 void run(const TerrainProfileArguments& arguments) {
   const auto from = read_numbers("--from", arguments.from, 2, "X,Z", "0,0");
   const auto to = read_numbers("--to", arguments.to, 2, "X,Z", "1200,350");
-  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused);
+  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused,
+              {arguments.input.file()});
   const terrain::EarthCurve curve = arguments.curve.read();
   const bool is_curved = arguments.curve.are_given();
   const TerrainGround of(arguments.input, {});
   const terrain::GroundPosts& posts = of.posts();
+  // Both ends are on the map, so that all between them is.
+  ground_under("--from", posts, from[0], from[1]);
+  ground_under("--to", posts, to[0], to[1]);
   const double length_m = std::hypot(to[0] - from[0], to[1] - from[1]);
   const double step_m = arguments.step.empty()
                             ? std::min(posts.spacing_x_m, posts.spacing_z_m)
@@ -48,7 +52,7 @@ void run(const TerrainProfileArguments& arguments) {
   for (double step = 0.0; step <= steps; ++step) {
     const double share = step / steps;
     const double x_m = std::lerp(from[0], to[0], share), z_m = std::lerp(from[1], to[1], share);
-    const double height_m = ground_under(share < 0.5 ? "--from" : "--to", posts, x_m, z_m).height_m;
+    const double height_m = ground_under("--to", posts, x_m, z_m).height_m;
     const double distance_m = share * length_m;
     text += fmt::format("{:.9g},{:.9g},{:.9g},{:.7g},{}", distance_m, x_m, z_m, height_m,
                         *terrain::is_measured_at(posts, x_m, z_m) ? 1 : 0);

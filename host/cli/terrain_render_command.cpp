@@ -19,6 +19,7 @@
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/io/exr_image.h"
+#include "host/io/file_extension.h"
 #include "host/io/height_maps/read_colour_map.h"
 #include "host/scene/stored_ground.h"
 
@@ -131,11 +132,10 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
   const TerrainShow show = read_show(arguments.show);
   require_flags_of(arguments.input, arguments.cache);
   const Overwriting overwriting = arguments.force ? Overwriting::allowed : Overwriting::refused;
-  require_new(arguments.output, overwriting);
-  require_new(arguments.depth, overwriting);
-  if (arguments.depth == arguments.output) {
-    throw Error(ErrorKind::bad_usage, "--depth: expected another file than that of -o, found the same",
-                "name an .exr");
+  require_extension(arguments.output, {".png"});
+  if (!arguments.depth.empty()) require_extension(arguments.depth, {".exr"});
+  for (const std::string& file : {arguments.output, arguments.depth}) {
+    require_new(file, overwriting, {arguments.input.file(), arguments.colour});
   }
   const auto [camera, picture] = is_tile_store(arguments.input.file())
                                      ? render_store(arguments, options, show)

@@ -38,6 +38,7 @@ class Tiling {
   }
 
   void begin(const HeightMapFile& about) {
+    warn_of_assumed_spacing(arguments_.input.file(), about.source);
     header_.shape = TileSetShape::of(about.map.columns, about.map.rows);
     header_.spacing_x_m = about.map.spacing_x_m;
     header_.spacing_z_m = about.map.spacing_z_m;

@@ -1,17 +1,31 @@
 #include "host/command_line/new_output.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include <fmt/format.h>
 
 #include "host/base/error.h"
 #include "host/base/error_report.h"
+#include "host/io/atomic_file.h"
 #include "host/io/file_presence.h"
 
 namespace offing {
 
-void require_new(const std::string& output, Overwriting overwriting) {
-  if (output.empty() || overwriting == Overwriting::allowed || !is_there(output)) return;
-  throw Error(ErrorKind::file, fmt::format("{}: is there already", one_line(output)),
-              "--force replaces it, or name another file");
+void require_new(const std::string& output, Overwriting overwriting,
+                 std::initializer_list<std::string> inputs) {
+  if (output.empty()) return;
+  for (const std::string& input : inputs) {
+    std::error_code nowhere;
+    if (!std::filesystem::equivalent(output, input, nowhere)) continue;
+    throw Error(ErrorKind::file, fmt::format("{}: is the file that is read", one_line(output)),
+                "name another file to write");
+  }
+  if (overwriting == Overwriting::refused && is_there(output)) {
+    throw Error(ErrorKind::file, fmt::format("{}: is there already", one_line(output)),
+                "--force replaces it, or name another file");
+  }
+  require_writable(output);
 }
 
 }  // namespace offing

@@ -11,7 +11,7 @@ uniform float debug_white;  // kcd/m2 that the picture shows as white
 
 in vec3 place_m;
 in vec3 normal;
-in vec3 vertex_light;
+in vec3 front_light, back_light;
 in vec2 curvatures;
 out vec4 light;
 
@@ -53,7 +53,7 @@ void main() {
   } else if (shading == 2) {
     surface = cartoon_light(side * normalize(normal));
   } else if (shading == 1) {
-    surface = vertex_light;
+    surface = gl_FrontFacing ? front_light : back_light;
   } else {
     surface = smooth_light(material, lit_m, side * normalize(normal));
   }

@@ -7,7 +7,7 @@ uniform float specular, shininess;
 
 out vec3 place_m;
 out vec3 normal;
-out vec3 vertex_light;
+out vec3 front_light, back_light;  // of both sides of the surface
 out vec2 curvatures;
 
 void main() {
@@ -15,10 +15,11 @@ void main() {
   place_m = eye_place_m();
   normal = world_normal();
   curvatures = vertex_curvatures;
-  vertex_light = vec3(0.0);
+  front_light = vec3(0.0);
+  back_light = vec3(0.0);
   if (shading == 1) {
-    // Both sides of a surface are drawn, and lit: the one that the eye sees.
-    vec3 seen = dot(normal, place_m) > 0.0 ? -normal : normal;
-    vertex_light = smooth_light(Material(colour, specular, shininess), place_m, normalize(seen));
+    Material material = Material(colour, specular, shininess);
+    front_light = smooth_light(material, place_m, normalize(normal));
+    back_light = smooth_light(material, place_m, -normalize(normal));
   }
 }

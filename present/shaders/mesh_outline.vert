@@ -1,5 +1,6 @@
-// The mesh's back, grown by the outline's width: it shows around what lies before it.
-layout(location = 3) in vec3 outward;  // the mean normal at this place, of all vertices there
+// The mesh's back, and strips along its borders, grown by the outline's width: they show around what lies before
+// them.
+layout(location = 3) in vec3 outward;  // the mean normal at this place, of all vertices there; or off the border
 
 uniform vec2 half_picture_px;
 uniform float outline_px;

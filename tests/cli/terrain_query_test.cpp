@@ -211,6 +211,16 @@ TEST_F(TerrainQuery, TellsWhatWasNotMeasured) {
               ::testing::HasSubstr("\"measured\": true"));
 }
 
+// Fails if the end of a line that leaves the map is taken for its beginning.
+TEST_F(TerrainQuery, ProfilesNameTheEndThatIsOffTheMap) {
+  const auto errors = [&](const std::string& from, const std::string& to) {
+    return ask("profile", {"--from", from, "--to", to}).errors;
+  };
+  EXPECT_THAT(errors("0,0", "9000,0"), ::testing::HasSubstr("--to: "));
+  EXPECT_THAT(errors("0,0", "9000,0"), ::testing::HasSubstr("9000"));
+  EXPECT_THAT(errors("9000,0", "0,0"), ::testing::HasSubstr("--from: "));
+}
+
 TEST_F(TerrainQuery, RefusesWithAHint) {
   const auto refuse = [&](const std::string& command, const std::vector<std::string>& arguments) {
     const ProgramResult result = ask(command, arguments);

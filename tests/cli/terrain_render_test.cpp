@@ -132,5 +132,20 @@ TEST_F(TerrainRender, KeepsFilesThatAreThere) {
   EXPECT_NE(std::filesystem::file_size(path("out.png")), 4u);
 }
 
+// Fails if a file is another than its name says, or a picture is drawn before it is known where to write it.
+TEST_F(TerrainRender, ChecksOutputsBeforeWork) {
+  const auto refused = [&](const std::string& output, const std::string& depth, int exit_code) {
+    const ProgramResult result = run_offing(
+        {"terrain", "render", path("no_map.asc"), "-o", path(output), "--depth", path(depth), "--force"});
+    EXPECT_EQ(result.exit_code, exit_code);
+    EXPECT_THAT(result.errors, ::testing::MatchesRegex("error: [^\n]+\nhint: [^\n]+\n"));
+    return result.errors;
+  };
+  EXPECT_THAT(refused("a.jpg", "a.exr", 2), ::testing::HasSubstr("name it a.png"));
+  EXPECT_THAT(refused("a.png", "d.png", 2), ::testing::HasSubstr("name it d.exr"));
+  EXPECT_THAT(refused("none/a.png", "a.exr", 1), ::testing::HasSubstr("none"));
+  EXPECT_THAT(refused("a.png", "a.exr", 2), ::testing::HasSubstr("no_map.asc"));
+}
+
 }  // namespace
 }  // namespace offing::test

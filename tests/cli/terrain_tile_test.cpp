@@ -281,6 +281,31 @@ TEST_F(TerrainTile, RefusesBadInput) {
   EXPECT_FALSE(fs::exists(path("store")));
 }
 
+// Fails if somebody's pictures are replaced unasked, or a flight is compared with other ground.
+TEST_F(TerrainTile, FlightsKeepPicturesAndKnowTheirMap) {
+  const std::vector<std::string> ground = make_ground(300);
+  ASSERT_EQ(tile(ground, "store").exit_code, 0);
+  const auto fly = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"terrain", "fly", path("store"), "--frames", "2", "--every", "1", "--size",
+                               "16x9", "-o", path("frames")});
+    return run_offing(more);
+  };
+  fs::create_directory(path("frames"));
+  std::ofstream(path("frames/frame.000001.png")) << "mine";
+  const ProgramResult refused = fly({});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.errors, ::testing::HasSubstr("frame.000001.png: is there already"));
+  EXPECT_FALSE(fs::exists(path("frames/frame.000000.png")));
+  EXPECT_EQ(fs::file_size(path("frames/frame.000001.png")), 4u);
+  const ProgramResult forced = fly({"--force"});
+  EXPECT_EQ(forced.exit_code, 0) << forced.errors;
+  EXPECT_GT(fs::file_size(path("frames/frame.000001.png")), 4u);
+  const ProgramResult other =
+      fly({"--force", "--compare", path("ground.r32"), "--raw-size", "300x300", "--spacing-m", "20"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.errors, ::testing::HasSubstr("20 x 20 m apart"));
+}
+
 // Fails if a flight shows sky where the map has ground, takes more memory for tiles than it may, or writes
 // other pictures than it says.
 TEST_F(TerrainTile, FliesOverAStore) {

@@ -121,6 +121,9 @@ TEST_F(MeshProgram, Outputs) {
       EXPECT_EQ(nlohmann::json::parse(replaced.output)["file"], path(name));
       std::filesystem::remove(path(name));
     }
+    std::vector<std::string> in_place = maker(flags, "in.off", "in.off");
+    in_place.push_back("--force");
+    expect_refusal(in_place, "in.off", 1);
     expect_refusal(maker(flags, "in.off", "out.txt"), "out.txt", 2);
     expect_refusal(maker(flags, "in.off", "none/out.ply"), "none/out.ply", 1);
   }

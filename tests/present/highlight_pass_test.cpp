@@ -132,6 +132,50 @@ TEST_F(HighlightPassTest, DrawsShapesInTheirBoxAndNothingBeyond) {
   }
 }
 
+// Fails if pictures are turned, mirrored or upside down, or their opacity is not: the corners of one are red,
+// green, blue and clear, from the upper left one on (texture_place() in highlights/projector.h). Light is
+// that of the corner over the mesh, half precision; gate 1 %.
+TEST_F(HighlightPassTest, ShowsPicturesUpright) {
+  auto picture = std::make_shared<RgbaImage>(RgbaImage{.width = 8, .height = 8, .rgba = {}});
+  constexpr std::array<std::array<std::uint8_t, 4>, 4> corners{
+      {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {9, 9, 9, 0}}};
+  for (int row = 0; row < 8; ++row) {
+    for (int column = 0; column < 8; ++column) {
+      const auto& texel = corners[static_cast<std::size_t>(2 * (row / 4) + column / 4)];
+      picture->rgba.insert(picture->rgba.end(), texel.begin(), texel.end());
+    }
+  }
+  world::MeshParameters mesh =
+      shining(mesh_shapes::make_ellipsoid({1.0, 0.8, 0.9}, 4), HighlightTexture::image, 0.3);
+  mesh.rules[0].controls.picture = 0;
+  mesh.rules[0].controls.scale = 2.0;
+  world::WorldParameters parameters = world_of(mesh);
+  parameters.pictures = {picture};
+  open(parameters);
+  const Pair pair = pictures();
+  light();
+  const highlights::Projector projector = world_->meshes()[0].highlights().at(0).projector;
+  const highlights::FaceTree tree(world_->meshes()[0].surface().mesh());
+  const sky::Illuminance& sky = world_->illuminance();
+  const double sun_klx = sky::luminance(sky.sun_klx);
+  const double gain = (sun_klx + sky::luminance(sky.sky_klx)) / sun_klx / std::numbers::pi;
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    const double right = corner % 2 == 0 ? -0.25 : 0.25, up = corner < 2 ? 0.25 : -0.25;
+    const glm::dvec3 above_m = projector.centre_m + right * projector.width_m * projector.right +
+                               up * projector.height_m * projector.up + projector.normal;
+    const auto hit = tree.first_hit(above_m, -projector.normal, 2.0);
+    ASSERT_TRUE(hit);
+    const glm::ivec2 pixel(pixel_of(place_m + above_m - hit->distance * projector.normal));
+    const auto i = 4 * static_cast<std::size_t>(pixel.y * width + pixel.x);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double expected = corner == 3   ? static_cast<double>(pair.without[i + c])
+                              : c == corner ? sky.sun_klx[c] * gain
+                                            : 0.0;
+      EXPECT_NEAR(pair.with[i + c], expected, 0.01 * std::max(expected, 1.0)) << corner << ", " << c;
+    }
+  }
+}
+
 // Fails if a highlight is shown that the mesh keeps from its lamp, or one that nothing hides is not: a small
 // sphere between a large one and the sun.
 TEST_F(HighlightPassTest, HidesHighlightsInTheMeshsOwnShadow) {

@@ -12,6 +12,7 @@
 
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_file.h"
+#include "host/scene/scene_meshes.h"
 
 namespace offing::scene {
 namespace {
@@ -68,16 +69,26 @@ TEST(SceneGuide, ListsEveryKey) {
   EXPECT_EQ(read_guide(), expected);
 }
 
-// Fails if the guide's example is not a scene.
-TEST(SceneGuide, ItsExampleIsAScene) {
+/// The example between two headings.
+OceanScene example_between(const std::string& heading, const std::string& next) {
   const std::string guide = read_guide();
-  const std::size_t start = guide.find("    version = 1\n"), end = guide.find("\n## Keyframes");
-  ASSERT_NE(start, std::string::npos);
-  const OceanScene scene = parse_scene(guide.substr(start, end - start), "scenes.md", "");
+  const std::size_t start = guide.find("    version = 1\n", guide.find(heading)), end = guide.find(next);
+  return parse_scene(guide.substr(start, end - start), "scenes.md", "");
+}
+
+// Fails if the guide's examples are no scenes.
+TEST(SceneGuide, ItsExamplesAreScenes) {
+  const OceanScene scene = example_between("# Scenes", "\n## Keyframes");
   EXPECT_EQ(scene.swells.size(), 1u);
   EXPECT_EQ(scene.raindrops.size(), 1u);
   EXPECT_EQ(scene.tracks.size(), 2u);
   EXPECT_TRUE(scene.view.sun_time_utc);
+  EXPECT_TRUE(example_between("## The ground", "\n## Meshes").terrain.is_given);
+  const OceanScene head = example_between("## Meshes", "\n## Benchmarks");
+  ASSERT_EQ(head.meshes.size(), 2u);
+  EXPECT_EQ(head.meshes[0].highlights.size(), 2u);
+  EXPECT_EQ(head.tracks.size(), 5u);
+  EXPECT_EQ(mesh_rules_at(head, 0.0)[0][1].lamp, 0);
 }
 
 }  // namespace

@@ -3,12 +3,15 @@
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "host/ocean/ocean.h"
 #include "host/scene/scene_file.h"
+#include "host/scene/scene_meshes.h"
 #include "host/scene/sea.h"
+#include "host/scene/unused_parameters.h"
 #include "tests/ocean/tile_correlation.h"
 
 namespace offing::scene {
@@ -110,6 +113,21 @@ TEST(ShippedScenes, HavePatchesWithoutSimpleRatios) {
         }
   }
   EXPECT_GE(pairs, 12);
+}
+
+// Fails if a scene of meshes that is shipped cannot be shown, names a light that it does not have, or says
+// what changes nothing.
+TEST(ShippedScenes, HaveMeshesThatCanBeShown) {
+  int meshes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(OFFING_SCENES)) {
+    if (entry.path().extension() != ".toml") continue;
+    const OceanScene scene = load_scene(entry.path());
+    if (scene.meshes.empty()) continue;
+    meshes += static_cast<int>(prepare_meshes(scene).size());
+    EXPECT_NO_THROW(prepare_pictures(scene)) << entry.path();
+    EXPECT_EQ(unused_parameters(scene), std::vector<std::string>{}) << entry.path();
+  }
+  EXPECT_GE(meshes, 4);
 }
 
 }  // namespace

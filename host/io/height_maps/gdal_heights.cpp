@@ -17,6 +17,11 @@ namespace offing::height_maps {
 namespace {
 
 /// An open raster, for the time of one reading.
+bool is_srtm_name(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  return name.ends_with(".hgt") || name.ends_with(".hgt.zip");
+}
+
 class Raster {
  public:
   explicit Raster(const std::filesystem::path& path) : path_(path) {
@@ -27,8 +32,11 @@ class Raster {
           ErrorKind::bad_input,
           fmt::format("{}: expected a height map, found what cannot be opened as one: {}", path.string(),
                       session_.failure()),
-          "give a GeoTIFF, HGT, DEM, ASCII grid, PNG or EXR; a file without a header needs the ending .r16, "
-          ".r32, .raw or .bin; a file that is cut short must be copied again");
+          is_srtm_name(path)
+              ? "an .hgt has 1201 x 1201 or 3601 x 3601 posts and the name of its south-west corner, such as "
+                "N42E001.hgt: name it so, or copy it again where it is cut short"
+              : "give a GeoTIFF, HGT, DEM, ASCII grid, PNG or EXR; a file without a header needs the ending "
+                ".r16, .r32, .raw or .bin; a file that is cut short must be copied again");
     }
   }
 
@@ -149,7 +157,8 @@ GDALRasterBandH band_of_heights(const Raster& raster, int number) {
   if (raster.bands() >= 3 && colour >= GCI_RedBand && colour <= GCI_BlueBand) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected heights, found a colour picture", raster.path().string()),
-                "if it packs heights into colours, say --encoding mapbox or --encoding terrarium");
+                "if it packs heights into colours, say --encoding mapbox or terrarium, in a scene encoding = "
+                "\"mapbox\"");
   }
   if (GDALGetRasterColorTable(band) != nullptr || GDALDataTypeIsComplex(GDALGetRasterDataType(band))) {
     throw Error(ErrorKind::bad_input,

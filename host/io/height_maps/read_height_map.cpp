@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include "host/base/error.h"
 #include "host/io/height_maps/exr_heights.h"
@@ -26,13 +27,16 @@ namespace {
 
 using height_maps::SourceHeights;
 
+// Of posts that somebody could have measured.
+constexpr double least_spacing_m = 1e-3, most_spacing_m = 1e5;
+
 void check_options(const std::filesystem::path& path, const HeightMapOptions& options) {
   const auto check_spacing = [&](const std::optional<double>& spacing_m) {
-    if (spacing_m && !(*spacing_m > 0.0 && std::isfinite(*spacing_m))) {
-      throw Error(
-          ErrorKind::bad_input,
-          fmt::format("{}: expected a spacing of posts above 0 m, found {:g}", path.string(), *spacing_m),
-          "write the metres between two posts, such as --spacing-m 30");
+    if (spacing_m && !(*spacing_m >= least_spacing_m && *spacing_m <= most_spacing_m)) {
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}: expected a spacing of posts above 0 m, within {:g} ... {:g} m, found {:g}",
+                              path.string(), least_spacing_m, most_spacing_m, *spacing_m),
+                  "write the metres between two posts, such as --spacing-m 30");
     }
   };
   check_spacing(options.spacing_x_m);
@@ -212,7 +216,10 @@ void settle_voids(const std::filesystem::path& path, const HeightMapOptions& opt
 }  // namespace
 
 HeightMapFile read_height_map(const std::filesystem::path& path, const HeightMapOptions& options) {
-  height_maps::require_readable_file(path, "a height map");
+  height_maps::require_readable_file(
+      path, "a height map",
+      "give the path of a file; `offing terrain tile` makes a store of a folder of height maps, and goes on "
+      "with one that was stopped");
   check_options(path, options);
   SourceHeights source = read_source(path, options);
   if (!options.reproject_to.empty()) {
@@ -224,6 +231,14 @@ HeightMapFile read_height_map(const std::filesystem::path& path, const HeightMap
   file.map.is_void = std::move(source.is_void);
   settle_voids(path, options, file);
   return file;
+}
+
+void warn_of_assumed_spacing(const std::filesystem::path& path, const HeightMapSource& source) {
+  if (source.spacing_source != SpacingSource::assumed) return;
+  spdlog::warn(
+      "{}: nothing says how far apart its posts are, 1 m is taken: say --spacing-m, in a scene "
+      "spacing_x_m and spacing_z_m",
+      path.string());
 }
 
 HeightMapSource stream_height_map(const std::filesystem::path& path, const HeightMapOptions& options,

@@ -60,6 +60,10 @@ struct HeightMapFile {
 /// map larger than the memory that is free, before any of it is taken; Error(file) if reading is not allowed.
 HeightMapFile read_height_map(const std::filesystem::path& path, const HeightMapOptions& options = {});
 
+/// Logs a warning where nothing has said how far apart the posts are: what is drawn of such a map, or asked
+/// of it, is most often wrong.
+void warn_of_assumed_spacing(const std::filesystem::path& path, const HeightMapSource& source);
+
 /// Takes heights [columns] m of a row, and is_void [columns] as HeightMap has it.
 using TakeRow = std::function<void(std::span<const float> heights_m, std::span<const std::uint8_t> is_void)>;
 

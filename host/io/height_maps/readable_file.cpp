@@ -11,7 +11,7 @@
 
 namespace offing::height_maps {
 
-void require_readable_file(const std::filesystem::path& path, const char* expected) {
+void require_readable_file(const std::filesystem::path& path, const char* expected, const char* folder_hint) {
   std::error_code status;
   const auto kind = std::filesystem::status(path, status).type();
   if (kind == std::filesystem::file_type::not_found) {
@@ -23,7 +23,7 @@ void require_readable_file(const std::filesystem::path& path, const char* expect
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected {}, found a {}", path.string(), expected,
                             kind == std::filesystem::file_type::directory ? "folder" : "device"),
-                "give the path of a file");
+                folder_hint);
   }
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) {

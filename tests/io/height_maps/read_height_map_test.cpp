@@ -168,6 +168,8 @@ TEST_F(ReadHeightMap, SixteenBitPng) {
   EXPECT_EQ(file.map.spacing_z_m, 75.0);
   EXPECT_EQ(file.source.spacing_source, SpacingSource::options);
   EXPECT_EQ(read_height_map(path("heights.png")).source.spacing_source, SpacingSource::assumed);
+  options.spacing_x_m = options.spacing_z_m = 1e-30;
+  EXPECT_THROW(read_height_map(path("heights.png"), options), Error);
 }
 
 // Fails if a packing's base, step or byte order is wrong, or black is taken for a height. By the published

@@ -1,0 +1,126 @@
+// Meshes of a world and their highlights, without a picture.
+#include "host/world/mesh_view.h"
+
+#include <cmath>
+#include <memory>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "host/mesh_shapes/shape.h"
+#include "host/world/world.h"
+
+namespace offing::world {
+namespace {
+
+using highlights::Lighting;
+using highlights::Source;
+
+MeshParameters mesh_of(const mesh_shapes::Shape& shape) {
+  MeshParameters parameters;
+  parameters.name = "shape";
+  parameters.mesh = std::make_shared<TriangleMesh>(shape.mesh);
+  return parameters;
+}
+
+/// An eye before the mesh, and a lamp that goes around it.
+Lighting turning_light(double time_s) {
+  return {.eye = {.kind = Source::Kind::place, .vector = {0.0, 1.0, 9.0}},
+          .lamps = {{.vector = {std::sin(0.7 * time_s), 0.8, std::cos(0.7 * time_s)}}}};
+}
+
+// Fails if a mesh that brings no curvatures gets others than its own from the device: on a sphere of 2 m the
+// half width of N.H = 0.95 is 2 sqrt(1 - 0.95^2) = 0.6245 m. The method averages over facets of an eighth of
+// the radius: 3 %.
+TEST(MeshViewTest, MakesCurvaturesOnTheDevice) {
+  MeshView view(ocl::Device::open(), mesh_of(mesh_shapes::make_sphere(2.0, 3)));
+  view.at(0.0, turning_light);
+  ASSERT_EQ(view.highlights().size(), 1u);
+  EXPECT_NEAR(0.5 * view.highlights()[0].projector.width_m, 0.6245, 0.03 * 0.6245);
+  EXPECT_NEAR(0.5 * view.highlights()[0].projector.height_m, 0.6245, 0.03 * 0.6245);
+  EXPECT_FALSE(view.highlight_faces().empty());
+}
+
+// Fails if what is shown at a time depends on what was before: forward, back, over the round times at which
+// the past starts anew, and after an eye was followed.
+TEST(MeshViewTest, DependsOnTheTimeAlone) {
+  const ocl::Device device = ocl::Device::open();
+  const MeshParameters parameters = mesh_of(mesh_shapes::make_torus_knot({}, {.u_cells = 60, .v_cells = 8}));
+  MeshView used(device, parameters);
+  for (const double time_s : {3.0, 21.5, 0.5, 20.1, 19.9, -7.0}) {
+    MeshView fresh(device, parameters);
+    fresh.at(time_s, turning_light);
+    used.at(time_s, turning_light);
+    ASSERT_FALSE(fresh.highlights().empty());
+    ASSERT_EQ(used.highlights().size(), fresh.highlights().size()) << time_s;
+    for (std::size_t i = 0; i < fresh.highlights().size(); ++i) {
+      EXPECT_EQ(used.highlights()[i].id, fresh.highlights()[i].id);
+      EXPECT_EQ(used.highlights()[i].projector, fresh.highlights()[i].projector);
+      EXPECT_EQ(used.highlights()[i].opacity, fresh.highlights()[i].opacity);
+    }
+    EXPECT_EQ(used.highlight_faces(), fresh.highlight_faces());
+    used.follow(time_s, turning_light(50.0));
+  }
+}
+
+// Fails if a highlight that is followed jumps, stays behind or becomes another: with the lamp 12 degrees on
+// at once, it goes 0.1 m by no more than 1.5 % of the diagonal, 0.06 m, in a 30th of a second, and is there
+// soon.
+TEST(MeshViewTest, FollowsSmoothly) {
+  MeshView view(ocl::Device::open(), mesh_of(mesh_shapes::make_sphere(1.0, 3)));
+  view.follow(0.0, turning_light(0.0));
+  ASSERT_EQ(view.highlights().size(), 1u);
+  const highlights::DrawnHighlight start = view.highlights()[0];
+  glm::dvec3 before_m = start.projector.centre_m;
+  for (int frame = 0; frame < 20; ++frame) {
+    view.follow(0.0, turning_light(0.3));
+    ASSERT_EQ(view.highlights().size(), 1u);
+    ASSERT_EQ(view.highlights()[0].id, start.id);
+    const glm::dvec3 now_m = view.highlights()[0].projector.centre_m;
+    EXPECT_LT(glm::distance(now_m, before_m), 0.06);
+    before_m = now_m;
+  }
+  MeshView fresh(ocl::Device::open(), view.parameters());
+  fresh.follow(0.0, turning_light(0.3));
+  const glm::dvec3 there_m = fresh.highlights().at(0).projector.centre_m;
+  EXPECT_GT(glm::distance(there_m, start.projector.centre_m), 0.07);
+  EXPECT_LT(glm::distance(there_m, before_m), 0.001);
+}
+
+// Fails if a mesh without highlights has some, or is in another place than it moves to.
+TEST(MeshViewTest, MovesWithoutHighlights) {
+  MeshParameters parameters = mesh_of(mesh_shapes::make_sphere(1.0, 1));
+  parameters.has_highlights = false;
+  parameters.motion = [](double time_s) {
+    return highlights::RigidMotion{.translation_m = {time_s, 0.0, 0.0}};
+  };
+  MeshView view(ocl::Device::open(), parameters);
+  view.at(4.0, turning_light);
+  EXPECT_EQ(view.motion().translation_m.x, 4.0);
+  EXPECT_TRUE(view.highlights().empty());
+  EXPECT_TRUE(view.highlight_faces().empty());
+}
+
+// Fails if a world has other lamps than its own and the sun while that is up, or takes more than it can show.
+TEST(MeshViewTest, IsLitByLampsAndSun) {
+  WorldParameters parameters;
+  parameters.has_sea = false;
+  parameters.lamps.resize(2);
+  World world(ocl::Device::open(), parameters);
+  EXPECT_EQ(world.lighting({1.0, 2.0, 3.0}).lamps.size(), 3u);
+  EXPECT_EQ(world.lighting({1.0, 2.0, 3.0}).eye.vector, glm::dvec3(1.0, 2.0, 3.0));
+  world.set_sun({0.0, -0.6, 0.8}, 1.0);
+  EXPECT_EQ(world.lighting({}).lamps.size(), 2u);
+  try {
+    world.set_lamps(std::vector<Lamp>(most_lamps + 1));
+    FAIL() << "took too many lamps";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::bad_usage);
+    EXPECT_STREQ(error.what(), "lamps: expected at most 63, found 64");
+  }
+  EXPECT_EQ(world.parameters().lamps.size(), 2u);
+}
+
+}  // namespace
+}  // namespace offing::world
