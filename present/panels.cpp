@@ -111,6 +111,10 @@ bool is_in(const scene::OceanScene& scene, ParameterGroup group) {
     case ParameterGroup::height_map:
     case ParameterGroup::walk:
       return scene.terrain.is_given;
+    case ParameterGroup::mesh:
+    case ParameterGroup::highlight:
+    case ParameterGroup::light:
+      return !scene.meshes.empty();
     default:
       return true;
   }
@@ -275,7 +279,7 @@ void draw_message(Message& message) {
 }  // namespace
 
 std::span<const GroupPanel> group_panels() {
-  static constexpr std::array<GroupPanel, 15> panels{{{ParameterGroup::wind, "Wind"},
+  static constexpr std::array<GroupPanel, 18> panels{{{ParameterGroup::wind, "Wind"},
                                                       {ParameterGroup::sea, "Spectrum"},
                                                       {ParameterGroup::grid, "Cascades and Gerstner waves"},
                                                       {ParameterGroup::swell, "Swells"},
@@ -284,6 +288,9 @@ std::span<const GroupPanel> group_panels() {
                                                       {ParameterGroup::terrain, "Ground"},
                                                       {ParameterGroup::height_map, "Height map"},
                                                       {ParameterGroup::walk, "Walk"},
+                                                      {ParameterGroup::mesh, "Meshes"},
+                                                      {ParameterGroup::highlight, "Highlights"},
+                                                      {ParameterGroup::light, "Lights"},
                                                       {ParameterGroup::sun, "Sun"},
                                                       {ParameterGroup::sky, "Air"},
                                                       {ParameterGroup::camera, "Camera"},

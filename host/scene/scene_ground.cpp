@@ -137,11 +137,13 @@ void stand_on_ground(const world::GroundView& ground, ViewScene& view) {
   if (below) eye_m.y = below->height_m + view.walker.eye_height_m;
 }
 
+bool places_its_camera(const OceanScene& scene) {
+  constexpr std::array keys{"camera.x_m", "camera.y_m", "camera.z_m", "camera.yaw_deg", "camera.pitch_deg"};
+  return std::any_of(keys.begin(), keys.end(), [&](const char* key) { return scene.set_at.contains(key); });
+}
+
 void place_camera(OceanScene& scene, const std::optional<world::GroundParameters>& ground) {
-  for (const char* key : {"camera.x_m", "camera.y_m", "camera.z_m", "camera.yaw_deg", "camera.pitch_deg"}) {
-    if (scene.set_at.contains(key)) return;
-  }
-  if (!ground) return;
+  if (!ground || places_its_camera(scene)) return;
   Camera& camera = scene.view.camera;
   const Camera placed = terrain::flying_camera(ground->extent());
   camera.eye_m = placed.eye_m + glm::dvec3(ground->origin_x_m, 0.0, ground->origin_z_m);

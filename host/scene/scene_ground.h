@@ -17,6 +17,9 @@ std::optional<world::GroundParameters> prepare_ground(const OceanScene& scene);
 std::optional<world::GroundParameters> edited_ground(const std::optional<world::GroundParameters>& now,
                                                      const OceanScene& before, const OceanScene& after);
 
+/// Whether a scene says where its eye is, or where it looks.
+bool places_its_camera(const OceanScene& scene);
+
 /// Where a scene has ground and does not say where its eye is: terrain::flying_camera() over that ground,
 /// with the scene's field of view. Does nothing else.
 void place_camera(OceanScene& scene, const std::optional<world::GroundParameters>& ground);

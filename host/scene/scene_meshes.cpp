@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "host/base/error.h"
 #include "host/io/png_image.h"
@@ -59,6 +64,12 @@ std::vector<NamedPicture> named_pictures(const OceanScene& scene) {
   return pictures;
 }
 
+std::vector<std::string> picture_files(const OceanScene& scene) {
+  std::vector<std::string> files;
+  for (const NamedPicture& picture : named_pictures(scene)) files.push_back(picture.file);
+  return files;
+}
+
 /// The index of a highlight's light among the lamps; the sun is behind all of them.
 std::optional<int> lamp_of(const OceanScene& scene, ElementIndex element) {
   const std::string& name = scene.meshes[element.outer].highlights[element.inner].light;
@@ -80,10 +91,8 @@ std::optional<int> lamp_of(const OceanScene& scene, ElementIndex element) {
 
 int picture_of(const OceanScene& scene, const HighlightScene& highlight) {
   if (!needs_picture(highlight)) return -1;
-  const std::vector<NamedPicture> pictures = named_pictures(scene);
-  const auto found = std::find_if(pictures.begin(), pictures.end(),
-                                  [&](const NamedPicture& each) { return each.file == highlight.picture; });
-  return static_cast<int>(found - pictures.begin());
+  const std::vector<std::string> files = picture_files(scene);
+  return static_cast<int>(std::find(files.begin(), files.end(), highlight.picture) - files.begin());
 }
 
 Source source_of(const LightScene& light) {
@@ -236,6 +245,8 @@ highlights::LightingAt lighting_of(const OceanScene& scene, const world::GroundV
 }
 
 void edit_meshes(world::World& world, const OceanScene& before, const OceanScene& after) {
+  std::optional<std::vector<std::shared_ptr<const RgbaImage>>> pictures;
+  if (picture_files(before) != picture_files(after)) pictures = prepare_pictures(after);
   if (are_other_meshes(before, after)) {
     std::vector<world::MeshParameters> meshes;
     for (std::size_t i = 0; i < after.meshes.size(); ++i) {
@@ -246,7 +257,30 @@ void edit_meshes(world::World& world, const OceanScene& before, const OceanScene
     }
     world.set_meshes(with_moment(std::move(meshes), after));
   }
+  if (pictures) world.set_pictures(std::move(*pictures));
   set_meshes_at(world, after, after.start_s);
+}
+
+void look_at_meshes(const std::vector<world::MeshParameters>& meshes, double time_s, Camera& camera) {
+  glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (const world::MeshParameters& mesh : meshes) {
+    const highlights::RigidMotion motion = mesh.motion(time_s);
+    for (const glm::dvec3& place_m : mesh.mesh->positions_m) {
+      const glm::dvec3 there_m = motion.rotation * place_m + motion.translation_m;
+      low = glm::min(low, there_m);
+      high = glm::max(high, there_m);
+    }
+  }
+  constexpr double rise = 0.2;          // of the distance: from a little above
+  constexpr double lowest_eye_m = 0.1;  // above the water
+  const glm::dvec3 middle_m = 0.5 * (low + high);
+  const double distance_m =
+      0.55 * glm::distance(low, high) / std::sin(0.5 * camera.vertical_field_of_view_rad);
+  camera.eye_m = middle_m + distance_m * glm::normalize(glm::dvec3(0.0, rise, 1.0));
+  camera.eye_m.y = std::max(camera.eye_m.y, lowest_eye_m);
+  const glm::dvec3 way_m = middle_m - camera.eye_m;
+  camera.yaw_rad = 0.0;
+  camera.pitch_rad = std::atan2(way_m.y, -way_m.z);
 }
 
 }  // namespace offing::scene

@@ -41,4 +41,7 @@ highlights::LightingAt lighting_of(const OceanScene& scene, const world::GroundV
 /// then.
 void edit_meshes(world::World& world, const OceanScene& before, const OceanScene& after);
 
+/// Puts a camera south of the meshes, where it sees all of them as they are at a time.
+void look_at_meshes(const std::vector<world::MeshParameters>& meshes, double time_s, Camera& camera);
+
 }  // namespace offing::scene

@@ -107,6 +107,10 @@ world::WorldParameters prepare_world(const OceanScene& scene, Warnings warnings)
 world::WorldParameters prepare_shown_world(OceanScene& scene) {
   world::WorldParameters parameters = prepare_world(scene);
   place_camera(scene, parameters.ground);
+  const bool has_meshes_alone = !parameters.has_sea && !parameters.ground && !parameters.meshes.empty();
+  if (has_meshes_alone && !places_its_camera(scene)) {
+    look_at_meshes(parameters.meshes, scene.start_s, scene.view.camera);
+  }
   return parameters;
 }
 

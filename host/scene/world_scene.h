@@ -9,7 +9,8 @@ namespace offing::scene {
 /// What a world needs of a scene, with the view of its start. Throws what prepare_sea() throws.
 world::WorldParameters prepare_world(const OceanScene& scene, Warnings warnings = Warnings::logged);
 
-/// The same for a scene that is to be shown: its camera is placed where it says nothing (place_camera()).
+/// The same for a scene that is to be shown: its camera is placed where it says nothing (place_camera(),
+/// look_at_meshes()).
 world::WorldParameters prepare_shown_world(OceanScene& scene);
 
 /// Gives a world the sun and the air of a view; what has not changed costs nothing.

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "host/base/rgba_image.h"
@@ -103,6 +104,10 @@ class World {
   void set_meshes(const std::vector<MeshParameters>& meshes);
   /// Throws Error(bad_usage) for more than most_lamps.
   void set_lamps(const std::vector<Lamp>& lamps);
+  /// Changes what the textures of highlights are made of.
+  void set_pictures(std::vector<std::shared_ptr<const RgbaImage>> pictures) {
+    parameters_.pictures = std::move(pictures);
+  }
 
   bool has_sea() const { return ocean_.has_value(); }
   /// Throws Error(bad_usage) in a world without a sea.

@@ -2,10 +2,12 @@
 // live is what a fresh start with the edited scene shows.
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "host/scene/parameter_table.h"
+#include "host/scene/scene_elements.h"
 #include "host/scene/scene_file.h"
 #include "present/parameter_widget.h"
 #include "tests/present/window_test.h"
@@ -33,24 +35,27 @@ class PanelEditsTest : public WindowTest, public testing::WithParamInterface<pre
 
   /// Two: the second one is edited.
   void add_elements(const Parameter& row) {
-    while (row.elements->count(state().scene, {}) < 2) {
-      const std::size_t before = row.elements->count(state().scene, {});
+    const auto count = [&] { return scene::elements_of(state().scene, row.elements).size(); };
+    while (count() < 2) {
+      const std::size_t before = count();
       click(find(main_panel(), fmt::format("add##{}", GetParam().title), 20));
-      ASSERT_EQ(row.elements->count(state().scene, {}), before + 1);
+      ASSERT_EQ(count(), before + 1);
     }
   }
 
-  static int shown_before(const Parameter& row) { return row.elements ? 1 : 0; }
+  static std::optional<int> shown_element(const Parameter& row) {
+    return row.elements ? std::optional(1) : std::nullopt;
+  }
 
   /// By its slider or field: to the right.
   void pull(const Parameter& row, int x_px) {
-    const Spot spot = find(main_panel(), parameter_label(row), x_px, shown_before(row));
+    const Spot spot = find(main_panel(), parameter_label(row), x_px, shown_element(row));
     drag(spot, {spot.x + 35, spot.y});
   }
 
   void change(const Parameter& row, scene::ValueAt<double>) { pull(row, 70); }
   void change(const Parameter& row, scene::ValueAt<std::optional<double>>) {
-    click(find(main_panel(), "##set " + std::string(row.key), 16, shown_before(row)));
+    click(find(main_panel(), "##set " + std::string(row.key), 16, shown_element(row)));
     pull(row, 97);
   }
   void change(const Parameter& row, scene::ValueAt<int> at) {
@@ -88,10 +93,8 @@ class PanelEditsTest : public WindowTest, public testing::WithParamInterface<pre
   void change(const Parameter& row, scene::ValueAt<std::optional<UtcTime>>) {
     enter(find(main_panel(), parameter_label(row)), "2020-06-08T15:50Z");
   }
-  void change(const Parameter&, scene::ValueAt<glm::dvec3>) { FAIL() << "no panel has triples"; }
-  void change(const Parameter&, scene::ValueAt<std::optional<glm::dvec3>>) {
-    FAIL() << "no panel has triples";
-  }
+  void change(const Parameter&, scene::ValueAt<glm::dvec3>) { FAIL() << "of meshes only"; }
+  void change(const Parameter&, scene::ValueAt<std::optional<glm::dvec3>>) { FAIL() << "of meshes only"; }
   void change(const Parameter& row, scene::ValueAt<std::vector<double>>) {
     enter(find(main_panel(), parameter_label(row)), "250, 41");
   }
@@ -127,10 +130,18 @@ TEST_P(PanelEditsTest, ShowWhatAFreshStartShows) {
   EXPECT_TRUE(picture() == live) << "the window shows another picture than a fresh start";
 }
 
-/// All but that of height maps, whose values are as a file has them: window_ground_test.cpp.
+bool is_of_meshes(const present::GroupPanel& panel) {
+  return panel.group == scene::ParameterGroup::mesh || panel.group == scene::ParameterGroup::highlight ||
+         panel.group == scene::ParameterGroup::light;
+}
+
+/// All but that of height maps, whose values are as a file has them: window_ground_test.cpp; and those of
+/// meshes, whose highlights go by degrees: panels_test.cpp.
 std::vector<present::GroupPanel> panels_of_free_values() {
   std::vector<present::GroupPanel> panels(present::group_panels().begin(), present::group_panels().end());
-  std::erase_if(panels, [](const auto& panel) { return panel.group == scene::ParameterGroup::height_map; });
+  std::erase_if(panels, [](const auto& panel) {
+    return panel.group == scene::ParameterGroup::height_map || is_of_meshes(panel);
+  });
   return panels;
 }
 

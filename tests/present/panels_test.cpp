@@ -4,11 +4,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <imgui.h>
 
 #include "host/scene/parameter_table.h"
+#include "host/scene/scene_elements.h"
 #include "present/panel_layer.h"
 #include "present/parameter_widget.h"
 #include "present/render_target.h"
@@ -56,8 +58,8 @@ class WidgetClicks {
  public:
   explicit WidgetClicks(scene::OceanScene& scene) : scene_(scene) {}
 
-  void draw(const scene::Parameter& row) {
-    const Edit edit = parameter_widget(scene_, row, edit_);
+  void draw(const scene::Parameter& row, scene::ElementIndex element = {}) {
+    const Edit edit = parameter_widget(scene_, row, edit_, element);
     if (edit != Edit::none) last_edit_ = edit;
     lower_ = ImGui::GetItemRectMin();
     upper_ = ImGui::GetItemRectMax();
@@ -85,11 +87,13 @@ TEST_F(PanelsTest, DrawWithoutChangingAnything) {
     }
     return values;
   };
+  for (const scene::Parameter& row : scene::parameter_table()) {
+    if (scene::elements_of(scene_, row.elements).empty()) scene::append_element(scene_, row, {});
+  }
   const std::vector<std::string> before = texts();
   for (int i = 0; i < 3; ++i) {
     frame([&] {
       for (const scene::Parameter& row : scene::parameter_table()) {
-        if (row.elements) continue;  // there are none
         EditInProgress edit;
         EXPECT_EQ(parameter_widget(scene_, row, edit), Edit::none) << row.key;
         EXPECT_EQ(edit.fault, "") << row.key;
@@ -145,11 +149,52 @@ TEST_F(PanelsTest, OptionalValuesComeAndGo) {
   EXPECT_FALSE(scene_.depth_m.has_value());
 }
 
+// Fails if an edit of an element changes another one, ends only one of its keyframes, or if a triple is not
+// stored: a drag to the right over each of three kinds of widgets.
+TEST_F(PanelsTest, ElementsAreEditedOnTheirOwn) {
+  ImGui::GetIO().MouseDoubleClickTime = 0.0f;  // which would open a field to type in
+  scene_.meshes.resize(2);
+  scene_.meshes[1].highlights.resize(2);
+  const struct {
+    const char* key;
+    scene::ElementIndex element;
+  } cases[] = {{"mesh.colour", {1, 0}}, {"mesh.detail", {1, 0}}, {"mesh.highlight.opacity", {1, 1}}};
+  for (const auto& [key, element] : cases) {
+    const scene::Parameter& row = *scene::find_parameter(key);
+    for (std::size_t i = 0; i < scene::numbers_of(scene_, row, element).size(); ++i) {
+      scene_.tracks[{row.key, element, i}] = {.keys = {{0.0, 0.5}}};
+    }
+    const scene::OceanScene before = scene_;
+    WidgetClicks clicks(scene_);
+    for (const auto& [share, is_down] : {std::pair(0.1f, false),
+                                         {0.1f, false},
+                                         {0.1f, true},
+                                         {0.2f, true},
+                                         {0.3f, true},
+                                         {0.3f, false},
+                                         {0.3f, false}}) {
+      frame([&] { clicks.draw(row, element); });
+      ImGui::GetIO().MousePos = clicks.place(share);
+      ImGui::GetIO().MouseDown[0] = is_down;
+    }
+    frame([&] { clicks.draw(row, element); });
+    EXPECT_EQ(clicks.last_edit(), Edit::done) << key << ": " << clicks.fault();
+    EXPECT_TRUE(scene_.tracks.empty()) << key;
+    for (const scene::ElementIndex each : scene::elements_of(scene_, row.elements)) {
+      const bool is_changed = scene::value_text(scene_, row, each, scene::Digits::exact) !=
+                              scene::value_text(before, row, each, scene::Digits::exact);
+      EXPECT_EQ(is_changed, each == element) << key;
+    }
+  }
+}
+
 // Fails if the panels as a whole cannot be drawn, whatever is shown, or edit a sea that nobody touched.
 TEST_F(PanelsTest, AllPanelsDraw) {
   StageTimes times;
   const ocl::DeviceInfo device = ocl::select_device();
-  const scene::OceanScene scene;
+  scene::OceanScene scene;
+  scene.names_sea = true;
+  scene.meshes.resize(1);  // whose panels are there with one
   ViewState state{.scene = scene, .camera = FreeCamera(Camera{}), .clock = SceneClock(0.0)};
   state.message = {.text = "a message\nof two lines"};
   for (const bool shows_help : {false, true}) {

@@ -1,9 +1,12 @@
 // From a scene to the meshes, lamps and rules of its world.
 #include "host/scene/scene_meshes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -11,6 +14,7 @@
 #include "host/base/error.h"
 #include "host/io/meshes/prepared_mesh.h"
 #include "host/io/meshes/write_mesh.h"
+#include "host/io/png_image.h"
 #include "host/mesh_shapes/shape.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/unused_parameters.h"
@@ -248,6 +252,13 @@ TEST(SceneMeshes, EditsReachTheWorld) {
   ASSERT_EQ(world.meshes()[0].parameters().rules.size(), 1u);
   EXPECT_EQ(world.meshes()[0].parameters().rules[0].controls.scale, 2.0);
   EXPECT_EQ(world.parameters().lamps.size(), 1u);
+  const TemporaryFolder folder;
+  const std::filesystem::path picture = folder.path() / "white.png";
+  write_png(picture, {2, 1, {255, 255, 255, 255, 255, 255}});
+  EXPECT_EQ(edit("[[mesh.highlight]]\ntexture = \"image\"\npicture = \"" + picture.string() + "\"\n"), first);
+  ASSERT_EQ(world.parameters().pictures.size(), 1u);
+  EXPECT_EQ(world.parameters().pictures[0]->rgba, std::vector<std::uint8_t>(8, 255));
+  EXPECT_EQ(world.meshes()[0].parameters().rules[0].controls.picture, 0);
   const auto data = world.meshes()[0].parameters().mesh;
   EXPECT_NE(edit("x_m.keys = [{ t = 0, value = 0 }, { t = 1, value = 1 }]\n"), first);
   EXPECT_EQ(world.meshes()[0].parameters().mesh, data) << "the same shape was made again";
@@ -255,6 +266,34 @@ TEST(SceneMeshes, EditsReachTheWorld) {
   edit("size_m = 2\n[[mesh]]\n");
   EXPECT_NE(world.meshes()[0].parameters().mesh, data);
   EXPECT_EQ(world.meshes().size(), 2u);
+}
+
+// Fails if a scene of meshes alone shows something else, if one of them leaves the picture, or if a camera
+// that the scene has is moved.
+TEST(SceneMeshes, AreLookedAt) {
+  OceanScene scene =
+      scene_of("[[mesh]]\nx_m = 40\ny_m = 3\n[[mesh]]\nshape = \"ship\"\nsize_m = 12\nx_m = 60\n");
+  const world::WorldParameters parameters = prepare_shown_world(scene);
+  const Camera& camera = scene.view.camera;
+  const glm::dmat4 view = projection(camera, 0.1) * glm::dmat4(view_rotation(camera));
+  double widest = 0.0;
+  for (const world::MeshParameters& mesh : parameters.meshes) {
+    const highlights::RigidMotion motion = mesh.motion(0.0);
+    for (const glm::dvec3& place_m : mesh.mesh->positions_m) {
+      const glm::dvec4 clip =
+          view * glm::dvec4(motion.rotation * place_m + motion.translation_m - camera.eye_m, 1.0);
+      ASSERT_GT(clip.w, 0.0);
+      widest = std::max({widest, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
+    }
+  }
+  EXPECT_LT(widest, 1.0);
+  EXPECT_GT(widest, 0.3);
+  OceanScene placed = scene_of("[[mesh]]\n[camera]\nx_m = 3\n"),
+             wet = scene_of("[[mesh]]\n[ocean]\nsize = 32\n");
+  prepare_shown_world(placed);
+  prepare_shown_world(wet);
+  EXPECT_EQ(placed.view.camera.eye_m, glm::dvec3(3.0, 5.0, 0.0));
+  EXPECT_EQ(wet.view.camera.eye_m, glm::dvec3(0.0, 5.0, 0.0));
 }
 
 // Fails if a value that changes nothing is passed over in silence, or one that does is complained of.
