@@ -49,11 +49,10 @@ void draw_handle(ImDrawList& list, const HandlePlace& place) {
 
 }  // namespace
 
-void HighlightEditor::press(const ViewState& state, const std::vector<world::MeshView>& meshes,
+void HighlightEditor::press(ViewState& state, const std::vector<world::MeshView>& meshes,
                             const Screen& screen, glm::dvec2 clip) {
   pressed_ = clip;
-  if (!state.picked) return;
-  const DrawnHighlight* highlight = find_highlight(meshes, *state.picked);
+  const DrawnHighlight* highlight = picked_highlight(state.scene, meshes, state.picked);
   if (highlight == nullptr) return;
   const highlights::Projector box = box_in_world(meshes, *state.picked, *highlight);
   const std::optional<Handle> handle = handle_at(handle_places(screen, box), to_pixels(screen, clip));
@@ -62,11 +61,15 @@ void HighlightEditor::press(const ViewState& state, const std::vector<world::Mes
   if (!from_m) return;
   grab_ = Grab{*handle, highlight->controls, highlight->whole, *from_m};
   pressed_.reset();
+  // Keyframes are set at one time, not all along the way.
+  const bool moves = highlight->rule >= 0 &&
+                     has_keys(state.scene, {state.picked->mesh, static_cast<std::size_t>(highlight->rule)});
+  if (moves && !state.clock.is_paused()) state.clock.toggle_pause();
 }
 
 void HighlightEditor::pull(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
                            glm::dvec2 clip) {
-  const DrawnHighlight* highlight = state.picked ? find_highlight(meshes, *state.picked) : nullptr;
+  const DrawnHighlight* highlight = picked_highlight(state.scene, meshes, state.picked);
   if (highlight == nullptr) return;
   const highlights::RigidMotion& motion = meshes[state.picked->mesh].motion();
   highlights::HighlightControls controls = highlight->controls;
@@ -110,7 +113,7 @@ Edit HighlightEditor::turn(ViewState& state, const std::vector<world::MeshView>&
 }
 
 Edit HighlightEditor::set_keys(ViewState& state, const std::vector<world::MeshView>& meshes) const {
-  const DrawnHighlight* highlight = state.picked ? find_highlight(meshes, *state.picked) : nullptr;
+  const DrawnHighlight* highlight = picked_highlight(state.scene, meshes, state.picked);
   if (highlight == nullptr) {
     state.message = {.text = "no highlight is picked: click on one first"};
     return Edit::none;

@@ -16,7 +16,8 @@ namespace offing::present {
 class HighlightEditor {
  public:
   /// Takes in what the left button did. A press on a handle holds it until the button is let go; a click
-  /// elsewhere picks the highlight there, or none. Says how far an edit has come.
+  /// elsewhere picks the highlight there, or none. Time stops where a handle of what has keyframes is held.
+  /// Says how far an edit has come.
   Edit turn(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
             const std::vector<PointerEvent>& events, glm::dvec2 pointer);
   /// Whether a handle is held: the mouse does not move the camera then.
@@ -34,7 +35,7 @@ class HighlightEditor {
     glm::dvec2 from_m;          // in the box's plane
   };
 
-  void press(const ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
+  void press(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
              glm::dvec2 clip);
   void pull(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
             glm::dvec2 clip);

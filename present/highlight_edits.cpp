@@ -1,6 +1,7 @@
 #include "present/highlight_edits.h"
 
 #include <algorithm>
+#include <string>
 
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_elements.h"
@@ -15,14 +16,23 @@ using scene::Parameter;
 
 enum class Keys { existing, all };
 
+// Keys this near in time are one: steps of a clock there and back do not add up to nothing.
+constexpr double same_time_s = 1e-6;
+
 void set_key(KeyframeTrack& track, double time_s, double value) {
-  const auto place = std::lower_bound(track.keys.begin(), track.keys.end(), time_s,
+  const auto place = std::lower_bound(track.keys.begin(), track.keys.end(), time_s - same_time_s,
                                       [](const Keyframe& key, double time) { return key.time_s < time; });
-  if (place != track.keys.end() && place->time_s == time_s) {
+  if (place != track.keys.end() && place->time_s <= time_s + same_time_s) {
     place->value = value;
   } else {
     track.keys.insert(place, {time_s, value});
   }
+}
+
+/// The name of a lamp, as rules have it; empty where it has none.
+std::string name_of_lamp(const OceanScene& scene, int lamp) {
+  const auto index = static_cast<std::size_t>(lamp);
+  return index < scene.lights.size() ? scene.lights[index].name : "sun";
 }
 
 /// The constant of a value that moves is that of its first key, as the reader of scenes has it.
@@ -59,6 +69,7 @@ ElementIndex controls_of(OceanScene& scene, const HighlightName& name,
   if (highlight.rule >= 0) return {name.mesh, static_cast<std::size_t>(highlight.rule)};
   scene::HighlightScene own;
   own.rule.nearest_m = highlight.found.centre_m;
+  own.light = name_of_lamp(scene, highlight.lamp);
   own.rule.controls = highlight.controls;
   all.push_back(std::move(own));
   return {name.mesh, all.size() - 1};
@@ -72,6 +83,19 @@ void store_controls(OceanScene& scene, ElementIndex element, const highlights::H
 void store_keys(OceanScene& scene, ElementIndex element, const highlights::HighlightControls& controls,
                 double time_s) {
   store(scene, element, controls, time_s, Keys::all);
+}
+
+const highlights::DrawnHighlight* picked_highlight(const OceanScene& scene,
+                                                   const std::vector<world::MeshView>& meshes,
+                                                   const std::optional<HighlightName>& picked) {
+  return picked && picked->mesh < scene.meshes.size() ? find_highlight(meshes, *picked) : nullptr;
+}
+
+bool has_keys(const OceanScene& scene, ElementIndex element) {
+  return std::any_of(scene.tracks.begin(), scene.tracks.end(), [&](const auto& track) {
+    return scene::find_parameter(track.first.key)->group == scene::ParameterGroup::highlight &&
+           track.first.element == element;
+  });
 }
 
 void remove_keys(OceanScene& scene, ElementIndex element, const highlights::HighlightControls& controls) {

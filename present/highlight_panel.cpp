@@ -17,6 +17,7 @@ using highlights::DrawnHighlight;
 /// A scene of this highlight alone, at this time: what the widgets change.
 scene::OceanScene moment_of(const ViewState& state, const DrawnHighlight& drawn) {
   scene::OceanScene copy;
+  copy.lights = state.scene.lights;
   copy.meshes = {state.scene.meshes[state.picked->mesh]};
   const scene::ElementIndex element = controls_of(copy, {}, drawn);
   scene::HighlightScene highlight = std::move(copy.meshes[0].highlights[element.inner]);
@@ -47,13 +48,6 @@ Edit draw_rows(ViewState& state, const DrawnHighlight& drawn) {
   return edit;
 }
 
-/// Whether any of its controls has keyframes.
-bool has_keys(const scene::OceanScene& scene, scene::ElementIndex element) {
-  return std::any_of(scene.tracks.begin(), scene.tracks.end(), [&](const auto& track) {
-    return track.first.key.starts_with("mesh.highlight.") && track.first.element == element;
-  });
-}
-
 Edit draw_key_buttons(ViewState& state, const DrawnHighlight& drawn) {
   Edit edit = Edit::none;
   if (ImGui::Button("set keyframes")) {
@@ -75,8 +69,8 @@ Edit draw_key_buttons(ViewState& state, const DrawnHighlight& drawn) {
 }  // namespace
 
 Edit draw_highlight_panel(ViewState& state, const std::vector<world::MeshView>& meshes) {
-  const DrawnHighlight* drawn = state.picked ? find_highlight(meshes, *state.picked) : nullptr;
-  if (drawn == nullptr || state.picked->mesh >= state.scene.meshes.size()) return Edit::none;
+  const DrawnHighlight* drawn = picked_highlight(state.scene, meshes, state.picked);
+  if (drawn == nullptr) return Edit::none;
   constexpr float margin = 8.0f;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(ImVec2(screen.x - margin, margin), ImGuiCond_FirstUseEver, ImVec2(1.0f, 0.0f));

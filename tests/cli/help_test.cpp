@@ -16,6 +16,7 @@ using testing::HasSubstr;
 
 const std::vector<std::vector<std::string>> commands = {{},
                                                         {"devices"},
+                                                        {"highlights"},
                                                         {"ocean"},
                                                         {"ocean", "bake"},
                                                         {"ocean", "query"},

@@ -297,8 +297,7 @@ TEST_F(DrawnHighlightsTest, RulesForTheNearestGoOverByDegrees) {
 }
 
 // Controls act continuously: a step of 1e-3 of each moves, turns and resizes what is drawn by no more than a
-// few times as much. Measured 2e-3 at most (rotation: two axes), 8e-3 for anisotropy (ln 16 = 2.8 times the
-// widest box). Gate 1e-2.
+// few times as much. Measured 2e-3 (offset), less for all others. Gate 1e-2: a jump of a face fails.
 TEST_F(DrawnHighlightsTest, ControlsActContinuously) {
   const HighlightSurface shape = surface(test::bumpy_sphere(5));
   Scene scene(shape, lighting);

@@ -1,0 +1,156 @@
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/offing_program.h"
+#include "tests/io/temporary_folder.h"
+
+namespace offing::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Highlights : public ::testing::Test {
+ protected:
+  Highlights() {
+    std::ofstream(scene()) << R"(version = 1
+[time]
+fps = 10
+end_s = 0.5
+
+[camera]
+x_m = 1
+y_m = 2
+z_m = 6
+
+[sun]
+azimuth_deg = 200
+elevation_deg = 40
+
+[[light]]
+name = "key"
+azimuth_deg = 120
+elevation_deg = 30
+
+[[mesh]]
+name = "ball"
+shape = "sphere"
+size_m = 1.6
+detail = 5
+x_m = 0.5
+y_m = 1
+spin_deg_per_s = 40
+
+[[mesh.highlight]]
+light = "sun"
+texture = "star"
+split = 2
+)";
+  }
+  std::string scene() const { return path("ball.toml"); }
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+  static nlohmann::json read(const std::string& file) {
+    std::ifstream stream(file);
+    return nlohmann::json::parse(std::string{std::istreambuf_iterator<char>(stream), {}});
+  }
+
+  TemporaryFolder folder_;
+};
+
+glm::dvec3 vector_of(const nlohmann::json& json) {
+  return {json.at(0), json.at(1), json.at(2)};
+}
+
+/// Toward a light, in the world's axes: azimuth clockwise from north (-z).
+glm::dvec3 toward(double azimuth_deg, double elevation_deg) {
+  const double azimuth = azimuth_deg * std::numbers::pi / 180.0,
+               elevation = elevation_deg * std::numbers::pi / 180.0;
+  return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+          -std::cos(azimuth) * std::cos(elevation)};
+}
+
+// Blinn by hand: on a ball that turns, the key light's highlight stands where the normal is half way between
+// eye and light, the same one in every frame. Bound: a ball of this detail is found within 0.003 edges of
+// 0.05. Measured 3e-4. Gate 2e-3: axes of the mesh in the stead of the world's, or the eye at the wrong
+// place, are off by tenths. The sun's is split in two.
+TEST_F(Highlights, AreThoseOfTheScene) {
+  const ProgramResult result = run_offing({"highlights", scene(), "-o", path("ball.json"), "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto summary = nlohmann::json::parse(result.output);
+  EXPECT_EQ(summary.at("frames"), 5);
+  EXPECT_EQ(summary.at("highlights"), 2);
+  EXPECT_EQ(summary.at("most_in_a_frame"), 3);
+  const nlohmann::json json = read(path("ball.json"));
+  EXPECT_EQ(json.at("lamps"), nlohmann::json({"key", "sun"}));
+  ASSERT_EQ(json.at("meshes").at(0).at("frames").size(), 5u);
+  const glm::dvec3 eye(1.0, 2.0, 6.0), middle(0.5, 1.0, 0.0);
+  for (const nlohmann::json& frame : json.at("meshes").at(0).at("frames")) {
+    EXPECT_EQ(frame.at("highlights").size(), 3u);
+    for (const nlohmann::json& highlight : frame.at("highlights")) {
+      const std::string texture =
+          json.at("textures").at(highlight.at("texture").get<std::size_t>()).at("name");
+      EXPECT_EQ(texture, highlight.at("lamp") == 1 ? "star" : "dot");
+      if (highlight.at("lamp") != 0) continue;
+      const glm::dvec3 place = vector_of(highlight.at("position_m"));
+      const glm::dvec3 half = glm::normalize(toward(120.0, 30.0) + glm::normalize(eye - place));
+      EXPECT_LE(glm::distance(vector_of(highlight.at("normal")), half), 2e-3);
+      EXPECT_LE(glm::distance(glm::normalize(place - middle), half), 2e-3);
+      EXPECT_EQ(highlight.at("id"), json["meshes"][0]["frames"][0]["highlights"][0]["id"]);
+    }
+  }
+}
+
+// Frames asked for are those written, at their own times; the same call writes the same bytes.
+TEST_F(Highlights, FramesAreThoseAskedFor) {
+  for (const char* name : {"a.glb", "b.glb", "c.json"}) {
+    const ProgramResult result =
+        run_offing({"highlights", scene(), "-o", path(name), "--frames", "7:9", "--fps", "20", "--quiet"});
+    ASSERT_EQ(result.exit_code, 0) << result.errors;
+  }
+  const nlohmann::json frames = read(path("c.json")).at("meshes").at(0).at("frames");
+  ASSERT_EQ(frames.size(), 3u);
+  EXPECT_EQ(frames[0].at("frame"), 7);
+  EXPECT_EQ(frames[2].at("time_s"), 9 / 20.0);
+  std::ifstream a(path("a.glb"), std::ios::binary), b(path("b.glb"), std::ios::binary);
+  EXPECT_TRUE(std::equal(std::istreambuf_iterator<char>(a), {}, std::istreambuf_iterator<char>(b), {}));
+}
+
+// Fails if a wrong call costs a file, leaves a part of one, or does not say the mend.
+TEST_F(Highlights, RefusesWithAHint) {
+  std::ofstream(path("dry.toml")) << "version = 1\n";
+  std::ofstream(path("there.json")) << "mine";
+  struct Case {
+    std::vector<std::string> arguments;
+    const char* text;
+  };
+  for (const Case& one : {Case{{scene(), "-o", path("out.abc")}, ".json or .glb or .gltf"},
+                          {{path("dry.toml"), "-o", path("out.json")}, "[[mesh]]"},
+                          {{path("none.toml"), "-o", path("out.json")}, "none.toml"},
+                          {{scene(), "-o", path("there.json")}, "there.json"},
+                          {{scene(), "-o", path("no/out.json")}, "no/out.json"},
+                          {{scene(), "-o", path("out.json"), "--fps", "0"}, "--fps"},
+                          {{scene(), "-o", path("out.json"), "--frames", "9:3"}, "--frames"}}) {
+    std::vector<std::string> arguments{"highlights"};
+    arguments.insert(arguments.end(), one.arguments.begin(), one.arguments.end());
+    const ProgramResult result = run_offing(arguments);
+    EXPECT_TRUE(result.exit_code == 1 || result.exit_code == 2) << result.exit_code;
+    EXPECT_THAT(result.errors, HasSubstr(one.text));
+    EXPECT_THAT(result.errors, HasSubstr("hint: "));
+    EXPECT_FALSE(std::filesystem::exists(path("out.json")));
+  }
+  std::ifstream there(path("there.json"));
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(there), {}), "mine");
+}
+
+}  // namespace
+}  // namespace offing::test
