@@ -52,6 +52,11 @@ TEST_F(WindowKeysTest, EveryKeyDoesWhatItSays) {
       return std::abs(b.clock.time_s() - a.clock.time_s() - by_s) < 1e-9;
     };
   };
+  const auto says = [](const char* text) {
+    return [text](const ViewState&, const ViewState& b) {
+      return b.message.text.find(text) != std::string::npos;
+    };
+  };
   const auto scaled = [](double by) {
     return [by](const ViewState& a, const ViewState& b) { return b.clock.scale() == a.clock.scale() * by; };
   };
@@ -68,6 +73,7 @@ TEST_F(WindowKeysTest, EveryKeyDoesWhatItSays) {
       {ViewAction::real_time, [](const auto&, const auto& b) { return b.clock.scale() == 1.0; }},
       {ViewAction::toggle_wireframe, [](const auto& a, const auto& b) { return a.fill != b.fill; }},
       {ViewAction::next_debug_view, [](const auto& a, const auto& b) { return a.debug != b.debug; }},
+      {ViewAction::next_mesh_show, [](const auto& a, const auto& b) { return a.meshes != b.meshes; }},
       {ViewAction::toggle_walk,
        [](const auto&, const auto& b) { return b.message.text.find("no ground") != std::string::npos; }},
       {ViewAction::toggle_steps, [](const auto& a, const auto& b) { return a.ground != b.ground; }},
@@ -81,11 +87,13 @@ TEST_F(WindowKeysTest, EveryKeyDoesWhatItSays) {
        [](const auto&, const auto& b) {
          return b.camera.camera().eye_m == quick_options().scene.view.camera.eye_m;
        }},
+      {ViewAction::set_keyframes, says("no highlight is picked")},
   };
   fly("w");  // for reset_camera
   for (const present::KeyBinding& binding : present::key_bindings()) {
     if (binding.action == ViewAction::quit) continue;
     if (binding.action == ViewAction::toggle_fullscreen) continue;   // FullScreenAndBack
+    if (binding.modifiers != 0) continue;                            // window_highlights_test.cpp
     if (binding.action == ViewAction::step_forward) press("space");  // the pause was toggled
     const auto check = checks.find(binding.action);
     ASSERT_NE(check, checks.end()) << binding.name << " is not tested";
