@@ -34,7 +34,7 @@ void check_options(const std::filesystem::path& path, const HeightMapOptions& op
   const auto check_spacing = [&](const std::optional<double>& spacing_m) {
     if (spacing_m && !(*spacing_m >= least_spacing_m && *spacing_m <= most_spacing_m)) {
       throw Error(ErrorKind::bad_input,
-                  fmt::format("{}: expected a spacing of posts above 0 m, within {:g} ... {:g} m, found {:g}",
+                  fmt::format("{}: expected a spacing of posts within {:g} ... {:g} m, found {:g}",
                               path.string(), least_spacing_m, most_spacing_m, *spacing_m),
                   "write the metres between two posts, such as --spacing-m 30");
     }

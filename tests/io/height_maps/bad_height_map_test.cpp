@@ -107,7 +107,8 @@ TEST_F(BadHeightMap, NoSpacing) {
   write_raster(path("good.tif"), "GTiff", in_metres(5, 4));
   HeightMapOptions options;
   options.spacing_x_m = options.spacing_z_m = 0.0;
-  expect_error(path("good.tif"), ErrorKind::bad_input, "spacing of posts above 0 m, found 0", options);
+  expect_error(path("good.tif"), ErrorKind::bad_input, "spacing of posts within 0.001 ... 100000 m, found 0",
+               options);
   std::ofstream(path("flat.vrt"))
       << "<VRTDataset rasterXSize=\"4\" rasterYSize=\"4\"><GeoTransform>0,0,0,0,0,-1"
          "</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\"/></VRTDataset>";
