@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "host/base/cloud_volume.h"
+
+namespace offing::clouds {
+
+/// Kinds of clouds (C6, C15 of docs/sources.md): presets of all that a CloudShape and a CloudLook have.
+enum class Genus { cirrus, stratus, cumulus, stratocumulus, altocumulus, cumulonimbus, lenticular, funnel };
+
+/// How particles are made: of the density of metaballs (C5), or grown on spheres (C7).
+enum class Modelling { sampled, hierarchical };
+
+/// Where the density of a sampled cloud is read: on a grid, merged to a fixed point, or at random places.
+enum class Sampling { uniform, random };
+
+/// A metaball (C1), or the seed of a hierarchy (C7).
+struct Metaball {
+  glm::dvec3 centre_m{0.0};  ///< in the cloud's axes
+  double radius_m = 100.0;
+  double weight = 1.0;
+};
+
+/// Noise that frays a cloud (C2, C3).
+struct Turbulence {
+  double wavelength_m = 200.0;  ///< of the longest octave
+  int octaves = 5;
+  double lacunarity = 2.0;    ///< ratio of the wave numbers of two octaves
+  double gain = 0.5;          ///< ratio of their amplitudes
+  double strength = 1.0;      ///< alpha of C2
+  double blend = 0.5;         ///< share of the noise in the density, 0 ... 1
+  double wisp = 1.0;          ///< exponent of C3
+  double edge = 0.3;          ///< implicit density below which the noise fades out
+  double change_per_s = 0.0;  ///< how fast it changes by itself: noise lengths in the fourth dimension
+};
+
+/// One level of a hierarchy (C7): radius = ratio * (parent's radius + deviation * rand).
+struct HierarchyLevel {
+  double ratio = 0.5;
+  double deviation_m = 0.0;
+  double repulsion = 1.0;  ///< radius that sets the spacing, in drawn radii
+};
+
+/// What a cloud scatters with (C10, C11).
+enum class PhaseKind { rayleigh, henyey_greenstein, double_henyey_greenstein, mie_droplet };
+
+struct CloudLook {
+  double extinction_per_m = 0.02;  ///< of density 1
+  glm::dvec3 albedo{0.9999};       ///< of single scattering
+  PhaseKind phase = PhaseKind::double_henyey_greenstein;
+  double g = 0.85;              ///< mean cosine, of the forward lobe
+  double g_back = -0.3;         ///< of the backward lobe of a double one
+  double forward_share = 0.95;  ///< of a double one
+  double droplet_um = 10.0;     ///< diameter, of mie_droplet
+
+  bool operator==(const CloudLook&) const = default;
+};
+
+/// How a cloud moves (C4, C15). Its place at any time follows from the time alone.
+struct CloudMotion {
+  glm::dvec3 wind_mps{0.0};  ///< at the cloud's own altitude
+  double shear_per_s = 0.0;  ///< how much faster wind is, a metre higher, along itself
+  double drag = 0.0;         ///< beta of C4: how far thin parts run ahead of dense ones, s
+};
+
+/// One cloud.
+struct CloudParameters {
+  std::uint64_t seed = 1;
+  Genus genus = Genus::cumulus;
+  glm::dvec3 position_m{0.0};  ///< of the origin of its axes, in the world, at time 0
+  Modelling modelling = Modelling::hierarchical;
+  std::vector<Metaball> balls;
+  /// In place of balls: density 0 ... 1 of a shape, in the cloud's axes (meshes, text, VDB files).
+  std::shared_ptr<const CloudVolume> shape = {};
+  Turbulence turbulence;
+  Sampling sampling = Sampling::uniform;
+  int target_particles = 1000;  ///< of a sampled cloud
+  std::vector<HierarchyLevel> levels;
+  CloudLook look;
+  CloudMotion motion;
+};
+
+/// What light falls on clouds.
+struct CloudSun {
+  glm::dvec3 direction{0.0, 1.0, 0.0};  ///< unit, toward it
+  glm::dvec3 illuminance_klx{0.0};      ///< of a surface that faces it, at the cloud; linear Rec.709
+};
+
+struct CloudIllumination {
+  std::vector<CloudSun> suns;
+  glm::dvec3 sky_kcdpm2{0.0};     ///< mean radiance of the upper hemisphere
+  glm::dvec3 ground_kcdpm2{0.0};  ///< of the lower one
+};
+
+/// How light goes through clouds: as Harris and the paper have it, or corrected to keep energy.
+enum class LightModel { harris, calibrated };
+
+}  // namespace offing::clouds
