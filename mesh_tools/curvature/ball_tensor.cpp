@@ -19,7 +19,7 @@ std::vector<FaceShare> face_shares(const UnitMesh& mesh, const SurfaceMeasures& 
     if (edges[0] == MeshNeighbours::none) return;
     double weight = 1.0;
     for (const std::uint32_t edge : edges) {
-      shares[face].tensor += 0.5 * measures.edge_tensors[edge];
+      shares[face].tensor += 0.5 * edge_tensor(mesh, measures, edge);
       if (!has_two_faces(mesh.neighbours, edge)) weight = border_weight;
     }
     shares[face].tensor = weight * shares[face].tensor;
@@ -35,11 +35,10 @@ std::vector<FaceShare> face_shares(const UnitMesh& mesh, const SurfaceMeasures& 
 // H1 with whole triangles: faces with a vertex in the ball. An edge on the rim of the region bends half as
 // much within it as it does in all; with all of it, curvatures come out some 8 % too large on meshes however
 // fine.
-std::vector<VertexBend> ball_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
-                                          double radius, int threads) {
+void ball_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, double radius, int threads,
+                       const BendSink& sink) {
   const std::vector<FaceShare> shares = face_shares(mesh, measures, threads);
-  std::vector<VertexBend> bends(mesh.vertex_count());
-  parallel_chunks(bends.size(), threads, [&](ChunkQueue& queue) {
+  parallel_chunks(mesh.vertex_count(), threads, [&](ChunkQueue& queue) {
     Region region(mesh);
     queue.drain([&](std::size_t vertex) {
       const glm::dvec3 middle = mesh.positions[vertex];
@@ -59,13 +58,13 @@ std::vector<VertexBend> ball_tensor_bends(const UnitMesh& mesh, const SurfaceMea
             const glm::dvec3 off = mesh.positions[corner] - middle;
             return glm::dot(off, off) < radius * radius;
           });
-      if (!(area > 0.0)) return;
-      bends[vertex] = bend_of_tensor((1.0 / area) * tensor, measures.normals[vertex]);
+      if (!(area > 0.0)) return sink.put(vertex, {});
+      VertexBend bend = bend_of_tensor((1.0 / area) * tensor, measures.normals[vertex]);
       const double along_each = 0.5 * second_moment / area;
-      straighten(bends[vertex], {along_each, along_each});
+      straighten(bend, {along_each, along_each});
+      sink.put(vertex, bend);
     });
   });
-  return bends;
 }
 
 }  // namespace offing::mesh_tools

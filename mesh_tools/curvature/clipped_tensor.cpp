@@ -60,10 +60,9 @@ double area_in_ball(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& 
 }  // namespace
 
 // H1 as its formula means it: |e in B| and |B| of the ball itself.
-std::vector<VertexBend> clipped_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
-                                             double radius, int threads) {
-  std::vector<VertexBend> bends(mesh.vertex_count());
-  parallel_chunks(bends.size(), threads, [&](ChunkQueue& queue) {
+void clipped_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, double radius, int threads,
+                          const BendSink& sink) {
+  parallel_chunks(mesh.vertex_count(), threads, [&](ChunkQueue& queue) {
     Region region(mesh);
     queue.drain([&](std::size_t vertex) {
       const glm::dvec3 middle = mesh.positions[vertex];
@@ -83,18 +82,18 @@ std::vector<VertexBend> clipped_tensor_bends(const UnitMesh& mesh, const Surface
             for (std::size_t i = 0; i < 3; ++i) {
               const Chord part = chord(at[i], at[(i + 1) % 3] - at[i], radius * radius);
               const double share = std::max(0.0, part.leave - part.enter);
-              tensor += (0.5 * share) * measures.edge_tensors[mesh.neighbours.face_edges[face][i]];
+              tensor += (0.5 * share) * edge_tensor(mesh, measures, mesh.neighbours.face_edges[face][i]);
             }
             return true;
           },
           [](std::uint32_t, bool is_in) { return is_in; });
-      if (!(area > 0.0)) return;
-      bends[vertex] = bend_of_tensor((1.0 / area) * tensor, measures.normals[vertex]);
+      if (!(area > 0.0)) return sink.put(vertex, {});
+      VertexBend bend = bend_of_tensor((1.0 / area) * tensor, measures.normals[vertex]);
       const double of_disc = 0.25 * radius * radius;
-      straighten(bends[vertex], {of_disc, of_disc});
+      straighten(bend, {of_disc, of_disc});
+      sink.put(vertex, bend);
     });
   });
-  return bends;
 }
 
 }  // namespace offing::mesh_tools

@@ -1,13 +1,11 @@
 #include "mesh_tools/curvature/curvature.h"
 
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/parallel_chunks.h"
 #include "mesh_tools/curvature/methods.h"
 
 namespace offing::mesh_tools {
@@ -42,58 +40,25 @@ double radius_of(const UnitMesh& mesh, const CurvatureOptions& options) {
   return *options.radius_m / mesh.scale_m;
 }
 
-std::vector<VertexBend> bends_of(const UnitMesh& mesh, const SurfaceMeasures& measures,
-                                 const CurvatureOptions& options) {
+void put_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, const CurvatureOptions& options,
+               const BendSink& sink) {
   switch (options.method) {
     case CurvatureMethod::fit:
-      return fitted_bends(mesh, measures, radius_of(mesh, options), options.threads);
+      return fitted_bends(mesh, measures, radius_of(mesh, options), options.threads, sink);
     case CurvatureMethod::tensor:
-      return ball_tensor_bends(mesh, measures, radius_of(mesh, options), options.threads);
+      return ball_tensor_bends(mesh, measures, radius_of(mesh, options), options.threads, sink);
     case CurvatureMethod::tensor_exact:
-      return clipped_tensor_bends(mesh, measures, radius_of(mesh, options), options.threads);
+      return clipped_tensor_bends(mesh, measures, radius_of(mesh, options), options.threads, sink);
     case CurvatureMethod::paper:
-      return printed_tensor_bends(mesh, measures, radius_of(mesh, options), options.angles, options.threads);
+      return printed_tensor_bends(mesh, measures, radius_of(mesh, options), options.angles, options.threads,
+                                  sink);
     case CurvatureMethod::diffused:
       require_option("rounds", options.rounds, 0, 1000);
-      return diffused_tensor_bends(mesh, measures, options.rounds, options.threads);
+      return diffused_tensor_bends(mesh, measures, options.rounds, options.threads, sink);
     case CurvatureMethod::jet:
-      return jet_bends(mesh, measures, options.threads);
+      return jet_bends(mesh, measures, options.threads, sink);
   }
   throw Error(ErrorKind::bad_usage, "curvature: unknown method", "use one of CurvatureMethod");
-}
-
-/// How much one direction is preferred: 0 where all bend alike, 1 where one does not bend at all or bends the
-/// other way.
-double confidence_of(const UnitMesh& mesh, std::uint32_t vertex, const VertexBend& bend) {
-  // Over an edge, less than this angle is rounding: a plane has no direction.
-  constexpr double flat_rad = 1e-9;
-  constexpr double border_share = 0.5;
-  const double sum = std::abs(bend.k_max) + std::abs(bend.k_min) + flat_rad / mesh.mean_edge;
-  return (bend.k_max - bend.k_min) / sum * (mesh.on_border[vertex] != 0 ? border_share : 1.0);
-}
-
-bool is_sound(const VertexBend& bend) {
-  const double sum =
-      bend.k_max + bend.k_min + glm::dot(bend.e_max, bend.e_max) + glm::dot(bend.normal, bend.normal);
-  return std::isfinite(sum) && bend.normal != glm::dvec3(0.0);
-}
-
-void store(const UnitMesh& mesh, const SurfaceMeasures& measures, const std::vector<VertexBend>& bends,
-           std::uint32_t vertex, CurvatureResult& result) {
-  const std::uint32_t source = mesh.first[vertex];
-  VertexCurvatures& curvatures = result.curvatures;
-  curvatures.area_m2[vertex] = measures.areas[source] * mesh.scale_m * mesh.scale_m;
-  const VertexBend& bend = bends[source];
-  if (!is_sound(bend)) {
-    if (measures.normals[source] != glm::dvec3(0.0)) result.normals[vertex] = measures.normals[source];
-    return;
-  }
-  curvatures.k_max_per_m[vertex] = bend.k_max / mesh.scale_m;
-  curvatures.k_min_per_m[vertex] = bend.k_min / mesh.scale_m;
-  curvatures.e_max[vertex] = bend.e_max;
-  curvatures.e_min[vertex] = bend.e_min;
-  curvatures.confidence[vertex] = confidence_of(mesh, source, bend);
-  result.normals[vertex] = bend.normal;
 }
 
 }  // namespace
@@ -101,19 +66,10 @@ void store(const UnitMesh& mesh, const SurfaceMeasures& measures, const std::vec
 CurvatureResult vertex_curvatures(const UnitMesh& mesh, const CurvatureOptions& options) {
   require_option("threads", options.threads, 0, 1 << 16);
   const SurfaceMeasures measures = measure_surface(mesh, options.threads);
-  const std::vector<VertexBend> bends = bends_of(mesh, measures, options);
   CurvatureResult result;
-  const std::size_t vertices = mesh.vertex_count();
-  for (std::vector<double>* values : {&result.curvatures.k_max_per_m, &result.curvatures.k_min_per_m,
-                                      &result.curvatures.area_m2, &result.curvatures.confidence}) {
-    values->assign(vertices, 0.0);
-  }
-  result.curvatures.e_max.assign(vertices, {});
-  result.curvatures.e_min.assign(vertices, {});
-  result.normals.assign(vertices, {0.0, 0.0, 1.0});
-  parallel_for(vertices, options.threads, [&](std::size_t vertex) {
-    store(mesh, measures, bends, static_cast<std::uint32_t>(vertex), result);
-  });
+  const BendSink sink(mesh, measures, result);
+  put_bends(mesh, measures, options, sink);
+  sink.finish(options.threads);
   return result;
 }
 

@@ -1,87 +1,74 @@
-#include <array>
-
 #include <glm/geometric.hpp>
 
 #include "host/base/parallel_chunks.h"
 #include "mesh_tools/curvature/methods.h"
 
 namespace offing::mesh_tools {
-namespace {
 
-/// What bends about a vertex: the six parts of the tensor; how much surface that is; nothing, which fills a
-/// line of the cache. All are averaged alike.
-struct alignas(64) Share {
-  std::array<double, 8> parts{};
-
-  Share& operator+=(const Share& other) {
-    for (std::size_t i = 0; i < parts.size(); ++i) parts[i] += other.parts[i];
-    return *this;
-  }
-  Share& operator*=(double factor) {
-    for (double& part : parts) part *= factor;
-    return *this;
-  }
-};
-
-/// An edge's angle belongs half to either end, a face's area by thirds to its corners.
-Share own_share(const UnitMesh& mesh, const SurfaceMeasures& measures, std::size_t vertex) {
+// An edge's angle belongs half to either end, a face's area by thirds to its corners. The share is divided
+// already by those that it will be given to: the quotient of tensor and area is the same.
+DiffusedTensor::Share DiffusedTensor::own_share(std::size_t vertex) const {
+  const auto edges = mesh_.neighbours.vertex_edges.row(vertex);
+  const auto others = mesh_.neighbours.neighbours_of(vertex);
+  const glm::dvec3 middle = mesh_.positions[vertex];
   SymmetricTensor tensor;
-  for (const std::uint32_t edge : mesh.neighbours.vertex_edges.row(vertex))
-    tensor += measures.edge_tensors[edge];
-  tensor = 0.5 * tensor;
-  Share share{{tensor.xx, tensor.xy, tensor.xz, tensor.yy, tensor.yz, tensor.zz, measures.areas[vertex]}};
-  return share *= mesh.on_border[vertex] != 0 ? border_weight : 1.0;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    tensor += outer_square(0.5 * measures_.edge_bends[edges[i]], mesh_.positions[others[i]] - middle);
+  Share share{
+      {tensor.xx, tensor.xy, tensor.xz, tensor.yy, tensor.yz, tensor.zz, measures_.areas[vertex], 0.0}};
+  const double weight = mesh_.on_border[vertex] != 0 ? border_weight : 1.0;
+  return share *= weight / static_cast<double>(edges.size() + 1);
 }
 
-/// A round moves six parts of seven by an edge; at first, edges reach to their middles.
-Spread spread_about(const UnitMesh& mesh, std::size_t vertex, const VertexBend& bend, int rounds) {
-  const auto neighbours = mesh.neighbours.neighbours_of(vertex);
+// In a round of averaging each vertex gives its share away in equal parts, to its neighbours and itself:
+// nothing is lost, so that no edge counts for more than another because of how many its ends have.
+DiffusedTensor::DiffusedTensor(const UnitMesh& mesh, const SurfaceMeasures& measures, int rounds, int threads)
+    : mesh_(mesh),
+      measures_(measures),
+      rounds_(rounds),
+      shares_(std::make_unique_for_overwrite<Share[]>(mesh.vertex_count())) {
+  const std::size_t vertices = mesh.vertex_count();
+  parallel_for(vertices, threads, [&](std::size_t vertex) { shares_[vertex] = own_share(vertex); });
+  auto next = std::make_unique_for_overwrite<Share[]>(rounds > 0 ? vertices : 0);
+  for (int round = 0; round < rounds; ++round) {
+    parallel_for(vertices, threads, [&](std::size_t vertex) {
+      const auto others = mesh_.neighbours.neighbours_of(vertex);
+      Share sum = shares_[vertex];
+      for (const std::uint32_t other : others) sum += shares_[other];
+      next[vertex] = sum *= 1.0 / static_cast<double>(others.size() + 1);
+    });
+    shares_.swap(next);
+  }
+}
+
+// A round moves six parts of seven by an edge; at first, edges reach to their middles.
+Spread DiffusedTensor::spread_about(std::size_t vertex, const VertexBend& bend) const {
+  const auto others = mesh_.neighbours.neighbours_of(vertex);
   Spread spread;
-  for (const std::uint32_t neighbour : neighbours) {
-    const glm::dvec3 along = mesh.positions[neighbour] - mesh.positions[vertex];
+  for (const std::uint32_t other : others) {
+    const glm::dvec3 along = mesh_.positions[other] - mesh_.positions[vertex];
     const double x = glm::dot(along, bend.e_max), y = glm::dot(along, bend.e_min);
     spread.along_max += x * x;
     spread.along_min += y * y;
   }
-  const double steps = (0.25 + rounds * 6.0 / 7.0) / static_cast<double>(neighbours.size());
+  const double steps = (0.25 + rounds_ * 6.0 / 7.0) / static_cast<double>(others.size());
   return {steps * spread.along_max, steps * spread.along_min};
 }
 
-}  // namespace
+VertexBend DiffusedTensor::bend_at(std::size_t vertex) const {
+  const auto& [xx, xy, xz, yy, yz, zz, area, nothing] = shares_[vertex].parts;
+  if (!(area > 0.0)) return {};
+  VertexBend bend =
+      bend_of_tensor((1.0 / area) * SymmetricTensor{xx, xy, xz, yy, yz, zz}, measures_.normals[vertex]);
+  straighten(bend, spread_about(vertex, bend));
+  return bend;
+}
 
-// In a round of averaging each vertex gives its share away in equal parts, to its neighbours and itself:
-// nothing is lost, so that no edge counts for more than another because of how many its ends have.
-std::vector<VertexBend> diffused_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
-                                              int rounds, int threads) {
-  const std::size_t vertices = mesh.vertex_count();
-  std::vector<Share> shares(vertices), next(rounds > 0 ? vertices : 0);
-  // Shares are kept divided already; the quotient of tensor and area is the same.
-  const auto divide = [&](Share& share, std::size_t vertex) {
-    share *= 1.0 / static_cast<double>(mesh.neighbours.neighbours_of(vertex).size() + 1);
-  };
-  parallel_for(vertices, threads, [&](std::size_t vertex) {
-    shares[vertex] = own_share(mesh, measures, vertex);
-    divide(shares[vertex], vertex);
-  });
-  for (int round = 0; round < rounds; ++round) {
-    parallel_for(vertices, threads, [&](std::size_t vertex) {
-      Share sum = shares[vertex];
-      for (const std::uint32_t neighbour : mesh.neighbours.neighbours_of(vertex)) sum += shares[neighbour];
-      divide(sum, vertex);
-      next[vertex] = sum;
-    });
-    shares.swap(next);
-  }
-  std::vector<VertexBend> bends(vertices);
-  parallel_for(vertices, threads, [&](std::size_t vertex) {
-    const Share& share = shares[vertex];
-    const auto& [xx, xy, xz, yy, yz, zz, area, nothing] = share.parts;
-    if (!(area > 0.0)) return;
-    bends[vertex] =
-        bend_of_tensor((1.0 / area) * SymmetricTensor{xx, xy, xz, yy, yz, zz}, measures.normals[vertex]);
-    straighten(bends[vertex], spread_about(mesh, vertex, bends[vertex], rounds));
-  });
-  return bends;
+void diffused_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, int rounds, int threads,
+                           const BendSink& sink) {
+  const DiffusedTensor tensor(mesh, measures, rounds, threads);
+  parallel_for(mesh.vertex_count(), threads,
+               [&](std::size_t vertex) { sink.put(vertex, tensor.bend_at(vertex)); });
 }
 
 }  // namespace offing::mesh_tools

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -87,13 +88,13 @@ VertexBend bend_of(const Quadric& quadric, const TangentFrame& frame, const glm:
   return bend;
 }
 
-/// Fits a quadric to the vertices that a region holds within a radius. False where there are too few, or
-/// where the surface is none over its tangent plane.
-bool fit(const UnitMesh& mesh, const SurfaceMeasures& measures, const Region& region, double radius,
-         VertexBend& bend) {
+/// Fits a quadric to the vertices that a region holds within a radius. None where there are too few, or where
+/// the surface is none over its tangent plane.
+std::optional<VertexBend> fit(const UnitMesh& mesh, const SurfaceMeasures& measures, const Region& region,
+                              double radius) {
   const std::uint32_t vertex = region.vertices().front();
   const glm::dvec3 &middle = mesh.positions[vertex], &normal = measures.normals[vertex];
-  if (normal == glm::dvec3(0.0) || region.vertices().size() < least_points) return false;
+  if (normal == glm::dvec3(0.0) || region.vertices().size() < least_points) return {};
   const TangentFrame frame(normal);
   QuadricFit sums;
   for (const std::uint32_t other : region.vertices()) {
@@ -109,42 +110,38 @@ bool fit(const UnitMesh& mesh, const SurfaceMeasures& measures, const Region& re
     sums.add(stretch * u, stretch * w, height, weight);
   }
   Quadric quadric;
-  if (!sums.solve(quadric)) return false;
+  if (!sums.solve(quadric)) return {};
   constexpr double steepest = 1.7;  // 60 degrees
-  if (!(quadric.tilt_u * quadric.tilt_u + quadric.tilt_w * quadric.tilt_w < steepest * steepest))
-    return false;
-  bend = bend_of(quadric, frame, normal, radius);
-  return true;
+  if (!(quadric.tilt_u * quadric.tilt_u + quadric.tilt_w * quadric.tilt_w < steepest * steepest)) return {};
+  return bend_of(quadric, frame, normal, radius);
 }
 
 }  // namespace
 
 // Where edges are longer than most, the ball is widened until it holds enough vertices; where nothing can be
 // fitted, tensors answer.
-std::vector<VertexBend> fitted_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, double radius,
-                                     int threads) {
+void fitted_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, double radius, int threads,
+                  const BendSink& sink) {
   constexpr int most_tries = 3;
-  std::vector<VertexBend> bends(mesh.vertex_count());
   std::vector<std::uint8_t> is_open(mesh.vertex_count(), 0);
-  parallel_chunks(bends.size(), threads, [&](ChunkQueue& queue) {
+  parallel_chunks(mesh.vertex_count(), threads, [&](ChunkQueue& queue) {
     Region region(mesh);
     queue.drain([&](std::size_t vertex) {
-      if (!(measures.areas[vertex] > 0.0)) return;
-      bool is_found = false;
+      std::optional<VertexBend> bend;
       double reach = radius;
-      for (int i = 0; i < most_tries && !is_found; ++i, reach *= 2.0) {
+      for (int i = 0; i < most_tries && !bend && measures.areas[vertex] > 0.0; ++i, reach *= 2.0) {
         region.grow_vertices(static_cast<std::uint32_t>(vertex), reach);
-        is_found = fit(mesh, measures, region, reach, bends[vertex]);
+        bend = fit(mesh, measures, region, reach);
       }
-      is_open[vertex] = is_found ? 0 : 1;
+      if (bend || !(measures.areas[vertex] > 0.0)) return sink.put(vertex, bend.value_or(VertexBend{}));
+      is_open[vertex] = 1;
     });
   });
-  if (std::ranges::find(is_open, 1) == is_open.end()) return bends;
-  const std::vector<VertexBend> others = diffused_tensor_bends(mesh, measures, 1, threads);
-  for (std::size_t i = 0; i < bends.size(); ++i) {
-    if (is_open[i] != 0) bends[i] = others[i];
+  if (std::ranges::find(is_open, 1) == is_open.end()) return;
+  const DiffusedTensor others(mesh, measures, 1, threads);
+  for (std::size_t i = 0; i < is_open.size(); ++i) {
+    if (is_open[i] != 0) sink.put(i, others.bend_at(i));
   }
-  return bends;
 }
 
 }  // namespace offing::mesh_tools

@@ -68,23 +68,22 @@ VertexBend fitted_bend(std::vector<Kernel::Point_3>& points, const glm::dvec3& o
 
 }  // namespace
 
-std::vector<VertexBend> jet_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, int threads) {
-  std::vector<VertexBend> bends(mesh.vertex_count());
-  parallel_chunks(bends.size(), threads, [&](ChunkQueue& queue) {
+void jet_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, int threads, const BendSink& sink) {
+  parallel_chunks(mesh.vertex_count(), threads, [&](ChunkQueue& queue) {
     Rings around(mesh.neighbours);
     std::vector<Kernel::Point_3> points;
     queue.drain([&](std::size_t vertex) {
       if (mesh.neighbours.vertex_faces.row(vertex).empty() || measures.normals[vertex] == glm::dvec3(0.0))
-        return;
+        return sink.put(vertex, {});
       points.clear();
       for (const std::uint32_t other : around.about(static_cast<std::uint32_t>(vertex))) {
         const glm::dvec3& p = mesh.positions[other];
         points.emplace_back(p.x, p.y, p.z);
       }
-      if (points.size() >= least_points) bends[vertex] = fitted_bend(points, measures.normals[vertex]);
+      sink.put(vertex,
+               points.size() >= least_points ? fitted_bend(points, measures.normals[vertex]) : VertexBend{});
     });
   });
-  return bends;
 }
 
 }  // namespace offing::mesh_tools

@@ -1,20 +1,17 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "mesh_tools/curvature/bend_sink.h"
 #include "mesh_tools/curvature/curvature.h"
 #include "mesh_tools/curvature/surface_measures.h"
 #include "mesh_tools/curvature/unit_mesh.h"
 
 namespace offing::mesh_tools {
-
-/// What a method says of one vertex, in units of the mesh's scale; all 0 where it has nothing to say.
-struct VertexBend {
-  double k_max = 0.0, k_min = 0.0;
-  glm::dvec3 e_max{}, e_min{}, normal{};  ///< unit, e_max x e_min = normal
-};
 
 /// From the mean tensor of edges about a vertex: an angle is stored on edges along the axis of bending, so
 /// that the larger eigenvalue's own direction is that of the smaller curvature (H2).
@@ -49,17 +46,49 @@ inline bool has_two_faces(const MeshNeighbours& mesh, std::uint32_t edge) {
   return mesh.edge_faces.begin[edge + 1] - mesh.edge_faces.begin[edge] == 2;
 }
 
-/// [vertices] of each method. The radius is in units of the mesh's scale.
-std::vector<VertexBend> ball_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
-                                          double radius, int threads);
-std::vector<VertexBend> clipped_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
-                                             double radius, int threads);
-std::vector<VertexBend> printed_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
-                                             double radius, EdgeAngles angles, int threads);
-std::vector<VertexBend> diffused_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
-                                              int rounds, int threads);
-std::vector<VertexBend> fitted_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, double radius,
-                                     int threads);
-std::vector<VertexBend> jet_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, int threads);
+/// The angles of the edges about each vertex and how much surface that is, averaged with its neighbours.
+class DiffusedTensor {
+ public:
+  /// Keeps mesh and measures.
+  DiffusedTensor(const UnitMesh& mesh, const SurfaceMeasures& measures, int rounds, int threads);
+
+  VertexBend bend_at(std::size_t vertex) const;
+
+ private:
+  /// Six parts of the tensor, and the area; nothing, which fills a line of the cache. All are averaged alike.
+  struct alignas(64) Share {
+    std::array<double, 8> parts;
+
+    Share& operator+=(const Share& other) {
+      for (std::size_t i = 0; i < parts.size(); ++i) parts[i] += other.parts[i];
+      return *this;
+    }
+    Share& operator*=(double factor) {
+      for (double& part : parts) part *= factor;
+      return *this;
+    }
+  };
+
+  Share own_share(std::size_t vertex) const;
+  Spread spread_about(std::size_t vertex, const VertexBend& bend) const;
+
+  const UnitMesh& mesh_;
+  const SurfaceMeasures& measures_;
+  int rounds_;
+  std::unique_ptr<Share[]> shares_;  // [vertices]
+};
+
+/// Put all vertices of the mesh. The radius is in units of the mesh's scale.
+void ball_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, double radius, int threads,
+                       const BendSink& sink);
+void clipped_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, double radius, int threads,
+                          const BendSink& sink);
+void printed_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, double radius,
+                          EdgeAngles angles, int threads, const BendSink& sink);
+void diffused_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, int rounds, int threads,
+                           const BendSink& sink);
+void fitted_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, double radius, int threads,
+                  const BendSink& sink);
+void jet_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, int threads, const BendSink& sink);
 
 }  // namespace offing::mesh_tools

@@ -34,17 +34,9 @@ VertexBend printed_bend(const SymmetricTensor& mean, const glm::dvec3& outward) 
 
 }  // namespace
 
-std::vector<VertexBend> printed_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures,
-                                             double radius, EdgeAngles angles, int threads) {
-  std::vector<SymmetricTensor> tensors = measures.edge_tensors;
-  if (angles == EdgeAngles::unsigned_as_printed) {
-    // The trace is angle * length.
-    for (SymmetricTensor& tensor : tensors) {
-      if (tensor.xx + tensor.yy + tensor.zz < 0.0) tensor = -1.0 * tensor;
-    }
-  }
-  std::vector<VertexBend> bends(mesh.vertex_count());
-  parallel_chunks(bends.size(), threads, [&](ChunkQueue& queue) {
+void printed_tensor_bends(const UnitMesh& mesh, const SurfaceMeasures& measures, double radius,
+                          EdgeAngles angles, int threads, const BendSink& sink) {
+  parallel_chunks(mesh.vertex_count(), threads, [&](ChunkQueue& queue) {
     Region region(mesh);
     std::vector<std::uint32_t> edge_marks(mesh.neighbours.edges.size(), MeshNeighbours::none);
     queue.drain([&](std::size_t vertex) {
@@ -57,17 +49,19 @@ std::vector<VertexBend> printed_tensor_bends(const UnitMesh& mesh, const Surface
             for (const std::uint32_t edge : mesh.neighbours.face_edges[face]) {
               if (edge_marks[edge] == vertex) continue;
               edge_marks[edge] = static_cast<std::uint32_t>(vertex);
-              tensor += tensors[edge];
+              const bool is_turned =
+                  angles == EdgeAngles::unsigned_as_printed && measures.edge_bends[edge] < 0.0;
+              tensor += (is_turned ? -1.0 : 1.0) * edge_tensor(mesh, measures, edge);
             }
             return true;
           },
           [&](std::uint32_t corner, bool) {
             return glm::distance(mesh.positions[corner], mesh.positions[vertex]) < radius;
           });
-      if (area > 0.0) bends[vertex] = printed_bend((1.0 / area) * tensor, measures.normals[vertex]);
+      sink.put(vertex,
+               area > 0.0 ? printed_bend((1.0 / area) * tensor, measures.normals[vertex]) : VertexBend{});
     });
   });
-  return bends;
 }
 
 }  // namespace offing::mesh_tools

@@ -55,35 +55,34 @@ double angle_of(double sine, double cosine) {
   return 2.0 * t * series;
 }
 
-}  // namespace
-
-double edge_angle(const UnitMesh& mesh, const std::vector<glm::dvec3>& face_normals, std::uint32_t edge) {
+/// The angle between the faces of an edge by its length, positive where convex; 0 unless it has two, both
+/// with areas. Faces that disagree which side is out are measured as if the second were turned over.
+double edge_bend(const UnitMesh& mesh, const std::vector<glm::dvec3>& face_normals, std::uint32_t edge) {
   const auto faces = mesh.neighbours.edge_faces.row(edge);
   if (faces.size() != 2) return 0.0;
-  const bool first_along = mesh.neighbours.runs_along(faces[0], edge);
-  const bool agree = first_along != mesh.neighbours.runs_along(faces[1], edge);
-  const glm::dvec3 &first = face_normals[faces[0]],
-                   second = agree ? face_normals[faces[1]] : -face_normals[faces[1]];
   const auto& [from, to] = mesh.neighbours.edges[edge];
   const glm::dvec3 along = mesh.positions[to] - mesh.positions[from];
   const double length = glm::length(along);
   if (!(length > 0.0)) return 0.0;
+  const bool first_along = mesh.neighbours.runs_along(faces[0], edge);
+  const bool agree = first_along != mesh.neighbours.runs_along(faces[1], edge);
+  const glm::dvec3& first = face_normals[faces[0]];
+  const glm::dvec3 second = agree ? face_normals[faces[1]] : -face_normals[faces[1]];
   // Seen along the edge, the face that runs along it lies to the left of the other.
-  const double sine = glm::dot(glm::cross(first, second), along) / length;
-  return angle_of(first_along ? sine : -sine, glm::dot(first, second));
+  const double per_length = 1.0 / length;
+  const double sine = glm::dot(glm::cross(first, second), along) * per_length;
+  return angle_of(first_along ? sine : -sine, glm::dot(first, second)) * per_length;
 }
+
+}  // namespace
 
 SurfaceMeasures measure_surface(const UnitMesh& mesh, int threads) {
   SurfaceMeasures measures;
   measure_faces(mesh, threads, measures);
   measure_vertices(mesh, threads, measures);
-  measures.edge_tensors.resize(mesh.neighbours.edges.size());
+  measures.edge_bends.resize(mesh.neighbours.edges.size());
   parallel_for(mesh.neighbours.edges.size(), threads, [&](std::size_t edge) {
-    const auto& [from, to] = mesh.neighbours.edges[edge];
-    const glm::dvec3 along = mesh.positions[to] - mesh.positions[from];
-    const double angle = edge_angle(mesh, measures.face_normals, static_cast<std::uint32_t>(edge));
-    measures.edge_tensors[edge] =
-        angle == 0.0 ? SymmetricTensor{} : outer_square(angle / glm::length(along), along);
+    measures.edge_bends[edge] = edge_bend(mesh, measures.face_normals, static_cast<std::uint32_t>(edge));
   });
   return measures;
 }

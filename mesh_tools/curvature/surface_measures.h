@@ -16,13 +16,17 @@ struct SurfaceMeasures {
   std::vector<glm::dvec3>
       normals;                ///< of vertices: the mean of the faces around by area; unit, 0 without any
   std::vector<double> areas;  ///< of vertices: a third of the faces around
-  std::vector<SymmetricTensor> edge_tensors;  ///< angle * length * e e^T, e the unit edge; convex positive
+  /// Angle / length of edges, convex positive; 0 for those of other than two faces with areas.
+  std::vector<double> edge_bends;
 };
 
-SurfaceMeasures measure_surface(const UnitMesh& mesh, int threads);
+/// angle * length * e e^T of an edge, e its unit direction.
+inline SymmetricTensor edge_tensor(const UnitMesh& mesh, const SurfaceMeasures& measures,
+                                   std::uint32_t edge) {
+  const auto& [from, to] = mesh.neighbours.edges[edge];
+  return outer_square(measures.edge_bends[edge], mesh.positions[to] - mesh.positions[from]);
+}
 
-/// The angle between the faces of an edge, positive where convex; 0 unless it has two, both with areas. Faces
-/// that disagree which side is out are measured as if the second were turned over.
-double edge_angle(const UnitMesh& mesh, const std::vector<glm::dvec3>& face_normals, std::uint32_t edge);
+SurfaceMeasures measure_surface(const UnitMesh& mesh, int threads);
 
 }  // namespace offing::mesh_tools
