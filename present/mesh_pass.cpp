@@ -10,6 +10,7 @@ namespace offing::present {
 namespace {
 
 constexpr int environment_unit = 0, faces_unit = 1;
+constexpr int depth_behind_unit = 0, light_behind_unit = 1;
 constexpr int light_samples_unit = 0, depth_samples_unit = 1;
 // Samples at steps of 8 cannot be told from a smooth edge; where the CPU draws, each one costs.
 constexpr int samples_of_gpu = 8, samples_of_cpu = 4;
@@ -76,7 +77,8 @@ void MeshPass::begin(const RenderTarget& target) {
   }
   samples_.bind();
   begin_.use();
-  bind_sampler(begin_, "depth_behind", 0, target.depth_texture());
+  bind_sampler(begin_, "depth_behind", depth_behind_unit, target.depth_texture());
+  bind_sampler(begin_, "light_behind", light_behind_unit, target.texture());
   draw_screen(no_vertices_);
 }
 
@@ -134,17 +136,15 @@ void MeshPass::draw_mesh(const world::World& world, std::size_t index, const Fra
   if (request.meshes == MeshShow::projectors) lines_.draw_projectors(view, matrices, request);
 }
 
-void MeshPass::end(const RenderTarget& target) const {
+void MeshPass::end(const RenderTarget& target, const FrameRequest& request) const {
   target.bind();
   end_.use();
   samples_.bind_samples(light_samples_unit, depth_samples_unit);
   end_.set("samples_of", light_samples_unit);
   end_.set("depth_of", depth_samples_unit);
   end_.set("sample_count", samples_.samples());
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  end_.set("exposure", static_cast<float>(request.exposure));
   draw_screen(no_vertices_);
-  glDisable(GL_BLEND);
 }
 
 void MeshPass::draw(const world::World& world, const FrameRequest& request, GLuint environment,
@@ -156,7 +156,7 @@ void MeshPass::draw(const world::World& world, const FrameRequest& request, GLui
   glScissor(box.left, box.bottom, box.width, box.height);
   begin(target);
   for (std::size_t i = 0; i < meshes_.size(); ++i) draw_mesh(world, i, request, environment);
-  end(target);
+  end(target, request);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_TEST);
 }

@@ -43,7 +43,7 @@ class MeshPass {
                  const FrameRequest& request, GLuint environment) const;
   void draw_outline(std::size_t index, const MeshViewMatrices& matrices, const FrameRequest& request,
                     const world::MeshMaterial& material) const;
-  void end(const RenderTarget& target) const;
+  void end(const RenderTarget& target, const FrameRequest& request) const;
 
   GlCapabilities capabilities_;
   ShaderProgram begin_, base_, outline_, end_;

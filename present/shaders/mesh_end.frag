@@ -1,23 +1,30 @@
-// The mean of a pixel's samples, over what lies behind it. Where meshes cover half of a pixel or more it has their
-// depth.
+// The mean of the samples of a pixel that meshes cover, at least in part. Where they cover half of it or more it
+// has their depth.
 uniform sampler2DMS samples_of;
 uniform sampler2DMS depth_of;
 uniform int sample_count;
+uniform float exposure;  // 1 / (kcd/m2)
 
 out vec4 light;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec4 sum = vec4(0.0);
-  float nearest = 0.0, farthest = 1.0;
+  vec3 sum = vec3(0.0);
+  float weights = 0.0, covered = 0.0, nearest = 0.0, farthest = 1.0;
   for (int i = 0; i < sample_count; ++i) {
-    sum += texelFetch(samples_of, pixel, i);
+    vec4 each = texelFetch(samples_of, pixel, i);
+    // A screen shows light by its curve, not in proportion: without weights, one sample that is many times brighter
+    // than white would make its pixel white, and edges before it ragged.
+    float weight = 1.0 / (1.0 + exposure * max(each.r, max(each.g, each.b)));
+    sum += weight * each.rgb;
+    weights += weight;
+    covered += each.a;
     float depth = texelFetch(depth_of, pixel, i).r;
     nearest = max(nearest, depth);
     farthest = min(farthest, depth);
   }
-  if (sum.a == 0.0) discard;
-  light = sum / float(sample_count);
+  if (covered == 0.0) discard;
+  light = vec4(sum / weights, 1.0);
   // A sample that no mesh covers has the depth of what lies behind, which is the farthest.
-  gl_FragDepth = light.a >= 0.5 ? nearest : farthest;
+  gl_FragDepth = 2.0 * covered >= float(sample_count) ? nearest : farthest;
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <numeric>
 
 #include "host/highlights/face_tree.h"
 #include "host/ocean/spectrum_parameters.h"
@@ -115,6 +116,30 @@ class MeshPassTest : public MeshStage {
     return seen_light;
   }
 
+  /// How much a sample counts in its pixel (mesh_end.frag).
+  static double sample_weight(const float* light) {
+    return 1.0 / (1.0 + exposure * std::max({light[0], light[1], light[2]}));
+  }
+
+  /// How much of each pixel a white outline covers.
+  std::vector<double> outlined_shares(world::MeshParameters mesh, double outline_px) {
+    constexpr float white = 1.0 / exposure;
+    constexpr std::array outline{white, white, white};
+    open(mesh);
+    const std::vector<float> bare = light();
+    mesh.material.outline_px = outline_px;
+    mesh.material.outline_colour = glm::dvec3(1.0);
+    open(mesh);
+    const std::vector<float> outlined = light();
+    std::vector<double> shares;
+    for (std::size_t i = 0; i < bare.size(); i += 4) {
+      const double more = sample_weight(&bare[i]) * (outlined[i] - bare[i]);
+      const double left = sample_weight(outline.data()) * (white - outlined[i]);
+      shares.push_back(more / (more + left));
+    }
+    return shares;
+  }
+
   /// The largest difference of a channel, as a share, from what is expected within faces.
   template <class Expected>
   double worst(const std::vector<float>& pixels, const Expected& expected) const {
@@ -221,17 +246,10 @@ TEST_F(MeshPassTest, LightsCartoonsInSteps) {
 // mean. Measured: 3 px are 2.97; gate 5 %.
 TEST_F(MeshPassTest, DrawsOutlinesOfTheirWidth) {
   world::MeshParameters mesh = sphere(BaseShading::phong);
-  open(mesh);
-  const std::vector<float> bare = light();
-  constexpr double wanted_px = 3.0, bright = 100.0;
-  mesh.material.outline_px = wanted_px;
-  mesh.material.outline_colour = glm::dvec3(bright);
-  open(mesh);
-  const std::vector<float> outlined = light();
+  constexpr double wanted_px = 3.0;
   double area_px = 0.0;
   std::size_t partly = 0;
-  for (std::size_t i = 0; i < bare.size(); i += 4) {
-    const double share = (outlined[i] - bare[i]) / (bright / exposure - bare[i]);
+  for (const double share : outlined_shares(mesh, wanted_px)) {
     area_px += share;
     partly += share > 0.05 && share < 0.95;
   }
@@ -244,6 +262,35 @@ TEST_F(MeshPassTest, DrawsOutlinesOfTheirWidth) {
   EXPECT_GT(partly, 6.0 * radius_px);
 }
 
+// Fails if samples are averaged in proportion: a mesh far brighter than white before a dark sky would then
+// have edges that are white in whole pixels. Of four samples 1, 2 or 3 are the mesh's; exposed, its light is
+// m, and pixels come to m / (4 + 3 m), 2 m / (4 + 2 m) and 3 m / (4 + m), the largest of which is below 3.
+TEST_F(MeshPassTest, KeepsEdgesOfBrightMeshesSmooth) {
+  mesh_shapes::Shape square;  // of 1 m, turned by 30 degrees
+  const double c = 0.5 * std::cos(std::numbers::pi / 6.0), s = 0.5 * std::sin(std::numbers::pi / 6.0);
+  square.mesh.positions_m = {
+      {s - c, -c - s, 0.0}, {c + s, s - c, 0.0}, {c - s, c + s, 0.0}, {-c - s, c - s, 0.0}};
+  square.mesh.faces = {{0, 1, 2}, {0, 2, 3}};
+  world::WorldParameters parameters = world_of(mesh_of(square));
+  parameters.meshes[0].material = {.shading = BaseShading::flat, .colour = glm::dvec3(1.0)};
+  parameters.sun_direction = {0.0, -1.0, 0.0};
+  parameters.lamps = {{.source = {.kind = highlights::Source::Kind::place, .vector = camera().eye_m},
+                       .illuminance_klx = 1000.0}};
+  open(parameters);
+  FrameRequest asked = request();
+  asked.exposure = 1.0;
+  std::size_t cut = 0, full = 0;
+  const std::vector<float> pixels = light(asked);
+  for (std::size_t i = 0; i < pixels.size(); i += 4) {
+    cut += pixels[i] >= 0.1f && pixels[i] <= 3.0f;
+    full += pixels[i] > 100.0f;
+  }
+  const double side_px = 1.0 / 4.0 / half_extent(camera()).y * 0.5 * height;
+  EXPECT_NEAR(static_cast<double>(full), side_px * side_px, 4.0 * side_px);
+  // Each side passes through some 1.4 pixels a pixel of its length, of which most have samples of both.
+  EXPECT_GT(static_cast<double>(cut), 3.0 * side_px);
+}
+
 // Fails if open meshes have no outline along their borders, or closed edges have one: a square of 1 m that
 // faces the eye, of two triangles, has four strips of 2 px. Samples make it 2 % off at most; gate 4 %.
 TEST_F(MeshPassTest, DrawsOutlinesAlongBorders) {
@@ -251,17 +298,9 @@ TEST_F(MeshPassTest, DrawsOutlinesAlongBorders) {
   square.mesh.positions_m = {{-0.5, -0.5, 0.0}, {0.5, -0.5, 0.0}, {0.5, 0.5, 0.0}, {-0.5, 0.5, 0.0}};
   square.mesh.faces = {{0, 1, 2}, {0, 2, 3}};
   world::MeshParameters mesh = mesh_of(square);
-  open(mesh);
-  const std::vector<float> bare = light();
-  constexpr double wanted_px = 2.0, bright = 100.0;
-  mesh.material.outline_px = wanted_px;
-  mesh.material.outline_colour = glm::dvec3(bright);
-  open(mesh);
-  const std::vector<float> outlined = light();
-  double area_px = 0.0;
-  for (std::size_t i = 0; i < bare.size(); i += 4) {
-    area_px += (outlined[i] - bare[i]) / (bright / exposure - bare[i]);
-  }
+  constexpr double wanted_px = 2.0;
+  const std::vector<double> shares = outlined_shares(mesh, wanted_px);
+  const double area_px = std::accumulate(shares.begin(), shares.end(), 0.0);
   const double side_px = 1.0 / 4.0 / half_extent(camera()).y * 0.5 * height;
   EXPECT_NEAR(area_px, 4.0 * side_px * wanted_px, 0.04 * 4.0 * side_px * wanted_px);
 }
