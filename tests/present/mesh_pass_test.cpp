@@ -121,20 +121,20 @@ class MeshPassTest : public MeshStage {
     return 1.0 / (1.0 + exposure * std::max({light[0], light[1], light[2]}));
   }
 
-  /// How much of each pixel a white outline covers.
+  /// How much of each pixel an outline covers that is brighter than all else.
   std::vector<double> outlined_shares(world::MeshParameters mesh, double outline_px) {
-    constexpr float white = 1.0 / exposure;
-    constexpr std::array outline{white, white, white};
+    constexpr float bright = 100.0 / exposure;
+    constexpr std::array outline{bright, bright, bright};
     open(mesh);
     const std::vector<float> bare = light();
     mesh.material.outline_px = outline_px;
-    mesh.material.outline_colour = glm::dvec3(1.0);
+    mesh.material.outline_colour = glm::dvec3(100.0);
     open(mesh);
     const std::vector<float> outlined = light();
     std::vector<double> shares;
     for (std::size_t i = 0; i < bare.size(); i += 4) {
       const double more = sample_weight(&bare[i]) * (outlined[i] - bare[i]);
-      const double left = sample_weight(outline.data()) * (white - outlined[i]);
+      const double left = sample_weight(outline.data()) * (bright - outlined[i]);
       shares.push_back(more / (more + left));
     }
     return shares;
@@ -287,8 +287,9 @@ TEST_F(MeshPassTest, KeepsEdgesOfBrightMeshesSmooth) {
   }
   const double side_px = 1.0 / 4.0 / half_extent(camera()).y * 0.5 * height;
   EXPECT_NEAR(static_cast<double>(full), side_px * side_px, 4.0 * side_px);
-  // Each side passes through some 1.4 pixels a pixel of its length, of which most have samples of both.
-  EXPECT_GT(static_cast<double>(cut), 3.0 * side_px);
+  // Four samples lie within some 0.65 pixels across a side, so that as many pixels a pixel of its length have
+  // samples of both: 2.6 in all.
+  EXPECT_NEAR(static_cast<double>(cut), 2.6 * side_px, 0.4 * side_px);
 }
 
 // Fails if open meshes have no outline along their borders, or closed edges have one: a square of 1 m that
