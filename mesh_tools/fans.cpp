@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "mesh_tools/disjoint_sets.h"
+#include "host/base/disjoint_sets.h"
 #include "mesh_tools/edge_table.h"
 
 namespace offing::mesh_tools {

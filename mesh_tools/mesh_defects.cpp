@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh_tools/disjoint_sets.h"
+#include "host/base/disjoint_sets.h"
 #include "mesh_tools/edge_table.h"
 #include "mesh_tools/face_intersections.h"
 

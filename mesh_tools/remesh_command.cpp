@@ -59,8 +59,12 @@ RemeshSettings settings_of(const RemeshArguments& arguments) {
   return settings;
 }
 
-/// Far too short edges would fill the memory.
+/// Far too short edges would fill the memory, and no edge makes faces of nothing.
 void require_few_faces(const TriangleMesh& mesh, double edge_m) {
+  if (!(edge_m > 0.0)) {
+    throw Error(ErrorKind::bad_input, "offing-mesh remesh: expected faces with an area, got none",
+                "`offing-mesh check` tells what the mesh holds");
+  }
   const double faces = most_faces_at(mesh, edge_m);
   if (faces <= most_faces) return;  // not of an edge of 0
   throw Error(

@@ -17,9 +17,9 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <glm/geometric.hpp>
 
+#include "host/base/disjoint_sets.h"
 #include "host/base/error.h"
 #include "host/base/vertex_places.h"
-#include "mesh_tools/disjoint_sets.h"
 #include "mesh_tools/edge_table.h"
 #include "mesh_tools/fans.h"
 #include "mesh_tools/surface.h"
@@ -86,6 +86,9 @@ std::size_t remove_duplicate_faces(TriangleMesh& mesh) {
   return is_repeated.size() - kept;
 }
 
+/// How a face lies beside how it came; those of filled holes came no way.
+enum class FaceTurn : std::uint8_t { none, as_was, turned };
+
 struct TurnRecorder : pmp::Default_orientation_visitor {
   std::vector<std::uint8_t>* is_turned;
   void polygon_orientation_reversed(std::size_t face) { (*is_turned)[face] ^= 1; }
@@ -108,7 +111,8 @@ void turn_to_majority(TriangleMesh& mesh, std::vector<std::uint8_t>& is_turned) 
   }
 }
 
-void orient(TriangleMesh& mesh, RepairChanges& changes) {
+/// Which faces are turned now, [faces].
+std::vector<std::uint8_t> orient(TriangleMesh& mesh, RepairChanges& changes) {
   const std::size_t vertices_before = mesh.positions_m.size();
   std::vector<std::uint8_t> is_turned(mesh.faces.size(), 0);
   turn_in_breadth(mesh, is_turned);
@@ -131,11 +135,11 @@ void orient(TriangleMesh& mesh, RepairChanges& changes) {
     }
   }
   turn_to_majority(mesh, is_turned);
-  changes.turned_faces += static_cast<std::size_t>(std::count(is_turned.begin(), is_turned.end(), 1));
+  return is_turned;
 }
 
 /// Closed components whose volume is negative are turned over.
-void face_outward(TriangleMesh& mesh, RepairChanges& changes) {
+void face_outward(TriangleMesh& mesh, std::vector<FaceTurn>& turns) {
   DisjointSets components(mesh.faces.size());
   std::vector<std::uint8_t> is_open(mesh.faces.size(), 0);
   const EdgeTable edges(mesh.faces);
@@ -157,7 +161,8 @@ void face_outward(TriangleMesh& mesh, RepairChanges& changes) {
     const std::uint32_t root = components.root_of(i).index;
     if (is_open[root] != 0 || volumes[root] >= 0.0) continue;
     std::swap(mesh.faces[i][1], mesh.faces[i][2]);
-    ++changes.turned_faces;
+    if (turns[i] != FaceTurn::none)
+      turns[i] = turns[i] == FaceTurn::as_was ? FaceTurn::turned : FaceTurn::as_was;
   }
 }
 
@@ -247,21 +252,29 @@ RepairChanges repair(TriangleMesh& mesh, const RepairSettings& settings, const C
   changes.removed_duplicate_faces = remove_duplicate_faces(mesh);
   require_faces(mesh);
   cancel.throw_if_cancelled();
-  orient(mesh, changes);
+  const std::vector<std::uint8_t> is_turned = orient(mesh, changes);
   cancel.throw_if_cancelled();
 
   Surface surface = to_surface(mesh, "repair");
-  const std::size_t faces_before = surface.number_of_faces();
+  auto turn_of = surface.add_property_map<Surface::Face_index, FaceTurn>("f:turn", FaceTurn::none).first;
+  for (const Surface::Face_index face : surface.faces()) {
+    turn_of[face] = is_turned[face] != 0 ? FaceTurn::turned : FaceTurn::as_was;
+  }
+  const std::size_t faces_before = surface.number_of_faces(), vertices_before = surface.number_of_vertices();
   pmp::remove_degenerate_faces(surface);
+  changes.collapsed_vertices = vertices_before - surface.number_of_vertices();
   changes.split_vertices += pmp::duplicate_non_manifold_vertices(surface);
   changes.removed_degenerate_faces = faces_before - surface.number_of_faces();
   cancel.throw_if_cancelled();
   fill_holes(surface, settings, cancel, changes);
   mesh = to_mesh(surface);
+  std::vector<FaceTurn> turns;
+  for (const Surface::Face_index face : surface.faces()) turns.push_back(turn_of[face]);
   require_faces(mesh);
   // Merged vertices have been counted.
   changes.removed_vertices = remove_isolated_vertices(mesh) - changes.merged_vertices;
-  if (settings.facing == Facing::outward) face_outward(mesh, changes);
+  if (settings.facing == Facing::outward) face_outward(mesh, turns);
+  changes.turned_faces = static_cast<std::size_t>(std::count(turns.begin(), turns.end(), FaceTurn::turned));
   return changes;
 }
 

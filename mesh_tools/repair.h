@@ -20,10 +20,11 @@ struct RepairChanges {
   std::size_t merged_vertices = 0;           ///< on borders, at exactly one place: seams closed
   std::size_t removed_repeating_faces = 0;   ///< that name a vertex twice
   std::size_t removed_duplicate_faces = 0;   ///< of the same three vertices as an earlier one
-  std::size_t turned_faces = 0;              ///< so that neighbours agree, and with most of their component
+  std::size_t turned_faces = 0;              ///< that lie the other way in the end
   std::size_t split_vertices = 0;            ///< added where an edge had three faces, a vertex two fans, or a
                                              ///< one-sided surface had to be cut
   std::size_t removed_degenerate_faces = 0;  ///< without an area; neighbours close the gap
+  std::size_t collapsed_vertices = 0;        ///< that went with them
   std::size_t filled_holes = 0;
   std::size_t added_faces = 0;       ///< in holes
   std::size_t open_loops = 0;        ///< left open

@@ -55,6 +55,7 @@ std::vector<NamedChange> named(const RepairChanges& changes) {
       {"turned_faces", "turned faces", changes.turned_faces},
       {"split_vertices", "vertices added by taking edges and fans apart", changes.split_vertices},
       {"removed_degenerate_faces", "removed faces without an area", changes.removed_degenerate_faces},
+      {"collapsed_vertices", "vertices that went with them", changes.collapsed_vertices},
       {"filled_holes", "filled holes", changes.filled_holes},
       {"added_faces", "faces added in holes", changes.added_faces},
       {"open_loops", "boundary loops left open", changes.open_loops},

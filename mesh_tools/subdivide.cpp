@@ -70,10 +70,55 @@ TriangleMesh to_mesh(const Mesh& mesh) {
   return result;
 }
 
+/// Vertices of no face, which smoothing would move to where nothing is, kept out of a mesh.
+class LooseVertices {
+ public:
+  explicit LooseVertices(const TriangleMesh& mesh) : positions_m_(mesh.positions_m) {
+    std::vector<std::uint8_t> is_used(positions_m_.size(), 0);
+    for (const TriangleIndices& face : mesh.faces) {
+      for (const std::uint32_t corner : face) is_used[corner] = 1;
+    }
+    number_without_.resize(positions_m_.size());
+    for (std::uint32_t i = 0; i < positions_m_.size(); ++i) {
+      number_without_[i] = static_cast<std::uint32_t>(used_.size());
+      if (is_used[i] != 0) used_.push_back(i);
+    }
+    without_.faces = mesh.faces;
+    for (const std::uint32_t vertex : used_) without_.positions_m.push_back(positions_m_[vertex]);
+    for (TriangleIndices& face : without_.faces) {
+      for (std::uint32_t& corner : face) corner = number_without_[corner];
+    }
+  }
+
+  const TriangleMesh& mesh_without() const { return without_; }
+
+  /// Vertices that the mesh had have their numbers again; new ones come after all of them.
+  TriangleMesh put_back(const TriangleMesh& fine) const {
+    const std::size_t loose = positions_m_.size() - used_.size();
+    TriangleMesh all{.positions_m = positions_m_, .normals = {}, .faces = fine.faces};
+    for (std::size_t i = 0; i < used_.size(); ++i) all.positions_m[used_[i]] = fine.positions_m[i];
+    all.positions_m.insert(all.positions_m.end(),
+                           fine.positions_m.begin() + static_cast<std::ptrdiff_t>(used_.size()),
+                           fine.positions_m.end());
+    for (TriangleIndices& face : all.faces) {
+      for (std::uint32_t& corner : face) {
+        corner = corner < used_.size() ? used_[corner] : corner + static_cast<std::uint32_t>(loose);
+      }
+    }
+    return all;
+  }
+
+ private:
+  const std::vector<glm::dvec3>& positions_m_;
+  std::vector<std::uint32_t> used_, number_without_;
+  TriangleMesh without_;
+};
+
 template <typename Mesh, typename Subdivider>
 TriangleMesh refine(const TriangleMesh& mesh, std::string_view file_name, int levels,
                     const CancelToken& cancel) {
-  Mesh fine = to_open_mesh<Mesh>(mesh, file_name);
+  const LooseVertices loose(mesh);
+  Mesh fine = to_open_mesh<Mesh>(loose.mesh_without(), file_name);
   Subdivider subdivider;
   for (int level = 0; level < levels; ++level) {
     cancel.throw_if_cancelled();
@@ -81,7 +126,7 @@ TriangleMesh refine(const TriangleMesh& mesh, std::string_view file_name, int le
     subdivider(1);
     subdivider.detach();
   }
-  return to_mesh(fine);
+  return loose.put_back(to_mesh(fine));
 }
 
 double faces_after(const TriangleMesh& mesh, SubdivisionMethod method, int levels) {

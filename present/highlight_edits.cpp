@@ -29,10 +29,16 @@ void set_key(KeyframeTrack& track, double time_s, double value) {
   }
 }
 
-/// The name of a lamp, as rules have it; empty where it has none.
-std::string name_of_lamp(const OceanScene& scene, int lamp) {
+/// The name of a lamp, as rules have it. One that has none gets one: a rule without a name is for all lamps.
+std::string name_of_lamp(OceanScene& scene, int lamp) {
   const auto index = static_cast<std::size_t>(lamp);
-  return index < scene.lights.size() ? scene.lights[index].name : "sun";
+  if (index >= scene.lights.size()) return "sun";
+  std::string& name = scene.lights[index].name;
+  for (std::size_t number = index + 1; name.empty(); ++number) {
+    const std::string free = "light " + std::to_string(number);
+    if (std::ranges::find(scene.lights, free, &scene::LightScene::name) == scene.lights.end()) name = free;
+  }
+  return name;
 }
 
 /// The constant of a value that moves is that of its first key, as the reader of scenes has it.

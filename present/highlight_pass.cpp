@@ -41,8 +41,11 @@ void HighlightPass::draw_one(const world::MeshView& mesh, const highlights::Draw
   const highlights::HighlightControls& controls = highlight.controls;
   const glm::dmat4 to_box = highlights::projection_of(highlight.projector) *
                             glm::translate(glm::dmat4(1.0), mesh.surface().middle_m());
+  const PictureUse use = controls.texture == highlights::HighlightTexture::normal_map ? PictureUse::normals
+                                                                                      : PictureUse::colours;
+  const int picture = is_picture(controls.texture) ? controls.picture : -1;
   bind_sampler(program_, "picture", picture_unit,
-               pictures_.texture(scenery.world.parameters().pictures, controls));
+               scenery.pictures.texture(scenery.world.parameters().pictures, picture, use));
   program_.set("to_box", glm::mat4(to_box));
   program_.set("texture_kind", static_cast<int>(controls.texture));
   program_.set("colour", glm::vec3(controls.colour));

@@ -4,10 +4,10 @@
 
 #include "host/world/world.h"
 #include "present/frame_request.h"
-#include "present/highlight_pictures.h"
 #include "present/mesh_geometry.h"
 #include "present/mesh_lights.h"
 #include "present/mesh_view_matrices.h"
+#include "present/picture_textures.h"
 #include "present/shader_program.h"
 
 namespace offing::present {
@@ -22,6 +22,7 @@ class HighlightPass {
   struct Scenery {
     const world::World& world;
     const MeshLights& lights;
+    PictureTextures& pictures;
     GLuint environment;
   };
   /// Onto the bound target, in which the mesh has been drawn with these matrices.
@@ -33,7 +34,6 @@ class HighlightPass {
                 const Scenery& scenery);
 
   ShaderProgram program_;
-  HighlightPictures pictures_;
   std::vector<std::uint32_t> corners_;
 };
 

@@ -9,7 +9,7 @@
 namespace offing::present {
 namespace {
 
-constexpr int environment_unit = 0, faces_unit = 1;
+constexpr int environment_unit = 0, faces_unit = 1, ramp_unit = 2;
 constexpr int depth_behind_unit = 0, light_behind_unit = 1;
 constexpr int light_samples_unit = 0, depth_samples_unit = 1;
 // Samples at steps of 8 cannot be told from a smooth edge; where the CPU draws, each one costs.
@@ -83,7 +83,7 @@ void MeshPass::begin(const RenderTarget& target) {
 }
 
 void MeshPass::draw_base(const world::World& world, std::size_t index, const MeshViewMatrices& matrices,
-                         const FrameRequest& request, GLuint environment) const {
+                         const FrameRequest& request, GLuint environment) {
   const world::MeshView& view = world.meshes()[index];
   const world::MeshMaterial& material = view.parameters().material;
   base_.use();
@@ -98,6 +98,9 @@ void MeshPass::draw_base(const world::World& world, std::size_t index, const Mes
   base_.set("specular", static_cast<float>(material.specular));
   base_.set("shininess", static_cast<float>(material.shininess));
   base_.set("cartoon_steps", material.cartoon_steps);
+  base_.set("has_ramp", material.cartoon_ramp >= 0 ? 1 : 0);
+  bind_sampler(base_, "ramp_picture", ramp_unit,
+               pictures_.texture(world.parameters().pictures, material.cartoon_ramp, PictureUse::ramp));
   base_.set("shows_curvature", request.meshes == MeshShow::curvature ? 1 : 0);
   base_.set("length_of_mesh_m", static_cast<float>(view.surface().diagonal_m()));
   base_.set("debug_white", static_cast<float>(1.0 / request.exposure));
@@ -132,7 +135,7 @@ void MeshPass::draw_mesh(const world::World& world, std::size_t index, const Fra
   if (request.meshes == MeshShow::directions) lines_.draw_directions(view, matrices, request);
   if (request.meshes == MeshShow::curvature || request.meshes == MeshShow::directions) return;
   highlights_.draw(view, meshes_[index].geometry, matrices, request,
-                   {.world = world, .lights = lights_, .environment = environment});
+                   {.world = world, .lights = lights_, .pictures = pictures_, .environment = environment});
   if (request.meshes == MeshShow::projectors) lines_.draw_projectors(view, matrices, request);
 }
 

@@ -40,7 +40,7 @@ class MeshPass {
   void draw_mesh(const world::World& world, std::size_t index, const FrameRequest& request,
                  GLuint environment);
   void draw_base(const world::World& world, std::size_t index, const MeshViewMatrices& matrices,
-                 const FrameRequest& request, GLuint environment) const;
+                 const FrameRequest& request, GLuint environment);
   void draw_outline(std::size_t index, const MeshViewMatrices& matrices, const FrameRequest& request,
                     const world::MeshMaterial& material) const;
   void end(const RenderTarget& target, const FrameRequest& request) const;
@@ -49,6 +49,7 @@ class MeshPass {
   ShaderProgram begin_, base_, outline_, end_;
   GlVertexArray no_vertices_;
   MeshLights lights_;
+  PictureTextures pictures_;
   HighlightPass highlights_;
   MeshLines lines_;
   MultisampleTarget samples_;

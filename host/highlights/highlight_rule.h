@@ -12,6 +12,11 @@ namespace offing::highlights {
 /// normals that is shaded inside the highlight.
 enum class HighlightTexture { dot, window, star, ring, streak, heart, image, normal_map };
 
+/// Whether a texture is a file's, not a shape.
+constexpr bool is_picture(HighlightTexture texture) {
+  return texture == HighlightTexture::image || texture == HighlightTexture::normal_map;
+}
+
 constexpr double most_offset = 50.0;  ///< of HighlightControls::offset, either way
 constexpr int most_copies = 64;
 

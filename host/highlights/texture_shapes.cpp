@@ -115,8 +115,7 @@ double depth_of(HighlightTexture shape) {
 }
 
 double shape_opacity(HighlightTexture shape, const glm::dvec2& q, double softness, double pixel) {
-  const bool is_picture = shape == HighlightTexture::image || shape == HighlightTexture::normal_map;
-  const double rim = std::max(std::min(is_picture ? 0.0 : softness, depth_of(shape)), pixel);
+  const double rim = std::max(std::min(is_picture(shape) ? 0.0 : softness, depth_of(shape)), pixel);
   const double distance = signed_distance(shape, q);
   if (!(rim > 0.0)) return distance < 0.0 ? 1.0 : 0.0;
   return 1.0 - glm::smoothstep(-rim, 0.0, distance);

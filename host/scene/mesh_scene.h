@@ -46,7 +46,8 @@ struct MeshScene {
   glm::dvec3 position_m{0.0};
   double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;
   double spin_radps = 0.0;
-  world::MeshMaterial material;
+  world::MeshMaterial material;  ///< its ramp is that of the name below
+  std::string cartoon_ramp;      ///< file; empty: equal steps
   int smoothing_rounds = 0;
   double threshold = 0.95;
   std::optional<double> cap_radius_m;

@@ -91,7 +91,8 @@ enum class ParameterUse {
   far_light,           ///< of a light that is a direction
   near_light,          ///< of a light that stands at a place
   made_mesh,           ///< of a mesh that is no file's
-  cartoon_mesh,        ///< of one that is shaded in steps
+  cartoon_mesh,        ///< of one that is shaded as cartoons are
+  stepped_mesh,        ///< of one that is shaded so without a ramp
   outlined_mesh,       ///< of one with an outline
   shiny_mesh,          ///< of one with a highlight of Blinn's own
   found_highlights,    ///< of a mesh with highlights

@@ -33,32 +33,37 @@ using highlights::HighlightTexture;
 using highlights::Source;
 
 /// Rows that change without the surface, its motion or its highlights being found anew.
-constexpr std::array<std::string_view, 8> keys_of_looks{
-    "mesh.name",      "mesh.shading",       "mesh.colour",     "mesh.specular",
-    "mesh.shininess", "mesh.cartoon_steps", "mesh.outline_px", "mesh.outline_colour"};
+constexpr std::array<std::string_view, 9> keys_of_looks{
+    "mesh.name",          "mesh.shading",      "mesh.colour",     "mesh.specular",      "mesh.shininess",
+    "mesh.cartoon_steps", "mesh.cartoon_ramp", "mesh.outline_px", "mesh.outline_colour"};
 
 constexpr std::string_view sun_name = "sun";
 
 bool needs_picture(const HighlightScene& highlight) {
-  const HighlightTexture texture = highlight.rule.controls.texture;
-  return texture == HighlightTexture::image || texture == HighlightTexture::normal_map;
+  return is_picture(highlight.rule.controls.texture);
+}
+
+bool has_ramp(const MeshScene& mesh) {
+  return mesh.material.shading == world::BaseShading::cartoon && !mesh.cartoon_ramp.empty();
 }
 
 struct NamedPicture {
   std::string file;
-  ElementIndex element;
+  ValueKey named_by;
 };
 
 /// Each file once, in the order of the scene.
 std::vector<NamedPicture> named_pictures(const OceanScene& scene) {
   std::vector<NamedPicture> pictures;
+  const auto add = [&](const std::string& file, const ValueKey& named_by) {
+    if (std::ranges::find(pictures, file, &NamedPicture::file) == pictures.end())
+      pictures.push_back({file, named_by});
+  };
   for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+    if (has_ramp(scene.meshes[mesh])) add(scene.meshes[mesh].cartoon_ramp, {"mesh.cartoon_ramp", {mesh, 0}});
     for (std::size_t i = 0; i < scene.meshes[mesh].highlights.size(); ++i) {
       const HighlightScene& highlight = scene.meshes[mesh].highlights[i];
-      const auto is_it = [&](const NamedPicture& each) { return each.file == highlight.picture; };
-      if (needs_picture(highlight) && std::none_of(pictures.begin(), pictures.end(), is_it)) {
-        pictures.push_back({highlight.picture, {mesh, i}});
-      }
+      if (needs_picture(highlight)) add(highlight.picture, {"mesh.highlight.picture", {mesh, i}});
     }
   }
   return pictures;
@@ -89,10 +94,10 @@ std::optional<int> lamp_of(const OceanScene& scene, ElementIndex element) {
   return static_cast<int>(light - scene.lights.begin());
 }
 
-int picture_of(const OceanScene& scene, const HighlightScene& highlight) {
-  if (!needs_picture(highlight)) return -1;
+/// Index of a picture that named_pictures() has.
+int picture_of(const OceanScene& scene, const std::string& file) {
   const std::vector<std::string> files = picture_files(scene);
-  return static_cast<int>(std::find(files.begin(), files.end(), highlight.picture) - files.begin());
+  return static_cast<int>(std::find(files.begin(), files.end(), file) - files.begin());
 }
 
 Source source_of(const LightScene& light) {
@@ -177,14 +182,14 @@ std::vector<world::MeshParameters> prepare_meshes(const OceanScene& scene) {
 
 std::vector<std::shared_ptr<const RgbaImage>> prepare_pictures(const OceanScene& scene) {
   std::vector<std::shared_ptr<const RgbaImage>> pictures;
-  for (const auto& [file, element] : named_pictures(scene)) {
+  for (const auto& [file, named_by] : named_pictures(scene)) {
     if (file.empty()) {
       throw Error(ErrorKind::bad_input,
                   fmt::format("{}: expected a mesh.highlight.picture beside it, found none",
-                              place_of_name(scene, {"mesh.highlight.texture", element})),
+                              place_of_name(scene, {"mesh.highlight.texture", named_by.element})),
                   "write picture = \"moon.png\" below it, or choose a shape");
     }
-    pictures.push_back(read_named(scene, {"mesh.highlight.picture", element}, "a PNG picture", file, [&] {
+    pictures.push_back(read_named(scene, named_by, "a PNG picture", file, [&] {
       return std::make_shared<const RgbaImage>(read_png_with_alpha(file));
     }));
   }
@@ -195,6 +200,7 @@ std::vector<world::MeshMaterial> mesh_materials_at(const OceanScene& scene, doub
   std::vector<world::MeshMaterial> materials;
   for (const MeshScene& mesh : moment_of(scene, time_s, ParameterGroup::mesh).meshes) {
     materials.push_back(mesh.material);
+    if (has_ramp(mesh)) materials.back().cartoon_ramp = picture_of(scene, mesh.cartoon_ramp);
   }
   return materials;
 }
@@ -207,7 +213,7 @@ std::vector<std::vector<HighlightRule>> mesh_rules_at(const OceanScene& scene, d
       const HighlightScene& highlight = moment.meshes[mesh].highlights[i];
       HighlightRule& rule = rules[mesh].emplace_back(highlight.rule);
       rule.lamp = lamp_of(scene, {mesh, i});
-      rule.controls.picture = picture_of(scene, highlight);
+      rule.controls.picture = needs_picture(highlight) ? picture_of(scene, highlight.picture) : -1;
     }
   }
   return rules;
@@ -221,14 +227,32 @@ std::vector<world::Lamp> lamps_at(const OceanScene& scene, double time_s) {
   return lamps;
 }
 
-void set_meshes_at(world::World& world, const OceanScene& scene, double time_s) {
-  world.set_lamps(lamps_at(scene, time_s));
-  const std::vector<world::MeshMaterial> materials = mesh_materials_at(scene, time_s);
-  std::vector<std::vector<HighlightRule>> rules = mesh_rules_at(scene, time_s);
+namespace {
+
+/// What meshes look like at one time, and what lights them.
+struct Looks {
+  std::vector<world::Lamp> lamps;
+  std::vector<world::MeshMaterial> materials;
+  std::vector<std::vector<HighlightRule>> rules;
+};
+
+/// All that may throw.
+Looks looks_at(const OceanScene& scene, double time_s) {
+  return {lamps_at(scene, time_s), mesh_materials_at(scene, time_s), mesh_rules_at(scene, time_s)};
+}
+
+void set_looks(world::World& world, Looks looks) {
+  world.set_lamps(looks.lamps);
   for (std::size_t i = 0; i < world.meshes().size(); ++i) {
-    world.meshes()[i].set_material(materials[i]);
-    world.meshes()[i].set_rules(std::move(rules[i]));
+    world.meshes()[i].set_material(looks.materials[i]);
+    world.meshes()[i].set_rules(std::move(looks.rules[i]));
   }
+}
+
+}  // namespace
+
+void set_meshes_at(world::World& world, const OceanScene& scene, double time_s) {
+  set_looks(world, looks_at(scene, time_s));
 }
 
 highlights::LightingAt lighting_of(const OceanScene& scene, const world::GroundView* ground) {
@@ -245,6 +269,7 @@ highlights::LightingAt lighting_of(const OceanScene& scene, const world::GroundV
 }
 
 void edit_meshes(world::World& world, const OceanScene& before, const OceanScene& after) {
+  Looks looks = looks_at(after, after.start_s);
   std::optional<std::vector<std::shared_ptr<const RgbaImage>>> pictures;
   if (picture_files(before) != picture_files(after)) pictures = prepare_pictures(after);
   if (are_other_meshes(before, after)) {
@@ -258,7 +283,7 @@ void edit_meshes(world::World& world, const OceanScene& before, const OceanScene
     world.set_meshes(with_moment(std::move(meshes), after));
   }
   if (pictures) world.set_pictures(std::move(*pictures));
-  set_meshes_at(world, after, after.start_s);
+  set_looks(world, std::move(looks));
 }
 
 void look_at_meshes(const std::vector<world::MeshParameters>& meshes, double time_s, Camera& camera) {

@@ -14,10 +14,6 @@ std::string is_text(const OceanScene& scene, const char* what, const char* key, 
          value_text(scene, *find_parameter(key), element, Digits::readable);
 }
 
-bool is_picture(HighlightTexture texture) {
-  return texture == HighlightTexture::image || texture == HighlightTexture::normal_map;
-}
-
 }  // namespace
 
 std::string against_light(const LightScene& light, ParameterUse use) {
@@ -37,6 +33,9 @@ std::string against_mesh(const OceanScene& scene, ElementIndex element, Paramete
   switch (use) {
     case ParameterUse::made_mesh:
       return mesh.file.empty() ? "" : "the mesh is that of " + mesh.file;
+    case ParameterUse::stepped_mesh:
+      if (!mesh.cartoon_ramp.empty()) return "mesh.cartoon_ramp is given";
+      [[fallthrough]];
     case ParameterUse::cartoon_mesh:
       return mesh.material.shading == world::BaseShading::cartoon
                  ? ""

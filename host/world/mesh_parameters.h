@@ -25,6 +25,7 @@ struct MeshMaterial {
   double specular = 0.0;    ///< reflectance of Blinn's own highlight, 0: none
   double shininess = 40.0;  ///< its exponent
   int cartoon_steps = 3;    ///< of BaseShading::cartoon
+  int cartoon_ramp = -1;    ///< in their place a picture of the world's, from dark at its left to bright
   double outline_px = 0.0;  ///< 0: none
   glm::dvec3 outline_colour{0.0};
 };

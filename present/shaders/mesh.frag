@@ -3,6 +3,8 @@ uniform int shading;  // 0 phong, 1 gouraud, 2 cartoon, 3 flat
 uniform vec3 colour;
 uniform float specular, shininess;
 uniform int cartoon_steps;
+uniform int has_ramp;
+uniform sampler2D ramp_picture;  // in place of steps
 uniform samplerBuffer faces;  // two a face: unit normal; middle, in the axes of to_eye
 uniform mat4 to_eye;
 uniform int shows_curvature;
@@ -15,15 +17,16 @@ in vec3 front_light, back_light;
 in vec2 curvatures;
 out vec4 light;
 
-// Equal steps from dark to bright, whose edges are as wide as a pixel.
-float ramp(float facing) {
+// Equal steps from dark to bright, whose edges are as wide as a pixel, or the middle row of a picture.
+vec3 ramp(float facing) {
+  if (has_ramp == 1) return texture(ramp_picture, vec2(facing, 0.5)).rgb;
   float place = clamp(facing, 0.0, 1.0) * float(cartoon_steps);
   float width = max(fwidth(place), 1e-6);
   float level = 0.0;
   for (int step = 1; step < cartoon_steps; ++step) {
     level += clamp((place - float(step)) / width + 0.5, 0.0, 1.0);
   }
-  return cartoon_steps > 1 ? level / float(cartoon_steps - 1) : 1.0;
+  return vec3(cartoon_steps > 1 ? level / float(cartoon_steps - 1) : 1.0);
 }
 
 vec3 cartoon_light(vec3 unit_normal) {

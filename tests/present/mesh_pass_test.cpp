@@ -240,6 +240,35 @@ TEST_F(MeshPassTest, LightsCartoonsInSteps) {
   EXPECT_LT(others, 600u);
 }
 
+// Fails if a ramp is mirrored, not linear light, or read elsewhere than steps are: one of three equal bands,
+// of none, half and all of the light, is three steps but at the bands' edges, which are a texel of 1/96 wide,
+// 2 % of the surface. 188 of 255 is 0.503 of the light; gate 1.5 %.
+TEST_F(MeshPassTest, LightsCartoonsByARamp) {
+  world::MeshParameters mesh = sphere(BaseShading::cartoon);
+  open(mesh);
+  const std::vector<float> steps = light();
+  constexpr int columns = 96;
+  RgbaImage ramp{columns, 1, {}};
+  for (int i = 0; i < columns; ++i) {
+    const std::uint8_t grey = i < columns / 3 ? 0 : i < 2 * columns / 3 ? 188 : 255;
+    ramp.rgba.insert(ramp.rgba.end(), {grey, grey, grey, 255});
+  }
+  mesh.material.cartoon_ramp = 0;
+  world::WorldParameters parameters = world_of(mesh);
+  parameters.pictures = {std::make_shared<const RgbaImage>(ramp)};
+  open(parameters);
+  const std::vector<float> ramped = light();
+  std::size_t alike = 0, all = 0;
+  const auto seen_pixels = seen();
+  for (std::size_t i = 0; i < seen_pixels.size(); ++i) {
+    if (!seen_pixels[i]) continue;
+    ++all;
+    alike += std::abs(ramped[4 * i] / steps[4 * i] - 1.0f) < 0.015f;
+  }
+  EXPECT_GT(static_cast<double>(alike), 0.93 * static_cast<double>(all));
+  EXPECT_GT(all, 1000u);
+}
+
 // Fails if outlines have another width, or silhouettes are jagged. The outline's area is that between circles
 // of radius r and r + w, of pixels that are covered in part too; a sphere of chords is smaller than its
 // circle by 0.1 %, and four samples a pixel make 1/4 pixel of a point of the rim, which is nothing in the

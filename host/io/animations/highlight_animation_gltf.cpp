@@ -12,6 +12,7 @@
 
 #include "host/io/animations/gltf_buffer.h"
 #include "host/io/animations/gltf_container.h"
+#include "host/io/percent_code.h"
 #include "host/io/png_image.h"
 
 namespace offing::animations {
@@ -120,7 +121,7 @@ class Writer {
                          {"mimeType", "image/png"},
                          {"bufferView", buffer_.add_bytes(png_bytes(texture.image))}});
     } else {
-      images_.push_back({{"name", texture.name}, {"uri", texture.file}});
+      images_.push_back({{"name", texture.name}, {"uri", encode_percent(texture.file)}});
     }
     textures_.push_back({{"source", images_.size() - 1}, {"sampler", 0}});
   }
@@ -154,16 +155,19 @@ class Writer {
   }
 
   /// A key a frame; where a projector is not there, the pose of the nearest time that it was, without a size.
-  static NodeKeys keys_of(const Writer& writer, const Projector& projector) {
+  NodeKeys keys_of(const Projector& projector) const {
     NodeKeys keys;
-    std::size_t next = 0;
+    std::size_t nearest = 0;
+    const auto off = [&](std::size_t i, std::size_t frame) {
+      const std::size_t there = projector.samples[i].first;
+      return there > frame ? there - frame : frame - there;
+    };
     for (std::size_t frame = projector.first; frame <= projector.last; ++frame) {
-      const std::size_t last = projector.samples.size() - 1;
-      while (next < last && projector.samples[next].first < frame) ++next;
-      const ProjectorSample& sample = *projector.samples[next].second;
-      const bool is_there = projector.samples[next].first == frame;
-      keys.add_pose(writer.time_s(frame), sample.position_m,
-                    glm::dmat3(sample.right, sample.up, sample.normal));
+      while (nearest + 1 < projector.samples.size() && off(nearest + 1, frame) < off(nearest, frame))
+        ++nearest;
+      const ProjectorSample& sample = *projector.samples[nearest].second;
+      const bool is_there = off(nearest, frame) == 0;
+      keys.add_pose(time_s(frame), sample.position_m, glm::dmat3(sample.right, sample.up, sample.normal));
       const double size = is_there ? 1.0 : 0.0;
       for (const double length_m :
            {sample.width_m, sample.height_m, std::max(sample.width_m, sample.height_m)})
@@ -177,7 +181,7 @@ class Writer {
 
   void add_projector(const Projector& projector) {
     const ProjectorSample& sample = *projector.samples.front().second;
-    const NodeKeys keys = keys_of(*this, projector);
+    const NodeKeys keys = keys_of(projector);
     const Json first_colour = {keys.colours[0], keys.colours[1], keys.colours[2], keys.colours[3]};
     materials_.push_back(
         {{"pbrMetallicRoughness",

@@ -1,6 +1,5 @@
 #include "host/io/meshes/data_uri.h"
 
-#include <charconv>
 #include <cstdint>
 
 namespace offing::meshes {
@@ -27,21 +26,6 @@ std::optional<std::string> decode_data_uri(std::string_view uri) {
     }
   }
   return bytes;
-}
-
-std::string decode_percent(std::string_view uri) {
-  std::string name;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    unsigned value = 0;
-    if (uri[i] == '%' && i + 2 < uri.size() &&
-        std::from_chars(uri.data() + i + 1, uri.data() + i + 3, value, 16).ptr == uri.data() + i + 3) {
-      name += static_cast<char>(value);
-      i += 2;
-    } else {
-      name += uri[i];
-    }
-  }
-  return name;
 }
 
 }  // namespace offing::meshes

@@ -9,7 +9,4 @@ namespace offing::meshes {
 /// The bytes of "data:...;base64,..." (RFC 2397, RFC 4648); nothing for any other.
 std::optional<std::string> decode_data_uri(std::string_view uri);
 
-/// A relative URI as a file name: %20 is a blank (RFC 3986).
-std::string decode_percent(std::string_view uri);
-
 }  // namespace offing::meshes

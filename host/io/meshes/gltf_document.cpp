@@ -11,6 +11,7 @@
 #include "host/base/error_report.h"
 #include "host/io/meshes/data_uri.h"
 #include "host/io/meshes/text_lines.h"
+#include "host/io/percent_code.h"
 #include "host/io/whole_file.h"
 
 namespace offing::meshes {

@@ -16,6 +16,7 @@
 #include <tiny_gltf.h>
 
 #include "host/base/error.h"
+#include "host/io/percent_code.h"
 #include "tests/io/temporary_folder.h"
 
 namespace offing::animations {
@@ -61,7 +62,7 @@ HighlightAnimation example() {
                                .first_frame = first_frame,
                                .lamps = {"key", "sun"},
                                .textures = {{.name = "star", .file = {}, .image = checks()},
-                                            {.name = "image", .file = "spark.png", .image = {}}},
+                                            {.name = "image", .file = "my spark#2.png", .image = {}}},
                                .meshes = {{.name = "knot", .frames = {}}}};
   for (int frame = 0; frame < frame_count; ++frame) {
     MeshFrame mesh{.rotation = turned(0.3 * frame, {0.0, 1.0, 0.2}),
@@ -91,7 +92,7 @@ TEST(HighlightAnimationTest, JsonReadsBackInTheWorldsAxes) {
   EXPECT_EQ(json.at("frame_count"), frame_count);
   EXPECT_EQ(json.at("lamps"), nlohmann::json({"key", "sun"}));
   EXPECT_EQ(json.at("textures").at(0), nlohmann::json({{"name", "star"}}));
-  EXPECT_EQ(json.at("textures").at(1), nlohmann::json({{"name", "image"}, {"file", "spark.png"}}));
+  EXPECT_EQ(json.at("textures").at(1), nlohmann::json({{"name", "image"}, {"file", "my spark#2.png"}}));
   for (int frame = 0; frame < frame_count; ++frame) {
     const MeshFrame& mesh = animation.meshes[0].frames[static_cast<std::size_t>(frame)];
     const nlohmann::json& read = json.at("meshes").at(0).at("frames").at(frame);
@@ -179,6 +180,12 @@ void expect_nodes(const tinygltf::Model& model, const HighlightAnimation& animat
       const glm::dvec3 scale = vector_of(value_at(model, node, "scale", time_s));
       if (there.count(id) == 0) {
         EXPECT_EQ(scale, glm::dvec3(0.0)) << id << " " << frame;
+        // It shrinks and grows where it is, and does not travel: of two frames as near it is in the earlier.
+        if (id == 7 && frame == 4) {
+          EXPECT_LE(
+              glm::distance(vector_of(value_at(model, node, "translation", time_s)), sample(7, 3).position_m),
+              1e-6);
+        }
         continue;
       }
       const ProjectorSample& asked = *there[id];
@@ -223,7 +230,9 @@ TEST(HighlightAnimationTest, GltfReadsBackAsTextAndBinary) {
     for (std::string line; std::getline(complaints, line);)
       EXPECT_NE(line.find("node"), std::string::npos) << line;
     expect_nodes(model, animation);
-    EXPECT_EQ(model.images.at(1).uri, "spark.png");
+    // Left as it is, "#" would begin a fragment of the URI, and a blank is none of its characters.
+    EXPECT_EQ(model.images.at(1).uri, "my%20spark%232.png");
+    EXPECT_EQ(decode_percent(model.images.at(1).uri), animation.textures[1].file);
     const std::vector<unsigned char>& png = model.images.at(0).image;
     ASSERT_GT(png.size(), 8u);
     EXPECT_EQ(std::string(png.begin() + 1, png.begin() + 4), "PNG");

@@ -1,5 +1,6 @@
-#include "present/highlight_pictures.h"
+#include "present/picture_textures.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -30,33 +31,34 @@ std::vector<float> premultiplied(const RgbaImage& picture, float (*value_of)(std
 
 }  // namespace
 
-HighlightPictures::HighlightPictures()
-    : white_(uploaded({.width = 1, .height = 1, .rgba = {255, 255, 255, 255}}, Use::normals)) {}
+PictureTextures::PictureTextures()
+    : white_(uploaded({.width = 1, .height = 1, .rgba = {255, 255, 255, 255}}, PictureUse::normals)) {}
 
-GlTexture HighlightPictures::uploaded(const RgbaImage& picture, Use use) {
-  const std::vector<float> texels = premultiplied(picture, use == Use::colours ? linear_of : plain_of);
+GlTexture PictureTextures::uploaded(const RgbaImage& picture, PictureUse use) {
+  const std::vector<float> texels = premultiplied(picture, use == PictureUse::normals ? plain_of : linear_of);
   GlTexture texture = GlTexture::make();
   glBindTexture(GL_TEXTURE_2D, texture.name());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, picture.width, picture.height, 0, GL_RGBA, GL_FLOAT,
                texels.data());
   glGenerateMipmap(GL_TEXTURE_2D);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  // Beyond its edges there is nothing.
   constexpr std::array<float, 4> clear{};
   glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, clear.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  const GLint beyond = use == PictureUse::ramp ? GL_CLAMP_TO_EDGE : GL_CLAMP_TO_BORDER;
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, beyond);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, beyond);
   return texture;
 }
 
-GLuint HighlightPictures::texture(const Pictures& pictures, const highlights::HighlightControls& controls) {
-  const bool is_normals = controls.texture == highlights::HighlightTexture::normal_map;
-  const bool is_picture = is_normals || controls.texture == highlights::HighlightTexture::image;
-  const auto index = static_cast<std::size_t>(controls.picture);
-  if (!is_picture || index >= pictures.size() || !pictures[index]) return white_.name();
-  const Use use = is_normals ? Use::normals : Use::colours;
-  GlTexture& texture = textures_[{pictures[index], use}];
-  if (!texture) texture = uploaded(*pictures[index], use);
+GLuint PictureTextures::texture(const Pictures& pictures, int index, PictureUse use) {
+  const auto place = static_cast<std::size_t>(index);
+  if (place >= pictures.size() || !pictures[place]) return white_.name();
+  GlTexture& texture = textures_[{pictures[place], use}];
+  if (texture) return texture.name();
+  texture = uploaded(*pictures[place], use);
+  std::erase_if(textures_, [&](const auto& kept) {
+    return std::ranges::find(pictures, kept.first.first) == pictures.end();
+  });
   return texture.name();
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace offing::mesh_tools {
+namespace offing {
 
 /// Which of n things belong together (union-find; Tarjan 1975, with halved paths). Each thing also has a
 /// parity against the first of its set: whether it lies the other way round.
@@ -52,4 +52,4 @@ class DisjointSets {
   std::vector<std::uint8_t> parities_;  // against the parent
 };
 
-}  // namespace offing::mesh_tools
+}  // namespace offing
