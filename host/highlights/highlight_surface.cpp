@@ -150,6 +150,7 @@ void HighlightSurface::deform(std::vector<glm::dvec3> positions_m, std::vector<g
   measure();
   set_normals();
   upload_vertices();
+  ++revision_;
 }
 
 void HighlightSurface::measure() {

@@ -36,6 +36,7 @@ class HighlightSurface {
 
   const TriangleMesh& mesh() const { return mesh_; }  ///< normals as they are used
   const VertexCurvatures& curvatures() const { return curvatures_; }
+  std::uint64_t revision() const { return revision_; }  ///< how often it was deformed
   const VertexLinks& links() const { return links_; }
   const ocl::Device& device() const { return device_; }
   const std::vector<glm::dvec3>& face_normals() const {
@@ -58,6 +59,7 @@ class HighlightSurface {
 
   ocl::Device device_;
   int smoothing_rounds_;
+  std::uint64_t revision_ = 0;
   TriangleMesh mesh_;
   VertexCurvatures curvatures_;
   std::vector<glm::dvec3> face_normals_;

@@ -24,7 +24,8 @@ struct TrackOptions {
   /// How far from where it is expected a highlight may appear and still be the same, and how far behind what
   /// is shown may fall, before it fades out and a new one fades in: shares of the diagonal.
   double jump_share = 0.05, lag_share = 0.08;
-  int key_steps = 60;  ///< from one key state to the next
+  int key_steps = 60;        ///< from one key state to the next
+  bool has_shadows = false;  ///< whether the surface keeps highlights from their lamps (LampShadow)
 };
 
 /// Checks ranges: throws Error(bad_input) that names the option.
@@ -41,7 +42,8 @@ struct HighlightTrack {
   std::uint32_t seed_face = 0;  ///< that the projector's middle lies on
   double presence = 0.0;        ///< 0 ... 1: fades in from birth on, out from the end on
   double share = 1.0;           ///< 0 ... 1: what an older one of the same region leaves to it
-  double opacity = 0.0;         ///< 0 ... 1, as shown: follows presence * share within the limits
+  double lit = 1.0;             ///< 0 ... 1: how much of it its lamp reaches, as looked at last
+  double opacity = 0.0;         ///< 0 ... 1, as shown: follows presence * share * lit within the limits
 };
 
 /// All highlights at one step: what a replay can start from.

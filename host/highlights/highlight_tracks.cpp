@@ -31,14 +31,25 @@ double HighlightTracks::time_s() const {
   return time_of(state_.step);
 }
 
-std::vector<HighlightPoint> HighlightTracks::points_at(std::int64_t step) {
-  return search_.find(*surface_, lighting_(time_of(step)));
+void HighlightTracks::light_up(std::int64_t step) {
+  lit_by_ = lighting_(time_of(step));
+  if (!options_.has_shadows) return;
+  if (!shadow_ || shadow_->revision() != surface_->revision()) shadow_.emplace(*surface_);
+}
+
+double HighlightTracks::lit_share(const HighlightTrack& track) const {
+  if (!shadow_) return 1.0;
+  const auto lamp = static_cast<std::size_t>(track.point.lamp);
+  // What fades after its lamp is gone, such as the sun, does so from where it was.
+  return lamp < lit_by_.lamps.size() ? shadow_->lit_share(track.projector, lit_by_.lamps[lamp]) : track.lit;
 }
 
 void HighlightTracks::reset(double start_s) {
   require_within("highlights.start_s", start_s, -largest_time_s, largest_time_s);
   start_s_ = start_s;
-  state_ = first_state(*surface_, points_at(0), options_);
+  light_up(0);
+  state_ = first_state(*surface_, search_.find(*surface_, lit_by_), options_,
+                       [this](const HighlightTrack& track) { return lit_share(track); });
   keys_.assign(1, state_);
   key_spacing_ = options_.key_steps;
 }
@@ -54,7 +65,9 @@ void HighlightTracks::advance_to(double time_s) {
     state_ = after == keys_.begin() ? keys_.front() : *std::prev(after);
   }
   while (state_.step < wanted) {
-    advance(*surface_, points_at(state_.step + 1), options_, state_);
+    light_up(state_.step + 1);
+    advance(*surface_, search_.find(*surface_, lit_by_), options_, state_,
+            [this](const HighlightTrack& track) { return lit_share(track); });
     keep_if_key();
   }
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "host/highlights/highlight_points.h"
 #include "host/highlights/highlight_track.h"
+#include "host/highlights/lamp_shadow.h"
 
 namespace offing::highlights {
 
@@ -20,8 +22,8 @@ class HighlightTracks {
   /// The surface must outlive the tracks. Starts at time 0. Throws Error(bad_input) for options out of range.
   HighlightTracks(const HighlightSurface& surface, LightingAt lighting, const TrackOptions& options = {});
 
-  /// Starts anew: one highlight of full opacity for each point at this time. Throws Error(bad_input) for a
-  /// time beyond 1e8 s.
+  /// Starts anew: one highlight for each point at this time, as opaque as it is lit. Throws Error(bad_input)
+  /// for a time beyond 1e8 s.
   void reset(double start_s);
   /// Goes to the last step that is not after this time, forward or back. Throws Error(bad_input) for a time
   /// before the start or beyond 1e8 s.
@@ -36,13 +38,17 @@ class HighlightTracks {
 
  private:
   double time_of(std::int64_t step) const;
-  std::vector<HighlightPoint> points_at(std::int64_t step);
+  /// Makes lamps, surface and shadows those of a step.
+  void light_up(std::int64_t step);
+  double lit_share(const HighlightTrack& track) const;
   void keep_if_key();
 
   const HighlightSurface* surface_;
   LightingAt lighting_;
   TrackOptions options_;
   HighlightPoints search_;
+  Lighting lit_by_;                   // of the last light_up()
+  std::optional<LampShadow> shadow_;  // of the surface as it was then; none: not asked for
   double start_s_ = 0.0;
   TrackState state_;
   std::int64_t key_spacing_ = 1;  // steps

@@ -127,6 +127,14 @@ void share_regions(std::vector<HighlightTrack>& tracks) {
   }
 }
 
+/// How opaque a track is where nothing has to go by degrees. In the dark it is what it was: rays cost more
+/// than all the rest.
+double wanted_opacity(const LitShare& lit_share, HighlightTrack& track) {
+  const double in_light = track.presence * track.share;
+  if (in_light > 0.0 && lit_share) track.lit = lit_share(track);
+  return in_light * track.lit;
+}
+
 bool is_over(const HighlightTrack& track) {
   return track.state == HighlightTrack::State::fading && track.presence <= 0.0 && track.opacity <= 0.0;
 }
@@ -147,19 +155,19 @@ void require_valid(const TrackOptions& options) {
 }
 
 TrackState first_state(const HighlightSurface&, const std::vector<HighlightPoint>& points,
-                       const TrackOptions& options) {
+                       const TrackOptions& options, const LitShare& lit_share) {
   TrackState state;
   for (const HighlightPoint& point : points) {
     state.tracks.push_back(born(point, options, state.next_id++));
     state.tracks.back().presence = 1.0;
   }
   share_regions(state.tracks);
-  for (HighlightTrack& track : state.tracks) track.opacity = track.share;
+  for (HighlightTrack& track : state.tracks) track.opacity = wanted_opacity(lit_share, track);
   return state;
 }
 
 void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
-             const TrackOptions& options, TrackState& state) {
+             const TrackOptions& options, TrackState& state, const LitShare& lit_share) {
   for (HighlightTrack& track : state.tracks) go_along(surface, track);
   match(surface, points, options, state);
   const double fade = options.limits.fade_per_s * options.step_s;
@@ -170,8 +178,7 @@ void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>&
   }
   share_regions(state.tracks);
   for (HighlightTrack& track : state.tracks) {
-    const double wanted = track.presence * track.share;
-    track.opacity += std::clamp(wanted - track.opacity, -fade, fade);
+    track.opacity += std::clamp(wanted_opacity(lit_share, track) - track.opacity, -fade, fade);
   }
   std::erase_if(state.tracks, is_over);
   ++state.step;

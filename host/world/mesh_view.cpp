@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "host/highlights/diffused_curvature.h"
-#include "host/highlights/lamp_shadow.h"
 
 namespace offing::world {
 namespace {
@@ -52,11 +51,12 @@ std::uint64_t next_revision() {
 }  // namespace
 
 struct MeshView::Shown {
-  explicit Shown(highlights::HighlightSurface made) : surface(std::move(made)), shadow(surface) {}
+  explicit Shown(highlights::HighlightSurface made) : surface(std::move(made)) {}
 
   /// The tracks, which start with the lighting at hand.
-  highlights::HighlightTracks& tracks_of(const highlights::TrackOptions& options) {
+  highlights::HighlightTracks& tracks_of(highlights::TrackOptions options) {
     if (!tracks) {
+      options.has_shadows = true;
       tracks.emplace(
           surface, [this](double time_s) { return lighting(time_s); }, options);
       drawn.emplace(surface, tracks->options().size);
@@ -65,11 +65,9 @@ struct MeshView::Shown {
   }
 
   highlights::HighlightSurface surface;
-  highlights::LampShadow shadow;
   highlights::LightingAt lighting;  // in the mesh's axes
   std::optional<highlights::HighlightTracks> tracks;
   std::optional<highlights::DrawnHighlights> drawn;
-  std::vector<highlights::DrawnHighlight> lit;
   std::optional<double> start_s;        // of the past that the tracks have; none: they follow
   std::optional<double> followed_to_s;  // time of the last follow()
   double passed_s = 0.0;                // for tracks that follow
@@ -89,7 +87,8 @@ const highlights::HighlightSurface& MeshView::surface() const {
 }
 
 const std::vector<highlights::DrawnHighlight>& MeshView::highlights() const {
-  return shown_->lit;
+  static const std::vector<highlights::DrawnHighlight> none;
+  return shown_->drawn ? shown_->drawn->highlights() : none;
 }
 
 const std::vector<std::uint32_t>& MeshView::highlight_faces() const {
@@ -140,23 +139,7 @@ void MeshView::follow(double time_s, const highlights::Lighting& lighting) {
 }
 
 void MeshView::show(const highlights::Lighting& lighting) {
-  const std::vector<highlights::HighlightTrack>& tracks = shown_->tracks->tracks();
-  shown_->drawn->update(tracks, parameters_.rules, static_cast<int>(lighting.lamps.size()));
-  std::vector<double> lit_shares;  // [tracks]
-  for (const highlights::HighlightTrack& track : tracks) {
-    const auto lamp = static_cast<std::size_t>(track.point.lamp);
-    // A highlight may fade after its lamp is gone, such as the sun.
-    lit_shares.push_back(
-        lamp < lighting.lamps.size() ? shown_->shadow.lit_share(track.projector, lighting.lamps[lamp]) : 1.0);
-  }
-  shown_->lit = shown_->drawn->highlights();
-  for (highlights::DrawnHighlight& highlight : shown_->lit) {
-    // Where it was found counts, not where an artist has it; pins stand in any light.
-    const auto track = std::lower_bound(tracks.begin(), tracks.end(), highlight.id,
-                                        [](const auto& a, std::uint64_t id) { return a.id < id; });
-    if (track == tracks.end() || track->id != highlight.id) continue;
-    highlight.opacity *= lit_shares[static_cast<std::size_t>(track - tracks.begin())];
-  }
+  shown_->drawn->update(shown_->tracks->tracks(), parameters_.rules, static_cast<int>(lighting.lamps.size()));
 }
 
 }  // namespace offing::world

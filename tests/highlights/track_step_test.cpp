@@ -87,6 +87,36 @@ TEST_F(TrackStepTest, AnHeirTakesOverTheRegion) {
   EXPECT_EQ(state.tracks[0].opacity, 1.0);
 }
 
+// The edge of a shadow may cross a small highlight within one step. Fails if it blinks then, if it is not
+// gone in the end, if it comes back at once, or if rays are cast for one that would not be seen anyway.
+TEST_F(TrackStepTest, ShadowsFadeHighlightsWithinTheLimits) {
+  double lit = 1.0;
+  int asked = 0;
+  const LitShare lit_share = [&](const HighlightTrack&) {
+    ++asked;
+    return lit;
+  };
+  const std::vector<HighlightPoint> points{point_at(0.0, 0.0), point_at(0.01, 0.0)};
+  TrackState state = first_state(shape_, points, options_, lit_share);
+  ASSERT_EQ(state.tracks[0].opacity, 1.0);
+  ASSERT_EQ(state.tracks[1].share, 0.0);
+  double last = 1.0;
+  for (int step = 0; step < 40; ++step) {
+    lit = step < 20 ? 0.0 : 0.4;
+    advance(shape_, points, options_, state, lit_share);
+    EXPECT_LE(std::abs(state.tracks[0].opacity - last), 4.0 / 60.0 + 1e-12);
+    last = state.tracks[0].opacity;
+    if (step == 19) {
+      EXPECT_EQ(last, 0.0);
+    }
+  }
+  EXPECT_NEAR(last, 0.4, 1e-12);
+  EXPECT_EQ(asked, 41);
+  // One that begins in the dark is not shown.
+  lit = 0.0;
+  EXPECT_EQ(first_state(shape_, points, options_, lit_share).tracks[0].opacity, 0.0);
+}
+
 // A point that a noisy surface loses for some steps is the same when it is back; one that has faded out is
 // another.
 TEST_F(TrackStepTest, AHighlightThatIsBackSoonKeepsItsId) {
