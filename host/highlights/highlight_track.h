@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "host/highlights/highlight_points.h"
@@ -31,6 +32,14 @@ struct TrackOptions {
 /// Checks ranges: throws Error(bad_input) that names the option.
 void require_valid(const TrackOptions& options);
 
+/// A place of the mesh, for whose nearest highlight a rule is; with a lamp, of those of this lamp.
+struct NearestPlace {
+  glm::dvec3 place_m{0.0};
+  std::optional<int> lamp = {};
+
+  bool operator==(const NearestPlace&) const = default;
+};
+
 /// One highlight through time.
 struct HighlightTrack {
   std::uint64_t id = 0;  ///< counts births since reset()
@@ -44,6 +53,7 @@ struct HighlightTrack {
   double share = 1.0;           ///< 0 ... 1: what an older one of the same region leaves to it
   double lit = 1.0;             ///< 0 ... 1: how much of it its lamp reaches, as looked at last
   double opacity = 0.0;         ///< 0 ... 1, as shown: follows presence * share * lit within the limits
+  std::vector<double> nearest;  ///< [TrackState::places], 0 ... 1: how much of it is the nearest to each
 };
 
 /// All highlights at one step: what a replay can start from.
@@ -51,6 +61,7 @@ struct TrackState {
   std::int64_t step = 0;  ///< since reset()
   std::uint64_t next_id = 0;
   std::vector<HighlightTrack> tracks;  ///< by id
+  std::vector<NearestPlace> places;    ///< that tracks share out among them
 };
 
 }  // namespace offing::highlights

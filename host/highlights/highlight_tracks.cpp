@@ -6,6 +6,7 @@
 
 #include "host/base/parameter_check.h"
 #include "host/base/world_limits.h"
+#include "host/highlights/nearest_place.h"
 #include "host/highlights/track_step.h"
 
 namespace offing::highlights {
@@ -50,6 +51,7 @@ void HighlightTracks::reset(double start_s) {
   light_up(0);
   state_ = first_state(*surface_, search_.find(*surface_, lit_by_), options_,
                        [this](const HighlightTrack& track) { return lit_share(track); });
+  take_places(places_, surface_->diagonal_m(), state_);
   keys_.assign(1, state_);
   key_spacing_ = options_.key_steps;
 }
@@ -62,7 +64,7 @@ void HighlightTracks::advance_to(double time_s) {
     const auto after =
         std::upper_bound(keys_.begin(), keys_.end(), wanted,
                          [](std::int64_t step, const TrackState& key) { return step < key.step; });
-    state_ = after == keys_.begin() ? keys_.front() : *std::prev(after);
+    restore(after == keys_.begin() ? keys_.front() : *std::prev(after));
   }
   while (state_.step < wanted) {
     light_up(state_.step + 1);
@@ -72,8 +74,14 @@ void HighlightTracks::advance_to(double time_s) {
   }
 }
 
+void HighlightTracks::set_places(const std::vector<NearestPlace>& places) {
+  places_ = places;
+  take_places(places_, surface_->diagonal_m(), state_);
+}
+
 void HighlightTracks::restore(const TrackState& state) {
   state_ = state;
+  take_places(places_, surface_->diagonal_m(), state_);
 }
 
 void HighlightTracks::keep_if_key() {

@@ -28,6 +28,9 @@ class HighlightTracks {
   /// Goes to the last step that is not after this time, forward or back. Throws Error(bad_input) for a time
   /// before the start or beyond 1e8 s.
   void advance_to(double time_s);
+  /// What rules for the nearest highlight go by (nearest_places()). Shares of places that are new are there
+  /// at once, and the others stay as they are: steps that were taken count for them.
+  void set_places(const std::vector<NearestPlace>& places);
   /// Starts from a state of this surface and lighting and of the same start, such as one that was stored.
   void restore(const TrackState& state);
 
@@ -51,6 +54,7 @@ class HighlightTracks {
   std::optional<LampShadow> shadow_;  // of the surface as it was then; none: not asked for
   double start_s_ = 0.0;
   TrackState state_;
+  std::vector<NearestPlace> places_;
   std::int64_t key_spacing_ = 1;  // steps
   std::vector<TrackState> keys_;  // ascending steps, the first is that of the start
 };

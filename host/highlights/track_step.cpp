@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/parameter_check.h"
+#include "host/highlights/nearest_place.h"
 #include "host/highlights/places_along_x.h"
 #include "host/highlights/track_motion.h"
 
@@ -177,9 +178,12 @@ void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>&
     if (is_alive) follow_point(surface, options, track);
   }
   share_regions(state.tracks);
+  std::vector<double> opacities_before;  // [tracks]
   for (HighlightTrack& track : state.tracks) {
+    opacities_before.push_back(track.opacity);
     track.opacity += std::clamp(wanted_opacity(lit_share, track) - track.opacity, -fade, fade);
   }
+  follow_places(surface.diagonal_m(), fade, opacities_before, state);
   std::erase_if(state.tracks, is_over);
   ++state.step;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "host/highlights/diffused_curvature.h"
+#include "host/highlights/nearest_place.h"
 
 namespace offing::world {
 namespace {
@@ -112,7 +113,11 @@ void MeshView::at(double time_s, const highlights::LightingAt& lighting, std::op
   };
   highlights::HighlightTracks& tracks = shown_->tracks_of(parameters_.tracks);
   const double start_s = start.value_or(start_of_past(time_s));
-  if (shown_->start_s != start_s) tracks.reset(start_s);
+  // Rules for the nearest have a past too.
+  const std::vector<highlights::NearestPlace> places = highlights::nearest_places(parameters_.rules);
+  const bool has_this_past = shown_->start_s == start_s && tracks.state().places == places;
+  tracks.set_places(places);
+  if (!has_this_past) tracks.reset(start_s);
   shown_->start_s = start_s;
   tracks.advance_to(time_s);
   show(shown_->lighting(time_s));
@@ -125,6 +130,7 @@ void MeshView::follow(double time_s, const highlights::Lighting& lighting) {
   shown_->lighting = [in_axes](double) { return in_axes; };
   highlights::HighlightTracks& tracks = shown_->tracks_of(parameters_.tracks);
   const double frame_s = shown_->followed_to_s ? time_s - *shown_->followed_to_s : -1.0;
+  tracks.set_places(highlights::nearest_places(parameters_.rules));
   const bool goes_on = !shown_->start_s && frame_s >= 0.0 && frame_s <= longest_frame_s;
   if (goes_on) {
     shown_->passed_s += std::max(frame_s, least_frame_s);
@@ -139,7 +145,7 @@ void MeshView::follow(double time_s, const highlights::Lighting& lighting) {
 }
 
 void MeshView::show(const highlights::Lighting& lighting) {
-  shown_->drawn->update(shown_->tracks->tracks(), parameters_.rules, static_cast<int>(lighting.lamps.size()));
+  shown_->drawn->update(shown_->tracks->state(), parameters_.rules, static_cast<int>(lighting.lamps.size()));
 }
 
 }  // namespace offing::world
