@@ -23,8 +23,6 @@ using highlights::HighlightTexture;
 constexpr int picture_px = 128;
 // Pictures of shapes are made in steps of softness that no eye tells apart.
 constexpr double softness_steps = 32.0;
-// A highlight's past is no longer than this.
-constexpr double past_s = 10.0;
 
 /// A shape as a white picture with its opacity.
 RgbaImage picture_of(HighlightTexture shape, double softness) {
@@ -128,9 +126,7 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, cons
     views.emplace_back(device, parameters);
   }
   const highlights::LightingAt lighting = scene::lighting_of(scene);
-  // As a picture of the first frame has it; one past for all frames, so that each highlight keeps its id.
   const double first_s = frames.first / scene.frames_per_second;
-  const double start_s = first_s < 2.0 * past_s ? std::min(first_s, 0.0) : first_s - past_s;
   Textures textures(animation.textures);
   for (int frame = frames.first; frame <= frames.last; ++frame) {
     cancel.throw_if_cancelled();
@@ -138,7 +134,7 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, cons
     const auto rules = scene::mesh_rules_at(scene, time_s);
     for (std::size_t i = 0; i < views.size(); ++i) {
       views[i].set_rules(rules[i]);
-      views[i].at(time_s, lighting, start_s);
+      views[i].at(time_s, lighting, first_s);
       animation.meshes[i].frames.push_back(frame_of(views[i], scene.meshes[i], textures));
     }
     progress.advance();

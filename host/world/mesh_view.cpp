@@ -12,17 +12,17 @@
 namespace offing::world {
 namespace {
 
-// Highlights of a time have a past of one to two of these, longer than any of them takes to fade or to reach
-// its place; it begins at 0 where that is within two.
+// Pictures have a past of one to two of these before the first, longer than highlights take to fade or to
+// reach their places; it begins at 0 where that is within two.
 constexpr double past_s = 10.0;
 // Time jumps where a frame takes it further than that, and passes at least this much for who flies while it
 // stands.
 constexpr double longest_frame_s = 0.5, least_frame_s = 1.0 / 30.0;
 
-/// A function of the time alone, so that highlights are.
-double start_of_past(double time_s) {
-  if (time_s >= 0.0 && time_s < 2.0 * past_s) return 0.0;
-  return past_s * (std::floor(time_s / past_s) - 1.0);
+/// A function of the first picture's time alone, so that highlights are.
+double start_of_past(double first_s) {
+  if (first_s >= 0.0 && first_s < 2.0 * past_s) return 0.0;
+  return past_s * (std::floor(first_s / past_s) - 1.0);
 }
 
 /// As the device makes them of a mesh that brings none.
@@ -105,14 +105,14 @@ highlights::RigidMotion MeshView::motion_at(double time_s) const {
   return parameters_.motion ? parameters_.motion(time_s) : highlights::RigidMotion{};
 }
 
-void MeshView::at(double time_s, const highlights::LightingAt& lighting, std::optional<double> start) {
+void MeshView::at(double time_s, const highlights::LightingAt& lighting, std::optional<double> first_s) {
   motion_ = motion_at(time_s);
   if (!parameters_.has_highlights) return;
   shown_->lighting = [this, lighting](double past_time_s) {
     return in_mesh_axes(lighting(past_time_s), motion_at(past_time_s));
   };
   highlights::HighlightTracks& tracks = shown_->tracks_of(parameters_.tracks);
-  const double start_s = start.value_or(start_of_past(time_s));
+  const double start_s = start_of_past(first_s.value_or(time_s));
   // Rules for the nearest have a past too.
   const std::vector<highlights::NearestPlace> places = highlights::nearest_places(parameters_.rules);
   const bool has_this_past = shown_->start_s == start_s && tracks.state().places == places;
