@@ -112,6 +112,7 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, cons
                                                  const FrameRange& frames, Progress& progress,
                                                  const CancelToken& cancel) {
   require_highlights(scene);
+  scene::prepare_pictures(scene);  // what is missing is told before the first frame
   animations::HighlightAnimation animation{.generator = fmt::format("Offing {}", scene::version()),
                                            .frames_per_s = scene.frames_per_second,
                                            .first_frame = frames.first,

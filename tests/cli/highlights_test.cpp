@@ -125,6 +125,25 @@ TEST_F(Highlights, FramesAreThoseAskedFor) {
   EXPECT_TRUE(std::equal(std::istreambuf_iterator<char>(a), {}, std::istreambuf_iterator<char>(b), {}));
 }
 
+// Fails if a texture that needs a picture and has none is written as one without a file, or found only after
+// all frames.
+TEST_F(Highlights, TexturesNeedTheirPictures) {
+  for (const char* texture : {"image", "normal_map"}) {
+    std::ofstream(path("bare.toml")) << R"(version = 1
+[[mesh]]
+shape = "sphere"
+
+[[mesh.highlight]]
+texture = ")" << texture << "\"\n";
+    for (const char* name : {"out.json", "out.glb"}) {
+      const ProgramResult result = run_offing({"highlights", path("bare.toml"), "-o", path(name)});
+      EXPECT_EQ(result.exit_code, 2);
+      EXPECT_THAT(result.errors, HasSubstr("expected a mesh.highlight.picture beside it, found none"));
+      EXPECT_FALSE(std::filesystem::exists(path(name)));
+    }
+  }
+}
+
 // Fails if a wrong call costs a file, leaves a part of one, or does not say the mend.
 TEST_F(Highlights, RefusesWithAHint) {
   std::ofstream(path("dry.toml")) << "version = 1\n";
