@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "host/highlights/texture_shapes.h"
 #include "host/scene/scene_meshes.h"
 #include "host/scene/version.h"
+#include "host/scene/world_scene.h"
 #include "host/world/mesh_view.h"
 
 namespace offing::cli {
@@ -108,11 +110,14 @@ void require_highlights(const scene::OceanScene& scene) {
 
 }  // namespace
 
-animations::HighlightAnimation record_highlights(const ocl::Device& device, const scene::OceanScene& scene,
+animations::HighlightAnimation record_highlights(const ocl::Device& device, scene::OceanScene scene,
                                                  const FrameRange& frames, Progress& progress,
                                                  const CancelToken& cancel) {
   require_highlights(scene);
-  scene::prepare_pictures(scene);  // what is missing is told before the first frame
+  // With the eye where offing-view has it.
+  const world::WorldParameters shown = scene::prepare_shown_world(scene);
+  std::optional<world::GroundView> ground;
+  if (shown.ground) ground.emplace(device, *shown.ground);
   animations::HighlightAnimation animation{.generator = fmt::format("Offing {}", scene::version()),
                                            .frames_per_s = scene.frames_per_second,
                                            .first_frame = frames.first,
@@ -122,11 +127,11 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, cons
   for (const scene::LightScene& light : scene.lights) animation.lamps.push_back(light.name);
   animation.lamps.emplace_back("sun");
   std::vector<world::MeshView> views;
-  for (const world::MeshParameters& parameters : scene::prepare_meshes(scene)) {
+  for (const world::MeshParameters& parameters : shown.meshes) {
     animation.meshes.push_back({.name = parameters.name, .frames = {}});
     views.emplace_back(device, parameters);
   }
-  const highlights::LightingAt lighting = scene::lighting_of(scene);
+  const highlights::LightingAt lighting = scene::lighting_of(scene, ground ? &*ground : nullptr);
   const double first_s = frames.first / scene.frames_per_second;
   Textures textures(animation.textures);
   for (int frame = frames.first; frame <= frames.last; ++frame) {
