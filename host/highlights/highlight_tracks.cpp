@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "host/base/error.h"
 #include "host/base/parameter_check.h"
 #include "host/base/world_limits.h"
 #include "host/highlights/nearest_place.h"
@@ -13,6 +18,28 @@ namespace offing::highlights {
 namespace {
 
 constexpr std::size_t most_keys = 1024;
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw Error(ErrorKind::bad_input, "highlights: state: " + what, "restore a state of the same mesh");
+}
+
+void require_valid(const TrackState& state, std::size_t face_count) {
+  std::optional<std::uint64_t> last_id;
+  for (const HighlightTrack& track : state.tracks) {
+    for (const std::uint32_t face : {track.seed_face, track.point.face}) {
+      if (face >= face_count)
+        refuse(fmt::format("highlight {}: expected a face below {}, found {}", track.id, face_count, face));
+    }
+    if (track.id >= state.next_id || (last_id && track.id <= *last_id))
+      refuse(fmt::format("expected ids that ascend below {}, found {}", state.next_id, track.id));
+    if (track.point.lamp < 0)
+      refuse(fmt::format("highlight {}: expected a lamp, found {}", track.id, track.point.lamp));
+    if (track.nearest.size() != state.places.size())
+      refuse(fmt::format("highlight {}: expected shares of {} places, found {}", track.id,
+                         state.places.size(), track.nearest.size()));
+    last_id = track.id;
+  }
+}
 
 }  // namespace
 
@@ -64,7 +91,7 @@ void HighlightTracks::advance_to(double time_s) {
     const auto after =
         std::upper_bound(keys_.begin(), keys_.end(), wanted,
                          [](std::int64_t step, const TrackState& key) { return step < key.step; });
-    restore(after == keys_.begin() ? keys_.front() : *std::prev(after));
+    go_back_to(after == keys_.begin() ? keys_.front() : *std::prev(after));
   }
   while (state_.step < wanted) {
     light_up(state_.step + 1);
@@ -80,7 +107,15 @@ void HighlightTracks::set_places(const std::vector<NearestPlace>& places) {
 }
 
 void HighlightTracks::restore(const TrackState& state) {
+  require_valid(state, surface_->mesh().faces.size());
+  if (state.step < 0) refuse(fmt::format("expected a step from 0 on, found {}", state.step));
+  require_within("highlights.state.time_s", time_of(state.step), start_s_, largest_time_s);
+  go_back_to(state);
+}
+
+void HighlightTracks::go_back_to(const TrackState& state) {
   state_ = state;
+  light_up(state_.step);  // a surface that it deforms must not stay as it was later
   take_places(places_, surface_->diagonal_m(), state_);
 }
 

@@ -10,8 +10,8 @@
 
 namespace offing::highlights {
 
-/// Eye and lamps in the mesh's axes at a time; the same for the same time. It is asked before each search,
-/// and may deform the surface to what that is at this time: highlights go along with it.
+/// Eye and lamps in the mesh's axes at a time; the same for the same time. It is asked before each search and
+/// wherever tracks go back, and may deform the surface to what that is at this time: highlights go along.
 using LightingAt = std::function<Lighting(double time_s)>;
 
 /// The highlights of a surface through time, in fixed steps from a start: what is shown at a time depends on
@@ -32,6 +32,8 @@ class HighlightTracks {
   /// at once, and the others stay as they are: steps that were taken count for them.
   void set_places(const std::vector<NearestPlace>& places);
   /// Starts from a state of this surface and lighting and of the same start, such as one that was stored.
+  /// Throws Error(bad_input) for one that cannot be: a face that the surface does not have, a time out of
+  /// range, ids that do not ascend, shares that are not those of its places.
   void restore(const TrackState& state);
 
   double time_s() const;
@@ -44,6 +46,7 @@ class HighlightTracks {
   /// Makes lamps, surface and shadows those of a step.
   void light_up(std::int64_t step);
   double lit_share(const HighlightTrack& track) const;
+  void go_back_to(const TrackState& state);
   void keep_if_key();
 
   const HighlightSurface* surface_;

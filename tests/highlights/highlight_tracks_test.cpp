@@ -1,7 +1,9 @@
 #include "host/highlights/highlight_tracks.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -144,6 +146,49 @@ TEST_F(HighlightTracksTest, HighlightsGoAlongWithADeformedSurface) {
   test::ExampleSurface fewer = at(0.0);
   fewer.mesh.positions_m.pop_back();
   EXPECT_THROW(shape.deform(fewer.mesh.positions_m, fewer.mesh.normals, fewer.curvatures), Error);
+}
+
+// Back to a stored key, where no search is needed, and to a state that was kept. Fails if the surface stays
+// as it was at the later time.
+TEST_F(HighlightTracksTest, GoingBackTakesTheSurfaceAlong) {
+  const test::ExampleSurface start = test::ellipsoid(2, glm::dvec3(1.0));
+  HighlightSurface shape = surface(start);
+  HighlightTracks tracks(shape, [&](double time_s) {
+    const test::ExampleSurface now = test::moved(start, glm::dmat3(1.0), {0.0, time_s, 0.0});
+    shape.deform(now.mesh.positions_m, now.mesh.normals, now.curvatures);
+    return circling(0.0);
+  });
+  const double start_m = start.mesh.positions_m[0].y;
+  tracks.advance_to(1.0);
+  const TrackState key = tracks.state();
+  tracks.advance_to(2.5);
+  EXPECT_NEAR(shape.mesh().positions_m[0].y, start_m + 2.5, 1e-9);
+  tracks.advance_to(1.0);
+  EXPECT_NEAR(shape.mesh().positions_m[0].y, start_m + 1.0, 1e-9);
+  tracks.advance_to(2.5);
+  tracks.restore(key);
+  EXPECT_NEAR(shape.mesh().positions_m[0].y, start_m + 1.0, 1e-9);
+}
+
+// Fails if a state of another mesh, or one that was damaged, is taken, or changes anything.
+TEST_F(HighlightTracksTest, StatesThatCannotBeAreErrors) {
+  const HighlightSurface shape = surface(test::ellipsoid(2, glm::dvec3(1.0)));
+  HighlightTracks tracks(shape, circling);
+  tracks.advance_to(0.5);
+  const TrackState good = tracks.state();
+  const auto faces = static_cast<std::uint32_t>(shape.mesh().faces.size());
+  std::vector<TrackState> states(7, good);
+  states[0].tracks[0].seed_face = faces;
+  states[1].tracks[0].point.face = faces;
+  states[2].step = -1;
+  states[3].step = std::numeric_limits<std::int64_t>::max();
+  states[4].tracks.push_back(good.tracks[0]);
+  states[5].tracks[0].id = good.next_id;
+  states[6].tracks[0].nearest.push_back(1.0);
+  for (const TrackState& bad : states) {
+    EXPECT_THROW(tracks.restore(bad), Error);
+    expect_same(tracks.state(), good);
+  }
 }
 
 // Long runs keep fewer keys, not wrong ones. Fails if a key that has been dropped is gone back to.
