@@ -72,7 +72,7 @@ double HighlightTracks::lit_share(const HighlightTrack& track) const {
   return lamp < lit_by_.lamps.size() ? shadow_->lit_share(track.projector, lit_by_.lamps[lamp]) : track.lit;
 }
 
-void HighlightTracks::reset(double start_s) {
+void HighlightTracks::reset(double start_s, KeyStates keys) {
   require_within("highlights.start_s", start_s, -largest_time_s, largest_time_s);
   start_s_ = start_s;
   light_up(0);
@@ -80,6 +80,7 @@ void HighlightTracks::reset(double start_s) {
                        [this](const HighlightTrack& track) { return lit_share(track); });
   take_places(places_, surface_->diagonal_m(), state_);
   keys_.assign(1, state_);
+  key_states_ = keys;
   key_spacing_ = options_.key_steps;
 }
 
@@ -120,6 +121,7 @@ void HighlightTracks::go_back_to(const TrackState& state) {
 }
 
 void HighlightTracks::keep_if_key() {
+  if (key_states_ == KeyStates::none) return;
   if (state_.step % key_spacing_ != 0 || state_.step <= keys_.back().step) return;
   keys_.push_back(state_);
   if (keys_.size() <= most_keys) return;

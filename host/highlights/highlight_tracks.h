@@ -14,6 +14,10 @@ namespace offing::highlights {
 /// wherever tracks go back, and may deform the surface to what that is at this time: highlights go along.
 using LightingAt = std::function<Lighting(double time_s)>;
 
+/// Whether tracks keep states to go back to. Those of a lighting that is not known again, such as that of an
+/// eye somebody moves, never go back.
+enum class KeyStates { kept, none };
+
 /// The highlights of a surface through time, in fixed steps from a start: what is shown at a time depends on
 /// the start and on the lighting only, not on the frames that were asked for. Key states are kept, so that
 /// going back costs at most their distance.
@@ -22,9 +26,9 @@ class HighlightTracks {
   /// The surface must outlive the tracks. Starts at time 0. Throws Error(bad_input) for options out of range.
   HighlightTracks(const HighlightSurface& surface, LightingAt lighting, const TrackOptions& options = {});
 
-  /// Starts anew: one highlight for each point at this time, as opaque as it is lit. Throws Error(bad_input)
-  /// for a time beyond 1e8 s.
-  void reset(double start_s);
+  /// Starts anew: one highlight for each point at this time, as opaque as it is lit. Without key states,
+  /// going back begins at the start. Throws Error(bad_input) for a time beyond 1e8 s.
+  void reset(double start_s, KeyStates keys = KeyStates::kept);
   /// Goes to the last step that is not after this time, forward or back. Throws Error(bad_input) for a time
   /// before the start or beyond 1e8 s.
   void advance_to(double time_s);
@@ -38,6 +42,7 @@ class HighlightTracks {
 
   double time_s() const;
   const TrackState& state() const { return state_; }
+  std::size_t key_count() const { return keys_.size(); }  ///< states that are kept
   const std::vector<HighlightTrack>& tracks() const { return state_.tracks; }
   const TrackOptions& options() const { return options_; }
 
@@ -58,6 +63,7 @@ class HighlightTracks {
   double start_s_ = 0.0;
   TrackState state_;
   std::vector<NearestPlace> places_;
+  KeyStates key_states_ = KeyStates::kept;
   std::int64_t key_spacing_ = 1;  // steps
   std::vector<TrackState> keys_;  // ascending steps, the first is that of the start
 };

@@ -137,7 +137,7 @@ void MeshView::follow(double time_s, const highlights::Lighting& lighting) {
     tracks.advance_to(shown_->passed_s);
   } else {
     shown_->passed_s = 0.0;
-    tracks.reset(0.0);
+    tracks.reset(0.0, highlights::KeyStates::none);
   }
   shown_->start_s.reset();
   shown_->followed_to_s = time_s;

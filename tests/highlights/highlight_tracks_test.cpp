@@ -202,6 +202,19 @@ TEST_F(HighlightTracksTest, GoingBackAfterALongTimeShowsTheSame) {
   expect_same(back.state(), once.state());
 }
 
+// Fails if tracks that never go back fill the memory with states, or cannot go back at all.
+TEST_F(HighlightTracksTest, TracksWithoutKeysKeepNone) {
+  const HighlightSurface shape = surface(test::ellipsoid(2, {1.0, 0.8, 0.6}));
+  HighlightTracks tracks(shape, circling), once(shape, circling);
+  tracks.reset(0.0, KeyStates::none);
+  tracks.advance_to(5.0);
+  EXPECT_EQ(tracks.key_count(), 1u);
+  tracks.advance_to(2.2);
+  once.advance_to(2.2);
+  EXPECT_EQ(once.key_count(), 3u);
+  expect_same(tracks.state(), once.state());
+}
+
 TEST_F(HighlightTracksTest, BadTimesAndOptionsAreErrors) {
   const HighlightSurface shape = surface(test::ellipsoid(1, glm::dvec3(1.0)));
   HighlightTracks tracks(shape, circling);

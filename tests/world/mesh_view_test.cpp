@@ -107,6 +107,8 @@ TEST(MeshViewTest, FollowsSmoothly) {
     EXPECT_LT(glm::distance(now_m, before_m), 0.06);
     before_m = now_m;
   }
+  for (int frame = 1; frame <= 90; ++frame) view.follow(frame / 30.0, turning_light(0.3));
+  EXPECT_EQ(view.tracks()->key_count(), 1u) << "keeps states that it never goes back to";
   MeshView fresh(ocl::Device::open(), view.parameters());
   fresh.follow(0.0, turning_light(0.3));
   const glm::dvec3 there_m = fresh.highlights().at(0).projector.centre_m;
