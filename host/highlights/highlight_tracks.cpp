@@ -76,7 +76,7 @@ void HighlightTracks::reset(double start_s, KeyStates keys) {
   require_within("highlights.start_s", start_s, -largest_time_s, largest_time_s);
   start_s_ = start_s;
   light_up(0);
-  state_ = first_state(*surface_, search_.find(*surface_, lit_by_), options_,
+  state_ = first_state(search_.find(*surface_, lit_by_), options_,
                        [this](const HighlightTrack& track) { return lit_share(track); });
   take_places(places_, surface_->diagonal_m(), state_);
   keys_.assign(1, state_);

@@ -155,8 +155,8 @@ void require_valid(const TrackOptions& options) {
   require_within("highlights.key_steps", options.key_steps, 1, 1e6);
 }
 
-TrackState first_state(const HighlightSurface&, const std::vector<HighlightPoint>& points,
-                       const TrackOptions& options, const LitShare& lit_share) {
+TrackState first_state(const std::vector<HighlightPoint>& points, const TrackOptions& options,
+                       const LitShare& lit_share) {
   TrackState state;
   for (const HighlightPoint& point : points) {
     state.tracks.push_back(born(point, options, state.next_id++));
