@@ -43,6 +43,28 @@ TEST(MeshViewTest, MakesCurvaturesOnTheDevice) {
   EXPECT_FALSE(view.highlight_faces().empty());
 }
 
+// A sphere where a country's map has it, millions of metres off: fails if its vertices are rounded to a
+// quarter of a metre before their curvatures are made. By the rounding of doubles and floats: 1e-4.
+TEST(MeshViewTest, MakesCurvaturesFarFromTheOrigin) {
+  const glm::dvec3 far_m(500000.0, 100.0, 4500000.0);
+  const mesh_shapes::Shape shape = mesh_shapes::make_sphere(1.0, 3);
+  mesh_shapes::Shape there = shape;
+  for (glm::dvec3& position_m : there.mesh.positions_m) position_m += far_m;
+  MeshView near_view(ocl::Device::open(), mesh_of(shape)), far_view(ocl::Device::open(), mesh_of(there));
+  near_view.at(0.0, turning_light);
+  far_view.at(0.0, [&](double time_s) {
+    Lighting lighting = turning_light(time_s);
+    lighting.eye.vector += far_m;
+    return lighting;
+  });
+  ASSERT_EQ(far_view.highlights().size(), 1u);
+  const highlights::Projector &expected = near_view.highlights().at(0).projector,
+                              &found = far_view.highlights()[0].projector;
+  EXPECT_NEAR(found.width_m, expected.width_m, 1e-4);
+  EXPECT_NEAR(found.height_m, expected.height_m, 1e-4);
+  EXPECT_LE(glm::distance(found.centre_m, far_m + expected.centre_m), 1e-4);
+}
+
 // Fails if what is shown at a time alone depends on what was before: forward, back, over the round times at
 // which the past of such pictures begins, and after an eye was followed.
 TEST(MeshViewTest, DependsOnTheTimeAlone) {
