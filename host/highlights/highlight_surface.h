@@ -20,7 +20,8 @@ struct SurfaceOptions {
 };
 
 /// A mesh as highlights need it, on the host and on a device. Normals are those of the mesh, whatever their
-/// length, or where it has none, of the faces around each place, weighted by their angles there.
+/// length, or where it has none, of the faces around each place, weighted by their angles there. Where these
+/// cancel it is that of the largest face; only vertices without any have none.
 class HighlightSurface {
  public:
   /// Throws Error(bad_input) if curvatures or normals do not match the vertices, if a face names a vertex
