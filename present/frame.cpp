@@ -73,7 +73,7 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
   }
   if (!world.meshes().empty()) {
     run_stage(times_, Stage::meshes, world.device(),
-              [&] { world.see_meshes(request.camera.eye_m, request.lighting_at); });
+              [&] { world.see_meshes(request.camera.eye_m, request.lighting_at, request.first_s); });
   }
   const bool sees_ground = world.ground() && world.ground()->is_in_reach();
   const bool shows_steps = sees_ground && request.ground == GroundShow::steps;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "host/base/camera.h"
@@ -62,6 +63,8 @@ struct FrameRequest {
   double ground_scale = 1.0;  ///< rays that are cast at the ground a pixel of the picture, along a side
   /// For highlights that depend on the time alone (World::see_meshes()); none: they follow the camera.
   highlights::LightingAt lighting_at = {};
+  std::optional<double> first_s =
+      {};  ///< with a lighting: of the sequence that this picture is of; none: alone
 };
 
 }  // namespace offing::present

@@ -29,15 +29,17 @@ class PictureMaker {
                  to_string(frame_.transfer_rung()));
   }
 
-  /// False, with nothing written, when asked to stop.
-  bool make(double time_s, const std::filesystem::path& path, const CancelToken& cancel) {
+  /// A picture of a sequence that begins at `first_s`. False, with nothing written, when asked to stop.
+  bool make(double time_s, double first_s, const std::filesystem::path& path, const CancelToken& cancel) {
     if (cancel.cancelled()) return false;
     scene::ViewScene view = scene::show_at(world_, scene_, time_s);
     view.camera.width_px = size_.width;
     view.camera.height_px = size_.height;
     const double exposure = light_meter_.exposure(world_, view.camera, view.exposure_ev);
     if (cancel.cancelled()) return false;
-    frame_.draw(world_, {.camera = view.camera, .exposure = exposure, .lighting_at = lighting_at_});
+    frame_.draw(
+        world_,
+        {.camera = view.camera, .exposure = exposure, .lighting_at = lighting_at_, .first_s = first_s});
     if (cancel.cancelled()) return false;
     write_picture(path, frame_, time_s, exposure);
     return true;
@@ -59,7 +61,7 @@ class PictureMaker {
 void make_pictures(const ViewOptions& options, const CancelToken& cancel) {
   PictureMaker maker(options);
   if (!options.output.empty()) {
-    if (!maker.make(options.time_s, options.output, cancel)) cancel.throw_if_cancelled();
+    if (!maker.make(options.time_s, options.time_s, options.output, cancel)) cancel.throw_if_cancelled();
     fmt::print("{}\n", options.output.string());
   }
   if (!options.recording) return;
@@ -68,7 +70,7 @@ void make_pictures(const ViewOptions& options, const CancelToken& cancel) {
     Progress progress(recording.count(), "frames", options.verbosity);
     for (int frame = recording.frames.first; frame <= recording.frames.last; ++frame) {
       const double time_s = frame / recording.frames_per_second;
-      if (!maker.make(time_s, recording.name.of(frame), cancel)) {
+      if (!maker.make(time_s, recording.first_s(), recording.name.of(frame), cancel)) {
         throw stopped_recording(recording, frame - recording.frames.first);
       }
       progress.advance();

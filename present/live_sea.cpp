@@ -94,7 +94,8 @@ void LiveSea::draw(const SeaView& view) {
                          .meshes = view.meshes,
                          .tiles = view.tiles,
                          .ground_scale = view.ground_scale,
-                         .lighting_at = view.lighting_at});
+                         .lighting_at = view.lighting_at,
+                         .first_s = view.first_s});
 }
 
 void LiveSea::write(const std::filesystem::path& path) const {

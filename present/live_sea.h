@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,7 @@ struct SeaView {
   world::TileWait tiles = world::TileWait::all;
   double ground_scale = 1.0;                ///< of FrameRequest
   highlights::LightingAt lighting_at = {};  ///< of FrameRequest
+  std::optional<double> first_s = {};       ///< of FrameRequest
 };
 
 /// A scene's world and the passes that draw it, both of which can be exchanged while they are shown. Whatever

@@ -13,6 +13,7 @@ struct Recording {
   double frames_per_second = 24.0;  ///< frame i shows time i / frames_per_second
 
   int count() const { return frames.last - frames.first + 1; }
+  double first_s() const { return frames.first / frames_per_second; }
 };
 
 /// Error(cancelled) of a recording that was stopped after so many frames; the hint says how to go on.

@@ -279,7 +279,8 @@ void Viewer::draw_sea(int width, int height) {
                .meshes = state_.meshes,
                .tiles = options_.recording ? world::TileWait::all : world::TileWait::none,
                .ground_scale = ScaleLadder::side_scale(ray_rung()),
-               .lighting_at = lighting_at()});
+               .lighting_at = lighting_at(),
+               .first_s = options_.recording ? std::optional(options_.recording->first_s()) : std::nullopt});
     drawn_s_ = state_.clock.time_s();
   } catch (const Error& error) {
     // A time that the scene does not have, such as one beyond the sun's calendar: a recording ends there, the

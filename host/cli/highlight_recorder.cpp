@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "host/highlights/texture_shapes.h"
 #include "host/scene/scene_meshes.h"
 #include "host/scene/version.h"
+#include "host/scene/world_scene.h"
 #include "host/world/mesh_view.h"
 
 namespace offing::cli {
@@ -23,8 +25,6 @@ using highlights::HighlightTexture;
 constexpr int picture_px = 128;
 // Pictures of shapes are made in steps of softness that no eye tells apart.
 constexpr double softness_steps = 32.0;
-// A highlight's past is no longer than this.
-constexpr double past_s = 10.0;
 
 /// A shape as a white picture with its opacity.
 RgbaImage picture_of(HighlightTexture shape, double softness) {
@@ -110,10 +110,14 @@ void require_highlights(const scene::OceanScene& scene) {
 
 }  // namespace
 
-animations::HighlightAnimation record_highlights(const ocl::Device& device, const scene::OceanScene& scene,
+animations::HighlightAnimation record_highlights(const ocl::Device& device, scene::OceanScene scene,
                                                  const FrameRange& frames, Progress& progress,
                                                  const CancelToken& cancel) {
   require_highlights(scene);
+  // With the eye where offing-view has it.
+  const world::WorldParameters shown = scene::prepare_shown_world(scene);
+  std::optional<world::GroundView> ground;
+  if (shown.ground) ground.emplace(device, *shown.ground);
   animations::HighlightAnimation animation{.generator = fmt::format("Offing {}", scene::version()),
                                            .frames_per_s = scene.frames_per_second,
                                            .first_frame = frames.first,
@@ -123,14 +127,12 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, cons
   for (const scene::LightScene& light : scene.lights) animation.lamps.push_back(light.name);
   animation.lamps.emplace_back("sun");
   std::vector<world::MeshView> views;
-  for (const world::MeshParameters& parameters : scene::prepare_meshes(scene)) {
+  for (const world::MeshParameters& parameters : shown.meshes) {
     animation.meshes.push_back({.name = parameters.name, .frames = {}});
     views.emplace_back(device, parameters);
   }
-  const highlights::LightingAt lighting = scene::lighting_of(scene);
-  // As a picture of the first frame has it; one past for all frames, so that each highlight keeps its id.
+  const highlights::LightingAt lighting = scene::lighting_of(scene, ground ? &*ground : nullptr);
   const double first_s = frames.first / scene.frames_per_second;
-  const double start_s = first_s < 2.0 * past_s ? std::min(first_s, 0.0) : first_s - past_s;
   Textures textures(animation.textures);
   for (int frame = frames.first; frame <= frames.last; ++frame) {
     cancel.throw_if_cancelled();
@@ -138,7 +140,7 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, cons
     const auto rules = scene::mesh_rules_at(scene, time_s);
     for (std::size_t i = 0; i < views.size(); ++i) {
       views[i].set_rules(rules[i]);
-      views[i].at(time_s, lighting, start_s);
+      views[i].at(time_s, lighting, first_s);
       animation.meshes[i].frames.push_back(frame_of(views[i], scene.meshes[i], textures));
     }
     progress.advance();

@@ -11,8 +11,8 @@ namespace offing::cli {
 
 /// The highlights of a scene's meshes over frames, as offing-view draws them in files, with the same id as
 /// long as each lasts. Throws Error(bad_input) for a scene without meshes that have highlights,
-/// Error(cancelled), and what preparing and showing its meshes throws.
-animations::HighlightAnimation record_highlights(const ocl::Device& device, const scene::OceanScene& scene,
+/// Error(cancelled), and what preparing its world and showing its meshes throws.
+animations::HighlightAnimation record_highlights(const ocl::Device& device, scene::OceanScene scene,
                                                  const FrameRange& frames, Progress& progress,
                                                  const CancelToken& cancel);
 

@@ -1,45 +1,24 @@
 #include "host/highlights/drawn_highlights.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "host/highlights/nearest_place.h"
 #include "host/highlights/pinned_point.h"
 #include "host/highlights/track_motion.h"
 
 namespace offing::highlights {
 namespace {
 
-// Two highlights that differ by no more than this share of the diagonal in their distances share a rule for
-// the nearest.
-constexpr double nearness_share = 0.02;
-
-bool is_for_lamp(const HighlightRule& rule, const HighlightTrack& track) {
-  return !rule.pin_m && (!rule.lamp || *rule.lamp == track.point.lamp);
-}
-
-/// Distance to the rule's place. What cannot be seen is farther than what can, by degrees: else a rule would
-/// leap to what has just begun to appear.
-double distance_to(const glm::dvec3& place_m, const HighlightTrack& track, double diagonal_m) {
-  return glm::distance(place_m, track.projector.centre_m) + 2.0 * diagonal_m * (1.0 - track.opacity);
-}
-
-/// How much of a track a rule is for: 0 ... 1; those of all tracks next to one another add up to 1.
-double share_of(const HighlightRule& rule, const std::vector<HighlightTrack>& tracks, std::size_t track,
-                double diagonal_m) {
-  if (!is_for_lamp(rule, tracks[track])) return 0.0;
-  if (!rule.nearest_m) return 1.0;
-  double least_m = std::numeric_limits<double>::infinity();
-  for (std::size_t other = 0; other < tracks.size(); ++other) {
-    if (other == track || !is_for_lamp(rule, tracks[other])) continue;
-    least_m = std::min(least_m, distance_to(*rule.nearest_m, tracks[other], diagonal_m));
-  }
-  const double ahead_m = least_m - distance_to(*rule.nearest_m, tracks[track], diagonal_m);
-  const double band_m = nearness_share * diagonal_m;
-  return ahead_m >= band_m ? 1.0 : glm::smoothstep(-band_m, band_m, ahead_m);
+/// [tracks] How much of each a rule for the nearest is for: as the state has it, or as it is now.
+std::vector<double> shares_of(const NearestPlace& place, const TrackState& state, double diagonal_m) {
+  const auto known = std::find(state.places.begin(), state.places.end(), place);
+  if (known == state.places.end()) return shares_nearest(place, state.tracks, diagonal_m);
+  const auto index = static_cast<std::size_t>(known - state.places.begin());
+  std::vector<double> shares;
+  for (const HighlightTrack& track : state.tracks) shares.push_back(track.nearest[index]);
+  return shares;
 }
 
 const HighlightRule as_found;
@@ -51,15 +30,21 @@ DrawnHighlights::DrawnHighlights(const HighlightSurface& surface, const Highligh
   projector_at({}, size);
 }
 
-void DrawnHighlights::update(const std::vector<HighlightTrack>& tracks,
-                             const std::vector<HighlightRule>& rules, int lamp_count) {
+void DrawnHighlights::update(const TrackState& state, const std::vector<HighlightRule>& rules,
+                             int lamp_count) {
   for (const HighlightRule& rule : rules) require_valid(rule);
   highlights_.clear();
   faces_.clear();
-  for (std::size_t i = 0; i < tracks.size(); ++i) {
-    const HighlightTrack& track = tracks[i];
+  nearest_.clear();
+  for (const HighlightRule& rule : rules) {
+    nearest_.emplace_back();
+    if (rule.nearest_m && !rule.pin_m)
+      nearest_.back() = shares_of({*rule.nearest_m, rule.lamp}, state, surface_->diagonal_m());
+  }
+  for (std::size_t i = 0; i < state.tracks.size(); ++i) {
+    const HighlightTrack& track = state.tracks[i];
     if (!(track.opacity > 0.0)) continue;
-    set_looks(tracks, rules, i);
+    set_looks(track, i, rules);
     for (const Look& look : looks_) {
       const HighlightRule& rule = look.rule < 0 ? as_found : rules[static_cast<std::size_t>(look.rule)];
       add({.id = track.id,
@@ -79,11 +64,12 @@ void DrawnHighlights::update(const std::vector<HighlightTrack>& tracks,
   }
 }
 
-void DrawnHighlights::set_looks(const std::vector<HighlightTrack>& tracks,
-                                const std::vector<HighlightRule>& rules, std::size_t track) {
+void DrawnHighlights::set_looks(const HighlightTrack& track, std::size_t index,
+                                const std::vector<HighlightRule>& rules) {
   looks_.assign(1, {-1, 1.0});
   for (std::size_t i = 0; i < rules.size(); ++i) {
-    const double share = share_of(rules[i], tracks, track, surface_->diagonal_m());
+    if (rules[i].pin_m || (rules[i].lamp && *rules[i].lamp != track.point.lamp)) continue;
+    const double share = rules[i].nearest_m ? nearest_[i][index] : 1.0;
     if (share == 0.0) continue;
     for (Look& look : looks_) look.weight *= 1.0 - share;
     std::erase_if(looks_, [](const Look& look) { return look.weight <= 0.0; });

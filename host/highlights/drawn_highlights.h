@@ -32,7 +32,8 @@ struct DrawnHighlight {
 
 /// What is drawn of a surface's highlights under an artist's rules (H6, H11 of docs/sources.md). Of rules
 /// that change nothing, or none, it is what make_frame() makes. All controls but textures, split and the
-/// mask, which are steps by nature, act continuously. Memory is used again from frame to frame.
+/// mask, which are steps by nature, act continuously; what a rule for the nearest draws goes over from one
+/// highlight to another within TrackLimits. Memory is used again from frame to frame.
 class DrawnHighlights {
  public:
   /// The surface must outlive it. `size` is that of the tracks: pins have it too. Throws Error(bad_input) for
@@ -40,10 +41,11 @@ class DrawnHighlights {
   DrawnHighlights(const HighlightSurface& surface, const HighlightSize& size);
 
   /// Anew: what can be seen (opacity above 0), of each track in their order, then of each pin in the order of
-  /// rules. Rules of a lamp beyond `lamp_count` count for nothing; without lamps there are no pins. Throws
-  /// Error(bad_input) for a control out of range, and for a pin on a surface without faces.
-  void update(const std::vector<HighlightTrack>& tracks, const std::vector<HighlightRule>& rules,
-              int lamp_count);
+  /// rules. Rules for the nearest go by the state's own shares; one whose place the state does not have
+  /// (HighlightTracks::set_places()) is for what is nearest now. Rules of a lamp beyond `lamp_count` count
+  /// for nothing; without lamps there are no pins. Throws Error(bad_input) for a control out of range, and
+  /// for a pin on a surface without faces.
+  void update(const TrackState& state, const std::vector<HighlightRule>& rules, int lamp_count);
 
   const std::vector<DrawnHighlight>& highlights() const { return highlights_; }
   const std::vector<std::uint32_t>& faces() const { return faces_; }
@@ -62,8 +64,7 @@ class DrawnHighlights {
     SurfacePlace place;
   };
 
-  void set_looks(const std::vector<HighlightTrack>& tracks, const std::vector<HighlightRule>& rules,
-                 std::size_t track);
+  void set_looks(const HighlightTrack& track, std::size_t index, const std::vector<HighlightRule>& rules);
   void add(const DrawnHighlight& highlight, const HighlightRule& rule);
   void add_copy(const DrawnHighlight& highlight, const HighlightRule& rule);
   void add_pin(const HighlightRule& rule, int index);
@@ -75,7 +76,8 @@ class DrawnHighlights {
   std::vector<DrawnHighlight> highlights_;
   std::vector<std::uint32_t> faces_;
   std::vector<Look> looks_;
-  std::vector<std::optional<Pin>> pins_;  // [rules], as looked up last
+  std::vector<std::vector<double>> nearest_;  // [rules][tracks], of rules for the nearest
+  std::vector<std::optional<Pin>> pins_;      // [rules], as looked up last
 };
 
 }  // namespace offing::highlights

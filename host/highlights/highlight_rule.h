@@ -40,7 +40,7 @@ struct HighlightControls {
 /// Controls with the highlights of a mesh that they are for. Of several rules that fit, the last one counts.
 struct HighlightRule {
   /// Only the highlight nearest to this place of the mesh. Where another comes as near (2 % of the diagonal),
-  /// the rule goes over to it by degrees.
+  /// the rule goes over to it by degrees, and where it appears or ends there, as fast as highlights fade.
   std::optional<glm::dvec3> nearest_m = {};
   std::optional<int> lamp = {};  ///< only those of this lamp
   /// Not what is found: one highlight that stands here on the mesh, wherever the lamps are; in the light of

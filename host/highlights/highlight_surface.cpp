@@ -92,6 +92,7 @@ std::vector<glm::dvec3> normals_of_faces(const TriangleMesh& mesh,
                                          const std::vector<glm::dvec3>& face_normals,
                                          const VertexLinks& links) {
   std::vector<glm::dvec3> at_places(links.place_count(), glm::dvec3(0.0));
+  std::vector<double> angles_rad(links.place_count(), 0.0);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const TriangleIndices& face = mesh.faces[f];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -100,13 +101,36 @@ std::vector<glm::dvec3> normals_of_faces(const TriangleMesh& mesh,
       const glm::dvec3 b = unit_or_zero(mesh.positions_m[face[(i + 2) % 3]] - p);
       const double angle_rad = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
       at_places[links.place_of(face[i])] += angle_rad * face_normals[f];
+      angles_rad[links.place_of(face[i])] += angle_rad;
     }
   }
   std::vector<glm::dvec3> normals;
   for (std::uint32_t vertex = 0; vertex < mesh.positions_m.size(); ++vertex) {
-    normals.push_back(unit_or_zero(at_places[links.place_of(vertex)]));
+    const glm::dvec3& sum = at_places[links.place_of(vertex)];
+    // Faces back to back cancel but for rounding.
+    const bool is_known = glm::length(sum) > 1e-6 * angles_rad[links.place_of(vertex)];
+    normals.push_back(is_known ? glm::normalize(sum) : glm::dvec3(0.0));
   }
   return normals;
+}
+
+/// Where there is no normal, as on a sheet whose faces lie back to back, that of the largest face has to do,
+/// the first of equals.
+void fill_with_faces(const TriangleMesh& mesh, const std::vector<glm::dvec3>& face_normals,
+                     const VertexLinks& links, std::vector<glm::dvec3>& normals) {
+  for (std::uint32_t vertex = 0; vertex < normals.size(); ++vertex) {
+    if (normals[vertex] != glm::dvec3(0.0)) continue;
+    double largest_m2 = 0.0;
+    for (const std::uint32_t f : links.faces_at(links.place_of(vertex))) {
+      const TriangleIndices& face = mesh.faces[f];
+      const glm::dvec3& p = mesh.positions_m[face[0]];
+      const double area_m2 =
+          0.5 * glm::length(glm::cross(mesh.positions_m[face[1]] - p, mesh.positions_m[face[2]] - p));
+      if (!(area_m2 > largest_m2)) continue;
+      largest_m2 = area_m2;
+      normals[vertex] = face_normals[f];
+    }
+  }
 }
 
 /// Each normal and the mean of those at the other ends of its edges, half and half.
@@ -150,6 +174,7 @@ void HighlightSurface::deform(std::vector<glm::dvec3> positions_m, std::vector<g
   measure();
   set_normals();
   upload_vertices();
+  ++revision_;
 }
 
 void HighlightSurface::measure() {
@@ -171,6 +196,7 @@ void HighlightSurface::measure() {
 void HighlightSurface::set_normals() {
   for (glm::dvec3& normal : mesh_.normals) normal = unit_or_zero(normal);
   if (mesh_.normals.empty()) mesh_.normals = normals_of_faces(mesh_, face_normals_, links_);
+  fill_with_faces(mesh_, face_normals_, links_, mesh_.normals);
   for (int round = 0; round < smoothing_rounds_; ++round) smooth(mesh_, links_, mesh_.normals);
 }
 

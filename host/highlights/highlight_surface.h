@@ -20,7 +20,8 @@ struct SurfaceOptions {
 };
 
 /// A mesh as highlights need it, on the host and on a device. Normals are those of the mesh, whatever their
-/// length, or where it has none, of the faces around each place, weighted by their angles there.
+/// length, or where it has none, of the faces around each place, weighted by their angles there. Where these
+/// cancel it is that of the largest face; only vertices without any have none.
 class HighlightSurface {
  public:
   /// Throws Error(bad_input) if curvatures or normals do not match the vertices, if a face names a vertex
@@ -36,6 +37,7 @@ class HighlightSurface {
 
   const TriangleMesh& mesh() const { return mesh_; }  ///< normals as they are used
   const VertexCurvatures& curvatures() const { return curvatures_; }
+  std::uint64_t revision() const { return revision_; }  ///< how often it was deformed
   const VertexLinks& links() const { return links_; }
   const ocl::Device& device() const { return device_; }
   const std::vector<glm::dvec3>& face_normals() const {
@@ -58,6 +60,7 @@ class HighlightSurface {
 
   ocl::Device device_;
   int smoothing_rounds_;
+  std::uint64_t revision_ = 0;
   TriangleMesh mesh_;
   VertexCurvatures curvatures_;
   std::vector<glm::dvec3> face_normals_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "host/highlights/highlight_points.h"
@@ -24,11 +25,20 @@ struct TrackOptions {
   /// How far from where it is expected a highlight may appear and still be the same, and how far behind what
   /// is shown may fall, before it fades out and a new one fades in: shares of the diagonal.
   double jump_share = 0.05, lag_share = 0.08;
-  int key_steps = 60;  ///< from one key state to the next
+  int key_steps = 60;        ///< from one key state to the next
+  bool has_shadows = false;  ///< whether the surface keeps highlights from their lamps (LampShadow)
 };
 
 /// Checks ranges: throws Error(bad_input) that names the option.
 void require_valid(const TrackOptions& options);
+
+/// A place of the mesh, for whose nearest highlight a rule is; with a lamp, of those of this lamp.
+struct NearestPlace {
+  glm::dvec3 place_m{0.0};
+  std::optional<int> lamp = {};
+
+  bool operator==(const NearestPlace&) const = default;
+};
 
 /// One highlight through time.
 struct HighlightTrack {
@@ -41,7 +51,9 @@ struct HighlightTrack {
   std::uint32_t seed_face = 0;  ///< that the projector's middle lies on
   double presence = 0.0;        ///< 0 ... 1: fades in from birth on, out from the end on
   double share = 1.0;           ///< 0 ... 1: what an older one of the same region leaves to it
-  double opacity = 0.0;         ///< 0 ... 1, as shown: follows presence * share within the limits
+  double lit = 1.0;             ///< 0 ... 1: how much of it its lamp reaches, as looked at last
+  double opacity = 0.0;         ///< 0 ... 1, as shown: follows presence * share * lit within the limits
+  std::vector<double> nearest;  ///< [TrackState::places], 0 ... 1: how much of it is the nearest to each
 };
 
 /// All highlights at one step: what a replay can start from.
@@ -49,6 +61,7 @@ struct TrackState {
   std::int64_t step = 0;  ///< since reset()
   std::uint64_t next_id = 0;
   std::vector<HighlightTrack> tracks;  ///< by id
+  std::vector<NearestPlace> places;    ///< that tracks share out among them
 };
 
 }  // namespace offing::highlights

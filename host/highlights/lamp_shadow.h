@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "host/highlights/face_tree.h"
 #include "host/highlights/highlight_surface.h"
 #include "host/highlights/lighting.h"
@@ -11,7 +13,10 @@ namespace offing::highlights {
 class LampShadow {
  public:
   explicit LampShadow(const HighlightSurface& surface)
-      : tree_(surface.mesh()), touching_m_(1e-4 * surface.diagonal_m()) {}
+      : tree_(surface.mesh()), touching_m_(1e-4 * surface.diagonal_m()), revision_(surface.revision()) {}
+
+  /// Of the surface that it was made of.
+  std::uint64_t revision() const { return revision_; }
 
   /// 0 ... 1: how much of the middle of a highlight the lamp reaches, both in the mesh's axes. It changes
   /// evenly while the edge of a shadow crosses the middle, so that a highlight fades and does not vanish at
@@ -21,6 +26,7 @@ class LampShadow {
  private:
   FaceTree tree_;
   double touching_m_;  // this far off the surface begins what casts shadows
+  std::uint64_t revision_;
 };
 
 }  // namespace offing::highlights

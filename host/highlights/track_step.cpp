@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/parameter_check.h"
+#include "host/highlights/nearest_place.h"
 #include "host/highlights/places_along_x.h"
 #include "host/highlights/track_motion.h"
 
@@ -127,6 +128,14 @@ void share_regions(std::vector<HighlightTrack>& tracks) {
   }
 }
 
+/// How opaque a track is where nothing has to go by degrees. In the dark it is what it was: rays cost more
+/// than all the rest.
+double wanted_opacity(const LitShare& lit_share, HighlightTrack& track) {
+  const double in_light = track.presence * track.share;
+  if (in_light > 0.0 && lit_share) track.lit = lit_share(track);
+  return in_light * track.lit;
+}
+
 bool is_over(const HighlightTrack& track) {
   return track.state == HighlightTrack::State::fading && track.presence <= 0.0 && track.opacity <= 0.0;
 }
@@ -146,20 +155,20 @@ void require_valid(const TrackOptions& options) {
   require_within("highlights.key_steps", options.key_steps, 1, 1e6);
 }
 
-TrackState first_state(const HighlightSurface&, const std::vector<HighlightPoint>& points,
-                       const TrackOptions& options) {
+TrackState first_state(const std::vector<HighlightPoint>& points, const TrackOptions& options,
+                       const LitShare& lit_share) {
   TrackState state;
   for (const HighlightPoint& point : points) {
     state.tracks.push_back(born(point, options, state.next_id++));
     state.tracks.back().presence = 1.0;
   }
   share_regions(state.tracks);
-  for (HighlightTrack& track : state.tracks) track.opacity = track.share;
+  for (HighlightTrack& track : state.tracks) track.opacity = wanted_opacity(lit_share, track);
   return state;
 }
 
 void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
-             const TrackOptions& options, TrackState& state) {
+             const TrackOptions& options, TrackState& state, const LitShare& lit_share) {
   for (HighlightTrack& track : state.tracks) go_along(surface, track);
   match(surface, points, options, state);
   const double fade = options.limits.fade_per_s * options.step_s;
@@ -169,10 +178,12 @@ void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>&
     if (is_alive) follow_point(surface, options, track);
   }
   share_regions(state.tracks);
+  std::vector<double> opacities_before;  // [tracks]
   for (HighlightTrack& track : state.tracks) {
-    const double wanted = track.presence * track.share;
-    track.opacity += std::clamp(wanted - track.opacity, -fade, fade);
+    opacities_before.push_back(track.opacity);
+    track.opacity += std::clamp(wanted_opacity(lit_share, track) - track.opacity, -fade, fade);
   }
+  follow_places(surface.diagonal_m(), fade, opacities_before, state);
   std::erase_if(state.tracks, is_over);
   ++state.step;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "host/highlights/highlight_surface.h"
@@ -7,15 +8,20 @@
 
 namespace offing::highlights {
 
-/// What highlights are shown when nothing was shown before: one of full opacity for each point.
-TrackState first_state(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
-                       const TrackOptions& options);
+/// How much of a highlight its lamp reaches where it is shown: 0 ... 1. It is not asked about one that would
+/// not be seen in the light either. Empty: all of each.
+using LitShare = std::function<double(const HighlightTrack& track)>;
+
+/// What highlights are shown when nothing was shown before: one for each point, as opaque as it is lit.
+TrackState first_state(const std::vector<HighlightPoint>& points, const TrackOptions& options,
+                       const LitShare& lit_share = {});
 
 /// One step on (H10, H11 of docs/sources.md). Points become those of the tracks of their lamp and orientation
 /// that expect them nearest, pair by pair from the nearest on: humps and saddles are born and die in pairs
 /// and are never taken for one another. What is left of tracks fades out where it is, what is left of points
-/// fades in. Of several in one region the oldest is shown; the others blend in as they part.
+/// fades in. Of several in one region the oldest is shown; the others blend in as they part. What comes into
+/// a shadow fades.
 void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
-             const TrackOptions& options, TrackState& state);
+             const TrackOptions& options, TrackState& state, const LitShare& lit_share = {});
 
 }  // namespace offing::highlights

@@ -7,31 +7,36 @@
 #include <utility>
 
 #include "host/highlights/diffused_curvature.h"
-#include "host/highlights/lamp_shadow.h"
+#include "host/highlights/nearest_place.h"
 
 namespace offing::world {
 namespace {
 
-// Highlights of a time have a past of one to two of these, longer than any of them takes to fade or to reach
-// its place; it begins at 0 where that is within two.
+// Pictures have a past of one to two of these before the first, longer than highlights take to fade or to
+// reach their places; it begins at 0 where that is within two.
 constexpr double past_s = 10.0;
 // Time jumps where a frame takes it further than that, and passes at least this much for who flies while it
 // stands.
 constexpr double longest_frame_s = 0.5, least_frame_s = 1.0 / 30.0;
 
-/// A function of the time alone, so that highlights are.
-double start_of_past(double time_s) {
-  if (time_s >= 0.0 && time_s < 2.0 * past_s) return 0.0;
-  return past_s * (std::floor(time_s / past_s) - 1.0);
+/// A function of the first picture's time alone, so that highlights are.
+double start_of_past(double first_s) {
+  if (first_s >= 0.0 && first_s < 2.0 * past_s) return 0.0;
+  return past_s * (std::floor(first_s / past_s) - 1.0);
 }
 
-/// As the device makes them of a mesh that brings none.
+/// As the device makes them of a mesh that brings none; relative to its middle, as single precision loses
+/// edges far from the origin.
 VertexCurvatures diffused(const ocl::Device& device, const TriangleMesh& mesh) {
   highlights::DiffusedCurvature method(device, mesh);
   std::vector<float> positions_m;
   positions_m.reserve(3 * mesh.positions_m.size());
+  glm::dvec3 middle_m(0.0);
+  for (const glm::dvec3& position_m : mesh.positions_m) middle_m += position_m;
+  middle_m /= static_cast<double>(mesh.positions_m.size());
   for (const glm::dvec3& position_m : mesh.positions_m) {
-    for (int axis = 0; axis < 3; ++axis) positions_m.push_back(static_cast<float>(position_m[axis]));
+    for (int axis = 0; axis < 3; ++axis)
+      positions_m.push_back(static_cast<float>(position_m[axis] - middle_m[axis]));
   }
   ocl::Buffer<float> buffer(device, positions_m, "positions");
   method.at(buffer);
@@ -52,11 +57,12 @@ std::uint64_t next_revision() {
 }  // namespace
 
 struct MeshView::Shown {
-  explicit Shown(highlights::HighlightSurface made) : surface(std::move(made)), shadow(surface) {}
+  explicit Shown(highlights::HighlightSurface made) : surface(std::move(made)) {}
 
   /// The tracks, which start with the lighting at hand.
-  highlights::HighlightTracks& tracks_of(const highlights::TrackOptions& options) {
+  highlights::HighlightTracks& tracks_of(highlights::TrackOptions options) {
     if (!tracks) {
+      options.has_shadows = true;
       tracks.emplace(
           surface, [this](double time_s) { return lighting(time_s); }, options);
       drawn.emplace(surface, tracks->options().size);
@@ -65,11 +71,9 @@ struct MeshView::Shown {
   }
 
   highlights::HighlightSurface surface;
-  highlights::LampShadow shadow;
   highlights::LightingAt lighting;  // in the mesh's axes
   std::optional<highlights::HighlightTracks> tracks;
   std::optional<highlights::DrawnHighlights> drawn;
-  std::vector<highlights::DrawnHighlight> lit;
   std::optional<double> start_s;        // of the past that the tracks have; none: they follow
   std::optional<double> followed_to_s;  // time of the last follow()
   double passed_s = 0.0;                // for tracks that follow
@@ -89,7 +93,8 @@ const highlights::HighlightSurface& MeshView::surface() const {
 }
 
 const std::vector<highlights::DrawnHighlight>& MeshView::highlights() const {
-  return shown_->lit;
+  static const std::vector<highlights::DrawnHighlight> none;
+  return shown_->drawn ? shown_->drawn->highlights() : none;
 }
 
 const std::vector<std::uint32_t>& MeshView::highlight_faces() const {
@@ -105,15 +110,19 @@ highlights::RigidMotion MeshView::motion_at(double time_s) const {
   return parameters_.motion ? parameters_.motion(time_s) : highlights::RigidMotion{};
 }
 
-void MeshView::at(double time_s, const highlights::LightingAt& lighting, std::optional<double> start) {
+void MeshView::at(double time_s, const highlights::LightingAt& lighting, std::optional<double> first_s) {
   motion_ = motion_at(time_s);
   if (!parameters_.has_highlights) return;
   shown_->lighting = [this, lighting](double past_time_s) {
     return in_mesh_axes(lighting(past_time_s), motion_at(past_time_s));
   };
   highlights::HighlightTracks& tracks = shown_->tracks_of(parameters_.tracks);
-  const double start_s = start.value_or(start_of_past(time_s));
-  if (shown_->start_s != start_s) tracks.reset(start_s);
+  const double start_s = start_of_past(first_s.value_or(time_s));
+  // Rules for the nearest have a past too.
+  const std::vector<highlights::NearestPlace> places = highlights::nearest_places(parameters_.rules);
+  const bool has_this_past = shown_->start_s == start_s && tracks.state().places == places;
+  tracks.set_places(places);
+  if (!has_this_past) tracks.reset(start_s);
   shown_->start_s = start_s;
   tracks.advance_to(time_s);
   show(shown_->lighting(time_s));
@@ -126,13 +135,14 @@ void MeshView::follow(double time_s, const highlights::Lighting& lighting) {
   shown_->lighting = [in_axes](double) { return in_axes; };
   highlights::HighlightTracks& tracks = shown_->tracks_of(parameters_.tracks);
   const double frame_s = shown_->followed_to_s ? time_s - *shown_->followed_to_s : -1.0;
+  tracks.set_places(highlights::nearest_places(parameters_.rules));
   const bool goes_on = !shown_->start_s && frame_s >= 0.0 && frame_s <= longest_frame_s;
   if (goes_on) {
     shown_->passed_s += std::max(frame_s, least_frame_s);
     tracks.advance_to(shown_->passed_s);
   } else {
     shown_->passed_s = 0.0;
-    tracks.reset(0.0);
+    tracks.reset(0.0, highlights::KeyStates::none);
   }
   shown_->start_s.reset();
   shown_->followed_to_s = time_s;
@@ -140,23 +150,7 @@ void MeshView::follow(double time_s, const highlights::Lighting& lighting) {
 }
 
 void MeshView::show(const highlights::Lighting& lighting) {
-  const std::vector<highlights::HighlightTrack>& tracks = shown_->tracks->tracks();
-  shown_->drawn->update(tracks, parameters_.rules, static_cast<int>(lighting.lamps.size()));
-  std::vector<double> lit_shares;  // [tracks]
-  for (const highlights::HighlightTrack& track : tracks) {
-    const auto lamp = static_cast<std::size_t>(track.point.lamp);
-    // A highlight may fade after its lamp is gone, such as the sun.
-    lit_shares.push_back(
-        lamp < lighting.lamps.size() ? shown_->shadow.lit_share(track.projector, lighting.lamps[lamp]) : 1.0);
-  }
-  shown_->lit = shown_->drawn->highlights();
-  for (highlights::DrawnHighlight& highlight : shown_->lit) {
-    // Where it was found counts, not where an artist has it; pins stand in any light.
-    const auto track = std::lower_bound(tracks.begin(), tracks.end(), highlight.id,
-                                        [](const auto& a, std::uint64_t id) { return a.id < id; });
-    if (track == tracks.end() || track->id != highlight.id) continue;
-    highlight.opacity *= lit_shares[static_cast<std::size_t>(track - tracks.begin())];
-  }
+  shown_->drawn->update(shown_->tracks->state(), parameters_.rules, static_cast<int>(lighting.lamps.size()));
 }
 
 }  // namespace offing::world

@@ -32,11 +32,14 @@ class MeshView {
   void set_material(const MeshMaterial& material) { parameters_.material = material; }
   void set_rules(std::vector<highlights::HighlightRule> rules) { parameters_.rules = std::move(rules); }
 
-  /// The mesh at a time and its highlights, which depend on this time and on the lighting alone, whatever was
-  /// shown before. The lighting is that of the world's axes at any time, the same for the same time and at
-  /// every call. With a start they have their past from there on, so that ids stay the same in all calls with
-  /// the same one; without one it is a round time from ten to twenty seconds before.
-  void at(double time_s, const highlights::LightingAt& lighting, std::optional<double> start_s = {});
+  /// The mesh at a time and its highlights, which depend on the times, the lighting and the rules alone,
+  /// whatever was shown before. The lighting is that of the world's axes at any time, the same for the same
+  /// time and at every call. `first_s` is the time of the first picture of the sequence that this one is of,
+  /// not after it: all of them share one past, from a round time ten to twenty seconds before the first on,
+  /// in which highlights keep their ids and nothing jumps. A picture alone is the first of its own:
+  /// highlights may be turned otherwise there than in a sequence that comes by, as the ends of a line are
+  /// alike.
+  void at(double time_s, const highlights::LightingAt& lighting, std::optional<double> first_s = {});
   /// The same for an eye that somebody moves: highlights go from where they were toward what this lighting
   /// makes of them, as far as they get since the time of the last call, and a little while time stands. They
   /// start anew where time has jumped.

@@ -196,10 +196,11 @@ highlights::Lighting World::lighting(const glm::dvec3& eye_m) const {
   return lighting;
 }
 
-void World::see_meshes(const glm::dvec3& eye_m, const highlights::LightingAt& lighting_at) {
+void World::see_meshes(const glm::dvec3& eye_m, const highlights::LightingAt& lighting_at,
+                       std::optional<double> first_s) {
   for (MeshView& mesh : meshes_) {
     if (lighting_at) {
-      mesh.at(time_s_, lighting_at);
+      mesh.at(time_s_, lighting_at, first_s);
     } else {
       mesh.follow(time_s_, lighting(eye_m));
     }

@@ -71,9 +71,11 @@ class World {
   void see_ground(const Camera& camera, const terrain::Sampling& sampling = {},
                   TileWait wait = TileWait::all);
   /// Takes the meshes to the time of the last at(), with the highlights that they have for this eye. With a
-  /// lighting, of the world's axes at any time (MeshView::at()), these depend on the time alone; without one
-  /// they follow the eye and the lamps as they are (MeshView::follow()).
-  void see_meshes(const glm::dvec3& eye_m, const highlights::LightingAt& lighting_at = {});
+  /// lighting, of the world's axes at any time, these depend on the time and on that of the sequence's first
+  /// picture alone (MeshView::at()); without one they follow the eye and the lamps as they are
+  /// (MeshView::follow()).
+  void see_meshes(const glm::dvec3& eye_m, const highlights::LightingAt& lighting_at = {},
+                  std::optional<double> first_s = {});
 
   /// The water at points of the world by the last at(): Ocean::sample() with this world's trochoids. Throws
   /// what ocean() throws.

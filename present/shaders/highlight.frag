@@ -19,10 +19,10 @@ out vec4 light;
 
 // Normals of the picture stand on the surface, with the box's right and up.
 vec3 pictured_light(vec4 texel) {
-  vec3 outward = normalize(gl_FrontFacing ? normal : -normal);
-  vec3 up = normalize(cross(outward, box_right)), right = cross(up, outward);
+  vec3 outward = unit_or_zero(gl_FrontFacing ? normal : -normal);
+  vec3 up = unit_or_zero(cross(outward, box_right)), right = cross(up, outward);
   vec3 pictured = 2.0 * texel.rgb / max(texel.a, 1e-3) - 1.0;
-  vec3 shaded = normalize(pictured.x * right + pictured.y * up + max(pictured.z, 0.05) * outward);
+  vec3 shaded = unit_or_zero(pictured.x * right + pictured.y * up + max(pictured.z, 0.05) * outward);
   return smooth_light(Material(colour, 0.4, 40.0), place_m, shaded);
 }
 

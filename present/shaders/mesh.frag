@@ -54,15 +54,15 @@ void main() {
     lit_m = (to_eye * vec4(texelFetch(faces, 2 * gl_PrimitiveID + 1).xyz, 1.0)).xyz;
     surface = smooth_light(material, lit_m, side * mat3(to_eye) * texelFetch(faces, 2 * gl_PrimitiveID).xyz);
   } else if (shading == 2) {
-    surface = cartoon_light(side * normalize(normal));
+    surface = cartoon_light(side * unit_or_zero(normal));
   } else if (shading == 1) {
     surface = gl_FrontFacing ? front_light : back_light;
   } else {
-    surface = smooth_light(material, lit_m, side * normalize(normal));
+    surface = smooth_light(material, lit_m, side * unit_or_zero(normal));
   }
   light = vec4(through_air(surface, normalize(lit_m), length(lit_m)), 1.0);
   if (shows_curvature == 1) {
-    float facing = 0.35 + 0.65 * abs(dot(normalize(normal), normalize(place_m)));
+    float facing = 0.35 + 0.65 * abs(dot(unit_or_zero(normal), normalize(place_m)));
     light.rgb = debug_white * facing * curvature_colour();
   }
 }

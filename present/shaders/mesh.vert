@@ -19,7 +19,7 @@ void main() {
   back_light = vec3(0.0);
   if (shading == 1) {
     Material material = Material(colour, specular, shininess);
-    front_light = smooth_light(material, place_m, normalize(normal));
-    back_light = smooth_light(material, place_m, -normalize(normal));
+    front_light = smooth_light(material, place_m, unit_or_zero(normal));
+    back_light = smooth_light(material, place_m, -unit_or_zero(normal));
   }
 }

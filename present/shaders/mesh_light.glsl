@@ -14,6 +14,11 @@ struct Material {
   float shininess;  // its exponent
 };
 
+// Where normals cancel between vertices there is none, and no light but that from around.
+vec3 unit_or_zero(vec3 v) {
+  return v * inversesqrt(max(dot(v, v), 1e-20));
+}
+
 vec3 toward_light(int i, vec3 place_m) {
   return normalize(lights[2 * i].xyz - lights[2 * i].w * place_m);
 }

@@ -110,6 +110,41 @@ TEST_F(Highlights, AreThoseOfTheScene) {
   }
 }
 
+// A scene of a mesh alone that places no camera is seen from the south, from where all of it is in the
+// picture (scene::look_at_meshes()): 0.55 diagonals of its box over sin(fov / 2) away, a fifth of that above.
+// Fails if other programs are given highlights for another eye than offing-view draws them for. Gate as
+// above.
+TEST_F(Highlights, AreSeenByTheEyeOfTheView) {
+  std::ofstream(path("alone.toml")) << R"(version = 1
+[sun]
+elevation_deg = -20
+
+[[light]]
+name = "key"
+azimuth_deg = 120
+elevation_deg = 30
+
+[[mesh]]
+shape = "sphere"
+size_m = 1.6
+detail = 5
+x_m = 0.5
+y_m = 1
+)";
+  const ProgramResult result =
+      run_offing({"highlights", path("alone.toml"), "-o", path("alone.json"), "--frames", "0", "--quiet"});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const nlohmann::json found =
+      read(path("alone.json")).at("meshes").at(0).at("frames").at(0).at("highlights");
+  ASSERT_EQ(found.size(), 1u);
+  const glm::dvec3 middle(0.5, 1.0, 0.0), place = vector_of(found[0].at("position_m"));
+  const double diagonal_m = 2.0 * glm::distance(place, middle) * std::sqrt(3.0);
+  const double away_m = 0.55 * diagonal_m / std::sin(22.5 * std::numbers::pi / 180.0);
+  const glm::dvec3 eye = middle + away_m * glm::normalize(glm::dvec3(0.0, 0.2, 1.0));
+  const glm::dvec3 half = glm::normalize(toward(120.0, 30.0) + glm::normalize(eye - place));
+  EXPECT_LE(glm::distance(vector_of(found[0].at("normal")), half), 2e-3);
+}
+
 // Frames asked for are those written, at their own times; the same call writes the same bytes.
 TEST_F(Highlights, FramesAreThoseAskedFor) {
   for (const char* name : {"a.glb", "b.glb", "c.json"}) {
@@ -123,6 +158,25 @@ TEST_F(Highlights, FramesAreThoseAskedFor) {
   EXPECT_EQ(frames[2].at("time_s"), 9 / 20.0);
   std::ifstream a(path("a.glb"), std::ios::binary), b(path("b.glb"), std::ios::binary);
   EXPECT_TRUE(std::equal(std::istreambuf_iterator<char>(a), {}, std::istreambuf_iterator<char>(b), {}));
+}
+
+// Fails if a texture that needs a picture and has none is written as one without a file, or found only after
+// all frames.
+TEST_F(Highlights, TexturesNeedTheirPictures) {
+  for (const char* texture : {"image", "normal_map"}) {
+    std::ofstream(path("bare.toml")) << R"(version = 1
+[[mesh]]
+shape = "sphere"
+
+[[mesh.highlight]]
+texture = ")" << texture << "\"\n";
+    for (const char* name : {"out.json", "out.glb"}) {
+      const ProgramResult result = run_offing({"highlights", path("bare.toml"), "-o", path(name)});
+      EXPECT_EQ(result.exit_code, 2);
+      EXPECT_THAT(result.errors, HasSubstr("expected a mesh.highlight.picture beside it, found none"));
+      EXPECT_FALSE(std::filesystem::exists(path(name)));
+    }
+  }
 }
 
 // Fails if a wrong call costs a file, leaves a part of one, or does not say the mend.

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -13,6 +15,7 @@
 #include "host/base/error.h"
 #include "host/highlights/highlight_frame.h"
 #include "host/highlights/highlight_tracks.h"
+#include "host/highlights/nearest_place.h"
 #include "tests/highlights/example_surfaces.h"
 
 namespace offing::highlights {
@@ -43,7 +46,7 @@ class Scene {
 
   const std::vector<DrawnHighlight>& under(const std::vector<HighlightRule>& rules, double time_s = 0.0) {
     tracks_.advance_to(time_s);
-    drawn_.update(tracks_.tracks(), rules, 2);
+    drawn_.update(tracks_.state(), rules, 2);
     return drawn_.highlights();
   }
   const std::vector<HighlightTrack>& tracks() const { return tracks_.tracks(); }
@@ -294,6 +297,60 @@ TEST_F(DrawnHighlightsTest, RulesForTheNearestGoOverByDegrees) {
     before = of_first;
   }
   EXPECT_EQ(before, 0.0);
+}
+
+// A lamp leaps beside a rule's place: its highlight ends far from there and another one begins at the place.
+// What is drawn by the rule, and what is drawn without it, changes by no more than 4 a second; in the end the
+// rule is at the new one. Fails if the rule leaps.
+TEST_F(DrawnHighlightsTest, RulesForTheNearestGoOverToWhatAppearsByDegrees) {
+  const HighlightSurface shape = surface(test::ellipsoid(5, {1.0, 0.6, 0.8}));
+  constexpr double leap_s = 0.5, frame_s = 1.0 / 30.0, limit = 4.0 / 30.0 + 1e-9;
+  HighlightTracks tracks(shape, [](double time_s) {
+    const double side = time_s < leap_s ? -1.0 : 1.0;
+    return Lighting{
+        {Source::Kind::direction, {0.0, 0.3, 1.0}},
+        {{Source::Kind::direction, {-1.0, 0.4, 0.3}}, {Source::Kind::direction, {side, 0.9, 0.2}}}};
+  });
+  HighlightTracks after(shape, [](double) {
+    return Lighting{{Source::Kind::direction, {0.0, 0.3, 1.0}}, {{Source::Kind::direction, {1.0, 0.9, 0.2}}}};
+  });
+  HighlightRule rule = rule_of({.scale = 2.0});
+  rule.nearest_m = after.tracks().at(0).projector.centre_m;
+  const std::vector<HighlightRule> rules{rule};
+  tracks.set_places(nearest_places(rules));
+  DrawnHighlights drawn(shape, tracks.options().size);
+  std::map<std::pair<std::uint64_t, int>, double> before;
+  std::size_t partly = 0;
+  for (int frame = 0; frame <= 60; ++frame) {
+    tracks.advance_to(frame * frame_s);
+    drawn.update(tracks.state(), rules, 2);
+    std::map<std::pair<std::uint64_t, int>, double> now;
+    for (const DrawnHighlight& highlight : drawn.highlights()) {
+      now[{highlight.id, highlight.rule}] = highlight.opacity;
+      before.try_emplace({highlight.id, highlight.rule}, frame == 0 ? highlight.opacity : 0.0);
+      partly += highlight.rule == 0 && highlight.opacity < 0.99 ? 1 : 0;
+    }
+    for (const auto& [name, opacity] : before) EXPECT_LE(std::abs(now[name] - opacity), limit) << frame;
+    before = now;
+  }
+  EXPECT_GE(partly, 5u) << "too calm a test";
+  const auto ruled = std::find_if(drawn.highlights().begin(), drawn.highlights().end(),
+                                  [](const DrawnHighlight& highlight) { return highlight.rule == 0; });
+  ASSERT_NE(ruled, drawn.highlights().end());
+  EXPECT_EQ(ruled->opacity, 1.0);
+  EXPECT_LE(glm::distance(ruled->found.centre_m, *rule.nearest_m), 1e-6);
+  // The same from a state in the middle of it, and from the start.
+  tracks.advance_to(leap_s + 0.2);
+  const TrackState middle = tracks.state();
+  tracks.advance_to(leap_s);
+  HighlightTracks other(shape, [](double) { return lighting(0.0); });
+  other.set_places(nearest_places(rules));
+  other.restore(middle);
+  tracks.advance_to(leap_s + 0.2);
+  for (std::size_t i = 0; i < middle.tracks.size(); ++i) {
+    EXPECT_EQ(tracks.tracks()[i].nearest, middle.tracks[i].nearest);
+    EXPECT_EQ(other.tracks()[i].nearest, middle.tracks[i].nearest);
+  }
 }
 
 // Controls act continuously: a step of 1e-3 of each moves, turns and resizes what is drawn by no more than a

@@ -17,6 +17,29 @@ using test::ExampleSurface;
 using test::RandomVectors;
 using HighlightSurfaceTest = HighlightSearch;
 
+// A sheet with a front and a back and without normals, whose front is the larger at one corner: fails if a
+// vertex has no normal, or one of rounding.
+TEST_F(HighlightSurfaceTest, NormalsThatCancelAreThoseOfTheLargestFace) {
+  ExampleSurface sheet;
+  sheet.mesh.positions_m = {
+      {0.1, 0.3, 0.0}, {1.1, 0.2, 0.0}, {1.3, 1.1, 0.0}, {0.2, 0.9, 0.0}, {5.0, 5.0, 5.0}};
+  sheet.mesh.faces = {{2, 1, 0}, {0, 1, 2}, {0, 2, 3}, {3, 2, 0}};
+  constexpr std::size_t count = 5;
+  sheet.curvatures = {.k_max_per_m = std::vector<double>(count, 1.0),
+                      .k_min_per_m = std::vector<double>(count, 1.0),
+                      .e_max = std::vector<glm::dvec3>(count, {1.0, 0.0, 0.0}),
+                      .e_min = std::vector<glm::dvec3>(count, {0.0, 1.0, 0.0}),
+                      .area_m2 = std::vector<double>(count, 1.0),
+                      .confidence = std::vector<double>(count, 1.0)};
+  const HighlightSurface shape = surface(sheet);
+  for (std::size_t vertex = 0; vertex < 4; ++vertex)
+    EXPECT_EQ(shape.mesh().normals[vertex], glm::dvec3(0.0, 0.0, vertex == 3 ? 1.0 : -1.0)) << vertex;
+  EXPECT_EQ(shape.mesh().normals[4], glm::dvec3(0.0)) << "of no face";
+  // The same where a file has normals of no length.
+  sheet.mesh.normals.assign(count, glm::dvec3(0.0));
+  EXPECT_EQ(surface(sheet).mesh().normals[3], glm::dvec3(0.0, 0.0, 1.0));
+}
+
 // Rigid motion of mesh, eye and lamps together must change nothing but the axes: weights within 1e-4,
 // curvatures (so sizes) within 1e-4. Here the mesh stands elsewhere and eye and lamps are brought into its
 // axes.

@@ -1,14 +1,15 @@
 #include "host/highlights/highlight_tracks.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
 #include "host/highlights/nearest_face.h"
-#include "host/highlights/track_step.h"
 #include "tests/highlights/example_surfaces.h"
 
 namespace offing::highlights {
@@ -83,160 +84,6 @@ TEST_F(HighlightTracksTest, AJumpOfTheLampFadesFromOneToAnother) {
   EXPECT_EQ(tracks.tracks()[0].opacity, 1.0);
 }
 
-// A triangle of as large a box as a sphere of radius 1, and points anywhere in its plane z = 1.
-class TrackStepTest : public HighlightTracksTest {
- protected:
-  static test::ExampleSurface triangle() {
-    constexpr std::size_t count = 3;
-    return {.mesh = {.positions_m = {{0.0, 0.0, 1.0}, {side_m, 0.0, 1.0}, {0.0, side_m, 1.0}},
-                     .normals = {},
-                     .faces = {{0, 1, 2}}},
-            .curvatures = {.k_max_per_m = std::vector<double>(count, 2.0),
-                           .k_min_per_m = std::vector<double>(count, 1.0),
-                           .e_max = std::vector<glm::dvec3>(count, {1.0, 0.0, 0.0}),
-                           .e_min = std::vector<glm::dvec3>(count, {0.0, 1.0, 0.0}),
-                           .area_m2 = std::vector<double>(count, 1.0),
-                           .confidence = std::vector<double>(count, 1.0)}};
-  }
-  HighlightPoint point_at(double x_m, double y_m) const {
-    HighlightPoint point;
-    point.weights = {1.0 - (x_m + y_m) / side_m, x_m / side_m, y_m / side_m};
-    point.position_m = place_on(shape_, point.face, point.weights);
-    point.normal = {0.0, 0.0, 1.0};
-    point.e_max = {1.0, 0.0, 0.0};
-    point.k_max_per_m = 2.0;
-    point.k_min_per_m = 1.0;
-    return point;
-  }
-
-  static constexpr double side_m = 2.45;
-  HighlightSurface shape_ = surface(triangle());
-  TrackOptions options_{.size = {.threshold = 0.8, .cap_radius_m = 1.0}};
-};
-
-// Two that come together blend into the older one, and apart again: what they show is continuous, one alone
-// when they are at one place, both when they are apart. Fails if both are drawn over one another, or if one
-// pops.
-TEST_F(TrackStepTest, HighlightsMergeAndSplitWithWeights) {
-  const auto points = [this](double apart_m) {
-    return std::vector<HighlightPoint>{point_at(0.0, 0.0), point_at(apart_m, 0.0)};
-  };
-  TrackState state = first_state(shape_, points(1.0), options_);
-  EXPECT_EQ(state.tracks[1].opacity, 1.0);
-  double least = 1.0, last = 1.0;
-  for (int step = 0; step <= 400; ++step) {
-    const double apart_m = std::abs(1.0 - step / 200.0);
-    advance(shape_, points(apart_m), options_, state);
-    ASSERT_EQ(state.tracks.size(), 2u);
-    EXPECT_EQ(state.tracks[0].opacity, 1.0);
-    EXPECT_LE(std::abs(state.tracks[1].opacity - last), 4.0 / 60.0 + 1e-12);
-    last = state.tracks[1].opacity;
-    least = std::min(least, last);
-  }
-  EXPECT_EQ(least, 0.0);
-  EXPECT_EQ(last, 1.0);
-}
-
-// If the older of two in one region ends, the other takes over. Fails if the region goes dark: together they
-// show at least one full highlight but for what a fade takes.
-TEST_F(TrackStepTest, AnHeirTakesOverTheRegion) {
-  const HighlightPoint first = point_at(0.0, 0.0), second = point_at(0.05, 0.0);
-  TrackState state = first_state(shape_, {first, second}, options_);
-  ASSERT_EQ(state.tracks[1].opacity, 0.0);
-  for (int step = 0; step < 30; ++step) {
-    advance(shape_, {second}, options_, state);
-    double sum = 0.0;
-    for (const HighlightTrack& track : state.tracks) sum += track.opacity;
-    EXPECT_GE(sum, 0.9);
-  }
-  ASSERT_EQ(state.tracks.size(), 1u);
-  EXPECT_EQ(state.tracks[0].id, 1u);
-  EXPECT_EQ(state.tracks[0].opacity, 1.0);
-}
-
-// A point that a noisy surface loses for some steps is the same when it is back; one that has faded out is
-// another.
-TEST_F(TrackStepTest, AHighlightThatIsBackSoonKeepsItsId) {
-  const std::vector<HighlightPoint> points{point_at(0.0, 0.0)};
-  TrackState state = first_state(shape_, points, options_);
-  for (int step = 0; step < 5; ++step) advance(shape_, {}, options_, state);
-  advance(shape_, points, options_, state);
-  ASSERT_EQ(state.tracks.size(), 1u);
-  EXPECT_EQ(state.tracks[0].id, 0u);
-  for (int step = 0; step < 60; ++step) advance(shape_, {}, options_, state);
-  EXPECT_TRUE(state.tracks.empty());
-  advance(shape_, points, options_, state);
-  EXPECT_EQ(state.tracks[0].id, 1u);
-  EXPECT_NEAR(state.tracks[0].opacity, 4.0 / 60.0, 1e-12);
-}
-
-// Humps and saddles are born in pairs at one place: fails if one takes the other's id.
-TEST_F(TrackStepTest, HumpsAndSaddlesAreNotTakenForOneAnother) {
-  HighlightPoint saddle = point_at(0.01, 0.0);
-  saddle.orientation = -1;
-  TrackState state = first_state(shape_, {point_at(0.0, 0.0), saddle}, options_);
-  HighlightPoint moved_saddle = point_at(0.0, 0.01);
-  moved_saddle.orientation = -1;
-  advance(shape_, {moved_saddle, point_at(0.01, 0.0)}, options_, state);
-  ASSERT_EQ(state.tracks.size(), 2u);
-  EXPECT_EQ(state.tracks[0].point.orientation, 1);
-  EXPECT_EQ(state.tracks[1].point.orientation, -1);
-}
-
-// Directions of curvature are lines. Fails if a texture turns over when the search gives the other end of
-// one, or spins where curvatures are so alike that noise decides about their direction.
-TEST_F(TrackStepTest, AxesDoNotTurnOverNorFollowNoise) {
-  HighlightPoint point = point_at(0.0, 0.0);
-  TrackState state = first_state(shape_, {point}, options_);
-  const Projector start = state.tracks[0].projector;
-  for (int step = 0; step < 50; ++step) {
-    point.e_max = -point.e_max;
-    advance(shape_, {point}, options_, state);
-    EXPECT_EQ(state.tracks[0].projector, start);
-  }
-  test::RandomVectors random(31);
-  point.k_min_per_m = 0.97 * point.k_max_per_m;
-  for (int step = 0; step < 50; ++step) {
-    const double angle = 2.0 * pi * random.uniform();
-    point.e_max = {std::cos(angle), std::sin(angle), 0.0};
-    advance(shape_, {point}, options_, state);
-    EXPECT_LE(glm::distance(state.tracks[0].projector.right, start.right), 1e-12);
-  }
-}
-
-// What is shown follows a point that runs, tilts, turns and shrinks faster than the limits, and arrives.
-// Fails if a limit is exceeded in any step, or if it never gets there.
-TEST_F(TrackStepTest, LimitsHoldAndThePointIsReached) {
-  TrackState state = first_state(shape_, {point_at(0.0, 0.0)}, options_);
-  HighlightPoint point = point_at(0.0, 0.1);
-  point.normal = glm::normalize(glm::dvec3(0.5, 0.3, 1.0));
-  point.e_max = glm::normalize(glm::cross(glm::dvec3(0.3, -1.0, 0.2), point.normal));
-  point.k_max_per_m = 40.0;
-  point.k_min_per_m = 10.0;
-  const double limit_m = 0.45 / 60.0 * shape_.diagonal_m();
-  int steps_until_there = 0;
-  for (int step = 0; step < 120; ++step) {
-    const Projector before = state.tracks[0].projector;
-    advance(shape_, {point}, options_, state);
-    ASSERT_EQ(state.tracks.size(), 1u);
-    const Projector& after = state.tracks[0].projector;
-    EXPECT_LE(glm::distance(before.centre_m, after.centre_m), limit_m * (1.0 + 1e-12));
-    EXPECT_LE(std::abs(std::log(after.width_m / before.width_m)), 2.4 / 60.0 + 1e-12);
-    EXPECT_LE(std::abs(std::log(after.height_m / before.height_m)), 2.4 / 60.0 + 1e-12);
-    const double cosine = 0.5 * (glm::dot(before.right, after.right) + glm::dot(before.up, after.up) +
-                                 glm::dot(before.normal, after.normal) - 1.0);
-    // Near 1 the arc cosine loses half of the digits.
-    EXPECT_LE(std::acos(std::min(cosine, 1.0)), 2.094 / 60.0 + 1e-7);
-    EXPECT_LE(glm::distance(glm::cross(after.right, after.up), after.normal), 1e-14);
-    if (glm::distance(after.centre_m, point.position_m) > 0.0) steps_until_there = step + 1;
-  }
-  EXPECT_EQ(steps_until_there, static_cast<int>(0.1 / limit_m));
-  const Projector& end = state.tracks[0].projector;
-  EXPECT_LE(glm::distance(end.normal, point.normal), 1e-12);
-  EXPECT_NEAR(std::abs(glm::dot(end.right, point.e_max)), 1.0, 1e-12);
-  EXPECT_NEAR(end.width_m, 2.0 * 0.6 / 40.0, 1e-9);
-}
-
 void expect_same(const TrackState& a, const TrackState& b) {
   EXPECT_EQ(a.step, b.step);
   EXPECT_EQ(a.next_id, b.next_id);
@@ -301,6 +148,49 @@ TEST_F(HighlightTracksTest, HighlightsGoAlongWithADeformedSurface) {
   EXPECT_THROW(shape.deform(fewer.mesh.positions_m, fewer.mesh.normals, fewer.curvatures), Error);
 }
 
+// Back to a stored key, where no search is needed, and to a state that was kept. Fails if the surface stays
+// as it was at the later time.
+TEST_F(HighlightTracksTest, GoingBackTakesTheSurfaceAlong) {
+  const test::ExampleSurface start = test::ellipsoid(2, glm::dvec3(1.0));
+  HighlightSurface shape = surface(start);
+  HighlightTracks tracks(shape, [&](double time_s) {
+    const test::ExampleSurface now = test::moved(start, glm::dmat3(1.0), {0.0, time_s, 0.0});
+    shape.deform(now.mesh.positions_m, now.mesh.normals, now.curvatures);
+    return circling(0.0);
+  });
+  const double start_m = start.mesh.positions_m[0].y;
+  tracks.advance_to(1.0);
+  const TrackState key = tracks.state();
+  tracks.advance_to(2.5);
+  EXPECT_NEAR(shape.mesh().positions_m[0].y, start_m + 2.5, 1e-9);
+  tracks.advance_to(1.0);
+  EXPECT_NEAR(shape.mesh().positions_m[0].y, start_m + 1.0, 1e-9);
+  tracks.advance_to(2.5);
+  tracks.restore(key);
+  EXPECT_NEAR(shape.mesh().positions_m[0].y, start_m + 1.0, 1e-9);
+}
+
+// Fails if a state of another mesh, or one that was damaged, is taken, or changes anything.
+TEST_F(HighlightTracksTest, StatesThatCannotBeAreErrors) {
+  const HighlightSurface shape = surface(test::ellipsoid(2, glm::dvec3(1.0)));
+  HighlightTracks tracks(shape, circling);
+  tracks.advance_to(0.5);
+  const TrackState good = tracks.state();
+  const auto faces = static_cast<std::uint32_t>(shape.mesh().faces.size());
+  std::vector<TrackState> states(7, good);
+  states[0].tracks[0].seed_face = faces;
+  states[1].tracks[0].point.face = faces;
+  states[2].step = -1;
+  states[3].step = std::numeric_limits<std::int64_t>::max();
+  states[4].tracks.push_back(good.tracks[0]);
+  states[5].tracks[0].id = good.next_id;
+  states[6].tracks[0].nearest.push_back(1.0);
+  for (const TrackState& bad : states) {
+    EXPECT_THROW(tracks.restore(bad), Error);
+    expect_same(tracks.state(), good);
+  }
+}
+
 // Long runs keep fewer keys, not wrong ones. Fails if a key that has been dropped is gone back to.
 TEST_F(HighlightTracksTest, GoingBackAfterALongTimeShowsTheSame) {
   const HighlightSurface shape = surface(test::ellipsoid(2, {1.0, 0.8, 0.6}));
@@ -310,6 +200,19 @@ TEST_F(HighlightTracksTest, GoingBackAfterALongTimeShowsTheSame) {
   back.advance_to(1500.0 / 60.0);
   back.advance_to(10.05);
   expect_same(back.state(), once.state());
+}
+
+// Fails if tracks that never go back fill the memory with states, or cannot go back at all.
+TEST_F(HighlightTracksTest, TracksWithoutKeysKeepNone) {
+  const HighlightSurface shape = surface(test::ellipsoid(2, {1.0, 0.8, 0.6}));
+  HighlightTracks tracks(shape, circling), once(shape, circling);
+  tracks.reset(0.0, KeyStates::none);
+  tracks.advance_to(5.0);
+  EXPECT_EQ(tracks.key_count(), 1u);
+  tracks.advance_to(2.2);
+  once.advance_to(2.2);
+  EXPECT_EQ(once.key_count(), 3u);
+  expect_same(tracks.state(), once.state());
 }
 
 TEST_F(HighlightTracksTest, BadTimesAndOptionsAreErrors) {

@@ -108,6 +108,28 @@ TEST_F(RegionTest, FacesLookTheProjectorsWay) {
   EXPECT_EQ(faces.size(), shape.mesh().faces.size() / 2);
 }
 
+// Some faces of a sheet are there twice, with the same vertices in another order or with copies of them, and
+// once turned over. Fails if a highlight is drawn twice where they lie, or not at all.
+TEST_F(RegionTest, FacesThatLieOnOthersAreLeftOut) {
+  test::ExampleSurface example = sheet(8, 1.0);
+  const Projector projector{.centre_m = {3.25, 3.75, 0.0}, .width_m = 2.0, .height_m = 1.0};
+  const std::vector<std::uint32_t> once = region(surface(example), projector, 54);
+  TriangleMesh& mesh = example.mesh;
+  const auto count = static_cast<std::uint32_t>(mesh.faces.size());
+  for (std::uint32_t face = 40; face < 80; ++face) {
+    const TriangleIndices corners = mesh.faces[face];
+    mesh.faces.push_back({corners[0], corners[2], corners[1]});
+    mesh.faces.push_back({corners[1], corners[2], corners[0]});
+  }
+  const std::vector<std::uint32_t> found = region(surface(example), projector, 54);
+  EXPECT_EQ(found.size(), once.size());
+  // From a copy as well, which takes the place of the first.
+  std::vector<std::uint32_t> from_copy = region(surface(example), projector, count + 2 * (54 - 40) + 1);
+  EXPECT_EQ(from_copy.size(), once.size());
+  for (std::uint32_t& face : from_copy) face = face < count ? face : 40 + (face - count) / 2;
+  EXPECT_THAT(from_copy, testing::UnorderedElementsAreArray(once));
+}
+
 // A second search must not remember the first.
 TEST_F(RegionTest, SearchesDoNotDisturbEachOther) {
   const HighlightSurface shape = surface(sheet(8, 1.0));

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numbers>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -51,14 +53,17 @@ void add_changes(const Projector& before, const Projector& after, double diagona
   changes.turn_deg = std::max(changes.turn_deg, angle_deg(before, after));
 }
 
-/// Points of one frame with the frames that each has existed: it is the nearest one of the frame before.
+/// Points of one frame with the frames that each has been there and lit: it is the nearest one of the frame
+/// before.
 struct AgedPoint {
   HighlightPoint point;
   int frames = 0;
+  bool is_lit = true;
 };
 
 std::vector<AgedPoint> aged(const std::vector<HighlightPoint>& points, const std::vector<AgedPoint>& before,
-                            double reach_m) {
+                            double reach_m, const LampShadow& shadow, const Source& lamp,
+                            const HighlightSize& size) {
   std::vector<AgedPoint> result;
   for (const HighlightPoint& point : points) {
     const AgedPoint* nearest = nullptr;
@@ -69,7 +74,8 @@ std::vector<AgedPoint> aged(const std::vector<HighlightPoint>& points, const std
       least_m = distance_m;
       nearest = &old;
     }
-    result.push_back({point, nearest == nullptr ? 0 : nearest->frames + 1});
+    const bool is_lit = shadow.lit_share(projector_at(point, size), lamp) > 0.5;
+    result.push_back({point, nearest == nullptr || !is_lit ? 0 : nearest->frames + 1, is_lit});
   }
   return result;
 }
@@ -85,6 +91,18 @@ bool is_covered(const HighlightPoint& point, const std::vector<HighlightTrack>& 
   });
 }
 
+/// The tracks of a mesh, each as opaque as it is drawn.
+std::vector<HighlightTrack> as_drawn(const world::MeshView& view) {
+  std::vector<HighlightTrack> tracks = view.tracks()->tracks();
+  for (HighlightTrack& track : tracks) track.opacity = 0.0;
+  for (const DrawnHighlight& drawn : view.highlights()) {
+    std::lower_bound(tracks.begin(), tracks.end(), drawn.id, [](const auto& track, std::uint64_t id) {
+      return track.id < id;
+    })->opacity += drawn.opacity;
+  }
+  return tracks;
+}
+
 }  // namespace
 
 RigidMotion TurningMesh::motion(const HighlightSurface& surface, double time_s) const {
@@ -94,18 +112,37 @@ RigidMotion TurningMesh::motion(const HighlightSurface& surface, double time_s) 
   return {rotation, -(rotation * surface.middle_m())};
 }
 
+Lighting TurningMesh::world_lighting(const HighlightSurface& surface) const {
+  return {{Source::Kind::place, glm::dvec3(0.1, 0.3, 2.0) * surface.diagonal_m()},
+          {{Source::Kind::direction, {0.5, 0.8, 0.6}}}};
+}
+
 Lighting TurningMesh::lighting(const HighlightSurface& surface, double time_s) const {
-  const Lighting world{{Source::Kind::place, glm::dvec3(0.1, 0.3, 2.0) * surface.diagonal_m()},
-                       {{Source::Kind::direction, {0.5, 0.8, 0.6}}}};
-  return in_mesh_axes(world, motion(surface, time_s));
+  return in_mesh_axes(world_lighting(surface), motion(surface, time_s));
 }
 
 LightingAt TurningMesh::lighting_at(const HighlightSurface& surface) const {
   return [this, &surface](double time_s) { return lighting(surface, time_s); };
 }
 
-Coherence turn(const HighlightSurface& surface, const TurningMesh& turning, HighlightTracks& tracks) {
+world::MeshView view_of(const HighlightSurface& surface, const TurningMesh& turning) {
+  world::MeshParameters parameters;
+  parameters.name = "turning";
+  parameters.mesh = std::make_shared<TriangleMesh>(surface.mesh());
+  parameters.curvatures = std::make_shared<VertexCurvatures>(surface.curvatures());
+  parameters.motion = [&](double time_s) { return turning.motion(surface, time_s); };
+  return {surface.device(), parameters};
+}
+
+void show(world::MeshView& view, const TurningMesh& turning, double time_s) {
+  view.at(
+      time_s, [&](double) { return turning.world_lighting(view.surface()); }, 0.0);
+}
+
+Coherence turn(world::MeshView& view, const TurningMesh& turning) {
   Coherence result;
+  const HighlightSurface& surface = view.surface();
+  const LampShadow shadow(surface);
   HighlightPoints search(surface.device());
   const double diagonal_m = surface.diagonal_m();
   std::map<std::uint64_t, HighlightTrack> before;
@@ -115,16 +152,20 @@ Coherence turn(const HighlightSurface& surface, const TurningMesh& turning, High
   RigidMotion motion_before;
   for (int frame = 0; frame < turning.moving_frames; ++frame) {
     const double time_s = frame / turning.frames_per_s;
-    tracks.advance_to(time_s);
+    show(view, turning, time_s);
+    const std::vector<HighlightTrack> tracks = as_drawn(view);
     const RigidMotion motion = turning.motion(surface, time_s);
-    points = aged(search.find(surface, turning.lighting(surface, time_s)), points, 0.03 * diagonal_m);
+    const Lighting lighting = turning.lighting(surface, time_s);
+    points = aged(search.find(surface, lighting), points, 0.03 * diagonal_m, shadow, lighting.lamps[0],
+                  view.tracks()->options().size);
     for (const AgedPoint& point : points) {
+      result.in_shadow += point.is_lit ? 0 : 1;
       if (point.frames < grown_up_frames) continue;
       ++grown_up;
-      covered += static_cast<std::size_t>(is_covered(point.point, tracks.tracks(), diagonal_m));
+      covered += static_cast<std::size_t>(is_covered(point.point, tracks, diagonal_m));
     }
     std::map<std::uint64_t, HighlightTrack> now;
-    for (const HighlightTrack& track : tracks.tracks()) {
+    for (const HighlightTrack& track : tracks) {
       now[track.id] = track;
       const auto old = before.find(track.id);
       const double opacity_before = old == before.end() ? 0.0 : old->second.opacity;

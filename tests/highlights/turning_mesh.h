@@ -1,11 +1,9 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "host/highlights/highlight_frame.h"
 #include "host/highlights/highlight_surface.h"
 #include "host/highlights/highlight_tracks.h"
+#include "host/world/mesh_view.h"
 
 namespace offing::test {
 
@@ -16,6 +14,7 @@ struct TurningMesh {
   int moving_frames = 720;
 
   highlights::RigidMotion motion(const highlights::HighlightSurface& surface, double time_s) const;
+  highlights::Lighting world_lighting(const highlights::HighlightSurface& surface) const;
   highlights::Lighting lighting(const highlights::HighlightSurface& surface, double time_s) const;
   highlights::LightingAt lighting_at(const highlights::HighlightSurface& surface) const;
 };
@@ -31,14 +30,21 @@ struct FrameChanges {
 /// How well highlights kept up with the points that were searched for.
 struct Coherence {
   FrameChanges changes;
-  double covered = 0.0;            ///< share of points of at least ten frames of age that carry a highlight
+  /// Share of points that carry a highlight, of those that have been there and in the light for ten frames.
+  double covered = 0.0;
   double median_lag_frames = 0.0;  ///< distance behind the point over its way in a frame
   double mean_points = 0.0, mean_shown = 0.0;
   std::size_t births = 0;
+  std::size_t in_shadow = 0;  ///< points of all frames that their lamp does not reach
 };
 
+/// The mesh of a surface, turning. Both must outlive it.
+world::MeshView view_of(const highlights::HighlightSurface& surface, const TurningMesh& turning);
+
+/// Shows it at a time, as one picture of a sequence that begins at 0.
+void show(world::MeshView& view, const TurningMesh& turning, double time_s);
+
 /// Turns a mesh for all its frames.
-Coherence turn(const highlights::HighlightSurface& surface, const TurningMesh& turning,
-               highlights::HighlightTracks& tracks);
+Coherence turn(world::MeshView& view, const TurningMesh& turning);
 
 }  // namespace offing::test

@@ -292,5 +292,28 @@ TEST_F(HighlightPassTest, IsTheSameByEveryVersionOfOpenGl) {
   }
 }
 
+// A sheet with a front and a back and without normals, and one whose normals turn over within a face: fails
+// if a pixel is no number, which would spread over all that is made of the picture.
+TEST_F(HighlightPassTest, NormalsThatCancelGiveNumbers) {
+  mesh_shapes::Shape sheet;
+  sheet.mesh.positions_m = {{-1.0, -1.0, 0.0}, {1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}, {-1.0, 1.0, 0.0}};
+  sheet.mesh.faces = {{0, 1, 2}, {0, 2, 1}, {0, 2, 3}, {0, 3, 2}};
+  mesh_shapes::Shape turned = sheet;
+  turned.mesh.normals = {{0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}, {0.0, 0.0, -1.0}, {0.0, 0.0, 1.0}};
+  for (const mesh_shapes::Shape& shape : {sheet, turned}) {
+    for (const world::BaseShading shading : {world::BaseShading::phong, world::BaseShading::gouraud,
+                                             world::BaseShading::cartoon, world::BaseShading::flat}) {
+      world::MeshParameters mesh = mesh_of(shape);
+      mesh.material.shading = shading;
+      mesh.has_highlights = true;
+      open(mesh);
+      const std::vector<float> picture = light();
+      EXPECT_TRUE(std::all_of(picture.begin(), picture.end(), [](float value) {
+        return std::isfinite(value);
+      })) << static_cast<int>(shading);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace offing::present
