@@ -25,6 +25,8 @@ struct Metaball {
   glm::dvec3 centre_m{0.0};  ///< in the cloud's axes
   double radius_m = 100.0;
   double weight = 1.0;
+
+  bool operator==(const Metaball&) const = default;
 };
 
 /// Noise that frays a cloud (C2, C3).
@@ -38,6 +40,8 @@ struct Turbulence {
   double wisp = 1.0;          ///< exponent of C3
   double edge = 0.3;          ///< implicit density below which the noise fades out
   double change_per_s = 0.0;  ///< how fast it changes by itself: noise lengths in the fourth dimension
+
+  bool operator==(const Turbulence&) const = default;
 };
 
 /// One level of a hierarchy (C7): radius = ratio * (parent's radius + deviation * rand).
@@ -45,6 +49,8 @@ struct HierarchyLevel {
   double ratio = 0.5;
   double deviation_m = 0.0;
   double repulsion = 1.0;  ///< radius that sets the spacing, in drawn radii
+
+  bool operator==(const HierarchyLevel&) const = default;
 };
 
 /// What a cloud scatters with (C10, C11).
@@ -67,6 +73,8 @@ struct CloudMotion {
   glm::dvec3 wind_mps{0.0};  ///< at the cloud's own altitude
   double shear_per_s = 0.0;  ///< how much faster wind is, a metre higher, along itself
   double drag = 0.0;         ///< beta of C4: how far thin parts run ahead of dense ones, s
+
+  bool operator==(const CloudMotion&) const = default;
 };
 
 /// One cloud.
@@ -84,6 +92,9 @@ struct CloudParameters {
   std::vector<HierarchyLevel> levels;
   CloudLook look;
   CloudMotion motion;
+
+  /// Shapes are equal that are the same object.
+  bool operator==(const CloudParameters&) const = default;
 };
 
 /// What light falls on clouds.
