@@ -28,6 +28,8 @@ typedef std::uint64_t offing_uint64;
 #define OFFING_STREAM_TERRAIN_GULLIES 0x7e110001u
 // Made shapes: n is a vertex or a cell, m what is drawn for it.
 #define OFFING_STREAM_SHAPES 0x5a9e0000u
+// Puff textures of clouds: n and m are a lattice point, index the octave of a texture.
+#define OFFING_STREAM_CLOUD_PUFFS 0xc10d0200u
 
 typedef struct {
   offing_uint32 v[4];
