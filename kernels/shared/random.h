@@ -28,6 +28,8 @@ typedef std::uint64_t offing_uint64;
 #define OFFING_STREAM_TERRAIN_GULLIES 0x7e110001u
 // Made shapes: n is a vertex or a cell, m what is drawn for it.
 #define OFFING_STREAM_SHAPES 0x5a9e0000u
+// Light traced through clouds: n and m are the low and high word of the path's number.
+#define OFFING_STREAM_CLOUD_PATHS 0xc10d0100u
 
 typedef struct {
   offing_uint32 v[4];
