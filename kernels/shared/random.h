@@ -35,6 +35,8 @@ typedef std::uint64_t offing_uint64;
 #define OFFING_STREAM_CLOUD_NOISE 0xc0000000u
 // Shifts of the noise's octaves: n is the octave.
 #define OFFING_STREAM_CLOUD_OCTAVES 0xb1000000u
+// Light traced through clouds: n and m are the low and high word of the path's number.
+#define OFFING_STREAM_CLOUD_PATHS 0xb3000000u
 
 typedef struct {
   offing_uint32 v[4];
