@@ -13,6 +13,7 @@
 #include "host/clouds/ball_bins.h"
 #include "host/clouds/metaball.h"
 #include "host/clouds/noise_octaves.h"
+#include "host/clouds/particle_motion.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/program.h"
 #include "kernels/shared/cloud_field.h"
@@ -212,7 +213,7 @@ CloudVolume field_volume(const ocl::Device& device, const CloudParameters& param
     const std::vector<CloudOctave> octaves = octaves_on();
     volume = volume_of_balls(device, grid, balls, field_params(grid, parameters, octaves.size()), octaves);
   }
-  volume.origin_m = parameters.position_m + parameters.motion.wind_mps * time_s + grid.corner_m;
+  volume.origin_m = cloud_origin_m(parameters, time_s) + grid.corner_m;
   volume.extinction_per_m = parameters.look.extinction_per_m;
   return volume;
 }

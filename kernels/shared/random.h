@@ -37,6 +37,13 @@ typedef std::uint64_t offing_uint64;
 #define OFFING_STREAM_CLOUD_OCTAVES 0xb1000000u
 // Light traced through clouds: n and m are the low and high word of the path's number.
 #define OFFING_STREAM_CLOUD_PATHS 0xb3000000u
+// Growing hierarchies: n is the parent, m its level, index counts what is drawn.
+#define OFFING_STREAM_CLOUD_HIERARCHY 0xb1000001u
+// Particles: n is what is drawn, index the particle's id.
+#define OFFING_STREAM_CLOUD_PARTICLES 0xb1000002u
+// Layouts of clouds: n is the genus or the cloud of a sky, index counts what is drawn.
+#define OFFING_STREAM_CLOUD_LAYOUT 0xb1000003u
+#define OFFING_STREAM_CLOUD_SKY 0xb1000004u
 
 typedef struct {
   offing_uint32 v[4];
