@@ -27,6 +27,8 @@ struct Metaball {
   glm::dvec3 centre_m{0.0};  ///< in the cloud's axes
   double radius_m = 100.0;
   double weight = 1.0;
+
+  bool operator==(const Metaball&) const = default;
 };
 
 /// Noise that frays a cloud (C2, C3).
@@ -40,6 +42,8 @@ struct Turbulence {
   double wisp = 1.0;          ///< exponent of C3
   double edge = 0.3;          ///< implicit density below which the noise fades out
   double change_per_s = 0.0;  ///< how fast it changes by itself: noise lengths in the fourth dimension
+
+  bool operator==(const Turbulence&) const = default;
 };
 
 /// One level of a hierarchy (C7): radius = ratio * (parent's radius + deviation * rand).
@@ -47,6 +51,8 @@ struct HierarchyLevel {
   double ratio = 0.5;
   double deviation_m = 0.0;
   double repulsion = 1.0;  ///< radius that sets the spacing, in drawn radii
+
+  bool operator==(const HierarchyLevel&) const = default;
 };
 
 /// What a cloud scatters with (C10, C11).
@@ -76,12 +82,16 @@ struct CloudHeat {
   double damping_per_s = 0.004;   ///< of the swings
   double condensation_m = 0.0;    ///< the level, in the cloud's axes
   double condensing_m = 100.0;    ///< how far above it its water is all condensed
+
+  bool operator==(const CloudHeat&) const = default;
 };
 
 /// A sphere that the wind carries a cloud around (C15), in the world.
 struct CloudObstacle {
   glm::dvec3 centre_m{0.0};
   double radius_m = 100.0;
+
+  bool operator==(const CloudObstacle&) const = default;
 };
 
 /// How a cloud moves (C4, C15). Its place at any time follows from the time alone.
@@ -96,6 +106,8 @@ struct CloudMotion {
   std::optional<std::array<KeyframeTrack, 3>> path = {};
   std::optional<CloudHeat> heat = {};
   std::optional<CloudObstacle> obstacle = {};
+
+  bool operator==(const CloudMotion&) const = default;
 };
 
 /// One cloud.
@@ -116,6 +128,9 @@ struct CloudParameters {
   std::optional<double> base_m = {};
   CloudLook look;
   CloudMotion motion;
+
+  /// Shapes are equal that are the same object.
+  bool operator==(const CloudParameters&) const = default;
 };
 
 /// Throws Error(bad_input) that names the first value out of range: "cloud.ball[2].radius_m".
