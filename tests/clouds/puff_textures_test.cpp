@@ -59,8 +59,8 @@ const PuffTextures* PuffTexturesTest::textures_ = nullptr;
 // Fails if billboards are more or less opaque in the mean than the density they stand for, over any ring of
 // texels that are equally far from the middle, or turn to one side. Bound: a byte holds 1/510, edges of
 // patterns are found within 1e-3 of their mean, rings here cut through those that the means were held in.
-// Measured 0.0045 over all 32 textures and both patterns, 0.022 for turns, which rings here mix. Gates 0.01
-// and 0.04.
+// Measured 0.0037 over all 32 textures and both patterns, 0.003 for turns. Gates 0.01
+// both.
 TEST_F(PuffTexturesTest, KeepsMeansOfRings) {
   double worst = 0.0, worst_turn = 0.0;
   for (int texture = 0; texture < 2 * CLOUD_TEXTURES; ++texture) {
