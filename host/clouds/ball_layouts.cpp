@@ -19,18 +19,18 @@ std::vector<Metaball> cumulus(RandomDraws& draws) {
     const double angle = 2.0 * pi * (i + draws.between(-0.3, 0.3)) / 8.0, out = draws.between(0.45, 0.95);
     const double radius_m = 230.0 - 90.0 * out + draws.between(-15.0, 15.0);
     balls.push_back(
-        {{560.0 * out * std::cos(angle), 0.75 * radius_m, 360.0 * out * std::sin(angle)}, radius_m});
+        {{680.0 * out * std::cos(angle), 0.75 * radius_m, 400.0 * out * std::sin(angle)}, radius_m});
   }
   for (int i = 0; i < 4; ++i) {
     const double angle = 2.0 * pi * (i + draws.between(-0.3, 0.3)) / 4.0;
     const double radius_m = draws.between(170.0, 220.0);
     balls.push_back(
-        {{240.0 * std::cos(angle), draws.between(300.0, 390.0), 160.0 * std::sin(angle)}, radius_m});
+        {{290.0 * std::cos(angle), draws.between(260.0, 350.0), 190.0 * std::sin(angle)}, radius_m});
   }
   balls.push_back(
-      {{draws.between(-120.0, 0.0), draws.between(520.0, 580.0), draws.between(-60.0, 60.0)}, 190.0});
+      {{draws.between(-120.0, 0.0), draws.between(440.0, 500.0), draws.between(-60.0, 60.0)}, 190.0});
   balls.push_back(
-      {{draws.between(20.0, 160.0), draws.between(650.0, 720.0), draws.between(-60.0, 60.0)}, 150.0});
+      {{draws.between(20.0, 160.0), draws.between(540.0, 600.0), draws.between(-60.0, 60.0)}, 160.0});
   return balls;
 }
 

@@ -14,9 +14,9 @@ namespace {
 
 // In the order of Genus.
 constexpr std::array<GenusRange, 8> ranges{{
-    {"cirrus", 6000.0, 12000.0, 500.0, 6000.0},
+    {"cirrus", 6000.0, 12000.0, 500.0, 4800.0},
     {"stratus", 100.0, 900.0, 300.0, 2700.0},
-    {"cumulus", 500.0, 1500.0, 900.0, 1500.0},
+    {"cumulus", 500.0, 1500.0, 800.0, 1700.0},
     {"stratocumulus", 700.0, 2000.0, 400.0, 3600.0},
     {"altocumulus", 2500.0, 5500.0, 180.0, 3600.0},
     {"cumulonimbus", 400.0, 1200.0, 9300.0, 11000.0},
@@ -54,8 +54,8 @@ void dress(Genus genus, CloudParameters& cloud) {
     case Genus::cumulus:
       // Thick, dense, crisp: repulsion radii below the drawn ones, so that particles overlap.
       cloud.modelling = Modelling::hierarchical;
-      cloud.levels = {{.ratio = 0.5, .deviation_m = 20.0, .repulsion = 0.9},
-                      {.ratio = 0.5, .deviation_m = 10.0, .repulsion = 0.9}};
+      cloud.levels = {{.ratio = 0.5, .deviation_m = 20.0, .repulsion = 0.86},
+                      {.ratio = 0.5, .deviation_m = 10.0, .repulsion = 0.86}};
       cloud.base_m = 0.0;
       cloud.look.extinction_per_m = 0.04;
       cloud.motion.sway_m = 12.0;

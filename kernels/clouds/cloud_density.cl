@@ -103,14 +103,15 @@ __kernel __attribute__((reqd_work_group_size(64, 1, 1))) void cloud_density(
     const float at_z = fraction_of(from_z) + (float)row_z * step;
     // Rounding may put a place on the last lattice point, where the cell before it gives the same.
     const int low_y = min((int)at_y, points_y - 2), low_z = min((int)at_z, points_z - 2);
+    const float y_fraction = at_y - (float)low_y, z_fraction = at_z - (float)low_z;
+    const float y_fade = noise_fade(y_fraction), z_fade = noise_fade(z_fraction);
     // Along the row, each lattice column gives slope * dx + value: the sum over its four rows.
     float8 slope = 0.0f, value = 0.0f;
     for (int corner = 0; corner < 4; ++corner) {
-      const float dy = at_y - (float)(low_y + (corner & 1)), dz = at_z - (float)(low_z + (corner >> 1));
-      const float near_y = 1.0f - fabs(dy), near_z = 1.0f - fabs(dz);
-      const float weight = near_y * near_y * near_y * (near_y * (6.0f * near_y - 15.0f) + 10.0f) * near_z *
-                           near_z * near_z * (near_z * (6.0f * near_z - 15.0f) + 10.0f);
-      const int point = low_y + (corner & 1) + (low_z + (corner >> 1)) * points_y;
+      const int up = corner & 1, on = corner >> 1;
+      const float weight = (up ? y_fade : 1.0f - y_fade) * (on ? z_fade : 1.0f - z_fade);
+      const float dy = y_fraction - (float)up, dz = z_fraction - (float)on;
+      const int point = low_y + up + (low_z + on) * points_y;
       slope += weight * lattice_x[point];
       value += weight * (lattice_y[point] * dy + lattice_z[point] * dz + lattice_value[point]);
     }

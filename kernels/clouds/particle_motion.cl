@@ -12,8 +12,6 @@
 // Octaves of the noise that density has no use for (CLOUD_OCTAVES_MOST), one an axis.
 #define SWAY_OCTAVE 13u
 
-static inline float fade(float t) { return t * t * t * (t * (6.0f * t - 15.0f) + 10.0f); }
-
 // Gradient noise at a place in wavelengths: mean 0, deviation 0.17.
 static float noise(const CloudMotionParams* params, uint octave, float x, float y, float z) {
   const float low_x = floor(x), low_y = floor(y), low_z = floor(z);
@@ -25,7 +23,7 @@ static float noise(const CloudMotionParams* params, uint octave, float x, float 
         noise_lattice8(params->seed_low, params->seed_high, octave, params->sway_layer, params->sway_fraction,
                        (int)low_x, (int)low_y + (corner & 1), (int)low_z + (corner >> 1));
     const float2 ends = row.x.s01 * (float2)(dx, dx - 1.0f) + row.y.s01 * dy + row.z.s01 * dz + row.value.s01;
-    sum += fade(1.0f - fabs(dy)) * fade(1.0f - fabs(dz)) * mix(ends.x, ends.y, fade(dx));
+    sum += noise_fade(1.0f - fabs(dy)) * noise_fade(1.0f - fabs(dz)) * mix(ends.x, ends.y, noise_fade(dx));
   }
   return sum;
 }

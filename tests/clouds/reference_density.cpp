@@ -28,7 +28,9 @@ std::array<double, 4> gradient(std::uint64_t seed, int octave, const std::array<
           std::sqrt(share) * std::cos(second), std::sqrt(share) * std::sin(second)};
 }
 
-double gradient_noise(std::uint64_t seed, int octave, const std::array<double, 4>& place) {
+}  // namespace
+
+double reference_noise(std::uint64_t seed, int octave, const std::array<double, 4>& place) {
   double sum = 0.0;
   for (int corner = 0; corner < 16; ++corner) {
     std::array<std::int64_t, 4> point;
@@ -44,8 +46,6 @@ double gradient_noise(std::uint64_t seed, int octave, const std::array<double, 4
   }
   return sum;
 }
-
-}  // namespace
 
 double reference_turbulence(const Turbulence& turbulence, std::uint64_t seed, const glm::dvec3& place_m,
                             double time_s, double shortest_m) {
@@ -75,7 +75,7 @@ double reference_turbulence(const Turbulence& turbulence, std::uint64_t seed, co
     for (std::size_t axis = 0; axis < 4; ++axis) {
       place[axis] += static_cast<double>(uniform_open01(shift.v[axis]));
     }
-    sum += amplitude * gradient_noise(seed, octave, place);
+    sum += amplitude * reference_noise(seed, octave, place);
   }
   return 1.0 / (1.0 + std::exp(-1.702 * sum / std::sqrt(sum_variance)));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include <glm/vec3.hpp>
@@ -7,6 +8,9 @@
 #include "host/clouds/cloud_parameters.h"
 
 namespace offing::clouds {
+
+/// Gradient noise of four dimensions, at a place in wavelengths: of an octave, without its shift.
+double reference_noise(std::uint64_t seed, int octave, const std::array<double, 4>& place);
 
 /// The noise of a cloud (C2) in double precision, in (0, 1), all octaves whose wavelength is shortest_m at
 /// least: written for one point at a time, all 16 corners summed, no fixed point.
