@@ -14,8 +14,8 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 std::string_view to_string(Stage stage) {
-  constexpr std::array<std::string_view, stage_count> names{"simulate", "terrain", "transfer", "sky",
-                                                            "water",    "meshes",  "tone",     "panels"};
+  constexpr std::array<std::string_view, stage_count> names{
+      "simulate", "terrain", "transfer", "sky", "water", "meshes", "clouds", "tone", "panels"};
   return names[static_cast<std::size_t>(stage)];
 }
 

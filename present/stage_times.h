@@ -10,8 +10,8 @@
 namespace offing::present {
 
 /// Parts of a frame whose time is shown.
-enum class Stage { simulate, terrain, transfer, sky, water, meshes, tone, panels };
-inline constexpr std::size_t stage_count = 8;
+enum class Stage { simulate, terrain, transfer, sky, water, meshes, clouds, tone, panels };
+inline constexpr std::size_t stage_count = 9;
 std::string_view to_string(Stage stage);
 
 /// Who measures a stage: the CPU's clock, or that of the device that works: OpenCL's events, OpenGL's

@@ -11,10 +11,10 @@ namespace offing::present {
 namespace {
 
 // Told apart also by those who do not see red and green (Okabe & Ito 2008).
-constexpr std::array<ImU32, stage_count> colours{IM_COL32(86, 180, 233, 255),  IM_COL32(213, 94, 0, 255),
-                                                 IM_COL32(230, 159, 0, 255),   IM_COL32(240, 228, 66, 255),
-                                                 IM_COL32(0, 114, 178, 255),   IM_COL32(190, 190, 190, 255),
-                                                 IM_COL32(204, 121, 167, 255), IM_COL32(0, 158, 115, 255)};
+constexpr std::array<ImU32, stage_count> colours{
+    IM_COL32(86, 180, 233, 255),  IM_COL32(213, 94, 0, 255),    IM_COL32(230, 159, 0, 255),
+    IM_COL32(240, 228, 66, 255),  IM_COL32(0, 114, 178, 255),   IM_COL32(190, 190, 190, 255),
+    IM_COL32(250, 250, 250, 255), IM_COL32(204, 121, 167, 255), IM_COL32(0, 158, 115, 255)};
 
 /// The graph's upper end: round, and above all but single frames that stood still.
 float scale_ms(const StageTimes& times, TimeSource source) {

@@ -29,4 +29,8 @@ struct CloudVolume {
   std::vector<float> density;
 };
 
+/// Throws Error(bad_input) for a volume whose sizes or places of bricks do not fit each other, or with a
+/// density that is negative, infinite or not a number.
+void require_valid(const CloudVolume& volume);
+
 }  // namespace offing

@@ -53,6 +53,12 @@ const char* title(ParameterGroup group) {
       return "Meshes";
     case ParameterGroup::highlight:
       return "Highlights";
+    case ParameterGroup::clouds:
+    case ParameterGroup::cloud_layer:
+    case ParameterGroup::cloud:
+    case ParameterGroup::cloud_ball:
+    case ParameterGroup::cloud_level:
+      return "Clouds";
   }
   return "";
 }

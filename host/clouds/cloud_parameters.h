@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "host/base/cloud_volume.h"
+#include "host/base/keyframes.h"
 
 namespace offing::clouds {
 
@@ -25,6 +27,8 @@ struct Metaball {
   glm::dvec3 centre_m{0.0};  ///< in the cloud's axes
   double radius_m = 100.0;
   double weight = 1.0;
+
+  bool operator==(const Metaball&) const = default;
 };
 
 /// Noise that frays a cloud (C2, C3).
@@ -38,6 +42,8 @@ struct Turbulence {
   double wisp = 1.0;          ///< exponent of C3
   double edge = 0.3;          ///< implicit density below which the noise fades out
   double change_per_s = 0.0;  ///< how fast it changes by itself: noise lengths in the fourth dimension
+
+  bool operator==(const Turbulence&) const = default;
 };
 
 /// One level of a hierarchy (C7): radius = ratio * (parent's radius + deviation * rand).
@@ -45,6 +51,8 @@ struct HierarchyLevel {
   double ratio = 0.5;
   double deviation_m = 0.0;
   double repulsion = 1.0;  ///< radius that sets the spacing, in drawn radii
+
+  bool operator==(const HierarchyLevel&) const = default;
 };
 
 /// What a cloud scatters with (C10, C11).
@@ -62,11 +70,44 @@ struct CloudLook {
   bool operator==(const CloudLook&) const = default;
 };
 
+/// Warm air that carries a cloud (C15): it rises until it is no warmer than the air around it, swings about
+/// that height, cools, and sinks again. There is cloud only above the level at which its water condenses, so
+/// that it forms as it rises and dissolves as it sinks.
+struct CloudHeat {
+  double begins_s = 0.0;
+  double excess_k = 2.0;          ///< over the air around it, when it begins
+  double spread = 0.3;            ///< how much that differs between its parts, 0 ... 1
+  double cooling_s = 1200.0;      ///< in which the excess falls to 1 / e
+  double stability_per_s = 0.01;  ///< of the air: frequency at which it swings (Brunt-Vaisala)
+  double damping_per_s = 0.004;   ///< of the swings
+  double condensation_m = 0.0;    ///< the level, in the cloud's axes
+  double condensing_m = 100.0;    ///< how far above it its water is all condensed
+
+  bool operator==(const CloudHeat&) const = default;
+};
+
+/// A sphere that the wind carries a cloud around (C15), in the world.
+struct CloudObstacle {
+  glm::dvec3 centre_m{0.0};
+  double radius_m = 100.0;
+
+  bool operator==(const CloudObstacle&) const = default;
+};
+
 /// How a cloud moves (C4, C15). Its place at any time follows from the time alone.
 struct CloudMotion {
-  glm::dvec3 wind_mps{0.0};  ///< at the cloud's own altitude
-  double shear_per_s = 0.0;  ///< how much faster wind is, a metre higher, along itself
-  double drag = 0.0;         ///< beta of C4: how far thin parts run ahead of dense ones, s
+  glm::dvec3 wind_mps{0.0};      ///< at the cloud's own altitude
+  double shear_per_s = 0.0;      ///< how much faster wind is, a metre higher, along itself
+  double shear_lasts_s = 600.0;  ///< after which a cloud turns over instead of leaning more
+  double drag = 0.0;             ///< beta of C4: how far thin parts run ahead of dense ones, s
+  double sway_m = 0.0;           ///< how far eddies of its noise move its parts
+  /// Places of its origin in the world along x, y, z, m, in place of its position and its drift with the
+  /// wind.
+  std::optional<std::array<KeyframeTrack, 3>> path = {};
+  std::optional<CloudHeat> heat = {};
+  std::optional<CloudObstacle> obstacle = {};
+
+  bool operator==(const CloudMotion&) const = default;
 };
 
 /// One cloud.
@@ -82,9 +123,18 @@ struct CloudParameters {
   Sampling sampling = Sampling::uniform;
   int target_particles = 1000;  ///< of a sampled cloud
   std::vector<HierarchyLevel> levels;
+  /// Height below which a hierarchical cloud is pressed flat, in its axes: what would hang lower is pressed
+  /// to a tenth of its depth.
+  std::optional<double> base_m = {};
   CloudLook look;
   CloudMotion motion;
+
+  /// Shapes are equal that are the same object.
+  bool operator==(const CloudParameters&) const = default;
 };
+
+/// Throws Error(bad_input) that names the first value out of range: "cloud.ball[2].radius_m".
+void require_valid(const CloudParameters& parameters);
 
 /// What light falls on clouds.
 struct CloudSun {

@@ -31,6 +31,7 @@ constexpr std::array rows{
     TuningRow{"trochoids", DeviceClass::vector_cpu, strip},
     TuningRow{"terrain", DeviceClass::vector_cpu, strip},
     TuningRow{"highlights", DeviceClass::vector_cpu, strip},
+    TuningRow{"clouds", DeviceClass::vector_cpu, strip},
 };
 
 DeviceClass class_of(const DeviceInfo& device) {

@@ -12,6 +12,7 @@
 #include "host/ocean/ocean.h"
 #include "host/ocean/spectrum_parameters.h"
 #include "host/ocean/trochoids.h"
+#include "host/scene/cloud_scene.h"
 #include "host/scene/mesh_scene.h"
 #include "host/scene/terrain_scene.h"
 #include "host/scene/view_scene.h"
@@ -83,11 +84,15 @@ struct OceanScene {
   TerrainScene terrain;
   std::vector<LightScene> lights;
   std::vector<MeshScene> meshes;
-  /// Ground and meshes that are given without a sea stand alone.
-  bool has_sea() const { return names_sea || (!terrain.is_given && meshes.empty()); }
+  CloudsScene cloud_settings;
+  std::vector<CloudScene> clouds;
+  std::vector<CloudLayerScene> cloud_layers;
+  bool has_clouds() const { return !clouds.empty() || !cloud_layers.empty(); }
+  /// Ground, meshes and clouds that are given without a sea stand alone.
+  bool has_sea() const { return names_sea || !(terrain.is_given || !meshes.empty() || has_clouds()); }
 
   ViewScene view;  ///< for the presenter; no simulation reads it
-  /// Each number that moves -> how, in the stored unit; see view_at() and meshes_at().
+  /// Each number that moves -> how, in the stored unit; see view_at(), meshes_at() and prepare_clouds().
   std::map<ValueKey, KeyframeTrack> tracks;
 
   std::map<ValueKey, std::string> set_at;  ///< each parameter that was set -> where

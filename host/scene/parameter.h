@@ -59,7 +59,12 @@ enum class ParameterGroup {
   walk,
   light,
   mesh,
-  highlight
+  highlight,
+  clouds,
+  cloud_layer,
+  cloud,
+  cloud_ball,
+  cloud_level
 };
 /// What a value must be beside its type: numbers within their range, text the name of a file.
 enum class ParameterRule { within_range, power_of_two, file_name, name };
@@ -100,6 +105,11 @@ enum class ParameterUse {
   split_highlight,     ///< of one in several copies
   shape_highlight,     ///< of one that is no picture
   picture_highlight,   ///< of one that is
+  filed_cloud,         ///< of a cloud that a .vdb makes
+  shaped_cloud,        ///< of one that a mesh or a text makes
+  text_cloud,          ///< of one that a text makes
+  heated_cloud,        ///< of one that warm air carries
+  obstructed_cloud,    ///< of one that flows around something
 };
 
 /// One row of the parameter table: everything there is to say about one value of a scene.

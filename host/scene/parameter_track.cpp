@@ -66,6 +66,8 @@ void store_track(OceanScene& scene, const Parameter& parameter, const std::vecto
   KeyframeTrack like{.interpolation = interpolation};
   if (parameter.motion == ParameterMotion::keyed_angle) like.period = 2.0 * std::numbers::pi;
   const ElementIndex element = last_element_or_first(scene, parameter, place);
+  // A number that may be absent is one from here on.
+  store(scene, parameter, written.front().value, written.front().value_place, element);
   const std::vector<double*> numbers = numbers_of(scene, parameter, element);
   std::vector<KeyframeTrack> tracks(numbers.size(), like);
   for (const WrittenKeyframe& key : written) {

@@ -89,6 +89,10 @@ std::vector<double*> numbers_of(OceanScene& scene, const Parameter& parameter, E
     using Kind = std::remove_cvref_t<decltype(storage)>;
     if constexpr (std::is_same_v<Kind, ValueAt<double>>) {
       return {&storage(scene, element)};
+    } else if constexpr (std::is_same_v<Kind, ValueAt<std::optional<double>>>) {
+      std::optional<double>& number = storage(scene, element);
+      if (!number) return {};
+      return {&*number};
     } else if constexpr (std::is_same_v<Kind, ValueAt<glm::dvec3>>) {
       glm::dvec3& triple = storage(scene, element);
       return {&triple.x, &triple.y, &triple.z};

@@ -57,6 +57,8 @@ std::string number_of(const OceanScene& one, const Parameter& row) {
 /// `{ keys = [{ t = 0, value = 5 }, ...] }`, from the tracks of the numbers of a value.
 std::string track_text(const OceanScene& scene, const Parameter& row, ElementIndex element) {
   OceanScene one = scene_of(row);
+  OceanScene copy = scene;                  // accessors hand out references that can be written through
+  copy_value(copy, element, row, one, {});  // of a number that may be absent: there is one
   const std::vector<double*> numbers = numbers_of(one, row, {});
   const KeyframeTrack& first = scene.tracks.at({row.key, element});
   std::string keys;
@@ -142,7 +144,7 @@ class SceneText {
   /// Sections that say something by being there, where all in them is as usual.
   void append_bare_sections() {
     if (scene_.terrain.is_given && !has_section("terrain")) append("[{}]", "terrain", {});
-    const bool needs_sea = scene_.terrain.is_given || !scene_.meshes.empty();
+    const bool needs_sea = scene_.terrain.is_given || !scene_.meshes.empty() || scene_.has_clouds();
     if (scene_.names_sea && needs_sea && !has_section("ocean")) append("[{}]", "ocean", {});
   }
 

@@ -10,6 +10,7 @@
 #include "host/io/tile_store/tile_store.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_elements.h"
+#include "host/scene/unused_cloud_parameters.h"
 #include "host/scene/unused_mesh_parameters.h"
 
 namespace offing::scene {
@@ -34,6 +35,7 @@ class Reasons {
   std::string against(const Parameter& row, ElementIndex element) const {
     if (row.group == ParameterGroup::light) return against_light(scene_.lights[element.outer], row.use);
     if (row.group == ParameterGroup::mesh) return against_mesh(scene_, element, row.use);
+    if (row.group == ParameterGroup::cloud) return against_cloud(scene_.clouds[element.outer], row.use);
     if (row.group == ParameterGroup::highlight) return against_highlight(scene_, element, row.use);
     return !has_sea_ && is_of_sea(row) ? "the scene has no [ocean]" : against(row.use);
   }

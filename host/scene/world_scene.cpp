@@ -30,6 +30,11 @@ SeaChange change_of(const Parameter& row) {
     case ParameterGroup::light:
     case ParameterGroup::mesh:
     case ParameterGroup::highlight:
+    case ParameterGroup::clouds:
+    case ParameterGroup::cloud_layer:
+    case ParameterGroup::cloud:
+    case ParameterGroup::cloud_ball:
+    case ParameterGroup::cloud_level:
       return SeaChange::none;
     case ParameterGroup::swell:
     case ParameterGroup::raindrop:

@@ -28,6 +28,22 @@ typedef std::uint64_t offing_uint64;
 #define OFFING_STREAM_TERRAIN_GULLIES 0x7e110001u
 // Made shapes: n is a vertex or a cell, m what is drawn for it.
 #define OFFING_STREAM_SHAPES 0x5a9e0000u
+// Puff textures of clouds: n and m are a lattice point, index the octave of a texture.
+#define OFFING_STREAM_CLOUD_PUFFS 0xb2000000u
+// Noise of clouds: n, m and index are a lattice point; bits 24 ... 27 are the octave, those below the layer of
+// the fourth dimension (kernels/clouds/noise_lattice.clh). All from 0xc0000000u to 0xcfffffffu are taken.
+#define OFFING_STREAM_CLOUD_NOISE 0xc0000000u
+// Shifts of the noise's octaves: n is the octave.
+#define OFFING_STREAM_CLOUD_OCTAVES 0xb1000000u
+// Light traced through clouds: n and m are the low and high word of the path's number.
+#define OFFING_STREAM_CLOUD_PATHS 0xb3000000u
+// Growing hierarchies: n is the parent, m its level, index counts what is drawn.
+#define OFFING_STREAM_CLOUD_HIERARCHY 0xb1000001u
+// Particles: n is what is drawn, index the particle's id.
+#define OFFING_STREAM_CLOUD_PARTICLES 0xb1000002u
+// Layouts of clouds: n is the genus or the cloud of a sky, index counts what is drawn.
+#define OFFING_STREAM_CLOUD_LAYOUT 0xb1000003u
+#define OFFING_STREAM_CLOUD_SKY 0xb1000004u
 
 typedef struct {
   offing_uint32 v[4];

@@ -19,7 +19,7 @@ def check(repository):
             faults.append(f"{path}: expected an #ifndef guard; OpenCL C 1.2 has no #pragma once")
         for body, name in STRUCT.findall(text):
             for member in filter(None, (part.strip() for part in body.split(";"))):
-                if member.split()[0] not in SCALARS | structs:
+                if member.removeprefix("unsigned ").split()[0] not in SCALARS | structs:
                     faults.append(
                         f"{path}: {name}: '{member}': expected a 4-byte scalar or a shared struct"
                     )

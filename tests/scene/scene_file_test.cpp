@@ -191,9 +191,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"unknown_nested", "version = 1\n[[ocean.cascade]]\npatch = 3\n",
                  "storm.toml:3:1: ocean.cascade.patch: expected a known key, got \"patch\"",
                  "did you mean patch_m?"},
-        BadScene{"planned_section", "version = 1\n[clouds]\ncount = 3\n",
-                 "storm.toml:2:2: clouds: expected parts that this version has, got one that it has not yet",
-                 "remove clouds from the scene"},
+        BadScene{"planned_section", "version = 1\n[body]\ncount = 3\n",
+                 "storm.toml:2:2: body: expected parts that this version has, got one that it has not yet",
+                 "remove body from the scene"},
         BadScene{"planned_nested", "version = 1\n[ocean.wake]\nsize = 16\n",
                  "storm.toml:2:8: ocean.wake: expected parts that this version has, got one that it has not "
                  "yet",
@@ -230,7 +230,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "version = 1\n[ocean]\ngamma = { keys = [{ t = 0, value = 1 }] }\n",
                  "storm.toml:3:9: ocean.gamma: expected one value, got keyframes, which it cannot have",
                  "write one constant value; keyframes are for camera, render, sun, sky, light, mesh, "
-                 "mesh.highlight"},
+                 "mesh.highlight, cloud"},
         BadScene{"keyframes_of_a_constant_beside_others",
                  "version = 1\n[sun]\ntime_scale = { keys = [{ t = 0, value = 1 }] }\n",
                  "storm.toml:3:14: sun.time_scale: expected one value, got keyframes, which it cannot have",

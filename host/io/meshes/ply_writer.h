@@ -12,7 +12,7 @@
 
 namespace offing::meshes {
 
-/// A scalar property of vertices; `type` is float, double or uchar.
+/// A scalar property of vertices; `type` is float, double, uchar or uint.
 struct PlyColumn {
   std::string_view type;
   std::string name;
@@ -36,6 +36,7 @@ class PlyWriter {
   void put(float value) { put(&value, 1); }
   void put(double value) { file_.write(&value, sizeof(value)); }
   void put(std::uint8_t value) { file_.write(&value, 1); }
+  void put(std::uint32_t value) { file_.write(&value, sizeof(value)); }
 
   void put_triangle(const std::array<std::uint32_t, 3>& corners);
   void commit() { file_.commit(); }

@@ -1,0 +1,131 @@
+#include "host/clouds/cloud_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/clouds/cloud_density.h"
+#include "host/clouds/cloud_particle.h"
+#include "host/clouds/hierarchy.h"
+#include "host/clouds/metaball.h"
+#include "host/clouds/sampled_particles.h"
+
+namespace offing::clouds {
+namespace {
+
+// Cells with density that a particle is merged from, about, and how near to that is near enough.
+constexpr double cells_a_particle = 20.0;
+constexpr double fewest_cells_a_particle = 8.0, most_cells_a_particle = 40.0;
+// What hangs below the base is pressed to this share of its depth.
+constexpr double pressed_share = 0.1;
+
+std::size_t cells_with_density(const CloudVolume& volume) {
+  return static_cast<std::size_t>(std::count_if(volume.density.begin(), volume.density.end(),
+                                                [](float density) { return density > 0.0f; }));
+}
+
+/// The field in cells such that there are some for each particle.
+CloudVolume volume_to_sample(const ocl::Device& device, const CloudParameters& parameters) {
+  double volume_m3 = 0.0;
+  for (const Metaball& ball : parameters.balls) {
+    volume_m3 += 4.0 / 3.0 * std::numbers::pi * std::pow(ball.radius_m, 3);
+  }
+  if (parameters.shape) {
+    volume_m3 = static_cast<double>(parameters.shape->density.size()) * std::pow(parameters.shape->cell_m, 3);
+  }
+  double cell_m = std::cbrt(std::max(volume_m3, 1e-9) / (cells_a_particle * parameters.target_particles));
+  CloudVolume volume = field_volume(device, parameters, std::max(cell_m, 1e-3), 0.0);
+  // Balls overlap and shapes fill their bricks in part: the true volume is known from the field alone.
+  for (int round = 0; round < 3; ++round) {
+    const double found = static_cast<double>(cells_with_density(volume)) / parameters.target_particles;
+    if (found == 0.0 || (found >= fewest_cells_a_particle && found <= most_cells_a_particle)) break;
+    cell_m *= std::cbrt(found / cells_a_particle);
+    volume = field_volume(device, parameters, std::max(cell_m, 1e-3), 0.0);
+  }
+  return volume;
+}
+
+std::vector<CloudParticle> sampled(const ocl::Device& device, const CloudParameters& parameters) {
+  const CloudVolume volume = volume_to_sample(device, parameters);
+  std::vector<CloudParticle> particles = sampled_particles(volume,
+                                                           {.sampling = parameters.sampling,
+                                                            .target_particles = parameters.target_particles,
+                                                            .seed = parameters.seed},
+                                                           parameters.look);
+  const glm::vec3 shift(volume.origin_m - cloud_origin_m(parameters, 0.0));
+  for (CloudParticle& particle : particles) {
+    particle.x += shift.x;
+    particle.y += shift.y;
+    particle.z += shift.z;
+  }
+  return particles;
+}
+
+std::vector<CloudParticle> hierarchical(const CloudParameters& parameters) {
+  const std::vector<HierarchyParticle> grown =
+      grown_hierarchy(parameters.balls, parameters.levels, parameters.seed);
+  std::vector<double> weights(grown.size());  // of the seed that each comes from
+  std::vector<CloudParticle> particles;
+  for (std::size_t i = 0; i < grown.size(); ++i) {
+    const HierarchyParticle& particle = grown[i];
+    weights[i] =
+        particle.parent < 0 ? parameters.balls[i].weight : weights[static_cast<std::size_t>(particle.parent)];
+    glm::dvec3 place_m = particle.centre_m;
+    if (parameters.base_m) {
+      // Pressed by its lower rim, so that all of it lies above.
+      const double lowest_m = place_m.y - 0.7 * particle.radius_m;
+      if (lowest_m < *parameters.base_m) {
+        place_m.y += (1.0 - pressed_share) * (*parameters.base_m - lowest_m);
+      }
+    }
+    const double optical_mass_m2 =
+        parameters.look.extinction_per_m * weights[i] * ball_mass * std::pow(particle.radius_m, 3);
+    particles.push_back(cloud_particle(place_m, particle.radius_m, optical_mass_m2, parameters.look,
+                                       PuffSet::hierarchical,
+                                       {parameters.seed, static_cast<std::uint32_t>(i)}));
+  }
+  return particles;
+}
+
+ocl::Buffer<CloudParticle> uploaded(const ocl::Device& device, std::span<const CloudParticle> particles) {
+  const CloudParticle none{};
+  return {device, particles.empty() ? std::span(&none, 1) : particles, "cloud particles at rest"};
+}
+
+}  // namespace
+
+std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const CloudParameters& parameters) {
+  require_valid(parameters);
+  const bool grows = parameters.modelling == Modelling::hierarchical && !parameters.shape;
+  return grows ? hierarchical(parameters) : sampled(device, parameters);
+}
+
+CloudModel::CloudModel(const ocl::Device& device, const CloudParameters& parameters, std::uint32_t cloud)
+    : CloudModel(device, parameters, particles_at_rest(device, parameters), cloud) {}
+
+CloudModel::CloudModel(const ocl::Device& device, const CloudParameters& parameters,
+                       std::span<const CloudParticle> at_rest, std::uint32_t cloud)
+    : parameters_(parameters),
+      count_(static_cast<std::uint32_t>(at_rest.size())),
+      cloud_(cloud),
+      motion_(device),
+      rest_(uploaded(device, at_rest)),
+      moved_(device, rest_.size(), "cloud particles") {
+  require_valid(parameters);
+  float densest = 0.0f;
+  for (const CloudParticle& particle : at_rest) {
+    densest = std::max(densest, particle.optical_mass / (particle.radius * particle.radius));
+  }
+  if (densest > 0.0f) densest_ = densest;
+}
+
+void CloudModel::at(double time_s, const glm::dvec3& origin_m) {
+  at(time_s, origin_m, moved_, 0);
+}
+
+void CloudModel::at(double time_s, const glm::dvec3& origin_m, const ocl::Buffer<CloudParticle>& target,
+                    std::uint32_t first) const {
+  if (count_ == 0) return;
+  motion_.move(parameters_, time_s, origin_m, densest_, cloud_, rest_, first, target);
+}
+
+}  // namespace offing::clouds

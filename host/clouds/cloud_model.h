@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "host/clouds/cloud_parameters.h"
+#include "host/clouds/particle_motion.h"
+#include "host/ocl/buffer.h"
+#include "host/ocl/device.h"
+
+namespace offing::clouds {
+
+/// The particles of a cloud at rest, in its axes, ids counting from 0: sampled from the density of its balls
+/// or its shape (C5), or grown on its balls as seeds (C7). Throws what require_valid(), field_volume(),
+/// sampled_particles() and grown_hierarchy() throw.
+std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const CloudParameters& parameters);
+
+/// A cloud of particles that moves. The same parameters give the same particles with the same ids; any time
+/// is reached at once, whatever time was asked for before.
+class CloudModel {
+ public:
+  /// Throws what particles_at_rest() throws. cloud: the number that its particles get.
+  CloudModel(const ocl::Device& device, const CloudParameters& parameters, std::uint32_t cloud = 0);
+  /// With particles in place of those that the parameters give: at rest, in the cloud's axes.
+  CloudModel(const ocl::Device& device, const CloudParameters& parameters,
+             std::span<const CloudParticle> at_rest, std::uint32_t cloud = 0);
+
+  /// Enqueues the particles at a time, relative to the cloud's position_m.
+  void at(double time_s) { at(time_s, parameters_.position_m); }
+  /// Relative to a place of the world: near the eye or the sky's clouds, so that floats keep their digits.
+  void at(double time_s, const glm::dvec3& origin_m);
+  /// Into an array of several clouds: places first ... first + count().
+  void at(double time_s, const glm::dvec3& origin_m, const ocl::Buffer<CloudParticle>& target,
+          std::uint32_t first) const;
+
+  /// Of the last at(), [count()], or a single one without meaning where count() is 0.
+  const ocl::Buffer<CloudParticle>& particles() const { return moved_; }
+  std::uint32_t count() const { return count_; }
+  const CloudParameters& parameters() const { return parameters_; }
+
+ private:
+  CloudParameters parameters_;
+  std::uint32_t count_, cloud_;
+  float densest_ = 1.0f;
+  ParticleMotion motion_;
+  ocl::Buffer<CloudParticle> rest_, moved_;
+};
+
+}  // namespace offing::clouds

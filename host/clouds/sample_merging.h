@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "host/clouds/volume_samples.h"
+
+namespace offing::clouds {
+
+/// Merges neighbours until no more than `most` are left (C5). Neighbours are blocks that share a face, and
+/// what neighbours merged into. Of all pairs the next to merge is the one that adds least to the sum of v |a
+/// - b|^2 (s + (difference of densities / the largest)^2), v the volumes' product over their sum: Ward's
+/// criterion (Ward 1963), weighed by how alike they are; s makes all the same interiors fall into parts of
+/// about one size. Where nothing touches any more, the rest stays apart.
+std::vector<VolumeSample> merged_samples(const VolumeSamples& samples, std::size_t most);
+
+}  // namespace offing::clouds

@@ -1,0 +1,361 @@
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <new>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/ranges.h>
+#include <openvdb/Grid.h>
+#include <openvdb/Metadata.h>
+#include <openvdb/io/Archive.h>
+#include <openvdb/io/GridDescriptor.h>
+#include <openvdb/openvdb.h>
+
+#include "host/io/vdb/vdb_values.h"
+#include "host/io/vdb/vdb_volume.h"
+
+namespace offing {
+namespace {
+
+using openvdb::Coord;
+using openvdb::CoordBBox;
+using vdb::bad_vdb;
+
+constexpr int edge = CloudVolume::brick_cells;
+constexpr std::size_t cells = CloudVolume::cells_of_brick;
+
+/// A file of grids, read through a stream that throws where it ends: the library's own readers take what lies
+/// beyond the end for values.
+class VdbFile : private openvdb::io::Archive {
+ public:
+  explicit VdbFile(const std::filesystem::path& path) : path_(path) {
+    require_file();
+    stream_.open(path, std::ios::binary);
+    if (!stream_) {
+      throw Error(ErrorKind::file, fmt::format("{}: cannot be read", one_line(path.string())),
+                  "give yourself the right to read it");
+    }
+    require_magic();
+    reading("the header", [&] {
+      stream_.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
+      readHeader(stream_);
+      setFormatVersion(stream_);
+      setLibraryVersion(stream_);
+      setDataCompression(stream_);
+      openvdb::MetaMap().readMeta(stream_);
+    });
+  }
+
+  /// The grids of these names that the file has, without a second of the same name.
+  std::map<std::string, openvdb::GridBase::Ptr> grids(const std::set<std::string>& wanted) {
+    std::map<std::string, openvdb::GridBase::Ptr> found;
+    reading("the list of grids", [&] {
+      const std::int32_t count = readGridCount(stream_);
+      for (std::int32_t i = 0; i < count; ++i) read_grid(wanted, found);
+    });
+    return found;
+  }
+
+  /// Of all grids in the file, by the last grids().
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  void require_file() const {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(path_, ignored);
+    if (!std::filesystem::exists(status))
+      throw bad_vdb(path_, "", "an OpenVDB file", "none", "check its name");
+    if (!std::filesystem::is_regular_file(status)) {
+      throw bad_vdb(path_, "", "an OpenVDB file", "a folder or a device", "give the path of a file");
+    }
+  }
+
+  void require_magic() {
+    constexpr std::string_view magic(" BDV\0\0\0\0", 8);
+    std::string start(magic.size(), '?');
+    stream_.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (start != magic) {
+      throw bad_vdb(path_, "", "an OpenVDB file", "something else", "give a .vdb file that OpenVDB wrote");
+    }
+    stream_.clear();
+    stream_.seekg(0);
+  }
+
+  void read_grid(const std::set<std::string>& wanted, std::map<std::string, openvdb::GridBase::Ptr>& found) {
+    openvdb::io::GridDescriptor descriptor;
+    const openvdb::GridBase::Ptr grid = descriptor.read(stream_);
+    const std::string name = descriptor.gridName();
+    names_.push_back(name);
+    if (wanted.contains(name) && !found.contains(name)) {
+      if (descriptor.isInstance()) {
+        throw bad_vdb(path_, name, "a grid of its own",
+                      fmt::format("one that shares the values of {}", descriptor.instanceParentName()),
+                      "write the file without instances");
+      }
+      if (inputHasGridOffsets()) descriptor.seekToGrid(stream_);
+      reading(fmt::format("grid {}", printable(name)), [&] { readGrid(grid, descriptor, stream_); });
+      found.emplace(name, grid);
+    } else if (!inputHasGridOffsets()) {
+      readGrid(grid, descriptor, stream_);
+    }
+    if (inputHasGridOffsets()) descriptor.seekToEnd(stream_);
+  }
+
+  /// Calls `read` and says where what it throws comes from.
+  template <typename Read>
+  void reading(const std::string& what, const Read& read) {
+    const auto broken = [&](std::string_view found) {
+      return bad_vdb(path_, what, "a whole OpenVDB file", found, "copy or write the file again");
+    };
+    try {
+      read();
+    } catch (const Error&) {
+      throw;
+    } catch (const std::bad_alloc&) {
+      throw broken("sizes that do not fit into memory");
+    } catch (const std::ios_base::failure&) {
+      throw broken("its end");
+    } catch (const std::exception& failure) {
+      throw broken(printable(failure.what()));
+    }
+  }
+
+  std::filesystem::path path_;
+  std::ifstream stream_;
+  std::vector<std::string> names_;
+};
+
+/// Makes volumes of grids, brick by brick.
+class GridReader {
+ public:
+  GridReader(const std::filesystem::path& path, std::string_view name) : path_(path), name_(name) {}
+
+  template <typename Grid>
+  CloudVolume read(const Grid& grid) {
+    require_fog(grid);
+    if (grid.background() != typename Grid::ValueType(0)) {
+      fail("a background of 0", fmt::format("{:g}", static_cast<double>(grid.background())),
+           "name a grid that is a density");
+    }
+    CloudVolume volume;
+    find_bricks(grid.tree(), volume);
+    place(grid, volume);
+    fill(grid.tree(), volume);
+    vdb::clamp_density(volume.density, [&](std::size_t i, const char* expected, const char* hint) {
+      const Coord cell = cell_of(volume, i);
+      fail(fmt::format("{} at cell ({}, {}, {})", expected, cell.x(), cell.y(), cell.z()),
+           fmt::format("{:g}", volume.density[i]), hint);
+    });
+    return volume;
+  }
+
+  /// Colours at the cells of a volume that read() made; empty where they lie elsewhere or are none.
+  std::vector<std::array<float, 3>> colours(const openvdb::Vec3SGrid& grid,
+                                            const openvdb::math::Transform& density_transform,
+                                            const CloudVolume& volume) const {
+    if (grid.transform() != density_transform) return {};
+    std::vector<std::array<float, 3>> albedo(volume.density.size());
+    openvdb::Vec3SGrid::ConstAccessor accessor = grid.getConstAccessor();
+    for (std::size_t i = 0; i < albedo.size(); ++i) {
+      const openvdb::Vec3s value = accessor.getValue(cell_of(volume, i));
+      for (int channel = 0; channel < 3; ++channel) {
+        const float share = value[channel];
+        albedo[i][static_cast<std::size_t>(channel)] = share > 0.0f ? std::min(share, 1.0f) : 0.0f;
+      }
+    }
+    return albedo;
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view expected, std::string_view got, std::string hint) const {
+    throw bad_vdb(path_, name_, expected, got, std::move(hint));
+  }
+
+  void require_fog(const openvdb::GridBase& grid) const {
+    if (grid.getGridClass() == openvdb::GRID_LEVEL_SET) {
+      fail("a fog volume", "a level set", "convert it to a fog volume first");
+    }
+  }
+
+  /// Index of the brick of each leaf and each active tile, and the box around them.
+  template <typename Tree>
+  void find_bricks(const Tree& tree, const CloudVolume&) {
+    for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf) add_brick(brick_at(leaf->origin()));
+    typename Tree::ValueOnCIter tile = tree.cbeginValueOn();
+    tile.setMaxDepth(Tree::ValueOnCIter::LEAF_DEPTH - 1);
+    for (; tile; ++tile) {
+      if (tile.getValue() == typename Tree::ValueType(0)) continue;
+      const CoordBBox box = tile.getBoundingBox();
+      const std::size_t bricks = static_cast<std::size_t>(box.volume()) / cells;
+      if (box_.empty() || bricks + bricks_.size() <= most_vdb_bricks)
+        add_tile(box);
+      else
+        refuse_size(bricks + bricks_.size());
+    }
+    if (bricks_.empty()) fail("values", "an empty grid", "write the grid again, or name another");
+  }
+
+  void add_tile(const CoordBBox& box) {
+    const Coord low = brick_at(box.min()), high = brick_at(box.max());
+    for (int z = low.z(); z <= high.z(); ++z) {
+      for (int y = low.y(); y <= high.y(); ++y) {
+        for (int x = low.x(); x <= high.x(); ++x) add_brick({x, y, z});
+      }
+    }
+  }
+
+  void add_brick(const Coord& brick) {
+    if (bricks_.size() == most_vdb_bricks) refuse_size(bricks_.size() + 1);
+    bricks_.push_back(brick);
+    box_.expand(brick);
+  }
+
+  [[noreturn]] void refuse_size(std::size_t bricks) const {
+    fail(fmt::format("at most {} bricks of 8^3 cells with a value", most_vdb_bricks),
+         fmt::format("{} or more", bricks), "resample it to larger cells, or cut it");
+  }
+
+  static Coord brick_at(const Coord& cell) {
+    const auto down = [](int value) { return value >> 3; };  // rounded toward -infinity
+    static_assert(edge == 1 << 3);
+    return {down(cell.x()), down(cell.y()), down(cell.z())};
+  }
+
+  Coord cell_of(const CloudVolume&, std::size_t value) const {
+    const Coord brick = bricks_[value / cells];
+    const int inside = static_cast<int>(value % cells);
+    return {edge * brick.x() + inside % edge, edge * brick.y() + inside / edge % edge,
+            edge * brick.z() + inside / (edge * edge)};
+  }
+
+  /// Where the volume is, and which brick is where in it.
+  void place(const openvdb::GridBase& grid, CloudVolume& volume) {
+    const double scale = cube_edge_m(grid);
+    widen_to_all(grid);
+    const Coord low = box_.min();
+    const openvdb::Vec3d first =
+        grid.transform().indexToWorld(Coord(edge * low.x(), edge * low.y(), edge * low.z()));
+    volume.cell_m = scale;
+    volume.origin_m = glm::dvec3(first.x(), first.y(), first.z()) - 0.5 * scale;
+    const std::array<double, 3> bricks{box_.extents().x() + 0.0, box_.extents().y() + 0.0,
+                                       box_.extents().z() + 0.0};
+    if (bricks[0] * bricks[1] * bricks[2] > static_cast<double>(most_vdb_places)) {
+      fail(fmt::format("values within a box of at most {} bricks of 8^3 cells", most_vdb_places),
+           fmt::format("{:.0f} x {:.0f} x {:.0f}", bricks[0], bricks[1], bricks[2]),
+           "resample it to larger cells, or cut off what lies far away");
+    }
+    volume.bricks = {box_.extents().x(), box_.extents().y(), box_.extents().z()};
+    volume.extinction_per_m = extinction_of(grid);
+    const auto [nx, ny, nz] = volume.bricks;
+    volume.brick_of.assign(static_cast<std::size_t>(nx) * ny * nz, CloudVolume::no_brick);
+    for (std::size_t i = 0; i < bricks_.size(); ++i) {
+      const Coord at = bricks_[i] - low;
+      const std::size_t row = static_cast<std::size_t>(at.z()) * ny + at.y();
+      volume.brick_of[row * nx + at.x()] = static_cast<std::int32_t>(i);
+    }
+  }
+
+  double cube_edge_m(const openvdb::GridBase& grid) const {
+    const char* hint = "resample it to cubes along x, y and z";
+    if (!grid.transform().isLinear()) fail("cells that are cubes", "a perspective", hint);
+    const openvdb::Mat4R matrix = grid.transform().baseMap()->getAffineMap()->getMat4();
+    const double scale = matrix[0][0];
+    constexpr double tolerance = 1e-5;  // of transforms that were written as floats
+    if (!(scale > 0.0) || !std::isfinite(scale))
+      fail("cells of a size above 0", fmt::format("{:g}", scale), hint);
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        const double due = row == column ? scale : 0.0;
+        if (!(std::abs(matrix[row][column] - due) <= tolerance * scale)) {
+          fail("cells that are cubes along the axes", "others", hint);
+        }
+      }
+      if (!std::isfinite(matrix[3][row])) fail("a finite place", "another", hint);
+    }
+    return scale;
+  }
+
+  /// A file of ours says how large the volume was.
+  void widen_to_all(const openvdb::GridBase& grid) {
+    const auto all = grid.getMetadata<openvdb::Vec3IMetadata>(vdb::bricks_name);
+    if (!all) return;
+    const openvdb::Vec3i bricks = all->value();
+    const CoordBBox whole(Coord(0), Coord(bricks.x() - 1, bricks.y() - 1, bricks.z() - 1));
+    if (!whole.empty() && whole.isInside(box_)) box_ = whole;
+  }
+
+  double extinction_of(const openvdb::GridBase& grid) const {
+    const auto told = grid.getMetadata<openvdb::DoubleMetadata>(vdb::extinction_name);
+    if (!told) return 1.0;
+    if (!(told->value() > 0.0) || !std::isfinite(told->value())) {
+      fail(fmt::format("{} above 0", vdb::extinction_name), fmt::format("{:g}", told->value()),
+           "write the file again");
+    }
+    return told->value();
+  }
+
+  template <typename Tree>
+  void fill(const Tree& tree, CloudVolume& volume) const {
+    volume.density.resize(bricks_.size() * cells);
+    std::size_t next = 0;
+    for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf, ++next) {
+      for (openvdb::Index offset = 0; offset < cells; ++offset) {
+        volume.density[next * cells + vdb::place_in_brick(offset)] =
+            static_cast<float>(leaf->getValue(offset));
+      }
+    }
+    // What follows are bricks of tiles, each of one value.
+    for (; next < bricks_.size(); ++next) {
+      const Coord& brick = bricks_[next];
+      const auto value =
+          static_cast<float>(tree.getValue(Coord(edge * brick.x(), edge * brick.y(), edge * brick.z())));
+      std::fill_n(volume.density.begin() + static_cast<std::ptrdiff_t>(next * cells), cells, value);
+    }
+  }
+
+  const std::filesystem::path& path_;
+  std::string name_;
+  std::vector<Coord> bricks_;  // leaves in the order of their tree, then those of tiles
+  CoordBBox box_;
+};
+
+}  // namespace
+
+VdbCloud read_vdb(const std::filesystem::path& path, std::string_view grid) {
+  openvdb::initialize();
+  VdbFile file(path);
+  const std::string name(grid);
+  const auto grids = file.grids({name, "color", "Cd"});
+  const auto found = grids.find(name);
+  if (found == grids.end()) {
+    std::vector<std::string> names;
+    for (const std::string& each : file.names()) names.push_back(printable(each));
+    throw bad_vdb(path, "", fmt::format("a grid {}", name),
+                  names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
+                  "name one of its grids");
+  }
+  GridReader reader(path, name);
+  VdbCloud cloud;
+  cloud.tells_extinction = bool(found->second->getMetadata<openvdb::DoubleMetadata>(vdb::extinction_name));
+  if (const auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(found->second)) {
+    cloud.volume = reader.read(*floats);
+  } else if (const auto doubles = openvdb::gridPtrCast<openvdb::DoubleGrid>(found->second)) {
+    cloud.volume = reader.read(*doubles);
+  } else {
+    throw bad_vdb(path, name, "a grid of float or double", printable(found->second->valueType()),
+                  "name a grid that is a density");
+  }
+  for (const char* colour : {"color", "Cd"}) {
+    const auto colours = grids.find(colour);
+    if (!cloud.albedo.empty() || colours == grids.end()) continue;
+    if (const auto vectors = openvdb::gridPtrCast<openvdb::Vec3SGrid>(colours->second)) {
+      cloud.albedo = reader.colours(*vectors, found->second->transform(), cloud.volume);
+    }
+  }
+  return cloud;
+}
+
+}  // namespace offing

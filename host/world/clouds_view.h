@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "host/base/camera.h"
+#include "host/clouds/cloud_parameters.h"
+#include "host/ocl/buffer.h"
+#include "host/ocl/device.h"
+#include "kernels/shared/clouds.h"
+
+namespace offing::clouds {
+class CloudShadowMap;
+}  // namespace offing::clouds
+
+namespace offing::world {
+
+/// All clouds of a sky.
+struct CloudSkyParameters {
+  std::vector<clouds::CloudParameters> clouds;
+  clouds::LightModel light_model = clouds::LightModel::calibrated;
+
+  bool operator==(const CloudSkyParameters&) const = default;
+};
+
+/// The clouds of a world on a device: particles of all of them in one array, what light they send to an eye
+/// and the order in which they are drawn.
+///
+/// Particles are relative to sky_origin_m(), a fixed place near the clouds, so that floats hold them to 1e-3
+/// m within 8 km of it. A particle's `cloud` is the index of its cloud in the parameters.
+class CloudsView {
+ public:
+  /// Throws what CloudModel and ParticleLight throw, Error(bad_usage) for a sky without clouds.
+  CloudsView(const ocl::Device& device, const CloudSkyParameters& parameters);
+  CloudsView(CloudsView&&) noexcept;
+  CloudsView& operator=(CloudsView&&) noexcept;
+  ~CloudsView();
+
+  const CloudSkyParameters& parameters() const;
+  /// Puts other clouds in their place; those whose parameters stay are kept as they are. Takes effect with
+  /// the next at(), light() and see(). One that throws has changed nothing.
+  void set(const CloudSkyParameters& parameters);
+
+  /// Enqueues the clouds as they are at a time, whatever was asked before.
+  void at(double time_s);
+  /// Enqueues the light that reaches the particles of the last at(); nothing where neither they nor the light
+  /// have changed.
+  void light(const clouds::CloudIllumination& illumination);
+  /// Enqueues what is seen of the particles of the last light() from a camera's eye.
+  void see(const Camera& camera);
+
+  /// Mean altitude of the clouds at time 0, m above the sea.
+  double altitude_m() const;
+
+  // On the device, of the last at(), light() and see().
+
+  /// [count()]
+  const ocl::Buffer<CloudParticle>& particles() const;
+  std::uint32_t count() const;
+  /// [count()], one a particle, in the order of particles().
+  const ocl::Buffer<CloudSprite>& sprites() const;
+  /// [count()], indices of particles, the farthest from the eye first.
+  const ocl::Buffer<std::uint32_t>& order() const;
+  /// In the world: what the particles' places are relative to. Multiples of 1024 m; changes with set() only.
+  glm::dvec3 sky_origin_m() const;
+  /// Optical depth toward the first sun, for whoever lies below. nullptr before light() and without suns.
+  const clouds::CloudShadowMap* shadow() const;
+  /// Changes whenever particles(), sprites() or order() may have: whoever holds copies knows by it whether
+  /// they are up to date.
+  std::uint64_t revision() const;
+
+ private:
+  struct Sky;
+  std::unique_ptr<Sky> sky_;
+};
+
+}  // namespace offing::world

@@ -1,0 +1,136 @@
+// Density of a cloud in bricks of 8 x 8 x 8 cells: metaballs, or a shape in their place, frayed by noise.
+// C1 ... C3:
+//   D = max(0, (1 - b) I + b strength turbulence)^wisp where I > 0, else 0; b = blend min(1, I / edge),
+// I the implicit density, turbulence in (0, 1): the logistic function of a fractal sum of gradient noise, which
+// spreads it about evenly.
+// In: brick_index [n]: which brick of the grid each work-group computes, x fastest; begin [n + 1] and entries:
+//     the balls that touch it; balls, places relative to the corner of the grid; octaves [params.octaves];
+//     with SHAPE instead of balls: a grid of bricks (host/base/cloud_volume.h), whose corner and cell are
+//     shape_corner and shape_cell of cells of the grid.
+// Out: density [n][8 z][8 y][8 x].
+// A work-group of 64 computes one brick, each work-item a row of 8 cells along x.
+#include "clouds/metaball.clh"
+#include "clouds/noise_lattice.clh"
+#include "shared/cloud_field.h"
+#include "shared/clouds.h"
+
+#ifdef SHAPE
+#include "clouds/volume_sample.clh"
+#endif
+
+// Fixed-point place of the first cell of a brick, 2^-32 wavelengths.
+static inline ulong brick_place(int whole, uint fraction, uint step, int brick) {
+  return (((ulong)(uint)whole << 32) | fraction) + (ulong)(brick * CLOUD_BRICK_CELLS) * step;
+}
+
+static inline int points_from(ulong place, uint step) {
+  return (int)((place + (ulong)(CLOUD_BRICK_CELLS - 1) * step) >> 32) - (int)(place >> 32) + 2;
+}
+
+static inline float fraction_of(ulong place) { return (float)(uint)(place & 0xffffffffu) * 0x1p-32f; }
+
+__kernel __attribute__((reqd_work_group_size(64, 1, 1))) void cloud_density(
+    const CloudFieldParams params, __global const CloudOctave* restrict octaves,
+    __global const uint* restrict brick_index,
+#ifdef SHAPE
+    __global const int* restrict shape_bricks, __global const float* restrict shape_density,
+    const int shape_bricks_x, const int shape_bricks_y, const int shape_bricks_z, const float shape_corner_x,
+    const float shape_corner_y, const float shape_corner_z, const float shape_cell,
+#else
+    __global const uint* restrict begin, __global const uint* restrict entries,
+    __global const CloudBall* restrict balls,
+#endif
+    __global float* restrict density) {
+  const int brick = (int)get_group_id(0), lane = (int)get_local_id(0);
+  const int row_y = lane & 7, row_z = lane >> 3;
+  const int index = (int)brick_index[brick];
+  const int brick_x = index % params.bricks_x, brick_y = index / params.bricks_x % params.bricks_y;
+  const int brick_z = index / params.bricks_x / params.bricks_y;
+  const float8 steps = (float8)(0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f);
+
+  float8 implicit = 0.0f;
+#ifdef SHAPE
+  const float place_y = ((float)(brick_y * 8 + row_y) + 0.5f - shape_corner_y) / shape_cell;
+  const float place_z = ((float)(brick_z * 8 + row_z) + 0.5f - shape_corner_z) / shape_cell;
+  float of_shape[8];
+  for (int i = 0; i < 8; ++i) {
+    of_shape[i] = volume_sample(shape_bricks, shape_density, shape_bricks_x, shape_bricks_y, shape_bricks_z,
+                                ((float)(brick_x * 8 + i) + 0.5f - shape_corner_x) / shape_cell, place_y, place_z);
+  }
+  implicit = vload8(0, of_shape);
+#else
+  // Relative to the brick's corner, so that its cells' places lose no digits.
+  const float corner_x = (float)(brick_x * 8) * params.cell_m, corner_y = (float)(brick_y * 8) * params.cell_m;
+  const float corner_z = (float)(brick_z * 8) * params.cell_m;
+  const float8 x = (steps + 0.5f) * params.cell_m;
+  const float y = ((float)row_y + 0.5f) * params.cell_m, z = ((float)row_z + 0.5f) * params.cell_m;
+  for (uint entry = begin[brick]; entry < begin[brick + 1]; ++entry) {
+    const CloudBall ball = balls[entries[entry]];
+    const float dy = y - (ball.y - corner_y), dz = z - (ball.z - corner_z);
+    const float per_square = 1.0f / (ball.radius * ball.radius);
+    const float across = (dy * dy + dz * dz) * per_square;
+    if (across >= 1.0f) continue;
+    const float8 dx = x - (ball.x - corner_x);
+    implicit += ball.weight * ball_profile8(dx * dx * per_square + across);
+  }
+#endif
+
+  float8 sum = 0.0f;  // of the octaves
+  __local float8 lattice_x[CLOUD_LATTICE_POINTS * CLOUD_LATTICE_POINTS];
+  __local float8 lattice_y[CLOUD_LATTICE_POINTS * CLOUD_LATTICE_POINTS];
+  __local float8 lattice_z[CLOUD_LATTICE_POINTS * CLOUD_LATTICE_POINTS];
+  __local float8 lattice_value[CLOUD_LATTICE_POINTS * CLOUD_LATTICE_POINTS];
+  for (int number = 0; number < params.octaves; ++number) {
+    const CloudOctave octave = octaves[number];
+    const ulong from_x = brick_place(octave.origin_x, octave.fraction_x, octave.step, brick_x);
+    const ulong from_y = brick_place(octave.origin_y, octave.fraction_y, octave.step, brick_y);
+    const ulong from_z = brick_place(octave.origin_z, octave.fraction_z, octave.step, brick_z);
+    const int points_x = points_from(from_x, octave.step), points_y = points_from(from_y, octave.step);
+    const int points_z = points_from(from_z, octave.step);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    for (int point = lane; point < points_y * points_z; point += 64) {
+      const NoiseLattice8 made = noise_lattice8(
+          params.seed_low, params.seed_high, (uint)number, octave.layer, octave.layer_fraction,
+          (int)(from_x >> 32), (int)(from_y >> 32) + point % points_y, (int)(from_z >> 32) + point / points_y);
+      lattice_x[point] = made.x;
+      lattice_y[point] = made.y;
+      lattice_z[point] = made.z;
+      lattice_value[point] = made.value;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    const float step = (float)octave.step * 0x1p-32f;
+    const float at_y = fraction_of(from_y) + (float)row_y * step;
+    const float at_z = fraction_of(from_z) + (float)row_z * step;
+    // Rounding may put a place on the last lattice point, where the cell before it gives the same.
+    const int low_y = min((int)at_y, points_y - 2), low_z = min((int)at_z, points_z - 2);
+    const float y_fraction = at_y - (float)low_y, z_fraction = at_z - (float)low_z;
+    const float y_fade = noise_fade(y_fraction), z_fade = noise_fade(z_fraction);
+    // Along the row, each lattice column gives slope * dx + value: the sum over its four rows.
+    float8 slope = 0.0f, value = 0.0f;
+    for (int corner = 0; corner < 4; ++corner) {
+      const int up = corner & 1, on = corner >> 1;
+      const float weight = (up ? y_fade : 1.0f - y_fade) * (on ? z_fade : 1.0f - z_fade);
+      const float dy = y_fraction - (float)up, dz = z_fraction - (float)on;
+      const int point = low_y + up + (low_z + on) * points_y;
+      slope += weight * lattice_x[point];
+      value += weight * (lattice_y[point] * dy + lattice_z[point] * dz + lattice_value[point]);
+    }
+    float slopes[8], values[8];
+    vstore8(slope, 0, slopes);
+    vstore8(value, 0, values);
+    const float8 at_x = fraction_of(from_x) + steps * step;
+    float8 noise = 0.0f;
+    for (int column = 0; column < points_x; ++column) {
+      const float8 dx = at_x - (float)column;
+      noise += noise_fade8(fmax(1.0f - fabs(dx), 0.0f)) * (slopes[column] * dx + values[column]);
+    }
+    sum += octave.amplitude * noise;
+  }
+
+  // 1.702: the logistic function nearest to that of the normal distribution (Camilli 1994).
+  const float8 turbulence = 1.0f / (1.0f + exp(-1.702f * sum));
+  const float8 share = params.blend * fmin(implicit / params.edge, 1.0f);
+  const float8 base = fmax((1.0f - share) * implicit + share * params.strength * turbulence, 0.0f);
+  const float8 result = params.wisp == 1.0f ? base : pow(base, params.wisp);
+  vstore8(select((float8)(0.0f), result, implicit > 0.0f), (size_t)brick * 64 + row_z * 8 + row_y, density);
+}
