@@ -2,7 +2,7 @@
 
 #include "host/base/argument.h"
 #include "host/base/error.h"
-#include "present/frame_name.h"
+#include "host/base/frame_name.h"
 
 namespace offing::present {
 

@@ -116,7 +116,9 @@ Recording read_recording(const Written& written, const scene::OceanScene& scene)
       written.fps.empty() ? scene.frames_per_second : read_number("--fps", written.fps, "", 0.001, 1e6, "24");
   const int first = static_cast<int>(std::ceil(scene.start_s * fps - 1e-9));
   const int last = std::max(first, static_cast<int>(std::ceil(scene.end_s * fps - 1e-9)) - 1);
-  return {.name = FrameName(written.record),
+  const FrameName name("--record", written.record, "out_%04d.png");
+  require_picture_name(written.record);
+  return {.name = name,
           .frames =
               written.frames.empty() ? FrameRange{first, last} : read_frame_range("--frames", written.frames),
           .frames_per_second = fps};

@@ -26,5 +26,8 @@ offing_dependency(PkgConfig::NETCDF
   PKG_CONFIG netcdf)
 offing_dependency(tomlplusplus::tomlplusplus CMAKE "find_dependency(tomlplusplus)" PKG_CONFIG tomlplusplus)
 offing_dependency(nlohmann_json::nlohmann_json CMAKE "find_dependency(nlohmann_json)" PKG_CONFIG nlohmann_json)
+offing_dependency(PkgConfig::CAIRO
+  CMAKE "find_dependency(PkgConfig)" "pkg_check_modules(CAIRO REQUIRED QUIET IMPORTED_TARGET cairo)"
+  PKG_CONFIG cairo)
 offing_dependency(openvdb CMAKE "" PKG_CONFIG_LIBRARIES -lopenvdb)
 offing_dependency(TBB::tbb CMAKE "find_dependency(TBB)" PKG_CONFIG tbb)

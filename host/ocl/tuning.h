@@ -17,9 +17,9 @@ struct KernelTuning {
 };
 
 /// What suits the kernels of `family` ("fft": the transforms and all that joins them; "trochoids": sums of
-/// Gerstner waves; "terrain": rays; "highlights": their search; "clouds": their pictures) on this device: a
-/// row of the table in tuning.cpp, else its default row. OFFING_SHAPE=strip or group overrides the shape, for
-/// tests; any other value throws Error(bad_usage).
+/// Gerstner waves; "terrain": rays; "highlights": their search; "clouds": order, light and pictures of
+/// particles) on this device: a row of the table in tuning.cpp, else its default row. OFFING_SHAPE=strip or
+/// group overrides the shape, for tests; any other value throws Error(bad_usage).
 KernelTuning tuning_for(const DeviceInfo& device, std::string_view family);
 
 }  // namespace offing::ocl

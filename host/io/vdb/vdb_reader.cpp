@@ -339,6 +339,7 @@ VdbCloud read_vdb(const std::filesystem::path& path, std::string_view grid) {
   }
   GridReader reader(path, name);
   VdbCloud cloud;
+  cloud.tells_extinction = bool(found->second->getMetadata<openvdb::DoubleMetadata>(vdb::extinction_name));
   if (const auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(found->second)) {
     cloud.volume = reader.read(*floats);
   } else if (const auto doubles = openvdb::gridPtrCast<openvdb::DoubleGrid>(found->second)) {

@@ -14,7 +14,8 @@ struct VdbCloud {
   CloudVolume volume;
   /// One a value of volume.density, in its order: single-scattering albedo, linear Rec.709, 0 ... 1. Empty:
   /// not told.
-  std::vector<std::array<float, 3>> albedo;
+  std::vector<std::array<float, 3>> albedo = {};
+  bool tells_extinction = true;  ///< whether volume.extinction_per_m is the file's
 };
 
 /// How values are stored: as they are, or in half the room with 11 bits each.

@@ -48,28 +48,6 @@ std::vector<KeptBrick> kept_bricks(const CloudVolume& volume) {
   return kept;
 }
 
-/// What CloudVolume promises of its shape.
-void require_whole(const std::filesystem::path& path, const VdbCloud& cloud) {
-  const CloudVolume& volume = cloud.volume;
-  std::size_t places = 1;
-  bool is_whole = true;
-  for (const int bricks : volume.bricks) {
-    is_whole = is_whole && bricks >= 0;
-    places *= static_cast<std::size_t>(std::max(bricks, 0));
-  }
-  const std::size_t slots = volume.density.size() / cells;
-  is_whole = is_whole && volume.brick_of.size() == places && volume.density.size() % cells == 0 &&
-             (cloud.albedo.empty() || cloud.albedo.size() == volume.density.size()) && volume.cell_m > 0.0 &&
-             std::isfinite(volume.cell_m) && std::isfinite(volume.extinction_per_m);
-  for (const std::int32_t slot : volume.brick_of) {
-    is_whole =
-        is_whole && (slot == CloudVolume::no_brick || (slot >= 0 && static_cast<std::size_t>(slot) < slots));
-  }
-  if (!is_whole) {
-    throw vdb::bad_vdb(path, "", "a volume whose bricks fit its arrays", "another", "make the volume anew");
-  }
-}
-
 /// The volume's density without traces of rounding below 0.
 std::vector<float> checked_density(const std::filesystem::path& path, const CloudVolume& volume,
                                    VdbPrecision precision) {
@@ -163,11 +141,15 @@ void write_file(const std::filesystem::path& path, const openvdb::GridCPtrVec& g
 }  // namespace
 
 void write_vdb(const std::filesystem::path& path, const VdbCloud& cloud, VdbPrecision precision) {
-  require_whole(path, cloud);
+  CloudVolume volume = cloud.volume;
+  volume.density = checked_density(path, volume, precision);
+  require_valid(volume);
+  if (!cloud.albedo.empty() && cloud.albedo.size() != volume.density.size()) {
+    throw vdb::bad_vdb(path, "color", "one albedo a density", "others", "make them anew");
+  }
   AtomicFile file(path);
   openvdb::initialize();
-  const CloudVolume& volume = cloud.volume;
-  const std::vector<float> density = checked_density(path, volume, precision);
+  const std::vector<float>& density = volume.density;
   const std::vector<KeptBrick> bricks = kept_bricks(volume);
   openvdb::GridCPtrVec grids;
   const FloatGrid::Ptr density_grid =

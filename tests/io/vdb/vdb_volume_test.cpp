@@ -108,7 +108,7 @@ class VdbVolume : public ::testing::Test {
 // Fails if cells move, bricks are lost or swapped, or place and extinction do not come back.
 TEST_F(VdbVolume, GivesTheSameVolumeAgain) {
   const CloudVolume volume = example_volume();
-  write_vdb(in_folder("a.vdb"), {volume, {}});
+  write_vdb(in_folder("a.vdb"), {volume});
   const VdbCloud back = read_vdb(in_folder("a.vdb"));
   EXPECT_EQ(back.volume.origin_m, volume.origin_m);
   EXPECT_EQ(back.volume.cell_m, volume.cell_m);
@@ -116,24 +116,25 @@ TEST_F(VdbVolume, GivesTheSameVolumeAgain) {
   EXPECT_EQ(back.volume.extinction_per_m, volume.extinction_per_m);
   EXPECT_EQ(difference(volume, back.volume), 0.0);
   EXPECT_TRUE(back.albedo.empty());
+  EXPECT_TRUE(back.tells_extinction);
 }
 
 // A half has 11 bits: values below 4 are off by at most 2^-10, half the last bit's worth. The values are
 // multiples of 2^-10 below 4, of which those below 2 are exact. Fails if halves lose the sum of density.
 TEST_F(VdbVolume, HalvesKeepTheSum) {
   const CloudVolume volume = example_volume();
-  write_vdb(in_folder("a.vdb"), {volume, {}}, VdbPrecision::half);
+  write_vdb(in_folder("a.vdb"), {volume}, VdbPrecision::half);
   const VdbCloud back = read_vdb(in_folder("a.vdb"));
   EXPECT_LE(difference(volume, back.volume), std::ldexp(1.0, -10));
   EXPECT_NEAR(sum_of(back.volume) / sum_of(volume), 1.0, 1e-3);
-  write_vdb(in_folder("b.vdb"), {volume, {}});
+  write_vdb(in_folder("b.vdb"), {volume});
   EXPECT_LT(std::filesystem::file_size(in_folder("a.vdb")), std::filesystem::file_size(in_folder("b.vdb")));
 }
 
 // Fails if colours come back in other cells.
 TEST_F(VdbVolume, KeepsColours) {
   const CloudVolume volume = example_volume();
-  VdbCloud cloud{volume, {}};
+  VdbCloud cloud{volume};
   std::mt19937 random(8);
   for (std::size_t i = 0; i < volume.density.size(); ++i) {
     const auto share = [&] { return static_cast<float>(random() % 256) / 255.0f; };
@@ -157,8 +158,8 @@ TEST_F(VdbVolume, KeepsColours) {
 // Fails if a file depends on the clock or on chance.
 TEST_F(VdbVolume, TheSameCloudGivesTheSameBytes) {
   const CloudVolume volume = example_volume();
-  write_vdb(in_folder("a.vdb"), {volume, {}});
-  write_vdb(in_folder("b.vdb"), {volume, {}});
+  write_vdb(in_folder("a.vdb"), {volume});
+  write_vdb(in_folder("b.vdb"), {volume});
   EXPECT_EQ(bytes_of(in_folder("a.vdb")), bytes_of(in_folder("b.vdb")));
 }
 
@@ -166,7 +167,7 @@ TEST_F(VdbVolume, TheSameCloudGivesTheSameBytes) {
 TEST_F(VdbVolume, ClampsTracesBelowZero) {
   CloudVolume volume = example_volume();
   volume.density[3] = -1e-6f;
-  write_vdb(in_folder("a.vdb"), {volume, {}});
+  write_vdb(in_folder("a.vdb"), {volume});
   const CloudVolume back = read_vdb(in_folder("a.vdb")).volume;
   for (const float value : back.density) EXPECT_GE(value, 0.0f);
 }
@@ -177,7 +178,7 @@ TEST_F(VdbVolume, RefusesToWriteWhatIsNoDensity) {
     CloudVolume volume = example_volume();
     volume.density[600] = wrong;
     try {
-      write_vdb(in_folder("a.vdb"), {volume, {}});
+      write_vdb(in_folder("a.vdb"), {volume});
       FAIL() << "wrote " << wrong;
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::bad_input);
@@ -187,10 +188,10 @@ TEST_F(VdbVolume, RefusesToWriteWhatIsNoDensity) {
   }
   CloudVolume volume = example_volume();
   volume.density[0] = 70'000.0f;
-  EXPECT_THROW(write_vdb(in_folder("a.vdb"), {volume, {}}, VdbPrecision::half), Error);
+  EXPECT_THROW(write_vdb(in_folder("a.vdb"), {volume}, VdbPrecision::half), Error);
   volume.brick_of[1] = 1000;
-  EXPECT_THROW(write_vdb(in_folder("a.vdb"), {volume, {}}), Error);
-  EXPECT_THROW(write_vdb(in_folder("missing/a.vdb"), {example_volume(), {}}), Error);
+  EXPECT_THROW(write_vdb(in_folder("a.vdb"), {volume}), Error);
+  EXPECT_THROW(write_vdb(in_folder("missing/a.vdb"), {example_volume()}), Error);
 }
 
 TEST_F(VdbVolume, RefusesWhatIsNoVdb) {
@@ -203,7 +204,7 @@ TEST_F(VdbVolume, RefusesWhatIsNoVdb) {
 }
 
 TEST_F(VdbVolume, SaysWhichGridsThereAre) {
-  write_vdb(in_folder("a.vdb"), {example_volume(), {}});
+  write_vdb(in_folder("a.vdb"), {example_volume()});
   try {
     read_vdb(in_folder("a.vdb"), "smoke");
     FAIL();
@@ -215,7 +216,7 @@ TEST_F(VdbVolume, SaysWhichGridsThereAre) {
 // Fails if a file that ends early is taken for a whole one, crashes the reader or makes it allocate without
 // end.
 TEST_F(VdbVolume, RefusesTruncatedFiles) {
-  write_vdb(in_folder("whole.vdb"), {example_volume(), {}});
+  write_vdb(in_folder("whole.vdb"), {example_volume()});
   const std::string whole = bytes_of(in_folder("whole.vdb"));
   for (std::size_t size = 0; size < whole.size(); size += size < 100 ? 3 : 211) {
     write_bytes(in_folder("cut.vdb"), whole.substr(0, size));
@@ -225,7 +226,7 @@ TEST_F(VdbVolume, RefusesTruncatedFiles) {
 
 // Bits of a header are turned over: an error or a volume, and no crash.
 TEST_F(VdbVolume, SurvivesDamage) {
-  write_vdb(in_folder("whole.vdb"), {example_volume(), {}});
+  write_vdb(in_folder("whole.vdb"), {example_volume()});
   const std::string whole = bytes_of(in_folder("whole.vdb"));
   std::mt19937 random(9);
   int refused = 0;
@@ -246,7 +247,7 @@ TEST_F(VdbVolume, VdbPrintReadsIt) {
   if (std::system("command -v vdb_print >/dev/null 2>&1") != 0)
     GTEST_SKIP() << "no vdb_print (libopenvdb-tools)";
   const CloudVolume volume = example_volume();
-  write_vdb(in_folder("a.vdb"), {volume, {}});
+  write_vdb(in_folder("a.vdb"), {volume});
   std::size_t active = 0;
   for (const float value : volume.density) active += value > 0.0f ? 1 : 0;
   const std::string out = in_folder("out.txt").string();
