@@ -41,10 +41,6 @@ RgbaImage picture_of(HighlightTexture shape, double softness) {
   return image;
 }
 
-bool is_picture(HighlightTexture texture) {
-  return texture == HighlightTexture::image || texture == HighlightTexture::normal_map;
-}
-
 /// The textures of an animation, each once.
 class Textures {
  public:
