@@ -6,7 +6,7 @@
 // One work-group of GROUP_SIZE a cloud.
 #include "clouds/diffusion.clh"
 
-#define CYCLES 4
+#define CYCLES 3
 #define COARSEST_SWEEPS 8
 
 // Light that flows into a cell from its neighbours. Where x, y, z - 1 would be before the first, the cell before in

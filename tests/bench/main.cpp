@@ -134,6 +134,13 @@ int run_command_line(int argc, char** argv) {
     });
   });
 
+  CLI::App& clouds = *app.add_subcommand("clouds", "light on clouds and the order of their particles");
+  add_options(clouds, options);
+  clouds.callback([&] {
+    run(options, [&](const auto& device, const bench::Sinks& sinks) {
+      bench::bench_clouds(device, options.settings, sinks);
+    });
+  });
 #ifdef OFFING_BUILD_MESH_TOOLS
   CLI::App& curvature = *app.add_subcommand("curvature", "curvatures of a noisy mesh against CGAL's jets");
   add_options(curvature, options);

@@ -73,16 +73,18 @@ TEST(ParticleLightTest, WhiteFurnaceIsWhite) {
 // billboards show it: the flux of their light, by directions that lie closer around the beam, and the beam
 // itself.
 double transmittance_of_layer(double depth, LightModel model) {
-  const double pi = std::numbers::pi, half_width_m = 1500.0;
+  const double pi = std::numbers::pi, half_width_m = 1350.0;
   CloudIllumination light;
   light.suns.push_back({{0.0, 1.0, 0.0}, glm::dvec3(1.0)});
-  LitCloud cloud(test::layer(depth, half_width_m, 300.0, 50.0), conservative(0.85), light, model);
+  LitCloud cloud(test::layer(depth, half_width_m, 300.0, 37.5), conservative(0.85), light, model);
   constexpr int angles = 14;
   double flux = std::exp(-depth);
   for (int i = 0; i < angles; ++i) {
     const double u = (i + 0.5) / angles, angle = 0.5 * pi * u * u;
-    // Beyond 75 degrees the middle would show the rim; there is 7 % of a hemisphere's flux.
+    // Beyond 75 degrees the middle would show the rim; for the 7 % of a hemisphere's flux there Eddington's
+    // law of darkening, 1 + 3/2 cos, goes on from what is seen at 75.
     const double seen_angle = std::min(angle, 1.3);
+    const double darkening = (1.0 + 1.5 * std::cos(angle)) / (1.0 + 1.5 * std::cos(seen_angle));
     const glm::dvec3 toward_eye(std::sin(seen_angle) * 0.8, -std::cos(seen_angle),
                                 std::sin(seen_angle) * 0.6);
     const test::SpriteView view = cloud.view({0.0, 0.0, 0.0}, 400.0, toward_eye, 48);
@@ -91,13 +93,14 @@ double transmittance_of_layer(double depth, LightModel model) {
     for (int row = 22; row < 26; ++row)
       for (int column = 8; column < 40; ++column, ++pixels)
         light_sum += view.light[static_cast<std::size_t>(row * view.pixels + column)].x;
-    flux += 2.0 * pi * light_sum / pixels * std::cos(angle) * std::sin(angle) * pi * u / angles;
+    flux += darkening * 2.0 * pi * light_sum / pixels * std::cos(angle) * std::sin(angle) * pi * u / angles;
   }
   return flux;
 }
 
 // Fails if thick clouds are too dark or too bright: transmittance of a conservative slab, g = 0.85, of what
-// billboards show in the end, within 10 % of the truth.
+// billboards show in the end, within 10 % of the truth. At 32 particles of
+// one colour each show some 9 % too much, the worst of the five.
 TEST(ParticleLightTest, LayersLetThroughWhatSlabsDo) {
   const double depths[] = {2.0, 4.0, 8.0, 16.0, 32.0}, truth[] = {0.909, 0.809, 0.642, 0.444, 0.274};
   for (int i = 0; i < 5; ++i) {
