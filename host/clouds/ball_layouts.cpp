@@ -97,9 +97,9 @@ std::vector<Metaball> cumulonimbus(RandomDraws& draws) {
   }
   for (int i = 0; i < 44; ++i) {
     const double angle = 2.0 * pi * draws.next(), out = std::sqrt(draws.next());
-    const double x_m = 900.0 + 4300.0 * out * std::cos(angle), z_m = 2900.0 * out * std::sin(angle);
+    const double x_m = 1100.0 + 4700.0 * out * std::cos(angle), z_m = 3100.0 * out * std::sin(angle);
     balls.push_back(
-        {{x_m, 8700.0 - 250.0 * out + draws.between(-90.0, 90.0), z_m}, 820.0 - 330.0 * out, 0.7});
+        {{x_m, 9000.0 - 150.0 * out + draws.between(-90.0, 90.0), z_m}, 680.0 - 300.0 * out, 0.7});
   }
   return balls;
 }

@@ -16,6 +16,7 @@
 #include "host/clouds/particle_motion.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/program.h"
+#include "host/ocl/tuning.h"
 #include "kernels/shared/cloud_field.h"
 
 namespace offing::clouds {
@@ -24,6 +25,21 @@ namespace {
 // Bricks a launch: 32 MiB of cells, so that a volume is never on device and host twice.
 constexpr std::size_t bricks_a_launch = std::size_t{1} << 14;
 constexpr std::size_t rows_of_brick = CLOUD_BRICK_CELLS * CLOUD_BRICK_CELLS;
+
+/// The kernel for a device, and how many of its work-items share a brick.
+struct DensityKernel {
+  ocl::Kernel kernel;
+  std::size_t lanes;
+
+  DensityKernel(const ocl::Device& device, ocl::Defines defines) {
+    const bool is_strip = ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip;
+    lanes = is_strip ? 1 : rows_of_brick;
+    defines.set("ROWS", static_cast<long long>(rows_of_brick / lanes));
+    kernel = ocl::Program::build(device, "clouds/cloud_density.cl", defines).kernel("cloud_density");
+  }
+
+  ocl::LaunchShape shape(std::size_t bricks) const { return {{bricks * lanes}, {lanes}}; }
+};
 
 template <typename T>
 ocl::Buffer<T> uploaded(const ocl::Device& device, std::span<const T> values, const char* name) {
@@ -90,7 +106,7 @@ CloudVolume volume_of_balls(const ocl::Device& device, const BrickGrid& grid,
                             std::span<const CloudBall> balls, const CloudFieldParams& params,
                             std::span<const CloudOctave> octaves) {
   const BallBins bins = ball_bins(grid, balls);
-  const ocl::Kernel kernel = ocl::Program::build(device, "clouds/cloud_density.cl").kernel("cloud_density");
+  const DensityKernel density_kernel(device, {});
   const auto device_balls = uploaded(device, balls, "metaballs");
   const auto device_octaves = uploaded(device, octaves, "octaves of noise");
   const auto entries = uploaded(device, std::span<const std::uint32_t>(bins.balls), "balls of bricks");
@@ -100,8 +116,8 @@ CloudVolume volume_of_balls(const ocl::Device& device, const BrickGrid& grid,
                          device, std::span(bins.brick_index).subspan(first, count), "bricks");
                      const ocl::Buffer<std::uint32_t> begin(
                          device, std::span(bins.begin).subspan(first, count + 1), "lists of bricks");
-                     kernel.launch({{count * rows_of_brick}, {rows_of_brick}}, params, device_octaves, index,
-                                   begin, entries, device_balls, density);
+                     density_kernel.kernel.launch(density_kernel.shape(count), params, device_octaves, index,
+                                                  begin, entries, device_balls, density);
                      device.finish();  // the lists end with this call
                    });
 }
@@ -143,9 +159,7 @@ std::vector<std::uint32_t> bricks_of_shape(const BrickGrid& grid, const CloudVol
 CloudVolume volume_of_shape(const ocl::Device& device, const BrickGrid& grid, const CloudVolume& shape,
                             const CloudFieldParams& params, std::span<const CloudOctave> octaves) {
   const std::vector<std::uint32_t> bricks = bricks_of_shape(grid, shape);
-  const ocl::Kernel kernel =
-      ocl::Program::build(device, "clouds/cloud_density.cl", ocl::Defines().set_flag("SHAPE"))
-          .kernel("cloud_density");
+  const DensityKernel density_kernel(device, ocl::Defines().set_flag("SHAPE"));
   const auto device_octaves = uploaded(device, octaves, "octaves of noise");
   const auto brick_of =
       uploaded(device, std::span<const std::int32_t>(shape.brick_of), "bricks of the shape");
@@ -154,9 +168,10 @@ CloudVolume volume_of_shape(const ocl::Device& device, const BrickGrid& grid, co
   return collected(
       device, grid, bricks, [&](std::size_t first, std::size_t count, const ocl::Buffer<float>& density) {
         const ocl::Buffer<std::uint32_t> index(device, std::span(bricks).subspan(first, count), "bricks");
-        kernel.launch({{count * rows_of_brick}, {rows_of_brick}}, params, device_octaves, index, brick_of,
-                      values, shape.bricks[0], shape.bricks[1], shape.bricks[2], corner.x, corner.y, corner.z,
-                      static_cast<float>(shape.cell_m / grid.cell_m), density);
+        density_kernel.kernel.launch(density_kernel.shape(count), params, device_octaves, index, brick_of,
+                                     values, shape.bricks[0], shape.bricks[1], shape.bricks[2], corner.x,
+                                     corner.y, corner.z, static_cast<float>(shape.cell_m / grid.cell_m),
+                                     density);
         device.finish();  // the list ends with this call
       });
 }

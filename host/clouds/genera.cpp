@@ -77,10 +77,11 @@ void dress(Genus genus, CloudParameters& cloud) {
       break;
     case Genus::cumulonimbus:
       cloud.modelling = Modelling::hierarchical;
-      cloud.levels = {{.ratio = 0.5, .deviation_m = 150.0, .repulsion = 0.95},
-                      {.ratio = 0.45, .deviation_m = 80.0, .repulsion = 1.0}};
+      cloud.levels = {{.ratio = 0.5, .deviation_m = 150.0, .repulsion = 0.85},
+                      {.ratio = 0.5, .deviation_m = 80.0, .repulsion = 0.85}};
       cloud.base_m = 0.0;
-      cloud.look.extinction_per_m = 0.03;
+      // Its particles are so large that a denser one would have a hard edge.
+      cloud.look.extinction_per_m = 0.01;
       turbulence.wavelength_m = 1500.0;
       cloud.motion.wind_mps = {12.0, 0.0, 0.0};
       cloud.motion.sway_m = 60.0;

@@ -8,7 +8,8 @@
 //     with SHAPE instead of balls: a grid of bricks (host/base/cloud_volume.h), whose corner and cell are
 //     shape_corner and shape_cell of cells of the grid.
 // Out: density [n][8 z][8 y][8 x].
-// A work-group of 64 computes one brick, each work-item a row of 8 cells along x.
+// A work-group computes one brick of 64 rows of 8 cells along x, each work-item ROWS of them: 1 where lanes are
+// work-items, all 64 on CPUs, which else keep 64 states across the barriers.
 #include "clouds/metaball.clh"
 #include "clouds/noise_lattice.clh"
 #include "shared/cloud_field.h"
@@ -17,6 +18,8 @@
 #ifdef SHAPE
 #include "clouds/volume_sample.clh"
 #endif
+
+#define LANES (CLOUD_BRICK_CELLS * CLOUD_BRICK_CELLS / ROWS)
 
 // Fixed-point place of the first cell of a brick, 2^-32 wavelengths.
 static inline ulong brick_place(int whole, uint fraction, uint step, int brick) {
@@ -29,7 +32,7 @@ static inline int points_from(ulong place, uint step) {
 
 static inline float fraction_of(ulong place) { return (float)(uint)(place & 0xffffffffu) * 0x1p-32f; }
 
-__kernel __attribute__((reqd_work_group_size(64, 1, 1))) void cloud_density(
+__kernel __attribute__((reqd_work_group_size(LANES, 1, 1))) void cloud_density(
     const CloudFieldParams params, __global const CloudOctave* restrict octaves,
     __global const uint* restrict brick_index,
 #ifdef SHAPE
@@ -42,44 +45,52 @@ __kernel __attribute__((reqd_work_group_size(64, 1, 1))) void cloud_density(
 #endif
     __global float* restrict density) {
   const int brick = (int)get_group_id(0), lane = (int)get_local_id(0);
-  const int row_y = lane & 7, row_z = lane >> 3;
   const int index = (int)brick_index[brick];
   const int brick_x = index % params.bricks_x, brick_y = index / params.bricks_x % params.bricks_y;
   const int brick_z = index / params.bricks_x / params.bricks_y;
   const float8 steps = (float8)(0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f);
 
-  float8 implicit = 0.0f;
+  float8 implicit[ROWS], sum[ROWS];  // sum: of the octaves
+  for (int row = 0; row < ROWS; ++row) implicit[row] = sum[row] = 0.0f;
 #ifdef SHAPE
-  const float place_y = ((float)(brick_y * 8 + row_y) + 0.5f - shape_corner_y) / shape_cell;
-  const float place_z = ((float)(brick_z * 8 + row_z) + 0.5f - shape_corner_z) / shape_cell;
-  float of_shape[8];
-  for (int i = 0; i < 8; ++i) {
-    of_shape[i] = volume_sample(shape_bricks, shape_density, shape_bricks_x, shape_bricks_y, shape_bricks_z,
-                                ((float)(brick_x * 8 + i) + 0.5f - shape_corner_x) / shape_cell, place_y, place_z);
+  for (int row = 0; row < ROWS; ++row) {
+    const int row_y = (lane * ROWS + row) & 7, row_z = (lane * ROWS + row) >> 3;
+    const float place_y = ((float)(brick_y * 8 + row_y) + 0.5f - shape_corner_y) / shape_cell;
+    const float place_z = ((float)(brick_z * 8 + row_z) + 0.5f - shape_corner_z) / shape_cell;
+    float of_shape[8];
+    for (int i = 0; i < 8; ++i) {
+      const float place_x = ((float)(brick_x * 8 + i) + 0.5f - shape_corner_x) / shape_cell;
+      of_shape[i] = volume_sample(shape_bricks, shape_density, shape_bricks_x, shape_bricks_y, shape_bricks_z,
+                                  place_x, place_y, place_z);
+    }
+    implicit[row] = vload8(0, of_shape);
   }
-  implicit = vload8(0, of_shape);
 #else
   // Relative to the brick's corner, so that its cells' places lose no digits.
   const float corner_x = (float)(brick_x * 8) * params.cell_m, corner_y = (float)(brick_y * 8) * params.cell_m;
   const float corner_z = (float)(brick_z * 8) * params.cell_m;
   const float8 x = (steps + 0.5f) * params.cell_m;
-  const float y = ((float)row_y + 0.5f) * params.cell_m, z = ((float)row_z + 0.5f) * params.cell_m;
   for (uint entry = begin[brick]; entry < begin[brick + 1]; ++entry) {
     const CloudBall ball = balls[entries[entry]];
-    const float dy = y - (ball.y - corner_y), dz = z - (ball.z - corner_z);
     const float per_square = 1.0f / (ball.radius * ball.radius);
-    const float across = (dy * dy + dz * dz) * per_square;
-    if (across >= 1.0f) continue;
     const float8 dx = x - (ball.x - corner_x);
-    implicit += ball.weight * ball_profile8(dx * dx * per_square + across);
+    const float8 along = dx * dx * per_square;
+    for (int row = 0; row < ROWS; ++row) {
+      const int row_y = (lane * ROWS + row) & 7, row_z = (lane * ROWS + row) >> 3;
+      const float dy = ((float)row_y + 0.5f) * params.cell_m - (ball.y - corner_y);
+      const float dz = ((float)row_z + 0.5f) * params.cell_m - (ball.z - corner_z);
+      const float across = (dy * dy + dz * dz) * per_square;
+      if (across < 1.0f) implicit[row] += ball.weight * ball_profile8(along + across);
+    }
   }
 #endif
 
-  float8 sum = 0.0f;  // of the octaves
   __local float8 lattice_x[CLOUD_LATTICE_POINTS * CLOUD_LATTICE_POINTS];
   __local float8 lattice_y[CLOUD_LATTICE_POINTS * CLOUD_LATTICE_POINTS];
   __local float8 lattice_z[CLOUD_LATTICE_POINTS * CLOUD_LATTICE_POINTS];
   __local float8 lattice_value[CLOUD_LATTICE_POINTS * CLOUD_LATTICE_POINTS];
+  // What a lattice column's value and its slope count in the eight cells of a row: the same in all rows.
+  __local float8 value_weight[CLOUD_LATTICE_POINTS], slope_weight[CLOUD_LATTICE_POINTS];
   for (int number = 0; number < params.octaves; ++number) {
     const CloudOctave octave = octaves[number];
     const ulong from_x = brick_place(octave.origin_x, octave.fraction_x, octave.step, brick_x);
@@ -87,8 +98,9 @@ __kernel __attribute__((reqd_work_group_size(64, 1, 1))) void cloud_density(
     const ulong from_z = brick_place(octave.origin_z, octave.fraction_z, octave.step, brick_z);
     const int points_x = points_from(from_x, octave.step), points_y = points_from(from_y, octave.step);
     const int points_z = points_from(from_z, octave.step);
+    const float step = (float)octave.step * 0x1p-32f;
     barrier(CLK_LOCAL_MEM_FENCE);
-    for (int point = lane; point < points_y * points_z; point += 64) {
+    for (int point = lane; point < points_y * points_z; point += LANES) {
       const NoiseLattice8 made = noise_lattice8(
           params.seed_low, params.seed_high, (uint)number, octave.layer, octave.layer_fraction,
           (int)(from_x >> 32), (int)(from_y >> 32) + point % points_y, (int)(from_z >> 32) + point / points_y);
@@ -97,40 +109,47 @@ __kernel __attribute__((reqd_work_group_size(64, 1, 1))) void cloud_density(
       lattice_z[point] = made.z;
       lattice_value[point] = made.value;
     }
+    for (int column = lane; column < points_x; column += LANES) {
+      const float8 dx = fraction_of(from_x) + steps * step - (float)column;
+      value_weight[column] = noise_fade8(fmax(1.0f - fabs(dx), 0.0f));
+      slope_weight[column] = value_weight[column] * dx;
+    }
     barrier(CLK_LOCAL_MEM_FENCE);
-    const float step = (float)octave.step * 0x1p-32f;
-    const float at_y = fraction_of(from_y) + (float)row_y * step;
-    const float at_z = fraction_of(from_z) + (float)row_z * step;
-    // Rounding may put a place on the last lattice point, where the cell before it gives the same.
-    const int low_y = min((int)at_y, points_y - 2), low_z = min((int)at_z, points_z - 2);
-    const float y_fraction = at_y - (float)low_y, z_fraction = at_z - (float)low_z;
-    const float y_fade = noise_fade(y_fraction), z_fade = noise_fade(z_fraction);
-    // Along the row, each lattice column gives slope * dx + value: the sum over its four rows.
-    float8 slope = 0.0f, value = 0.0f;
-    for (int corner = 0; corner < 4; ++corner) {
-      const int up = corner & 1, on = corner >> 1;
-      const float weight = (up ? y_fade : 1.0f - y_fade) * (on ? z_fade : 1.0f - z_fade);
-      const float dy = y_fraction - (float)up, dz = z_fraction - (float)on;
-      const int point = low_y + up + (low_z + on) * points_y;
-      slope += weight * lattice_x[point];
-      value += weight * (lattice_y[point] * dy + lattice_z[point] * dz + lattice_value[point]);
+    for (int row = 0; row < ROWS; ++row) {
+      const int row_y = (lane * ROWS + row) & 7, row_z = (lane * ROWS + row) >> 3;
+      const float at_y = fraction_of(from_y) + (float)row_y * step;
+      const float at_z = fraction_of(from_z) + (float)row_z * step;
+      // Rounding may put a place on the last lattice point, where the cell before it gives the same.
+      const int low_y = min((int)at_y, points_y - 2), low_z = min((int)at_z, points_z - 2);
+      const float y_fraction = at_y - (float)low_y, z_fraction = at_z - (float)low_z;
+      const float y_fade = noise_fade(y_fraction), z_fade = noise_fade(z_fraction);
+      // Along the row, each lattice column gives slope * dx + value: the sum over its four rows.
+      float8 slope = 0.0f, value = 0.0f;
+      for (int corner = 0; corner < 4; ++corner) {
+        const int up = corner & 1, on = corner >> 1;
+        const float weight = (up ? y_fade : 1.0f - y_fade) * (on ? z_fade : 1.0f - z_fade);
+        const float dy = y_fraction - (float)up, dz = z_fraction - (float)on;
+        const int point = low_y + up + (low_z + on) * points_y;
+        slope += weight * lattice_x[point];
+        value += weight * (lattice_y[point] * dy + lattice_z[point] * dz + lattice_value[point]);
+      }
+      float slopes[8], values[8];
+      vstore8(slope, 0, slopes);
+      vstore8(value, 0, values);
+      float8 noise = 0.0f;
+      for (int column = 0; column < points_x; ++column) {
+        noise += slopes[column] * slope_weight[column] + values[column] * value_weight[column];
+      }
+      sum[row] += octave.amplitude * noise;
     }
-    float slopes[8], values[8];
-    vstore8(slope, 0, slopes);
-    vstore8(value, 0, values);
-    const float8 at_x = fraction_of(from_x) + steps * step;
-    float8 noise = 0.0f;
-    for (int column = 0; column < points_x; ++column) {
-      const float8 dx = at_x - (float)column;
-      noise += noise_fade8(fmax(1.0f - fabs(dx), 0.0f)) * (slopes[column] * dx + values[column]);
-    }
-    sum += octave.amplitude * noise;
   }
 
-  // 1.702: the logistic function nearest to that of the normal distribution (Camilli 1994).
-  const float8 turbulence = 1.0f / (1.0f + exp(-1.702f * sum));
-  const float8 share = params.blend * fmin(implicit / params.edge, 1.0f);
-  const float8 base = fmax((1.0f - share) * implicit + share * params.strength * turbulence, 0.0f);
-  const float8 result = params.wisp == 1.0f ? base : pow(base, params.wisp);
-  vstore8(select((float8)(0.0f), result, implicit > 0.0f), (size_t)brick * 64 + row_z * 8 + row_y, density);
+  for (int row = 0; row < ROWS; ++row) {
+    // 1.702: the logistic function nearest to that of the normal distribution (Camilli 1994).
+    const float8 turbulence = 1.0f / (1.0f + exp(-1.702f * sum[row]));
+    const float8 share = params.blend * fmin(implicit[row] / params.edge, 1.0f);
+    const float8 base = fmax((1.0f - share) * implicit[row] + share * params.strength * turbulence, 0.0f);
+    const float8 result = params.wisp == 1.0f ? base : pow(base, params.wisp);
+    vstore8(select((float8)(0.0f), result, implicit[row] > 0.0f), (size_t)brick * 64 + lane * ROWS + row, density);
+  }
 }

@@ -45,6 +45,7 @@ struct NoiseCube {
 NoiseCube noise_cube(const ocl::Device& device, CloudParameters parameters, double cell_m, double time_s,
                      std::uint64_t seed) {
   parameters.seed = seed;
+  parameters.balls.front().radius_m = NoiseCube::side * cell_m;  // 83 reach its corners
   const CloudVolume volume = field_volume(device, parameters, cell_m, time_s);
   NoiseCube cube;
   for (int z = 0; z < NoiseCube::side; ++z) {
@@ -157,16 +158,17 @@ TEST_F(NoiseOctavesTest, IsTheSameInAllDirections) {
 // Fails if a finer grid shows other noise, not more of it: where it has the same octaves it has the same
 // values at the same places.
 TEST_F(NoiseOctavesTest, AFinerGridShowsTheSameNoise) {
-  const CloudParameters parameters = pure_noise(40.0, 3);
+  CloudParameters parameters = pure_noise(40.0, 3);
+  parameters.balls.front().radius_m = 50.0;
   const CloudVolume coarse = field_volume(device_, parameters, 3.0, 0.0);
   const CloudVolume fine = field_volume(device_, parameters, 1.0, 0.0);
   std::size_t number = 0;
   for_cells(coarse, [&](const glm::dvec3& place_m, float density) {
-    if (density == 0.0f || glm::length(place_m) > 95.0) return;
+    if (density == 0.0f || glm::length(place_m) > 47.0) return;
     ++number;
     ASSERT_NEAR(density_at(fine, place_m), static_cast<double>(density), 1e-5);
   });
-  EXPECT_GT(number, 100'000u);
+  EXPECT_GT(number, 10'000u);
 }
 
 }  // namespace
