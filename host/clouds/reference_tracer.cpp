@@ -39,6 +39,14 @@ glm::dvec3 turned(const glm::dvec3& direction, double cosine, double around_rad)
                         cosine * direction);
 }
 
+/// Whether a path goes on; its weight grows by what the chance of that takes.
+bool survives(glm::dvec3& weight, PathRandom& random) {
+  const double most = std::max({weight.x, weight.y, weight.z});
+  if (most >= least_sure_weight) return true;
+  weight *= least_sure_weight / std::max(most, 1e-300);
+  return random.next() * least_sure_weight < most;
+}
+
 /// Sums over paths: `make(path, by_order)` gives the light of one.
 struct PathSums {
   std::vector<glm::dvec3> by_order;
@@ -124,11 +132,7 @@ void ReferenceTracer::trace(Ray ray, PathRandom& random, std::vector<glm::dvec3>
       by_order[std::min(order + 1, by_order.size() - 1)] +=
           weight * phase * medium_.transmittance({ray.origin_m, sun.direction}, random) * sun.illuminance_klx;
     }
-    const double most = std::max({weight.x, weight.y, weight.z});
-    if (most < least_sure_weight) {
-      if (random.next() * least_sure_weight >= most) return;
-      weight *= least_sure_weight / most;
-    }
+    if (!survives(weight, random)) return;
     const double cosine = phase_.sample([&] { return random.next(); });
     ray.direction = turned(ray.direction, cosine, 2.0 * std::numbers::pi * random.next());
   }
@@ -158,6 +162,51 @@ TracedView ReferenceTracer::view_of(const glm::dvec3& middle_m, double radius_m,
   view.covered_m2 = view.intensity_kcd.by_order[0].x;
   view.intensity_kcd.by_order[0] = glm::dvec3(0.0);
   return view;
+}
+
+std::vector<TracedIntensity> ReferenceTracer::intensities(const glm::dvec3& middle_m, double radius_m,
+                                                          std::span<const glm::dvec3> toward_eyes,
+                                                          double cone_rad,
+                                                          const TraceOptions& options) const {
+  const double area_m2 = std::numbers::pi * radius_m * radius_m, least_cosine = std::cos(cone_rad);
+  const double cone_sr = 2.0 * std::numbers::pi * (1.0 - least_cosine);
+  std::vector<TracedIntensity> intensities(toward_eyes.size());
+  TraceOptions sums = options;
+  sums.orders = static_cast<int>(toward_eyes.size());
+  for (std::size_t sun = 0; sun < light_.suns.size(); ++sun) {
+    sums.seed = options.seed + sun;
+    // Each direction takes the place of an order of scattering; what no cone takes is left out.
+    const Traced counted =
+        mean_over_paths(sums, 1.0, [&](PathRandom& random, std::vector<glm::dvec3>& by_eye) {
+          const glm::dvec3& toward_sun = light_.suns[sun].direction;
+          const double distance_m = radius_m * std::sqrt(random.next()),
+                       angle = 2.0 * std::numbers::pi * random.next();
+          Ray ray{middle_m + distance_m * turned(toward_sun, 0.0, angle) + 2.0 * radius_m * toward_sun,
+                  -toward_sun};
+          glm::dvec3 weight(1.0);
+          for (bool is_scattered = false;; is_scattered = true) {
+            const double distance = medium_.next_collision(ray, random);
+            if (!std::isfinite(distance)) {
+              for (std::size_t eye = 0; is_scattered && eye < toward_eyes.size(); ++eye)
+                if (glm::dot(ray.direction, toward_eyes[eye]) >= least_cosine) by_eye[eye + 1] += weight;
+              return;
+            }
+            ray.origin_m += distance * ray.direction;
+            weight *= albedo_;
+            if (!survives(weight, random)) return;
+            const double cosine = phase_.sample([&] { return random.next(); });
+            ray.direction = turned(ray.direction, cosine, 2.0 * std::numbers::pi * random.next());
+          }
+        });
+    for (std::size_t eye = 0; eye < toward_eyes.size(); ++eye) {
+      const glm::dvec3& share = counted.by_order[eye + 1];
+      intensities[eye].kcd += light_.suns[sun].illuminance_klx * share * area_m2 / cone_sr;
+      const double most = std::max({share.x, share.y, share.z, 0.5 / options.samples});
+      intensities[eye].relative_error =
+          std::max(intensities[eye].relative_error, std::sqrt((1.0 - most) / (most * options.samples)));
+    }
+  }
+  return intensities;
 }
 
 TracedPicture ReferenceTracer::picture(const Camera& camera, const TraceOptions& options) const {

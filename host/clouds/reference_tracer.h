@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -34,6 +35,12 @@ struct TracedView {
   double covered_m2 = 0.0;  ///< opacity times area, opacity = 1 - transmittance
 };
 
+/// Mean intensity over a cone of directions.
+struct TracedIntensity {
+  glm::dvec3 kcd{0.0};
+  double relative_error = 0.0;  ///< standard error over value
+};
+
 /// Pixels [height][width], row 0 at the top: scattered light, kcd/m2, premultiplied, and opacity.
 using LightImage = std::vector<glm::vec4>;
 
@@ -59,6 +66,13 @@ class ReferenceTracer {
   /// A sphere that the cloud lies in, as seen from the unit direction `toward_eye`, infinitely far away.
   TracedView view_of(const glm::dvec3& middle_m, double radius_m, const glm::dvec3& toward_eye,
                      const TraceOptions& options) const;
+
+  /// Intensities in kcd of the suns' scattered light, means over cones around unit directions toward eyes, of
+  /// all of them at once: photons are counted where they leave the sphere. A sharp forward peak makes this
+  /// far less noisy than view_of(). The sky is left out. Errors are those of counting.
+  std::vector<TracedIntensity> intensities(const glm::dvec3& middle_m, double radius_m,
+                                           std::span<const glm::dvec3> toward_eyes, double cone_rad,
+                                           const TraceOptions& options) const;
 
   /// What the camera sees of the cloud, without what lies behind it.
   TracedPicture picture(const Camera& camera, const TraceOptions& options) const;

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "host/clouds/cloud_parameters.h"
+#include "host/clouds/particle_order.h"
+#include "host/ocl/buffer.h"
+#include "host/ocl/kernel.h"
+#include "kernels/shared/cloud_light.h"
+#include "kernels/shared/clouds.h"
+
+namespace offing::clouds {
+
+/// Light on particles and toward the eye (C10 to C12), on the device. relight() when the suns, the sky or the
+/// particles change; see() when the eye moves. Clouds light and shade themselves, each in a grid of its own;
+/// they do not shade each other.
+///
+/// LightModel::calibrated keeps energy: direct light in the delta-scaled medium with its aureole
+/// (host/clouds/ phase_table.h) and diffusion of what is scattered more often
+/// (kernels/clouds/light_diffuse.cl).
+class ParticleLight {
+ public:
+  explicit ParticleLight(const ocl::Device& device);
+
+  /// Queues the light on the first `count` particles, those of a cloud side by side, clouds in rising order,
+  /// each below looks.size(). Keeps a reference to the particles. Throws Error(bad_usage) if there are fewer
+  /// particles or more than CLOUD_SUNS suns; Error(bad_input) as PhaseFunction does, and for light that is
+  /// not finite or directions that are not of unit length within 1e-3.
+  void relight(const ocl::Buffer<CloudParticle>& particles, std::uint32_t count,
+               const CloudIllumination& light, std::span<const CloudLook> looks,
+               LightModel model = LightModel::calibrated);
+
+  /// Queues what an eye at this place, in the particles' axes, sees of each: sprites [count].
+  void see(const glm::vec3& eye_m, ocl::Buffer<CloudSprite>& sprites);
+
+ private:
+  using Float4 = std::array<float, 4>;
+
+  void set_looks(std::span<const CloudLook> looks);
+  void reserve(std::size_t clouds);
+  void diffuse(std::size_t clouds);
+  void carry_along(const CloudIllumination& light, std::size_t clouds);
+
+  ocl::Device device_;
+  bool is_strip_;
+  ocl::Kernel bounds_kernel_, density_kernel_, beam_kernel_, source_kernel_, diffuse_kernel_, glow_kernel_,
+      scatter_kernel_, recurrence_kernel_, first_order_kernel_;
+  const ocl::Buffer<CloudParticle>* particles_ = nullptr;
+  std::uint32_t count_ = 0;
+  CloudLightParams light_{};
+  LightModel model_ = LightModel::calibrated;
+  ParticleOrder order_;
+  ocl::Buffer<std::int32_t> recurrence_map_;
+  ocl::Buffer<float> reached_;
+  std::vector<CloudLook> known_looks_;
+  ocl::Buffer<CloudGrid> grids_;
+  ocl::Buffer<CloudScattering> looks_;
+  ocl::Buffer<float> phases_, extinction_, beams_, medium_;
+  ocl::Buffer<Float4> faces_, sources_, fluence_, glow_, drift_;
+};
+
+}  // namespace offing::clouds

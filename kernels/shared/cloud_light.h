@@ -1,0 +1,49 @@
+// What the kernels of cloud light read, one layout for host and device: 4-byte scalars only.
+#ifndef OFFING_KERNELS_SHARED_CLOUD_LIGHT_H
+#define OFFING_KERNELS_SHARED_CLOUD_LIGHT_H
+
+// Most suns at a time.
+#define CLOUD_SUNS 4
+
+// Tables of phases: [look][CLOUD_PHASE_DEPTHS][CLOUD_PHASE_ANGLES], 1/sr. Angles go with the square of their place, so
+// that the forward peak is fine: angle = pi (i / (CLOUD_PHASE_ANGLES - 1))^2. Depths:
+// depth = CLOUD_PHASE_DEPTH_SCALE * u / (1 - u), u = i / CLOUD_PHASE_DEPTHS.
+#define CLOUD_PHASE_ANGLES 128
+#define CLOUD_PHASE_DEPTHS 24
+#define CLOUD_PHASE_DEPTH_SCALE 4.0f
+
+// The grid of a cloud, made on the device: cells are boxes.
+typedef struct {
+  float low_x, low_y, low_z;     // m, its least corner
+  float cell_x, cell_y, cell_z;  // m
+  int first, end;                // particles of the cloud
+} CloudGrid;
+
+// What a cloud scatters with.
+typedef struct {
+  float albedo_red, albedo_green, albedo_blue;
+  float forward_share;        // f: of scattered light that counts as going on unscattered
+  float scaled_mean_cosine;   // g' of the rest
+  unsigned int phase_table;   // which of the tables
+} CloudScattering;
+
+typedef struct {
+  float x, y, z;           // unit, toward the sun
+  float red, green, blue;  // klx
+} CloudSunLight;
+
+typedef struct {
+  CloudSunLight suns[CLOUD_SUNS];
+  int sun_count;
+  float sky_red, sky_green, sky_blue;           // kcd/m^2
+  float ground_red, ground_green, ground_blue;  // kcd/m^2
+} CloudLightParams;
+
+#ifndef __OPENCL_VERSION__
+static_assert(sizeof(CloudGrid) == 32, "no padding");
+static_assert(sizeof(CloudScattering) == 24, "no padding");
+static_assert(sizeof(CloudSunLight) == 24, "no padding");
+static_assert(sizeof(CloudLightParams) == 4 * 24 + 28, "no padding");
+#endif
+
+#endif
