@@ -37,7 +37,21 @@ std::vector<Parameter> common_rows() {
            .storage = &member<common, &CloudsScene::quality>,
            .low = 0.01,
            .high = 100.0,
-           .help = "particles of sampled clouds, in those that they ask for"}};
+           .help = "particles of sampled clouds, in those that they ask for"},
+          {.key = "clouds.crisp_puffs",
+           .group = ParameterGroup::clouds,
+           .storage = &member<common, &CloudsScene::crisp_puffs>,
+           .help = "a folder of 16 PNG pictures, the textures of sampled clouds",
+           .example = "puffs",
+           .absent = "those of Offing",
+           .rule = ParameterRule::file_name},
+          {.key = "clouds.soft_puffs",
+           .group = ParameterGroup::clouds,
+           .storage = &member<common, &CloudsScene::soft_puffs>,
+           .help = "the same for hierarchical clouds and cirrus",
+           .example = "wisps",
+           .absent = "those of Offing",
+           .rule = ParameterRule::file_name}};
 }
 
 std::vector<Parameter> layer_rows() {

@@ -87,6 +87,8 @@ struct CloudsScene {
   clouds::LightModel light = clouds::LightModel::calibrated;
   std::uint64_t seed = 1;
   double quality = 1.0;  ///< particles of sampled clouds, in those that are asked for
+  /// Folders of pictures for the two sets of puff textures; empty: Offing's own.
+  std::string crisp_puffs, soft_puffs;
 };
 
 }  // namespace offing::scene

@@ -7,6 +7,9 @@
 #include "shared/cloud_picture.h"
 #include "terrain/lane_masks.clh"
 
+// Places that a tile keeps of its first look at the boxes.
+#define KEPT 512
+
 static inline uint lane_of(uint_lanes values, int lane) {
 #if LANES == 1
   return values;
@@ -20,6 +23,14 @@ static inline uint lane_of(uint_lanes values, int lane) {
 #endif
 }
 
+// Not 0 in the lanes whose boxes reach into the tile.
+FFT_INLINE uint_lanes boxes_that_meet(__global const float* box, int pitch, float left, float right,
+                                      float bottom, float top) {
+  return as_uint_lanes(mask_of(load_lanes(box) < right) & mask_of(load_lanes(box + pitch) > left) &
+                       mask_of(load_lanes(box + 2 * pitch) < top) &
+                       mask_of(load_lanes(box + 3 * pitch) > bottom));
+}
+
 __kernel void puff_tiles(__global const float* restrict boxes, CloudPictureParams params, int capacity,
                          __global int* restrict first, __global int* restrict seen,
                          __global uint* restrict list, __global int* restrict used) {
@@ -28,28 +39,32 @@ __kernel void puff_tiles(__global const float* restrict boxes, CloudPictureParam
   const float left = (float)(tile % params.tile_columns * CLOUD_TILE_PX);
   const float bottom = (float)(tile / params.tile_columns * CLOUD_TILE_PX);
   const float right = left + CLOUD_TILE_PX, top = bottom + CLOUD_TILE_PX;
-  int begin = 0, count = 0;
-  for (int pass = 0; pass < 2; ++pass) {
-    if (pass == 1) {
-      begin = atomic_add(used, count);
-      first[tile] = begin;
-      seen[tile] = begin + count <= capacity ? count : 0;
-      if (begin + count > capacity) return;
-      count = 0;
+  // What the first pass finds, unless it is more: then a second one looks for all again.
+  uint found[KEPT];
+  int count = 0;
+  for (int place = 0; place < params.box_pitch; place += LANES) {
+    const uint_lanes bits = boxes_that_meet(boxes + place, params.box_pitch, left, right, bottom, top);
+    if (!any_lane(as_int_lanes(bits))) continue;
+    for (int lane = 0; lane < LANES; ++lane) {
+      if (lane_of(bits, lane) == 0u) continue;
+      if (count < KEPT) found[count] = (uint)(place + lane);
+      ++count;
     }
-    for (int place = 0; place < params.box_pitch; place += LANES) {
-      __global const float* box = boxes + place;
-      const int_lanes meets = mask_of(load_lanes(box) < right) &
-                              mask_of(load_lanes(box + params.box_pitch) > left) &
-                              mask_of(load_lanes(box + 2 * params.box_pitch) < top) &
-                              mask_of(load_lanes(box + 3 * params.box_pitch) > bottom);
-      if (!any_lane(meets)) continue;
-      const uint_lanes bits = as_uint_lanes(meets);
-      for (int lane = 0; lane < LANES; ++lane) {
-        if (lane_of(bits, lane) == 0u) continue;
-        if (pass == 1) list[begin + count] = (uint)(place + lane);
-        ++count;
-      }
+  }
+  const int begin = atomic_add(used, count);
+  first[tile] = begin;
+  seen[tile] = begin + count <= capacity ? count : 0;
+  if (begin + count > capacity) return;
+  if (count <= KEPT) {
+    for (int i = 0; i < count; ++i) list[begin + i] = found[i];
+    return;
+  }
+  int next = begin;
+  for (int place = 0; place < params.box_pitch; place += LANES) {
+    const uint_lanes bits = boxes_that_meet(boxes + place, params.box_pitch, left, right, bottom, top);
+    if (!any_lane(as_int_lanes(bits))) continue;
+    for (int lane = 0; lane < LANES; ++lane) {
+      if (lane_of(bits, lane) != 0u) list[next++] = (uint)(place + lane);
     }
   }
 }

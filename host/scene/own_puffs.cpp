@@ -1,0 +1,55 @@
+#include "host/scene/own_puffs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/io/png_image.h"
+#include "host/scene/named_file.h"
+
+namespace offing::scene {
+namespace {
+
+std::vector<RgbaImage> read_pictures(const std::string& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code failure;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failure)) {
+    if (entry.path().extension() == ".png") files.push_back(entry.path());
+  }
+  if (failure || files.size() != CLOUD_TEXTURES) {
+    throw Error(
+        ErrorKind::bad_input,
+        failure ? fmt::format("{}: cannot be read as a folder: {}", folder, failure.message())
+                : fmt::format("{}: expected {} PNG files, found {}", folder, CLOUD_TEXTURES, files.size()),
+        "name a folder with one PNG picture for each texture of a set");
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<RgbaImage> pictures;
+  for (const std::filesystem::path& file : files) pictures.push_back(read_png_with_alpha(file));
+  return pictures;
+}
+
+}  // namespace
+
+std::optional<clouds::PuffTextures> own_puffs(const OceanScene& scene) {
+  const CloudsScene& settings = scene.cloud_settings;
+  if (settings.crisp_puffs.empty() && settings.soft_puffs.empty()) return {};
+  clouds::PuffTextures textures = clouds::puff_textures();
+  const auto replace = [&](const char* key, const std::string& folder, int set) {
+    if (folder.empty()) return;
+    read_named(scene, key, "a folder of pictures", folder, [&] {
+      clouds::replace_puffs(textures, set, read_pictures(folder));
+      return set;
+    });
+  };
+  replace("clouds.crisp_puffs", settings.crisp_puffs, 0);
+  replace("clouds.soft_puffs", settings.soft_puffs, 1);
+  return textures;
+}
+
+}  // namespace offing::scene
