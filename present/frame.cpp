@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "present/device_stage.h"
+#include "present/view_depth.h"
 
 namespace offing::present {
 namespace {
@@ -63,6 +64,24 @@ void Frame::draw_light(world::World& world, const FrameRequest& request, bool se
   }
 }
 
+void Frame::draw_clouds(world::World& world, const FrameRequest& request) {
+  run_stage(times_, Stage::clouds, world.device(), [&] { world.see_clouds(request.camera); });
+  const StageTimes::Scope stage(times_, Stage::clouds);
+  const world::CloudsView& clouds = *world.clouds();
+  const auto& [x, y, z] = world.parameters().sun_direction;
+  clouds_.prepare(world.device(),
+                  {.particles = clouds.particles(),
+                   .sprites = clouds.sprites(),
+                   .order = clouds.order(),
+                   .count = clouds.count(),
+                   .origin_m = clouds.sky_origin_m(),
+                   .sun_direction = {x, y, z},
+                   .near_m = near_m},
+                  request.camera, light_, transfer_);
+  light_.bind();
+  clouds_.draw(request.camera, world.parameters().atmosphere, sky_.environment());
+}
+
 void Frame::draw(world::World& world, const FrameRequest& request) {
   fit(request.camera.width_px, request.camera.height_px);
   // Depth is 1 at the near plane and 0 at infinity.
@@ -90,6 +109,7 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
     terrain_.draw_steps();
   } else {
     draw_light(world, request, sees_ground);
+    if (world.clouds() != nullptr) draw_clouds(world, request);
   }
   {
     const StageTimes::Scope stage(times_, Stage::tone);

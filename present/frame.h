@@ -3,7 +3,9 @@
 #include <optional>
 
 #include "host/base/camera.h"
+#include "host/clouds/puff_textures.h"
 #include "host/world/world.h"
+#include "present/cloud_pass.h"
 #include "present/gl_context.h"
 #include "present/mesh_pass.h"
 #include "present/render_target.h"
@@ -31,6 +33,11 @@ class Frame {
   /// Draws the world as it stands (World::at()), with the camera's width and height.
   void draw(world::World& world, const FrameRequest& request);
 
+  /// Puts other textures of clouds in the place of Offing's own.
+  void set_puffs(const ocl::Device& device, const clouds::PuffTextures& textures) {
+    clouds_.set_textures(device, textures);
+  }
+
   /// Scene-linear light of the last picture, kcd/m2.
   const RenderTarget& light() const { return light_; }
   /// The last picture as a screen shows it, sRGB.
@@ -42,6 +49,7 @@ class Frame {
  private:
   void fit(int width, int height);
   void draw_light(world::World& world, const FrameRequest& request, bool sees_ground);
+  void draw_clouds(world::World& world, const FrameRequest& request);
 
   GlCapabilities capabilities_;
   terrain::Sampling ground_sampling_;
@@ -50,6 +58,7 @@ class Frame {
   WaterPass water_;
   TerrainPass terrain_;
   MeshPass meshes_;
+  CloudPass clouds_;
   TonePass tone_;
   RenderTarget light_, screen_;
   StageTimes times_;

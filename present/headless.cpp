@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "host/base/progress.h"
+#include "host/scene/own_puffs.h"
 #include "host/scene/scene_meshes.h"
 #include "host/scene/world_scene.h"
 #include "present/frame.h"
@@ -24,6 +25,7 @@ class PictureMaker {
         lighting_at_(scene::lighting_of(scene_, world_.ground())),
         frame_(context_, device_, frame_settings(options.detail.value_or(Detail::high), options.transfer)),
         size_(options.size.value_or(PictureSize{})) {
+    if (const auto puffs = scene::own_puffs(scene_)) frame_.set_puffs(device_, *puffs);
     spdlog::info("OpenGL {} ({}, {}); OpenCL {}; transfer {}", context_.capabilities().version,
                  context_.capabilities().renderer, context_.capabilities().platform, device_.info().name,
                  to_string(frame_.transfer_rung()));

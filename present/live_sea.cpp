@@ -10,6 +10,7 @@
 #include "host/base/error.h"
 #include "host/base/log.h"
 #include "host/scene/moving_view.h"
+#include "host/scene/own_puffs.h"
 #include "host/scene/scene_meshes.h"
 #include "host/scene/world_scene.h"
 #include "present/device_stage.h"
@@ -25,6 +26,7 @@ LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, cons
       scene_(scene),
       world_(std::make_unique<world::World>(device_, scene::prepare_shown_world(scene_))),
       frame_(std::make_unique<Frame>(context, device_, settings.frame)) {
+  if (const auto puffs = scene::own_puffs(scene_)) frame_->set_puffs(device_, *puffs);
   warning_ = scene::steepness_warning(scene_, world_->parameters().trochoids);
   // What was written where has been checked: edits are not to be warned of as if they were in the file.
   scene_.set_at.clear();
@@ -32,6 +34,7 @@ LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, cons
 
 void LiveSea::try_out(world::World& world) const {
   world.at(view_.time_s, view_.camera.eye_m.y);
+  world.see_clouds(view_.camera);
   device_.finish();
 }
 
@@ -40,6 +43,14 @@ void LiveSea::edit(const scene::OceanScene& scene) {
   scene::OceanScene edited = scene;
   edited.set_at.clear();
   const world::WorldParameters before = world_->parameters();
+  const auto folders = [](const scene::OceanScene& of) {
+    return std::pair(of.cloud_settings.crisp_puffs, of.cloud_settings.soft_puffs);
+  };
+  std::optional<clouds::PuffTextures> puffs;
+  if (folders(scene_) != folders(edited)) {
+    puffs = scene::own_puffs(edited);
+    if (!puffs) puffs = clouds::puff_textures();
+  }
   try {
     scene::edit_world(*world_, scene_, edited);
     try_out(*world_);
@@ -48,6 +59,7 @@ void LiveSea::edit(const scene::OceanScene& scene) {
     world_ = std::make_unique<world::World>(device_, before);
     throw;
   }
+  if (puffs) frame_->set_puffs(device_, *puffs);
   scene_ = std::move(edited);
   std::string warning = scene::steepness_warning(scene_, world_->parameters().trochoids);
   if (warning_.empty() && !warning.empty()) spdlog::warn("{}", warning);
@@ -57,6 +69,7 @@ void LiveSea::edit(const scene::OceanScene& scene) {
 
 void LiveSea::reload() {
   auto frame = std::make_unique<Frame>(context_, device_, settings_);
+  if (const auto puffs = scene::own_puffs(scene_)) frame->set_puffs(device_, *puffs);
   auto world =
       std::make_unique<world::World>(device_, scene::prepare_world(scene_, scene::Warnings::left_out));
   try_out(*world);

@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 
 #include "host/base/process.h"
+#include "host/cli/clouds_command.h"
 #include "host/cli/devices_command.h"
 #include "host/cli/global_options.h"
 #include "host/cli/highlights_command.h"
@@ -26,6 +27,7 @@ void build(CLI::App& app, cli::GlobalOptions& options) {
   cli::add_ocean_command(app, options);
   cli::add_terrain_command(app, options);
   cli::add_highlights_command(app, options);
+  cli::add_clouds_command(app, options);
   cli::add_devices_command(app, options);
   app.footer(R"(
 Examples:
@@ -37,6 +39,7 @@ Examples:
   offing terrain info N42E001.hgt.zip
   offing terrain render S33W071.tif -o andes.png
   offing highlights scenes/knot.toml -o knot.glb
+  offing clouds build scenes/cumulus.toml -o cumulus.vdb
 
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device, 130 interrupted.)");
 }

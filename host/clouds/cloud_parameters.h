@@ -140,12 +140,16 @@ void require_valid(const CloudParameters& parameters);
 struct CloudSun {
   glm::dvec3 direction{0.0, 1.0, 0.0};  ///< unit, toward it
   glm::dvec3 illuminance_klx{0.0};      ///< of a surface that faces it, at the cloud; linear Rec.709
+
+  bool operator==(const CloudSun&) const = default;
 };
 
 struct CloudIllumination {
   std::vector<CloudSun> suns;
   glm::dvec3 sky_kcdpm2{0.0};     ///< mean radiance of the upper hemisphere
   glm::dvec3 ground_kcdpm2{0.0};  ///< of the lower one
+
+  bool operator==(const CloudIllumination&) const = default;
 };
 
 /// How light goes through clouds: as Harris and the paper have it, or corrected to keep energy.

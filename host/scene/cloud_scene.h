@@ -23,9 +23,10 @@ struct CloudShapeScene {
   std::string grid = "density";  ///< of a .vdb
   std::string mesh;              ///< a closed one
   std::string text;
-  double size_m = 500.0;       ///< height of a text; longest edge of a mesh
-  double thickness_m = 150.0;  ///< of a text
-  double fluff_m = 40.0;       ///< over which the density of a mesh or a text rises inward
+  double size_m = 500.0;      ///< height of a text; longest edge of a mesh
+  double depth_m = 150.0;     ///< of a text, from front to back
+  double thickness_m = 40.0;  ///< how deep below the surface of a mesh or a text its density has risen to 1
+  double fluff_m = 15.0;      ///< how far beyond that surface it begins
 };
 
 /// A noise and its blend; what is absent is as the genus has it.

@@ -6,6 +6,7 @@
 #include "host/base/log.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/parameter_table.h"
+#include "host/scene/scene_clouds.h"
 #include "host/scene/scene_ground.h"
 #include "host/scene/scene_meshes.h"
 #include "host/scene/unused_parameters.h"
@@ -103,6 +104,7 @@ world::WorldParameters prepare_sea_and_sky(const OceanScene& scene, Warnings war
 world::WorldParameters prepare_world(const OceanScene& scene, Warnings warnings) {
   world::WorldParameters parameters = prepare_sea_and_sky(scene, warnings);
   parameters.ground = prepare_ground(scene);
+  parameters.clouds = prepare_clouds(scene);
   parameters.pictures = prepare_pictures(scene);
   parameters.meshes = prepare_meshes(scene);
   parameters.lamps = lamps_at(scene, scene.start_s);
@@ -158,6 +160,7 @@ void edit_world(world::World& world, const OceanScene& before, const OceanScene&
       break;
   }
   world.set_ground(ground);
+  edit_clouds(world, before, after);
   edit_meshes(world, before, after);
   set_view(world, view);
 }

@@ -12,15 +12,14 @@
 #include "host/ocl/device.h"
 #include "kernels/shared/clouds.h"
 
-namespace offing::clouds {
-class CloudShadowMap;
-}  // namespace offing::clouds
-
 namespace offing::world {
 
 /// All clouds of a sky.
 struct CloudSkyParameters {
   std::vector<clouds::CloudParameters> clouds;
+  /// Of each cloud, or of the first of them: particles at rest, in its axes, in place of those that its
+  /// parameters give (files, edits by hand); nullptr: none. Equal that are the same object.
+  std::vector<std::shared_ptr<const std::vector<CloudParticle>>> particles = {};
   clouds::LightModel light_model = clouds::LightModel::calibrated;
 
   bool operator==(const CloudSkyParameters&) const = default;
@@ -49,7 +48,7 @@ class CloudsView {
   /// Enqueues the light that reaches the particles of the last at(); nothing where neither they nor the light
   /// have changed.
   void light(const clouds::CloudIllumination& illumination);
-  /// Enqueues what is seen of the particles of the last light() from a camera's eye.
+  /// Enqueues what is seen of the particles of the last light() from a camera's eye; nothing before one.
   void see(const Camera& camera);
 
   /// Mean altitude of the clouds at time 0, m above the sea.
@@ -66,8 +65,6 @@ class CloudsView {
   const ocl::Buffer<std::uint32_t>& order() const;
   /// In the world: what the particles' places are relative to. Multiples of 1024 m; changes with set() only.
   glm::dvec3 sky_origin_m() const;
-  /// Optical depth toward the first sun, for whoever lies below. nullptr before light() and without suns.
-  const clouds::CloudShadowMap* shadow() const;
   /// Changes whenever particles(), sprites() or order() may have: whoever holds copies knows by it whether
   /// they are up to date.
   std::uint64_t revision() const;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/world/cloud_light.h"
 
 namespace offing::world {
 namespace {
@@ -93,6 +94,7 @@ World::World(const ocl::Device& device, const WorldParameters& parameters)
     : device_(device), parameters_(parameters), sky_(device, parameters.atmosphere) {
   make_sea(parameters);
   if (parameters.ground) ground_.emplace(device, *parameters.ground);
+  set_clouds(parameters.clouds);
   set_meshes(parameters.meshes);
   set_lamps(parameters.lamps);
 }
@@ -122,12 +124,15 @@ void World::set_sun(const std::array<double, 3>& direction, double distance_au) 
   parameters_.sun_direction = direction;
   parameters_.sun_distance_au = distance_au;
   sky_altitude_m_.reset();
+  cloud_illumination_.reset();
 }
 
 void World::set_atmosphere(const sky::Atmosphere& atmosphere) {
   sky_ = sky::ClearSky(device_, atmosphere);
   parameters_.atmosphere = atmosphere;
   sky_altitude_m_.reset();
+  cloud_sky_.reset();
+  cloud_illumination_.reset();
 }
 
 void World::set_trochoids(const ocean::TrochoidSea& trochoids) {
@@ -169,6 +174,19 @@ void World::set_ground(const std::optional<GroundParameters>& ground) {
   }
   parameters_.ground = ground;
   sky_altitude_m_.reset();
+}
+
+void World::set_clouds(const std::optional<CloudSkyParameters>& clouds) {
+  if (clouds && clouds_) {
+    clouds_->set(*clouds);
+  } else if (clouds) {
+    clouds_.emplace(device_, *clouds);
+  } else {
+    clouds_.reset();
+    cloud_sky_.reset();
+  }
+  parameters_.clouds = clouds;
+  cloud_illumination_.reset();
 }
 
 void World::set_meshes(const std::vector<MeshParameters>& meshes) {
@@ -237,7 +255,24 @@ void World::at(double time_s, double eye_altitude_m) {
     ocean_->at(time_s);
     ocean_->foam_map();
   }
+  light_clouds(time_s);
   time_s_ = time_s;
+}
+
+void World::light_clouds(double time_s) {
+  if (!clouds_) return;
+  if (!cloud_sky_) cloud_sky_.emplace(device_, parameters_.atmosphere);
+  if (!cloud_illumination_) {
+    cloud_illumination_ =
+        cloud_illumination(*cloud_sky_, parameters_.atmosphere,
+                           {parameters_.sun_direction, parameters_.sun_distance_au}, clouds_->altitude_m());
+  }
+  clouds_->at(time_s);
+  clouds_->light(*cloud_illumination_);
+}
+
+void World::see_clouds(const Camera& camera) {
+  if (clouds_) clouds_->see(camera);
 }
 
 void World::see_ground(const Camera& camera, const terrain::Sampling& sampling, TileWait wait) {

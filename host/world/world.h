@@ -17,6 +17,7 @@
 #include "host/ocl/device.h"
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
+#include "host/world/clouds_view.h"
 #include "host/world/ground_view.h"
 #include "host/world/mesh_parameters.h"
 #include "host/world/mesh_view.h"
@@ -36,6 +37,7 @@ struct WorldParameters {
   std::array<double, 3> sun_direction{0.0, 1.0, 0.0};  ///< unit, toward the sun
   double sun_distance_au = 1.0;
   std::optional<GroundParameters> ground = {};
+  std::optional<CloudSkyParameters> clouds = {};
   std::vector<MeshParameters> meshes = {};
   std::vector<Lamp> lamps = {};                                 ///< beside the sun, at the time that is shown
   std::vector<std::shared_ptr<const RgbaImage>> pictures = {};  ///< of the highlights of meshes
@@ -64,12 +66,14 @@ class World {
   const WorldParameters& parameters() const { return parameters_; }
   double time_s() const { return time_s_; }
 
-  /// Enqueues the world of this time, as seen from this height above the sea: sky, sea, foam.
+  /// Enqueues the world of this time, as seen from this height above the sea: sky, sea, foam, clouds.
   void at(double time_s, double eye_altitude_m);
   /// Enqueues what a camera sees of the ground, if there is any, in the light of the last at(). An eye that
   /// is farther from the map than rays reach sees nothing of it. Throws what GroundView::at() throws.
   void see_ground(const Camera& camera, const terrain::Sampling& sampling = {},
                   TileWait wait = TileWait::all);
+  /// Enqueues what a camera sees of the clouds of the last at(), if there are any.
+  void see_clouds(const Camera& camera);
   /// Takes the meshes to the time of the last at(), with the highlights that they have for this eye. With a
   /// lighting, of the world's axes at any time, these depend on the time and on that of the sequence's first
   /// picture alone (MeshView::at()); without one they follow the eye and the lamps as they are
@@ -102,6 +106,8 @@ class World {
   void set_sea(const WorldParameters& parameters);
   /// Changes the ground; other heights or another place make it anew. Throws what GroundView throws.
   void set_ground(const std::optional<GroundParameters>& ground);
+  /// Changes the clouds: those whose parameters stay are kept. Throws what CloudsView throws.
+  void set_clouds(const std::optional<CloudSkyParameters>& clouds);
   /// Puts other meshes in their place, made anew. Throws what MeshView throws.
   void set_meshes(const std::vector<MeshParameters>& meshes);
   /// Throws Error(bad_usage) for more than most_lamps.
@@ -117,6 +123,8 @@ class World {
   /// nullptr in a world without ground.
   const GroundView* ground() const { return ground_ ? &*ground_ : nullptr; }
   GroundView* ground() { return ground_ ? &*ground_ : nullptr; }
+  /// nullptr in a world without clouds.
+  const CloudsView* clouds() const { return clouds_ ? &*clouds_ : nullptr; }
   const std::vector<MeshView>& meshes() const { return meshes_; }
   /// In the order of the parameters.
   std::vector<MeshView>& meshes() { return meshes_; }
@@ -135,12 +143,16 @@ class World {
  private:
   void make_sea(const WorldParameters& parameters);
   void look_at_sky(double eye_altitude_m);
+  void light_clouds(double time_s);
 
   ocl::Device device_;
   WorldParameters parameters_;
   std::optional<ocean::Ocean> ocean_;
   sky::ClearSky sky_;
   std::optional<GroundView> ground_;
+  std::optional<CloudsView> clouds_;
+  std::optional<sky::ClearSky> cloud_sky_;                       // as clouds see it, not the eye
+  std::optional<clouds::CloudIllumination> cloud_illumination_;  // none: it is out of date
   std::vector<MeshView> meshes_;
   TerrainLight ground_light_{};  // of the sky's tables
   double time_s_ = 0.0;

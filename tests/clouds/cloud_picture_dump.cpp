@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
     write_dump(argv[1]);
   } catch (const Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
-    return exit_code(error.kind());
+    return 1;
   }
   return 0;
 }

@@ -126,8 +126,7 @@ TEST(CloudSection, RefusesWhatNoCloudHas) {
 
 // Fails if a value that does nothing goes unsaid.
 TEST(CloudSection, TellsOfValuesThatDoNothing) {
-  const OceanScene scene =
-      scene_of("[[cloud]]\nheat_spread = 0.5\nfluff_m = 3\ntext = \"\"\ngrid = \"smoke\"\n");
+  const OceanScene scene = scene_of("[[cloud]]\nheat_spread = 0.5\nfluff_m = 3\ngrid = \"smoke\"\n");
   EXPECT_THAT(unused_parameters(scene), ElementsAre(HasSubstr("cloud.file is not given"),
                                                     HasSubstr("neither cloud.mesh nor cloud.text is given"),
                                                     HasSubstr("cloud.heat_k is not given")));

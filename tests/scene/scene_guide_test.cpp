@@ -84,11 +84,15 @@ TEST(SceneGuide, ItsExamplesAreScenes) {
   EXPECT_EQ(scene.tracks.size(), 2u);
   EXPECT_TRUE(scene.view.sun_time_utc);
   EXPECT_TRUE(example_between("## The ground", "\n## Meshes").terrain.is_given);
-  const OceanScene head = example_between("## Meshes", "\n## Benchmarks");
+  const OceanScene head = example_between("## Meshes", "\n## Clouds");
   ASSERT_EQ(head.meshes.size(), 2u);
   EXPECT_EQ(head.meshes[0].highlights.size(), 2u);
   EXPECT_EQ(head.tracks.size(), 5u);
   EXPECT_EQ(mesh_rules_at(head, 0.0)[0][1].lamp, 0);
+  const OceanScene sky = example_between("## Clouds", "\n## Benchmarks");
+  EXPECT_EQ(sky.cloud_layers.size(), 1u);
+  ASSERT_EQ(sky.clouds.size(), 1u);
+  EXPECT_EQ(sky.clouds[0].balls.size(), 2u);
 }
 
 }  // namespace

@@ -1,0 +1,114 @@
+#include "host/cli/cloud_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <glm/common.hpp>
+
+#include "host/clouds/cloud_density.h"
+#include "host/clouds/density_volume.h"
+
+namespace offing::cli {
+
+namespace {
+
+using clouds::CloudParameters;
+
+bool is_grey(const glm::dvec3& albedo) {
+  return albedo.x == albedo.y && albedo.y == albedo.z;
+}
+
+bool has_one_grey(const std::vector<CloudParticle>& particles) {
+  return std::all_of(particles.begin(), particles.end(), [&](const CloudParticle& particle) {
+    return particle.red == particles.front().red && is_grey({particle.red, particle.green, particle.blue});
+  });
+}
+
+/// The value in another volume of the same grid, 0 where that has no brick.
+float value_in(const CloudVolume& volume, std::size_t place, std::size_t cell) {
+  const std::int32_t slot = volume.brick_of[place];
+  if (slot == CloudVolume::no_brick) return 0.0f;
+  return volume.density[static_cast<std::size_t>(slot) * CloudVolume::cells_of_brick + cell];
+}
+
+}  // namespace
+
+CloudFrames::CloudFrames(const ocl::Device& device, const world::CloudSkyParameters& sky)
+    : device_(device), view_(device, sky) {}
+
+CloudParticles CloudFrames::particles_at(double time_s) {
+  view_.at(time_s);
+  CloudParticles cloud{.origin_m = view_.sky_origin_m(), .particles = view_.particles().read()};
+  cloud.particles.resize(view_.count());
+  return cloud;
+}
+
+VdbCloud CloudFrames::volume_at(double time_s, double cell_m) {
+  const world::CloudSkyParameters& sky = view_.parameters();
+  const bool has_given_particles = !sky.particles.empty() && sky.particles.front();
+  const CloudParameters& first = sky.clouds.front();
+  const bool is_field = first.modelling == clouds::Modelling::sampled || first.shape;
+  if (sky.clouds.size() > 1 || !is_field || (has_given_particles && !first.shape)) {
+    return rasterised_at(time_s, cell_m);
+  }
+  VdbCloud cloud{.volume = clouds::density_volume(device_, first, cell_m, time_s)};
+  const glm::dvec3& albedo = first.look.albedo;
+  if (!is_grey(albedo)) {
+    cloud.albedo.assign(
+        cloud.volume.density.size(),
+        {static_cast<float>(albedo.x), static_cast<float>(albedo.y), static_cast<float>(albedo.z)});
+  }
+  return cloud;
+}
+
+VdbCloud CloudFrames::rasterised_at(double time_s, double cell_m) {
+  const CloudParticles cloud = particles_at(time_s);
+  const double extinction_per_m = view_.parameters().clouds.front().look.extinction_per_m;
+  const auto volume_of = [&](const std::vector<CloudParticle>& particles) {
+    CloudVolume volume = clouds::rasterised(device_, particles, cell_m, extinction_per_m);
+    volume.origin_m += cloud.origin_m;
+    return volume;
+  };
+  VdbCloud result{.volume = volume_of(cloud.particles)};
+  if (has_one_grey(cloud.particles)) return result;
+  // A cell's albedo is the mean of its particles', by the extinction that each has there.
+  result.albedo.resize(result.volume.density.size());
+  constexpr std::array<float CloudParticle::*, 3> channels{&CloudParticle::red, &CloudParticle::green,
+                                                           &CloudParticle::blue};
+  for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+    std::vector<CloudParticle> weighted = cloud.particles;
+    for (CloudParticle& particle : weighted) particle.optical_mass *= particle.*channels[channel];
+    const CloudVolume scattered = volume_of(weighted);
+    for (std::size_t place = 0; place < result.volume.brick_of.size(); ++place) {
+      const std::int32_t slot = result.volume.brick_of[place];
+      if (slot == CloudVolume::no_brick) continue;
+      for (std::size_t cell = 0; cell < CloudVolume::cells_of_brick; ++cell) {
+        const std::size_t here = static_cast<std::size_t>(slot) * CloudVolume::cells_of_brick + cell;
+        const float density = result.volume.density[here];
+        result.albedo[here][channel] =
+            density > 0.0f ? std::min(value_in(scattered, place, cell) / density, 1.0f) : 0.0f;
+      }
+    }
+  }
+  return result;
+}
+
+double usual_cell_m(const CloudParticles& cloud) {
+  glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (const CloudParticle& particle : cloud.particles) {
+    const glm::dvec3 place_m(particle.x, particle.y, particle.z);
+    low = glm::min(low, place_m - glm::dvec3(particle.radius));
+    high = glm::max(high, place_m + glm::dvec3(particle.radius));
+  }
+  constexpr double cells = 128.0;
+  const glm::dvec3 size_m = high - low;
+  const double edge_m = std::max({size_m.x, size_m.y, size_m.z, 1e-3}) / cells;
+  const double magnitude = std::pow(10.0, std::floor(std::log10(edge_m)));
+  return std::round(edge_m / magnitude * 2.0) / 2.0 * magnitude;  // 1, 1.5, 2 ... 9.5, 10
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include "host/io/clouds/cloud_particles.h"
+#include "host/io/vdb/vdb_volume.h"
+#include "host/ocl/device.h"
+#include "host/world/clouds_view.h"
+
+namespace offing::cli {
+
+/// Makes what files hold of clouds at any time.
+class CloudFrames {
+ public:
+  /// Throws what CloudsView throws.
+  CloudFrames(const ocl::Device& device, const world::CloudSkyParameters& sky);
+
+  /// All particles at a time.
+  CloudParticles particles_at(double time_s);
+  /// The density of all clouds together: of a single sampled one that of its field, of others that of their
+  /// particles. Albedos are told where they differ, or are no grey. Throws what density_volume() and
+  /// rasterised() throw.
+  VdbCloud volume_at(double time_s, double cell_m);
+
+ private:
+  VdbCloud rasterised_at(double time_s, double cell_m);
+
+  ocl::Device device_;
+  world::CloudsView view_;
+};
+
+/// A round length such that the box around particles has about 128 cells along its longest edge.
+double usual_cell_m(const CloudParticles& cloud);
+
+}  // namespace offing::cli

@@ -1,0 +1,197 @@
+#include "host/cli/clouds_build_command.h"
+
+#include <filesystem>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/base/argument.h"
+#include "host/base/error_report.h"
+#include "host/base/frame_name.h"
+#include "host/base/progress.h"
+#include "host/cli/cloud_frame.h"
+#include "host/cli/device_choice.h"
+#include "host/cli/scene_frames.h"
+#include "host/clouds/cloud_density.h"
+#include "host/command_line/new_output.h"
+#include "host/command_line/print_json.h"
+#include "host/io/file_extension.h"
+#include "host/scene/scene_clouds.h"
+#include "host/scene/scene_file.h"
+
+namespace offing::cli {
+namespace {
+
+struct BuildArguments {
+  std::string scene, output, cell_m, time_s, frames, frames_per_second;
+  bool half = false;
+  bool json = false;
+  bool force = false;
+};
+
+/// A file to write and the time that it shows.
+struct TimedFile {
+  std::string name;
+  double time_s = 0.0;
+};
+
+std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::OceanScene& scene) {
+  const bool is_sequence = arguments.output.find('%') != std::string::npos;
+  if (!is_sequence) {
+    if (!arguments.frames.empty() || !arguments.frames_per_second.empty()) {
+      throw Error(ErrorKind::bad_usage,
+                  "--frames: expected a name with a place for the frame's number, found none",
+                  "write -o cloud.%04d.vdb");
+    }
+    const double time_s = arguments.time_s.empty()
+                              ? scene.start_s
+                              : read_number("--time", arguments.time_s, "s", -1e8, 1e8, "12.5");
+    return {{arguments.output, time_s}};
+  }
+  if (!arguments.time_s.empty()) {
+    throw Error(ErrorKind::bad_usage, "--time: expected one file, found a name for many", "use --frames");
+  }
+  const FrameName name("-o", arguments.output, "cloud.%04d.vdb");
+  const FrameRange frames =
+      arguments.frames.empty() ? frames_in_time_span(scene) : read_frame_range("--frames", arguments.frames);
+  std::vector<TimedFile> files;
+  for (int frame = frames.first; frame <= frames.last; ++frame) {
+    files.push_back({name.of(frame).string(), frame / scene.frames_per_second});
+  }
+  return files;
+}
+
+void require_outputs(const BuildArguments& arguments, const scene::OceanScene& scene,
+                     const std::vector<TimedFile>& files) {
+  const Overwriting overwriting = arguments.force ? Overwriting::allowed : Overwriting::refused;
+  for (const TimedFile& file : files) {
+    require_new(file.name, overwriting, {arguments.scene});
+    for (const scene::CloudScene& cloud : scene.clouds) {
+      require_new(file.name, overwriting, {cloud.shape.file, cloud.shape.mesh});
+    }
+  }
+}
+
+bool is_volume(const BuildArguments& arguments) {
+  return arguments.output.ends_with(".vdb");
+}
+
+/// What is told of the last file.
+nlohmann::ordered_json facts_of(const VdbCloud& cloud) {
+  const std::vector<float>& density = cloud.volume.density;
+  return {{"cell_m", cloud.volume.cell_m},
+          {"bricks", density.size() / CloudVolume::cells_of_brick},
+          {"density_sum", std::accumulate(density.begin(), density.end(), 0.0)},
+          {"extinction_per_m", cloud.volume.extinction_per_m},
+          {"optical_mass_m2", clouds::optical_mass(cloud.volume)}};
+}
+
+nlohmann::ordered_json facts_of(const CloudParticles& cloud) {
+  double optical_mass_m2 = 0.0;
+  for (const CloudParticle& particle : cloud.particles) optical_mass_m2 += particle.optical_mass;
+  return {{"particles", cloud.particles.size()}, {"optical_mass_m2", optical_mass_m2}};
+}
+
+nlohmann::ordered_json write_frame(const BuildArguments& arguments, CloudFrames& frames,
+                                   const TimedFile& file, std::optional<double>& cell_m) {
+  if (!is_volume(arguments)) {
+    const CloudParticles cloud = frames.particles_at(file.time_s);
+    write_cloud_particles(file.name, cloud);
+    return facts_of(cloud);
+  }
+  if (!cell_m) cell_m = usual_cell_m(frames.particles_at(file.time_s));
+  const VdbCloud cloud = frames.volume_at(file.time_s, *cell_m);
+  write_vdb(file.name, cloud, arguments.half ? VdbPrecision::half : VdbPrecision::single);
+  return facts_of(cloud);
+}
+
+void tell(const BuildArguments& arguments, const std::vector<TimedFile>& files, std::size_t clouds,
+          const nlohmann::ordered_json& facts) {
+  std::uintmax_t bytes = 0;
+  for (const TimedFile& file : files) bytes += std::filesystem::file_size(file.name);
+  if (arguments.json) {
+    nlohmann::ordered_json json = {{"file", arguments.output}, {"frames", files.size()}, {"clouds", clouds}};
+    json.update(facts);
+    json["bytes"] = bytes;
+    print_json(json);
+    return;
+  }
+  const std::string content =
+      is_volume(arguments) ? fmt::format("{} bricks of cells of {:g} m", facts["bricks"].get<std::size_t>(),
+                                         facts["cell_m"].get<double>())
+                           : fmt::format("{} particles", facts["particles"].get<std::size_t>());
+  fmt::print("{}: {} file{}, {} cloud{}, {}, {} bytes\n", one_line(arguments.output), files.size(),
+             files.size() == 1 ? "" : "s", clouds, clouds == 1 ? "" : "s", content, bytes);
+}
+
+void run(const BuildArguments& arguments, const GlobalOptions& options) {
+  require_extension(arguments.output, {".vdb", ".ply"});
+  if (!is_volume(arguments) && (arguments.half || !arguments.cell_m.empty())) {
+    throw Error(ErrorKind::bad_usage, "--half, --cell-m: expected a .vdb, found particles", "leave them out");
+  }
+  std::optional<double> cell_m;
+  if (!arguments.cell_m.empty()) cell_m = read_number("--cell-m", arguments.cell_m, "m", 1e-3, 1e5, "20");
+  scene::OceanScene scene = scene::load_scene(arguments.scene);
+  if (!arguments.frames_per_second.empty()) {
+    scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "24");
+  }
+  const std::vector<TimedFile> files = files_of(arguments, scene);
+  require_outputs(arguments, scene, files);
+  const std::optional<world::CloudSkyParameters> sky = scene::prepare_clouds(scene);
+  if (!sky || sky->clouds.empty()) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected clouds, found none", one_line(arguments.scene)),
+                "add a [[cloud]] section to the scene");
+  }
+  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
+  CloudFrames frames(device, *sky);
+  nlohmann::ordered_json facts;
+  {
+    Progress progress(static_cast<int>(files.size()), "frames", options.verbosity);
+    for (const TimedFile& file : files) {
+      options.cancel.throw_if_cancelled();
+      facts = write_frame(arguments, frames, file, cell_m);
+      progress.advance();
+    }
+  }
+  tell(arguments, files, sky->clouds.size(), facts);
+}
+
+}  // namespace
+
+void add_clouds_build_command(CLI::App& parent, GlobalOptions& options) {
+  const auto arguments = std::make_shared<BuildArguments>();
+  CLI::App* command = parent.add_subcommand("build", "the clouds of a scene as a volume or as particles");
+  command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[cloud]] or [[cloud_layer]]")
+      ->required();
+  const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
+    return command->add_option(names, target, help)->type_name(placeholder)->group("Output");
+  };
+  add("-o,--output", arguments->output, "FILE",
+      "of .vdb: density, fog volume in metres of the world, +y up; of .ply: particles; cloud.%04d.vdb: a "
+      "file a "
+      "frame")
+      ->required();
+  add("--cell-m", arguments->cell_m, "M", "edge of a cell of a volume (default: 128 along the longest side)");
+  command->add_flag("--half", arguments->half, "values of 16 bits in place of 32")->group("Output");
+  add("--time", arguments->time_s, "S", "time that is shown (default: the scene's start)");
+  add("--frames", arguments->frames, "A:B",
+      "frames to write, A to B or A alone; time = frame / fps (default: the scene's)");
+  add("--fps", arguments->frames_per_second, "F", "frames a second (default: the scene's)");
+  command->add_flag("--force", arguments->force, "replace files that are there");
+  command->add_flag("--json", arguments->json, "a summary for scripts");
+  add_global_options(*command, options, DeviceUse::one);
+  command->footer(R"(
+Examples:
+  offing clouds build scenes/cumulus.toml -o cumulus.vdb --cell-m 10 --half
+  offing clouds build scenes/cumulus.toml -o cumulus.ply
+  offing clouds build scenes/sky.toml -o sky.%04d.vdb --frames 0:47 --fps 24)");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,147 @@
+#include "host/scene/cloud_shape.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include "host/clouds/mesh_volume.h"
+#include "host/clouds/sampled_particles.h"
+#include "host/io/clouds/cloud_particles.h"
+#include "host/io/meshes/read_mesh.h"
+#include "host/io/text/text_mesh.h"
+#include "host/io/vdb/vdb_volume.h"
+#include "host/scene/named_file.h"
+
+namespace offing::scene {
+
+namespace {
+
+using clouds::CloudParameters;
+
+/// The particles of a .ply, all of this cloud, with its colour where the scene gives one.
+RestingParticles particles_of(const OceanScene& scene, std::size_t index) {
+  const CloudScene& cloud = scene.clouds[index];
+  CloudParticles file = read_named(scene, {"cloud.file", {index, 0}}, "particles of a cloud",
+                                   cloud.shape.file, [&] { return read_cloud_particles(cloud.shape.file); });
+  const glm::vec3 shift(file.origin_m * cloud.scale);
+  const auto scale = static_cast<float>(cloud.scale);
+  for (CloudParticle& particle : file.particles) {
+    particle.x = particle.x * scale + shift.x;
+    particle.y = particle.y * scale + shift.y;
+    particle.z = particle.z * scale + shift.z;
+    particle.radius *= scale;
+    particle.optical_mass *= scale * scale;  // extinction over the volume, as thick for light as before
+    if (cloud.look.albedo) {
+      particle.red = static_cast<float>(cloud.look.albedo->x);
+      particle.green = static_cast<float>(cloud.look.albedo->y);
+      particle.blue = static_cast<float>(cloud.look.albedo->z);
+    }
+  }
+  return std::make_shared<const std::vector<CloudParticle>>(std::move(file.particles));
+}
+
+/// Sampled as a volume of balls is (C5), from the cells of the file.
+RestingParticles take_volume(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
+  const CloudScene& cloud = scene.clouds[index];
+  VdbCloud file = read_named(scene, {"cloud.file", {index, 0}}, "a volume", cloud.shape.file,
+                             [&] { return read_vdb(cloud.shape.file, cloud.shape.grid); });
+  file.volume.origin_m *= cloud.scale;
+  file.volume.cell_m *= cloud.scale;
+  if (file.tells_extinction && !cloud.look.extinction_per_m) {
+    parameters.look.extinction_per_m = file.volume.extinction_per_m;
+  }
+  file.volume.extinction_per_m = parameters.look.extinction_per_m;
+  parameters.modelling = clouds::Modelling::sampled;
+  // What has been frayed already is taken as it is, unless the scene says otherwise.
+  if (!cloud.noise.blend) parameters.turbulence.blend = 0.0;
+  if (!cloud.noise.wisp) parameters.turbulence.wisp = 1.0;
+  const bool is_frayed = parameters.turbulence.blend > 0.0 || parameters.turbulence.wisp != 1.0;
+  RestingParticles at_rest;
+  if (!is_frayed) {
+    std::vector<CloudParticle> particles =
+        clouds::sampled_particles(file.volume,
+                                  {.sampling = parameters.sampling,
+                                   .target_particles = parameters.target_particles,
+                                   .seed = parameters.seed},
+                                  parameters.look);
+    const glm::vec3 shift(file.volume.origin_m);
+    for (CloudParticle& particle : particles) {
+      particle.x += shift.x;
+      particle.y += shift.y;
+      particle.z += shift.z;
+    }
+    at_rest = std::make_shared<const std::vector<CloudParticle>>(std::move(particles));
+  }
+  parameters.shape = std::make_shared<const CloudVolume>(std::move(file.volume));
+  return at_rest;
+}
+
+/// A mesh whose longest edge of the box around it is as long as asked, about its middle.
+TriangleMesh fitted(TriangleMesh mesh, double size_m) {
+  glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (const glm::dvec3& place_m : mesh.positions_m) {
+    low = glm::min(low, place_m);
+    high = glm::max(high, place_m);
+  }
+  const glm::dvec3 extent_m = high - low, middle_m = 0.5 * (low + high);
+  const double scale = size_m / std::max({extent_m.x, extent_m.y, extent_m.z});
+  for (glm::dvec3& place_m : mesh.positions_m) place_m = scale * (place_m - middle_m);
+  return mesh;
+}
+
+void take_solid(const CloudScene& cloud, const TriangleMesh& mesh, CloudParameters& parameters) {
+  const CloudShapeScene& shape = cloud.shape;
+  // Fine enough for the rise of density from the surface, and no finer than the size can show.
+  constexpr double most_cells = 192.0, cells_of_rise = 3.0;
+  const double rise_m = cloud.scale * (shape.thickness_m + shape.fluff_m);
+  const double cell_m = std::max(rise_m / cells_of_rise, cloud.scale * shape.size_m / most_cells);
+  CloudVolume volume = clouds::mesh_volume(mesh, {.cell_m = cell_m,
+                                                  .thickness_m = cloud.scale * shape.thickness_m,
+                                                  .fluff_m = cloud.scale * shape.fluff_m});
+  volume.extinction_per_m = parameters.look.extinction_per_m;
+  parameters.modelling = clouds::Modelling::sampled;
+  parameters.shape = std::make_shared<const CloudVolume>(std::move(volume));
+}
+
+/// Tells faults of what `make` makes at the place of a key.
+template <typename Make>
+auto at_key(const OceanScene& scene, const ValueKey& key, const Make& make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("{}: {}", place_of_name(scene, key), error.what()), error.hint());
+  }
+}
+
+}  // namespace
+
+RestingParticles take_shape(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
+  const CloudScene& cloud = scene.clouds[index];
+  const ElementIndex element{index, 0};
+  const double size_m = cloud.scale * cloud.shape.size_m;
+  if (cloud.shape.file.empty()) {
+    if (!cloud.shape.mesh.empty()) {
+      const TriangleMesh mesh = read_named(scene, {"cloud.mesh", element}, "a mesh", cloud.shape.mesh,
+                                           [&] { return fitted(read_mesh(cloud.shape.mesh), size_m); });
+      at_key(scene, {"cloud.mesh", element}, [&] { take_solid(cloud, mesh, parameters); });
+    } else if (!cloud.shape.text.empty()) {
+      at_key(scene, {"cloud.text", element}, [&] {
+        const TextMeshOptions options{.height_m = size_m, .thickness_m = cloud.scale * cloud.shape.depth_m};
+        take_solid(cloud, text_mesh(cloud.shape.text, options), parameters);
+      });
+    }
+    return nullptr;
+  }
+  const std::filesystem::path extension = std::filesystem::path(cloud.shape.file).extension();
+  if (extension == ".vdb") return take_volume(scene, index, parameters);
+  if (extension == ".ply") return particles_of(scene, index);
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected a .vdb or a .ply, got {}",
+                          place_of_name(scene, {"cloud.file", {index, 0}}), cloud.shape.file),
+              "write volumes as .vdb and particles as .ply");
+}
+
+}  // namespace offing::scene

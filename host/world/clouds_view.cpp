@@ -1,0 +1,183 @@
+#include "host/world/clouds_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include "host/base/error.h"
+#include "host/clouds/cloud_model.h"
+#include "host/clouds/particle_light.h"
+#include "host/clouds/particle_order.h"
+
+namespace offing::world {
+namespace {
+
+using clouds::CloudModel;
+using clouds::CloudMotion;
+using clouds::CloudParameters;
+
+/// Between the clouds at time 0, where floats are finest.
+glm::dvec3 origin_of(const CloudSkyParameters& parameters) {
+  constexpr double step_m = 1024.0;  // multiples of it are exact in floats
+  glm::dvec3 low = parameters.clouds.front().position_m, high = low;
+  for (const CloudParameters& cloud : parameters.clouds) {
+    low = glm::min(low, cloud.position_m);
+    high = glm::max(high, cloud.position_m);
+  }
+  return step_m * glm::floor(0.5 * (low + high) / step_m + 0.5);
+}
+
+bool stands_still(const CloudParameters& cloud) {
+  const CloudMotion& motion = cloud.motion;
+  return motion.wind_mps == glm::dvec3(0.0) && motion.sway_m == 0.0 && !motion.path && !motion.heat;
+}
+
+using Particles = std::shared_ptr<const std::vector<CloudParticle>>;
+
+Particles given_particles(const CloudSkyParameters& parameters, std::size_t index) {
+  return index < parameters.particles.size() ? parameters.particles[index] : nullptr;
+}
+
+}  // namespace
+
+struct CloudsView::Sky {
+  explicit Sky(const ocl::Device& on) : device(on), particle_light(on), view_order(on) {}
+
+  ocl::Device device;
+  CloudSkyParameters parameters;
+  glm::dvec3 origin_m{0.0};
+  std::vector<std::shared_ptr<const CloudModel>> models;  // one a cloud
+  std::vector<clouds::CloudLook> looks;                   // one a cloud
+  std::uint32_t count = 0;
+  ocl::Buffer<CloudParticle> particles;
+  ocl::Buffer<CloudSprite> sprites;
+  clouds::ParticleLight particle_light;
+  clouds::ViewOrder view_order;
+  std::optional<double> time_s;                     // of the particles
+  std::optional<clouds::CloudIllumination> lit_by;  // that these particles have been lit by
+  std::optional<glm::dvec3> seen_from_m;
+  std::uint64_t revision = 0;
+};
+
+CloudsView::CloudsView(const ocl::Device& device, const CloudSkyParameters& parameters)
+    : sky_(std::make_unique<Sky>(device)) {
+  set(parameters);
+}
+CloudsView::CloudsView(CloudsView&&) noexcept = default;
+CloudsView& CloudsView::operator=(CloudsView&&) noexcept = default;
+CloudsView::~CloudsView() = default;
+
+const CloudSkyParameters& CloudsView::parameters() const {
+  return sky_->parameters;
+}
+
+void CloudsView::set(const CloudSkyParameters& parameters) {
+  Sky& sky = *sky_;
+  if (parameters.clouds.empty()) {
+    throw Error(ErrorKind::bad_usage, "clouds: expected at least one, found none", "add a cloud");
+  }
+  // All that can fail comes first.
+  const CloudSkyParameters& before = sky.parameters;
+  std::vector<std::shared_ptr<const CloudModel>> models;
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < parameters.clouds.size(); ++i) {
+    const CloudParameters& cloud = parameters.clouds[i];
+    const Particles given = given_particles(parameters, i);
+    const bool is_known =
+        i < sky.models.size() && before.clouds[i] == cloud && given_particles(before, i) == given;
+    const auto number = static_cast<std::uint32_t>(i);
+    if (is_known) {
+      models.push_back(sky.models[i]);
+    } else if (given) {
+      models.push_back(std::make_shared<const CloudModel>(sky.device, cloud, *given, number));
+    } else {
+      models.push_back(std::make_shared<const CloudModel>(sky.device, cloud, number));
+    }
+    count += models.back()->count();
+  }
+  constexpr std::uint64_t most_particles = 0xffff'ffff;
+  if (count > most_particles) {
+    throw Error(ErrorKind::out_of_memory, "clouds: more particles than can be counted", "ask for fewer");
+  }
+  const std::size_t room = std::max<std::size_t>(count, 1);
+  ocl::Buffer<CloudParticle> particles(sky.device, room, "particles of the sky");
+  ocl::Buffer<CloudSprite> sprites(sky.device, room, "sprites of clouds");
+
+  sky.models = std::move(models);
+  sky.looks.clear();
+  for (const CloudParameters& cloud : parameters.clouds) sky.looks.push_back(cloud.look);
+  sky.particles = std::move(particles);
+  sky.sprites = std::move(sprites);
+  sky.count = static_cast<std::uint32_t>(count);
+  sky.parameters = parameters;
+  sky.origin_m = origin_of(parameters);
+  sky.time_s.reset();
+  sky.lit_by.reset();
+  sky.seen_from_m.reset();
+  ++sky.revision;
+}
+
+void CloudsView::at(double time_s) {
+  Sky& sky = *sky_;
+  const auto& clouds = sky.parameters.clouds;
+  const bool is_same =
+      sky.time_s && (*sky.time_s == time_s || std::all_of(clouds.begin(), clouds.end(), stands_still));
+  if (is_same) return;
+  std::uint32_t first = 0;
+  for (const auto& model : sky.models) {
+    model->at(time_s, sky.origin_m, sky.particles, first);
+    first += model->count();
+  }
+  sky.time_s = time_s;
+  sky.lit_by.reset();
+  ++sky.revision;
+}
+
+void CloudsView::light(const clouds::CloudIllumination& illumination) {
+  Sky& sky = *sky_;
+  if (sky.lit_by == illumination || sky.count == 0) return;
+  sky.particle_light.relight(sky.particles, sky.count, illumination, sky.looks, sky.parameters.light_model);
+  sky.lit_by = illumination;
+  sky.seen_from_m.reset();
+  ++sky.revision;
+}
+
+void CloudsView::see(const Camera& camera) {
+  Sky& sky = *sky_;
+  if (!sky.lit_by || sky.seen_from_m == camera.eye_m) return;
+  const glm::vec3 eye_m(camera.eye_m - sky.origin_m);
+  sky.particle_light.see(eye_m, sky.sprites);
+  sky.view_order.sort(sky.particles, sky.count, eye_m);
+  sky.seen_from_m = camera.eye_m;
+  ++sky.revision;
+}
+
+double CloudsView::altitude_m() const {
+  double sum_m = 0.0;
+  for (const CloudParameters& cloud : sky_->parameters.clouds) sum_m += cloud.position_m.y;
+  return sum_m / static_cast<double>(sky_->parameters.clouds.size());
+}
+
+const ocl::Buffer<CloudParticle>& CloudsView::particles() const {
+  return sky_->particles;
+}
+std::uint32_t CloudsView::count() const {
+  return sky_->count;
+}
+const ocl::Buffer<CloudSprite>& CloudsView::sprites() const {
+  return sky_->sprites;
+}
+const ocl::Buffer<std::uint32_t>& CloudsView::order() const {
+  return sky_->view_order.order();
+}
+glm::dvec3 CloudsView::sky_origin_m() const {
+  return sky_->origin_m;
+}
+std::uint64_t CloudsView::revision() const {
+  return sky_->revision;
+}
+
+}  // namespace offing::world

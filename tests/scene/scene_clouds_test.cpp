@@ -1,0 +1,195 @@
+// From the sections of a scene to the clouds of a world.
+
+#include "host/scene/scene_clouds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "host/clouds/cloud_density.h"
+#include "host/clouds/cloud_model.h"
+#include "host/clouds/genera.h"
+#include "host/clouds/sampled_particles.h"
+#include "host/io/clouds/cloud_particles.h"
+#include "host/io/vdb/vdb_volume.h"
+#include "host/scene/scene_file.h"
+#include "tests/io/temporary_folder.h"
+
+namespace offing::scene {
+namespace {
+
+using ::testing::HasSubstr;
+
+class SceneClouds : public ::testing::Test {
+ protected:
+  OceanScene scene_of(const std::string& text) const {
+    return parse_scene("version = 1\n" + text, "a.toml", folder_.path());
+  }
+  world::CloudSkyParameters sky_of(const std::string& text) const {
+    return prepare_clouds(scene_of(text)).value();
+  }
+
+  std::string refusal(const std::string& text) const {
+    try {
+      prepare_clouds(scene_of(text));
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_input) << error.what();
+      EXPECT_FALSE(error.hint().empty()) << error.what();
+      return error.what();
+    }
+    return "";
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(SceneClouds, NoneWithoutSections) {
+  EXPECT_FALSE(prepare_clouds(scene_of("[clouds]\nseed = 3\n")));
+}
+
+// Fails if what a scene does not say is not the genus', or what it says is lost.
+TEST_F(SceneClouds, GenusFillsInWhatIsNotSaid) {
+  const clouds::CloudParameters usual = clouds::preset(clouds::Genus::stratus);
+  const world::CloudSkyParameters sky = sky_of(
+      "[[cloud]]\ngenus = \"stratus\"\nx_m = 50\nnoise_gain = 0.7\ng = 0.5\n[[cloud]]\ngenus = \"stratus\"\n"
+      "seed = 2\nphase = \"mie_droplet\"\ny_m = 77\n");
+  ASSERT_EQ(sky.clouds.size(), 2u);
+  const clouds::CloudParameters& first = sky.clouds[0];
+  EXPECT_EQ(first.balls, usual.balls);
+  EXPECT_EQ(first.position_m, glm::dvec3(50.0, usual.position_m.y, 0.0));
+  EXPECT_EQ(first.turbulence.gain, 0.7);
+  EXPECT_EQ(first.turbulence.wavelength_m, usual.turbulence.wavelength_m);
+  EXPECT_EQ(first.look.g, 0.5);
+  EXPECT_EQ(first.look.phase, usual.look.phase);
+  EXPECT_NE(sky.clouds[1].balls, usual.balls);
+  EXPECT_EQ(sky.clouds[1].position_m.y, 77.0);
+  EXPECT_EQ(sky.clouds[1].look.phase, clouds::PhaseKind::mie_droplet);
+}
+
+// Fails if lengths are scaled in part, or twice.
+TEST_F(SceneClouds, ScaleIsOfAllLengths) {
+  const auto cloud = [&](const std::string& scale) {
+    return sky_of("[[cloud]]\n" + scale +
+                  "base_m = -40\n[[cloud.ball]]\nx_m = 10\nradius_m = 100\n[[cloud.level]]\n"
+                  "deviation_m = 8\n")
+        .clouds[0];
+  };
+  const clouds::CloudParameters one = cloud(""), three = cloud("scale = 3\n");
+  EXPECT_EQ(three.balls[0].radius_m, 3.0 * one.balls[0].radius_m);
+  EXPECT_EQ(three.balls[0].centre_m, 3.0 * one.balls[0].centre_m);
+  EXPECT_EQ(three.levels[0].deviation_m, 3.0 * one.levels[0].deviation_m);
+  EXPECT_EQ(three.base_m, 3.0 * *one.base_m);
+  EXPECT_EQ(three.turbulence.wavelength_m, 3.0 * one.turbulence.wavelength_m);
+}
+
+TEST_F(SceneClouds, KeyframesAreAPath) {
+  const clouds::CloudParameters cloud =
+      sky_of("[[cloud]]\nx_m = { keys = [{ t = 0, value = 1 }, { t = 9, value = 5 }] }\nz_m = 4\n").clouds[0];
+  ASSERT_TRUE(cloud.motion.path);
+  EXPECT_EQ((*cloud.motion.path)[0].keys[1].value, 5.0);
+  EXPECT_EQ((*cloud.motion.path)[2].keys[0].value, 4.0);
+}
+
+// More coverage or another seed is another sky; quality is of all sampled clouds.
+TEST_F(SceneClouds, LayersAreManyClouds) {
+  const std::string layer = "[[cloud_layer]]\ngenus = \"stratocumulus\"\nextent_m = 20000\ncoverage = ";
+  const world::CloudSkyParameters few = sky_of(layer + "0.2\n"), many = sky_of(layer + "0.5\n");
+  EXPECT_GT(many.clouds.size(), few.clouds.size());
+  EXPECT_NE(sky_of("[clouds]\nseed = 2\n" + layer + "0.2\n").clouds, few.clouds);
+  const world::CloudSkyParameters coarse = sky_of("[clouds]\nquality = 0.5\n" + layer + "0.2\n");
+  EXPECT_NEAR(coarse.clouds[0].target_particles, 0.5 * few.clouds[0].target_particles, 1.0);
+}
+
+// A volume that was written and is read back gives the same particles (C5 on the same cells). Fails if
+// reading moves, drops or thins cells.
+TEST_F(SceneClouds, AVolumeBecomesTheSameParticles) {
+  const ocl::Device device = ocl::Device::open();
+  clouds::CloudParameters cloud = clouds::preset(clouds::Genus::stratocumulus);
+  cloud.position_m = {0.0, 900.0, 0.0};
+  const CloudVolume volume = clouds::field_volume(device, cloud, 40.0, 0.0);
+  write_vdb(folder_.path() / "a.vdb", {volume});
+  const clouds::SamplingOptions options{.target_particles = 500, .seed = 1};
+  const std::vector<CloudParticle> due = clouds::sampled_particles(volume, options, cloud.look);
+  const world::CloudSkyParameters sky =
+      sky_of("[[cloud]]\ngenus = \"stratocumulus\"\nfile = \"a.vdb\"\ntarget_particles = 500\n");
+  ASSERT_TRUE(sky.particles.at(0));
+  const std::vector<CloudParticle>& found = *sky.particles[0];
+  ASSERT_EQ(found.size(), due.size());
+  for (std::size_t i = 0; i < due.size(); ++i) {
+    EXPECT_EQ(found[i].radius, due[i].radius);
+    EXPECT_EQ(found[i].optical_mass, due[i].optical_mass);
+    // Places are relative to the cloud's, 0 here: a float's half unit at 2 km.
+    EXPECT_NEAR(found[i].x, due[i].x + volume.origin_m.x, 1e-3);
+    EXPECT_NEAR(found[i].y, due[i].y + volume.origin_m.y, 1e-3);
+  }
+  EXPECT_EQ(sky.clouds[0].look.extinction_per_m, cloud.look.extinction_per_m);
+}
+
+TEST_F(SceneClouds, ParticlesOfAFileAreTaken) {
+  const CloudParticles file{.origin_m = {0.0, 1024.0, 0.0},
+                            .particles = {{.x = 3.0f,
+                                           .y = 4.0f,
+                                           .z = 5.0f,
+                                           .radius = 60.0f,
+                                           .optical_mass = 99.0f,
+                                           .red = 1.0f,
+                                           .green = 1.0f,
+                                           .blue = 1.0f,
+                                           .texture = 1,
+                                           .cloud = 0,
+                                           .id = 5,
+                                           .turn = 0.0f}}};
+  write_cloud_particles(folder_.path() / "a.ply", file);
+  const world::CloudSkyParameters sky = sky_of("[[cloud]]\nfile = \"a.ply\"\nx_m = 10\n");
+  ASSERT_EQ(sky.particles.at(0)->size(), 1u);
+  EXPECT_EQ(sky.particles[0]->front().y, 1028.0f);
+  EXPECT_EQ(sky.clouds[0].position_m, glm::dvec3(10.0, 0.0, 0.0));
+}
+
+// Fails if a letter is empty or solid where it is open.
+TEST_F(SceneClouds, TextIsAShape) {
+  const clouds::CloudParameters cloud = sky_of("[[cloud]]\ntext = \"O\"\nsize_m = 400\n").clouds[0];
+  ASSERT_TRUE(cloud.shape);
+  const CloudVolume& shape = *cloud.shape;
+  float most = 0.0f;
+  for (const float density : shape.density) most = std::max(most, density);
+  EXPECT_GT(most, 0.9f);
+  const glm::dvec3 middle = -shape.origin_m / (CloudVolume::brick_cells * shape.cell_m);
+  const auto place = [&](double x, double y, double z) {
+    return static_cast<std::size_t>((static_cast<int>(z) * shape.bricks[1] + static_cast<int>(y)) *
+                                        shape.bricks[0] +
+                                    static_cast<int>(x));
+  };
+  const std::int32_t slot = shape.brick_of[place(middle.x, middle.y, middle.z)];
+  double at_middle = 0.0;
+  if (slot != CloudVolume::no_brick) {
+    const glm::dvec3 cell = 8.0 * (middle - glm::floor(middle));
+    const auto inside = static_cast<std::size_t>(
+        (static_cast<int>(cell.z) * 8 + static_cast<int>(cell.y)) * 8 + static_cast<int>(cell.x));
+    at_middle = shape.density[static_cast<std::size_t>(slot) * CloudVolume::cells_of_brick + inside];
+  }
+  EXPECT_EQ(at_middle, 0.0) << "the hole of the O is filled";
+}
+
+TEST_F(SceneClouds, SaysWhereAFileIsWrong) {
+  std::ofstream(folder_.path() / "bad.vdb") << "nothing";
+  std::ofstream(folder_.path() / "bad.ply") << "nothing";
+  EXPECT_THAT(refusal("[[cloud]]\nfile = \"none.vdb\"\n"),
+              HasSubstr("a.toml:3:8: cloud.file: expected a volume"));
+  EXPECT_THAT(refusal("[[cloud]]\nfile = \"bad.vdb\"\n"), HasSubstr("expected an OpenVDB file"));
+  EXPECT_THAT(refusal("[[cloud]]\nfile = \"bad.ply\"\n"), HasSubstr("a.toml:3:8: cloud.file"));
+  EXPECT_THAT(refusal("[[cloud]]\nfile = \"a.toml\"\n"), HasSubstr("expected a .vdb or a .ply"));
+  EXPECT_THAT(refusal("[[cloud]]\nmesh = \"none.obj\"\n"), HasSubstr("cloud.mesh: expected a mesh"));
+  EXPECT_THAT(refusal("[[cloud]]\ntext = \" \"\n"), HasSubstr("cloud.text"));
+  EXPECT_THAT(refusal("[[cloud]]\nheat_k = 1\nheat_damping_per_s = 0.5\n"),
+              HasSubstr("cloud.heat_damping_per_s"));
+}
+
+}  // namespace
+}  // namespace offing::scene

@@ -1,0 +1,215 @@
+// The clouds of a world: one array of all particles, lit by its sun and sky, made anew only where they
+// change.
+
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "host/clouds/cloud_model.h"
+#include "host/clouds/genera.h"
+#include "host/world/cloud_light.h"
+#include "host/world/world.h"
+
+namespace offing::world {
+namespace {
+
+using clouds::CloudParameters;
+using clouds::Genus;
+
+const ocl::Device& device() {
+  static const ocl::Device opened = ocl::Device::open();
+  return opened;
+}
+
+CloudParameters still_cloud(const glm::dvec3& position_m, double radius_m) {
+  CloudParameters cloud = clouds::preset(Genus::cumulus);
+  cloud.balls = {{glm::dvec3(0.0), radius_m}, {glm::dvec3(radius_m, 0.0, 0.0), 0.5 * radius_m}};
+  cloud.levels.resize(1);
+  cloud.base_m.reset();
+  cloud.position_m = position_m;
+  cloud.motion = {};
+  return cloud;
+}
+
+CloudSkyParameters two_clouds() {
+  return {.clouds = {still_cloud({30'000.0, 1500.0, -200.0}, 150.0),
+                     still_cloud({30'900.0, 1700.0, 400.0}, 220.0)}};
+}
+
+std::vector<CloudParticle> particles_of(const CloudsView& view) {
+  std::vector<CloudParticle> particles = view.particles().read();
+  particles.resize(view.count());
+  return particles;
+}
+
+Camera camera_at(const glm::dvec3& eye_m) {
+  Camera camera;
+  camera.eye_m = eye_m;
+  return camera;
+}
+
+clouds::CloudIllumination daylight() {
+  return {.suns = {{.direction = {0.6, 0.8, 0.0}, .illuminance_klx = glm::dvec3(100.0)}},
+          .sky_kcdpm2 = {3.0, 4.0, 6.0},
+          .ground_kcdpm2 = glm::dvec3(1.0)};
+}
+
+// Fails if a cloud stands at another place of the world, or its particles have another cloud's number.
+TEST(CloudsView, HoldsAllCloudsWhereTheyAre) {
+  const CloudSkyParameters sky = two_clouds();
+  CloudsView view(device(), sky);
+  view.at(3.0);
+  const std::vector<CloudParticle> all = particles_of(view);
+  const glm::dvec3 origin_m = view.sky_origin_m();
+  EXPECT_EQ(std::fmod(origin_m.x, 1024.0), 0.0);
+  EXPECT_LT(glm::distance(origin_m, sky.clouds[0].position_m), 2000.0);
+  std::size_t next = 0;
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    for (const CloudParticle& due : clouds::particles_at_rest(device(), sky.clouds[i])) {
+      const CloudParticle& found = all.at(next++);
+      const glm::dvec3 due_m = sky.clouds[i].position_m + glm::dvec3(due.x, due.y, due.z);
+      // Floats within 2 km of the origin: half a unit of 2^-13 m; twice for the sum.
+      EXPECT_LT(glm::distance(origin_m + glm::dvec3(found.x, found.y, found.z), due_m), 1e-3);
+      EXPECT_EQ(found.cloud, i);
+      EXPECT_EQ(found.optical_mass, due.optical_mass);
+    }
+  }
+  EXPECT_EQ(next, all.size());
+}
+
+// Fails if the order is no permutation, or one that is nearer is blended first.
+TEST(CloudsView, OrdersFromFarToNear) {
+  CloudsView view(device(), two_clouds());
+  view.at(0.0);
+  view.light(daylight());
+  const glm::dvec3 eye_m(29'000.0, 1200.0, 100.0);
+  view.see(camera_at(eye_m));
+  const std::vector<CloudParticle> particles = particles_of(view);
+  std::vector<std::uint32_t> order = view.order().read();
+  order.resize(view.count());
+  std::vector<bool> is_seen(view.count(), false);
+  double before_m = 1e30;
+  for (const std::uint32_t index : order) {
+    ASSERT_LT(index, view.count());
+    EXPECT_FALSE(is_seen[index]);
+    is_seen[index] = true;
+    const CloudParticle& particle = particles[index];
+    const double distance_m =
+        glm::distance(view.sky_origin_m() + glm::dvec3(particle.x, particle.y, particle.z), eye_m);
+    EXPECT_LE(distance_m, before_m + 1e-3);
+    before_m = distance_m;
+  }
+}
+
+// Fails if light is not finite, or clouds in the sun are dark.
+TEST(CloudsView, IsLit) {
+  CloudsView view(device(), two_clouds());
+  view.at(0.0);
+  view.light(daylight());
+  view.see(camera_at({30'000.0, 1500.0, 3000.0}));
+  std::vector<CloudSprite> sprites = view.sprites().read();
+  sprites.resize(view.count());
+  float brightest = 0.0f;
+  for (const CloudSprite& sprite : sprites) {
+    EXPECT_TRUE(std::isfinite(sprite.red) && std::isfinite(sprite.green) && std::isfinite(sprite.blue));
+    EXPECT_GE(sprite.optical_depth, 0.0f);
+    brightest = std::max(brightest, sprite.green);
+  }
+  // A white surface under this sun has 100 klx / pi.
+  EXPECT_GT(brightest, 3.0f);
+}
+
+// Fails if an edit of one cloud changes another, or differs from a view that was made with it.
+TEST(CloudsView, AnEditGivesWhatAFreshStartGives) {
+  CloudSkyParameters sky = two_clouds();
+  CloudsView view(device(), sky);
+  view.at(0.0);
+  const std::uint64_t before = view.revision();
+  view.at(8.0);
+  EXPECT_EQ(view.revision(), before) << "clouds that stand still are moved";
+  sky.clouds[1].balls.push_back({{0.0, 120.0, 0.0}, 90.0});
+  view.set(sky);
+  view.at(0.0);
+  EXPECT_NE(view.revision(), before);
+  CloudsView fresh(device(), sky);
+  fresh.at(0.0);
+  const std::vector<CloudParticle> edited = particles_of(view), made = particles_of(fresh);
+  ASSERT_EQ(edited.size(), made.size());
+  EXPECT_EQ(std::memcmp(edited.data(), made.data(), made.size() * sizeof(CloudParticle)), 0);
+  CloudSkyParameters wrong = sky;
+  wrong.clouds[0].balls[0].radius_m = -1.0;
+  EXPECT_THROW(view.set(wrong), Error);
+  EXPECT_EQ(view.parameters(), sky);
+  EXPECT_THROW(view.set({}), Error);
+}
+
+// Fails if particles that are given are not those that are shown.
+TEST(CloudsView, TakesGivenParticles) {
+  CloudSkyParameters sky = two_clouds();
+  const CloudParticle one{.x = 5.0f,
+                          .y = 0.0f,
+                          .z = 0.0f,
+                          .radius = 40.0f,
+                          .optical_mass = 900.0f,
+                          .red = 1.0f,
+                          .green = 1.0f,
+                          .blue = 1.0f,
+                          .texture = 3,
+                          .cloud = 0,
+                          .id = 17,
+                          .turn = 0.5f};
+  sky.particles = {std::make_shared<const std::vector<CloudParticle>>(1, one)};
+  CloudsView view(device(), sky);
+  view.at(0.0);
+  const std::vector<CloudParticle> particles = particles_of(view);
+  EXPECT_EQ(particles.front().id, 17u);
+  EXPECT_EQ(particles.front().texture, 3u);
+  EXPECT_EQ(particles.at(1).cloud, 1u);
+}
+
+// Higher up there is less air above a cloud: more sun, and less sky, whatever the sun's height. Fails if a
+// cloud is lit as the eye or the ground is.
+TEST(CloudLight, IsThatOfItsAltitude) {
+  const sky::Atmosphere air;
+  sky::ClearSky sky(device(), air);
+  const CloudSunlight sun{.direction = {0.8, 0.6, 0.0}};
+  const clouds::CloudIllumination low = cloud_illumination(sky, air, sun, 10.0);
+  const clouds::CloudIllumination high = cloud_illumination(sky, air, sun, 9000.0);
+  ASSERT_EQ(low.suns.size(), 1u);
+  EXPECT_GT(high.suns[0].illuminance_klx.z, 1.05 * low.suns[0].illuminance_klx.z);
+  EXPECT_LT(high.sky_kcdpm2.z, 0.8 * low.sky_kcdpm2.z);
+  EXPECT_EQ(high.ground_kcdpm2, low.ground_kcdpm2);
+  EXPECT_GT(low.ground_kcdpm2.x, 0.0);
+  // At night there is no sun.
+  EXPECT_TRUE(cloud_illumination(sky, air, {.direction = {0.8, -0.6, 0.0}}, 100.0).suns.empty());
+}
+
+// Fails if a world's clouds are not lit by its sun, or stay lit by that of before.
+TEST(CloudWorld, FollowsItsSun) {
+  WorldParameters parameters{.has_sea = false};
+  parameters.clouds = two_clouds();
+  World world(device(), parameters);
+  ASSERT_NE(world.clouds(), nullptr);
+  const auto brightness = [&] {
+    world.at(0.0, 10.0);
+    world.see_clouds(camera_at({30'000.0, 1500.0, 3000.0}));
+    double sum = 0.0;
+    for (const CloudSprite& sprite : world.clouds()->sprites().read()) sum += sprite.green;
+    return sum;
+  };
+  const double noon = brightness();
+  world.set_sun({0.0, -1.0, 0.0}, 1.0);
+  EXPECT_LT(brightness(), 0.01 * noon);
+  world.set_clouds({});
+  EXPECT_EQ(world.clouds(), nullptr);
+  world.at(0.0, 10.0);
+}
+
+}  // namespace
+}  // namespace offing::world
