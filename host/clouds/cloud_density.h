@@ -12,7 +12,7 @@ namespace offing::clouds {
 /// Only bricks with any density are kept. Places are those of the world at that time: the cloud's axes, at
 /// its position, carried along by its wind.
 ///
-/// Accuracy: 3e-5 of the largest density, against a double-precision reference (tests/clouds/
+/// Accuracy: 1e-5 of the largest density, against a double-precision reference (tests/clouds/
 /// cloud_density_test.cpp), wherever the cloud is.
 /// Throws what require_valid() throws; Error(bad_input) for a cell that gives more bricks than can be counted
 /// or held; Error(out_of_memory).

@@ -22,7 +22,7 @@ double cpu_seconds() {
 
 // Fails if balls are looked at in cells that they do not reach, or bricks without density computed. Asked
 // for: 3 s on two cores and 4 GB. Time counts on the processor, so that other programs beside do not matter:
-// 6 s; measured 5.0 s beside a dozen of them, of 217,000 bricks nearly all with density, and 0.6 GB.
+// 6 s; measured 5.2 s beside a dozen of them, of 217,000 bricks nearly all with density, and 0.6 GB.
 TEST(LargeDensityTest, TakesThreeSecondsOnTwoCores) {
   const ocl::Device device = ocl::Device::open();
   CloudParameters parameters;

@@ -91,7 +91,7 @@ TEST_F(ParticleMotionTest, AnyTimeIsReachedAtOnce) {
 }
 
 // Fails if eddies are not the noise that they are said to be. Bound: 2^-23 of places of 1 wavelength, times a
-// slope of 4 deviations: 1e-4 m of 30; measured 3e-5. Gate 1e-3.
+// slope of 4 deviations: 1e-4 m of 30; measured 6e-5. Gate 1e-3.
 TEST_F(ParticleMotionTest, EddiesAreGradientNoise) {
   CloudParameters cloud;
   cloud.seed = 77;
