@@ -5,9 +5,9 @@
 // Out: keys, values [count]; values are the particles' own places. What is not a number counts as farthest.
 #include "shared/clouds.h"
 
-// Unsigned integers in the order of floats; -0 is 0.
+// Unsigned integers in the order of floats; -0 is 0, said so that no compiler takes it for nothing.
 static inline uint ordered_bits(float value) {
-  const uint bits = as_uint(value + 0.0f);
+  const uint bits = value == 0.0f ? 0u : as_uint(value);
   return isnan(value) ? 0xffffffffu : bits ^ ((bits & 0x80000000u) != 0u ? 0xffffffffu : 0x80000000u);
 }
 

@@ -70,8 +70,9 @@ void bench_curvature(const ocl::Device& device, const Settings& settings, const 
 /// offing-mesh. Throws Error(device) where the numbers of points differ.
 void bench_highlights(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
-/// Light on clouds when sun or cloud changes, by both models, light toward an eye that moves, and the order in which it
-/// blends, for the numbers of particles of C16 of docs/sources.md and up to a million; sizes of the settings do not matter.
+/// Light on clouds when sun or cloud changes, by both models, light toward an eye that moves, and the order
+/// in which it blends, for the numbers of particles of C16 of docs/sources.md and up to a million; sizes of
+/// the settings do not matter.
 void bench_clouds(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
 /// From the start of a process to its first 256 x 256 frame of three cascades, with an empty kernel cache and

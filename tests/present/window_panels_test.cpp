@@ -140,7 +140,8 @@ TEST_F(WindowPanelsTest, RecordingsEndWithTheirScene) {
   options.time_s = 0.0;
   options.scene.view.sun_time_utc = UtcTime{2100, 12, 31, 23, 59, 57};
   options.scene.view.sun_time_scale = 1.0;
-  options.recording = {.name = FrameName("--record", "a_%d.png", "a_%d.png"), .frames = {0, 9}, .frames_per_second = 1.0};
+  options.recording = {
+      .name = FrameName("--record", "a_%d.png", "a_%d.png"), .frames = {0, 9}, .frames_per_second = 1.0};
   EXPECT_THROW(present::show_window(options, CancelToken()), Error);
   EXPECT_TRUE(std::filesystem::exists("a_0.png"));
   EXPECT_TRUE(std::filesystem::exists("a_1.png"));
