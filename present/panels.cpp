@@ -115,6 +115,12 @@ bool is_in(const scene::OceanScene& scene, ParameterGroup group) {
     case ParameterGroup::highlight:
     case ParameterGroup::light:
       return !scene.meshes.empty();
+    case ParameterGroup::clouds:
+    case ParameterGroup::cloud_layer:
+    case ParameterGroup::cloud:
+    case ParameterGroup::cloud_ball:
+    case ParameterGroup::cloud_level:
+      return scene.has_clouds();
     default:
       return true;
   }
@@ -279,7 +285,7 @@ void draw_message(Message& message) {
 }  // namespace
 
 std::span<const GroupPanel> group_panels() {
-  static constexpr std::array<GroupPanel, 18> panels{{{ParameterGroup::wind, "Wind"},
+  static constexpr std::array<GroupPanel, 23> panels{{{ParameterGroup::wind, "Wind"},
                                                       {ParameterGroup::sea, "Spectrum"},
                                                       {ParameterGroup::grid, "Cascades and Gerstner waves"},
                                                       {ParameterGroup::swell, "Swells"},
@@ -291,6 +297,11 @@ std::span<const GroupPanel> group_panels() {
                                                       {ParameterGroup::mesh, "Meshes"},
                                                       {ParameterGroup::highlight, "Highlights"},
                                                       {ParameterGroup::light, "Lights"},
+                                                      {ParameterGroup::clouds, "All clouds"},
+                                                      {ParameterGroup::cloud_layer, "Layers of clouds"},
+                                                      {ParameterGroup::cloud, "Clouds"},
+                                                      {ParameterGroup::cloud_ball, "Balls of clouds"},
+                                                      {ParameterGroup::cloud_level, "Levels of clouds"},
                                                       {ParameterGroup::sun, "Sun"},
                                                       {ParameterGroup::sky, "Air"},
                                                       {ParameterGroup::camera, "Camera"},

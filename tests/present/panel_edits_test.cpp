@@ -135,12 +135,17 @@ bool is_of_meshes(const present::GroupPanel& panel) {
          panel.group == scene::ParameterGroup::light;
 }
 
-/// All but that of height maps, whose values are as a file has them: window_ground_test.cpp; and those of
-/// meshes, whose highlights go by degrees: panels_test.cpp.
+bool is_of_clouds(const present::GroupPanel& panel) {
+  return panel.group >= scene::ParameterGroup::clouds;
+}
+
+/// All but that of height maps, whose values are as a file has them: window_ground_test.cpp; those of meshes,
+/// whose highlights go by degrees: panels_test.cpp; and those of clouds, which take a second an edit: what an
+/// edit of theirs makes is in clouds_view_test.cpp.
 std::vector<present::GroupPanel> panels_of_free_values() {
   std::vector<present::GroupPanel> panels(present::group_panels().begin(), present::group_panels().end());
   std::erase_if(panels, [](const auto& panel) {
-    return panel.group == scene::ParameterGroup::height_map || is_of_meshes(panel);
+    return panel.group == scene::ParameterGroup::height_map || is_of_meshes(panel) || is_of_clouds(panel);
   });
   return panels;
 }
