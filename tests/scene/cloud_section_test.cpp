@@ -5,22 +5,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/base/error.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_elements.h"
-#include "host/scene/scene_file.h"
 #include "host/scene/scene_writer.h"
 #include "host/scene/unused_parameters.h"
+#include "tests/scene/section_text.h"
 
 namespace offing::scene {
 namespace {
 
+using test::refusal;
+using test::scene_of;
+
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-OceanScene scene_of(const std::string& text, const std::string& folder = "") {
-  return parse_scene("version = 1\n" + text, "a.toml", folder);
-}
 
 const std::string two_clouds = R"([clouds]
 light = "harris"
@@ -52,17 +50,6 @@ heat_k = 1.5
 [[cloud.ball]]
 z_m = 3
 )";
-
-std::string refusal(const std::string& text) {
-  try {
-    scene_of(text);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
-    EXPECT_FALSE(error.hint().empty());
-    return error.what();
-  }
-  return "";
-}
 
 // Fails if a value goes to another element than the one it was written in, or nowhere.
 TEST(CloudSection, ValuesAreThoseOfTheirElement) {

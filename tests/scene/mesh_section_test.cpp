@@ -3,18 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include "host/base/error.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_elements.h"
-#include "host/scene/scene_file.h"
 #include "host/scene/scene_writer.h"
+#include "tests/scene/section_text.h"
 
 namespace offing::scene {
 namespace {
 
-OceanScene scene_of(const std::string& text, const std::string& folder = "") {
-  return parse_scene("version = 1\n" + text, "a.toml", folder);
-}
+using test::refusal;
+using test::scene_of;
 
 const std::string two_meshes = R"([[light]]
 name = "lamp"
@@ -40,17 +38,6 @@ highlights = "off"
 texture = "heart"
 offset_right.keys = [{ t = 1, value = -2 }, { t = 3, value = 2.5 }]
 )";
-
-std::string refusal(const std::string& text) {
-  try {
-    scene_of(text);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
-    EXPECT_FALSE(error.hint().empty());
-    return error.what();
-  }
-  return "";
-}
 
 // Fails if a value of any kind goes to another element than the one it was written in, or nowhere.
 TEST(MeshSection, ValuesAreThoseOfTheirElement) {
