@@ -12,6 +12,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "host/base/unit_vector.h"
+
 namespace offing::present {
 namespace {
 
@@ -31,10 +33,7 @@ std::vector<glm::dvec3> outward_normals(const highlights::HighlightSurface& surf
       sums[surface.links().place_of(corner)] += surface.face_normals()[face];
     }
   }
-  for (glm::dvec3& sum : sums) {
-    const double length = glm::length(sum);
-    sum = length > 0.0 ? sum / length : glm::dvec3(0.0);
-  }
+  for (glm::dvec3& sum : sums) sum = unit_or_zero(sum);
   return sums;
 }
 

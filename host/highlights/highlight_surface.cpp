@@ -11,6 +11,7 @@
 
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
+#include "host/base/unit_vector.h"
 #include "kernels/shared/highlights.h"
 
 namespace offing::highlights {
@@ -70,11 +71,6 @@ TriangleMesh checked(TriangleMesh mesh, const VertexCurvatures& curvatures) {
     }
   }
   return mesh;
-}
-
-glm::dvec3 unit_or_zero(const glm::dvec3& v) {
-  const double length = glm::length(v);
-  return length > 0.0 ? v / length : glm::dvec3(0.0);
 }
 
 double diagonal(const std::vector<glm::dvec3>& positions_m) {

@@ -8,15 +8,11 @@
 #include <glm/matrix.hpp>
 
 #include "host/base/error.h"
+#include "host/base/unit_vector.h"
 #include "host/highlights/tangent_axes.h"
 
 namespace offing::highlights {
 namespace {
-
-glm::dvec3 unit_or_zero(const glm::dvec3& v) {
-  const double length = glm::length(v);
-  return length > 0.0 ? v / length : glm::dvec3(0.0);
-}
 
 glm::dvec3 toward(const Source& source, const glm::dvec3& place_m) {
   return unit_or_zero(source.kind == Source::Kind::place ? source.vector - place_m : source.vector);

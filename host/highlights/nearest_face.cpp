@@ -1,36 +1,8 @@
 #include "host/highlights/nearest_face.h"
 
-#include <algorithm>
-
-#include <glm/geometric.hpp>
+#include "host/highlights/triangle_point.h"
 
 namespace offing::highlights {
-namespace {
-
-double squared_distance_to_edge(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-  const glm::dvec3 along = b - a, way = p - a;
-  const double length2 = glm::dot(along, along);
-  const double share = length2 > 0.0 ? std::clamp(glm::dot(way, along) / length2, 0.0, 1.0) : 0.0;
-  const glm::dvec3 rest = way - share * along;
-  return glm::dot(rest, rest);
-}
-
-}  // namespace
-
-double squared_distance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  const glm::dvec3 normal = glm::cross(b - a, c - a);
-  const double area2 = glm::dot(normal, normal);
-  const bool is_above = area2 > 0.0 && glm::dot(glm::cross(b - a, p - a), normal) >= 0.0 &&
-                        glm::dot(glm::cross(c - b, p - b), normal) >= 0.0 &&
-                        glm::dot(glm::cross(a - c, p - c), normal) >= 0.0;
-  if (is_above) {
-    const double height = glm::dot(p - a, normal);
-    return height * height / area2;
-  }
-  return std::min({squared_distance_to_edge(p, a, b), squared_distance_to_edge(p, b, c),
-                   squared_distance_to_edge(p, c, a)});
-}
-
 std::uint32_t nearest_face(const HighlightSurface& surface, std::uint32_t face, const glm::dvec3& point_m) {
   const TriangleMesh& mesh = surface.mesh();
   const auto distance2 = [&](std::uint32_t f) {

@@ -8,9 +8,6 @@
 
 namespace offing::highlights {
 
-/// Square of the distance from a point to a triangle.
-double squared_distance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
-
 /// A face from which none that it touches is nearer to a point, found by steps downhill from `face`.
 std::uint32_t nearest_face(const HighlightSurface& surface, std::uint32_t face, const glm::dvec3& point_m);
 

@@ -1,26 +1,14 @@
 #include "host/highlights/surface_place.h"
 
-#include <algorithm>
 #include <limits>
 
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
 #include "host/highlights/highlight_points.h"
-#include "host/highlights/nearest_face.h"
+#include "host/highlights/triangle_point.h"
 
 namespace offing::highlights {
-namespace {
-
-/// How far along from a to b the point of the edge nearest to p is: 0 ... 1.
-double share_of_edge(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-  const glm::dvec3 along = b - a;
-  const double length2 = glm::dot(along, along);
-  return length2 > 0.0 ? std::clamp(glm::dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-}
-
-}  // namespace
-
 glm::dvec3 position_at(const HighlightSurface& surface, const SurfacePlace& place) {
   return place_on(surface, place.face, place.weights);
 }
@@ -37,32 +25,9 @@ glm::dvec3 normal_at(const HighlightSurface& surface, const SurfacePlace& place)
 SurfacePlace place_of_face_near(const HighlightSurface& surface, std::uint32_t face,
                                 const glm::dvec3& point_m) {
   const TriangleIndices& corners = surface.mesh().faces[face];
-  const auto corner = [&](std::size_t i) -> const glm::dvec3& {
-    return surface.mesh().positions_m[corners[i]];
-  };
-  const glm::dvec3 normal = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
-  const double area2 = glm::dot(normal, normal);
-  if (area2 > 0.0) {
-    const auto weight = [&](std::size_t a, std::size_t b) {
-      return glm::dot(glm::cross(corner(b) - corner(a), point_m - corner(a)), normal) / area2;
-    };
-    const glm::dvec3 weights(weight(1, 2), weight(2, 0), weight(0, 1));
-    if (std::min({weights.x, weights.y, weights.z}) >= 0.0)
-      return {face, weights / (weights.x + weights.y + weights.z)};
-  }
-  SurfacePlace nearest{.face = face};
-  double least_m = std::numeric_limits<double>::infinity();
-  for (std::size_t a = 0; a < 3; ++a) {
-    const std::size_t b = (a + 1) % 3;
-    const double share = share_of_edge(point_m, corner(a), corner(b));
-    const double distance_m = glm::distance(point_m, corner(a) + share * (corner(b) - corner(a)));
-    if (distance_m >= least_m) continue;
-    least_m = distance_m;
-    nearest.weights = glm::dvec3(0.0);
-    nearest.weights[static_cast<int>(a)] = 1.0 - share;
-    nearest.weights[static_cast<int>(b)] = share;
-  }
-  return nearest;
+  const std::vector<glm::dvec3>& positions_m = surface.mesh().positions_m;
+  return {face, nearest_weights(point_m, positions_m[corners[0]], positions_m[corners[1]],
+                                positions_m[corners[2]])};
 }
 
 SurfacePlace nearest_place(const HighlightSurface& surface, const glm::dvec3& point_m) {
