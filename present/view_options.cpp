@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
@@ -11,9 +13,11 @@
 #include "host/base/error.h"
 #include "host/base/world_limits.h"
 #include "host/command_line/help_format.h"
+#include "host/command_line/new_output.h"
 #include "host/command_line/parse_arguments.h"
 #include "host/io/atomic_file.h"
 #include "host/scene/scene_file.h"
+#include "host/scene/scene_files.h"
 #include "host/scene/version.h"
 #include "present/picture_file.h"
 
@@ -156,6 +160,18 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
   }
 }
 
+/// A picture never takes the place of what the scene is made of.
+void require_outputs_not_read(const Written& written, const ViewOptions& options) {
+  std::vector<std::string> inputs = scene::files_of(options.scene);
+  inputs.push_back(written.scene);
+  if (!options.output.empty()) require_not_read(options.output.string(), inputs);
+  if (!options.recording) return;
+  const Recording& recording = *options.recording;
+  for (int frame = recording.frames.first; frame <= recording.frames.last; ++frame) {
+    require_not_read(recording.name.of(frame).string(), inputs);
+  }
+}
+
 ViewOptions checked(const Written& written) {
   ViewOptions options;
   options.verbosity = written.is_quiet     ? Verbosity::quiet
@@ -196,6 +212,7 @@ ViewOptions checked(const Written& written) {
                 "add -o out.png");
   }
   refuse_unused(written, options);
+  require_outputs_not_read(written, options);
   if (!options.output.empty()) require_writable(options.output);
   if (options.recording) require_writable(options.recording->name.of(options.recording->frames.first));
   return options;

@@ -42,6 +42,8 @@ void finish_output() {
 }
 
 int run_program(const std::function<int()>& work) {
+  // A write beyond the limit of file sizes is to fail, not to end the process half-way.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return work();
   } catch (const Error& error) {

@@ -23,6 +23,7 @@
 #include "host/io/file_extension.h"
 #include "host/scene/scene_clouds.h"
 #include "host/scene/scene_file.h"
+#include "host/scene/scene_files.h"
 
 namespace offing::cli {
 namespace {
@@ -69,12 +70,9 @@ std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::Oc
 void require_outputs(const BuildArguments& arguments, const scene::OceanScene& scene,
                      const std::vector<TimedFile>& files) {
   const Overwriting overwriting = arguments.force ? Overwriting::allowed : Overwriting::refused;
-  for (const TimedFile& file : files) {
-    require_new(file.name, overwriting, {arguments.scene});
-    for (const scene::CloudScene& cloud : scene.clouds) {
-      require_new(file.name, overwriting, {cloud.shape.file, cloud.shape.mesh});
-    }
-  }
+  std::vector<std::string> inputs = scene::files_of(scene);
+  inputs.push_back(arguments.scene);
+  for (const TimedFile& file : files) require_new(file.name, overwriting, inputs);
 }
 
 bool is_volume(const BuildArguments& arguments) {

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,8 +18,8 @@
 #include "host/cli/scene_frames.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
-#include "host/io/atomic_file.h"
 #include "host/scene/scene_file.h"
+#include "host/scene/scene_files.h"
 
 namespace offing::cli {
 namespace {
@@ -64,9 +65,10 @@ Counts counts_of(const animations::HighlightAnimation& animation) {
 void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
   const std::filesystem::path output = arguments.output;
   animations::require_animation_name(output);
-  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused);
-  require_writable(output);
   scene::OceanScene scene = scene::load_scene(arguments.scene);
+  std::vector<std::string> inputs = scene::files_of(scene);
+  inputs.push_back(arguments.scene);
+  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused, inputs);
   if (!arguments.frames_per_second.empty())
     scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "30");
   const FrameRange frames =

@@ -16,7 +16,7 @@
 #include "host/cli/direction_text.h"
 #include "host/cli/pictures/spectrum_plot.h"
 #include "host/cli/spectrum_text.h"
-#include "host/io/atomic_file.h"
+#include "host/command_line/new_output.h"
 #include "host/io/file_extension.h"
 #include "host/io/spectra/read_spectra.h"
 #include "host/io/spectra/write_ww3_spectra.h"
@@ -119,7 +119,7 @@ void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
   }
   require_one_record(arguments, records.size());
   for (const std::string* output : {&arguments.plot, &arguments.export_file}) {
-    if (!output->empty()) require_writable(*output);
+    require_new(*output, Overwriting::allowed, {arguments.file});
   }
   if (!arguments.plot.empty()) {
     const WaveSpectrum& drawn = records[chosen.value_or(0)];

@@ -12,15 +12,24 @@
 
 namespace offing {
 
-void require_new(const std::string& output, Overwriting overwriting,
-                 std::initializer_list<std::string> inputs) {
-  if (output.empty()) return;
+void require_not_read(const std::string& output, std::span<const std::string> inputs) {
+  if (!is_there(output)) return;
   for (const std::string& input : inputs) {
     std::error_code nowhere;
     if (!std::filesystem::equivalent(output, input, nowhere)) continue;
     throw Error(ErrorKind::file, fmt::format("{}: is the file that is read", one_line(output)),
                 "name another file to write");
   }
+}
+
+void require_new(const std::string& output, Overwriting overwriting,
+                 std::initializer_list<std::string> inputs) {
+  require_new(output, overwriting, std::span<const std::string>(inputs.begin(), inputs.size()));
+}
+
+void require_new(const std::string& output, Overwriting overwriting, std::span<const std::string> inputs) {
+  if (output.empty()) return;
+  require_not_read(output, inputs);
   if (overwriting == Overwriting::refused && is_there(output)) {
     throw Error(ErrorKind::file, fmt::format("{}: is there already", one_line(output)),
                 "--force replaces it, or name another file");

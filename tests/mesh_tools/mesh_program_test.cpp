@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 #include "host/io/meshes/read_mesh.h"
 #include "host/io/meshes/write_mesh.h"
@@ -127,6 +128,19 @@ TEST_F(MeshProgram, Outputs) {
     expect_refusal(maker(flags, "in.off", "out.txt"), "out.txt", 2);
     expect_refusal(maker(flags, "in.off", "none/out.ply"), "none/out.ply", 1);
   }
+}
+
+// Fails if a limit of file sizes ends the program without a word, or leaves half a file.
+TEST_F(MeshProgram, SaysThatAFileIsTooLarge) {
+  rlimit usual{};
+  getrlimit(RLIMIT_FSIZE, &usual);
+  const rlimit small{.rlim_cur = 20'000, .rlim_max = usual.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const ProgramResult result = run_offing({"generate", "sphere", "-o", path("big.ply")});
+  setrlimit(RLIMIT_FSIZE, &usual);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.errors, HasSubstr("ulimit -f"));
+  EXPECT_TRUE(folder_content(folder_.path()).empty());
 }
 
 // Fails if repair does not say what it changed.

@@ -236,6 +236,30 @@ TEST_F(ViewProgramTest, LooksAtTheOutputFirst) {
   }
 }
 
+// Fails if a picture takes the place of one that the scene is made of, by whatever name, or of the scene.
+TEST_F(ViewProgramTest, NeverWritesOverWhatTheSceneReads) {
+  write_png(path("ramp_0001.png"), {.width = 1, .height = 1, .rgb = {255, 255, 255}});
+  std::ofstream(path("ball.toml")) << R"(version = 1
+[[mesh]]
+shape = "sphere"
+shading = "cartoon"
+cartoon_ramp = "ramp_0001.png"
+)";
+  std::filesystem::create_symlink(path("ramp_0001.png"), path("linked.png"));
+  const std::string before = bytes_of(path("ramp_0001.png"));
+  for (const std::vector<std::string>& output : {std::vector<std::string>{"-o", path("./ramp_0001.png")},
+                                                 {"-o", path("linked.png")},
+                                                 {"--record", path("ramp_%04d.png"), "--frames", "0:2"}}) {
+    std::vector<std::string> arguments{path("ball.toml"), "--headless"};
+    arguments.insert(arguments.end(), output.begin(), output.end());
+    const ProgramResult result = run_offing(arguments);
+    EXPECT_EQ(result.exit_code, 1) << result.errors;
+    EXPECT_NE(result.errors.find("is the file that is read"), std::string::npos) << result.errors;
+    EXPECT_FALSE(std::filesystem::exists(path("ramp_0000.png")));
+  }
+  EXPECT_EQ(bytes_of(path("ramp_0001.png")), before);
+}
+
 // Fails if a recording that is stopped does not say how to go on, or that is not what is missing.
 TEST_F(ViewProgramTest, StoppedRecordingsTellHowToGoOn) {
   OffingProgram program({scene(), "--size", "160x90", "--detail", "low", "--record", path("stop_%d.png"),
