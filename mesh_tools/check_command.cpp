@@ -27,7 +27,9 @@ void run(const CheckArguments& arguments, const Options& options) {
   const MeshDefects defects = find_defects(file.mesh, options.cancel);
   if (arguments.json) {
     warn_of_left_out(arguments.input, file.report);
-    print_json(to_json(defects));
+    nlohmann::ordered_json json = to_json(defects);
+    json.update(to_json(file.report));
+    print_json(json);
     return;
   }
   fmt::print("{}: {}\n{}{}", one_line(arguments.input), file.report.format, text_of(file.report),

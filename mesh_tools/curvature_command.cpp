@@ -81,6 +81,7 @@ Json to_json(const CurvatureStatistics& statistics) {
           {"k_min_per_m", to_json(statistics.k_min_per_m)},
           {"area_m2", statistics.area_m2},
           {"border_vertices", statistics.border_vertices},
+          {"is_manifold", statistics.is_manifold},
           {"gauss_bonnet",
            {{"integral", check.integral},
             {"absolute_integral", check.absolute},
@@ -95,13 +96,16 @@ std::string text_of(const CurvatureStatistics& statistics) {
                        values.mean);
   };
   const GaussBonnet& check = statistics.gauss_bonnet;
+  const std::string_view remark =
+      statistics.is_manifold ? "" : "  (edges of three faces or more: there is nothing to expect)\n";
   return range("k_max", statistics.k_max_per_m) + range("k_min", statistics.k_min_per_m) +
          fmt::format(
              "  area   {:.6g} m2\n  Gauss-Bonnet  {:.6g} over the surface + {:.6g} along borders, expected "
              "{:.6g} "
              "({:+.2f} %)\n",
              statistics.area_m2, check.integral, check.border_turning, check.expected,
-             100.0 * check.difference_share);
+             100.0 * check.difference_share) +
+         std::string(remark);
 }
 
 void run(const CurvatureArguments& arguments, const Options& program_options) {

@@ -30,7 +30,18 @@ nlohmann::ordered_json to_json(const MeshDefects& defects) {
           {"duplicate_faces", defects.duplicate_faces},
           {"isolated_vertices", defects.isolated_vertices},
           {"orientable", defects.orientable},
+          {"turned_edges", defects.turned_edges},
           {"self_intersections", defects.self_intersections}};
+}
+
+nlohmann::ordered_json to_json(const MeshReport& report) {
+  nlohmann::ordered_json left_out = nlohmann::ordered_json::array();
+  for (const LeftOut& item : report.left_out)
+    left_out.push_back({{"what", item.what}, {"count", item.count}});
+  return {{"format", report.format},
+          {"cut_into_triangles", report.polygons},
+          {"merged_corners", report.merged_corners},
+          {"left_out", std::move(left_out)}};
 }
 
 std::string text_of(const MeshDefects& defects) {

@@ -12,6 +12,8 @@ namespace offing::mesh_tools {
 
 /// The counts that scripts read, by fixed names.
 nlohmann::ordered_json to_json(const MeshDefects& defects);
+/// What became of a file: its format, and what text_of() says.
+nlohmann::ordered_json to_json(const MeshReport& report);
 
 /// Lines for people.
 std::string text_of(const MeshDefects& defects);

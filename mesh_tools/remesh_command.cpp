@@ -120,8 +120,8 @@ void add_remesh_command(CLI::App& program, Options& options) {
       ->type_name("A");
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
-Borders stay where they are, and with --sharp-deg sharp edges. The mesh must be a manifold: `offing-mesh repair`
-makes one.
+New vertices of borders lie on the old ones, and with --sharp-deg those of sharp edges. The mesh must be a
+manifold: `offing-mesh repair` makes one.
 
 Examples:
   offing-mesh remesh scan.ply --faces 20000 -o even.ply

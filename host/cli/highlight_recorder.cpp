@@ -70,7 +70,7 @@ animations::ProjectorSample sample_of(const DrawnHighlight& drawn, std::size_t t
   return {.id = drawn.id,
           .rule = drawn.rule,
           .copy = drawn.copy,
-          .lamp = drawn.lamp,
+          .lamp = drawn.id >= highlights::first_pin_id ? -1 : drawn.lamp,
           .position_m = box.centre_m,
           .right = box.right,
           .up = box.up,
@@ -123,9 +123,12 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, scen
   for (const scene::LightScene& light : scene.lights) animation.lamps.push_back(light.name);
   animation.lamps.emplace_back("sun");
   std::vector<world::MeshView> views;
-  for (const world::MeshParameters& parameters : shown.meshes) {
-    animation.meshes.push_back({.name = parameters.name, .frames = {}});
-    views.emplace_back(device, parameters);
+  for (std::size_t i = 0; i < shown.meshes.size(); ++i) {
+    animation.meshes.push_back({.name = shown.meshes[i].name,
+                                .file = scene.meshes[i].file,
+                                .scale = scene.meshes[i].scale,
+                                .frames = {}});
+    views.emplace_back(device, shown.meshes[i]);
   }
   const highlights::LightingAt lighting = scene::lighting_of(scene, ground ? &*ground : nullptr);
   const double first_s = frames.first / scene.frames_per_second;

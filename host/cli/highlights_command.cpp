@@ -29,14 +29,16 @@ struct HighlightsArguments {
   bool json = false, force = false;
 };
 
-/// Pictures as a file in that folder names them.
+/// Pictures and meshes as a file in that folder names them.
 void name_from(const std::filesystem::path& folder, animations::HighlightAnimation& animation) {
-  for (animations::AnimatedTexture& texture : animation.textures) {
-    if (texture.file.empty()) continue;
+  const auto rename = [&](std::string& file) {
+    if (file.empty()) return;
     std::error_code failure;
-    const std::filesystem::path name = std::filesystem::relative(texture.file, folder, failure);
-    if (!failure && !name.empty()) texture.file = name.generic_string();
-  }
+    const std::filesystem::path name = std::filesystem::relative(file, folder, failure);
+    if (!failure && !name.empty()) file = name.generic_string();
+  };
+  for (animations::AnimatedTexture& texture : animation.textures) rename(texture.file);
+  for (animations::AnimatedMesh& mesh : animation.meshes) rename(mesh.file);
 }
 
 struct Counts {
@@ -91,9 +93,10 @@ void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
                 {"most_in_a_frame", counts.most},
                 {"bytes", std::filesystem::file_size(output)}});
   } else {
-    fmt::print("{}: {} frame{}, {} highlight{} on {} mesh{}, up to {} at once\n", one_line(arguments.output),
-               frame_count, frame_count == 1 ? "" : "s", counts.highlights, counts.highlights == 1 ? "" : "s",
-               animation.meshes.size(), animation.meshes.size() == 1 ? "" : "es", counts.most);
+    fmt::print("{}: {} frame{}, {} highlight{} on {} mesh{}, up to {} projectors at once\n",
+               one_line(arguments.output), frame_count, frame_count == 1 ? "" : "s", counts.highlights,
+               counts.highlights == 1 ? "" : "s", animation.meshes.size(),
+               animation.meshes.size() == 1 ? "" : "es", counts.most);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -98,6 +99,19 @@ std::optional<int> lamp_of(const OceanScene& scene, ElementIndex element) {
 int picture_of(const OceanScene& scene, const std::string& file) {
   const std::vector<std::string> files = picture_files(scene);
   return static_cast<int>(std::find(files.begin(), files.end(), file) - files.begin());
+}
+
+/// Highlights name lights: a name is to mean one.
+void require_distinct_names(const OceanScene& scene) {
+  std::set<std::string_view> known{sun_name};
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const std::string& name = scene.lights[i].name;
+    if (name.empty() || known.insert(name).second) continue;
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a name that no other light has, got \"{}\"",
+                            place_of_name(scene, {"light.name", {i, 0}}), name),
+                "give each [[light]] a name of its own; sun is the sun's");
+  }
 }
 
 Source source_of(const LightScene& light) {
@@ -220,6 +234,7 @@ std::vector<std::vector<HighlightRule>> mesh_rules_at(const OceanScene& scene, d
 }
 
 std::vector<world::Lamp> lamps_at(const OceanScene& scene, double time_s) {
+  require_distinct_names(scene);
   std::vector<world::Lamp> lamps;
   for (const LightScene& light : moment_of(scene, time_s, ParameterGroup::light).lights) {
     lamps.push_back({source_of(light), light.colour, light.illuminance_klx});

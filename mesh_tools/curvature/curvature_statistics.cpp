@@ -51,6 +51,9 @@ CurvatureStatistics curvature_statistics(const UnitMesh& mesh, const VertexCurva
   for (ValueRange* range : {&statistics.k_max_per_m, &statistics.k_min_per_m}) {
     range->mean = statistics.area_m2 > 0.0 ? range->mean / statistics.area_m2 : 0.0;
   }
+  for (std::size_t edge = 0; edge < mesh.neighbours.edge_faces.rows(); ++edge) {
+    if (mesh.neighbours.edge_faces.row(edge).size() > 2) statistics.is_manifold = false;
+  }
   constexpr double turn = 2.0 * std::numbers::pi;
   gauss_bonnet.expected = turn * static_cast<double>(euler_characteristic(mesh.neighbours));
   gauss_bonnet.difference_share =

@@ -26,6 +26,7 @@ struct GaussBonnet {
 struct CurvatureStatistics {
   std::size_t vertices = 0;         ///< places with faces around
   std::size_t border_vertices = 0;  ///< of these, with an edge of other than two faces
+  bool is_manifold = true;          ///< no edge has three faces or more: Gauss and Bonnet hold
   double area_m2 = 0.0;
   ValueRange k_max_per_m, k_min_per_m;
   GaussBonnet gauss_bonnet;

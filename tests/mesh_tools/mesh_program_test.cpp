@@ -71,12 +71,15 @@ TEST_F(MeshProgram, CheckGivesItsKeys) {
   const ProgramResult result = run_offing({"check", path("a.obj"), "--json"});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_THAT(result.errors, HasSubstr("left out: 1 lines"));
-  const nlohmann::ordered_json expected = {{"vertices", 5},           {"faces", 4},
-                                           {"components", 1},         {"boundary_loops", 1},
-                                           {"non_manifold_edges", 1}, {"non_manifold_vertices", 0},
-                                           {"degenerate_faces", 0},   {"duplicate_faces", 1},
-                                           {"isolated_vertices", 0},  {"orientable", true},
-                                           {"self_intersections", 0}};
+  const nlohmann::ordered_json expected = {
+      {"vertices", 5},           {"faces", 4},
+      {"components", 1},         {"boundary_loops", 1},
+      {"non_manifold_edges", 1}, {"non_manifold_vertices", 0},
+      {"degenerate_faces", 0},   {"duplicate_faces", 1},
+      {"isolated_vertices", 0},  {"orientable", true},
+      {"turned_edges", 2},       {"self_intersections", 0},
+      {"format", "OBJ"},         {"cut_into_triangles", 0},
+      {"merged_corners", 0},     {"left_out", {{{"what", "lines"}, {"count", 1}}}}};
   EXPECT_EQ(nlohmann::ordered_json::parse(result.output), expected);
   const ProgramResult text = run_offing({"check", path("a.obj")});
   EXPECT_THAT(text.output, HasSubstr("left out               1 lines\n"));

@@ -212,6 +212,12 @@ light = "sun"
             }),
             "a.toml:6:9: mesh.highlight.light: expected the name of a [[light]] or sun, got \"b\"");
   EXPECT_THROW(lamps_at(scene, 1e9), Error);
+  for (const std::string twice : {"a", "sun"}) {
+    EXPECT_EQ(refusal([&] {
+                lamps_at(scene_of("[[light]]\nname = \"a\"\n[[light]]\nname = \"" + twice + "\"\n"), 0.0);
+              }),
+              "a.toml:5:8: light.name: expected a name that no other light has, got \"" + twice + '"');
+  }
 }
 
 // Fails if a world's own lamps and those of a scene's lighting are others, by day or by night.

@@ -25,7 +25,7 @@ struct ProjectorSample {
   std::uint64_t id = 0;  ///< the same for the same highlight from frame to frame
   int rule = -1;         ///< of the artist's, -1: none. A highlight between two rules has a projector of each
   int copy = 0;          ///< of a highlight that is split
-  int lamp = 0;          ///< whose light it is, in the order of the scene
+  int lamp = 0;          ///< whose light it is, in the order of the scene; -1: a pin, which has none
   glm::dvec3 position_m{0.0}, right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, normal{0.0, 0.0, 1.0};
   double width_m = 1.0, height_m = 1.0;  ///< full, along right and up
   double opacity = 1.0;                  ///< 0 ... 1
@@ -43,6 +43,8 @@ struct MeshFrame {
 
 struct AnimatedMesh {
   std::string name;
+  std::string file;    ///< as it is to be named; empty for made shapes
+  double scale = 1.0;  ///< of the file's places, before its pose
   std::vector<MeshFrame> frames;
 };
 

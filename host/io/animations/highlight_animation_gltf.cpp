@@ -85,6 +85,7 @@ class Writer {
   Json document() const {
     Json json = {{"asset", {{"version", "2.0"}, {"generator", animation_.generator}}},
                  {"extensionsUsed", {"KHR_materials_unlit", "KHR_animation_pointer"}},
+                 {"extras", {{"lamps", animation_.lamps}}},
                  {"scene", 0},
                  {"scenes", {{{"nodes", roots_}}}},
                  {"nodes", nodes_},
@@ -131,7 +132,14 @@ class Writer {
     channels_.push_back({{"sampler", samplers_.size() - 1}, {"target", std::move(target)}});
   }
 
+  /// The first key is how the node stands where animations are left out.
   void add_poses(std::size_t node, const NodeKeys& keys, std::size_t times) {
+    const auto first = [](const std::vector<float>& values, std::ptrdiff_t count) {
+      return std::vector<float>(values.begin(), values.begin() + count);
+    };
+    nodes_[node]["translation"] = first(keys.translations, 3);
+    nodes_[node]["rotation"] = first(keys.rotations, 4);
+    if (!keys.scales.empty()) nodes_[node]["scale"] = first(keys.scales, 3);
     add_channel({{"node", node}, {"path", "translation"}}, times, buffer_.add(keys.translations, 3));
     add_channel({{"node", node}, {"path", "rotation"}}, times, buffer_.add(keys.rotations, 4));
     if (!keys.scales.empty())
@@ -140,7 +148,9 @@ class Writer {
 
   void add_mesh(const AnimatedMesh& mesh) {
     const std::size_t node = nodes_.size();
-    nodes_.push_back({{"name", mesh.name}});
+    Json extras = {{"scale", mesh.scale}};
+    if (!mesh.file.empty()) extras["file"] = mesh.file;
+    nodes_.push_back({{"name", mesh.name}, {"extras", std::move(extras)}});
     roots_.push_back(node);
     NodeKeys keys;
     for (std::size_t frame = 0; frame < mesh.frames.size(); ++frame)
@@ -200,7 +210,7 @@ class Writer {
                        {{"id", sample.id},
                         {"rule", sample.rule},
                         {"copy", sample.copy},
-                        {"lamp", sample.lamp},
+                        {"lamp", sample.lamp < 0 ? Json() : Json(sample.lamp)},
                         {"texture", animation_.textures[sample.texture].name},
                         {"softness", sample.softness}}}});
     const std::size_t times = buffer_.add(keys.times_s, 1);

@@ -16,7 +16,7 @@ Json projector_json(const MeshFrame& frame, const ProjectorSample& projector) {
   return {{"id", projector.id},
           {"rule", projector.rule},
           {"copy", projector.copy},
-          {"lamp", projector.lamp},
+          {"lamp", projector.lamp < 0 ? Json() : Json(projector.lamp)},
           {"position_m", list_of(frame.rotation * projector.position_m + frame.translation_m)},
           {"right", list_of(frame.rotation * projector.right)},
           {"up", list_of(frame.rotation * projector.up)},
@@ -56,7 +56,11 @@ std::string highlight_animation_json(const HighlightAnimation& animation) {
     Json frames = Json::array();
     for (std::size_t i = 0; i < mesh.frames.size(); ++i)
       frames.push_back(frame_json(animation, static_cast<int>(i), mesh.frames[i]));
-    meshes.push_back({{"name", mesh.name}, {"frames", std::move(frames)}});
+    Json json = {{"name", mesh.name}};
+    if (!mesh.file.empty()) json["file"] = mesh.file;
+    json["scale"] = mesh.scale;
+    json["frames"] = std::move(frames);
+    meshes.push_back(std::move(json));
   }
   const std::size_t frame_count = animation.meshes.empty() ? 0 : animation.meshes.front().frames.size();
   const Json json = {{"generator", animation.generator},

@@ -176,6 +176,9 @@ class GltfParser {
         first_vertices.try_emplace({position_accessor, normal_accessor}, soup_.positions_m.size());
     if (is_new) {
       const std::vector<glm::dvec3> positions = document_.vectors(position_accessor);
+      if (attributes->contains("COLOR_0")) soup_.leave_out("colours of vertices", positions.size());
+      if (attributes->contains("TEXCOORD_0"))
+        soup_.leave_out("texture coordinates of vertices", positions.size());
       add_vertices(positions, to_world);
       add_normals(normal_accessor == none ? std::vector<glm::dvec3>() : document_.vectors(normal_accessor),
                   positions.size(), to_world);

@@ -23,10 +23,10 @@ constexpr std::uint32_t none = 0xffffffff;
 /// Statements that say nothing about vertices and faces: names, groups, materials, display, and what belongs
 /// to free-form geometry.
 constexpr std::array<std::string_view, 35> passed_over = {
-    "vt",     "vp",       "g",        "o",          "s",         "mg",    "usemtl", "mtllib", "usemap",
-    "maplib", "bevel",    "lod",      "cstype",     "deg",       "bmat",  "step",   "parm",   "trim",
-    "hole",   "scrv",     "sp",       "end",        "con",       "bsp",   "bzp",    "cdc",    "cdp",
-    "res",    "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech", "stech",  "call"};
+    "vp",       "g",        "o",          "s",         "mg",    "usemtl", "mtllib", "usemap", "maplib",
+    "bevel",    "lod",      "cstype",     "deg",       "bmat",  "step",   "parm",   "trim",   "hole",
+    "scrv",     "sp",       "end",        "con",       "bsp",   "bzp",    "cdc",    "cdp",    "res",
+    "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech", "stech",  "call"};
 
 constexpr std::array<std::string_view, 3> free_forms = {"curv", "curv2", "surf"};
 
@@ -69,6 +69,8 @@ class ObjParser {
       if (!lines_.is_at_end()) lines_.fail("three numbers in a normal", "more");
     } else if (keyword == "f" || keyword == "fo") {
       read_face();
+    } else if (keyword == "vt") {
+      leave_out("texture coordinates");
     } else if (keyword == "l") {
       leave_out("lines");
     } else if (keyword == "p") {

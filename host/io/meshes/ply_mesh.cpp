@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -34,6 +35,20 @@ std::optional<std::size_t> find(const PlyElement& element, std::string_view name
     if (element.properties[i].name == name && !element.properties[i].count_type) return i;
   }
   return std::nullopt;
+}
+
+/// What a property beside places, normals and lists of corners says, for the list of what is left out.
+std::string_view kind_of(std::string_view property) {
+  constexpr std::array colours{"red", "green", "blue", "alpha", "r", "g", "b", "a"};
+  constexpr std::array places{"s", "t", "u", "v", "texture_u", "texture_v", "texcoord"};
+  const std::size_t prefix = property.find('_');
+  if (std::find(colours.begin(), colours.end(), property) != colours.end() ||
+      (prefix != std::string_view::npos &&
+       std::find(colours.begin(), colours.begin() + 4, property.substr(prefix + 1)) != colours.begin() + 4)) {
+    return "colours";
+  }
+  return std::find(places.begin(), places.end(), property) != places.end() ? "texture coordinates"
+                                                                           : "other values";
 }
 
 class PlyParser {
@@ -69,6 +84,19 @@ class PlyParser {
  private:
   using AddList = void (PlyParser::*)(std::span<const double>);
 
+  /// Counts each kind of properties that nobody reads once for each of the element.
+  void leave_out_unread(const PlyElement& element, std::string_view owners,
+                        const std::vector<std::size_t>& read) {
+    std::set<std::string_view> kinds;
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      if (std::find(read.begin(), read.end(), i) == read.end())
+        kinds.insert(kind_of(element.properties[i].name));
+    }
+    if (element.count == 0) return;
+    for (const std::string_view kind : kinds)
+      soup_.leave_out(fmt::format("{} of {}", kind, owners), element.count);
+  }
+
   void pass_over(const PlyElement& element) {
     if (element.name == "edge") soup_.leave_out("edges", element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
@@ -100,6 +128,12 @@ class PlyParser {
     const bool has_normals = normal[0] && normal[1] && normal[2];
     std::vector<std::optional<std::size_t>> sources;
     for (const std::string_view name : wanted_) sources.push_back(find(element, name));
+    std::vector<std::size_t> read(xyz.begin(), xyz.end());
+    if (has_normals) read.insert(read.end(), {*normal[0], *normal[1], *normal[2]});
+    for (const auto& source : sources) {
+      if (source) read.push_back(*source);
+    }
+    leave_out_unread(element, "vertices", read);
     soup_.positions_m.reserve(element.count);
     std::vector<double> row(element.properties.size());
     for (std::size_t i = 0; i < element.count; ++i) {
@@ -129,6 +163,7 @@ class PlyParser {
     if (element.count > 0 && list == element.properties.end()) {
       throw mesh_error(file_name_, 0, fmt::format("a list vertex_indices of each {}", element.name), "none");
     }
+    leave_out_unread(element, "faces", {static_cast<std::size_t>(list - element.properties.begin())});
     std::vector<double> numbers;
     for (std::size_t i = 0; i < element.count; ++i) {
       values_.at(element.name, i);

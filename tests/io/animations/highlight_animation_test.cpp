@@ -63,11 +63,12 @@ HighlightAnimation example() {
                                .lamps = {"key", "sun"},
                                .textures = {{.name = "star", .file = {}, .image = checks()},
                                             {.name = "image", .file = "my spark#2.png", .image = {}}},
-                               .meshes = {{.name = "knot", .frames = {}}}};
+                               .meshes = {{.name = "knot", .file = "knot.ply", .scale = 0.5, .frames = {}}}};
   for (int frame = 0; frame < frame_count; ++frame) {
     MeshFrame mesh{.rotation = turned(0.3 * frame, {0.0, 1.0, 0.2}),
                    .translation_m = {0.0, 0.5 * frame, 1.0},
                    .projectors = {sample(3, frame)}};
+    mesh.projectors[0].lamp = frame == 0 ? -1 : 1;
     if (frame >= 2 && frame <= 5 && frame != 4) mesh.projectors.push_back(sample(7, frame));
     animation.meshes[0].frames.push_back(std::move(mesh));
   }
@@ -93,6 +94,8 @@ TEST(HighlightAnimationTest, JsonReadsBackInTheWorldsAxes) {
   EXPECT_EQ(json.at("lamps"), nlohmann::json({"key", "sun"}));
   EXPECT_EQ(json.at("textures").at(0), nlohmann::json({{"name", "star"}}));
   EXPECT_EQ(json.at("textures").at(1), nlohmann::json({{"name", "image"}, {"file", "my spark#2.png"}}));
+  EXPECT_EQ(json.at("meshes").at(0).at("file"), "knot.ply");
+  EXPECT_EQ(json.at("meshes").at(0).at("scale"), 0.5);
   for (int frame = 0; frame < frame_count; ++frame) {
     const MeshFrame& mesh = animation.meshes[0].frames[static_cast<std::size_t>(frame)];
     const nlohmann::json& read = json.at("meshes").at(0).at("frames").at(frame);
@@ -105,7 +108,7 @@ TEST(HighlightAnimationTest, JsonReadsBackInTheWorldsAxes) {
       const ProjectorSample& asked = mesh.projectors[i];
       const nlohmann::json& got = read.at("highlights").at(i);
       EXPECT_EQ(got.at("id"), asked.id);
-      EXPECT_EQ(got.at("lamp"), 1);
+      EXPECT_EQ(got.at("lamp"), frame == 0 ? nlohmann::json() : nlohmann::json(1));
       EXPECT_EQ(got.at("opacity"), asked.opacity);
       EXPECT_EQ(got.at("width_m"), asked.width_m);
       EXPECT_EQ(got.at("texture"), asked.texture);
@@ -170,6 +173,12 @@ void expect_nodes(const tinygltf::Model& model, const HighlightAnimation& animat
   ASSERT_EQ(model.scenes.at(0).nodes, std::vector<int>{0});
   EXPECT_EQ(model.nodes[0].name, "knot");
   EXPECT_EQ(model.nodes[0].children.size(), 2u);
+  EXPECT_EQ(model.nodes[0].extras.Get("file").Get<std::string>(), "knot.ply");
+  EXPECT_EQ(model.nodes[0].extras.Get("scale").GetNumberAsDouble(), 0.5);
+  EXPECT_EQ(model.extras.Get("lamps").Get(1).Get<std::string>(), "sun");
+  // Where animations are left out, all is as in the first frame.
+  const glm::dvec3 at_rest = vector_of(model.nodes[static_cast<std::size_t>(nodes.at(3))].translation);
+  EXPECT_LE(glm::distance(at_rest, sample(3, 0).position_m), 1e-6);
   for (int frame = 0; frame < frame_count; ++frame) {
     const double time_s = (first_frame + frame) / frames_per_s;
     const MeshFrame& mesh = animation.meshes[0].frames[static_cast<std::size_t>(frame)];

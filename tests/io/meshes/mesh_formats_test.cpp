@@ -63,6 +63,22 @@ TEST(MeshFormats, ObjTakesPositionIndicesAlone) {
   EXPECT_TRUE(file.mesh.normals.empty());
 }
 
+// Fails if values that no TriangleMesh has are dropped unsaid.
+TEST(MeshFormats, ColoursAndTextureCoordinatesAreCounted) {
+  const MeshFile ply = parse_mesh(
+      "ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar diffuse_green\nproperty float s\nproperty float quality\n"
+      "element face 1\nproperty list uchar int vertex_indices\nproperty uchar blue\nend_header\n"
+      "0 0 0 1 2 0.5 7\n1 0 0 1 2 0.5 7\n0 1 0 1 2 0.5 7\n3 0 1 2 9\n");
+  EXPECT_EQ(left_out(ply, "colours of vertices"), 3u);
+  EXPECT_EQ(left_out(ply, "texture coordinates of vertices"), 3u);
+  EXPECT_EQ(left_out(ply, "other values of vertices"), 3u);
+  EXPECT_EQ(left_out(ply, "colours of faces"), 1u);
+  const MeshFile obj = parse_mesh("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nf 1/1 2/2 3/1\n");
+  EXPECT_EQ(left_out(obj, "texture coordinates"), 2u);
+}
+
 // Fails if normals that vertices share are lost, kept where they differ, or not made unit vectors.
 TEST(MeshFormats, ObjKeepsNormalsThatAreOneAVertex) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 2\nvn 0 3 4\n";
