@@ -14,31 +14,28 @@
 namespace offing::clouds {
 namespace {
 
-// Fitted to the reference tracer (2e5 ... 5e5 photons of each) over heaps of 100 to 800 particles, optical
-// depths of 5 to 55, a flat cloud, and suns high and low: EMPTY_DEPTH 1.7 and where a dense particle shows
-// from (FRONT_RADII 0.9, FRONT_DEPTH 3). With a sun of 100 klx and a sky of 4 kcd/m2 the intensity toward
-// each of 12 eyes is then within 16 % of the reference for all but the flat cloud (29 % under a sun 14
-// degrees high, for want of cells), -6 ... +1 % in the mean (-14 %). Cells a side of each cloud's grid.
-constexpr int cells = 16;
-constexpr std::size_t cells_of_cloud = std::size_t{cells} * cells * cells;
+// Fitted to the reference over heaps of 100 to 800 particles, optical depths of 5 to 55, a flat cloud, and
+// suns high and low: EMPTY_DEPTH 1.7 and where a dense particle shows from (FRONT_RADII 0.9, FRONT_DEPTH 3).
+// tests/clouds/light_accuracy_test.cpp measures what comes of it. Room for the cells of a cloud's grid; heaps
+// have a quarter of them (kernels/clouds/light_bounds.cl).
+constexpr int cells = 16384;
+// A plane of zeros, all levels (each at most a quarter of the one before, but for short rows), and what is
+// read beyond.
+constexpr std::size_t level_cells = cells / 8 + cells / 3 * 4 + 1024;
+constexpr std::size_t beam_margin = 16;  // FIRST_BEAM of kernels/clouds/light_grid.clh
 
-// A plane of zeros, all levels down to 2 cells a side, and the neighbours beyond the last.
-constexpr std::size_t level_cells() {
-  std::size_t sum = std::size_t{cells} * cells + 4;
-  for (std::size_t side = cells; side >= 2; side /= 2) sum += side * side * side;
-  return sum;
-}
-
-// CPU: one work-item a group, and a share of the grid or of the particles that keeps both cores busy.
-constexpr int strip_rows = cells * cells / 8, strip_particles = 128, strip_cells = 512;
+// CPU: one work-item a group. Work of a cloud is shared by a few items, which keeps cores busy; of a GPU by
+// as many as there may be rows or cells.
+constexpr std::size_t strip_items = 2, group_row_items = cells / 16, group_cell_items = cells / 4;
+constexpr int strip_lanes = 16, strip_particles = 128;
 constexpr int group_size = 256;
 // HARRIS_SIZE of kernels/clouds/light_recurrence.cl, squared.
 constexpr std::size_t recurrence_texels = 128 * 128;
 
 ocl::Kernel built(const ocl::Device& device, const char* source, const char* kernel, bool is_strip) {
   ocl::Defines defines;
-  defines.set("CELLS", cells).set("LEVEL_CELLS", static_cast<long long>(level_cells()));
-  defines.set("GROUP_SIZE", is_strip ? 1 : group_size);
+  defines.set("CELLS", cells).set("LEVEL_CELLS", static_cast<long long>(level_cells));
+  defines.set("GROUP_SIZE", is_strip ? 1 : group_size).set("LANES", is_strip ? strip_lanes : 1);
   return ocl::Program::build(device, source, defines).kernel(kernel);
 }
 
@@ -84,6 +81,7 @@ ParticleLight::ParticleLight(const ocl::Device& device)
       density_kernel_(built(device, "clouds/light_density.cl", "light_density", is_strip_)),
       beam_kernel_(built(device, "clouds/light_beam.cl", "light_beam", is_strip_)),
       source_kernel_(built(device, "clouds/light_source.cl", "light_source", is_strip_)),
+      coarsen_kernel_(built(device, "clouds/light_coarsen.cl", "light_coarsen", is_strip_)),
       diffuse_kernel_(built(device, "clouds/light_diffuse.cl", "light_diffuse", is_strip_)),
       glow_kernel_(built(device, "clouds/light_glow.cl", "light_glow", is_strip_)),
       scatter_kernel_(built(device, "clouds/particle_scatter.cl", "particle_scatter", is_strip_)),
@@ -119,15 +117,16 @@ void ParticleLight::set_looks(std::span<const CloudLook> looks) {
 void ParticleLight::reserve(std::size_t clouds) {
   if (clouds <= grids_.size()) return;
   grids_ = ocl::Buffer<CloudGrid>(device_, clouds, "grids of clouds");
-  extinction_ = ocl::Buffer<float>(device_, clouds * cells_of_cloud, "extinction of clouds");
-  beams_ = ocl::Buffer<float>(device_, clouds * cells_of_cloud * CLOUD_SUNS, "sunlight in clouds");
-  medium_ = ocl::Buffer<float>(device_, clouds * level_cells(), "levels of clouds");
-  for (auto* buffer : {&faces_, &sources_, &fluence_}) {
-    *buffer = ocl::Buffer<Float4>(device_, clouds * level_cells(), "levels of clouds");
-    buffer->fill({});  // what stands for neighbours outside must be numbers
+  beams_ = ocl::Buffer<float>(device_, clouds * cells * CLOUD_SUNS + 2 * beam_margin, "sunlight in clouds");
+  const std::pair<ocl::Buffer<float>*, std::size_t> values_of_cell[] = {
+      {&medium_, 1}, {&faces_, 4}, {&sources_, 3}, {&fluence_, 3}};
+  for (const auto& [buffer, values] : values_of_cell) {
+    *buffer = ocl::Buffer<float>(device_, clouds * level_cells * values, "levels of clouds");
+    buffer->fill(0.0f);  // what stands for neighbours outside must be numbers
   }
+  beams_.fill(0.0f);
   for (auto* buffer : {&glow_, &drift_})
-    *buffer = ocl::Buffer<Float4>(device_, clouds * cells_of_cloud, "scattered light in clouds");
+    *buffer = ocl::Buffer<Float4>(device_, clouds * cells, "scattered light in clouds");
 }
 
 void ParticleLight::relight(const ocl::Buffer<CloudParticle>& particles, std::uint32_t count,
@@ -157,19 +156,21 @@ void ParticleLight::relight(const ocl::Buffer<CloudParticle>& particles, std::ui
 
 void ParticleLight::diffuse(std::size_t clouds) {
   const std::size_t group = is_strip_ ? 1 : group_size;
-  const int rows = is_strip_ ? strip_rows : 1, per_item = is_strip_ ? strip_cells : 1;
-  const ocl::LaunchShape each_cell{{cells_of_cloud / static_cast<std::size_t>(per_item), clouds}};
-  density_kernel_.launch({{static_cast<std::size_t>(cells * cells / rows), clouds}}, *particles_, grids_,
-                         rows, extinction_);
+  const auto shared = [&](std::size_t group_items) -> ocl::LaunchShape {
+    if (is_strip_) return {{strip_items, clouds}, {1, 1}};
+    return {{group_items, clouds}};
+  };
+  const ocl::LaunchShape rows = shared(group_row_items), each_cell = shared(group_cell_items);
+  density_kernel_.launch(rows, *particles_, grids_, medium_);
   if (light_.sun_count > 0) {
     beam_kernel_.launch({{static_cast<std::size_t>(light_.sun_count) * group, clouds}, {group, 1}}, grids_,
-                        looks_, light_, extinction_, beams_);
+                        looks_, light_, medium_, beams_);
   }
-  source_kernel_.launch(each_cell, grids_, looks_, light_, extinction_, beams_, per_item, medium_, faces_,
-                        sources_);
-  diffuse_kernel_.launch({{clouds * group}, {group}}, looks_, medium_, faces_, sources_, fluence_);
-  glow_kernel_.launch(each_cell, grids_, looks_, light_, extinction_, beams_, faces_, fluence_, per_item,
-                      glow_, drift_);
+  source_kernel_.launch(each_cell, grids_, looks_, light_, medium_, beams_, faces_, sources_);
+  coarsen_kernel_.launch({{clouds * group}, {group}}, grids_, medium_, faces_);
+  diffuse_kernel_.launch({{3 * group, clouds}, {group, 1}}, grids_, looks_, medium_, faces_, sources_,
+                         fluence_);
+  glow_kernel_.launch(each_cell, grids_, looks_, light_, medium_, beams_, faces_, fluence_, glow_, drift_);
 }
 
 void ParticleLight::carry_along(const CloudIllumination& light, std::size_t clouds) {
@@ -197,15 +198,15 @@ void ParticleLight::see(const glm::vec3& eye_m, ocl::Buffer<CloudSprite>& sprite
   }
   if (count_ == 0) return;
   const std::uint32_t per_item = is_strip_ ? strip_particles : 1;
+  ocl::LaunchShape shape{{(count_ + per_item - 1) / per_item}};
+  if (is_strip_) shape.local = {1};
   if (model_ == LightModel::harris) {
-    first_order_kernel_.launch({{(count_ + per_item - 1) / per_item}}, *particles_, static_cast<int>(count_),
-                               static_cast<int>(per_item), looks_, light_, phases_, reached_, eye_m.x,
-                               eye_m.y, eye_m.z, sprites);
+    first_order_kernel_.launch(shape, *particles_, static_cast<int>(count_), static_cast<int>(per_item),
+                               looks_, light_, phases_, reached_, eye_m.x, eye_m.y, eye_m.z, sprites);
     return;
   }
-  scatter_kernel_.launch({{(count_ + per_item - 1) / per_item}}, *particles_, static_cast<int>(count_),
-                         static_cast<int>(per_item), grids_, looks_, light_, phases_, beams_, glow_, drift_,
-                         eye_m.x, eye_m.y, eye_m.z, sprites);
+  scatter_kernel_.launch(shape, *particles_, static_cast<int>(count_), static_cast<int>(per_item), grids_,
+                         looks_, light_, phases_, beams_, glow_, drift_, eye_m.x, eye_m.y, eye_m.z, sprites);
 }
 
 }  // namespace offing::clouds

@@ -48,8 +48,8 @@ class ParticleLight {
 
   ocl::Device device_;
   bool is_strip_;
-  ocl::Kernel bounds_kernel_, density_kernel_, beam_kernel_, source_kernel_, diffuse_kernel_, glow_kernel_,
-      scatter_kernel_, recurrence_kernel_, first_order_kernel_;
+  ocl::Kernel bounds_kernel_, density_kernel_, beam_kernel_, source_kernel_, coarsen_kernel_, diffuse_kernel_,
+      glow_kernel_, scatter_kernel_, recurrence_kernel_, first_order_kernel_;
   const ocl::Buffer<CloudParticle>* particles_ = nullptr;
   std::uint32_t count_ = 0;
   CloudLightParams light_{};
@@ -60,8 +60,8 @@ class ParticleLight {
   std::vector<CloudLook> known_looks_;
   ocl::Buffer<CloudGrid> grids_;
   ocl::Buffer<CloudScattering> looks_;
-  ocl::Buffer<float> phases_, extinction_, beams_, medium_;
-  ocl::Buffer<Float4> faces_, sources_, fluence_, glow_, drift_;
+  ocl::Buffer<float> phases_, beams_, medium_, faces_, sources_, fluence_;
+  ocl::Buffer<Float4> glow_, drift_;
 };
 
 }  // namespace offing::clouds

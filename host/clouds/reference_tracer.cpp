@@ -11,100 +11,9 @@
 
 #include "host/base/error.h"
 #include "host/base/parallel_rows.h"
+#include "host/clouds/traced_paths.h"
 
 namespace offing::clouds {
-namespace {
-
-// Paths of a block are summed in their order, and blocks in theirs: the sum does not depend on threads.
-constexpr int paths_of_block = 256;
-// Paths that carry less than this go on with a chance in proportion.
-constexpr double least_sure_weight = 0.01;
-
-void require_valid(const TraceOptions& options) {
-  if (options.samples >= 1 && options.orders >= 1) return;
-  throw Error(ErrorKind::bad_usage,
-              fmt::format("trace: expected samples and orders of 1 or more, got {} and {}", options.samples,
-                          options.orders));
-}
-
-/// `direction` turned by an angle of this cosine, and around by `around_rad`. Frame: Duff et al. 2017,
-/// "Building an orthonormal basis, revisited".
-glm::dvec3 turned(const glm::dvec3& direction, double cosine, double around_rad) {
-  const double sign = std::copysign(1.0, direction.z), a = -1.0 / (sign + direction.z),
-               b = direction.x * direction.y * a;
-  const glm::dvec3 right(1.0 + sign * direction.x * direction.x * a, sign * b, -sign * direction.x),
-      up(b, sign + direction.y * direction.y * a, -direction.y);
-  const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
-  return glm::normalize(sine * std::cos(around_rad) * right + sine * std::sin(around_rad) * up +
-                        cosine * direction);
-}
-
-/// Whether a path goes on; its weight grows by what the chance of that takes.
-bool survives(glm::dvec3& weight, PathRandom& random) {
-  const double most = std::max({weight.x, weight.y, weight.z});
-  if (most >= least_sure_weight) return true;
-  weight *= least_sure_weight / std::max(most, 1e-300);
-  return random.next() * least_sure_weight < most;
-}
-
-/// Sums over paths: `make(path, by_order)` gives the light of one.
-struct PathSums {
-  std::vector<glm::dvec3> by_order;
-  glm::dvec3 scattered{0.0}, squares{0.0};
-
-  void add(const std::vector<glm::dvec3>& path) {
-    glm::dvec3 sum(0.0);
-    for (std::size_t order = 0; order < path.size(); ++order) {
-      by_order[order] += path[order];
-      if (order > 0) sum += path[order];
-    }
-    scattered += sum;
-    squares += sum * sum;
-  }
-  void add(const PathSums& other) {
-    for (std::size_t order = 0; order < by_order.size(); ++order) by_order[order] += other.by_order[order];
-    scattered += other.scattered;
-    squares += other.squares;
-  }
-};
-
-/// The mean over all paths, times `scale`.
-template <typename Make>
-Traced mean_over_paths(const TraceOptions& options, double scale, const Make& make) {
-  require_valid(options);
-  const auto orders = static_cast<std::size_t>(options.orders) + 1;
-  const int blocks = (options.samples + paths_of_block - 1) / paths_of_block;
-  std::vector<PathSums> sums(static_cast<std::size_t>(blocks));
-  parallel_rows(
-      blocks,
-      [&](int block) {
-        PathSums& sum = sums[static_cast<std::size_t>(block)];
-        sum.by_order.resize(orders);
-        std::vector<glm::dvec3> path(orders);
-        const int end = std::min(options.samples, (block + 1) * paths_of_block);
-        for (int i = block * paths_of_block; i < end; ++i) {
-          std::fill(path.begin(), path.end(), glm::dvec3(0.0));
-          PathRandom random(options.seed, static_cast<std::uint64_t>(i));
-          make(random, path);
-          sum.add(path);
-        }
-      },
-      options.threads);
-  PathSums all;
-  all.by_order.resize(orders);
-  for (const PathSums& sum : sums) all.add(sum);
-  const double count = options.samples;
-  Traced traced;
-  for (const glm::dvec3& order : all.by_order) traced.by_order.push_back(scale * order / count);
-  traced.scattered = scale * all.scattered / count;
-  const glm::dvec3 mean = all.scattered / count;
-  const glm::dvec3 variance = glm::max(all.squares / count - mean * mean, glm::dvec3(0.0));
-  traced.standard_error = scale * glm::sqrt(variance / std::max(1.0, count - 1.0));
-  return traced;
-}
-
-}  // namespace
-
 ReferenceTracer::ReferenceTracer(const ScatteringMedium& medium, const CloudLook& look,
                                  const CloudIllumination& light)
     : medium_(medium), phase_(look), albedo_(look.albedo), light_(light) {
@@ -162,51 +71,6 @@ TracedView ReferenceTracer::view_of(const glm::dvec3& middle_m, double radius_m,
   view.covered_m2 = view.intensity_kcd.by_order[0].x;
   view.intensity_kcd.by_order[0] = glm::dvec3(0.0);
   return view;
-}
-
-std::vector<TracedIntensity> ReferenceTracer::intensities(const glm::dvec3& middle_m, double radius_m,
-                                                          std::span<const glm::dvec3> toward_eyes,
-                                                          double cone_rad,
-                                                          const TraceOptions& options) const {
-  const double area_m2 = std::numbers::pi * radius_m * radius_m, least_cosine = std::cos(cone_rad);
-  const double cone_sr = 2.0 * std::numbers::pi * (1.0 - least_cosine);
-  std::vector<TracedIntensity> intensities(toward_eyes.size());
-  TraceOptions sums = options;
-  sums.orders = static_cast<int>(toward_eyes.size());
-  for (std::size_t sun = 0; sun < light_.suns.size(); ++sun) {
-    sums.seed = options.seed + sun;
-    // Each direction takes the place of an order of scattering; what no cone takes is left out.
-    const Traced counted =
-        mean_over_paths(sums, 1.0, [&](PathRandom& random, std::vector<glm::dvec3>& by_eye) {
-          const glm::dvec3& toward_sun = light_.suns[sun].direction;
-          const double distance_m = radius_m * std::sqrt(random.next()),
-                       angle = 2.0 * std::numbers::pi * random.next();
-          Ray ray{middle_m + distance_m * turned(toward_sun, 0.0, angle) + 2.0 * radius_m * toward_sun,
-                  -toward_sun};
-          glm::dvec3 weight(1.0);
-          for (bool is_scattered = false;; is_scattered = true) {
-            const double distance = medium_.next_collision(ray, random);
-            if (!std::isfinite(distance)) {
-              for (std::size_t eye = 0; is_scattered && eye < toward_eyes.size(); ++eye)
-                if (glm::dot(ray.direction, toward_eyes[eye]) >= least_cosine) by_eye[eye + 1] += weight;
-              return;
-            }
-            ray.origin_m += distance * ray.direction;
-            weight *= albedo_;
-            if (!survives(weight, random)) return;
-            const double cosine = phase_.sample([&] { return random.next(); });
-            ray.direction = turned(ray.direction, cosine, 2.0 * std::numbers::pi * random.next());
-          }
-        });
-    for (std::size_t eye = 0; eye < toward_eyes.size(); ++eye) {
-      const glm::dvec3& share = counted.by_order[eye + 1];
-      intensities[eye].kcd += light_.suns[sun].illuminance_klx * share * area_m2 / cone_sr;
-      const double most = std::max({share.x, share.y, share.z, 0.5 / options.samples});
-      intensities[eye].relative_error =
-          std::max(intensities[eye].relative_error, std::sqrt((1.0 - most) / (most * options.samples)));
-    }
-  }
-  return intensities;
 }
 
 TracedPicture ReferenceTracer::picture(const Camera& camera, const TraceOptions& options) const {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -11,34 +9,14 @@
 #include "host/clouds/cloud_parameters.h"
 #include "host/clouds/phase_function.h"
 #include "host/clouds/scattering_medium.h"
+#include "host/clouds/traced_paths.h"
 
 namespace offing::clouds {
-
-struct TraceOptions {
-  int samples = 1024;  ///< paths of a ray, a pixel or a view
-  std::uint64_t seed = 1;
-  int orders = 8;   ///< kept apart, 1 or more; the last has all further ones too
-  int threads = 0;  ///< 0: as many as there are processors
-};
-
-/// A mean over paths.
-struct Traced {
-  /// [orders + 1] light scattered 0, 1, ... times; 0 is what sky and ground show through the cloud.
-  std::vector<glm::dvec3> by_order;
-  glm::dvec3 scattered{0.0};       ///< the sum from order 1 on
-  glm::dvec3 standard_error{0.0};  ///< of `scattered`
-};
 
 /// A cloud as seen from far away: integrals over the plane across the line of sight.
 struct TracedView {
   Traced intensity_kcd;     ///< radiance times area; order 0 is left out
   double covered_m2 = 0.0;  ///< opacity times area, opacity = 1 - transmittance
-};
-
-/// Mean intensity over a cone of directions.
-struct TracedIntensity {
-  glm::dvec3 kcd{0.0};
-  double relative_error = 0.0;  ///< standard error over value
 };
 
 /// Pixels [height][width], row 0 at the top: scattered light, kcd/m2, premultiplied, and opacity.
@@ -66,13 +44,6 @@ class ReferenceTracer {
   /// A sphere that the cloud lies in, as seen from the unit direction `toward_eye`, infinitely far away.
   TracedView view_of(const glm::dvec3& middle_m, double radius_m, const glm::dvec3& toward_eye,
                      const TraceOptions& options) const;
-
-  /// Intensities in kcd of the suns' scattered light, means over cones around unit directions toward eyes, of
-  /// all of them at once: photons are counted where they leave the sphere. A sharp forward peak makes this
-  /// far less noisy than view_of(). The sky is left out. Errors are those of counting.
-  std::vector<TracedIntensity> intensities(const glm::dvec3& middle_m, double radius_m,
-                                           std::span<const glm::dvec3> toward_eyes, double cone_rad,
-                                           const TraceOptions& options) const;
 
   /// What the camera sees of the cloud, without what lies behind it.
   TracedPicture picture(const Camera& camera, const TraceOptions& options) const;

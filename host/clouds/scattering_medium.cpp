@@ -73,11 +73,15 @@ VolumeMedium::VolumeMedium(const CloudVolume& volume)
     }
     if (brick.most_per_m == 0.0) continue;
     brick_of_[static_cast<std::size_t>(index)] = static_cast<std::int32_t>(bricks_.size());
+    brick.corner_m = origin_m_ + cell_m_ * edge * glm::dvec3(bx, by, bz);
+    low = glm::min(low, brick.corner_m);
+    high = glm::max(high, brick.corner_m + cell_m_ * edge);
+    most_sums_.push_back((most_sums_.empty() ? 0.0 : most_sums_.back()) + brick.most_per_m);
     bricks_.push_back(brick);
-    const glm::dvec3 corner = origin_m_ + cell_m_ * edge * glm::dvec3(bx, by, bz);
-    low = glm::min(low, corner);
-    high = glm::max(high, corner + cell_m_ * edge);
   }
+  // Interpolation keeps the sum over cells.
+  for (const float density : volume.density)
+    optical_mass_m2_ += density * volume.extinction_per_m * cell_m_ * cell_m_ * cell_m_;
   if (bricks_.empty())
     throw Error(ErrorKind::bad_input, "volume: expected some density, found none",
                 "make the cells smaller, or the cloud denser");
@@ -107,6 +111,18 @@ double VolumeMedium::extinction(const glm::dvec3& place_m) const {
   return kept == CloudVolume::no_brick
              ? 0.0
              : extinction(bricks_[static_cast<std::size_t>(kept)], cells - 8.0 * brick);
+}
+
+glm::dvec3 VolumeMedium::random_place(PathRandom& random) const {
+  for (;;) {
+    const auto above =
+        std::upper_bound(most_sums_.begin(), most_sums_.end(), random.next() * most_sums_.back());
+    const Brick& brick =
+        bricks_[std::min(static_cast<std::size_t>(above - most_sums_.begin()), bricks_.size() - 1)];
+    glm::dvec3 cells;
+    for (int axis = 0; axis < 3; ++axis) cells[axis] = random.next() * CloudVolume::brick_cells;
+    if (random.next() * brick.most_per_m < extinction(brick, cells)) return brick.corner_m + cell_m_ * cells;
+  }
 }
 
 template <typename Visit>
@@ -155,8 +171,9 @@ void VolumeMedium::walk(const Ray& ray, const Visit& visit) const {
   }
 }
 
-double VolumeMedium::next_collision(const Ray& ray, PathRandom& random) const {
-  double found = infinity, depth_left = -std::log(random.next());
+template <typename Collide>
+void VolumeMedium::track(const Ray& ray, PathRandom& random, const Collide& collide) const {
+  double depth_left = -std::log(random.next());
   walk(ray, [&](double most_per_m, const auto& extinction_at, double t, double end) {
     for (;;) {
       const double next = t + depth_left / most_per_m;
@@ -165,38 +182,35 @@ double VolumeMedium::next_collision(const Ray& ray, PathRandom& random) const {
         return true;
       }
       t = next;
-      if (random.next() * most_per_m < extinction_at(t)) {
-        found = t;
-        return false;
-      }
+      if (!collide(t, extinction_at(t) / most_per_m)) return false;
       depth_left = -std::log(random.next());
     }
+  });
+}
+
+double VolumeMedium::next_collision(const Ray& ray, PathRandom& random) const {
+  double found = infinity;
+  track(ray, random, [&](double distance, double share) {
+    if (random.next() >= share) return true;
+    found = distance;
+    return false;
   });
   return found;
 }
 
 double VolumeMedium::transmittance(const Ray& ray, PathRandom& random) const {
-  double share = 1.0, depth_left = -std::log(random.next());
-  walk(ray, [&](double most_per_m, const auto& extinction_at, double t, double end) {
-    for (;;) {
-      const double next = t + depth_left / most_per_m;
-      if (next >= end) {
-        depth_left -= (end - t) * most_per_m;
-        return true;
-      }
-      t = next;
-      share *= 1.0 - extinction_at(t) / most_per_m;
-      if (share < least_sure_share) {
-        if (random.next() * least_sure_share >= share) {
-          share = 0.0;
-          return false;
-        }
-        share = least_sure_share;
-      }
-      depth_left = -std::log(random.next());
+  double kept = 1.0;
+  track(ray, random, [&](double, double share) {
+    kept *= 1.0 - share;
+    if (kept >= least_sure_share) return true;
+    if (random.next() * least_sure_share >= kept) {
+      kept = 0.0;
+      return false;
     }
+    kept = least_sure_share;
+    return true;
   });
-  return share;
+  return kept;
 }
 
 }  // namespace offing::clouds

@@ -56,12 +56,17 @@ class VolumeMedium : public ScatteringMedium {
   /// Of a sphere around all bricks with any density.
   const glm::dvec3& middle_m() const { return middle_m_; }
   double radius_m() const { return radius_m_; }
+  /// Of all its extinction, summed over its volume.
+  double optical_mass_m2() const { return optical_mass_m2_; }
+  /// A place with a density in proportion to the extinction.
+  glm::dvec3 random_place(PathRandom& random) const;
 
  private:
   // The cells of a brick and one more on each side.
   static constexpr int apron_cells = CloudVolume::brick_cells + 2;
   struct Brick {
     double most_per_m = 0.0;
+    glm::dvec3 corner_m{0.0};
     std::array<float, std::size_t{apron_cells} * apron_cells * apron_cells> extinction_per_m{};
   };
 
@@ -70,6 +75,10 @@ class VolumeMedium : public ScatteringMedium {
   /// returns false.
   template <typename Visit>
   void walk(const Ray& ray, const Visit& visit) const;
+  /// Calls collide(distance, share of the brick's greatest extinction there) at places drawn with the
+  /// greatest extinction, until it returns false.
+  template <typename Collide>
+  void track(const Ray& ray, PathRandom& random, const Collide& collide) const;
 
   glm::dvec3 origin_m_;
   double cell_m_;
@@ -77,7 +86,8 @@ class VolumeMedium : public ScatteringMedium {
   std::vector<std::int32_t> brick_of_;
   std::vector<Brick> bricks_;
   glm::dvec3 middle_m_{0.0};
-  double radius_m_ = 0.0;
+  double radius_m_ = 0.0, optical_mass_m2_ = 0.0;
+  std::vector<double> most_sums_;  // of most_per_m, up to and with each brick
 };
 
 }  // namespace offing::clouds

@@ -1,61 +1,67 @@
 // The share of each sun's light that reaches the middle of each cell, scaled: what scatters nearly forward goes on
 // (C10). Carried from plane to plane along the axis that the light crosses fastest; between the middles of four cells
 // of the plane before it is mixed, which keeps energy.
-// In:  grids, looks [clouds], light, extinction.
-// Out: beams [clouds][CLOUD_SUNS][CELLS][CELLS][CELLS], those of sun_count suns.
+// In:  grids, looks [clouds], light, medium.
+// Out: beams [clouds][CLOUD_SUNS][CELLS], those of sun_count suns.
 // One work-group of GROUP_SIZE a sun (dimension 0) and cloud (1).
 #include "clouds/light_grid.clh"
+#include "clouds/lane_exponents.clh"
+
+// Cells of the largest plane, and a rim around them where the light has met nothing yet.
+#define PLANE_CELLS (CELLS / LEAST_CELLS)
+#define RIMMED_CELLS (PLANE_CELLS + PLANE_CELLS / 4)
 
 static inline float component(float3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
 
-// Light that leaves the cell of the plane before at (a, b), or the whole sun's beside the grid.
-static inline float leaving(__global const float *restrict extinction, __global const float *restrict beam, int start,
-                            int a, int b, int stride_a, int stride_b, float half_way) {
-  if (a < 0 || b < 0 || a >= CELLS || b >= CELLS) return 1.0f;
-  const int cell = start + a * stride_a + b * stride_b;
-  return beam[cell] * exp(-half_way * extinction[cell]);
-}
-
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_beam(
     __global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
-    const CloudLightParams light, __global const float *restrict extinction, __global float *restrict beams) {
-  const int cloud = (int)get_group_id(1), sun = (int)get_group_id(0);
+    const CloudLightParams light, __global const float *restrict medium, __global float *restrict beams) {
+  // What leaves the cells of the plane before and of this one, in turn.
+  __local float leaving[2][RIMMED_CELLS];
+  const int cloud = (int)get_group_id(1), sun = (int)get_group_id(0), item = (int)get_local_id(0);
   const CloudGrid grid = grids[cloud];
   const CloudSunLight source = light.suns[sun];
-  __global const float *density = extinction + (size_t)cloud * CELLS_OF_CLOUD;
-  __global float *beam = beams + ((size_t)cloud * CLOUD_SUNS + sun) * CELLS_OF_CLOUD;
+  __global const float *density = medium + (size_t)cloud * LEVEL_CELLS + FIRST_LEVEL;
+  __global float *beam = beams + FIRST_BEAM + ((size_t)cloud * CLOUD_SUNS + sun) * CELLS;
 
   const float3 way = -(float3)(source.x, source.y, source.z) / grid_cell(grid);
   const float3 speed = fabs(way);
   const int axis = speed.x > speed.y ? (speed.x > speed.z ? 0 : 2) : (speed.y > speed.z ? 1 : 2);
   const int axis_a = axis == 0 ? 1 : 0, axis_b = axis == 2 ? 1 : 2;
-  const int strides[3] = {1, CELLS, CELLS * CELLS};
+  const int sizes[3] = {grid.size_x, grid.size_y, grid.size_z};
+  const int strides[3] = {1, grid.size_x, grid.size_x * grid.size_y};
+  const int planes = sizes[axis], size_a = sizes[axis_a], size_b = sizes[axis_b];
   const int stride = strides[axis], stride_a = strides[axis_a], stride_b = strides[axis_b];
   const float metres = 1.0f / component(speed, axis);  // from plane to plane
   const float half_way = 0.5f * metres * (1.0f - forward_albedo(looks[cloud]));
-  // From a middle back to the plane before.
+  // From a middle back to the plane before: a cell at most, as the axis is the fastest.
   const float back_a = -component(way, axis_a) * metres, back_b = -component(way, axis_b) * metres;
-  const int left_a = (int)floor(back_a), left_b = (int)floor(back_b);
+  const int left_a = back_a < 0.0f ? -1 : 0, left_b = back_b < 0.0f ? -1 : 0;
   const float share_a = back_a - (float)left_a, share_b = back_b - (float)left_b;
   const bool is_rising = component(way, axis) > 0.0f;
+  const int pitch = size_a + 2;
 
-  for (int plane = 0; plane < CELLS; ++plane) {
-    const int start = (is_rising ? plane : CELLS - 1 - plane) * stride;
-    const int before = start + (is_rising ? -stride : stride);
-    for (int i = (int)get_local_id(0); i < CELLS * CELLS; i += GROUP_SIZE) {
-      const int a = i % CELLS, b = i / CELLS;
-      float arriving = 1.0f;
-      if (plane > 0) {
-        const int at_a = a + left_a, at_b = b + left_b;
-        arriving = mix(mix(leaving(density, beam, before, at_a, at_b, stride_a, stride_b, half_way),
-                           leaving(density, beam, before, at_a + 1, at_b, stride_a, stride_b, half_way), share_a),
-                       mix(leaving(density, beam, before, at_a, at_b + 1, stride_a, stride_b, half_way),
-                           leaving(density, beam, before, at_a + 1, at_b + 1, stride_a, stride_b, half_way), share_a),
-                       share_b);
-      }
+  // What half a cell lets through, kept where the light will be.
+  const int cells = grid.size_x * grid.size_y * grid.size_z;
+  for (int i = item * LANES; i < cells; i += GROUP_SIZE * LANES)
+    store_lanes(exp_of(-half_way * load_lanes(density + i)), beam + i);
+  for (int i = item; i < pitch * (size_b + 2); i += GROUP_SIZE) leaving[0][i] = leaving[1][i] = 1.0f;
+  wait_for_group();
+
+  for (int plane = 0; plane < planes; ++plane) {
+    const int start = (is_rising ? plane : planes - 1 - plane) * stride;
+    __local const float *before = leaving[plane % 2] + pitch + 1;
+    __local float *after = leaving[(plane + 1) % 2] + pitch + 1;
+    for (int i = item; i < size_a * size_b; i += GROUP_SIZE) {
+      const int b = i / size_a, a = i - b * size_a;
+      __local const float *from = before + (b + left_b) * pitch + a + left_a;
+      const float arriving =
+          mix(mix(from[0], from[1], share_a), mix(from[pitch], from[pitch + 1], share_a), share_b);
       const int cell = start + a * stride_a + b * stride_b;
-      beam[cell] = arriving * exp(-half_way * density[cell]);
+      const float half_kept = beam[cell];
+      beam[cell] = arriving * half_kept;
+      after[b * pitch + a] = arriving * half_kept * half_kept;
     }
-    barrier(CLK_GLOBAL_MEM_FENCE);
+    wait_for_group();
   }
 }

@@ -1,8 +1,17 @@
-// The grid of each cloud: a box around its particles, a cell wider on each side, in CELLS cells a side.
+// The grid of each cloud: a box around its particles, a cell wider on each side, in cells as nearly cubes as powers of
+// two make them: a flat cloud has more across than from top to bottom.
 // In:  particles [count], those of a cloud side by side, clouds in rising order.
 // Out: grids [clouds]; an empty cloud's particles end where they begin.
 // One work-group of GROUP_SIZE a cloud. Places that are not numbers are left out.
 #include "clouds/light_grid.clh"
+
+// A heap has this many cells. A flat cloud has more, up to CELLS, as long as its cells are this much longer than high.
+#define CELLS_OF_HEAP 4096
+#define LONGEST_CELLS 2.5f
+
+static inline float3 cell_of(float3 extent, int size_x, int size_y, int size_z) {
+  return extent / (float3)((float)(size_x - 2), (float)(size_y - 2), (float)(size_z - 2));
+}
 
 // The first particle of this cloud or a later one.
 static inline int first_of(__global const CloudParticle *restrict particles, int count, uint cloud) {
@@ -41,8 +50,21 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_boun
     high = fmax(high, (float3)(highs[other], highs[GROUP_SIZE + other], highs[2 * GROUP_SIZE + other]));
   }
   if (!(low.x < high.x)) low = (float3)(0.0f), high = (float3)(1.0f);
-  const float3 cell = (high - low) / (float)(CELLS - 2);
+  int size_x = LEAST_CELLS_X, size_y = LEAST_CELLS_Y, size_z = LEAST_CELLS;
+  for (;;) {
+    const float3 cell = cell_of(high - low, size_x, size_y, size_z);
+    const float longest = fmax(cell.x, fmax(cell.y, cell.z)), shortest = fmin(cell.x, fmin(cell.y, cell.z));
+    const int cells = size_x * size_y * size_z;
+    if (cells >= (longest > LONGEST_CELLS * shortest ? CELLS : CELLS_OF_HEAP)) break;
+    if (cell.x == longest)
+      size_x *= 2;
+    else if (cell.y == longest)
+      size_y *= 2;
+    else
+      size_z *= 2;
+  }
+  const float3 cell = cell_of(high - low, size_x, size_y, size_z);
   low -= cell;
-  const CloudGrid grid = {low.x, low.y, low.z, cell.x, cell.y, cell.z, first, end};
+  const CloudGrid grid = {low.x, low.y, low.z, cell.x, cell.y, cell.z, first, end, size_x, size_y, size_z, 0};
   grids[cloud] = grid;
 }

@@ -1,141 +1,162 @@
 // Solves the diffusion of light in each cloud (clouds/diffusion.clh) by multigrid: CYCLES V-cycles, sweeps over every
-// other cell, residuals averaged over eight cells, corrections interpolated.
-// In:    looks.
-// Inout: [clouds][LEVEL_CELLS], of the finest level as light_source.cl left them: medium, faces, sources; fluence, zero
-//        before the first level and beyond the last.
-// One work-group of GROUP_SIZE a cloud.
-#include "clouds/diffusion.clh"
+// other cell, residuals averaged over eight cells, corrections interpolated. The first cycle's way down finds nothing yet.
+// In:    grids, looks, medium and faces of light_coarsen.cl.
+// Inout: sources [clouds][3][LEVEL_CELLS], of the finest level as light_source.cl left them.
+// Out:   fluence [clouds][3][LEVEL_CELLS]; zeros before the first level and beyond the last.
+// One work-group of GROUP_SIZE a colour (dimension 0) and cloud (1).
+#include "clouds/light_levels.clh"
 
 #define CYCLES 3
-#define COARSEST_SWEEPS 8
+#define COARSEST_SWEEPS 12
 
-// Light that flows into a cell from its neighbours. Where x, y, z - 1 would be before the first, the cell before in
-// memory has no conductance: it is a last one.
-static inline float4 flow_into(__global const float4 *restrict faces, __global const float4 *fluence, float4 here,
-                               float3 before, int side, int at) {
-  const int plane = side * side;
-  return here.x * fluence[at + 1] + before.x * fluence[at - 1] + here.y * fluence[at + side] +
-         before.y * fluence[at - side] + here.z * fluence[at + plane] + before.z * fluence[at - plane];
+// What a cell passes on to each neighbour and takes from it.
+typedef struct {
+  lanes right, left, up, down, back, front;
+  lanes all;  // their sum, what leaves through sides, and what is absorbed
+} Ways;
+
+static inline Ways ways_of(__global const float *restrict medium, __global const float *restrict faces, float absorbed,
+                           const Level level, int at) {
+  const int plane = level.pitch * level.size_y;
+  Ways ways;
+  ways.right = load_lanes(faces + FACES_X + at);
+  ways.left = load_lanes(faces + FACES_X + at - 1);
+  ways.up = load_lanes(faces + FACES_Y + at);
+  ways.down = load_lanes(faces + FACES_Y + at - level.pitch);
+  ways.back = load_lanes(faces + FACES_Z + at);
+  ways.front = load_lanes(faces + FACES_Z + at - plane);
+  ways.all = (ways.right + ways.left) + (ways.up + ways.down) + (ways.back + ways.front) +
+             (load_lanes(faces + FACES_OUT + at) + absorbed * load_lanes(medium + at));
+  return ways;
 }
 
-static inline float3 faces_before(__global const float4 *restrict faces, int side, int at) {
-  return (float3)(faces[at - 1].x, faces[at - side].y, faces[at - side * side].z);
+static inline lanes flow_into(const Ways ways, __global const float *fluence, const Level level, int at) {
+  const int plane = level.pitch * level.size_y;
+  return (ways.right * load_lanes(fluence + at + 1) + ways.left * load_lanes(fluence + at - 1)) +
+         (ways.up * load_lanes(fluence + at + level.pitch) + ways.down * load_lanes(fluence + at - level.pitch)) +
+         (ways.back * load_lanes(fluence + at + plane) + ways.front * load_lanes(fluence + at - plane));
 }
 
-static inline float4 share_out(float4 absorbed, float medium, float4 here, float3 before) {
-  return absorbed * medium + (here.x + before.x + here.y + before.y + here.z + before.z + here.w);
-}
-
-static inline void relax(__global const float *restrict medium, __global const float4 *restrict faces,
-                         __global const float4 *restrict sources, __global float4 *fluence, float4 absorbed,
+static inline void relax(__global const float *restrict medium, __global const float *restrict faces,
+                         __global const float *restrict sources, __global float *fluence, float absorbed,
                          const Level level, int sweeps) {
-  const int side = level.side, half_side = side / 2;
   for (int colour = 0; colour < 2 * sweeps; ++colour) {
-    for (int i = (int)get_local_id(0); i < half_side * side * side; i += GROUP_SIZE) {
-      const int row = i / half_side;
-      const int at = level.start + row * side + 2 * (i % half_side) + (row + row / side + colour) % 2;
-      const float4 here = faces[at];
-      const float3 before = faces_before(faces, side, at);
-      fluence[at] = (sources[at] + flow_into(faces, fluence, here, before, side, at)) /
-                    share_out(absorbed, medium[at], here, before);
+#if LANES == 1
+    for (int half_i = (int)get_local_id(0); half_i < level_pieces(level) / 2; half_i += GROUP_SIZE) {
+      const int row = half_i / (level.pitch / 2);
+      const int i = 2 * half_i + (row % level.size_y + row / level.size_y + colour) % 2;
+#else
+    for (int i = (int)get_local_id(0); i < level_pieces(level); i += GROUP_SIZE) {
+#endif
+      const Piece piece = piece_of(level, i);
+      const Ways ways = ways_of(medium, faces, absorbed, level, piece.at);
+      const lanes found =
+          (load_lanes(sources + piece.at) + flow_into(ways, fluence, level, piece.at)) / ways.all;
+#if LANES == 1
+      fluence[piece.at] = found;
+#else
+      const int_lanes parity = (convert_int_lanes(LANE_INDEX) + (piece.y + piece.z + colour)) & 1;
+      store_lanes(select(found, load_lanes(fluence + piece.at), mask_of(parity == 1)), fluence + piece.at);
+#endif
     }
-    barrier(CLK_GLOBAL_MEM_FENCE);
+    wait_for_group();
   }
 }
 
-static inline float4 residual(__global const float *restrict medium, __global const float4 *restrict faces,
-                              __global const float4 *restrict sources, __global const float4 *fluence, float4 absorbed,
-                              int side, int at) {
-  const float4 here = faces[at];
-  const float3 before = faces_before(faces, side, at);
-  return sources[at] + flow_into(faces, fluence, here, before, side, at) -
-         share_out(absorbed, medium[at], here, before) * fluence[at];
+static inline lanes residual(__global const float *restrict medium, __global const float *restrict faces,
+                             __global const float *restrict sources, __global const float *fluence, float absorbed,
+                             const Level level, int at) {
+  const Ways ways = ways_of(medium, faces, absorbed, level, at);
+  return load_lanes(sources + at) + flow_into(ways, fluence, level, at) - ways.all * load_lanes(fluence + at);
 }
 
-// The first of the eight cells of the finer level that a cell holds.
-static inline int first_child(const Level fine, int side, int i) {
-  const int x = i % side, y = i / side % side, z = i / (side * side);
-  return fine.start + (2 * z * fine.side + 2 * y) * fine.side + 2 * x;
-}
-
-static inline int child_offset(const Level fine, int child) {
-  return (child / 4 * fine.side + child / 2 % 2) * fine.side + child % 2;
-}
-
-// Between middles of the coarser cells, 3 : 1 along each axis, as far as there are neighbours.
-static inline float4 interpolated(__global const float4 *values, const Level coarse, int x, int y, int z) {
-  const int near_x = x / 2, near_y = y / 2, near_z = z / 2, last = coarse.side - 1;
-  const int far_x = clamp(near_x + 2 * (x % 2) - 1, 0, last), far_y = clamp(near_y + 2 * (y % 2) - 1, 0, last);
-  const int far_z = clamp(near_z + 2 * (z % 2) - 1, 0, last);
-  float4 planes[2];
-  for (int k = 0; k < 2; ++k) {
-    __global const float4 *plane = values + coarse.start + (k == 0 ? near_z : far_z) * coarse.side * coarse.side;
-    __global const float4 *near_row = plane + near_y * coarse.side, *far_row = plane + far_y * coarse.side;
-    planes[k] = mix(mix(near_row[near_x], near_row[far_x], 0.25f), mix(far_row[near_x], far_row[far_x], 0.25f), 0.25f);
+// Means of the residuals of eight cells, as sources of the coarser level.
+static inline void restrict_residuals(__global const float *restrict medium, __global const float *restrict faces,
+                                      __global float *sources, __global float *fluence, float absorbed,
+                                      const Level fine, bool is_first) {
+  const Level level = coarser(fine);
+  for (int i = (int)get_local_id(0); i < level_pieces(level); i += GROUP_SIZE) {
+    const Piece piece = piece_of(level, i);
+    const int x = fine_place(level, piece.x), then = fine_step(fine, x);
+    lanes sum = (lanes)0.0f;
+    for (int child = 0; child < 4; ++child) {
+      const int at =
+          fine.start + ((2 * piece.z + child / 2) * fine.size_y + 2 * piece.y + child % 2) * fine.pitch + x;
+      lanes found[2];
+      for (int half_row = 0; half_row < 2; ++half_row) {
+        const int cell = at + half_row * then;
+        found[half_row] = is_first ? load_lanes(sources + cell)
+                                   : residual(medium, faces, sources, fluence, absorbed, fine, cell);
+      }
+      sum += pair_sums(found[0], found[1]);
+    }
+    store_lanes(0.125f * cells_in_row(level, piece.x) * sum, sources + piece.at);
+    store_lanes((lanes)0.0f, fluence + piece.at);
   }
-  return mix(planes[0], planes[1], 0.25f);
+  wait_for_group();
+}
+
+// Values of a coarse row at LANES cells of the finer one from `x` on: between middles 3 : 1, as far as there are
+// neighbours.
+static inline lanes along_row(__global const float *row, int x, int last) {
+#if LANES == 1
+  const int near_x = x / 2;
+  return mix(row[near_x], row[clamp(near_x + 2 * (x % 2) - 1, 0, last)], 0.25f);
+#else
+  const int first = x / 2;
+  const int8 cells = first + (int8)(0, 1, 2, 3, 4, 5, 6, 7);
+  const float8 here = vload8(0, row + first);
+  const float8 before = select(vload8(0, row + first - 1), here, cells == 0);
+  const float8 after = select(vload8(0, row + first + 1), here, cells == last);
+  lanes found;
+  found.even = mix(here, before, 0.25f);
+  found.odd = mix(here, after, 0.25f);
+  return found;
+#endif
+}
+
+static inline void interpolate(__global float *fluence, const Level level, bool is_first) {
+  const Level coarse = coarser(level);
+  for (int i = (int)get_local_id(0); i < level_pieces(level); i += GROUP_SIZE) {
+    const Piece piece = piece_of(level, i);
+    if (piece.x >= level.size_x) continue;
+    const int near_y = piece.y / 2, far_y = clamp(near_y + 2 * (piece.y % 2) - 1, 0, coarse.size_y - 1);
+    const int near_z = piece.z / 2, far_z = clamp(near_z + 2 * (piece.z % 2) - 1, 0, coarse.size_z - 1);
+    __global const float *near_plane = fluence + coarse.start + near_z * coarse.size_y * coarse.pitch;
+    __global const float *far_plane = fluence + coarse.start + far_z * coarse.size_y * coarse.pitch;
+    const int last = coarse.size_x - 1, near_row = near_y * coarse.pitch, far_row = far_y * coarse.pitch;
+    const lanes found =
+        mix(mix(along_row(near_plane + near_row, piece.x, last), along_row(near_plane + far_row, piece.x, last), 0.25f),
+            mix(along_row(far_plane + near_row, piece.x, last), along_row(far_plane + far_row, piece.x, last), 0.25f),
+            0.25f);
+    store_lanes(is_first ? found : found + load_lanes(fluence + piece.at), fluence + piece.at);
+  }
+  wait_for_group();
 }
 
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_diffuse(
-    __global const CloudScattering *restrict looks,
-    __global float *restrict medium, __global float4 *restrict faces, __global float4 *restrict sources,
-    __global float4 *restrict fluence) {
-  const size_t cloud = get_group_id(0);
-  const int item = (int)get_local_id(0);
-  const CloudScattering look = looks[cloud];
+    __global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
+    __global const float *restrict medium, __global const float *restrict faces, __global float *restrict sources,
+    __global float *restrict fluence) {
+  const size_t cloud = get_group_id(1), colour = get_group_id(0);
+  const CloudGrid grid = grids[cloud];
+  const float albedos[3] = {looks[cloud].albedo_red, looks[cloud].albedo_green, looks[cloud].albedo_blue};
+  const float absorbed = 1.0f - albedos[colour];
   medium += cloud * LEVEL_CELLS;
-  faces += cloud * LEVEL_CELLS;
-  sources += cloud * LEVEL_CELLS;
-  fluence += cloud * LEVEL_CELLS;
-  const float4 absorbed = (float4)(1.0f - look.albedo_red, 1.0f - look.albedo_green, 1.0f - look.albedo_blue, 0.0f);
-
+  faces += cloud * 4 * LEVEL_CELLS;
+  sources += (cloud * 3 + colour) * LEVEL_CELLS;
+  fluence += (cloud * 3 + colour) * LEVEL_CELLS;
   int coarsest = 0;
-  for (int side = CELLS / 2; side >= 2; side /= 2) {
-    const Level fine = level_of(coarsest), level = level_of(++coarsest);
-    for (int i = item; i < side * side * side; i += GROUP_SIZE) {
-      const int child = first_child(fine, side, i);
-      float density = 0.0f;
-      float4 sum = (float4)(0.0f);
-      for (int k = 0; k < 8; ++k) {
-        const int at = child + child_offset(fine, k);
-        density += 0.125f * medium[at];
-        // Of faces toward the next coarse cell the mean of four: those of the children on that side. Twice the distance
-        // makes D / c^2 a quarter.
-        const float4 face = faces[at];
-        sum += (float4)(k % 2 == 1 ? 0.0625f * face.x : 0.0f, k / 2 % 2 == 1 ? 0.0625f * face.y : 0.0f,
-                        k / 4 == 1 ? 0.0625f * face.z : 0.0f, 0.125f * face.w);
-      }
-      medium[level.start + i] = density;
-      faces[level.start + i] = sum;
-    }
-    barrier(CLK_GLOBAL_MEM_FENCE);
-  }
-  for (int i = item; i < CELLS_OF_CLOUD; i += GROUP_SIZE) fluence[FIRST_LEVEL + i] = (float4)(0.0f);
-  barrier(CLK_GLOBAL_MEM_FENCE);
-
+  for (Level level = finest_level(grid); !is_coarsest(level); level = coarser(level)) ++coarsest;
   for (int cycle = 0; cycle < CYCLES; ++cycle) {
-    for (int number = 0; number < coarsest; ++number) {
-      const Level fine = level_of(number), level = level_of(number + 1);
-      relax(medium, faces, sources, fluence, absorbed, fine, 1);
-      for (int i = item; i < level.side * level.side * level.side; i += GROUP_SIZE) {
-        const int child = first_child(fine, level.side, i);
-        float4 sum = (float4)(0.0f);
-        for (int k = 0; k < 8; ++k)
-          sum += 0.125f *
-                 residual(medium, faces, sources, fluence, absorbed, fine.side, child + child_offset(fine, k));
-        sources[level.start + i] = sum;
-        fluence[level.start + i] = (float4)(0.0f);
-      }
-      barrier(CLK_GLOBAL_MEM_FENCE);
-    }
-    relax(medium, faces, sources, fluence, absorbed, level_of(coarsest), COARSEST_SWEEPS);
-    for (int number = coarsest - 1; number >= 0; --number) {
-      const Level level = level_of(number), coarse = level_of(number + 1);
-      const int side = level.side;
-      for (int i = item; i < side * side * side; i += GROUP_SIZE)
-        fluence[level.start + i] += interpolated(fluence, coarse, i % side, i / side % side, i / (side * side));
-      barrier(CLK_GLOBAL_MEM_FENCE);
-      relax(medium, faces, sources, fluence, absorbed, level, 1);
+    const bool is_first = cycle == 0;
+    // Down to the coarsest level and up again.
+    for (int step = 0; step <= 2 * coarsest; ++step) {
+      const Level level = level_of(grid, min(step, 2 * coarsest - step));
+      if (step > coarsest) interpolate(fluence, level, is_first);
+      const int sweeps = step == coarsest ? COARSEST_SWEEPS : (is_first && step < coarsest ? 0 : 1);
+      relax(medium, faces, sources, fluence, absorbed, level, sweeps);
+      if (step < coarsest) restrict_residuals(medium, faces, sources, fluence, absorbed, level, is_first);
     }
   }
 }

@@ -1,50 +1,66 @@
 // What particle_scatter.cl reads of light that was scattered often.
-// In:  grids, looks, light, extinction, beams; of light_diffuse.cl faces and fluence; cells_per_item. Global size: cell
-//      items, clouds.
-// Out: glow [clouds][cells]: light scattered toward any direction, kcd/m^2 per optical depth, and the extinction; drift:
-//      3 g' F / u, by which more goes along the flux.
+// In:  grids, looks, light, medium, beams; of light_diffuse.cl faces and fluence. Global size: items that share the cells,
+//      clouds.
+// Out: glow [clouds][CELLS]: light scattered toward any direction, kcd/m^2 per optical depth, and the extinction; drift
+//      [clouds][CELLS]: 3 g' F / u, by which more goes along the flux.
 #include "clouds/diffusion.clh"
 
+// Mean of the colours' fluence.
+static inline lanes fluence_at(__global const float *fluence, int at) {
+  return (load_lanes(fluence + at) + load_lanes(fluence + LEVEL_CELLS + at) +
+          load_lanes(fluence + 2 * LEVEL_CELLS + at)) * (1.0f / 3.0f);
+}
+
+// Mean of the flows through both faces across an axis: conductance times cell is D / c.
+static inline lanes flux_along(__global const float *faces, __global const float *fluence, int at, int step, float cell) {
+  const lanes here = fluence_at(fluence, at);
+  return -0.5f * cell * (load_lanes(faces + at) * (fluence_at(fluence, at + step) - here) -
+                         load_lanes(faces + at - step) * (fluence_at(fluence, at - step) - here));
+}
+
 __kernel void light_glow(__global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
-                         const CloudLightParams light, __global const float *restrict extinction,
-                         __global const float *restrict beams, __global const float4 *restrict faces,
-                         __global const float4 *restrict fluence, int cells_per_item, __global float4 *restrict glow,
+                         const CloudLightParams light, __global const float *restrict medium,
+                         __global const float *restrict beams, __global const float *restrict faces,
+                         __global const float *restrict fluence, __global float4 *restrict glow,
                          __global float4 *restrict drift) {
   const size_t cloud = get_global_id(1);
   const CloudGrid grid = grids[cloud];
   const CloudScattering look = looks[cloud];
-  extinction += cloud * CELLS_OF_CLOUD;
-  beams += cloud * CLOUD_SUNS * CELLS_OF_CLOUD;
-  glow += cloud * CELLS_OF_CLOUD;
-  drift += cloud * CELLS_OF_CLOUD;
-  faces += cloud * LEVEL_CELLS;
-  fluence += cloud * LEVEL_CELLS;
-  const float4 albedo = (float4)(look.albedo_red, look.albedo_green, look.albedo_blue, 1.0f);
+  medium += cloud * LEVEL_CELLS;
+  beams += FIRST_BEAM + cloud * CLOUD_SUNS * CELLS;
+  faces += cloud * 4 * LEVEL_CELLS;
+  fluence += cloud * 3 * LEVEL_CELLS;
+  __global float *glow_cells = (__global float *)(glow + cloud * CELLS);
+  __global float *drift_cells = (__global float *)(drift + cloud * CELLS);
+  const Level level = finest_level(grid);
   const float transport = transport_share(look), empty = empty_extinction(grid);
   const float scattered = look.albedo_green * (1.0f - look.forward_share);
-  const int first = (int)get_global_id(0) * cells_per_item;
-  for (int i = first; i < min(first + cells_per_item, CELLS_OF_CLOUD); ++i) {
-    const int at = FIRST_LEVEL + i;
-    const float4 next = faces[at];
-    const float3 before = (float3)(faces[at - 1].x, faces[at - CELLS].y, faces[at - CELLS * CELLS].z);
-    const float4 here = fluence[at];
-    const float4 third = (float4)(1.0f / 3.0f, 1.0f / 3.0f, 1.0f / 3.0f, 0.0f);
-    // Mean of the flows through both faces: conductance times cell is D / c.
-    float3 flux = -0.5f * grid_cell(grid) *
-                  (float3)(dot(third, next.x * (fluence[at + 1] - here) - before.x * (fluence[at - 1] - here)),
-                           dot(third, next.y * (fluence[at + CELLS] - here) - before.y * (fluence[at - CELLS] - here)),
-                           dot(third, next.z * (fluence[at + CELLS * CELLS] - here) -
-                                          before.z * (fluence[at - CELLS * CELLS] - here)));
+  const float shown = (1.0f - look.forward_share) / (4.0f * PI);
+  for (int i = (int)get_global_id(0); i < level_pieces(level); i += (int)get_global_size(0)) {
+    const int at = piece_of(level, i).at, cell = at - FIRST_LEVEL;
+    const lanes extinction = load_lanes(medium + at);
+    lanes x = flux_along(faces + FACES_X, fluence, at, 1, grid.cell_x);
+    lanes y = flux_along(faces + FACES_Y, fluence, at, level.pitch, grid.cell_y);
+    lanes z = flux_along(faces + FACES_Z, fluence, at, level.pitch * level.size_y, grid.cell_z);
     for (int sun = 0; sun < light.sun_count; ++sun) {
       const CloudSunLight from = light.suns[sun];
-      const float strength = scattered * look.scaled_mean_cosine * extinction[i] * beams[sun * CELLS_OF_CLOUD + i] /
-                             (transport * extinction[i] + empty) * (from.red + from.green + from.blue) / 3.0f;
-      flux -= strength * (float3)(from.x, from.y, from.z);
+      const lanes strength = scattered * look.scaled_mean_cosine * (from.red + from.green + from.blue) / 3.0f * extinction *
+                             load_lanes(beams + sun * CELLS + cell) / (transport * extinction + empty);
+      x -= strength * from.x;
+      y -= strength * from.y;
+      z -= strength * from.z;
     }
-    const float3 lean = 3.0f * look.scaled_mean_cosine * flux / fmax(dot(third, here), 1e-20f);
+    const lanes scale = 3.0f * look.scaled_mean_cosine / most(fluence_at(fluence, at), (lanes)1e-20f);
+    x *= scale;
+    y *= scale;
+    z *= scale;
     // Where diffusion fails, flux would exceed what there is to flow.
-    drift[i] = (float4)(lean * fmin(1.0f, rsqrt(fmax(dot(lean, lean), 1e-20f))), 0.0f);
-    const float4 light_here = fmax(here, 0.0f) * albedo * (1.0f - look.forward_share) / (4.0f * PI);
-    glow[i] = (float4)(light_here.xyz, extinction[i]);
+    const lanes limit = least((lanes)1.0f, 1.0f / sqrt(most(x * x + y * y + z * z, (lanes)1e-20f)));
+    store_interleaved_4(x * limit, y * limit, z * limit, (lanes)0.0f, drift_cells + 4 * cell);
+    const lanes red = most(load_lanes(fluence + at), (lanes)0.0f);
+    const lanes green = most(load_lanes(fluence + LEVEL_CELLS + at), (lanes)0.0f);
+    const lanes blue = most(load_lanes(fluence + 2 * LEVEL_CELLS + at), (lanes)0.0f);
+    store_interleaved_4(look.albedo_red * shown * red, look.albedo_green * shown * green,
+                        look.albedo_blue * shown * blue, extinction, glow_cells + 4 * cell);
   }
 }

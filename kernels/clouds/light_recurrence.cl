@@ -24,7 +24,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_recu
   for (int i = 0; i < clouds; ++i) {
     const float3 corner = (float3)(grids[i].low_x, grids[i].low_y, grids[i].low_z);
     low = fmin(low, corner);
-    high = fmax(high, corner + (float)CELLS * grid_cell(grids[i]));
+    high = fmax(high, corner + grid_size(grids[i]) * grid_cell(grids[i]));
   }
   const float3 sun = (float3)(x, y, z), middle = 0.5f * (low + high);
   const float texel = fmax(length(high - low) / (float)HARRIS_SIZE, 1e-6f);

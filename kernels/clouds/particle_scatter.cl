@@ -18,8 +18,8 @@
 #define STEPS_BEFORE 2
 
 // Distance to the box's side along a line in cells.
-static inline float way_out(float3 cells, float3 step) {
-  const float3 wall = select((float3)(0.0f), (float3)((float)CELLS), step > 0.0f);
+static inline float way_out(const CloudGrid grid, float3 cells, float3 step) {
+  const float3 wall = select((float3)(0.0f), grid_size(grid), step > 0.0f);
   const float3 safe = select(step, (float3)(1e-20f), fabs(step) < 1e-20f);
   const float3 ways = (wall - cells) / safe;
   return fmax(0.0f, fmin(ways.x, fmin(ways.y, ways.z)));
@@ -37,9 +37,9 @@ __kernel void particle_scatter(__global const CloudParticle *restrict particles,
     const uint cloud = particle.cloud;
     const CloudGrid grid = grids[cloud];
     const CloudScattering look = looks[cloud];
-    __global const float *beam = beams + (size_t)cloud * CLOUD_SUNS * CELLS_OF_CLOUD;
-    __global const float4 *shine = glow + (size_t)cloud * CELLS_OF_CLOUD;
-    __global const float4 *lean = drift + (size_t)cloud * CELLS_OF_CLOUD;
+    __global const float *beam = beams + FIRST_BEAM + (size_t)cloud * CLOUD_SUNS * CELLS;
+    __global const float4 *shine = glow + (size_t)cloud * CELLS;
+    __global const float4 *lean = drift + (size_t)cloud * CELLS;
     const float depth = particle.optical_mass / (CLOUD_BALL_MASS * particle.radius * particle.radius);
     const float3 place = (float3)(particle.x, particle.y, particle.z);
     const float3 way = (float3)(eye_x, eye_y, eye_z) - place;
@@ -58,12 +58,12 @@ __kernel void particle_scatter(__global const CloudParticle *restrict particles,
       angle_places[sun] = phase_angle_place(-(from.x * view.x + from.y * view.y + from.z * view.z));
     }
     float before = 0.0f;
-    const float way_before = fmin(way_out(start, step), distance - forward) / (float)STEPS_BEFORE;
+    const float way_before = fmin(way_out(grid, start, step), distance - forward) / (float)STEPS_BEFORE;
     for (int k = 0; k < STEPS_BEFORE; ++k)
-      before += way_before * sample_vector(shine, grid_sample(start + ((float)k + 0.5f) * way_before * step)).w;
+      before += way_before * sample_vector(shine, grid_sample(grid, start + ((float)k + 0.5f) * way_before * step)).w;
 
     const float scaled = 1.0f - forward_albedo(look);
-    const float leave = way_out(start, -step);
+    const float leave = way_out(grid, start, -step);
     float4 behind = (float4)(0.0f), here = (float4)(0.0f), last = (float4)(0.0f);
     float rough = 0.0f, share = 1.0f, depth_before = before, at = 0.0f;
     // Step -1 is the particle itself, which shines but does not dim.
@@ -71,14 +71,14 @@ __kernel void particle_scatter(__global const CloudParticle *restrict particles,
       const float3 look_at = start - at * step;
       const float length_m = k < 0 ? 0.0f : fmin(fmax(0.5f / fmax(rough * scaled, 1e-20f), cell_way), fmax(2.0f * cell_way, leave * 0.25f));
       const float piece = fmin(length_m, leave - at);
-      const GridSample sample = grid_sample(look_at - 0.5f * piece * step);
+      const GridSample sample = grid_sample(grid, look_at - 0.5f * piece * step);
       const float4 found = sample_vector(shine, sample);
       rough = found.w;
       const float3 leaning = sample_vector(lean, sample).xyz;
       float4 shown = found * fmax(0.0f, 1.0f + dot(leaning, view));
       for (int sun = 0; sun < light.sun_count; ++sun) {
         const CloudSunLight from = light.suns[sun];
-        const float lit = sample_scalar(beam + sun * CELLS_OF_CLOUD, sample);
+        const float lit = sample_scalar(beam + sun * CELLS, sample);
         const float depth_of_way = depth_before + 0.5f * piece * found.w - log(fmax(lit, 1e-30f)) / scaled;
         shown += look.albedo_green * phase_at(phases, look.phase_table, angle_places[sun], depth_of_way) * lit *
                  (float4)(from.red, from.green, from.blue, 0.0f);

@@ -17,6 +17,8 @@ typedef struct {
   float low_x, low_y, low_z;     // m, its least corner
   float cell_x, cell_y, cell_z;  // m
   int first, end;                // particles of the cloud
+  int size_x, size_y, size_z;    // cells along each axis, powers of two; 16 at least along x, 8 along the others
+  int padding;
 } CloudGrid;
 
 // What a cloud scatters with.
@@ -40,7 +42,7 @@ typedef struct {
 } CloudLightParams;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(CloudGrid) == 32, "no padding");
+static_assert(sizeof(CloudGrid) == 48, "no padding");
 static_assert(sizeof(CloudScattering) == 24, "no padding");
 static_assert(sizeof(CloudSunLight) == 24, "no padding");
 static_assert(sizeof(CloudLightParams) == 4 * 24 + 28, "no padding");

@@ -1,0 +1,167 @@
+// Light on clouds of every genus beside photons followed in double precision.
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "host/clouds/cloud_model.h"
+#include "host/clouds/genera.h"
+#include "host/clouds/particle_light.h"
+#include "host/clouds/photon_tracer.h"
+#include "tests/clouds/example_clouds.h"
+
+namespace offing::clouds {
+namespace {
+
+// Directions toward eyes: the corners of an icosahedron. Light is averaged over cones around them.
+constexpr int eye_count = 12;
+constexpr double cone_rad = 0.3;
+
+std::vector<glm::dvec3> toward_eyes() {
+  std::vector<glm::dvec3> eyes;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int corner = 0; corner < 4; ++corner) {
+      glm::dvec3 eye(0.0);
+      eye[axis] = corner % 2 == 0 ? -1.0 : 1.0;
+      eye[(axis + 1) % 3] = corner < 2 ? -std::numbers::phi : std::numbers::phi;
+      eyes.push_back(glm::normalize(eye));
+    }
+  }
+  return eyes;
+}
+
+CloudIllumination afternoon() {
+  CloudIllumination light;
+  light.suns.push_back({glm::normalize(glm::dvec3(0.5, 0.6, 0.6)), glm::dvec3(100.0)});
+  light.sky_kcdpm2 = glm::dvec3(4.0);
+  light.ground_kcdpm2 = glm::dvec3(2.0);
+  return light;
+}
+
+/// The particles of a genus, and a sphere around them.
+struct ShippedCloud {
+  CloudParameters parameters;
+  std::vector<CloudParticle> particles;
+  glm::dvec3 middle_m{0.0};
+  double radius_m = 0.0, mean_particle_m = 0.0;
+
+  ShippedCloud(const ocl::Device& device, Genus genus) : parameters(preset(genus, 1)) {
+    particles = particles_at_rest(device, parameters);
+    glm::dvec3 low(1e9), high(-1e9);
+    for (const CloudParticle& particle : particles) {
+      low = glm::min(low, place_of(particle) - double{particle.radius});
+      high = glm::max(high, place_of(particle) + double{particle.radius});
+      mean_particle_m += particle.radius / static_cast<double>(particles.size());
+    }
+    middle_m = 0.5 * (low + high);
+    for (const CloudParticle& particle : particles)
+      radius_m = std::max(radius_m, glm::length(place_of(particle) - middle_m) + particle.radius);
+  }
+
+  static glm::dvec3 place_of(const CloudParticle& particle) { return {particle.x, particle.y, particle.z}; }
+};
+
+/// Intensities of the billboards toward the eyes, kcd: means over the cones by Radon's rule of seven points,
+/// which is exact for polynomials of the fifth degree over a disc.
+std::vector<double> shown(const ocl::Device& device, const ShippedCloud& cloud) {
+  const ocl::Buffer<CloudParticle> particles(device, cloud.particles, "particles");
+  ocl::Buffer<CloudSprite> sprites(device, cloud.particles.size(), "sprites");
+  ParticleLight light(device);
+  light.relight(particles, static_cast<std::uint32_t>(cloud.particles.size()), afternoon(),
+                std::span(&cloud.parameters.look, 1));
+  std::vector<double> intensities;
+  for (const glm::dvec3& eye : toward_eyes()) {
+    const glm::dvec3 aside = glm::normalize(glm::cross(eye, glm::dvec3(0.1, 0.3, 0.9))),
+                     up = glm::cross(eye, aside);
+    double sum_kcd = 0.0;
+    for (int point = 0; point < 7; ++point) {
+      const double from_middle_rad = point == 0 ? 0.0 : std::sqrt(2.0 / 3.0) * cone_rad,
+                   around_rad = point * std::numbers::pi / 3.0;
+      const glm::dvec3 toward =
+          std::cos(from_middle_rad) * eye +
+          std::sin(from_middle_rad) * (std::cos(around_rad) * aside + std::sin(around_rad) * up);
+      light.see(glm::vec3(cloud.middle_m + 1e6 * toward), sprites);
+      sum_kcd += (point == 0 ? 0.25 : 0.125) *
+                 test::view_of(cloud.particles, sprites.read(), cloud.middle_m, cloud.radius_m, toward, 96)
+                     .intensity_kcd.y;
+    }
+    intensities.push_back(sum_kcd);
+  }
+  return intensities;
+}
+
+/// Spearman's rank correlation. Two values that the reference has within 10 % of each other count as ordered
+/// as there.
+double rank_correlation(const std::vector<double>& found, const std::vector<double>& reference) {
+  const std::size_t count = found.size();
+  std::vector<double> found_ranks(count, 0.0), ranks(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      const bool is_above = reference[i] > reference[j];
+      const bool is_near = std::abs(reference[i] - reference[j]) < 0.1 * std::max(reference[i], reference[j]);
+      ranks[i] += is_above ? 1.0 : 0.0;
+      found_ranks[i] += (is_near ? is_above : found[i] > found[j]) ? 1.0 : 0.0;
+    }
+  }
+  const auto about_mean = [count](std::vector<double> values) {
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(count);
+    for (double& value : values) value -= mean;
+    return values;
+  };
+  const std::vector<double> a = about_mean(found_ranks), b = about_mean(ranks);
+  const auto product = [](const std::vector<double>& u, const std::vector<double>& v) {
+    return std::inner_product(u.begin(), u.end(), v.begin(), 0.0);
+  };
+  return product(a, b) / std::sqrt(product(a, a) * product(b, b));
+}
+
+struct Kind {
+  Genus genus;
+  int photons;  ///< of each light: standard errors are below 1 %
+};
+
+class LightAccuracyTest : public testing::TestWithParam<Kind> {};
+
+// Fails if a kind of cloud is too bright or too dark from somewhere, or from the wrong side: the light that
+// its billboards send toward twelve eyes, within 15 % of the reference, whose standard error is 1 % at most;
+// and in the right order.
+TEST_P(LightAccuracyTest, BillboardsShowWhatPhotonsDo) {
+  const auto& [genus, photons] = GetParam();
+  const ocl::Device device = ocl::Device::open();
+  const ShippedCloud cloud(device, genus);
+  const std::vector<double> found = shown(device, cloud);
+  // Half as many more cells a radius change what photons find by less than 1 %.
+  const VolumeMedium medium(
+      test::volume_of(cloud.particles, std::max(cloud.mean_particle_m / 3.5, cloud.radius_m / 150.0)));
+  const std::vector<TracedIntensity> traced = traced_intensities(
+      medium, cloud.parameters.look, afternoon(), toward_eyes(), cone_rad, {.samples = photons, .seed = 7});
+  std::vector<double> reference;
+  double worst = 0.0;
+  for (int eye = 0; eye < eye_count; ++eye) {
+    const auto i = static_cast<std::size_t>(eye);
+    reference.push_back(traced[i].kcd.y);
+    EXPECT_LE(traced[i].relative_error, 0.01) << eye;
+    EXPECT_NEAR(found[i] / reference[i], 1.0, 0.15) << "toward eye " << eye;
+    worst = std::max(worst, std::abs(found[i] / reference[i] - 1.0));
+  }
+  RecordProperty("worst", fmt::format("{:.3f}", worst));
+  EXPECT_GE(rank_correlation(found, reference), 0.9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Genera, LightAccuracyTest,
+                         testing::Values(Kind{Genus::cumulus, 2'200'000}, Kind{Genus::stratus, 2'000'000},
+                                         Kind{Genus::cirrus, 2'000'000},
+                                         Kind{Genus::stratocumulus, 2'000'000},
+                                         Kind{Genus::altocumulus, 2'000'000},
+                                         Kind{Genus::lenticular, 2'000'000}, Kind{Genus::funnel, 2'000'000},
+                                         Kind{Genus::cumulonimbus, 2'000'000}),
+                         [](const auto& kind) { return std::string(range_of(kind.param.genus).name); });
+
+}  // namespace
+}  // namespace offing::clouds
