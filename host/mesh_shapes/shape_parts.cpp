@@ -116,7 +116,7 @@ std::vector<TriangleIndices> grid_faces(const Grid& grid, GridEnds ends, std::ui
       if (grid.diagonals == Diagonals::random && ShapeRandom(seed, cell).coin()) {
         faces.insert(faces.end(), {{a, b, d}, {b, c, d}});
       } else {
-        faces.insert(faces.end(), {{a, c, b}, {a, d, c}});
+        faces.insert(faces.end(), {{a, b, c}, {a, c, d}});
       }
     }
   }
@@ -142,7 +142,7 @@ TriangleMesh lofted(const Grid& grid, const std::function<glm::dvec3(int, int)>&
     for (std::uint32_t first = 0; first < first_of_last; first += ring_size) {
       const std::uint32_t a = first + i, b = first + ring_size + i, c = first + ring_size + next,
                           d = first + next;
-      mesh.faces.insert(mesh.faces.end(), {{a, b, c}, {a, c, d}});
+      mesh.faces.insert(mesh.faces.end(), {{a, c, b}, {a, d, c}});
     }
     mesh.faces.push_back({end, first_of_last + i, first_of_last + next});
   }
