@@ -110,7 +110,7 @@ struct Sizes {
   glm::dvec3 semi_axes_m{1.0, 0.75, 0.5};
   double torus_radius_m = 1.0, torus_tube_m = 0.4;
   TorusKnot knot;
-  double half_width_m = 1.0, length_m = 30.0;
+  double half_width_m = 1.0, length_m = 30.0, span_m = 1.6;
 };
 
 void add_size(CLI::App& command, const std::string& flag, double& size_m, const std::string& description) {
@@ -175,6 +175,11 @@ void add_grid_shapes(CLI::App& generate, Options& options,
                              [arguments, sizes] { return make_ship(sizes->length_m, arguments->grid); });
   add_size(*ship, "--length-m", sizes->length_m, "length");
   add_grid(*ship, *arguments, {120, 64}, "along the hull", "around it");
+
+  CLI::App* bird = add_shape(generate, options, arguments, "bird", "a bird that soars",
+                             [arguments, sizes] { return make_bird(sizes->span_m, arguments->grid); });
+  add_size(*bird, "--span-m", sizes->span_m, "from tip to tip of its wings");
+  add_grid(*bird, *arguments, {120, 24}, "from tip to tip", "around its wings and body");
 }
 
 }  // namespace
@@ -188,7 +193,7 @@ void add_generate_command(CLI::App& program, Options& options) {
   add_round_shapes(*generate, options, arguments, sizes);
   add_grid_shapes(*generate, options, arguments, sizes);
   generate->footer(R"(
-A PLY has true_k_max and true_k_min for each vertex, those of the smooth surface, but for the ship, whose edges have none.
+A PLY has true_k_max and true_k_min for each vertex, those of the smooth surface, but for ship and bird, whose edges have none.
 
 Examples:
   offing-mesh generate torus-knot -o knot.ply

@@ -1,6 +1,7 @@
 #include "host/clouds/ball_layouts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,69 +12,114 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A heap: a row of wide balls on the base, others piled on its middle. 14 balls.
+/// A heap of 14 balls on a flat base: a dome with shoulders, a lower one to the side, a foot around both.
 std::vector<Metaball> cumulus(RandomDraws& draws) {
   std::vector<Metaball> balls;
-  for (int i = 0; i < 8; ++i) {
-    // Around an ellipse and inside it, larger toward the middle.
-    const double angle = 2.0 * pi * (i + draws.between(-0.3, 0.3)) / 8.0, out = draws.between(0.45, 0.95);
-    const double radius_m = 230.0 - 90.0 * out + draws.between(-15.0, 15.0);
+  const double side = draws.next() < 0.5 ? -1.0 : 1.0;
+  const auto put = [&](double x_m, double y_m, double z_m, double radius_m) {
+    const double jitter_m = 0.18 * radius_m;
     balls.push_back(
-        {{680.0 * out * std::cos(angle), 0.75 * radius_m, 400.0 * out * std::sin(angle)}, radius_m});
+        {{side * x_m + draws.between(-jitter_m, jitter_m), y_m, z_m + draws.between(-jitter_m, jitter_m)},
+         radius_m * draws.between(0.92, 1.08)});
+  };
+  constexpr int feet = 6;
+  for (int i = 0; i < feet; ++i) {
+    const double angle = 2.0 * pi * (i + draws.between(-0.25, 0.25)) / feet, out = draws.between(0.8, 1.1);
+    put(560.0 * out * std::cos(angle), 120.0, 330.0 * out * std::sin(angle), 190.0);
   }
-  for (int i = 0; i < 4; ++i) {
-    const double angle = 2.0 * pi * (i + draws.between(-0.3, 0.3)) / 4.0;
-    const double radius_m = draws.between(170.0, 220.0);
-    balls.push_back(
-        {{290.0 * std::cos(angle), draws.between(260.0, 350.0), 190.0 * std::sin(angle)}, radius_m});
-  }
-  balls.push_back(
-      {{draws.between(-120.0, 0.0), draws.between(440.0, 500.0), draws.between(-60.0, 60.0)}, 190.0});
-  balls.push_back(
-      {{draws.between(20.0, 160.0), draws.between(540.0, 600.0), draws.between(-60.0, 60.0)}, 160.0});
+  put(-150.0, 330.0, 0.0, 270.0);
+  put(-420.0, 230.0, 60.0, 170.0);
+  put(30.0, 210.0, 250.0, 165.0);
+  put(60.0, 210.0, -240.0, 165.0);
+  put(-210.0, 540.0, 20.0, 190.0);
+  put(-60.0, 600.0, -20.0, 150.0);
+  put(440.0, 260.0, -20.0, 190.0);
+  put(480.0, 420.0, 20.0, 140.0);
   return balls;
 }
 
-/// Rows and columns of balls, each moved by up to `jitter` of the spacing.
+/// A number in (0, 1) that changes slowly over the plane, evenly spread: a sum of waves in all directions.
+class Swell {
+ public:
+  Swell(double wavelength_m, RandomDraws& draws) {
+    for (Wave& wave : waves_) {
+      const double angle = 2.0 * pi * draws.next(), length_m = wavelength_m * draws.between(0.7, 1.5);
+      wave = {2.0 * pi * std::cos(angle) / length_m, 2.0 * pi * std::sin(angle) / length_m,
+              2.0 * pi * draws.next()};
+    }
+  }
+
+  double at(double x_m, double z_m) const {
+    double sum = 0.0;
+    for (const Wave& wave : waves_) sum += std::cos(wave.x_per_m * x_m + wave.z_per_m * z_m + wave.phase);
+    // Of variance 1; the logistic function makes it even (Camilli 1994).
+    return 1.0 / (1.0 + std::exp(-1.702 * sum * std::sqrt(2.0 / wave_count)));
+  }
+
+ private:
+  static constexpr int wave_count = 6;
+  struct Wave {
+    double x_per_m, z_per_m, phase;
+  };
+  std::array<Wave, wave_count> waves_{};
+};
+
+/// Billows across x: rows that bend together, of balls at uneven steps, smaller toward holes and the rim.
 struct Sheet {
-  int across_x, across_z;
-  double spacing_m, jitter, lowest_radius_m, highest_radius_m, share;  // share of places that are taken
+  double half_x_m, half_z_m;  // of an ellipse
+  double row_m, step_m;       // between rows and, in the mean, along them
+  double middle_m;            // height of the middles
+  double radius_m, spread;    // radii are 1 - spread ... 1 + spread of it
+  double swell_m, holes;      // wavelength of the cover, share of holes
 };
 
 std::vector<Metaball> sheet(const Sheet& plan, RandomDraws& draws) {
+  const Swell cover(plan.swell_m, draws), bend(2.0 * plan.swell_m, draws);
   std::vector<Metaball> balls;
-  for (int row = 0; row < plan.across_z; ++row) {
-    for (int column = 0; column < plan.across_x; ++column) {
-      const double x = column - 0.5 * (plan.across_x - 1) + 0.5 * (row % 2) - 0.25;
-      const double z = (row - 0.5 * (plan.across_z - 1)) * 0.5 * std::numbers::sqrt3;
-      const double radius_m = draws.between(plan.lowest_radius_m, plan.highest_radius_m);
-      const double dx = draws.between(-plan.jitter, plan.jitter),
-                   dz = draws.between(-plan.jitter, plan.jitter);
-      const double dy = draws.between(-0.2, 0.2);
-      if (draws.next() > plan.share) continue;
-      balls.push_back(
-          {{(x + dx) * plan.spacing_m, (1.0 + dy) * radius_m, (z + dz) * plan.spacing_m}, radius_m});
+  const int rows = static_cast<int>(plan.half_x_m / plan.row_m);
+  for (int row = -rows; row <= rows; ++row) {
+    double along_m = -plan.half_z_m + plan.step_m * draws.next();
+    for (; along_m < plan.half_z_m; along_m += plan.step_m * draws.between(0.4, 1.6)) {
+      const double x_m = row * plan.row_m + plan.row_m * draws.between(-0.3, 0.3) +
+                         3.0 * plan.row_m * (bend.at(0.0, along_m) - 0.5);
+      const double out = std::hypot(x_m / plan.half_x_m, along_m / plan.half_z_m);
+      const double share = std::min(4.0 * (1.0 - out), 1.0) *
+                           std::min(2.5 * (cover.at(x_m, along_m) - plan.holes) / (1.0 - plan.holes), 1.0);
+      const double radius_m =
+          plan.radius_m * draws.between(1.0 - plan.spread, 1.0 + plan.spread) * (0.4 + 0.6 * share);
+      const double up = draws.between(0.85, 1.15);
+      if (share <= 0.0) continue;
+      balls.push_back({{x_m, up * plan.middle_m, along_m}, radius_m, 0.5 + 0.5 * share});
     }
   }
   return balls;
 }
 
-/// Streaks: each a line of balls that falls behind the wind, thick at its head and thin at its end.
+/// Tufts of hooked fibres that fall behind the wind: thick where they begin, thin where they end.
 std::vector<Metaball> cirrus(RandomDraws& draws) {
   std::vector<Metaball> balls;
-  for (int streak = 0; streak < 11; ++streak) {
-    const double x_m = draws.between(-2600.0, -400.0),
-                 z_m = (streak - 5) * 330.0 + draws.between(-120.0, 120.0);
-    const double length_m = draws.between(1900.0, 3200.0), bend_m = draws.between(-350.0, 350.0);
-    const double head_m = draws.between(85.0, 130.0), top_m = draws.between(330.0, 420.0);
-    constexpr int pieces = 34;
-    for (int i = 0; i < pieces; ++i) {
-      const double along = static_cast<double>(i) / (pieces - 1);
-      const double radius_m = head_m * (1.0 - 0.72 * along) * draws.between(0.85, 1.1);
-      balls.push_back({{x_m + length_m * along, top_m - 300.0 * along * along,
-                        z_m + bend_m * along * along + draws.between(-12.0, 12.0)},
-                       radius_m,
-                       1.0 - 0.75 * along});
+  constexpr int tufts = 6, fibres = 9, pieces = 90;
+  for (int tuft = 0; tuft < tufts; ++tuft) {
+    const double head_x_m = draws.between(-2500.0, -700.0),
+                 head_z_m = (tuft - 0.5 * (tufts - 1)) * 560.0 + draws.between(-250.0, 250.0);
+    const double bend_m = draws.between(-350.0, 350.0), top_m = draws.between(270.0, 330.0);
+    for (int fibre = 0; fibre < fibres; ++fibre) {
+      const double x_m = head_x_m + draws.between(-450.0, 450.0),
+                   z_m = head_z_m + draws.between(-170.0, 170.0);
+      const double length_m = draws.between(1700.0, 3300.0), fan_m = draws.between(-260.0, 260.0);
+      const double wide_m = draws.between(26.0, 52.0), fall_m = draws.between(220.0, 330.0);
+      const double weight = draws.between(0.5, 1.0);
+      const Swell swell(900.0, draws);
+      for (int i = 0; i < pieces; ++i) {
+        const double along = static_cast<double>(i) / (pieces - 1);
+        // The hook: its head turns up into the wind.
+        const double hook_m = 90.0 * std::exp(-14.0 * along);
+        const double thin = (1.0 - 0.65 * along) * std::min(1.0, 0.5 + 8.0 * along);
+        balls.push_back({{x_m + length_m * along, top_m - fall_m * std::pow(along, 1.6) - hook_m + 45.0,
+                          z_m + (bend_m + fan_m) * along * along},
+                         wide_m * thin * (0.7 + 0.6 * swell.at(length_m * along, 0.0)),
+                         weight * (1.0 - 0.8 * along) * (0.3 + 1.0 * swell.at(length_m * along, 500.0))});
+      }
     }
   }
   return balls;
@@ -153,33 +199,39 @@ std::vector<Metaball> ball_layout(Genus genus, std::uint64_t seed) {
     case Genus::cirrus:
       return cirrus(draws);
     case Genus::stratus:
-      return sheet({.across_x = 18,
-                    .across_z = 14,
-                    .spacing_m = 150.0,
-                    .jitter = 0.25,
-                    .lowest_radius_m = 130.0,
-                    .highest_radius_m = 160.0,
-                    .share = 1.0},
+      return sheet({.half_x_m = 1450.0,
+                    .half_z_m = 1050.0,
+                    .row_m = 130.0,
+                    .step_m = 130.0,
+                    .middle_m = 155.0,
+                    .radius_m = 120.0,
+                    .spread = 0.15,
+                    .swell_m = 1100.0,
+                    .holes = 0.0},
                    draws);
     case Genus::cumulus:
       return cumulus(draws);
     case Genus::stratocumulus:
-      return sheet({.across_x = 11,
-                    .across_z = 9,
-                    .spacing_m = 330.0,
-                    .jitter = 0.2,
-                    .lowest_radius_m = 130.0,
-                    .highest_radius_m = 215.0,
-                    .share = 0.85},
+      return sheet({.half_x_m = 1900.0,
+                    .half_z_m = 1450.0,
+                    .row_m = 330.0,
+                    .step_m = 230.0,
+                    .middle_m = 200.0,
+                    .radius_m = 165.0,
+                    .spread = 0.25,
+                    .swell_m = 1200.0,
+                    .holes = 0.1},
                    draws);
     case Genus::altocumulus:
-      return sheet({.across_x = 20,
-                    .across_z = 15,
-                    .spacing_m = 180.0,
-                    .jitter = 0.16,
-                    .lowest_radius_m = 50.0,
-                    .highest_radius_m = 90.0,
-                    .share = 0.8},
+      return sheet({.half_x_m = 1900.0,
+                    .half_z_m = 1300.0,
+                    .row_m = 200.0,
+                    .step_m = 85.0,
+                    .middle_m = 95.0,
+                    .radius_m = 72.0,
+                    .spread = 0.25,
+                    .swell_m = 1100.0,
+                    .holes = 0.2},
                    draws);
     case Genus::cumulonimbus:
       return cumulonimbus(draws);

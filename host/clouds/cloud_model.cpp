@@ -80,7 +80,6 @@ std::vector<CloudParticle> hierarchical(const CloudParameters& parameters) {
     const double optical_mass_m2 =
         parameters.look.extinction_per_m * weights[i] * ball_mass * std::pow(particle.radius_m, 3);
     particles.push_back(cloud_particle(place_m, particle.radius_m, optical_mass_m2, parameters.look,
-                                       PuffSet::hierarchical,
                                        {parameters.seed, static_cast<std::uint32_t>(i)}));
   }
   return particles;

@@ -58,6 +58,9 @@ struct HierarchyLevel {
 /// What a cloud scatters with (C10, C11).
 enum class PhaseKind { rayleigh, henyey_greenstein, double_henyey_greenstein, mie_droplet };
 
+/// Which puff textures particles have (C8): crisp as a cauliflower, or soft and wispy.
+enum class PuffSet { crisp, soft };
+
 struct CloudLook {
   double extinction_per_m = 0.02;  ///< of density 1
   glm::dvec3 albedo{0.9999};       ///< of single scattering
@@ -66,6 +69,7 @@ struct CloudLook {
   double g_back = -0.3;         ///< of the backward lobe of a double one
   double forward_share = 0.95;  ///< of a double one
   double droplet_um = 10.0;     ///< diameter, of mie_droplet
+  PuffSet puffs = PuffSet::crisp;
 
   bool operator==(const CloudLook&) const = default;
 };
@@ -116,18 +120,18 @@ struct CloudParameters {
   Genus genus = Genus::cumulus;
   glm::dvec3 position_m{0.0};  ///< of the origin of its axes, in the world, at time 0
   Modelling modelling = Modelling::hierarchical;
-  std::vector<Metaball> balls;
+  std::vector<Metaball> balls = {};
   /// In place of balls: density 0 ... 1 of a shape, in the cloud's axes (meshes, text, VDB files).
   std::shared_ptr<const CloudVolume> shape = {};
-  Turbulence turbulence;
+  Turbulence turbulence = {};
   Sampling sampling = Sampling::uniform;
   int target_particles = 1000;  ///< of a sampled cloud
-  std::vector<HierarchyLevel> levels;
+  std::vector<HierarchyLevel> levels = {};
   /// Height below which a hierarchical cloud is pressed flat, in its axes: what would hang lower is pressed
   /// to a tenth of its depth.
   std::optional<double> base_m = {};
-  CloudLook look;
-  CloudMotion motion;
+  CloudLook look = {};
+  CloudMotion motion = {};
 
   /// Shapes are equal that are the same object.
   bool operator==(const CloudParameters&) const = default;

@@ -7,11 +7,11 @@
 namespace offing::clouds {
 
 CloudParticle cloud_particle(const glm::dvec3& place_m, double radius_m, double optical_mass_m2,
-                             const CloudLook& look, PuffSet set, const ParticleKey& key) {
+                             const CloudLook& look, const ParticleKey& key) {
   const PhiloxBlock block =
       philox_block(static_cast<std::uint32_t>(key.seed), static_cast<std::uint32_t>(key.seed >> 32),
                    OFFING_STREAM_CLOUD_PARTICLES, 0, 0, key.id);
-  const std::uint32_t first = set == PuffSet::sampled ? 0 : CLOUD_TEXTURES;
+  const std::uint32_t first = look.puffs == PuffSet::crisp ? 0 : CLOUD_TEXTURES;
   return {.x = static_cast<float>(place_m.x),
           .y = static_cast<float>(place_m.y),
           .z = static_cast<float>(place_m.z),

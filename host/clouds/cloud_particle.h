@@ -9,17 +9,15 @@
 
 namespace offing::clouds {
 
-/// The textures that a particle's is one of (C8).
-enum class PuffSet { sampled, hierarchical };
-
 /// Which particle of which seed: what its texture and its turn are drawn from.
 struct ParticleKey {
   std::uint64_t seed = 1;
   std::uint32_t id = 0;
 };
 
-/// A particle of cloud 0 with a texture and a turn drawn at random, the same for the same key.
+/// A particle of cloud 0 with a texture of its look's set and a turn drawn at random, the same for the same
+/// key.
 CloudParticle cloud_particle(const glm::dvec3& place_m, double radius_m, double optical_mass_m2,
-                             const CloudLook& look, PuffSet set, const ParticleKey& key);
+                             const CloudLook& look, const ParticleKey& key);
 
 }  // namespace offing::clouds

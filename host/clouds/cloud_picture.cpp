@@ -13,7 +13,7 @@ namespace offing::clouds {
 namespace {
 
 // How much brighter the lit side of a texture's lumps is than their mean.
-constexpr float relief = 0.35f;
+constexpr float relief = 0.45f;
 constexpr std::size_t first_list_entries = 1 << 16;
 
 int lanes_of(const ocl::Device& device) {

@@ -1,11 +1,13 @@
 #include "host/clouds/puff_noise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -113,38 +115,42 @@ PuffHeights filled(const Height& height) {
   return heights;
 }
 
-}  // namespace
+/// Octaves summed at places that other noise bends.
+struct BentSum {
+  float bend;    ///< how far, of the texture's edge
+  float height;  ///< to begin with
+  float share;   ///< of the first octave
+  float gain;    ///< share of an octave over that before
+};
 
-PuffHeights lumpy_heights(int texture) {
-  // Each octave's lumps are near half as wide and high as those that carry them.
-  const std::array domes{Domes(4, 0, texture), Domes(9, 1, texture), Domes(19, 2, texture),
-                         Domes(41, 3, texture)};
-  const std::array bends{GradientNoise(6, 4, texture), GradientNoise(6, 5, texture)};
+template <class Octave>
+PuffHeights bent_sum(const BentSum& sum, const std::array<GradientNoise, 2>& bends,
+                     const std::vector<Octave>& octaves) {
   return filled([&](glm::vec2 place) {
-    // No lump is quite round.
-    const glm::vec2 bent = place + 0.05f * glm::vec2(bends[0].at(place), bends[1].at(place));
-    float height = 0.0f, share = 0.54f;
-    for (const Domes& octave : domes) {
+    const glm::vec2 bent = place + sum.bend * glm::vec2(bends[0].at(place), bends[1].at(place));
+    float height = sum.height, share = sum.share;
+    for (const Octave& octave : octaves) {
       height += share * octave.at(bent);
-      share *= 0.48f;
+      share *= sum.gain;
     }
     return height;
   });
 }
 
+}  // namespace
+
+PuffHeights lumpy_heights(int texture) {
+  // Each octave's lumps are near half as wide and high as those that carry them, and none is quite round.
+  const std::vector<Domes> domes{{4, 0, texture}, {9, 1, texture}, {19, 2, texture}, {41, 3, texture}};
+  return bent_sum({.bend = 0.05f, .height = 0.0f, .share = 0.54f, .gain = 0.48f},
+                  {GradientNoise(6, 4, texture), GradientNoise(6, 5, texture)}, domes);
+}
+
 PuffHeights wispy_heights(int texture) {
-  const std::array bends{GradientNoise(3, 8, texture), GradientNoise(3, 9, texture)};
   std::vector<GradientNoise> octaves;
   for (int octave = 0; octave < 5; ++octave) octaves.emplace_back(3 << octave, 10 + octave, texture);
-  return filled([&](glm::vec2 place) {
-    const glm::vec2 bent = place + 0.22f * glm::vec2(bends[0].at(place), bends[1].at(place));
-    float height = 0.5f, share = 0.62f;
-    for (const GradientNoise& octave : octaves) {
-      height += share * octave.at(bent);
-      share *= 0.5f;
-    }
-    return height;
-  });
+  return bent_sum({.bend = 0.22f, .height = 0.5f, .share = 0.62f, .gain = 0.5f},
+                  {GradientNoise(3, 8, texture), GradientNoise(3, 9, texture)}, octaves);
 }
 
 }  // namespace offing::clouds

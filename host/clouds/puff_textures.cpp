@@ -32,7 +32,7 @@ struct PuffStyle {
   float relief;    ///< height of the lumps, in radii of the puff
 };
 constexpr PuffStyle crisp{.softness = 1.3f, .relief = 0.30f};
-constexpr PuffStyle soft{.softness = 3.2f, .relief = 0.10f};
+constexpr PuffStyle soft{.softness = 5.0f, .relief = 0.10f};
 
 /// Relief and patterns of a texel or the mean of several.
 using Texel = std::array<float, 4>;

@@ -10,8 +10,7 @@
 namespace offing::clouds {
 
 /// The two sets of CLOUD_TEXTURES puff textures each (C8): what a particle of a cloud looks like. The first
-/// is crisp as a cauliflower, for sampled clouds; the second soft and wispy, for hierarchical ones and
-/// cirrus.
+/// is crisp as a cauliflower, for heaps; the second soft and wispy, for sheets and streaks.
 ///
 /// A texture does not say how opaque a puff is, but how that is spread over the texels that are equally far
 /// from its middle, so that billboards agree in the mean with the density they stand for: of texels where the

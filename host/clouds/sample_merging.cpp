@@ -8,16 +8,21 @@
 
 #include <glm/geometric.hpp>
 
+#include "kernels/shared/random.h"
+
 namespace offing::clouds {
 namespace {
 
 // Weight of closeness beside that of alike densities: parts of even density are merged until they are ten
 // times as far apart as such whose density falls from the largest to nothing.
 constexpr double even_weight = 0.01;
+// Costs of alike pairs differ by up to this factor.
+constexpr double most_unwilling = 4.0;
 
 struct Cluster {
   VolumeSample sum;
   double volume = 0.0;                    // blocks
+  double unwilling = 1.0;                 // factor of its costs
   std::vector<std::uint32_t> neighbours;  // ascending; some may have been merged meanwhile
   std::uint32_t into = 0;                 // what it was merged into, itself while it is there
 };
@@ -36,10 +41,15 @@ struct Pair {
 
 class Merging {
  public:
-  explicit Merging(const VolumeSamples& samples) {
+  Merging(const VolumeSamples& samples, std::uint64_t seed) {
+    std::array<int, 3> lowest{};
+    if (!samples.samples.empty()) lowest = samples.samples.front().block;
+    for (const VolumeSample& sample : samples.samples) {
+      for (std::size_t axis = 0; axis < 3; ++axis) lowest[axis] = std::min(lowest[axis], sample.block[axis]);
+    }
     for (const VolumeSample& sample : samples.samples) {
       const auto number = static_cast<std::uint32_t>(clusters_.size());
-      clusters_.push_back({sample, 1.0, {}, number});
+      clusters_.push_back({sample, 1.0, unwillingness(sample.block, lowest, seed), {}, number});
       largest_mass_ = std::max(largest_mass_, sample.mass);
     }
     find_neighbours();
@@ -71,6 +81,14 @@ class Merging {
   }
 
  private:
+  static double unwillingness(const std::array<int, 3>& block, const std::array<int, 3>& lowest,
+                              std::uint64_t seed) {
+    const PhiloxBlock drawn = philox_block(
+        static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32), OFFING_STREAM_CLOUD_MERGING,
+        block[0] - lowest[0], block[1] - lowest[1], static_cast<std::uint32_t>(block[2] - lowest[2]));
+    return std::pow(most_unwilling, 0.5 * static_cast<double>(uniform_open01(drawn.v[0])));
+  }
+
   void find_neighbours() {
     std::map<std::array<int, 3>, std::uint32_t> number_of;
     for (std::uint32_t i = 0; i < clusters_.size(); ++i) number_of.emplace(clusters_[i].sum.block, i);
@@ -92,8 +110,10 @@ class Merging {
     const glm::dvec3 apart_m = first.sum.place_m - second.sum.place_m;
     const double change = (first.sum.mass / first.volume - second.sum.mass / second.volume) / largest_mass_;
     const double both = first.volume * second.volume / (first.volume + second.volume);
-    pairs_.push({both * glm::dot(apart_m, apart_m) * (even_weight + change * change), std::min(a, b),
-                 std::max(a, b), clusters_[std::min(a, b)].volume, clusters_[std::max(a, b)].volume});
+    const double unwilling = first.unwilling * second.unwilling;
+    pairs_.push({unwilling * both * glm::dot(apart_m, apart_m) * (even_weight + change * change),
+                 std::min(a, b), std::max(a, b), clusters_[std::min(a, b)].volume,
+                 clusters_[std::max(a, b)].volume});
   }
 
   void merge(std::uint32_t a, std::uint32_t b) {
@@ -125,8 +145,8 @@ class Merging {
 
 }  // namespace
 
-std::vector<VolumeSample> merged_samples(const VolumeSamples& samples, std::size_t most) {
-  Merging merging(samples);
+std::vector<VolumeSample> merged_samples(const VolumeSamples& samples, std::size_t most, std::uint64_t seed) {
+  Merging merging(samples, seed);
   merging.reduce_to(most);
   return merging.rest();
 }

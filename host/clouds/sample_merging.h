@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "host/clouds/volume_samples.h"
@@ -11,7 +12,8 @@ namespace offing::clouds {
 /// what neighbours merged into. Of all pairs the next to merge is the one that adds least to the sum of v |a
 /// - b|^2 (s + (difference of densities / the largest)^2), v the volumes' product over their sum: Ward's
 /// criterion (Ward 1963), weighed by how alike they are; s makes all the same interiors fall into parts of
-/// about one size. Where nothing touches any more, the rest stays apart.
-std::vector<VolumeSample> merged_samples(const VolumeSamples& samples, std::size_t most);
+/// about one size. Each part is more or less willing by chance, or those of even density would be merged in
+/// rows and lie on a lattice. Where nothing touches any more, the rest stays apart.
+std::vector<VolumeSample> merged_samples(const VolumeSamples& samples, std::size_t most, std::uint64_t seed);
 
 }  // namespace offing::clouds

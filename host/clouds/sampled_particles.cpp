@@ -15,6 +15,10 @@ namespace {
 
 // Cells a particle that merging starts from: enough that where they are does not show.
 constexpr std::size_t cells_a_particle = 40;
+// Radii, in those that spread a particle's mass just as far as the cells that it stands for. Those of 1 leave
+// an even density with ripples of 25 %, one sees each; of 1.6 7 %; of 2 edges are blurred more than ripples
+// fall.
+constexpr double overlap = 1.6;
 // Most that random sampling walks through: 1 GiB.
 constexpr std::size_t most_cells = std::size_t{1} << 24;
 
@@ -68,11 +72,11 @@ std::vector<CloudParticle> sampled_particles(const CloudVolume& volume, const Sa
   const std::vector<VolumeSample> samples =
       options.sampling == Sampling::random
           ? drawn_samples(volume, count, options.seed)
-          : merged_samples(volume_samples(volume, cells_a_particle * count), count);
+          : merged_samples(volume_samples(volume, cells_a_particle * count), count, options.seed);
   std::vector<CloudParticle> particles;
   for (const VolumeSample& sample : samples) {
-    particles.push_back(cloud_particle(sample.place_m, std::sqrt(sample.square_m2 / ball_variance),
-                                       sample.mass * volume.extinction_per_m, look, PuffSet::sampled,
+    particles.push_back(cloud_particle(sample.place_m, overlap * std::sqrt(sample.square_m2 / ball_variance),
+                                       sample.mass * volume.extinction_per_m, look,
                                        {options.seed, static_cast<std::uint32_t>(particles.size())}));
   }
   return particles;

@@ -26,9 +26,10 @@ struct SamplingOptions {
 /// random: the volume is cut along a curve through all cells (Morton 1966) into parts of equal mass, and from
 /// each a place is drawn: quick, but fine features are lost.
 ///
-/// A particle's radius is such that it spreads its mass as far as the cells that it stands for do: equal
-/// second moments. The same volume and options give the same particles, however its bricks are stored. Throws
-/// what require_valid() of a volume throws, and Error(bad_input) for a target outside 1 ... 10^7.
+/// A particle's radius is 1.6 times the one that would spread its mass as far as the cells that it
+/// stands for do (equal second moments), so that particles overlap into an even density. The same volume and
+/// options give the same particles, however its bricks are stored. Throws what require_valid() of a volume
+/// throws, and Error(bad_input) for a target outside 1 ... 10^7.
 std::vector<CloudParticle> sampled_particles(const CloudVolume& volume, const SamplingOptions& options,
                                              const CloudLook& look);
 

@@ -70,4 +70,8 @@ Shape make_head(double radius_m, int level, const Roughness& roughness = {});
 /// depth follow from the length.
 Shape make_ship(double length_m, const Grid& grid);
 
+/// A bird that soars toward +x, +y up, its wings raised: a closed surface of u_cells ellipses of v_cells
+/// points from tip to tip along z, and a fan at each tip; no truth, for its beak has edges.
+Shape make_bird(double span_m, const Grid& grid);
+
 }  // namespace offing::mesh_shapes

@@ -123,4 +123,30 @@ std::vector<TriangleIndices> grid_faces(const Grid& grid, GridEnds ends, std::ui
   return faces;
 }
 
+TriangleMesh lofted(const Grid& grid, const std::function<glm::dvec3(int, int)>& at) {
+  TriangleMesh mesh;
+  const auto ring_size = static_cast<std::uint32_t>(grid.v_cells),
+             first_of_last = static_cast<std::uint32_t>(grid.u_cells) * ring_size;
+  for (int ring = 0; ring <= grid.u_cells; ++ring) {
+    for (int point = 0; point < grid.v_cells; ++point) mesh.positions_m.push_back(at(ring, point));
+  }
+  const std::uint32_t begin = first_of_last + ring_size, end = begin + 1;
+  for (const std::uint32_t first : {0u, first_of_last}) {
+    glm::dvec3 sum(0.0);
+    for (std::uint32_t i = 0; i < ring_size; ++i) sum += mesh.positions_m[first + i];
+    mesh.positions_m.push_back(sum / static_cast<double>(ring_size));
+  }
+  for (std::uint32_t i = 0; i < ring_size; ++i) {
+    const std::uint32_t next = (i + 1) % ring_size;
+    mesh.faces.push_back({begin, next, i});
+    for (std::uint32_t first = 0; first < first_of_last; first += ring_size) {
+      const std::uint32_t a = first + i, b = first + ring_size + i, c = first + ring_size + next,
+                          d = first + next;
+      mesh.faces.insert(mesh.faces.end(), {{a, c, b}, {a, d, c}});
+    }
+    mesh.faces.push_back({end, first_of_last + i, first_of_last + next});
+  }
+  return mesh;
+}
+
 }  // namespace offing::mesh_shapes

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -58,6 +59,10 @@ enum class GridEnds { open, u_and_v_closed };
 /// Two triangles a cell, anticlockwise seen from where u x v points; vertex (u, v) is at u * row_length + v,
 /// a row having v_cells vertices where it is closed, else one more.
 std::vector<TriangleIndices> grid_faces(const Grid& grid, GridEnds ends, std::uint64_t seed);
+
+/// A closed surface of u_cells + 1 rings of v_cells points each, at(ring, point), each end closed by a fan
+/// about its middle. Its outside is where v x u points, v along a ring.
+TriangleMesh lofted(const Grid& grid, const std::function<glm::dvec3(int, int)>& at);
 
 /// Unit vectors and faces of an icosphere. Corners move by up to jitter mean edge lengths along each axis
 /// before they return to the sphere.

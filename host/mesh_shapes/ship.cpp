@@ -56,35 +56,14 @@ glm::dvec3 ring_point(const Section& section, double share) {
 Shape make_ship(double length_m, const Grid& grid) {
   require_shape_size("length", length_m);
   require_grid(grid, 4);
-  Shape ship;
-  TriangleMesh& mesh = ship.mesh;
-  const auto rings = static_cast<std::uint32_t>(grid.u_cells) + 1,
-             ring_size = static_cast<std::uint32_t>(grid.v_cells);
-  for (std::uint32_t ring = 0; ring < rings; ++ring) {
-    // Sections stand closer at both ends.
-    const Section section = section_at(-std::cos(std::numbers::pi * ring / grid.u_cells));
-    for (std::uint32_t i = 0; i < ring_size; ++i) {
-      mesh.positions_m.push_back(length_m * ring_point(section, static_cast<double>(i) / ring_size));
-    }
-  }
-  // Each end is closed about its middle.
-  const std::uint32_t transom = rings * ring_size, stem = transom + 1;
-  for (const std::uint32_t first : {0u, transom - ring_size}) {
-    glm::dvec3 sum(0.0);
-    for (std::uint32_t i = 0; i < ring_size; ++i) sum += mesh.positions_m[first + i];
-    mesh.positions_m.push_back(sum / static_cast<double>(ring_size));
-  }
-  for (std::uint32_t i = 0; i < ring_size; ++i) {
-    const std::uint32_t next = (i + 1) % ring_size;
-    mesh.faces.push_back({transom, next, i});
-    for (std::uint32_t first = 0; first + ring_size < transom; first += ring_size) {
-      const std::uint32_t a = first + i, b = first + ring_size + i, c = first + ring_size + next,
-                          d = first + next;
-      mesh.faces.insert(mesh.faces.end(), {{a, c, b}, {a, d, c}});
-    }
-    mesh.faces.push_back({stem, transom - ring_size + i, transom - ring_size + next});
-  }
-  return ship;
+  return {.mesh = lofted(grid,
+                         [&](int ring, int point) {
+                           // Sections stand closer at both ends.
+                           const Section section =
+                               section_at(-std::cos(std::numbers::pi * ring / grid.u_cells));
+                           return length_m * ring_point(section, static_cast<double>(point) / grid.v_cells);
+                         }),
+          .truth = {}};
 }
 
 }  // namespace offing::mesh_shapes

@@ -15,6 +15,9 @@ namespace offing::scene {
 
 enum class CloudModelling { as_genus, sampled, hierarchical };
 enum class CloudSampling { as_genus, uniform, random };
+/// Closed shapes made by formulas (MeshShape of mesh_scene.h).
+enum class CloudSolid { none, knot, sphere, ellipsoid, torus, head, ship, bird };
+enum class CloudPuffs { as_genus, crisp, soft };
 enum class CloudPhase { as_genus, rayleigh, henyey_greenstein, double_henyey_greenstein, mie_droplet };
 
 /// What the shape of a cloud is made of, in place of balls; the first one that is given counts.
@@ -23,23 +26,35 @@ struct CloudShapeScene {
   std::string grid = "density";  ///< of a .vdb
   std::string mesh;              ///< a closed one
   std::string text;
-  double size_m = 500.0;      ///< height of a text; longest edge of a mesh
-  double depth_m = 150.0;     ///< of a text, from front to back
+  CloudSolid solid = CloudSolid::none;
+  double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;  ///< how a solid, a mesh or a text is turned
+  double size_m = 500.0;                                  ///< height of a text; longest edge of a mesh
+  double depth_m = 150.0;                                 ///< of a text, from front to back
   double thickness_m = 40.0;  ///< how deep below the surface of a mesh or a text its density has risen to 1
   double fluff_m = 15.0;      ///< how far beyond that surface it begins
+
+  bool is_given() const {
+    return !file.empty() || !mesh.empty() || !text.empty() || solid != CloudSolid::none;
+  }
+  bool operator==(const CloudShapeScene&) const = default;
 };
 
 /// A noise and its blend; what is absent is as the genus has it.
 struct CloudNoiseScene {
   std::optional<double> wavelength_m, lacunarity, gain, strength, blend, wisp, edge, change_per_s;
   int octaves = 0;  ///< 0: absent
+
+  bool operator==(const CloudNoiseScene&) const = default;
 };
 
 struct CloudLookScene {
   std::optional<double> extinction_per_m;
   std::optional<glm::dvec3> albedo;
   CloudPhase phase = CloudPhase::as_genus;
+  CloudPuffs puffs = CloudPuffs::as_genus;
   std::optional<double> g, g_back, forward_share, droplet_um;
+
+  bool operator==(const CloudLookScene&) const = default;
 };
 
 struct CloudMotionScene {
@@ -75,7 +90,7 @@ struct CloudScene {
 /// Many clouds of a genus at an altitude.
 struct CloudLayerScene {
   clouds::Genus genus = clouds::Genus::cumulus;
-  double coverage = 0.3;             ///< share of the sky, 0 ... 1
+  double coverage = 0.3;             ///< share of the sky, 0 ... 0.95
   double extent_m = 10'000.0;        ///< edge of the square that it covers
   double x_m = 0.0, z_m = 0.0;       ///< its middle
   std::optional<double> altitude_m;  ///< of the clouds' bases
@@ -86,7 +101,7 @@ struct CloudLayerScene {
 struct CloudsScene {
   clouds::LightModel light = clouds::LightModel::calibrated;
   std::uint64_t seed = 1;
-  double quality = 1.0;  ///< particles of sampled clouds, in those that are asked for
+  double quality = 1.0;  ///< particles, in those that clouds ask for
   /// Folders of pictures for the two sets of puff textures; empty: Offing's own.
   std::string crisp_puffs, soft_puffs;
 };

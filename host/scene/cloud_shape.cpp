@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <mutex>
+#include <system_error>
 #include <utility>
 
 #include <glm/common.hpp>
 
+#include "host/base/camera.h"
 #include "host/clouds/mesh_volume.h"
 #include "host/clouds/sampled_particles.h"
 #include "host/io/clouds/cloud_particles.h"
 #include "host/io/meshes/read_mesh.h"
 #include "host/io/text/text_mesh.h"
 #include "host/io/vdb/vdb_volume.h"
+#include "host/scene/mesh_data.h"
 #include "host/scene/named_file.h"
 
 namespace offing::scene {
@@ -92,8 +96,18 @@ TriangleMesh fitted(TriangleMesh mesh, double size_m) {
   return mesh;
 }
 
-void take_solid(const CloudScene& cloud, const TriangleMesh& mesh, CloudParameters& parameters) {
+/// As a mesh of the scene is: its -z axis is where it looks.
+void turn(TriangleMesh& mesh, const CloudShapeScene& shape) {
+  const CameraBasis axes =
+      basis({.yaw_rad = shape.yaw_rad, .pitch_rad = shape.pitch_rad, .roll_rad = shape.roll_rad});
+  for (glm::dvec3& place_m : mesh.positions_m) {
+    place_m = place_m.x * axes.right + place_m.y * axes.up - place_m.z * axes.forward;
+  }
+}
+
+void take_solid(const CloudScene& cloud, TriangleMesh mesh, CloudParameters& parameters) {
   const CloudShapeScene& shape = cloud.shape;
+  turn(mesh, shape);
   // Fine enough for the rise of density from the surface, and no finer than the size can show.
   constexpr double most_cells = 192.0, cells_of_rise = 3.0;
   const double rise_m = cloud.scale * (shape.thickness_m + shape.fluff_m);
@@ -106,6 +120,27 @@ void take_solid(const CloudScene& cloud, const TriangleMesh& mesh, CloudParamete
   parameters.shape = std::make_shared<const CloudVolume>(std::move(volume));
 }
 
+MeshShape mesh_shape_of(CloudSolid solid) {
+  switch (solid) {
+    case CloudSolid::none:
+    case CloudSolid::knot:
+      break;
+    case CloudSolid::sphere:
+      return MeshShape::sphere;
+    case CloudSolid::ellipsoid:
+      return MeshShape::ellipsoid;
+    case CloudSolid::torus:
+      return MeshShape::torus;
+    case CloudSolid::head:
+      return MeshShape::head;
+    case CloudSolid::ship:
+      return MeshShape::ship;
+    case CloudSolid::bird:
+      return MeshShape::bird;
+  }
+  return MeshShape::knot;
+}
+
 /// Tells faults of what `make` makes at the place of a key.
 template <typename Make>
 auto at_key(const OceanScene& scene, const ValueKey& key, const Make& make) {
@@ -116,9 +151,7 @@ auto at_key(const OceanScene& scene, const ValueKey& key, const Make& make) {
   }
 }
 
-}  // namespace
-
-RestingParticles take_shape(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
+RestingParticles take_new_shape(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
   const CloudScene& cloud = scene.clouds[index];
   const ElementIndex element{index, 0};
   const double size_m = cloud.scale * cloud.shape.size_m;
@@ -132,6 +165,10 @@ RestingParticles take_shape(const OceanScene& scene, std::size_t index, CloudPar
         const TextMeshOptions options{.height_m = size_m, .thickness_m = cloud.scale * cloud.shape.depth_m};
         take_solid(cloud, text_mesh(cloud.shape.text, options), parameters);
       });
+    } else if (cloud.shape.solid != CloudSolid::none) {
+      constexpr int detail = 2;
+      take_solid(cloud, fitted(made_shape(mesh_shape_of(cloud.shape.solid), 1.0, detail).mesh, size_m),
+                 parameters);
     }
     return nullptr;
   }
@@ -142,6 +179,92 @@ RestingParticles take_shape(const OceanScene& scene, std::size_t index, CloudPar
               fmt::format("{}: expected a .vdb or a .ply, got {}",
                           place_of_name(scene, {"cloud.file", {index, 0}}), cloud.shape.file),
               "write volumes as .vdb and particles as .ply");
+}
+
+/// What a shape is made from, and what it became.
+struct KnownShape {
+  // Of the scene.
+  CloudShapeScene shape;
+  CloudNoiseScene noise;
+  CloudLookScene look;
+  double scale = 1.0;
+  // Of the file, if there is one.
+  std::filesystem::file_time_type written;
+  std::uintmax_t bytes = 0;
+  CloudParameters before;      // at rest at the origin
+  CloudParameters after = {};  // but for its volume
+  std::weak_ptr<const CloudVolume> volume = {};
+  std::weak_ptr<const std::vector<CloudParticle>> particles = {};
+  bool has_volume = false;
+
+  bool is_of(const KnownShape& other) const {
+    return shape == other.shape && noise == other.noise && look == other.look && scale == other.scale &&
+           written == other.written && bytes == other.bytes && before == other.before;
+  }
+  bool is_gone() const { return has_volume ? volume.expired() : particles.expired(); }
+};
+
+KnownShape source_of(const CloudScene& cloud, const CloudParameters& parameters) {
+  KnownShape source{.shape = cloud.shape,
+                    .noise = cloud.noise,
+                    .look = cloud.look,
+                    .scale = cloud.scale,
+                    .written = {},
+                    .before = parameters};
+  source.before.position_m = {};
+  source.before.motion = {};
+  const std::string& file = cloud.shape.file.empty() ? cloud.shape.mesh : cloud.shape.file;
+  std::error_code none;
+  if (!file.empty()) {
+    source.written = std::filesystem::last_write_time(file, none);
+    source.bytes = std::filesystem::file_size(file, none);
+  }
+  return source;
+}
+
+/// Shapes that some sky still has.
+struct KnownShapes {
+  std::mutex mutex;
+  std::vector<KnownShape> shapes;
+};
+
+KnownShapes& known_shapes() {
+  static KnownShapes known;
+  return known;
+}
+
+}  // namespace
+
+RestingParticles take_shape(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
+  const CloudScene& cloud = scene.clouds[index];
+  if (!cloud.shape.is_given()) return nullptr;
+  KnownShape source = source_of(cloud, parameters);
+  KnownShapes& known = known_shapes();
+  {
+    const std::lock_guard lock(known.mutex);
+    std::erase_if(known.shapes, [](const KnownShape& shape) { return shape.is_gone(); });
+    for (const KnownShape& shape : known.shapes) {
+      if (!shape.is_of(source)) continue;
+      const auto volume = shape.volume.lock();
+      const auto particles = shape.particles.lock();
+      // Somebody may have let go of it just now.
+      if (shape.has_volume ? !volume : !particles) continue;
+      parameters.modelling = shape.after.modelling;
+      parameters.turbulence = shape.after.turbulence;
+      parameters.look = shape.after.look;
+      parameters.shape = volume;
+      return particles;
+    }
+  }
+  RestingParticles particles = take_new_shape(scene, index, parameters);
+  source.after = parameters;
+  source.after.shape = nullptr;
+  source.volume = parameters.shape;
+  source.has_volume = parameters.shape != nullptr;
+  source.particles = particles;
+  const std::lock_guard lock(known.mutex);
+  known.shapes.push_back(std::move(source));
+  return particles;
 }
 
 }  // namespace offing::scene

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,6 +51,9 @@ void take_look(const CloudLookScene& scene, clouds::CloudLook& look) {
   take(look.droplet_um, scene.droplet_um);
   if (scene.phase != CloudPhase::as_genus) {
     look.phase = static_cast<clouds::PhaseKind>(static_cast<int>(scene.phase) - 1);
+  }
+  if (scene.puffs != CloudPuffs::as_genus) {
+    look.puffs = static_cast<clouds::PuffSet>(static_cast<int>(scene.puffs) - 1);
   }
 }
 
@@ -141,9 +145,14 @@ std::vector<CloudParameters> layer_clouds(const OceanScene& scene, const CloudLa
                                seed_of(scene, layer.seed));
 }
 
-int particles_by_quality(const OceanScene& scene, int asked) {
+void take_quality(double quality, CloudParameters& parameters) {
   constexpr double most = 1e7;  // of cloud.target_particles
-  return static_cast<int>(std::clamp(scene.cloud_settings.quality * asked, 1.0, most));
+  parameters.target_particles =
+      static_cast<int>(std::clamp(quality * parameters.target_particles, 1.0, most));
+  // As many spheres have room on one as its radius over theirs, squared.
+  if (parameters.levels.empty()) return;
+  double& ratio = parameters.levels.back().ratio;
+  ratio = std::clamp(ratio / std::sqrt(quality), 0.02, 1.0);
 }
 
 /// Whether scenes say other things of their clouds.
@@ -172,13 +181,13 @@ std::optional<world::CloudSkyParameters> prepare_clouds(const OceanScene& scene)
   world::CloudSkyParameters sky{.clouds = {}, .particles = {}, .light_model = scene.cloud_settings.light};
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     CloudParameters parameters = parameters_of(scene, i);
-    parameters.target_particles = particles_by_quality(scene, parameters.target_particles);
+    take_quality(scene.cloud_settings.quality, parameters);
     sky.particles.push_back(take_shape(scene, i, parameters));
     sky.clouds.push_back(std::move(parameters));
   }
   for (const CloudLayerScene& layer : scene.cloud_layers) {
     for (CloudParameters& parameters : layer_clouds(scene, layer)) {
-      parameters.target_particles = particles_by_quality(scene, parameters.target_particles);
+      take_quality(scene.cloud_settings.quality, parameters);
       sky.clouds.push_back(std::move(parameters));
     }
   }

@@ -9,10 +9,9 @@
 
 namespace offing::scene {
 
-/// The clouds of a scene: those of [[cloud]] in their order, then those of the layers. Files are read; no
-/// file is read again that `known`, the clouds of a scene that named the same, has. Nothing for a scene
-/// without any. Throws Error(bad_input) that names the place in the scene for a file that is missing or
-/// wrong, and for values that do not fit each other.
+/// The clouds of a scene: those of [[cloud]] in their order, then those of the layers. Files are read
+/// (cloud_shape.h). Nothing for a scene without any. Throws Error(bad_input) that names the place in the
+/// scene for a file that is missing or wrong, and for values that do not fit each other.
 std::optional<world::CloudSkyParameters> prepare_clouds(const OceanScene& scene);
 
 /// Gives a world whose clouds are those of `before` those of `after`: anew only where they differ. Throws

@@ -8,7 +8,9 @@ std::string against_cloud(const CloudScene& cloud, ParameterUse use) {
     case ParameterUse::filed_cloud:
       return shape.file.empty() ? "cloud.file is not given" : "";
     case ParameterUse::shaped_cloud:
-      return shape.mesh.empty() && shape.text.empty() ? "neither cloud.mesh nor cloud.text is given" : "";
+      return shape.mesh.empty() && shape.text.empty() && shape.solid == CloudSolid::none
+                 ? "none of cloud.mesh, cloud.text and cloud.shape is given"
+                 : "";
     case ParameterUse::text_cloud:
       return shape.text.empty() ? "cloud.text is not given" : "";
     case ParameterUse::heated_cloud:

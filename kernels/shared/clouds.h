@@ -28,7 +28,7 @@ typedef struct {
   float radius;            // m, above 0
   float optical_mass;      // m^2: its extinction (1/m) over its volume
   float red, green, blue;  // single-scattering albedo, 0 ... 1, linear Rec.709
-  unsigned int texture;    // below 2 * CLOUD_TEXTURES: the first set for C5, the second for C7
+  unsigned int texture;    // below 2 * CLOUD_TEXTURES: the crisp set, then the soft one
   unsigned int cloud;      // which of the sky's clouds it belongs to
   unsigned int id;         // the same in each generation from the same parameters, unique within its cloud
   float turn;              // rad, of its texture

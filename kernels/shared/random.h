@@ -44,6 +44,8 @@ typedef std::uint64_t offing_uint64;
 // Layouts of clouds: n is the genus or the cloud of a sky, index counts what is drawn.
 #define OFFING_STREAM_CLOUD_LAYOUT 0xb1000003u
 #define OFFING_STREAM_CLOUD_SKY 0xb1000004u
+// Merging samples of clouds: n, m and index are a block, counted from the lowest one.
+#define OFFING_STREAM_CLOUD_MERGING 0xb1000005u
 
 typedef struct {
   offing_uint32 v[4];

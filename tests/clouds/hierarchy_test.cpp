@@ -125,15 +125,15 @@ TEST_P(HierarchyTest, TheSameSeedGivesTheSameParticles) {
 INSTANTIATE_TEST_SUITE_P(Examples, HierarchyTest, testing::Range<std::size_t>(0, 6));
 
 // Fails if packing loses density: the paper's cumulus has 14 seeds, two levels and 946 particles (C16). Both
-// levels of the preset have ratio 0.5 and repulsion 0.86, deviations 20 and 10 m. Measured 937 of the first
-// layout, 734 ... 966 of twelve; gates 5 % and 30 %.
+// levels of the preset have ratio 0.5 and repulsion 0.82, deviations 20 and 10 m. Measured 918 of the first
+// layout, 866 ... 973 of twelve; gates 5 % and 12 %.
 TEST(CumulusTest, HasAboutAsManyParticlesAsThePapers) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const CloudParameters cumulus = preset(Genus::cumulus, seed);
     ASSERT_EQ(cumulus.balls.size(), 14u);
     ASSERT_EQ(cumulus.levels.size(), 2u);
     const std::size_t count = grown_hierarchy(cumulus.balls, cumulus.levels, seed).size();
-    EXPECT_NEAR(static_cast<double>(count), 946.0, seed == 1 ? 47.0 : 284.0) << seed;
+    EXPECT_NEAR(static_cast<double>(count), 946.0, seed == 1 ? 47.0 : 114.0) << seed;
   }
 }
 

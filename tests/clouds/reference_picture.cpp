@@ -115,7 +115,7 @@ CloudSight reference_sight(std::span<const CloudParticle> particles, std::span<c
       const double opacity =
           std::lerp(knots[third], knots[third + 1], 3.0 * mean - static_cast<double>(third));
       depth = -std::log(std::max(1e-4, 1.0 - std::lerp(mean, opacity, pattern)));
-      light += 0.35 * pattern *
+      light += 0.45 * pattern *
                ((2.0 * texel[0] - 1.0) * glm::dot(sun_direction, axes.right) +
                 (2.0 * texel[1] - 1.0) * glm::dot(sun_direction, axes.up));
     }

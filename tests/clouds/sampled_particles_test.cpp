@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstring>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "host/clouds/cloud_density.h"
+#include "host/clouds/metaball.h"
+#include "host/clouds/random_draws.h"
 #include "host/clouds/sample_merging.h"
 #include "tests/ocl/expect_error.h"
 
@@ -56,7 +60,7 @@ TEST_F(SampledParticlesTest, MergingKeepsMiddleAndSpread) {
     for (std::size_t i = 1; i < parts.size(); ++i) sum = merged(sum, parts[i]);
     return sum;
   };
-  const VolumeSample before = together(samples.samples), after = together(merged_samples(samples, 300));
+  const VolumeSample before = together(samples.samples), after = together(merged_samples(samples, 300, 3));
   EXPECT_NEAR(after.mass / before.mass, 1.0, 1e-12);
   EXPECT_LT(glm::distance(after.place_m, before.place_m), 1e-9);
   EXPECT_NEAR(after.square_m2 / before.square_m2, 1.0, 1e-12);
@@ -65,17 +69,17 @@ TEST_F(SampledParticlesTest, MergingKeepsMiddleAndSpread) {
 // Fails if what is merged could be merged more or differently at the same count.
 TEST_F(SampledParticlesTest, MergingEndsAtAFixedPoint) {
   VolumeSamples samples = volume_samples(volume_, 1'000'000);
-  samples.samples = merged_samples(samples, 400);
-  const auto again = merged_samples(samples, 400);
+  samples.samples = merged_samples(samples, 400, 3);
+  const auto again = merged_samples(samples, 400, 3);
   ASSERT_EQ(again.size(), 400u);
   for (std::size_t i = 0; i < 400; ++i) ASSERT_EQ(again[i].place_m, samples.samples[i].place_m);
 }
 
 // Fails if the field that particles make is another one: blurred, but the same within a share. The integral
-// of the difference over that of the field, particles rasterised in the volume's cells. Measured 0.23 at 2000
-// particles and 0.26 at 500.
+// of the difference over that of the field, particles rasterised in the volume's cells. Measured 0.12 at 2000
+// particles and 0.21 at 500; 0.23 and 0.26 where particles lay on a lattice and did not overlap.
 TEST_F(SampledParticlesTest, ParticlesAreLikeTheVolume) {
-  for (const auto& [target, gate] : {std::pair{2000, 0.28}, std::pair{500, 0.31}}) {
+  for (const auto& [target, gate] : {std::pair{2000, 0.15}, std::pair{500, 0.25}}) {
     std::vector<CloudParticle> particles = sampled_particles(volume_, {Sampling::uniform, target, 1}, {});
     const CloudVolume made = rasterised(device_, particles, 8.0, volume_.extinction_per_m);
     // Of same cells: rasterised() counts bricks from 0 of the particles' axes, which is the volume's corner.
@@ -127,6 +131,62 @@ TEST_F(SampledParticlesTest, TheSameVolumeGivesTheSameParticles) {
     const auto found = sampled_particles(shuffled, {sampling, 300, 9}, {});
     ASSERT_EQ(found.size(), expected.size());
     EXPECT_EQ(std::memcmp(found.data(), expected.data(), found.size() * sizeof(CloudParticle)), 0);
+  }
+}
+
+/// A block of 48^3 cells of 1 m and density 1.
+CloudVolume even_block() {
+  constexpr int bricks = 6;
+  CloudVolume volume;
+  volume.cell_m = 1.0;
+  volume.bricks = {bricks, bricks, bricks};
+  for (int i = 0; i < bricks * bricks * bricks; ++i) volume.brick_of.push_back(i);
+  volume.density.assign(volume.brick_of.size() * CloudVolume::cells_of_brick, 1.0f);
+  return volume;
+}
+
+// Fails if particles of an even density lie on the lattice that it was sampled on: then their places are in
+// step along its axes. |mean of exp(i k x)|^2 of n places by chance is 1 / n in the mean, and above 12 / n
+// once in 160,000; 24 are looked at. It was 1 of all where cells were merged in rows.
+TEST_F(SampledParticlesTest, EvenDensityGivesNoLattice) {
+  const CloudVolume volume = even_block();
+  for (const Sampling sampling : {Sampling::uniform, Sampling::random}) {
+    const auto particles = sampled_particles(volume, {sampling, 4000, 5}, {});
+    for (const double spacing_m : {0.5, 1.0, 2.0, 4.0}) {
+      for (float CloudParticle::*axis : {&CloudParticle::x, &CloudParticle::y, &CloudParticle::z}) {
+        std::complex<double> sum(0.0);
+        for (const CloudParticle& particle : particles) {
+          sum += std::polar(1.0, 2.0 * std::numbers::pi / spacing_m * static_cast<double>(particle.*axis));
+        }
+        EXPECT_LT(std::norm(sum / 4000.0), 12.0 / 4000.0) << spacing_m << " m";
+      }
+    }
+  }
+}
+
+// Fails if particles do not overlap: the density that they make of an even one shows each. Deviation over the
+// mean at 2000 places inside: measured 0.07 and 0.33, 0.50 and 0.77 without overlaps and chance.
+TEST_F(SampledParticlesTest, EvenDensityStaysEven) {
+  const CloudVolume volume = even_block();
+  for (const auto& [sampling, gate] : {std::pair{Sampling::uniform, 0.1}, std::pair{Sampling::random, 0.4}}) {
+    const auto particles = sampled_particles(volume, {sampling, 4000, 5}, {});
+    RandomDraws draws(1, 0, 0, 0);
+    double sum = 0.0, squares = 0.0;
+    for (int i = 0; i < 2000; ++i) {
+      const glm::dvec3 place_m(draws.between(8.0, 40.0), draws.between(8.0, 40.0), draws.between(8.0, 40.0));
+      double density = 0.0;
+      for (const CloudParticle& particle : particles) {
+        const auto radius_m = static_cast<double>(particle.radius);
+        const double far = glm::distance(place_m, glm::dvec3(particle.x, particle.y, particle.z)) / radius_m;
+        if (far >= 1.0) continue;
+        density += static_cast<double>(particle.optical_mass) / (ball_mass * std::pow(radius_m, 3)) *
+                   ball_profile(far);
+      }
+      sum += density / volume.extinction_per_m;
+      squares += std::pow(density / volume.extinction_per_m, 2);
+    }
+    EXPECT_NEAR(sum / 2000.0, 1.0, 0.05);
+    EXPECT_LT(std::sqrt(squares / 2000.0 - std::pow(sum / 2000.0, 2)), gate) << static_cast<int>(sampling);
   }
 }
 

@@ -114,9 +114,10 @@ TEST(CloudSection, RefusesWhatNoCloudHas) {
 // Fails if a value that does nothing goes unsaid.
 TEST(CloudSection, TellsOfValuesThatDoNothing) {
   const OceanScene scene = scene_of("[[cloud]]\nheat_spread = 0.5\nfluff_m = 3\ngrid = \"smoke\"\n");
-  EXPECT_THAT(unused_parameters(scene), ElementsAre(HasSubstr("cloud.file is not given"),
-                                                    HasSubstr("neither cloud.mesh nor cloud.text is given"),
-                                                    HasSubstr("cloud.heat_k is not given")));
+  EXPECT_THAT(unused_parameters(scene),
+              ElementsAre(HasSubstr("cloud.file is not given"),
+                          HasSubstr("none of cloud.mesh, cloud.text and cloud.shape is given"),
+                          HasSubstr("cloud.heat_k is not given")));
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST_F(SceneClouds, KeyframesAreAPath) {
   EXPECT_EQ((*cloud.motion.path)[2].keys[0].value, 4.0);
 }
 
-// More coverage or another seed is another sky; quality is of all sampled clouds.
+// More coverage or another seed is another sky; quality is of all clouds.
 TEST_F(SceneClouds, LayersAreManyClouds) {
   const std::string layer = "[[cloud_layer]]\ngenus = \"stratocumulus\"\nextent_m = 20000\ncoverage = ";
   const world::CloudSkyParameters few = sky_of(layer + "0.2\n"), many = sky_of(layer + "0.5\n");
@@ -104,6 +104,19 @@ TEST_F(SceneClouds, LayersAreManyClouds) {
   EXPECT_NE(sky_of("[clouds]\nseed = 2\n" + layer + "0.2\n").clouds, few.clouds);
   const world::CloudSkyParameters coarse = sky_of("[clouds]\nquality = 0.5\n" + layer + "0.2\n");
   EXPECT_NEAR(coarse.clouds[0].target_particles, 0.5 * few.clouds[0].target_particles, 1.0);
+}
+
+// Fails if quality leaves grown clouds as they are. As many children have room as their radius over the
+// parent's, squared, says, about: 13 to 20 % of those of the cumulus are of its first level, which stays.
+TEST_F(SceneClouds, QualityIsOfGrownCloudsToo) {
+  const ocl::Device device = ocl::Device::open();
+  const auto count = [&](const std::string& quality) {
+    const auto cloud = sky_of("[clouds]\nquality = " + quality + "\n[[cloud]]\n").clouds[0];
+    return static_cast<double>(clouds::particles_at_rest(device, cloud).size());
+  };
+  const double usual = count("1");
+  EXPECT_NEAR(count("0.5") / usual, 0.5, 0.15);
+  EXPECT_NEAR(count("2") / usual, 2.0, 0.5);
 }
 
 // A volume that was written and is read back gives the same particles (C5 on the same cells). Fails if
@@ -175,6 +188,55 @@ TEST_F(SceneClouds, TextIsAShape) {
     at_middle = shape.density[static_cast<std::size_t>(slot) * CloudVolume::cells_of_brick + inside];
   }
   EXPECT_EQ(at_middle, 0.0) << "the hole of the O is filled";
+}
+
+// Fails if a shape stands another way than the scene says: a bird's wings lie along z, and along x once it is
+// turned by 90 degrees.
+TEST_F(SceneClouds, ShapesAreTurned) {
+  const auto extent_m = [&](const std::string& turned) {
+    const CloudVolume shape =
+        *sky_of("[[cloud]]\nshape = \"bird\"\nsize_m = 400\nthickness_m = 10\nfluff_m = 5\n" + turned)
+             .clouds[0]
+             .shape;
+    return shape.cell_m * CloudVolume::brick_cells *
+           glm::dvec3(shape.bricks[0], shape.bricks[1], shape.bricks[2]);
+  };
+  const glm::dvec3 flying = extent_m(""), turned = extent_m("yaw_deg = 90\n"),
+                   banked = extent_m("pitch_deg = 90\n");
+  EXPECT_GT(flying.z, 1.2 * flying.x);
+  EXPECT_GT(turned.x, 1.2 * turned.z);
+  EXPECT_GT(banked.y, 1.2 * banked.x);
+}
+
+// Fails if a cloud that is moved, or another one that is edited, reads or makes the shape of this one again;
+// or if one that is edited, or whose file is written anew, keeps its old one.
+TEST_F(SceneClouds, ShapesAreKeptUntilTheyChange) {
+  const auto write = [&](int bricks) {
+    CloudVolume volume;
+    volume.cell_m = 10.0;
+    volume.bricks = {1, bricks, 1};
+    for (int i = 0; i < bricks; ++i) volume.brick_of.push_back(i);
+    volume.density.assign(volume.brick_of.size() * CloudVolume::cells_of_brick, 1.0f);
+    write_vdb(folder_.path() / "a.vdb", {volume});
+  };
+  write(1);
+  const std::string file = "[[cloud]]\nfile = \"a.vdb\"\n", letter = "[[cloud]]\ntext = \"K\"\n";
+  const world::CloudSkyParameters before = sky_of(file + letter);
+  const world::CloudSkyParameters moved =
+      sky_of(file + "x_m = 9\nwind_mps = [5, 0, 0]\n" + letter + "y_m = 7\n");
+  EXPECT_EQ(moved.clouds[0].shape, before.clouds[0].shape);
+  EXPECT_EQ(moved.particles[0], before.particles[0]);
+  EXPECT_EQ(moved.clouds[1].shape, before.clouds[1].shape);
+  EXPECT_EQ(moved.clouds[0].look, before.clouds[0].look);
+  EXPECT_EQ(moved.clouds[0].position_m.x, 9.0);
+  const world::CloudSkyParameters edited =
+      sky_of(file + "target_particles = 20\n" + letter + "size_m = 300\n");
+  EXPECT_NE(edited.particles[0], before.particles[0]);
+  EXPECT_EQ(edited.particles[0]->size(), 20u);
+  EXPECT_NE(edited.clouds[1].shape, before.clouds[1].shape);
+  // Another size, since clocks of file systems may not tell two writes apart.
+  write(2);
+  EXPECT_NE(sky_of(file).clouds[0].shape, before.clouds[0].shape);
 }
 
 TEST_F(SceneClouds, SaysWhereAFileIsWrong) {

@@ -39,7 +39,7 @@ class CurvatureProgram : public ::testing::Test {
 // Every shape, as a file, through every method, back from a file. Fails if a shape or a method is not to be
 // had from the command line, if vertices are lost, or if what is written is no prepared mesh.
 TEST_F(CurvatureProgram, AllShapesThroughAllMethods) {
-  for (const std::string shape : {"sphere", "ellipsoid", "torus", "torus-knot", "saddle", "head", "ship"}) {
+  for (const std::string shape : {"sphere", "ellipsoid", "torus", "torus-knot", "saddle", "head", "ship", "bird"}) {
     std::vector<std::string> arguments{"generate", shape, "-o", path(shape + ".ply")};
     if (shape == "sphere" || shape == "ellipsoid" || shape == "head") {
       arguments.insert(arguments.end(), {"--level", "3", "--jitter", "0.2", "--noise", "0.01"});
@@ -47,7 +47,7 @@ TEST_F(CurvatureProgram, AllShapesThroughAllMethods) {
       arguments.insert(arguments.end(), {"--u-cells", "40", "--v-cells", "20"});
     }
     const auto made = json_of(arguments);
-    EXPECT_EQ(made["has_true_curvature"], shape != "ship");
+    EXPECT_EQ(made["has_true_curvature"], shape != "ship" && shape != "bird");
     for (const std::string method : {"fit", "tensor", "tensor-exact", "paper", "diffused", "jet"}) {
       const std::string output = path(shape + "_" + method + ".ply");
       const auto measured = json_of({"curvature", path(shape + ".ply"), "-o", output, "--method", method});

@@ -78,11 +78,13 @@ TEST(Shapes, AreClosedAndFaceOutward) {
   expect_closed(make_torus(1.0, 0.4, {30, 20, Diagonals::random}), 0);
   expect_closed(make_torus_knot({}, {120, 12}), 0);
   expect_closed(make_ship(10.0, {40, 24}), 2);
+  expect_closed(make_bird(1.6, {60, 12}), 2);
   EXPECT_NEAR(enclosed_volume_m3(make_sphere(2.0, 5).mesh), 32.0 / 3.0 * std::numbers::pi, 0.05);
   EXPECT_NEAR(enclosed_volume_m3(make_torus(1.0, 0.4, {200, 100}).mesh),
               2.0 * std::pow(std::numbers::pi * 0.4, 2), 0.01);
   EXPECT_GT(enclosed_volume_m3(make_torus_knot({}, {120, 12}).mesh), 0.0);
   EXPECT_GT(enclosed_volume_m3(make_ship(10.0, {40, 24}).mesh), 0.0);
+  EXPECT_GT(enclosed_volume_m3(make_bird(1.6, {60, 12}).mesh), 0.0);
   EXPECT_GT(enclosed_volume_m3(make_head(0.1, 4).mesh), 0.0);
 }
 
@@ -111,6 +113,7 @@ TEST(Shapes, RefuseSizesThatMakeNoShape) {
   EXPECT_THROW(make_torus_knot({.tube_radius_m = 0.9}, {120, 12}), Error);
   EXPECT_THROW(make_saddle(1.0, {10, 10}, {.jitter = 0.6}), Error);
   EXPECT_THROW(make_ship(std::nan(""), {40, 24}), Error);
+  EXPECT_THROW(make_bird(1.0, {60, 3}), Error);
 }
 
 }  // namespace
