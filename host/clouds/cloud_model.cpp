@@ -51,7 +51,7 @@ std::vector<CloudParticle> sampled(const ocl::Device& device, const CloudParamet
                                                             .target_particles = parameters.target_particles,
                                                             .seed = parameters.seed},
                                                            parameters.look);
-  const glm::vec3 shift(volume.origin_m - cloud_origin_m(parameters, 0.0));
+  const glm::vec3 shift(volume.origin_m);
   for (CloudParticle& particle : particles) {
     particle.x += shift.x;
     particle.y += shift.y;
@@ -96,7 +96,12 @@ ocl::Buffer<CloudParticle> uploaded(const ocl::Device& device, std::span<const C
 std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const CloudParameters& parameters) {
   require_valid(parameters);
   const bool grows = parameters.modelling == Modelling::hierarchical && !parameters.shape;
-  return grows ? hierarchical(parameters) : sampled(device, parameters);
+  if (grows) return hierarchical(parameters);
+  // Where it is would round its places.
+  CloudParameters here = parameters;
+  here.position_m = glm::dvec3(0.0);
+  here.motion = {};
+  return sampled(device, here);
 }
 
 CloudModel::CloudModel(const ocl::Device& device, const CloudParameters& parameters, std::uint32_t cloud)
@@ -104,15 +109,19 @@ CloudModel::CloudModel(const ocl::Device& device, const CloudParameters& paramet
 
 CloudModel::CloudModel(const ocl::Device& device, const CloudParameters& parameters,
                        std::span<const CloudParticle> at_rest, std::uint32_t cloud)
+    : CloudModel(device, edited_particles(at_rest, parameters.edits), parameters, cloud) {}
+
+CloudModel::CloudModel(const ocl::Device& device, std::span<const CloudParticle> edited,
+                       const CloudParameters& parameters, std::uint32_t cloud)
     : parameters_(parameters),
-      count_(static_cast<std::uint32_t>(at_rest.size())),
+      count_(static_cast<std::uint32_t>(edited.size())),
       cloud_(cloud),
       motion_(device),
-      rest_(uploaded(device, at_rest)),
+      rest_(uploaded(device, edited)),
       moved_(device, rest_.size(), "cloud particles") {
   require_valid(parameters);
   float densest = 0.0f;
-  for (const CloudParticle& particle : at_rest) {
+  for (const CloudParticle& particle : edited) {
     densest = std::max(densest, particle.optical_mass / (particle.radius * particle.radius));
   }
   if (densest > 0.0f) densest_ = densest;

@@ -98,6 +98,20 @@ TEST_F(Clouds, ParticlesHoldTheSameMass) {
   EXPECT_EQ(scene["clouds"][0]["genus"], "cumulus");
 }
 
+// What was removed by hand is in no file. Fails if a volume is made of the field, which knows of no edits.
+TEST_F(Clouds, EditsByHandAreHonoured) {
+  std::ifstream plain(path("a.toml"));
+  std::ofstream(path("e.toml"))
+      << plain.rdbuf() << "[[cloud.particle_edit]]\neye_m = [0, 0, 9000]\nright = 0\nfate = \"removed\"\n";
+  for (const char* file : {"a.ply", "a.vdb"}) {
+    const auto whole = json_of({"clouds", "build", path("a.toml"), "-o", path(file), "--json"});
+    const auto part = json_of({"clouds", "build", path("e.toml"), "-o", path(file), "--json", "--force"});
+    const double share = part["optical_mass_m2"].get<double>() / whole["optical_mass_m2"].get<double>();
+    EXPECT_GT(share, 0.2) << file;
+    EXPECT_LT(share, 0.9) << file;
+  }
+}
+
 // Fails if frames are all of one time, or named otherwise.
 TEST_F(Clouds, SequencesMoveWithTheWind) {
   json_of({"clouds", "build", path("a.toml"), "-o", path("a.%03d.ply"), "--json"});
