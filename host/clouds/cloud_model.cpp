@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include <fmt/format.h>
+
+#include "host/base/error.h"
 #include "host/clouds/cloud_density.h"
 #include "host/clouds/cloud_particle.h"
 #include "host/clouds/hierarchy.h"
@@ -44,7 +48,23 @@ CloudVolume volume_to_sample(const ocl::Device& device, const CloudParameters& p
   return volume;
 }
 
+/// Before minutes are spent on them.
+void require_room(const ocl::Device& device, const CloudParameters& parameters) {
+  const ocl::DeviceInfo& info = device.info();
+  const std::uint64_t bytes = static_cast<std::uint64_t>(parameters.target_particles) * sizeof(CloudParticle);
+  if (bytes <= info.max_allocation_bytes) return;
+  constexpr std::uint64_t megabyte = 1'000'000;
+  throw Error(
+      ErrorKind::out_of_memory,
+      fmt::format("cloud.target_particles: {} particles take {} MB, more than the {} MB that {} holds "
+                  "in one piece",
+                  parameters.target_particles, bytes / megabyte, info.max_allocation_bytes / megabyte,
+                  info.name),
+      "ask for fewer, or lower clouds.quality");
+}
+
 std::vector<CloudParticle> sampled(const ocl::Device& device, const CloudParameters& parameters) {
+  require_room(device, parameters);
   const CloudVolume volume = volume_to_sample(device, parameters);
   std::vector<CloudParticle> particles = sampled_particles(volume,
                                                            {.sampling = parameters.sampling,

@@ -15,8 +15,9 @@ namespace offing::clouds {
 
 /// The particles of a cloud at rest, in its axes, ids counting from 0: sampled from the density of its balls
 /// or its shape (C5), or grown on its balls as seeds (C7). Throws what require_valid(), field_volume(),
-/// sampled_particles() and grown_hierarchy() throw. They depend neither on where the cloud is nor on how it
-/// moves, and have none of its edits.
+/// sampled_particles() and grown_hierarchy() throw, and Error(out_of_memory) where
+/// target_particles are more than an array of the device can hold. They depend neither on where the cloud is
+/// nor on how it moves, and have none of its edits.
 std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const CloudParameters& parameters);
 
 /// A cloud of particles that moves. The same parameters give the same particles with the same ids; any time
