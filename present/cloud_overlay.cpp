@@ -15,9 +15,9 @@ constexpr int outline_points = 48;
 // Of more balls than these, outlines would hide the clouds: only those of clouds with a pick are drawn.
 constexpr std::size_t most_outlines = 200;
 
-constexpr ImU32 ball_colour = IM_COL32(255, 255, 255, 90), picked_colour = IM_COL32(255, 200, 40, 255),
-                shade_colour = IM_COL32(0, 0, 0, 160), size_colour = IM_COL32(120, 230, 120, 255),
-                particle_colour = IM_COL32(255, 120, 40, 255);
+constexpr ImU32 ball_colour = IM_COL32(255, 255, 255, 150), picked_colour = IM_COL32(255, 200, 40, 255),
+                shade_colour = IM_COL32(0, 0, 0, 160), outline_shade_colour = IM_COL32(0, 0, 0, 60),
+                size_colour = IM_COL32(120, 230, 120, 255), particle_colour = IM_COL32(255, 120, 40, 255);
 constexpr std::array<ImU32, 3> axis_colours{IM_COL32(240, 80, 80, 255), IM_COL32(110, 220, 90, 255),
                                             IM_COL32(90, 140, 255, 255)};
 
@@ -78,7 +78,10 @@ class Overlay {
       if (!px) return;
       points.push_back(point(*px));
     }
-    list_.AddPolyline(points.data(), static_cast<int>(points.size()), colour, ImDrawFlags_Closed, width_px);
+    // White alone is lost on a white cloud.
+    const int count = static_cast<int>(points.size());
+    list_.AddPolyline(points.data(), count, outline_shade_colour, ImDrawFlags_Closed, width_px + 1.5f);
+    list_.AddPolyline(points.data(), count, colour, ImDrawFlags_Closed, width_px);
   }
 
   void draw_handles(const Sphere& sphere) const {

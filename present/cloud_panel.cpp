@@ -110,7 +110,7 @@ Edit draw_picked_part(ViewState& state) {
 Edit draw_picked_particles(ViewState& state) {
   PickedParticles& picked = state.clouds.particles;
   ImGui::Separator();
-  ImGui::Text("%zu particles picked of %zu clouds", picked.places_m.size(), picked.clouds.size());
+  ImGui::Text("picked particles: %zu", picked.places_m.size());
   const PickedParticles::InCloud& first = picked.clouds.front();
   const std::vector<clouds::ParticleEdit>& edits = state.scene.clouds[first.cloud].edits;
   glm::vec3 colour(1.0f);
@@ -143,10 +143,10 @@ void draw_costs(const ViewState& state, LiveSea& sea) {
     const auto all = static_cast<float>(std::max<std::size_t>(progress->all, 1));
     ImGui::ProgressBar(static_cast<float>(progress->done) / all, ImVec2(-1.0f, 0.0f), text.c_str());
   } else {
-    ImGui::ProgressBar(1.0f, ImVec2(-1.0f, 0.0f), "all clouds are made");
+    ImGui::TextDisabled("all clouds are made");
   }
   if (sea.clouds() == nullptr) return;
-  ImGui::Text("%u particles of %zu clouds", sea.clouds()->count(), sea.clouds()->parameters().clouds.size());
+  ImGui::Text("clouds: %zu; particles: %u", sea.clouds()->parameters().clouds.size(), sea.clouds()->count());
   ImGui::Text("clouds take %.2f ms of a frame", sea.frame().times().mean_ms(Stage::clouds, TimeSource::cpu));
   if (state.clouds.picked.empty()) return;
   const auto& particles = sea.clouds()->parameters().particles;
@@ -163,8 +163,7 @@ Edit draw_cloud_panel(ViewState& state, LiveSea& sea) {
   forget_lost_picks(state);
   constexpr float margin = 8.0f;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos(ImVec2(screen.x - margin, screen.y - margin), ImGuiCond_FirstUseEver,
-                          ImVec2(1.0f, 1.0f));
+  ImGui::SetNextWindowPos(ImVec2(screen.x - margin, margin), ImGuiCond_FirstUseEver, ImVec2(1.0f, 0.0f));
   ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f),
                                       ImVec2(screen.x, std::max(80.0f, screen.y - 2.0f * margin)));
   Edit edit = Edit::none;
