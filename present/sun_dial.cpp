@@ -36,6 +36,11 @@ void draw_map(ImVec2 middle, float radius, const SunPlace& now) {
   list.AddCircle(at(middle, radius, place), 6.0f, IM_COL32(0, 0, 0, 200));
 }
 
+void end_keyframes(scene::OceanScene& scene) {
+  scene.tracks.erase("sun.azimuth_deg");
+  scene.tracks.erase("sun.elevation_deg");
+}
+
 Edit draw_hour(scene::OceanScene& scene) {
   const bool is_dated = scene.view.sun_time_utc.has_value();
   const UtcTime time = scene.view.sun_time_utc.value_or(usual_day);
@@ -43,12 +48,7 @@ Edit draw_hour(scene::OceanScene& scene) {
                static_cast<float>(time.second) / 3600.0f;
   const bool is_moved = ImGui::SliderFloat("hour of the day", &hour, 0.0f, 24.0f,
                                            is_dated ? "%.2f h UTC" : "any", ImGuiSliderFlags_AlwaysClamp);
-  if (is_moved) {
-    UtcTime midnight = time;
-    midnight.hour = midnight.minute = midnight.second = 0;
-    const int second = std::min(static_cast<int>(std::lround(3600.0f * hour)), seconds_of_day - 1);
-    scene.view.sun_time_utc = from_unix_seconds(unix_seconds(midnight) + second);
-  }
+  if (is_moved) set_hour(scene, static_cast<double>(hour));
   if (ImGui::IsItemDeactivatedAfterEdit()) return Edit::done;
   return is_moved ? Edit::going_on : Edit::none;
 }
@@ -68,11 +68,18 @@ SunPlace sun_of_dial(glm::dvec2 place) {
 }
 
 void place_sun(scene::OceanScene& scene, const SunPlace& sun) {
+  end_keyframes(scene);
   scene.view.sun_azimuth_rad = sun.azimuth_rad;
   scene.view.sun_elevation_rad = sun.elevation_rad;
   scene.view.sun_time_utc.reset();
-  scene.tracks.erase("sun.azimuth_deg");
-  scene.tracks.erase("sun.elevation_deg");
+}
+
+void set_hour(scene::OceanScene& scene, double hour) {
+  end_keyframes(scene);
+  UtcTime midnight = scene.view.sun_time_utc.value_or(usual_day);
+  midnight.hour = midnight.minute = midnight.second = 0;
+  const int second = std::clamp(static_cast<int>(std::lround(3600.0 * hour)), 0, seconds_of_day - 1);
+  scene.view.sun_time_utc = from_unix_seconds(unix_seconds(midnight) + second);
 }
 
 Edit draw_sun_dial(scene::OceanScene& scene, const SunPlace& now) {

@@ -23,6 +23,10 @@ inline constexpr double dial_reach = 1.2;  // of its rim: 18 degrees below the h
 /// Puts the sun there, in the stead of its keyframes and its time.
 void place_sun(scene::OceanScene& scene, const SunPlace& sun);
 
+/// Puts the sun where it stands at an hour (UTC, 0 ... 24) of its day, of a sun without one of a 21 June; in
+/// the stead of its keyframes.
+void set_hour(scene::OceanScene& scene, double hour);
+
 /// Draws the dial, whose knob the mouse drags, and a slider for the hour of the day, which moves the sun as
 /// the Earth turns, seen from the scene's latitude. `now` is where it stands.
 Edit draw_sun_dial(scene::OceanScene& scene, const SunPlace& now);

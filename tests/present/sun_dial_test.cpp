@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/scene/scene_file.h"
+#include "host/scene/scene_writer.h"
 
 namespace offing::present {
 namespace {
@@ -39,6 +40,19 @@ TEST(SunDialTest, HandsPutTheSunToRest) {
   EXPECT_TRUE(scene.tracks.empty());
   EXPECT_EQ(scene.view.sun_elevation_rad, 0.5);
   EXPECT_EQ(scene.view.sun_azimuth_rad, 1.0);
+}
+
+// Fails if an hour is another one's in the saved scene, moves the day, or the dial's place is kept beside it.
+TEST(SunDialTest, HoursComeBackFromAFile) {
+  scene::OceanScene scene = scene::parse_scene("version = 1\n[sun]\nelevation_deg = 20\n", "a.toml", "");
+  set_hour(scene, 19.5);
+  EXPECT_EQ(iso_time(*scene.view.sun_time_utc), "2020-06-21T19:30Z");
+  set_hour(scene, 24.0);
+  EXPECT_EQ(iso_time(*scene.view.sun_time_utc), "2020-06-21T23:59:59Z");
+  const scene::OceanScene back = scene::parse_scene(scene::scene_text(scene, ""), "b.toml", "");
+  EXPECT_EQ(back.view.sun_time_utc, scene.view.sun_time_utc);
+  place_sun(scene, {1.0, 0.5});
+  EXPECT_FALSE(scene::parse_scene(scene::scene_text(scene, ""), "b.toml", "").view.sun_time_utc);
 }
 
 }  // namespace
