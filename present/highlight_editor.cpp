@@ -26,10 +26,6 @@ highlights::Projector box_in_world(const std::vector<world::MeshView>& meshes, c
   return in_world(highlight.whole, meshes[name.mesh].motion());
 }
 
-glm::dvec2 to_pixels(const Screen& screen, glm::dvec2 clip) {
-  return glm::dvec2(0.5 + 0.5 * clip.x, 0.5 - 0.5 * clip.y) * screen.size_px;
-}
-
 ImVec2 point(glm::dvec2 place_px) {
   return {static_cast<float>(place_px.x), static_cast<float>(place_px.y)};
 }
@@ -55,7 +51,7 @@ void HighlightEditor::press(ViewState& state, const std::vector<world::MeshView>
   const DrawnHighlight* highlight = picked_highlight(state.scene, meshes, state.picked);
   if (highlight == nullptr) return;
   const highlights::Projector box = box_in_world(meshes, *state.picked, *highlight);
-  const std::optional<Handle> handle = handle_at(handle_places(screen, box), to_pixels(screen, clip));
+  const std::optional<Handle> handle = handle_at(handle_places(screen, box), pixel_of_clip(screen, clip));
   if (!handle) return;
   const std::optional<glm::dvec2> from_m = place_on_plane(screen, box, clip);
   if (!from_m) return;
@@ -101,8 +97,8 @@ Edit HighlightEditor::turn(ViewState& state, const std::vector<world::MeshView>&
       pull(state, meshes, screen, event.clip);
       grab_.reset();
       edit = Edit::done;
-    } else if (pressed_ &&
-               glm::distance(to_pixels(screen, *pressed_), to_pixels(screen, event.clip)) <= click_px) {
+    } else if (pressed_ && glm::distance(pixel_of_clip(screen, *pressed_),
+                                         pixel_of_clip(screen, event.clip)) <= click_px) {
       state.picked = picker_.pick(meshes, screen.camera, event.clip);
     }
     pressed_.reset();

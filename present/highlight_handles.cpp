@@ -6,17 +6,13 @@
 
 #include <glm/geometric.hpp>
 
-#include "present/view_depth.h"
-
 namespace offing::present {
 namespace {
 
 using highlights::HighlightControls;
 using highlights::Projector;
 
-constexpr double reach_px = 12.0;
-constexpr double knob_px = 28.0;      // of the handle that turns, above the box
-constexpr double least_slope = 0.05;  // of a ray against a plane: 3 degrees
+constexpr double knob_px = 28.0;  // of the handle that turns, above the box
 constexpr double least_scale = 1e-3, most_scale = 1e3;
 // Anisotropy that makes a box twice as wide for its height is half of this.
 constexpr double doubling = 0.5;  // log(2) / log(4): a width at anisotropy 1 is four times that at 0
@@ -36,17 +32,6 @@ Projector in_world(const Projector& box, const highlights::RigidMotion& mesh) {
   result.up = mesh.rotation * box.up;
   result.normal = mesh.rotation * box.normal;
   return result;
-}
-
-std::optional<glm::dvec2> pixel_of(const Screen& screen, const glm::dvec3& place_m) {
-  const CameraBasis axes = basis(screen.camera);
-  const glm::dvec2 extent = half_extent(screen.camera);
-  const glm::dvec3 way_m = place_m - screen.camera.eye_m;
-  const double depth_m = glm::dot(way_m, axes.forward);
-  if (depth_m < near_m) return {};
-  const glm::dvec2 clip =
-      glm::dvec2(glm::dot(way_m, axes.right), glm::dot(way_m, axes.up)) / (depth_m * extent);
-  return glm::dvec2(0.5 + 0.5 * clip.x, 0.5 - 0.5 * clip.y) * screen.size_px;
 }
 
 std::vector<glm::dvec3> corners_of(const Projector& box) {
@@ -69,15 +54,13 @@ std::vector<HandlePlace> handle_places(const Screen& screen, const Projector& bo
   add(Handle::scale, box.centre_m + right_m + up_m);
   add(Handle::width, box.centre_m + right_m);
   add(Handle::height, box.centre_m + up_m);
-  const double depth_m = glm::dot(box.centre_m - screen.camera.eye_m, basis(screen.camera).forward);
-  const double pixel_m = 2.0 * depth_m * half_extent(screen.camera).y / screen.size_px.y;
-  add(Handle::rotate, box.centre_m + up_m + knob_px * pixel_m * box.up);
+  add(Handle::rotate, box.centre_m + up_m + knob_px * pixel_m(screen, box.centre_m) * box.up);
   return places;
 }
 
 std::optional<Handle> handle_at(const std::vector<HandlePlace>& places, glm::dvec2 pointer_px) {
   std::optional<Handle> nearest;
-  double least_px = reach_px;
+  double least_px = hand_px;
   for (const HandlePlace& place : places) {
     const double distance_px = glm::distance(place.place_px, pointer_px);
     if (distance_px > least_px) continue;
@@ -88,13 +71,13 @@ std::optional<Handle> handle_at(const std::vector<HandlePlace>& places, glm::dve
 }
 
 std::optional<glm::dvec2> place_on_plane(const Screen& screen, const Projector& box, glm::dvec2 clip) {
-  const glm::dvec3 direction = glm::normalize(ray_direction(screen.camera, clip));
-  const double slope = -glm::dot(direction, box.normal);
-  const glm::dvec3 way_m = screen.camera.eye_m - box.centre_m;
-  const double height_m = glm::dot(way_m, box.normal);
-  if (slope < least_slope || height_m <= 0.0) return {};
-  const glm::dvec3 place_m = way_m + height_m / slope * direction;
-  return glm::dvec2(glm::dot(place_m, box.right), glm::dot(place_m, box.up));
+  const Ray ray = ray_at(screen, clip);
+  // Not from behind.
+  if (glm::dot(ray.origin_m - box.centre_m, box.normal) <= 0.0) return {};
+  const std::optional<glm::dvec3> place_m = on_plane(ray, box.centre_m, box.normal);
+  if (!place_m) return {};
+  const glm::dvec3 way_m = *place_m - box.centre_m;
+  return glm::dvec2(glm::dot(way_m, box.right), glm::dot(way_m, box.up));
 }
 
 HighlightControls pulled(const HighlightControls& controls, Handle handle, glm::dvec2 from_m,

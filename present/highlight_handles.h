@@ -5,10 +5,10 @@
 
 #include <glm/vec2.hpp>
 
-#include "host/base/camera.h"
 #include "host/highlights/highlight_rule.h"
 #include "host/highlights/lighting.h"
 #include "host/highlights/projector.h"
+#include "present/handle_geometry.h"
 
 namespace offing::present {
 
@@ -22,17 +22,8 @@ struct HandlePlace {
   glm::dvec2 place_px;
 };
 
-/// A screen with what is seen on it.
-struct Screen {
-  Camera camera;
-  glm::dvec2 size_px{1.0};
-};
-
 /// A box of a mesh in the world's axes.
 highlights::Projector in_world(const highlights::Projector& box, const highlights::RigidMotion& mesh);
-
-/// Where a place of the world is on a screen; nothing behind the eye.
-std::optional<glm::dvec2> pixel_of(const Screen& screen, const glm::dvec3& place_m);
 
 /// The handles of a box in the world's axes; those behind the eye are left out.
 std::vector<HandlePlace> handle_places(const Screen& screen, const highlights::Projector& box);

@@ -10,7 +10,7 @@ namespace offing::present {
 
 std::span<const KeyBinding> key_bindings() {
   using enum ViewAction;
-  static constexpr std::array<KeyBinding, 23> bindings{{
+  static constexpr std::array<KeyBinding, 28> bindings{{
       {GLFW_KEY_H, "H", toggle_help, "this help"},
       {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
       {GLFW_KEY_SPACE, "Space", toggle_pause, "pause"},
@@ -31,6 +31,11 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_F11, "F11", toggle_fullscreen, "full screen"},
       {GLFW_KEY_HOME, "Home", reset_camera, "camera of the scene"},
       {GLFW_KEY_K, "K", set_keyframes, "keyframes of the picked highlight at this time"},
+      {GLFW_KEY_O, "O", next_cloud_pick, "what clicks on clouds pick: balls, clouds, particles, nothing"},
+      {GLFW_KEY_B, "B", place_ball, "clicks place balls of clouds, or pick again"},
+      {GLFW_KEY_C, "C", place_cloud, "clicks place clouds, or pick again"},
+      {GLFW_KEY_J, "J", duplicate_picked, "the picked balls or clouds again, beside them"},
+      {GLFW_KEY_DELETE, "Delete", remove_picked, "takes picked balls, clouds or particles away"},
       {GLFW_KEY_Z, "Ctrl Z", undo, "undo the last edit", GLFW_MOD_CONTROL},
       {GLFW_KEY_Z, "Ctrl Shift Z", redo, "redo it", GLFW_MOD_CONTROL | GLFW_MOD_SHIFT},
       {GLFW_KEY_ESCAPE, "Esc", quit, "quit"},
@@ -39,14 +44,17 @@ std::span<const KeyBinding> key_bindings() {
 }
 
 std::span<const CameraControl> camera_controls() {
-  static constexpr std::array<CameraControl, 8> controls{{
+  static constexpr std::array<CameraControl, 11> controls{{
       {"W S", "forward, back"},
       {"A D", "left, right"},
       {"E Q", "up, down"},
       {"Shift, Ctrl", "five times faster (on foot: running), slower"},
       {"Mouse drag", "look around"},
       {"Wheel", "speed"},
-      {"Click", "picks a highlight: its handles move, turn and resize it"},
+      {"Click", "picks a highlight or, after O, of clouds: handles move, turn and resize it"},
+      {"Shift click", "picks beside what is picked of clouds"},
+      {"Shift drag", "picks what is in the box, of clouds"},
+      {"Ctrl", "held on a handle of clouds: to multiples of the step"},
       {"Middle click", "to that point of the ground"},
   }};
   return controls;

@@ -11,12 +11,21 @@
 #include "host/base/log.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/own_puffs.h"
+#include "host/scene/scene_clouds.h"
 #include "host/scene/scene_meshes.h"
 #include "host/scene/world_scene.h"
 #include "present/device_stage.h"
 #include "present/picture_file.h"
 
 namespace offing::present {
+namespace {
+
+world::WorldParameters with_particles(CloudBuilder& builder, world::WorldParameters parameters) {
+  if (parameters.clouds) parameters.clouds = builder.grow(std::move(*parameters.clouds));
+  return parameters;
+}
+
+}  // namespace
 
 LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, const scene::OceanScene& scene)
     : context_(context),
@@ -24,12 +33,15 @@ LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, cons
       device_(ocl::Device::open_shared(ocl::select_device(settings.device), ocl::Profiling::on,
                                        context.share_properties())),
       scene_(scene),
-      world_(std::make_unique<world::World>(device_, scene::prepare_shown_world(scene_))),
+      builder_(std::make_unique<CloudBuilder>(device_.info(), scene_)),
+      world_(std::make_unique<world::World>(device_,
+                                            with_particles(*builder_, scene::prepare_shown_world(scene_)))),
       frame_(std::make_unique<Frame>(context, device_, settings.frame)) {
   if (const auto puffs = scene::own_puffs(scene_)) frame_->set_puffs(device_, *puffs);
   warning_ = scene::steepness_warning(scene_, world_->parameters().trochoids);
   // What was written where has been checked: edits are not to be warned of as if they were in the file.
   scene_.set_at.clear();
+  wanted_ = scene_;
 }
 
 void LiveSea::try_out(world::World& world) const {
@@ -38,43 +50,77 @@ void LiveSea::try_out(world::World& world) const {
   device_.finish();
 }
 
-void LiveSea::edit(const scene::OceanScene& scene) {
-  const auto start = std::chrono::steady_clock::now();
-  scene::OceanScene edited = scene;
-  edited.set_at.clear();
+void LiveSea::change(const std::function<void()>& work) {
   const world::WorldParameters before = world_->parameters();
-  const auto folders = [](const scene::OceanScene& of) {
-    return std::pair(of.cloud_settings.crisp_puffs, of.cloud_settings.soft_puffs);
-  };
-  std::optional<clouds::PuffTextures> puffs;
-  if (folders(scene_) != folders(edited)) {
-    puffs = scene::own_puffs(edited);
-    if (!puffs) puffs = clouds::puff_textures();
-  }
   try {
-    scene::edit_world(*world_, scene_, edited);
+    work();
     try_out(*world_);
   } catch (const Error&) {
     // Any part may have changed; what it was made of needs no file again.
     world_ = std::make_unique<world::World>(device_, before);
     throw;
   }
-  if (puffs) frame_->set_puffs(device_, *puffs);
-  scene_ = std::move(edited);
+}
+
+void LiveSea::warn() {
   std::string warning = scene::steepness_warning(scene_, world_->parameters().trochoids);
   if (warning_.empty() && !warning.empty()) spdlog::warn("{}", warning);
   warning_ = std::move(warning);
+}
+
+void LiveSea::begin_edit(const scene::OceanScene& scene, Haste haste) {
+  const auto start = std::chrono::steady_clock::now();
+  scene::OceanScene edited = scene;
+  edited.set_at.clear();
+  // All but the clouds is shown at once.
+  scene::OceanScene now = edited;
+  scene::copy_clouds(scene_, now);
+  change([&] { scene::edit_world_below(*world_, scene_, now); });
+  scene_ = std::move(now);
+  if (scene::are_other_clouds(wanted_, edited)) builder_->begin(edited, haste);
+  wanted_ = std::move(edited);
+  warn();
   edit_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void LiveSea::show_clouds(BuiltClouds built) {
+  scene::OceanScene now = scene_;
+  scene::copy_clouds(built.scene, now);
+  change([&] {
+    // With the first cloud, or without the last one, the sea may come or go.
+    scene::edit_world_below(*world_, scene_, now);
+    world_->set_clouds(built.sky);
+  });
+  if (built.puffs) frame_->set_puffs(device_, *built.puffs);
+  scene_ = std::move(now);
+  warn();
+}
+
+bool LiveSea::take_clouds() {
+  auto made = builder_->take();
+  if (!made) return false;
+  if (const Error* fault = std::get_if<Error>(&*made)) throw *fault;
+  show_clouds(std::get<BuiltClouds>(std::move(*made)));
+  return true;
+}
+
+void LiveSea::edit(const scene::OceanScene& scene) {
+  begin_edit(scene, Haste::interrupt);
+  builder_->wait();
+  take_clouds();
 }
 
 void LiveSea::reload() {
   auto frame = std::make_unique<Frame>(context_, device_, settings_);
   if (const auto puffs = scene::own_puffs(scene_)) frame->set_puffs(device_, *puffs);
-  auto world =
-      std::make_unique<world::World>(device_, scene::prepare_world(scene_, scene::Warnings::left_out));
+  auto builder = std::make_unique<CloudBuilder>(device_.info(), scene_);
+  auto world = std::make_unique<world::World>(
+      device_, with_particles(*builder, scene::prepare_world(scene_, scene::Warnings::left_out)));
   try_out(*world);
   world_ = std::move(world);
   frame_ = std::move(frame);
+  builder_ = std::move(builder);
+  if (scene::are_other_clouds(scene_, wanted_)) builder_->begin(wanted_, Haste::let_finish);
 }
 
 double LiveSea::surface_height_m(double x_m, double z_m) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "host/scene/ocean_scene.h"
 #include "host/world/world.h"
+#include "present/cloud_builder.h"
 #include "present/frame.h"
 #include "present/gl_context.h"
 #include "present/light_meter.h"
@@ -41,13 +43,23 @@ class LiveSea {
   /// Throws what making a world and its pictures throws.
   LiveSea(const GlContext& context, const LiveSeaSettings& settings, const scene::OceanScene& scene);
 
-  /// Changes the scene, making anew only what differs.
+  /// Changes the scene, making anew only what differs; clouds that differ are made in the background.
+  void begin_edit(const scene::OceanScene& scene, Haste haste);
+  /// Shows clouds that have been made since; whether there were any. Throws what making them has thrown: the
+  /// world and its scene are as they were, but wanted() is not shown then.
+  bool take_clouds();
+  /// begin_edit() and take_clouds() once they are made.
   void edit(const scene::OceanScene& scene);
+  /// How far clouds are that are being made; nothing when none are.
+  std::optional<world::CloudProgress> clouds_progress() const { return builder_->progress(); }
   /// How long the last edit took.
   double edit_s() const { return edit_s_; }
   /// What there is to say about the scene, scene::steepness_warning(); logged when it comes up.
   const std::string& warning() const { return warning_; }
+  /// What is shown.
   const scene::OceanScene& scene() const { return scene_; }
+  /// That of the last edit that began: with clouds that are still being made.
+  const scene::OceanScene& wanted() const { return wanted_; }
   /// Compiles kernels and shaders again, from where they come from (ocl::Program, shader_file()).
   void reload();
 
@@ -57,6 +69,8 @@ class LiveSea {
   double surface_height_m(double x_m, double z_m);
   /// nullptr without ground.
   world::GroundView* ground() { return world_->ground(); }
+  /// nullptr without clouds.
+  const world::CloudsView* clouds() const { return std::as_const(*world_).clouds(); }
   /// As the last picture shows them.
   const std::vector<world::MeshView>& meshes() const { return std::as_const(*world_).meshes(); }
 
@@ -72,11 +86,16 @@ class LiveSea {
   /// What is compiled or allocated at first use.
   void try_out(world::World& world) const;
   void simulate(const SeaView& view);
+  /// Changes the world, or leaves it as it was.
+  void change(const std::function<void()>& work);
+  void show_clouds(BuiltClouds built);
+  void warn();
 
   const GlContext& context_;
   FrameSettings settings_;
   ocl::Device device_;
-  scene::OceanScene scene_;
+  scene::OceanScene scene_, wanted_;
+  std::unique_ptr<CloudBuilder> builder_;
   std::string warning_;
   std::unique_ptr<world::World> world_;
   std::unique_ptr<Frame> frame_;

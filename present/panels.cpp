@@ -120,6 +120,7 @@ bool is_in(const scene::OceanScene& scene, ParameterGroup group) {
     case ParameterGroup::cloud:
     case ParameterGroup::cloud_ball:
     case ParameterGroup::cloud_level:
+    case ParameterGroup::particle_edit:
       return scene.has_clouds();
     default:
       return true;
@@ -285,7 +286,7 @@ void draw_message(Message& message) {
 }  // namespace
 
 std::span<const GroupPanel> group_panels() {
-  static constexpr std::array<GroupPanel, 23> panels{{{ParameterGroup::wind, "Wind"},
+  static constexpr std::array<GroupPanel, 24> panels{{{ParameterGroup::wind, "Wind"},
                                                       {ParameterGroup::sea, "Spectrum"},
                                                       {ParameterGroup::grid, "Cascades and Gerstner waves"},
                                                       {ParameterGroup::swell, "Swells"},
@@ -302,6 +303,7 @@ std::span<const GroupPanel> group_panels() {
                                                       {ParameterGroup::cloud, "Clouds"},
                                                       {ParameterGroup::cloud_ball, "Balls of clouds"},
                                                       {ParameterGroup::cloud_level, "Levels of clouds"},
+                                                      {ParameterGroup::particle_edit, "Edits of particles"},
                                                       {ParameterGroup::sun, "Sun"},
                                                       {ParameterGroup::sky, "Air"},
                                                       {ParameterGroup::camera, "Camera"},

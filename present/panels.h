@@ -10,6 +10,7 @@
 #include "host/scene/ocean_scene.h"
 #include "host/scene/parameter.h"
 #include "host/scene/scene_writer.h"
+#include "present/cloud_editing.h"
 #include "present/frame_request.h"
 #include "present/free_camera.h"
 #include "present/gl_context.h"
@@ -55,6 +56,7 @@ struct ViewState {
   float wanted_frame_ms = 33.0f;  ///< of RayChoice::automatic
   std::optional<GroundPick> pick = {};
   std::optional<HighlightName> picked = {};
+  CloudEditing clouds = {};
   float frame_limit_hz = 60.0f;  ///< 0: none
   float render_scale = 1.0f;     ///< pixels that are drawn a pixel of the window, along a side
   bool shows_panels = true;

@@ -15,6 +15,12 @@ void SceneHistory::note(scene::OceanScene scene) {
   after_.clear();
 }
 
+void SceneHistory::take_back() {
+  if (before_.empty()) return;
+  now_ = std::move(before_.back());
+  before_.pop_back();
+}
+
 std::optional<scene::OceanScene> SceneHistory::undo() {
   if (before_.empty()) return {};
   after_.push_back(std::exchange(now_, std::move(before_.back())));

@@ -15,6 +15,10 @@ class SceneHistory {
 
   /// An edit has ended with this scene: what was undone before is gone.
   void note(scene::OceanScene scene);
+  /// The last edit that was noted was none: nothing is left of it, not even to redo.
+  void take_back();
+  /// The scene of the last edit that stands.
+  const scene::OceanScene& now() const { return now_; }
   /// The scene before the last edit that still stands; nothing if there is none.
   std::optional<scene::OceanScene> undo();
   /// That of the last undo() taken back; nothing if there is none.

@@ -19,6 +19,7 @@
 #include "host/scene/scene_ground.h"
 #include "host/scene/scene_writer.h"
 #include "present/camera_path.h"
+#include "present/cloud_panel.h"
 #include "present/highlight_panel.h"
 #include "present/picture_file.h"
 #include "present/viewer_start.h"
@@ -46,7 +47,7 @@ Viewer::Viewer(const ViewOptions& options)
       state_(start_state(options, sea_)),
       input_(window()),
       panels_(window()),
-      history_(state_.scene),
+      editing_(sea_, state_),
       last_turn_s_(glfwGetTime()),
       drawn_s_(options.time_s),
       is_on_path_(has_camera_path(options.scene)) {
@@ -65,7 +66,8 @@ bool Viewer::turn() {
     const Recording& recording = *options_.recording;
     state_.clock.set_time((recording.frames.first + recorded_) / recording.frames_per_second);
   }
-  edit_highlights();
+  editing_.take_clouds();
+  if (editing_.turn(screen(), input_.take_pointer_events(), input_.pointer_now())) input_.hold_camera();
   move_camera(wall_s);
   if (show()) {
     if (options_.recording) record_frame();
@@ -141,13 +143,28 @@ void Viewer::act(ViewAction action) {
       reset_camera();
       break;
     case ViewAction::set_keyframes:
-      finish(highlights_.set_keys(state_, sea_.meshes()));
+      editing_.set_keyframes();
+      break;
+    case ViewAction::next_cloud_pick:
+      editing_.next_cloud_pick();
+      break;
+    case ViewAction::place_ball:
+      editing_.toggle_tool(CloudTool::place_ball);
+      break;
+    case ViewAction::place_cloud:
+      editing_.toggle_tool(CloudTool::place_cloud);
+      break;
+    case ViewAction::duplicate_picked:
+      editing_.duplicate_picked();
+      break;
+    case ViewAction::remove_picked:
+      editing_.remove_picked();
       break;
     case ViewAction::undo:
-      go_back(history_.undo(), "there is nothing to undo");
+      editing_.undo();
       break;
     case ViewAction::redo:
-      go_back(history_.redo(), "there is nothing to redo");
+      editing_.redo();
       break;
     case ViewAction::quit:
       is_quitting_ = true;
@@ -155,30 +172,11 @@ void Viewer::act(ViewAction action) {
   }
 }
 
-void Viewer::edit_highlights() {
+/// Of the window, whose size is that of the mouse's places.
+Screen Viewer::screen() const {
   int width = 1, height = 1;
   glfwGetWindowSize(window(), &width, &height);
-  const Screen screen{state_.camera.camera(), {std::max(width, 1), std::max(height, 1)}};
-  finish(highlights_.turn(state_, sea_.meshes(), screen, input_.take_pointer_events(), input_.pointer()));
-  if (highlights_.holds()) input_.hold_camera();
-}
-
-/// What an edit means for the world and for undo.
-void Viewer::finish(Edit edit) {
-  if (edit == Edit::none) return;
-  if (edit_sea(edit) && edit == Edit::done) history_.note(state_.scene);
-}
-
-/// To a scene of the history, with the camera as it is; the message says so where there is none.
-void Viewer::go_back(std::optional<scene::OceanScene> scene, const char* none) {
-  if (!scene) {
-    state_.message = {.text = none};
-    return;
-  }
-  take_camera_path(state_.scene, *scene);
-  scene->view.camera = state_.scene.view.camera;
-  state_.scene = std::move(*scene);
-  edit_sea(Edit::done);
+  return {state_.camera.camera(), {std::max(width, 1), std::max(height, 1)}};
 }
 
 void Viewer::move_camera(double wall_s) {
@@ -308,7 +306,7 @@ PanelEdits Viewer::draw_panels() {
   Frame& frame = sea_.frame();
   if (sea_.ground() && state_.shows_map) map_.show(sea_.ground()->parameters());
   panels_.begin();
-  if (state_.picked) draw_highlight_handles(*state_.picked, sea_.meshes(), state_.camera.camera());
+  editing_.draw(input_.pointer());
   PanelEdits edits = present::draw_panels(state_, {.times = frame.times(),
                                                    .capabilities = context_.capabilities(),
                                                    .device = sea_.device(),
@@ -320,6 +318,7 @@ PanelEdits Viewer::draw_panels() {
                                                    .map = &map_,
                                                    .ray_rung = ray_rung()});
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_highlight_panel(state_, sea_.meshes()));
+  if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_cloud_panel(state_, sea_));
   panels_.end();
   return edits;
 }
@@ -330,30 +329,12 @@ void Viewer::apply(const PanelEdits& edits) {
   // The sea follows a slider while it is held, unless that would hold up the slider.
   constexpr double quick_s = 0.1;
   const bool follows = edits.scene == Edit::going_on && sea_.edit_s() < quick_s;
-  if (edits.scene == Edit::done || edits.scene == Edit::refused || follows) finish(edits.scene);
+  if (edits.scene == Edit::done || edits.scene == Edit::refused || follows) editing_.finish(edits.scene);
   if (edits.wants_save) save_scene();
   if (edits.wants_original) {
     state_.scene = options_.scene;
     reset_camera();
-    finish(Edit::done);
-  }
-}
-
-/// The sea of the edited scene; where that cannot be, false: the message says why and the scene is as it was,
-/// but for its camera, which is the user's.
-bool Viewer::edit_sea(Edit edit) {
-  try {
-    sea_.edit(state_.scene);
-    state_.pick.reset();  // the ground may be another one
-    if (edit != Edit::refused) state_.message = {.text = sea_.warning()};
-    return true;
-  } catch (const Error& error) {
-    state_.message = fault_message(error);
-    scene::OceanScene last = sea_.scene();
-    take_camera_path(state_.scene, last);
-    last.view.camera = state_.scene.view.camera;
-    state_.scene = std::move(last);
-    return false;
+    editing_.finish(Edit::done);
   }
 }
 

@@ -9,13 +9,12 @@
 #include "present/frame_limiter.h"
 #include "present/full_screen.h"
 #include "present/gl_context.h"
-#include "present/highlight_editor.h"
 #include "present/live_sea.h"
 #include "present/mini_map.h"
 #include "present/panel_layer.h"
 #include "present/panels.h"
 #include "present/scale_ladder.h"
-#include "present/scene_history.h"
+#include "present/scene_editing.h"
 #include "present/view_options.h"
 #include "present/window_input.h"
 
@@ -52,10 +51,7 @@ class Viewer {
   void copy_to_window(int width, int height);
   PanelEdits draw_panels();
   void apply(const PanelEdits& edits);
-  bool edit_sea(Edit edit);
-  void edit_highlights();
-  void finish(Edit edit);
-  void go_back(std::optional<scene::OceanScene> scene, const char* none);
+  Screen screen() const;
   void save_scene();
   void record_frame();
   /// Does something; the message says what came of it, or the fault.
@@ -68,8 +64,7 @@ class Viewer {
   WindowInput input_;
   PanelLayer panels_;
   CameraPilot pilot_;
-  HighlightEditor highlights_;
-  SceneHistory history_;
+  SceneEditing editing_;
   MiniMap map_;
   ScaleLadder ladder_;
   FrameLimiter limiter_;

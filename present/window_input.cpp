@@ -52,14 +52,14 @@ void WindowInput::on_wheel(GLFWwindow* window, double, double y) {
   if (!panels_want_mouse()) input_of(window).wheel_ += y;
 }
 
-void WindowInput::on_button(GLFWwindow* window, int button, int action, int) {
+void WindowInput::on_button(GLFWwindow* window, int button, int action, int modifiers) {
   WindowInput& input = input_of(window);
   const bool is_press = action == GLFW_PRESS;
   if (is_press && panels_want_mouse()) return;
   if (button == GLFW_MOUSE_BUTTON_MIDDLE && is_press) input.clicks_.push_back(input.pointer());
   if (button != GLFW_MOUSE_BUTTON_LEFT) return;
-  input.pointer_events_.push_back(
-      {is_press ? PointerEvent::Kind::pressed : PointerEvent::Kind::released, input.pointer()});
+  input.pointer_events_.push_back({is_press ? PointerEvent::Kind::pressed : PointerEvent::Kind::released,
+                                   input.pointer(), (modifiers & GLFW_MOD_SHIFT) != 0});
 }
 
 std::vector<glm::dvec2> WindowInput::take_clicks() {
@@ -76,6 +76,14 @@ glm::dvec2 WindowInput::pointer() const {
   glfwGetCursorPos(window_, &x, &y);
   glfwGetWindowSize(window_, &width, &height);
   return {2.0 * (x + 0.5) / width - 1.0, 1.0 - 2.0 * (y + 0.5) / height};
+}
+
+PointerNow WindowInput::pointer_now() const {
+  return {pointer(), holds_control()};
+}
+
+bool WindowInput::holds_control() const {
+  return is_held(GLFW_KEY_LEFT_CONTROL) || is_held(GLFW_KEY_RIGHT_CONTROL);
 }
 
 bool WindowInput::is_held(int key) const {
@@ -95,7 +103,7 @@ CameraInput WindowInput::take_camera_input() {
     };
     input.move = {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S)};
     input.is_fast = is_held(GLFW_KEY_LEFT_SHIFT) || is_held(GLFW_KEY_RIGHT_SHIFT);
-    input.is_slow = is_held(GLFW_KEY_LEFT_CONTROL) || is_held(GLFW_KEY_RIGHT_CONTROL);
+    input.is_slow = holds_control();
   }
   double x = 0.0, y = 0.0;
   glfwGetCursorPos(window_, &x, &y);

@@ -16,6 +16,13 @@ struct PointerEvent {
   enum class Kind { pressed, released };
   Kind kind = Kind::pressed;
   glm::dvec2 clip{0.0};
+  bool is_beside = false;  ///< with Shift: what was picked stays picked
+};
+
+/// Where the mouse is, in clip coordinates of the window.
+struct PointerNow {
+  glm::dvec2 clip{0.0};
+  bool is_snapping = false;  ///< Ctrl is held
 };
 
 /// Keys and mouse of a window, as far as panels leave them to the view. Made before ImGui, which passes
@@ -39,6 +46,7 @@ class WindowInput {
   void hold_camera() { is_camera_held_ = true; }
   /// Where the mouse is, in clip coordinates of the window.
   glm::dvec2 pointer() const;
+  PointerNow pointer_now() const;
 
  private:
   static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
@@ -46,6 +54,7 @@ class WindowInput {
   static void on_button(GLFWwindow* window, int button, int action, int modifiers);
 
   bool is_held(int key) const;
+  bool holds_control() const;
 
   GLFWwindow* window_;
   std::vector<ViewAction> actions_;

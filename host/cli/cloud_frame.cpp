@@ -52,7 +52,7 @@ VdbCloud CloudFrames::volume_at(double time_s, double cell_m) {
   const bool has_given_particles = !sky.particles.empty() && sky.particles.front();
   const CloudParameters& first = sky.clouds.front();
   const bool is_field = first.modelling == clouds::Modelling::sampled || first.shape;
-  if (sky.clouds.size() > 1 || !is_field || (has_given_particles && !first.shape)) {
+  if (sky.clouds.size() > 1 || !is_field || (has_given_particles && !first.shape) || !first.edits.empty()) {
     return rasterised_at(time_s, cell_m);
   }
   VdbCloud cloud{.volume = clouds::density_volume(device_, first, cell_m, time_s)};

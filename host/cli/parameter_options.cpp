@@ -58,6 +58,7 @@ const char* title(ParameterGroup group) {
     case ParameterGroup::cloud:
     case ParameterGroup::cloud_ball:
     case ParameterGroup::cloud_level:
+    case ParameterGroup::particle_edit:
       return "Clouds";
   }
   return "";

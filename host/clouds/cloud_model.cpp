@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include <fmt/format.h>
+
+#include "host/base/error.h"
 #include "host/clouds/cloud_density.h"
 #include "host/clouds/cloud_particle.h"
 #include "host/clouds/hierarchy.h"
@@ -44,14 +48,30 @@ CloudVolume volume_to_sample(const ocl::Device& device, const CloudParameters& p
   return volume;
 }
 
+/// Before minutes are spent on them.
+void require_room(const ocl::Device& device, const CloudParameters& parameters) {
+  const ocl::DeviceInfo& info = device.info();
+  const std::uint64_t bytes = static_cast<std::uint64_t>(parameters.target_particles) * sizeof(CloudParticle);
+  if (bytes <= info.max_allocation_bytes) return;
+  constexpr std::uint64_t megabyte = 1'000'000;
+  throw Error(
+      ErrorKind::out_of_memory,
+      fmt::format("cloud.target_particles: {} particles take {} MB, more than the {} MB that {} holds "
+                  "in one piece",
+                  parameters.target_particles, bytes / megabyte, info.max_allocation_bytes / megabyte,
+                  info.name),
+      "ask for fewer, or lower clouds.quality");
+}
+
 std::vector<CloudParticle> sampled(const ocl::Device& device, const CloudParameters& parameters) {
+  require_room(device, parameters);
   const CloudVolume volume = volume_to_sample(device, parameters);
   std::vector<CloudParticle> particles = sampled_particles(volume,
                                                            {.sampling = parameters.sampling,
                                                             .target_particles = parameters.target_particles,
                                                             .seed = parameters.seed},
                                                            parameters.look);
-  const glm::vec3 shift(volume.origin_m - cloud_origin_m(parameters, 0.0));
+  const glm::vec3 shift(volume.origin_m);
   for (CloudParticle& particle : particles) {
     particle.x += shift.x;
     particle.y += shift.y;
@@ -95,7 +115,12 @@ ocl::Buffer<CloudParticle> uploaded(const ocl::Device& device, std::span<const C
 std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const CloudParameters& parameters) {
   require_valid(parameters);
   const bool grows = parameters.modelling == Modelling::hierarchical && !parameters.shape;
-  return grows ? hierarchical(parameters) : sampled(device, parameters);
+  if (grows) return hierarchical(parameters);
+  // Where it is would round its places.
+  CloudParameters here = parameters;
+  here.position_m = glm::dvec3(0.0);
+  here.motion = {};
+  return sampled(device, here);
 }
 
 CloudModel::CloudModel(const ocl::Device& device, const CloudParameters& parameters, std::uint32_t cloud)
@@ -103,15 +128,19 @@ CloudModel::CloudModel(const ocl::Device& device, const CloudParameters& paramet
 
 CloudModel::CloudModel(const ocl::Device& device, const CloudParameters& parameters,
                        std::span<const CloudParticle> at_rest, std::uint32_t cloud)
+    : CloudModel(device, edited_particles(at_rest, parameters.edits), parameters, cloud) {}
+
+CloudModel::CloudModel(const ocl::Device& device, std::span<const CloudParticle> edited,
+                       const CloudParameters& parameters, std::uint32_t cloud)
     : parameters_(parameters),
-      count_(static_cast<std::uint32_t>(at_rest.size())),
+      count_(static_cast<std::uint32_t>(edited.size())),
       cloud_(cloud),
       motion_(device),
-      rest_(uploaded(device, at_rest)),
+      rest_(uploaded(device, edited)),
       moved_(device, rest_.size(), "cloud particles") {
   require_valid(parameters);
   float densest = 0.0f;
-  for (const CloudParticle& particle : at_rest) {
+  for (const CloudParticle& particle : edited) {
     densest = std::max(densest, particle.optical_mass / (particle.radius * particle.radius));
   }
   if (densest > 0.0f) densest_ = densest;

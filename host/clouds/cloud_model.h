@@ -15,7 +15,9 @@ namespace offing::clouds {
 
 /// The particles of a cloud at rest, in its axes, ids counting from 0: sampled from the density of its balls
 /// or its shape (C5), or grown on its balls as seeds (C7). Throws what require_valid(), field_volume(),
-/// sampled_particles() and grown_hierarchy() throw.
+/// sampled_particles() and grown_hierarchy() throw, and Error(out_of_memory) where
+/// target_particles are more than an array of the device can hold. They depend neither on where the cloud is
+/// nor on how it moves, and have none of its edits.
 std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const CloudParameters& parameters);
 
 /// A cloud of particles that moves. The same parameters give the same particles with the same ids; any time
@@ -24,7 +26,8 @@ class CloudModel {
  public:
   /// Throws what particles_at_rest() throws. cloud: the number that its particles get.
   CloudModel(const ocl::Device& device, const CloudParameters& parameters, std::uint32_t cloud = 0);
-  /// With particles in place of those that the parameters give: at rest, in the cloud's axes.
+  /// With particles in place of those that the parameters give: at rest, in the cloud's axes, before its
+  /// edits.
   CloudModel(const ocl::Device& device, const CloudParameters& parameters,
              std::span<const CloudParticle> at_rest, std::uint32_t cloud = 0);
 
@@ -42,6 +45,10 @@ class CloudModel {
   const CloudParameters& parameters() const { return parameters_; }
 
  private:
+  /// With particles as they are after the edits of the parameters.
+  CloudModel(const ocl::Device& device, std::span<const CloudParticle> edited,
+             const CloudParameters& parameters, std::uint32_t cloud);
+
   CloudParameters parameters_;
   std::uint32_t count_, cloud_;
   float densest_ = 1.0f;

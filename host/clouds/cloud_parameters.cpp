@@ -105,6 +105,12 @@ void require_valid(const CloudParameters& parameters) {
   if (parameters.base_m) {
     require_within("cloud.base_m", *parameters.base_m, -largest_cloud_m, largest_cloud_m);
   }
+  for (std::size_t i = 0; i < parameters.edits.size(); ++i) {
+    const ParticleEdit& edit = parameters.edits[i];
+    const std::string name = fmt::format("cloud.particle_edit[{}]", i);
+    require_place(name + ".eye_m", edit.selection.eye_m, farthest_point_m);
+    require_place(name + ".push_m", edit.push_m, largest_cloud_m);
+  }
   require_valid(parameters.look);
   require_valid(parameters.motion);
 }

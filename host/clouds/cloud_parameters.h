@@ -10,6 +10,7 @@
 
 #include "host/base/cloud_volume.h"
 #include "host/base/keyframes.h"
+#include "host/clouds/particle_edit.h"
 
 namespace offing::clouds {
 
@@ -130,6 +131,8 @@ struct CloudParameters {
   /// Height below which a hierarchical cloud is pressed flat, in its axes: what would hang lower is pressed
   /// to a tenth of its depth.
   std::optional<double> base_m = {};
+  /// Of its particles at rest, in their order.
+  std::vector<ParticleEdit> edits = {};
   CloudLook look = {};
   CloudMotion motion = {};
 

@@ -4,6 +4,7 @@
 
 #include "host/scene/cloud_shape_parameters.h"
 #include "host/scene/parameter_storage.h"
+#include "host/scene/particle_edit_parameters.h"
 
 namespace offing::scene {
 
@@ -231,8 +232,9 @@ std::vector<Parameter> level_rows() {
 
 std::vector<Parameter> cloud_parameters() {
   std::vector<Parameter> rows;
-  for (const std::vector<Parameter>& more : {common_rows(), layer_rows(), place_rows(), modelling_rows(),
-                                             cloud_shape_parameters(), ball_rows(), level_rows()}) {
+  for (const std::vector<Parameter>& more :
+       {common_rows(), layer_rows(), place_rows(), modelling_rows(), cloud_shape_parameters(), ball_rows(),
+        level_rows(), particle_edit_parameters()}) {
     rows.insert(rows.end(), more.begin(), more.end());
   }
   return rows;

@@ -85,6 +85,7 @@ struct CloudScene {
   CloudMotionScene motion;
   std::vector<clouds::Metaball> balls;         ///< empty: those of its genus
   std::vector<clouds::HierarchyLevel> levels;  ///< empty: those of its genus
+  std::vector<clouds::ParticleEdit> edits;     ///< of its particles, before its scale
 };
 
 /// Many clouds of a genus at an altitude.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
-#include <mutex>
-#include <system_error>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -151,8 +149,11 @@ auto at_key(const OceanScene& scene, const ValueKey& key, const Make& make) {
   }
 }
 
-RestingParticles take_new_shape(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
+}  // namespace
+
+RestingParticles take_shape(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
   const CloudScene& cloud = scene.clouds[index];
+  if (!cloud.shape.is_given()) return nullptr;
   const ElementIndex element{index, 0};
   const double size_m = cloud.scale * cloud.shape.size_m;
   if (cloud.shape.file.empty()) {
@@ -179,92 +180,6 @@ RestingParticles take_new_shape(const OceanScene& scene, std::size_t index, Clou
               fmt::format("{}: expected a .vdb or a .ply, got {}",
                           place_of_name(scene, {"cloud.file", {index, 0}}), cloud.shape.file),
               "write volumes as .vdb and particles as .ply");
-}
-
-/// What a shape is made from, and what it became.
-struct KnownShape {
-  // Of the scene.
-  CloudShapeScene shape;
-  CloudNoiseScene noise;
-  CloudLookScene look;
-  double scale = 1.0;
-  // Of the file, if there is one.
-  std::filesystem::file_time_type written;
-  std::uintmax_t bytes = 0;
-  CloudParameters before;      // at rest at the origin
-  CloudParameters after = {};  // but for its volume
-  std::weak_ptr<const CloudVolume> volume = {};
-  std::weak_ptr<const std::vector<CloudParticle>> particles = {};
-  bool has_volume = false;
-
-  bool is_of(const KnownShape& other) const {
-    return shape == other.shape && noise == other.noise && look == other.look && scale == other.scale &&
-           written == other.written && bytes == other.bytes && before == other.before;
-  }
-  bool is_gone() const { return has_volume ? volume.expired() : particles.expired(); }
-};
-
-KnownShape source_of(const CloudScene& cloud, const CloudParameters& parameters) {
-  KnownShape source{.shape = cloud.shape,
-                    .noise = cloud.noise,
-                    .look = cloud.look,
-                    .scale = cloud.scale,
-                    .written = {},
-                    .before = parameters};
-  source.before.position_m = {};
-  source.before.motion = {};
-  const std::string& file = cloud.shape.file.empty() ? cloud.shape.mesh : cloud.shape.file;
-  std::error_code none;
-  if (!file.empty()) {
-    source.written = std::filesystem::last_write_time(file, none);
-    source.bytes = std::filesystem::file_size(file, none);
-  }
-  return source;
-}
-
-/// Shapes that some sky still has.
-struct KnownShapes {
-  std::mutex mutex;
-  std::vector<KnownShape> shapes;
-};
-
-KnownShapes& known_shapes() {
-  static KnownShapes known;
-  return known;
-}
-
-}  // namespace
-
-RestingParticles take_shape(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
-  const CloudScene& cloud = scene.clouds[index];
-  if (!cloud.shape.is_given()) return nullptr;
-  KnownShape source = source_of(cloud, parameters);
-  KnownShapes& known = known_shapes();
-  {
-    const std::lock_guard lock(known.mutex);
-    std::erase_if(known.shapes, [](const KnownShape& shape) { return shape.is_gone(); });
-    for (const KnownShape& shape : known.shapes) {
-      if (!shape.is_of(source)) continue;
-      const auto volume = shape.volume.lock();
-      const auto particles = shape.particles.lock();
-      // Somebody may have let go of it just now.
-      if (shape.has_volume ? !volume : !particles) continue;
-      parameters.modelling = shape.after.modelling;
-      parameters.turbulence = shape.after.turbulence;
-      parameters.look = shape.after.look;
-      parameters.shape = volume;
-      return particles;
-    }
-  }
-  RestingParticles particles = take_new_shape(scene, index, parameters);
-  source.after = parameters;
-  source.after.shape = nullptr;
-  source.volume = parameters.shape;
-  source.has_volume = parameters.shape != nullptr;
-  source.particles = particles;
-  const std::lock_guard lock(known.mutex);
-  known.shapes.push_back(std::move(source));
-  return particles;
 }
 
 }  // namespace offing::scene

@@ -17,8 +17,6 @@ using RestingParticles = std::shared_ptr<const std::vector<CloudParticle>>;
 /// `shape`, of volumes the extinction that their file tells, or the particles that a file of particles has,
 /// which are returned; nullptr for none. Places in files are relative to the cloud's. Throws Error(bad_input)
 /// that names the place in the scene.
-/// What some sky still holds, made from the same values and the same state of the file, is neither read nor
-/// made again.
 RestingParticles take_shape(const OceanScene& scene, std::size_t index, clouds::CloudParameters& parameters);
 
 }  // namespace offing::scene

@@ -64,7 +64,8 @@ enum class ParameterGroup {
   cloud_layer,
   cloud,
   cloud_ball,
-  cloud_level
+  cloud_level,
+  particle_edit
 };
 /// What a value must be beside its type: numbers within their range, text the name of a file.
 enum class ParameterRule { within_range, power_of_two, file_name, name };

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "host/clouds/genera.h"
 #include "host/clouds/scattered_sky.h"
-#include "host/scene/cloud_shape.h"
+#include "host/scene/cloud_shapes.h"
 #include "host/scene/named_file.h"
 #include "host/scene/parameter_table.h"
 
@@ -116,7 +117,17 @@ void take_balls(const CloudScene& cloud, CloudParameters& parameters) {
   if (cloud.base_m) parameters.base_m = *cloud.base_m * cloud.scale;
 }
 
-CloudParameters parameters_of(const OceanScene& scene, std::size_t index) {
+void take_edits(const CloudScene& cloud, CloudParameters& parameters) {
+  parameters.edits = cloud.edits;
+  for (clouds::ParticleEdit& edit : parameters.edits) {
+    edit.selection.eye_m *= cloud.scale;
+    edit.push_m *= cloud.scale;
+  }
+}
+
+}  // namespace
+
+CloudParameters cloud_parameters_of(const OceanScene& scene, std::size_t index) {
   const CloudScene& cloud = scene.clouds[index];
   CloudParameters parameters = clouds::preset(cloud.genus, seed_of(scene, cloud.seed), cloud.scale);
   const double usual_altitude_m = cloud.shape.file.empty() ? parameters.position_m.y : 0.0;
@@ -133,8 +144,11 @@ CloudParameters parameters_of(const OceanScene& scene, std::size_t index) {
   take_noise(cloud.noise, parameters.turbulence);
   take_look(cloud.look, parameters.look);
   take_motion(scene, index, parameters);
+  take_edits(cloud, parameters);
   return parameters;
 }
+
+namespace {
 
 std::vector<CloudParameters> layer_clouds(const OceanScene& scene, const CloudLayerScene& layer) {
   return clouds::scattered_sky({.genus = layer.genus,
@@ -155,18 +169,31 @@ void take_quality(double quality, CloudParameters& parameters) {
   ratio = std::clamp(ratio / std::sqrt(quality), 0.02, 1.0);
 }
 
-/// Whether scenes say other things of their clouds.
+bool is_of_clouds(const std::pair<const ValueKey, KeyframeTrack>& track) {
+  return find_parameter(track.first.key)->group == ParameterGroup::cloud;
+}
+
+}  // namespace
+
+void copy_clouds(const OceanScene& from, OceanScene& to) {
+  to.cloud_settings = from.cloud_settings;
+  to.clouds = from.clouds;
+  to.cloud_layers = from.cloud_layers;
+  std::erase_if(to.tracks, is_of_clouds);
+  for (const auto& track : from.tracks) {
+    if (is_of_clouds(track)) to.tracks.insert(track);
+  }
+}
+
 bool are_other_clouds(const OceanScene& before, const OceanScene& after) {
   const auto tracks_of = [](const OceanScene& scene) {
     std::vector<std::pair<ValueKey, KeyframeTrack>> tracks;
-    for (const auto& track : scene.tracks) {
-      if (find_parameter(track.first.key)->group == ParameterGroup::cloud) tracks.emplace_back(track);
-    }
+    std::copy_if(scene.tracks.begin(), scene.tracks.end(), std::back_inserter(tracks), is_of_clouds);
     return tracks;
   };
   const auto is_other = [&](const Parameter& row) {
     using enum ParameterGroup;
-    constexpr std::array groups{clouds, cloud_layer, cloud, cloud_ball, cloud_level};
+    constexpr std::array groups{clouds, cloud_layer, cloud, cloud_ball, cloud_level, particle_edit};
     return std::find(groups.begin(), groups.end(), row.group) != groups.end() &&
            value_text(before, row, Digits::exact) != value_text(after, row, Digits::exact);
   };
@@ -174,15 +201,19 @@ bool are_other_clouds(const OceanScene& before, const OceanScene& after) {
   return std::any_of(table.begin(), table.end(), is_other) || tracks_of(before) != tracks_of(after);
 }
 
-}  // namespace
-
 std::optional<world::CloudSkyParameters> prepare_clouds(const OceanScene& scene) {
+  CloudShapes shapes;
+  return prepare_clouds(scene, shapes);
+}
+
+std::optional<world::CloudSkyParameters> prepare_clouds(const OceanScene& scene, CloudShapes& shapes) {
   if (!scene.has_clouds()) return std::nullopt;
+  shapes.begin();
   world::CloudSkyParameters sky{.clouds = {}, .particles = {}, .light_model = scene.cloud_settings.light};
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
-    CloudParameters parameters = parameters_of(scene, i);
+    CloudParameters parameters = cloud_parameters_of(scene, i);
     take_quality(scene.cloud_settings.quality, parameters);
-    sky.particles.push_back(take_shape(scene, i, parameters));
+    sky.particles.push_back(shapes.take(scene, i, parameters));
     sky.clouds.push_back(std::move(parameters));
   }
   for (const CloudLayerScene& layer : scene.cloud_layers) {

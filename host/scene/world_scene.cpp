@@ -36,6 +36,7 @@ SeaChange change_of(const Parameter& row) {
     case ParameterGroup::cloud:
     case ParameterGroup::cloud_ball:
     case ParameterGroup::cloud_level:
+    case ParameterGroup::particle_edit:
       return SeaChange::none;
     case ParameterGroup::swell:
     case ParameterGroup::raindrop:
@@ -140,7 +141,7 @@ ViewScene show_at(world::World& world, const OceanScene& scene, double time_s) {
   return view;
 }
 
-void edit_world(world::World& world, const OceanScene& before, const OceanScene& after) {
+void edit_world_below(world::World& world, const OceanScene& before, const OceanScene& after) {
   const ViewScene view = view_at(after, after.start_s);
   const std::optional<world::GroundParameters> ground =
       edited_ground(world.parameters().ground, before, after);
@@ -160,9 +161,13 @@ void edit_world(world::World& world, const OceanScene& before, const OceanScene&
       break;
   }
   world.set_ground(ground);
-  edit_clouds(world, before, after);
   edit_meshes(world, before, after);
   set_view(world, view);
+}
+
+void edit_world(world::World& world, const OceanScene& before, const OceanScene& after) {
+  edit_world_below(world, before, after);
+  edit_clouds(world, before, after);
 }
 
 }  // namespace offing::scene

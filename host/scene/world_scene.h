@@ -27,4 +27,7 @@ ViewScene show_at(world::World& world, const OceanScene& scene, double time_s);
 /// it, parts may have changed.
 void edit_world(world::World& world, const OceanScene& before, const OceanScene& after);
 
+/// The same for all but the clouds, which stay as they are.
+void edit_world_below(world::World& world, const OceanScene& before, const OceanScene& after);
+
 }  // namespace offing::scene

@@ -98,6 +98,20 @@ TEST_F(Clouds, ParticlesHoldTheSameMass) {
   EXPECT_EQ(scene["clouds"][0]["genus"], "cumulus");
 }
 
+// What was removed by hand is in no file. Fails if a volume is made of the field, which knows of no edits.
+TEST_F(Clouds, EditsByHandAreHonoured) {
+  std::ifstream plain(path("a.toml"));
+  std::ofstream(path("e.toml"))
+      << plain.rdbuf() << "[[cloud.particle_edit]]\neye_m = [0, 0, 9000]\nright = 0\nfate = \"removed\"\n";
+  for (const char* file : {"a.ply", "a.vdb"}) {
+    const auto whole = json_of({"clouds", "build", path("a.toml"), "-o", path(file), "--json"});
+    const auto part = json_of({"clouds", "build", path("e.toml"), "-o", path(file), "--json", "--force"});
+    const double share = part["optical_mass_m2"].get<double>() / whole["optical_mass_m2"].get<double>();
+    EXPECT_GT(share, 0.2) << file;
+    EXPECT_LT(share, 0.9) << file;
+  }
+}
+
 // Fails if frames are all of one time, or named otherwise.
 TEST_F(Clouds, SequencesMoveWithTheWind) {
   json_of({"clouds", "build", path("a.toml"), "-o", path("a.%03d.ply"), "--json"});
@@ -138,6 +152,20 @@ TEST_F(Clouds, VdbPrintOpensIt) {
   std::erase(text, ',');  // of thousands
   EXPECT_THAT(text,
               HasSubstr(fmt::format("Number of active voxels:       {}", found["cells"].get<std::size_t>())));
+}
+
+// Fails if a small device is asked for more particles than it holds for minutes before it says so, or does
+// not say what to change. Of 1 GiB it gives a quarter in one piece.
+TEST_F(Clouds, RefusesMoreParticlesThanADeviceHolds) {
+  std::ofstream(path("big.toml"))
+      << "version = 1\n[[cloud]]\nmodelling = \"sampled\"\ntarget_particles = 10000000\n";
+  setenv("POCL_MEMORY_LIMIT", "1", 1);
+  const ProgramResult result = run_offing({"clouds", "build", path("big.toml"), "-o", path("big.ply")});
+  unsetenv("POCL_MEMORY_LIMIT");
+  if (result.exit_code == 0) GTEST_SKIP() << "the device is no PoCL, or has more memory";
+  EXPECT_EQ(result.exit_code, 1) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("cloud.target_particles: 10000000 particles take 480 MB"));
+  EXPECT_THAT(result.errors, HasSubstr("hint: ask for fewer"));
 }
 
 TEST_F(Clouds, RefusesWhatItCannotDo) {

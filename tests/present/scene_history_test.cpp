@@ -28,6 +28,17 @@ TEST(SceneHistoryTest, StepsGoBackAndForth) {
   EXPECT_EQ(history.redo()->wind_speed_mps, 4.0);
 }
 
+// Fails if what was taken back comes back by redo, or takes the edit before with it.
+TEST(SceneHistoryTest, NothingIsLeftOfWhatIsTakenBack) {
+  SceneHistory history(windy(1.0));
+  history.note(windy(2.0));
+  history.note(windy(3.0));
+  history.take_back();
+  EXPECT_EQ(history.now().wind_speed_mps, 2.0);
+  EXPECT_FALSE(history.redo());
+  EXPECT_EQ(history.undo()->wind_speed_mps, 1.0);
+}
+
 // A day of edits must not fill the memory: the last hundred can be undone.
 TEST(SceneHistoryTest, HoldsAHundredSteps) {
   SceneHistory history(windy(0.0));

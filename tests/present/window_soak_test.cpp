@@ -1,9 +1,6 @@
 // Random keys and mouse for a while: OFFING_SOAK_SECONDS, or 20 s.
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <random>
 #include <string>
 
@@ -16,34 +13,11 @@
 
 #include "host/scene/parameter_table.h"
 #include "present/parameter_widget.h"
+#include "tests/present/holdings.h"
 #include "tests/present/window_test.h"
 
 namespace offing::test {
 namespace {
-
-/// What the process holds of the system's.
-struct Holdings {
-  double memory_mb = 0.0;
-  int threads = 0;
-  int descriptors = 0;
-};
-
-Holdings holdings() {
-  Holdings found;
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmRSS:")) found.memory_mb = std::stod(line.substr(6)) / 1024.0;
-    if (line.starts_with("Threads:")) found.threads = std::stoi(line.substr(8));
-  }
-  const std::filesystem::directory_iterator folder("/proc/self/fd");
-  found.descriptors = static_cast<int>(std::distance(begin(folder), end(folder)));
-  return found;
-}
-
-double soak_seconds() {
-  const char* asked = std::getenv("OFFING_SOAK_SECONDS");
-  return asked != nullptr ? std::stod(asked) : 20.0;
-}
 
 class WindowSoakTest : public WindowTest {
  protected:
@@ -120,7 +94,8 @@ TEST_F(WindowSoakTest, TakesWhateverComes) {
   open(quick_options());
   glfwGetWindowSize(viewer_->window(), &width_, &height_);
   press("F5");  // what is compiled again stays loaded
-  const double end_s = glfwGetTime() + soak_seconds(), warm_s = glfwGetTime() + 0.25 * soak_seconds();
+  const double lasts_s = soak_seconds(20.0), end_s = glfwGetTime() + lasts_s;
+  const double warm_s = end_s - 0.75 * lasts_s;
   std::optional<Holdings> warm;
   int deeds = 0;
   double largest_mb = 0.0;

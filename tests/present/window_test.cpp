@@ -18,6 +18,10 @@ namespace {
 // Room for the panels and a little more: frames are quick to draw.
 constexpr int window_width = 480, window_height = 1000;
 
+unsigned id_of(ImGuiWindow* window, const std::string& label, std::optional<int> element) {
+  return element ? ImHashStr(label.c_str(), 0, window->GetID(*element)) : window->GetID(label.c_str());
+}
+
 }  // namespace
 
 void WindowTest::SetUp() {
@@ -139,13 +143,23 @@ bool WindowTest::is_hovered(unsigned id) const {
 
 WindowTest::Spot WindowTest::find(ImGuiWindow* window, const std::string& label, int x_px,
                                   std::optional<int> element) {
-  constexpr int step_px = 7;  // less than a row is high
   if (window == nullptr) {
     ADD_FAILURE() << label << ": its window is not open";
     return {};
   }
-  const unsigned id =
-      element ? ImHashStr(label.c_str(), 0, window->GetID(*element)) : window->GetID(label.c_str());
+  return find_item(window, label, id_of(window, label, element), x_px);
+}
+
+WindowTest::Spot WindowTest::find_triple(ImGuiWindow* window, const std::string& label,
+                                         std::optional<int> element) {
+  // As ImGui::DragScalarN() names its fields.
+  constexpr int first = 0;
+  const unsigned id = ImHashStr("", 0, ImHashData(&first, sizeof(first), id_of(window, label, element)));
+  return find_item(window, label, id, 30);
+}
+
+WindowTest::Spot WindowTest::find_item(ImGuiWindow* window, const std::string& label, unsigned id, int x_px) {
+  constexpr int step_px = 7;  // less than a row is high
   const int x = static_cast<int>(window->Pos.x) + x_px;
   for (int screen = 0; screen < 10; ++screen) {
     const int top = static_cast<int>(window->InnerRect.Min.y),
@@ -174,8 +188,18 @@ WindowTest::Spot WindowTest::find(ImGuiWindow* window, const std::string& label,
   return {};
 }
 
-void WindowTest::choose(const std::string& combo, const std::string& name) {
-  click(find(main_panel(), combo));
+void WindowTest::wait_for_clouds() {
+  constexpr double longest_s = 60.0;
+  const double end_s = glfwGetTime() + longest_s;
+  while (viewer_->sea().clouds_progress()) {
+    ASSERT_LT(glfwGetTime(), end_s) << "the clouds are never made";
+    turn();
+  }
+  turn(2);
+}
+
+void WindowTest::choose(const std::string& combo, const std::string& name, std::optional<int> element) {
+  click(find(main_panel(), combo, 60, element));
   click(find(open_list(), name, 20));
 }
 

@@ -56,8 +56,12 @@ class WindowTest : public testing::Test {
   /// scrolling as far as needed; a failure if it is not there. Items of
   /// repeated sections have the number of their element.
   Spot find(ImGuiWindow* window, const std::string& label, int x_px = 60, std::optional<int> element = {});
+  /// The first field of three.
+  Spot find_triple(ImGuiWindow* window, const std::string& label, std::optional<int> element = {});
   void toggle_header(const std::string& title) { click(find(main_panel(), title)); }
-  void choose(const std::string& combo, const std::string& name);
+  void choose(const std::string& combo, const std::string& name, std::optional<int> element = {});
+  /// Frames go by until all clouds are made.
+  void wait_for_clouds();
 
   TemporaryFolder folder_;
   std::unique_ptr<VirtualDisplay> display_;
@@ -66,6 +70,7 @@ class WindowTest : public testing::Test {
 
  private:
   bool is_hovered(unsigned id) const;
+  Spot find_item(ImGuiWindow* window, const std::string& label, unsigned id, int x_px);
 
   int last_y_ = 0;  // of the last item found
 };

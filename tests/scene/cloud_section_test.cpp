@@ -41,6 +41,15 @@ radius_m = 80
 weight = 2
 [[cloud.level]]
 ratio = 0.25
+[[cloud.particle_edit]]
+eye_m = [10, 20, 3000]
+yaw_deg = 12.5
+left = -0.25
+top = 0.125
+fate = "removed"
+[[cloud.particle_edit]]
+push_m = [0, 40, 0]
+colour = [1, 0.5, 0.5]
 [[cloud]]
 genus = "stratus"
 modelling = "sampled"
@@ -67,6 +76,13 @@ TEST(CloudSection, ValuesAreThoseOfTheirElement) {
   EXPECT_EQ(first.balls[1].weight, 2.0);
   ASSERT_EQ(first.levels.size(), 1u);
   EXPECT_EQ(first.levels[0].ratio, 0.25);
+  ASSERT_EQ(first.edits.size(), 2u);
+  EXPECT_EQ(first.edits[0].selection.eye_m, glm::dvec3(10.0, 20.0, 3000.0));
+  EXPECT_EQ(first.edits[0].selection.low.x, -0.25);
+  EXPECT_EQ(first.edits[0].selection.high.y, 0.125);
+  EXPECT_EQ(first.edits[0].fate, clouds::ParticleFate::removed);
+  EXPECT_EQ(first.edits[1].push_m.y, 40.0);
+  EXPECT_EQ(first.edits[1].albedo, glm::dvec3(1.0, 0.5, 0.5));
   EXPECT_EQ(first.altitude_m, 900.0);
   EXPECT_EQ(first.look.phase, CloudPhase::rayleigh);
   EXPECT_EQ(first.look.albedo, glm::dvec3(1.0, 0.5, 0.25));

@@ -77,7 +77,7 @@ TEST_F(SceneClouds, ScaleIsOfAllLengths) {
   const auto cloud = [&](const std::string& scale) {
     return sky_of("[[cloud]]\n" + scale +
                   "base_m = -40\n[[cloud.ball]]\nx_m = 10\nradius_m = 100\n[[cloud.level]]\n"
-                  "deviation_m = 8\n")
+                  "deviation_m = 8\n[[cloud.particle_edit]]\neye_m = [1, 2, 3]\npush_m = [4, 5, 6]\n")
         .clouds[0];
   };
   const clouds::CloudParameters one = cloud(""), three = cloud("scale = 3\n");
@@ -85,6 +85,8 @@ TEST_F(SceneClouds, ScaleIsOfAllLengths) {
   EXPECT_EQ(three.balls[0].centre_m, 3.0 * one.balls[0].centre_m);
   EXPECT_EQ(three.levels[0].deviation_m, 3.0 * one.levels[0].deviation_m);
   EXPECT_EQ(three.base_m, 3.0 * *one.base_m);
+  EXPECT_EQ(three.edits[0].selection.eye_m, glm::dvec3(3.0, 6.0, 9.0));
+  EXPECT_EQ(three.edits[0].push_m, glm::dvec3(12.0, 15.0, 18.0));
   EXPECT_EQ(three.turbulence.wavelength_m, 3.0 * one.turbulence.wavelength_m);
 }
 
@@ -220,23 +222,46 @@ TEST_F(SceneClouds, ShapesAreKeptUntilTheyChange) {
     write_vdb(folder_.path() / "a.vdb", {volume});
   };
   write(1);
+  CloudShapes shapes;
+  const auto next_sky = [&](const std::string& text) {
+    return prepare_clouds(scene_of(text), shapes).value();
+  };
   const std::string file = "[[cloud]]\nfile = \"a.vdb\"\n", letter = "[[cloud]]\ntext = \"K\"\n";
-  const world::CloudSkyParameters before = sky_of(file + letter);
+  const world::CloudSkyParameters before = next_sky(file + letter);
   const world::CloudSkyParameters moved =
-      sky_of(file + "x_m = 9\nwind_mps = [5, 0, 0]\n" + letter + "y_m = 7\n");
+      next_sky(file + "x_m = 9\nwind_mps = [5, 0, 0]\n" + letter + "y_m = 7\n");
   EXPECT_EQ(moved.clouds[0].shape, before.clouds[0].shape);
   EXPECT_EQ(moved.particles[0], before.particles[0]);
   EXPECT_EQ(moved.clouds[1].shape, before.clouds[1].shape);
   EXPECT_EQ(moved.clouds[0].look, before.clouds[0].look);
   EXPECT_EQ(moved.clouds[0].position_m.x, 9.0);
   const world::CloudSkyParameters edited =
-      sky_of(file + "target_particles = 20\n" + letter + "size_m = 300\n");
+      next_sky(file + "target_particles = 20\n" + letter + "size_m = 300\n");
   EXPECT_NE(edited.particles[0], before.particles[0]);
   EXPECT_EQ(edited.particles[0]->size(), 20u);
   EXPECT_NE(edited.clouds[1].shape, before.clouds[1].shape);
   // Another size, since clocks of file systems may not tell two writes apart.
+  const auto first = next_sky(file).clouds[0].shape;
+  EXPECT_EQ(next_sky(file).clouds[0].shape, first);
   write(2);
-  EXPECT_NE(sky_of(file).clouds[0].shape, before.clouds[0].shape);
+  EXPECT_NE(next_sky(file).clouds[0].shape, first);
+}
+
+// Clouds go from one scene to another with their keyframes, and nothing else does.
+TEST_F(SceneClouds, CloudsOfAnotherScene) {
+  const OceanScene from = scene_of(
+      "[clouds]\nseed = 3\n[[cloud]]\nx_m = { keys = [{ t = 0, value = 1 }, { t = 9, value = 5 }] }\n");
+  OceanScene to = scene_of(
+      "[sun]\nelevation_deg = { keys = [{ t = 0, value = 1 }, { t = 9, value = 5 }] "
+      "}\n[[cloud]]\n[[cloud]]\nz_m = "
+      "{ keys = [{ t = 0, value = 1 }, { t = 9, value = 5 }] }\n");
+  EXPECT_TRUE(are_other_clouds(from, to));
+  copy_clouds(from, to);
+  EXPECT_FALSE(are_other_clouds(from, to));
+  EXPECT_EQ(to.clouds.size(), 1u);
+  EXPECT_EQ(to.cloud_settings.seed, 3u);
+  EXPECT_EQ(to.tracks.size(), 2u);
+  EXPECT_TRUE(to.tracks.contains("sun.elevation_deg"));
 }
 
 TEST_F(SceneClouds, SaysWhereAFileIsWrong) {

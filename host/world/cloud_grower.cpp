@@ -1,0 +1,47 @@
+#include "host/world/cloud_grower.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "host/clouds/cloud_model.h"
+
+namespace offing::world {
+namespace {
+
+/// What particles at rest are made of.
+clouds::CloudParameters form_of(const clouds::CloudParameters& cloud) {
+  clouds::CloudParameters form = cloud;
+  form.position_m = glm::dvec3(0.0);
+  form.motion = {};
+  form.edits.clear();
+  return form;
+}
+
+}  // namespace
+
+CloudSkyParameters CloudGrower::grown(CloudSkyParameters sky, const CancelToken& cancel,
+                                      const std::function<void(CloudProgress)>& progress) {
+  const std::size_t count = sky.clouds.size();
+  sky.particles.resize(count);
+  std::vector<Form> forms;
+  for (std::size_t i = 0; i < count; ++i) {
+    cancel.throw_if_cancelled();
+    if (progress) progress({i, count});
+    auto& particles = sky.particles[i];
+    if (particles) continue;
+    clouds::CloudParameters form = form_of(sky.clouds[i]);
+    const auto same = [&](const Form& known) { return known.parameters == form; };
+    if (const auto known = std::find_if(known_.begin(), known_.end(), same); known != known_.end()) {
+      particles = known->particles;
+    } else {
+      particles =
+          std::make_shared<const std::vector<CloudParticle>>(clouds::particles_at_rest(device_, form));
+    }
+    forms.push_back({std::move(form), particles});
+  }
+  known_ = std::move(forms);
+  if (progress) progress({count, count});
+  return sky;
+}
+
+}  // namespace offing::world

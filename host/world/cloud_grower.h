@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "host/base/cancel_token.h"
+#include "host/ocl/device.h"
+#include "host/world/clouds_view.h"
+
+namespace offing::world {
+
+/// How many of the clouds of a sky have their particles.
+struct CloudProgress {
+  std::size_t done = 0, all = 0;
+};
+
+/// Gives clouds their particles ahead of a CloudsView, which takes most of the time that clouds take: on
+/// another thread with a device of its own, or with what is known from the last sky. Particles are those that
+/// CloudsView makes of the same parameters.
+class CloudGrower {
+ public:
+  explicit CloudGrower(const ocl::Device& device) : device_(device) {}
+
+  /// The sky with `particles` for each of its clouds. Those whose form the last sky had, wherever it was, are
+  /// the same object. `progress` is told before each cloud that is made, and at the end. Throws what
+  /// clouds::particles_at_rest() throws, Error(cancelled).
+  CloudSkyParameters grown(CloudSkyParameters sky, const CancelToken& cancel,
+                           const std::function<void(CloudProgress)>& progress = {});
+
+ private:
+  struct Form {
+    clouds::CloudParameters parameters;  // without place, motion and edits
+    std::shared_ptr<const std::vector<CloudParticle>> particles;
+  };
+
+  ocl::Device device_;
+  std::vector<Form> known_;
+};
+
+}  // namespace offing::world

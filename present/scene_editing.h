@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "present/cloud_editor.h"
+#include "present/highlight_editor.h"
+#include "present/live_sea.h"
+#include "present/panels.h"
+#include "present/scene_history.h"
+#include "present/window_input.h"
+
+namespace offing::present {
+
+/// Edits of a window's scene: what handles do to it, what any edit means for the world, undo, and clouds that
+/// are made in the background. Faults go into the state's message; the scene is then the last good one.
+class SceneEditing {
+ public:
+  SceneEditing(LiveSea& sea, ViewState& state) : sea_(sea), state_(state), history_(state.scene) {}
+
+  /// Takes in what the mouse did beside panels. True while it holds something: then it does not move the
+  /// camera.
+  bool turn(const Screen& screen, const std::vector<PointerEvent>& events, const PointerNow& pointer);
+  /// Shows clouds that have been made since the last frame.
+  void take_clouds();
+  /// What an edit of the state's scene means for the world and for undo.
+  void finish(Edit edit);
+  void undo();
+  void redo();
+  void set_keyframes() { finish(highlights_.set_keys(state_, sea_.meshes())); }
+  void next_cloud_pick();
+  /// Takes the tool, or lays it down.
+  void toggle_tool(CloudTool tool);
+  void remove_picked();
+  void duplicate_picked();
+
+  /// Draws handles behind the panels.
+  void draw(glm::dvec2 pointer) const;
+
+ private:
+  bool edit_sea(Edit edit);
+  void go_back(std::optional<scene::OceanScene> scene, const char* none);
+  /// The scene is another one from here on; its camera stays the user's.
+  void take_scene(scene::OceanScene scene);
+  void work(const std::function<Edit()>& deed);
+
+  LiveSea& sea_;
+  ViewState& state_;
+  HighlightEditor highlights_;
+  CloudEditor clouds_;
+  SceneHistory history_;
+  bool is_last_noted_ = true;  // of what was begun last
+};
+
+}  // namespace offing::present

@@ -1,0 +1,239 @@
+// Edits of clouds that are made in the background: what is shown in the end, what is undone, and what becomes
+// of edits that fail.
+#include "present/scene_editing.h"
+
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/io/clouds/cloud_particles.h"
+#include "host/io/vdb/vdb_volume.h"
+#include "host/scene/scene_file.h"
+#include "host/scene/scene_writer.h"
+#include "tests/io/temporary_folder.h"
+#include "tests/present/gl_test.h"
+
+namespace offing::present {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* scene_text = R"(version = 1
+[camera]
+y_m = 900
+z_m = 2500
+[[cloud]]
+y_m = 1000
+[[cloud.ball]]
+radius_m = 300
+[[cloud.level]]
+ratio = 0.5
+)";
+
+class SceneEditingTest : public test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (IsSkipped()) return;
+    state_.scene = scene::parse_scene(scene_text, "a.toml", "");
+    sea_ = std::make_unique<LiveSea>(*context_, LiveSeaSettings{.device = "", .frame = {}}, state_.scene);
+    state_.camera = FreeCamera(state_.scene.view.camera);
+    editing_ = std::make_unique<SceneEditing>(*sea_, state_);
+  }
+  void TearDown() override {
+    editing_.reset();
+    sea_.reset();
+    GlTest::TearDown();
+  }
+
+  std::vector<unsigned char> picture() {
+    Camera camera = state_.scene.view.camera;
+    camera.width_px = 96;
+    camera.height_px = 64;
+    sea_->draw({.time_s = 0.0, .camera = camera});
+    return sea_->frame().screen().read_bytes();
+  }
+
+  /// Frames go by until the clouds are made.
+  void wait() {
+    using clock = std::chrono::steady_clock;
+    const auto end = clock::now() + std::chrono::seconds(60);
+    while (sea_->clouds_progress()) {
+      ASSERT_LT(clock::now(), end) << "the clouds are never made";
+      editing_->take_clouds();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    editing_->take_clouds();
+  }
+  void edit(const std::function<void(scene::OceanScene&)>& change, Edit edit = Edit::done) {
+    change(state_.scene);
+    editing_->finish(edit);
+  }
+  std::string text() const { return scene::scene_text(state_.scene, ""); }
+
+  /// An edit that cannot be made: one message that tells why, the scene and its picture as they were, and
+  /// undo as if it had never been.
+  void expect_refused(const std::function<void(scene::OceanScene&)>& change, const std::string& why) {
+    const std::string before = text();
+    const std::vector<unsigned char> shown = picture();
+    state_.message = {};
+    edit(change);
+    wait();
+    EXPECT_TRUE(state_.message.is_fault) << why;
+    EXPECT_THAT(state_.message.text, HasSubstr(why));
+    EXPECT_EQ(text(), before) << why;
+    wait();  // what was given up for it
+    EXPECT_TRUE(picture() == shown) << why;
+  }
+
+  ViewState state_{.scene = {}, .camera = FreeCamera(Camera{}), .clock = SceneClock(0.0)};
+  std::unique_ptr<LiveSea> sea_;
+  std::unique_ptr<SceneEditing> editing_;
+};
+
+// Fails if an edit shows anything but what a fresh start with it shows, or undo and redo do.
+TEST_F(SceneEditingTest, ShowsWhatAFreshStartShows) {
+  const std::vector<unsigned char> untouched = picture();
+  edit([](scene::OceanScene& scene) { scene.clouds[0].balls[0].radius_m = 350.0; });
+  EXPECT_TRUE(sea_->clouds_progress().has_value());
+  wait();
+  const std::vector<unsigned char> larger = picture();
+  EXPECT_FALSE(larger == untouched);
+  edit([](scene::OceanScene& scene) { scene.clouds[0].position_m.x = 200.0; });
+  edit([](scene::OceanScene& scene) { scene.view.sun_elevation_rad = 0.1; });
+  wait();
+  const std::vector<unsigned char> all = picture();
+  LiveSea fresh(*context_, {.device = "", .frame = {}}, state_.scene);
+  Camera camera = state_.scene.view.camera;
+  camera.width_px = 96;
+  camera.height_px = 64;
+  fresh.draw({.time_s = 0.0, .camera = camera});
+  EXPECT_TRUE(fresh.frame().screen().read_bytes() == all);
+  editing_->undo();
+  editing_->undo();
+  wait();
+  EXPECT_TRUE(picture() == larger);
+  editing_->undo();
+  wait();
+  EXPECT_TRUE(picture() == untouched);
+  for (int i = 0; i < 3; ++i) editing_->redo();
+  wait();
+  EXPECT_TRUE(picture() == all);
+}
+
+// Fails if clouds of an edit that came later are replaced by those of an earlier one, or other edits wait for
+// clouds.
+TEST_F(SceneEditingTest, OtherEditsDoNotWait) {
+  edit([](scene::OceanScene& scene) { scene.clouds[0].seed = 4; });
+  edit([](scene::OceanScene& scene) { scene.view.sun_elevation_rad = 0.05; });
+  EXPECT_EQ(sea_->scene().view.sun_elevation_rad, 0.05);
+  EXPECT_EQ(sea_->wanted().clouds[0].seed, 4u);
+  wait();
+  EXPECT_EQ(sea_->scene().clouds[0].seed, 4u);
+  EXPECT_EQ(sea_->scene().view.sun_elevation_rad, 0.05);
+}
+
+// A scene gets its first cloud and loses it again. Fails if either cannot be shown.
+TEST_F(SceneEditingTest, TheLastCloudMayGo) {
+  edit([](scene::OceanScene& scene) { scene.clouds.clear(); });
+  wait();
+  EXPECT_FALSE(state_.message.is_fault) << state_.message.text;
+  EXPECT_EQ(sea_->clouds(), nullptr);
+  picture();
+  editing_->undo();
+  wait();
+  ASSERT_NE(sea_->clouds(), nullptr);
+  EXPECT_GT(sea_->clouds()->count(), 0u);
+  picture();
+}
+
+TEST_F(SceneEditingTest, RefusesBrokenFiles) {
+  TemporaryFolder folder;
+  const auto name = [&](const char* file) { return (folder.path() / file).string(); };
+  const auto cut = [&](const char* whole, const char* file) {
+    std::ifstream in(name(whole), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    std::ofstream(name(file), std::ios::binary) << bytes.substr(0, bytes.size() * 2 / 3);
+  };
+  CloudVolume volume{
+      .cell_m = 40.0, .bricks = {1, 1, 1}, .brick_of = {0}, .density = std::vector<float>(512, 1.0f)};
+  write_vdb(name("whole.vdb"), {.volume = volume, .albedo = {}});
+  cut("whole.vdb", "cut.vdb");
+  CloudParticles particles{.origin_m = {}, .particles = std::vector<CloudParticle>(20)};
+  for (CloudParticle& particle : particles.particles) {
+    particle = {};
+    particle.radius = 100.0f;
+    particle.optical_mass = 1e4f;
+  }
+  write_cloud_particles(name("whole.ply"), particles);
+  cut("whole.ply", "cut.ply");
+  std::ofstream(name("nan.ply"))
+      << "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+         "y\nproperty float z\nproperty float radius\nproperty float "
+         "optical_mass\nend_header\n1 2 3 40 nan\n";
+  std::filesystem::create_directory(folder.path() / "puffs");
+  for (int i = 0; i < CLOUD_TEXTURES; ++i) {
+    std::ofstream(folder.path() / "puffs" / (std::to_string(i) + ".png")) << "no picture";
+  }
+  for (const char* file : {"cut.vdb", "cut.ply", "nan.ply", "nowhere.vdb"}) {
+    expect_refused([&](scene::OceanScene& scene) { scene.clouds[0].shape.file = name(file); }, file);
+  }
+  expect_refused([&](scene::OceanScene& scene) { scene.cloud_settings.soft_puffs = name("puffs"); },
+                 "clouds.soft_puffs");
+  for (const char* file : {"whole.vdb", "whole.ply"}) {
+    edit([&](scene::OceanScene& scene) { scene.clouds[0].shape.file = name(file); });
+    wait();
+    EXPECT_FALSE(state_.message.is_fault) << state_.message.text;
+    EXPECT_EQ(sea_->scene().clouds[0].shape.file, name(file));
+  }
+}
+
+TEST_F(SceneEditingTest, RefusesValuesThatNoCloudHas) {
+  expect_refused([](scene::OceanScene& scene) { scene.clouds[0].balls[0].radius_m = -3.0; },
+                 "cloud.ball[0].radius_m");
+  expect_refused(
+      [](scene::OceanScene& scene) {
+        scene.clouds[0].look.extinction_per_m = std::numeric_limits<double>::quiet_NaN();
+      },
+      "cloud.extinction_per_m");
+  expect_refused(
+      [](scene::OceanScene& scene) {
+        scene.clouds[0].motion.heat_k = 1.0;
+        scene.clouds[0].motion.heat.damping_per_s = 1.0;
+      },
+      "cloud.heat_damping_per_s");
+}
+
+// A bad edit comes while a good one is being made, which it takes the place of. Fails if the good one is lost
+// with the bad one.
+TEST_F(SceneEditingTest, GoodEditsOutliveBadOnes) {
+  edit([](scene::OceanScene& scene) { scene.clouds[0].seed = 4; });
+  edit([](scene::OceanScene& scene) { scene.clouds[0].shape.file = "nowhere.vdb"; });
+  wait();
+  EXPECT_TRUE(state_.message.is_fault);
+  wait();
+  EXPECT_EQ(state_.scene.clouds[0].seed, 4u);
+  EXPECT_EQ(sea_->scene().clouds[0].seed, 4u);
+  EXPECT_TRUE(state_.message.is_fault) << "the message is gone before anybody has read it";
+  editing_->undo();
+  EXPECT_EQ(state_.scene.clouds[0].seed, 1u);
+  EXPECT_TRUE(state_.scene.clouds[0].shape.file.empty());
+  // While a slider is held there is nothing to take back.
+  edit([](scene::OceanScene& scene) { scene.clouds[0].shape.file = "nowhere.vdb"; }, Edit::going_on);
+  wait();
+  EXPECT_TRUE(state_.scene.clouds[0].shape.file.empty());
+  editing_->redo();
+  EXPECT_EQ(state_.scene.clouds[0].seed, 4u);
+}
+
+}  // namespace
+}  // namespace offing::present
