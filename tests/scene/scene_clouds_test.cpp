@@ -192,6 +192,20 @@ TEST_F(SceneClouds, TextIsAShape) {
   EXPECT_EQ(at_middle, 0.0) << "the hole of the O is filled";
 }
 
+// Fails if a shape that a scene can name is not closed, so that nothing is inside, or is no other than the
+// first.
+TEST_F(SceneClouds, EachShapeCanBeFilled) {
+  std::vector<std::size_t> cells;
+  for (const char* shape : {"knot", "sphere", "ellipsoid", "torus", "head", "ship", "bird"}) {
+    const auto cloud =
+        sky_of(std::string("[[cloud]]\nshape = \"") + shape + "\"\nthickness_m = 10\n").clouds[0];
+    ASSERT_TRUE(cloud.shape) << shape;
+    EXPECT_GT(cloud.shape->density.size(), 0u) << shape;
+    EXPECT_EQ(std::find(cells.begin(), cells.end(), cloud.shape->density.size()), cells.end()) << shape;
+    cells.push_back(cloud.shape->density.size());
+  }
+}
+
 // Fails if a shape stands another way than the scene says: a bird's wings lie along z, and along x once it is
 // turned by 90 degrees.
 TEST_F(SceneClouds, ShapesAreTurned) {
