@@ -169,7 +169,10 @@ bool are_other_clouds(const OceanScene& before, const OceanScene& after) {
 
 std::optional<world::CloudSkyParameters> prepare_clouds(const OceanScene& scene) {
   if (!scene.has_clouds()) return std::nullopt;
-  world::CloudSkyParameters sky{.clouds = {}, .particles = {}, .light_model = scene.cloud_settings.light};
+  world::CloudSkyParameters sky{.clouds = {},
+                                .particles = {},
+                                .light_model = scene.cloud_settings.light,
+                                .throws_shadows = scene.cloud_settings.shadows == CloudShadows::on};
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     CloudParameters parameters = parameters_of(scene, i);
     parameters.target_particles = particles_by_quality(scene, parameters.target_particles);
