@@ -45,7 +45,7 @@ void Frame::draw_light(world::World& world, const FrameRequest& request, bool se
   }
   if (world.has_sea()) {
     const StageTimes::Scope stage(times_, Stage::water);
-    water_.draw(world, request, sky_.environment(), light_);
+    water_.draw(world, request, sky_.environment(), shadows_, light_);
   }
   {
     // Where nothing else is.
@@ -55,7 +55,7 @@ void Frame::draw_light(world::World& world, const FrameRequest& request, bool se
   }
   if (!world.meshes().empty()) {
     const StageTimes::Scope stage(times_, Stage::meshes);
-    meshes_.draw(world, request, sky_.environment(), light_);
+    meshes_.draw(world, request, sky_.environment(), shadows_, light_);
     light_.bind();
   }
   if (sees_ground) {
@@ -100,6 +100,7 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
     const StageTimes::Scope stage(times_, Stage::transfer);
     if (world.has_sea() && !shows_steps) water_.prepare(world, transfer_);
     sky_.prepare(world.sky());
+    if (world.has_sea() || !world.meshes().empty()) shadows_.prepare(world, request.camera.eye_m);
     meshes_.prepare(world);
     if (sees_ground) terrain_.prepare(*world.ground(), transfer_);
   }

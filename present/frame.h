@@ -6,6 +6,7 @@
 #include "host/clouds/puff_textures.h"
 #include "host/world/world.h"
 #include "present/cloud_pass.h"
+#include "present/cloud_shadows.h"
 #include "present/gl_context.h"
 #include "present/mesh_pass.h"
 #include "present/render_target.h"
@@ -59,6 +60,7 @@ class Frame {
   TerrainPass terrain_;
   MeshPass meshes_;
   CloudPass clouds_;
+  CloudShadows shadows_;
   TonePass tone_;
   RenderTarget light_, screen_;
   StageTimes times_;

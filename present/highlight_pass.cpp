@@ -15,10 +15,10 @@ namespace {
 constexpr int environment_unit = 0, picture_unit = 1;
 
 ShaderProgram highlight_program() {
-  return ShaderProgram(
-      {.vertex = {shader_file("mesh_place.glsl"), shader_file("highlight.vert")},
-       .fragment = {shader_file("environment.glsl"), shader_file("air.glsl"), shader_file("mesh_light.glsl"),
-                    shader_file("highlight_shapes.glsl"), shader_file("highlight.frag")}});
+  return ShaderProgram({.vertex = {shader_file("mesh_place.glsl"), shader_file("highlight.vert")},
+                        .fragment = {CloudShadows::glsl(), shader_file("environment.glsl"),
+                                     shader_file("air.glsl"), shader_file("mesh_light.glsl"),
+                                     shader_file("highlight_shapes.glsl"), shader_file("highlight.frag")}});
 }
 
 int box_show(MeshShow show) {

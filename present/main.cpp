@@ -5,6 +5,7 @@
 #include "host/base/log.h"
 #include "host/base/process.h"
 #include "present/headless.h"
+#include "present/reference_comparison.h"
 #include "present/view_options.h"
 #include "present/viewer.h"
 
@@ -18,7 +19,9 @@ int run(int argc, char** argv) {
   if (const std::optional<present::ViewOptions> options = present::read_view_options(argc, argv)) {
     offing::configure_log(options->verbosity);
     if (!options->sources.empty()) present::use_sources(options->sources);
-    if (options->opens_window) {
+    if (options->comparison) {
+      present::compare_with_reference(*options, cancel);
+    } else if (options->opens_window) {
       present::show_window(*options, cancel);
     } else {
       present::make_pictures(*options, cancel);

@@ -11,6 +11,7 @@ constexpr std::size_t max_lights = 64;  // mesh_light.glsl
 static_assert(world::most_lamps + 1 == max_lights);
 // Of what lies under meshes: dark, as water and woods are.
 constexpr float albedo_below = 0.1f;
+constexpr int shadow_unit = 7;  // beyond those of the programs that meshes are drawn with
 
 // From this share of all light on a lamp has highlights of full opacity.
 constexpr float full_share = 0.01f;
@@ -28,7 +29,8 @@ glm::vec3 to_vec3(const sky::Rgb& values) {
 
 MeshLights::MeshLights() : block_("Lights", 0, 2 * max_lights) {}
 
-void MeshLights::prepare(const world::World& world, const glm::dvec3& eye_m) {
+void MeshLights::prepare(const world::World& world, const glm::dvec3& eye_m, const CloudShadows& shadows) {
+  shadows_ = &shadows;
   const sky::Illuminance& light = world.illuminance();
   const glm::vec3 sun_klx = to_vec3(light.sun_klx);
   klx_.clear();
@@ -36,7 +38,8 @@ void MeshLights::prepare(const world::World& world, const glm::dvec3& eye_m) {
     klx_.emplace_back(lamp.colour * lamp.illuminance_klx);
   }
   const highlights::Lighting lighting = world.lighting(eye_m);
-  if (lighting.lamps.size() > klx_.size()) klx_.push_back(sun_klx);
+  sun_ = lighting.lamps.size() > klx_.size() ? static_cast<int>(klx_.size()) : -1;
+  if (sun_ >= 0) klx_.push_back(sun_klx);
   std::vector<glm::vec4> values;
   for (std::size_t i = 0; i < lighting.lamps.size(); ++i) {
     const highlights::Source& lamp = lighting.lamps[i];
@@ -54,6 +57,8 @@ void MeshLights::prepare(const world::World& world, const glm::dvec3& eye_m) {
 
 void MeshLights::bind(const ShaderProgram& program) const {
   block_.bind(program);
+  shadows_->bind(program, shadow_unit);
+  program.set("sun", sun_);
   program.set("light_count", static_cast<int>(klx_.size()));
   program.set("sky_klx", sky_klx_);
   program.set("ground_klx", ground_klx_);

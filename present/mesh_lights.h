@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "host/world/world.h"
+#include "present/cloud_shadows.h"
 #include "present/uniform_block.h"
 
 namespace offing::present {
@@ -14,8 +15,8 @@ class MeshLights {
  public:
   MeshLights();
 
-  /// Takes them over for an eye.
-  void prepare(const world::World& world, const glm::dvec3& eye_m);
+  /// Takes them over for an eye. Keeps a reference to the shadows, which fall on the sun's light.
+  void prepare(const world::World& world, const glm::dvec3& eye_m, const CloudShadows& shadows);
   /// Gives them to a program in use.
   void bind(const ShaderProgram& program) const;
   /// Light of a white highlight of a lamp, kcd/m2, in the lamp's colour: as bright as white in all light that
@@ -26,6 +27,8 @@ class MeshLights {
   double highlight_share(int lamp) const;
 
  private:
+  const CloudShadows* shadows_ = nullptr;  // of the last prepare()
+  int sun_ = -1;                           // which of the lights; -1: none
   UniformBlock block_;
   std::vector<glm::vec3> klx_;  // in the order of World::lighting()
   float white_klx_ = 0.0f;      // luminance of all light together

@@ -21,9 +21,10 @@ ShaderProgram screen_program(const char* fragment) {
 
 ShaderProgram base_program() {
   return ShaderProgram(
-      {.vertex = {shader_file("mesh_place.glsl"), shader_file("mesh_light.glsl"), shader_file("mesh.vert")},
-       .fragment = {shader_file("environment.glsl"), shader_file("air.glsl"), shader_file("mesh_light.glsl"),
-                    shader_file("mesh.frag")}});
+      {.vertex = {CloudShadows::glsl(), shader_file("mesh_place.glsl"), shader_file("mesh_light.glsl"),
+                  shader_file("mesh.vert")},
+       .fragment = {CloudShadows::glsl(), shader_file("environment.glsl"), shader_file("air.glsl"),
+                    shader_file("mesh_light.glsl"), shader_file("mesh.frag")}});
 }
 
 ShaderProgram outline_program() {
@@ -151,10 +152,10 @@ void MeshPass::end(const RenderTarget& target, const FrameRequest& request) cons
 }
 
 void MeshPass::draw(const world::World& world, const FrameRequest& request, GLuint environment,
-                    const RenderTarget& target) {
+                    const CloudShadows& shadows, const RenderTarget& target) {
   const PixelBox box = pixels(world, request.camera);
   if (box.width <= 0 || box.height <= 0) return;
-  lights_.prepare(world, request.camera.eye_m);
+  lights_.prepare(world, request.camera.eye_m, shadows);
   glEnable(GL_SCISSOR_TEST);
   glScissor(box.left, box.bottom, box.width, box.height);
   begin(target);

@@ -27,7 +27,7 @@ class MeshPass {
   /// Draws onto a target whose depth is reversed: behind what is nearer there. `environment` is the map of
   /// SkyPass.
   void draw(const world::World& world, const FrameRequest& request, GLuint environment,
-            const RenderTarget& target);
+            const CloudShadows& shadows, const RenderTarget& target);
 
  private:
   struct Mesh {

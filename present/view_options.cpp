@@ -31,15 +31,20 @@ Examples:
   offing-view scenes/storm.toml --headless --size 1920x1080 --time 12.5 -o storm.png
   offing-view scenes/storm.toml --record out_%04d.png --frames 0:47 --fps 24
   offing-view --terrain S33W071.tif
+  offing-view scenes/cumulus.toml --compare-reference -o compared
 
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device or display, 130 interrupted.)";
 
 // The command line as it was written.
 struct Written {
-  std::string scene, terrain, size, detail, time, output, record, frames, fps, transfer, device, sources;
+  std::string scene, terrain, size, detail, time, output, record, frames, fps, transfer, device, sources,
+      samples;
+  bool compares_reference = false;
   bool is_headless = false;
   bool is_window = false;
   bool is_paused = false;
+  bool prints_json = false;
+  bool may_replace = false;
   bool is_quiet = false;
   bool is_verbose = false;
 };
@@ -87,6 +92,16 @@ void add_options(CLI::App& app, Written& written) {
   app.add_option("--fps", written.fps, "frame i shows time i / fps (default the scene's)")
       ->type_name("F")
       ->group(pictures);
+  const char* reference = "Clouds beside a reference";
+  app.add_flag("--compare-reference", written.compares_reference,
+               "the clouds as drawn, as paths traced in double precision have them, and what differs\n"
+               "-o names a folder then; --size is 160x90 by default")
+      ->group(reference);
+  app.add_option("--samples", written.samples, "paths a pixel (default 32)")
+      ->type_name("N")
+      ->group(reference);
+  app.add_flag("--force", written.may_replace, "replace pictures of the folder")->group(reference);
+  app.add_flag("--json", written.prints_json, "how much light there is, for scripts")->group(reference);
   const char* general = "General";
   app.add_option("--device", written.device,
                  "OpenCL device, of `offing devices`: an index, cpu, gpu, or part of a name\n"
@@ -139,6 +154,32 @@ void require_sources(const std::filesystem::path& folder) {
               "name a checkout of Offing");
 }
 
+/// Throws, before any work is done, for files that may not be written.
+ReferenceComparison read_comparison(const Written& written) {
+  if (written.output.empty()) {
+    throw Error(ErrorKind::bad_usage, "--compare-reference: expected a folder for its pictures, found none",
+                "add -o compared");
+  }
+  if (!written.record.empty() || written.is_window) {
+    throw Error(ErrorKind::bad_usage,
+                "--compare-reference: expected neither --record nor --window, which it does not make",
+                "leave them out");
+  }
+  ReferenceComparison comparison{.folder = written.output, .prints_json = written.prints_json};
+  if (!written.samples.empty())
+    comparison.samples = static_cast<int>(read_whole("--samples", written.samples, 1, 1'000'000, "32"));
+  std::error_code failed;
+  std::filesystem::create_directories(comparison.folder, failed);
+  if (failed || !std::filesystem::is_directory(comparison.folder)) {
+    throw Error(ErrorKind::file, fmt::format("{}: is no folder and cannot be made one", written.output),
+                "name another folder");
+  }
+  const Overwriting overwriting = written.may_replace ? Overwriting::allowed : Overwriting::refused;
+  for (const char* name : {"drawn.png", "reference.png", "error.png", "compared.exr"})
+    require_new(comparison.file(name).string(), overwriting, {written.scene});
+  return comparison;
+}
+
 /// Throws at the first flag that the others leave without effect.
 void refuse_unused(const Written& written, const ViewOptions& options) {
   const auto refuse = [](const char* what, const char* mend) {
@@ -153,6 +194,10 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
   if (!written.time.empty() && options.recording && options.output.empty()) {
     refuse("--time: expected no --record, whose frames have times of their own",
            "choose the frames with --frames A:B, or make one picture with -o");
+  }
+  if (!options.comparison && (!written.samples.empty() || written.may_replace || written.prints_json)) {
+    refuse("--samples, --force, --json: expected --compare-reference, which they belong to, found none",
+           "add --compare-reference, or leave them out");
   }
   if (written.is_paused && (!options.opens_window || options.recording)) {
     refuse("--paused: expected a window without a recording, which is where time runs",
@@ -191,7 +236,8 @@ ViewOptions checked(const Written& written) {
                        : read_number("--time", written.time, "s", -largest_time_s, largest_time_s, "12.5");
   options.starts_paused = written.is_paused;
   options.output = written.output;
-  if (!written.output.empty()) require_picture_name(options.output);
+  if (written.compares_reference) options.comparison = read_comparison(written);
+  if (!written.output.empty() && !options.comparison) require_picture_name(options.output);
   if (!written.record.empty()) options.recording = read_recording(written, options.scene);
   if (!written.transfer.empty()) options.transfer = transfer_rung(written.transfer);
   options.device = written.device;
@@ -213,7 +259,7 @@ ViewOptions checked(const Written& written) {
   }
   refuse_unused(written, options);
   require_outputs_not_read(written, options);
-  if (!options.output.empty()) require_writable(options.output);
+  if (!options.output.empty() && !options.comparison) require_writable(options.output);
   if (options.recording) require_writable(options.recording->name.of(options.recording->frames.first));
   return options;
 }

@@ -27,6 +27,16 @@ enum class Detail {
 };
 FrameSettings frame_settings(Detail detail, std::optional<TransferRung> transfer = {});
 
+/// What --compare-reference asks for.
+struct ReferenceComparison {
+  std::filesystem::path folder;
+  int samples = 32;  ///< paths a pixel
+  bool prints_json = false;
+
+  /// "drawn.png", "reference.png", "error.png", "compared.exr"
+  std::filesystem::path file(const char* name) const { return folder / name; }
+};
+
 /// What the command line asks for, checked.
 struct ViewOptions {
   scene::OceanScene scene;
@@ -38,6 +48,7 @@ struct ViewOptions {
   bool starts_paused = false;    ///< a window stands at time_s until it is let run
   std::filesystem::path output;  ///< one picture; empty: none
   std::optional<Recording> recording;
+  std::optional<ReferenceComparison> comparison;
   std::optional<TransferRung> transfer;
   std::string device;  ///< selector of ocl::select_device
   /// Checkout whose kernels and shaders are read instead of those built in; empty: none.

@@ -15,7 +15,7 @@ namespace offing::present {
 namespace {
 
 constexpr int environment_unit = WaterMaps::first_free_unit, pattern_unit = environment_unit + 1,
-              first_surface_unit = pattern_unit + 1;
+              shadow_unit = pattern_unit + 1, first_surface_unit = shadow_unit + 1;
 // Waves shorter than 2 m break without drawing air under: they make no foam.
 constexpr double ripples_radpm = std::numbers::pi;
 // Of the light that enters deep, clear water this share comes back out, at red, green and blue; half of the
@@ -26,9 +26,10 @@ constexpr std::array<double, 3> water_reflectance{0.002, 0.011, 0.024};
 ShaderProgram water_program() {
   return ShaderProgram(
       {.vertex = {shader_file("screen.vert")},
-       .fragment = {shader_file("environment.glsl"), shader_file("air.glsl"), shader_file("view_ray.glsl"),
-                    shader_file("water.glsl"), shader_file("rings.glsl"), shader_file("water_light.glsl"),
-                    shader_file("water_debug.glsl"), shader_file("water.frag")}});
+       .fragment = {CloudShadows::glsl(), shader_file("environment.glsl"), shader_file("air.glsl"),
+                    shader_file("view_ray.glsl"), shader_file("water.glsl"), shader_file("rings.glsl"),
+                    shader_file("water_light.glsl"), shader_file("water_debug.glsl"),
+                    shader_file("water.frag")}});
 }
 
 glm::vec3 to_vec3(const ocean::SlopeCovariance& slopes) {
@@ -76,17 +77,19 @@ void WaterPass::set_waves(const world::World& world, const Camera& camera) const
 void WaterPass::set_light(const world::World& world) const {
   const sky::Illuminance& light = world.illuminance();
   const auto& sun = world.sky().params();
-  glm::vec3 water(0.0f);
+  glm::vec3 of_sky(0.0f), of_sun(0.0f);
   for (int channel = 0; channel < 3; ++channel) {
     const auto c = static_cast<std::size_t>(channel);
-    const double level_klx = light.sky_klx[c] + light.sun_klx[c] * std::max(0.0f, sun.sun_direction_y);
-    water[channel] = static_cast<float>(water_reflectance[c] * level_klx / std::numbers::pi);
+    const double returned = water_reflectance[c] / std::numbers::pi;
+    of_sky[channel] = static_cast<float>(returned * light.sky_klx[c]);
+    of_sun[channel] = static_cast<float>(returned * light.sun_klx[c] * std::max(0.0f, sun.sun_direction_y));
   }
   program_.set("sun_direction", glm::vec3(sun.sun_direction_x, sun.sun_direction_y, sun.sun_direction_z));
   program_.set("sun_radius_rad", sun.sun_angular_radius_rad);
   program_.set("sun_klx", to_vec3(light.sun_klx));
   program_.set("sky_klx", to_vec3(light.sky_klx));
-  program_.set("water_kcdpm2", water);
+  program_.set("water_of_sky_kcdpm2", of_sky);
+  program_.set("water_of_sun_kcdpm2", of_sun);
 }
 
 void WaterPass::bind_surface() const {
@@ -102,7 +105,7 @@ void WaterPass::bind_surface() const {
 }
 
 void WaterPass::draw(const world::World& world, const FrameRequest& request, GLuint environment,
-                     const RenderTarget& target) {
+                     const CloudShadows& shadows, const RenderTarget& target) {
   if (!surface_.draw(world, maps_, request.camera, request.fill)) return;
   target.bind();
   program_.use();
@@ -111,6 +114,7 @@ void WaterPass::draw(const world::World& world, const FrameRequest& request, GLu
   set_light(world);
   bind_surface();
   set_air(program_, world.parameters().atmosphere, environment, environment_unit);
+  shadows.bind(program_, shadow_unit);
   bind_sampler(program_, "foam_pattern", pattern_unit, foam_pattern_.name());
   program_.set("eye_height_m", static_cast<float>(request.camera.eye_m.y));
   program_.set("debug_view", static_cast<int>(request.debug));

@@ -2,6 +2,7 @@
 
 #include "host/base/camera.h"
 #include "host/world/world.h"
+#include "present/cloud_shadows.h"
 #include "present/frame_request.h"
 #include "present/gl_context.h"
 #include "present/gl_objects.h"
@@ -30,7 +31,7 @@ class WaterPass {
   void prepare(world::World& world, TransferLadder& transfer) { maps_.prepare(world, transfer); }
   /// Draws onto a target whose depth is reversed. `environment` is the map of SkyPass.
   void draw(const world::World& world, const FrameRequest& request, GLuint environment,
-            const RenderTarget& target);
+            const CloudShadows& shadows, const RenderTarget& target);
 
  private:
   void set_waves(const world::World& world, const Camera& camera) const;

@@ -1,5 +1,6 @@
 #include "host/clouds/cloud_shadow_map.h"
 
+#include <atomic>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -78,6 +79,8 @@ void CloudShadowMap::update(const ocl::Buffer<CloudParticle>& particles, std::ui
   }
   const int per_item = is_strip_ ? strip_texels : 1;
   resolve_kernel_.launch({{items(texels, per_item)}}, moments_, per_item, map_);
+  static std::atomic<std::uint64_t> revisions{0};
+  revision_ = ++revisions;
 }
 
 std::vector<float> CloudShadowMap::transmittance(std::span<const glm::vec3> places_m) {

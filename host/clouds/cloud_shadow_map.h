@@ -34,6 +34,9 @@ class CloudShadowMap {
   const CloudShadowParams& params() const { return params_; }
   const ocl::Buffer<Texel>& map() const { return map_; }
 
+  /// Another one after each update(), unlike that of any other map.
+  std::uint64_t revision() const { return revision_; }
+
   /// Waits for the share of the sun's light that comes straight through to places [n] in the particles' axes:
   /// of exact chords, without the map.
   std::vector<float> transmittance(std::span<const glm::vec3> places_m);
@@ -44,6 +47,7 @@ class CloudShadowMap {
   ocl::Kernel splat_kernel_, resolve_kernel_, points_kernel_;
   const ocl::Buffer<CloudParticle>* particles_ = nullptr;
   std::uint32_t count_ = 0;
+  std::uint64_t revision_ = 0;
   CloudShadowParams params_{};
   ocl::Buffer<std::int32_t> moments_;
   ocl::Buffer<Texel> map_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
@@ -14,10 +15,11 @@
 namespace offing::clouds {
 namespace {
 
-// Fitted to the reference over heaps of 100 to 800 particles, optical depths of 5 to 55, a flat cloud, and
-// suns high and low: EMPTY_DEPTH 1.7 and where a dense particle shows from (FRONT_RADII 0.9, FRONT_DEPTH 3).
-// tests/clouds/light_accuracy_test.cpp measures what comes of it. Room for the cells of a cloud's grid; heaps
-// have a quarter of them (kernels/clouds/light_bounds.cl).
+// EMPTY_DEPTH 1.7 and where a dense particle shows from (FRONT_RADII 1.4, FRONT_DEPTH 3) were fitted to the
+// reference over the genera, whose light is within some 15 % then (tests/clouds/light_accuracy_test.cpp), and
+// to slabs (particle_light_test.cpp).
+
+// Room for the cells of a cloud's grid; heaps have a quarter of them (kernels/clouds/light_bounds.cl).
 constexpr int cells = 16384;
 // A plane of zeros, all levels (each at most a quarter of the one before, but for short rows), and what is
 // read beyond.
@@ -79,6 +81,7 @@ ParticleLight::ParticleLight(const ocl::Device& device)
       is_strip_(ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip),
       bounds_kernel_(built(device, "clouds/light_bounds.cl", "light_bounds", is_strip_)),
       density_kernel_(built(device, "clouds/light_density.cl", "light_density", is_strip_)),
+      entry_kernel_(built(device, "clouds/light_entry.cl", "light_entry", is_strip_)),
       beam_kernel_(built(device, "clouds/light_beam.cl", "light_beam", is_strip_)),
       source_kernel_(built(device, "clouds/light_source.cl", "light_source", is_strip_)),
       coarsen_kernel_(built(device, "clouds/light_coarsen.cl", "light_coarsen", is_strip_)),
@@ -125,6 +128,8 @@ void ParticleLight::reserve(std::size_t clouds) {
     buffer->fill(0.0f);  // what stands for neighbours outside must be numbers
   }
   beams_.fill(0.0f);
+  constexpr std::size_t texels = CLOUD_ENTRY_SIZE * CLOUD_ENTRY_SIZE;
+  entries_ = ocl::Buffer<float>(device_, clouds * CLOUD_SUNS * texels, "sunlight between clouds");
   for (auto* buffer : {&glow_, &drift_})
     *buffer = ocl::Buffer<Float4>(device_, clouds * cells, "scattered light in clouds");
 }
@@ -163,8 +168,10 @@ void ParticleLight::diffuse(std::size_t clouds) {
   const ocl::LaunchShape rows = shared(group_row_items), each_cell = shared(group_cell_items);
   density_kernel_.launch(rows, *particles_, grids_, medium_);
   if (light_.sun_count > 0) {
-    beam_kernel_.launch({{static_cast<std::size_t>(light_.sun_count) * group, clouds}, {group, 1}}, grids_,
-                        looks_, light_, medium_, beams_);
+    const ocl::LaunchShape each_sun{{static_cast<std::size_t>(light_.sun_count) * group, clouds}, {group, 1}};
+    const auto number = static_cast<int>(clouds);
+    if (clouds > 1) entry_kernel_.launch(each_sun, grids_, looks_, light_, medium_, number, entries_);
+    beam_kernel_.launch(each_sun, grids_, looks_, light_, medium_, entries_, number, beams_);
   }
   source_kernel_.launch(each_cell, grids_, looks_, light_, medium_, beams_, faces_, sources_);
   coarsen_kernel_.launch({{clouds * group}, {group}}, grids_, medium_, faces_);
@@ -189,6 +196,22 @@ void ParticleLight::carry_along(const CloudIllumination& light, std::size_t clou
                               grids_, static_cast<int>(clouds), looks_, phases_, way.x, way.y, way.z,
                               recurrence_map_, reached_);
   }
+}
+
+std::optional<CloudBox> ParticleLight::box() const {
+  if (count_ == 0) return std::nullopt;
+  std::optional<CloudBox> box;
+  const std::vector<CloudGrid> grids = grids_.read();
+  for (std::size_t cloud = 0; cloud < known_looks_.size(); ++cloud) {
+    const CloudGrid& grid = grids[cloud];
+    if (grid.first == grid.end) continue;
+    const glm::vec3 low_m(grid.low_x, grid.low_y, grid.low_z);
+    const glm::vec3 high_m = low_m + glm::vec3(grid.size_x, grid.size_y, grid.size_z) *
+                                         glm::vec3(grid.cell_x, grid.cell_y, grid.cell_z);
+    box =
+        box ? CloudBox{glm::min(box->low_m, low_m), glm::max(box->high_m, high_m)} : CloudBox{low_m, high_m};
+  }
+  return box;
 }
 
 void ParticleLight::see(const glm::vec3& eye_m, ocl::Buffer<CloudSprite>& sprites) {

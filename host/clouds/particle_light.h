@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,9 +17,14 @@
 
 namespace offing::clouds {
 
+/// Along the axes of the particles, m.
+struct CloudBox {
+  glm::vec3 low_m, high_m;
+};
+
 /// Light on particles and toward the eye (C10 to C12), on the device. relight() when the suns, the sky or the
-/// particles change; see() when the eye moves. Clouds light and shade themselves, each in a grid of its own;
-/// they do not shade each other.
+/// particles change; see() when the eye moves. Clouds light and shade themselves, each in a grid of its own,
+/// and take the suns' light from those behind them; they do not light each other.
 ///
 /// LightModel::calibrated keeps energy: direct light in the delta-scaled medium with its aureole
 /// (host/clouds/ phase_table.h) and diffusion of what is scattered more often
@@ -35,6 +41,9 @@ class ParticleLight {
                const CloudIllumination& light, std::span<const CloudLook> looks,
                LightModel model = LightModel::calibrated);
 
+  /// Waits for the box around the particles of the last relight(); nothing where there are none.
+  std::optional<CloudBox> box() const;
+
   /// Queues what an eye at this place, in the particles' axes, sees of each: sprites [count].
   void see(const glm::vec3& eye_m, ocl::Buffer<CloudSprite>& sprites);
 
@@ -48,8 +57,8 @@ class ParticleLight {
 
   ocl::Device device_;
   bool is_strip_;
-  ocl::Kernel bounds_kernel_, density_kernel_, beam_kernel_, source_kernel_, coarsen_kernel_, diffuse_kernel_,
-      glow_kernel_, scatter_kernel_, recurrence_kernel_, first_order_kernel_;
+  ocl::Kernel bounds_kernel_, density_kernel_, entry_kernel_, beam_kernel_, source_kernel_, coarsen_kernel_,
+      diffuse_kernel_, glow_kernel_, scatter_kernel_, recurrence_kernel_, first_order_kernel_;
   const ocl::Buffer<CloudParticle>* particles_ = nullptr;
   std::uint32_t count_ = 0;
   CloudLightParams light_{};
@@ -60,7 +69,7 @@ class ParticleLight {
   std::vector<CloudLook> known_looks_;
   ocl::Buffer<CloudGrid> grids_;
   ocl::Buffer<CloudScattering> looks_;
-  ocl::Buffer<float> phases_, beams_, medium_, faces_, sources_, fluence_;
+  ocl::Buffer<float> phases_, entries_, beams_, medium_, faces_, sources_, fluence_;
   ocl::Buffer<Float4> glow_, drift_;
 };
 

@@ -98,10 +98,14 @@ struct CloudLayerScene {
   std::uint64_t seed = 1;
 };
 
+/// Whether clouds throw shadows on ground, sea and meshes.
+enum class CloudShadows { off, on };
+
 /// All clouds of a scene, and how they are lit.
 struct CloudsScene {
   clouds::LightModel light = clouds::LightModel::calibrated;
   std::uint64_t seed = 1;
+  CloudShadows shadows = CloudShadows::on;
   double quality = 1.0;  ///< particles, in those that clouds ask for
   /// Folders of pictures for the two sets of puff textures; empty: Offing's own.
   std::string crisp_puffs, soft_puffs;

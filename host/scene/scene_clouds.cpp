@@ -209,7 +209,10 @@ std::optional<world::CloudSkyParameters> prepare_clouds(const OceanScene& scene)
 std::optional<world::CloudSkyParameters> prepare_clouds(const OceanScene& scene, CloudShapes& shapes) {
   if (!scene.has_clouds()) return std::nullopt;
   shapes.begin();
-  world::CloudSkyParameters sky{.clouds = {}, .particles = {}, .light_model = scene.cloud_settings.light};
+  world::CloudSkyParameters sky{.clouds = {},
+                                .particles = {},
+                                .light_model = scene.cloud_settings.light,
+                                .throws_shadows = scene.cloud_settings.shadows == CloudShadows::on};
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     CloudParameters parameters = cloud_parameters_of(scene, i);
     take_quality(scene.cloud_settings.quality, parameters);

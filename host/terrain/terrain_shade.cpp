@@ -35,7 +35,8 @@ TerrainShade::TerrainShade(const ocl::Device& device)
       lanes_(lanes_of(device)),
       contrast_kernel_(ocl::Program::build(device, "terrain/terrain_contrast.cl").kernel("terrain_contrast")),
       no_colours_(device, 1, "colour map"),
-      no_shares_(device, 1, "shares of the sky") {}
+      no_shares_(device, 1, "shares of the sky"),
+      no_shadow_(device, 1, "shadow of clouds") {}
 
 TerrainShade::Kernels TerrainShade::build(const ocl::Defines& defines) const {
   return {ocl::Program::build(device_, "terrain/terrain_shade.cl", defines).kernel("terrain_shade"),
@@ -82,12 +83,14 @@ void TerrainShade::paint(const Kernels& kernels, const SeenGround& ground, const
   if (look.open_sky != nullptr) look.open_sky->describe(device_look);
   const auto& colours = look.colours != nullptr ? look.colours->colours() : no_colours_;
   const auto& shares = look.open_sky != nullptr ? look.open_sky->shares() : no_shares_;
+  const CloudShadowParams shadow = light.clouds != nullptr ? light.clouds->params : CloudShadowParams{};
+  const auto& shadow_map = light.clouds != nullptr ? light.clouds->map : no_shadow_;
   const bool refines_all = sampling.rays > 1 && sampling.least_contrast < 0.0;
   if (refines_all || sampling.rays == 1) needs_.fill(refines_all ? TERRAIN_MANY_RAYS : TERRAIN_ONE_RAY);
   if (!refines_all) {
     kernels.shade.launch(picture_shape(camera, lanes_), ground.heights_m, ground.lids_m, ground.field,
                          ground.view, hits, light.light, light.sky, light.view_table, device_look, colours,
-                         shares, image);
+                         shares, shadow, shadow_map, image);
     if (sampling.rays == 1) return;
     contrast_kernel_.launch(
         {{static_cast<std::size_t>(camera.width_px), static_cast<std::size_t>(camera.height_px)}}, image,
@@ -95,7 +98,7 @@ void TerrainShade::paint(const Kernels& kernels, const SeenGround& ground, const
   }
   kernels.refine.launch(picture_shape(camera, lanes_), ground.heights_m, ground.lids_m, ground.field,
                         ground.view, light.light, light.sky, light.view_table, device_look, colours, shares,
-                        needs_, sampling.rays, image);
+                        shadow, shadow_map, needs_, sampling.rays, image);
 }
 
 double TerrainShade::refined_share() const {

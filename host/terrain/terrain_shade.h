@@ -13,6 +13,7 @@
 #include "host/terrain/height_field.h"
 #include "host/terrain/open_sky.h"
 #include "host/terrain/tiled_field.h"
+#include "kernels/shared/cloud_shadow.h"
 #include "kernels/shared/sky_params.h"
 #include "kernels/shared/terrain_light.h"
 
@@ -21,12 +22,20 @@ namespace offing::terrain {
 /// One float4 of the device.
 using Texel = std::array<float, 4>;
 
+/// The shadow of clouds (kernels/clouds/cloud_shadow.clh), with places relative to the point at sea level
+/// below the camera's eye.
+struct CloudShade {
+  CloudShadowParams params;
+  const ocl::Buffer<Texel>& map;
+};
+
 /// What lights the ground: the sky's parameters and its view table of kernels/sky for the camera's eye, and
 /// what shared/terrain_light.h says of the light.
 struct GroundLight {
   TerrainLight light;
   SkyParams sky;
   const ocl::Buffer<Texel>& view_table;
+  const CloudShade* clouds = nullptr;  ///< none: no clouds shade it
 };
 
 /// Rays a pixel. All pixels get one. Those whose light differs from that of a neighbour by more than a share
@@ -97,6 +106,7 @@ class TerrainShade {
   ocl::Kernel contrast_kernel_;
   ocl::Buffer<std::uint32_t> no_colours_;
   ocl::Buffer<std::uint8_t> no_shares_;
+  ocl::Buffer<Texel> no_shadow_;
   ocl::Buffer<std::uint8_t> needs_;  // [height_px][width_px]
   std::size_t pixels_ = 0;           // of the last picture
 };

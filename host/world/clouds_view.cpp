@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "host/base/error.h"
 #include "host/clouds/cloud_model.h"
@@ -58,6 +59,8 @@ struct CloudsView::Sky {
   clouds::ViewOrder view_order;
   std::optional<double> time_s;                     // of the particles
   std::optional<clouds::CloudIllumination> lit_by;  // that these particles have been lit by
+  std::optional<clouds::CloudShadowMap> shadow;     // made when first asked for
+  bool has_shadow = false;                          // of these particles in this light
   std::optional<glm::dvec3> seen_from_m;
   std::uint64_t revision = 0;
 };
@@ -116,6 +119,7 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
   sky.origin_m = origin_of(parameters);
   sky.time_s.reset();
   sky.lit_by.reset();
+  sky.has_shadow = false;
   sky.seen_from_m.reset();
   ++sky.revision;
 }
@@ -133,6 +137,7 @@ void CloudsView::at(double time_s) {
   }
   sky.time_s = time_s;
   sky.lit_by.reset();
+  sky.has_shadow = false;
   ++sky.revision;
 }
 
@@ -141,6 +146,7 @@ void CloudsView::light(const clouds::CloudIllumination& illumination) {
   if (sky.lit_by == illumination || sky.count == 0) return;
   sky.particle_light.relight(sky.particles, sky.count, illumination, sky.looks, sky.parameters.light_model);
   sky.lit_by = illumination;
+  sky.has_shadow = false;
   sky.seen_from_m.reset();
   ++sky.revision;
 }
@@ -153,6 +159,36 @@ void CloudsView::see(const Camera& camera) {
   sky.view_order.sort(sky.particles, sky.count, eye_m);
   sky.seen_from_m = camera.eye_m;
   ++sky.revision;
+}
+
+const clouds::CloudIllumination* CloudsView::illumination() const {
+  return sky_->lit_by ? &*sky_->lit_by : nullptr;
+}
+
+void CloudsView::cast_shadow() {
+  Sky& sky = *sky_;
+  if (sky.has_shadow || !sky.lit_by || sky.lit_by->suns.empty()) return;
+  const std::optional<clouds::CloudBox> box = sky.particle_light.box();
+  if (!box) return;
+  const glm::dvec3 middle_m = 0.5 * (glm::dvec3(box->low_m) + glm::dvec3(box->high_m));
+  const double half_width_m = 0.5 * glm::length(glm::dvec3(box->high_m) - glm::dvec3(box->low_m));
+  if (!sky.shadow) sky.shadow.emplace(sky.device);
+  sky.shadow->update(sky.particles, sky.count, sky.lit_by->suns.front().direction, middle_m, half_width_m);
+  sky.has_shadow = true;
+}
+
+const clouds::CloudShadowMap* CloudsView::shadow() const {
+  return sky_->has_shadow ? &*sky_->shadow : nullptr;
+}
+
+CloudShadowParams CloudsView::shadow_about(const glm::dvec3& point_m) const {
+  if (shadow() == nullptr) return {};
+  CloudShadowParams params = shadow()->params();
+  const glm::dvec3 from = sky_->origin_m - point_m;
+  params.middle_x = static_cast<float>(params.middle_x + from.x);
+  params.middle_y = static_cast<float>(params.middle_y + from.y);
+  params.middle_z = static_cast<float>(params.middle_z + from.z);
+  return params;
 }
 
 double CloudsView::altitude_m() const {

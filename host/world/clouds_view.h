@@ -8,6 +8,7 @@
 
 #include "host/base/camera.h"
 #include "host/clouds/cloud_parameters.h"
+#include "host/clouds/cloud_shadow_map.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 #include "kernels/shared/clouds.h"
@@ -21,6 +22,7 @@ struct CloudSkyParameters {
   /// parameters give (files, edits by hand); nullptr: none. Equal that are the same object.
   std::vector<std::shared_ptr<const std::vector<CloudParticle>>> particles = {};
   clouds::LightModel light_model = clouds::LightModel::calibrated;
+  bool throws_shadows = true;  ///< on ground, sea and meshes
 
   bool operator==(const CloudSkyParameters&) const = default;
 };
@@ -50,6 +52,18 @@ class CloudsView {
   void light(const clouds::CloudIllumination& illumination);
   /// Enqueues what is seen of the particles of the last light() from a camera's eye; nothing before one.
   void see(const Camera& camera);
+
+  /// What lit the particles of the last light(); nullptr before one.
+  const clouds::CloudIllumination* illumination() const;
+
+  /// Enqueues the shadow that the particles of the last light() throw in the light of its first sun; nothing
+  /// where neither has changed. Waits for their light.
+  void cast_shadow();
+  /// Of the last cast_shadow(): nullptr where none was cast, or there is no sun.
+  const clouds::CloudShadowMap* shadow() const;
+  /// The parameters of shadow(), with places relative to a point of the world; without one, those of no
+  /// shadow.
+  CloudShadowParams shadow_about(const glm::dvec3& point_m) const;
 
   /// Mean altitude of the clouds at time 0, m above the sea.
   double altitude_m() const;

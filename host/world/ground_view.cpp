@@ -93,7 +93,7 @@ void GroundView::fit(const Camera& camera) {
   height_px_ = camera.height_px;
 }
 
-void GroundView::at(const Camera& camera, const sky::ClearSky& sky, const TerrainLight& light,
+void GroundView::at(const Camera& camera, const sky::ClearSky& sky, const LightOnGround& light,
                     const terrain::Sampling& sampling, TileWait wait, const terrain::SeaOverGround& sea) {
   is_in_reach_ = rays_reach(field_ ? field_->grid() : tiles_->grid(), camera.eye_m);
   if (!is_in_reach_) return;
@@ -103,7 +103,7 @@ void GroundView::at(const Camera& camera, const sky::ClearSky& sky, const Terrai
                                  .colours = colours_ ? &*colours_ : nullptr,
                                  .open_sky = open_sky_ ? &*open_sky_ : nullptr,
                                  .sea = sea};
-  const terrain::GroundLight ground_light{light, sky.params(), sky.view_table()};
+  const terrain::GroundLight ground_light{light.light, sky.params(), sky.view_table(), light.clouds};
   if (field_) {
     field_->cast(camera, hits_);
     shade_.at(*field_, camera, hits_, ground_light, image_, look);

@@ -50,6 +50,12 @@ struct GroundParameters {
 /// Whether a picture waits for tiles; if not, coarser ones stand in for those that are not there yet.
 enum class TileWait { none, all };
 
+/// What falls on the ground beside what the sky's tables have.
+struct LightOnGround {
+  TerrainLight light;
+  const terrain::CloudShade* clouds = nullptr;  ///< none: no clouds shade it
+};
+
 /// The ground of a world on a device, and what a camera sees of it.
 class GroundView {
  public:
@@ -72,7 +78,7 @@ class GroundView {
   /// Enqueues what this camera sees under a sky whose eye is the camera's: nothing from where no rays reach
   /// the map (terrain::farthest_origin_cells). Throws what require_valid(camera) throws, Error(bad_input) for
   /// a sampling out of range.
-  void at(const Camera& camera, const sky::ClearSky& sky, const TerrainLight& light,
+  void at(const Camera& camera, const sky::ClearSky& sky, const LightOnGround& light,
           const terrain::Sampling& sampling, TileWait wait = TileWait::all,
           const terrain::SeaOverGround& sea = {});
   /// Whether the camera of the last at() was near enough; only then is there anything of what follows.

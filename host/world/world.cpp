@@ -269,6 +269,7 @@ void World::light_clouds(double time_s) {
   }
   clouds_->at(time_s);
   clouds_->light(*cloud_illumination_);
+  if (parameters_.clouds->throws_shadows && (ocean_ || ground_ || !meshes_.empty())) clouds_->cast_shadow();
 }
 
 void World::see_clouds(const Camera& camera) {
@@ -282,7 +283,14 @@ void World::see_ground(const Camera& camera, const terrain::Sampling& sampling, 
   // From above the crests, what is deeper than the troughs is behind water, which falls away as the Earth
   // bends.
   if (ocean_ && camera.eye_m.y > waves_m) sea = {-waves_m, 0.5 / sea_radius_m};
-  ground_->at(camera, sky_, ground_light_, sampling, wait, sea);
+  const bool has_shadow = clouds_ && clouds_->shadow() != nullptr;
+  if (!has_shadow) {
+    ground_->at(camera, sky_, {ground_light_}, sampling, wait, sea);
+    return;
+  }
+  const terrain::CloudShade shade{clouds_->shadow_about({camera.eye_m.x, 0.0, camera.eye_m.z}),
+                                  clouds_->shadow()->map()};
+  ground_->at(camera, sky_, {ground_light_, &shade}, sampling, wait, sea);
 }
 
 }  // namespace offing::world

@@ -1,11 +1,12 @@
 // The share of each sun's light that reaches the middle of each cell, scaled: what scatters nearly forward goes on
 // (C10). Carried from plane to plane along the axis that the light crosses fastest; between the middles of four cells
 // of the plane before it is mixed, which keeps energy.
-// In:  grids, looks [clouds], light, medium.
+// Other clouds before this one take their share from all cells of a line alike.
+// In:  grids, looks [clouds], light, medium; of light_entry.cl entries, which count where there are several clouds.
 // Out: beams [clouds][CLOUD_SUNS][CELLS], those of sun_count suns.
 // One work-group of GROUP_SIZE a sun (dimension 0) and cloud (1).
-#include "clouds/light_grid.clh"
 #include "clouds/lane_exponents.clh"
+#include "clouds/light_entry.clh"
 
 // Cells of the largest plane, and a rim around them where the light has met nothing yet.
 #define PLANE_CELLS (CELLS / LEAST_CELLS)
@@ -15,7 +16,8 @@ static inline float component(float3 v, int axis) { return axis == 0 ? v.x : (ax
 
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_beam(
     __global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
-    const CloudLightParams light, __global const float *restrict medium, __global float *restrict beams) {
+    const CloudLightParams light, __global const float *restrict medium, __global const float *restrict entries,
+    int clouds, __global float *restrict beams) {
   // What leaves the cells of the plane before and of this one, in turn.
   __local float leaving[2][RIMMED_CELLS];
   const int cloud = (int)get_group_id(1), sun = (int)get_group_id(0), item = (int)get_local_id(0);
@@ -40,6 +42,8 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_beam
   const float share_a = back_a - (float)left_a, share_b = back_b - (float)left_b;
   const bool is_rising = component(way, axis) > 0.0f;
   const int pitch = size_a + 2;
+  const EntrySquare square = entry_square(grid, (float3)(source.x, source.y, source.z));
+  __global const float *shares = entries + ((size_t)cloud * CLOUD_SUNS + sun) * ENTRY_TEXELS;
 
   // What half a cell lets through, kept where the light will be.
   const int cells = grid.size_x * grid.size_y * grid.size_z;
@@ -59,7 +63,13 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_beam
           mix(mix(from[0], from[1], share_a), mix(from[pitch], from[pitch + 1], share_a), share_b);
       const int cell = start + a * stride_a + b * stride_b;
       const float half_kept = beam[cell];
-      beam[cell] = arriving * half_kept;
+      float entering = 1.0f;
+      if (clouds > 1) {
+        const float3 at = (float3)((float)(cell % grid.size_x), (float)(cell / grid.size_x % grid.size_y),
+                                   (float)(cell / (grid.size_x * grid.size_y))) + 0.5f;
+        entering = entry_share(square, shares, (float3)(grid.low_x, grid.low_y, grid.low_z) + at * grid_cell(grid));
+      }
+      beam[cell] = entering * arriving * half_kept;
       after[b * pitch + a] = arriving * half_kept * half_kept;
     }
     wait_for_group();

@@ -45,7 +45,7 @@ __kernel void light_glow(__global const CloudGrid *restrict grids, __global cons
     for (int sun = 0; sun < light.sun_count; ++sun) {
       const CloudSunLight from = light.suns[sun];
       const lanes strength = scattered * look.scaled_mean_cosine * (from.red + from.green + from.blue) / 3.0f * extinction *
-                             load_lanes(beams + sun * CELLS + cell) / (transport * extinction + empty);
+                             load_lanes(beams + sun * CELLS + cell) / transport_extinction(extinction, transport, empty);
       x -= strength * from.x;
       y -= strength * from.y;
       z -= strength * from.z;

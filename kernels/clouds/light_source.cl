@@ -9,7 +9,7 @@
 static inline lanes leaning(__global const float *medium, __global const float *beam, int at, float transport,
                             float empty) {
   const lanes extinction = load_lanes(medium + at);
-  return extinction * load_lanes(beam + at) / (transport * extinction + empty);
+  return extinction * load_lanes(beam + at) / transport_extinction(extinction, transport, empty);
 }
 
 // What comes of a sun: its light where it is scattered, and how its lean grows across the cell. Reads beyond a row are of
@@ -68,15 +68,16 @@ __kernel void light_source(__global const CloudGrid *restrict grids, __global co
     const Piece piece = piece_of(level, i);
     __global const float *cells = medium + piece.at - FIRST_LEVEL;
     const lanes x = (float)piece.x + LANE_INDEX;
-    const lanes here = transport * load_lanes(cells) + empty;
-    const lanes right = transport * load_lanes(cells + 1) + empty;
+    const lanes here = transport_extinction(load_lanes(cells), transport, empty);
+    const lanes right = transport_extinction(load_lanes(cells + 1), transport, empty);
     store_lanes(select((lanes)0.0f, conductances(grid.cell_x, here, right), mask_of(x < last_x)),
                 faces + FACES_X + piece.at);
     lanes up = (lanes)0.0f, back = (lanes)0.0f;
     if (piece.y < last_y)
-      up = conductances(grid.cell_y, here, transport * load_lanes(cells + grid.size_x) + empty);
+      up = conductances(grid.cell_y, here, transport_extinction(load_lanes(cells + grid.size_x), transport, empty));
     if (piece.z < last_z)
-      back = conductances(grid.cell_z, here, transport * load_lanes(cells + grid.size_x * grid.size_y) + empty);
+      back = conductances(grid.cell_z, here,
+                          transport_extinction(load_lanes(cells + grid.size_x * grid.size_y), transport, empty));
     store_lanes(up, faces + FACES_Y + piece.at);
     store_lanes(back, faces + FACES_Z + piece.at);
 

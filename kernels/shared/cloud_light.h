@@ -5,6 +5,9 @@
 // Most suns at a time.
 #define CLOUD_SUNS 4
 
+// Texels a side of what is known of the light that reaches a cloud past others.
+#define CLOUD_ENTRY_SIZE 16
+
 // Tables of phases: [look][CLOUD_PHASE_DEPTHS][CLOUD_PHASE_ANGLES], 1/sr. Angles go with the square of their place, so
 // that the forward peak is fine: angle = pi (i / (CLOUD_PHASE_ANGLES - 1))^2. Depths:
 // depth = CLOUD_PHASE_DEPTH_SCALE * u / (1 - u), u = i / CLOUD_PHASE_DEPTHS.

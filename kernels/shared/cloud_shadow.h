@@ -5,7 +5,7 @@
 // Texels a side of the map [CLOUD_SHADOW_SIZE][CLOUD_SHADOW_SIZE].
 #define CLOUD_SHADOW_SIZE 512
 
-// A square across the sun's light around a middle, in the axes of the particles.
+// A square across the sun's light around a middle, in the axes of the particles. half_width 0: there is no shadow.
 typedef struct {
   float middle_x, middle_y, middle_z;  // m
   float right_x, right_y, right_z;     // unit, along the map's columns
@@ -15,7 +15,7 @@ typedef struct {
   float padding_0, padding_1, padding_2;
 } CloudShadowParams;
 
-#ifndef __OPENCL_VERSION__
+#if !defined(__OPENCL_VERSION__) && defined(__cplusplus)
 static_assert(sizeof(CloudShadowParams) == 64, "no padding but what is written");
 #endif
 

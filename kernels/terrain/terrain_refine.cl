@@ -61,8 +61,9 @@ __kernel void terrain_refine(__global const float *restrict heights_m, __global 
                              TerrainField field, TerrainView view, TerrainLight light, SkyParams sky,
                              __global const float4 *restrict view_table, TerrainLook look,
                              __global const uint *restrict colours, __global const uchar *restrict sky_shares,
+                             const CloudShadowParams shadow, __global const float4 *restrict shadow_map,
                              __global const uchar *restrict needs, int samples, __global float4 *restrict image) {
-  const Scenery scenery = {{heights_m, lids_m, field}, light, sky, view_table, look, colours, sky_shares};
+  const Scenery scenery = {{heights_m, lids_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map};
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   int_lanes first_level = (int_lanes)field.first_level;
   if (field.starts_at_origin) {

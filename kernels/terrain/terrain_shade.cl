@@ -41,8 +41,9 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
                             TerrainField field, TerrainView view, __global const TerrainHit *restrict hits,
                             TerrainLight light, SkyParams sky, __global const float4 *restrict view_table,
                             TerrainLook look, __global const uint *restrict colours, __global const uchar *restrict sky_shares,
+                            const CloudShadowParams shadow, __global const float4 *restrict shadow_map,
                             __global float4 *restrict image) {
-  const Scenery scenery = {{heights_m, lids_m, field}, light, sky, view_table, look, colours, sky_shares};
+  const Scenery scenery = {{heights_m, lids_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map};
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   for (int row = top; row < min(top + TILE_ROWS, view.height_px); row += BLOCK_ROWS) {
     for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); column += BLOCK_COLUMNS) {

@@ -32,7 +32,7 @@ vec3 ramp(float facing) {
 vec3 cartoon_light(vec3 unit_normal) {
   vec3 klx = around_klx(0.0);
   for (int i = 0; i < light_count; ++i) {
-    klx += lights[2 * i + 1].rgb * ramp(dot(unit_normal, toward_light(i, place_m)));
+    klx += light_klx(i, place_m) * ramp(dot(unit_normal, toward_light(i, place_m)));
   }
   return colour / pi * klx;
 }

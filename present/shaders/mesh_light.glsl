@@ -3,6 +3,7 @@ const float pi = 3.14159265;
 const int max_lights = 64;
 
 uniform int light_count;
+uniform int sun;  // which of them clouds shade; -1: none
 // Two a light: the direction toward it and 0, or its place and 1; what it sends on a surface that faces it, klx.
 layout(std140) uniform Lights { vec4 lights[2 * max_lights]; };
 uniform vec3 sky_klx;     // on a level surface that looks up, by the sky alone
@@ -23,6 +24,11 @@ vec3 toward_light(int i, vec3 place_m) {
   return normalize(lights[2 * i].xyz - lights[2 * i].w * place_m);
 }
 
+// On a surface at a place that faces the light.
+vec3 light_klx(int i, vec3 place_m) {
+  return lights[2 * i + 1].rgb * (i == sun ? cloud_share(place_m) : 1.0);
+}
+
 vec3 around_klx(float rise) {
   return mix(ground_klx, sky_klx, 0.5 + 0.5 * rise);
 }
@@ -34,7 +40,7 @@ vec3 smooth_light(Material material, vec3 place_m, vec3 normal) {
   vec3 on_surface_klx = around_klx(normal.y), mirrored_klx = vec3(0.0);
   for (int i = 0; i < light_count; ++i) {
     vec3 toward = toward_light(i, place_m);
-    vec3 klx = lights[2 * i + 1].rgb * max(dot(normal, toward), 0.0);
+    vec3 klx = light_klx(i, place_m) * max(dot(normal, toward), 0.0);
     on_surface_klx += klx;
     vec3 between = toward + toward_eye;
     float cosine = max(dot(normal, between) * inversesqrt(max(dot(between, between), 1e-12)), 0.0);

@@ -20,7 +20,8 @@ uniform vec3 sun_direction;
 uniform float sun_radius_rad;
 uniform vec3 sun_klx;   // on a surface that faces the sun
 uniform vec3 sky_klx;   // on a level surface, by the sky alone
-uniform vec3 water_kcdpm2;  // light from below the surface
+uniform vec3 water_of_sky_kcdpm2;  // light from below the surface that was the sky's
+uniform vec3 water_of_sun_kcdpm2;  // and the sun's, where no cloud stands before it
 uniform float eye_height_m;
 uniform vec2 foam_onset;    // Jacobian where foam begins, and how far below it covers all
 
@@ -29,6 +30,8 @@ out vec4 light;
 const float foam_albedo = 0.5;
 // Where the surface all but folds, slopes of a height field lose their meaning; foam hides such places.
 const float least_jacobian = 0.2;
+
+vec3 water_kcdpm2;  // light from below the surface here
 
 vec3 hidden_at(int cascade, float level) {
   float place = clamp(level, 0.0, float(level_count - 1));
@@ -128,6 +131,9 @@ void main() {
 
   vec3 ray = normalize(view_ray());
   vec3 v = -ray;
+  float sun_share = cloud_share(ray * distance_m);
+  vec3 shaded_sun_klx = sun_share * sun_klx;
+  water_kcdpm2 = water_of_sky_kcdpm2 + sun_share * water_of_sun_kcdpm2;
   Facets facets = Facets(slope, hidden);
   Visibility seen = visibility(facets, v);
   // Two facets that have mean and variance of those seen; each stands for half of them.
@@ -135,7 +141,7 @@ void main() {
   vec2 middle = slope + seen.spread * seen.mean;
   float blur = 0.5 * length(apart);
   vec3 water = 0.5 * (facet_light(middle - apart, v, blur) + facet_light(middle + apart, v, blur));
-  water += sun_klx * sun_glitter(facets, seen, v, sun_direction, sun_radius_rad);
+  water += shaded_sun_klx * sun_glitter(facets, seen, v, sun_direction, sun_radius_rad);
 
   // The maps' foam knows of its cascade alone. Long waves gather it where they press the water together, on their
   // crests: it does not repeat as the maps do.
@@ -143,7 +149,7 @@ void main() {
   float coverage = max(fresh_foam(breaking_gradient), clamp(1.0 + 9.0 * pressed, 0.0, 1.5) * (1.0 - bare));
   float foam = foam_opacity(coverage, label_m, width_m);
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
-  vec3 foam_light = foam_albedo / pi * (sky_klx + sun_klx * max(dot(normal, sun_direction), 0.0));
+  vec3 foam_light = foam_albedo / pi * (sky_klx + shaded_sun_klx * max(dot(normal, sun_direction), 0.0));
   vec3 surface = mix(water, foam_light, foam);
 
   light = vec4(through_air(surface, ray, distance_m), 1.0);

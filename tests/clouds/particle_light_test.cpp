@@ -169,6 +169,40 @@ TEST(ParticleLightTest, LightsAddUp) {
   }
 }
 
+// Fails if a cloud before the sun does not shade those behind it, or shades those beside it: a small ball
+// gets what the chord of a large one's middle lets through, e^-t of single scattering without a forward peak,
+// and all of it from the side. The tents of the grid spread the large ball: measured 11 % less; gate 15 %.
+TEST(ParticleLightTest, CloudsShadeThoseBehindThem) {
+  CloudLook isotropic = conservative(0.0);
+  isotropic.albedo = glm::dvec3(0.5);
+  const CloudLook looks[] = {isotropic, isotropic};
+  constexpr float depth = 1.2f, large_m = 300.0f, small_m = 20.0f;
+  const auto ball = [](float x, float radius, float through, unsigned cloud) {
+    CloudParticle particle{};
+    particle.x = x;
+    particle.radius = radius;
+    particle.red = particle.green = particle.blue = 0.5f;
+    particle.cloud = cloud;
+    particle.optical_mass = through / 0.998942f * 0.815595f * radius * radius;
+    return particle;
+  };
+  const std::vector<CloudParticle> particles{ball(0.0f, small_m, 0.01f, 0), ball(2000.0f, large_m, depth, 1)};
+  const ocl::Device device = ocl::Device::open();
+  const ocl::Buffer<CloudParticle> buffer(device, particles, "particles");
+  ocl::Buffer<CloudSprite> sprites(device, 2, "sprites");
+  ParticleLight lit(device);
+  const auto light_of_small = [&](const glm::dvec3& toward_sun) {
+    CloudIllumination light;
+    light.suns.push_back({toward_sun, glm::dvec3(100.0)});
+    lit.relight(buffer, 2, light, looks);
+    lit.see({0.0f, 0.0f, 5000.0f}, sprites);
+    return sprites.read()[0].green;
+  };
+  const float beside = light_of_small({0.0, 1.0, 0.0});
+  EXPECT_NEAR(light_of_small({-1.0, 0.0, 0.0}) / beside, 1.0f, 0.02f) << "the other stands behind";
+  EXPECT_NEAR(light_of_small({1.0, 0.0, 0.0}) / beside / std::exp(-depth), 1.0f, 0.15f);
+}
+
 // Fails if work is divided wrongly: the shape of GPUs beside that of CPUs, for two clouds of one call. Sums
 // of the same numbers in another order: 1e-4.
 TEST(ParticleLightTest, ShapesAgree) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -209,6 +210,80 @@ TEST(CloudWorld, FollowsItsSun) {
   world.set_clouds({});
   EXPECT_EQ(world.clouds(), nullptr);
   world.at(0.0, 10.0);
+}
+
+/// Level ground at sea level, 6.4 km wide.
+GroundParameters plain() {
+  auto map = std::make_shared<HeightMap>();
+  map->columns = map->rows = 65;
+  map->spacing_x_m = map->spacing_z_m = 100.0;
+  map->heights_m.assign(65 * 65, 0.0f);
+  return {.map = map, .origin_x_m = -3200.0, .origin_z_m = -3200.0, .latitude_deg = {}, .lines = {}};
+}
+
+/// A ball of this depth over the origin.
+CloudSkyParameters ball_sky(double depth, bool throws_shadows) {
+  constexpr double radius_m = 100.0;
+  CloudParticle ball{};
+  ball.radius = static_cast<float>(radius_m);
+  ball.optical_mass = static_cast<float>(depth * 0.815595 * radius_m * radius_m);
+  ball.red = ball.green = ball.blue = 1.0f;
+  return {.clouds = {still_cloud({0.0, 500.0, 0.0}, radius_m)},
+          .particles = {std::make_shared<const std::vector<CloudParticle>>(1, ball)},
+          .throws_shadows = throws_shadows};
+}
+
+// Fails if the ground under a cloud gets more or less of the sun than the cloud lets through: the chord of h
+// through its middle is 0.998942 radii (C1), high and low in the sky. Between no shadow and one of depth 60
+// the light is that share of the sun's. Texels of 0.8 m; gate 0.01.
+TEST(CloudWorld, ShadesTheGroundBelow) {
+  WorldParameters parameters{.has_sea = false};
+  parameters.ground = plain();
+  World world(device(), parameters);
+  for (const glm::dvec3& toward_sun : {glm::dvec3(0.6, 0.8, 0.0), glm::dvec3(0.0, 0.28, -0.96)}) {
+    world.set_sun({toward_sun.x, toward_sun.y, toward_sun.z}, 1.0);
+    Camera camera = camera_at(glm::dvec3(0.0, 500.0, 0.0) - 500.0 / toward_sun.y * toward_sun);
+    camera.eye_m.y = 50.0;
+    camera.pitch_rad = -1.57;
+    camera.vertical_field_of_view_rad = 0.02;
+    camera.width_px = camera.height_px = 3;
+    const auto light_with = [&](const CloudSkyParameters& clouds) {
+      world.set_clouds(clouds);
+      world.at(0.0, camera.eye_m.y);
+      world.see_ground(camera);
+      return double{world.ground()->image().read()[4][1]};
+    };
+    const double lit = light_with(ball_sky(0.7, false)), shaded = light_with(ball_sky(0.7, true)),
+                 dark = light_with(ball_sky(60.0, true));
+    ASSERT_GT(lit, 1.2 * dark);
+    EXPECT_NEAR((shaded - dark) / (lit - dark), std::exp(-0.7 * 0.998942), 0.01) << toward_sun.y;
+  }
+}
+
+// Fails if a shadow stays where there is none any more, or is cast again though nothing changed.
+TEST(CloudsView, CastsItsShadowWhereSomethingChanged) {
+  CloudsView view(device(), two_clouds());
+  view.at(0.0);
+  view.cast_shadow();
+  EXPECT_EQ(view.shadow(), nullptr) << "not lit yet";
+  EXPECT_EQ(view.shadow_about({0.0, 0.0, 0.0}).half_width, 0.0f);
+  view.light(daylight());
+  view.cast_shadow();
+  ASSERT_NE(view.shadow(), nullptr);
+  const std::uint64_t revision = view.shadow()->revision();
+  view.cast_shadow();
+  EXPECT_EQ(view.shadow()->revision(), revision);
+  clouds::CloudIllumination evening = daylight();
+  evening.suns[0].direction = {0.8, 0.6, 0.0};
+  view.light(evening);
+  EXPECT_EQ(view.shadow(), nullptr) << "of another light";
+  view.cast_shadow();
+  EXPECT_NE(view.shadow()->revision(), revision);
+  EXPECT_NEAR(view.shadow()->params().sun_x, 0.8f, 1e-6f);
+  evening.suns.clear();
+  view.light(evening);
+  view.cast_shadow();
+  EXPECT_EQ(view.shadow(), nullptr) << "of no sun";
 }
 
 }  // namespace
