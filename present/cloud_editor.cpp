@@ -100,18 +100,17 @@ void forget_lost_picks(ViewState& state) {
   if (std::any_of(in_clouds.begin(), in_clouds.end(), is_lost)) editing.particles = {};
 }
 
-Edit CloudEditor::press(ViewState& state, const ShownClouds& shown, const Screen& screen,
+void CloudEditor::press(ViewState& state, const ShownClouds& shown, const Screen& screen,
                         const PointerEvent& event) {
-  if (state.clouds.tool != CloudTool::pick) return place(state, shown, ray_at(screen, event.clip));
-  pressed_ = {event.clip, event.is_beside};
+  const bool is_placing = state.clouds.tool != CloudTool::pick;
+  pressed_ = {event.clip, event.is_beside && !is_placing};
   const std::optional<Sphere> sphere = held_sphere(state, shown);
-  if (!sphere) return Edit::none;
+  if (is_placing || !sphere) return;
   const std::optional<CloudHandle> handle =
       cloud_handle_at(cloud_handle_places(screen, *sphere), pixel_of_clip(screen, event.clip));
-  if (!handle) return Edit::none;
+  if (!handle) return;
   pressed_.reset();
   grab_ = Grab{*handle, *sphere, event.clip, state.scene, state.clouds.particles, event.clip};
-  return Edit::none;
 }
 
 Edit CloudEditor::pull(ViewState& state, const Screen& screen, glm::dvec2 clip, double step_m) {
@@ -147,6 +146,10 @@ Edit CloudEditor::release(ViewState& state, const ShownClouds& shown, const Scre
   if (!pressed_) return Edit::none;
   const Press pressed = *std::exchange(pressed_, std::nullopt);
   const double way_px = glm::distance(pixel_of_clip(screen, pressed.clip), pixel_of_clip(screen, event.clip));
+  // Drags look around, with a tool too.
+  if (state.clouds.tool != CloudTool::pick) {
+    return way_px <= click_px ? place(state, shown, ray_at(screen, event.clip)) : Edit::none;
+  }
   if (way_px <= click_px) {
     pick_at(state, shown, ray_at(screen, event.clip), pressed.is_beside);
   } else if (pressed.is_beside) {
@@ -162,9 +165,11 @@ Edit CloudEditor::turn(ViewState& state, const world::CloudsView* view, const Sc
   const double step_m = pointer.is_snapping ? state.clouds.step_m : 0.0;
   Edit edit = Edit::none;
   for (const PointerEvent& event : events) {
-    const bool is_press = event.kind == PointerEvent::Kind::pressed;
-    edit = std::max(
-        edit, is_press ? press(state, shown, screen, event) : release(state, shown, screen, event, step_m));
+    if (event.kind == PointerEvent::Kind::pressed) {
+      press(state, shown, screen, event);
+    } else {
+      edit = std::max(edit, release(state, shown, screen, event, step_m));
+    }
   }
   if (grab_) edit = std::max(edit, pull(state, screen, pointer.clip, step_m));
   return edit;

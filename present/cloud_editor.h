@@ -46,7 +46,7 @@ class CloudEditor {
   };
 
   bool is_boxing() const { return pressed_->is_beside; }
-  Edit press(ViewState& state, const ShownClouds& shown, const Screen& screen, const PointerEvent& event);
+  void press(ViewState& state, const ShownClouds& shown, const Screen& screen, const PointerEvent& event);
   Edit release(ViewState& state, const ShownClouds& shown, const Screen& screen, const PointerEvent& event,
                double step_m);
   Edit pull(ViewState& state, const Screen& screen, glm::dvec2 clip, double step_m);

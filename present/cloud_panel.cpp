@@ -83,15 +83,17 @@ Edit draw_values(ViewState& state, const CloudPart& part, scene::ParameterGroup 
 
 Edit draw_picked_part(ViewState& state) {
   const CloudPart part = state.clouds.picked.back();
-  const scene::CloudScene& cloud = state.scene.clouds[part.cloud];
+  const std::string& name = state.scene.clouds[part.cloud].name;
   ImGui::Separator();
   ImGui::Text("%zu picked; cloud %zu%s%s%s", state.clouds.picked.size(), part.cloud + 1,
-              cloud.name.empty() ? "" : ", ", cloud.name.c_str(),
+              name.empty() ? "" : ", ", name.c_str(),
               part.ball ? fmt::format(", ball {}", *part.ball + 1).c_str() : "");
   Edit edit = part.ball ? draw_values(state, part, scene::ParameterGroup::cloud_ball, {})
                         : draw_values(state, part, scene::ParameterGroup::cloud,
                                       {"cloud.name", "cloud.x_m", "cloud.y_m", "cloud.z_m", "cloud.scale",
                                        "cloud.seed", "cloud.target_particles", "cloud.extinction_per_m"});
+  // Not before: what values change is another list of clouds.
+  scene::CloudScene& cloud = state.scene.clouds[part.cloud];
   clouds::Genus genus = cloud.genus;
   if (choose_genus("genus", genus)) {
     apply_genus(state.scene, part.cloud, genus);
@@ -99,8 +101,8 @@ Edit draw_picked_part(ViewState& state) {
   }
   ImGui::BeginDisabled(cloud.balls.empty());
   if (ImGui::Button("balls of the genus")) {
-    state.scene.clouds[part.cloud].balls.clear();
-    state.scene.clouds[part.cloud].base_m.reset();
+    cloud.balls.clear();
+    cloud.base_m.reset();
     edit = Edit::done;
   }
   ImGui::EndDisabled();

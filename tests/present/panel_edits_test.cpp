@@ -1,133 +1,20 @@
 // Every slider and field of the parameter table in the window, with a mouse and a keyboard: what is shown
 // live is what a fresh start with the edited scene shows.
+#include "tests/present/panel_edits.h"
+
 #include <algorithm>
-#include <cstdlib>
-#include <optional>
-
-#include <fmt/format.h>
-
-#include "host/scene/parameter_table.h"
-#include "host/scene/scene_elements.h"
-#include "host/scene/scene_file.h"
-#include "present/parameter_widget.h"
-#include "tests/present/window_test.h"
 
 namespace offing::test {
 namespace {
 
 using present::parameter_label;
-using scene::OceanScene;
 using scene::Parameter;
 
-class PanelEditsTest : public WindowTest, public testing::WithParamInterface<present::GroupPanel> {
- protected:
-  std::string value_of(const Parameter& row) const {
-    return scene::value_text(state().scene, row, scene::Digits::exact);
-  }
+class PanelEditsTest : public PanelEdits, public testing::WithParamInterface<present::GroupPanel> {};
 
-  void edit(const Parameter& row) {
-    if (row.elements) add_elements(row);
-    const std::string before = value_of(row);
-    std::visit([&](auto storage) { change(row, storage); }, row.storage);
-    EXPECT_NE(value_of(row), before) << row.key << ": " << message();
-    EXPECT_FALSE(state().message.is_fault) << row.key << ": " << message();
-  }
-
-  /// Two: the second one is edited.
-  void add_elements(const Parameter& row) {
-    const auto count = [&] { return scene::elements_of(state().scene, row.elements).size(); };
-    while (count() < 2) {
-      const std::size_t before = count();
-      click(find(main_panel(), fmt::format("add##{}", GetParam().title), 20));
-      ASSERT_EQ(count(), before + 1);
-    }
-  }
-
-  static std::optional<int> shown_element(const Parameter& row) {
-    return row.elements ? std::optional(1) : std::nullopt;
-  }
-
-  /// By its slider or field: to the right.
-  void pull(const Parameter& row, int x_px) {
-    const Spot spot = find(main_panel(), parameter_label(row), x_px, shown_element(row));
-    drag(spot, {spot.x + 35, spot.y});
-  }
-
-  void change(const Parameter& row, scene::ValueAt<double>) { pull(row, 70); }
-  void change(const Parameter& row, scene::ValueAt<std::optional<double>>) {
-    click(find(main_panel(), "##set " + std::string(row.key), 16, shown_element(row)));
-    pull(row, 97);
-  }
-  void change(const Parameter& row, scene::ValueAt<int> at) {
-    if (row.rule == scene::ParameterRule::power_of_two) {
-      choose(parameter_label(row), "64");
-      return;
-    }
-    OceanScene copy = state().scene;
-    // From the upper end of its range only to the left.
-    const Spot spot = find(main_panel(), parameter_label(row), 70);
-    const int way = at(copy, {}) >= row.high ? -25 : 25;
-    drag(spot, {spot.x + way, spot.y});
-  }
-  void change(const Parameter& row, scene::ValueAt<std::uint64_t>) {
-    enter(find(main_panel(), parameter_label(row)), "12345");
-  }
-  /// Ground beside the sea, if it is the ground's panel.
-  static present::ViewOptions options_of(scene::ParameterGroup group) {
-    present::ViewOptions options = quick_options();
-    if (group == scene::ParameterGroup::terrain || group == scene::ParameterGroup::walk) {
-      options.scene.terrain.is_given = options.scene.names_sea = true;
-      options.scene.terrain.fractal.posts = 33;
-      // A scene that says where its eye is: nothing else places it.
-      options.scene.view.camera.eye_m.y = 2500.0;
-      options.scene.set_at.emplace("camera.y_m", "the test");
-    }
-    return options;
-  }
-  void change(const Parameter& row, scene::ValueAt<std::string>) {
-    const char* const file = row.group == scene::ParameterGroup::terrain
-                                 ? OFFING_SOURCES "/docs/gallery/calm.jpg"
-                                 : OFFING_SOURCES "/scenes/example_sea.data_spec";
-    enter(find(main_panel(), parameter_label(row)), file);
-  }
-  void change(const Parameter& row, scene::ValueAt<std::optional<UtcTime>>) {
-    enter(find(main_panel(), parameter_label(row)), "2020-06-08T15:50Z");
-  }
-  void change(const Parameter&, scene::ValueAt<glm::dvec3>) { FAIL() << "of meshes only"; }
-  void change(const Parameter&, scene::ValueAt<std::optional<glm::dvec3>>) { FAIL() << "of meshes only"; }
-  void change(const Parameter& row, scene::ValueAt<std::vector<double>>) {
-    enter(find(main_panel(), parameter_label(row)), "250, 41");
-  }
-  void change(const Parameter& row, const scene::ChoiceStorage& choice) {
-    OceanScene copy = state().scene;
-    const std::size_t other = (choice.get(copy, {}) + 1) % choice.names.size();
-    choose(parameter_label(row), std::string(choice.names[other]));
-  }
-};
-
-// Fails if a row has no widget, the mouse does not reach it, or it does not change its value; if an edit
-// shows another sea, sun or eye than a window that is opened with the edited scene, by one byte.
+// Fails as PanelEdits::expect_what_a_fresh_start_shows() says.
 TEST_P(PanelEditsTest, ShowWhatAFreshStartShows) {
-  open(options_of(GetParam().group));
-  toggle_header(GetParam().title);
-  int rows = 0;
-  for (const Parameter& row : scene::parameter_table()) {
-    if (row.group != GetParam().group) continue;
-    edit(row);
-    if (HasFatalFailure()) return;
-    ++rows;
-  }
-  EXPECT_GT(rows, 0);
-  look_at_sea();
-  turn(2);
-  const std::vector<unsigned char> live = picture();
-
-  present::ViewOptions fresh = quick_options();
-  fresh.scene = state().scene;
-  fresh.time_s = state().clock.time_s();
-  open(fresh);
-  turn(2);
-  EXPECT_TRUE(picture() == live) << "the window shows another picture than a fresh start";
+  expect_what_a_fresh_start_shows(GetParam());
 }
 
 bool is_of_meshes(const present::GroupPanel& panel) {
@@ -140,8 +27,7 @@ bool is_of_clouds(const present::GroupPanel& panel) {
 }
 
 /// All but that of height maps, whose values are as a file has them: window_ground_test.cpp; those of meshes,
-/// whose highlights go by degrees: panels_test.cpp; and those of clouds, which take a second an edit: what an
-/// edit of theirs makes is in clouds_view_test.cpp.
+/// whose highlights go by degrees: panels_test.cpp; and those of clouds: cloud_panels_test.cpp.
 std::vector<present::GroupPanel> panels_of_free_values() {
   std::vector<present::GroupPanel> panels(present::group_panels().begin(), present::group_panels().end());
   std::erase_if(panels, [](const auto& panel) {

@@ -251,6 +251,9 @@ TEST_F(WindowCloudsTest, EditsUndoAndSavedScenesShowTheSame) {
     wait_for_clouds();
   }
   ASSERT_EQ(balls().size(), 4u) << message();
+  drag({300, 100}, {300, 130});
+  drag({300, 130}, {300, 100});
+  ASSERT_EQ(balls().size(), 4u) << "looking around places nothing";
   EXPECT_NEAR(balls()[3].centre_m.y, 1000.0, 1e-6);
   EXPECT_LE(glm::distance(balls()[3].centre_m, glm::dvec3(0.0, 1000.0, -400.0)), 30.0) << "pixels are 5 m";
   const std::vector<unsigned char> placed = settled_picture();
