@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "kernels/shared/cloud_field.h"
+#include "kernels/shared/cloud_light.h"
 #include "kernels/shared/cloud_motion.h"
+#include "kernels/shared/cloud_picture.h"
+#include "kernels/shared/cloud_shadow.h"
 #include "kernels/shared/clouds.h"
 #include "tests/ocl/shared_layout.h"
 
@@ -39,6 +42,54 @@ TEST(CloudLayoutTest, CloudParticle) {
                                 {"x", "optical_mass", "texture", "turn"}),
             (Layout{sizeof(S), offsetof(S, x), offsetof(S, optical_mass), offsetof(S, texture),
                     offsetof(S, turn)}));
+}
+
+TEST(CloudLayoutTest, CloudPictureParams) {
+  using S = CloudPictureParams;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_picture.h", "CloudPictureParams",
+                                {"forward_x", "half_width", "count", "sun_x", "relief"}),
+            (Layout{sizeof(S), offsetof(S, forward_x), offsetof(S, half_width), offsetof(S, count),
+                    offsetof(S, sun_x), offsetof(S, relief)}));
+}
+
+TEST(CloudLayoutTest, CloudPuff) {
+  using S = CloudPuff;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_picture.h", "CloudPuff",
+                                {"radius_m", "right_x", "relief_x", "texels", "distance_m"}),
+            (Layout{sizeof(S), offsetof(S, radius_m), offsetof(S, right_x), offsetof(S, relief_x),
+                    offsetof(S, texels), offsetof(S, distance_m)}));
+}
+
+TEST(CloudLayoutTest, CloudGrid) {
+  using S = CloudGrid;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_light.h", "CloudGrid",
+                                {"cell_x", "first", "size_x", "padding"}),
+            (Layout{sizeof(S), offsetof(S, cell_x), offsetof(S, first), offsetof(S, size_x),
+                    offsetof(S, padding)}));
+}
+
+TEST(CloudLayoutTest, CloudScattering) {
+  using S = CloudScattering;
+  EXPECT_EQ(
+      test::device_layout(ocl::Device::open(), "shared/cloud_light.h", "CloudScattering",
+                          {"albedo_red", "forward_share", "phase_table"}),
+      (Layout{sizeof(S), offsetof(S, albedo_red), offsetof(S, forward_share), offsetof(S, phase_table)}));
+}
+
+TEST(CloudLayoutTest, CloudLightParams) {
+  using S = CloudLightParams;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_light.h", "CloudLightParams",
+                                {"suns", "sun_count", "sky_red", "ground_blue"}),
+            (Layout{sizeof(S), offsetof(S, suns), offsetof(S, sun_count), offsetof(S, sky_red),
+                    offsetof(S, ground_blue)}));
+}
+
+TEST(CloudLayoutTest, CloudShadowParams) {
+  using S = CloudShadowParams;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_shadow.h", "CloudShadowParams",
+                                {"middle_x", "right_x", "up_x", "sun_x", "half_width"}),
+            (Layout{sizeof(S), offsetof(S, middle_x), offsetof(S, right_x), offsetof(S, up_x),
+                    offsetof(S, sun_x), offsetof(S, half_width)}));
 }
 
 }  // namespace

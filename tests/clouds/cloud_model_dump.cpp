@@ -1,12 +1,11 @@
 // cloud_model_dump FILE: density, sums and motion of a small cloud on the device that the environment names.
 // FILE: cells of a frayed cloud and of the same as a shape, of rasterised particles, and places and masses of
 // particles that move in every way.
-#include <cstdio>
 #include <fstream>
 
-#include "host/base/error.h"
 #include "host/clouds/cloud_density.h"
 #include "host/clouds/cloud_model.h"
+#include "tests/ocl/dump_program.h"
 
 namespace {
 
@@ -52,11 +51,5 @@ void write_dump(const char* path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return 2;
-  try {
-    write_dump(argv[1]);
-  } catch (const Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return offing::test::run_dump_program(argc, argv, write_dump);
 }

@@ -2,14 +2,13 @@
 // green, blue, opacity and mean distance (km) of each pixel.
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <fstream>
 #include <numeric>
 #include <vector>
 
-#include "host/base/error.h"
 #include "host/clouds/cloud_picture.h"
 #include "kernels/shared/random.h"
+#include "tests/ocl/dump_program.h"
 
 namespace {
 
@@ -70,12 +69,5 @@ void write_dump(const char* path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return 2;
-  try {
-    write_dump(argv[1]);
-  } catch (const Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return offing::test::run_dump_program(argc, argv, write_dump);
 }

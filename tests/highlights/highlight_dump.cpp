@@ -2,12 +2,11 @@
 // environment names. FILE: of each point, in their order, face, lamp, orientation, weights, normal,
 // curvatures and where e_max points, its sign apart.
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 
-#include "host/base/error.h"
 #include "host/highlights/highlight_points.h"
 #include "tests/highlights/example_surfaces.h"
+#include "tests/ocl/dump_program.h"
 
 namespace {
 
@@ -53,12 +52,5 @@ void write_dump(const char* path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return 2;
-  try {
-    write_dump(argv[1]);
-  } catch (const Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return offing::test::run_dump_program(argc, argv, write_dump);
 }

@@ -39,6 +39,21 @@ std::vector<float> DeviceDump::values_under_oclgrind(const std::string& shape) c
   return result;
 }
 
+void DeviceDump::compare_devices(const Compare& compare) const {
+  const std::vector<float> expected = values(default_device);
+  compare(values("OFFING_SHAPE=group OFFING_DEVICE=portable"), expected);
+  if (!has_rusticl()) {
+    GTEST_SKIP() << "rusticl is not installed (mesa-opencl-icd libclc-15 libllvmspirvlib15)";
+  }
+  compare(values("RUSTICL_ENABLE=llvmpipe OFFING_DEVICE=rusticl OFFING_SHAPE=group"), expected);
+}
+
+void DeviceDump::compare_under_oclgrind(const Compare& compare) const {
+  if (!has_oclgrind()) GTEST_SKIP() << "oclgrind is not installed";
+  const std::vector<float> expected = values(default_device);
+  for (const std::string shape : {"group", "strip"}) compare(values_under_oclgrind(shape), expected);
+}
+
 bool DeviceDump::has_oclgrind() {
   return std::system("command -v oclgrind > /dev/null 2>&1") == 0;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,13 @@ class DeviceDump {
   /// The same under Oclgrind, which watches memory and data races, with the kernels in one shape ("strip",
   /// "group"). A failure of the test if that has anything to say.
   std::vector<float> values_under_oclgrind(const std::string& shape) const;
+
+  /// Checks what was found elsewhere beside what the default device wrote.
+  using Compare = std::function<void(const std::vector<float>& found, const std::vector<float>& expected)>;
+  /// For PoCL with the kernels shaped for a GPU, and for rusticl, or skips that where it is not installed.
+  void compare_devices(const Compare& compare) const;
+  /// For both shapes under Oclgrind, or skips where it is not installed.
+  void compare_under_oclgrind(const Compare& compare) const;
 
   static bool has_oclgrind();
   static bool has_rusticl();

@@ -4,15 +4,14 @@
 // then a viewshed, and rays and pictures of a map in tiles.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <optional>
 #include <type_traits>
 #include <vector>
 
-#include "host/base/error.h"
 #include "host/terrain/terrain_shade.h"
 #include "host/terrain/viewshed.h"
+#include "tests/ocl/dump_program.h"
 #include "tests/terrain/example_tiles.h"
 
 namespace {
@@ -142,12 +141,5 @@ void write_dump(const char* path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return 2;
-  try {
-    write_dump(argv[1]);
-  } catch (const Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return offing::test::run_dump_program(argc, argv, write_dump);
 }
