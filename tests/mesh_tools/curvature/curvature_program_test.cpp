@@ -39,7 +39,8 @@ class CurvatureProgram : public ::testing::Test {
 // Every shape, as a file, through every method, back from a file. Fails if a shape or a method is not to be
 // had from the command line, if vertices are lost, or if what is written is no prepared mesh.
 TEST_F(CurvatureProgram, AllShapesThroughAllMethods) {
-  for (const std::string shape : {"sphere", "ellipsoid", "torus", "torus-knot", "saddle", "head", "ship", "bird"}) {
+  for (const std::string shape :
+       {"sphere", "ellipsoid", "torus", "torus-knot", "saddle", "head", "ship", "bird"}) {
     std::vector<std::string> arguments{"generate", shape, "-o", path(shape + ".ply")};
     if (shape == "sphere" || shape == "ellipsoid" || shape == "head") {
       arguments.insert(arguments.end(), {"--level", "3", "--jitter", "0.2", "--noise", "0.01"});
