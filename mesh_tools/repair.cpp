@@ -255,6 +255,8 @@ RepairChanges repair(TriangleMesh& mesh, const RepairSettings& settings, const C
   const std::vector<std::uint8_t> is_turned = orient(mesh, changes);
   cancel.throw_if_cancelled();
 
+  // CGAL's surfaces have no vertices without faces; merged vertices have been counted.
+  changes.removed_vertices = remove_isolated_vertices(mesh) - changes.merged_vertices;
   Surface surface = to_surface(mesh, "repair");
   auto turn_of = surface.add_property_map<Surface::Face_index, FaceTurn>("f:turn", FaceTurn::none).first;
   for (const Surface::Face_index face : surface.faces()) {
@@ -271,8 +273,6 @@ RepairChanges repair(TriangleMesh& mesh, const RepairSettings& settings, const C
   std::vector<FaceTurn> turns;
   for (const Surface::Face_index face : surface.faces()) turns.push_back(turn_of[face]);
   require_faces(mesh);
-  // Merged vertices have been counted.
-  changes.removed_vertices = remove_isolated_vertices(mesh) - changes.merged_vertices;
   if (settings.facing == Facing::outward) face_outward(mesh, turns);
   changes.turned_faces = static_cast<std::size_t>(std::count(turns.begin(), turns.end(), FaceTurn::turned));
   return changes;
