@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 // Fails if two have it at a time, or who waits does so for ever: a test that was stopped while it had PoCL's
 // cache let every other program wait until it was killed.
 TEST(FolderLockTest, WaitsNoLongerThanAsked) {
-  const test::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const FolderLock first(folder.path().string(), milliseconds(0));
   EXPECT_TRUE(first.is_held());
   const auto begin = std::chrono::steady_clock::now();
@@ -26,7 +26,7 @@ TEST(FolderLockTest, WaitsNoLongerThanAsked) {
 
 // Fails if a turn never comes.
 TEST(FolderLockTest, ComesToItsTurn) {
-  const test::TemporaryFolder folder;
+  const TemporaryFolder folder;
   auto first = std::make_unique<FolderLock>(folder.path().string(), milliseconds(0));
   auto second = std::async(std::launch::async,
                            [&] { return FolderLock(folder.path().string(), milliseconds(60000)).is_held(); });
