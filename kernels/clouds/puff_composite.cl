@@ -11,8 +11,8 @@
 // much light through as all of them do one by one.
 #include "clouds/puff_ray.clh"
 
-// Pixels that let less through, about a step of 8 bits, are taken as full of what they have shown.
-#define LEAST_THROUGH 5e-3f
+// Pixels that let less through, half a step of 8 bits, are taken as full of what they have shown.
+#define LEAST_THROUGH 2e-3f
 
 // Pixels side by side: a block of the picture, whose rays meet the same particles and texels.
 #if LANES == 1
