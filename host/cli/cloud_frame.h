@@ -12,10 +12,9 @@ namespace offing::cli {
 /// Makes what files hold of clouds at any time.
 class CloudFrames {
  public:
-  /// Throws what CloudsView throws.
-  CloudFrames(const ocl::Device& device, const world::CloudSkyParameters& sky);
+  CloudFrames(const ocl::Device& device, world::CloudSkyParameters sky);
 
-  /// All particles at a time.
+  /// All particles at a time. Throws what CloudsView throws.
   CloudParticles particles_at(double time_s);
   /// The density of all clouds together: of a single sampled one that of its field, of others that of their
   /// particles. Albedos are told where they differ, or are no grey. Throws what density_volume() and
@@ -25,8 +24,11 @@ class CloudFrames {
  private:
   VdbCloud rasterised_at(double time_s, double cell_m);
 
+  world::CloudsView& view();
+
   ocl::Device device_;
-  world::CloudsView view_;
+  world::CloudSkyParameters sky_;
+  std::optional<world::CloudsView> view_;  // once particles are asked for: fields need none
 };
 
 /// A round length such that the box around particles has about 128 cells along its longest edge.
