@@ -42,7 +42,14 @@ typedef struct {
   float decay_radpm;            // wavenumber by which heights fade below the surface
 } WakeLayer;
 
+// Where the samples of ocean/surface_compose.cl lie in a window, in cells from its first sample.
+typedef struct {
+  float column, row;            // of sample (0, 0)
+  float column_step, row_step;  // between neighbouring samples
+} WakeSamples;
+
 #ifndef __OPENCL_VERSION__
+static_assert(sizeof(WakeSamples) == 16, "no padding");
 static_assert(sizeof(WakeHullShape) == 32, "no padding");
 static_assert(sizeof(WakeGrid) == 16, "no padding");
 static_assert(sizeof(WakeLayer) == 40, "no padding");
