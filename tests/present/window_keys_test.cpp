@@ -88,6 +88,11 @@ TEST_F(WindowKeysTest, EveryKeyDoesWhatItSays) {
          return b.camera.camera().eye_m == quick_options().scene.view.camera.eye_m;
        }},
       {ViewAction::set_keyframes, says("no highlight is picked")},
+      {ViewAction::next_cloud_pick, says("clicks on clouds pick")},
+      {ViewAction::place_ball, says("clicks place balls")},
+      {ViewAction::place_cloud, says("clicks place clouds")},
+      {ViewAction::duplicate_picked, says("neither a ball nor a cloud is picked")},
+      {ViewAction::remove_picked, says("nothing of a cloud is picked")},
   };
   fly("w");  // for reset_camera
   for (const present::KeyBinding& binding : present::key_bindings()) {
