@@ -81,8 +81,8 @@ void bench_clouds(const ocl::Device& device, const Settings& settings, const Sin
 /// the presenter.
 void bench_cloud_frames(const Settings& settings, const Sinks& sinks);
 
-/// One step of a wake window of each size by either method, a hull in it, against the dispersive step in C++ with
-/// FFTW.
+/// One step of a wake window of each size by either method, a hull in it, against the dispersive step in C++
+/// with FFTW.
 void bench_wake(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
 /// From the start of a process to its first 256 x 256 frame of three cascades, with an empty kernel cache and
