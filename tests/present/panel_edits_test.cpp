@@ -27,11 +27,13 @@ bool is_of_clouds(const present::GroupPanel& panel) {
 }
 
 /// All but that of height maps, whose values are as a file has them: window_ground_test.cpp; those of meshes,
-/// whose highlights go by degrees: panels_test.cpp; and those of clouds: cloud_panels_test.cpp.
+/// whose highlights go by degrees: panels_test.cpp; those of clouds: cloud_panels_test.cpp; and that of
+/// wakes, each of whose edits lets them grow for half a minute of theirs.
 std::vector<present::GroupPanel> panels_of_free_values() {
   std::vector<present::GroupPanel> panels(present::group_panels().begin(), present::group_panels().end());
   std::erase_if(panels, [](const auto& panel) {
-    return panel.group == scene::ParameterGroup::height_map || is_of_meshes(panel) || is_of_clouds(panel);
+    return panel.group == scene::ParameterGroup::height_map || panel.group == scene::ParameterGroup::wake ||
+           is_of_meshes(panel) || is_of_clouds(panel);
   });
   return panels;
 }
