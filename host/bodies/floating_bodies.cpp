@@ -1,5 +1,6 @@
 #include "host/bodies/floating_bodies.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
 #include "host/base/world_limits.h"
+#include "host/bodies/hull.h"
 #include "host/ocl/program.h"
 
 namespace offing::bodies {
@@ -31,11 +33,7 @@ BodyWater device_water(const BodyWaterParameters& water) {
 }
 
 BodyShape device_shape(const FloatingBody& body) {
-  double low_m = body.hull.positions_m.front().x, high_m = low_m;
-  for (const glm::dvec3& place : body.hull.positions_m) {
-    low_m = std::min(low_m, place.x);
-    high_m = std::max(high_m, place.x);
-  }
+  const Extent extent = extent_of(body.hull);
   const glm::dmat3& inertia = body.inertia_kgm2;
   const glm::dmat3 inverse = glm::inverse((1.0 + body.drag.added_inertia) * inertia);
   const glm::dvec3 rudder = body.drive.rudder_m - body.mass_centre_m;
@@ -58,7 +56,7 @@ BodyShape device_shape(const FloatingBody& body) {
           .inverse_yz = f(inverse[1][2]),
           .added_along = f(body.drag.added_along),
           .added_up = f(body.drag.added_up),
-          .length_m = f(high_m - low_m),
+          .length_m = f(extent.high_m.x - extent.low_m.x),
           .face_drag = f(body.drag.face),
           .wake_drag = f(body.drag.wake),
           .wave_damping = f(body.drag.waves),

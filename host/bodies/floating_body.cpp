@@ -14,27 +14,14 @@
 namespace offing::bodies {
 namespace {
 
-struct Extent {
-  glm::dvec3 low, high;
-};
-
-Extent extent_of(const TriangleMesh& mesh) {
-  Extent extent{mesh.positions_m.front(), mesh.positions_m.front()};
-  for (const glm::dvec3& place : mesh.positions_m) {
-    extent.low = glm::min(extent.low, place);
-    extent.high = glm::max(extent.high, place);
-  }
-  return extent;
-}
-
 /// Below the stern, where a ship has them.
 HullDrive drive_below_stern(const Extent& extent, double level_m) {
-  const double draught_m = level_m - extent.low.y, length_m = extent.high.x - extent.low.x;
-  const double middle_z_m = 0.5 * (extent.low.z + extent.high.z);
+  const double draught_m = level_m - extent.low_m.y, length_m = extent.high_m.x - extent.low_m.x;
+  const double middle_z_m = 0.5 * (extent.low_m.z + extent.high_m.z);
   const double below_m = level_m - 0.6 * draught_m;
-  return {.propeller_m = {extent.low.x + 0.04 * length_m, below_m, middle_z_m},
+  return {.propeller_m = {extent.low_m.x + 0.04 * length_m, below_m, middle_z_m},
           .propeller_diameter_m = 0.6 * draught_m,
-          .rudder_m = {extent.low.x + 0.01 * length_m, below_m, middle_z_m},
+          .rudder_m = {extent.low_m.x + 0.01 * length_m, below_m, middle_z_m},
           // What classification societies ask of merchant ships: some 2 % of length times draught.
           .rudder_area_m2 = 0.02 * length_m * draught_m};
 }
@@ -50,18 +37,18 @@ FloatingBody load_to_level(std::string name, TriangleMesh hull, double level_m, 
                            double lift) {
   require_hull(hull, name.c_str());
   const Extent extent = extent_of(hull);
-  if (!(level_m > extent.low.y && level_m < extent.high.y)) {
+  if (!(level_m > extent.low_m.y && level_m < extent.high_m.y)) {
     throw Error(
         ErrorKind::bad_input,
         fmt::format("{}: expected a water level between {:.4g} and {:.4g} m of its mesh, found {:.4g} m",
-                    name, extent.low.y, extent.high.y, level_m),
+                    name, extent.low_m.y, extent.high_m.y, level_m),
         "choose a level at which it floats");
   }
   const Submerged below = submerged_below(hull, level_m);
   const Enclosed whole = enclosed_by(hull);
   FloatingBody body{.name = std::move(name), .hull = std::move(hull)};
   body.mass_kg = density_kgpm3 * below.volume_m3;
-  body.mass_centre_m = below.centre_m + glm::dvec3(0.0, lift * (level_m - extent.low.y), 0.0);
+  body.mass_centre_m = below.centre_m + glm::dvec3(0.0, lift * (level_m - extent.low_m.y), 0.0);
   body.inertia_kgm2 = body.mass_kg / whole.volume_m3 * whole.inertia_m5;
   body.drive = drive_below_stern(extent, level_m);
   return body;

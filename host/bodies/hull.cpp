@@ -1,6 +1,7 @@
 #include "host/bodies/hull.h"
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -27,6 +28,15 @@ std::size_t open_edges(const TriangleMesh& mesh) {
 }
 
 }  // namespace
+
+Extent extent_of(const TriangleMesh& mesh) {
+  Extent extent{mesh.positions_m.front(), mesh.positions_m.front()};
+  for (const glm::dvec3& place : mesh.positions_m) {
+    extent.low_m = glm::min(extent.low_m, place);
+    extent.high_m = glm::max(extent.high_m, place);
+  }
+  return extent;
+}
 
 Enclosed enclosed_by(const TriangleMesh& mesh) {
   // Tetrahedra from the mean of the vertices, so that no digits are lost far from the origin.

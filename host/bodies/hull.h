@@ -15,6 +15,12 @@ struct Enclosed {
   glm::dmat3 inertia_m5{0.0};
 };
 
+/// The box around a mesh that has vertices, in its own axes.
+struct Extent {
+  glm::dvec3 low_m, high_m;
+};
+Extent extent_of(const TriangleMesh& mesh);
+
 /// Of a mesh whose faces turn outward.
 Enclosed enclosed_by(const TriangleMesh& mesh);
 

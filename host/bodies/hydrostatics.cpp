@@ -1,6 +1,5 @@
 #include "host/bodies/hydrostatics.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -74,10 +73,8 @@ Submerged submerged_below(const TriangleMesh& hull, double level_m) {
 }
 
 double level_that_displaces(const TriangleMesh& hull, double volume_m3, const char* subject) {
-  const auto [lowest, highest] =
-      std::minmax_element(hull.positions_m.begin(), hull.positions_m.end(),
-                          [](const glm::dvec3& a, const glm::dvec3& b) { return a.y < b.y; });
-  double low_m = lowest->y, high_m = highest->y;
+  const Extent extent = extent_of(hull);
+  double low_m = extent.low_m.y, high_m = extent.high_m.y;
   const double whole_m3 = submerged_below(hull, high_m).volume_m3;
   if (!(volume_m3 > 0.0 && volume_m3 < whole_m3)) {
     throw Error(
