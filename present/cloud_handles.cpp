@@ -63,15 +63,7 @@ std::vector<CloudHandlePlace> cloud_handle_places(const Screen& screen, const Sp
 
 std::optional<CloudHandle> cloud_handle_at(const std::vector<CloudHandlePlace>& places,
                                            glm::dvec2 pointer_px) {
-  std::optional<CloudHandle> nearest;
-  double least_px = hand_px;
-  for (const CloudHandlePlace& place : places) {
-    const double distance_px = glm::distance(place.place_px, pointer_px);
-    if (distance_px > least_px) continue;
-    least_px = distance_px;
-    nearest = place.handle;
-  }
-  return nearest;
+  return handle_near(places, pointer_px);
 }
 
 std::optional<CloudPull> cloud_pull(const Screen& screen, CloudHandle handle, const Sphere& sphere,

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -28,6 +29,21 @@ struct Sphere {
 
 /// How near to a handle a hand must be to take hold of it.
 inline constexpr double hand_px = 12.0;
+
+/// The handle nearest to a pointer among places with members `handle` and `place_px`, the last of equals;
+/// nothing where all are farther than hand_px.
+template <class Place>
+auto handle_near(const std::vector<Place>& places, glm::dvec2 pointer_px) {
+  std::optional<decltype(Place::handle)> nearest;
+  double least_px = hand_px;
+  for (const Place& place : places) {
+    const double distance_px = glm::distance(place.place_px, pointer_px);
+    if (distance_px > least_px) continue;
+    least_px = distance_px;
+    nearest = place.handle;
+  }
+  return nearest;
+}
 
 /// Where a place of the world is on a screen, in pixels from its upper left corner; nothing behind the eye.
 std::optional<glm::dvec2> pixel_of(const Screen& screen, const glm::dvec3& place_m);

@@ -59,15 +59,7 @@ std::vector<HandlePlace> handle_places(const Screen& screen, const Projector& bo
 }
 
 std::optional<Handle> handle_at(const std::vector<HandlePlace>& places, glm::dvec2 pointer_px) {
-  std::optional<Handle> nearest;
-  double least_px = hand_px;
-  for (const HandlePlace& place : places) {
-    const double distance_px = glm::distance(place.place_px, pointer_px);
-    if (distance_px > least_px) continue;
-    least_px = distance_px;
-    nearest = place.handle;
-  }
-  return nearest;
+  return handle_near(places, pointer_px);
 }
 
 std::optional<glm::dvec2> place_on_plane(const Screen& screen, const Projector& box, glm::dvec2 clip) {
