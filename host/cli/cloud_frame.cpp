@@ -11,6 +11,7 @@
 
 #include "host/clouds/cloud_density.h"
 #include "host/clouds/density_volume.h"
+#include "host/world/cloud_grower.h"
 
 namespace offing::cli {
 
@@ -28,6 +29,13 @@ bool has_one_grey(const std::vector<CloudParticle>& particles) {
   });
 }
 
+/// Whether nothing but drift moves a cloud, so that its field is what its particles stand for.
+bool keeps_its_form(const clouds::CloudMotion& motion) {
+  const bool has_wind = motion.wind_mps != glm::dvec3(0.0);
+  const bool leans = has_wind && (motion.shear_per_s != 0.0 || motion.drag != 0.0);
+  return !leans && motion.sway_m == 0.0 && !motion.heat && !motion.obstacle;
+}
+
 /// The value in another volume of the same grid, 0 where that has no brick.
 float value_in(const CloudVolume& volume, std::size_t place, std::size_t cell) {
   const std::int32_t slot = volume.brick_of[place];
@@ -37,8 +45,9 @@ float value_in(const CloudVolume& volume, std::size_t place, std::size_t cell) {
 
 }  // namespace
 
-CloudFrames::CloudFrames(const ocl::Device& device, const world::CloudSkyParameters& sky)
-    : device_(device), view_(device, sky) {}
+CloudFrames::CloudFrames(const ocl::Device& device, const world::CloudSkyParameters& sky,
+                         const CancelToken& cancel)
+    : device_(device), sky_(sky), view_(device, world::CloudGrower(device).grown(sky, cancel)) {}
 
 CloudParticles CloudFrames::particles_at(double time_s) {
   view_.at(time_s);
@@ -48,14 +57,19 @@ CloudParticles CloudFrames::particles_at(double time_s) {
 }
 
 VdbCloud CloudFrames::volume_at(double time_s, double cell_m) {
-  const world::CloudSkyParameters& sky = view_.parameters();
+  const world::CloudSkyParameters& sky = sky_;
   const bool has_given_particles = !sky.particles.empty() && sky.particles.front();
   const CloudParameters& first = sky.clouds.front();
   const bool is_field = first.modelling == clouds::Modelling::sampled || first.shape;
-  if (sky.clouds.size() > 1 || !is_field || (has_given_particles && !first.shape) || !first.edits.empty()) {
+  if (sky.clouds.size() > 1 || !is_field || has_given_particles || !first.edits.empty() ||
+      !keeps_its_form(first.motion)) {
     return rasterised_at(time_s, cell_m);
   }
-  VdbCloud cloud{.volume = clouds::density_volume(device_, first, cell_m, time_s)};
+  CloudParameters at_rest = first;
+  at_rest.turbulence.change_per_s = 0.0;  // its particles have the noise of time 0 too
+  VdbCloud cloud{.volume = clouds::density_volume(device_, at_rest, cell_m, time_s)};
+  cloud.albedo = std::exchange(cloud.volume.albedo, {});
+  if (!cloud.albedo.empty()) return cloud;
   const glm::dvec3& albedo = first.look.albedo;
   if (!is_grey(albedo)) {
     cloud.albedo.assign(
@@ -108,7 +122,8 @@ double usual_cell_m(const CloudParticles& cloud) {
   const glm::dvec3 size_m = high - low;
   const double edge_m = std::max({size_m.x, size_m.y, size_m.z, 1e-3}) / cells;
   const double magnitude = std::pow(10.0, std::floor(std::log10(edge_m)));
-  return std::round(edge_m / magnitude * 2.0) / 2.0 * magnitude;  // 1, 1.5, 2 ... 9.5, 10
+  const double round_m = std::round(edge_m / magnitude * 2.0) / 2.0 * magnitude;  // 1, 1.5, 2 ... 9.5, 10
+  return std::clamp(round_m, least_cell_m, largest_cell_m);
 }
 
 }  // namespace offing::cli
