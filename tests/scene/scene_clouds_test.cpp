@@ -276,15 +276,18 @@ TEST_F(SceneClouds, ColoursOfAVolumeAreTaken) {
   const std::string text = "[[cloud]]\nfile = \"a.vdb\"\ntarget_particles = 60\n";
   for (const char* more : {"", "sampling = \"random\"\n", "noise_blend = 0.2\n"}) {
     const auto particles = clouds::particles_at_rest(device, sky_of(text + more).clouds[0]);
+    // Between the middles of the two colours' cells a field has both, which merging takes along: 0.06
+    // measured.
+    const float gate = *more == 'n' ? 0.1f : 0.0f;
     int reds = 0, blues = 0;
     for (const CloudParticle& particle : particles) {
       if (particle.x < 60.0f) {
-        EXPECT_EQ(particle.red, 1.0f) << more;
-        EXPECT_EQ(particle.blue, 0.25f) << more;
+        EXPECT_NEAR(particle.red, 1.0f, gate) << more;
+        EXPECT_NEAR(particle.blue, 0.25f, gate) << more;
         ++reds;
       } else if (particle.x > 100.0f) {
-        EXPECT_EQ(particle.red, 0.25f) << more;
-        EXPECT_EQ(particle.blue, 1.0f) << more;
+        EXPECT_NEAR(particle.red, 0.25f, gate) << more;
+        EXPECT_NEAR(particle.blue, 1.0f, gate) << more;
         ++blues;
       }
     }
