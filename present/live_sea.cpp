@@ -49,6 +49,7 @@ LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, cons
 }
 
 void LiveSea::try_out(world::World& world) const {
+  world.set_eye({view_.camera.eye_m.x, view_.camera.eye_m.z});
   world.at(view_.time_s, view_.camera.eye_m.y);
   world.see_clouds(view_.camera);
   device_.finish();
@@ -139,6 +140,7 @@ double LiveSea::surface_height_m(double x_m, double z_m) {
 }
 
 void LiveSea::simulate(const SeaView& view) {
+  world_->set_eye({view.camera.eye_m.x, view.camera.eye_m.z});
   run_stage(frame_->times(), Stage::simulate, device_, [&] { world_->at(view.time_s, view.camera.eye_m.y); });
 }
 

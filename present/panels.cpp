@@ -105,6 +105,8 @@ bool is_in(const scene::OceanScene& scene, ParameterGroup group) {
     case ParameterGroup::grid:
     case ParameterGroup::swell:
     case ParameterGroup::raindrop:
+    case ParameterGroup::wake:
+    case ParameterGroup::wake_hull:
     case ParameterGroup::foam:
       return scene.has_sea();
     case ParameterGroup::terrain:
@@ -286,11 +288,13 @@ void draw_message(Message& message) {
 }  // namespace
 
 std::span<const GroupPanel> group_panels() {
-  static constexpr std::array<GroupPanel, 24> panels{{{ParameterGroup::wind, "Wind"},
+  static constexpr std::array<GroupPanel, 26> panels{{{ParameterGroup::wind, "Wind"},
                                                       {ParameterGroup::sea, "Spectrum"},
                                                       {ParameterGroup::grid, "Cascades and Gerstner waves"},
                                                       {ParameterGroup::swell, "Swells"},
                                                       {ParameterGroup::raindrop, "Raindrops"},
+                                                      {ParameterGroup::wake, "Wakes"},
+                                                      {ParameterGroup::wake_hull, "Hulls of wakes"},
                                                       {ParameterGroup::foam, "Foam"},
                                                       {ParameterGroup::terrain, "Ground"},
                                                       {ParameterGroup::height_map, "Height map"},

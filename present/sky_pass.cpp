@@ -1,7 +1,13 @@
 #include "present/sky_pass.h"
 
+#include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
+
+#include <glm/common.hpp>
+#include <glm/ext/vector_int2.hpp>
+#include <glm/geometric.hpp>
 
 #include "host/sky/clear_sky_glsl.h"
 #include "present/sampler.h"
@@ -20,6 +26,7 @@ ShaderProgram sky_program(const char* fragment) {
                                      shader_file("sky_view.glsl"),
                                      shader_file("environment.glsl"),
                                      shader_file("view_ray.glsl"),
+                                     shader_file("sky_direction.glsl"),
                                      shader_file(fragment)}});
 }
 
@@ -33,10 +40,39 @@ void fill_table(const GlTexture& texture, const ocl::Buffer<sky::Texel>& table, 
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
+struct PixelRange {
+  int left, bottom, width, height;
+};
+
+/// The pixels within this angle of a direction, as far as they are in the picture.
+std::optional<PixelRange> pixels_around(const glm::dvec3& direction, double angle_rad, const Camera& camera) {
+  const CameraBasis axes = basis(camera);
+  const glm::dvec2 extent = half_extent(camera);
+  const double ahead = glm::dot(direction, axes.forward), sine = std::sin(angle_rad);
+  const PixelRange whole{0, 0, camera.width_px, camera.height_px};
+  if (ahead < -sine) return std::nullopt;
+  if (ahead < 1.5 * sine) return whole;  // edges of the cone may lie beside the eye
+  // Tangents of where the cone's edges lie along an axis of the picture (Mara & McGuire 2013, eq. 3).
+  const auto edges = [&](double across) {
+    const double scale = ahead * ahead - sine * sine;
+    const double root = sine * std::sqrt(across * across + scale);
+    return glm::dvec2(across * ahead - root, across * ahead + root) / scale;
+  };
+  const auto range = [](glm::dvec2 clip, int pixels) {
+    const glm::dvec2 px = glm::clamp(0.5 * (clip + 1.0), 0.0, 1.0) * static_cast<double>(pixels);
+    return glm::ivec2(glm::floor(px.x), glm::ceil(px.y));
+  };
+  const glm::ivec2 columns = range(edges(glm::dot(direction, axes.right)) / extent.x, camera.width_px);
+  const glm::ivec2 rows = range(edges(glm::dot(direction, axes.up)) / extent.y, camera.height_px);
+  if (columns.x == columns.y || rows.x == rows.y) return std::nullopt;
+  return PixelRange{columns.x, rows.x, columns.y - columns.x, rows.y - rows.x};
+}
+
 }  // namespace
 
 SkyPass::SkyPass()
     : sky_(sky_program("sky.frag")),
+      sun_(sky_program("sun.frag")),
       map_(sky_program("environment.frag")),
       no_vertices_(GlVertexArray::make()),
       block_(GlBuffer::make()),
@@ -64,6 +100,7 @@ void SkyPass::prepare(const sky::ClearSky& sky) {
   environment_.bind();
   bind(map_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  params_ = sky.params();
   revision_ = sky.revision();
 }
 
@@ -75,9 +112,28 @@ void SkyPass::draw(const Camera& camera) const {
   glDepthRange(0.0, 0.0);
   glDepthMask(GL_FALSE);
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  draw_sun(camera);
   glDepthMask(GL_TRUE);
   glDepthRange(0.0, 1.0);
   glDisable(GL_DEPTH_TEST);
+}
+
+// Apart, where it is: all pixels of the sky would pay for it, as drivers that draw on the CPU skip no
+// branches.
+void SkyPass::draw_sun(const Camera& camera) const {
+  const glm::dvec3 direction(params_.sun_direction_x, params_.sun_direction_y, params_.sun_direction_z);
+  const auto box = pixels_around(direction, params_.sun_angular_radius_rad, camera);
+  if (!box) return;
+  bind(sun_);
+  set_view_rays(sun_, camera);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(box->left, box->bottom, box->width, box->height);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
 }
 
 }  // namespace offing::present

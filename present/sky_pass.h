@@ -26,12 +26,14 @@ class SkyPass {
 
  private:
   void bind(const ShaderProgram& program) const;
+  void draw_sun(const Camera& camera) const;
 
-  ShaderProgram sky_, map_;
+  ShaderProgram sky_, sun_, map_;
   GlVertexArray no_vertices_;
   GlBuffer block_;
   GlTexture view_table_, depth_table_;
   RenderTarget environment_;
+  SkyParams params_{};
   std::uint64_t revision_ = 0;  // of the sky that all this is of; 0: of none
 };
 

@@ -155,7 +155,7 @@ void require_sources(const std::filesystem::path& folder) {
 }
 
 /// Throws, before any work is done, for files that may not be written.
-ReferenceComparison read_comparison(const Written& written) {
+ReferenceComparison read_comparison(const Written& written, const std::vector<std::string>& inputs) {
   if (written.output.empty()) {
     throw Error(ErrorKind::bad_usage, "--compare-reference: expected a folder for its pictures, found none",
                 "add -o compared");
@@ -176,7 +176,7 @@ ReferenceComparison read_comparison(const Written& written) {
   }
   const Overwriting overwriting = written.may_replace ? Overwriting::allowed : Overwriting::refused;
   for (const char* name : {"drawn.png", "reference.png", "error.png", "compared.exr"})
-    require_new(comparison.file(name).string(), overwriting, {written.scene});
+    require_new(comparison.file(name).string(), overwriting, inputs);
   return comparison;
 }
 
@@ -205,10 +205,15 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
   }
 }
 
-/// A picture never takes the place of what the scene is made of.
-void require_outputs_not_read(const Written& written, const ViewOptions& options) {
-  std::vector<std::string> inputs = scene::files_of(options.scene);
+/// What the scene is made of: no picture takes its place.
+std::vector<std::string> inputs_of(const Written& written, const scene::OceanScene& scene) {
+  std::vector<std::string> inputs = scene::files_of(scene);
   inputs.push_back(written.scene);
+  return inputs;
+}
+
+void require_outputs_not_read(const Written& written, const ViewOptions& options) {
+  const std::vector<std::string> inputs = inputs_of(written, options.scene);
   if (!options.output.empty()) require_not_read(options.output.string(), inputs);
   if (!options.recording) return;
   const Recording& recording = *options.recording;
@@ -236,7 +241,9 @@ ViewOptions checked(const Written& written) {
                        : read_number("--time", written.time, "s", -largest_time_s, largest_time_s, "12.5");
   options.starts_paused = written.is_paused;
   options.output = written.output;
-  if (written.compares_reference) options.comparison = read_comparison(written);
+  if (written.compares_reference) {
+    options.comparison = read_comparison(written, inputs_of(written, options.scene));
+  }
   if (!written.output.empty() && !options.comparison) require_picture_name(options.output);
   if (!written.record.empty()) options.recording = read_recording(written, options.scene);
   if (!written.transfer.empty()) options.transfer = transfer_rung(written.transfer);

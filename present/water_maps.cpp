@@ -11,7 +11,7 @@
 namespace offing::present {
 namespace {
 
-constexpr int displacement_unit = 0, gradient_unit = 1, foam_unit = 2;
+constexpr int displacement_unit = 0, gradient_unit = 1, foam_unit = 2, wake_unit = 3;
 
 }  // namespace
 
@@ -24,12 +24,19 @@ void WaterMaps::prepare(world::World& world, TransferLadder& transfer) {
     gradient_ = MapTexture(size, layers, 4);
     foam_ = MapTexture(size, layers, 1);
   }
-  const std::array<Upload, 3> uploads{{{ocean.displacement_map(), &displacement_},
-                                       {ocean.gradient_map(), &gradient_},
-                                       {ocean.foam_map(), &foam_}}};
+  std::vector<Upload> uploads{{ocean.displacement_map(), &displacement_},
+                              {ocean.gradient_map(), &gradient_},
+                              {ocean.foam_map(), &foam_}};
+  if (const world::WakeView* wakes = world.wakes()) {
+    const int cells = wakes->maps()->layer_values().front().size;
+    const int windows = static_cast<int>(wakes->maps()->count());
+    if (wakes_.size() != cells || wakes_.layers() != windows) wakes_ = MapTexture(cells, windows, 4);
+    uploads.push_back({wakes->maps()->maps(), &wakes_});
+  }
   glActiveTexture(GL_TEXTURE0);
   transfer.upload(uploads);
   for (const MapTexture* map : {&displacement_, &gradient_, &foam_}) map->make_levels();
+  if (world.wakes()) wakes_.make_levels();
 }
 
 void WaterMaps::bind(const ShaderProgram& program, const world::World& world, glm::dvec2 eye_m) const {
@@ -55,6 +62,26 @@ void WaterMaps::bind(const ShaderProgram& program, const world::World& world, gl
   program.set("displacement_map", displacement_unit);
   program.set("gradient_map", gradient_unit);
   program.set("foam_map", foam_unit);
+  bind_wakes(program, world, eye_m);
+}
+
+void WaterMaps::bind_wakes(const ShaderProgram& program, const world::World& world, glm::dvec2 eye_m) const {
+  program.set("wake_map", wake_unit);
+  const world::WakeView* view = world.wakes();
+  program.set("wake_count", view ? static_cast<int>(view->maps()->count()) : 0);
+  if (!view) return;
+  std::vector<glm::vec4> wakes;
+  std::vector<glm::vec4> first;
+  const ocean::SampleGrid eye{.origin_x_m = eye_m.x, .origin_z_m = eye_m.y};
+  const std::vector<WakeSamples> places = view->maps()->samples_of(eye);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const WakeLayer& layer = view->maps()->layer_values()[i];
+    wakes.emplace_back(layer.cells_per_m, places[i].column, places[i].row, layer.size);
+    first.emplace_back(layer.first_column, layer.first_row, 0.0f, 0.0f);
+  }
+  program.set("wakes", wakes);
+  program.set("wake_first", first);
+  wakes_.bind(wake_unit);
 }
 
 }  // namespace offing::present

@@ -9,11 +9,11 @@
 
 namespace offing::present {
 
-/// OpenGL's copies of a sea's maps, which the shaders of the water read (water.glsl).
+/// OpenGL's copies of a sea's maps, which the shaders of the water read (water.glsl, wakes.glsl).
 class WaterMaps {
  public:
   /// Units from first_free_unit on are left to others.
-  static constexpr int first_free_unit = 3;
+  static constexpr int first_free_unit = 4;
 
   /// Copies the maps of the world as it stands, by way of the ladder.
   void prepare(world::World& world, TransferLadder& transfer);
@@ -22,7 +22,9 @@ class WaterMaps {
   void bind(const ShaderProgram& program, const world::World& world, glm::dvec2 eye_m) const;
 
  private:
-  MapTexture displacement_, gradient_, foam_;
+  void bind_wakes(const ShaderProgram& program, const world::World& world, glm::dvec2 eye_m) const;
+
+  MapTexture displacement_, gradient_, foam_, wakes_;
 };
 
 }  // namespace offing::present

@@ -18,9 +18,9 @@ constexpr GLuint trochoids_binding = 1;
 constexpr std::size_t trochoid_values = TROCHOID_WAVES + TROCHOID_WAVES / 4;
 
 ShaderProgram shape_program() {
-  return ShaderProgram(
-      {.vertex = {shader_file("screen.vert")},
-       .fragment = {shader_file("water.glsl"), shader_file("rings.glsl"), shader_file("water_shape.frag")}});
+  return ShaderProgram({.vertex = {shader_file("screen.vert")},
+                        .fragment = {shader_file("water.glsl"), shader_file("rings.glsl"),
+                                     shader_file("wakes.glsl"), shader_file("water_shape.frag")}});
 }
 
 }  // namespace

@@ -45,23 +45,26 @@ float value_in(const CloudVolume& volume, std::size_t place, std::size_t cell) {
 
 }  // namespace
 
-CloudFrames::CloudFrames(const ocl::Device& device, const world::CloudSkyParameters& sky,
-                         const CancelToken& cancel)
-    : device_(device), sky_(sky), view_(device, world::CloudGrower(device).grown(sky, cancel)) {}
+CloudFrames::CloudFrames(const ocl::Device& device, world::CloudSkyParameters sky, const CancelToken& cancel)
+    : device_(device), cancel_(cancel), sky_(std::move(sky)) {}
+
+world::CloudsView& CloudFrames::view() {
+  if (!view_) view_.emplace(device_, world::CloudGrower(device_).grown(sky_, cancel_));
+  return *view_;
+}
 
 CloudParticles CloudFrames::particles_at(double time_s) {
-  view_.at(time_s);
-  CloudParticles cloud{.origin_m = view_.sky_origin_m(), .particles = view_.particles().read()};
-  cloud.particles.resize(view_.count());
+  view().at(time_s);
+  CloudParticles cloud{.origin_m = view().sky_origin_m(), .particles = view().particles().read()};
+  cloud.particles.resize(view().count());
   return cloud;
 }
 
 VdbCloud CloudFrames::volume_at(double time_s, double cell_m) {
-  const world::CloudSkyParameters& sky = sky_;
-  const bool has_given_particles = !sky.particles.empty() && sky.particles.front();
-  const CloudParameters& first = sky.clouds.front();
+  const bool has_given_particles = !sky_.particles.empty() && sky_.particles.front();
+  const CloudParameters& first = sky_.clouds.front();
   const bool is_field = first.modelling == clouds::Modelling::sampled || first.shape;
-  if (sky.clouds.size() > 1 || !is_field || has_given_particles || !first.edits.empty() ||
+  if (sky_.clouds.size() > 1 || !is_field || has_given_particles || !first.edits.empty() ||
       !keeps_its_form(first.motion)) {
     return rasterised_at(time_s, cell_m);
   }
@@ -81,7 +84,7 @@ VdbCloud CloudFrames::volume_at(double time_s, double cell_m) {
 
 VdbCloud CloudFrames::rasterised_at(double time_s, double cell_m) {
   const CloudParticles cloud = particles_at(time_s);
-  const double extinction_per_m = view_.parameters().clouds.front().look.extinction_per_m;
+  const double extinction_per_m = sky_.clouds.front().look.extinction_per_m;
   const auto volume_of = [&](const std::vector<CloudParticle>& particles) {
     CloudVolume volume = clouds::rasterised(device_, particles, cell_m, extinction_per_m);
     volume.origin_m += cloud.origin_m;

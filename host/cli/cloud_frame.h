@@ -13,10 +13,10 @@ namespace offing::cli {
 /// Makes what files hold of clouds at any time.
 class CloudFrames {
  public:
-  /// Throws what CloudGrower and CloudsView throw.
-  CloudFrames(const ocl::Device& device, const world::CloudSkyParameters& sky, const CancelToken& cancel);
+  /// The token outlives it.
+  CloudFrames(const ocl::Device& device, world::CloudSkyParameters sky, const CancelToken& cancel);
 
-  /// All particles at a time.
+  /// All particles at a time. Throws what CloudGrower and CloudsView throw.
   CloudParticles particles_at(double time_s);
   /// The density of all clouds together: of a single sampled one that only drifts that of its field, of
   /// others that of their particles. Albedos are told where they differ, or are no grey. Throws what
@@ -25,10 +25,12 @@ class CloudFrames {
 
  private:
   VdbCloud rasterised_at(double time_s, double cell_m);
+  world::CloudsView& view();
 
   ocl::Device device_;
-  world::CloudSkyParameters sky_;  // as given
-  world::CloudsView view_;
+  const CancelToken& cancel_;
+  world::CloudSkyParameters sky_;
+  std::optional<world::CloudsView> view_;  // once particles are asked for: fields need none
 };
 
 /// What cells of a volume may be, m.

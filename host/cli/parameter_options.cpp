@@ -31,6 +31,9 @@ const char* title(ParameterGroup group) {
       return "Swell";
     case ParameterGroup::raindrop:
       return "Raindrop";
+    case ParameterGroup::wake:
+    case ParameterGroup::wake_hull:
+      return "Wakes";
     case ParameterGroup::foam:
       return "Foam";
     case ParameterGroup::camera:

@@ -15,6 +15,8 @@ namespace {
 // How much brighter the lit side of a texture's lumps is than their mean.
 constexpr float relief = 0.45f;
 constexpr std::size_t first_list_entries = 1 << 16;
+// 1 GiB.
+constexpr std::size_t most_list_entries = std::size_t{1} << 28;
 
 int lanes_of(const ocl::Device& device) {
   return ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip ? CLOUD_TILE_PX : 1;
@@ -117,13 +119,23 @@ void CloudPicture::draw(const DrawnParticles& drawn, const Camera& camera) {
     project_kernel_.launch({{static_cast<std::size_t>(box_pitch)}}, drawn.particles, drawn.sprites,
                            drawn.order, params, puffs_, boxes_);
   }
+  // A work-item keeps 2 KB of its own: drivers that run a group on one thread's stack get small groups.
+  const std::size_t group = lanes_ > 1 ? 1 : 64;
+  const ocl::LaunchShape tiles{{(first_.size() + group - 1) / group * group}, {group}};
   while (true) {
     used_.fill(0);
-    tiles_kernel_.launch({{first_.size()}}, boxes_, params, static_cast<int>(list_.size()), first_, seen_,
-                         list_, used_);
+    tiles_kernel_.launch(tiles, boxes_, params, static_cast<int>(list_.size()), first_, seen_, list_, used_);
     const auto used = static_cast<std::size_t>(used_.map()[0]);
     if (used <= list_.size()) break;
-    list_ = ocl::Buffer<std::uint32_t>(device_, 2 * used, "cloud tiles");
+    if (used > most_list_entries) {
+      throw Error(
+          ErrorKind::out_of_memory,
+          fmt::format("picture of clouds: {} particles are before so many of the {} x {} pixels that their "
+                      "tiles need more than {} places",
+                      drawn.count, width_px_, height_px_, most_list_entries),
+          "take a smaller picture, fewer particles (clouds.quality), or an eye that is further away");
+    }
+    list_ = ocl::Buffer<std::uint32_t>(device_, std::min(2 * used, most_list_entries), "cloud tiles");
   }
   const ocl::LaunchShape shape =
       lanes_ > 1 ? ocl::LaunchShape{{first_.size()}, {1}}

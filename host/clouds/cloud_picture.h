@@ -44,7 +44,8 @@ class CloudPicture {
   ocl::Buffer<float>& scene_depth() { return scene_depth_; }
 
   /// Enqueues the picture for a camera of the size of fit(). Waits for how many particles there are a tile.
-  /// Throws Error(bad_usage) for another size or without room for `count` in the buffers.
+  /// Throws Error(bad_usage) for another size or without room for `count` in the buffers, and
+  /// Error(out_of_memory) where lists of the particles before each 16 x 16 pixels are more than 1 GiB.
   void draw(const DrawnParticles& drawn, const Camera& camera);
 
   // Of the last draw(), [height][width], row 0 at the bottom.

@@ -27,10 +27,11 @@ std::size_t items(std::size_t work, int per_item) {
 CloudShadowMap::CloudShadowMap(const ocl::Device& device)
     : device_(device),
       is_strip_(ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip),
+      crowd_kernel_(ocl::Program::build(device, "clouds/shadow_crowd.cl").kernel("shadow_crowd")),
       splat_kernel_(ocl::Program::build(device, "clouds/shadow_splat.cl").kernel("shadow_splat")),
       resolve_kernel_(ocl::Program::build(device, "clouds/shadow_resolve.cl").kernel("shadow_resolve")),
       points_kernel_(ocl::Program::build(device, "clouds/shadow_points.cl").kernel("shadow_points")),
-      moments_(device, 3 * std::size_t{texels}, "moments of the clouds' shadow"),
+      moments_(device, 4 * std::size_t{texels}, "moments of the clouds' shadow"),
       map_(device, std::size_t{texels}, "shadow map of clouds") {
   map_.fill({});
 }
@@ -74,8 +75,10 @@ void CloudShadowMap::update(const ocl::Buffer<CloudParticle>& particles, std::ui
   moments_.fill(0);
   if (count > 0) {
     const int per_item = is_strip_ ? strip_particles : 1;
-    splat_kernel_.launch({{items(count, per_item)}}, particles, static_cast<int>(count), per_item, params_,
-                         moments_);
+    for (const ocl::Kernel& kernel : {crowd_kernel_, splat_kernel_}) {
+      kernel.launch({{items(count, per_item)}}, particles, static_cast<int>(count), per_item, params_,
+                    moments_);
+    }
   }
   const int per_item = is_strip_ ? strip_texels : 1;
   resolve_kernel_.launch({{items(texels, per_item)}}, moments_, per_item, map_);

@@ -44,7 +44,7 @@ class CloudShadowMap {
  private:
   ocl::Device device_;
   bool is_strip_;
-  ocl::Kernel splat_kernel_, resolve_kernel_, points_kernel_;
+  ocl::Kernel crowd_kernel_, splat_kernel_, resolve_kernel_, points_kernel_;
   const ocl::Buffer<CloudParticle>* particles_ = nullptr;
   std::uint32_t count_ = 0;
   std::uint64_t revision_ = 0;

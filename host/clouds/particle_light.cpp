@@ -15,15 +15,15 @@
 namespace offing::clouds {
 namespace {
 
-// EMPTY_DEPTH 1.7 and where a dense particle shows from (FRONT_RADII 1.4, FRONT_DEPTH 3) were fitted to the
-// reference over the genera, whose light is within some 15 % then (tests/clouds/light_accuracy_test.cpp), and
-// to slabs (particle_light_test.cpp).
+// EMPTY_DEPTH 1.7, how far light leans (LEAN 1.5) and where a dense particle shows from (FRONT_RADII 1.4,
+// FRONT_DEPTH 3) were fitted to the reference over the genera and the shapes of scenes, whose light is within
+// 15 % then (tests/clouds/light_accuracy_test.cpp), and to slabs (particle_light_test.cpp).
 
 // Room for the cells of a cloud's grid; heaps have a quarter of them (kernels/clouds/light_bounds.cl).
 constexpr int cells = 16384;
 // A plane of zeros, all levels (each at most a quarter of the one before, but for short rows), and what is
 // read beyond.
-constexpr std::size_t level_cells = cells / 8 + cells / 3 * 4 + 1024;
+constexpr std::size_t level_cells = cells / 16 + cells / 3 * 4 + 1024;
 constexpr std::size_t beam_margin = 16;  // FIRST_BEAM of kernels/clouds/light_grid.clh
 
 // CPU: one work-item a group. Work of a cloud is shared by a few items, which keeps cores busy; of a GPU by

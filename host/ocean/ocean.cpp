@@ -42,7 +42,8 @@ struct Ocean::State {
         parameters(checked(requested)),
         dispersion(spectrum.dispersion),
         modes(device, spectrum, parameters.cascades, parameters.size, parameters.loop_period_s),
-        surface(device, modes, parameters.choppiness) {
+        surface(device, modes, parameters.choppiness),
+        wakes(std::make_shared<const WakeMaps>(device)) {
     modes.draw(parameters.seed);
   }
 
@@ -80,7 +81,8 @@ struct Ocean::State {
   double time_s = 0.0;
   WaveModes modes;
   SurfaceMaps surface;
-  bool surface_is_current = false;  // whether `surface` is that of time_s
+  std::shared_ptr<const WakeMaps> wakes;  // never none
+  bool surface_is_current = false;        // whether `surface` is that of time_s
   // Made at first use: many callers want the surface alone.
   std::optional<VelocityMap> velocity;
   std::optional<Foam> foam;
@@ -117,6 +119,7 @@ QueriedSea Ocean::State::queried(const TrochoidSea& sea_trochoids, const WaterQu
           .cascades = parameters.cascades,
           .size = parameters.size,
           .trochoids = sea_trochoids,
+          .wakes = *wakes,
           .dispersion = dispersion,
           .time_s = time_s};
 }
@@ -136,6 +139,10 @@ void Ocean::at(double time_s) {
   state_->time_s = time_s;
   state_->surface_is_current = false;
   state_->current_surface();
+}
+
+void Ocean::set_wakes(std::shared_ptr<const WakeMaps> wakes) {
+  state_->wakes = wakes ? std::move(wakes) : std::make_shared<const WakeMaps>(state_->device);
 }
 
 SurfaceFields Ocean::read_surface(int cascade) const {
@@ -253,13 +260,17 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid, const Composition& c
   const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
   const std::size_t count = columns * rows;
   const ocl::Buffer<OceanComposeParams> params_buffer(state.device, std::span(&params, 1), "sample grid");
+  std::vector<WakeSamples> wake_samples = state.wakes->samples_of(grid);
+  wake_samples.resize(std::max<std::size_t>(wake_samples.size(), 1));
+  const ocl::Buffer<WakeSamples> samples_buffer(state.device, wake_samples, "samples in wakes");
   ocl::Buffer<float> position(state.device, 4 * count, "composed positions");
   ocl::Buffer<float> shape(state.device, 4 * count, "composed slopes");
   // Without trochoids the cascades' own maps stand in for theirs, unread.
   state.compose->launch({{columns, rows, 1}}, surface.displacement(), surface.gradient(),
                         has_trochoids ? state.trochoids->displacement() : surface.displacement(),
-                        has_trochoids ? state.trochoids->gradient() : surface.gradient(), params_buffer,
-                        state.parameters.size, position, shape);
+                        has_trochoids ? state.trochoids->gradient() : surface.gradient(), state.wakes->maps(),
+                        state.wakes->layers(), samples_buffer, static_cast<int>(state.wakes->count()),
+                        params_buffer, state.parameters.size, position, shape);
   ComposedFields fields;
   fields.columns = grid.columns;
   fields.rows = grid.rows;

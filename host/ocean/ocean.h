@@ -11,6 +11,7 @@
 #include "host/ocean/sea_spectrum.h"
 #include "host/ocean/surface_instant.h"
 #include "host/ocean/trochoids.h"
+#include "host/ocean/wake_maps.h"
 #include "host/ocean/water_point.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
@@ -95,6 +96,11 @@ class Ocean {
   /// Enqueues the surface maps of all cascades at time_s. Throws Error(bad_input) unless |time_s| <= 1e8,
   /// three years.
   void at(double time_s);
+
+  /// The wakes that read_composed(), sample() and instant() add to the sea from now on, as they stand then;
+  /// none for nullptr. Wakes count at labels, as trochoids do, whatever the query's minimum wavelength; below
+  /// the surface they fade as waves of a sixteenth of their window, and move the water up and down only.
+  void set_wakes(std::shared_ptr<const WakeMaps> wakes);
 
   /// Maps of the last at() on the device, for whoever draws or samples them: [cascades][n][n] float4 (dx m, h
   /// m, dz m, d dx/dz) and (dh/dx, dh/dz, d dx/dx, d dz/dz).

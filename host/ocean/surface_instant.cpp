@@ -64,10 +64,12 @@ class Cell {
 }  // namespace
 
 SurfaceInstant::SurfaceInstant(std::vector<Maps> cascades, int size, const TrochoidSea& trochoids,
-                               double time_s, const WaterQuery& query, const Dispersion& dispersion)
+                               double time_s, const WaterQuery& query, const Dispersion& dispersion,
+                               std::vector<WakeMaps::Instant> wakes)
     : cascades_(std::move(cascades)),
       size_(size),
       trochoids_(trochoids, time_s, query.min_wavelength_m),
+      wakes_(std::move(wakes)),
       query_(query),
       weight_papm_(query.density_kgpm3 * dispersion.gravity_mps2) {
   require_valid_query(query, dispersion.depth_m);
@@ -95,6 +97,12 @@ SurfaceInstant::Sums SurfaceInstant::sums_at(const WaterPoint& label) const {
     sums.z_by_x += along_x[2];
     sums.x_by_z += along_z[0];
     sums.z_by_z += along_z[2];
+  }
+  for (const WakeMaps::Instant& wake : wakes_) {
+    const auto [height_m, slope_x, slope_z, rise_mps] = wake.at(label.x_m, label.z_m);
+    values.displacement_y_m += height_m;
+    values.slope_x += slope_x;
+    values.slope_z += slope_z;
   }
   return sums;
 }
@@ -143,6 +151,12 @@ WaterSample SurfaceInstant::at(const WaterPoint& point) const {
     velocity.y_mps += flow[1];
     velocity.z_mps += flow[2];
     head_m += flow[3];
+  }
+  for (const WakeMaps::Instant& wake : wakes_) {
+    const std::array<double, 4> there = wake.at(label.x_m, label.z_m);
+    const double left = std::exp(-wake.layer.decay_radpm * query_.depth_m);
+    velocity.y_mps += left * there[3];
+    head_m += left * there[0];
   }
   sample.velocity_x_mps = static_cast<float>(velocity.x_mps);
   sample.velocity_y_mps = static_cast<float>(velocity.y_mps);

@@ -5,6 +5,7 @@
 
 #include "host/ocean/cascades.h"
 #include "host/ocean/trochoid_instant.h"
+#include "host/ocean/wake_maps.h"
 #include "host/ocean/water_point.h"
 
 namespace offing::ocean {
@@ -21,11 +22,12 @@ class SurfaceInstant {
 
   /// Throws Error(bad_input) for trochoids, time or query out of range.
   SurfaceInstant(std::vector<Maps> cascades, int size, const TrochoidSea& trochoids, double time_s,
-                 const WaterQuery& query, const Dispersion& dispersion);
+                 const WaterQuery& query, const Dispersion& dispersion,
+                 std::vector<WakeMaps::Instant> wakes = {});
 
   /// The water on this point's vertical. Throws Error(bad_input) for a point beyond farthest_point_m.
   WaterSample at(const WaterPoint& point) const;
-  /// All cascades and trochoids at a label, summed.
+  /// All cascades, trochoids and wakes at a label, summed.
   TrochoidValues at_label(const WaterPoint& label) const { return sums_at(label).values; }
 
   const std::vector<Maps>& cascades() const { return cascades_; }
@@ -44,6 +46,7 @@ class SurfaceInstant {
   std::vector<Maps> cascades_;
   int size_;
   TrochoidInstant trochoids_;
+  std::vector<WakeMaps::Instant> wakes_;
   WaterQuery query_;
   double weight_papm_;
 };

@@ -158,7 +158,7 @@ SurfaceInstant read_instant(const QueriedSea& sea, const WaterQuery& query) {
                         .gradient = read(sea.gradient),
                         .flow = sea.flow ? read(*sea.flow) : std::vector<float>{}});
   }
-  return {std::move(cascades), sea.size, sea.trochoids, sea.time_s, query, sea.dispersion};
+  return {std::move(cascades), sea.size, sea.trochoids, sea.time_s, query, sea.dispersion, sea.wakes.read()};
 }
 
 SurfaceQuery::SurfaceQuery(const ocl::Device& device)
@@ -193,7 +193,8 @@ void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query,
   if (lanes_ > 1) shape.local = {1};
   // Without flow a map that is there stands in for it, unread.
   kernel_.launch(shape, points, sea.displacement, sea.gradient, sea.flow ? *sea.flow : sea.gradient,
-                 waves_buffer_, rings_buffer_, params_buffer_, static_cast<int>(count), time.ticks,
+                 waves_buffer_, rings_buffer_, sea.wakes.maps(), sea.wakes.layers(),
+                 static_cast<int>(sea.wakes.count()), params_buffer_, static_cast<int>(count), time.ticks,
                  time.tick_fraction, samples);
 }
 

@@ -7,6 +7,7 @@
 #include "host/ocean/cascades.h"
 #include "host/ocean/surface_instant.h"
 #include "host/ocean/trochoids.h"
+#include "host/ocean/wake_maps.h"
 #include "host/ocean/water_point.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
@@ -23,6 +24,7 @@ struct QueriedSea {
   std::span<const Cascade> cascades;
   int size = 0;  ///< n
   const TrochoidSea& trochoids;
+  const WakeMaps& wakes;
   Dispersion dispersion = {};
   double time_s = 0.0;
 };

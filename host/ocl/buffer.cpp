@@ -149,6 +149,14 @@ Event Memory::begin_read(void* target) const {
   return Event(event);
 }
 
+Event Memory::begin_write(const void* source) {
+  if (bytes_ == 0) return {};
+  cl_event event = nullptr;
+  check(clEnqueueWriteBuffer(device_->queue.get(), memory_, CL_FALSE, 0, bytes_, source, 0, nullptr, &event),
+        "clEnqueueWriteBuffer", description(name_, bytes_, device_->info));
+  return Event(event);
+}
+
 void Memory::fill(const void* pattern, std::size_t pattern_bytes) {
   if (bytes_ == 0) return;
   const std::string where = description(name_, bytes_, device_->info);

@@ -40,6 +40,7 @@ class Memory {
   void write(std::size_t offset_bytes, std::size_t bytes, const void* source);
   void read(std::size_t offset_bytes, std::size_t bytes, void* target) const;
   Event begin_read(void* target) const;
+  Event begin_write(const void* source);
   void fill(const void* pattern, std::size_t pattern_bytes);
   const void* map_read() const;
   void unmap(const void* pointer) const noexcept;
@@ -111,6 +112,9 @@ class Buffer {
   /// Queues a copy of all elements to `target` (of size() elements at least), which must live until the event
   /// is done.
   Event begin_read(T* target) const { return memory_.begin_read(target); }
+  /// Queues a copy of size() elements from `source`, which must live and stay as it is until the event is
+  /// done.
+  Event begin_write(const T* source) { return memory_.begin_write(source); }
   void fill(const T& value) {
     static_assert((sizeof(T) & (sizeof(T) - 1)) == 0 && sizeof(T) <= 128, "what OpenCL can fill with");
     memory_.fill(&value, sizeof(T));

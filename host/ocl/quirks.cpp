@@ -1,14 +1,13 @@
 #include "host/ocl/quirks.h"
 
 #include <algorithm>
-#include <cerrno>
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -82,17 +81,12 @@ void prepare_environment() {
 // PoCL 3.1 removes and writes files in its cache that other processes read and remove at the same time
 // (lib/CL/pocl_file_util.c, pocl_write_file; https://github.com/pocl/pocl/issues/1480 shows the same of
 // later versions). Of six processes that build one program at once, one in 75 failed with
-// CL_BUILD_PROGRAM_FAILURE or a segmentation fault. The lock is on the cache folder itself, so that nothing
-// is left behind.
+// CL_BUILD_PROGRAM_FAILURE or a segmentation fault.
 BuildTurn::BuildTurn(const DeviceInfo& info) {
   if (!is_pocl(info)) return;
-  locked_folder_ = open(pocl_cache_folder().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (locked_folder_ < 0) return;
-  while (flock(locked_folder_, LOCK_EX) != 0 && errno == EINTR) continue;
-}
-
-BuildTurn::~BuildTurn() {
-  if (locked_folder_ >= 0) close(locked_folder_);
+  static std::atomic<bool> was_in_vain = false;
+  lock_.emplace(pocl_cache_folder(), std::chrono::seconds(was_in_vain ? 1 : 60));
+  if (!lock_->is_held()) was_in_vain = true;
 }
 
 // Drivers for the CPU report less memory than they can use: PoCL 3.1 three quarters of what NUMA node 0

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "host/ocl/device.h"
+#include "host/ocl/folder_lock.h"
 
 /// What drivers get wrong: one function a bug, each with the versions that show it. No other file tests for a
 /// vendor.
@@ -13,16 +15,14 @@ namespace offing::ocl::quirks {
 void prepare_environment();
 
 /// While it lives, no other process of this user, nor another thread, builds programs for such a device.
-/// Waits for its turn; does nothing where drivers need none, or where the system has no such lock.
+/// Waits for its turn, a minute at most and a second after that was in vain; does nothing where drivers need
+/// none.
 class BuildTurn {
  public:
   explicit BuildTurn(const DeviceInfo& info);
-  BuildTurn(const BuildTurn&) = delete;
-  BuildTurn& operator=(const BuildTurn&) = delete;
-  ~BuildTurn();
 
  private:
-  int locked_folder_ = -1;
+  std::optional<FolderLock> lock_;
 };
 
 /// The device's memory that programs can really use; see the definition for whom the driver's figure is

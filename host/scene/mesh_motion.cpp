@@ -1,28 +1,13 @@
 #include "host/scene/mesh_motion.h"
 
 #include <memory>
-#include <optional>
 
 #include "host/base/camera.h"
-#include "host/base/keyframes.h"
+#include "host/scene/moving_number.h"
 
 namespace offing::scene {
 
 namespace {
-
-/// A number that may have keyframes.
-class MovingNumber {
- public:
-  MovingNumber(const OceanScene& scene, const ValueKey& key, double constant) : constant_(constant) {
-    if (const auto track = scene.tracks.find(key); track != scene.tracks.end()) track_ = track->second;
-  }
-
-  double at(double time_s) const { return track_ ? value_at(*track_, time_s) : constant_; }
-
- private:
-  double constant_;
-  std::optional<KeyframeTrack> track_;
-};
 
 /// A mesh is turned as a head is: its -z axis is where it looks (camera.h).
 class MeshMotion {

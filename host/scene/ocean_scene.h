@@ -16,6 +16,7 @@
 #include "host/scene/mesh_scene.h"
 #include "host/scene/terrain_scene.h"
 #include "host/scene/view_scene.h"
+#include "host/scene/wake_scene.h"
 
 namespace offing::scene {
 
@@ -78,6 +79,7 @@ struct OceanScene {
   std::optional<double> gerstner_split_m;  ///< they are longer than this; absent: chosen from the spectrum
   std::vector<SwellScene> swells;
   std::vector<ocean::Raindrop> raindrops;
+  std::vector<WakeScene> wakes;
   ocean::OceanParameters ocean;  ///< its cascades are filled in by prepare_sea()
 
   bool names_sea = false;  ///< the scene has an [ocean] section

@@ -49,6 +49,8 @@ enum class ParameterGroup {
   grid,
   swell,
   raindrop,
+  wake,
+  wake_hull,
   foam,
   camera,
   sun,

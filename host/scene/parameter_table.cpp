@@ -10,6 +10,7 @@
 #include "host/scene/sky_parameters.h"
 #include "host/scene/terrain_parameters.h"
 #include "host/scene/view_parameters.h"
+#include "host/scene/wake_sections.h"
 
 namespace offing::scene {
 
@@ -204,8 +205,8 @@ std::span<const Parameter> parameter_table() {
   static const std::vector<Parameter> table = [] {
     std::vector<Parameter> rows;
     for (const std::vector<Parameter>& more :
-         {world_rows(), sea_parameters(), grid_rows(), extra_wave_parameters(), view_parameters(),
-          sky_parameters(), terrain_parameters(), light_parameters(), mesh_parameters(),
+         {world_rows(), sea_parameters(), grid_rows(), extra_wave_parameters(), wake_sections(),
+          view_parameters(), sky_parameters(), terrain_parameters(), light_parameters(), mesh_parameters(),
           highlight_parameters(), cloud_parameters()}) {
       rows.insert(rows.end(), more.begin(), more.end());
     }

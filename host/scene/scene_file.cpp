@@ -23,7 +23,7 @@ namespace offing::scene {
 namespace {
 
 /// Parts of the scene format that have no system behind them in this version.
-constexpr std::array<std::string_view, 3> planned_keys = {"world.sea_level_m", "ocean.wake", "body"};
+constexpr std::array<std::string_view, 2> planned_keys = {"world.sea_level_m", "body"};
 
 /// What benchmarks take from a scene: nothing of it changes the scene.
 constexpr std::string_view bench_section = "bench";

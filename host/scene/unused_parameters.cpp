@@ -43,7 +43,7 @@ class Reasons {
  private:
   static bool is_of_sea(const Parameter& row) {
     using enum ParameterGroup;
-    constexpr std::array groups{wind, sea, grid, swell, raindrop, foam};
+    constexpr std::array groups{wind, sea, grid, swell, raindrop, wake, wake_hull, foam};
     constexpr std::array<std::string_view, 2> keys{"world.seed", "time.loop_period_s"};
     return std::find(groups.begin(), groups.end(), row.group) != groups.end() ||
            std::find(keys.begin(), keys.end(), row.key) != keys.end();

@@ -9,6 +9,7 @@
 #include "host/scene/scene_clouds.h"
 #include "host/scene/scene_ground.h"
 #include "host/scene/scene_meshes.h"
+#include "host/scene/scene_wakes.h"
 #include "host/scene/unused_parameters.h"
 #include "host/sky/sun_position.h"
 
@@ -17,7 +18,7 @@ namespace offing::scene {
 namespace {
 
 /// What of a sea two scenes differ in, from the least work to the most.
-enum class SeaChange { none, waves_beside, seed, all };
+enum class SeaChange { none, waves_beside, wakes, seed, all };
 
 SeaChange change_of(const Parameter& row) {
   switch (row.group) {
@@ -41,6 +42,9 @@ SeaChange change_of(const Parameter& row) {
     case ParameterGroup::swell:
     case ParameterGroup::raindrop:
       return SeaChange::waves_beside;
+    case ParameterGroup::wake:
+    case ParameterGroup::wake_hull:
+      return SeaChange::wakes;
     case ParameterGroup::world:
       return row.key == "world.seed" ? SeaChange::seed : SeaChange::none;
     case ParameterGroup::time:
@@ -93,6 +97,7 @@ world::WorldParameters prepare_sea_and_sky(const OceanScene& scene, Warnings war
   const OceanScene resolved = with_resolved_wind(scene);
   Sea sea = prepare_sea(scene, warnings);
   parameters.trochoids = trochoids_of(sea, sea.parameters.seed);
+  parameters.wakes = prepare_wakes(scene, sea.spectrum.dispersion);
   parameters.spectrum = std::move(sea.spectrum);
   parameters.ocean = std::move(sea.parameters);
   parameters.wind_speed_mps = resolved.wind_speed_mps;
@@ -137,6 +142,7 @@ ViewScene show_at(world::World& world, const OceanScene& scene, double time_s) {
   if (world.ground()) stand_on_ground(*world.ground(), view);
   set_view(world, view);
   set_meshes_at(world, scene, time_s);
+  world.set_eye({view.camera.eye_m.x, view.camera.eye_m.z});
   world.at(time_s, view.camera.eye_m.y);
   return view;
 }
@@ -151,9 +157,14 @@ void edit_world_below(world::World& world, const OceanScene& before, const Ocean
     case SeaChange::waves_beside:
       world.set_trochoids(with_waves_beside(world.parameters().trochoids, before, after));
       break;
+    case SeaChange::wakes:
+      world.set_trochoids(with_waves_beside(world.parameters().trochoids, before, after));
+      world.set_wakes(prepare_wakes(after, world.parameters().spectrum.dispersion));
+      break;
     case SeaChange::seed: {
       const Sea sea = prepare_sea(after, Warnings::left_out);
       world.reseed(sea.parameters.seed, trochoids_of(sea, sea.parameters.seed));
+      world.set_wakes(prepare_wakes(after, sea.spectrum.dispersion));
       break;
     }
     case SeaChange::all:

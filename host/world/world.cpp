@@ -93,6 +93,7 @@ double height_of_rings_m(const std::vector<ocean::Raindrop>& drops, double time_
 World::World(const ocl::Device& device, const WorldParameters& parameters)
     : device_(device), parameters_(parameters), sky_(device, parameters.atmosphere) {
   make_sea(parameters);
+  set_wakes(parameters.wakes);
   if (parameters.ground) ground_.emplace(device, *parameters.ground);
   set_clouds(parameters.clouds);
   set_meshes(parameters.meshes);
@@ -141,6 +142,14 @@ void World::set_trochoids(const ocean::TrochoidSea& trochoids) {
   hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_);
 }
 
+void World::set_wakes(const std::vector<WakeSettings>& wakes) {
+  std::optional<WakeView> made;
+  if (ocean_ && !wakes.empty()) made.emplace(device_, wakes);
+  wakes_ = std::move(made);
+  if (ocean_) ocean_->set_wakes(wakes_ ? wakes_->maps() : nullptr);
+  parameters_.wakes = wakes;
+}
+
 void World::reseed(std::uint64_t seed, const ocean::TrochoidSea& trochoids) {
   ocean::require_valid_trochoids(trochoids);
   ocean().reseed(seed);
@@ -157,6 +166,7 @@ void World::set_sea(const WorldParameters& parameters) {
   parameters_.trochoids = parameters.trochoids;
   parameters_.wind_speed_mps = parameters.wind_speed_mps;
   parameters_.wind_direction_rad = parameters.wind_direction_rad;
+  set_wakes(parameters.wakes);
 }
 
 void World::set_ground(const std::optional<GroundParameters>& ground) {
@@ -232,7 +242,8 @@ ocean::SurfaceReach World::reach() const {
   for (const ocean::Trochoid& wave : parameters_.trochoids.waves) trochoids_m += wave.amplitude_m;
   return {.horizontal_m = parameters_.ocean.choppiness * waves_m +
                           ocean::horizontal_scale(parameters_.trochoids).scale * trochoids_m,
-          .vertical_m = waves_m + trochoids_m + height_of_rings_m(parameters_.trochoids.raindrops, time_s_)};
+          .vertical_m = waves_m + trochoids_m + height_of_rings_m(parameters_.trochoids.raindrops, time_s_) +
+                        (wakes_ ? wakes_->reach_m(time_s_) : 0.0)};
 }
 
 void World::look_at_sky(double eye_altitude_m) {
@@ -254,6 +265,7 @@ void World::at(double time_s, double eye_altitude_m) {
   if (ocean_) {
     ocean_->at(time_s);
     ocean_->foam_map();
+    if (wakes_) wakes_->at(time_s, eye_);
   }
   light_clouds(time_s);
   time_s_ = time_s;

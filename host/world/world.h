@@ -21,6 +21,7 @@
 #include "host/world/ground_view.h"
 #include "host/world/mesh_parameters.h"
 #include "host/world/mesh_view.h"
+#include "host/world/wake_view.h"
 
 namespace offing::world {
 
@@ -30,6 +31,7 @@ struct WorldParameters {
   ocean::SeaSpectrum spectrum = {};
   ocean::OceanParameters ocean = {};
   ocean::TrochoidSea trochoids = {};  ///< those of the spectrum below the cascades' k_split, and swells
+  std::vector<WakeSettings> wakes = {};
   /// Wind over the ripples that the spectrum or its maps leave out.
   double wind_speed_mps = 10.0;
   double wind_direction_rad = 0.0;
@@ -68,6 +70,8 @@ class World {
 
   /// Enqueues the world of this time, as seen from this height above the sea: sky, sea, foam, clouds.
   void at(double time_s, double eye_altitude_m);
+  /// Where the eye is at the next at(): wakes may be about it.
+  void set_eye(const ocean::WaterPoint& eye) { eye_ = eye; }
   /// Enqueues what a camera sees of the ground, if there is any, in the light of the last at(). An eye that
   /// is farther from the map than rays reach sees nothing of it. Throws what GroundView::at() throws.
   void see_ground(const Camera& camera, const terrain::Sampling& sampling = {},
@@ -98,6 +102,8 @@ class World {
   void set_atmosphere(const sky::Atmosphere& atmosphere);
   /// Changes trochoids, swells and raindrops; costs nothing. Throws what require_valid_trochoids() throws.
   void set_trochoids(const ocean::TrochoidSea& trochoids);
+  /// Makes the wakes anew, without a history. Throws what WakeView throws.
+  void set_wakes(const std::vector<WakeSettings>& wakes);
   /// Draws another sea of the same spectrum. Trochoids are drawn from it by the same seed: give those of the
   /// new one.
   void reseed(std::uint64_t seed, const ocean::TrochoidSea& trochoids);
@@ -117,6 +123,8 @@ class World {
     parameters_.pictures = std::move(pictures);
   }
 
+  /// nullptr in a world without wakes.
+  const WakeView* wakes() const { return wakes_ ? &*wakes_ : nullptr; }
   bool has_sea() const { return ocean_.has_value(); }
   /// Throws Error(bad_usage) in a world without a sea.
   ocean::Ocean& ocean();
@@ -148,6 +156,8 @@ class World {
   ocl::Device device_;
   WorldParameters parameters_;
   std::optional<ocean::Ocean> ocean_;
+  std::optional<WakeView> wakes_;
+  ocean::WaterPoint eye_;
   sky::ClearSky sky_;
   std::optional<GroundView> ground_;
   std::optional<CloudsView> clouds_;

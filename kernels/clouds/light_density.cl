@@ -9,7 +9,8 @@
 // Half width of a tent of variance 0.1041: sqrt(6 * 0.1041).
 #define TENT_RADII 0.79f
 
-// A tent along an axis: cells first ... end - 1, weights (half_width - distance) * scale of sum 1.
+// A tent along an axis: cells first ... end - 1, whose middles it covers, weights (half_width - distance) * scale of
+// sum 1.
 typedef struct {
   int first, end;
   float at, half_width, scale;
@@ -19,8 +20,9 @@ static inline float tent_height(float at, float half_width, int cell) {
   return fmax(0.0f, half_width - fabs((float)cell + 0.5f - at));
 }
 
-static inline Tent tent_at(float at, float half_width, int size) {
-  Tent tent = {max((int)floor(at - half_width), 0), min((int)ceil(at + half_width), size), at, half_width, 1.0f};
+FFT_INLINE Tent tent_at(float at, float half_width, int size) {
+  Tent tent = {max((int)floor(at - half_width + 0.5f), 0), min((int)ceil(at + half_width - 0.5f), size), at, half_width,
+               1.0f};
   // Heights a cell apart of a tent that is two cells wide sum up to 1; the grid is a cell wider than what it holds.
   if (half_width == 1.0f) return tent;
   float sum = 0.0f;

@@ -30,11 +30,20 @@ static inline Ways ways_of(__global const float *restrict medium, __global const
   return ways;
 }
 
+// What comes of a neighbour. Where there is none, memory has a cell that another item of the group may be writing.
+static inline lanes passed_on(lanes way, __global const float *fluence) {
+#if LANES == 1
+  return way > 0.0f ? way * *fluence : 0.0f;
+#else
+  return way * load_lanes(fluence);
+#endif
+}
+
 static inline lanes flow_into(const Ways ways, __global const float *fluence, const Level level, int at) {
   const int plane = level.pitch * level.size_y;
-  return (ways.right * load_lanes(fluence + at + 1) + ways.left * load_lanes(fluence + at - 1)) +
-         (ways.up * load_lanes(fluence + at + level.pitch) + ways.down * load_lanes(fluence + at - level.pitch)) +
-         (ways.back * load_lanes(fluence + at + plane) + ways.front * load_lanes(fluence + at - plane));
+  return (passed_on(ways.right, fluence + at + 1) + passed_on(ways.left, fluence + at - 1)) +
+         (passed_on(ways.up, fluence + at + level.pitch) + passed_on(ways.down, fluence + at - level.pitch)) +
+         (passed_on(ways.back, fluence + at + plane) + passed_on(ways.front, fluence + at - plane));
 }
 
 static inline void relax(__global const float *restrict medium, __global const float *restrict faces,

@@ -32,7 +32,9 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_entr
     const CloudLightParams light, __global const float *restrict medium, int clouds, __global float *restrict entries) {
   const int cloud = (int)get_group_id(1), sun = (int)get_group_id(0), item = (int)get_local_id(0);
   const CloudGrid grid = grids[cloud];
-  const float3 way = (float3)(light.suns[sun].x, light.suns[sun].y, light.suns[sun].z);
+  // A copy: where members are read from the argument at an index, the compiler of Mesa 22.3.6's rusticl crashes.
+  const CloudSunLight source = light.suns[sun];
+  const float3 way = (float3)(source.x, source.y, source.z);
   const EntrySquare square = entry_square(grid, way);
   float depths[TEXELS_OF_ITEM];
   for (int i = 0; i < TEXELS_OF_ITEM; ++i) depths[i] = 0.0f;

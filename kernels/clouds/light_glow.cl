@@ -2,8 +2,12 @@
 // In:  grids, looks, light, medium, beams; of light_diffuse.cl faces and fluence. Global size: items that share the cells,
 //      clouds.
 // Out: glow [clouds][CELLS]: light scattered toward any direction, kcd/m^2 per optical depth, and the extinction; drift
-//      [clouds][CELLS]: 3 g' F / u, by which more goes along the flux.
+//      [clouds][CELLS]: LEAN g' F / u, by which more goes along the flux.
 #include "clouds/diffusion.clh"
+
+// By P1 it is 3, as deep inside. Of the surface, which the eye sees, that makes the side away from the sun too bright and
+// the side toward it too dark: fitted (host/clouds/particle_light.cpp).
+#define LEAN 1.5f
 
 // Mean of the colours' fluence.
 static inline lanes fluence_at(__global const float *fluence, int at) {
@@ -50,7 +54,7 @@ __kernel void light_glow(__global const CloudGrid *restrict grids, __global cons
       y -= strength * from.y;
       z -= strength * from.z;
     }
-    const lanes scale = 3.0f * look.scaled_mean_cosine / most(fluence_at(fluence, at), (lanes)1e-20f);
+    const lanes scale = LEAN * look.scaled_mean_cosine / most(fluence_at(fluence, at), (lanes)1e-20f);
     x *= scale;
     y *= scale;
     z *= scale;

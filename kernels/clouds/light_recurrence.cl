@@ -12,6 +12,9 @@
 #define HARRIS_SIZE 128
 #define PARTICLES_OF_GROUP 64
 #define UNITS 65536.0f
+// No more is added to a sum that is larger: nothing comes through e^-8192, and the particles of a group, 64 of at most
+// 64 each, add 2^28.
+#define ENOUGH (1 << 29)
 
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_recurrence(
     __global const CloudParticle *restrict particles, int count, __global const uint *restrict order,
@@ -55,11 +58,12 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_recu
           for (int column = max((int)(at_x - radius), 0); column <= min((int)(at_x + radius), HARRIS_SIZE - 1); ++column) {
             const float dx = ((float)column + 0.5f - at_x) / radius, dy = ((float)row + 0.5f - at_y) / radius;
             const float here = depth * cloud_chord(dx * dx + dy * dy);
-            if (!(here > 0.0f)) continue;
+            __global int *sum = map + row * HARRIS_SIZE + column;
+            if (!(here > 0.0f) || *sum > ENOUGH) continue;
             // A deep particle is a row of thin slices: what the print has for one slice would make light of a deep one.
             const float slices = ceil(here * 8.0f), thin = here / slices;
             const float kept = slices * -log(exp(-thin) + regained * thin);
-            atomic_add(map + row * HARRIS_SIZE + column, (int)(fmin(kept, 64.0f) * UNITS));
+            atomic_add(sum, (int)(fmin(kept, 64.0f) * UNITS));
           }
         }
       }

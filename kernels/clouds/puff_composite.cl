@@ -11,8 +11,19 @@
 // much light through as all of them do one by one.
 #include "clouds/puff_ray.clh"
 
-// What is let through that nobody sees any more: half a step of 8 bits.
+// Pixels that let less through, half a step of 8 bits, are taken as full of what they have shown.
 #define LEAST_THROUGH 2e-3f
+
+// Pixels side by side: a block of the picture, whose rays meet the same particles and texels.
+#if LANES == 1
+#define BLOCK_PX 1
+#define BLOCK_COLUMN 0
+#define BLOCK_ROW 0
+#else
+#define BLOCK_PX 4
+#define BLOCK_COLUMN (int_lanes)(0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3)
+#define BLOCK_ROW (int_lanes)(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3)
+#endif
 
 // Sums over puffs of optical depth, and of that times light.
 typedef struct {
@@ -25,9 +36,7 @@ typedef struct {
 } Sight;
 
 // Puts a layer behind what is seen so far, and empties it.
-FFT_INLINE void close_layer(Layer* layer, int index, Sight* sight) {
-  const float distance_m =
-      CLOUD_LAYER_M / CLOUD_LAYER_GROWTH * (exp(CLOUD_LAYER_GROWTH * (float)index) - 1.0f);
+FFT_INLINE void close_layer(Layer* layer, float distance_m, Sight* sight) {
   const lanes through = sight->through * exp_of(-layer->depth);
   const lanes opacity = sight->through - through;
   const lanes mean = opacity / most(layer->depth, (lanes)1e-20f);
@@ -47,11 +56,27 @@ FFT_INLINE void add_to(Layer* layer, const CloudPuff* puff, PuffSeen seen, float
   layer->blue = fma(light, (lanes)puff->blue, layer->blue);
 }
 
+// Where the layer behind one begins: layers grow by e^CLOUD_LAYER_GROWTH.
+FFT_INLINE float behind(float layer_m) {
+  return fma(layer_m, CLOUD_LAYER_RATIO, CLOUD_LAYER_M / CLOUD_LAYER_GROWTH * (CLOUD_LAYER_RATIO - 1.0f));
+}
+
+// What is seen of pixels that are nearly full already.
+FFT_INLINE void fill(Sight* sight) {
+  const lanes scale = 1.0f / (1.0f - sight->through);
+  sight->red *= scale;
+  sight->green *= scale;
+  sight->blue *= scale;
+  sight->distance_m *= scale;
+  sight->through = 0.0f;
+}
+
 FFT_INLINE Sight sight_of(__global const CloudPuff* puffs, __global const uint* list, int seen_count,
                           __global const uint* textures, PuffRays rays, float farthest_m) {
   Sight sight = {0.0f, 0.0f, 0.0f, 0.0f, 1.0f};
   Layer here = {0.0f, 0.0f, 0.0f, 0.0f}, next = {0.0f, 0.0f, 0.0f, 0.0f};
   int index = 0;
+  float layer_m = 0.0f;
   for (int i = 0; i < seen_count; ++i) {
     const CloudPuff puff = puffs[list[i]];
     if (puff.distance_m - puff.radius_m > farthest_m) continue;
@@ -59,23 +84,27 @@ FFT_INLINE Sight sight_of(__global const CloudPuff* puffs, __global const uint* 
     if (!see_puff(textures, &puff, rays, &seen)) continue;
     const int nearer = max((int)puff.layer, index);
     if (nearer > index) {
-      close_layer(&here, index, &sight);
+      close_layer(&here, layer_m, &sight);
       if (nearer == index + 1) {
         here = next;
         next.depth = next.red = next.green = next.blue = 0.0f;
       } else {
-        close_layer(&next, index + 1, &sight);
+        close_layer(&next, behind(layer_m), &sight);
       }
       index = nearer;
-      if (!any_lane(mask_of(sight.through > LEAST_THROUGH))) break;
+      layer_m = puff.layer_m;
+      if (!any_lane(mask_of(sight.through > LEAST_THROUGH))) {
+        fill(&sight);
+        return sight;
+      }
     }
     // Rounding may put a puff before the one that it follows.
     const float share = clamp(puff.layer - (float)nearer, 0.0f, 1.0f);
     add_to(&here, &puff, seen, 1.0f - share);
     add_to(&next, &puff, seen, share);
   }
-  close_layer(&here, index, &sight);
-  close_layer(&next, index + 1, &sight);
+  close_layer(&here, layer_m, &sight);
+  close_layer(&next, behind(layer_m), &sight);
   return sight;
 }
 
@@ -90,16 +119,50 @@ FFT_INLINE float farthest_of(lanes scene_m) {
 #endif
 }
 
-FFT_INLINE PuffRays rays_of(CloudPictureParams params, lanes column, float row, lanes scene_depth) {
+FFT_INLINE PuffRays rays_of(CloudPictureParams params, lanes column, lanes row, lanes scene_depth) {
   const lanes across = ((column + 0.5f) * (2.0f / (float)params.width_px) - 1.0f) * params.half_width;
-  const float above = ((row + 0.5f) * (2.0f / (float)params.height_px) - 1.0f) * params.half_height;
-  const lanes scale = 1.0f / sqrt(fma(across, across, (lanes)fma(above, above, 1.0f)));
+  const lanes above = ((row + 0.5f) * (2.0f / (float)params.height_px) - 1.0f) * params.half_height;
+  const lanes scale = 1.0f / sqrt(fma(across, across, fma(above, above, (lanes)1.0f)));
   const PuffRays rays = {
-      scale * fma(across, (lanes)params.right_x, (lanes)fma(above, params.up_x, params.forward_x)),
-      scale * fma(across, (lanes)params.right_y, (lanes)fma(above, params.up_y, params.forward_y)),
-      scale * fma(across, (lanes)params.right_z, (lanes)fma(above, params.up_z, params.forward_z)),
+      scale * fma(across, (lanes)params.right_x, fma(above, (lanes)params.up_x, (lanes)params.forward_x)),
+      scale * fma(across, (lanes)params.right_y, fma(above, (lanes)params.up_y, (lanes)params.forward_y)),
+      scale * fma(across, (lanes)params.right_z, fma(above, (lanes)params.up_z, (lanes)params.forward_z)),
       params.near_m / (scene_depth * scale)};
   return rays;
+}
+
+// Puts the pixels of a block whose corner this is where they belong, those within the picture.
+FFT_INLINE void write_block(Sight sight, int column, int row, CloudPictureParams params,
+                            __global float* restrict image, __global float* restrict distance_m) {
+  const lanes opacity = 1.0f - sight.through;
+  const lanes mean_m = sight.distance_m / most(opacity, (lanes)1e-20f);
+  const int begin = row * params.width_px + column;
+#if LANES == 1
+  store_interleaved_4(sight.red, sight.green, sight.blue, opacity, image + 4 * (size_t)begin);
+  distance_m[begin] = mean_m;
+#else
+  const lanes low_rb = interleave_low(sight.red, sight.blue), high_rb = interleave_high(sight.red, sight.blue);
+  const lanes low_ga = interleave_low(sight.green, opacity), high_ga = interleave_high(sight.green, opacity);
+  const lanes texels[BLOCK_PX] = {interleave_low(low_rb, low_ga), interleave_high(low_rb, low_ga),
+                                  interleave_low(high_rb, high_ga), interleave_high(high_rb, high_ga)};
+  const float4 distances[BLOCK_PX] = {mean_m.lo.lo, mean_m.lo.hi, mean_m.hi.lo, mean_m.hi.hi};
+  const int columns = min(BLOCK_PX, params.width_px - column), rows = min(BLOCK_PX, params.height_px - row);
+  for (int y = 0; y < rows; ++y) {
+    const int place = begin + y * params.width_px;
+    if (columns == BLOCK_PX) {
+      store_lanes(texels[y], image + 4 * (size_t)place);
+      vstore4(distances[y], 0, distance_m + place);
+      continue;
+    }
+    float values[4 * BLOCK_PX], row_m[BLOCK_PX];
+    store_lanes(texels[y], values);
+    vstore4(distances[y], 0, row_m);
+    for (int x = 0; x < columns; ++x) {
+      vstore4(vload4(x, values), 0, image + 4 * (size_t)(place + x));
+      distance_m[place + x] = row_m[x];
+    }
+  }
+#endif
 }
 
 __kernel void puff_composite(__global const CloudPuff* restrict puffs, __global const int* restrict first,
@@ -108,44 +171,26 @@ __kernel void puff_composite(__global const CloudPuff* restrict puffs, __global 
                              __global const float* restrict scene_depth, CloudPictureParams params,
                              __global float* restrict image, __global float* restrict distance_m) {
 #if LANES == 1
-  const int column = (int)get_global_id(0), first_row = (int)get_global_id(1), last_row = first_row;
-  if (column >= params.width_px || first_row >= params.height_px) return;
-  const int tile = first_row / CLOUD_TILE_PX * params.tile_columns + column / CLOUD_TILE_PX;
+  const int left = (int)get_global_id(0), bottom = (int)get_global_id(1), right = left + 1, top = bottom + 1;
+  if (left >= params.width_px || bottom >= params.height_px) return;
+  const int tile = bottom / CLOUD_TILE_PX * params.tile_columns + left / CLOUD_TILE_PX;
 #else
   const int tile = (int)get_global_id(0);
-  const int column = tile % params.tile_columns * CLOUD_TILE_PX;
-  const int first_row = tile / params.tile_columns * CLOUD_TILE_PX;
-  const int last_row = min(first_row + CLOUD_TILE_PX, params.height_px) - 1;
+  const int left = tile % params.tile_columns * CLOUD_TILE_PX;
+  const int bottom = tile / params.tile_columns * CLOUD_TILE_PX;
+  const int right = min(left + CLOUD_TILE_PX, params.width_px);
+  const int top = min(bottom + CLOUD_TILE_PX, params.height_px);
 #endif
-  const lanes columns = (float)column + LANE_INDEX;
-  // A picture may end within a tile: lanes beyond its edge see what the last one does, and write nothing.
-  const int_lanes places = min(convert_int_lanes(columns), (int_lanes)(params.width_px - 1));
-  for (int row = first_row; row <= last_row; ++row) {
-    const int begin = row * params.width_px;
-    const PuffRays rays =
-        rays_of(params, convert_lanes(places), (float)row, gathered(scene_depth, begin + places));
-    const Sight sight =
-        sight_of(puffs, list + first[tile], seen[tile], textures, rays, farthest_of(rays.scene_m));
-    const lanes opacity = 1.0f - sight.through;
-    const lanes mean_m = sight.distance_m / most(opacity, (lanes)1e-20f);
-    __global float* target = image + 4 * (size_t)(begin + column);
-    __global float* distances = distance_m + begin + column;
-#if LANES > 1
-    if (column + LANES > params.width_px) {
-      float lane_values[5][LANES];
-      store_lanes(sight.red, lane_values[0]);
-      store_lanes(sight.green, lane_values[1]);
-      store_lanes(sight.blue, lane_values[2]);
-      store_lanes(opacity, lane_values[3]);
-      store_lanes(mean_m, lane_values[4]);
-      for (int lane = 0; column + lane < params.width_px; ++lane) {
-        for (int c = 0; c < 4; ++c) target[4 * lane + c] = lane_values[c][lane];
-        distances[lane] = lane_values[4][lane];
-      }
-      continue;
+  for (int row = bottom; row < top; row += BLOCK_PX) {
+    for (int column = left; column < right; column += BLOCK_PX) {
+      // A picture may end within a block: pixels beyond its edge see what the last ones do.
+      const int_lanes columns = up_to(column + BLOCK_COLUMN, params.width_px - 1);
+      const int_lanes rows = up_to(row + BLOCK_ROW, params.height_px - 1);
+      const lanes depth = gathered(scene_depth, rows * params.width_px + columns);
+      const PuffRays rays = rays_of(params, convert_lanes(columns), convert_lanes(rows), depth);
+      const Sight sight =
+          sight_of(puffs, list + first[tile], seen[tile], textures, rays, farthest_of(rays.scene_m));
+      write_block(sight, column, row, params, image, distance_m);
     }
-#endif
-    store_interleaved_4(sight.red, sight.green, sight.blue, opacity, target);
-    store_lanes(mean_m, distances);
   }
 }

@@ -103,6 +103,7 @@ __kernel void puff_project(__global const CloudParticle* restrict particles,
 
   // Layers grow with distance: their depth is CLOUD_LAYER_M + CLOUD_LAYER_GROWTH distance.
   puff.layer = log(fma(distance_m, CLOUD_LAYER_GROWTH / CLOUD_LAYER_M, 1.0f)) / CLOUD_LAYER_GROWTH;
+  puff.layer_m = CLOUD_LAYER_M / CLOUD_LAYER_GROWTH * (exp(CLOUD_LAYER_GROWTH * floor(puff.layer)) - 1.0f);
 
   const float radius_px =
       0.5f * (float)params.height_px / params.half_height * radius / fmax(distance_m, radius);

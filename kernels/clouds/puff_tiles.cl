@@ -2,13 +2,26 @@
 // In:  boxes [4][box_pitch] px of kernels/clouds/puff_project.cl.
 // Out: first [tiles], seen [tiles]: where a tile's particles begin in `list`, and how many there are, the
 // nearest
-//      first; list [capacity] places of puffs. inout used: how many entries all tiles need, from 0; what does
-//      not fit into the list is not written.
+//      first; list [capacity] places of puffs. inout used: how many entries all tiles need, from 0, and MOST_USED if that
+//      is more; what does not fit into the list is not written.
 #include "shared/cloud_picture.h"
 #include "terrain/lane_masks.clh"
 
 // Places that a tile keeps of its first look at the boxes.
 #define KEPT 512
+
+// Far above what a list may have, and far below where sums wrap.
+#define MOST_USED (1 << 30)
+
+// Adds up to MOST_USED; what there was before.
+static inline int take(__global int* used, int count) {
+  int before, found = *used;
+  do {
+    before = found;
+    found = atomic_cmpxchg(used, before, before > MOST_USED - count ? MOST_USED : before + count);
+  } while (found != before);
+  return before;
+}
 
 static inline uint lane_of(uint_lanes values, int lane) {
 #if LANES == 1
@@ -51,10 +64,11 @@ __kernel void puff_tiles(__global const float* restrict boxes, CloudPictureParam
       ++count;
     }
   }
-  const int begin = atomic_add(used, count);
+  const int begin = take(used, count);
+  const bool fits = count <= capacity - begin;
   first[tile] = begin;
-  seen[tile] = begin + count <= capacity ? count : 0;
-  if (begin + count > capacity) return;
+  seen[tile] = fits ? count : 0;
+  if (!fits) return;
   if (count <= KEPT) {
     for (int i = 0; i < count; ++i) list[begin + i] = found[i];
     return;

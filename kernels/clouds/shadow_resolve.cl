@@ -8,9 +8,9 @@ __kernel void shadow_resolve(__global const int *restrict moments, int texels_pe
   const int texels = CLOUD_SHADOW_SIZE * CLOUD_SHADOW_SIZE;
   const int first = (int)get_global_id(0) * texels_per_item;
   for (int i = first; i < min(first + texels_per_item, texels); ++i) {
-    const float depth = (float)moments[i];
-    const float middle = depth > 0.0f ? (float)moments[texels + i] / depth : 0.0f;
-    const float square = depth > 0.0f ? (float)moments[2 * texels + i] / depth : 0.0f;
-    map[i] = (float4)(depth / SHADOW_UNITS, middle, sqrt(fmax(square - middle * middle, 0.0f)), 0.0f);
+    const float depth = (float)moments[texels + i];
+    const float middle = depth > 0.0f ? (float)moments[2 * texels + i] / depth : 0.0f;
+    const float square = depth > 0.0f ? (float)moments[3 * texels + i] / depth : 0.0f;
+    map[i] = (float4)(depth / shadow_units(moments[i]), middle, sqrt(fmax(square - middle * middle, 0.0f)), 0.0f);
   }
 }

@@ -1,7 +1,7 @@
 // The composed sea at points of the world: the label under each point is found first, as the surface moves sideways.
 // In:  points; displacement, gradient, flow [cascades][n][n] float4 of ocean/surface_assemble.cl and
 //      ocean/velocity_assemble.cl (flow is not read unless has_flow); waves, params (shared/surface_query.h), rings
-//      (TrochoidRingInTile of shared/trochoids.h); time as ocean/wave_phase.clh has it.
+//      (TrochoidRingInTile of shared/trochoids.h); wake_maps of ocean/wake_map.cl, wakes (shared/wake.h); time as ocean/wave_phase.clh has it.
 // Out: samples (shared/surface_query.h), the surface of ocean/surface_compose.cl where it meets the point's vertical.
 // The label X solves X + d(X) = x. Steps X <- X - B (X + d(X) - x) end where the residual is small; the first is that
 // of fixed-point iteration (B = 1), the others have B = (I + grad d)^-1 of the interpolated displacement: with B = 1
@@ -9,6 +9,7 @@
 // found. Points that are not finite get a residual that is not either.
 #include "ocean/deformation.clh"
 #include "ocean/trochoid_ring.clh"
+#include "ocean/wake_layer.clh"
 #include "shared/surface_query.h"
 
 #if LANES == 1
@@ -206,11 +207,35 @@ FFT_INLINE void find_labels(__global const float4 *displacement, __global const 
   *label_z_m = at_z;
 }
 
+// Adds the wakes: height, slopes, and, as they fade with depth, the rate at which the surface rises and the head.
+FFT_INLINE void add_wakes(__global const float4 *maps, __global const WakeLayer *wakes, int wake_count, float depth_m,
+                          int_lanes tile_x, int_lanes tile_z, lanes label_x_m, lanes label_z_m, lanes *height,
+                          lanes *slope_x, lanes *slope_z, lanes *velocity_y, lanes *head) {
+  for (int i = 0; i < wake_count; ++i) {
+    const lanes from_x = convert_lanes(tile_x - wakes[i].tile_x) * SURFACE_QUERY_TILE_M - wakes[i].origin_x_m;
+    const lanes from_z = convert_lanes(tile_z - wakes[i].tile_z) * SURFACE_QUERY_TILE_M - wakes[i].origin_z_m;
+    float columns[LANES], rows[LANES];
+    store_lanes((from_x + label_x_m) * wakes[i].cells_per_m, columns);
+    store_lanes((from_z + label_z_m) * wakes[i].cells_per_m, rows);
+    float4 sums[LANES];
+    for (int lane = 0; lane < LANES; ++lane) sums[lane] = wake_layer_at(maps, wakes + i, columns[lane], rows[lane]);
+    lanes rise, by_x, by_z, rate;
+    split_fields(sums, &rise, &by_x, &by_z, &rate);
+    const float left = exp(-wakes[i].decay_radpm * depth_m);
+    *height += rise;
+    *slope_x += by_x;
+    *slope_z += by_z;
+    *velocity_y += left * rate;
+    *head += left * rise;
+  }
+}
+
 // All that there is at LANES labels, for the points above them.
 FFT_INLINE void sample_labels(__global const float4 *displacement, __global const float4 *gradient,
                               __global const float4 *flow, __global const SurfaceQueryWave *waves,
-                              __global const TrochoidRingInTile *rings, __global const SurfaceQueryParams *params,
-                              const Tile *tile, int_lanes tile_x, int_lanes tile_z, lanes x_m, lanes z_m, lanes label_x_m,
+                              __global const TrochoidRingInTile *rings, __global const float4 *wake_maps,
+                              __global const WakeLayer *wakes, int wake_count,
+                              __global const SurfaceQueryParams *params, const Tile *tile, int_lanes tile_x, int_lanes tile_z, lanes x_m, lanes z_m, lanes label_x_m,
                               lanes label_z_m, float *fields) {
   Cells cells;
   set_cells(params, tile, label_x_m, label_z_m, &cells);
@@ -246,6 +271,8 @@ FFT_INLINE void sample_labels(__global const float4 *displacement, __global cons
     height += ring_height;
     head += ring_height * exp(-6.2831853072f * params->depth_m / rings[i].ring.wavelength_m);
   }
+  add_wakes(wake_maps, wakes, wake_count, params->depth_m, tile_x, tile_z, label_x_m, label_z_m, &height, &slope_x,
+            &slope_z, &velocity_y, &head);
   xx += 1.0f;
   zz += 1.0f;
   const lanes jacobian = xx * zz - xz * xz;
@@ -267,6 +294,8 @@ __kernel void surface_query(__global const SurfaceQueryPoint *restrict points, _
                             __global const float4 *restrict gradient, __global const float4 *restrict flow,
                             __global const SurfaceQueryWave *restrict waves,
                             __global const TrochoidRingInTile *restrict rings,
+                            __global const float4 *restrict wake_maps, __global const WakeLayer *restrict wakes,
+                            int wake_count,
                             __global const SurfaceQueryParams *restrict params, int point_count, uint ticks,
                             float tick_fraction, __global SurfaceQuerySample *restrict samples) {
   const int start = (int)get_global_id(0) * VECTORS * LANES;
@@ -286,7 +315,7 @@ __kernel void surface_query(__global const SurfaceQueryPoint *restrict points, _
     lanes label_x_m, label_z_m;
     find_labels(displacement, params, waves, &tile, x_m, z_m, &label_x_m, &label_z_m);
     float fields[8 * LANES];
-    sample_labels(displacement, gradient, flow, waves, rings, params, &tile, tile_x, tile_z, x_m, z_m, label_x_m,
+    sample_labels(displacement, gradient, flow, waves, rings, wake_maps, wakes, wake_count, params, &tile, tile_x, tile_z, x_m, z_m, label_x_m,
                   label_z_m, fields);
     for (int lane = 0; lane < min(LANES, point_count - first); ++lane) {
       const SurfaceQuerySample sample = {fields[lane],

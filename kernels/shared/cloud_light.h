@@ -20,7 +20,7 @@ typedef struct {
   float low_x, low_y, low_z;     // m, its least corner
   float cell_x, cell_y, cell_z;  // m
   int first, end;                // particles of the cloud
-  int size_x, size_y, size_z;    // cells along each axis, powers of two; 16 at least along x, 8 along the others
+  int size_x, size_y, size_z;    // cells along each axis, powers of two; 16 at least
   int padding;
 } CloudGrid;
 

@@ -11,6 +11,7 @@
 // Depth of a layer at the eye and by how much it grows a metre (kernels/clouds/puff_project.cl).
 #define CLOUD_LAYER_M 4.0f
 #define CLOUD_LAYER_GROWTH 0.008f
+#define CLOUD_LAYER_RATIO 1.00803209f  // e^CLOUD_LAYER_GROWTH
 
 // Integral of h (C1) along a ball's diameter, in its radii.
 #define CLOUD_CHORD 0.998942f
@@ -41,6 +42,7 @@ typedef struct {
   float up_x, up_y, up_z;           // unit, along its columns
   float relief_x, relief_y;         // what turns (puff_textures.h) count of its light
   float layer;                      // where it lies among the layers, 0 at the eye
+  float layer_m;                    // where its layer begins
   float pattern;                    // share of the texture in its opacity, 0 ... 1
   unsigned int texels;              // the first one of the level of its texture
   int level_px;                     // along an edge of that level
@@ -50,7 +52,7 @@ typedef struct {
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(CloudPictureParams) == 100, "no padding");
-static_assert(sizeof(CloudPuff) == 88, "no padding");
+static_assert(sizeof(CloudPuff) == 92, "no padding");
 #endif
 
 #endif

@@ -22,6 +22,8 @@ typedef std::uint64_t offing_uint64;
 // Ocean cascade i uses OFFING_STREAM_OCEAN_CASCADE + i, i < 4.
 #define OFFING_STREAM_OCEAN_CASCADE 0x0cea0000u
 #define OFFING_STREAM_OCEAN_TROCHOIDS 0x0cea0100u
+// Rain on a wake window: n and m are a square of the world, index the step.
+#define OFFING_STREAM_WAKE_RAIN 0x0cea0101u
 // Terrain: n and m are a lattice point, index its octave.
 #define OFFING_STREAM_TERRAIN_FRACTAL 0x7e110000u
 // Terrain: n and m are a cell, index the gullies of one width.

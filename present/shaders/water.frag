@@ -87,7 +87,7 @@ void main() {
   vec2 label_m = place.xy, long_m = place.zw;
   float width_m = max(length(long_m) / float(tap_count), facet.w);
   // Rings are mostly shorter than the cells of the grid: their slopes are worked out here.
-  vec2 trochoid_slope = facet.xy + ring_waves(label_m, width_m).yz;
+  vec2 trochoid_slope = facet.xy + ring_waves(label_m, width_m).yz + wake_waves(label_m, width_m).yz;
   vec4 strain = texelFetch(strain_of, pixel, 0);
   vec3 trochoid_gradient = strain.xyz;
 

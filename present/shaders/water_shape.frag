@@ -63,7 +63,7 @@ void main() {
                                             direction.y * direction.y);
   }
 
-  moved_m.y += ring_waves(label, spacing_m).x - earth_drop_m(label);
+  moved_m.y += ring_waves(label, spacing_m).x + wake_waves(label, 0.5 * spacing_m).x - earth_drop_m(label);
   float loss = 1.0 - drawn / max(trochoid_mean_square, 1e-12);
   place = vec4(vec3(label.x, -eye_height_m, label.y) + moved_m, label.x);
   facet = vec4(slope, loss, label.y);

@@ -70,10 +70,20 @@ void bench_curvature(const ocl::Device& device, const Settings& settings, const 
 /// offing-mesh. Throws Error(device) where the numbers of points differ.
 void bench_highlights(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
-/// Light on clouds when sun or cloud changes, by both models, light toward an eye that moves, and the order
-/// in which it blends, for the numbers of particles of C16 of docs/sources.md and up to a million; sizes of
-/// the settings do not matter.
+/// Cumuli made by sampling and by growth; of clouds of as many particles the light when sun or cloud changes,
+/// by both models, light toward an eye that moves, the order in which it blends and the picture of 640 x 360
+/// pixels: for the numbers of particles of C16 of docs/sources.md and up to a million; sizes of the settings
+/// do not matter.
 void bench_clouds(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
+
+/// Frames of the presenter with a cumulus from near: the shipped one over its sea, and one alone in the sky
+/// for each number of particles up to 30,000, in the window's size and in that of C16. Only in builds with
+/// the presenter.
+void bench_cloud_frames(const Settings& settings, const Sinks& sinks);
+
+/// One step of a wake window of each size by either method, a hull in it, against the dispersive step in C++
+/// with FFTW.
+void bench_wake(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
 /// From the start of a process to its first 256 x 256 frame of three cascades, with an empty kernel cache and
 /// with a filled one; nothing unless 256 is among the sizes.

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later (offing-bench links FFTW)
 #include <cmath>
 
+#include "host/base/camera.h"
+#include "host/clouds/cloud_model.h"
+#include "host/clouds/cloud_picture.h"
+#include "host/clouds/genera.h"
 #include "host/clouds/particle_light.h"
 #include "host/clouds/particle_order.h"
 #include "tests/bench/benches.h"
+#include "tests/bench/cloud_counts.h"
 #include "tests/clouds/example_clouds.h"
 
 namespace offing::bench {
@@ -11,18 +16,50 @@ namespace {
 
 using namespace clouds;
 
-/// Of C16 and of the paper's examples, and up to a million.
-constexpr int counts[] = {100, 128, 193, 946, 1000, 2000, 2568, 3000, 30000, 1000000};
-
-void add_row(const std::string& name, int count, const Settings& settings, const Sinks& sinks,
-             const Work& work) {
-  std::vector<double> times_ms;
-  for (int block = 0; block < settings.blocks; ++block) times_ms.push_back(block_ms(work));
+void add_row(const std::string& name, int count, const std::vector<double>& times_ms, const Sinks& sinks) {
   sinks.row({.name = name,
              .size = count,
              .ours_ms = median(times_ms),
              .peer = "none",
              .spread = relative_spread(times_ms)});
+}
+
+void add_row(const std::string& name, int count, const Settings& settings, const Sinks& sinks,
+             const Work& work) {
+  std::vector<double> times_ms;
+  for (int block = 0; block < settings.blocks; ++block) times_ms.push_back(block_ms(work));
+  add_row(name, count, times_ms, sinks);
+}
+
+/// A cumulus that is made anew, which takes seconds for many particles: three times.
+void add_model_row(const std::string& name, const ocl::Device& device, const CloudParameters& parameters,
+                   const Sinks& sinks) {
+  std::size_t found = 0;
+  std::vector<double> times_ms;
+  for (int run = 0; run < 3; ++run)
+    times_ms.push_back(once_ms([&] { found = particles_at_rest(device, parameters).size(); }));
+  add_row(name, static_cast<int>(found), times_ms, sinks);
+}
+
+/// The cumulus whose last level is so fine that it grows about so many particles.
+CloudParameters grown_cumulus(const ocl::Device& device, int count) {
+  CloudParameters cumulus = preset(Genus::cumulus);
+  double& ratio = cumulus.levels.back().ratio;
+  // As many spheres have room on one as its radius over theirs, squared.
+  for (int round = 0, found = 946; round < 4; ++round) {
+    ratio = std::clamp(ratio * std::sqrt(static_cast<double>(found) / count), 0.005, 1.0);
+    if (count > most_drawn_particles) break;
+    found = static_cast<int>(particles_at_rest(device, cumulus).size());
+  }
+  return cumulus;
+}
+
+void add_model_rows(const ocl::Device& device, int count, const Sinks& sinks) {
+  CloudParameters sampled = preset(Genus::cumulus);
+  sampled.modelling = Modelling::sampled;
+  sampled.target_particles = count;
+  add_model_row("clouds_sample", device, sampled, sinks);
+  add_model_row("clouds_grow", device, grown_cumulus(device, count), sinks);
 }
 
 }  // namespace
@@ -32,10 +69,15 @@ void bench_clouds(const ocl::Device& device, const Settings& settings, const Sin
   light.suns.push_back({{0.0, 0.6, 0.8}, glm::dvec3(100.0, 95.0, 90.0)});
   light.sky_kcdpm2 = glm::dvec3(3.0, 4.0, 6.0);
   const CloudLook look;
-  const glm::vec3 eye_m(0.0f, 100.0f, 3000.0f);
+  const Camera camera{
+      .eye_m = {0.0, 100.0, 1300.0}, .vertical_field_of_view_rad = 0.8, .width_px = 640, .height_px = 360};
+  const glm::vec3 eye_m(camera.eye_m);
   ParticleLight lit(device);
   ViewOrder order(device);
-  for (const int count : counts) {
+  CloudPicture picture(device, puff_textures());
+  picture.fit(camera.width_px, camera.height_px);
+  for (const int count : cloud_counts) {
+    add_model_rows(device, count, sinks);
     // The same cloud of ever smaller particles.
     const double scale = std::cbrt(150.0 / count);
     const std::vector<CloudParticle> particles =
@@ -55,6 +97,11 @@ void bench_clouds(const ocl::Device& device, const Settings& settings, const Sin
     });
     add_row("clouds_sort", count, settings, sinks, [&] {
       order.sort(buffer, number, eye_m);
+      device.finish();
+    });
+    add_row("clouds_draw", count, settings, sinks, [&] {
+      picture.draw({.particles = buffer, .sprites = sprites, .order = order.order(), .count = number},
+                   camera);
       device.finish();
     });
   }

@@ -134,10 +134,21 @@ int run_command_line(int argc, char** argv) {
     });
   });
 
-  CLI::App& clouds = *app.add_subcommand("clouds", "light on clouds and the order of their particles");
+  CLI::App& wake = *app.add_subcommand("wake", "a step of a wake window against C++ with FFTW");
+  add_options(wake, options);
+  wake.callback([&] {
+    run(options, [&](const auto& device, const bench::Sinks& sinks) {
+      bench::bench_wake(device, options.settings, sinks);
+    });
+  });
+
+  CLI::App& clouds = *app.add_subcommand("clouds", "clouds made, lit, sorted and drawn");
   add_options(clouds, options);
   clouds.callback([&] {
     run(options, [&](const auto& device, const bench::Sinks& sinks) {
+#ifdef OFFING_BUILD_VIEWER
+      bench::bench_cloud_frames(options.settings, sinks);
+#endif
       bench::bench_clouds(device, options.settings, sinks);
     });
   });

@@ -91,7 +91,12 @@ class Record:
         }
 
     def clouds(self):
-        return {"clouds": tables.rows_table(self.rows("clouds"))}
+        rows = self.rows("clouds")
+        return {
+            "clouds": tables.rows_table(rows),
+            "clouds_paper": tables.clouds_paper_table(rows),
+            "renderer": next(row["peer"] for row in rows if "_frame_" in row["name"]).split(";")[0],
+        }
 
     def papers(self):
         transforms = [row for row in self.rows("fft") if not row["name"].endswith("_alone")]

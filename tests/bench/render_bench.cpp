@@ -8,67 +8,15 @@
 #include "host/ocean/trochoid_choice.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/scene_file.h"
-#include "host/scene/scene_ground.h"
 #include "host/scene/world_scene.h"
-#include "present/frame.h"
-#include "present/gl_context.h"
-#include "present/light_meter.h"
-#include "present/view_options.h"
-#include "tests/bench/benches.h"
+#include "tests/bench/renderer.h"
 
 namespace offing::bench {
 namespace {
 
 using present::Stage;
 
-constexpr double frame_s = 1.0 / 24.0;
 constexpr int stage_frames = 40;
-
-/// A scene drawn into a framebuffer, frame after frame, as the window draws it.
-class Renderer {
- public:
-  Renderer(const std::string& selector, const world::WorldParameters& parameters,
-           const scene::ViewScene& view, present::PictureSize size)
-      : context_(present::GlContext::headless()),
-        device_(ocl::Device::open_shared(ocl::select_device(selector), ocl::Profiling::off,
-                                         context_.share_properties())),
-        world_(device_, parameters),
-        frame_(context_, device_, present::frame_settings(present::Detail::low)),
-        view_(view) {
-    view_.camera.width_px = size.width;
-    view_.camera.height_px = size.height;
-    if (world_.ground()) scene::stand_on_ground(*world_.ground(), view_);
-  }
-
-  const std::string& gl_renderer() const { return context_.capabilities().renderer; }
-
-  void draw_next() {
-    time_s_ += frame_s;
-    {
-      const present::StageTimes::Scope stage(frame_.times(), Stage::simulate);
-      world_.at(time_s_, view_.camera.eye_m.y);
-      device_.finish();
-    }
-    const double exposure = light_meter_.exposure(world_, view_.camera, view_.exposure_ev);
-    frame_.draw(world_, {.camera = view_.camera, .exposure = exposure});
-    glFinish();
-    frame_.times().end_frame();
-  }
-
-  /// Of the last frame.
-  double stage_ms(Stage stage) { return frame_.times().history_ms(stage, present::TimeSource::cpu).back(); }
-  /// Stages last until they are done from now on.
-  void wait_for_stages() { frame_.times().wait_for_stages(); }
-
- private:
-  present::GlContext context_;
-  ocl::Device device_;
-  world::World world_;
-  present::Frame frame_;
-  present::LightMeter light_meter_;
-  scene::ViewScene view_;
-  double time_s_ = 0.0;
-};
 
 /// Blocks of frames; then, with an end to each stage, of the stages.
 void measure(Renderer& renderer, const std::string& name, int size, int blocks, const Sinks& sinks) {
@@ -91,8 +39,8 @@ void measure(Renderer& renderer, const std::string& name, int size, int blocks, 
       stage_ms[s].push_back(renderer.stage_ms(static_cast<Stage>(s)));
     }
   }
-  for (const Stage stage :
-       {Stage::simulate, Stage::terrain, Stage::transfer, Stage::sky, Stage::water, Stage::meshes, Stage::tone}) {
+  for (const Stage stage : {Stage::simulate, Stage::terrain, Stage::transfer, Stage::sky, Stage::water,
+                            Stage::meshes, Stage::tone}) {
     const std::vector<double>& times_ms = stage_ms[static_cast<std::size_t>(stage)];
     // A sea alone has no stage of ground, nor ground alone one of water.
     if (median(times_ms) > 0.0) row(fmt::format("{}_{}", name, to_string(stage)), times_ms);

@@ -327,5 +327,31 @@ TEST_F(CloudPictureTest, RefusesOtherSizes) {
   EXPECT_THROW(picture_->draw(drawn, camera(40, 30)), Error);
 }
 
+// Fails if a picture of a usual large size is none: its 8160 tiles made work-groups whose memory was more
+// than a thread's stack.
+TEST_F(CloudPictureTest, HasTheSizeOfScreens) {
+  const Camera view = camera(1920, 1080);
+  scatter(20);
+  draw(view, *textures_);
+  EXPECT_TRUE(std::any_of(image_.begin(), image_.end(), [](const auto& pixel) { return pixel[3] > 0.5f; }));
+}
+
+// Fails if counts of what the tiles need wrap, or room for more than there is is asked for: here 3.3e8
+// places, and with seven times as many particles more than 2^31.
+TEST_F(CloudPictureTest, RefusesWhatHasNoRoom) {
+  const Camera view = camera(1920, 1080);
+  for (const int count : {40000, 270000}) {
+    particles_.assign(static_cast<std::size_t>(count), particle(view.eye_m, 1000.0));
+    sprites_.assign(particles_.size(), {.red = 1.0f, .green = 1.0f, .blue = 1.0f, .optical_depth = 0.1f});
+    try {
+      draw(view, *textures_);
+      ADD_FAILURE() << count;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::out_of_memory) << error.what();
+      EXPECT_NE(error.hint(), "");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace offing::clouds

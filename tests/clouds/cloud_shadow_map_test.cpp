@@ -75,6 +75,30 @@ TEST_F(CloudShadowMapTest, MapHasTheDepthOfTheClouds) {
   EXPECT_NEAR(sum * std::pow(2000.0 / CLOUD_SHADOW_SIZE, 2) / mass, 1.0, 2e-3);
 }
 
+// Fails if sums of deep particles leave their integers: depths became negative, and the sea below them black
+// or no number. Beside the shadow nothing changes.
+TEST_F(CloudShadowMapTest, StaysFiniteBelowOpaqueStacks) {
+  std::vector<CloudParticle> stack;
+  for (int i = 0; i < 3000; ++i) {
+    CloudParticle opaque = particles_.front();
+    opaque.x = opaque.z = 0.0f;
+    opaque.y = static_cast<float>(i);
+    opaque.radius = 100.0f;
+    opaque.optical_mass = 1e9f;
+    stack.push_back(opaque);
+  }
+  const ocl::Buffer<CloudParticle> buffer(device_, stack, "particles");
+  shadow_.update(buffer, 3000, {0.0, 1.0, 0.0}, {0.0, 0.0, 0.0}, 1000.0);
+  // A particle counts up to a depth of 64.
+  EXPECT_NEAR(depth_over({0.0, -900.0, 0.0}), 3000.0 * 64.0, 3000.0);
+  EXPECT_EQ(depth_over({500.0, -900.0, 0.0}), 0.0);
+  for (const CloudShadowMap::Texel& texel : shadow_.map().read()) {
+    ASSERT_GE(texel[0], 0.0f);
+    ASSERT_TRUE(std::isfinite(texel[1]) && std::abs(texel[1]) < 4.0f);
+    ASSERT_TRUE(std::isfinite(texel[2]));
+  }
+}
+
 // Fails if a wrong argument is taken, or if nothing throws a shadow.
 TEST_F(CloudShadowMapTest, RefusesWhatHasNoShadow) {
   EXPECT_THROW(shadow_.update(buffer_, 51, sun_, {}, 1000.0), Error);

@@ -1,8 +1,10 @@
-// Light on clouds of every genus beside photons followed in double precision.
+// Light on clouds of every genus, and of every scene that comes with Offing, beside photons followed in
+// double precision.
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,6 +16,8 @@
 #include "host/clouds/genera.h"
 #include "host/clouds/particle_light.h"
 #include "host/clouds/photon_tracer.h"
+#include "host/scene/scene_clouds.h"
+#include "host/scene/scene_file.h"
 #include "tests/clouds/example_clouds.h"
 
 namespace offing::clouds {
@@ -44,14 +48,14 @@ CloudIllumination afternoon() {
   return light;
 }
 
-/// The particles of a genus, and a sphere around them.
+/// The particles of a cloud, and a sphere around them.
 struct ShippedCloud {
   CloudParameters parameters;
   std::vector<CloudParticle> particles;
   glm::dvec3 middle_m{0.0};
   double radius_m = 0.0, mean_particle_m = 0.0;
 
-  ShippedCloud(const ocl::Device& device, Genus genus) : parameters(preset(genus, 1)) {
+  ShippedCloud(const ocl::Device& device, CloudParameters shipped) : parameters(std::move(shipped)) {
     particles = particles_at_rest(device, parameters);
     glm::dvec3 low(1e9), high(-1e9);
     for (const CloudParticle& particle : particles) {
@@ -122,19 +126,27 @@ double rank_correlation(const std::vector<double>& found, const std::vector<doub
 }
 
 struct Kind {
-  Genus genus;
-  int photons;  ///< of each light: standard errors are below 1 %
+  std::string name;
+  int photons;             ///< of each light: standard errors are below 1 %
+  std::string scene = {};  ///< that has the cloud; of the preset with that name otherwise
+  std::size_t index = 0;   ///< in the scene, layers last
+
+  CloudParameters cloud() const {
+    if (scene.empty()) return preset(genus_named(name), 1);
+    const auto sky = scene::prepare_clouds(scene::load_scene(OFFING_SCENES "/" + scene + ".toml"));
+    return sky.value().clouds.at(index);
+  }
 };
 
 class LightAccuracyTest : public testing::TestWithParam<Kind> {};
 
-// Fails if a kind of cloud is too bright or too dark from somewhere, or from the wrong side: the light that
+// Fails if a cloud is too bright or too dark from somewhere, or from the wrong side: the light that
 // its billboards send toward twelve eyes, within 15 % of the reference, whose standard error is 1 % at most;
 // and in the right order.
 TEST_P(LightAccuracyTest, BillboardsShowWhatPhotonsDo) {
-  const auto& [genus, photons] = GetParam();
+  const int photons = GetParam().photons;
   const ocl::Device device = ocl::Device::open();
-  const ShippedCloud cloud(device, genus);
+  const ShippedCloud cloud(device, GetParam().cloud());
   const std::vector<double> found = shown(device, cloud);
   // Half as many more cells a radius change what photons find by less than 1 %.
   const VolumeMedium medium(
@@ -154,13 +166,35 @@ TEST_P(LightAccuracyTest, BillboardsShowWhatPhotonsDo) {
   EXPECT_GE(rank_correlation(found, reference), 0.9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Genera, LightAccuracyTest,
-                         testing::Values(Kind{Genus::cumulus, 2'300'000}, Kind{Genus::stratus, 1'600'000},
-                                         Kind{Genus::cirrus, 600'000}, Kind{Genus::stratocumulus, 1'300'000},
-                                         Kind{Genus::altocumulus, 650'000},
-                                         Kind{Genus::lenticular, 1'600'000}, Kind{Genus::funnel, 1'900'000},
-                                         Kind{Genus::cumulonimbus, 4'200'000}),
-                         [](const auto& kind) { return std::string(range_of(kind.param.genus).name); });
+const std::vector<Kind> kinds{
+    {"cumulus", 4'300'000},
+    {"stratus", 1'600'000},
+    {"cirrus", 600'000},
+    {"stratocumulus", 1'300'000},
+    {"altocumulus", 650'000},
+    {"lenticular", 1'600'000},
+    {"funnel", 1'900'000},
+    {"cumulonimbus", 4'200'000},
+    {"snowman", 3'900'000, "shapes", 0},
+    {"person", 3'800'000, "shapes", 1},
+    {"letter", 4'400'000, "shapes", 2},
+    {"bird", 4'200'000, "shapes", 3},
+    {"stratus_first", 1'600'000, "stratus", 0},
+    {"cirrus_first", 600'000, "cirrus", 0},
+    {"cirrus_second", 600'000, "cirrus", 1},
+    {"cirrus_third", 600'000, "cirrus", 2},
+    {"cirrus_fourth", 600'000, "cirrus", 3},
+    {"cirrus_fifth", 600'000, "cirrus", 4},
+    {"dusk_cumulus_second", 4'400'000, "dusk", 1},
+    {"dusk_cumulus_third", 4'100'000, "dusk", 2},
+    {"dusk_altocumulus", 650'000, "dusk", 3},
+    {"sky_lenticular", 1'600'000, "sky", 0},
+    {"sky_cumulonimbus", 4'200'000, "sky", 1},
+    {"sky_cumulus", 3'200'000, "sky", 2},
+};
+
+INSTANTIATE_TEST_SUITE_P(Shipped, LightAccuracyTest, testing::ValuesIn(kinds),
+                         [](const auto& kind) { return kind.param.name; });
 
 }  // namespace
 }  // namespace offing::clouds

@@ -12,18 +12,18 @@ namespace {
 
 class LightCrossDeviceTest : public testing::Test {
  protected:
-  // Exponentials and roots differ by ulps, and sums over particles and cells add them up: 1e-4 of the light.
-  // Paths through the recurrence's map may take another texel at its rounding. In the mean below 1/255 of
-  // white; gates: that, and 0.02 for one value.
+  // Exponentials and roots differ by ulps, and sums over particles and cells add them up. Paths through the
+  // recurrence's map and places in the shadow may take another texel at its rounding. Measured: 1.5e-3, where
+  // a thin texel's clouds are; 3e-7 in the mean. Gates: 0.02 for one value, 1e-4 in the mean.
   static void expect_same(const std::vector<float>& found, const std::vector<float>& expected) {
     ASSERT_EQ(found.size(), expected.size());
-    ASSERT_GE(expected.size(), 2u * 4u * 70u + 1000u);
+    ASSERT_GE(expected.size(), 2u * 4u * (30u + 70u) + 16000u);
     double sum = 0.0;
     for (std::size_t i = 0; i < expected.size(); ++i) {
       ASSERT_NEAR(found[i], expected[i], 0.02f * std::fmax(1.0f, std::abs(expected[i]))) << i;
       sum += std::abs(found[i] - expected[i]);
     }
-    EXPECT_LT(sum / static_cast<double>(expected.size()), 1.0 / 255.0);
+    EXPECT_LT(sum / static_cast<double>(expected.size()), 1e-4);
   }
 
   const test::DeviceDump dump_{OFFING_DUMP};

@@ -13,7 +13,7 @@ namespace {
 
 class PictureCrossDeviceTest : public testing::Test {
  protected:
-  // Roots, exponentials and places of texels differ by ulps between implementations; rows of 16 pixels stop
+  // Roots, exponentials and places of texels differ by ulps between implementations; blocks of 16 pixels stop
   // together where each pixel stops by itself: up to 0.002 of the light. Measured 0.0012, 4e-6 in the mean;
   // gate 0.0025, below 1/255.
   static void expect_same(const std::vector<float>& found, const std::vector<float>& expected) {

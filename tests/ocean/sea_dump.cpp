@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <memory>
 
 #include "host/base/error.h"
 #include "host/fft/fft2d.h"
@@ -89,6 +90,45 @@ void dump_transforms(const ocl::Device& device, int size, Dump& dump) {
   }
 }
 
+// Hulls and rain on a window that scrolls, by both methods, then as a layer of the sea.
+void dump_wakes(const ocl::Device& device, int size, ocean::Ocean& sea, Dump& dump) {
+  std::vector<ocean::WakeWindow> windows;
+  for (const ocean::WakeMethod method : {ocean::WakeMethod::dispersive, ocean::WakeMethod::verlet}) {
+    ocean::WakeWindow& window =
+        windows.emplace_back(device, ocean::WakeParameters{.method = method,
+                                                           .cells = size,
+                                                           .length_m = 20.0,
+                                                           .step_s = 0.05,
+                                                           .rain = {.drops_per_m2s = 0.1}});
+    window.reset(0.0, {});
+    window.advance_to(0.4, [](double time_s) {
+      return ocean::WakeForcing{.centre = {4.0 * time_s, -2.0 * time_s},
+                                .hulls = {{.x_m = 2.0, .heading_rad = 0.5, .length_m = 8.0}}};
+    });
+    const ocean::WakeState state = window.read_state();
+    for (const auto& field : {state.height_m, state.second_m}) dump.add_relative(field);
+    const ocean::WakeFields fields = window.read(0.42);
+    for (const auto& field : {fields.height_m, fields.slope_x, fields.slope_z, fields.rise_mps})
+      dump.add_relative(field);
+  }
+  auto maps = std::make_shared<ocean::WakeMaps>(device);
+  maps->at(windows, 0.42);
+  sea.set_wakes(maps);
+  const ocean::ComposedFields composed = sea.read_composed({.origin_x_m = -12.0,
+                                                            .origin_z_m = -6.0,
+                                                            .spacing_x_m = 1.3,
+                                                            .spacing_z_m = 0.9,
+                                                            .columns = 20,
+                                                            .rows = 10});
+  dump.add_relative(composed.displacement_y);
+  std::vector<float> heights;
+  for (int i = 0; i < 40; ++i) {
+    const std::vector<ocean::WaterPoint> point{{0.5 * i - 10.0, 0.3 * i - 6.0}};
+    heights.push_back(sea.sample(point, {}, {.tolerance_m = 1e-5}).front().height_m);
+  }
+  dump.add_relative(heights);
+}
+
 void dump_all(int size, const char* path) {
   const ocl::Device device = ocl::Device::open();
   std::printf("%s, %s\n", device.info().name.c_str(), device.info().platform.c_str());
@@ -103,6 +143,7 @@ void dump_all(int size, const char* path) {
   Dump dump(path);
   dump_surface(sea, ocean::integrate_sea_state(spectrum).hs_m, dump);
   dump_transforms(device, size, dump);
+  dump_wakes(device, size, sea, dump);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "kernels/shared/sky_params.h"
 #include "kernels/shared/surface_query.h"
 #include "kernels/shared/trochoids.h"
+#include "kernels/shared/wake.h"
 
 namespace offing {
 namespace {
@@ -108,6 +109,31 @@ TEST(SharedLayoutTest, SurfaceQueryWaveAndParams) {
             (Layout{sizeof(S), offsetof(S, tile_step_high), offsetof(S, tile_step_low),
                     offsetof(S, patches_per_m), offsetof(S, texels_per_m), offsetof(S, cascade_count),
                     offsetof(S, ring_count), offsetof(S, has_flow), offsetof(S, tolerance_m)}));
+}
+
+TEST(SharedLayoutTest, Wakes) {
+  using H = WakeHullShape;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/wake.h", "WakeHullShape",
+                                {"x_m", "cosine", "half_length_m", "draught_m", "shape"}),
+            (Layout{sizeof(H), offsetof(H, x_m), offsetof(H, cosine), offsetof(H, half_length_m),
+                    offsetof(H, draught_m), offsetof(H, shape)}));
+  using G = WakeGrid;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/wake.h", "WakeGrid",
+                                {"size", "first_column", "first_row", "cell_m"}),
+            (Layout{sizeof(G), offsetof(G, size), offsetof(G, first_column), offsetof(G, first_row),
+                    offsetof(G, cell_m)}));
+  using L = WakeLayer;
+  EXPECT_EQ(test::device_layout(
+                ocl::Device::open(), "shared/wake.h", "WakeLayer",
+                {"tile_x", "origin_x_m", "cells_per_m", "size", "first_row", "first_texel", "decay_radpm"}),
+            (Layout{sizeof(L), offsetof(L, tile_x), offsetof(L, origin_x_m), offsetof(L, cells_per_m),
+                    offsetof(L, size), offsetof(L, first_row), offsetof(L, first_texel),
+                    offsetof(L, decay_radpm)}));
+  using S = WakeSamples;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/wake.h", "WakeSamples",
+                                {"column", "row", "column_step", "row_step"}),
+            (Layout{sizeof(S), offsetof(S, column), offsetof(S, row), offsetof(S, column_step),
+                    offsetof(S, row_step)}));
 }
 
 TEST(SharedLayoutTest, TrochoidGrid) {

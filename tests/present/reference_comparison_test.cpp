@@ -81,6 +81,18 @@ TEST_F(ReferenceComparisonTest, KeepsWhatIsThere) {
   EXPECT_EQ(read_png(path("compared/error.png")).width, 24);
 }
 
+// Fails if a file that the scene reads is replaced, even where replacing is allowed.
+TEST_F(ReferenceComparisonTest, KeepsWhatTheSceneReads) {
+  std::filesystem::create_directory(path("compared"));
+  std::ofstream(path("compared/drawn.png")) << "heights";
+  const ProgramResult refused =
+      compare(scene("[terrain]\nfile = \"compared/drawn.png\"\n[[cloud]]\ny_m = 1000\n"), {"--force"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.errors, HasSubstr("drawn.png: is the file that is read"));
+  std::ifstream file(path("compared/drawn.png"));
+  EXPECT_EQ((std::string{std::istreambuf_iterator<char>(file), {}}), "heights");
+}
+
 // Fails if what cannot be compared is not said to be so.
 TEST_F(ReferenceComparisonTest, RefusesWhatCannotBeCompared) {
   const ProgramResult empty = compare(scene(""));

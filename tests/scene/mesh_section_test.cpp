@@ -124,7 +124,8 @@ TEST(MeshSection, FaultsAreToldWithTheirPlace) {
     std::string text, message;
   } cases[] = {
       {"[[mesh]]\nshape = \"cube\"\n",
-       "a.toml:3:9: mesh.shape: expected one of knot, sphere, ellipsoid, torus, saddle, head, ship, bird, got "
+       "a.toml:3:9: mesh.shape: expected one of knot, sphere, ellipsoid, torus, saddle, head, ship, bird, "
+       "got "
        "\"cube\""},
       {"[[mesh]]\nname = \"\"\n", "a.toml:3:8: mesh.name: expected a name, got \"\""},
       {"[[mesh]]\nfile = 3\n", "a.toml:3:8: mesh.file: expected a file name, got 3"},

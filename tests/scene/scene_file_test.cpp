@@ -194,10 +194,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"planned_section", "version = 1\n[body]\ncount = 3\n",
                  "storm.toml:2:2: body: expected parts that this version has, got one that it has not yet",
                  "remove body from the scene"},
-        BadScene{"planned_nested", "version = 1\n[ocean.wake]\nsize = 16\n",
-                 "storm.toml:2:8: ocean.wake: expected parts that this version has, got one that it has not "
-                 "yet",
-                 "remove ocean.wake from the scene"},
+        BadScene{"wake_as_a_table", "version = 1\n[ocean.wake]\nsize = 16\n",
+                 "storm.toml:2:8: ocean.wake: expected a section [[ocean.wake]], got a table",
+                 "write [[ocean.wake]] on a line of its own and its keys below"},
         BadScene{"swell_value", "version = 1\n[[ocean.swell]]\nperiod_s = 0\n",
                  "storm.toml:3:12: ocean.swell.period_s: expected a number in s within [0.3, 120], got 0",
                  "write period_s = 8"},
@@ -229,7 +228,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"keyframes_of_a_constant",
                  "version = 1\n[ocean]\ngamma = { keys = [{ t = 0, value = 1 }] }\n",
                  "storm.toml:3:9: ocean.gamma: expected one value, got keyframes, which it cannot have",
-                 "write one constant value; keyframes are for camera, render, sun, sky, light, mesh, "
+                 "write one constant value; keyframes are for ocean.wake, ocean.wake.hull, camera, render, "
+                 "sun, sky, light, mesh, "
                  "mesh.highlight, cloud"},
         BadScene{"keyframes_of_a_constant_beside_others",
                  "version = 1\n[sun]\ntime_scale = { keys = [{ t = 0, value = 1 }] }\n",

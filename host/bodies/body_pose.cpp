@@ -1,0 +1,66 @@
+#include "host/bodies/body_pose.h"
+
+#include <cmath>
+
+#include <glm/common.hpp>
+
+#include "host/base/parameter_check.h"
+#include "host/base/world_limits.h"
+#include "kernels/shared/surface_query.h"
+
+namespace offing::bodies {
+namespace {
+
+constexpr double tile_m = SURFACE_QUERY_TILE_M;
+
+}  // namespace
+
+double heading_of(const BodyPose& pose) {
+  const glm::dvec3 forward = pose.turn * glm::dvec3(1.0, 0.0, 0.0);
+  return std::atan2(forward.z, forward.x);
+}
+
+glm::dquat turn_of_heading(double heading_rad) {
+  return glm::angleAxis(-heading_rad, glm::dvec3(0.0, 1.0, 0.0));
+}
+
+BodyState device_state(const BodyPose& pose) {
+  require_within("body.x_m", pose.mass_centre_m.x, -farthest_point_m, farthest_point_m);
+  require_within("body.y_m", pose.mass_centre_m.y, -deepest_m, deepest_m);
+  require_within("body.z_m", pose.mass_centre_m.z, -farthest_point_m, farthest_point_m);
+  const double tile_x = std::nearbyint(pose.mass_centre_m.x / tile_m);
+  const double tile_z = std::nearbyint(pose.mass_centre_m.z / tile_m);
+  return {.tile_x = static_cast<int>(tile_x),
+          .tile_z = static_cast<int>(tile_z),
+          .x_m = static_cast<float>(pose.mass_centre_m.x - tile_x * tile_m),
+          .y_m = static_cast<float>(pose.mass_centre_m.y),
+          .z_m = static_cast<float>(pose.mass_centre_m.z - tile_z * tile_m),
+          .turn_x = static_cast<float>(pose.turn.x),
+          .turn_y = static_cast<float>(pose.turn.y),
+          .turn_z = static_cast<float>(pose.turn.z),
+          .turn_w = static_cast<float>(pose.turn.w),
+          .velocity_x_mps = static_cast<float>(pose.velocity_mps.x),
+          .velocity_y_mps = static_cast<float>(pose.velocity_mps.y),
+          .velocity_z_mps = static_cast<float>(pose.velocity_mps.z),
+          .spin_x_radps = static_cast<float>(pose.spin_radps.x),
+          .spin_y_radps = static_cast<float>(pose.spin_radps.y),
+          .spin_z_radps = static_cast<float>(pose.spin_radps.z),
+          .padding = 0};
+}
+
+BodyPose pose_of(const BodyState& state) {
+  return {.mass_centre_m = {tile_m * state.tile_x + static_cast<double>(state.x_m), state.y_m,
+                            tile_m * state.tile_z + static_cast<double>(state.z_m)},
+          .turn = glm::normalize(glm::dquat(state.turn_w, state.turn_x, state.turn_y, state.turn_z)),
+          .velocity_mps = {state.velocity_x_mps, state.velocity_y_mps, state.velocity_z_mps},
+          .spin_radps = {state.spin_x_radps, state.spin_y_radps, state.spin_z_radps}};
+}
+
+BodyPose pose_between(const BodyPose& from, const BodyPose& to, double share) {
+  return {.mass_centre_m = glm::mix(from.mass_centre_m, to.mass_centre_m, share),
+          .turn = glm::slerp(from.turn, to.turn, share),
+          .velocity_mps = glm::mix(from.velocity_mps, to.velocity_mps, share),
+          .spin_radps = glm::mix(from.spin_radps, to.spin_radps, share)};
+}
+
+}  // namespace offing::bodies

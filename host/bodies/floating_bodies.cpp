@@ -1,0 +1,238 @@
+#include "host/bodies/floating_bodies.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/matrix.hpp>
+
+#include "host/base/error.h"
+#include "host/base/parameter_check.h"
+#include "host/base/world_limits.h"
+#include "host/ocl/program.h"
+
+namespace offing::bodies {
+namespace {
+
+// Work-items that share the faces of a body.
+constexpr int group_size = 64;
+// Of a question: times closer than this to it are its own.
+constexpr double time_tolerance = 1e-6;
+
+BodyWater device_water(const BodyWaterParameters& water) {
+  require_within("bodies.density_kgpm3", water.density_kgpm3, 1.0, 1e5);
+  require_within("bodies.gravity_mps2", water.gravity_mps2, 0.01, 100.0);
+  require_within("bodies.viscosity_m2ps", water.viscosity_m2ps, 1e-9, 1.0);
+  return {.density_kgpm3 = static_cast<float>(water.density_kgpm3),
+          .gravity_mps2 = static_cast<float>(water.gravity_mps2),
+          .viscosity_m2ps = static_cast<float>(water.viscosity_m2ps),
+          .step_s = static_cast<float>(1.0 / FloatingBodies::steps_per_s),
+          .steps = FloatingBodies::steps_a_question};
+}
+
+BodyShape device_shape(const FloatingBody& body) {
+  double low_m = body.hull.positions_m.front().x, high_m = low_m;
+  for (const glm::dvec3& place : body.hull.positions_m) {
+    low_m = std::min(low_m, place.x);
+    high_m = std::max(high_m, place.x);
+  }
+  const glm::dmat3& inertia = body.inertia_kgm2;
+  const glm::dmat3 inverse = glm::inverse((1.0 + body.drag.added_inertia) * inertia);
+  const glm::dvec3 rudder = body.drive.rudder_m - body.mass_centre_m;
+  const auto f = [](double value) { return static_cast<float>(value); };
+  return {.propeller_vertex = 0,
+          .first_face = 0,
+          .face_count = static_cast<int>(body.hull.faces.size()),
+          .mass_kg = f(body.mass_kg),
+          .inertia_xx = f(inertia[0][0]),
+          .inertia_yy = f(inertia[1][1]),
+          .inertia_zz = f(inertia[2][2]),
+          .inertia_xy = f(inertia[0][1]),
+          .inertia_xz = f(inertia[0][2]),
+          .inertia_yz = f(inertia[1][2]),
+          .inverse_xx = f(inverse[0][0]),
+          .inverse_yy = f(inverse[1][1]),
+          .inverse_zz = f(inverse[2][2]),
+          .inverse_xy = f(inverse[0][1]),
+          .inverse_xz = f(inverse[0][2]),
+          .inverse_yz = f(inverse[1][2]),
+          .added_along = f(body.drag.added_along),
+          .added_up = f(body.drag.added_up),
+          .length_m = f(high_m - low_m),
+          .face_drag = f(body.drag.face),
+          .wake_drag = f(body.drag.wake),
+          .wave_damping = f(body.drag.waves),
+          .propeller_diameter_m = f(body.drive.propeller_diameter_m),
+          .rudder_x_m = f(rudder.x),
+          .rudder_y_m = f(rudder.y),
+          .rudder_z_m = f(rudder.z),
+          .rudder_area_m2 = f(body.drive.rudder_area_m2),
+          .rudder_lift = f(body.drive.rudder_lift)};
+}
+
+}  // namespace
+
+FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBody> bodies,
+                               const BodyWaterParameters& water)
+    : bodies_(std::move(bodies)), water_(device_water(water)) {
+  if (bodies_.empty()) {
+    throw Error(ErrorKind::bad_usage, "floating bodies: expected at least one, found none",
+                "leave the simulation out where nothing floats");
+  }
+  for (const FloatingBody& body : bodies_) require_valid(body);
+
+  std::vector<BodyShape> shapes;
+  std::vector<float> hull;
+  std::vector<std::uint32_t> owners, faces;
+  for (std::uint32_t number = 0; number < bodies_.size(); ++number) {
+    const FloatingBody& body = bodies_[number];
+    const auto first = static_cast<std::uint32_t>(owners.size());
+    const auto add_vertex = [&](const glm::dvec3& mesh_place_m) {
+      const glm::dvec3 place_m = mesh_place_m - body.mass_centre_m;
+      for (int axis = 0; axis < 3; ++axis) hull.push_back(static_cast<float>(place_m[axis]));
+      owners.push_back(number);
+    };
+    for (const glm::dvec3& place : body.hull.positions_m) add_vertex(place);
+    add_vertex(body.drive.propeller_m);
+    BodyShape shape = device_shape(body);
+    shape.propeller_vertex = static_cast<int>(owners.size() - 1);
+    shape.first_face = static_cast<int>(faces.size() / 3);
+    for (const TriangleIndices& face : body.hull.faces) {
+      for (const std::uint32_t corner : face) faces.push_back(first + corner);
+    }
+    shapes.push_back(shape);
+  }
+  vertices_ = owners.size();
+  shapes_ = ocl::Buffer<BodyShape>(device, shapes, "bodies");
+  hull_ = ocl::Buffer<float>(device, hull, "hull vertices");
+  owners_ = ocl::Buffer<std::uint32_t>(device, owners, "owners of hull vertices");
+  faces_ = ocl::Buffer<std::uint32_t>(device, faces, "hull faces");
+  points_ = ocl::Buffer<SurfaceQueryPoint>(device, vertices_, "points of hulls");
+  samples_ = ocl::Buffer<SurfaceQuerySample>(device, vertices_, "water at hulls");
+  drives_ = ocl::Buffer<BodyDrive>(device, size() * steps_a_question, "drives of bodies");
+  now_ = ocl::Buffer<BodyState>(device, size(), "states of bodies");
+  before_ = ocl::Buffer<BodyState>(device, size(), "last states of bodies");
+  path_ = ocl::Buffer<BodyState>(device, size() * steps_a_question, "steps of bodies");
+  reports_ = ocl::Buffer<BodyReport>(device, size(), "forces on bodies");
+
+  ocl::Defines defines;
+  defines.set("GROUP", group_size);
+  points_kernel_ = ocl::Program::build(device, "bodies/hull_points.cl").kernel("hull_points");
+  advance_kernel_ = ocl::Program::build(device, "bodies/body_advance.cl", defines).kernel("body_advance");
+  reset(0.0);
+}
+
+FloatingBodies::~FloatingBodies() {
+  // The device may still write to, or read from, host memory of ours.
+  try {
+    fetch_.done.wait();
+    for (const Drives& drives : drives_ahead_) drives.sent.wait();
+  } catch (const std::exception&) {
+    // Whoever asks for results hears of it.
+  }
+}
+
+double FloatingBodies::question_s(std::int64_t question) const {
+  return reset_s_ + static_cast<double>(question * steps_a_question) / steps_per_s;
+}
+
+double FloatingBodies::stepped_to_s() const {
+  return question_s(questions_);
+}
+
+void FloatingBodies::reset(double time_s) {
+  require_within("bodies.time_s", time_s, -largest_time_s, largest_time_s);
+  fetch_.done.wait();
+  fetch_ = {};
+  std::vector<BodyState> states;
+  late_poses_.clear();
+  for (const FloatingBody& body : bodies_) {
+    states.push_back(device_state(body.start));
+    late_poses_.push_back(body.start);
+  }
+  now_.write(states);
+  before_.write(states);
+  for (int step = 0; step < steps_a_question; ++step) {
+    path_.write(states, static_cast<std::size_t>(step) * size());
+  }
+  reports_.write(std::vector<BodyReport>(size()));
+  reset_s_ = time_s_ = time_s;
+  questions_ = 0;
+}
+
+void FloatingBodies::advance_to(double time_s, const WaterSurface& water, const Drive& drive) {
+  require_within("bodies.time_s", time_s, -largest_time_s, largest_time_s);
+  const double asked = (time_s - reset_s_) * steps_per_s / steps_a_question;
+  if (asked < std::max(0.0, static_cast<double>(questions_ - 1)) - time_tolerance) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("floating bodies: expected a time from {:.6g} s on, found {:.6g} s",
+                            question_s(std::max<std::int64_t>(0, questions_ - 1)), time_s),
+                "reset() begins anew");
+  }
+  const auto needed = static_cast<std::int64_t>(std::ceil(asked - time_tolerance));
+  while (questions_ < needed) ask_and_step(water, drive);
+  time_s_ = time_s;
+  fetch();
+}
+
+void FloatingBodies::send_drives(const Drive& drive) {
+  Drives& ahead = drives_ahead_[static_cast<std::size_t>(questions_) % drives_ahead_.size()];
+  ahead.sent.wait();
+  ahead.values.assign(size() * steps_a_question, BodyDrive{});
+  if (drive) {
+    for (std::size_t body = 0; body < size(); ++body) {
+      for (std::size_t step = 0; step < steps_a_question; ++step) {
+        ahead.values[body * steps_a_question + step] =
+            drive(body, question_s(questions_) + static_cast<double>(step) / steps_per_s);
+      }
+    }
+  }
+  ahead.sent = drives_.begin_write(ahead.values.data());
+}
+
+void FloatingBodies::ask_and_step(const WaterSurface& water, const Drive& drive) {
+  send_drives(drive);
+  points_kernel_.launch({{vertices_}}, now_, hull_, owners_, points_);
+  water(question_s(questions_), points_, vertices_, samples_);
+  advance_kernel_.launch({{size() * group_size}, {group_size}}, shapes_, drives_, now_, hull_, faces_,
+                         points_, samples_, water_, path_, before_, reports_);
+  std::swap(now_, before_);
+  ++questions_;
+}
+
+void FloatingBodies::fetch() {
+  if (fetch_.questions >= 0) {
+    fetch_.done.wait();
+    late_poses_ = poses_of(fetch_);
+  }
+  fetch_.before.resize(before_.size());
+  fetch_.path.resize(path_.size());
+  before_.begin_read(fetch_.before.data());
+  fetch_.done = path_.begin_read(fetch_.path.data());
+  fetch_.questions = questions_;
+  fetch_.time_s = time_s_;
+}
+
+std::vector<BodyPose> FloatingBodies::read_poses() {
+  if (fetch_.questions < 0) return late_poses_;
+  fetch_.done.wait();
+  return poses_of(fetch_);
+}
+
+std::vector<BodyPose> FloatingBodies::poses_of(const Fetch& fetch) const {
+  const double steps =
+      fetch.questions == 0 ? 0.0 : (fetch.time_s - question_s(fetch.questions - 1)) * steps_per_s;
+  const double clamped = std::min(std::max(steps, 0.0), static_cast<double>(steps_a_question));
+  const auto whole = std::min(static_cast<int>(clamped), steps_a_question - 1);
+  std::vector<BodyPose> poses;
+  for (std::size_t body = 0; body < size(); ++body) {
+    const auto state = [&](int step) {
+      return pose_of(step == 0 ? fetch.before[body]
+                               : fetch.path[static_cast<std::size_t>(step - 1) * size() + body]);
+    };
+    poses.push_back(pose_between(state(whole), state(whole + 1), clamped - whole));
+  }
+  return poses;
+}
+
+}  // namespace offing::bodies

@@ -1,0 +1,263 @@
+// Rigid bodies on water for some sub-steps: a work-group a body.
+// In:  shapes [bodies], drives [bodies][steps], states [bodies] at the first sub-step, water, all of shared/bodies.h;
+//      vertices [vertices][3] m in body axes; faces [faces][3]: vertices, anticlockwise seen from outside;
+//      points, samples [vertices]: the water under the vertices at the first sub-step (ocean/surface_query.cl).
+// Out: path [steps][bodies]: the states after each sub-step; ends [bodies]: those after the last one; reports [bodies] of
+//      that one.
+// The water at a later sub-step is that of the first one, moved on along its slope and by the speed of its surface:
+// height' = v_y - v_x slope_x - v_z slope_z. Each wetted part of a face has
+//  - the pressure of the water above it, density * gravity * depth, integrated in closed form;
+//  - friction along it (ITTC 1957), drag of its speed across it, which is less where it moves away from the water;
+//  - damping by the waves that what faces downward makes, in proportion to its vertical speed.
+// Semi-implicit Euler: velocities first, then places by the new ones. Drag is weakened as an implicit step would, so that
+// it never turns a motion around.
+#include "bodies/turn.clh"
+#include "bodies/wetted_part.clh"
+#include "shared/bodies.h"
+#include "shared/surface_query.h"
+
+#ifndef GROUP
+#define GROUP 64  // work-items of a body, a power of two
+#endif
+
+typedef struct {
+  float3 place, velocity, spin;  // velocity in world axes, spin in body axes
+  float4 turn;
+} Motion;
+
+typedef struct {
+  float3 pressure, pressure_moment, drag, drag_moment;
+  float wetted;
+  float3 flow;  // velocity of the water, times the wetted area
+} Wrench;
+
+static float3 symmetric_product(float xx, float yy, float zz, float xy, float xz, float yz, float3 v) {
+  return (float3)(xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z);
+}
+
+static float3 surface_velocity(const SurfaceQuerySample* sample) {
+  return (float3)(sample->velocity_x_mps, sample->velocity_y_mps, sample->velocity_z_mps);
+}
+
+// How deep a vertex at `arm` from the mass centre is below the surface `time_s` after the sample.
+static float depth_of(const BodyState* origin, float3 place, float3 arm, SurfaceQueryPoint point,
+                      const SurfaceQuerySample* sample, float time_s) {
+  const float x = SURFACE_QUERY_TILE_M * (float)(origin->tile_x - point.tile_x) + (place.x + arm.x - point.x_m);
+  const float z = SURFACE_QUERY_TILE_M * (float)(origin->tile_z - point.tile_z) + (place.z + arm.z - point.z_m);
+  const float rise = sample->velocity_y_mps - sample->velocity_x_mps * sample->slope_x - sample->velocity_z_mps * sample->slope_z;
+  return sample->height_m + sample->slope_x * x + sample->slope_z * z + rise * time_s - (place.y + arm.y);
+}
+
+static void clear(Wrench* wrench) {
+  wrench->pressure = wrench->pressure_moment = wrench->drag = wrench->drag_moment = wrench->flow = (float3)(0.0f);
+  wrench->wetted = 0.0f;
+}
+
+// Friction of a plate along the flow, ITTC 1957: 0.075 / (log10 Re - 2)^2; below Re = 10^5 as there.
+static float friction_coefficient(float reynolds) {
+  const float digits = log10(fmax(reynolds, 1e5f)) - 2.0f;
+  return 0.075f / (digits * digits);
+}
+
+// What the water does to a face, added to `sum`.
+static void add_face(const BodyShape* shape, const BodyWater* water, float3 velocity, float3 spin, float friction,
+                     const float3* arm, const float* depth, float3 flow, Wrench* sum) {
+  const float3 twice = cross(arm[1] - arm[0], arm[2] - arm[0]);
+  const float area = 0.5f * length(twice);
+  if (!(area > 0.0f)) return;
+  WettedPart part;
+  set_wetted_part(area, arm, depth, &part);
+  if (!(part.area > 0.0f)) return;
+  const float3 normal = twice / (2.0f * area);
+  const float weight = water->density_kgpm3 * water->gravity_mps2;
+  sum->pressure -= weight * part.depth_area * normal;
+  sum->pressure_moment -= weight * cross(part.depth_moment, normal);
+
+  const float3 middle = part.area_moment / part.area;
+  const float3 speed = velocity + cross(spin, middle) - flow;
+  const float across = dot(speed, normal);
+  const float3 along = speed - across * normal;
+  const float density_area = water->density_kgpm3 * part.area;
+  const float form = 0.5f * (across > 0.0f ? shape->face_drag : shape->wake_drag) * fabs(across);
+  float3 drag = -density_area * (form * across * normal + 0.5f * friction * length(along) * along);
+  drag.y -= density_area * fmax(0.0f, -normal.y) * shape->wave_damping * sqrt(water->gravity_mps2 * shape->length_m) *
+            speed.y;
+  sum->drag += drag;
+  sum->drag_moment += cross(middle, drag);
+  sum->wetted += part.area;
+  sum->flow += part.area * flow;
+}
+
+// Thrust and rudder, in world axes.
+static void add_drive(const BodyShape* shape, const BodyWater* water, const BodyDrive* drive, const Motion* motion,
+                      float3 flow, float3 propeller, float propeller_depth, float3* force, float3* moment) {
+  const float3 forward = turned(motion->turn, (float3)(1.0f, 0.0f, 0.0f));
+  const float3 starboard = turned(motion->turn, (float3)(0.0f, 0.0f, 1.0f));
+  const float diameter = shape->propeller_diameter_m;
+  const float thrust = drive->thrust_n * clamp(0.5f + propeller_depth / diameter, 0.0f, 1.0f);
+  *force += thrust * forward;
+  *moment += cross(propeller, thrust * forward);
+
+  const float3 rudder = turned(motion->turn, (float3)(shape->rudder_x_m, shape->rudder_y_m, shape->rudder_z_m));
+  const float3 speed = motion->velocity + cross(turned(motion->turn, motion->spin), rudder) - flow;
+  const float ahead = dot(speed, forward);
+  // The propeller's race behind its disc, by the theory of momentum: its dynamic pressure rises by thrust / disc area.
+  const float race = 8.0f * fmax(thrust, 0.0f) / (M_PI_F * diameter * diameter * water->density_kgpm3);
+  const float along = sqrt(ahead * ahead + race);
+  const float lift = -0.5f * water->density_kgpm3 * shape->rudder_area_m2 * shape->rudder_lift * along *
+                     (copysign(along, ahead + race) * sin(drive->rudder_rad) + dot(speed, starboard));
+  const float3 side = lift * clamp(0.5f + propeller_depth / diameter, 0.0f, 1.0f) * starboard;
+  *force += side;
+  *moment += cross(rudder, side);
+}
+
+static void follow_path(const BodyDrive* drive, const BodyState* origin, Motion* motion) {
+  motion->place.x = SURFACE_QUERY_TILE_M * (float)(drive->tile_x - origin->tile_x) + drive->x_m;
+  motion->place.z = SURFACE_QUERY_TILE_M * (float)(drive->tile_z - origin->tile_z) + drive->z_m;
+  motion->velocity.x = drive->velocity_x_mps;
+  motion->velocity.z = drive->velocity_z_mps;
+  const float3 forward = turned(motion->turn, (float3)(1.0f, 0.0f, 0.0f));
+  // A turn about +y takes +x toward -z.
+  const float excess = atan2(forward.z, forward.x) - drive->heading_rad;
+  motion->turn = normalize(turn_product(turn_by((float3)(0.0f, excess, 0.0f)), motion->turn));
+  float3 spin = turned(motion->turn, motion->spin);
+  spin.y = -drive->heading_rate_radps;
+  motion->spin = turned_back(motion->turn, spin);
+}
+
+static void advance(const BodyShape* shape, const BodyWater* water, const BodyDrive* drive, const BodyState* origin,
+                    const Wrench* wrench, float3 propeller, float propeller_depth, Motion* motion) {
+  const float displaced = fmax(0.0f, wrench->pressure.y / (water->density_kgpm3 * water->gravity_mps2));
+  const float moved = water->density_kgpm3 * displaced;
+  const float mass_along = shape->mass_kg + shape->added_along * moved, mass_up = shape->mass_kg + shape->added_up * moved;
+  const float3 flow = wrench->wetted > 0.0f ? wrench->flow / wrench->wetted : (float3)(0.0f);
+  const float reach = 0.5f * shape->length_m;
+  const float pace = length(motion->velocity - flow) + reach * length(motion->spin) + 1e-6f;
+  const float least_inertia = fmin(shape->inertia_xx, fmin(shape->inertia_yy, shape->inertia_zz));
+  const float slowing = water->step_s * length(wrench->drag) / (shape->mass_kg * pace);
+  const float turning = water->step_s * length(wrench->drag_moment) * reach / (least_inertia * pace);
+
+  float3 force = wrench->pressure + wrench->drag / (1.0f + slowing);
+  float3 moment = wrench->pressure_moment + wrench->drag_moment / (1.0f + turning);
+  add_drive(shape, water, drive, motion, flow, propeller, propeller_depth, &force, &moment);
+  force.y -= shape->mass_kg * water->gravity_mps2;
+
+  motion->velocity += water->step_s * force / (float3)(mass_along, mass_up, mass_along);
+  const float3 spin = motion->spin;
+  const float3 momentum = symmetric_product(shape->inertia_xx, shape->inertia_yy, shape->inertia_zz, shape->inertia_xy,
+                                            shape->inertia_xz, shape->inertia_yz, spin);
+  const float3 rest = turned_back(motion->turn, moment) - cross(spin, momentum);
+  motion->spin += water->step_s * symmetric_product(shape->inverse_xx, shape->inverse_yy, shape->inverse_zz,
+                                                    shape->inverse_xy, shape->inverse_xz, shape->inverse_yz, rest);
+  motion->place += water->step_s * motion->velocity;
+  motion->turn = normalize(turn_product(motion->turn, turn_by(water->step_s * motion->spin)));
+  if (drive->follows_path) follow_path(drive, origin, motion);
+}
+
+// The place in the tile that it is in.
+static void write_state(const BodyState* origin, const Motion* motion, __global BodyState* written) {
+  const float east = rint(motion->place.x / SURFACE_QUERY_TILE_M), south = rint(motion->place.z / SURFACE_QUERY_TILE_M);
+  const BodyState state = {origin->tile_x + (int)east,
+                           origin->tile_z + (int)south,
+                           motion->place.x - SURFACE_QUERY_TILE_M * east,
+                           motion->place.y,
+                           motion->place.z - SURFACE_QUERY_TILE_M * south,
+                           motion->turn.x,
+                           motion->turn.y,
+                           motion->turn.z,
+                           motion->turn.w,
+                           motion->velocity.x,
+                           motion->velocity.y,
+                           motion->velocity.z,
+                           motion->spin.x,
+                           motion->spin.y,
+                           motion->spin.z,
+                           0};
+  *written = state;
+}
+
+static void write_report(const BodyWater* water, const Wrench* sum, __global BodyReport* written) {
+  const BodyReport report = {sum->pressure.x,
+                             sum->pressure.y,
+                             sum->pressure.z,
+                             sum->pressure_moment.x,
+                             sum->pressure_moment.y,
+                             sum->pressure_moment.z,
+                             sum->drag.x,
+                             sum->drag.y,
+                             sum->drag.z,
+                             sum->drag_moment.x,
+                             sum->drag_moment.y,
+                             sum->drag_moment.z,
+                             fmax(0.0f, sum->pressure.y / (water->density_kgpm3 * water->gravity_mps2)),
+                             sum->wetted};
+  *written = report;
+}
+
+__kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
+    __global const BodyShape* restrict shapes, __global const BodyDrive* restrict drives,
+    __global const BodyState* restrict states, __global const float* restrict vertices,
+    __global const uint* restrict faces, __global const SurfaceQueryPoint* restrict points,
+    __global const SurfaceQuerySample* restrict samples, const BodyWater water, __global BodyState* restrict path,
+    __global BodyState* restrict ends, __global BodyReport* restrict reports) {
+  __local Wrench sums[GROUP];
+  __local Motion now;
+  const int lane = get_local_id(0);
+  const size_t body = get_group_id(0), bodies = get_num_groups(0);
+  const BodyShape shape = shapes[body];
+  const BodyState origin = states[body];
+  if (lane == 0) {
+    now.place = (float3)(origin.x_m, origin.y_m, origin.z_m);
+    now.velocity = (float3)(origin.velocity_x_mps, origin.velocity_y_mps, origin.velocity_z_mps);
+    now.spin = (float3)(origin.spin_x_radps, origin.spin_y_radps, origin.spin_z_radps);
+    now.turn = (float4)(origin.turn_x, origin.turn_y, origin.turn_z, origin.turn_w);
+  }
+  for (int step = 0; step < water.steps; ++step) {
+    barrier(CLK_LOCAL_MEM_FENCE);
+    Motion motion = now;
+    const float time_s = (float)step * water.step_s;
+    const float3 spin = turned(motion.turn, motion.spin);
+    const float friction = friction_coefficient(length(motion.velocity) * shape.length_m / water.viscosity_m2ps);
+    Wrench sum;
+    clear(&sum);
+    for (int face = lane; face < shape.face_count; face += GROUP) {
+      float3 arm[3], flow = (float3)(0.0f);
+      float depth[3];
+      for (int corner = 0; corner < 3; ++corner) {
+        const uint vertex = faces[3 * (shape.first_face + face) + corner];
+        const SurfaceQuerySample sample = samples[vertex];
+        arm[corner] = turned(motion.turn, vload3(vertex, vertices));
+        depth[corner] = depth_of(&origin, motion.place, arm[corner], points[vertex], &sample, time_s);
+        flow += surface_velocity(&sample) / 3.0f;
+      }
+      add_face(&shape, &water, motion.velocity, spin, friction, arm, depth, flow, &sum);
+    }
+    sums[lane] = sum;
+    for (int kept = GROUP / 2; kept > 0; kept /= 2) {
+      barrier(CLK_LOCAL_MEM_FENCE);
+      if (lane < kept) {
+        sums[lane].pressure += sums[lane + kept].pressure;
+        sums[lane].pressure_moment += sums[lane + kept].pressure_moment;
+        sums[lane].drag += sums[lane + kept].drag;
+        sums[lane].drag_moment += sums[lane + kept].drag_moment;
+        sums[lane].wetted += sums[lane + kept].wetted;
+        sums[lane].flow += sums[lane + kept].flow;
+      }
+    }
+    if (lane == 0) {
+      const Wrench total = sums[0];
+      const SurfaceQuerySample sample = samples[shape.propeller_vertex];
+      const float3 propeller = turned(motion.turn, vload3((size_t)shape.propeller_vertex, vertices));
+      const float depth =
+          depth_of(&origin, motion.place, propeller, points[shape.propeller_vertex], &sample, time_s);
+      const BodyDrive drive = drives[body * water.steps + step];
+      advance(&shape, &water, &drive, &origin, &total, propeller, depth, &motion);
+      now = motion;
+      write_state(&origin, &motion, &path[step * bodies + body]);
+      if (step == water.steps - 1) {
+        write_state(&origin, &motion, &ends[body]);
+        write_report(&water, &total, &reports[body]);
+      }
+    }
+  }
+}

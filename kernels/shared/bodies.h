@@ -1,0 +1,78 @@
+// Arrays of floating bodies, one layout for host and device: 4-byte scalars only. Body axes: x forward, y up, z to
+// starboard, their origin in the mass centre; world axes: y up from the water plane.
+#ifndef OFFING_KERNELS_SHARED_BODIES_H
+#define OFFING_KERNELS_SHARED_BODIES_H
+
+// Places are whole tiles of SURFACE_QUERY_TILE_M (shared/surface_query.h) along x and z and a rest, as those of
+// queries.
+
+// A body at one time.
+typedef struct {
+  int tile_x, tile_z;
+  float x_m, y_m, z_m;                                   // mass centre
+  float turn_x, turn_y, turn_z, turn_w;                  // unit quaternion from body axes to the world's
+  float velocity_x_mps, velocity_y_mps, velocity_z_mps;  // of the mass centre, in world axes
+  float spin_x_radps, spin_y_radps, spin_z_radps;        // in body axes
+  int padding;
+} BodyState;
+
+// What a body is.
+typedef struct {
+  int propeller_vertex;  // which of the vertices of all bodies stands for its propeller
+  int first_face, face_count;  // of its hull, among those of all bodies
+  float mass_kg;
+  float inertia_xx, inertia_yy, inertia_zz, inertia_xy, inertia_xz, inertia_yz;  // kg m^2, about the mass centre
+  // 1 / (kg m^2), of the inertia with that of the water that turns with the body.
+  float inverse_xx, inverse_yy, inverse_zz, inverse_xy, inverse_xz, inverse_yz;
+  // Water that is moved with the body: shares of what it displaces at the moment.
+  float added_along, added_up;
+  float length_m;       // along x: Reynolds' number and waves are of this length
+  float face_drag;      // of half density speed^2 area, where a face moves against the water
+  float wake_drag;      // and where it moves away from it
+  float wave_damping;   // of density area sqrt(gravity length) speed, on what faces downward
+  float propeller_diameter_m;
+  float rudder_x_m, rudder_y_m, rudder_z_m, rudder_area_m2;
+  float rudder_lift;    // lift coefficient's rise with the angle, 1/rad
+} BodyShape;
+
+// What drives a body in one sub-step.
+typedef struct {
+  float thrust_n;
+  float rudder_rad;  // above 0: the heading grows
+  // 1: the place along x and z and the heading are those of a path, whatever forces are.
+  int follows_path;
+  int tile_x, tile_z;
+  float x_m, z_m;
+  float heading_rad;  // of body x in the world, from +x toward +z
+  float velocity_x_mps, velocity_z_mps, heading_rate_radps;
+  int padding;
+} BodyDrive;
+
+// What water did to a body in its last sub-step, in world axes about the mass centre.
+typedef struct {
+  float pressure_x_n, pressure_y_n, pressure_z_n;
+  float pressure_moment_x_nm, pressure_moment_y_nm, pressure_moment_z_nm;
+  float drag_x_n, drag_y_n, drag_z_n;
+  float drag_moment_x_nm, drag_moment_y_nm, drag_moment_z_nm;
+  float displaced_m3;
+  float wetted_m2;
+} BodyReport;
+
+// The water and the steps.
+typedef struct {
+  float density_kgpm3;
+  float gravity_mps2;
+  float viscosity_m2ps;  // kinematic
+  float step_s;
+  int steps;  // between two questions about the water
+} BodyWater;
+
+#ifndef __OPENCL_VERSION__
+static_assert(sizeof(BodyState) == 64, "no padding");
+static_assert(sizeof(BodyShape) == 112, "no padding");
+static_assert(sizeof(BodyDrive) == 48, "no padding");
+static_assert(sizeof(BodyReport) == 56, "no padding");
+static_assert(sizeof(BodyWater) == 20, "no padding");
+#endif
+
+#endif

@@ -1,0 +1,45 @@
+// body_dump FILE: where two bodies are on a wave, on the device that the environment names. FILE: of each of
+// some times and each body, its state.
+#include <fstream>
+
+#include "host/bodies/floating_bodies.h"
+#include "tests/bodies/example_bodies.h"
+#include "tests/ocl/dump_program.h"
+
+namespace {
+
+using namespace offing;
+using namespace offing::bodies;
+
+void write_dump(const char* path) {
+  FloatingBody ship = load_to_level("ship", test::ship(30.0, 12), 0.0, test::sea_density_kgpm3);
+  ship.start = at_rest(ship, test::sea_density_kgpm3, 0.0, 0.0, 0.4);
+  FloatingBody box = load_to_mass("box", test::box({4.0, 2.0, 3.0}), 9000.0, test::sea_density_kgpm3);
+  box.start = at_rest(box, test::sea_density_kgpm3, 40.0, 5.0, 0.0);
+  FloatingBodies floating(ocl::Device::open(), {ship, box});
+  const auto drive = [](std::size_t body, double) {
+    BodyDrive now{};
+    now.thrust_n = body == 0 ? 10e3f : 0.0f;
+    now.rudder_rad = 0.2f;
+    return now;
+  };
+  std::ofstream file(path, std::ios::binary);
+  for (int frame = 1; frame <= 2; ++frame) {
+    floating.advance_to(frame / 15.0, test::wavy_water({.amplitude_m = 1.0, .wavelength_m = 90.0}), drive);
+    for (const BodyPose& pose : floating.read_poses()) {
+      for (const double value :
+           {pose.mass_centre_m.x, pose.mass_centre_m.y, pose.mass_centre_m.z, pose.turn.x, pose.turn.y,
+            pose.turn.z, pose.turn.w, pose.velocity_mps.x, pose.velocity_mps.y, pose.velocity_mps.z,
+            pose.spin_radps.x, pose.spin_radps.y, pose.spin_radps.z}) {
+        const auto rounded = static_cast<float>(value);
+        file.write(reinterpret_cast<const char*>(&rounded), sizeof(rounded));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return offing::test::run_dump_program(argc, argv, write_dump);
+}

@@ -1,0 +1,52 @@
+// Structs that host and device both read: each test fails if a compiler pads one, so that parameters would
+// arrive shifted. All members are of 4 bytes: the first, some and the last.
+#include <gtest/gtest.h>
+
+#include "kernels/shared/bodies.h"
+#include "tests/ocl/shared_layout.h"
+
+namespace offing {
+namespace {
+
+using Layout = std::vector<std::size_t>;
+
+Layout on_device(const char* name, const std::vector<std::string>& members) {
+  return test::device_layout(ocl::Device::open(), "shared/bodies.h", name, members);
+}
+
+TEST(BodyLayoutTest, BodyState) {
+  using S = BodyState;
+  EXPECT_EQ(on_device("BodyState", {"tile_x", "x_m", "turn_w", "spin_x_radps", "padding"}),
+            (Layout{sizeof(S), offsetof(S, tile_x), offsetof(S, x_m), offsetof(S, turn_w),
+                    offsetof(S, spin_x_radps), offsetof(S, padding)}));
+}
+
+TEST(BodyLayoutTest, BodyShape) {
+  using S = BodyShape;
+  EXPECT_EQ(
+      on_device("BodyShape", {"propeller_vertex", "mass_kg", "inverse_xx", "wave_damping", "rudder_lift"}),
+      (Layout{sizeof(S), offsetof(S, propeller_vertex), offsetof(S, mass_kg), offsetof(S, inverse_xx),
+              offsetof(S, wave_damping), offsetof(S, rudder_lift)}));
+}
+
+TEST(BodyLayoutTest, BodyDrive) {
+  using S = BodyDrive;
+  EXPECT_EQ(on_device("BodyDrive", {"thrust_n", "tile_x", "heading_rad", "padding"}),
+            (Layout{sizeof(S), offsetof(S, thrust_n), offsetof(S, tile_x), offsetof(S, heading_rad),
+                    offsetof(S, padding)}));
+}
+
+TEST(BodyLayoutTest, BodyReport) {
+  using S = BodyReport;
+  EXPECT_EQ(on_device("BodyReport", {"pressure_x_n", "drag_x_n", "wetted_m2"}),
+            (Layout{sizeof(S), offsetof(S, pressure_x_n), offsetof(S, drag_x_n), offsetof(S, wetted_m2)}));
+}
+
+TEST(BodyLayoutTest, BodyWater) {
+  using S = BodyWater;
+  EXPECT_EQ(on_device("BodyWater", {"density_kgpm3", "step_s", "steps"}),
+            (Layout{sizeof(S), offsetof(S, density_kgpm3), offsetof(S, step_s), offsetof(S, steps)}));
+}
+
+}  // namespace
+}  // namespace offing
