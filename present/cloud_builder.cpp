@@ -1,6 +1,9 @@
 #include "present/cloud_builder.h"
 
+#include <exception>
 #include <new>
+
+#include <fmt/format.h>
 
 #include "host/scene/own_puffs.h"
 #include "host/scene/scene_clouds.h"
@@ -28,8 +31,8 @@ CloudBuilder::~CloudBuilder() {
   thread_.join();
 }
 
-world::CloudSkyParameters CloudBuilder::grow(world::CloudSkyParameters sky) {
-  return grower_.grown(std::move(sky), CancelToken{});
+world::CloudSkyParameters CloudBuilder::grow(world::CloudSkyParameters sky, const CancelToken& cancel) {
+  return grower_.grown(std::move(sky), cancel);
 }
 
 void CloudBuilder::begin(const scene::OceanScene& scene, Haste haste) {
@@ -82,6 +85,10 @@ std::variant<BuiltClouds, Error> CloudBuilder::built(const scene::OceanScene& sc
   } catch (const std::bad_alloc&) {
     return Error(ErrorKind::out_of_memory, "clouds: too many particles for this machine's memory",
                  "lower cloud.target_particles or clouds.quality");
+  } catch (const std::exception& error) {
+    // On a thread of its own it would end the program.
+    return Error(ErrorKind::device, fmt::format("clouds: unexpected fault: {}", error.what()),
+                 "take back the last edit, and report what this says");
   }
 }
 

@@ -41,12 +41,12 @@ class CloudBuilder {
   CloudBuilder(const ocl::DeviceInfo& device, const scene::OceanScene& shown);
   CloudBuilder(const CloudBuilder&) = delete;
   CloudBuilder& operator=(const CloudBuilder&) = delete;
-  /// Gives up what is being made and waits for it: no longer than the cloud takes that is made.
+  /// Gives up what is being made and waits until it has noticed.
   ~CloudBuilder();
 
   /// Gives a sky its particles on the caller's thread; before the first begin() only. Throws what
   /// world::CloudGrower::grown() throws.
-  world::CloudSkyParameters grow(world::CloudSkyParameters sky);
+  world::CloudSkyParameters grow(world::CloudSkyParameters sky, const CancelToken& cancel);
 
   void begin(const scene::OceanScene& scene, Haste haste);
   /// What is ready since the last call, if anything; the fault of a scene whose clouds could not be made.

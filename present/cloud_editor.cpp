@@ -110,7 +110,7 @@ void CloudEditor::press(ViewState& state, const ShownClouds& shown, const Screen
       cloud_handle_at(cloud_handle_places(screen, *sphere), pixel_of_clip(screen, event.clip));
   if (!handle) return;
   pressed_.reset();
-  grab_ = Grab{*handle, *sphere, event.clip, state.scene, state.clouds.particles, event.clip};
+  grab_ = Grab{*handle, *sphere, event.clip, state.scene, state.clouds.particles, event.clip, false};
 }
 
 Edit CloudEditor::pull(ViewState& state, const Screen& screen, glm::dvec2 clip, double step_m) {
@@ -119,6 +119,7 @@ Edit CloudEditor::pull(ViewState& state, const Screen& screen, glm::dvec2 clip, 
       cloud_pull(screen, grab_->handle, grab_->sphere, grab_->from, clip, step_m);
   if (!pull) return Edit::none;
   grab_->at = clip;
+  grab_->has_pulled = true;
   scene::copy_clouds(grab_->before, state.scene);
   if (state.clouds.pick == CloudPick::particles) {
     state.clouds.particles = grab_->particles;
@@ -139,9 +140,10 @@ Edit CloudEditor::release(ViewState& state, const ShownClouds& shown, const Scre
                           const PointerEvent& event, double step_m) {
   if (grab_) {
     pull(state, screen, event.clip, step_m);
-    const bool has_moved = grab_->at != grab_->from;
-    grab_.reset();
-    return has_moved ? Edit::done : Edit::none;
+    const Grab grab = *std::exchange(grab_, std::nullopt);
+    if (grab.at != grab.from) return Edit::done;
+    // Back where it was: nothing to undo, but what was shown on the way is still there.
+    return grab.has_pulled ? Edit::going_on : Edit::none;
   }
   if (!pressed_) return Edit::none;
   const Press pressed = *std::exchange(pressed_, std::nullopt);
@@ -180,7 +182,13 @@ std::optional<ClipBox> CloudEditor::box(glm::dvec2 pointer) const {
   return box_between(pressed_->clip, pointer);
 }
 
-Edit CloudEditor::remove(ViewState& state) const {
+void CloudEditor::let_go() {
+  grab_.reset();
+  pressed_.reset();
+}
+
+Edit CloudEditor::remove(ViewState& state) {
+  let_go();
   forget_lost_picks(state);
   CloudEditing& editing = state.clouds;
   if (editing.picked.empty() && editing.particles.empty()) {
@@ -195,7 +203,8 @@ Edit CloudEditor::remove(ViewState& state) const {
   return Edit::done;
 }
 
-Edit CloudEditor::duplicate(ViewState& state, const world::CloudsView* view) const {
+Edit CloudEditor::duplicate(ViewState& state, const world::CloudsView* view) {
+  let_go();
   forget_lost_picks(state);
   CloudEditing& editing = state.clouds;
   if (editing.picked.empty()) {

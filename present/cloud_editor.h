@@ -25,10 +25,13 @@ class CloudEditor {
   /// The box that is drawn, if one is.
   std::optional<ClipBox> box(glm::dvec2 pointer) const;
 
+  /// Lets go of what is held: another edit has begun, or taken one back.
+  void let_go();
+
   // What keys do. Throw as turn() does.
 
-  Edit remove(ViewState& state) const;
-  Edit duplicate(ViewState& state, const world::CloudsView* view) const;
+  Edit remove(ViewState& state);
+  Edit duplicate(ViewState& state, const world::CloudsView* view);
 
  private:
   /// What a hand found when it took hold.
@@ -39,6 +42,7 @@ class CloudEditor {
     scene::OceanScene before;
     PickedParticles particles;
     glm::dvec2 at{0.0};  // that the scene has been pulled to
+    bool has_pulled = false;
   };
   struct Press {
     glm::dvec2 clip{0.0};

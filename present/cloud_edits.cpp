@@ -23,10 +23,6 @@ double within(const char* key, double value) {
   return std::clamp(value, row.scale * row.low, row.scale * row.high);
 }
 
-bool has_shape(const CloudScene& cloud) {
-  return !cloud.shape.file.empty() || !cloud.shape.mesh.empty() || !cloud.shape.text.empty();
-}
-
 /// A value of a cloud, with its keyframes.
 void move_value(OceanScene& scene, std::size_t cloud, const char* key, double& value, double way) {
   value = within(key, value + way);
@@ -71,7 +67,7 @@ bool has_part(const OceanScene& scene, const CloudPart& part) {
   if (part.cloud >= scene.clouds.size()) return false;
   if (!part.ball) return true;
   const CloudScene& cloud = scene.clouds[part.cloud];
-  if (has_shape(cloud)) return false;
+  if (cloud.shape.is_given()) return false;
   const std::size_t count =
       cloud.balls.empty() ? scene::cloud_parameters_of(scene, part.cloud).balls.size() : cloud.balls.size();
   return *part.ball < count;
@@ -82,7 +78,7 @@ glm::dvec3 origin_of_cloud(const OceanScene& scene, std::size_t cloud, double ti
 }
 
 std::vector<Sphere> balls_of(const OceanScene& scene, std::size_t cloud, double time_s) {
-  if (has_shape(scene.clouds[cloud])) return {};
+  if (scene.clouds[cloud].shape.is_given()) return {};
   const clouds::CloudParameters parameters = scene::cloud_parameters_of(scene, cloud);
   const glm::dvec3 origin_m = clouds::cloud_origin_m(parameters, time_s);
   std::vector<Sphere> spheres;
@@ -153,39 +149,44 @@ void remove_parts(OceanScene& scene, std::vector<CloudPart> parts) {
 
 std::vector<CloudPart> duplicate_parts(OceanScene& scene, const std::vector<CloudPart>& parts,
                                        const glm::dvec3& way_m) {
+  OceanScene changed = scene;  // where there is no room for all nothing has changed
   std::vector<CloudPart> copies;
   for (const CloudPart& part : parts) {
     if (part.ball) {
-      std::vector<clouds::Metaball>& balls = own_balls(scene, part.cloud);
+      std::vector<clouds::Metaball>& balls = own_balls(changed, part.cloud);
       require_room("cloud.ball.radius_m", balls.size());
       balls.push_back(clouds::Metaball(balls[*part.ball]));
       copies.push_back({part.cloud, balls.size() - 1});
     } else {
-      require_room("cloud.name", scene.clouds.size());
-      scene.clouds.push_back(CloudScene(scene.clouds[part.cloud]));
-      copies.push_back({scene.clouds.size() - 1, {}});
-      copy_keys(scene, part.cloud, copies.back().cloud);
+      require_room("cloud.name", changed.clouds.size());
+      changed.clouds.push_back(CloudScene(changed.clouds[part.cloud]));
+      copies.push_back({changed.clouds.size() - 1, {}});
+      copy_keys(changed, part.cloud, copies.back().cloud);
     }
-    move_part(scene, copies.back(), way_m);
+    move_part(changed, copies.back(), way_m);
   }
+  scene = std::move(changed);
   return copies;
 }
 
 CloudPart add_ball(OceanScene& scene, std::optional<std::size_t> cloud, clouds::Genus genus,
                    const Sphere& ball, double time_s) {
   const bool is_first = !cloud;
-  const std::size_t index = is_first ? add_cloud(scene, genus, ball.centre_m).cloud : *cloud;
-  if (has_shape(scene.clouds[index])) {
+  OceanScene changed = scene;  // where there is no room nothing has changed
+  const std::size_t index = is_first ? add_cloud(changed, genus, ball.centre_m).cloud : *cloud;
+  if (changed.clouds[index].shape.is_given()) {
     throw Error(ErrorKind::bad_usage, "cloud.ball: expected a cloud of balls, found one with a shape",
-                "pick a cloud without a file, a mesh or a text first, or none for a new one");
+                "pick a cloud without a file, a mesh, a text or a shape first, or none for a new one");
   }
-  std::vector<clouds::Metaball>& balls = is_first ? scene.clouds[index].balls : own_balls(scene, index);
+  std::vector<clouds::Metaball>& balls = is_first ? changed.clouds[index].balls : own_balls(changed, index);
   require_room("cloud.ball.radius_m", balls.size());
-  const double scale = scene.clouds[index].scale;
-  const glm::dvec3 way_m = ball.centre_m - origin_of_cloud(scene, index, time_s);
+  const double scale = changed.clouds[index].scale;
+  const glm::dvec3 way_m = ball.centre_m - origin_of_cloud(changed, index, time_s);
   balls.push_back({.centre_m = is_first ? glm::dvec3(0.0) : way_m / scale,
                    .radius_m = within("cloud.ball.radius_m", ball.radius_m / scale)});
-  return {index, balls.size() - 1};
+  const std::size_t last = balls.size() - 1;
+  scene = std::move(changed);
+  return {index, last};
 }
 
 CloudPart add_cloud(OceanScene& scene, clouds::Genus genus, const glm::dvec3& place_m) {

@@ -143,7 +143,8 @@ void draw_costs(const ViewState& state, LiveSea& sea) {
   if (const std::optional<world::CloudProgress> progress = sea.clouds_progress()) {
     const std::string text = fmt::format("{} of {} clouds", progress->done, progress->all);
     const auto all = static_cast<float>(std::max<std::size_t>(progress->all, 1));
-    ImGui::ProgressBar(static_cast<float>(progress->done) / all, ImVec2(-1.0f, 0.0f), text.c_str());
+    ImGui::ProgressBar((static_cast<float>(progress->done) + static_cast<float>(progress->share)) / all,
+                       ImVec2(-1.0f, 0.0f), text.c_str());
   } else {
     ImGui::TextDisabled("all clouds are made");
   }

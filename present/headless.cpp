@@ -1,11 +1,14 @@
 #include "present/headless.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "host/base/progress.h"
 #include "host/scene/own_puffs.h"
 #include "host/scene/scene_meshes.h"
 #include "host/scene/world_scene.h"
+#include "host/world/cloud_grower.h"
 #include "present/frame.h"
 #include "present/gl_context.h"
 #include "present/light_meter.h"
@@ -14,14 +17,22 @@
 namespace offing::present {
 namespace {
 
+/// Ahead of the world, which could not be stopped.
+world::WorldParameters with_particles(const ocl::Device& device, world::WorldParameters parameters,
+                                      const CancelToken& cancel) {
+  if (parameters.clouds)
+    parameters.clouds = world::CloudGrower(device).grown(std::move(*parameters.clouds), cancel);
+  return parameters;
+}
+
 class PictureMaker {
  public:
-  explicit PictureMaker(const ViewOptions& options)
+  PictureMaker(const ViewOptions& options, const CancelToken& cancel)
       : context_(GlContext::headless()),
         device_(ocl::Device::open_shared(ocl::select_device(options.device), ocl::Profiling::off,
                                          context_.share_properties())),
         scene_(options.scene),
-        world_(device_, scene::prepare_shown_world(scene_)),
+        world_(device_, with_particles(device_, scene::prepare_shown_world(scene_), cancel)),
         lighting_at_(scene::lighting_of(scene_, world_.ground())),
         frame_(context_, device_, frame_settings(options.detail.value_or(Detail::high), options.transfer)),
         size_(options.size.value_or(PictureSize{})) {
@@ -61,7 +72,7 @@ class PictureMaker {
 }  // namespace
 
 void make_pictures(const ViewOptions& options, const CancelToken& cancel) {
-  PictureMaker maker(options);
+  PictureMaker maker(options, cancel);
   if (!options.output.empty()) {
     if (!maker.make(options.time_s, options.time_s, options.output, cancel)) cancel.throw_if_cancelled();
     fmt::print("{}\n", options.output.string());

@@ -20,8 +20,12 @@
 namespace offing::present {
 namespace {
 
-world::WorldParameters with_particles(CloudBuilder& builder, world::WorldParameters parameters) {
-  if (parameters.clouds) parameters.clouds = builder.grow(std::move(*parameters.clouds));
+world::WorldParameters with_particles(CloudBuilder& builder, world::WorldParameters parameters,
+                                      const CancelToken* cancel) {
+  const CancelToken none;
+  if (parameters.clouds) {
+    parameters.clouds = builder.grow(std::move(*parameters.clouds), cancel != nullptr ? *cancel : none);
+  }
   return parameters;
 }
 
@@ -34,8 +38,8 @@ LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, cons
                                        context.share_properties())),
       scene_(scene),
       builder_(std::make_unique<CloudBuilder>(device_.info(), scene_)),
-      world_(std::make_unique<world::World>(device_,
-                                            with_particles(*builder_, scene::prepare_shown_world(scene_)))),
+      world_(std::make_unique<world::World>(
+          device_, with_particles(*builder_, scene::prepare_shown_world(scene_), settings.cancel))),
       frame_(std::make_unique<Frame>(context, device_, settings.frame)) {
   if (const auto puffs = scene::own_puffs(scene_)) frame_->set_puffs(device_, *puffs);
   warning_ = scene::steepness_warning(scene_, world_->parameters().trochoids);
@@ -116,7 +120,7 @@ void LiveSea::reload() {
   if (const auto puffs = scene::own_puffs(scene_)) frame->set_puffs(device_, *puffs);
   auto builder = std::make_unique<CloudBuilder>(device_.info(), scene_);
   auto world = std::make_unique<world::World>(
-      device_, with_particles(*builder, scene::prepare_world(scene_, scene::Warnings::left_out)));
+      device_, with_particles(*builder, scene::prepare_world(scene_, scene::Warnings::left_out), nullptr));
   try_out(*world);
   world_ = std::move(world);
   frame_ = std::move(frame);

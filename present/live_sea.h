@@ -20,6 +20,7 @@ namespace offing::present {
 struct LiveSeaSettings {
   std::string device;  ///< selector of ocl::select_device
   FrameSettings frame;
+  const CancelToken* cancel = nullptr;  ///< of making the first world; outlives that
 };
 
 /// What to show of a sea: when, from where, and how.

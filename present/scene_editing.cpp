@@ -20,13 +20,18 @@ bool SceneEditing::turn(const Screen& screen, const std::vector<PointerEvent>& e
 
 void SceneEditing::work(const std::function<Edit()>& deed) {
   try {
-    finish(deed());
+    apply(deed());
   } catch (const Error& error) {
     state_.message = fault_message(error);
   }
 }
 
 void SceneEditing::finish(Edit edit) {
+  if (edit != Edit::none) clouds_.let_go();
+  apply(edit);
+}
+
+void SceneEditing::apply(Edit edit) {
   if (edit == Edit::none) return;
   if (!edit_sea(edit)) return;
   is_last_noted_ = edit == Edit::done;
@@ -47,6 +52,7 @@ bool SceneEditing::edit_sea(Edit edit) {
 }
 
 void SceneEditing::take_scene(scene::OceanScene scene) {
+  clouds_.let_go();  // of what it held there may be nothing any more
   take_camera_path(state_.scene, scene);
   scene.view.camera = state_.scene.view.camera;
   state_.scene = std::move(scene);

@@ -24,7 +24,7 @@ class SceneEditing {
   bool turn(const Screen& screen, const std::vector<PointerEvent>& events, const PointerNow& pointer);
   /// Shows clouds that have been made since the last frame.
   void take_clouds();
-  /// What an edit of the state's scene means for the world and for undo.
+  /// What an edit of the state's scene means for the world and for undo. Handles are let go of.
   void finish(Edit edit);
   void undo();
   void redo();
@@ -39,6 +39,7 @@ class SceneEditing {
   void draw(glm::dvec2 pointer) const;
 
  private:
+  void apply(Edit edit);
   bool edit_sea(Edit edit);
   void go_back(std::optional<scene::OceanScene> scene, const char* none);
   /// The scene is another one from here on; its camera stays the user's.

@@ -38,12 +38,12 @@ std::string whole_name(const std::filesystem::path& path) {
 
 }  // namespace
 
-Viewer::Viewer(const ViewOptions& options)
+Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
     : options_(options),
       context_(GlContext::window({.title = title(options),
                                   .width = options.size.value_or(PictureSize{}).width,
                                   .height = options.size.value_or(PictureSize{}).height})),
-      sea_(context_, sea_settings(options, context_.capabilities()), options.scene),
+      sea_(context_, sea_settings(options, context_.capabilities(), cancel), options.scene),
       state_(start_state(options, sea_)),
       input_(window()),
       panels_(window()),
@@ -369,7 +369,7 @@ void Viewer::record_frame() {
 }
 
 void show_window(const ViewOptions& options, const CancelToken& cancel) {
-  Viewer viewer(options);
+  Viewer viewer(options, cancel);
   while (!cancel.cancelled() && viewer.turn()) {
   }
   if (!cancel.cancelled()) return;

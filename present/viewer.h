@@ -24,7 +24,7 @@ namespace offing::present {
 class Viewer {
  public:
   /// Opens a window on the scene of the options. Throws Error(no_device) where no window can be had.
-  explicit Viewer(const ViewOptions& options);
+  Viewer(const ViewOptions& options, const CancelToken& cancel);
 
   /// Input, time, picture, panels: one frame. False once the window is to be closed, or the last frame of a
   /// recording is written.

@@ -8,10 +8,12 @@ std::string title(const ViewOptions& options) {
   return options.scene_name.empty() ? "Offing" : fmt::format("Offing: {}", options.scene_name);
 }
 
-LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& capabilities) {
+LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& capabilities,
+                             const CancelToken& cancel) {
   const Detail usual = capabilities.is_software ? Detail::low : Detail::high;
   return {.device = options.device,
-          .frame = frame_settings(options.detail.value_or(usual), options.transfer)};
+          .frame = frame_settings(options.detail.value_or(usual), options.transfer),
+          .cancel = &cancel};
 }
 
 ViewState start_state(const ViewOptions& options, const LiveSea& sea) {

@@ -38,6 +38,8 @@ void require_valid(const CloudVolume& volume) {
   require(volume.density.size() % CloudVolume::cells_of_brick == 0,
           "expected whole bricks of {} cells, found {} cells", CloudVolume::cells_of_brick,
           volume.density.size());
+  require(volume.albedo.empty() || volume.albedo.size() == volume.density.size(),
+          "expected an albedo for each of {} cells, found {}", volume.density.size(), volume.albedo.size());
   for (const std::int32_t place : volume.brick_of) {
     require(place == CloudVolume::no_brick || (place >= 0 && static_cast<std::size_t>(place) < kept),
             "expected places below {}, found {}", kept, place);

@@ -27,6 +27,8 @@ struct CloudVolume {
   std::vector<std::int32_t> brick_of;
   /// [kept bricks][z][y][x], dimensionless, 0 or more, finite.
   std::vector<float> density;
+  /// One a value of `density`: single-scattering albedo, linear Rec.709, 0 ... 1. Empty: not told.
+  std::vector<std::array<float, 3>> albedo = {};
 };
 
 /// Throws Error(bad_input) for a volume whose sizes or places of bricks do not fit each other, or with a

@@ -11,6 +11,7 @@
 
 #include "host/clouds/cloud_density.h"
 #include "host/clouds/density_volume.h"
+#include "host/world/cloud_grower.h"
 
 namespace offing::cli {
 
@@ -28,6 +29,13 @@ bool has_one_grey(const std::vector<CloudParticle>& particles) {
   });
 }
 
+/// Whether nothing but drift moves a cloud, so that its field is what its particles stand for.
+bool keeps_its_form(const clouds::CloudMotion& motion) {
+  const bool has_wind = motion.wind_mps != glm::dvec3(0.0);
+  const bool leans = has_wind && (motion.shear_per_s != 0.0 || motion.drag != 0.0);
+  return !leans && motion.sway_m == 0.0 && !motion.heat && !motion.obstacle;
+}
+
 /// The value in another volume of the same grid, 0 where that has no brick.
 float value_in(const CloudVolume& volume, std::size_t place, std::size_t cell) {
   const std::int32_t slot = volume.brick_of[place];
@@ -37,11 +45,11 @@ float value_in(const CloudVolume& volume, std::size_t place, std::size_t cell) {
 
 }  // namespace
 
-CloudFrames::CloudFrames(const ocl::Device& device, world::CloudSkyParameters sky)
-    : device_(device), sky_(std::move(sky)) {}
+CloudFrames::CloudFrames(const ocl::Device& device, world::CloudSkyParameters sky, const CancelToken& cancel)
+    : device_(device), cancel_(cancel), sky_(std::move(sky)) {}
 
 world::CloudsView& CloudFrames::view() {
-  if (!view_) view_.emplace(device_, sky_);
+  if (!view_) view_.emplace(device_, world::CloudGrower(device_).grown(sky_, cancel_));
   return *view_;
 }
 
@@ -56,10 +64,15 @@ VdbCloud CloudFrames::volume_at(double time_s, double cell_m) {
   const bool has_given_particles = !sky_.particles.empty() && sky_.particles.front();
   const CloudParameters& first = sky_.clouds.front();
   const bool is_field = first.modelling == clouds::Modelling::sampled || first.shape;
-  if (sky_.clouds.size() > 1 || !is_field || (has_given_particles && !first.shape) || !first.edits.empty()) {
+  if (sky_.clouds.size() > 1 || !is_field || has_given_particles || !first.edits.empty() ||
+      !keeps_its_form(first.motion)) {
     return rasterised_at(time_s, cell_m);
   }
-  VdbCloud cloud{.volume = clouds::density_volume(device_, first, cell_m, time_s)};
+  CloudParameters at_rest = first;
+  at_rest.turbulence.change_per_s = 0.0;  // its particles have the noise of time 0 too
+  VdbCloud cloud{.volume = clouds::density_volume(device_, at_rest, cell_m, time_s)};
+  cloud.albedo = std::exchange(cloud.volume.albedo, {});
+  if (!cloud.albedo.empty()) return cloud;
   const glm::dvec3& albedo = first.look.albedo;
   if (!is_grey(albedo)) {
     cloud.albedo.assign(
@@ -112,7 +125,8 @@ double usual_cell_m(const CloudParticles& cloud) {
   const glm::dvec3 size_m = high - low;
   const double edge_m = std::max({size_m.x, size_m.y, size_m.z, 1e-3}) / cells;
   const double magnitude = std::pow(10.0, std::floor(std::log10(edge_m)));
-  return std::round(edge_m / magnitude * 2.0) / 2.0 * magnitude;  // 1, 1.5, 2 ... 9.5, 10
+  const double round_m = std::round(edge_m / magnitude * 2.0) / 2.0 * magnitude;  // 1, 1.5, 2 ... 9.5, 10
+  return std::clamp(round_m, least_cell_m, largest_cell_m);
 }
 
 }  // namespace offing::cli

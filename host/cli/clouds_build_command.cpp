@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
 
 #include "host/base/argument.h"
 #include "host/base/error_report.h"
@@ -24,6 +25,7 @@
 #include "host/scene/scene_clouds.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/scene_files.h"
+#include "host/scene/unused_cloud_parameters.h"
 
 namespace offing::cli {
 namespace {
@@ -95,15 +97,25 @@ nlohmann::ordered_json facts_of(const CloudParticles& cloud) {
   return {{"particles", cloud.particles.size()}, {"optical_mass_m2", optical_mass_m2}};
 }
 
+/// Files of nothing cannot be read.
+void require_some(std::size_t count, const TimedFile& file) {
+  if (count > 0) return;
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected density at {:g} s, found none", one_line(file.name), file.time_s),
+              "give balls a weight and a size, or choose a time at which there is cloud");
+}
+
 nlohmann::ordered_json write_frame(const BuildArguments& arguments, CloudFrames& frames,
                                    const TimedFile& file, std::optional<double>& cell_m) {
   if (!is_volume(arguments)) {
     const CloudParticles cloud = frames.particles_at(file.time_s);
+    require_some(cloud.particles.size(), file);
     write_cloud_particles(file.name, cloud);
     return facts_of(cloud);
   }
   if (!cell_m) cell_m = usual_cell_m(frames.particles_at(file.time_s));
   const VdbCloud cloud = frames.volume_at(file.time_s, *cell_m);
+  require_some(cloud.volume.density.size(), file);
   write_vdb(file.name, cloud, arguments.half ? VdbPrecision::half : VdbPrecision::single);
   return facts_of(cloud);
 }
@@ -133,13 +145,15 @@ void run(const BuildArguments& arguments, const GlobalOptions& options) {
     throw Error(ErrorKind::bad_usage, "--half, --cell-m: expected a .vdb, found particles", "leave them out");
   }
   std::optional<double> cell_m;
-  if (!arguments.cell_m.empty()) cell_m = read_number("--cell-m", arguments.cell_m, "m", 1e-3, 1e5, "20");
+  if (!arguments.cell_m.empty())
+    cell_m = read_number("--cell-m", arguments.cell_m, "m", least_cell_m, largest_cell_m, "20");
   scene::OceanScene scene = scene::load_scene(arguments.scene);
   if (!arguments.frames_per_second.empty()) {
     scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "24");
   }
   const std::vector<TimedFile> files = files_of(arguments, scene);
   require_outputs(arguments, scene, files);
+  for (const std::string& line : scene::unused_cloud_parameters(scene)) spdlog::warn("{}", line);
   const std::optional<world::CloudSkyParameters> sky = scene::prepare_clouds(scene);
   if (!sky || sky->clouds.empty()) {
     throw Error(ErrorKind::bad_input,
@@ -147,7 +161,7 @@ void run(const BuildArguments& arguments, const GlobalOptions& options) {
                 "add a [[cloud]] section to the scene");
   }
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
-  CloudFrames frames(device, *sky);
+  CloudFrames frames(device, *sky, options.cancel);
   nlohmann::ordered_json facts;
   {
     Progress progress(static_cast<int>(files.size()), "frames", options.verbosity);

@@ -92,7 +92,7 @@ Json scene_facts(const InfoArguments& arguments, const GlobalOptions& options) {
   std::size_t particles = 0;
   if (sky && !sky->clouds.empty()) {
     const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
-    CloudFrames frames(device, *sky);
+    CloudFrames frames(device, *sky, options.cancel);
     const CloudParticles all = frames.particles_at(scene.start_s);
     std::vector<std::size_t> counts(sky->clouds.size());
     std::vector<Box> boxes(sky->clouds.size());

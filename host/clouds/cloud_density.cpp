@@ -11,6 +11,8 @@
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
 #include "host/clouds/ball_bins.h"
+#include "host/clouds/cloud_particle.h"
+#include "host/clouds/field_albedo.h"
 #include "host/clouds/metaball.h"
 #include "host/clouds/noise_octaves.h"
 #include "host/clouds/particle_motion.h"
@@ -22,8 +24,9 @@
 namespace offing::clouds {
 namespace {
 
-// Bricks a launch: 32 MiB of cells, so that a volume is never on device and host twice.
-constexpr std::size_t bricks_a_launch = std::size_t{1} << 14;
+// Bricks a launch: 8 MiB of cells, so that a volume is never on device and host twice, and that slow devices
+// can be stopped within a second or so.
+constexpr std::size_t bricks_a_launch = std::size_t{1} << 12;
 constexpr std::size_t rows_of_brick = CLOUD_BRICK_CELLS * CLOUD_BRICK_CELLS;
 
 /// The kernel for a device, and how many of its work-items share a brick.
@@ -51,7 +54,7 @@ ocl::Buffer<T> uploaded(const ocl::Device& device, std::span<const T> values, co
 /// launch(first, count, density): bricks first ... first + count of brick_index.
 template <typename Launch>
 CloudVolume collected(const ocl::Device& device, const BrickGrid& grid,
-                      std::span<const std::uint32_t> brick_index, const Launch& launch) {
+                      std::span<const std::uint32_t> brick_index, const Work& work, const Launch& launch) {
   require_holdable(brick_index.size(), grid.cell_m);
   CloudVolume volume;
   volume.cell_m = grid.cell_m;
@@ -64,6 +67,7 @@ CloudVolume collected(const ocl::Device& device, const BrickGrid& grid,
   std::int32_t kept = 0;
   for (std::size_t first = 0; first < brick_index.size(); first += most) {
     const std::size_t count = std::min(most, brick_index.size() - first);
+    work.tell(static_cast<double>(first) / static_cast<double>(brick_index.size()));
     launch(first, count, density);
     const auto view = density.map();
     for (std::size_t i = 0; i < count; ++i) {
@@ -104,13 +108,13 @@ CloudFieldParams field_params(const BrickGrid& grid, const CloudParameters& para
 /// Sums of balls, places relative to the grid, frayed by octaves.
 CloudVolume volume_of_balls(const ocl::Device& device, const BrickGrid& grid,
                             std::span<const CloudBall> balls, const CloudFieldParams& params,
-                            std::span<const CloudOctave> octaves) {
+                            std::span<const CloudOctave> octaves, const Work& work) {
   const BallBins bins = ball_bins(grid, balls);
   const DensityKernel density_kernel(device, {});
   const auto device_balls = uploaded(device, balls, "metaballs");
   const auto device_octaves = uploaded(device, octaves, "octaves of noise");
   const auto entries = uploaded(device, std::span<const std::uint32_t>(bins.balls), "balls of bricks");
-  return collected(device, grid, bins.brick_index,
+  return collected(device, grid, bins.brick_index, work,
                    [&](std::size_t first, std::size_t count, const ocl::Buffer<float>& density) {
                      const ocl::Buffer<std::uint32_t> index(
                          device, std::span(bins.brick_index).subspan(first, count), "bricks");
@@ -157,7 +161,8 @@ std::vector<std::uint32_t> bricks_of_shape(const BrickGrid& grid, const CloudVol
 }
 
 CloudVolume volume_of_shape(const ocl::Device& device, const BrickGrid& grid, const CloudVolume& shape,
-                            const CloudFieldParams& params, std::span<const CloudOctave> octaves) {
+                            const CloudFieldParams& params, std::span<const CloudOctave> octaves,
+                            const Work& work) {
   const std::vector<std::uint32_t> bricks = bricks_of_shape(grid, shape);
   const DensityKernel density_kernel(device, ocl::Defines().set_flag("SHAPE"));
   const auto device_octaves = uploaded(device, octaves, "octaves of noise");
@@ -165,15 +170,16 @@ CloudVolume volume_of_shape(const ocl::Device& device, const BrickGrid& grid, co
       uploaded(device, std::span<const std::int32_t>(shape.brick_of), "bricks of the shape");
   const auto values = uploaded(device, std::span<const float>(shape.density), "density of the shape");
   const glm::vec3 corner((shape.origin_m - grid.corner_m) / grid.cell_m);
-  return collected(
-      device, grid, bricks, [&](std::size_t first, std::size_t count, const ocl::Buffer<float>& density) {
-        const ocl::Buffer<std::uint32_t> index(device, std::span(bricks).subspan(first, count), "bricks");
-        density_kernel.kernel.launch(density_kernel.shape(count), params, device_octaves, index, brick_of,
-                                     values, shape.bricks[0], shape.bricks[1], shape.bricks[2], corner.x,
-                                     corner.y, corner.z, static_cast<float>(shape.cell_m / grid.cell_m),
-                                     density);
-        device.finish();  // the list ends with this call
-      });
+  return collected(device, grid, bricks, work,
+                   [&](std::size_t first, std::size_t count, const ocl::Buffer<float>& density) {
+                     const ocl::Buffer<std::uint32_t> index(device, std::span(bricks).subspan(first, count),
+                                                            "bricks");
+                     density_kernel.kernel.launch(density_kernel.shape(count), params, device_octaves, index,
+                                                  brick_of, values, shape.bricks[0], shape.bricks[1],
+                                                  shape.bricks[2], corner.x, corner.y, corner.z,
+                                                  static_cast<float>(shape.cell_m / grid.cell_m), density);
+                     device.finish();  // the list ends with this call
+                   });
 }
 
 CloudBall relative(const glm::dvec3& centre_m, double radius_m, double weight, const BrickGrid& grid) {
@@ -181,21 +187,10 @@ CloudBall relative(const glm::dvec3& centre_m, double radius_m, double weight, c
   return {place.x, place.y, place.z, static_cast<float>(radius_m), static_cast<float>(weight)};
 }
 
-void require_particle(const CloudParticle& particle, std::size_t number) {
-  const auto require = [&](const char* name, float value, double low, double high) {
-    require_within(fmt::format("cloud particle {}: {}", number, name), static_cast<double>(value), low, high);
-  };
-  require("x", particle.x, -1e7, 1e7);
-  require("y", particle.y, -1e7, 1e7);
-  require("z", particle.z, -1e7, 1e7);
-  require("radius", particle.radius, 1e-6, 1e7);
-  require("optical_mass", particle.optical_mass, 0.0, 1e30);
-}
-
 }  // namespace
 
 CloudVolume field_volume(const ocl::Device& device, const CloudParameters& parameters, double cell_m,
-                         double time_s) {
+                         double time_s, const Work& work) {
   require_valid(parameters);
   require_within("cloud.cell_m", cell_m, 1e-3, 1e5);
   CloudVolume volume;
@@ -212,7 +207,12 @@ CloudVolume field_volume(const ocl::Device& device, const CloudParameters& param
     grid = grid_around(shape.origin_m - 0.5 * shape.cell_m, shape.origin_m + size_m + 0.5 * shape.cell_m,
                        cell_m);
     const std::vector<CloudOctave> octaves = octaves_on();
-    volume = volume_of_shape(device, grid, shape, field_params(grid, parameters, octaves.size()), octaves);
+    volume =
+        volume_of_shape(device, grid, shape, field_params(grid, parameters, octaves.size()), octaves, work);
+    if (!shape.albedo.empty()) {
+      volume.origin_m = grid.corner_m;
+      volume.albedo = field_albedo(shape, volume);
+    }
   } else {
     glm::dvec3 low_m(0.0), high_m(0.0);
     for (std::size_t i = 0; i < parameters.balls.size(); ++i) {
@@ -226,7 +226,8 @@ CloudVolume field_volume(const ocl::Device& device, const CloudParameters& param
       balls.push_back(relative(ball.centre_m, ball.radius_m, ball.weight, grid));
     }
     const std::vector<CloudOctave> octaves = octaves_on();
-    volume = volume_of_balls(device, grid, balls, field_params(grid, parameters, octaves.size()), octaves);
+    volume =
+        volume_of_balls(device, grid, balls, field_params(grid, parameters, octaves.size()), octaves, work);
   }
   volume.origin_m = cloud_origin_m(parameters, time_s) + grid.corner_m;
   volume.extinction_per_m = parameters.look.extinction_per_m;
@@ -243,7 +244,7 @@ CloudVolume rasterised(const ocl::Device& device, std::span<const CloudParticle>
   };
   glm::dvec3 low_m(0.0), high_m(0.0);
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    require_particle(particles[i], i);
+    require_valid(particles[i], i);
     const glm::dvec3 centre_m(particles[i].x, particles[i].y, particles[i].z);
     low_m = i == 0 ? centre_m - radius_m(particles[i]) : glm::min(low_m, centre_m - radius_m(particles[i]));
     high_m = i == 0 ? centre_m + radius_m(particles[i]) : glm::max(high_m, centre_m + radius_m(particles[i]));
@@ -266,7 +267,7 @@ CloudVolume rasterised(const ocl::Device& device, std::span<const CloudParticle>
           static_cast<float>(static_cast<double>(particles[i].optical_mass) / (volume_m3 * extinction_per_m));
     }
   }
-  CloudVolume volume = volume_of_balls(device, grid, balls, field_params(grid), {});
+  CloudVolume volume = volume_of_balls(device, grid, balls, field_params(grid), {}, {});
   volume.origin_m = grid.corner_m;
   volume.extinction_per_m = extinction_per_m;
   return volume;

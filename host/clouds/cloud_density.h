@@ -3,6 +3,7 @@
 #include <span>
 
 #include "host/base/cloud_volume.h"
+#include "host/base/work.h"
 #include "host/clouds/cloud_parameters.h"
 #include "host/ocl/device.h"
 
@@ -10,14 +11,14 @@ namespace offing::clouds {
 
 /// The density of a cloud of metaballs or of a shape, frayed by its noise (C1 ... C3), in cells of cell_m.
 /// Only bricks with any density are kept. Places are those of the world at that time: the cloud's axes, at
-/// its position, carried along by its wind.
+/// its position, carried along by its wind. A shape that tells albedos gives them.
 ///
 /// Accuracy: 1e-5 of the largest density, against a double-precision reference (tests/clouds/
 /// cloud_density_test.cpp), wherever the cloud is.
 /// Throws what require_valid() throws; Error(bad_input) for a cell that gives more bricks than can be counted
-/// or held; Error(out_of_memory).
+/// or held; Error(out_of_memory), Error(cancelled).
 CloudVolume field_volume(const ocl::Device& device, const CloudParameters& parameters, double cell_m,
-                         double time_s);
+                         double time_s, const Work& work = {});
 
 /// The extinction of particles in cells of cell_m, in the particles' axes: of each its optical mass, to the
 /// rounding of a float, spread as h is (C1). A particle smaller than a cell spreads over a cell.

@@ -28,7 +28,7 @@ std::size_t cells_with_density(const CloudVolume& volume) {
 }
 
 /// The field in cells such that there are some for each particle.
-CloudVolume volume_to_sample(const ocl::Device& device, const CloudParameters& parameters) {
+CloudVolume volume_to_sample(const ocl::Device& device, const CloudParameters& parameters, const Work& work) {
   double volume_m3 = 0.0;
   for (const Metaball& ball : parameters.balls) {
     volume_m3 += 4.0 / 3.0 * std::numbers::pi * std::pow(ball.radius_m, 3);
@@ -37,13 +37,17 @@ CloudVolume volume_to_sample(const ocl::Device& device, const CloudParameters& p
     volume_m3 = static_cast<double>(parameters.shape->density.size()) * std::pow(parameters.shape->cell_m, 3);
   }
   double cell_m = std::cbrt(std::max(volume_m3, 1e-9) / (cells_a_particle * parameters.target_particles));
-  CloudVolume volume = field_volume(device, parameters, std::max(cell_m, 1e-3), 0.0);
+  constexpr int rounds = 3;
+  const auto part = [&](int round) {
+    return work.part(round / (rounds + 1.0), (round + 1) / (rounds + 1.0));
+  };
+  CloudVolume volume = field_volume(device, parameters, std::max(cell_m, 1e-3), 0.0, part(0));
   // Balls overlap and shapes fill their bricks in part: the true volume is known from the field alone.
-  for (int round = 0; round < 3; ++round) {
+  for (int round = 1; round <= rounds; ++round) {
     const double found = static_cast<double>(cells_with_density(volume)) / parameters.target_particles;
     if (found == 0.0 || (found >= fewest_cells_a_particle && found <= most_cells_a_particle)) break;
     cell_m *= std::cbrt(found / cells_a_particle);
-    volume = field_volume(device, parameters, std::max(cell_m, 1e-3), 0.0);
+    volume = field_volume(device, parameters, std::max(cell_m, 1e-3), 0.0, part(round));
   }
   return volume;
 }
@@ -63,14 +67,26 @@ void require_room(const ocl::Device& device, const CloudParameters& parameters) 
       "ask for fewer, or lower clouds.quality");
 }
 
-std::vector<CloudParticle> sampled(const ocl::Device& device, const CloudParameters& parameters) {
+std::vector<CloudParticle> sampled(const ocl::Device& device, const CloudParameters& parameters,
+                                   const Work& work) {
   require_room(device, parameters);
-  const CloudVolume volume = volume_to_sample(device, parameters);
+  constexpr double share_of_field = 0.2;
+  CloudVolume field;
+  const bool takes_cells = parameters.shape && parameters.takes_cells_of_shape;
+  try {
+    if (!takes_cells) field = volume_to_sample(device, parameters, work.part(0.0, share_of_field));
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::bad_input) throw;
+    // Cells follow from the target: nobody gave them.
+    throw Error(error.kind(), error.what(),
+                "ask for fewer cloud.target_particles, or bring its parts closer together");
+  }
+  const CloudVolume& volume = takes_cells ? *parameters.shape : field;
   std::vector<CloudParticle> particles = sampled_particles(volume,
                                                            {.sampling = parameters.sampling,
                                                             .target_particles = parameters.target_particles,
                                                             .seed = parameters.seed},
-                                                           parameters.look);
+                                                           parameters.look, work.part(share_of_field, 1.0));
   const glm::vec3 shift(volume.origin_m);
   for (CloudParticle& particle : particles) {
     particle.x += shift.x;
@@ -80,9 +96,9 @@ std::vector<CloudParticle> sampled(const ocl::Device& device, const CloudParamet
   return particles;
 }
 
-std::vector<CloudParticle> hierarchical(const CloudParameters& parameters) {
+std::vector<CloudParticle> hierarchical(const CloudParameters& parameters, const Work& work) {
   const std::vector<HierarchyParticle> grown =
-      grown_hierarchy(parameters.balls, parameters.levels, parameters.seed);
+      grown_hierarchy(parameters.balls, parameters.levels, parameters.seed, work);
   std::vector<double> weights(grown.size());  // of the seed that each comes from
   std::vector<CloudParticle> particles;
   for (std::size_t i = 0; i < grown.size(); ++i) {
@@ -112,15 +128,16 @@ ocl::Buffer<CloudParticle> uploaded(const ocl::Device& device, std::span<const C
 
 }  // namespace
 
-std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const CloudParameters& parameters) {
+std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const CloudParameters& parameters,
+                                             const Work& work) {
   require_valid(parameters);
   const bool grows = parameters.modelling == Modelling::hierarchical && !parameters.shape;
-  if (grows) return hierarchical(parameters);
+  if (grows) return hierarchical(parameters, work);
   // Where it is would round its places.
   CloudParameters here = parameters;
   here.position_m = glm::dvec3(0.0);
   here.motion = {};
-  return sampled(device, here);
+  return sampled(device, here, work);
 }
 
 CloudModel::CloudModel(const ocl::Device& device, const CloudParameters& parameters, std::uint32_t cloud)

@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "host/base/work.h"
 #include "host/clouds/cloud_parameters.h"
 #include "host/clouds/particle_motion.h"
 #include "host/ocl/buffer.h"
@@ -18,7 +19,9 @@ namespace offing::clouds {
 /// sampled_particles() and grown_hierarchy() throw, and Error(out_of_memory) where
 /// target_particles are more than an array of the device can hold. They depend neither on where the cloud is
 /// nor on how it moves, and have none of its edits.
-std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const CloudParameters& parameters);
+/// Throws Error(cancelled) soon after it is asked to stop.
+std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const CloudParameters& parameters,
+                                             const Work& work = {});
 
 /// A cloud of particles that moves. The same parameters give the same particles with the same ids; any time
 /// is reached at once, whatever time was asked for before.

@@ -43,7 +43,7 @@ void require_valid(const CloudLook& look) {
   require_within("cloud.g", look.g, -0.99, 0.99);
   require_within("cloud.g_back", look.g_back, -0.99, 0.99);
   require_within("cloud.forward_share", look.forward_share, 0.0, 1.0);
-  require_within("cloud.droplet_um", look.droplet_um, 0.1, 1000.0);
+  require_within("cloud.droplet_um", look.droplet_um, smallest_droplet_um, largest_droplet_um);
 }
 
 void require_valid(const CloudMotion& motion) {

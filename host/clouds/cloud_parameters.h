@@ -62,6 +62,9 @@ enum class PhaseKind { rayleigh, henyey_greenstein, double_henyey_greenstein, mi
 /// Which puff textures particles have (C8): crisp as a cauliflower, or soft and wispy.
 enum class PuffSet { crisp, soft };
 
+/// Diameters for which droplet phase functions are known (Jendersie & d'Eon 2023), um.
+inline constexpr double smallest_droplet_um = 5.0, largest_droplet_um = 50.0;
+
 struct CloudLook {
   double extinction_per_m = 0.02;  ///< of density 1
   glm::dvec3 albedo{0.9999};       ///< of single scattering
@@ -124,6 +127,8 @@ struct CloudParameters {
   std::vector<Metaball> balls = {};
   /// In place of balls: density 0 ... 1 of a shape, in the cloud's axes (meshes, text, VDB files).
   std::shared_ptr<const CloudVolume> shape = {};
+  /// Whether particles are merged from the cells that the shape has, in place of those of its frayed field.
+  bool takes_cells_of_shape = false;
   Turbulence turbulence = {};
   Sampling sampling = Sampling::uniform;
   int target_particles = 1000;  ///< of a sampled cloud

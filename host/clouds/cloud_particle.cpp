@@ -2,9 +2,23 @@
 
 #include <numbers>
 
+#include <fmt/format.h>
+
+#include "host/base/parameter_check.h"
 #include "kernels/shared/random.h"
 
 namespace offing::clouds {
+
+void require_valid(const CloudParticle& particle, std::size_t number) {
+  const auto require = [&](const char* name, float value, double low, double high) {
+    require_within(fmt::format("cloud particle {}: {}", number, name), static_cast<double>(value), low, high);
+  };
+  require("x", particle.x, -1e7, 1e7);
+  require("y", particle.y, -1e7, 1e7);
+  require("z", particle.z, -1e7, 1e7);
+  require("radius", particle.radius, 1e-6, 1e7);
+  require("optical_mass", particle.optical_mass, 0.0, 1e30);
+}
 
 CloudParticle cloud_particle(const glm::dvec3& place_m, double radius_m, double optical_mass_m2,
                              const CloudLook& look, const ParticleKey& key) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <glm/vec3.hpp>
@@ -8,6 +9,9 @@
 #include "kernels/shared/clouds.h"
 
 namespace offing::clouds {
+
+/// Throws Error(bad_input) that names the particle by its number and its first value out of range.
+void require_valid(const CloudParticle& particle, std::size_t number);
 
 /// Which particle of which seed: what its texture and its turn are drawn from.
 struct ParticleKey {

@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "host/base/work.h"
 #include "host/clouds/cloud_parameters.h"
 
 namespace offing::clouds {
@@ -27,8 +28,10 @@ struct HierarchyParticle {
 /// too close. What gaps remain are filled: in the end no sphere has room for another child of the smallest
 /// radius of its level, ratio times the parent's.
 ///
-/// The same seed gives the same particles. Throws Error(bad_input) for more than 10^7.
+/// The same seed gives the same particles. Throws Error(bad_input) for more than 10^7, where it can be told
+/// before a level is grown, and Error(cancelled).
 std::vector<HierarchyParticle> grown_hierarchy(std::span<const Metaball> seeds,
-                                               std::span<const HierarchyLevel> levels, std::uint64_t seed);
+                                               std::span<const HierarchyLevel> levels, std::uint64_t seed,
+                                               const Work& work = {});
 
 }  // namespace offing::clouds

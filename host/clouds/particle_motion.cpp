@@ -41,7 +41,10 @@ CloudMotionParams motion_params(const CloudParameters& parameters, double time_s
     params.condensation = static_cast<float>(motion.heat->condensation_m);
     params.condensing = static_cast<float>(motion.heat->condensing_m);
   }
-  if (motion.obstacle) {
+  const glm::dvec3 velocity_mps = cloud_velocity_mps(parameters, time_s);
+  // What stands still is where it was put, and flows around nothing.
+  if (const double speed_mps = glm::length(velocity_mps); motion.obstacle && speed_mps > 0.0) {
+    set(velocity_mps / speed_mps, params.flow_x, params.flow_y, params.flow_z);
     set(motion.obstacle->centre_m - origin_m, params.sphere_x, params.sphere_y, params.sphere_z);
     params.sphere_radius = static_cast<float>(motion.obstacle->radius_m);
   }
@@ -54,6 +57,13 @@ glm::dvec3 cloud_origin_m(const CloudParameters& parameters, double time_s) {
   if (!parameters.motion.path) return parameters.position_m + parameters.motion.wind_mps * time_s;
   const auto& path = *parameters.motion.path;
   return {value_at(path[0], time_s), value_at(path[1], time_s), value_at(path[2], time_s)};
+}
+
+glm::dvec3 cloud_velocity_mps(const CloudParameters& parameters, double time_s) {
+  if (!parameters.motion.path) return parameters.motion.wind_mps;
+  constexpr double half_s = 0.05;  // within the time of a frame or two
+  return (cloud_origin_m(parameters, time_s + half_s) - cloud_origin_m(parameters, time_s - half_s)) /
+         (2.0 * half_s);
 }
 
 double lift_m(const CloudHeat& heat, double time_s) {

@@ -17,6 +17,9 @@ namespace offing::clouds {
 /// wind.
 glm::dvec3 cloud_origin_m(const CloudParameters& parameters, double time_s);
 
+/// How fast that moves: along its path, m/s to the rounding of its places; else the wind.
+glm::dvec3 cloud_velocity_mps(const CloudParameters& parameters, double time_s);
+
 /// How far warm air has lifted a cloud, m: the solution of
 ///   z'' + 2 c z' + N^2 z = g / T dT exp(-(t - t0) / tau),  z = z' = 0 at t0, 0 before,
 /// an excess dT that cools in still air of stability N, its swings damped by c; g / T = 9.81 / 280 m/(s^2 K).

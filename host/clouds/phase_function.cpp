@@ -42,7 +42,7 @@ std::vector<PhaseLobe> lobes_of(const CloudLook& look) {
       require_within("forward_share", look.forward_share, 0.0, 1.0);
       return {{look.forward_share, look.g, 0.0}, {1.0 - look.forward_share, look.g_back, 0.0}};
     case PhaseKind::mie_droplet:
-      require_within("droplet_um", look.droplet_um, 5.0, 50.0);
+      require_within("droplet_um", look.droplet_um, smallest_droplet_um, largest_droplet_um);
       return droplet_lobes(look.droplet_um);
   }
   throw Error(ErrorKind::bad_input, "look.phase: expected one of the four kinds of phase functions");

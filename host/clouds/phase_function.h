@@ -21,7 +21,7 @@ struct PhaseLobe {
 class PhaseFunction {
  public:
   /// Throws Error(bad_input) unless -1 < g < 1 and -1 < g_back < 1, forward_share is within 0 ... 1 and
-  /// droplet_um within 5 ... 50, of those that the kind reads.
+  /// droplet_um within smallest_droplet_um ... largest_droplet_um, of those that the kind reads.
   explicit PhaseFunction(const CloudLook& look);
 
   const std::vector<PhaseLobe>& lobes() const { return lobes_; }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <queue>
 
 #include <glm/geometric.hpp>
@@ -41,19 +40,22 @@ struct Pair {
 
 class Merging {
  public:
-  Merging(const VolumeSamples& samples, std::uint64_t seed) {
+  Merging(const VolumeSamples& samples, std::uint64_t seed, const Work& work) : work_(work) {
+    clusters_.reserve(samples.samples.size());
     std::array<int, 3> lowest{};
     if (!samples.samples.empty()) lowest = samples.samples.front().block;
     for (const VolumeSample& sample : samples.samples) {
       for (std::size_t axis = 0; axis < 3; ++axis) lowest[axis] = std::min(lowest[axis], sample.block[axis]);
     }
     for (const VolumeSample& sample : samples.samples) {
+      work_.poll();
       const auto number = static_cast<std::uint32_t>(clusters_.size());
       clusters_.push_back({sample, 1.0, unwillingness(sample.block, lowest, seed), {}, number});
       largest_mass_ = std::max(largest_mass_, sample.mass);
     }
     find_neighbours();
     for (std::uint32_t a = 0; a < clusters_.size(); ++a) {
+      work_.poll();
       for (const std::uint32_t b : clusters_[a].neighbours) {
         if (b > a) push(a, b);
       }
@@ -62,7 +64,11 @@ class Merging {
 
   void reduce_to(std::size_t most) {
     std::size_t left = clusters_.size();
+    const double all = static_cast<double>(left) - static_cast<double>(most);
+    constexpr std::size_t merges_a_tell = 1024;
     while (left > most && !pairs_.empty()) {
+      work_.poll();
+      if (left % merges_a_tell == 0) work_.tell(static_cast<double>(clusters_.size() - left) / all);
       const Pair pair = pairs_.top();
       pairs_.pop();
       if (clusters_[pair.a].into != pair.a || clusters_[pair.b].into != pair.b) continue;
@@ -90,16 +96,21 @@ class Merging {
   }
 
   void find_neighbours() {
-    std::map<std::array<int, 3>, std::uint32_t> number_of;
-    for (std::uint32_t i = 0; i < clusters_.size(); ++i) number_of.emplace(clusters_[i].sum.block, i);
-    for (const auto& [block, number] : number_of) {
+    const auto order = [](const std::array<int, 3>& block) {
+      return std::array{block[2], block[1], block[0]};
+    };
+    for (std::uint32_t number = 0; number < clusters_.size(); ++number) {
+      work_.poll();
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::array<int, 3> next = block;
+        std::array<int, 3> next = clusters_[number].sum.block;
         ++next[axis];
-        const auto found = number_of.find(next);
-        if (found == number_of.end()) continue;
-        clusters_[number].neighbours.push_back(found->second);
-        clusters_[found->second].neighbours.push_back(number);
+        const auto found = std::lower_bound(clusters_.begin(), clusters_.end(), order(next),
+                                            [&](const Cluster& cluster, const std::array<int, 3>& key) {
+                                              return order(cluster.sum.block) < key;
+                                            });
+        if (found == clusters_.end() || found->sum.block != next) continue;
+        clusters_[number].neighbours.push_back(static_cast<std::uint32_t>(found - clusters_.begin()));
+        found->neighbours.push_back(number);
       }
     }
     for (Cluster& cluster : clusters_) std::sort(cluster.neighbours.begin(), cluster.neighbours.end());
@@ -138,6 +149,7 @@ class Merging {
     }
   }
 
+  const Work& work_;
   std::vector<Cluster> clusters_;
   std::priority_queue<Pair> pairs_;
   double largest_mass_ = 0.0;
@@ -145,8 +157,9 @@ class Merging {
 
 }  // namespace
 
-std::vector<VolumeSample> merged_samples(const VolumeSamples& samples, std::size_t most, std::uint64_t seed) {
-  Merging merging(samples, seed);
+std::vector<VolumeSample> merged_samples(const VolumeSamples& samples, std::size_t most, std::uint64_t seed,
+                                         const Work& work) {
+  Merging merging(samples, seed, work);
   merging.reduce_to(most);
   return merging.rest();
 }

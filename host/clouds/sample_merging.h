@@ -14,6 +14,12 @@ namespace offing::clouds {
 /// criterion (Ward 1963), weighed by how alike they are; s makes all the same interiors fall into parts of
 /// about one size. Each part is more or less willing by chance, or those of even density would be merged in
 /// rows and lie on a lattice. Where nothing touches any more, the rest stays apart.
-std::vector<VolumeSample> merged_samples(const VolumeSamples& samples, std::size_t most, std::uint64_t seed);
+///
+/// samples: ordered as volume_samples() has them; what is left has that order too. Takes about
+/// merging_bytes for each. Throws Error(cancelled).
+std::vector<VolumeSample> merged_samples(const VolumeSamples& samples, std::size_t most, std::uint64_t seed,
+                                         const Work& work = {});
+
+inline constexpr double merging_bytes = 400.0;
 
 }  // namespace offing::clouds

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "host/base/cloud_volume.h"
+#include "host/base/work.h"
 #include "host/clouds/cloud_parameters.h"
+#include "host/ocl/host_memory.h"
 #include "kernels/shared/clouds.h"
 
 namespace offing::clouds {
@@ -13,6 +15,7 @@ struct SamplingOptions {
   Sampling sampling = Sampling::uniform;
   int target_particles = 1000;
   std::uint64_t seed = 1;
+  std::uint64_t most_bytes = ocl::available_host_memory_bytes();  ///< that merging may take
 };
 
 /// Particles that stand for a volume (C5), places relative to its origin, at most as many as aimed at, and
@@ -29,8 +32,9 @@ struct SamplingOptions {
 /// A particle's radius is 1.6 times the one that would spread its mass as far as the cells that it
 /// stands for do (equal second moments), so that particles overlap into an even density. The same volume and
 /// options give the same particles, however its bricks are stored. Throws what require_valid() of a volume
-/// throws, and Error(bad_input) for a target outside 1 ... 10^7.
+/// throws, and Error(bad_input) for a target outside 1 ... 10^7, Error(out_of_memory) for one
+/// whose cells memory cannot hold, Error(cancelled).
 std::vector<CloudParticle> sampled_particles(const CloudVolume& volume, const SamplingOptions& options,
-                                             const CloudLook& look);
+                                             const CloudLook& look, const Work& work = {});
 
 }  // namespace offing::clouds

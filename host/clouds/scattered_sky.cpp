@@ -79,7 +79,7 @@ std::vector<CloudParameters> scattered_sky(const SkyCover& cover, std::uint64_t 
       throw Error(ErrorKind::bad_input,
                   fmt::format("cloud layer: {} {} cover {:.3f} of the ground, expected {:.3f}", number,
                               range.name, ground.share(), cover.coverage),
-                  "take a smaller extent or coverage, or more clouds (most_clouds)");
+                  "take a smaller extent or coverage, or allow more clouds");
     }
     RandomDraws draws(seed, OFFING_STREAM_CLOUD_SKY, number, static_cast<int>(cover.genus));
     const double size = 1.0 + cover.size_spread * draws.between(-1.0, 1.0);

@@ -15,7 +15,8 @@ using enum ParameterMotion;
 constexpr auto singles = &OceanScene::clouds;
 constexpr auto layers = &OceanScene::cloud_layers;
 constexpr auto common = &OceanScene::cloud_settings;
-constexpr std::size_t max_clouds = 4096, max_layers = 64, max_balls = 4096, max_levels = 6;
+constexpr std::size_t max_clouds = 4096, max_layers = 64, max_levels = 6;
+constexpr std::size_t max_balls = 16'384;  // the editor writes out those of a genus: a cirrus has some 5000
 constexpr double farthest_m = 1e7, highest_m = 50e3;
 
 std::vector<std::string_view> genera() {
@@ -158,14 +159,17 @@ std::vector<Parameter> modelling_rows() {
       {{.key = "cloud.modelling",
         .storage =
             choice_at<&element<singles, &CloudScene::modelling>>({"as_genus", "sampled", "hierarchical"}),
-        .help = "particles sampled from the density of its balls, or grown on balls as on seeds"},
+        .help = "particles sampled from the density of its balls, or grown on balls as on seeds",
+        .use = ParameterUse::balled_cloud},
        {.key = "cloud.sampling",
         .storage = choice_at<&element<singles, &CloudScene::sampling>>({"as_genus", "uniform", "random"}),
-        .help = "where the density of a sampled cloud is read: on a grid and merged, or at random places"},
+        .help = "where the density of a sampled cloud is read: on a grid and merged, or at random places",
+        .use = ParameterUse::sampled_cloud},
        {.key = "cloud.target_particles",
         .storage = &element<singles, &CloudScene::target_particles>,
         .high = 1e7,
-        .help = "about how many a sampled cloud gets, 0: as its genus"},
+        .help = "about how many a sampled cloud gets, 0: as its genus",
+        .use = ParameterUse::sampled_cloud},
        {.key = "cloud.base_m",
         .storage = &element<singles, &CloudScene::base_m>,
         .unit = "m",
@@ -173,7 +177,14 @@ std::vector<Parameter> modelling_rows() {
         .high = 1e6,
         .help = "height below which a hierarchical cloud is pressed flat, above its middle",
         .example = "-100",
-        .absent = "as its genus"}});
+        .absent = "as its genus",
+        .use = ParameterUse::grown_cloud}});
+}
+
+/// Rows that matter to some clouds only.
+std::vector<Parameter> used_by(ParameterUse use, std::vector<Parameter> rows) {
+  for (Parameter& row : rows) row.use = use;
+  return rows;
 }
 
 std::vector<Parameter> ball_rows() {
@@ -206,30 +217,33 @@ std::vector<Parameter> ball_rows() {
                   .low = 0.0,
                   .high = 1e4,
                   .help = "density in its middle"});
-  return rows_of_section(section_of_inner_list<singles, list>, ParameterGroup::cloud_ball, max_balls,
-                         std::move(rows));
+  return used_by(ParameterUse::balled_cloud,
+                 rows_of_section(section_of_inner_list<singles, list>, ParameterGroup::cloud_ball, max_balls,
+                                 std::move(rows)));
 }
 
 std::vector<Parameter> level_rows() {
   using clouds::HierarchyLevel;
   constexpr auto list = &CloudScene::levels;
-  return rows_of_section(section_of_inner_list<singles, list>, ParameterGroup::cloud_level, max_levels,
-                         {{.key = "cloud.level.ratio",
-                           .storage = &inner_element<singles, list, &HierarchyLevel::ratio>,
-                           .low = 0.02,
-                           .high = 1.0,
-                           .help = "radius of its particles, in those of the level above"},
-                          {.key = "cloud.level.deviation_m",
-                           .storage = &inner_element<singles, list, &HierarchyLevel::deviation_m>,
-                           .unit = "m",
-                           .low = 0.0,
-                           .high = 1e6,
-                           .help = "added to the radius above by chance, up to this much"},
-                          {.key = "cloud.level.repulsion",
-                           .storage = &inner_element<singles, list, &HierarchyLevel::repulsion>,
-                           .low = 0.05,
-                           .high = 20.0,
-                           .help = "spacing in drawn radii: above 1 they stand apart, below they overlap"}});
+  return used_by(
+      ParameterUse::grown_cloud,
+      rows_of_section(section_of_inner_list<singles, list>, ParameterGroup::cloud_level, max_levels,
+                      {{.key = "cloud.level.ratio",
+                        .storage = &inner_element<singles, list, &HierarchyLevel::ratio>,
+                        .low = 0.02,
+                        .high = 1.0,
+                        .help = "radius of its particles, in those of the level above"},
+                       {.key = "cloud.level.deviation_m",
+                        .storage = &inner_element<singles, list, &HierarchyLevel::deviation_m>,
+                        .unit = "m",
+                        .low = 0.0,
+                        .high = 1e6,
+                        .help = "added to the radius above by chance, up to this much"},
+                       {.key = "cloud.level.repulsion",
+                        .storage = &inner_element<singles, list, &HierarchyLevel::repulsion>,
+                        .low = 0.05,
+                        .high = 20.0,
+                        .help = "spacing in drawn radii: above 1 they stand apart, below they overlap"}}));
 }
 
 }  // namespace

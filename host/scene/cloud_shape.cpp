@@ -1,6 +1,7 @@
 #include "host/scene/cloud_shape.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <utility>
@@ -8,8 +9,8 @@
 #include <glm/common.hpp>
 
 #include "host/base/camera.h"
+#include "host/clouds/cloud_particle.h"
 #include "host/clouds/mesh_volume.h"
-#include "host/clouds/sampled_particles.h"
 #include "host/io/clouds/cloud_particles.h"
 #include "host/io/meshes/read_mesh.h"
 #include "host/io/text/text_mesh.h"
@@ -22,6 +23,16 @@ namespace offing::scene {
 namespace {
 
 using clouds::CloudParameters;
+
+/// Tells faults of what `make` makes at the place of a key.
+template <typename Make>
+auto at_key(const OceanScene& scene, const ValueKey& key, const Make& make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("{}: {}", place_of_name(scene, key), error.what()), error.hint());
+  }
+}
 
 /// The particles of a .ply, all of this cloud, with its colour where the scene gives one.
 RestingParticles particles_of(const OceanScene& scene, std::size_t index) {
@@ -36,6 +47,9 @@ RestingParticles particles_of(const OceanScene& scene, std::size_t index) {
     particle.z = particle.z * scale + shift.z;
     particle.radius *= scale;
     particle.optical_mass *= scale * scale;  // extinction over the volume, as thick for light as before
+    at_key(scene, {"cloud.file", {index, 0}}, [&] {
+      clouds::require_valid(particle, static_cast<std::size_t>(&particle - file.particles.data()));
+    });
     if (cloud.look.albedo) {
       particle.red = static_cast<float>(cloud.look.albedo->x);
       particle.green = static_cast<float>(cloud.look.albedo->y);
@@ -46,7 +60,7 @@ RestingParticles particles_of(const OceanScene& scene, std::size_t index) {
 }
 
 /// Sampled as a volume of balls is (C5), from the cells of the file.
-RestingParticles take_volume(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
+void take_volume(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
   const CloudScene& cloud = scene.clouds[index];
   VdbCloud file = read_named(scene, {"cloud.file", {index, 0}}, "a volume", cloud.shape.file,
                              [&] { return read_vdb(cloud.shape.file, cloud.shape.grid); });
@@ -61,24 +75,9 @@ RestingParticles take_volume(const OceanScene& scene, std::size_t index, CloudPa
   if (!cloud.noise.blend) parameters.turbulence.blend = 0.0;
   if (!cloud.noise.wisp) parameters.turbulence.wisp = 1.0;
   const bool is_frayed = parameters.turbulence.blend > 0.0 || parameters.turbulence.wisp != 1.0;
-  RestingParticles at_rest;
-  if (!is_frayed) {
-    std::vector<CloudParticle> particles =
-        clouds::sampled_particles(file.volume,
-                                  {.sampling = parameters.sampling,
-                                   .target_particles = parameters.target_particles,
-                                   .seed = parameters.seed},
-                                  parameters.look);
-    const glm::vec3 shift(file.volume.origin_m);
-    for (CloudParticle& particle : particles) {
-      particle.x += shift.x;
-      particle.y += shift.y;
-      particle.z += shift.z;
-    }
-    at_rest = std::make_shared<const std::vector<CloudParticle>>(std::move(particles));
-  }
+  if (!cloud.look.albedo) file.volume.albedo = std::move(file.albedo);
+  parameters.takes_cells_of_shape = !is_frayed;
   parameters.shape = std::make_shared<const CloudVolume>(std::move(file.volume));
-  return at_rest;
 }
 
 /// A mesh whose longest edge of the box around it is as long as asked, about its middle.
@@ -89,7 +88,14 @@ TriangleMesh fitted(TriangleMesh mesh, double size_m) {
     high = glm::max(high, place_m);
   }
   const glm::dvec3 extent_m = high - low, middle_m = 0.5 * (low + high);
-  const double scale = size_m / std::max({extent_m.x, extent_m.y, extent_m.z});
+  const double longest_m = std::max({extent_m.x, extent_m.y, extent_m.z});
+  if (!(longest_m > 0.0 && std::isfinite(longest_m))) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("cloud shape: expected a mesh that encloses something, found one {:g} m long",
+                            mesh.positions_m.empty() ? 0.0 : longest_m),
+                "check the mesh with `offing-mesh check`");
+  }
+  const double scale = size_m / longest_m;
   for (glm::dvec3& place_m : mesh.positions_m) place_m = scale * (place_m - middle_m);
   return mesh;
 }
@@ -110,9 +116,26 @@ void take_solid(const CloudScene& cloud, TriangleMesh mesh, CloudParameters& par
   constexpr double most_cells = 192.0, cells_of_rise = 3.0;
   const double rise_m = cloud.scale * (shape.thickness_m + shape.fluff_m);
   const double cell_m = std::max(rise_m / cells_of_rise, cloud.scale * shape.size_m / most_cells);
-  CloudVolume volume = clouds::mesh_volume(mesh, {.cell_m = cell_m,
-                                                  .thickness_m = cloud.scale * shape.thickness_m,
-                                                  .fluff_m = cloud.scale * shape.fluff_m});
+  const double size_m = cloud.scale * shape.size_m;
+  if (rise_m / cells_of_rise > size_m) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("cloud shape: {:g} m are too small for density that rises over {:g} m, thickness_m "
+                    "and fluff_m together",
+                    size_m, rise_m),
+        "lower cloud.thickness_m and cloud.fluff_m, or raise cloud.size_m");
+  }
+  CloudVolume volume;
+  try {
+    volume = clouds::mesh_volume(mesh, {.cell_m = cell_m,
+                                        .thickness_m = cloud.scale * shape.thickness_m,
+                                        .fluff_m = cloud.scale * shape.fluff_m});
+  } catch (const Error& error) {
+    // Cells are no key of a scene: they follow from these.
+    throw Error(error.kind(), error.what(),
+                "lower cloud.thickness_m and cloud.fluff_m, raise cloud.size_m, or check the mesh "
+                "(`offing-mesh check`)");
+  }
   volume.extinction_per_m = parameters.look.extinction_per_m;
   parameters.modelling = clouds::Modelling::sampled;
   parameters.shape = std::make_shared<const CloudVolume>(std::move(volume));
@@ -139,13 +162,24 @@ MeshShape mesh_shape_of(CloudSolid solid) {
   return MeshShape::knot;
 }
 
-/// Tells faults of what `make` makes at the place of a key.
-template <typename Make>
-auto at_key(const OceanScene& scene, const ValueKey& key, const Make& make) {
-  try {
-    return make();
-  } catch (const Error& error) {
-    throw Error(error.kind(), fmt::format("{}: {}", place_of_name(scene, key), error.what()), error.hint());
+/// What makes a cloud is said once: the rest would be ignored.
+void require_one_source(const OceanScene& scene, std::size_t index) {
+  const CloudShapeScene& shape = scene.clouds[index].shape;
+  const std::pair<const char*, bool> sources[]{{"cloud.file", !shape.file.empty()},
+                                               {"cloud.mesh", !shape.mesh.empty()},
+                                               {"cloud.text", !shape.text.empty()},
+                                               {"cloud.shape", shape.solid != CloudSolid::none}};
+  const char* first = nullptr;
+  for (const auto& [key, is_given] : sources) {
+    if (!is_given) continue;
+    if (first != nullptr) {
+      throw Error(
+          ErrorKind::bad_input,
+          fmt::format("{}: expected one of cloud.file, cloud.mesh, cloud.text and cloud.shape, found {} too",
+                      place_of_name(scene, {key, {index, 0}}), first),
+          "leave one of them out");
+    }
+    first = key;
   }
 }
 
@@ -154,6 +188,7 @@ auto at_key(const OceanScene& scene, const ValueKey& key, const Make& make) {
 RestingParticles take_shape(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
   const CloudScene& cloud = scene.clouds[index];
   if (!cloud.shape.is_given()) return nullptr;
+  require_one_source(scene, index);
   const ElementIndex element{index, 0};
   const double size_m = cloud.scale * cloud.shape.size_m;
   if (cloud.shape.file.empty()) {
@@ -168,13 +203,18 @@ RestingParticles take_shape(const OceanScene& scene, std::size_t index, CloudPar
       });
     } else if (cloud.shape.solid != CloudSolid::none) {
       constexpr int detail = 2;
-      take_solid(cloud, fitted(made_shape(mesh_shape_of(cloud.shape.solid), 1.0, detail).mesh, size_m),
-                 parameters);
+      at_key(scene, {"cloud.shape", element}, [&] {
+        take_solid(cloud, fitted(made_shape(mesh_shape_of(cloud.shape.solid), 1.0, detail).mesh, size_m),
+                   parameters);
+      });
     }
     return nullptr;
   }
   const std::filesystem::path extension = std::filesystem::path(cloud.shape.file).extension();
-  if (extension == ".vdb") return take_volume(scene, index, parameters);
+  if (extension == ".vdb") {
+    take_volume(scene, index, parameters);
+    return nullptr;
+  }
   if (extension == ".ply") return particles_of(scene, index);
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a .vdb or a .ply, got {}",

@@ -40,6 +40,7 @@ RestingParticles CloudShapes::take(const OceanScene& scene, std::size_t index,
   const Source source(scene.clouds[index], parameters);
   if (const Shape* shape = known(source)) {
     parameters.shape = shape->parameters.shape;
+    parameters.takes_cells_of_shape = shape->parameters.takes_cells_of_shape;
     parameters.modelling = shape->parameters.modelling;
     parameters.turbulence = shape->parameters.turbulence;
     parameters.look = shape->parameters.look;

@@ -18,8 +18,10 @@ namespace {
 std::vector<RgbaImage> read_pictures(const std::string& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code failure;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, failure)) {
-    if (entry.path().extension() == ".png") files.push_back(entry.path());
+  // Not a range: its steps throw what is no Error.
+  for (std::filesystem::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    if (entry->path().extension() == ".png") files.push_back(entry->path());
   }
   if (failure || files.size() != CLOUD_TEXTURES) {
     throw Error(

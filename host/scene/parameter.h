@@ -111,6 +111,9 @@ enum class ParameterUse {
   filed_cloud,         ///< of a cloud that a .vdb makes
   shaped_cloud,        ///< of one that a mesh or a text makes
   text_cloud,          ///< of one that a text makes
+  balled_cloud,        ///< of one that balls make
+  sampled_cloud,       ///< of one that is merged from cells
+  grown_cloud,         ///< of one that grows on its balls
   heated_cloud,        ///< of one that warm air carries
   obstructed_cloud,    ///< of one that flows around something
 };

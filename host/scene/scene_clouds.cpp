@@ -150,13 +150,21 @@ CloudParameters cloud_parameters_of(const OceanScene& scene, std::size_t index) 
 
 namespace {
 
-std::vector<CloudParameters> layer_clouds(const OceanScene& scene, const CloudLayerScene& layer) {
-  return clouds::scattered_sky({.genus = layer.genus,
-                                .coverage = layer.coverage,
-                                .middle_m = {layer.x_m, layer.z_m},
-                                .extent_m = layer.extent_m,
-                                .base_m = layer.altitude_m},
-                               seed_of(scene, layer.seed));
+std::vector<CloudParameters> layer_clouds(const OceanScene& scene, std::size_t index) {
+  const CloudLayerScene& layer = scene.cloud_layers[index];
+  try {
+    return clouds::scattered_sky({.genus = layer.genus,
+                                  .coverage = layer.coverage,
+                                  .middle_m = {layer.x_m, layer.z_m},
+                                  .extent_m = layer.extent_m,
+                                  .base_m = layer.altitude_m},
+                                 seed_of(scene, layer.seed));
+  } catch (const Error& error) {
+    throw Error(
+        error.kind(),
+        fmt::format("{}: {}", place_of_name(scene, {"cloud_layer.extent_m", {index, 0}}), error.what()),
+        "take a smaller cloud_layer.extent_m or cloud_layer.coverage");
+  }
 }
 
 void take_quality(double quality, CloudParameters& parameters) {
@@ -167,6 +175,19 @@ void take_quality(double quality, CloudParameters& parameters) {
   if (parameters.levels.empty()) return;
   double& ratio = parameters.levels.back().ratio;
   ratio = std::clamp(ratio / std::sqrt(quality), 0.02, 1.0);
+}
+
+/// What the ranges of single keys let through: their products with cloud.scale, above all.
+void require_valid_cloud(const OceanScene& scene, std::size_t index, const CloudParameters& parameters) {
+  try {
+    clouds::require_valid(parameters);
+  } catch (const Error& error) {
+    const bool is_scaled = scene.clouds[index].scale != 1.0;
+    const std::string place =
+        is_scaled ? place_of_name(scene, {"cloud.scale", {index, 0}}) : fmt::format("cloud {}", index + 1);
+    throw Error(error.kind(), fmt::format("{}: {}{}", place, is_scaled ? "scaled, " : "", error.what()),
+                is_scaled ? "take another scale, or other lengths" : error.hint());
+  }
 }
 
 bool is_of_clouds(const std::pair<const ValueKey, KeyframeTrack>& track) {
@@ -216,11 +237,12 @@ std::optional<world::CloudSkyParameters> prepare_clouds(const OceanScene& scene,
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     CloudParameters parameters = cloud_parameters_of(scene, i);
     take_quality(scene.cloud_settings.quality, parameters);
+    require_valid_cloud(scene, i, parameters);
     sky.particles.push_back(shapes.take(scene, i, parameters));
     sky.clouds.push_back(std::move(parameters));
   }
-  for (const CloudLayerScene& layer : scene.cloud_layers) {
-    for (CloudParameters& parameters : layer_clouds(scene, layer)) {
+  for (std::size_t i = 0; i < scene.cloud_layers.size(); ++i) {
+    for (CloudParameters& parameters : layer_clouds(scene, i)) {
       take_quality(scene.cloud_settings.quality, parameters);
       sky.clouds.push_back(std::move(parameters));
     }

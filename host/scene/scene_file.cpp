@@ -22,9 +22,6 @@ namespace offing::scene {
 
 namespace {
 
-/// Scene files are written by hand: anything larger is some other file.
-constexpr std::streamsize max_scene_bytes = 4 << 20;
-
 /// Parts of the scene format that have no system behind them in this version.
 constexpr std::array<std::string_view, 2> planned_keys = {"world.sea_level_m", "body"};
 
@@ -238,11 +235,11 @@ std::string read_text(const std::filesystem::path& file) {
   std::array<char, 1 << 14> block{};
   while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
     text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-    if (static_cast<std::streamsize>(text.size()) > max_scene_bytes) {
-      throw Error(
-          ErrorKind::bad_input,
-          fmt::format("{}: expected a scene of at most {} bytes, found more", file.string(), max_scene_bytes),
-          "name a scene file; measured spectra are given by --spectrum-file");
+    if (text.size() > most_scene_bytes) {
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}: expected a scene of at most {} bytes, found more", file.string(),
+                              most_scene_bytes),
+                  "name a scene file; measured spectra are given by --spectrum-file");
     }
   }
   if (stream.bad()) {

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 
 #include "host/scene/ocean_scene.h"
 
 namespace offing::scene {
+
+/// Scene files are written by hand, or by the window for hands: anything larger is some other file.
+inline constexpr std::size_t most_scene_bytes = std::size_t{4} << 20;
 
 /// Reads a scene file (TOML, `version = 1`); file names in it are relative to its folder.
 ///

@@ -16,6 +16,7 @@
 #include "host/io/file_presence.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_elements.h"
+#include "host/scene/scene_file.h"
 
 namespace offing::scene {
 namespace {
@@ -116,7 +117,15 @@ class SceneText {
       const std::vector<Line> lines = lines_of(section, {});
       if (!lines.empty()) append("[{}]", section, lines);
     } else {
-      for (std::size_t i = 0; i < row.elements->count(scene_, parent); ++i) {
+      const std::size_t count = row.elements->count(scene_, parent);
+      if (count > row.max_count) {
+        throw Error(
+            ErrorKind::bad_input,
+            fmt::format("{}: expected at most {} sections, which are all that can be read back, found {}",
+                        section, row.max_count, count),
+            "remove some first");
+      }
+      for (std::size_t i = 0; i < count; ++i) {
         append_element_of(row, row.elements->parent ? ElementIndex{parent.outer, i} : ElementIndex{i, 0});
       }
     }
@@ -220,7 +229,15 @@ void save_scene(const OceanScene& scene, const std::filesystem::path& file, Exis
     throw Error(ErrorKind::bad_usage, fmt::format("{}: is there already", file.string()),
                 "choose another name, or overwrite it");
   }
-  write_file_atomically(file, scene_text(scene, file.parent_path()));
+  const std::string text = scene_text(scene, file.parent_path());
+  if (text.size() > most_scene_bytes) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: expected a scene of at most {} bytes, which is all that can be read back, found {}",
+                    file.string(), most_scene_bytes, text.size()),
+        "give clouds the balls of their genus again, or remove some");
+  }
+  write_file_atomically(file, text);
 }
 
 }  // namespace offing::scene

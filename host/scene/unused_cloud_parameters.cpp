@@ -1,10 +1,46 @@
 #include "host/scene/unused_cloud_parameters.h"
 
+#include <fmt/format.h>
+
+#include "host/clouds/genera.h"
+#include "host/scene/parameter_table.h"
+
 namespace offing::scene {
+
+namespace {
+
+/// The key of what makes a cloud in place of its balls; empty where they do.
+std::string shape_key(const CloudShapeScene& shape) {
+  if (!shape.file.empty()) return "cloud.file";
+  if (!shape.mesh.empty()) return "cloud.mesh";
+  if (!shape.text.empty()) return "cloud.text";
+  return shape.is_given() ? "cloud.shape" : "";
+}
+
+bool grows(const CloudScene& cloud) {
+  if (cloud.modelling != CloudModelling::as_genus) return cloud.modelling == CloudModelling::hierarchical;
+  return clouds::preset(cloud.genus).modelling == clouds::Modelling::hierarchical;
+}
+
+}  // namespace
+
+bool is_of_one_cloud(const Parameter& row) {
+  using enum ParameterGroup;
+  return row.group == cloud || row.group == cloud_ball || row.group == cloud_level;
+}
 
 std::string against_cloud(const CloudScene& cloud, ParameterUse use) {
   const CloudShapeScene& shape = cloud.shape;
+  const std::string made_by = shape_key(shape);
   switch (use) {
+    case ParameterUse::balled_cloud:
+      return made_by.empty() ? "" : made_by + " makes it";
+    case ParameterUse::sampled_cloud:
+      if (made_by.empty()) return grows(cloud) ? "it grows on its balls" : "";
+      return shape.file.ends_with(".ply") ? "cloud.file has its particles" : "";
+    case ParameterUse::grown_cloud:
+      if (!made_by.empty()) return made_by + " makes it";
+      return grows(cloud) ? "" : "it is sampled";
     case ParameterUse::filed_cloud:
       return shape.file.empty() ? "cloud.file is not given" : "";
     case ParameterUse::shaped_cloud:
@@ -20,6 +56,17 @@ std::string against_cloud(const CloudScene& cloud, ParameterUse use) {
     default:
       return "";
   }
+}
+
+std::vector<std::string> unused_cloud_parameters(const OceanScene& scene) {
+  std::vector<std::string> lines;
+  for (const auto& [key, place] : scene.set_at) {
+    const Parameter* row = find_parameter(key.key);
+    if (row == nullptr || !is_of_one_cloud(*row)) continue;
+    const std::string reason = against_cloud(scene.clouds[key.element.outer], row->use);
+    if (!reason.empty()) lines.push_back(fmt::format("{}: not used: {}", place, reason));
+  }
+  return lines;
 }
 
 }  // namespace offing::scene

@@ -1,12 +1,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "host/scene/parameter.h"
 
 namespace offing::scene {
 
+/// Whether a row is of a [[cloud]], its balls or its levels.
+bool is_of_one_cloud(const Parameter& row);
+
 /// Why a use of parameters has no part in a cloud; empty where it has.
 std::string against_cloud(const CloudScene& cloud, ParameterUse use);
+
+/// The lines of unused_parameters() that are of clouds: for those who take nothing else from a scene.
+std::vector<std::string> unused_cloud_parameters(const OceanScene& scene);
 
 }  // namespace offing::scene

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "host/base/error.h"
 #include "host/clouds/cloud_model.h"
 
 namespace offing::world {
@@ -26,7 +29,10 @@ CloudSkyParameters CloudGrower::grown(CloudSkyParameters sky, const CancelToken&
   std::vector<Form> forms;
   for (std::size_t i = 0; i < count; ++i) {
     cancel.throw_if_cancelled();
-    if (progress) progress({i, count});
+    const auto tell = [&](double share) {
+      if (progress) progress({i, count, share});
+    };
+    tell(0.0);
     auto& particles = sky.particles[i];
     if (particles) continue;
     clouds::CloudParameters form = form_of(sky.clouds[i]);
@@ -34,8 +40,12 @@ CloudSkyParameters CloudGrower::grown(CloudSkyParameters sky, const CancelToken&
     if (const auto known = std::find_if(known_.begin(), known_.end(), same); known != known_.end()) {
       particles = known->particles;
     } else {
-      particles =
-          std::make_shared<const std::vector<CloudParticle>>(clouds::particles_at_rest(device_, form));
+      try {
+        particles = std::make_shared<const std::vector<CloudParticle>>(
+            clouds::particles_at_rest(device_, form, Work(cancel, tell)));
+      } catch (const Error& error) {
+        throw Error(error.kind(), fmt::format("cloud {}: {}", i + 1, error.what()), error.hint());
+      }
     }
     forms.push_back({std::move(form), particles});
   }

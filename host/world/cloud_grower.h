@@ -13,6 +13,7 @@ namespace offing::world {
 /// How many of the clouds of a sky have their particles.
 struct CloudProgress {
   std::size_t done = 0, all = 0;
+  double share = 0.0;  ///< of the next one, 0 ... 1
 };
 
 /// Gives clouds their particles ahead of a CloudsView, which takes most of the time that clouds take: on
@@ -23,8 +24,8 @@ class CloudGrower {
   explicit CloudGrower(const ocl::Device& device) : device_(device) {}
 
   /// The sky with `particles` for each of its clouds. Those whose form the last sky had, wherever it was, are
-  /// the same object. `progress` is told before each cloud that is made, and at the end. Throws what
-  /// clouds::particles_at_rest() throws, Error(cancelled).
+  /// the same object. `progress` is told before each cloud, while it is made, and at the end. Throws what
+  /// clouds::particles_at_rest() throws, with the number of the cloud, from 1; Error(cancelled).
   CloudSkyParameters grown(CloudSkyParameters sky, const CancelToken& cancel,
                            const std::function<void(CloudProgress)>& progress = {});
 

@@ -73,12 +73,13 @@ __kernel void particle_motion(__global const CloudParticle* restrict rest, const
   if (params.sphere_radius > 0.0f) {
     const float3 middle = (float3)(params.sphere_x, params.sphere_y, params.sphere_z);
     const float3 from = (place - middle) / params.sphere_radius;
-    const float x = dot(from, along);
-    const float3 across = from - x * along;
+    const float3 flow = (float3)(params.flow_x, params.flow_y, params.flow_z);
+    const float x = dot(from, flow);
+    const float3 across = from - x * flow;
     const float across0 = length(across);
     // On the axis there is no direction to yield to: up.
     const float3 yield = across0 > 1e-6f ? across / across0 : (float3)(0.0f, 1.0f, 0.0f);
-    place = middle + params.sphere_radius * (x * along + streamline(x, across0) * yield);
+    place = middle + params.sphere_radius * (x * flow + streamline(x, across0) * yield);
   }
 
   particle.x = place.x;

@@ -5,6 +5,7 @@
 typedef struct {
   float drift_x, drift_y, drift_z;  // m, of all
   float along_x, along_y, along_z;  // unit, where the wind blows; zero without wind
+  float flow_x, flow_y, flow_z;     // unit, where it is carried around the sphere
   float lean;                       // m along the wind, a metre higher
   float run;                        // m along the wind, of the thinnest parts
   float densest;                    // optical mass over squared radius, of the densest particle
@@ -22,7 +23,7 @@ typedef struct {
 } CloudMotionParams;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(CloudMotionParams) == 96, "no padding");
+static_assert(sizeof(CloudMotionParams) == 108, "no padding");
 #endif
 
 #endif

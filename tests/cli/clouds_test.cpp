@@ -139,6 +139,53 @@ TEST_F(Clouds, WhatWasBuiltCanBeShaped) {
   EXPECT_EQ(json_of({"clouds", "info", path("b.vdb"), "--json"})["has_colour"], true);
 }
 
+// Fails if what moves a cloud, beside drift, is in its particles and not in its volume, or if the volume has
+// a noise of its time and the particles that of time 0. Cells of another size: 3 % for the rim.
+TEST_F(Clouds, VolumesMoveAsParticlesDo) {
+  const auto build = [&](const std::string& keys, const char* file, const char* time_s) {
+    std::ofstream(path("moved.toml"))
+        << "version = 1\n[[cloud]]\ngenus = \"stratus\"\ntarget_particles = 200\n"
+        << keys;
+    return json_of(
+        {"clouds", "build", path("moved.toml"), "-o", path(file), "--time", time_s, "--force", "--json"});
+  };
+  // It has not risen yet: only what is above the level is there.
+  const std::string heat = "heat_k = 1\nheat_condensation_m = 150\n";
+  const double above_m2 = build(heat, "m.ply", "0")["optical_mass_m2"].get<double>();
+  EXPECT_LT(above_m2, 0.5 * build("", "m.ply", "0")["optical_mass_m2"].get<double>());
+  EXPECT_NEAR(build(heat, "m.vdb", "0")["optical_mass_m2"].get<double>() / above_m2, 1.0, 0.03);
+  const std::string shear = "wind_mps = [10, 0, 0]\nshear_per_s = 0.5\n";
+  build(shear, "m.ply", "300");
+  build(shear, "m.vdb", "300");
+  const auto particles = json_of({"clouds", "info", path("m.ply"), "--json"});
+  const auto volume = json_of({"clouds", "info", path("m.vdb"), "--json"});
+  const double width_m = particles["high_m"][0].get<double>() - particles["low_m"][0].get<double>();
+  EXPECT_NEAR(volume["low_m"][0].get<double>(), particles["low_m"][0].get<double>(), 0.1 * width_m);
+  EXPECT_NEAR(volume["high_m"][0].get<double>(), particles["high_m"][0].get<double>(), 0.1 * width_m);
+  const std::string changing = "noise_change_per_s = 0.1\n";
+  EXPECT_EQ(build(changing, "m.vdb", "0")["density_sum"], build(changing, "m.vdb", "300")["density_sum"]);
+}
+
+// Fails if a file is written that cannot be read again, or an error names cells that nobody gave.
+TEST_F(Clouds, WritesNoFilesOfNothing) {
+  std::ofstream(path("none.toml"))
+      << "version = 1\n[[cloud]]\nmodelling = \"sampled\"\n[[cloud.ball]]\nweight = 0\n";
+  for (const char* file : {"n.ply", "n.vdb"}) {
+    expect_refusal({"clouds", "build", path("none.toml"), "-o", path(file)}, 2,
+                   "expected density at 0 s, found none");
+    EXPECT_FALSE(std::filesystem::exists(path(file)));
+  }
+  std::ofstream(path("tiny.toml")) << "version = 1\n[[cloud]]\nmodelling = \"sampled\"\ntarget_particles = "
+                                      "5\n[[cloud.ball]]\nradius_m = 0.01\n";
+  json_of({"clouds", "build", path("tiny.toml"), "-o", path("t.vdb"), "--json"});
+  std::ofstream(path("far.toml"))
+      << "version = 1\n[[cloud]]\nmodelling = \"sampled\"\n[[cloud.ball]]\n[[cloud.ball]]\nx_m = 400000\n"
+         "y_m = 400000\nz_m = 400000\n";
+  expect_refusal({"clouds", "build", path("far.toml"), "-o", path("f.ply")}, 2, "cloud 1: cloud: ");
+  expect_refusal({"clouds", "build", path("far.toml"), "-o", path("f.ply")}, 2,
+                 "hint: ask for fewer cloud.target");
+}
+
 // OpenVDB's own program agrees on what a file of ours holds.
 TEST_F(Clouds, VdbPrintOpensIt) {
   if (std::system("command -v vdb_print >/dev/null 2>&1") != 0)

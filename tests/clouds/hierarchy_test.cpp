@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "host/clouds/genera.h"
+#include "tests/ocl/expect_error.h"
 
 namespace offing::clouds {
 namespace {
@@ -135,6 +136,58 @@ TEST(CumulusTest, HasAboutAsManyParticlesAsThePapers) {
     const std::size_t count = grown_hierarchy(cumulus.balls, cumulus.levels, seed).size();
     EXPECT_NEAR(static_cast<double>(count), 946.0, seed == 1 ? 47.0 : 114.0) << seed;
   }
+}
+
+// Fails if growing cannot be stopped within a parent, whatever it has got to, or tells less than before.
+TEST(HierarchyWorkTest, TellsHowFarItIsAndStops) {
+  const CloudParameters cumulus = preset(Genus::cumulus);
+  CancelToken cancel;
+  double before = 0.0;
+  grown_hierarchy(cumulus.balls, cumulus.levels, 1, Work(cancel, [&](double share) {
+                    EXPECT_GE(share, before);
+                    EXPECT_LT(share, 1.0);
+                    before = share;
+                  }));
+  EXPECT_GT(before, 0.9);
+  const std::vector<Metaball> one{{glm::dvec3(0.0), 100.0}};
+  int told = 0;
+  const Work stops(cancel, [&](double) {
+    ++told;
+    cancel.cancel();
+  });
+  test::expect_error(ErrorKind::cancelled, "", [&] {
+    grown_hierarchy(one, std::vector<HierarchyLevel>{{0.02, 0.0, 0.05}, {0.5, 0.0, 1.0}}, 1, stops);
+  });
+  EXPECT_LE(told, 1);
+}
+
+// Fails if a sphere with many children takes time that grows with their square: of these 50,000 it was
+// minutes.
+TEST(HierarchyWorkTest, SmallChildrenTakeNoLonger) {
+  const std::vector<Metaball> one{{glm::dvec3(0.0), 100.0}};
+  const auto grown = grown_hierarchy(one, std::vector<HierarchyLevel>{{0.02, 0.0, 0.4}}, 1);
+  // A plane has room for pi / (2 sqrt 3) = 0.91 of its area; gaps of growing from one to all sides take some.
+  const double room = 4.0 / (0.008 * 0.008);
+  EXPECT_GT(static_cast<double>(grown.size()), 0.6 * room);
+  EXPECT_LT(static_cast<double>(grown.size()), 0.91 * room);
+}
+
+// Fails if minutes are spent on what will be refused in the end.
+TEST(HierarchyWorkTest, RefusesTooManyBeforeTheyAreGrown) {
+  const CloudParameters cumulus = preset(Genus::cumulus);
+  const std::vector<HierarchyLevel> fine{{0.02, 0.0, 0.05}};
+  test::expect_error(ErrorKind::bad_input,
+                     "level 1 would have some 2e+07 particles, expected at most 10000000", [&] {
+                       grown_hierarchy(cumulus.balls, std::vector<HierarchyLevel>{{0.02, 0.0, 0.025}}, 1);
+                     });
+  CancelToken cancel;
+  std::size_t parents = 0;
+  const Work counts(cancel, [&](double) { ++parents; });
+  EXPECT_THROW(
+      grown_hierarchy(cumulus.balls, std::vector<HierarchyLevel>{{0.5, 0.0, 1.0}, fine.front(), fine.front()},
+                      1, counts),
+      Error);
+  EXPECT_EQ(parents, cumulus.balls.size()) << "of the first level alone";
 }
 
 }  // namespace

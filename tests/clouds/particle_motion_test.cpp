@@ -187,5 +187,30 @@ TEST_F(ParticleMotionTest, FlowsAroundASphere) {
   }
 }
 
+// Fails if a cloud flows around a sphere along its wind and not along its path, or if one that stands still
+// is inflated: it was a shell around the sphere in both cases. As FlowsAroundASphere, in turned axes.
+TEST_F(ParticleMotionTest, FlowsAroundASphereAlongItsPath) {
+  CloudParameters cloud;
+  cloud.motion.obstacle = CloudObstacle{{0.0, 20.0, -30.0}, 120.0};
+  cloud.motion.path = {{{{{0.0, -30.0}, {100.0, 30.0}}, Interpolation::linear},
+                        {{{0.0, 0.0}}, Interpolation::linear},
+                        {{{0.0, -40.0}, {100.0, 40.0}}, Interpolation::linear}}};
+  const glm::dvec3 along(0.6, 0.0, 0.8);
+  const auto moved = at(cloud, 40.0, cloud.motion.obstacle->centre_m);
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < rest_.size(); ++i) {
+    const glm::dvec3 from =
+        (place_of(rest_[i]) + cloud_origin_m(cloud, 40.0) - cloud.motion.obstacle->centre_m) / 120.0;
+    const glm::dvec3 found = place_of(moved[i]) / 120.0;
+    ASSERT_GE(glm::length(found), 1.0 - 1e-4);
+    ASSERT_NEAR(glm::dot(found, along), glm::dot(from, along), 1e-4);
+    farthest = std::max(farthest, glm::distance(found, from));
+  }
+  EXPECT_GT(farthest, 0.3);
+  cloud.motion.path.reset();
+  const auto still = at(cloud, 40.0);
+  for (std::size_t i = 0; i < rest_.size(); ++i) ASSERT_EQ(place_of(still[i]), place_of(rest_[i]));
+}
+
 }  // namespace
 }  // namespace offing::clouds

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <cstring>
+#include <map>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -203,6 +204,56 @@ TEST_F(SampledParticlesTest, EmptyVolumesAndOddTargets) {
   EXPECT_EQ(all.size(),
             static_cast<std::size_t>(std::count_if(volume_.density.begin(), volume_.density.end(),
                                                    [](float density) { return density > 0.0f; })));
+}
+
+// Fails if blocks are not the smallest that are few enough, or lose or share a cell: against blocks of a map.
+TEST_F(SampledParticlesTest, BlocksAreTheSmallestThatAreFewEnough) {
+  const auto blocks_of = [&](int factor) {
+    std::map<std::array<int, 3>, double> masses;
+    for (const VolumeSample& cell : volume_samples(volume_, 10'000'000).samples) {
+      masses[{cell.block[2] / factor, cell.block[1] / factor, cell.block[0] / factor}] += cell.mass;
+    }
+    return masses;
+  };
+  for (const std::size_t most : {std::size_t{1}, std::size_t{7}, std::size_t{300}, std::size_t{2000}}) {
+    const VolumeSamples found = volume_samples(volume_, most);
+    const int factor = static_cast<int>(std::round(found.edge_m / volume_.cell_m));
+    const auto expected = blocks_of(factor);
+    ASSERT_LE(expected.size(), most);
+    if (factor > 1) {
+      EXPECT_GT(blocks_of(factor - 1).size(), most) << most;
+    }
+    ASSERT_EQ(found.samples.size(), expected.size());
+    std::size_t number = 0;
+    for (const auto& [block, mass] : expected) {
+      const VolumeSample& sample = found.samples[number++];
+      EXPECT_EQ((std::array{sample.block[2], sample.block[1], sample.block[0]}), block);
+      EXPECT_NEAR(sample.mass / mass, 1.0, 1e-12);
+    }
+  }
+}
+
+// Fails if sampling cannot be stopped, tells less than before, or begins what memory cannot hold.
+TEST_F(SampledParticlesTest, TellsHowFarItIsAndStops) {
+  for (const Sampling sampling : {Sampling::uniform, Sampling::random}) {
+    CancelToken cancel;
+    double before = 0.0;
+    sampled_particles(volume_, {.sampling = sampling, .target_particles = 100}, {},
+                      Work(cancel, [&](double share) {
+                        EXPECT_GE(share, before);
+                        EXPECT_LE(share, 1.0);
+                        before = share;
+                      }));
+    cancel.cancel();
+    test::expect_error(ErrorKind::cancelled, "", [&] {
+      sampled_particles(volume_, {.sampling = sampling, .target_particles = 100}, {}, Work(cancel));
+    });
+  }
+  const SamplingOptions little{.target_particles = 100, .most_bytes = 4000 * 400};
+  EXPECT_EQ(sampled_particles(volume_, little, {}).size(), 100u) << "40 cells of 400 bytes each";
+  test::expect_error(ErrorKind::out_of_memory, "merging 4040 cells into 101 particles takes 2 MB", [&] {
+    sampled_particles(volume_, {.target_particles = 101, .most_bytes = 4000 * 400}, {});
+  });
 }
 
 }  // namespace

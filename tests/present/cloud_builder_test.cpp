@@ -1,12 +1,15 @@
 // Clouds that are made in the background: the same as in the foreground, the newest at last, faults told.
 #include "present/cloud_builder.h"
 
+#include <chrono>
 #include <cstring>
 #include <fstream>
+#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "host/clouds/cloud_model.h"
+#include "host/io/vdb/vdb_volume.h"
 #include "host/scene/scene_clouds.h"
 #include "host/scene/scene_file.h"
 #include "tests/io/temporary_folder.h"
@@ -125,6 +128,37 @@ TEST(CloudBuilderEndTest, EndsAtAnyTime) {
   for (int i = 0; i < 3; ++i) {
     CloudBuilder builder(ocl::select_device(), scene_of(""));
     builder.begin(scene_of(two), Haste::let_finish);
+  }
+}
+
+// Fails if a cloud that takes minutes keeps a window open, makes the next edit wait, or tells nothing. Grown,
+// sampled, and merged from a file's cells.
+TEST(CloudBuilderEndTest, GivesUpWithinACloud) {
+  TemporaryFolder folder;
+  const std::string file = (folder.path() / "block.vdb").string();
+  CloudVolume volume{.cell_m = 4.0, .bricks = {16, 16, 16}, .brick_of = {}, .density = {}};
+  for (std::int32_t i = 0; i < 16 * 16 * 16; ++i) volume.brick_of.push_back(i);
+  volume.density.assign(volume.brick_of.size() * CloudVolume::cells_of_brick, 1.0f);
+  write_vdb(file, {.volume = volume, .albedo = {}});
+  for (const std::string& long_one :
+       {std::string("[[cloud]]\n[[cloud.level]]\nratio = 0.02\n[[cloud.level]]\nratio = 0.15\n"),
+        std::string("[[cloud]]\ngenus = \"stratus\"\ntarget_particles = 1000000\n"),
+        "[[cloud]]\ntarget_particles = 1000000\nfile = \"" + file + "\"\n"}) {
+    CloudBuilder builder(ocl::select_device(), scene_of(""));
+    builder.begin(scene_of(long_one), Haste::let_finish);
+    const auto is_on_the_way = [&] {
+      const auto progress = builder.progress();
+      return progress && progress->share > 0.0;
+    };
+    while (!is_on_the_way() && builder.progress()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_TRUE(is_on_the_way()) << long_one;
+    const auto begin = std::chrono::steady_clock::now();
+    builder.begin(scene_of(two), Haste::interrupt);
+    builder.wait();
+    const auto made = builder.take();
+    ASSERT_TRUE(made && std::holds_alternative<BuiltClouds>(*made));
+    EXPECT_EQ(std::get<BuiltClouds>(*made).scene.clouds.size(), 2u);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30)) << long_one;
   }
 }
 

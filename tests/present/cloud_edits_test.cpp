@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/scene/parameter_table.h"
 #include "host/scene/scene_clouds.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/scene_writer.h"
@@ -49,6 +50,41 @@ TEST(CloudEditsTest, OwnBallsAreThoseOfTheGenus) {
   const clouds::CloudParameters before = of(scene, 1);
   EXPECT_EQ(own_balls(scene, 1).size(), before.balls.size());
   EXPECT_EQ(of(scene, 1), before);
+}
+
+// Fails if what has no room for all of it has been done in part.
+TEST(CloudEditsTest, CopiesAllOrNothing) {
+  OceanScene scene = two_clouds();
+  scene.clouds[1].balls.resize(scene::find_parameter("cloud.ball.radius_m")->max_count);
+  const std::size_t before = scene.clouds[0].balls.size();
+  EXPECT_THROW(duplicate_parts(scene, {{0, 0}, {1, 0}}, {}), Error);
+  EXPECT_EQ(scene.clouds[0].balls.size(), before);
+  EXPECT_THROW(add_ball(scene, 1, clouds::Genus::cumulus, {{}, 50.0}, 0.0), Error);
+  while (scene.clouds.size() < scene::find_parameter("cloud.name")->max_count) scene.clouds.emplace_back();
+  EXPECT_THROW(duplicate_parts(scene, {{0, 0}, {0, {}}}, {}), Error);
+  EXPECT_EQ(scene.clouds[0].balls.size(), before);
+}
+
+// Fails if the balls of a genus are more than a scene file may have, so that what the editor saves cannot be
+// read.
+TEST(CloudEditsTest, OwnBallsOfEachGenusCanBeSaved) {
+  for (const char* genus : {"cirrus", "stratus", "cumulus", "stratocumulus", "altocumulus", "cumulonimbus",
+                            "lenticular", "funnel"}) {
+    OceanScene scene = scene_of(std::string("[[cloud]]\ngenus = \"") + genus + "\"\n");
+    const std::size_t count = own_balls(scene, 0).size();
+    const OceanScene again = scene::parse_scene(scene::scene_text(scene, ""), "again.toml", "");
+    EXPECT_EQ(again.clouds[0].balls.size(), count) << genus;
+  }
+}
+
+// Fails if balls that a shape has taken the place of can be picked, or added to.
+TEST(CloudEditsTest, ShapesHaveNoBalls) {
+  OceanScene scene = scene_of("[[cloud]]\nshape = \"bird\"\n");
+  EXPECT_TRUE(balls_of(scene, 0, 0.0).empty());
+  EXPECT_FALSE(has_part(scene, {0, 0}));
+  EXPECT_TRUE(has_part(scene, {0, {}}));
+  EXPECT_THROW(add_ball(scene, 0, clouds::Genus::cumulus, {{}, 50.0}, 0.0), Error);
+  EXPECT_TRUE(scene.clouds[0].balls.empty());
 }
 
 // Fails if a part does not go as far as the hand, in a cloud with a scale too, or takes others along.

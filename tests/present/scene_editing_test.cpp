@@ -235,5 +235,74 @@ TEST_F(SceneEditingTest, GoodEditsOutliveBadOnes) {
   EXPECT_EQ(state_.scene.clouds[0].seed, 4u);
 }
 
+/// A hand on the arrow along x of the only ball.
+class HeldHandleTest : public SceneEditingTest {
+ protected:
+  void SetUp() override {
+    SceneEditingTest::SetUp();
+    if (IsSkipped()) return;
+    state_.clouds.pick = CloudPick::balls;
+    state_.clouds.picked = {{0, 0}};
+    screen_.camera = state_.camera.camera();
+    for (const CloudHandlePlace& place : cloud_handle_places(screen_, balls_of(state_.scene, 0, 0.0)[0])) {
+      if (place.handle == CloudHandle::x) start_ = clip_of(place.place_px);
+    }
+    using enum PointerEvent::Kind;
+    editing_->turn(screen_, {{.kind = pressed, .clip = start_}}, {.clip = start_});
+    move_to(0.1);
+    EXPECT_GT(ball_x_m(), 10.0);
+  }
+  glm::dvec2 clip_of(glm::dvec2 px) const {
+    // pixel_of_clip() is of both axes apart, and linear.
+    const glm::dvec2 zero = pixel_of_clip(screen_, glm::dvec2(0.0)),
+                     one = pixel_of_clip(screen_, glm::dvec2(1.0));
+    return (px - zero) / (one - zero);
+  }
+  void move_to(double way) { editing_->turn(screen_, {}, {.clip = start_ + glm::dvec2(way, 0.0)}); }
+  void release(double way) {
+    const glm::dvec2 clip = start_ + glm::dvec2(way, 0.0);
+    editing_->turn(screen_, {{.kind = PointerEvent::Kind::released, .clip = clip}}, {.clip = clip});
+  }
+  double ball_x_m() const { return state_.scene.clouds[0].balls[0].centre_m.x; }
+
+  Screen screen_{.camera = {}, .size_px = {640.0, 480.0}};
+  glm::dvec2 start_{0.0};
+};
+
+// Fails if what is shown stays where the hand was on its way, when it lets go where it took hold.
+TEST_F(HeldHandleTest, BackToWhereItBeganIsShown) {
+  release(0.0);
+  wait();
+  EXPECT_NEAR(ball_x_m(), 0.0, 1e-9);
+  EXPECT_NEAR(sea_->scene().clouds[0].balls[0].centre_m.x, 0.0, 1e-9);
+  editing_->undo();
+  EXPECT_THAT(state_.message.text, HasSubstr("nothing to undo"));
+}
+
+// Fails if a hand that still holds overwrites what a key has done meanwhile.
+TEST_F(HeldHandleTest, OtherEditsLetGo) {
+  editing_->remove_picked();
+  EXPECT_TRUE(state_.scene.clouds.empty());
+  move_to(0.2);
+  EXPECT_TRUE(state_.scene.clouds.empty());
+  editing_->undo();
+  EXPECT_EQ(state_.scene.clouds.size(), 1u);
+  EXPECT_NEAR(ball_x_m(), 0.0, 1e-9);
+  release(0.2);
+  EXPECT_NEAR(ball_x_m(), 0.0, 1e-9);
+  wait();
+}
+
+TEST_F(HeldHandleTest, UndoLetsGo) {
+  edit([](scene::OceanScene& scene) { scene.clouds[0].seed = 9; });
+  editing_->undo();
+  const double x_m = ball_x_m();
+  EXPECT_EQ(state_.scene.clouds[0].seed, 1u);
+  move_to(0.3);
+  EXPECT_EQ(ball_x_m(), x_m);
+  EXPECT_EQ(state_.scene.clouds[0].seed, 1u);
+  wait();
+}
+
 }  // namespace
 }  // namespace offing::present

@@ -65,7 +65,8 @@ TEST(NoDisplayTest, IsToldWithItsMend) {
   unsetenv("DISPLAY");
   unsetenv("WAYLAND_DISPLAY");
   try {
-    const present::Viewer viewer(present::ViewOptions{});
+    const CancelToken cancel;
+    const present::Viewer viewer(present::ViewOptions{}, cancel);
     FAIL() << "a window without a display";
   } catch (const Error& error) {
     EXPECT_EQ(exit_code(error.kind()), 3);

@@ -3,6 +3,7 @@
 #include "host/scene/scene_clouds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -19,6 +20,7 @@
 #include "host/io/clouds/cloud_particles.h"
 #include "host/io/vdb/vdb_volume.h"
 #include "host/scene/scene_file.h"
+#include "host/scene/unused_parameters.h"
 #include "tests/io/temporary_folder.h"
 
 namespace offing::scene {
@@ -133,8 +135,7 @@ TEST_F(SceneClouds, AVolumeBecomesTheSameParticles) {
   const std::vector<CloudParticle> due = clouds::sampled_particles(volume, options, cloud.look);
   const world::CloudSkyParameters sky =
       sky_of("[[cloud]]\ngenus = \"stratocumulus\"\nfile = \"a.vdb\"\ntarget_particles = 500\n");
-  ASSERT_TRUE(sky.particles.at(0));
-  const std::vector<CloudParticle>& found = *sky.particles[0];
+  const std::vector<CloudParticle> found = clouds::particles_at_rest(device, sky.clouds.at(0));
   ASSERT_EQ(found.size(), due.size());
   for (std::size_t i = 0; i < due.size(); ++i) {
     EXPECT_EQ(found[i].radius, due[i].radius);
@@ -251,14 +252,106 @@ TEST_F(SceneClouds, ShapesAreKeptUntilTheyChange) {
   EXPECT_EQ(moved.clouds[0].position_m.x, 9.0);
   const world::CloudSkyParameters edited =
       next_sky(file + "target_particles = 20\n" + letter + "size_m = 300\n");
-  EXPECT_NE(edited.particles[0], before.particles[0]);
-  EXPECT_EQ(edited.particles[0]->size(), 20u);
+  EXPECT_EQ(edited.clouds[0].target_particles, 20);
+  EXPECT_TRUE(edited.clouds[0].takes_cells_of_shape);
   EXPECT_NE(edited.clouds[1].shape, before.clouds[1].shape);
   // Another size, since clocks of file systems may not tell two writes apart.
   const auto first = next_sky(file).clouds[0].shape;
   EXPECT_EQ(next_sky(file).clouds[0].shape, first);
   write(2);
   EXPECT_NE(next_sky(file).clouds[0].shape, first);
+}
+
+// Fails if colours of a volume are dropped, come to other places, or count where the scene gives one. Two
+// blocks, red and blue, of the file's own cells and of a field that is frayed anew.
+TEST_F(SceneClouds, ColoursOfAVolumeAreTaken) {
+  CloudVolume volume{.cell_m = 10.0, .bricks = {2, 1, 1}, .brick_of = {0, 1}, .density = {}};
+  volume.density.assign(1024, 1.0f);
+  VdbCloud file{.volume = volume, .albedo = {}};
+  for (int i = 0; i < 1024; ++i) {
+    file.albedo.push_back(i < 512 ? std::array{1.0f, 0.25f, 0.25f} : std::array{0.25f, 0.25f, 1.0f});
+  }
+  write_vdb(folder_.path() / "a.vdb", file);
+  const ocl::Device device = ocl::Device::open();
+  const std::string text = "[[cloud]]\nfile = \"a.vdb\"\ntarget_particles = 60\n";
+  for (const char* more : {"", "sampling = \"random\"\n", "noise_blend = 0.2\n"}) {
+    const auto particles = clouds::particles_at_rest(device, sky_of(text + more).clouds[0]);
+    // Between the middles of the two colours' cells a field has both, which merging takes along: 0.06
+    // measured.
+    const float gate = *more == 'n' ? 0.1f : 0.0f;
+    int reds = 0, blues = 0;
+    for (const CloudParticle& particle : particles) {
+      if (particle.x < 60.0f) {
+        EXPECT_NEAR(particle.red, 1.0f, gate) << more;
+        EXPECT_NEAR(particle.blue, 0.25f, gate) << more;
+        ++reds;
+      } else if (particle.x > 100.0f) {
+        EXPECT_NEAR(particle.red, 0.25f, gate) << more;
+        EXPECT_NEAR(particle.blue, 1.0f, gate) << more;
+        ++blues;
+      }
+    }
+    EXPECT_GT(reds, 10) << more;
+    EXPECT_GT(blues, 10) << more;
+  }
+  for (const CloudParticle& particle :
+       clouds::particles_at_rest(device, sky_of(text + "colour = [0.5, 0.5, 0.5]\n").clouds[0])) {
+    ASSERT_EQ(particle.red, 0.5f);
+  }
+}
+
+// Fails if an error names a value that nobody gave, in no place, or with a mend that is no key.
+TEST_F(SceneClouds, FaultsOfFormSayWhereAndWhatToChange) {
+  const auto hint = [&](const std::string& text) {
+    try {
+      prepare_clouds(scene_of(text));
+    } catch (const Error& error) {
+      return error.hint();
+    }
+    return std::string();
+  };
+  const std::string scaled = "[[cloud]]\nscale = 1000\n[[cloud.ball]]\nradius_m = 10000\n";
+  EXPECT_THAT(refusal(scaled), HasSubstr("a.toml:3:9: cloud.scale: scaled, cloud.ball[0].radius_m"));
+  EXPECT_THAT(hint(scaled), HasSubstr("another scale"));
+  const std::string bird = "[[cloud]]\nshape = \"bird\"\nsize_m = 20\n";
+  EXPECT_THAT(refusal(bird), HasSubstr("a.toml:3:9: cloud.shape"));
+  EXPECT_THAT(hint(bird), HasSubstr("cloud.thickness_m"));
+  const std::string layer = "[[cloud_layer]]\nextent_m = 1000000\ncoverage = 0.9\n";
+  EXPECT_THAT(refusal(layer), HasSubstr("a.toml:3:12: cloud_layer.extent_m"));
+  EXPECT_THAT(hint(layer), HasSubstr("cloud_layer.coverage"));
+  EXPECT_THAT(refusal("[[cloud]]\ndroplet_um = 2\n[[cloud]]\n"), HasSubstr("a.toml:3:14: cloud.droplet_um"));
+  std::ofstream(folder_.path() / "point.obj") << "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n";
+  const std::string point = refusal("[[cloud]]\nmesh = \"point.obj\"\n");
+  EXPECT_THAT(point, HasSubstr("a.toml:3:8: cloud.mesh"));
+  EXPECT_THAT(point, testing::Not(HasSubstr("nan")));
+  std::ofstream(folder_.path() / "far.ply")
+      << "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+         "property float radius\nproperty float optical_mass\nend_header\n1e38 -1e38 0 40 5\n";
+  EXPECT_THAT(refusal("[[cloud]]\nscale = 1000\nfile = \"far.ply\"\n"), HasSubstr("cloud particle 0: x"));
+}
+
+// Fails if one of two forms of a cloud is chosen in silence.
+TEST_F(SceneClouds, RefusesTwoForms) {
+  EXPECT_THAT(refusal("[[cloud]]\ntext = \"K\"\nmesh = \"none.obj\"\n"),
+              HasSubstr("cloud.text: expected one of"));
+  EXPECT_THAT(refusal("[[cloud]]\nfile = \"a.vdb\"\nshape = \"bird\"\n"),
+              HasSubstr("a.toml:4:9: cloud.shape: expected one of"));
+}
+
+// Fails if keys that have no part in a cloud are passed over in silence, or others are complained of.
+TEST_F(SceneClouds, TellsKeysWithoutAPart) {
+  const auto unused = [&](const std::string& text) { return unused_parameters(scene_of(text)); };
+  EXPECT_THAT(
+      unused("[[cloud]]\nmodelling = \"hierarchical\"\nbase_m = 3\ntext = \"K\"\ntarget_particles = 9\n"
+             "[[cloud.ball]]\nradius_m = 7\n[[cloud.level]]\nratio = 0.4\n"),
+      testing::UnorderedElementsAre(HasSubstr("cloud.modelling: not used: cloud.text makes it"),
+                                    HasSubstr("cloud.base_m: not used: cloud.text makes it"),
+                                    HasSubstr("cloud.ball.radius_m: not used: cloud.text makes it"),
+                                    HasSubstr("cloud.level.ratio: not used: cloud.text makes it")));
+  EXPECT_THAT(unused("[[cloud]]\ntarget_particles = 9\nbase_m = 3\n[[cloud.level]]\nratio = 0.4\n"),
+              testing::ElementsAre(HasSubstr("cloud.target_particles: not used: it grows on its balls")));
+  EXPECT_THAT(unused("[[cloud]]\ngenus = \"stratus\"\ntarget_particles = 9\nbase_m = 3\n"),
+              testing::ElementsAre(HasSubstr("cloud.base_m: not used: it is sampled")));
 }
 
 // Clouds go from one scene to another with their keyframes, and nothing else does.

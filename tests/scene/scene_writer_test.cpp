@@ -67,6 +67,22 @@ TEST(SceneWriter, KeepsElementsApart) {
   expect_same_values(parse_scene(scene_text(scene, ""), "again.toml", ""), scene);
 }
 
+// Fails if more sections are written than can be read back.
+TEST(SceneWriter, RefusesMoreThanCanBeReadBack) {
+  OceanScene scene;
+  scene.clouds.emplace_back().balls.resize(find_parameter("cloud.ball.radius_m")->max_count);
+  EXPECT_EQ(parse_scene(scene_text(scene, ""), "again.toml", "").clouds[0].balls.size(),
+            scene.clouds[0].balls.size());
+  scene.clouds[0].balls.emplace_back();
+  EXPECT_THROW(scene_text(scene, ""), Error);
+  scene.clouds[0].balls.assign(find_parameter("cloud.ball.radius_m")->max_count,
+                               {{1.0 / 3.0, 2.0 / 3.0, 4.0 / 3.0}});
+  scene.clouds.resize(8, scene.clouds[0]);
+  const TemporaryFolder folder;
+  EXPECT_THROW(save_scene(scene, folder.path() / "large.toml", Existing::keep), Error);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "large.toml"));
+}
+
 // Fails if keyframes are lost, moved, or go another way.
 TEST(SceneWriter, KeyframesComeBack) {
   const OceanScene scene = parse_scene(

@@ -1,5 +1,6 @@
 #include "host/io/text/text_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -35,6 +36,20 @@ Error unusable(std::string_view text, std::string_view expected) {
           "write a letter or a word"};
 }
 
+/// A font draws a box in place of a letter that it does not have.
+void require_glyphs(cairo_t* context, const std::string& text) {
+  cairo_glyph_t* glyphs = nullptr;
+  int count = 0;
+  const cairo_status_t status = cairo_scaled_font_text_to_glyphs(cairo_get_scaled_font(context), 0.0, 0.0,
+                                                                 text.data(), static_cast<int>(text.size()),
+                                                                 &glyphs, &count, nullptr, nullptr, nullptr);
+  if (status != CAIRO_STATUS_SUCCESS) throw unusable(text, "text in UTF-8");
+  const bool has_all =
+      std::none_of(glyphs, glyphs + count, [](const cairo_glyph_t& glyph) { return glyph.index == 0; });
+  cairo_glyph_free(glyphs);
+  if (!has_all) throw unusable(text, "letters that the system's font has");
+}
+
 /// y up, in cairo's units.
 std::vector<Outline> outlines_of(const std::string& text) {
   const std::unique_ptr<cairo_surface_t, Destroy> surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
@@ -42,6 +57,7 @@ std::vector<Outline> outlines_of(const std::string& text) {
   cairo_select_font_face(context.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_BOLD);
   cairo_set_font_size(context.get(), font_size);
   cairo_set_tolerance(context.get(), tolerance);
+  require_glyphs(context.get(), text);
   cairo_text_path(context.get(), text.c_str());
   if (cairo_status(context.get()) != CAIRO_STATUS_SUCCESS) throw unusable(text, "text in UTF-8");
   const std::unique_ptr<cairo_path_t, Destroy> path(cairo_copy_path_flat(context.get()));

@@ -86,6 +86,7 @@ class VdbFile : private openvdb::io::Archive {
 
   void read_grid(const std::set<std::string>& wanted, std::map<std::string, openvdb::GridBase::Ptr>& found) {
     openvdb::io::GridDescriptor descriptor;
+    const std::streamoff begin = stream_.tellg();
     const openvdb::GridBase::Ptr grid = descriptor.read(stream_);
     const std::string name = descriptor.gridName();
     names_.push_back(name);
@@ -101,7 +102,13 @@ class VdbFile : private openvdb::io::Archive {
     } else if (!inputHasGridOffsets()) {
       readGrid(grid, descriptor, stream_);
     }
-    if (inputHasGridOffsets()) descriptor.seekToEnd(stream_);
+    if (!inputHasGridOffsets()) return;
+    descriptor.seekToEnd(stream_);
+    // Or a crafted list would be read again and again.
+    if (stream_.tellg() <= begin) {
+      throw bad_vdb(path_, fmt::format("grid {}", printable(name)), "an end after its begin", "one before it",
+                    "copy or write the file again");
+    }
   }
 
   /// Calls `read` and says where what it throws comes from.

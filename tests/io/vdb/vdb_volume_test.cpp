@@ -4,8 +4,10 @@
 #include "host/io/vdb/vdb_volume.h"
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -240,6 +242,26 @@ TEST_F(VdbVolume, SurvivesDamage) {
   }
   RecordProperty("refused", refused);
   EXPECT_GT(refused, files / 10);
+}
+
+// A list of two thousand million grids whose first ends where it begins. Fails if it is read for hours.
+TEST_F(VdbVolume, RefusesListsThatGoBack) {
+  write_vdb(in_folder("whole.vdb"), {example_volume()});
+  std::string bytes = bytes_of(in_folder("whole.vdb"));
+  // count, name, type and parent, the last three with their lengths before them, and the offsets of the
+  // grid, its blocks and its end.
+  const std::string name("density"), type("Tree_float_5_4_3");
+  const std::size_t type_at = bytes.find(type);
+  ASSERT_NE(type_at, std::string::npos);
+  const std::size_t descriptor_at = type_at - 8 - name.size(), end_at = type_at + type.size() + 4 + 16;
+  ASSERT_EQ(bytes.substr(descriptor_at + 4, name.size()), name);
+  const std::int32_t most = std::numeric_limits<std::int32_t>::max();
+  std::memcpy(bytes.data() + descriptor_at - 4, &most, sizeof most);
+  const auto back = static_cast<std::int64_t>(descriptor_at);
+  std::memcpy(bytes.data() + end_at, &back, sizeof back);
+  write_bytes(in_folder("loop.vdb"), bytes);
+  ASSERT_TRUE(error_of(in_folder("loop.vdb")));
+  EXPECT_THAT(error_of(in_folder("loop.vdb"))->what(), HasSubstr("an end after its begin"));
 }
 
 // An independent program reads the file: OpenVDB's own. It counts active cells and tells where they are.
