@@ -52,7 +52,7 @@ present::ViewOptions WindowTest::quick_options() {
 
 void WindowTest::open(const present::ViewOptions& options) {
   viewer_.reset();
-  viewer_ = std::make_unique<present::Viewer>(options);
+  viewer_ = std::make_unique<present::Viewer>(options, cancel_);
   glfwSetWindowSize(viewer_->window(), window_width, window_height);
   constexpr double longest_s = 10.0;
   const double start_s = glfwGetTime();

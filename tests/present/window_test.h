@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/base/cancel_token.h"
 #include "host/scene/parameter.h"
 #include "present/viewer.h"
 #include "tests/io/temporary_folder.h"
@@ -66,6 +67,7 @@ class WindowTest : public testing::Test {
   TemporaryFolder folder_;
   std::unique_ptr<VirtualDisplay> display_;
   std::unique_ptr<Hands> hands_;
+  CancelToken cancel_;  // of nobody
   std::unique_ptr<present::Viewer> viewer_;
 
  private:
