@@ -61,7 +61,8 @@ void add_model_rows(const ocl::Device& device, int count, const Sinks& sinks) {
   CloudParameters sampled = preset(Genus::cumulus);
   sampled.modelling = Modelling::sampled;
   sampled.target_particles = count;
-  add_model_row("clouds_sample", device, sampled, sinks);
+  // A million would take many minutes.
+  if (count <= most_drawn_particles) add_model_row("clouds_sample", device, sampled, sinks);
   add_model_row("clouds_grow", device, grown_cumulus(device, count), sinks);
 }
 
