@@ -26,6 +26,7 @@ Frame::Frame(const GlContext& context, const ocl::Device& device, const FrameSet
     : capabilities_(context.capabilities()),
       ground_sampling_(settings.ground),
       transfer_(context, device, settings.transfer),
+      sky_(settings.sky_step_px),
       water_(context.capabilities(), settings.water),
       meshes_(context.capabilities()) {}
 
@@ -50,8 +51,7 @@ void Frame::draw_light(world::World& world, const FrameRequest& request, bool se
   {
     // Where nothing else is.
     const StageTimes::Scope stage(times_, Stage::sky);
-    light_.bind();
-    sky_.draw(request.camera);
+    sky_.draw(request.camera, light_);
   }
   if (!world.meshes().empty()) {
     const StageTimes::Scope stage(times_, Stage::meshes);

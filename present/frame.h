@@ -23,6 +23,7 @@ struct FrameSettings {
   WaterDetail water;
   std::optional<TransferRung> transfer = {};  ///< the best one where absent
   terrain::Sampling ground = {};
+  int sky_step_px = 1;  ///< between pixels of whose sky the light is worked out (SkyPass)
 };
 
 /// Draws pictures of a world, always into framebuffers of its own, so that a window, a file and a test see

@@ -70,15 +70,20 @@ std::optional<PixelRange> pixels_around(const glm::dvec3& direction, double angl
 
 }  // namespace
 
-SkyPass::SkyPass()
-    : sky_(sky_program("sky.frag")),
+SkyPass::SkyPass(int step_px)
+    : step_px_(step_px),
+      sky_(sky_program("sky.frag")),
       sun_(sky_program("sun.frag")),
       map_(sky_program("environment.frag")),
       no_vertices_(GlVertexArray::make()),
       block_(GlBuffer::make()),
       view_table_(GlTexture::make()),
       depth_table_(GlTexture::make()),
-      environment_(environment_size, environment_size, GL_RGBA16F, RenderTarget::Depth::none) {}
+      environment_(environment_size, environment_size, GL_RGBA16F, RenderTarget::Depth::none) {
+  if (step_px_ == 1) return;
+  enlarge_.emplace(
+      ShaderStages{.vertex = {shader_file("screen.vert")}, .fragment = {shader_file("sky_enlarged.frag")}});
+}
 
 void SkyPass::bind(const ShaderProgram& program) const {
   program.use();
@@ -104,9 +109,37 @@ void SkyPass::prepare(const sky::ClearSky& sky) {
   revision_ = sky.revision();
 }
 
-void SkyPass::draw(const Camera& camera) const {
+void SkyPass::draw_nodes(const Camera& camera) {
+  const auto nodes_along = [&](int pixels) { return (pixels + step_px_ - 1) / step_px_ + 1; };
+  const glm::ivec2 pixels(camera.width_px, camera.height_px);
+  const glm::ivec2 nodes(nodes_along(pixels.x), nodes_along(pixels.y));
+  if (glm::ivec2(nodes_.width(), nodes_.height()) != nodes)
+    nodes_ = RenderTarget(nodes.x, nodes.y, GL_RGBA16F, RenderTarget::Depth::none);
+  nodes_.bind();
   bind(sky_);
-  set_view_rays(sky_, camera);
+  // Node i lies at pixel step i: clip coordinates of the nodes' picture, scaled and shifted to the pixels'.
+  const CameraBasis axes = basis(camera);
+  const glm::dvec2 extent = half_extent(camera), step = 2.0 * step_px_ / glm::dvec2(pixels);
+  const glm::dvec2 scale = 0.5 * step * glm::dvec2(nodes), shift = scale - 0.5 * step - 1.0;
+  sky_.set("ray_forward",
+           glm::vec3(axes.forward + shift.x * extent.x * axes.right + shift.y * extent.y * axes.up));
+  sky_.set("ray_right", glm::vec3(scale.x * extent.x * axes.right));
+  sky_.set("ray_up", glm::vec3(scale.y * extent.y * axes.up));
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void SkyPass::draw(const Camera& camera, const RenderTarget& target) {
+  if (enlarge_) {
+    draw_nodes(camera);
+    target.bind();
+    enlarge_->use();
+    bind_sampler(*enlarge_, "nodes", view_unit, nodes_.texture());
+    enlarge_->set("step_px", static_cast<float>(step_px_));
+  } else {
+    target.bind();
+    bind(sky_);
+    set_view_rays(sky_, camera);
+  }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_EQUAL);
   glDepthRange(0.0, 0.0);

@@ -293,7 +293,10 @@ PictureSize read_size(std::string_view flag, std::string_view text) {
 
 FrameSettings frame_settings(Detail detail, std::optional<TransferRung> transfer) {
   if (detail == Detail::low) {
-    return {.water = {.cells = {128, 128}, .taps = 1}, .transfer = transfer, .ground = {.rays = 1}};
+    return {.water = {.cells = {128, 128}, .taps = 1},
+            .transfer = transfer,
+            .ground = {.rays = 1},
+            .sky_step_px = 2};
   }
   return {.water = {.cells = {384, 384}, .taps = 4}, .transfer = transfer, .ground = {.rays = 16}};
 }

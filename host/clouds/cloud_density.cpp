@@ -1,6 +1,7 @@
 #include "host/clouds/cloud_density.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -50,8 +51,9 @@ ocl::Buffer<T> uploaded(const ocl::Device& device, std::span<const T> values, co
   return ocl::Buffer<T>(device, values.empty() ? std::span<const T>(&nothing, 1) : values, name);
 }
 
-/// Launches for some bricks at a time and keeps those with any density.
-/// launch(first, count, density): bricks first ... first + count of brick_index.
+/// Launches for some bricks at a time and keeps those with any density, while the next are computed.
+/// launch(first, count, density): bricks first ... first + count of brick_index; returns what it reads of its
+/// own.
 template <typename Launch>
 CloudVolume collected(const ocl::Device& device, const BrickGrid& grid,
                       std::span<const std::uint32_t> brick_index, const Work& work, const Launch& launch) {
@@ -63,13 +65,20 @@ CloudVolume collected(const ocl::Device& device, const BrickGrid& grid,
   volume.density.reserve(brick_index.size() * CloudVolume::cells_of_brick);
   const std::size_t most = std::min(bricks_a_launch, brick_index.size());
   if (most == 0) return volume;
-  ocl::Buffer<float> density(device, most * CloudVolume::cells_of_brick, "cloud density");
+  std::array<ocl::Buffer<float>, 2> densities;
+  for (auto& density : densities)
+    density = ocl::Buffer<float>(device, most * CloudVolume::cells_of_brick, "cloud density");
+  const auto count_from = [&](std::size_t first) { return std::min(most, brick_index.size() - first); };
+  std::array<decltype(launch(0, most, densities[0])), 2> read{launch(0, most, densities[0])};
   std::int32_t kept = 0;
-  for (std::size_t first = 0; first < brick_index.size(); first += most) {
-    const std::size_t count = std::min(most, brick_index.size() - first);
+  for (std::size_t first = 0, turn = 0; first < brick_index.size(); first += most, turn ^= 1) {
+    const std::size_t count = count_from(first), next = first + most;
     work.tell(static_cast<double>(first) / static_cast<double>(brick_index.size()));
-    launch(first, count, density);
-    const auto view = density.map();
+    const auto view = densities[turn].map();  // waits for it
+    if (next < brick_index.size()) {
+      read[turn ^ 1] = {};  // whose end waits for all that is enqueued
+      read[turn ^ 1] = launch(next, count_from(next), densities[turn ^ 1]);
+    }
     for (std::size_t i = 0; i < count; ++i) {
       const auto cells = view.span().subspan(i * CloudVolume::cells_of_brick, CloudVolume::cells_of_brick);
       if (std::all_of(cells.begin(), cells.end(), [](float value) { return value == 0.0f; })) continue;
@@ -114,16 +123,16 @@ CloudVolume volume_of_balls(const ocl::Device& device, const BrickGrid& grid,
   const auto device_balls = uploaded(device, balls, "metaballs");
   const auto device_octaves = uploaded(device, octaves, "octaves of noise");
   const auto entries = uploaded(device, std::span<const std::uint32_t>(bins.balls), "balls of bricks");
-  return collected(device, grid, bins.brick_index, work,
-                   [&](std::size_t first, std::size_t count, const ocl::Buffer<float>& density) {
-                     const ocl::Buffer<std::uint32_t> index(
-                         device, std::span(bins.brick_index).subspan(first, count), "bricks");
-                     const ocl::Buffer<std::uint32_t> begin(
-                         device, std::span(bins.begin).subspan(first, count + 1), "lists of bricks");
-                     density_kernel.kernel.launch(density_kernel.shape(count), params, device_octaves, index,
-                                                  begin, entries, device_balls, density);
-                     device.finish();  // the lists end with this call
-                   });
+  return collected(
+      device, grid, bins.brick_index, work,
+      [&](std::size_t first, std::size_t count, const ocl::Buffer<float>& density) {
+        std::array lists{
+            uploaded(device, std::span(bins.brick_index).subspan(first, count), "bricks"),
+            uploaded(device, std::span(bins.begin).subspan(first, count + 1), "lists of bricks")};
+        density_kernel.kernel.launch(density_kernel.shape(count), params, device_octaves, lists[0], lists[1],
+                                     entries, device_balls, density);
+        return lists;
+      });
 }
 
 /// Bricks of the grid that a brick of the shape reaches, half a cell beyond its own cells.
@@ -172,13 +181,13 @@ CloudVolume volume_of_shape(const ocl::Device& device, const BrickGrid& grid, co
   const glm::vec3 corner((shape.origin_m - grid.corner_m) / grid.cell_m);
   return collected(device, grid, bricks, work,
                    [&](std::size_t first, std::size_t count, const ocl::Buffer<float>& density) {
-                     const ocl::Buffer<std::uint32_t> index(device, std::span(bricks).subspan(first, count),
-                                                            "bricks");
+                     ocl::Buffer<std::uint32_t> index(device, std::span(bricks).subspan(first, count),
+                                                      "bricks");
                      density_kernel.kernel.launch(density_kernel.shape(count), params, device_octaves, index,
                                                   brick_of, values, shape.bricks[0], shape.bricks[1],
                                                   shape.bricks[2], corner.x, corner.y, corner.z,
                                                   static_cast<float>(shape.cell_m / grid.cell_m), density);
-                     device.finish();  // the list ends with this call
+                     return index;
                    });
 }
 

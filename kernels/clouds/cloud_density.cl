@@ -115,24 +115,32 @@ __kernel __attribute__((reqd_work_group_size(LANES, 1, 1))) void cloud_density(
       slope_weight[column] = value_weight[column] * dx;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
+    // What lattice columns give at the z of a row, at each y of the lattice.
+    float8 slope_x[CLOUD_LATTICE_POINTS], slope_y[CLOUD_LATTICE_POINTS], level[CLOUD_LATTICE_POINTS];
     for (int row = 0; row < ROWS; ++row) {
       const int row_y = (lane * ROWS + row) & 7, row_z = (lane * ROWS + row) >> 3;
       const float at_y = fraction_of(from_y) + (float)row_y * step;
-      const float at_z = fraction_of(from_z) + (float)row_z * step;
       // Rounding may put a place on the last lattice point, where the cell before it gives the same.
-      const int low_y = min((int)at_y, points_y - 2), low_z = min((int)at_z, points_z - 2);
-      const float y_fraction = at_y - (float)low_y, z_fraction = at_z - (float)low_z;
-      const float y_fade = noise_fade(y_fraction), z_fade = noise_fade(z_fraction);
-      // Along the row, each lattice column gives slope * dx + value: the sum over its four rows.
-      float8 slope = 0.0f, value = 0.0f;
-      for (int corner = 0; corner < 4; ++corner) {
-        const int up = corner & 1, on = corner >> 1;
-        const float weight = (up ? y_fade : 1.0f - y_fade) * (on ? z_fade : 1.0f - z_fade);
-        const float dy = y_fraction - (float)up, dz = z_fraction - (float)on;
-        const int point = low_y + up + (low_z + on) * points_y;
-        slope += weight * lattice_x[point];
-        value += weight * (lattice_y[point] * dy + lattice_z[point] * dz + lattice_value[point]);
+      const int low_y = min((int)at_y, points_y - 2);
+      if (ROWS == 1 || row_y == 0) {
+        const float at_z = fraction_of(from_z) + (float)row_z * step;
+        const int low_z = min((int)at_z, points_z - 2);
+        const float z_fraction = at_z - (float)low_z, z_fade = noise_fade(z_fraction);
+        const int first = ROWS == 1 ? low_y : 0, end = ROWS == 1 ? low_y + 2 : points_y;
+        for (int y = first; y < end; ++y) {
+          const int near = y + low_z * points_y, far = near + points_y;
+          const float near_weight = 1.0f - z_fade;
+          slope_x[y] = near_weight * lattice_x[near] + z_fade * lattice_x[far];
+          slope_y[y] = near_weight * lattice_y[near] + z_fade * lattice_y[far];
+          level[y] = near_weight * (lattice_z[near] * z_fraction + lattice_value[near]) +
+                     z_fade * (lattice_z[far] * (z_fraction - 1.0f) + lattice_value[far]);
+        }
       }
+      const float y_fraction = at_y - (float)low_y, y_fade = noise_fade(y_fraction), y_weight = 1.0f - y_fade;
+      // Along the row, each lattice column gives slope * dx + value.
+      const float8 slope = y_weight * slope_x[low_y] + y_fade * slope_x[low_y + 1];
+      const float8 value = y_weight * (slope_y[low_y] * y_fraction + level[low_y]) +
+                           y_fade * (slope_y[low_y + 1] * (y_fraction - 1.0f) + level[low_y + 1]);
       float slopes[8], values[8];
       vstore8(slope, 0, slopes);
       vstore8(value, 0, values);

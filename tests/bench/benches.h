@@ -76,6 +76,9 @@ void bench_highlights(const ocl::Device& device, const Settings& settings, const
 /// do not matter.
 void bench_clouds(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
+/// 3,000 balls in 512^3 cells, from parameters to an OpenVDB file in the folder of temporary files.
+void bench_cloud_files(const ocl::Device& device, const Sinks& sinks);
+
 /// Frames of the presenter with a cumulus from near: the shipped one over its sea, and one alone in the sky
 /// for each number of particles up to 30,000, in the window's size and in that of C16. Only in builds with
 /// the presenter.

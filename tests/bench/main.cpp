@@ -149,6 +149,7 @@ int run_command_line(int argc, char** argv) {
 #ifdef OFFING_BUILD_VIEWER
       bench::bench_cloud_frames(options.settings, sinks);
 #endif
+      bench::bench_cloud_files(device, sinks);
       bench::bench_clouds(device, options.settings, sinks);
     });
   });

