@@ -33,7 +33,7 @@ std::vector<Parameter> form_rows() {
         .rule = ParameterRule::file_name},
        {.key = "mesh.shape",
         .storage = choice_at<&element<meshes, &MeshScene::shape>>(
-            {"knot", "sphere", "ellipsoid", "torus", "saddle", "head", "ship", "bird"}),
+            {"knot", "sphere", "ellipsoid", "torus", "saddle", "head", "ship", "bird", "boat", "box"}),
         .help = "made by a formula",
         .use = ParameterUse::made_mesh},
        {.key = "mesh.size_m",
@@ -41,7 +41,7 @@ std::vector<Parameter> form_rows() {
         .unit = "m",
         .low = 1e-3,
         .high = 1e5,
-        .help = "radius of a shape, of ship and bird length and span",
+        .help = "radius of a shape, of ship and boat length, of bird span, of a box half its side",
         .use = ParameterUse::made_mesh},
        {.key = "mesh.detail",
         .storage = &element<meshes, &MeshScene::detail>,

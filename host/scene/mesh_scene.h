@@ -32,7 +32,7 @@ struct HighlightScene {
 };
 
 /// Shapes of host/mesh_shapes.
-enum class MeshShape { knot, sphere, ellipsoid, torus, saddle, head, ship, bird };
+enum class MeshShape { knot, sphere, ellipsoid, torus, saddle, head, ship, bird, boat, box };
 enum class MeshHighlights { off, on };
 
 /// A mesh of a scene: a file's or, without one, a shape.

@@ -77,7 +77,7 @@ TEST(SceneMeshes, ShapesAreMade) {
 
 // Fails if a shape that a scene can name cannot be made at all details.
 TEST(SceneMeshes, EachShapeCanBeMade) {
-  for (const char* shape : {"knot", "sphere", "ellipsoid", "torus", "saddle", "head", "ship", "bird"}) {
+  for (const char* shape : {"knot", "sphere", "ellipsoid", "torus", "saddle", "head", "ship", "bird", "boat", "box"}) {
     for (const char* detail : {"0", "3"}) {
       const OceanScene scene =
           scene_of(std::string("[[mesh]]\nshape = \"") + shape + "\"\ndetail = " + detail + "\n");
