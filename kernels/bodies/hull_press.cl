@@ -5,7 +5,7 @@
 // a side around it, weighted by a tent, so that the hull's volume does not jump as it moves.
 #include "shared/bodies.h"
 
-#define SAMPLES 6  // along a side of that square
+#define SAMPLES 4  // along a side of that square
 
 static float depth_at(__global const float *bottom, const HullPress *press, float along, float across) {
   const int column = convert_int_rtn(along + 0.5f), row = convert_int_rtn(across + 0.5f);

@@ -36,7 +36,7 @@ class HullPressTest : public testing::Test {
 };
 
 // Fails if a hull presses another volume than it displaces, whichever way it is turned and wherever it stands
-// between cells. The map has 1 % steps of a ship's outline, and each cell 36 samples of it: measured 0.5 %,
+// between cells. The map has 1 % steps of a ship's outline, and each cell 16 samples of it: measured 0.5 %,
 // gate 2 %.
 TEST_F(HullPressTest, PressesWhatItDisplaces) {
   const TriangleMesh ship = test::ship(12.0);
