@@ -109,6 +109,8 @@ bool is_in(const scene::OceanScene& scene, ParameterGroup group) {
     case ParameterGroup::wake_hull:
     case ParameterGroup::foam:
       return scene.has_sea();
+    case ParameterGroup::body:
+      return scene.has_sea() && !scene.meshes.empty();
     case ParameterGroup::terrain:
     case ParameterGroup::height_map:
     case ParameterGroup::walk:
@@ -288,7 +290,7 @@ void draw_message(Message& message) {
 }  // namespace
 
 std::span<const GroupPanel> group_panels() {
-  static constexpr std::array<GroupPanel, 26> panels{{{ParameterGroup::wind, "Wind"},
+  static constexpr std::array<GroupPanel, 27> panels{{{ParameterGroup::wind, "Wind"},
                                                       {ParameterGroup::sea, "Spectrum"},
                                                       {ParameterGroup::grid, "Cascades and Gerstner waves"},
                                                       {ParameterGroup::swell, "Swells"},
@@ -302,6 +304,7 @@ std::span<const GroupPanel> group_panels() {
                                                       {ParameterGroup::mesh, "Meshes"},
                                                       {ParameterGroup::highlight, "Highlights"},
                                                       {ParameterGroup::light, "Lights"},
+                                                      {ParameterGroup::body, "Floating bodies"},
                                                       {ParameterGroup::clouds, "All clouds"},
                                                       {ParameterGroup::cloud_layer, "Layers of clouds"},
                                                       {ParameterGroup::cloud, "Clouds"},

@@ -10,11 +10,11 @@ namespace offing::present {
 namespace {
 
 constexpr int output_count = 3;
-constexpr int first_shape_unit = 0;
+constexpr int first_shape_unit = 0, hull_unit = 4;
 
 ShaderProgram surface_program() {
-  return ShaderProgram(
-      {.vertex = {shader_file("water.vert")}, .fragment = {shader_file("water_surface.frag")}});
+  return ShaderProgram({.vertex = {shader_file("water.vert")},
+                        .fragment = {shader_file("hull_mask.glsl"), shader_file("water_surface.frag")}});
 }
 
 // Two triangles a cell, near rows first, so that what they hide is not shaded.
@@ -63,6 +63,7 @@ bool WaterSurface::draw(const world::World& world, const WaterMaps& maps, const 
   program_.use();
   program_.set("clip_from_eye", glm::mat4(clip_from_eye(camera, capabilities_.has_clip_control)));
   shape_.bind(program_, first_shape_unit);
+  hulls_.bind(program_, hull_unit, world, camera);
 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);

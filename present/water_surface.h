@@ -7,6 +7,7 @@
 #include "present/frame_request.h"
 #include "present/gl_context.h"
 #include "present/gl_objects.h"
+#include "present/hull_mask.h"
 #include "present/render_target.h"
 #include "present/shader_program.h"
 #include "present/water_maps.h"
@@ -32,6 +33,7 @@ class WaterSurface {
  private:
   GlCapabilities capabilities_;
   WaterShape shape_;
+  HullMask hulls_;
   ShaderProgram program_;
   GlVertexArray vertices_;
   GlBuffer indices_;

@@ -45,7 +45,7 @@ BodyState device_state(const BodyPose& pose) {
           .spin_x_radps = static_cast<float>(pose.spin_radps.x),
           .spin_y_radps = static_cast<float>(pose.spin_radps.y),
           .spin_z_radps = static_cast<float>(pose.spin_radps.z),
-          .padding = 0};
+          .displaced_m3 = static_cast<float>(pose.displaced_m3)};
 }
 
 BodyPose pose_of(const BodyState& state) {
@@ -53,14 +53,16 @@ BodyPose pose_of(const BodyState& state) {
                             tile_m * state.tile_z + static_cast<double>(state.z_m)},
           .turn = glm::normalize(glm::dquat(state.turn_w, state.turn_x, state.turn_y, state.turn_z)),
           .velocity_mps = {state.velocity_x_mps, state.velocity_y_mps, state.velocity_z_mps},
-          .spin_radps = {state.spin_x_radps, state.spin_y_radps, state.spin_z_radps}};
+          .spin_radps = {state.spin_x_radps, state.spin_y_radps, state.spin_z_radps},
+          .displaced_m3 = state.displaced_m3};
 }
 
 BodyPose pose_between(const BodyPose& from, const BodyPose& to, double share) {
   return {.mass_centre_m = glm::mix(from.mass_centre_m, to.mass_centre_m, share),
           .turn = glm::slerp(from.turn, to.turn, share),
           .velocity_mps = glm::mix(from.velocity_mps, to.velocity_mps, share),
-          .spin_radps = glm::mix(from.spin_radps, to.spin_radps, share)};
+          .spin_radps = glm::mix(from.spin_radps, to.spin_radps, share),
+          .displaced_m3 = std::lerp(from.displaced_m3, to.displaced_m3, share)};
 }
 
 }  // namespace offing::bodies

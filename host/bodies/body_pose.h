@@ -13,6 +13,7 @@ struct BodyPose {
   glm::dquat turn{1.0, 0.0, 0.0, 0.0};  ///< from body axes (x forward, y up, z to starboard) to the world's
   glm::dvec3 velocity_mps{0.0};         ///< of the mass centre, in world axes
   glm::dvec3 spin_radps{0.0};           ///< in body axes
+  double displaced_m3 = 0.0;            ///< of water, a sub-step before
 };
 
 /// Of body x in the world, from +x toward +z, rad.

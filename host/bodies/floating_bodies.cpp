@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
@@ -173,18 +174,29 @@ void FloatingBodies::advance_to(double time_s, const WaterSurface& water, const 
   fetch();
 }
 
-void FloatingBodies::send_drives(const Drive& drive) {
-  Drives& ahead = drives_ahead_[static_cast<std::size_t>(questions_) % drives_ahead_.size()];
-  ahead.sent.wait();
-  ahead.values.assign(size() * steps_a_question, BodyDrive{});
-  if (drive) {
-    for (std::size_t body = 0; body < size(); ++body) {
-      for (std::size_t step = 0; step < steps_a_question; ++step) {
-        ahead.values[body * steps_a_question + step] =
-            drive(body, question_s(questions_) + static_cast<double>(step) / steps_per_s);
-      }
+std::vector<BodyDrive> FloatingBodies::drives_from(const Drive& drive) const {
+  std::vector<BodyDrive> drives(size() * steps_a_question, BodyDrive{});
+  if (!drive) return drives;
+  for (std::size_t body = 0; body < size(); ++body) {
+    for (std::size_t step = 0; step < steps_a_question; ++step) {
+      drives[body * steps_a_question + step] =
+          drive(body, question_s(questions_) + static_cast<double>(step) / steps_per_s);
     }
   }
+  return drives;
+}
+
+void FloatingBodies::send_drives(const Drive& drive) {
+  std::vector<BodyDrive> values = drives_from(drive);
+  // Most bodies drift, or run at one thrust: what the device has already is not sent again.
+  const std::vector<BodyDrive>& last =
+      drives_ahead_[(drives_sent_ + drives_ahead_.size() - 1) % drives_ahead_.size()].values;
+  const bool is_there = values.size() == last.size() &&
+                        std::memcmp(values.data(), last.data(), values.size() * sizeof(BodyDrive)) == 0;
+  if (is_there) return;
+  Drives& ahead = drives_ahead_[drives_sent_++ % drives_ahead_.size()];
+  ahead.sent.wait();
+  ahead.values = std::move(values);
   ahead.sent = drives_.begin_write(ahead.values.data());
 }
 

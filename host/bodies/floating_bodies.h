@@ -71,6 +71,8 @@ class FloatingBodies {
   /// States of the last sub-steps on the device, [steps_a_question][bodies]; the last row is of
   /// stepped_to_s().
   const ocl::Buffer<BodyState>& path() const { return path_; }
+  /// States at stepped_to_s() on the device, [bodies].
+  const ocl::Buffer<BodyState>& latest() const { return now_; }
   /// Poses at time_s(); waits.
   std::vector<BodyPose> read_poses();
   /// Poses of the last advance_to() whose states have been fetched by now, at that one's time: those before
@@ -100,6 +102,7 @@ class FloatingBodies {
   };
 
   void upload();
+  std::vector<BodyDrive> drives_from(const Drive& drive) const;
   void send_drives(const Drive& drive);
   void ask_and_step(const WaterSurface& water, const Drive& drive);
   void fetch();
@@ -123,6 +126,7 @@ class FloatingBodies {
   double reset_s_ = 0.0, time_s_ = 0.0;
   std::int64_t questions_ = 0;
   std::array<Drives, 8> drives_ahead_;
+  std::size_t drives_sent_ = 0;
   std::vector<BodyPose> late_poses_;
   Fetch fetch_;
 };

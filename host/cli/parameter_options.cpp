@@ -56,6 +56,8 @@ const char* title(ParameterGroup group) {
       return "Meshes";
     case ParameterGroup::highlight:
       return "Highlights";
+    case ParameterGroup::body:
+      return "Floating bodies";
     case ParameterGroup::clouds:
     case ParameterGroup::cloud_layer:
     case ParameterGroup::cloud:

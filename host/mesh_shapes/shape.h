@@ -70,6 +70,13 @@ Shape make_head(double radius_m, int level, const Roughness& roughness = {});
 /// depth follow from the length.
 Shape make_ship(double length_m, const Grid& grid);
 
+/// An open boat with a deck at each end, bow toward +x, +y up: a closed surface of an outer and an inner skin,
+/// whose sections have v_cells quads, half of them outside; 8 or more. No truth, as for ships.
+Shape make_boat(double length_m, const Grid& grid);
+
+/// A box about the origin, each side of so many cells a side. No truth, for its edges.
+Shape make_box(const glm::dvec3& sides_m, int cells);
+
 /// A bird that soars toward +x, +y up, its wings raised: a closed surface of u_cells ellipses of v_cells
 /// points from tip to tip along z, and a fan at each tip; no truth, for its beak has edges.
 Shape make_bird(double span_m, const Grid& grid);

@@ -22,7 +22,8 @@ std::size_t texels_of(const WakeLayer& layer) {
 WakeMaps::WakeMaps(const ocl::Device& device)
     : device_(device), maps_(device, 4, "wake maps"), layers_buffer_(device, 1, "wake layers") {}
 
-void WakeMaps::at(std::span<WakeWindow> windows, double time_s) {
+void WakeMaps::at(std::span<WakeWindow> windows, double time_s,
+                  const WakeWindow::AddDisplaced& add_displaced) {
   layers_.clear();
   places_.clear();
   std::size_t texels = 0;
@@ -54,7 +55,7 @@ void WakeMaps::at(std::span<WakeWindow> windows, double time_s) {
   }
   layers_buffer_.write(layers_);
   for (std::size_t i = 0; i < windows.size(); ++i) {
-    windows[i].draw(time_s, maps_, static_cast<std::size_t>(layers_[i].first_texel));
+    windows[i].draw(time_s, maps_, static_cast<std::size_t>(layers_[i].first_texel), add_displaced);
   }
 }
 

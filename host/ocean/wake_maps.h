@@ -14,8 +14,9 @@ class WakeMaps {
  public:
   explicit WakeMaps(const ocl::Device& device);
 
-  /// Enqueues the maps of these windows at this time, which is to be within a step of their states.
-  void at(std::span<WakeWindow> windows, double time_s);
+  /// Enqueues the maps of these windows at this time, which is to be within a step of their states, as
+  /// WakeWindow::draw() does.
+  void at(std::span<WakeWindow> windows, double time_s, const WakeWindow::AddDisplaced& add_displaced = {});
 
   std::size_t count() const { return layers_.size(); }
   /// [windows] one after the other, each [n][n] float4 of WakeWindow::draw().

@@ -221,8 +221,12 @@ void WakeWindow::step(const WakeForcing& forcing, double middle_s, const AddDisp
   scroll_to(forcing.centre);
   upload_hulls(forcing.hulls);
   rain();
-  displace_.launch(whole(), grid_, hulls_buffer_, static_cast<int>(hulls_.size()), drops_, drop_m_,
-                   displaced_);
+  if (hulls_.empty() && drop_m_ == 0.0f) {
+    displaced_.fill(0.0f);
+  } else {
+    displace_.launch(whole(), grid_, hulls_buffer_, static_cast<int>(hulls_.size()), drops_, drop_m_,
+                     displaced_);
+  }
   if (add_displaced) add_displaced(middle_s, grid_, displaced_);
   if (parameters_.method == WakeMethod::verlet) {
     advance_verlet();
@@ -248,7 +252,8 @@ void WakeWindow::advance_verlet() {
   }
 }
 
-void WakeWindow::draw(double time_s, ocl::Buffer<float>& map, std::size_t first) {
+void WakeWindow::draw(double time_s, ocl::Buffer<float>& map, std::size_t first,
+                      const AddDisplaced& add_displaced) {
   const auto since_s = static_cast<float>(std::clamp(time_s - this->time_s(), 0.0, parameters_.step_s));
   if (parameters_.method == WakeMethod::verlet) {
     const double part_s = parameters_.step_s / parts_;
@@ -256,7 +261,14 @@ void WakeWindow::draw(double time_s, ocl::Buffer<float>& map, std::size_t first)
                         static_cast<float>(parameters_.speed_mps * part_s / parameters_.cell_m()),
                         static_cast<float>(part_s), since_s, fields_);
   } else {
-    forward_->transform(state_, next_);
+    if (add_displaced) {
+      displaced_.fill(0.0f);
+      add_displaced(this->time_s(), grid_, displaced_);
+      press_.launch({{texels()}}, state_, displaced_, next_);
+      forward_->transform(next_, next_);
+    } else {
+      forward_->transform(state_, next_);
+    }
     spectrum_.launch(whole(), next_, omega_, parameters_.cells, since_s,
                      static_cast<float>(2.0 * pi / parameters_.length_m), fields_);
     fields_inverse_->transform(fields_, fields_);

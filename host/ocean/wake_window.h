@@ -64,8 +64,11 @@ class WakeWindow {
   void advance_to(double time_s, const ForcingAt& forcing_at, const AddDisplaced& add_displaced = {});
 
   /// Enqueues the map of time_s, which is to be within a step of the state: [n][n] float4 from texel `first`
-  /// on (height m, dh/dx, dh/dz, dh/dt m/s), laid out as WakeGrid says.
-  void draw(double time_s, ocl::Buffer<float>& map, std::size_t first = 0);
+  /// on (height m, dh/dx, dh/dz, dh/dt m/s), laid out as WakeGrid says. Of `dispersive` the hollows under
+  /// hulls that `add_displaced` adds at the time of the state are filled: the water stands there as its
+  /// pressure says, so that it meets their sides where it meets those around.
+  void draw(double time_s, ocl::Buffer<float>& map, std::size_t first = 0,
+            const AddDisplaced& add_displaced = {});
 
   /// The map of time_s in host memory.
   WakeFields read(double time_s);

@@ -62,6 +62,10 @@ Shape made_shape(MeshShape shape, double size_m, int detail) {
       return mesh_shapes::make_ship(size_m, grid_of(120, 64, detail));
     case MeshShape::bird:
       return mesh_shapes::make_bird(size_m, grid_of(120, 24, detail));
+    case MeshShape::boat:
+      return mesh_shapes::make_boat(size_m, grid_of(96, 64, detail));
+    case MeshShape::box:
+      return mesh_shapes::make_box(glm::dvec3(2.0 * size_m), 1 << detail);
   }
   return {};
 }

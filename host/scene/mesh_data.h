@@ -14,8 +14,8 @@ struct MeshData {
   std::shared_ptr<const VertexCurvatures> curvatures;
 };
 
-/// A shape made by a formula, as fine as `mesh.detail` says. size_m: radius, of ship and bird length and
-/// span.
+/// A shape made by a formula, as fine as `mesh.detail` says. size_m: radius, of ship and
+/// boat length, of bird span, of a box half its side.
 mesh_shapes::Shape made_shape(MeshShape shape, double size_m, int detail);
 
 /// Reads or makes it. Throws Error(bad_input) that names the place in the scene for a file that is not there,

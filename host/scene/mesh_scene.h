@@ -32,7 +32,7 @@ struct HighlightScene {
 };
 
 /// Shapes of host/mesh_shapes.
-enum class MeshShape { knot, sphere, ellipsoid, torus, saddle, head, ship, bird };
+enum class MeshShape { knot, sphere, ellipsoid, torus, saddle, head, ship, bird, boat, box };
 enum class MeshHighlights { off, on };
 
 /// A mesh of a scene: a file's or, without one, a shape.
@@ -46,6 +46,7 @@ struct MeshScene {
   glm::dvec3 position_m{0.0};
   double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;
   double spin_radps = 0.0;
+  std::string aboard;  ///< name of the [[body]] that carries it; empty: it stands in the world
   world::MeshMaterial material;  ///< its ramp is that of the name below
   std::string cartoon_ramp;      ///< file; empty: equal steps
   int smoothing_rounds = 0;

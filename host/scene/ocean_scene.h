@@ -12,6 +12,7 @@
 #include "host/ocean/ocean.h"
 #include "host/ocean/spectrum_parameters.h"
 #include "host/ocean/trochoids.h"
+#include "host/scene/body_scene.h"
 #include "host/scene/cloud_scene.h"
 #include "host/scene/mesh_scene.h"
 #include "host/scene/terrain_scene.h"
@@ -86,6 +87,7 @@ struct OceanScene {
   TerrainScene terrain;
   std::vector<LightScene> lights;
   std::vector<MeshScene> meshes;
+  std::vector<BodyScene> bodies;
   CloudsScene cloud_settings;
   std::vector<CloudScene> clouds;
   std::vector<CloudLayerScene> cloud_layers;

@@ -62,6 +62,7 @@ enum class ParameterGroup {
   light,
   mesh,
   highlight,
+  body,
   clouds,
   cloud_layer,
   cloud,
@@ -108,6 +109,8 @@ enum class ParameterUse {
   split_highlight,     ///< of one in several copies
   shape_highlight,     ///< of one that is no picture
   picture_highlight,   ///< of one that is
+  body_of_density,     ///< of a body without mass and draught
+  driven_body,         ///< of one that forces move
   filed_cloud,         ///< of a cloud that a .vdb makes
   shaped_cloud,        ///< of one that a mesh or a text makes
   text_cloud,          ///< of one that a text makes

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -80,6 +81,17 @@ void store_track(OceanScene& scene, const Parameter& parameter, const std::vecto
     scene.tracks.insert_or_assign({parameter.key, element, i}, std::move(tracks[i]));
   }
   scene.set_at.insert_or_assign({parameter.key, element}, place.subject);
+}
+
+bool has_same_keyframes(const OceanScene& before, const OceanScene& after, const Parameter& row) {
+  const auto tracks_of = [&](const OceanScene& scene) {
+    std::vector<std::pair<ValueKey, KeyframeTrack>> tracks;
+    for (const auto& track : scene.tracks) {
+      if (track.first.key == row.key) tracks.emplace_back(track);
+    }
+    return tracks;
+  };
+  return tracks_of(before) == tracks_of(after);
 }
 
 }  // namespace offing::scene

@@ -20,4 +20,7 @@ struct WrittenKeyframe {
 void store_track(OceanScene& scene, const Parameter& parameter, const std::vector<WrittenKeyframe>& written,
                  Interpolation interpolation, const Place& place);
 
+/// Whether a row has the same keyframes in all elements of two scenes.
+bool has_same_keyframes(const OceanScene& before, const OceanScene& after, const Parameter& row);
+
 }  // namespace offing::scene

@@ -23,7 +23,7 @@ namespace offing::scene {
 namespace {
 
 /// Parts of the scene format that have no system behind them in this version.
-constexpr std::array<std::string_view, 2> planned_keys = {"world.sea_level_m", "body"};
+constexpr std::array<std::string_view, 1> planned_keys = {"world.sea_level_m"};
 
 /// What benchmarks take from a scene: nothing of it changes the scene.
 constexpr std::string_view bench_section = "bench";

@@ -22,6 +22,7 @@
 #include "host/scene/moving_view.h"
 #include "host/scene/named_file.h"
 #include "host/scene/parameter_table.h"
+#include "host/scene/parameter_track.h"
 #include "host/scene/scene_ground.h"
 #include "host/sky/sun_position.h"
 
@@ -161,18 +162,8 @@ bool is_same_form(const MeshScene& a, const MeshScene& b) {
          a.scale == b.scale;
 }
 
-bool has_same_keyframes(const OceanScene& before, const OceanScene& after, const Parameter& row) {
-  const auto tracks_of = [&](const OceanScene& scene) {
-    std::vector<std::pair<ValueKey, KeyframeTrack>> tracks;
-    for (const auto& track : scene.tracks) {
-      if (track.first.key == row.key) tracks.emplace_back(track);
-    }
-    return tracks;
-  };
-  return tracks_of(before) == tracks_of(after);
-}
+}  // namespace
 
-/// Whether meshes differ in more than their looks.
 bool are_other_meshes(const OceanScene& before, const OceanScene& after) {
   const auto table = parameter_table();
   return std::any_of(table.begin(), table.end(), [&](const Parameter& row) {
@@ -183,8 +174,6 @@ bool are_other_meshes(const OceanScene& before, const OceanScene& after) {
             !has_same_keyframes(before, after, row));
   });
 }
-
-}  // namespace
 
 std::vector<world::MeshParameters> prepare_meshes(const OceanScene& scene) {
   std::vector<world::MeshParameters> meshes;

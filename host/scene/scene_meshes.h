@@ -36,6 +36,9 @@ void set_meshes_at(world::World& world, const OceanScene& scene, double time_s);
 /// stands, must stay.
 highlights::LightingAt lighting_of(const OceanScene& scene, const world::GroundView* ground = nullptr);
 
+/// Whether meshes differ in more than their looks.
+bool are_other_meshes(const OceanScene& before, const OceanScene& after);
+
 /// Makes the meshes of a world, which are those of `before`, those of `after`: anew only where more than
 /// their looks and their rules have changed. Throws what prepare_meshes() throws, and has changed nothing
 /// then.

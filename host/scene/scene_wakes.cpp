@@ -7,6 +7,7 @@
 
 #include "host/base/error.h"
 #include "host/scene/moving_number.h"
+#include "host/scene/scene_bodies.h"
 
 namespace offing::scene {
 
@@ -82,6 +83,10 @@ std::vector<world::WakeSettings> prepare_wakes(const OceanScene& scene, const oc
     world::WakeSettings settings{.parameters = wake.parameters,
                                  .history_s = wake.history_s,
                                  .is_about_eye = wake.centre == WakeCentre::camera};
+    if (wake.centre == WakeCentre::body) {
+      settings.body = followed_body(scene, i);
+      settings.behind_m = wake.behind_m;
+    }
     settings.parameters.dispersion = dispersion;
     settings.parameters.rain.seed = scene.ocean.seed;
     // Shared, because functions are copied.

@@ -16,7 +16,7 @@ struct TerrainScene {
   bool is_given = false;  ///< the scene has a [terrain] section
   std::string file;       ///< height map or tile store; empty: made ground
   HeightMapOptions reading;
-  int cache_mb = 256;     ///< for the tiles of a store, MiB
+  int cache_mb = 256;  ///< for the tiles of a store, MiB
   terrain::FractalParameters fractal;
   std::optional<double> origin_x_m, origin_z_m;  ///< of the first post; absent: the map's middle is at 0
   double water_line_m = 0.0;                     ///< ground at or below is water, where there is no sea

@@ -51,6 +51,15 @@ std::string against_mesh(const OceanScene& scene, ElementIndex element, Paramete
   }
 }
 
+std::string against_body(const BodyScene& body, ParameterUse use) {
+  if (use == ParameterUse::body_of_density) {
+    if (body.draught_m) return "body.draught_m is given";
+    if (body.mass_kg) return "body.mass_kg is given";
+  }
+  if (use == ParameterUse::driven_body && body.motion == BodyMotion::path) return "the body follows its path";
+  return "";
+}
+
 std::string against_highlight(const OceanScene& scene, ElementIndex element, ParameterUse use) {
   const highlights::HighlightRule& rule = scene.meshes[element.outer].highlights[element.inner].rule;
   if (std::string reason = against_mesh(scene, element, ParameterUse::found_highlights); !reason.empty()) {

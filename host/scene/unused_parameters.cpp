@@ -35,6 +35,7 @@ class Reasons {
   std::string against(const Parameter& row, ElementIndex element) const {
     if (row.group == ParameterGroup::light) return against_light(scene_.lights[element.outer], row.use);
     if (row.group == ParameterGroup::mesh) return against_mesh(scene_, element, row.use);
+    if (row.group == ParameterGroup::body) return against_body(scene_.bodies[element.outer], row.use);
     if (is_of_one_cloud(row)) return against_cloud(scene_.clouds[element.outer], row.use);
     if (row.group == ParameterGroup::highlight) return against_highlight(scene_, element, row.use);
     return !has_sea_ && is_of_sea(row) ? "the scene has no [ocean]" : against(row.use);

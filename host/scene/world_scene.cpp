@@ -6,6 +6,7 @@
 #include "host/base/log.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/parameter_table.h"
+#include "host/scene/scene_bodies.h"
 #include "host/scene/scene_clouds.h"
 #include "host/scene/scene_ground.h"
 #include "host/scene/scene_meshes.h"
@@ -32,6 +33,7 @@ SeaChange change_of(const Parameter& row) {
     case ParameterGroup::light:
     case ParameterGroup::mesh:
     case ParameterGroup::highlight:
+    case ParameterGroup::body:
     case ParameterGroup::clouds:
     case ParameterGroup::cloud_layer:
     case ParameterGroup::cloud:
@@ -113,6 +115,8 @@ world::WorldParameters prepare_world(const OceanScene& scene, Warnings warnings)
   parameters.clouds = prepare_clouds(scene);
   parameters.pictures = prepare_pictures(scene);
   parameters.meshes = prepare_meshes(scene);
+  parameters.bodies = prepare_bodies(scene, parameters.meshes);
+  parameters.run_up_s = run_up_s(scene);
   parameters.lamps = lamps_at(scene, scene.start_s);
   return parameters;
 }
@@ -173,6 +177,7 @@ void edit_world_below(world::World& world, const OceanScene& before, const Ocean
   }
   world.set_ground(ground);
   edit_meshes(world, before, after);
+  edit_bodies(world, before, after);
   set_view(world, view);
 }
 

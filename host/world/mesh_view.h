@@ -31,6 +31,9 @@ class MeshView {
   // All take effect with the next at() or follow().
   void set_material(const MeshMaterial& material) { parameters_.material = material; }
   void set_rules(std::vector<highlights::HighlightRule> rules) { parameters_.rules = std::move(rules); }
+  void set_motion(std::function<highlights::RigidMotion(double time_s)> motion) {
+    parameters_.motion = std::move(motion);
+  }
 
   /// The mesh at a time and its highlights, which depend on the times, the lighting and the rules alone,
   /// whatever was shown before. The lighting is that of the world's axes at any time, the same for the same

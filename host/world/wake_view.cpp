@@ -7,33 +7,56 @@
 
 namespace offing::world {
 
-WakeView::WakeView(const ocl::Device& device, const std::vector<WakeSettings>& settings)
+WakeView::WakeView(const ocl::Device& device, const std::vector<WakeSettings>& settings, double made_s)
     : settings_(settings),
+      made_s_(made_s),
       has_history_(settings.size(), false),
       maps_(std::make_shared<ocean::WakeMaps>(device)) {
   for (const WakeSettings& window : settings) windows_.emplace_back(device, window.parameters);
 }
 
-void WakeView::at(double time_s, const ocean::WaterPoint& eye) {
+ocean::WakeForcing WakeView::forcing_at(const WakeSettings& settings, double time_s,
+                                        const ocean::WaterPoint& eye, const BodyView* bodies) const {
+  ocean::WakeForcing forcing = settings.forcing_at(time_s);
+  if (settings.is_about_eye) {
+    forcing.centre = {forcing.centre.x_m + eye.x_m, forcing.centre.z_m + eye.z_m};
+  }
+  if (settings.body && bodies != nullptr && *settings.body < bodies->size()) {
+    const bodies::BodyPose pose = bodies->pose(*settings.body, time_s);
+    const double heading_rad = bodies::heading_of(pose);
+    forcing.centre = {pose.mass_centre_m.x - settings.behind_m * std::cos(heading_rad),
+                      pose.mass_centre_m.z - settings.behind_m * std::sin(heading_rad)};
+  }
+  return forcing;
+}
+
+double WakeView::start_s(const WakeSettings& settings, double time_s, const BodyView* bodies) const {
+  if (bodies == nullptr) return std::max(time_s - settings.history_s, -largest_time_s);
+  const double shown_s = time_s < made_s_ ? bodies->start_s() : std::max(bodies->start_s(), made_s_);
+  return std::min(std::max(shown_s - settings.history_s, bodies->begin_s()), time_s);
+}
+
+void WakeView::at(double time_s, const ocean::WaterPoint& eye, const BodyView* bodies) {
+  ocean::WakeWindow::AddDisplaced press;
+  if (bodies != nullptr) {
+    press = [bodies](double at_s, const WakeGrid& grid, ocl::Buffer<float>& displaced) {
+      bodies->press(at_s, grid, displaced);
+    };
+  }
   for (std::size_t i = 0; i < windows_.size(); ++i) {
     const WakeSettings& settings = settings_[i];
     ocean::WakeWindow& window = windows_[i];
-    const auto forcing_at = [&](double at_s) {
-      ocean::WakeForcing forcing = settings.forcing_at(at_s);
-      if (settings.is_about_eye) {
-        forcing.centre = {forcing.centre.x_m + eye.x_m, forcing.centre.z_m + eye.z_m};
-      }
-      return forcing;
-    };
+    const auto forcing = [&](double at_s) { return forcing_at(settings, at_s, eye, bodies); };
     const double ahead_s = time_s - window.time_s();
-    if (!has_history_[i] || ahead_s < 0.0 || ahead_s > settings.history_s + settings.parameters.step_s) {
-      const double start_s = std::max(time_s - settings.history_s, -largest_time_s);
-      window.reset(start_s, forcing_at(start_s).centre);
+    const bool is_leap = bodies == nullptr && ahead_s > settings.history_s + settings.parameters.step_s;
+    if (!has_history_[i] || ahead_s < 0.0 || is_leap) {
+      const double from_s = start_s(settings, time_s, bodies);
+      window.reset(from_s, forcing(from_s).centre);
       has_history_[i] = true;
     }
-    window.advance_to(time_s, forcing_at);
+    window.advance_to(time_s, forcing, press);
   }
-  maps_->at(windows_, time_s);
+  maps_->at(windows_, time_s, press);
 }
 
 double WakeView::reach_m(double time_s) const {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "host/ocean/wake_maps.h"
 #include "host/ocean/wake_window.h"
+#include "host/world/body_view.h"
 
 namespace offing::world {
 
@@ -16,16 +18,22 @@ struct WakeSettings {
   /// long.
   double history_s = 30.0;
   bool is_about_eye = false;  ///< the forcing's centre is from the eye
+  /// The body of the world that it follows, in a world with bodies; it is so far behind it. The forcing's
+  /// centre says nothing then.
+  std::optional<std::size_t> body = {};
+  double behind_m = 0.0;
 };
 
 /// The wakes of a world: its windows, and their maps at the time that is shown.
 class WakeView {
  public:
-  /// Throws what WakeWindow throws.
-  WakeView(const ocl::Device& device, const std::vector<WakeSettings>& settings);
+  /// `made_s` is the time that the world shows. Throws what WakeWindow throws.
+  WakeView(const ocl::Device& device, const std::vector<WakeSettings>& settings, double made_s = 0.0);
 
-  /// Enqueues the steps up to a time, as seen from an eye above this place, and the maps.
-  void at(double time_s, const ocean::WaterPoint& eye);
+  /// Enqueues the steps up to a time, as seen from an eye above this place, and the maps. Where there are
+  /// bodies, which have reached this time, their hulls press on all windows, which go all the way with them:
+  /// from their histories before the bodies' start on or, made later, before that time.
+  void at(double time_s, const ocean::WaterPoint& eye, const BodyView* bodies = nullptr);
 
   std::shared_ptr<const ocean::WakeMaps> maps() const { return maps_; }
   const std::vector<ocean::WakeWindow>& windows() const { return windows_; }
@@ -33,7 +41,13 @@ class WakeView {
   double reach_m(double time_s) const;
 
  private:
+  ocean::WakeForcing forcing_at(const WakeSettings& settings, double time_s, const ocean::WaterPoint& eye,
+                                const BodyView* bodies) const;
+
+  double start_s(const WakeSettings& settings, double time_s, const BodyView* bodies) const;
+
   std::vector<WakeSettings> settings_;
+  double made_s_;
   std::vector<ocean::WakeWindow> windows_;
   std::vector<bool> has_history_;
   std::shared_ptr<ocean::WakeMaps> maps_;

@@ -67,6 +67,12 @@ HiddenSlopes shared_out(std::vector<std::vector<ocean::SlopeCovariance>> cascade
   return hidden;
 }
 
+/// First one motion, then another.
+highlights::RigidMotion after(const highlights::RigidMotion& first, const highlights::RigidMotion& then) {
+  return {.rotation = then.rotation * first.rotation,
+          .translation_m = then.rotation * first.translation_m + then.translation_m};
+}
+
 double deviation_m(const std::vector<std::vector<float>>& variances) {
   double variance_m2 = 0.0;
   for (const std::vector<float>& modes : variances) {
@@ -97,6 +103,7 @@ World::World(const ocl::Device& device, const WorldParameters& parameters)
   if (parameters.ground) ground_.emplace(device, *parameters.ground);
   set_clouds(parameters.clouds);
   set_meshes(parameters.meshes);
+  set_bodies(parameters.bodies, parameters.run_up_s);
   set_lamps(parameters.lamps);
 }
 
@@ -140,11 +147,12 @@ void World::set_trochoids(const ocean::TrochoidSea& trochoids) {
   ocean::require_valid_trochoids(trochoids);
   parameters_.trochoids = trochoids;
   hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_);
+  if (bodies_) bodies_->set_sea(body_sea());
 }
 
 void World::set_wakes(const std::vector<WakeSettings>& wakes) {
   std::optional<WakeView> made;
-  if (ocean_ && !wakes.empty()) made.emplace(device_, wakes);
+  if (ocean_ && !wakes.empty()) made.emplace(device_, wakes, time_s_);
   wakes_ = std::move(made);
   if (ocean_) ocean_->set_wakes(wakes_ ? wakes_->maps() : nullptr);
   parameters_.wakes = wakes;
@@ -156,6 +164,7 @@ void World::reseed(std::uint64_t seed, const ocean::TrochoidSea& trochoids) {
   parameters_.ocean.seed = seed;
   parameters_.trochoids = trochoids;
   hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_);
+  if (bodies_) bodies_->set_sea(body_sea());
 }
 
 void World::set_sea(const WorldParameters& parameters) {
@@ -167,6 +176,11 @@ void World::set_sea(const WorldParameters& parameters) {
   parameters_.wind_speed_mps = parameters.wind_speed_mps;
   parameters_.wind_direction_rad = parameters.wind_direction_rad;
   set_wakes(parameters.wakes);
+  if (bodies_ && has_sea()) {
+    bodies_->set_sea(body_sea());
+  } else {
+    set_bodies(parameters_.bodies, parameters_.run_up_s);
+  }
 }
 
 void World::set_ground(const std::optional<GroundParameters>& ground) {
@@ -204,6 +218,35 @@ void World::set_meshes(const std::vector<MeshParameters>& meshes) {
   for (const MeshParameters& mesh : meshes) views.emplace_back(device_, mesh);
   meshes_ = std::move(views);
   parameters_.meshes = meshes;
+  move_meshes_with_bodies();
+}
+
+void World::set_bodies(const std::vector<BodySettings>& bodies, double run_up_s) {
+  std::unique_ptr<BodyView> made;
+  if (ocean_ && !bodies.empty()) {
+    made = std::make_unique<BodyView>(device_, bodies, body_sea(), run_up_s, time_s_);
+  }
+  const bool has_other_wakes = made || bodies_;
+  bodies_ = std::move(made);
+  parameters_.bodies = bodies;
+  parameters_.run_up_s = run_up_s;
+  if (has_other_wakes) set_wakes(parameters_.wakes);
+  move_meshes_with_bodies();
+}
+
+void World::move_meshes_with_bodies() {
+  for (std::size_t i = 0; i < meshes_.size(); ++i) meshes_[i].set_motion(parameters_.meshes[i].motion);
+  if (!bodies_) return;
+  for (std::size_t body = 0; body < bodies_->size(); ++body) {
+    const BodySettings& settings = bodies_->settings()[body];
+    const auto hull = bodies_->motion_of_hull(body);
+    const auto carry = [&](std::size_t mesh, const std::function<highlights::RigidMotion(double)>& own) {
+      if (mesh >= meshes_.size()) return;
+      meshes_[mesh].set_motion([hull, own](double time_s) { return after(own(time_s), hull(time_s)); });
+    };
+    carry(settings.mesh, [in_hull = settings.mesh_in_hull](double) { return in_hull; });
+    for (const std::size_t mesh : settings.aboard) carry(mesh, parameters_.meshes.at(mesh).motion);
+  }
 }
 
 void World::set_lamps(const std::vector<Lamp>& lamps) {
@@ -243,7 +286,8 @@ ocean::SurfaceReach World::reach() const {
   return {.horizontal_m = parameters_.ocean.choppiness * waves_m +
                           ocean::horizontal_scale(parameters_.trochoids).scale * trochoids_m,
           .vertical_m = waves_m + trochoids_m + height_of_rings_m(parameters_.trochoids.raindrops, time_s_) +
-                        (wakes_ ? wakes_->reach_m(time_s_) : 0.0)};
+                        (wakes_ ? wakes_->reach_m(time_s_) : 0.0) +
+                        (wakes_ && bodies_ ? bodies_->draught_m() : 0.0)};
 }
 
 void World::look_at_sky(double eye_altitude_m) {
@@ -265,7 +309,8 @@ void World::at(double time_s, double eye_altitude_m) {
   if (ocean_) {
     ocean_->at(time_s);
     ocean_->foam_map();
-    if (wakes_) wakes_->at(time_s, eye_);
+    if (bodies_) bodies_->reach(time_s);
+    if (wakes_) wakes_->at(time_s, eye_, bodies_.get());
   }
   light_clouds(time_s);
   time_s_ = time_s;

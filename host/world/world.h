@@ -17,6 +17,7 @@
 #include "host/ocl/device.h"
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
+#include "host/world/body_view.h"
 #include "host/world/clouds_view.h"
 #include "host/world/ground_view.h"
 #include "host/world/mesh_parameters.h"
@@ -41,7 +42,10 @@ struct WorldParameters {
   std::optional<GroundParameters> ground = {};
   std::optional<CloudSkyParameters> clouds = {};
   std::vector<MeshParameters> meshes = {};
-  std::vector<Lamp> lamps = {};                                 ///< beside the sun, at the time that is shown
+  std::vector<BodySettings> bodies =
+      {};                        ///< in a world with a sea; they move meshes in place of their motion
+  double run_up_s = 10.0;        ///< of bodies
+  std::vector<Lamp> lamps = {};  ///< beside the sun, at the time that is shown
   std::vector<std::shared_ptr<const RgbaImage>> pictures = {};  ///< of the highlights of meshes
 };
 
@@ -116,6 +120,9 @@ class World {
   void set_clouds(const std::optional<CloudSkyParameters>& clouds);
   /// Puts other meshes in their place, made anew. Throws what MeshView throws.
   void set_meshes(const std::vector<MeshParameters>& meshes);
+  /// Puts other bodies on the water, at their start at the time of the last at(). Throws what BodyView
+  /// throws.
+  void set_bodies(const std::vector<BodySettings>& bodies, double run_up_s);
   /// Throws Error(bad_usage) for more than most_lamps.
   void set_lamps(const std::vector<Lamp>& lamps);
   /// Changes what the textures of highlights are made of.
@@ -123,6 +130,8 @@ class World {
     parameters_.pictures = std::move(pictures);
   }
 
+  /// nullptr in a world without bodies.
+  const BodyView* bodies() const { return bodies_.get(); }
   /// nullptr in a world without wakes.
   const WakeView* wakes() const { return wakes_ ? &*wakes_ : nullptr; }
   bool has_sea() const { return ocean_.has_value(); }
@@ -150,12 +159,15 @@ class World {
 
  private:
   void make_sea(const WorldParameters& parameters);
+  BodySea body_sea() const { return {parameters_.spectrum, parameters_.ocean, parameters_.trochoids}; }
+  void move_meshes_with_bodies();
   void look_at_sky(double eye_altitude_m);
   void light_clouds(double time_s);
 
   ocl::Device device_;
   WorldParameters parameters_;
   std::optional<ocean::Ocean> ocean_;
+  std::unique_ptr<BodyView> bodies_;
   std::optional<WakeView> wakes_;
   ocean::WaterPoint eye_;
   sky::ClearSky sky_;

@@ -125,10 +125,14 @@ static void follow_path(const BodyDrive* drive, const BodyState* origin, Motion*
   motion->spin = turned_back(motion->turn, spin);
 }
 
+// Of water, by the force that it lifts with.
+static float displaced_by(const BodyWater* water, const Wrench* wrench) {
+  return fmax(0.0f, wrench->pressure.y / (water->density_kgpm3 * water->gravity_mps2));
+}
+
 static void advance(const BodyShape* shape, const BodyWater* water, const BodyDrive* drive, const BodyState* origin,
                     const Wrench* wrench, float3 propeller, float propeller_depth, Motion* motion) {
-  const float displaced = fmax(0.0f, wrench->pressure.y / (water->density_kgpm3 * water->gravity_mps2));
-  const float moved = water->density_kgpm3 * displaced;
+  const float moved = water->density_kgpm3 * displaced_by(water, wrench);
   const float mass_along = shape->mass_kg + shape->added_along * moved, mass_up = shape->mass_kg + shape->added_up * moved;
   const float3 flow = wrench->wetted > 0.0f ? wrench->flow / wrench->wetted : (float3)(0.0f);
   const float reach = 0.5f * shape->length_m;
@@ -155,7 +159,7 @@ static void advance(const BodyShape* shape, const BodyWater* water, const BodyDr
 }
 
 // The place in the tile that it is in.
-static void write_state(const BodyState* origin, const Motion* motion, __global BodyState* written) {
+static void write_state(const BodyState* origin, const Motion* motion, float displaced, __global BodyState* written) {
   const float east = rint(motion->place.x / SURFACE_QUERY_TILE_M), south = rint(motion->place.z / SURFACE_QUERY_TILE_M);
   const BodyState state = {origin->tile_x + (int)east,
                            origin->tile_z + (int)south,
@@ -172,7 +176,7 @@ static void write_state(const BodyState* origin, const Motion* motion, __global 
                            motion->spin.x,
                            motion->spin.y,
                            motion->spin.z,
-                           0};
+                           displaced};
   *written = state;
 }
 
@@ -189,7 +193,7 @@ static void write_report(const BodyWater* water, const Wrench* sum, __global Bod
                              sum->drag_moment.x,
                              sum->drag_moment.y,
                              sum->drag_moment.z,
-                             fmax(0.0f, sum->pressure.y / (water->density_kgpm3 * water->gravity_mps2)),
+                             displaced_by(water, sum),
                              sum->wetted};
   *written = report;
 }
@@ -253,9 +257,9 @@ __kernel __attribute__((reqd_work_group_size(GROUP, 1, 1))) void body_advance(
       const BodyDrive drive = drives[body * water.steps + step];
       advance(&shape, &water, &drive, &origin, &total, propeller, depth, &motion);
       now = motion;
-      write_state(&origin, &motion, &path[step * bodies + body]);
+      write_state(&origin, &motion, displaced_by(&water, &total), &path[step * bodies + body]);
       if (step == water.steps - 1) {
-        write_state(&origin, &motion, &ends[body]);
+        write_state(&origin, &motion, displaced_by(&water, &total), &ends[body]);
         write_report(&water, &total, &reports[body]);
       }
     }

@@ -13,7 +13,7 @@ typedef struct {
   float turn_x, turn_y, turn_z, turn_w;                  // unit quaternion from body axes to the world's
   float velocity_x_mps, velocity_y_mps, velocity_z_mps;  // of the mass centre, in world axes
   float spin_x_radps, spin_y_radps, spin_z_radps;        // in body axes
-  int padding;
+  float displaced_m3;                                    // of water, in the sub-step that led here
 } BodyState;
 
 // What a body is.
@@ -67,7 +67,22 @@ typedef struct {
   int steps;  // between two questions about the water
 } BodyWater;
 
+// A hull on a wake window (shared/wake.h), for bodies/hull_press.cl. Places in the hull's map are counted in its columns
+// and rows.
+typedef struct {
+  int first_column, first_row;          // of the world, of the first cell that is looked at
+  int columns, rows;                    // of such cells
+  int size;                             // n of the window
+  float along, across;                  // place in the map of that cell's middle
+  float along_by_column, along_by_row;  // and how it changes from cell to cell
+  float across_by_column, across_by_row;
+  int map_columns, map_rows;
+  float level_m;                        // of the water, in the map's axes
+  float share;                          // of its depth that presses, 0 ... 1
+} HullPress;
+
 #ifndef __OPENCL_VERSION__
+static_assert(sizeof(HullPress) == 60, "no padding");
 static_assert(sizeof(BodyState) == 64, "no padding");
 static_assert(sizeof(BodyShape) == 112, "no padding");
 static_assert(sizeof(BodyDrive) == 48, "no padding");

@@ -20,4 +20,5 @@ void main() {
   facet = vec4(trochoid_slope, length(position_m), short_m);
   float turn = mod(floor(grid_place.x) + floor(grid_place.y), 2.0);
   strain = vec4(trochoid_gradient, turn + clamp(trochoid_loss, 0.0, 0.999));
+  if (is_in_hull(position_m)) discard;
 }

@@ -1,8 +1,9 @@
 // body_dump FILE: where two bodies are on a wave, on the device that the environment names. FILE: of each of
-// some times and each body, its state.
+// some times and each body, its state; then what the ship presses aside in a window of 32 x 32 cells.
 #include <fstream>
 
 #include "host/bodies/floating_bodies.h"
+#include "host/bodies/hull_press.h"
 #include "tests/bodies/example_bodies.h"
 #include "tests/ocl/dump_program.h"
 
@@ -16,7 +17,8 @@ void write_dump(const char* path) {
   ship.start = at_rest(ship, test::sea_density_kgpm3, 0.0, 0.0, 0.4);
   FloatingBody box = load_to_mass("box", test::box({4.0, 2.0, 3.0}), 9000.0, test::sea_density_kgpm3);
   box.start = at_rest(box, test::sea_density_kgpm3, 40.0, 5.0, 0.0);
-  FloatingBodies floating(ocl::Device::open(), {ship, box});
+  const ocl::Device device = ocl::Device::open();
+  FloatingBodies floating(device, {ship, box});
   const auto drive = [](std::size_t body, double) {
     BodyDrive now{};
     now.thrust_n = body == 0 ? 10e3f : 0.0f;
@@ -35,6 +37,15 @@ void write_dump(const char* path) {
         file.write(reinterpret_cast<const char*>(&rounded), sizeof(rounded));
       }
     }
+  }
+  constexpr int cells = 32;
+  ocl::Buffer<float> displaced(device, std::size_t{cells} * cells, "displaced");
+  displaced.fill(0.0f);
+  const HullPresser presser(device, map_of_hull(ship.hull), ship.mass_centre_m);
+  // The window cuts the stern off.
+  presser.press(floating.read_poses().front(), 0.9, {cells, -10, -16, 1.0f}, displaced);
+  for (const float depth_m : displaced.read()) {
+    file.write(reinterpret_cast<const char*>(&depth_m), sizeof(depth_m));
   }
 }
 

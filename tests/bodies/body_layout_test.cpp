@@ -16,9 +16,9 @@ Layout on_device(const char* name, const std::vector<std::string>& members) {
 
 TEST(BodyLayoutTest, BodyState) {
   using S = BodyState;
-  EXPECT_EQ(on_device("BodyState", {"tile_x", "x_m", "turn_w", "spin_x_radps", "padding"}),
+  EXPECT_EQ(on_device("BodyState", {"tile_x", "x_m", "turn_w", "spin_x_radps", "displaced_m3"}),
             (Layout{sizeof(S), offsetof(S, tile_x), offsetof(S, x_m), offsetof(S, turn_w),
-                    offsetof(S, spin_x_radps), offsetof(S, padding)}));
+                    offsetof(S, spin_x_radps), offsetof(S, displaced_m3)}));
 }
 
 TEST(BodyLayoutTest, BodyShape) {
@@ -46,6 +46,13 @@ TEST(BodyLayoutTest, BodyWater) {
   using S = BodyWater;
   EXPECT_EQ(on_device("BodyWater", {"density_kgpm3", "step_s", "steps"}),
             (Layout{sizeof(S), offsetof(S, density_kgpm3), offsetof(S, step_s), offsetof(S, steps)}));
+}
+
+TEST(BodyLayoutTest, HullPress) {
+  using S = HullPress;
+  EXPECT_EQ(on_device("HullPress", {"first_column", "columns", "along", "map_columns", "share"}),
+            (Layout{sizeof(S), offsetof(S, first_column), offsetof(S, columns), offsetof(S, along),
+                    offsetof(S, map_columns), offsetof(S, share)}));
 }
 
 }  // namespace

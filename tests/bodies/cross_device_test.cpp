@@ -13,12 +13,15 @@ namespace {
 class BodyCrossDeviceTest : public testing::Test {
  protected:
   // Sums of 200 faces differ in their order and in ulps, 6e-8 each; over 16 sub-steps of a stable body they
-  // grow by a few. Gate 1e-4 of metres, metres a second and radians.
+  // grow by a few. Gate 1e-4 of metres, metres a second and radians. What is pressed aside is summed from
+  // columns of a map: one of 16 samples that falls on another column where two devices round otherwise
+  // changes a cell by a sixteenth of the step between columns, 0.1 m at the most; gate 1e-2.
   static void expect_same(const std::vector<float>& found, const std::vector<float>& expected) {
     ASSERT_EQ(found.size(), expected.size());
-    ASSERT_EQ(expected.size(), 52u);
+    ASSERT_EQ(expected.size(), 52u + 32u * 32u);
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      EXPECT_NEAR(found[i], expected[i], 1e-4f * std::fmax(1.0f, std::abs(expected[i]))) << i;
+      const float gate = i < 52 ? 1e-4f : 1e-2f;
+      EXPECT_NEAR(found[i], expected[i], gate * std::fmax(1.0f, std::abs(expected[i]))) << i;
     }
   }
 

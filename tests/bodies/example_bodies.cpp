@@ -27,6 +27,10 @@ TriangleMesh ship(double length_m, int cells) {
   return mesh_shapes::make_ship(length_m, {.u_cells = cells, .v_cells = 2 * cells / 3}).mesh;
 }
 
+TriangleMesh boat(double length_m, int cells) {
+  return mesh_shapes::make_boat(length_m, {.u_cells = cells, .v_cells = cells}).mesh;
+}
+
 bodies::FloatingBodies::WaterSurface still_water(double level_m) {
   return [level_m](double, const ocl::Buffer<SurfaceQueryPoint>&, std::size_t count,
                    ocl::Buffer<SurfaceQuerySample>& samples) {

@@ -18,6 +18,9 @@ TriangleMesh ball(double radius_m, int level = 3);
 /// The ship of offing-mesh: `cells` along it, two thirds as many around.
 TriangleMesh ship(double length_m, int cells = 48);
 
+/// An open boat of offing-mesh: `cells` along it, as many around, half of them outside.
+TriangleMesh boat(double length_m, int cells = 64);
+
 /// Still water at this level, on the host.
 bodies::FloatingBodies::WaterSurface still_water(double level_m = 0.0);
 

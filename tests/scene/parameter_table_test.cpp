@@ -250,7 +250,7 @@ TEST(ParameterTable, OnlyValuesOfPicturesMove) {
     ++count;
     EXPECT_TRUE(row.group == camera || row.group == sun || row.group == sky || row.group == render ||
                 row.group == light || row.group == mesh || row.group == highlight || row.group == cloud ||
-                row.group == wake || row.group == wake_hull)
+                row.group == wake || row.group == wake_hull || row.group == body)
         << row.key;
     EXPECT_TRUE(std::holds_alternative<Number>(row.storage) || std::holds_alternative<Triple>(row.storage) ||
                 std::holds_alternative<ValueAt<std::optional<double>>>(row.storage))
@@ -259,7 +259,7 @@ TEST(ParameterTable, OnlyValuesOfPicturesMove) {
               row.unit == "deg" && row.high - row.low >= 360.0 && row.high - row.low <= 720.0)
         << row.key;
   }
-  EXPECT_EQ(count, 53);
+  EXPECT_EQ(count, 58);
 }
 
 // Fails if degrees are stored as radians or the other way round.

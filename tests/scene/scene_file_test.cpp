@@ -191,9 +191,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"unknown_nested", "version = 1\n[[ocean.cascade]]\npatch = 3\n",
                  "storm.toml:3:1: ocean.cascade.patch: expected a known key, got \"patch\"",
                  "did you mean patch_m?"},
-        BadScene{"planned_section", "version = 1\n[body]\ncount = 3\n",
-                 "storm.toml:2:2: body: expected parts that this version has, got one that it has not yet",
-                 "remove body from the scene"},
+        BadScene{"planned_key", "version = 1\n[world]\nsea_level_m = 3\n",
+                 "storm.toml:3:1: world.sea_level_m: expected parts that this version has, got one that it "
+                 "has not yet",
+                 "remove world.sea_level_m from the scene"},
+        BadScene{"body_as_a_table", "version = 1\n[body]\ndraught_m = 3\n",
+                 "storm.toml:2:2: body: expected a section [[body]], got a table",
+                 "write [[body]] on a line of its own and its keys below"},
         BadScene{"wake_as_a_table", "version = 1\n[ocean.wake]\nsize = 16\n",
                  "storm.toml:2:8: ocean.wake: expected a section [[ocean.wake]], got a table",
                  "write [[ocean.wake]] on a line of its own and its keys below"},
@@ -230,7 +234,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "storm.toml:3:9: ocean.gamma: expected one value, got keyframes, which it cannot have",
                  "write one constant value; keyframes are for ocean.wake, ocean.wake.hull, camera, render, "
                  "sun, sky, light, mesh, "
-                 "mesh.highlight, cloud"},
+                 "mesh.highlight, body, cloud"},
         BadScene{"keyframes_of_a_constant_beside_others",
                  "version = 1\n[sun]\ntime_scale = { keys = [{ t = 0, value = 1 }] }\n",
                  "storm.toml:3:14: sun.time_scale: expected one value, got keyframes, which it cannot have",

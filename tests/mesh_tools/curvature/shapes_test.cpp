@@ -79,12 +79,16 @@ TEST(Shapes, AreClosedAndFaceOutward) {
   expect_closed(make_torus_knot({}, {120, 12}), 0);
   expect_closed(make_ship(10.0, {40, 24}), 2);
   expect_closed(make_bird(1.6, {60, 12}), 2);
+  expect_closed(make_boat(6.0, {40, 24}), 2);
+  expect_closed(make_box({1.0, 2.0, 3.0}, 2), 2);
   EXPECT_NEAR(enclosed_volume_m3(make_sphere(2.0, 5).mesh), 32.0 / 3.0 * std::numbers::pi, 0.05);
   EXPECT_NEAR(enclosed_volume_m3(make_torus(1.0, 0.4, {200, 100}).mesh),
               2.0 * std::pow(std::numbers::pi * 0.4, 2), 0.01);
   EXPECT_GT(enclosed_volume_m3(make_torus_knot({}, {120, 12}).mesh), 0.0);
   EXPECT_GT(enclosed_volume_m3(make_ship(10.0, {40, 24}).mesh), 0.0);
   EXPECT_GT(enclosed_volume_m3(make_bird(1.6, {60, 12}).mesh), 0.0);
+  EXPECT_GT(enclosed_volume_m3(make_boat(6.0, {40, 24}).mesh), 0.0);
+  EXPECT_NEAR(enclosed_volume_m3(make_box({1.0, 2.0, 3.0}, 2).mesh), 6.0, 1e-12);
   EXPECT_GT(enclosed_volume_m3(make_head(0.1, 4).mesh), 0.0);
 }
 
