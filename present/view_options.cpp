@@ -295,7 +295,7 @@ FrameSettings frame_settings(Detail detail, std::optional<TransferRung> transfer
   if (detail == Detail::low) {
     return {.water = {.cells = {128, 128}, .taps = 1}, .transfer = transfer, .ground = {.rays = 1}};
   }
-  return {.water = {.cells = {384, 384}, .taps = 4}, .transfer = transfer, .ground = {.rays = 16}};
+  return {.water = {.cells = {384, 384}, .taps = 4, .views_px = 1024}, .transfer = transfer, .ground = {.rays = 16}};
 }
 
 std::optional<ViewOptions> read_view_options(int argc, const char* const* argv) {
