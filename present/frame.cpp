@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "present/device_stage.h"
-#include "present/view_depth.h"
+#include "present/drawn_clouds.h"
 
 namespace offing::present {
 namespace {
@@ -46,7 +46,8 @@ void Frame::draw_light(world::World& world, const FrameRequest& request, bool se
   }
   if (world.has_sea()) {
     const StageTimes::Scope stage(times_, Stage::water);
-    water_.draw(world, request, sky_.environment(), shadows_, light_);
+    water_.draw(world, request, {.meshes = meshes_, .shadows = shadows_, .environment = sky_.environment()},
+                light_, transfer_);
   }
   {
     // Where nothing else is.
@@ -67,17 +68,7 @@ void Frame::draw_light(world::World& world, const FrameRequest& request, bool se
 void Frame::draw_clouds(world::World& world, const FrameRequest& request) {
   run_stage(times_, Stage::clouds, world.device(), [&] { world.see_clouds(request.camera); });
   const StageTimes::Scope stage(times_, Stage::clouds);
-  const world::CloudsView& clouds = *world.clouds();
-  const auto& [x, y, z] = world.parameters().sun_direction;
-  clouds_.prepare(world.device(),
-                  {.particles = clouds.particles(),
-                   .sprites = clouds.sprites(),
-                   .order = clouds.order(),
-                   .count = clouds.count(),
-                   .origin_m = clouds.sky_origin_m(),
-                   .sun_direction = {x, y, z},
-                   .near_m = near_m},
-                  request.camera, light_, transfer_);
+  clouds_.prepare(world.device(), drawn_clouds(world), request.camera, light_, transfer_);
   light_.bind();
   clouds_.draw(request.camera, world.parameters().atmosphere, sky_.environment());
 }
@@ -102,7 +93,7 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
     sky_.prepare(world.sky());
     if (world.has_sea() || !world.meshes().empty()) shadows_.prepare(world, request.camera.eye_m);
     meshes_.prepare(world);
-    if (sees_ground) terrain_.prepare(*world.ground(), transfer_);
+    if (sees_ground) terrain_.prepare(world.ground()->picture(), transfer_);
   }
   if (shows_steps) {
     const StageTimes::Scope stage(times_, Stage::terrain);

@@ -165,4 +165,14 @@ void MeshPass::draw(const world::World& world, const FrameRequest& request, GLui
   glDisable(GL_DEPTH_TEST);
 }
 
+void MeshPass::draw_plainly(const world::World& world, const FrameRequest& request, GLuint environment,
+                            const CloudShadows& shadows, const RenderTarget& target) {
+  if (meshes_.empty()) return;
+  lights_.prepare(world, request.camera.eye_m, shadows);
+  target.bind();
+  glEnable(GL_DEPTH_TEST);
+  for (std::size_t i = 0; i < meshes_.size(); ++i) draw_mesh(world, i, request, environment);
+  glDisable(GL_DEPTH_TEST);
+}
+
 }  // namespace offing::present

@@ -28,6 +28,9 @@ class MeshPass {
   /// SkyPass.
   void draw(const world::World& world, const FrameRequest& request, GLuint environment,
             const CloudShadows& shadows, const RenderTarget& target);
+  /// Draws onto a target of light and depth as draw() does, one sample a pixel.
+  void draw_plainly(const world::World& world, const FrameRequest& request, GLuint environment,
+                    const CloudShadows& shadows, const RenderTarget& target);
 
  private:
   struct Mesh {

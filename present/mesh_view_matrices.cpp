@@ -13,7 +13,7 @@ namespace offing::present {
 
 MeshViewMatrices::MeshViewMatrices(const world::MeshView& mesh, const Camera& camera,
                                    const GlCapabilities& capabilities)
-    : to_eye(mesh.motion().rotation) {
+    : to_eye(mesh.motion().rotation), sea_m(-camera.eye_m.y) {
   const highlights::RigidMotion& motion = mesh.motion();
   to_eye[3] =
       glm::dvec4(motion.rotation * mesh.surface().middle_m() + (motion.translation_m - camera.eye_m), 1.0);
@@ -23,6 +23,7 @@ MeshViewMatrices::MeshViewMatrices(const world::MeshView& mesh, const Camera& ca
 void MeshViewMatrices::set(const ShaderProgram& program) const {
   program.set("to_eye", glm::mat4(to_eye));
   program.set("to_clip", glm::mat4(to_clip));
+  program.set("sea_m", static_cast<float>(sea_m));
 }
 
 PixelBox pixels_of(const glm::dvec3& low_m, const glm::dvec3& high_m, const MeshViewMatrices& matrices,

@@ -13,6 +13,7 @@ namespace offing::present {
 struct MeshViewMatrices {
   glm::dmat4 to_eye;   ///< relative to the eye, in the world's axes
   glm::dmat4 to_clip;  ///< of the screen
+  double sea_m;        ///< height of the level sea over the eye's
 
   MeshViewMatrices(const world::MeshView& mesh, const Camera& camera, const GlCapabilities& capabilities);
 

@@ -45,6 +45,15 @@ RenderTarget::RenderTarget(int width, int height, GLenum format, int count, Dept
   }
 }
 
+void RenderTarget::fill_levels() const {
+  constexpr GLint most_levels = 1000;  // as many as there are
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, texture());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, most_levels);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glGenerateMipmap(GL_TEXTURE_2D);
+}
+
 void RenderTarget::bind() const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   glViewport(0, 0, width_, height_);

@@ -25,6 +25,8 @@ class RenderTarget {
 
   /// Draws go here, onto all of it.
   void bind() const;
+  /// Makes coarser levels of output 0 of what has been drawn on it, for lookups by level.
+  void fill_levels() const;
   /// Pixels of an output, [height][width] of 4 floats, row 0 at the bottom.
   std::vector<float> read(std::size_t output = 0) const;
   /// Pixels of output 0, [height][width][3], row 0 at the bottom.

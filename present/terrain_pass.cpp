@@ -36,14 +36,14 @@ TerrainPass::TerrainPass()
       steps_(steps_program()),
       no_vertices_(GlVertexArray::make()) {}
 
-void TerrainPass::prepare(const world::GroundView& ground, TransferLadder& transfer) {
+void TerrainPass::prepare(const world::GroundPicture& ground, TransferLadder& transfer) {
   glActiveTexture(GL_TEXTURE0);
-  const int width = ground.width_px(), height = ground.height_px();
+  const int width = ground.width_px, height = ground.height_px;
   fit(image_, {.width = width, .height = height, .layers = 1, .channels = 4});
   fit(planes_, {.width = width, .height = height, .layers = terrain::HitPlanes::plane_count, .channels = 1});
-  const std::array<Upload, 2> uploads{{{ground.image(), &image_}, {ground.planes(), &planes_}}};
+  const std::array<Upload, 2> uploads{{{ground.image, &image_}, {ground.planes, &planes_}}};
   transfer.upload(uploads);
-  sea_ = ground.sea();
+  sea_ = ground.sea;
 }
 
 void TerrainPass::bind(const ShaderProgram& program) const {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/base/camera.h"
-#include "host/world/ground_view.h"
+#include "host/world/ground_picture.h"
 #include "present/gl_objects.h"
 #include "present/shader_program.h"
 #include "present/texture_array.h"
@@ -16,7 +16,7 @@ class TerrainPass {
   TerrainPass();
 
   /// Copies what was seen into textures by way of the ladder.
-  void prepare(const world::GroundView& ground, TransferLadder& transfer);
+  void prepare(const world::GroundPicture& ground, TransferLadder& transfer);
 
   /// Pixels that ground covers, which may be drawn before what lies behind; and those that it covers in part,
   /// at its edges, which go over what lies behind.

@@ -298,7 +298,7 @@ FrameSettings frame_settings(Detail detail, std::optional<TransferRung> transfer
             .ground = {.rays = 1},
             .sky_step_px = 2};
   }
-  return {.water = {.cells = {384, 384}, .taps = 4}, .transfer = transfer, .ground = {.rays = 16}};
+  return {.water = {.cells = {384, 384}, .taps = 4, .views_px = 1024}, .transfer = transfer, .ground = {.rays = 16}};
 }
 
 std::optional<ViewOptions> read_view_options(int argc, const char* const* argv) {

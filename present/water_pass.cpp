@@ -15,13 +15,12 @@ namespace offing::present {
 namespace {
 
 constexpr int environment_unit = WaterMaps::first_free_unit, pattern_unit = environment_unit + 1,
-              shadow_unit = pattern_unit + 1, first_surface_unit = shadow_unit + 1;
+              shadow_unit = pattern_unit + 1, first_surface_unit = shadow_unit + 1,
+              first_view_unit = first_surface_unit + 4;
 // Waves shorter than 2 m break without drawing air under: they make no foam.
 constexpr double ripples_radpm = std::numbers::pi;
-// Of the light that enters deep, clear water this share comes back out, at red, green and blue; half of the
-// irradiance reflectance of water with 0.1 mg/m3 of chlorophyll (Morel & Maritorena 2001), of which half is
-// turned back at the surface.
-constexpr std::array<double, 3> water_reflectance{0.002, 0.011, 0.024};
+// Of the light that comes up to the surface of deep water about half is turned back.
+constexpr double leaving_share = 0.54;
 
 ShaderProgram water_program() {
   return ShaderProgram(
@@ -29,7 +28,8 @@ ShaderProgram water_program() {
        .fragment = {CloudShadows::glsl(), shader_file("environment.glsl"), shader_file("air.glsl"),
                     shader_file("view_ray.glsl"), shader_file("water.glsl"), shader_file("rings.glsl"),
                     shader_file("wakes.glsl"), shader_file("water_light.glsl"),
-                    shader_file("water_debug.glsl"), shader_file("water.frag")}});
+                    shader_file("water_views.glsl"), shader_file("water_debug.glsl"),
+                    shader_file("water.frag")}});
 }
 
 glm::vec3 to_vec3(const ocean::SlopeCovariance& slopes) {
@@ -77,10 +77,11 @@ void WaterPass::set_waves(const world::World& world, const Camera& camera) const
 void WaterPass::set_light(const world::World& world) const {
   const sky::Illuminance& light = world.illuminance();
   const auto& sun = world.sky().params();
+  const ocean::WaterOptics optics = ocean::water_optics(world.parameters().water);
   glm::vec3 of_sky(0.0f), of_sun(0.0f);
   for (int channel = 0; channel < 3; ++channel) {
     const auto c = static_cast<std::size_t>(channel);
-    const double returned = water_reflectance[c] / std::numbers::pi;
+    const double returned = leaving_share * optics.reflectance[c] / std::numbers::pi;
     of_sky[channel] = static_cast<float>(returned * light.sky_klx[c]);
     of_sun[channel] = static_cast<float>(returned * light.sun_klx[c] * std::max(0.0f, sun.sun_direction_y));
   }
@@ -90,6 +91,7 @@ void WaterPass::set_light(const world::World& world) const {
   program_.set("sky_klx", to_vec3(light.sky_klx));
   program_.set("water_of_sky_kcdpm2", of_sky);
   program_.set("water_of_sun_kcdpm2", of_sun);
+  program_.set("attenuation_perm", to_vec3(optics.attenuation_perm));
 }
 
 void WaterPass::bind_surface() const {
@@ -104,17 +106,19 @@ void WaterPass::bind_surface() const {
   }
 }
 
-void WaterPass::draw(const world::World& world, const FrameRequest& request, GLuint environment,
-                     const CloudShadows& shadows, const RenderTarget& target) {
+void WaterPass::draw(world::World& world, const FrameRequest& request, const DryPasses& dry,
+                     const RenderTarget& target, TransferLadder& transfer) {
   if (!surface_.draw(world, maps_, request.camera, request.fill)) return;
+  views_.draw(world, request, detail_.views_px, dry, transfer);
   target.bind();
   program_.use();
   set_view_rays(program_, request.camera);
   set_waves(world, request.camera);
   set_light(world);
   bind_surface();
-  set_air(program_, world.parameters().atmosphere, environment, environment_unit);
-  shadows.bind(program_, shadow_unit);
+  set_air(program_, world.parameters().atmosphere, dry.environment, environment_unit);
+  dry.shadows.bind(program_, shadow_unit);
+  views_.bind(program_, first_view_unit);
   bind_sampler(program_, "foam_pattern", pattern_unit, foam_pattern_.name());
   program_.set("eye_height_m", static_cast<float>(request.camera.eye_m.y));
   program_.set("debug_view", static_cast<int>(request.debug));

@@ -12,6 +12,7 @@
 #include "present/transfer.h"
 #include "present/water_maps.h"
 #include "present/water_surface.h"
+#include "present/water_views.h"
 
 namespace offing::present {
 
@@ -20,6 +21,9 @@ struct WaterDetail {
   GridCells cells;
   /// Samples along a pixel's footprint, which is long where water is seen at a grazing angle.
   int taps = 1;
+  /// Pixels along the longer side of the pictures of what water mirrors and shows beneath it (O13); 0: it
+  /// mirrors the sky alone, and is deep.
+  int views_px = 256;
 };
 
 /// Draws the ocean: its shape (WaterSurface), then its light on the pixels that show it.
@@ -29,9 +33,9 @@ class WaterPass {
 
   /// Copies the world's maps into textures by way of the ladder.
   void prepare(world::World& world, TransferLadder& transfer) { maps_.prepare(world, transfer); }
-  /// Draws onto a target whose depth is reversed. `environment` is the map of SkyPass.
-  void draw(const world::World& world, const FrameRequest& request, GLuint environment,
-            const CloudShadows& shadows, const RenderTarget& target);
+  /// Draws onto a target whose depth is reversed, with what is not water mirrored in it and seen through it.
+  void draw(world::World& world, const FrameRequest& request, const DryPasses& dry,
+            const RenderTarget& target, TransferLadder& transfer);
 
  private:
   void set_waves(const world::World& world, const Camera& camera) const;
@@ -41,6 +45,7 @@ class WaterPass {
   WaterDetail detail_;
   WaterMaps maps_;
   WaterSurface surface_;
+  WaterViews views_;
   ShaderProgram program_;
   GlVertexArray no_vertices_;
   GlTexture foam_pattern_;

@@ -35,6 +35,14 @@ void require_valid(const Camera& camera) {
   require(camera.height_px >= 1, "height_px", camera.height_px, "at least 1");
 }
 
+Camera mirrored(const Camera& camera, double plane_m) {
+  Camera image = camera;
+  image.eye_m.y = 2.0 * plane_m - camera.eye_m.y;
+  image.pitch_rad = -camera.pitch_rad;
+  image.roll_rad = -camera.roll_rad;
+  return image;
+}
+
 CameraBasis basis(const Camera& camera) {
   const double cos_yaw = std::cos(camera.yaw_rad), sin_yaw = std::sin(camera.yaw_rad);
   const double cos_pitch = std::cos(camera.pitch_rad), sin_pitch = std::sin(camera.pitch_rad);

@@ -19,6 +19,10 @@ struct Camera {
   int width_px = 1280, height_px = 720;
 };
 
+/// The camera that sees what a level plane at this height mirrors for another one: its eye mirrored in the
+/// plane, its picture upside down, so that the clip coordinates (x, y) of a direction become (x, -y).
+Camera mirrored(const Camera& camera, double plane_m);
+
 /// Unit vectors along the picture's right and up and along the line of sight.
 struct CameraBasis {
   glm::dvec3 right, up, forward;

@@ -28,7 +28,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, ".r32 is written as it lies in memory");
 
 struct TerrainGenerateArguments {
-  std::string output, posts, side, relief, mean, longest, roughness, erosion, seed;
+  std::string output, posts, side, relief, mean, longest, roughness, erosion, island, seed;
   bool json = false;
   bool force = false;
 };
@@ -48,6 +48,9 @@ terrain::FractalParameters read_parameters(const TerrainGenerateArguments& argum
   number("--longest-m", arguments.longest, parameters.longest_m, 1e-3 * parameters.side_m, 1e7, "9000");
   number("--roughness", arguments.roughness, parameters.roughness, 0.2, 0.8, "0.5");
   number("--erosion", arguments.erosion, parameters.erosion, 0.0, 1.0, "0.7");
+  if (!arguments.island.empty()) {
+    parameters.island_radius_m = read_number("--island-radius-m", arguments.island, "", 1.0, 1e7, "2000");
+  }
   if (!arguments.seed.empty()) {
     constexpr std::int64_t most = std::int64_t{1} << 53;
     parameters.seed = static_cast<std::uint64_t>(read_whole("--seed", arguments.seed, 0, most, "7"));
@@ -141,6 +144,8 @@ void add_terrain_generate_command(CLI::App& terrain, GlobalOptions& options) {
   add("--longest-m", arguments->longest, "L", "wavelength of the largest hills, m (default 9000)");
   add("--roughness", arguments->roughness, "R", "0.2 smooth ... 0.8 jagged (default 0.5)");
   add("--erosion", arguments->erosion, "E", "gullies that water has cut, 0 none ... 1 deep (default 0)");
+  add("--island-radius-m", arguments->island, "M",
+      "an island: the ground sinks by the relief from its middle to this distance (default: it does not)");
   add("--seed", arguments->seed, "S", "another ground for each whole number (default 1)");
   command->add_flag("--force", arguments->force, "replace a file that is there");
   command->add_flag("--json", arguments->json, "results for scripts");

@@ -12,6 +12,7 @@
 #include "host/ocean/ocean.h"
 #include "host/ocean/spectrum_parameters.h"
 #include "host/ocean/trochoids.h"
+#include "host/ocean/water_optics.h"
 #include "host/scene/body_scene.h"
 #include "host/scene/cloud_scene.h"
 #include "host/scene/mesh_scene.h"
@@ -82,6 +83,8 @@ struct OceanScene {
   std::vector<ocean::Raindrop> raindrops;
   std::vector<WakeScene> wakes;
   ocean::OceanParameters ocean;  ///< its cascades are filled in by prepare_sea()
+
+  ocean::WaterType water = ocean::WaterType::oceanic_1b;
 
   bool names_sea = false;  ///< the scene has an [ocean] section
   TerrainScene terrain;

@@ -81,8 +81,14 @@ std::shared_ptr<const ColourMap> read_colours(const OceanScene& scene, const Hei
 /// The scene's lines, else those of the map's latitude. Below a sea nothing is painted as water.
 world::CoverLines cover_of(const OceanScene& scene, std::optional<double> latitude_deg) {
   constexpr double deepest_m = -1e6;
+  constexpr double beach_m = 2.0;  // as high as waves of a common sea run up
   world::CoverLines lines = latitude_deg ? world::cover_lines(*latitude_deg) : world::CoverLines{};
-  lines.sea_level_m = scene.has_sea() ? deepest_m : scene.terrain.water_line_m;
+  if (scene.has_sea()) {
+    lines.sea_level_m = deepest_m;
+    lines.beach_line_m = beach_m;
+  } else {
+    lines.sea_level_m = scene.terrain.water_line_m;
+  }
   lines.tree_line_m = scene.terrain.tree_line_m.value_or(lines.tree_line_m);
   lines.snow_line_m = scene.terrain.snow_line_m.value_or(lines.snow_line_m);
   return lines;

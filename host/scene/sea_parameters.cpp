@@ -63,6 +63,12 @@ std::vector<Parameter> sea_parameters() {
        .help = "water depth",
        .example = "50",
        .absent = "deep water, or as the measured file says"},
+      {.key = "ocean.water",
+       .flag = "--water",
+       .group = sea,
+       .storage = choice<&Scene::water>({"I", "IA", "IB", "II", "III", "1C", "3C", "5C", "7C", "9C"}),
+       .help =
+           "Jerlov's type of water, clear and blue to coastal and brown: how far beds are seen through it"},
       {.key = "ocean.depth_factor",
        .flag = "--depth-factor",
        .group = sea,

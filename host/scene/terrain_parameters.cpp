@@ -242,6 +242,17 @@ std::vector<Parameter> made_rows() {
        .high = 1.0,
        .help = "how deep gullies are cut into slopes: 0 none",
        .use = use},
+      {.key = "terrain.island_radius_m",
+       .flag = "",
+       .group = group,
+       .storage = &member<ground, fractal, &FractalParameters::island_radius_m>,
+       .unit = "m",
+       .low = 1.0,
+       .high = 1e6,
+       .help = "made ground sinks by relief_m from its middle to this distance: an island",
+       .example = "2e3",
+       .absent = "it does not",
+       .use = use},
   };
 }
 

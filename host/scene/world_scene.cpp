@@ -51,8 +51,9 @@ SeaChange change_of(const Parameter& row) {
       return row.key == "world.seed" ? SeaChange::seed : SeaChange::none;
     case ParameterGroup::time:
       return row.key == "time.loop_period_s" ? SeaChange::all : SeaChange::none;
-    case ParameterGroup::wind:
     case ParameterGroup::sea:
+      return row.key == "ocean.water" ? SeaChange::none : SeaChange::all;
+    case ParameterGroup::wind:
     case ParameterGroup::grid:
     case ParameterGroup::foam:
       return SeaChange::all;
@@ -104,6 +105,7 @@ world::WorldParameters prepare_sea_and_sky(const OceanScene& scene, Warnings war
   parameters.ocean = std::move(sea.parameters);
   parameters.wind_speed_mps = resolved.wind_speed_mps;
   parameters.wind_direction_rad = resolved.wind_direction_rad;
+  parameters.water = scene.water;
   return parameters;
 }
 
@@ -175,6 +177,7 @@ void edit_world_below(world::World& world, const OceanScene& before, const Ocean
       world.set_sea(prepare_sea_and_sky(after, Warnings::left_out));
       break;
   }
+  world.set_water(after.water);
   world.set_ground(ground);
   edit_meshes(world, before, after);
   edit_bodies(world, before, after);

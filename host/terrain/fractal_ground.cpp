@@ -1,5 +1,6 @@
 #include "host/terrain/fractal_ground.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -47,6 +48,8 @@ void require_valid(const FractalParameters& parameters) {
           "a thousandth of the side ... 1e7 m", parameters.longest_m);
   require(parameters.roughness >= 0.2 && parameters.roughness <= 0.8, "roughness", "0.2 ... 0.8",
           parameters.roughness);
+  const double island_m = parameters.island_radius_m.value_or(1.0);
+  require(island_m >= 1.0 && island_m <= 1e7, "island_radius_m", "1 ... 1e7 m", island_m);
   require(parameters.erosion >= 0.0 && parameters.erosion <= 1.0, "erosion", "0 ... 1", parameters.erosion);
 }
 
@@ -80,6 +83,15 @@ void FractalGround::fill_lattice(Octave& octave, int lattice_row, std::vector<Gr
   }
 }
 
+// Steep in the middle, and ever less toward the shore and beyond.
+double FractalGround::sinking_m(double x_m, double z_m) const {
+  if (!parameters_.island_radius_m) return 0.0;
+  const double middle_m = 0.5 * parameters_.side_m;
+  const double share =
+      std::min(1.0, std::hypot(x_m - middle_m, z_m - middle_m) / *parameters_.island_radius_m);
+  return parameters_.relief_m * share * (2.0 - share);
+}
+
 void FractalGround::fill_row(int row, std::span<float> heights_m) {
   const double spacing_m = parameters_.side_m / (parameters_.posts - 1);
   for (Octave& octave : octaves_) {
@@ -95,7 +107,8 @@ void FractalGround::fill_row(int row, std::span<float> heights_m) {
   }
   for (Gullies& gullies : gullies_) gullies.move_to(row * spacing_m);
   for (int column = 0; column < parameters_.posts; ++column) {
-    double height_m = parameters_.mean_m, slope_x = 0.0, slope_z = 0.0;
+    double height_m = parameters_.mean_m - sinking_m(column * spacing_m, row * spacing_m), slope_x = 0.0,
+           slope_z = 0.0;
     double ground_x = 0.0, ground_z = 0.0;  // slopes of what is wider than gullies
     for (const Octave& octave : octaves_) {
       const double x = column * spacing_m / octave.wavelength_m, z = row * spacing_m / octave.wavelength_m;

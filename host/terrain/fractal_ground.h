@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct FractalParameters {
   double longest_m = 9000.0;  ///< wavelength of the largest hills
   double roughness = 0.5;     ///< height of each octave over that of the one before, 0.2 ... 0.8
   double erosion = 0.0;       ///< 0 none ... 1: how deep gullies are cut into slopes
+  /// An island: the ground sinks by relief_m from its middle to this distance, as it is where absent.
+  std::optional<double> island_radius_m = {};
   std::uint64_t seed = 1;
 };
 
@@ -46,6 +49,7 @@ class FractalGround {
     int index, top = -1;                 ///< of the rows of the lattice that are kept
     std::vector<Gradient> upper, lower;  ///< rows top and top + 1
   };
+  double sinking_m(double x_m, double z_m) const;
   void fill_lattice(Octave& octave, int lattice_row, std::vector<Gradient>& gradients) const;
 
   FractalParameters parameters_;

@@ -49,7 +49,8 @@ GroundView::GroundView(const ocl::Device& device, const GroundParameters& parame
       parameters_(parameters),
       posts_(parameters.posts()),
       shade_(device),
-      hit_planes_(device) {
+      hit_planes_(device),
+      mirrored_cast_(device) {
   if (parameters.map) {
     field_.emplace(device, grid_of(parameters), parameters.map->heights_m);
   } else {
@@ -83,40 +84,61 @@ TerrainHit GroundView::cast(const terrain::Ray& ray) {
   return (field_ ? field_->cast(one) : tiles_->cast(one)).front();
 }
 
-void GroundView::fit(const Camera& camera) {
-  if (width_px_ == camera.width_px && height_px_ == camera.height_px) return;
-  const std::size_t pixels = terrain::pixel_count(camera);
-  hits_ = ocl::Buffer<TerrainHit>(device_, pixels, "ground's hits");
-  image_ = ocl::Buffer<terrain::Texel>(device_, pixels, "ground's image");
-  planes_ = ocl::Buffer<float>(device_, terrain::HitPlanes::plane_count * pixels, "ground's planes");
-  width_px_ = camera.width_px;
-  height_px_ = camera.height_px;
+terrain::GroundLook GroundView::look_of(const terrain::Sampling& sampling,
+                                        const terrain::SeaOverGround& sea) const {
+  return {.sampling = sampling,
+          .colours = colours_ ? &*colours_ : nullptr,
+          .open_sky = open_sky_ ? &*open_sky_ : nullptr,
+          .sea = sea};
 }
 
-void GroundView::at(const Camera& camera, const sky::ClearSky& sky, const LightOnGround& light,
-                    const terrain::Sampling& sampling, TileWait wait, const terrain::SeaOverGround& sea) {
-  is_in_reach_ = rays_reach(field_ ? field_->grid() : tiles_->grid(), camera.eye_m);
-  if (!is_in_reach_) return;
-  fit(camera);
-  sea_ = sea;
-  const terrain::GroundLook look{.sampling = sampling,
-                                 .colours = colours_ ? &*colours_ : nullptr,
-                                 .open_sky = open_sky_ ? &*open_sky_ : nullptr,
-                                 .sea = sea};
-  const terrain::GroundLight ground_light{light.light, sky.params(), sky.view_table(), light.clouds};
+bool GroundView::reaches(const Camera& camera) const {
+  return rays_reach(field_ ? field_->grid() : tiles_->grid(), camera.eye_m);
+}
+
+void GroundView::look(const Camera& camera, const terrain::GroundLight& light,
+                      const terrain::Sampling& sampling, TileWait wait, const terrain::SeaOverGround& sea,
+                      GroundPicture& picture) {
+  picture.fit(device_, camera);
+  picture.sea = sea;
+  const terrain::GroundLook look = look_of(sampling, sea);
   if (field_) {
-    field_->cast(camera, hits_);
-    shade_.at(*field_, camera, hits_, ground_light, image_, look);
+    field_->cast(camera, picture.hits);
+    shade_.at(*field_, camera, picture.hits, light, picture.image, look);
   } else {
     if (wait == TileWait::all) {
       tiles_->look_and_wait(camera);
     } else {
       tiles_->look(camera, tiles_ahead_m);
     }
-    tiles_->cast(camera, hits_);
-    shade_.at(*tiles_, camera, hits_, ground_light, image_, look);
+    tiles_->cast(camera, picture.hits);
+    shade_.at(*tiles_, camera, picture.hits, light, picture.image, look);
   }
-  hit_planes_.at(hits_, terrain::pixel_count(camera), planes_);
+  hit_planes_.at(picture.hits, terrain::pixel_count(camera), picture.planes);
+}
+
+void GroundView::at(const Camera& camera, const sky::ClearSky& sky, const LightOnGround& light,
+                    const terrain::Sampling& sampling, TileWait wait, const terrain::SeaOverGround& sea) {
+  is_in_reach_ = reaches(camera);
+  if (!is_in_reach_) return;
+  look(camera, {light.light, sky.params(), sky.view_table(), light.clouds}, sampling, wait, sea, picture_);
+}
+
+void GroundView::beneath_at(const Camera& camera, const sky::ClearSky& sky, const LightOnGround& light,
+                            TileWait wait, const terrain::SeaOverGround& sea) {
+  is_beneath_ = reaches(camera);
+  if (!is_beneath_) return;
+  look(camera, {light.light, sky.params(), sky.view_table(), light.clouds}, {.rays = 1}, wait, sea, beneath_);
+}
+
+void GroundView::mirror_at(const Camera& mirrored, const sky::ClearSky& sky, const LightOnGround& light) {
+  is_mirrored_ = field_ && reaches(mirrored);
+  if (!is_mirrored_) return;
+  mirrored_.fit(device_, mirrored);
+  mirrored_cast_.at(*field_, mirrored, 0.0, mirrored_.hits);
+  shade_.at(*field_, mirrored, mirrored_.hits, {light.light, sky.params(), sky.view_table(), light.clouds},
+            mirrored_.image, look_of({.rays = 1}, {}));
+  hit_planes_.at(mirrored_.hits, terrain::pixel_count(mirrored), mirrored_.planes);
 }
 
 }  // namespace offing::world

@@ -15,9 +15,11 @@
 #include "host/terrain/ground.h"
 #include "host/terrain/height_field.h"
 #include "host/terrain/hit_planes.h"
+#include "host/terrain/mirrored_cast.h"
 #include "host/terrain/open_sky.h"
 #include "host/terrain/terrain_shade.h"
 #include "host/terrain/tiled_field.h"
+#include "host/world/ground_picture.h"
 #include "host/world/terrain_light.h"
 
 namespace offing::world {
@@ -84,20 +86,27 @@ class GroundView {
   /// Whether the camera of the last at() was near enough; only then is there anything of what follows.
   bool is_in_reach() const { return is_in_reach_; }
 
-  // What at() made, exactly as large as its picture, row 0 at the top.
+  /// What at() made.
+  const GroundPicture& picture() const { return picture_; }
 
-  /// [height_px][width_px]
-  const ocl::Buffer<TerrainHit>& hits() const { return hits_; }
-  /// [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709, premultiplied.
-  const ocl::Buffer<terrain::Texel>& image() const { return image_; }
-  /// [2][height_px][width_px]: distance m, +inf where there is no ground; steps of the ray.
-  const ocl::Buffer<float>& planes() const { return planes_; }
-  const terrain::SeaOverGround& sea() const { return sea_; }
-  int width_px() const { return width_px_; }
-  int height_px() const { return height_px_; }
+  /// Enqueues what a camera sees beneath a sea, with one ray a pixel: ground that is deeper than `sea` says
+  /// is left out. Throws what at() throws.
+  void beneath_at(const Camera& camera, const sky::ClearSky& sky, const LightOnGround& light, TileWait wait,
+                  const terrain::SeaOverGround& sea);
+  /// What beneath_at() made; nullptr where it found nothing in reach.
+  const GroundPicture* beneath() const { return is_beneath_ ? &beneath_ : nullptr; }
+
+  /// Enqueues what the sea at height 0 mirrors of the ground for this camera, whose eye is the mirrored one
+  /// (offing::mirrored()), with one ray a pixel. A map in tiles is not mirrored. Throws what at() throws.
+  void mirror_at(const Camera& mirrored, const sky::ClearSky& sky, const LightOnGround& light);
+  /// What mirror_at() made; nullptr where it found nothing in reach.
+  const GroundPicture* mirrored() const { return is_mirrored_ ? &mirrored_ : nullptr; }
 
  private:
-  void fit(const Camera& camera);
+  bool reaches(const Camera& camera) const;
+  terrain::GroundLook look_of(const terrain::Sampling& sampling, const terrain::SeaOverGround& sea) const;
+  void look(const Camera& camera, const terrain::GroundLight& light, const terrain::Sampling& sampling,
+            TileWait wait, const terrain::SeaOverGround& sea, GroundPicture& picture);
 
   ocl::Device device_;
   GroundParameters parameters_;
@@ -106,14 +115,11 @@ class GroundView {
   std::optional<terrain::TiledField> tiles_;   // or this
   terrain::TerrainShade shade_;
   terrain::HitPlanes hit_planes_;
+  terrain::MirroredCast mirrored_cast_;
   std::optional<terrain::ColourLayer> colours_;
   std::optional<terrain::OpenSky> open_sky_;
-  ocl::Buffer<TerrainHit> hits_;
-  ocl::Buffer<terrain::Texel> image_;
-  ocl::Buffer<float> planes_;
-  terrain::SeaOverGround sea_;
-  int width_px_ = 0, height_px_ = 0;
-  bool is_in_reach_ = false;
+  GroundPicture picture_, beneath_, mirrored_;
+  bool is_in_reach_ = false, is_beneath_ = false, is_mirrored_ = false;
 };
 
 }  // namespace offing::world

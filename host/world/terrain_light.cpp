@@ -31,6 +31,7 @@ TerrainLight terrain_light(const sky::Illuminance& light, const sky::Atmosphere&
           .rayleigh_scale_height_m = narrow(rayleigh_m),
           .aerosol_scale_height_m = narrow(atmosphere.aerosol_scale_height_m),
           .sea_level_m = narrow(lines.sea_level_m),
+          .beach_line_m = narrow(lines.beach_line_m),
           .tree_line_m = narrow(lines.tree_line_m),
           .snow_line_m = narrow(lines.snow_line_m)};
 }

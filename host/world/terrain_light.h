@@ -8,7 +8,8 @@ namespace offing::world {
 
 /// Heights at which the ground's cover changes, m above the sea.
 struct CoverLines {
-  double sea_level_m = 0.0;  ///< ground at or below is water
+  double sea_level_m = 0.0;     ///< ground at or below is water
+  double beach_line_m = -1e30;  ///< ground below is sand
   double tree_line_m = 2000.0;
   double snow_line_m = 2800.0;
 

@@ -340,14 +340,28 @@ void World::see_ground(const Camera& camera, const terrain::Sampling& sampling, 
   // From above the crests, what is deeper than the troughs is behind water, which falls away as the Earth
   // bends.
   if (ocean_ && camera.eye_m.y > waves_m) sea = {-waves_m, 0.5 / sea_radius_m};
-  const bool has_shadow = clouds_ && clouds_->shadow() != nullptr;
-  if (!has_shadow) {
-    ground_->at(camera, sky_, {ground_light_}, sampling, wait, sea);
-    return;
-  }
-  const terrain::CloudShade shade{clouds_->shadow_about({camera.eye_m.x, 0.0, camera.eye_m.z}),
-                                  clouds_->shadow()->map()};
-  ground_->at(camera, sky_, {ground_light_, &shade}, sampling, wait, sea);
+  const std::optional<terrain::CloudShade> shade = shade_of_clouds(camera);
+  ground_->at(camera, sky_, {ground_light_, shade ? &*shade : nullptr}, sampling, wait, sea);
+}
+
+void World::see_mirrored_ground(const Camera& camera) {
+  if (!ground_ || !ocean_) return;
+  const std::optional<terrain::CloudShade> shade = shade_of_clouds(camera);
+  ground_->mirror_at(mirrored(camera, 0.0), sky_, {ground_light_, shade ? &*shade : nullptr});
+}
+
+void World::see_ground_beneath(const Camera& camera, TileWait wait) {
+  if (!ground_ || !ocean_) return;
+  const std::optional<terrain::CloudShade> shade = shade_of_clouds(camera);
+  const double seen_m = ocean::visible_depth_m(ocean::water_optics(parameters_.water));
+  ground_->beneath_at(camera, sky_, {ground_light_, shade ? &*shade : nullptr}, wait,
+                      {-reach().vertical_m - seen_m, 0.5 / sea_radius_m});
+}
+
+std::optional<terrain::CloudShade> World::shade_of_clouds(const Camera& camera) const {
+  if (!clouds_ || clouds_->shadow() == nullptr) return std::nullopt;
+  return terrain::CloudShade{clouds_->shadow_about({camera.eye_m.x, 0.0, camera.eye_m.z}),
+                             clouds_->shadow()->map()};
 }
 
 }  // namespace offing::world

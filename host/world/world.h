@@ -14,6 +14,7 @@
 #include "host/ocean/sea_spectrum.h"
 #include "host/ocean/slope_covariance.h"
 #include "host/ocean/trochoids.h"
+#include "host/ocean/water_optics.h"
 #include "host/ocl/device.h"
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
@@ -36,6 +37,7 @@ struct WorldParameters {
   /// Wind over the ripples that the spectrum or its maps leave out.
   double wind_speed_mps = 10.0;
   double wind_direction_rad = 0.0;
+  ocean::WaterType water = ocean::WaterType::oceanic_1b;
   sky::Atmosphere atmosphere = {};
   std::array<double, 3> sun_direction{0.0, 1.0, 0.0};  ///< unit, toward the sun
   double sun_distance_au = 1.0;
@@ -80,6 +82,12 @@ class World {
   /// is farther from the map than rays reach sees nothing of it. Throws what GroundView::at() throws.
   void see_ground(const Camera& camera, const terrain::Sampling& sampling = {},
                   TileWait wait = TileWait::all);
+  /// Enqueues what the sea, as if it were level, mirrors of the ground for this camera, in the light of the
+  /// last at(). Does nothing in a world without either.
+  void see_mirrored_ground(const Camera& camera);
+  /// Enqueues what this camera would see of the ground if there were no water before it, as deep as water
+  /// lets light through, in the light of the last at(). Does nothing in a world without either.
+  void see_ground_beneath(const Camera& camera, TileWait wait = TileWait::all);
   /// Enqueues what a camera sees of the clouds of the last at(), if there are any.
   void see_clouds(const Camera& camera);
   /// Takes the meshes to the time of the last at(), with the highlights that they have for this eye. With a
@@ -114,6 +122,8 @@ class World {
   /// Changes spectrum, grid, foam, wind and trochoids to these parameters' own: the sea is made anew, or
   /// taken away. Leaves sun, air and ground.
   void set_sea(const WorldParameters& parameters);
+  /// Changes the colour and the clearness of the water.
+  void set_water(ocean::WaterType water) { parameters_.water = water; }
   /// Changes the ground; other heights or another place make it anew. Throws what GroundView throws.
   void set_ground(const std::optional<GroundParameters>& ground);
   /// Changes the clouds: those whose parameters stay are kept. Throws what CloudsView throws.
@@ -162,6 +172,7 @@ class World {
   BodySea body_sea() const { return {parameters_.spectrum, parameters_.ocean, parameters_.trochoids}; }
   void move_meshes_with_bodies();
   void look_at_sky(double eye_altitude_m);
+  std::optional<terrain::CloudShade> shade_of_clouds(const Camera& camera) const;
   void light_clouds(double time_s);
 
   ocl::Device device_;

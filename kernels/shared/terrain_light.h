@@ -16,13 +16,14 @@ typedef struct {
   float aerosol_perm;
   float rayleigh_scale_height_m, aerosol_scale_height_m;
   // Heights between which the ground's cover changes.
-  float sea_level_m;  // ground at or below is water
+  float sea_level_m;   // ground at or below is water
+  float beach_line_m;  // ground below is sand, wet from a metre below the line on
   float tree_line_m;
   float snow_line_m;
 } TerrainLight;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(TerrainLight) == 60, "no padding");
+static_assert(sizeof(TerrainLight) == 64, "no padding");
 #endif
 
 #endif

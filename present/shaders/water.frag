@@ -22,7 +22,6 @@ uniform vec3 sun_klx;   // on a surface that faces the sun
 uniform vec3 sky_klx;   // on a level surface, by the sky alone
 uniform vec3 water_of_sky_kcdpm2;  // light from below the surface that was the sky's
 uniform vec3 water_of_sun_kcdpm2;  // and the sun's, where no cloud stands before it
-uniform float eye_height_m;
 uniform vec2 foam_onset;    // Jacobian where foam begins, and how far below it covers all
 
 out vec4 light;
@@ -33,6 +32,13 @@ const float least_jacobian = 0.2;
 
 vec3 water_kcdpm2;  // light from below the surface here
 
+// Light that a facet sends, and what of it is from things that it mirrors, which has come all the way to the eye as
+// if there were no water on it: their light, and their share in the picture.
+struct FacetLight {
+  vec3 all, mirrored;
+  float share;
+};
+
 vec3 hidden_at(int cascade, float level) {
   float place = clamp(level, 0.0, float(level_count - 1));
   int below = min(int(place), level_count - 2);
@@ -42,12 +48,16 @@ vec3 hidden_at(int cascade, float level) {
 
 // Light that a facet of this slope sends along v, and facets like it, whose mirrored rays rise or fall by `blur`. A
 // ray that is mirrored downward meets another wave, taken as level there.
-vec3 facet_light(vec2 slope, vec3 v, float blur) {
+FacetLight facet_light(vec2 slope, vec3 surface_m, vec3 v, float blur) {
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
   vec3 ray = reflect(-v, normal);
-  vec3 mirrored = environment_light(normalize(vec3(ray.x, sqrt(ray.y * ray.y + blur * blur), ray.z)));
+  vec3 upward = normalize(vec3(ray.x, sqrt(ray.y * ray.y + blur * blur), ray.z));
+  vec4 local = mirrored_along(surface_m, upward, 4.0 * blur);
   float lost = ray.y < 0.0 ? 1.0 - fresnel(-ray.y) : 0.0;
-  return mix(mix(mirrored, water_kcdpm2, lost), water_kcdpm2, 1.0 - fresnel(clamp(dot(v, normal), 0.0, 1.0)));
+  float mirrors = fresnel(clamp(dot(v, normal), 0.0, 1.0)) * (1.0 - lost);
+  vec3 mirrored = mirrors * local.rgb;
+  vec3 sky = mirrors * (1.0 - local.a) * environment_light(upward);
+  return FacetLight(mirrored + sky + (1.0 - mirrors) * water_kcdpm2, mirrored, mirrors * local.a);
 }
 
 float fresh_foam(vec3 gradient) {
@@ -133,14 +143,19 @@ void main() {
   vec3 v = -ray;
   float sun_share = cloud_share(ray * distance_m);
   vec3 shaded_sun_klx = sun_share * sun_klx;
-  water_kcdpm2 = water_of_sky_kcdpm2 + sun_share * water_of_sun_kcdpm2;
+  vec3 surface_m = ray * distance_m;
+  water_kcdpm2 = light_beneath(surface_m, v, normalize(vec3(-slope.x, 1.0, -slope.y)),
+                               water_of_sky_kcdpm2 + sun_share * water_of_sun_kcdpm2);
   Facets facets = Facets(slope, hidden);
   Visibility seen = visibility(facets, v);
   // Two facets that have mean and variance of those seen; each stands for half of them.
   vec2 apart = seen.spread * seen.deviation;
   vec2 middle = slope + seen.spread * seen.mean;
   float blur = 0.5 * length(apart);
-  vec3 water = 0.5 * (facet_light(middle - apart, v, blur) + facet_light(middle + apart, v, blur));
+  FacetLight low = facet_light(middle - apart, surface_m, v, blur), high = facet_light(middle + apart, surface_m, v, blur);
+  vec3 mirrored = 0.5 * (low.mirrored + high.mirrored);
+  float mirrored_share = 0.5 * (low.share + high.share);
+  vec3 water = 0.5 * (low.all + high.all);
   water += shaded_sun_klx * sun_glitter(facets, seen, v, sun_direction, sun_radius_rad);
 
   // The maps' foam knows of its cascade alone. Long waves gather it where they press the water together, on their
@@ -150,9 +165,11 @@ void main() {
   float foam = foam_opacity(coverage, label_m, width_m);
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
   vec3 foam_light = foam_albedo / pi * (sky_klx + shaded_sun_klx * max(dot(normal, sun_direction), 0.0));
-  vec3 surface = mix(water, foam_light, foam);
+  vec3 surface = mix(water - mirrored, foam_light, foam);
 
-  light = vec4(through_air(surface, ray, distance_m), 1.0);
+  mirrored_share *= 1.0 - foam;
+  light = vec4((1.0 - mirrored_share) * through_air(surface / max(1.0 - mirrored_share, 1e-3), ray, distance_m) +
+                   (1.0 - foam) * mirrored, 1.0);
   if (debug_view != 0) {
     light.rgb = debug_light(ray.y * distance_m + eye_height_m + earth_drop_m(label_m), slope, jacobian, coverage, width_m, label_m,
                             floor(strain.w));

@@ -68,6 +68,28 @@ TEST(Camera, ProjectsRaysBackWithReversedDepth) {
   }
 }
 
+// A place above a plane and its mirror image below it: one eye sees the image where its own image sees the
+// place, upside down.
+TEST(Camera, MirrorsInALevelPlane) {
+  const Camera camera{.eye_m = {3.0, 12.0, -5.0},
+                      .yaw_rad = 0.7,
+                      .pitch_rad = -0.3,
+                      .roll_rad = 0.2,
+                      .width_px = 1600,
+                      .height_px = 900};
+  constexpr double plane_m = 2.0, near_m = 0.1;
+  const Camera image = mirrored(camera, plane_m);
+  const glm::dvec3 place_m(40.0, 9.0, -50.0), place_image_m(40.0, 2.0 * plane_m - 9.0, -50.0);
+  const auto seen_at = [&](const Camera& by, const glm::dvec3& at_m) {
+    const glm::dvec4 clip = projection(by, near_m) * view_rotation(by) * glm::dvec4(at_m - by.eye_m, 1.0);
+    return glm::dvec3(clip) / clip.w;
+  };
+  const glm::dvec3 direct = seen_at(camera, place_image_m), by_image = seen_at(image, place_m);
+  EXPECT_NEAR(by_image.x, direct.x, 100.0 * rounding);
+  EXPECT_NEAR(by_image.y, -direct.y, 100.0 * rounding);
+  EXPECT_NEAR(by_image.z, direct.z, 100.0 * rounding);
+}
+
 TEST(Camera, NamesWhatIsWrong) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto expect_error = [](const Camera& camera, const char* name) {

@@ -39,11 +39,11 @@ class TerrainPassTest : public test::GlTest {
     GlTest::TearDown();
   }
 
-  void open(const std::string& text) {
+  void open(const std::string& text, int views_px = 256) {
     const scene::OceanScene scene = scene::parse_scene("version = 1\n" + text, "a.toml", "");
     world_ = std::make_unique<world::World>(*device_, scene::prepare_world(scene, scene::Warnings::left_out));
     frame_ = std::make_unique<Frame>(*context_, *device_,
-                                     FrameSettings{.water = {.cells = {64, 64}, .taps = 1}, .transfer = {}});
+                                     FrameSettings{.water = {{64, 64}, 1, views_px}, .transfer = {}});
   }
 
   static FrameRequest request(const Camera& camera) { return {.camera = camera, .exposure = 0.1}; }
@@ -93,7 +93,7 @@ class TerrainPassTest : public test::GlTest {
 TEST_F(TerrainPassTest, LaysGroundOverTheSky) {
   open(hills);
   const std::vector<float> pixels = light(request(camera()));
-  const auto image = world_->ground()->image().read();
+  const auto image = world_->ground()->picture().image.read();
   std::vector<std::array<double, 3>> directions;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
@@ -127,8 +127,8 @@ TEST_F(TerrainPassTest, LaysGroundOverTheSky) {
 TEST_F(TerrainPassTest, HasTheDepthOfItsHits) {
   open(hills);
   light(request(camera()));
-  const auto planes = world_->ground()->planes().read();
-  const auto image = world_->ground()->image().read();
+  const auto planes = world_->ground()->picture().planes.read();
+  const auto image = world_->ground()->picture().image.read();
   const std::vector<float> found = depth();
   const glm::dvec3 forward = basis(camera()).forward;
   for (int row = 0; row < height; ++row) {
@@ -153,8 +153,8 @@ TEST_F(TerrainPassTest, SharesTheWorldWithTheSea) {
   coast.eye_m.y = 800.0;
   coast.pitch_rad = -0.5;
   const std::vector<float> pixels = light(request(coast));
-  const auto image = world_->ground()->image().read();
-  const auto planes = world_->ground()->planes().read();
+  const auto image = world_->ground()->picture().image.read();
+  const auto planes = world_->ground()->picture().planes.read();
   const double reach_m = world_->reach().vertical_m;
   std::size_t land = 0, water = 0;
   for (int row = 0; row < height; ++row) {
@@ -185,8 +185,9 @@ TEST_F(TerrainPassTest, SharesTheWorldWithTheSea) {
 
 // Fails if the edges of hills are not blended with the water behind them where the middle of the pixel misses
 // the hill, whether it sees the sea beyond the map there or the bed under it, or if light of the bed comes
-// into them. The water is that of the same sea without ground; the framebuffer rounds to 2^-11, and the blend
-// once more. Gate 5e-3 of the light, which half a hill's light, or a bed's, is far beyond.
+// into them. The water is that of the same sea without ground, which neither mirrors it nor shows its bed;
+// the framebuffer rounds to 2^-11, and the blend once more. Gate 5e-3 of the light, which half a hill's
+// light, or a bed's, is far beyond.
 TEST_F(TerrainPassTest, BlendsEdgesWithTheSea) {
   const std::string sea = "[wind]\nspeed_mps = 4\n[ocean]\nsize = 32\n";
   Camera coast = camera();
@@ -194,12 +195,12 @@ TEST_F(TerrainPassTest, BlendsEdgesWithTheSea) {
   coast.yaw_rad = -0.1;
   coast.pitch_rad = -0.15;
   coast.roll_rad = 0.0;
-  open(sea);
+  open(sea, 0);
   const std::vector<float> water = light(request(coast));
-  open(std::string(hills) + "mean_m = -60\n" + sea);
+  open(std::string(hills) + "mean_m = -60\n" + sea, 0);
   const std::vector<float> pixels = light(request(coast));
-  const auto image = world_->ground()->image().read();
-  const auto planes = world_->ground()->planes().read();
+  const auto image = world_->ground()->picture().image.read();
+  const auto planes = world_->ground()->picture().planes.read();
   const double reach_m = world_->reach().vertical_m;
   std::size_t over_bed = 0, over_open_sea = 0;
   for (int row = 1; row + 1 < height; ++row) {
@@ -239,7 +240,7 @@ TEST_F(TerrainPassTest, ShowsStepsInTheirColours) {
   asked.ground = GroundShow::steps;
   light(asked);
   const std::vector<unsigned char> screen = frame_->screen().read_bytes();
-  const auto hits = world_->ground()->hits().read();
+  const auto hits = world_->ground()->picture().hits.read();
   const auto srgb = [](double linear) {
     return 255.0 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055);
   };
@@ -262,12 +263,12 @@ TEST_F(TerrainPassTest, ShowsStepsInTheirColours) {
 TEST_F(TerrainPassTest, EnlargesCoarserViews) {
   open(hills);
   const std::vector<float> fine = light(request(camera()));
-  const auto planes = world_->ground()->planes().read();
+  const auto planes = world_->ground()->picture().planes.read();
   FrameRequest asked = request(camera());
   for (const double scale : {0.5, 0.8660254}) {
     asked.ground_scale = scale;
     const std::vector<float> coarse = light(asked);
-    EXPECT_EQ(world_->ground()->width_px(), std::lround(width * scale));
+    EXPECT_EQ(world_->ground()->picture().width_px, std::lround(width * scale));
     double difference = 0.0, mean = 0.0;
     for (int row = 0; row < height; ++row) {
       for (int column = 0; column < width; ++column) {

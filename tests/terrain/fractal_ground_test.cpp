@@ -36,6 +36,22 @@ TEST(FractalGroundTest, RowsComeInAnyOrder) {
   }
 }
 
+// An island is the same ground, sunk by nothing in its middle and by the relief from its radius on.
+TEST(FractalGroundTest, AnIslandSinksTowardItsShore) {
+  const FractalParameters ground{.posts = 65, .side_m = 6400.0, .relief_m = 500.0, .longest_m = 3000.0};
+  FractalParameters island = ground;
+  island.island_radius_m = 2000.0;
+  const std::vector<float> before = heights_of(ground), sunk = heights_of(island);
+  const auto sinking_m = [&](std::size_t row, std::size_t column) {
+    return double{before[row * 65 + column]} - double{sunk[row * 65 + column]};
+  };
+  constexpr double rounding_m = 1e-3;
+  EXPECT_NEAR(sinking_m(32, 32), 0.0, rounding_m);
+  EXPECT_NEAR(sinking_m(32, 42), 375.0, rounding_m);  // at half the radius
+  EXPECT_NEAR(sinking_m(32, 52), 500.0, rounding_m);
+  EXPECT_NEAR(sinking_m(0, 0), 500.0, rounding_m);
+}
+
 // The same ground with more posts differs by the octave that it adds, the sixth: 937 m / 2^5 times gradient
 // noise, whose largest value is the root of 1/2: 20.7 m. Measured 18.2 m.
 TEST(FractalGroundTest, MorePostsShowTheSameGround) {

@@ -251,7 +251,7 @@ TEST(CloudWorld, ShadesTheGroundBelow) {
       world.set_clouds(clouds);
       world.at(0.0, camera.eye_m.y);
       world.see_ground(camera);
-      return double{world.ground()->image().read()[4][1]};
+      return double{world.ground()->picture().image.read()[4][1]};
     };
     const double lit = light_with(ball_sky(0.7, false)), shaded = light_with(ball_sky(0.7, true)),
                  dark = light_with(ball_sky(60.0, true));

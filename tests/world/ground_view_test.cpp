@@ -69,9 +69,9 @@ TEST_F(GroundViewTest, HasPlanesAndImageOfItsHits) {
   world.see_ground(camera());
   const GroundView& ground = *world.ground();
   ASSERT_TRUE(ground.is_in_reach());
-  const auto hits = ground.hits().read();
-  const auto planes = ground.planes().read();
-  const auto image = ground.image().read();
+  const auto hits = ground.picture().hits.read();
+  const auto planes = ground.picture().planes.read();
+  const auto image = ground.picture().image.read();
   ASSERT_EQ(hits.size(), 61u * 35u);
   ASSERT_EQ(planes.size(), 2 * hits.size());
   ASSERT_EQ(image.size(), hits.size());
@@ -129,8 +129,8 @@ TEST_F(GroundViewTest, WearsItsColours) {
   above.pitch_rad = -1.5;
   world.at(0.0, above.eye_m.y);
   world.see_ground(above, {.rays = 1});
-  const auto hits = world.ground()->hits().read();
-  const auto image = world.ground()->image().read();
+  const auto hits = world.ground()->picture().hits.read();
+  const auto image = world.ground()->picture().image.read();
   std::array<int, 2> seen{};
   for (std::size_t i = 0; i < hits.size(); ++i) {
     // Colours are mixed across the border between the texels' middles; half a texel aside they are pure.
@@ -194,7 +194,7 @@ TEST_F(GroundInTilesTest, IsTheGroundOfItsMap) {
     world->see_ground(fine_camera());
   }
   EXPECT_EQ(of_tiles.ground()->tiles()->statistics().stood_in, 0u);
-  const auto found = of_tiles.ground()->hits().read(), expected = of_map.ground()->hits().read();
+  const auto found = of_tiles.ground()->picture().hits.read(), expected = of_map.ground()->picture().hits.read();
   std::size_t seen = 0, differ = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
     seen += expected[i].kind == TERRAIN_MISS ? 0 : 1;
@@ -229,7 +229,7 @@ TEST_F(GroundInTilesTest, CoarseTilesStandInUntilFineOnesAreThere) {
   of_map.see_ground(fine_camera());
   world.see_ground(fine_camera(), {}, TileWait::none);
   EXPECT_GT(world.ground()->tiles()->statistics().stood_in, 0u);
-  const auto coarse = world.ground()->hits().read(), expected = of_map.ground()->hits().read();
+  const auto coarse = world.ground()->picture().hits.read(), expected = of_map.ground()->picture().hits.read();
   std::size_t holes = 0;
   for (std::size_t i = 0; i < coarse.size(); ++i) {
     holes += expected[i].kind != TERRAIN_MISS && coarse[i].kind == TERRAIN_MISS ? 1 : 0;
@@ -273,8 +273,8 @@ TEST_F(GroundViewTest, ChangesAsAFreshWorldHasIt) {
       one->at(0.0, above.eye_m.y);
       one->see_ground(above);
     }
-    const std::vector<terrain::Texel> image = world.ground()->image().read();
-    EXPECT_TRUE(image == fresh.ground()->image().read()) << "change " << i;
+    const std::vector<terrain::Texel> image = world.ground()->picture().image.read();
+    EXPECT_TRUE(image == fresh.ground()->picture().image.read()) << "change " << i;
     EXPECT_TRUE(image != before) << "change " << i << " shows nothing";
     before = image;
   }

@@ -1,0 +1,112 @@
+#include "present/water_views.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "present/drawn_clouds.h"
+#include "present/sampler.h"
+#include "present/view_depth.h"
+
+namespace offing::present {
+namespace {
+
+constexpr double mirrored_margin = 1.25;  // width of the mirrored picture over that of the water's
+
+Camera smaller(Camera camera, int longer_px) {
+  const double scale =
+      std::min(1.0, static_cast<double>(longer_px) / std::max(camera.width_px, camera.height_px));
+  const auto scaled = [&](int side_px) {
+    return std::max(1, static_cast<int>(std::lround(scale * side_px)));
+  };
+  camera.width_px = scaled(camera.width_px);
+  camera.height_px = scaled(camera.height_px);
+  return camera;
+}
+
+/// Waves mirror what lies beside the picture too.
+Camera wider(Camera camera, double by) {
+  camera.vertical_field_of_view_rad = 2.0 * std::atan(by * std::tan(0.5 * camera.vertical_field_of_view_rad));
+  return camera;
+}
+
+void begin(RenderTarget& target, const Camera& camera) {
+  if (target.width() != camera.width_px || target.height() != camera.height_px) {
+    target =
+        RenderTarget(camera.width_px, camera.height_px, GL_RGBA16F, RenderTarget::Depth::single_precision);
+  }
+  target.bind();
+  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  glClearDepth(0.0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void draw_ground(const TerrainPass& terrain, const Camera& camera) {
+  terrain.draw(camera, TerrainPass::Part::covered);
+  terrain.draw(camera, TerrainPass::Part::edges);
+}
+
+}  // namespace
+
+void WaterViews::draw(world::World& world, const FrameRequest& request, int longer_px,
+                      const DryPasses& passes, TransferLadder& transfer) {
+  FrameRequest of_view = request;
+  of_view.camera = smaller(request.camera, longer_px);
+  const bool has_meshes = !world.meshes().empty();
+  has_mirrored_ = longer_px > 0 && (has_meshes || world.ground() != nullptr || world.clouds() != nullptr);
+  has_beneath_ = longer_px > 0 && (has_meshes || world.ground() != nullptr);
+  if (has_mirrored_) draw_mirrored(world, of_view, passes, transfer);
+  if (has_beneath_) draw_beneath(world, of_view, passes, transfer);
+}
+
+void WaterViews::draw_mirrored(world::World& world, const FrameRequest& request, const DryPasses& passes,
+                               TransferLadder& transfer) {
+  FrameRequest from_below = request;
+  const Camera from_above = wider(request.camera, mirrored_margin);
+  from_below.camera = mirrored(from_above, 0.0);
+  begin(mirrored_, from_below.camera);
+  world.see_mirrored_ground(from_above);
+  if (world.ground() != nullptr && world.ground()->mirrored() != nullptr) {
+    mirrored_terrain_.prepare(*world.ground()->mirrored(), transfer);
+    mirrored_.bind();
+    draw_ground(mirrored_terrain_, from_below.camera);
+  }
+  // Meshes alone reach below the plane.
+  glEnable(GL_CLIP_DISTANCE0);
+  passes.meshes.draw_plainly(world, from_below, passes.environment, passes.shadows, mirrored_);
+  glDisable(GL_CLIP_DISTANCE0);
+  if (world.clouds() != nullptr) {
+    world.see_clouds(from_below.camera);
+    mirrored_clouds_.prepare(world.device(), drawn_clouds(world), from_below.camera, mirrored_, transfer);
+    mirrored_.bind();
+    mirrored_clouds_.draw(from_below.camera, world.parameters().atmosphere, passes.environment);
+  }
+  mirrored_.fill_levels();
+}
+
+void WaterViews::draw_beneath(world::World& world, const FrameRequest& request, const DryPasses& passes,
+                              TransferLadder& transfer) {
+  begin(beneath_, request.camera);
+  world.see_ground_beneath(request.camera, request.tiles);
+  if (world.ground() != nullptr && world.ground()->beneath() != nullptr) {
+    terrain_beneath_.prepare(*world.ground()->beneath(), transfer);
+    beneath_.bind();
+    draw_ground(terrain_beneath_, request.camera);
+  }
+  passes.meshes.draw_plainly(world, request, passes.environment, passes.shadows, beneath_);
+}
+
+void WaterViews::bind(const ShaderProgram& program, int first_unit) const {
+  const auto bind_view = [&](bool has_any, const RenderTarget& view, const char* light, const char* depth,
+                             int unit) {
+    bind_sampler(program, light, unit, has_any ? view.texture() : 0);
+    bind_sampler(program, depth, unit + 1, has_any ? view.depth_texture() : 0);
+  };
+  bind_view(has_mirrored_, mirrored_, "mirrored_light", "mirrored_depth", first_unit);
+  bind_view(has_beneath_, beneath_, "beneath_light", "beneath_depth", first_unit + 2);
+  program.set("has_mirrored", has_mirrored_ ? 1 : 0);
+  program.set("has_beneath", has_beneath_ ? 1 : 0);
+  program.set("mirrored_margin", static_cast<float>(mirrored_margin));
+  program.set("view_near_m", static_cast<float>(near_m));
+}
+
+}  // namespace offing::present

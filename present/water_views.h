@@ -1,0 +1,50 @@
+#pragma once
+
+#include "host/world/world.h"
+#include "present/cloud_pass.h"
+#include "present/cloud_shadows.h"
+#include "present/frame_request.h"
+#include "present/mesh_pass.h"
+#include "present/render_target.h"
+#include "present/shader_program.h"
+#include "present/terrain_pass.h"
+#include "present/transfer.h"
+
+namespace offing::present {
+
+/// Passes that show what is not water, prepared for a picture.
+struct DryPasses {
+  MeshPass& meshes;
+  const CloudShadows& shadows;
+  GLuint environment;  ///< the map of SkyPass
+};
+
+/// What is not water, as small pictures that the water's shader looks things up in (O13): what level water at
+/// height 0 mirrors, meshes, ground and clouds, drawn from the eye's mirror image; and what lies in and
+/// behind the water, meshes and ground, drawn from the eye itself. Light is premultiplied, with how much of a
+/// pixel is covered; the sky shows through.
+class WaterViews {
+ public:
+  WaterViews() = default;
+
+  /// Draws both, `longer_px` pixels along the picture's longer side or as many as it has itself; none with 0.
+  /// What has nothing to show is left out.
+  void draw(world::World& world, const FrameRequest& request, int longer_px, const DryPasses& passes,
+            TransferLadder& transfer);
+  /// Gives them to a program in use (water_views.glsl), by unit_count texture units.
+  void bind(const ShaderProgram& program, int first_unit) const;
+  static constexpr int unit_count = 4;
+
+ private:
+  void draw_mirrored(world::World& world, const FrameRequest& request, const DryPasses& passes,
+                     TransferLadder& transfer);
+  void draw_beneath(world::World& world, const FrameRequest& request, const DryPasses& passes,
+                    TransferLadder& transfer);
+
+  TerrainPass mirrored_terrain_, terrain_beneath_;
+  CloudPass mirrored_clouds_;
+  RenderTarget mirrored_, beneath_;
+  bool has_mirrored_ = false, has_beneath_ = false;
+};
+
+}  // namespace offing::present
