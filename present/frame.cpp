@@ -33,6 +33,7 @@ Frame::Frame(const GlContext& context, const ocl::Device& device, const FrameSet
 void Frame::fit(int width, int height) {
   if (light_.width() == width && light_.height() == height) return;
   light_ = RenderTarget(width, height, GL_RGBA16F, RenderTarget::Depth::single_precision);
+  under_ = RenderTarget(width, height, GL_RGBA16F, RenderTarget::Depth::none);
   screen_ = RenderTarget(width, height, GL_RGBA8, RenderTarget::Depth::none);
 }
 
@@ -44,7 +45,7 @@ void Frame::draw_light(world::World& world, const FrameRequest& request, bool se
     const StageTimes::Scope stage(times_, Stage::terrain);
     terrain_.draw(request.camera, TerrainPass::Part::covered);
   }
-  if (world.has_sea()) {
+  if (world.has_sea() && !is_under_) {
     const StageTimes::Scope stage(times_, Stage::water);
     water_.draw(world, request, {.meshes = meshes_, .shadows = shadows_, .environment = sky_.environment()},
                 light_, transfer_);
@@ -87,9 +88,10 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
   }
   const bool sees_ground = world.ground() && world.ground()->is_in_reach();
   const bool shows_steps = sees_ground && request.ground == GroundShow::steps;
+  is_under_ = !shows_steps && UnderwaterPass::is_under(world, request.camera);
   {
     const StageTimes::Scope stage(times_, Stage::transfer);
-    if (world.has_sea() && !shows_steps) water_.prepare(world, transfer_);
+    if (world.has_sea() && !is_under_ && !shows_steps) water_.prepare(world, transfer_);
     sky_.prepare(world.sky());
     if (world.has_sea() || !world.meshes().empty()) shadows_.prepare(world, request.camera.eye_m);
     meshes_.prepare(world);
@@ -102,11 +104,15 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
   } else {
     draw_light(world, request, sees_ground);
     if (world.clouds() != nullptr) draw_clouds(world, request);
+    if (is_under_) {
+      const StageTimes::Scope stage(times_, Stage::water);
+      underwater_.draw(world, request.camera, sky_.environment(), light_, under_);
+    }
   }
   {
     const StageTimes::Scope stage(times_, Stage::tone);
     screen_.bind();
-    tone_.draw(light_, shows_steps ? 1.0 : request.exposure,
+    tone_.draw(light(), shows_steps ? 1.0 : request.exposure,
                shows_steps ? TonePass::Curve::none : TonePass::Curve::filmic);
   }
   require_no_gl_error("frame");

@@ -15,6 +15,7 @@
 #include "present/terrain_pass.h"
 #include "present/tone_pass.h"
 #include "present/transfer.h"
+#include "present/underwater_pass.h"
 #include "present/water_pass.h"
 
 namespace offing::present {
@@ -41,7 +42,7 @@ class Frame {
   }
 
   /// Scene-linear light of the last picture, kcd/m2.
-  const RenderTarget& light() const { return light_; }
+  const RenderTarget& light() const { return is_under_ ? under_ : light_; }
   /// The last picture as a screen shows it, sRGB.
   const RenderTarget& screen() const { return screen_; }
   /// Times of the stages, for callers to add their own and to end the frame.
@@ -62,8 +63,10 @@ class Frame {
   MeshPass meshes_;
   CloudPass clouds_;
   CloudShadows shadows_;
+  UnderwaterPass underwater_;
   TonePass tone_;
-  RenderTarget light_, screen_;
+  RenderTarget light_, under_, screen_;
+  bool is_under_ = false;  // the eye, by the last picture
   StageTimes times_;
 };
 

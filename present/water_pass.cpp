@@ -10,6 +10,7 @@
 #include "present/air.h"
 #include "present/foam_texture.h"
 #include "present/view_ray.h"
+#include "present/water_light.h"
 
 namespace offing::present {
 namespace {
@@ -19,15 +20,13 @@ constexpr int environment_unit = WaterMaps::first_free_unit, pattern_unit = envi
               first_view_unit = first_surface_unit + 4;
 // Waves shorter than 2 m break without drawing air under: they make no foam.
 constexpr double ripples_radpm = std::numbers::pi;
-// Of the light that comes up to the surface of deep water about half is turned back.
-constexpr double leaving_share = 0.54;
 
 ShaderProgram water_program() {
   return ShaderProgram(
       {.vertex = {shader_file("screen.vert")},
        .fragment = {CloudShadows::glsl(), shader_file("environment.glsl"), shader_file("air.glsl"),
                     shader_file("view_ray.glsl"), shader_file("water.glsl"), shader_file("rings.glsl"),
-                    shader_file("wakes.glsl"), shader_file("water_light.glsl"),
+                    shader_file("wakes.glsl"), shader_file("fresnel.glsl"), shader_file("water_light.glsl"),
                     shader_file("water_views.glsl"), shader_file("water_debug.glsl"),
                     shader_file("water.frag")}});
 }
@@ -77,21 +76,14 @@ void WaterPass::set_waves(const world::World& world, const Camera& camera) const
 void WaterPass::set_light(const world::World& world) const {
   const sky::Illuminance& light = world.illuminance();
   const auto& sun = world.sky().params();
-  const ocean::WaterOptics optics = ocean::water_optics(world.parameters().water);
-  glm::vec3 of_sky(0.0f), of_sun(0.0f);
-  for (int channel = 0; channel < 3; ++channel) {
-    const auto c = static_cast<std::size_t>(channel);
-    const double returned = leaving_share * optics.reflectance[c] / std::numbers::pi;
-    of_sky[channel] = static_cast<float>(returned * light.sky_klx[c]);
-    of_sun[channel] = static_cast<float>(returned * light.sun_klx[c] * std::max(0.0f, sun.sun_direction_y));
-  }
+  const WaterLight water = water_light(world);
   program_.set("sun_direction", glm::vec3(sun.sun_direction_x, sun.sun_direction_y, sun.sun_direction_z));
   program_.set("sun_radius_rad", sun.sun_angular_radius_rad);
   program_.set("sun_klx", to_vec3(light.sun_klx));
   program_.set("sky_klx", to_vec3(light.sky_klx));
-  program_.set("water_of_sky_kcdpm2", of_sky);
-  program_.set("water_of_sun_kcdpm2", of_sun);
-  program_.set("attenuation_perm", to_vec3(optics.attenuation_perm));
+  program_.set("water_of_sky_kcdpm2", water.of_sky_kcdpm2);
+  program_.set("water_of_sun_kcdpm2", water.of_sun_kcdpm2);
+  program_.set("attenuation_perm", water.attenuation_perm);
 }
 
 void WaterPass::bind_surface() const {

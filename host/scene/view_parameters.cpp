@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "host/base/world_limits.h"
 #include "host/scene/parameter_storage.h"
 
 namespace offing::scene {
@@ -29,9 +30,9 @@ std::vector<Parameter> view_parameters() {
        .group = camera,
        .storage = &member<view, eye_camera, eye, &glm::dvec3::y>,
        .unit = "m",
-       .low = 0.001,
+       .low = -deepest_m,
        .high = 50e3,
-       .help = "the eye, above the mean water level",
+       .help = "the eye, above the mean water level, or below it where negative",
        .motion = keyed},
       {.key = "camera.z_m",
        .flag = "",

@@ -3,15 +3,6 @@
 // Ross, Dion & Potvin 2005. Directions v and l point to the eye and to the sun, y up.
 const float pi = 3.14159265;
 
-// Light reflected by sea water at a facet, unpolarised: Fresnel's equations for a refractive index of 1.34.
-float fresnel(float cosine) {
-  const float index = 1.34;
-  float inside = sqrt(index * index - 1.0 + cosine * cosine);
-  float across = (cosine - inside) / (cosine + inside);
-  float along = (index * index * cosine - inside) / (index * index * cosine + inside);
-  return 0.5 * (across * across + along * along);
-}
-
 struct Facets {
   vec2 mean;        // of dh/dx, dh/dz
   vec3 covariance;  // xx, xz, zz

@@ -9,7 +9,6 @@ uniform float view_near_m;
 uniform float eye_height_m;
 uniform vec3 attenuation_perm;  // of the water
 
-const float water_index = 1.34;
 // A bed's light spreads as it leaves the water: 1 / n^2, less what the surface turns back.
 const float leaving_share = 0.54;
 const float far_m = 1.0e5;

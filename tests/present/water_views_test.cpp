@@ -2,7 +2,6 @@
 #include "present/water_views.h"
 
 #include <cmath>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,41 +9,12 @@
 #include <gtest/gtest.h>
 
 #include "host/ocean/water_optics.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/world_scene.h"
-#include "present/frame.h"
-#include "tests/present/gl_test.h"
+#include "tests/present/still_sea.h"
 
 namespace offing::present {
 namespace {
 
-constexpr int width = 96, height = 96;
-/// Waves of millimetres.
-constexpr const char* still_sea = "[wind]\nspeed_mps = 0.1\n[ocean]\nsize = 32\nfetch_m = 100\n";
-
-class WaterViewsTest : public test::GlTest {
- protected:
-  void SetUp() override {
-    GlTest::SetUp();
-    if (!IsSkipped()) device_ = std::make_unique<ocl::Device>(ocl::Device::open());
-  }
-
-  /// Light [height][width] of 4 floats, kcd/m2, row 0 at the bottom.
-  std::vector<float> light(const std::string& text, const Camera& camera, int views_px = width) {
-    const scene::OceanScene scene = scene::parse_scene("version = 1\n" + text, "a.toml", "");
-    world::World world(*device_, scene::prepare_world(scene, scene::Warnings::left_out));
-    Frame frame(*context_, *device_, FrameSettings{.water = {{64, 64}, 1, views_px}, .transfer = {}});
-    world.at(0.0, camera.eye_m.y);
-    frame.draw(world, {.camera = camera, .exposure = 0.1});
-    return frame.light().read();
-  }
-
-  static const float* pixel(const std::vector<float>& light, int column, int row) {
-    return &light[static_cast<std::size_t>(4 * (row * width + column))];
-  }
-
-  std::unique_ptr<ocl::Device> device_;
-};
+class WaterViewsTest : public test::StillSea {};
 
 double fresnel(double cosine) {
   const double index = 1.34, inside = std::sqrt(index * index - 1.0 + cosine * cosine);
@@ -62,22 +32,22 @@ TEST_F(WaterViewsTest, MirrorsWhatStandsInIt) {
                            "[sun]\nazimuth_deg = 180\nelevation_deg = 20\n[[mesh]]\nshape = \"sphere\"\n"
                            "size_m = 7\nz_m = -25\ny_m = 2\ncolour = [0.8, 0.05, 0.05]\nspecular = "
                            "0\n[[mesh.highlight]]\nlight = \"sun\"\nopacity = 0\n";
-  const Camera camera{
-      .eye_m = {0.0, 2.0, 0.0}, .vertical_field_of_view_rad = 0.7, .width_px = width, .height_px = height};
-  const std::vector<float> with = light(ball, camera), without = light(ball, camera, 0);
+  Camera camera = square_camera({0.0, 2.0, 0.0});
+  camera.vertical_field_of_view_rad = 0.7;
+  const std::vector<float> with = light(ball, camera, side_px), without = light(ball, camera, 0);
   for (const int below : {18, 21, 24}) {
-    const float* own = pixel(with, width / 2, height / 2 + below - 1);
+    const float* own = pixel(with, side_px / 2, side_px / 2 + below - 1);
     ASSERT_GT(own[0], 3.0f * own[2]) << "no ball " << below << " pixels above the horizon";
-    const float* image = pixel(with, width / 2, height / 2 - below);
-    const float* bare = pixel(without, width / 2, height / 2 - below);
+    const float* image = pixel(with, side_px / 2, side_px / 2 - below);
+    const float* bare = pixel(without, side_px / 2, side_px / 2 - below);
     EXPECT_LT(image[2], bare[2]);
-    const double sine = std::sin(std::atan((below - 0.5) / (height / 2) * std::tan(0.35)));
+    const double sine = std::sin(std::atan((below - 0.5) / (side_px / 2) * std::tan(0.35)));
     const double share = (image[0] - bare[0]) / (fresnel(sine) * own[0]);
     EXPECT_GT(share, 1.0 / 3.0) << below;
     EXPECT_LT(share, 3.0) << below;
     // Beside the ball there is the sky in both.
-    const float* beside = pixel(with, 1, height / 2 - below);
-    const float* beside_bare = pixel(without, 1, height / 2 - below);
+    const float* beside = pixel(with, 1, side_px / 2 - below);
+    const float* beside_bare = pixel(without, 1, side_px / 2 - below);
     EXPECT_NEAR(beside[0], beside_bare[0], 0.1 * beside_bare[0]) << below;
   }
 }
@@ -86,11 +56,9 @@ TEST_F(WaterViewsTest, MirrorsWhatStandsInIt) {
 // channel, beside the light of deep water and that of the surface. Gate: 3 % of the ratio: halves round to
 // 2^-11, the ground's air and its mottling differ by less than a percent over two metres.
 TEST_F(WaterViewsTest, BedsFadeWithDepth) {
-  const Camera camera{.eye_m = {0.0, 30.0, 0.0},
-                      .pitch_rad = -1.5707,
-                      .vertical_field_of_view_rad = 0.3,
-                      .width_px = width,
-                      .height_px = height};
+  Camera camera = square_camera({0.0, 30.0, 0.0});
+  camera.pitch_rad = -1.5707;
+  camera.vertical_field_of_view_rad = 0.3;
   const auto bed = [&](double depth_m) {
     return fmt::format(
         "{}water = \"1C\"\n[sun]\nelevation_deg = 50\n[terrain]\nposts = 33\nside_m = 1000\nrelief_m = "
@@ -103,7 +71,8 @@ TEST_F(WaterViewsTest, BedsFadeWithDepth) {
     return sum / static_cast<double>(light.size() / 4);
   };
   const std::vector<float> deep = light(bed(3.0), camera, 0);
-  const std::vector<float> at_3_m = light(bed(3.0), camera), at_5_m = light(bed(5.0), camera);
+  const std::vector<float> at_3_m = light(bed(3.0), camera, side_px),
+                           at_5_m = light(bed(5.0), camera, side_px);
   const ocean::WaterOptics optics = ocean::water_optics(ocean::WaterType::coastal_1);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     // Beside the bed's light, a share of what deep water sends is hidden by it; it falls alike.
@@ -117,8 +86,9 @@ TEST_F(WaterViewsTest, BedsFadeWithDepth) {
 
 // Fails if a sea is drawn otherwise where there is nothing but water.
 TEST_F(WaterViewsTest, LeavesTheOpenSeaAsItIs) {
-  const Camera camera{.eye_m = {0.0, 5.0, 0.0}, .pitch_rad = -0.2, .width_px = width, .height_px = height};
-  EXPECT_EQ(light(still_sea, camera), light(still_sea, camera, 0));
+  Camera camera = square_camera({0.0, 5.0, 0.0});
+  camera.pitch_rad = -0.2;
+  EXPECT_EQ(light(still_sea, camera, side_px), light(still_sea, camera, 0));
 }
 
 }  // namespace
