@@ -31,6 +31,8 @@ class PhaseFunction {
   /// Legendre moments b_l = 2 pi * integral of p P_l, l < count: b_0 = 1, b_1 the mean cosine; g^l of a
   /// Henyey-Greenstein lobe.
   std::vector<double> moments(int count) const;
+  /// What of these is of lobes that peak forward, with g above 0.
+  std::vector<double> forward_moments(int count) const;
 
   /// A cosine with this density, from numbers uniform in (0, 1) that `next` returns one after the other.
   template <typename Next>
@@ -47,6 +49,7 @@ class PhaseFunction {
 
  private:
   static double henyey_greenstein_cosine(double g, double uniform);
+  std::vector<double> moments_of_lobes(int count, double least_g) const;
 
   std::vector<PhaseLobe> lobes_;
 };

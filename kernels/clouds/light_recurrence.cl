@@ -51,7 +51,8 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_recu
         if (!is_inside || !isfinite(particle.optical_mass)) continue;
         const CloudScattering look = looks[particle.cloud];
         const float ahead = phases[(size_t)look.phase_table * CLOUD_PHASE_DEPTHS * CLOUD_PHASE_ANGLES];
-        const float regained = fmin(1.0f, look.albedo_green * ahead * SKY_PI / 32.0f);
+        const float albedo = (particle.red + particle.green + particle.blue) / 3.0f;
+        const float regained = fmin(1.0f, albedo * ahead * SKY_PI / 32.0f);
         const float radius = fmax(particle.radius / texel, 0.7f);
         const float depth = particle.optical_mass / (CLOUD_BALL_MASS * radius * radius * texel * texel);
         for (int row = max((int)(at_y - radius), 0); row <= min((int)(at_y + radius), HARRIS_SIZE - 1); ++row) {
