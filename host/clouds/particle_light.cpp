@@ -18,9 +18,10 @@
 namespace offing::clouds {
 namespace {
 
-// EMPTY_DEPTH 1.7, how far light leans (LEAN 1.5) and where a dense particle shows from (FRONT_RADII 1.4,
-// FRONT_DEPTH 3) were fitted to the reference over the genera and the shapes of scenes, whose light is within
-// 15 % then (tests/clouds/light_accuracy_test.cpp), and to slabs (particle_light_test.cpp).
+// EMPTY_DEPTH 1.7, how far light leans (LEAN_LOST 1.5) and where a dense particle shows from
+// (FRONT_RADII 1.4, FRONT_DEPTH 3) were fitted to the reference over the genera and the shapes of scenes,
+// whose light is within 15 % then (tests/clouds/light_accuracy_test.cpp), and to slabs
+// (particle_light_test.cpp).
 
 // Room for the cells of a cloud's grid; heaps have a quarter of them (kernels/clouds/light_bounds.cl).
 constexpr int cells = 16384;
@@ -155,9 +156,10 @@ void ParticleLight::reserve(std::size_t clouds) {
     *buffer = ocl::Buffer<float>(device_, size, name);
     buffer->fill(0.0f);  // what stands for neighbours outside must be numbers
   }
-  for (auto* buffer : {&glow_, &drift_})
-    if (clouds * cells > buffer->size())
-      *buffer = ocl::Buffer<Float4>(device_, clouds * cells, "scattered light in clouds");
+  if (clouds * cells > glow_.size())
+    glow_ = ocl::Buffer<Float4>(device_, clouds * cells, "scattered light in clouds");
+  if (channels * cells > drift_.size())
+    drift_ = ocl::Buffer<Float4>(device_, channels * cells, "drift of light in clouds");
 }
 
 void ParticleLight::relight(const ocl::Buffer<CloudParticle>& particles, std::uint32_t count,

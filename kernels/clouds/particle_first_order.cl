@@ -25,7 +25,7 @@ __kernel void particle_first_order(__global const CloudParticle *restrict partic
               (float3)(from.red, from.green, from.blue);
     }
     const CloudSprite sprite = {seen.x * particle.red, seen.y * particle.green, seen.z * particle.blue,
-                                particle.optical_mass / (CLOUD_BALL_MASS * particle.radius * particle.radius)};
+                                cloud_depth(particle.optical_mass, particle.radius)};
     sprites[i] = sprite;
   }
 }

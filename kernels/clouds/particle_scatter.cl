@@ -35,6 +35,11 @@ static inline float3 albedo_at(__global const float *restrict absorbing, int cha
   return clamp(1.0f - absorption / fmax(extinction, 1e-30f), (float3)(0.0f), (float3)(1.0f));
 }
 
+// Red, green and blue of what each channel has.
+static inline float3 of_colours(const float *values, int channels) {
+  return channels == 1 ? (float3)(values[0]) : (float3)(values[0], values[1], values[2]);
+}
+
 __kernel void particle_scatter(__global const CloudParticle *restrict particles, int count, int particles_per_item,
                                __global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
                                __global const CloudLightParams *restrict lights, __global const float *restrict phases,
@@ -51,8 +56,8 @@ __kernel void particle_scatter(__global const CloudParticle *restrict particles,
     __global const float *absorbing = absorption + cloud * channels * MEDIUM_CELLS + FIRST_LEVEL;
     __global const float *beam = beams + FIRST_BEAM + cloud * light->sun_count * channels * CELLS;
     __global const float4 *shine = glow + cloud * CELLS;
-    __global const float4 *lean = drift + cloud * CELLS;
-    const float depth = particle.optical_mass / (CLOUD_BALL_MASS * particle.radius * particle.radius);
+    __global const float4 *lean = drift + cloud * channels * CELLS;
+    const float depth = cloud_depth(particle.optical_mass, particle.radius);
     const float3 place = (float3)(particle.x, particle.y, particle.z);
     const float3 own_albedo = (float3)(particle.red, particle.green, particle.blue);
     const float3 way = (float3)(eye_x, eye_y, eye_z) - place;
@@ -89,8 +94,10 @@ __kernel void particle_scatter(__global const CloudParticle *restrict particles,
       // Of the true extinction.
       const float3 scaled = 1.0f - look.forward_share * albedo;
       rough = found.w * fmax(scaled.x, fmax(scaled.y, scaled.z));
-      const float3 leaning = sample_vector(lean, sample).xyz;
-      float3 shown = found.xyz * fmax(0.0f, 1.0f + dot(leaning, view));
+      float toward_eye[3];
+      for (int channel = 0; channel < channels; ++channel)
+        toward_eye[channel] = fmax(0.0f, 1.0f + dot(sample_vector(lean + channel * CELLS, sample).xyz, view));
+      float3 shown = found.xyz * of_colours(toward_eye, channels);
       const float depth_of_eye = depth_before + 0.5f * piece * found.w;
       for (int sun = 0; sun < light->sun_count; ++sun) {
         const CloudSunLight from = light->suns[sun];
@@ -103,8 +110,7 @@ __kernel void particle_scatter(__global const CloudParticle *restrict particles,
           const float depth_of_way = depth_of_eye - log(fmax(lit, 1e-30f)) / scaled_share;
           direct[channel] = phase_at(phases, look.phase_table, angle_places[sun], scattered * depth_of_way) * lit;
         }
-        const float3 rgb = channels == 1 ? (float3)(direct[0]) : (float3)(direct[0], direct[1], direct[2]);
-        shown += rgb * (float3)(from.red, from.green, from.blue);
+        shown += of_colours(direct, channels) * (float3)(from.red, from.green, from.blue);
       }
       if (k < 0) {
         here = shown;
