@@ -28,34 +28,52 @@ static inline lanes flow_into(__global const float *restrict faces, __global con
           passed_on(load_lanes(faces + FACES_Z + at - plane), fluence + at - plane));
 }
 
-// Rows of one colour of a chessboard after those of the other. Along a row each cell takes what its neighbours had before,
-// but for the first of LEAST_CELLS side by side, which are one vector where there are vectors.
+// Along a row each cell takes what its neighbours had before, but for the first of LEAST_CELLS side by side, which are one
+// vector where there are vectors.
+static inline void relax_row(__global const float *restrict faces, __global const float *restrict sources,
+                             __global float *fluence, const Level level, int y, int z) {
+  const int row = level.start + (z * level.size_y + y) * level.pitch;
+#if LANES == 1
+  float left = 0.0f;
+#endif
+  for (int at = row; at < row + level.pitch; at += LANES) {
+#if LANES == 1
+    if (at > row && (at - row) % LEAST_CELLS == 0) left = fluence[at - 1];
+    const float before = fluence[at];
+#else
+    const lanes left = load_lanes(fluence + at - 1);
+#endif
+    store_lanes((load_lanes(sources + at) + flow_into(faces, fluence, left, level, at)) *
+                    load_lanes(faces + FACES_OUT + at),
+                fluence + at);
+#if LANES == 1
+    left = before;
+#endif
+  }
+}
+
+// Rows of one colour of a chessboard, then those of the other.
 static inline void relax(__global const float *restrict faces, __global const float *restrict sources,
                          __global float *fluence, const Level level, int sweeps) {
-  const int rows_of_plane = level.size_y / 2;
-  for (int colour = 0; colour < 2 * sweeps; ++colour) {
-    for (int i = (int)get_local_id(0); i < rows_of_plane * level.size_z; i += GROUP_SIZE) {
-      const int z = i / rows_of_plane, y = i % rows_of_plane * 2 + ((z + colour) & 1);
-      const int row = level.start + (z * level.size_y + y) * level.pitch;
-#if LANES == 1
-      float left = 0.0f;
-#endif
-      for (int at = row; at < row + level.pitch; at += LANES) {
-#if LANES == 1
-        if (at > row && (at - row) % LEAST_CELLS == 0) left = fluence[at - 1];
-        const float before = fluence[at];
-#else
-        const lanes left = load_lanes(fluence + at - 1);
-#endif
-        store_lanes((load_lanes(sources + at) + flow_into(faces, fluence, left, level, at)) *
-                        load_lanes(faces + FACES_OUT + at),
-                    fluence + at);
-#if LANES == 1
-        left = before;
-#endif
-      }
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+#if GROUP_SIZE == 1
+    // The other colour a plane behind the first, so that memory is passed once.
+    for (int z = 0; z <= level.size_z; ++z) {
+      if (z < level.size_z)
+        for (int y = z % 2; y < level.size_y; y += 2) relax_row(faces, sources, fluence, level, y, z);
+      if (z > 0)
+        for (int y = z % 2; y < level.size_y; y += 2) relax_row(faces, sources, fluence, level, y, z - 1);
     }
-    wait_for_group();
+#else
+    const int rows_of_plane = level.size_y / 2;
+    for (int colour = 0; colour < 2; ++colour) {
+      for (int i = (int)get_local_id(0); i < rows_of_plane * level.size_z; i += GROUP_SIZE) {
+        const int z = i / rows_of_plane;
+        relax_row(faces, sources, fluence, level, i % rows_of_plane * 2 + (z + colour) % 2, z);
+      }
+      wait_for_group();
+    }
+#endif
   }
 }
 
