@@ -60,7 +60,8 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_recu
             const float dx = ((float)column + 0.5f - at_x) / radius, dy = ((float)row + 0.5f - at_y) / radius;
             const float here = depth * cloud_chord(dx * dx + dy * dy);
             __global int *sum = map + row * HARRIS_SIZE + column;
-            if (!(here > 0.0f) || *sum > ENOUGH) continue;
+            // Read by what changes nothing: others of the group may be adding.
+            if (!(here > 0.0f) || atomic_or(sum, 0) > ENOUGH) continue;
             // A deep particle is a row of thin slices: what the print has for one slice would make light of a deep one.
             const float slices = ceil(here * 8.0f), thin = here / slices;
             const float kept = slices * -log(exp(-thin) + regained * thin);

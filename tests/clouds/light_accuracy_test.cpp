@@ -266,7 +266,7 @@ const std::vector<Kind> kinds{
     {"sky_cumulus", 3'200'000, "sky", 2},
     {.name = "green_cumulus", .photons = 1'200'000, .change = make_green, .standard_error = 0.02},
     {.name = "half_painted_cumulus",
-     .photons = 1'200'000,
+     .photons = 2'400'000,
      .painted = glm::vec3(0.9999f, 0.9f, 0.4f),
      .standard_error = 0.03,
      .gate = 0.22},
