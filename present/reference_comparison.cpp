@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "host/base/progress.h"
 #include "host/clouds/cloud_density.h"
 #include "host/clouds/cloud_picture.h"
+#include "host/clouds/field_albedo.h"
 #include "host/clouds/reference_tracer.h"
 #include "host/command_line/print_json.h"
 #include "host/io/exr_image.h"
@@ -53,15 +55,30 @@ clouds::CloudLook look_of(const world::CloudSkyParameters& sky) {
   for (const clouds::CloudParameters& cloud : sky.clouds) {
     clouds::CloudLook look = cloud.look;
     look.extinction_per_m = first.extinction_per_m;
+    look.albedo = first.albedo;  // paths take that of the particles
     if (look == first) continue;
     throw Error(ErrorKind::bad_input,
-                "--compare-reference: expected clouds of one albedo and phase function, found several",
+                "--compare-reference: expected clouds of one phase function, found several",
                 "compare scenes that have one of them each");
   }
   return first;
 }
 
-/// The extinction of particles, for paths.
+/// The mean of what lights the clouds, where they are at several altitudes: paths know one light.
+clouds::CloudIllumination mean_illumination(std::span<const clouds::CloudIllumination> lights) {
+  clouds::CloudIllumination mean;
+  const double share = 1.0 / static_cast<double>(lights.size());
+  for (const clouds::CloudIllumination& light : lights) {
+    mean.sky_kcdpm2 += share * light.sky_kcdpm2;
+    mean.ground_kcdpm2 += share * light.ground_kcdpm2;
+    if (light.suns.empty()) continue;
+    if (mean.suns.empty()) mean.suns.push_back({.direction = light.suns.front().direction});
+    mean.suns.front().illuminance_klx += share * light.suns.front().illuminance_klx;
+  }
+  return mean;
+}
+
+/// The extinction of particles and their albedos, for paths.
 clouds::VolumeMedium medium_of(const ocl::Device& device, const std::vector<CloudParticle>& particles) {
   glm::dvec3 low(1e30), high(-1e30);
   double mean_radius_m = 0.0;
@@ -74,7 +91,9 @@ clouds::VolumeMedium medium_of(const ocl::Device& device, const std::vector<Clou
   const glm::dvec3 extent_m = high - low;
   const double longest_m = std::max({extent_m.x, extent_m.y, extent_m.z});
   const double cell_m = std::max(mean_radius_m / cells_a_radius, longest_m / most_cells);
-  return clouds::VolumeMedium(clouds::rasterised(device, particles, cell_m));
+  CloudVolume volume = clouds::rasterised(device, particles, cell_m);
+  volume.albedo = clouds::rasterised_albedo(device, particles, volume);
+  return clouds::VolumeMedium(volume);
 }
 
 LightImage drawn_clouds(const ocl::Device& device, const scene::OceanScene& scene, const world::World& world,
@@ -138,7 +157,7 @@ Compared compare(const ViewOptions& options, const CancelToken& cancel) {
     throw Error(ErrorKind::bad_input, "--compare-reference: expected a scene with clouds, found none",
                 "add [[cloud]] to the scene");
   }
-  const clouds::CloudLook look = look_of(world.clouds()->parameters());
+  clouds::CloudLook look = look_of(world.clouds()->parameters());
   scene::ViewScene view = scene::show_at(world, scene, options.time_s);
   const PictureSize size = options.size.value_or(PictureSize{160, 90});
   view.camera.width_px = size.width;
@@ -151,8 +170,10 @@ Compared compare(const ViewOptions& options, const CancelToken& cancel) {
   const world::CloudsView& clouds = *world.clouds();
   std::vector<CloudParticle> particles = clouds.particles().read();
   particles.resize(clouds.count());
+  // Of particles of one grey, whatever the look says; coloured ones have the medium's.
+  if (!particles.empty()) look.albedo = glm::dvec3(double{particles.front().red});
   const clouds::VolumeMedium medium = medium_of(device, particles);
-  const clouds::ReferenceTracer tracer(medium, look, *clouds.illumination());
+  const clouds::ReferenceTracer tracer(medium, look, mean_illumination(clouds.illumination()));
   Camera camera = view.camera;
   camera.eye_m -= clouds.sky_origin_m();
   compared.reference = traced_picture(tracer, camera, options, cancel);

@@ -11,6 +11,7 @@
 
 #include "host/clouds/cloud_density.h"
 #include "host/clouds/density_volume.h"
+#include "host/clouds/field_albedo.h"
 #include "host/world/cloud_grower.h"
 
 namespace offing::cli {
@@ -23,24 +24,11 @@ bool is_grey(const glm::dvec3& albedo) {
   return albedo.x == albedo.y && albedo.y == albedo.z;
 }
 
-bool has_one_grey(const std::vector<CloudParticle>& particles) {
-  return std::all_of(particles.begin(), particles.end(), [&](const CloudParticle& particle) {
-    return particle.red == particles.front().red && is_grey({particle.red, particle.green, particle.blue});
-  });
-}
-
 /// Whether nothing but drift moves a cloud, so that its field is what its particles stand for.
 bool keeps_its_form(const clouds::CloudMotion& motion) {
   const bool has_wind = motion.wind_mps != glm::dvec3(0.0);
   const bool leans = has_wind && (motion.shear_per_s != 0.0 || motion.drag != 0.0);
   return !leans && motion.sway_m == 0.0 && !motion.heat && !motion.obstacle;
-}
-
-/// The value in another volume of the same grid, 0 where that has no brick.
-float value_in(const CloudVolume& volume, std::size_t place, std::size_t cell) {
-  const std::int32_t slot = volume.brick_of[place];
-  if (slot == CloudVolume::no_brick) return 0.0f;
-  return volume.density[static_cast<std::size_t>(slot) * CloudVolume::cells_of_brick + cell];
 }
 
 }  // namespace
@@ -85,32 +73,9 @@ VdbCloud CloudFrames::volume_at(double time_s, double cell_m) {
 VdbCloud CloudFrames::rasterised_at(double time_s, double cell_m) {
   const CloudParticles cloud = particles_at(time_s);
   const double extinction_per_m = sky_.clouds.front().look.extinction_per_m;
-  const auto volume_of = [&](const std::vector<CloudParticle>& particles) {
-    CloudVolume volume = clouds::rasterised(device_, particles, cell_m, extinction_per_m);
-    volume.origin_m += cloud.origin_m;
-    return volume;
-  };
-  VdbCloud result{.volume = volume_of(cloud.particles)};
-  if (has_one_grey(cloud.particles)) return result;
-  // A cell's albedo is the mean of its particles', by the extinction that each has there.
-  result.albedo.resize(result.volume.density.size());
-  constexpr std::array<float CloudParticle::*, 3> channels{&CloudParticle::red, &CloudParticle::green,
-                                                           &CloudParticle::blue};
-  for (std::size_t channel = 0; channel < channels.size(); ++channel) {
-    std::vector<CloudParticle> weighted = cloud.particles;
-    for (CloudParticle& particle : weighted) particle.optical_mass *= particle.*channels[channel];
-    const CloudVolume scattered = volume_of(weighted);
-    for (std::size_t place = 0; place < result.volume.brick_of.size(); ++place) {
-      const std::int32_t slot = result.volume.brick_of[place];
-      if (slot == CloudVolume::no_brick) continue;
-      for (std::size_t cell = 0; cell < CloudVolume::cells_of_brick; ++cell) {
-        const std::size_t here = static_cast<std::size_t>(slot) * CloudVolume::cells_of_brick + cell;
-        const float density = result.volume.density[here];
-        result.albedo[here][channel] =
-            density > 0.0f ? std::min(value_in(scattered, place, cell) / density, 1.0f) : 0.0f;
-      }
-    }
-  }
+  VdbCloud result{.volume = clouds::rasterised(device_, cloud.particles, cell_m, extinction_per_m)};
+  result.albedo = clouds::rasterised_albedo(device_, cloud.particles, result.volume);
+  result.volume.origin_m += cloud.origin_m;
   return result;
 }
 

@@ -161,6 +161,10 @@ CloudModel::CloudModel(const ocl::Device& device, std::span<const CloudParticle>
     densest = std::max(densest, particle.optical_mass / (particle.radius * particle.radius));
   }
   if (densest > 0.0f) densest_ = densest;
+  const glm::vec3 albedo(parameters.look.albedo);
+  has_own_albedo_ = std::any_of(edited.begin(), edited.end(), [&](const CloudParticle& particle) {
+    return glm::vec3(particle.red, particle.green, particle.blue) != albedo;
+  });
 }
 
 void CloudModel::at(double time_s, const glm::dvec3& origin_m) {

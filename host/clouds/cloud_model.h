@@ -45,6 +45,8 @@ class CloudModel {
   /// Of the last at(), [count()], or a single one without meaning where count() is 0.
   const ocl::Buffer<CloudParticle>& particles() const { return moved_; }
   std::uint32_t count() const { return count_; }
+  /// Whether a particle has another albedo than the look.
+  bool has_own_albedo() const { return has_own_albedo_; }
   const CloudParameters& parameters() const { return parameters_; }
 
  private:
@@ -55,6 +57,7 @@ class CloudModel {
   CloudParameters parameters_;
   std::uint32_t count_, cloud_;
   float densest_ = 1.0f;
+  bool has_own_albedo_ = false;
   ParticleMotion motion_;
   ocl::Buffer<CloudParticle> rest_, moved_;
 };

@@ -7,6 +7,7 @@
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
 #include "host/base/world_limits.h"
+#include "host/clouds/phase_function.h"
 #include "kernels/shared/cloud_field.h"
 
 namespace offing::clouds {
@@ -40,10 +41,12 @@ void require_valid(const CloudLook& look) {
   require_within("cloud.albedo.red", look.albedo.x, 0.0, 1.0);
   require_within("cloud.albedo.green", look.albedo.y, 0.0, 1.0);
   require_within("cloud.albedo.blue", look.albedo.z, 0.0, 1.0);
-  require_within("cloud.g", look.g, -0.99, 0.99);
+  require_within("cloud.g", look.g, least_mean_cosine, 0.99);
   require_within("cloud.g_back", look.g_back, -0.99, 0.99);
   require_within("cloud.forward_share", look.forward_share, 0.0, 1.0);
   require_within("cloud.droplet_um", look.droplet_um, smallest_droplet_um, largest_droplet_um);
+  require_within("cloud: mean cosine of scattering, of g, g_back and forward_share",
+                 PhaseFunction(look).mean_cosine(), least_mean_cosine, 1.0);
 }
 
 void require_valid(const CloudMotion& motion) {

@@ -1,11 +1,14 @@
 #include "host/clouds/field_albedo.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include <glm/common.hpp>
+
+#include "host/clouds/cloud_density.h"
 
 namespace offing::clouds {
 namespace {
@@ -24,6 +27,22 @@ std::optional<std::size_t> value_of(const CloudVolume& volume, const std::array<
   if (slot == CloudVolume::no_brick) return std::nullopt;
   return static_cast<std::size_t>(slot) * CloudVolume::cells_of_brick + inside;
 }
+
+bool has_one_grey(std::span<const CloudParticle> particles) {
+  return std::all_of(particles.begin(), particles.end(), [&](const CloudParticle& particle) {
+    const float grey = particles.front().red;
+    return particle.red == grey && particle.green == grey && particle.blue == grey;
+  });
+}
+
+/// The value of a cell of a brick at a place of `brick_of`, 0 where there is none.
+float value_in(const CloudVolume& volume, std::size_t place, std::size_t cell) {
+  const std::int32_t slot = volume.brick_of[place];
+  if (slot == CloudVolume::no_brick) return 0.0f;
+  return volume.density[static_cast<std::size_t>(slot) * CloudVolume::cells_of_brick + cell];
+}
+
+}  // namespace
 
 std::array<float, 3> albedo_at(const CloudVolume& shape, const glm::dvec3& place_m) {
   const glm::dvec3 cells = (place_m - shape.origin_m) / shape.cell_m - 0.5, low = glm::floor(cells);
@@ -50,8 +69,6 @@ std::array<float, 3> albedo_at(const CloudVolume& shape, const glm::dvec3& place
   return {static_cast<float>(sum.x), static_cast<float>(sum.y), static_cast<float>(sum.z)};
 }
 
-}  // namespace
-
 std::vector<std::array<float, 3>> field_albedo(const CloudVolume& shape, const CloudVolume& field) {
   std::vector<std::array<float, 3>> albedo(field.density.size(), {1.0f, 1.0f, 1.0f});
   std::size_t number = 0;
@@ -67,6 +84,31 @@ std::vector<std::array<float, 3>> field_albedo(const CloudVolume& shape, const C
           const glm::dvec3 place(x * n + cell % n, y * n + cell / n % n, z * n + cell / n / n);
           albedo[value] = albedo_at(shape, field.origin_m + (place + 0.5) * field.cell_m);
         }
+      }
+    }
+  }
+  return albedo;
+}
+
+std::vector<std::array<float, 3>> rasterised_albedo(const ocl::Device& device,
+                                                    std::span<const CloudParticle> particles,
+                                                    const CloudVolume& volume) {
+  if (has_one_grey(particles)) return {};
+  std::vector<std::array<float, 3>> albedo(volume.density.size());
+  constexpr std::array<float CloudParticle::*, 3> channels{&CloudParticle::red, &CloudParticle::green,
+                                                           &CloudParticle::blue};
+  for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+    std::vector<CloudParticle> weighted(particles.begin(), particles.end());
+    for (CloudParticle& particle : weighted) particle.optical_mass *= particle.*channels[channel];
+    const CloudVolume scattered = rasterised(device, weighted, volume.cell_m, volume.extinction_per_m);
+    for (std::size_t place = 0; place < volume.brick_of.size(); ++place) {
+      const std::int32_t slot = volume.brick_of[place];
+      if (slot == CloudVolume::no_brick) continue;
+      for (std::size_t cell = 0; cell < CloudVolume::cells_of_brick; ++cell) {
+        const std::size_t here = static_cast<std::size_t>(slot) * CloudVolume::cells_of_brick + cell;
+        const float density = volume.density[here];
+        albedo[here][channel] =
+            density > 0.0f ? std::min(value_in(scattered, place, cell) / density, 1.0f) : 0.0f;
       }
     }
   }

@@ -73,9 +73,18 @@ double PhaseFunction::mean_cosine() const {
 }
 
 std::vector<double> PhaseFunction::moments(int count) const {
+  return moments_of_lobes(count, -1.0);
+}
+
+std::vector<double> PhaseFunction::forward_moments(int count) const {
+  return moments_of_lobes(count, 0.0);
+}
+
+std::vector<double> PhaseFunction::moments_of_lobes(int count, double least_g) const {
   const auto size = static_cast<std::size_t>(count);
   std::vector<double> sum(size, 0.0);
   for (const PhaseLobe& lobe : lobes_) {
+    if (!(lobe.g > least_g)) continue;
     std::vector<double> plain(size + 2), times_cosine(size + 1);
     double power = 1.0;
     for (double& moment : plain) {

@@ -39,13 +39,14 @@ double moment_beyond_first(double b, int l, double f, double t) {
 }  // namespace
 
 DeltaScaling delta_scaling(const PhaseFunction& phase) {
-  const std::vector<double> moments = phase.moments(3);
-  const double f = moments[2];
-  return {f, (moments[1] - f) / (1.0 - f)};
+  const double f = phase.forward_moments(3)[2];
+  return {f, (phase.mean_cosine() - f) / (1.0 - f)};
 }
 
 std::vector<float> phase_table(const PhaseFunction& phase) {
-  std::vector<double> moments = phase.moments(moment_count);
+  std::vector<double> moments = phase.forward_moments(moment_count);
+  const std::vector<double> of_all = phase.moments(2);
+  std::copy(of_all.begin(), of_all.end(), moments.begin());
   while (moments.size() > 2 && std::abs(moments.back()) < least_moment) moments.pop_back();
   const double f = delta_scaling(phase).forward_share;
   std::vector<float> table;

@@ -47,7 +47,7 @@ std::vector<TracedIntensity> traced_intensities(const VolumeMedium& medium, cons
   TraceOptions sums = options;
   sums.orders = static_cast<int>(toward_eyes.size());
   std::vector<TracedIntensity> intensities(toward_eyes.size());
-  std::vector<double> variances(toward_eyes.size(), 0.0);
+  std::vector<glm::dvec3> variances(toward_eyes.size(), glm::dvec3(0.0));
   for (const PhotonSource& source : photon_sources(light)) {
     const auto follow = [&](PathRandom& random, std::vector<glm::dvec3>& by_eye) {
       const glm::dvec3 toward_light = source.toward_light(random);
@@ -55,7 +55,7 @@ std::vector<TracedIntensity> traced_intensities(const VolumeMedium& medium, cons
       Ray ray{medium.random_place(random), -toward_light};
       glm::dvec3 weight(medium.transmittance({ray.origin_m, toward_light}, random));
       do {
-        weight *= look.albedo;
+        weight *= medium.albedo(ray.origin_m, look.albedo);
         if (!survives(weight, random)) return;
         const double cosine = phase.sample([&] { return random.next(); });
         ray.direction = turned(ray.direction, cosine, 2.0 * std::numbers::pi * random.next());
@@ -72,13 +72,15 @@ std::vector<TracedIntensity> traced_intensities(const VolumeMedium& medium, cons
     for (std::size_t eye = 0; eye < toward_eyes.size(); ++eye) {
       const glm::dvec3& mean = counted.by_order[eye + 1];
       intensities[eye].kcd += scale * mean;
-      variances[eye] += greatest(scale * scale * (squares[eye + 1] - mean * mean)) / options.samples;
+      variances[eye] += scale * scale * (squares[eye + 1] - mean * mean) / double(options.samples);
     }
     ++sums.seed;
   }
   for (std::size_t eye = 0; eye < toward_eyes.size(); ++eye) {
-    const double kcd = greatest(intensities[eye].kcd);
-    intensities[eye].relative_error = kcd > 0.0 ? std::sqrt(variances[eye]) / kcd : 1.0;
+    for (int colour = 0; colour < 3; ++colour) {
+      const double kcd = intensities[eye].kcd[colour];
+      intensities[eye].relative_error[colour] = kcd > 0.0 ? std::sqrt(variances[eye][colour]) / kcd : 1.0;
+    }
   }
   return intensities;
 }

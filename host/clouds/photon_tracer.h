@@ -14,7 +14,7 @@ namespace offing::clouds {
 /// Mean intensity over a cone of directions.
 struct TracedIntensity {
   glm::dvec3 kcd{0.0};
-  double relative_error = 0.0;  ///< standard error over value, of the greatest colour
+  glm::dvec3 relative_error{0.0};  ///< standard error over value; 1 where there is no light
 };
 
 /// Intensities of the scattered light of suns, sky and ground, means over cones of half angle `cone_rad`

@@ -34,7 +34,7 @@ void ReferenceTracer::trace(Ray ray, PathRandom& random, std::vector<glm::dvec3>
       return;
     }
     ray.origin_m += distance * ray.direction;
-    weight *= albedo_;
+    weight *= medium_.albedo(ray.origin_m, albedo_);
     for (const CloudSun& sun : light_.suns) {
       // Light goes along -direction of both: the angle between the ways is that between the two.
       const double phase = phase_(glm::dot(ray.direction, sun.direction));

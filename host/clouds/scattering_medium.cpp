@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
+#include "host/clouds/field_albedo.h"
 
 namespace offing::clouds {
 namespace {
@@ -41,6 +42,7 @@ double SlabMedium::transmittance(const Ray& ray, PathRandom&) const {
 
 VolumeMedium::VolumeMedium(const CloudVolume& volume)
     : origin_m_(volume.origin_m), cell_m_(volume.cell_m), size_(volume.bricks) {
+  if (!volume.albedo.empty()) albedo_ = volume;
   constexpr int edge = CloudVolume::brick_cells;
   const auto cell = [&](int x, int y, int z) -> double {
     if (x < 0 || y < 0 || z < 0 || x >= edge * size_[0] || y >= edge * size_[1] || z >= edge * size_[2])
@@ -111,6 +113,12 @@ double VolumeMedium::extinction(const glm::dvec3& place_m) const {
   return kept == CloudVolume::no_brick
              ? 0.0
              : extinction(bricks_[static_cast<std::size_t>(kept)], cells - 8.0 * brick);
+}
+
+glm::dvec3 VolumeMedium::albedo(const glm::dvec3& place_m, const glm::dvec3& of_look) const {
+  if (!albedo_) return of_look;
+  const auto [red, green, blue] = albedo_at(*albedo_, place_m);
+  return {red, green, blue};
 }
 
 glm::dvec3 VolumeMedium::random_place(PathRandom& random) const {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -26,6 +27,10 @@ class ScatteringMedium {
   virtual double next_collision(const Ray& ray, PathRandom& random) const = 0;
   /// An estimate, without bias, of the share of light that comes from infinity along the ray.
   virtual double transmittance(const Ray& ray, PathRandom& random) const = 0;
+  /// Single-scattering albedo at a place with extinction: `of_look` unless the medium tells its own.
+  virtual glm::dvec3 albedo(const glm::dvec3& /*place_m*/, const glm::dvec3& of_look) const {
+    return of_look;
+  }
 };
 
 /// A layer without end between two heights, of the same extinction everywhere.
@@ -42,7 +47,8 @@ class SlabMedium : public ScatteringMedium {
 };
 
 /// The trilinear density of a volume. Delta tracking (Woodcock et al. 1965) against the greatest density of
-/// each brick; transmittance by ratio tracking (Novak, Selle & Jarosz 2014, "Residual ratio tracking").
+/// each brick; transmittance by ratio tracking (Novak, Selle & Jarosz 2014, "Residual ratio tracking"). Of a
+/// volume that tells albedos these are the medium's.
 class VolumeMedium : public ScatteringMedium {
  public:
   /// Throws Error(bad_input) if the volume is empty, or a density is negative or not finite.
@@ -50,6 +56,7 @@ class VolumeMedium : public ScatteringMedium {
 
   double next_collision(const Ray& ray, PathRandom& random) const override;
   double transmittance(const Ray& ray, PathRandom& random) const override;
+  glm::dvec3 albedo(const glm::dvec3& place_m, const glm::dvec3& of_look) const override;
 
   /// 1/m.
   double extinction(const glm::dvec3& place_m) const;
@@ -87,7 +94,8 @@ class VolumeMedium : public ScatteringMedium {
   std::vector<Brick> bricks_;
   glm::dvec3 middle_m_{0.0};
   double radius_m_ = 0.0, optical_mass_m2_ = 0.0;
-  std::vector<double> most_sums_;  // of most_per_m, up to and with each brick
+  std::vector<double> most_sums_;      // of most_per_m, up to and with each brick
+  std::optional<CloudVolume> albedo_;  // of a volume that tells it
 };
 
 }  // namespace offing::clouds

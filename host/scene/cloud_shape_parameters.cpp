@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "host/clouds/phase_function.h"
 #include "host/scene/parameter_storage.h"
 
 namespace offing::scene {
@@ -195,7 +196,7 @@ std::vector<Parameter> look_rows() {
         .help = "textures of its particles: crisp as a cauliflower, or soft wisps"},
        {.key = "cloud.g",
         .storage = &element<singles, look, &CloudLookScene::g>,
-        .low = -0.99,
+        .low = clouds::least_mean_cosine,
         .high = 0.99,
         .help = "mean cosine of scattering, of a double one its forward lobe's",
         .example = "0.85"},

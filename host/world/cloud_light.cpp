@@ -1,13 +1,18 @@
 #include "host/world/cloud_light.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <numbers>
+
+#include <glm/common.hpp>
 
 namespace offing::world {
 
 namespace {
 
 constexpr double lowest_m = 1.0, highest_m = 50e3;  // of clouds, within the air
+constexpr double step_m = 500.0;
 
 glm::dvec3 vector_of(const sky::Rgb& light) {
   return {light[0], light[1], light[2]};
@@ -26,20 +31,39 @@ sky::Illuminance light_at(sky::ClearSky& sky, const CloudSunlight& sun, double a
 
 }  // namespace
 
-clouds::CloudIllumination cloud_illumination(sky::ClearSky& sky, const sky::Atmosphere& atmosphere,
-                                             const CloudSunlight& sun, double altitude_m) {
-  const sky::Illuminance above = light_at(sky, sun, std::clamp(altitude_m, lowest_m, highest_m));
+std::vector<clouds::CloudIllumination> cloud_illumination(sky::ClearSky& sky,
+                                                          const sky::Atmosphere& atmosphere,
+                                                          const CloudSunlight& sun,
+                                                          std::span<const double> altitudes_m) {
+  // Between two steps the light is mixed.
+  const auto steps_up = [](double altitude_m) {
+    return std::clamp(altitude_m, lowest_m, highest_m) / step_m;
+  };
+  std::map<double, sky::Illuminance> above;
+  for (const double altitude_m : altitudes_m) {
+    above.try_emplace(std::floor(steps_up(altitude_m)));
+    above.try_emplace(std::ceil(steps_up(altitude_m)));
+  }
+  for (auto& [step, light] : above) light = light_at(sky, sun, std::max(step * step_m, lowest_m));
   const sky::Illuminance below = light_at(sky, sun, lowest_m);
-  clouds::CloudIllumination light;
   const auto& [x, y, z] = sun.direction;
-  const glm::dvec3 sun_klx = vector_of(above.sun_klx);
-  if (sky::luminance(above.sun_klx) > 0.0)
-    light.suns.push_back({.direction = {x, y, z}, .illuminance_klx = sun_klx});
-  // A surface under light of one radiance from everywhere above has pi times it.
-  light.sky_kcdpm2 = vector_of(above.sky_klx) / std::numbers::pi;
   const glm::dvec3 on_ground_klx = vector_of(below.sun_klx) * std::max(y, 0.0) + vector_of(below.sky_klx);
-  light.ground_kcdpm2 = albedo_of(atmosphere) * on_ground_klx / std::numbers::pi;
-  return light;
+  std::vector<clouds::CloudIllumination> lights;
+  for (const double altitude_m : altitudes_m) {
+    const double steps = steps_up(altitude_m);
+    const sky::Illuminance &lower = above.at(std::floor(steps)), &upper = above.at(std::ceil(steps));
+    const auto between = [&](const sky::Rgb& a, const sky::Rgb& b) {
+      return glm::mix(vector_of(a), vector_of(b), steps - std::floor(steps));
+    };
+    clouds::CloudIllumination& light = lights.emplace_back();
+    const glm::dvec3 sun_klx = between(lower.sun_klx, upper.sun_klx);
+    if (std::max({sun_klx.x, sun_klx.y, sun_klx.z}) > 0.0)
+      light.suns.push_back({.direction = {x, y, z}, .illuminance_klx = sun_klx});
+    // A surface under light of one radiance from everywhere above has pi times it.
+    light.sky_kcdpm2 = between(lower.sky_klx, upper.sky_klx) / std::numbers::pi;
+    light.ground_kcdpm2 = albedo_of(atmosphere) * on_ground_klx / std::numbers::pi;
+  }
+  return lights;
 }
 
 }  // namespace offing::world

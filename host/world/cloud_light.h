@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <vector>
 
 #include "host/clouds/cloud_parameters.h"
 #include "host/sky/atmosphere.h"
@@ -14,10 +16,14 @@ struct CloudSunlight {
   double distance_au = 1.0;
 };
 
-/// What falls on clouds at an altitude: the sun through the air above, the mean of the sky, and what the
-/// ground below sends back of both. `sky` is theirs to turn: its tables are those of the ground afterwards.
-/// Waits for the device.
-clouds::CloudIllumination cloud_illumination(sky::ClearSky& sky, const sky::Atmosphere& atmosphere,
-                                             const CloudSunlight& sun, double altitude_m);
+/// What falls on clouds at altitudes in m, one each: the sun through the air above, the mean of the sky, and
+/// what the ground below sends back of both. Mixed between multiples of 500 m, each of which takes its own
+/// tables of the sky: within 2 % of the light at the altitude itself while the sun is 12 degrees high or more
+/// (tests/world/clouds_view_test.cpp). `sky` is theirs to turn: its tables are those of the ground
+/// afterwards. Waits for the device.
+std::vector<clouds::CloudIllumination> cloud_illumination(sky::ClearSky& sky,
+                                                          const sky::Atmosphere& atmosphere,
+                                                          const CloudSunlight& sun,
+                                                          std::span<const double> altitudes_m);
 
 }  // namespace offing::world

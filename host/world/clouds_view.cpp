@@ -57,10 +57,10 @@ struct CloudsView::Sky {
   ocl::Buffer<CloudSprite> sprites;
   clouds::ParticleLight particle_light;
   clouds::ViewOrder view_order;
-  std::optional<double> time_s;                     // of the particles
-  std::optional<clouds::CloudIllumination> lit_by;  // that these particles have been lit by
-  std::optional<clouds::CloudShadowMap> shadow;     // made when first asked for
-  bool has_shadow = false;                          // of these particles in this light
+  std::optional<double> time_s;                   // of the particles
+  std::vector<clouds::CloudIllumination> lit_by;  // these particles, one a cloud; empty: not yet
+  std::optional<clouds::CloudShadowMap> shadow;   // made when first asked for
+  bool has_shadow = false;                        // of these particles in this light
   std::optional<glm::dvec3> seen_from_m;
   std::uint64_t revision = 0;
 };
@@ -118,7 +118,7 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
   sky.parameters = parameters;
   sky.origin_m = origin_of(parameters);
   sky.time_s.reset();
-  sky.lit_by.reset();
+  sky.lit_by.clear();
   sky.has_shadow = false;
   sky.seen_from_m.reset();
   ++sky.revision;
@@ -136,24 +136,31 @@ void CloudsView::at(double time_s) {
     first += model->count();
   }
   sky.time_s = time_s;
-  sky.lit_by.reset();
+  sky.lit_by.clear();
   sky.has_shadow = false;
   ++sky.revision;
 }
 
-void CloudsView::light(const clouds::CloudIllumination& illumination) {
+void CloudsView::light(std::span<const clouds::CloudIllumination> of_clouds) {
   Sky& sky = *sky_;
-  if (sky.lit_by == illumination || sky.count == 0) return;
-  sky.particle_light.relight(sky.particles, sky.count, illumination, sky.looks, sky.parameters.light_model);
-  sky.lit_by = illumination;
+  if (std::ranges::equal(sky.lit_by, of_clouds) || sky.count == 0) return;
+  const bool has_own_albedo = std::any_of(sky.models.begin(), sky.models.end(),
+                                          [](const auto& model) { return model->has_own_albedo(); });
+  sky.particle_light.relight(sky.particles, sky.count, of_clouds, sky.looks, sky.parameters.light_model,
+                             has_own_albedo ? clouds::ParticleAlbedo::own : clouds::ParticleAlbedo::of_look);
+  sky.lit_by.assign(of_clouds.begin(), of_clouds.end());
   sky.has_shadow = false;
   sky.seen_from_m.reset();
   ++sky.revision;
 }
 
+void CloudsView::light(const clouds::CloudIllumination& of_all) {
+  light(std::vector<clouds::CloudIllumination>(sky_->models.size(), of_all));
+}
+
 void CloudsView::see(const Camera& camera) {
   Sky& sky = *sky_;
-  if (!sky.lit_by || sky.seen_from_m == camera.eye_m) return;
+  if (sky.lit_by.empty() || sky.seen_from_m == camera.eye_m) return;
   const glm::vec3 eye_m(camera.eye_m - sky.origin_m);
   sky.particle_light.see(eye_m, sky.sprites);
   sky.view_order.sort(sky.particles, sky.count, eye_m);
@@ -161,19 +168,22 @@ void CloudsView::see(const Camera& camera) {
   ++sky.revision;
 }
 
-const clouds::CloudIllumination* CloudsView::illumination() const {
-  return sky_->lit_by ? &*sky_->lit_by : nullptr;
+std::span<const clouds::CloudIllumination> CloudsView::illumination() const {
+  return sky_->lit_by;
 }
 
 void CloudsView::cast_shadow() {
   Sky& sky = *sky_;
-  if (sky.has_shadow || !sky.lit_by || sky.lit_by->suns.empty()) return;
+  if (sky.has_shadow) return;
+  const auto lit = std::find_if(sky.lit_by.begin(), sky.lit_by.end(),
+                                [](const auto& light) { return !light.suns.empty(); });
+  if (lit == sky.lit_by.end()) return;
   const std::optional<clouds::CloudBox> box = sky.particle_light.box();
   if (!box) return;
   const glm::dvec3 middle_m = 0.5 * (glm::dvec3(box->low_m) + glm::dvec3(box->high_m));
   const double half_width_m = 0.5 * glm::length(glm::dvec3(box->high_m) - glm::dvec3(box->low_m));
   if (!sky.shadow) sky.shadow.emplace(sky.device);
-  sky.shadow->update(sky.particles, sky.count, sky.lit_by->suns.front().direction, middle_m, half_width_m);
+  sky.shadow->update(sky.particles, sky.count, lit->suns.front().direction, middle_m, half_width_m);
   sky.has_shadow = true;
 }
 
@@ -191,10 +201,10 @@ CloudShadowParams CloudsView::shadow_about(const glm::dvec3& point_m) const {
   return params;
 }
 
-double CloudsView::altitude_m() const {
-  double sum_m = 0.0;
-  for (const CloudParameters& cloud : sky_->parameters.clouds) sum_m += cloud.position_m.y;
-  return sum_m / static_cast<double>(sky_->parameters.clouds.size());
+std::vector<double> CloudsView::altitudes_m() const {
+  std::vector<double> altitudes;
+  for (const CloudParameters& cloud : sky_->parameters.clouds) altitudes.push_back(cloud.position_m.y);
+  return altitudes;
 }
 
 const ocl::Buffer<CloudParticle>& CloudsView::particles() const {

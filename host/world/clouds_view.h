@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -47,14 +48,16 @@ class CloudsView {
 
   /// Enqueues the clouds as they are at a time, whatever was asked before.
   void at(double time_s);
-  /// Enqueues the light that reaches the particles of the last at(); nothing where neither they nor the light
-  /// have changed.
-  void light(const clouds::CloudIllumination& illumination);
+  /// Enqueues the light that reaches the particles of the last at(), one illumination a cloud; nothing where
+  /// neither they nor the light have changed. Throws Error(bad_usage) for another number.
+  void light(std::span<const clouds::CloudIllumination> of_clouds);
+  /// The same on all clouds.
+  void light(const clouds::CloudIllumination& of_all);
   /// Enqueues what is seen of the particles of the last light() from a camera's eye; nothing before one.
   void see(const Camera& camera);
 
-  /// What lit the particles of the last light(); nullptr before one.
-  const clouds::CloudIllumination* illumination() const;
+  /// What lit the particles of the last light(), one a cloud; none before one.
+  std::span<const clouds::CloudIllumination> illumination() const;
 
   /// Enqueues the shadow that the particles of the last light() throw in the light of its first sun; nothing
   /// where neither has changed. Waits for their light.
@@ -65,8 +68,8 @@ class CloudsView {
   /// shadow.
   CloudShadowParams shadow_about(const glm::dvec3& point_m) const;
 
-  /// Mean altitude of the clouds at time 0, m above the sea.
-  double altitude_m() const;
+  /// Of each cloud's origin at time 0, m above the sea.
+  std::vector<double> altitudes_m() const;
 
   // On the device, of the last at(), light() and see().
 

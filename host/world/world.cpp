@@ -132,7 +132,7 @@ void World::set_sun(const std::array<double, 3>& direction, double distance_au) 
   parameters_.sun_direction = direction;
   parameters_.sun_distance_au = distance_au;
   sky_altitude_m_.reset();
-  cloud_illumination_.reset();
+  cloud_illumination_.clear();
 }
 
 void World::set_atmosphere(const sky::Atmosphere& atmosphere) {
@@ -140,7 +140,7 @@ void World::set_atmosphere(const sky::Atmosphere& atmosphere) {
   parameters_.atmosphere = atmosphere;
   sky_altitude_m_.reset();
   cloud_sky_.reset();
-  cloud_illumination_.reset();
+  cloud_illumination_.clear();
 }
 
 void World::set_trochoids(const ocean::TrochoidSea& trochoids) {
@@ -210,7 +210,7 @@ void World::set_clouds(const std::optional<CloudSkyParameters>& clouds) {
     cloud_sky_.reset();
   }
   parameters_.clouds = clouds;
-  cloud_illumination_.reset();
+  cloud_illumination_.clear();
 }
 
 void World::set_meshes(const std::vector<MeshParameters>& meshes) {
@@ -319,13 +319,13 @@ void World::at(double time_s, double eye_altitude_m) {
 void World::light_clouds(double time_s) {
   if (!clouds_) return;
   if (!cloud_sky_) cloud_sky_.emplace(device_, parameters_.atmosphere);
-  if (!cloud_illumination_) {
+  if (cloud_illumination_.empty()) {
     cloud_illumination_ =
         cloud_illumination(*cloud_sky_, parameters_.atmosphere,
-                           {parameters_.sun_direction, parameters_.sun_distance_au}, clouds_->altitude_m());
+                           {parameters_.sun_direction, parameters_.sun_distance_au}, clouds_->altitudes_m());
   }
   clouds_->at(time_s);
-  clouds_->light(*cloud_illumination_);
+  clouds_->light(cloud_illumination_);
   if (parameters_.clouds->throws_shadows && (ocean_ || ground_ || !meshes_.empty())) clouds_->cast_shadow();
 }
 

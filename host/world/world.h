@@ -185,7 +185,7 @@ class World {
   std::optional<GroundView> ground_;
   std::optional<CloudsView> clouds_;
   std::optional<sky::ClearSky> cloud_sky_;                       // as clouds see it, not the eye
-  std::optional<clouds::CloudIllumination> cloud_illumination_;  // none: it is out of date
+  std::vector<clouds::CloudIllumination> cloud_illumination_;  // one a cloud; none: it is out of date
   std::vector<MeshView> meshes_;
   TerrainLight ground_light_{};  // of the sky's tables
   double time_s_ = 0.0;

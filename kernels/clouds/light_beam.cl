@@ -1,10 +1,11 @@
 // The share of each sun's light that reaches the middle of each cell, scaled: what scatters nearly forward goes on
-// (C10). Carried from plane to plane along the axis that the light crosses fastest; between the middles of four cells
+// (C10), for each channel. Carried from plane to plane along the axis that the light crosses fastest; between the middles of four cells
 // of the plane before it is mixed, which keeps energy.
 // Other clouds before this one take their share from all cells of a line alike.
-// In:  grids, looks [clouds], light, medium; of light_entry.cl entries, which count where there are several clouds.
-// Out: beams [clouds][CLOUD_SUNS][CELLS], those of sun_count suns.
-// One work-group of GROUP_SIZE a sun (dimension 0) and cloud (1).
+// In:  grids, looks, lights [clouds], medium, absorption; of light_entry.cl entries, which count where there are several
+//      clouds.
+// Out: beams [clouds][suns][channels][CELLS].
+// One work-group of GROUP_SIZE a sun and channel (dimension 0) and cloud (1).
 #include "clouds/lane_exponents.clh"
 #include "clouds/light_entry.clh"
 
@@ -16,15 +17,20 @@ static inline float component(float3 v, int axis) { return axis == 0 ? v.x : (ax
 
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_beam(
     __global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
-    const CloudLightParams light, __global const float *restrict medium, __global const float *restrict entries,
-    int clouds, __global float *restrict beams) {
+    __global const CloudLightParams *restrict lights, __global const float *restrict medium,
+    __global const float *restrict absorption, __global const float *restrict entries, int clouds, int channels,
+    __global float *restrict beams) {
   // What leaves the cells of the plane before and of this one, in turn.
   __local float leaving[2][RIMMED_CELLS];
-  const int cloud = (int)get_group_id(1), sun = (int)get_group_id(0), item = (int)get_local_id(0);
+  const int cloud = (int)get_group_id(1), item = (int)get_local_id(0);
+  const int sun = (int)get_group_id(0) / channels, channel = (int)get_group_id(0) % channels;
   const CloudGrid grid = grids[cloud];
-  const CloudSunLight source = light.suns[sun];
-  __global const float *density = medium + (size_t)cloud * LEVEL_CELLS + FIRST_LEVEL;
-  __global float *beam = beams + FIRST_BEAM + ((size_t)cloud * CLOUD_SUNS + sun) * CELLS;
+  const CloudScattering look = looks[cloud];
+  const CloudSunLight source = lights[cloud].suns[sun];
+  const size_t number = (size_t)cloud * get_num_groups(0) + get_group_id(0);
+  __global const float *extinction = medium + (size_t)cloud * MEDIUM_CELLS + FIRST_LEVEL;
+  __global const float *absorbing = absorption + ((size_t)cloud * channels + channel) * MEDIUM_CELLS + FIRST_LEVEL;
+  __global float *beam = beams + FIRST_BEAM + number * CELLS;
 
   const float3 way = -(float3)(source.x, source.y, source.z) / grid_cell(grid);
   const float3 speed = fabs(way);
@@ -35,7 +41,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_beam
   const int planes = sizes[axis], size_a = sizes[axis_a], size_b = sizes[axis_b];
   const int stride = strides[axis], stride_a = strides[axis_a], stride_b = strides[axis_b];
   const float metres = 1.0f / component(speed, axis);  // from plane to plane
-  const float half_way = 0.5f * metres * (1.0f - forward_albedo(looks[cloud]));
+  const float half_way = 0.5f * metres;
   // From a middle back to the plane before: a cell at most, as the axis is the fastest.
   const float back_a = -component(way, axis_a) * metres, back_b = -component(way, axis_b) * metres;
   const int left_a = back_a < 0.0f ? -1 : 0, left_b = back_b < 0.0f ? -1 : 0;
@@ -43,12 +49,13 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_beam
   const bool is_rising = component(way, axis) > 0.0f;
   const int pitch = size_a + 2;
   const EntrySquare square = entry_square(grid, (float3)(source.x, source.y, source.z));
-  __global const float *shares = entries + ((size_t)cloud * CLOUD_SUNS + sun) * ENTRY_TEXELS;
+  __global const float *shares = entries + number * ENTRY_TEXELS;
 
   // What half a cell lets through, kept where the light will be.
   const int cells = grid.size_x * grid.size_y * grid.size_z;
   for (int i = item * LANES; i < cells; i += GROUP_SIZE * LANES)
-    store_lanes(exp_of(-half_way * load_lanes(density + i)), beam + i);
+    store_lanes(exp_of(-half_way * scaled_extinction(look, load_lanes(extinction + i), load_lanes(absorbing + i))),
+                beam + i);
   for (int i = item; i < pitch * (size_b + 2); i += GROUP_SIZE) leaving[0][i] = leaving[1][i] = 1.0f;
   wait_for_group();
 

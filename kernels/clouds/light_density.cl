@@ -1,8 +1,9 @@
-// Extinction of each cell of the clouds' grids: each particle's optical mass, spread by a tent along each axis that has
-// the variance of h, 0.1041 R^2, or is a cell wide. Mass is kept. A work-item owns rows of cells of one cloud and
-// takes particles in their order, so that sums round alike on all devices.
-// In:  particles, grids. Global size: items that share the rows, clouds.
-// Out: medium [clouds][LEVEL_CELLS] 1/m, the finest level.
+// Extinction of each cell of the clouds' grids, and the share of it that absorbs: each particle's optical mass, spread by a
+// tent along each axis that has the variance of h, 0.1041 R^2, or is a cell wide. Mass is kept. A work-item owns rows of
+// cells of one cloud and takes particles in their order, so that sums round alike on all devices.
+// In:  particles, grids, looks. Global size: items that share the rows, clouds.
+// Out: medium [clouds][MEDIUM_CELLS], absorption [clouds][channels][MEDIUM_CELLS], 1/m: of one channel by the look's
+//      albedo, of three by each particle's.
 #include "clouds/light_grid.clh"
 #include "terrain/lane_masks.clh"
 
@@ -35,17 +36,28 @@ static inline float tent_weight(const Tent tent, int cell) {
   return tent.scale * tent_height(tent.at, tent.half_width, cell);
 }
 
+static inline void add_lanes(lanes value, __global float *cells) { store_lanes(load_lanes(cells) + value, cells); }
+
+static inline float absorbed_share(float albedo) { return 1.0f - clamp(albedo, 0.0f, 1.0f); }
+
 __kernel void light_density(__global const CloudParticle *restrict particles, __global const CloudGrid *restrict grids,
-                            __global float *restrict medium) {
+                            __global const CloudScattering *restrict looks, int channels,
+                            __global float *restrict medium, __global float *restrict absorption) {
   const CloudGrid grid = grids[get_global_id(1)];
-  __global float *cells = medium + get_global_id(1) * LEVEL_CELLS + FIRST_LEVEL;
+  __global float *cells = medium + get_global_id(1) * MEDIUM_CELLS + FIRST_LEVEL;
+  __global float *absorbing = absorption + get_global_id(1) * channels * MEDIUM_CELLS + FIRST_LEVEL;
   const int rows = grid.size_y * grid.size_z, items = (int)get_global_size(0);
   const int rows_of_item = (rows + items - 1) / items;
   const int first_row = min((int)get_global_id(0) * rows_of_item, rows);
   const int end_row = min(first_row + rows_of_item, rows);
   if (first_row >= end_row) return;
-  for (int i = first_row * grid.size_x; i < end_row * grid.size_x; i += LANES)
-    store_lanes((lanes)0.0f, cells + i);
+  const int first_cell = first_row * grid.size_x, end_cell = end_row * grid.size_x;
+  for (int i = first_cell; i < end_cell; i += LANES) store_lanes((lanes)0.0f, cells + i);
+  if (channels > 1) {
+    for (int channel = 0; channel < channels; ++channel)
+      for (int i = first_cell; i < end_cell; i += LANES)
+        store_lanes((lanes)0.0f, absorbing + channel * MEDIUM_CELLS + i);
+  }
   const float3 a_metre = 1.0f / grid_cell(grid), low = (float3)(grid.low_x, grid.low_y, grid.low_z);
   const float a_volume = a_metre.x * a_metre.y * a_metre.z;
   const float first_z = (float)(first_row / grid.size_y), end_z = (float)((end_row - 1) / grid.size_y + 1);
@@ -60,6 +72,8 @@ __kernel void light_density(__global const CloudParticle *restrict particles, __
     const Tent y_tent = tent_at(at_y, fmax(radius * a_metre.y, 1.0f), grid.size_y);
     const Tent x_tent = tent_at(at_x, fmax(radius * a_metre.x, 1.0f), grid.size_x);
     const float amount = particles[i].optical_mass * a_volume * x_tent.scale;
+    const float red = absorbed_share(particles[i].red), green = absorbed_share(particles[i].green),
+                blue = absorbed_share(particles[i].blue);
     for (int x = x_tent.first / LANES * LANES; x < x_tent.end; x += LANES) {
       const lanes away = fabs((float)x + 0.5f + LANE_INDEX - x_tent.at);
       const lanes weights = amount * most(x_tent.half_width - away, (lanes)0.0f);
@@ -68,10 +82,18 @@ __kernel void light_density(__global const CloudParticle *restrict particles, __
         const int end = min(y_tent.end, end_row - z * grid.size_y);
         const float share = tent_weight(z_tent, z);
         for (int y = first; y < end; ++y) {
-          __global float *cell = cells + (z * grid.size_y + y) * grid.size_x + x;
-          store_lanes(load_lanes(cell) + share * tent_weight(y_tent, y) * weights, cell);
+          const int cell = (z * grid.size_y + y) * grid.size_x + x;
+          const lanes here = share * tent_weight(y_tent, y) * weights;
+          add_lanes(here, cells + cell);
+          if (channels == 1) continue;
+          add_lanes(red * here, absorbing + cell);
+          add_lanes(green * here, absorbing + MEDIUM_CELLS + cell);
+          add_lanes(blue * here, absorbing + 2 * MEDIUM_CELLS + cell);
         }
       }
     }
   }
+  if (channels > 1) return;
+  const float absorbed = looks[get_global_id(1)].absorbed_share;
+  for (int i = first_cell; i < end_cell; i += LANES) store_lanes(absorbed * load_lanes(cells + i), absorbing + i);
 }

@@ -1,6 +1,6 @@
 // Solves the diffusion of light in each cloud (clouds/diffusion.clh) by multigrid: CYCLES V-cycles, sweeps over every
-// other cell, residuals averaged over eight cells, corrections interpolated. The first cycle's way down finds nothing yet.
-// In:    grids, looks, medium and faces of light_coarsen.cl.
+// other row, residuals averaged over eight cells, corrections interpolated. The first cycle's way down finds nothing yet.
+// In:    grids, faces [clouds][channels][4][LEVEL_CELLS] of light_coarsen.cl.
 // Inout: sources [clouds][3][LEVEL_CELLS], of the finest level as light_source.cl left them.
 // Out:   fluence [clouds][3][LEVEL_CELLS]; zeros before the first level and beyond the last.
 // One work-group of GROUP_SIZE a colour (dimension 0) and cloud (1).
@@ -8,27 +8,6 @@
 
 #define CYCLES 3
 #define COARSEST_SWEEPS 12
-
-// What a cell passes on to each neighbour and takes from it.
-typedef struct {
-  lanes right, left, up, down, back, front;
-  lanes all;  // their sum, what leaves through sides, and what is absorbed
-} Ways;
-
-static inline Ways ways_of(__global const float *restrict medium, __global const float *restrict faces, float absorbed,
-                           const Level level, int at) {
-  const int plane = level.pitch * level.size_y;
-  Ways ways;
-  ways.right = load_lanes(faces + FACES_X + at);
-  ways.left = load_lanes(faces + FACES_X + at - 1);
-  ways.up = load_lanes(faces + FACES_Y + at);
-  ways.down = load_lanes(faces + FACES_Y + at - level.pitch);
-  ways.back = load_lanes(faces + FACES_Z + at);
-  ways.front = load_lanes(faces + FACES_Z + at - plane);
-  ways.all = (ways.right + ways.left) + (ways.up + ways.down) + (ways.back + ways.front) +
-             (load_lanes(faces + FACES_OUT + at) + absorbed * load_lanes(medium + at));
-  return ways;
-}
 
 // What comes of a neighbour. Where there is none, memory has a cell that another item of the group may be writing.
 static inline lanes passed_on(lanes way, __global const float *fluence) {
@@ -39,50 +18,74 @@ static inline lanes passed_on(lanes way, __global const float *fluence) {
 #endif
 }
 
-static inline lanes flow_into(const Ways ways, __global const float *fluence, const Level level, int at) {
+static inline lanes flow_into(__global const float *restrict faces, __global const float *fluence, lanes left,
+                              const Level level, int at) {
   const int plane = level.pitch * level.size_y;
-  return (passed_on(ways.right, fluence + at + 1) + passed_on(ways.left, fluence + at - 1)) +
-         (passed_on(ways.up, fluence + at + level.pitch) + passed_on(ways.down, fluence + at - level.pitch)) +
-         (passed_on(ways.back, fluence + at + plane) + passed_on(ways.front, fluence + at - plane));
+  return (passed_on(load_lanes(faces + FACES_X + at), fluence + at + 1) + load_lanes(faces + FACES_X + at - 1) * left) +
+         (passed_on(load_lanes(faces + FACES_Y + at), fluence + at + level.pitch) +
+          passed_on(load_lanes(faces + FACES_Y + at - level.pitch), fluence + at - level.pitch)) +
+         (passed_on(load_lanes(faces + FACES_Z + at), fluence + at + plane) +
+          passed_on(load_lanes(faces + FACES_Z + at - plane), fluence + at - plane));
 }
 
-static inline void relax(__global const float *restrict medium, __global const float *restrict faces,
-                         __global const float *restrict sources, __global float *fluence, float absorbed,
-                         const Level level, int sweeps) {
-  for (int colour = 0; colour < 2 * sweeps; ++colour) {
+// Along a row each cell takes what its neighbours had before, but for the first of LEAST_CELLS side by side, which are one
+// vector where there are vectors.
+static inline void relax_row(__global const float *restrict faces, __global const float *restrict sources,
+                             __global float *fluence, const Level level, int y, int z) {
+  const int row = level.start + (z * level.size_y + y) * level.pitch;
 #if LANES == 1
-    for (int half_i = (int)get_local_id(0); half_i < level_pieces(level) / 2; half_i += GROUP_SIZE) {
-      const int row = half_i / (level.pitch / 2);
-      const int i = 2 * half_i + (row % level.size_y + row / level.size_y + colour) % 2;
-#else
-    for (int i = (int)get_local_id(0); i < level_pieces(level); i += GROUP_SIZE) {
+  float left = 0.0f;
 #endif
-      const Piece piece = piece_of(level, i);
-      const Ways ways = ways_of(medium, faces, absorbed, level, piece.at);
-      const lanes found =
-          (load_lanes(sources + piece.at) + flow_into(ways, fluence, level, piece.at)) / ways.all;
+  for (int at = row; at < row + level.pitch; at += LANES) {
 #if LANES == 1
-      fluence[piece.at] = found;
+    if (at > row && (at - row) % LEAST_CELLS == 0) left = fluence[at - 1];
+    const float before = fluence[at];
 #else
-      const int_lanes parity = (convert_int_lanes(LANE_INDEX) + (piece.y + piece.z + colour)) & 1;
-      store_lanes(select(found, load_lanes(fluence + piece.at), mask_of(parity == 1)), fluence + piece.at);
+    const lanes left = load_lanes(fluence + at - 1);
 #endif
-    }
-    wait_for_group();
+    store_lanes((load_lanes(sources + at) + flow_into(faces, fluence, left, level, at)) *
+                    load_lanes(faces + FACES_OUT + at),
+                fluence + at);
+#if LANES == 1
+    left = before;
+#endif
   }
 }
 
-static inline lanes residual(__global const float *restrict medium, __global const float *restrict faces,
-                             __global const float *restrict sources, __global const float *fluence, float absorbed,
-                             const Level level, int at) {
-  const Ways ways = ways_of(medium, faces, absorbed, level, at);
-  return load_lanes(sources + at) + flow_into(ways, fluence, level, at) - ways.all * load_lanes(fluence + at);
+// Rows of one colour of a chessboard, then those of the other.
+static inline void relax(__global const float *restrict faces, __global const float *restrict sources,
+                         __global float *fluence, const Level level, int sweeps) {
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+#if GROUP_SIZE == 1
+    // The other colour a plane behind the first, so that memory is passed once.
+    for (int z = 0; z <= level.size_z; ++z) {
+      if (z < level.size_z)
+        for (int y = z % 2; y < level.size_y; y += 2) relax_row(faces, sources, fluence, level, y, z);
+      if (z > 0)
+        for (int y = z % 2; y < level.size_y; y += 2) relax_row(faces, sources, fluence, level, y, z - 1);
+    }
+#else
+    const int rows_of_plane = level.size_y / 2;
+    for (int colour = 0; colour < 2; ++colour) {
+      for (int i = (int)get_local_id(0); i < rows_of_plane * level.size_z; i += GROUP_SIZE) {
+        const int z = i / rows_of_plane;
+        relax_row(faces, sources, fluence, level, i % rows_of_plane * 2 + (z + colour) % 2, z);
+      }
+      wait_for_group();
+    }
+#endif
+  }
+}
+
+static inline lanes residual(__global const float *restrict faces, __global const float *restrict sources,
+                             __global const float *fluence, const Level level, int at) {
+  return load_lanes(sources + at) + flow_into(faces, fluence, load_lanes(fluence + at - 1), level, at) -
+         load_lanes(fluence + at) / load_lanes(faces + FACES_OUT + at);
 }
 
 // Means of the residuals of eight cells, as sources of the coarser level.
-static inline void restrict_residuals(__global const float *restrict medium, __global const float *restrict faces,
-                                      __global float *sources, __global float *fluence, float absorbed,
-                                      const Level fine, bool is_first) {
+static inline void restrict_residuals(__global const float *restrict faces, __global float *sources,
+                                      __global float *fluence, const Level fine, bool is_first) {
   const Level level = coarser(fine);
   for (int i = (int)get_local_id(0); i < level_pieces(level); i += GROUP_SIZE) {
     const Piece piece = piece_of(level, i);
@@ -94,8 +97,7 @@ static inline void restrict_residuals(__global const float *restrict medium, __g
       lanes found[2];
       for (int half_row = 0; half_row < 2; ++half_row) {
         const int cell = at + half_row * then;
-        found[half_row] = is_first ? load_lanes(sources + cell)
-                                   : residual(medium, faces, sources, fluence, absorbed, fine, cell);
+        found[half_row] = is_first ? load_lanes(sources + cell) : residual(faces, sources, fluence, fine, cell);
       }
       sum += pair_sums(found[0], found[1]);
     }
@@ -144,15 +146,11 @@ static inline void interpolate(__global float *fluence, const Level level, bool 
 }
 
 __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_diffuse(
-    __global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
-    __global const float *restrict medium, __global const float *restrict faces, __global float *restrict sources,
-    __global float *restrict fluence) {
+    __global const CloudGrid *restrict grids, __global const float *restrict faces, int channels,
+    __global float *restrict sources, __global float *restrict fluence) {
   const size_t cloud = get_group_id(1), colour = get_group_id(0);
   const CloudGrid grid = grids[cloud];
-  const float albedos[3] = {looks[cloud].albedo_red, looks[cloud].albedo_green, looks[cloud].albedo_blue};
-  const float absorbed = 1.0f - albedos[colour];
-  medium += cloud * LEVEL_CELLS;
-  faces += cloud * 4 * LEVEL_CELLS;
+  faces += (cloud * channels + (channels == 1 ? 0 : colour)) * 4 * LEVEL_CELLS;
   sources += (cloud * 3 + colour) * LEVEL_CELLS;
   fluence += (cloud * 3 + colour) * LEVEL_CELLS;
   int coarsest = 0;
@@ -164,8 +162,8 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_diff
       const Level level = level_of(grid, min(step, 2 * coarsest - step));
       if (step > coarsest) interpolate(fluence, level, is_first);
       const int sweeps = step == coarsest ? COARSEST_SWEEPS : (is_first && step < coarsest ? 0 : 1);
-      relax(medium, faces, sources, fluence, absorbed, level, sweeps);
-      if (step < coarsest) restrict_residuals(medium, faces, sources, fluence, absorbed, level, is_first);
+      relax(faces, sources, fluence, level, sweeps);
+      if (step < coarsest) restrict_residuals(faces, sources, fluence, level, is_first);
     }
   }
 }

@@ -31,7 +31,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_recu
   }
   const float3 sun = (float3)(x, y, z), middle = 0.5f * (low + high);
   const float texel = fmax(length(high - low) / (float)HARRIS_SIZE, 1e-6f);
-  const float3 right = normalize(cross(fabs(y) < 0.9f ? (float3)(0.0f, 1.0f, 0.0f) : (float3)(1.0f, 0.0f, 0.0f), sun));
+  const float3 right = axis_across(sun);
   const float3 up = cross(sun, right);
   for (int i = item; i < HARRIS_SIZE * HARRIS_SIZE; i += GROUP_SIZE) map[i] = 0;
   barrier(CLK_GLOBAL_MEM_FENCE);
@@ -51,15 +51,17 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_recu
         if (!is_inside || !isfinite(particle.optical_mass)) continue;
         const CloudScattering look = looks[particle.cloud];
         const float ahead = phases[(size_t)look.phase_table * CLOUD_PHASE_DEPTHS * CLOUD_PHASE_ANGLES];
-        const float regained = fmin(1.0f, look.albedo_green * ahead * SKY_PI / 32.0f);
+        const float albedo = (particle.red + particle.green + particle.blue) / 3.0f;
+        const float regained = fmin(1.0f, albedo * ahead * SKY_PI / 32.0f);
         const float radius = fmax(particle.radius / texel, 0.7f);
-        const float depth = particle.optical_mass / (CLOUD_BALL_MASS * radius * radius * texel * texel);
+        const float depth = cloud_depth(particle.optical_mass, radius * texel);
         for (int row = max((int)(at_y - radius), 0); row <= min((int)(at_y + radius), HARRIS_SIZE - 1); ++row) {
           for (int column = max((int)(at_x - radius), 0); column <= min((int)(at_x + radius), HARRIS_SIZE - 1); ++column) {
             const float dx = ((float)column + 0.5f - at_x) / radius, dy = ((float)row + 0.5f - at_y) / radius;
             const float here = depth * cloud_chord(dx * dx + dy * dy);
             __global int *sum = map + row * HARRIS_SIZE + column;
-            if (!(here > 0.0f) || *sum > ENOUGH) continue;
+            // Read by what changes nothing: others of the group may be adding.
+            if (!(here > 0.0f) || atomic_or(sum, 0) > ENOUGH) continue;
             // A deep particle is a row of thin slices: what the print has for one slice would make light of a deep one.
             const float slices = ceil(here * 8.0f), thin = here / slices;
             const float kept = slices * -log(exp(-thin) + regained * thin);

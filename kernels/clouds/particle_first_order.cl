@@ -1,18 +1,19 @@
 // What the eye sees of each particle by the paper's model (C10, C11): of each sun's light that reaches it, what it scatters
 // toward the eye once, and a share of what sky and ground send on the average.
-// In:  particles [count], looks, light, phases, reached [suns][count]; the eye.
+// In:  particles [count], looks, lights, phases, reached [suns][count]; the eye.
 // Out: sprites [count].
 #include "clouds/chord.clh"
 #include "clouds/phase.clh"
 #include "shared/clouds.h"
 
 __kernel void particle_first_order(__global const CloudParticle *restrict particles, int count, int particles_per_item,
-                                   __global const CloudScattering *restrict looks, const CloudLightParams light,
+                                   __global const CloudScattering *restrict looks, __global const CloudLightParams *restrict lights,
                                    __global const float *restrict phases, __global const float *restrict reached,
                                    float eye_x, float eye_y, float eye_z, __global CloudSprite *restrict sprites) {
   const int end = min(((int)get_global_id(0) + 1) * particles_per_item, count);
   for (int i = (int)get_global_id(0) * particles_per_item; i < end; ++i) {
     const CloudParticle particle = particles[i];
+    const CloudLightParams light = lights[particle.cloud];
     const float3 way = (float3)(eye_x - particle.x, eye_y - particle.y, eye_z - particle.z);
     const float3 view = way * rsqrt(fmax(dot(way, way), 1e-20f));
     float3 seen = 0.5f * (float3)(light.sky_red + light.ground_red, light.sky_green + light.ground_green,
@@ -24,7 +25,7 @@ __kernel void particle_first_order(__global const CloudParticle *restrict partic
               (float3)(from.red, from.green, from.blue);
     }
     const CloudSprite sprite = {seen.x * particle.red, seen.y * particle.green, seen.z * particle.blue,
-                                particle.optical_mass / (CLOUD_BALL_MASS * particle.radius * particle.radius)};
+                                cloud_depth(particle.optical_mass, particle.radius)};
     sprites[i] = sprite;
   }
 }

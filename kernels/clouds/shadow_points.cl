@@ -22,7 +22,7 @@ __kernel void shadow_points(__global const float *restrict places, int place_cou
       // From the place on, if it lies inside the ball.
       const float half_way = sqrt(1.0f - beside2), before = clamp(along, -half_way, half_way);
       const float chord = cloud_half_chord(beside2, half_way) + cloud_half_chord(beside2, before);
-      depth += particles[i].optical_mass / (CLOUD_BALL_MASS * radius * radius) * chord;
+      depth += cloud_depth(particles[i].optical_mass, radius) * chord;
     }
     shares[p] = exp(-depth);
   }

@@ -26,10 +26,10 @@ typedef struct {
 
 // What a cloud scatters with.
 typedef struct {
-  float albedo_red, albedo_green, albedo_blue;
-  float forward_share;        // f: of scattered light that counts as going on unscattered
-  float scaled_mean_cosine;   // g' of the rest
-  unsigned int phase_table;   // which of the tables
+  float absorbed_share;      // 1 - albedo, of clouds that are all of one grey
+  float forward_share;       // f: of scattered light that counts as going on unscattered
+  float scaled_mean_cosine;  // g' of the rest
+  unsigned int phase_table;  // which of the tables
 } CloudScattering;
 
 typedef struct {
@@ -37,6 +37,7 @@ typedef struct {
   float red, green, blue;  // klx
 } CloudSunLight;
 
+// What falls on a cloud. All clouds have as many suns.
 typedef struct {
   CloudSunLight suns[CLOUD_SUNS];
   int sun_count;
@@ -46,7 +47,7 @@ typedef struct {
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(CloudGrid) == 48, "no padding");
-static_assert(sizeof(CloudScattering) == 24, "no padding");
+static_assert(sizeof(CloudScattering) == 16, "no padding");
 static_assert(sizeof(CloudSunLight) == 24, "no padding");
 static_assert(sizeof(CloudLightParams) == 4 * 24 + 28, "no padding");
 #endif

@@ -72,8 +72,8 @@ TEST(CloudLayoutTest, CloudScattering) {
   using S = CloudScattering;
   EXPECT_EQ(
       test::device_layout(ocl::Device::open(), "shared/cloud_light.h", "CloudScattering",
-                          {"albedo_red", "forward_share", "phase_table"}),
-      (Layout{sizeof(S), offsetof(S, albedo_red), offsetof(S, forward_share), offsetof(S, phase_table)}));
+                          {"absorbed_share", "forward_share", "phase_table"}),
+      (Layout{sizeof(S), offsetof(S, absorbed_share), offsetof(S, forward_share), offsetof(S, phase_table)}));
 }
 
 TEST(CloudLayoutTest, CloudLightParams) {

@@ -140,6 +140,24 @@ CloudVolume volume_of(std::span<const CloudParticle> particles, double cell_m) {
   return volume;
 }
 
+std::vector<std::array<float, 3>> albedo_of(std::span<const CloudParticle> particles,
+                                            const CloudVolume& volume) {
+  std::vector<std::array<float, 3>> albedo(volume.density.size(), {1.0f, 1.0f, 1.0f});
+  constexpr std::array<float CloudParticle::*, 3> colours{&CloudParticle::red, &CloudParticle::green,
+                                                          &CloudParticle::blue};
+  for (std::size_t colour = 0; colour < colours.size(); ++colour) {
+    // Less than nothing is not scattered: bricks stay those of the volume.
+    std::vector<CloudParticle> weighted(particles.begin(), particles.end());
+    for (CloudParticle& particle : weighted)
+      particle.optical_mass *= std::max(particle.*colours[colour], 1e-6f);
+    const CloudVolume scattered = volume_of(weighted, volume.cell_m);
+    for (std::size_t i = 0; i < albedo.size(); ++i)
+      if (volume.density[i] > 0.0f)
+        albedo[i][colour] = std::min(1.0f, scattered.density[i] / volume.density[i]);
+  }
+  return albedo;
+}
+
 SpriteView view_of(std::span<const CloudParticle> particles, std::span<const CloudSprite> sprites,
                    const glm::dvec3& middle_m, double radius_m, const glm::dvec3& toward_eye, int pixels) {
   const glm::dvec3 aside =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,6 +33,10 @@ std::vector<CloudParticle> layer(double optical_depth, double half_width_m, doub
 /// The extinction of particles on a grid, in double precision: the sum of h at the middle of each cell,
 /// scaled so that each particle keeps its optical mass.
 CloudVolume volume_of(std::span<const CloudParticle> particles, double cell_m);
+
+/// Of each value of that volume: the mean of the particles' albedos, by the extinction that each has there.
+std::vector<std::array<float, 3>> albedo_of(std::span<const CloudParticle> particles,
+                                            const CloudVolume& volume);
 
 /// Particles as billboards, as an eye in the direction `toward_eye` sees them from far away, blended in
 /// double precision.

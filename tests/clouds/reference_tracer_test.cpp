@@ -199,7 +199,7 @@ TEST(ReferenceTracerTest, PhotonsAreThoseThatEyesSee) {
         tracer.view_of(medium.middle_m(), medium.radius_m(), eyes[eye], {.samples = 200000}).intensity_kcd;
     for (int colour = 0; colour < 3; ++colour) {
       EXPECT_NEAR(counted[eye].kcd[colour], seen.scattered[colour],
-                  (0.01 + 3.0 * counted[eye].relative_error) * seen.scattered[colour] +
+                  (0.01 + 3.0 * counted[eye].relative_error[colour]) * seen.scattered[colour] +
                       3.0 * seen.standard_error[colour])
           << eye << ", " << colour;
     }
