@@ -250,7 +250,7 @@ std::vector<Parameter> made_rows() {
        .low = 1.0,
        .high = 1e6,
        .help = "made ground sinks by relief_m from its middle to this distance: an island",
-       .example = "2e3",
+       .example = "2000",
        .absent = "it does not",
        .use = use},
   };

@@ -59,7 +59,8 @@ class MeshStage : public GlTest {
     world_ = std::make_unique<world::World>(*device_, parameters);
     if (!frame_) {
       frame_ = std::make_unique<present::Frame>(
-          *context_, *device_, present::FrameSettings{.water = {.cells = {64, 64}, .taps = 1}});
+          *context_, *device_,
+          present::FrameSettings{.water = {.cells = {64, 64}, .taps = 1, .views_px = 0}});
     }
   }
 

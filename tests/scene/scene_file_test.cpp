@@ -255,7 +255,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "write t = 2.5"},
         BadScene{"keyframe_value",
                  "version = 1\n[camera]\ny_m.keys = [{ t = 0, value = 3 }, { t = 1, value = -4e5 }]\n",
-                 "storm.toml:3:52: camera.y_m: expected a number in m within [-12000, 50000], got -4e+05",
+                 "storm.toml:3:52: camera.y_m: expected a number in m within [-12000, 50000], got -400000.0",
                  "write value = 5"},
         BadScene{"keyframe_without_value", "version = 1\n[camera]\ny_m.keys = [{ t = 0 }]\n",
                  "storm.toml:3:13: camera.y_m: expected a key of t and value, got a table",
