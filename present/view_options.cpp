@@ -20,6 +20,7 @@
 #include "host/scene/scene_files.h"
 #include "host/scene/version.h"
 #include "present/picture_file.h"
+#include "present/scene_sources.h"
 
 namespace offing::present {
 namespace {
@@ -55,7 +56,8 @@ void add_options(CLI::App& app, Written& written) {
   app.description("offing-view: the sea and the ground of a scene, in a window or in pictures without one");
   app.set_version_flag("--version", "offing-view " + std::string(scene::version()), "print the version");
   app.set_help_flag("-h,--help", "print this help");
-  app.add_option("SCENE", written.scene, "scene file (.toml); without one, a default sea, or --terrain alone")
+  app.add_option("SCENE", written.scene,
+                 "scene file (.toml); without one, an island, a ship and clouds, or --terrain alone")
       ->type_name("");
   app.add_option("--terrain", written.terrain,
                  "height map or tile store to show: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR; as "
@@ -227,13 +229,17 @@ ViewOptions checked(const Written& written) {
   options.verbosity = written.is_quiet     ? Verbosity::quiet
                       : written.is_verbose ? Verbosity::verbose
                                            : Verbosity::normal;
+  const bool shows_default = written.scene.empty() && written.terrain.empty();
+  const SceneSource& shipped = scene_sources().front();
   if (!written.scene.empty()) options.scene = scene::load_scene(written.scene);
+  if (shows_default) options.scene = scene::parse_scene(shipped.text, shipped.name, "");
   if (!written.terrain.empty()) {
     options.scene.terrain.is_given = true;
     options.scene.terrain.file = written.terrain;
     options.scene.set_at.insert_or_assign("terrain.file", "--terrain");
   }
-  options.scene_name = std::filesystem::path(written.scene).stem().string();
+  options.scene_name =
+      std::filesystem::path(shows_default ? shipped.name : std::string_view(written.scene)).stem().string();
   if (!written.size.empty()) options.size = read_size("--size", written.size);
   if (!written.detail.empty()) options.detail = read_detail(written.detail);
   options.time_s = written.time.empty()
@@ -298,7 +304,9 @@ FrameSettings frame_settings(Detail detail, std::optional<TransferRung> transfer
             .ground = {.rays = 1},
             .sky_step_px = 2};
   }
-  return {.water = {.cells = {384, 384}, .taps = 4, .views_px = 1024}, .transfer = transfer, .ground = {.rays = 16}};
+  return {.water = {.cells = {384, 384}, .taps = 4, .views_px = 1024},
+          .transfer = transfer,
+          .ground = {.rays = 16}};
 }
 
 std::optional<ViewOptions> read_view_options(int argc, const char* const* argv) {
