@@ -10,7 +10,7 @@
 namespace offing::present {
 namespace {
 
-constexpr double mirrored_margin = 1.25;  // width of the mirrored picture over that of the water's
+constexpr double margin = 1.25;  // width of both pictures over that of the water's
 
 Camera smaller(Camera camera, int longer_px) {
   const double scale =
@@ -23,7 +23,7 @@ Camera smaller(Camera camera, int longer_px) {
   return camera;
 }
 
-/// Waves mirror what lies beside the picture too.
+/// Waves mirror and bend rays to what lies beside the picture too.
 Camera wider(Camera camera, double by) {
   camera.vertical_field_of_view_rad = 2.0 * std::atan(by * std::tan(0.5 * camera.vertical_field_of_view_rad));
   return camera;
@@ -50,7 +50,7 @@ void draw_ground(const TerrainPass& terrain, const Camera& camera) {
 void WaterViews::draw(world::World& world, const FrameRequest& request, int longer_px,
                       const DryPasses& passes, TransferLadder& transfer) {
   FrameRequest of_view = request;
-  of_view.camera = smaller(request.camera, longer_px);
+  of_view.camera = wider(smaller(request.camera, longer_px), margin);
   const bool has_meshes = !world.meshes().empty();
   has_mirrored_ = longer_px > 0 && (has_meshes || world.ground() != nullptr || world.clouds() != nullptr);
   has_beneath_ = longer_px > 0 && (has_meshes || world.ground() != nullptr);
@@ -61,10 +61,9 @@ void WaterViews::draw(world::World& world, const FrameRequest& request, int long
 void WaterViews::draw_mirrored(world::World& world, const FrameRequest& request, const DryPasses& passes,
                                TransferLadder& transfer) {
   FrameRequest from_below = request;
-  const Camera from_above = wider(request.camera, mirrored_margin);
-  from_below.camera = mirrored(from_above, 0.0);
+  from_below.camera = mirrored(request.camera, 0.0);
   begin(mirrored_, from_below.camera);
-  world.see_mirrored_ground(from_above);
+  world.see_mirrored_ground(request.camera);
   if (world.ground() != nullptr && world.ground()->mirrored() != nullptr) {
     mirrored_terrain_.prepare(*world.ground()->mirrored(), transfer);
     mirrored_.bind();
@@ -105,7 +104,7 @@ void WaterViews::bind(const ShaderProgram& program, int first_unit) const {
   bind_view(has_beneath_, beneath_, "beneath_light", "beneath_depth", first_unit + 2);
   program.set("has_mirrored", has_mirrored_ ? 1 : 0);
   program.set("has_beneath", has_beneath_ ? 1 : 0);
-  program.set("mirrored_margin", static_cast<float>(mirrored_margin));
+  program.set("views_margin", static_cast<float>(margin));
   program.set("view_near_m", static_cast<float>(near_m));
 }
 

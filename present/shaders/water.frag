@@ -5,7 +5,6 @@ uniform sampler2D place_of;   // water_surface.frag's outputs
 uniform sampler2D facet_of;
 uniform sampler2D strain_of;
 uniform sampler2D depth_of;
-uniform sampler2DArray gradient_map;  // dh/dx, dh/dz, d dx/dx, d dz/dz
 uniform sampler2DArray foam_map;      // coverage 0 ... 1
 uniform sampler2D foam_pattern;  // even values 0 ... 1
 uniform vec2 foam_place;         // the eye's place on its tile
@@ -144,7 +143,10 @@ void main() {
   float sun_share = cloud_share(ray * distance_m);
   vec3 shaded_sun_klx = sun_share * sun_klx;
   vec3 surface_m = ray * distance_m;
-  water_kcdpm2 = light_beneath(surface_m, v, normalize(vec3(-slope.x, 1.0, -slope.y)),
+  float sun_level_klx = dot(shaded_sun_klx, vec3(1.0)) * max(sun_direction.y, 0.0);
+  float sun_part = sun_level_klx / max(sun_level_klx + dot(sky_klx, vec3(1.0)), 1e-6);
+  Lit lit = Lit(label_m - surface_m.xz, width_m, sun_part);
+  water_kcdpm2 = light_beneath(surface_m, v, normalize(vec3(-slope.x, 1.0, -slope.y)), lit,
                                water_of_sky_kcdpm2 + sun_share * water_of_sun_kcdpm2);
   Facets facets = Facets(slope, hidden);
   Visibility seen = visibility(facets, v);

@@ -4,7 +4,7 @@
 uniform sampler2D mirrored_light, mirrored_depth;  // premultiplied kcd/m2 with coverage; reversed depth
 uniform sampler2D beneath_light, beneath_depth;
 uniform int has_mirrored, has_beneath;
-uniform float mirrored_margin;  // width of the mirrored picture over that of the water's
+uniform float views_margin;  // width of both pictures over that of the water's
 uniform float view_near_m;
 uniform float eye_height_m;
 uniform vec3 attenuation_perm;  // of the water
@@ -13,6 +13,8 @@ uniform vec3 attenuation_perm;  // of the water
 const float leaving_share = 0.54;
 const float far_m = 1.0e5;
 const int upright_taps = 4;
+// Farther down the light of many waves is one.
+const float deepest_caustics_m = 16.0;
 
 // Where the picture shows a place; z: its distance along the line of sight.
 vec3 clip_of(vec3 place_m) {
@@ -26,12 +28,12 @@ vec3 mirror_image(vec3 place_m) {
 }
 
 vec2 mirrored_uv(vec3 clip_place) {
-  return 0.5 + 0.5 / mirrored_margin * vec2(clip_place.x, -clip_place.y);
+  return 0.5 + 0.5 / views_margin * vec2(clip_place.x, -clip_place.y);
 }
 
 // Beside the picture there is what its rim shows, above it the sky.
 float mirrored_share(vec3 clip_place) {
-  return clip_place.z > 0.0 ? smoothstep(mirrored_margin, 0.9 * mirrored_margin, abs(clip_place.y)) : 0.0;
+  return clip_place.z > 0.0 ? smoothstep(views_margin, 0.9 * views_margin, abs(clip_place.y)) : 0.0;
 }
 
 // How far from a place of the surface that stands which is mirrored at a place of the picture; far_m: nothing near,
@@ -57,14 +59,14 @@ vec4 mirrored_along(vec3 surface_m, vec3 ray, float spread_rad) {
   }
   float share = mirrored_share(clip_place);
   if (share <= 0.0) return vec4(0.0);
-  float pixel_rad = 2.0 * mirrored_margin * length(ray_up) / float(textureSize(mirrored_light, 0).y);
+  float pixel_rad = 2.0 * views_margin * length(ray_up) / float(textureSize(mirrored_light, 0).y);
   float reach_m = way_m < 0.0 ? far_m : way_m;
   float pixels = max(spread_rad / pixel_rad * reach_m / (reach_m + length(surface_m)), 1.0);
   // Rays that graze rough water are spread upright alone: by a few lookups, each as wide as the spread across.
   float across = clamp(-surface_m.y / length(surface_m), 1.0 / float(upright_taps), 1.0);
   float level = log2(max(pixels * across, 1.0));
-  float upright = pixels * 2.0 * mirrored_margin / float(textureSize(mirrored_light, 0).y);
-  vec3 beside = vec3(exp2(level) * 2.0 * mirrored_margin / float(textureSize(mirrored_light, 0).x), 0.0, 0.0);
+  float upright = pixels * 2.0 * views_margin / float(textureSize(mirrored_light, 0).y);
+  vec3 beside = vec3(exp2(level) * 2.0 * views_margin / float(textureSize(mirrored_light, 0).x), 0.0, 0.0);
   vec4 sum = vec4(0.0);
   float count = 0.0;
   for (int tap = 0; tap < upright_taps; ++tap) {
@@ -78,15 +80,26 @@ vec4 mirrored_along(vec3 surface_m, vec3 ray, float spread_rad) {
   return share / max(count, 1.0) * sum;
 }
 
+vec2 beneath_uv(vec3 clip_place) {
+  return 0.5 + 0.5 / views_margin * clip_place.xy;
+}
+
 // A place beneath the surface, and whether there is one.
 vec4 beneath_at(vec3 clip_place) {
-  float depth = textureLod(beneath_depth, 0.5 + 0.5 * clip_place.xy, 0.0).r;
+  float depth = textureLod(beneath_depth, beneath_uv(clip_place), 0.0).r;
   if (depth <= 0.0) return vec4(0.0);
   return vec4((ray_forward + clip_place.x * ray_right + clip_place.y * ray_up) * (view_near_m / depth), 1.0);
 }
 
+// How the sun lights what is beneath: labels of places less the places themselves, the width of a pixel's footprint,
+// and its share in the light on level ground.
+struct Lit {
+  vec2 label_shift_m;
+  float width_m, sun_part;
+};
+
 // Light that comes up through the surface toward v, of what is in the water and of the water itself.
-vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, vec3 deep_kcdpm2) {
+vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, Lit lit, vec3 deep_kcdpm2) {
   if (has_beneath == 0) return deep_kcdpm2;
   vec3 clip_place = clip_of(surface_m);
   vec4 straight = beneath_at(clip_place);
@@ -97,16 +110,21 @@ vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, vec3 deep_kcdpm2) {
   vec3 shifted_place = clip_of(surface_m + broken * (down_m / max(-broken.y, 0.3)));
   vec4 place = beneath_at(shifted_place);
   // Not what stands out of the water, or before it.
-  bool is_beneath = place.w > 0.0 && place.y < surface_m.y && all(lessThan(abs(shifted_place.xy), vec2(1.0)));
+  bool is_beneath = place.w > 0.0 && place.y < surface_m.y && all(lessThan(abs(shifted_place.xy), vec2(views_margin)));
   if (is_beneath) {
     clip_place = shifted_place;
   } else {
     place = straight;
   }
   down_m = max(surface_m.y - place.y, 0.0);
-  vec4 seen = textureLod(beneath_light, 0.5 + 0.5 * clip_place.xy, 0.0);
+  vec4 seen = textureLod(beneath_light, beneath_uv(clip_place), 0.0);
   // Light has come down to it, and goes up to the eye.
   vec3 left = exp(-attenuation_perm * (down_m + distance(place.xyz, surface_m))) * seen.a;
   float leaving = mix(leaving_share, 1.0, exp(-4.0 * down_m));
+  if (down_m > 0.0 && down_m < deepest_caustics_m) {
+    float gathered = caustics(place.xz + lit.label_shift_m, down_m, lit.width_m);
+    float fade = smoothstep(deepest_caustics_m, 0.5 * deepest_caustics_m, down_m);
+    leaving *= mix(1.0, gathered, lit.sun_part * fade);
+  }
   return leaving * seen.rgb / max(seen.a, 1e-3) * left + deep_kcdpm2 * (1.0 - left);
 }
