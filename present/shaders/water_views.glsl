@@ -66,15 +66,18 @@ vec4 mirrored_along(vec3 surface_m, vec3 ray, float spread_rad) {
   float across = clamp(-surface_m.y / length(surface_m), 1.0 / float(upright_taps), 1.0);
   float level = log2(max(pixels * across, 1.0));
   float upright = pixels * 2.0 * views_margin / float(textureSize(mirrored_light, 0).y);
-  vec3 beside = vec3(exp2(level) * 2.0 * views_margin / float(textureSize(mirrored_light, 0).x), 0.0, 0.0);
+  // As far as a lookup between two levels reaches: two texels of the coarser one.
+  vec3 beside = vec3(4.0 * exp2(level) * views_margin / float(textureSize(mirrored_light, 0).x), 0.0, 0.0);
   vec4 sum = vec4(0.0);
   float count = 0.0;
   for (int tap = 0; tap < upright_taps; ++tap) {
     vec3 place = clip_place + vec3(0.0, ((float(tap) + 0.5) / float(upright_taps) - 0.5) * upright, 0.0);
     if (mirrored_way_m(place, image_m) < 0.0) continue;
-    // Not what stands beside it before the surface.
-    bool is_free = min(mirrored_way_m(place - beside, image_m), mirrored_way_m(place + beside, image_m)) >= 0.0;
-    sum += textureLod(mirrored_light, mirrored_uv(place), is_free ? level : 0.0);
+    // Not what stands beside it before the surface: what is as far away from that.
+    bool is_left = min(mirrored_way_m(place - beside, image_m), mirrored_way_m(place - 0.5 * beside, image_m)) < 0.0;
+    bool is_right = min(mirrored_way_m(place + beside, image_m), mirrored_way_m(place + 0.5 * beside, image_m)) < 0.0;
+    if (is_left != is_right) place += is_left ? beside : -beside;
+    sum += textureLod(mirrored_light, mirrored_uv(place), is_left && is_right ? 0.0 : level);
     count += 1.0;
   }
   return share / max(count, 1.0) * sum;
