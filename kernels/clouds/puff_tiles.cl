@@ -1,7 +1,6 @@
 // Which particles may be seen in each tile of a picture.
 // In:  boxes [4][box_pitch] px of kernels/clouds/puff_project.cl.
-// Out: first [tiles], seen [tiles]: where a tile's particles begin in `list`, and how many there are, the
-// nearest
+// Out: first [tiles], seen [tiles]: where a tile's particles begin in `list`, and how many there are, the nearest
 //      first; list [capacity] places of puffs. inout used: how many entries all tiles need, from 0, and MOST_USED if that
 //      is more; what does not fit into the list is not written.
 #include "shared/cloud_picture.h"
@@ -15,7 +14,8 @@
 
 // Adds up to MOST_USED; what there was before.
 static inline int take(__global int* used, int count) {
-  int before, found = *used;
+  // Others write it meanwhile: a read that is not atomic would be a race.
+  int before, found = atomic_or(used, 0);
   do {
     before = found;
     found = atomic_cmpxchg(used, before, before > MOST_USED - count ? MOST_USED : before + count);
