@@ -1,23 +1,15 @@
 #include "present/frame.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "present/device_stage.h"
 #include "present/drawn_clouds.h"
+#include "present/scaled_camera.h"
 
 namespace offing::present {
 namespace {
 
 /// The camera whose rays see the ground.
 Camera ground_camera(const FrameRequest& request) {
-  Camera camera = request.camera;
-  const auto scaled = [&](int side_px) {
-    return std::max(1, static_cast<int>(std::lround(side_px * request.ground_scale)));
-  };
-  camera.width_px = scaled(camera.width_px);
-  camera.height_px = scaled(camera.height_px);
-  return camera;
+  return scaled_camera(request.camera, request.ground_scale);
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ ShaderPart shader_file(const std::string& name) {
       return {path.string(), text.str()};
     }
   }
-  for (const ShaderSource& source : shader_sources()) {
+  for (const EmbeddedFile& source : shader_sources()) {
     if (source.name == name) return {"present/shaders/" + name, std::string(source.text)};
   }
   throw Error(ErrorKind::build_failed, fmt::format("no shader source \"{}\" in present/shaders", name),

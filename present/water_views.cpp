@@ -5,6 +5,7 @@
 
 #include "present/drawn_clouds.h"
 #include "present/sampler.h"
+#include "present/scaled_camera.h"
 #include "present/view_depth.h"
 
 namespace offing::present {
@@ -12,15 +13,9 @@ namespace {
 
 constexpr double margin = 1.25;  // width of both pictures over that of the water's
 
-Camera smaller(Camera camera, int longer_px) {
-  const double scale =
-      std::min(1.0, static_cast<double>(longer_px) / std::max(camera.width_px, camera.height_px));
-  const auto scaled = [&](int side_px) {
-    return std::max(1, static_cast<int>(std::lround(scale * side_px)));
-  };
-  camera.width_px = scaled(camera.width_px);
-  camera.height_px = scaled(camera.height_px);
-  return camera;
+Camera smaller(const Camera& camera, int longer_px) {
+  const int own_px = std::max(camera.width_px, camera.height_px);
+  return scaled_camera(camera, std::min(1.0, static_cast<double>(longer_px) / own_px));
 }
 
 /// Waves mirror and bend rays to what lies beside the picture too.

@@ -23,6 +23,11 @@ vec3 clip_of(vec3 place_m) {
   return vec3(across / max(along_m, 1e-3), along_m);
 }
 
+// The place that the picture shows there, so far along the line of sight.
+vec3 place_along(vec3 clip_place, float along_m) {
+  return (ray_forward + clip_place.x * ray_right + clip_place.y * ray_up) * along_m;
+}
+
 vec3 mirror_image(vec3 place_m) {
   return vec3(place_m.x, -place_m.y - 2.0 * eye_height_m, place_m.z);
 }
@@ -43,8 +48,7 @@ float mirrored_way_m(vec3 clip_place, vec3 surface_image_m) {
   if (depth <= 0.0) return far_m;
   float along_m = view_near_m / depth;
   if (along_m < 0.98 * dot(surface_image_m, ray_forward)) return -1.0;
-  vec3 place_m = (ray_forward + clip_place.x * ray_right + clip_place.y * ray_up) * along_m;
-  return min(distance(place_m, surface_image_m), far_m);
+  return min(distance(place_along(clip_place, along_m), surface_image_m), far_m);
 }
 
 // What is mirrored toward a ray that leaves the surface, spread by an angle; covers as much as its alpha says.
@@ -91,7 +95,7 @@ vec2 beneath_uv(vec3 clip_place) {
 vec4 beneath_at(vec3 clip_place) {
   float depth = textureLod(beneath_depth, beneath_uv(clip_place), 0.0).r;
   if (depth <= 0.0) return vec4(0.0);
-  return vec4((ray_forward + clip_place.x * ray_right + clip_place.y * ray_up) * (view_near_m / depth), 1.0);
+  return vec4(place_along(clip_place, view_near_m / depth), 1.0);
 }
 
 // How the sun lights what is beneath: labels of places less the places themselves, the width of a pixel's footprint,
