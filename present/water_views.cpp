@@ -58,7 +58,7 @@ void WaterViews::draw_mirrored(world::World& world, const FrameRequest& request,
   FrameRequest from_below = request;
   from_below.camera = mirrored(request.camera, 0.0);
   begin(mirrored_, from_below.camera);
-  world.see_mirrored_ground(request.camera);
+  world.see_mirrored_ground(from_below.camera);
   if (world.ground() != nullptr && world.ground()->mirrored() != nullptr) {
     mirrored_terrain_.prepare(*world.ground()->mirrored(), transfer);
     mirrored_.bind();
@@ -80,7 +80,7 @@ void WaterViews::draw_mirrored(world::World& world, const FrameRequest& request,
 void WaterViews::draw_beneath(world::World& world, const FrameRequest& request, const DryPasses& passes,
                               TransferLadder& transfer) {
   begin(beneath_, request.camera);
-  world.see_ground_beneath(request.camera, request.tiles);
+  world.see_ground_beneath(request.camera);
   if (world.ground() != nullptr && world.ground()->beneath() != nullptr) {
     terrain_beneath_.prepare(*world.ground()->beneath(), transfer);
     beneath_.bind();

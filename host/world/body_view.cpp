@@ -85,6 +85,7 @@ BodyView::BodyView(const ocl::Device& device, std::vector<BodySettings> settings
   for (const BodySettings& each : settings_) {
     pressers_.emplace_back(device, *each.map, each.body.mass_centre_m);
   }
+  draught_m_ = total_draught_m();
   reset(start_s);
 }
 
@@ -144,7 +145,7 @@ void BodyView::press(double time_s, const WakeGrid& grid, ocl::Buffer<float>& di
   }
 }
 
-double BodyView::draught_m() const {
+double BodyView::total_draught_m() const {
   double sum_m = 0.0;
   for (std::size_t body = 0; body < size(); ++body) {
     const bodies::FloatingBody& each = settings_[body].body;

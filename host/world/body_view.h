@@ -66,16 +66,17 @@ class BodyView {
   /// run-up they come to their weight by and by.
   void press(double time_s, const WakeGrid& grid, ocl::Buffer<float>& displaced) const;
   /// Of all hulls, at rest.
-  double draught_m() const;
+  double draught_m() const { return draught_m_; }
 
  private:
   void reset(double start_s);
+  double total_draught_m() const;
   void ask_sea(double time_s, const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
                ocl::Buffer<SurfaceQuerySample>& samples);
 
   ocl::Device device_;
   std::vector<BodySettings> settings_;
-  double run_up_s_, start_s_ = 0.0;
+  double run_up_s_, start_s_ = 0.0, draught_m_ = 0.0;
   bodies::FloatingBodies bodies_;
   std::vector<bodies::HullPresser> pressers_;
   ocean::Ocean sea_;

@@ -92,13 +92,9 @@ terrain::GroundLook GroundView::look_of(const terrain::Sampling& sampling,
           .sea = sea};
 }
 
-bool GroundView::reaches(const Camera& camera) const {
-  return rays_reach(field_ ? field_->grid() : tiles_->grid(), camera.eye_m);
-}
-
-void GroundView::look(const Camera& camera, const terrain::GroundLight& light,
-                      const terrain::Sampling& sampling, TileWait wait, const terrain::SeaOverGround& sea,
-                      GroundPicture& picture) {
+void GroundView::paint(const Camera& camera, const terrain::GroundLight& light,
+                       const terrain::Sampling& sampling, const terrain::SeaOverGround& sea,
+                       GroundPicture& picture) {
   picture.fit(device_, camera);
   picture.sea = sea;
   const terrain::GroundLook look = look_of(sampling, sea);
@@ -106,11 +102,6 @@ void GroundView::look(const Camera& camera, const terrain::GroundLight& light,
     field_->cast(camera, picture.hits);
     shade_.at(*field_, camera, picture.hits, light, picture.image, look);
   } else {
-    if (wait == TileWait::all) {
-      tiles_->look_and_wait(camera);
-    } else {
-      tiles_->look(camera, tiles_ahead_m);
-    }
     tiles_->cast(camera, picture.hits);
     shade_.at(*tiles_, camera, picture.hits, light, picture.image, look);
   }
@@ -119,20 +110,21 @@ void GroundView::look(const Camera& camera, const terrain::GroundLight& light,
 
 void GroundView::at(const Camera& camera, const sky::ClearSky& sky, const LightOnGround& light,
                     const terrain::Sampling& sampling, TileWait wait, const terrain::SeaOverGround& sea) {
-  is_in_reach_ = reaches(camera);
+  is_in_reach_ = rays_reach(field_ ? field_->grid() : tiles_->grid(), camera.eye_m);
   if (!is_in_reach_) return;
-  look(camera, {light.light, sky.params(), sky.view_table(), light.clouds}, sampling, wait, sea, picture_);
+  if (tiles_ && wait == TileWait::all) tiles_->look_and_wait(camera);
+  if (tiles_ && wait == TileWait::none) tiles_->look(camera, tiles_ahead_m);
+  paint(camera, {light.light, sky.params(), sky.view_table(), light.clouds}, sampling, sea, picture_);
 }
 
 void GroundView::beneath_at(const Camera& camera, const sky::ClearSky& sky, const LightOnGround& light,
-                            TileWait wait, const terrain::SeaOverGround& sea) {
-  is_beneath_ = reaches(camera);
-  if (!is_beneath_) return;
-  look(camera, {light.light, sky.params(), sky.view_table(), light.clouds}, {.rays = 1}, wait, sea, beneath_);
+                            const terrain::SeaOverGround& sea) {
+  if (!is_in_reach_) return;
+  paint(camera, {light.light, sky.params(), sky.view_table(), light.clouds}, {.rays = 1}, sea, beneath_);
 }
 
 void GroundView::mirror_at(const Camera& mirrored, const sky::ClearSky& sky, const LightOnGround& light) {
-  is_mirrored_ = field_ && reaches(mirrored);
+  is_mirrored_ = field_ && rays_reach(field_->grid(), mirrored.eye_m);
   if (!is_mirrored_) return;
   mirrored_.fit(device_, mirrored);
   mirrored_cast_.at(*field_, mirrored, 0.0, mirrored_.hits);

@@ -89,12 +89,13 @@ class GroundView {
   /// What at() made.
   const GroundPicture& picture() const { return picture_; }
 
-  /// Enqueues what a camera sees beneath a sea, with one ray a pixel: ground that is deeper than `sea` says
-  /// is left out. Throws what at() throws.
-  void beneath_at(const Camera& camera, const sky::ClearSky& sky, const LightOnGround& light, TileWait wait,
+  /// Enqueues what a camera, whose eye is that of the last at(), sees beneath a sea, with one ray a pixel:
+  /// ground that is deeper than `sea` says is left out. Of tiles those of the last at(), so that none is
+  /// loaded for it. Throws what at() throws.
+  void beneath_at(const Camera& camera, const sky::ClearSky& sky, const LightOnGround& light,
                   const terrain::SeaOverGround& sea);
-  /// What beneath_at() made; nullptr where it found nothing in reach.
-  const GroundPicture* beneath() const { return is_beneath_ ? &beneath_ : nullptr; }
+  /// What beneath_at() made; nullptr where the last at() found nothing in reach.
+  const GroundPicture* beneath() const { return is_in_reach_ ? &beneath_ : nullptr; }
 
   /// Enqueues what the sea at height 0 mirrors of the ground for this camera, whose eye is the mirrored one
   /// (offing::mirrored()), with one ray a pixel. A map in tiles is not mirrored. Throws what at() throws.
@@ -103,10 +104,9 @@ class GroundView {
   const GroundPicture* mirrored() const { return is_mirrored_ ? &mirrored_ : nullptr; }
 
  private:
-  bool reaches(const Camera& camera) const;
   terrain::GroundLook look_of(const terrain::Sampling& sampling, const terrain::SeaOverGround& sea) const;
-  void look(const Camera& camera, const terrain::GroundLight& light, const terrain::Sampling& sampling,
-            TileWait wait, const terrain::SeaOverGround& sea, GroundPicture& picture);
+  void paint(const Camera& camera, const terrain::GroundLight& light, const terrain::Sampling& sampling,
+             const terrain::SeaOverGround& sea, GroundPicture& picture);
 
   ocl::Device device_;
   GroundParameters parameters_;
@@ -119,7 +119,7 @@ class GroundView {
   std::optional<terrain::ColourLayer> colours_;
   std::optional<terrain::OpenSky> open_sky_;
   GroundPicture picture_, beneath_, mirrored_;
-  bool is_in_reach_ = false, is_beneath_ = false, is_mirrored_ = false;
+  bool is_in_reach_ = false, is_mirrored_ = false;
 };
 
 }  // namespace offing::world

@@ -344,17 +344,17 @@ void World::see_ground(const Camera& camera, const terrain::Sampling& sampling, 
   ground_->at(camera, sky_, {ground_light_, shade ? &*shade : nullptr}, sampling, wait, sea);
 }
 
-void World::see_mirrored_ground(const Camera& camera) {
+void World::see_mirrored_ground(const Camera& mirrored) {
   if (!ground_ || !ocean_) return;
-  const std::optional<terrain::CloudShade> shade = shade_of_clouds(camera);
-  ground_->mirror_at(mirrored(camera, 0.0), sky_, {ground_light_, shade ? &*shade : nullptr});
+  const std::optional<terrain::CloudShade> shade = shade_of_clouds(mirrored);
+  ground_->mirror_at(mirrored, sky_, {ground_light_, shade ? &*shade : nullptr});
 }
 
-void World::see_ground_beneath(const Camera& camera, TileWait wait) {
+void World::see_ground_beneath(const Camera& camera) {
   if (!ground_ || !ocean_) return;
   const std::optional<terrain::CloudShade> shade = shade_of_clouds(camera);
   const double seen_m = ocean::visible_depth_m(ocean::water_optics(parameters_.water));
-  ground_->beneath_at(camera, sky_, {ground_light_, shade ? &*shade : nullptr}, wait,
+  ground_->beneath_at(camera, sky_, {ground_light_, shade ? &*shade : nullptr},
                       {-reach().vertical_m - seen_m, 0.5 / sea_radius_m});
 }
 

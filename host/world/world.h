@@ -82,12 +82,12 @@ class World {
   /// is farther from the map than rays reach sees nothing of it. Throws what GroundView::at() throws.
   void see_ground(const Camera& camera, const terrain::Sampling& sampling = {},
                   TileWait wait = TileWait::all);
-  /// Enqueues what the sea, as if it were level, mirrors of the ground for this camera, in the light of the
-  /// last at(). Does nothing in a world without either.
-  void see_mirrored_ground(const Camera& camera);
-  /// Enqueues what this camera would see of the ground if there were no water before it, as deep as water
-  /// lets light through, in the light of the last at(). Does nothing in a world without either.
-  void see_ground_beneath(const Camera& camera, TileWait wait = TileWait::all);
+  /// Enqueues what the sea, as if it were level, mirrors of the ground, as the mirrored camera sees it
+  /// (offing::mirrored()), in the light of the last at(). Does nothing in a world without either.
+  void see_mirrored_ground(const Camera& mirrored);
+  /// Enqueues what this camera, with the eye of the last see_ground(), would see of the ground if there were
+  /// no water before it, as deep as water lets light through. Does nothing in a world without either.
+  void see_ground_beneath(const Camera& camera);
   /// Enqueues what a camera sees of the clouds of the last at(), if there are any.
   void see_clouds(const Camera& camera);
   /// Takes the meshes to the time of the last at(), with the highlights that they have for this eye. With a
@@ -184,7 +184,7 @@ class World {
   sky::ClearSky sky_;
   std::optional<GroundView> ground_;
   std::optional<CloudsView> clouds_;
-  std::optional<sky::ClearSky> cloud_sky_;                       // as clouds see it, not the eye
+  std::optional<sky::ClearSky> cloud_sky_;                     // as clouds see it, not the eye
   std::vector<clouds::CloudIllumination> cloud_illumination_;  // one a cloud; none: it is out of date
   std::vector<MeshView> meshes_;
   TerrainLight ground_light_{};  // of the sky's tables

@@ -194,7 +194,8 @@ TEST_F(GroundInTilesTest, IsTheGroundOfItsMap) {
     world->see_ground(fine_camera());
   }
   EXPECT_EQ(of_tiles.ground()->tiles()->statistics().stood_in, 0u);
-  const auto found = of_tiles.ground()->picture().hits.read(), expected = of_map.ground()->picture().hits.read();
+  const auto found = of_tiles.ground()->picture().hits.read(),
+             expected = of_map.ground()->picture().hits.read();
   std::size_t seen = 0, differ = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
     seen += expected[i].kind == TERRAIN_MISS ? 0 : 1;
@@ -215,6 +216,23 @@ TEST_F(GroundInTilesTest, IsTheGroundOfItsMap) {
   EXPECT_NEAR(of_tiles.ground()->cast(down).distance_m, of_map.ground()->cast(down).distance_m, 0.01);
 }
 
+// Fails if what is seen beneath a sea, by a coarser picture, takes away the tiles of the picture itself.
+TEST_F(GroundInTilesTest, ThePictureBeneathLeavesTheTilesOfThePicture) {
+  World world = world_of(device_, in_tiles(example_.reader()));
+  world.at(0.0, 400.0);
+  world.see_ground(fine_camera());
+  GroundView& ground = *world.ground();
+  const std::size_t tiles = ground.tiles()->statistics().tiles;
+  Camera coarse = fine_camera();
+  coarse.vertical_field_of_view_rad = 1.0;
+  coarse.width_px = 12;
+  coarse.height_px = 8;
+  ground.beneath_at(coarse, world.sky(), {}, {});
+  EXPECT_EQ(ground.tiles()->statistics().tiles, tiles);
+  ASSERT_NE(ground.beneath(), nullptr);
+  EXPECT_EQ(ground.beneath()->width_px, 12);
+}
+
 // Fails if a window waits for tiles, shows a hole until they are there, or coarse ones for ever.
 TEST_F(GroundInTilesTest, CoarseTilesStandInUntilFineOnesAreThere) {
   std::promise<void> gate;
@@ -229,7 +247,8 @@ TEST_F(GroundInTilesTest, CoarseTilesStandInUntilFineOnesAreThere) {
   of_map.see_ground(fine_camera());
   world.see_ground(fine_camera(), {}, TileWait::none);
   EXPECT_GT(world.ground()->tiles()->statistics().stood_in, 0u);
-  const auto coarse = world.ground()->picture().hits.read(), expected = of_map.ground()->picture().hits.read();
+  const auto coarse = world.ground()->picture().hits.read(),
+             expected = of_map.ground()->picture().hits.read();
   std::size_t holes = 0;
   for (std::size_t i = 0; i < coarse.size(); ++i) {
     holes += expected[i].kind != TERRAIN_MISS && coarse[i].kind == TERRAIN_MISS ? 1 : 0;
