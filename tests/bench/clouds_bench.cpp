@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later (offing-bench links FFTW)
+#include <algorithm>
 #include <cmath>
 
 #include "host/base/camera.h"
@@ -44,15 +45,27 @@ void add_model_row(const std::string& name, const ocl::Device& device, const Clo
   add_row(name, static_cast<int>(found), times_ms, sinks);
 }
 
-/// The cumulus whose last level is so fine that it grows about so many particles.
+/// The cumulus whose last level is so fine that it grows about so many particles; of a level more where no
+/// ratio would be fine enough, and of fewer seeds where none is coarse enough.
 CloudParameters grown_cumulus(const ocl::Device& device, int count) {
   CloudParameters cumulus = preset(Genus::cumulus);
+  const auto grown = [&] { return static_cast<int>(particles_at_rest(device, cumulus).size()); };
+  // As many spheres have room on one as its radius over theirs, squared: twice that with the preset's
+  // overlap.
+  constexpr double children_of_equals = 2.0;
   double& ratio = cumulus.levels.back().ratio;
-  // As many spheres have room on one as its radius over theirs, squared.
-  for (int round = 0, found = 946; round < 4; ++round) {
-    ratio = std::clamp(ratio * std::sqrt(static_cast<double>(found) / count), 0.005, 1.0);
-    if (count > most_drawn_particles) break;
-    found = static_cast<int>(particles_at_rest(device, cumulus).size());
+  if (count > most_drawn_particles) {
+    const double children = static_cast<double>(count) / grown();
+    cumulus.levels.push_back(cumulus.levels.back());
+    cumulus.levels.back().ratio = std::sqrt(children_of_equals / children);
+    return cumulus;
+  }
+  for (int round = 0, found = grown(); round < 4; ++round) {
+    ratio = std::clamp(ratio * std::sqrt(static_cast<double>(found) / count), 0.02, 1.0);
+    found = grown();
+    if (ratio == 1.0 && found > count)
+      cumulus.balls.resize(std::max<std::size_t>(
+          1, cumulus.balls.size() * static_cast<std::size_t>(count) / static_cast<std::size_t>(found)));
   }
   return cumulus;
 }
