@@ -9,7 +9,7 @@ namespace {
 
 /// The camera whose rays see the ground.
 Camera ground_camera(const FrameRequest& request) {
-  return scaled_camera(request.camera, request.ground_scale);
+  return scaled_camera(request.camera, request.quality.ray_scale());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "host/base/camera.h"
 #include "host/highlights/highlight_tracks.h"
 #include "host/world/ground_view.h"
+#include "present/quality.h"
 
 namespace offing::present {
 
@@ -60,7 +61,7 @@ struct FrameRequest {
   GroundShow ground = GroundShow::light;
   MeshShow meshes = MeshShow::light;
   world::TileWait tiles = world::TileWait::all;
-  double ground_scale = 1.0;  ///< rays that are cast at the ground a pixel of the picture, along a side
+  Quality quality = {};  ///< the camera has the side's share already
   /// For highlights that depend on the time alone (World::see_meshes()); none: they follow the camera.
   highlights::LightingAt lighting_at = {};
   std::optional<double> first_s =

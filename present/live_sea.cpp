@@ -158,7 +158,7 @@ void LiveSea::draw(const SeaView& view) {
                          .ground = view.ground,
                          .meshes = view.meshes,
                          .tiles = view.tiles,
-                         .ground_scale = view.ground_scale,
+                         .quality = view.quality,
                          .lighting_at = view.lighting_at,
                          .first_s = view.first_s});
 }

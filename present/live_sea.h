@@ -32,7 +32,7 @@ struct SeaView {
   GroundShow ground = GroundShow::light;
   MeshShow meshes = MeshShow::light;
   world::TileWait tiles = world::TileWait::all;
-  double ground_scale = 1.0;                ///< of FrameRequest
+  Quality quality = {};                     ///< of FrameRequest
   highlights::LightingAt lighting_at = {};  ///< of FrameRequest
   std::optional<double> first_s = {};       ///< of FrameRequest
 };

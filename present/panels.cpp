@@ -146,15 +146,15 @@ void draw_clock(ViewState& state) {
   }
 }
 
-void draw_ground_view(ViewState& state, const ViewFacts& facts) {
+void draw_ground_view(ViewState& state) {
   bool shows_steps = state.ground == GroundShow::steps;
   if (ImGui::Checkbox("steps of rays", &shows_steps)) {
     state.ground = shows_steps ? GroundShow::steps : GroundShow::light;
   }
   ImGui::SameLine();
   ImGui::Checkbox("map", &state.shows_map);
-  constexpr std::array<const char*, 5> names{"each pixel", "3/4 of the pixels", "1/2 of the pixels",
-                                             "1/4 of the pixels", "by the frame's time"};
+  constexpr std::array<const char*, ray_shares.size()> names{"each pixel", "3/4 of the pixels",
+                                                             "1/2 of the pixels", "1/4 of the pixels"};
   if (ImGui::BeginCombo("rays", names[static_cast<std::size_t>(state.rays)])) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       const auto choice = static_cast<RayChoice>(i);
@@ -162,10 +162,6 @@ void draw_ground_view(ViewState& state, const ViewFacts& facts) {
     }
     ImGui::EndCombo();
   }
-  if (state.rays != RayChoice::automatic) return;
-  ImGui::SliderFloat("wanted frame", &state.wanted_frame_ms, 4.0f, 200.0f, "%.0f ms",
-                     ImGuiSliderFlags_AlwaysClamp);
-  ImGui::TextDisabled("now %s", names[facts.ray_rung]);
 }
 
 /// A list of what can be shown, of which one is.
@@ -180,11 +176,20 @@ void choose(const char* label, const std::array<Show, count>& all, Show& shown) 
 
 void draw_view(ViewState& state, const ViewFacts& facts) {
   if (!ImGui::CollapsingHeader("View")) return;
-  if (facts.ground) draw_ground_view(state, facts);
+  if (facts.ground) draw_ground_view(state);
   choose("show", all_debug_views, state.debug);
   if (facts.has_meshes) choose("meshes show", all_mesh_shows, state.meshes);
   bool is_wireframe = state.fill == Fill::wireframe;
   if (ImGui::Checkbox("wireframe", &is_wireframe)) state.fill = is_wireframe ? Fill::wireframe : Fill::solid;
+  ImGui::SliderFloat("keep frames/s", &state.kept_hz, 0.0f, 120.0f,
+                     state.kept_hz > 0.0f ? "%.0f by quality" : "no, keep quality",
+                     ImGuiSliderFlags_AlwaysClamp);
+  if (state.kept_hz > 0.0f) {
+    const Quality& now = facts.quality;
+    ImGui::TextDisabled("now sides %.0f %%, rays %.0f %%, grid %.0f %%, mirror images %.0f %%",
+                        100.0 * now.side_share, 100.0 * now.ray_share, 100.0 * now.grid_share,
+                        100.0 * now.views_share);
+  }
   ImGui::SliderFloat("render scale", &state.render_scale, 0.1f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
   ImGui::SliderFloat("most frames/s", &state.frame_limit_hz, 0.0f, 240.0f,
                      state.frame_limit_hz > 0.0f ? "%.0f" : "no limit", ImGuiSliderFlags_AlwaysClamp);

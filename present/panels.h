@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -18,6 +19,7 @@
 #include "present/mesh_picker.h"
 #include "present/mini_map.h"
 #include "present/parameter_widget.h"
+#include "present/quality.h"
 #include "present/scene_clock.h"
 #include "present/stage_times.h"
 #include "present/transfer.h"
@@ -39,9 +41,9 @@ struct GroupPanel {
 };
 std::span<const GroupPanel> group_panels();
 
-/// For how many of the picture's pixels rays are cast at the ground: rungs of ray_shares, or one that the
-/// time of a frame chooses.
-enum class RayChoice { all, three_quarters, half, quarter, automatic };
+/// For how many of the picture's pixels rays are cast at the ground at most.
+enum class RayChoice { all, three_quarters, half, quarter };
+inline constexpr std::array<double, 4> ray_shares{1.0, 0.75, 0.5, 0.25};
 
 /// Everything that keys and panels change, and the window shows.
 struct ViewState {
@@ -53,11 +55,11 @@ struct ViewState {
   GroundShow ground = GroundShow::light;
   MeshShow meshes = MeshShow::light;
   RayChoice rays = RayChoice::all;
-  float wanted_frame_ms = 33.0f;  ///< of RayChoice::automatic
   std::optional<GroundPick> pick = {};
   std::optional<HighlightName> picked = {};
   CloudEditing clouds = {};
   float frame_limit_hz = 60.0f;  ///< 0: none
+  float kept_hz = 0.0f;          ///< frames a second that quality gives way to; 0: quality stays
   float render_scale = 1.0f;     ///< pixels that are drawn a pixel of the window, along a side
   bool shows_panels = true;
   bool shows_help = false;
@@ -79,7 +81,7 @@ struct ViewFacts {
   bool has_meshes = false;
   const world::GroundView* ground = nullptr;
   const MiniMap* map = nullptr;
-  std::size_t ray_rung = 0;  ///< of ray_shares, that the ground was seen with
+  Quality quality = {};  ///< of the picture
 };
 
 /// What the user asked for in one frame, and panels cannot do by themselves.

@@ -38,8 +38,8 @@ Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device or disp
 
 // The command line as it was written.
 struct Written {
-  std::string scene, terrain, size, detail, time, output, record, frames, fps, transfer, device, sources,
-      samples;
+  std::string scene, terrain, size, detail, kept_hz, time, output, record, frames, fps, transfer, device,
+      sources, samples;
   bool compares_reference = false;
   bool is_headless = false;
   bool is_window = false;
@@ -75,6 +75,11 @@ void add_options(CLI::App& app, Written& written) {
   app.add_option("--detail", written.detail,
                  "low or high (default high; low for a window where the CPU draws)")
       ->type_name("LEVEL")
+      ->group(pictures);
+  app.add_option(
+         "--keep-fps", written.kept_hz,
+         "frames a second that a window keeps by quality, 0: none (default 20 where the CPU draws, else 0)")
+      ->type_name("FPS")
       ->group(pictures);
   app.add_option("--time", written.time, "seconds (default the scene's start)")
       ->type_name("T")
@@ -201,6 +206,10 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
     refuse("--samples, --force, --json: expected --compare-reference, which they belong to, found none",
            "add --compare-reference, or leave them out");
   }
+  if (options.kept_hz && (!options.opens_window || options.recording)) {
+    throw bad_argument("--keep-fps", "a window to be looked at", "pictures into files",
+                       "none: they have all detail");
+  }
   if (written.is_paused && (!options.opens_window || options.recording)) {
     refuse("--paused: expected a window without a recording, which is where time runs",
            "leave --paused out, or open a window");
@@ -242,6 +251,8 @@ ViewOptions checked(const Written& written) {
       std::filesystem::path(shows_default ? shipped.name : std::string_view(written.scene)).stem().string();
   if (!written.size.empty()) options.size = read_size("--size", written.size);
   if (!written.detail.empty()) options.detail = read_detail(written.detail);
+  if (!written.kept_hz.empty())
+    options.kept_hz = read_number("--keep-fps", written.kept_hz, "", 0.0, 1000.0, "20");
   options.time_s = written.time.empty()
                        ? options.scene.start_s
                        : read_number("--time", written.time, "s", -largest_time_s, largest_time_s, "12.5");

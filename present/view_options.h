@@ -44,6 +44,7 @@ struct ViewOptions {
   bool opens_window = true;
   std::optional<PictureSize> size;  ///< absent: what suits the machine
   std::optional<Detail> detail;
+  std::optional<double> kept_hz;  ///< frames a second that a window keeps; absent: what suits the machine
   double time_s = 0.0;
   bool starts_paused = false;    ///< a window stands at time_s until it is let run
   std::filesystem::path output;  ///< one picture; empty: none

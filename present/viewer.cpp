@@ -44,7 +44,7 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
                                   .width = options.size.value_or(PictureSize{}).width,
                                   .height = options.size.value_or(PictureSize{}).height})),
       sea_(context_, sea_settings(options, context_.capabilities(), cancel), options.scene),
-      state_(start_state(options, sea_)),
+      state_(start_state(options, context_.capabilities(), sea_)),
       input_(window()),
       panels_(window()),
       editing_(sea_, state_),
@@ -70,6 +70,10 @@ bool Viewer::turn() {
   if (editing_.turn(screen(), input_.take_pointer_events(), input_.pointer_now())) input_.hold_camera();
   move_camera(wall_s);
   if (show()) {
+    if (state_.kept_hz > 0.0f) {
+      const double shown_s = glfwGetTime();
+      ladder_.note(1e3 * (shown_s - now_s), 1e3 / state_.kept_hz, shown_s);
+    }
     if (options_.recording) record_frame();
     limiter_.wait(state_.frame_limit_hz);
   }
@@ -194,8 +198,10 @@ void Viewer::pick_ray() {
   state_.pick = pick_ground(*sea_.ground(), state_.camera.camera(), input_.pointer());
 }
 
-std::size_t Viewer::ray_rung() const {
-  return state_.rays == RayChoice::automatic ? ladder_.rung() : static_cast<std::size_t>(state_.rays);
+Quality Viewer::quality() const {
+  Quality quality = state_.kept_hz > 0.0f && !options_.recording ? ladder_.quality() : Quality{};
+  quality.ray_share = std::min(quality.ray_share, ray_shares.at(static_cast<std::size_t>(state_.rays)));
+  return quality;
 }
 
 /// From here on the camera is the user's.
@@ -229,22 +235,9 @@ bool Viewer::show() {
   const int swap_interval = state_.frame_limit_hz > 0.0f ? 1 : 0;
   if (std::exchange(swap_interval_, swap_interval) != swap_interval) glfwSwapInterval(swap_interval);
   glfwSwapBuffers(window());
-  end_frame();
+  sea_.frame().times().end_frame();
   apply(edits);
   return true;
-}
-
-void Viewer::end_frame() {
-  StageTimes& times = sea_.frame().times();
-  times.end_frame();
-  const auto last_ms = [&](Stage stage) {
-    return static_cast<double>(times.history_ms(stage, TimeSource::cpu).back());
-  };
-  double frame_ms = 0.0;
-  for (std::size_t i = 0; i < stage_count; ++i) frame_ms += last_ms(static_cast<Stage>(i));
-  if (state_.rays == RayChoice::automatic) {
-    ladder_.note(frame_ms, last_ms(Stage::terrain), state_.wanted_frame_ms);
-  }
 }
 
 /// Of a recording, whose highlights depend on the time alone; else none.
@@ -258,8 +251,8 @@ highlights::LightingAt Viewer::lighting_at() {
 void Viewer::draw_sea(int width, int height) {
   const double pixels = static_cast<double>(width) * height;
   const bool is_enlarged = context_.capabilities().is_software && !options_.size;
-  const double scale =
-      state_.render_scale * (is_enlarged ? std::min(1.0, std::sqrt(software_pixels / pixels)) : 1.0);
+  const double scale = quality().side_share * state_.render_scale *
+                       (is_enlarged ? std::min(1.0, std::sqrt(software_pixels / pixels)) : 1.0);
   Camera& camera = state_.camera.camera();
   camera.width_px = std::max(1, static_cast<int>(std::lround(width * scale)));
   camera.height_px = std::max(1, static_cast<int>(std::lround(height * scale)));
@@ -276,7 +269,7 @@ void Viewer::draw_sea(int width, int height) {
                .ground = state_.ground,
                .meshes = state_.meshes,
                .tiles = options_.recording ? world::TileWait::all : world::TileWait::none,
-               .ground_scale = ScaleLadder::side_scale(ray_rung()),
+               .quality = quality(),
                .lighting_at = lighting_at(),
                .first_s = options_.recording ? std::optional(options_.recording->first_s()) : std::nullopt});
     drawn_s_ = state_.clock.time_s();
@@ -316,7 +309,7 @@ PanelEdits Viewer::draw_panels() {
                                                    .has_meshes = !sea_.meshes().empty(),
                                                    .ground = sea_.ground(),
                                                    .map = &map_,
-                                                   .ray_rung = ray_rung()});
+                                                   .quality = quality()});
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_highlight_panel(state_, sea_.meshes()));
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_cloud_panel(state_, sea_));
   panels_.end();

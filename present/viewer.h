@@ -13,7 +13,7 @@
 #include "present/mini_map.h"
 #include "present/panel_layer.h"
 #include "present/panels.h"
-#include "present/scale_ladder.h"
+#include "present/quality_ladder.h"
 #include "present/scene_editing.h"
 #include "present/view_options.h"
 #include "present/window_input.h"
@@ -31,6 +31,8 @@ class Viewer {
   bool turn();
 
   const ViewState& state() const { return state_; }
+  /// Of the next picture. What is recorded has all of it.
+  Quality quality() const;
   /// Frames of the recording that are written.
   int recorded() const { return recorded_; }
   LiveSea& sea() { return sea_; }
@@ -41,13 +43,11 @@ class Viewer {
   void move_camera(double wall_s);
   void leave_path();
   void pick_ray();
-  std::size_t ray_rung() const;
   void reset_camera();
   void take_screenshot();
   bool show();
   highlights::LightingAt lighting_at();
   void draw_sea(int width, int height);
-  void end_frame();
   void copy_to_window(int width, int height);
   PanelEdits draw_panels();
   void apply(const PanelEdits& edits);
@@ -66,7 +66,7 @@ class Viewer {
   CameraPilot pilot_;
   SceneEditing editing_;
   MiniMap map_;
-  ScaleLadder ladder_;
+  QualityLadder ladder_;
   FrameLimiter limiter_;
   double last_turn_s_;
   double drawn_s_;   // time of the last picture; before the first one, of that

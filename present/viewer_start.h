@@ -14,6 +14,6 @@ std::string title(const ViewOptions& options);
 LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& capabilities,
                              const CancelToken& cancel);
 /// With the camera of the sea's scene, which the ground may have placed.
-ViewState start_state(const ViewOptions& options, const LiveSea& sea);
+ViewState start_state(const ViewOptions& options, const GlCapabilities& capabilities, const LiveSea& sea);
 
 }  // namespace offing::present

@@ -120,8 +120,12 @@ void WaterPass::bind_surface(const ShaderProgram& program) const {
 
 void WaterPass::draw(world::World& world, const FrameRequest& request, const DryPasses& dry,
                      const RenderTarget& target, TransferLadder& transfer) {
+  constexpr int least_cells = 16, least_views_px = 32;
+  const Quality& quality = request.quality;
+  surface_.fit({share_of(detail_.cells.columns, quality.grid_share, least_cells),
+                share_of(detail_.cells.rows, quality.grid_share, least_cells)});
   if (!surface_.draw(world, maps_, request.camera, request.fill)) return;
-  views_.draw(world, request, detail_.views_px, dry, transfer);
+  views_.draw(world, request, share_of(detail_.views_px, quality.views_share, least_views_px), dry, transfer);
   target.bind();
   const ShaderProgram& program = program_that_shows(world);
   program.use();

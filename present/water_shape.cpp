@@ -26,12 +26,17 @@ ShaderProgram shape_program() {
 }  // namespace
 
 WaterShape::WaterShape(GridCells cells)
-    : cells_(cells),
-      program_(shape_program()),
+    : program_(shape_program()),
       no_vertices_(GlVertexArray::make()),
-      trochoid_block_("Trochoids", trochoids_binding, trochoid_values),
-      target_(cells.columns + 1, cells.rows + 1, GL_RGBA32F, static_cast<int>(outputs.size()),
-              RenderTarget::Depth::none) {}
+      trochoid_block_("Trochoids", trochoids_binding, trochoid_values) {
+  fit(cells);
+}
+
+void WaterShape::fit(GridCells cells) {
+  cells_ = cells;
+  target_ = RenderTarget(cells.columns + 1, cells.rows + 1, GL_RGBA32F, static_cast<int>(outputs.size()),
+                         RenderTarget::Depth::none);
+}
 
 void WaterShape::set_trochoids(const ocean::TrochoidInstant& trochoids, const Camera& camera) const {
   // As the shader's block has them: the waves, then their phases, four a value.

@@ -16,6 +16,8 @@ namespace offing::present {
 /// Cells of the projected grid, across and along the line of sight.
 struct GridCells {
   int columns = 128, rows = 128;
+
+  bool operator==(const GridCells&) const = default;
 };
 
 /// The vertices of a projected grid, displaced by the cascades and trochoids of a world: a pixel each of
@@ -31,6 +33,8 @@ class WaterShape {
   void bind(const ShaderProgram& program, int first_unit) const;
 
   GridCells cells() const { return cells_; }
+  /// Takes over another number of cells.
+  void fit(GridCells cells);
   /// The rings of what was drawn last.
   const RingWaves& rings() const { return rings_; }
 

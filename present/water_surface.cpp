@@ -39,7 +39,17 @@ WaterSurface::WaterSurface(const GlCapabilities& capabilities, GridCells cells)
       program_(surface_program()),
       vertices_(GlVertexArray::make()),
       indices_(GlBuffer::make()) {
-  const std::vector<std::uint32_t> indices = triangles(cells);
+  index_cells();
+}
+
+void WaterSurface::fit(GridCells cells) {
+  if (shape_.cells() == cells) return;
+  shape_.fit(cells);
+  index_cells();
+}
+
+void WaterSurface::index_cells() const {
+  const std::vector<std::uint32_t> indices = triangles(shape_.cells());
   glBindVertexArray(vertices_.name());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),

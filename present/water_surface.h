@@ -22,6 +22,8 @@ class WaterSurface {
  public:
   WaterSurface(const GlCapabilities& capabilities, GridCells cells);
 
+  /// Takes over another number of cells.
+  void fit(GridCells cells);
   /// Draws onto the textures, as large as the camera's picture; false where no water is in sight.
   bool draw(const world::World& world, const WaterMaps& maps, const Camera& camera, Fill fill);
 
@@ -31,6 +33,8 @@ class WaterSurface {
   const RingWaves& rings() const { return shape_.rings(); }
 
  private:
+  void index_cells() const;
+
   GlCapabilities capabilities_;
   WaterShape shape_;
   HullMask hulls_;

@@ -266,7 +266,7 @@ TEST_F(TerrainPassTest, EnlargesCoarserViews) {
   const auto planes = world_->ground()->picture().planes.read();
   FrameRequest asked = request(camera());
   for (const double scale : {0.5, 0.8660254}) {
-    asked.ground_scale = scale;
+    asked.quality.ray_share = scale * scale;
     const std::vector<float> coarse = light(asked);
     EXPECT_EQ(world_->ground()->picture().width_px, std::lround(width * scale));
     double difference = 0.0, mean = 0.0;

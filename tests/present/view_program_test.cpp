@@ -210,6 +210,8 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
   refused({scene(), "--fps", "5", "-o", path("a.png")}, "--fps: expected --record");
   refused({scene(), "--time", "5", "--record", path("a_%d.png")}, "--time: expected no --record");
   refused({scene(), "--paused", "-o", path("a.png")}, "--paused: expected a window");
+  refused({scene(), "--keep-fps", "20", "-o", path("a.png")}, "--keep-fps: expected a window");
+  refused({scene(), "--keep-fps", "many"}, "--keep-fps: expected a number");
   refused({scene(), "--record", path("a_%d.jpg")}, "name it a_%d.png");
   refused({scene(), "--hedless"}, "did you mean --headless?");
   refused({scene(), "--size"}, "offing-view: --size: expected a value, found none");

@@ -46,6 +46,7 @@ present::ViewOptions WindowTest::quick_options() {
   options.scene.view.camera.pitch_rad = 1.2;
   options.time_s = 2.0;
   options.starts_paused = true;
+  options.kept_hz = 0.0;
   options.verbosity = Verbosity::quiet;
   return options;
 }
