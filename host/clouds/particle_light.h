@@ -31,8 +31,8 @@ enum class ParticleAlbedo { of_look, own };
 ///
 /// LightModel::calibrated keeps energy: direct light in the delta-scaled medium with its aureole
 /// (host/clouds/phase_table.h) and diffusion of what is scattered more often
-/// (kernels/clouds/light_diffuse.cl). A cloud takes 1.4 MB of the device, and 0.3 MB more with each sun after
-/// the first; some 3 MB where any has colours.
+/// (kernels/clouds/light_diffuse.cl). A cloud takes 1.7 MB of the device, and 0.1 MB more with each sun after
+/// the first; 3.3 MB and 0.3 MB where any has colours.
 class ParticleLight {
  public:
   explicit ParticleLight(const ocl::Device& device);

@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/clouds/genera.h"
 #include "kernels/shared/random.h"
+#include "tests/ocl/expect_error.h"
 
 namespace offing::clouds {
 namespace {
@@ -79,6 +81,19 @@ TEST(PhaseFunctionTest, ClosedForms) {
     EXPECT_GT(mean, 0.80);
     EXPECT_LT(mean, 0.90);
   }
+}
+
+// Fails if clouds are lit that send more light back than the diffusion of their light can tell of: below a
+// mean cosine of -0.5, whichever of the parameters says so.
+TEST(PhaseFunctionTest, RefusesWhatScattersBackward) {
+  CloudParameters cloud = preset(Genus::cumulus);
+  cloud.look.phase = PhaseKind::henyey_greenstein;
+  cloud.look.g = -0.5;
+  EXPECT_NO_THROW(require_valid(cloud));
+  cloud.look.g = -0.51;
+  test::expect_error(ErrorKind::bad_input, "cloud.g", [&] { require_valid(cloud); });
+  cloud.look = {.phase = PhaseKind::double_henyey_greenstein, .g = 0.2, .g_back = -0.9, .forward_share = 0.1};
+  test::expect_error(ErrorKind::bad_input, "mean cosine of scattering", [&] { require_valid(cloud); });
 }
 
 // Fails if paths scatter with another density than they are weighed with. Means of 2e5 cosines and of their

@@ -1,5 +1,7 @@
 // Queries against the water that OpenGL draws: at each pixel the place that its ray meets, and the water
 // there.
+#include "tests/present/drawn_water.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -18,9 +20,11 @@
 namespace offing::present {
 namespace {
 
+using test::drawn_beside_queried;
+using test::DrawnWater;
+
 constexpr double time_s = 42.0;
 constexpr int side_px = 32;  // 1024 pixels, all compared
-constexpr double earth_radius_m = 6.36e6;
 
 /// The sea of the queries' tests, without waves that are shorter than this.
 world::WorldParameters sea_of_waves_from(double shortest_m) {
@@ -79,36 +83,12 @@ class DrawnWaterTest : public testing::Test {
     return longest_m;
   }
 
-  /// Root mean squares over all pixels, m: of drawn heights, and of how far queries are off them.
-  struct Comparison {
-    double height_m = 0.0, off_m = 0.0;
-  };
-
-  Comparison compare() {
+  /// Of the water of all pixels.
+  DrawnWater compare() {
     EXPECT_TRUE(stage_->surface.draw(stage_->world, stage_->maps, camera_, Fill::solid));
-    const std::vector<float> facets = stage_->surface.target().read(1);
-    std::vector<ocean::WaterPoint> points;
-    std::vector<double> heights_m;
-    for (int row = 0; row < side_px; ++row) {
-      for (int column = 0; column < side_px; ++column) {
-        const double distance_m = facets[4 * static_cast<std::size_t>(row * side_px + column) + 2];
-        EXPECT_GT(distance_m, 0.0) << "a hole";
-        const glm::dvec3 drawn_m =
-            distance_m * glm::normalize(ray_direction(camera_, {(2.0 * column + 1.0) / side_px - 1.0,
-                                                                (2.0 * row + 1.0) / side_px - 1.0}));
-        const double drop_m = (drawn_m.x * drawn_m.x + drawn_m.z * drawn_m.z) / (2.0 * earth_radius_m);
-        points.push_back({camera_.eye_m.x + drawn_m.x, camera_.eye_m.z + drawn_m.z});
-        heights_m.push_back(camera_.eye_m.y + drawn_m.y + drop_m);
-      }
-    }
-    const std::vector<ocean::WaterSample> samples = stage_->world.sample(points);
-    Comparison squares;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      squares.height_m += std::pow(heights_m[i], 2);
-      squares.off_m += std::pow(samples[i].height_m - heights_m[i], 2);
-    }
-    const auto count = static_cast<double>(points.size());
-    return {.height_m = std::sqrt(squares.height_m / count), .off_m = std::sqrt(squares.off_m / count)};
+    const DrawnWater drawn = drawn_beside_queried(stage_->world, stage_->surface, camera_);
+    EXPECT_EQ(drawn.count, static_cast<std::size_t>(side_px) * side_px) << "a hole";
+    return drawn;
   }
 
   std::unique_ptr<Stage> stage_;
@@ -125,7 +105,8 @@ TEST_F(DrawnWaterTest, OfSmallCellsIsWhereQueriesSay) {
   prepare(0.0, {.columns = 512, .rows = 1024});
   if (!stage_) return;
   ASSERT_LE(longest_cell_m(), 0.05);
-  const auto [height_m, off_m] = compare();
+  const DrawnWater drawn = compare();
+  const double height_m = drawn.height_m(), off_m = drawn.off_m();
   RecordProperty("rms_mm", std::to_string(1e3 * off_m));
   EXPECT_LT(off_m, 0.01);
   EXPECT_GT(height_m, 0.1) << "there is nothing to compare";
@@ -140,7 +121,8 @@ TEST_F(DrawnWaterTest, OfTheDefaultGridIsWhereQueriesSay) {
   prepare(4.0 * largest_cell_m, {});
   if (!stage_) return;
   ASSERT_LE(longest_cell_m(), largest_cell_m);
-  const auto [height_m, off_m] = compare();
+  const DrawnWater drawn = compare();
+  const double height_m = drawn.height_m(), off_m = drawn.off_m();
   const double hs_m = ocean::integrate_sea_state(stage_->world.parameters().spectrum).hs_m;
   RecordProperty("rms_percent_of_hs", std::to_string(100.0 * off_m / hs_m));
   EXPECT_LT(off_m, 0.03 * hs_m);

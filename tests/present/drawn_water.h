@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "host/base/camera.h"
+#include "host/world/world.h"
+#include "present/water_surface.h"
+
+namespace offing::test {
+
+/// Heights of drawn water beside those that are queried at the same places, added up.
+struct DrawnWater {
+  std::size_t count = 0;
+  double height_squares_m2 = 0.0, off_squares_m2 = 0.0;
+
+  DrawnWater& operator+=(const DrawnWater& other) {
+    count += other.count;
+    height_squares_m2 += other.height_squares_m2;
+    off_squares_m2 += other.off_squares_m2;
+    return *this;
+  }
+  // Root mean squares, m: of drawn heights, and of how far queries are off them.
+  double height_m() const { return std::sqrt(height_squares_m2 / static_cast<double>(count)); }
+  double off_m() const { return std::sqrt(off_squares_m2 / static_cast<double>(count)); }
+};
+
+/// Of the pixels of the surface's last picture, which this camera saw, that show water.
+DrawnWater drawn_beside_queried(world::World& world, const present::WaterSurface& surface,
+                                const Camera& camera);
+
+}  // namespace offing::test
