@@ -26,9 +26,10 @@ ShaderProgram water_program() {
       {.vertex = {shader_file("screen.vert")},
        .fragment = {CloudShadows::glsl(), shader_file("environment.glsl"), shader_file("air.glsl"),
                     shader_file("view_ray.glsl"), shader_file("water.glsl"), shader_file("rings.glsl"),
-                    shader_file("wakes.glsl"), shader_file("fresnel.glsl"), shader_file("water_light.glsl"),
-                    shader_file("caustics.glsl"), shader_file("water_views.glsl"),
-                    shader_file("water_debug.glsl"), shader_file("water.frag")}});
+                    shader_file("wakes.glsl"), shader_file("shoals.glsl"), shader_file("fresnel.glsl"),
+                    shader_file("water_light.glsl"), shader_file("caustics.glsl"),
+                    shader_file("water_views.glsl"), shader_file("water_debug.glsl"),
+                    shader_file("water.frag")}});
 }
 
 glm::vec3 to_vec3(const ocean::SlopeCovariance& slopes) {

@@ -35,7 +35,8 @@ class WaterShape {
   const RingWaves& rings() const { return rings_; }
 
  private:
-  void set_trochoids(const ocean::TrochoidInstant& trochoids, const Camera& camera) const;
+  void set_trochoids(const ocean::TrochoidInstant& trochoids, const ocean::Shoals* shoals,
+                     const Camera& camera) const;
 
   GridCells cells_;
   ShaderProgram program_;
