@@ -18,6 +18,7 @@ class RingWaves {
   void prepare(const ocean::TrochoidInstant& trochoids, glm::dvec2 eye_m);
   /// Gives them to a program in use.
   void bind(const ShaderProgram& program) const;
+  int count() const { return count_; }
 
  private:
   UniformBlock rings_;

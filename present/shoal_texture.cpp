@@ -22,11 +22,7 @@ void upload(const ocean::DepthMap& map) {
 
 }  // namespace
 
-ShoalTexture::ShoalTexture() : depths_(GlTexture::make()), shares_("Shoals", shares_binding, share_values) {
-  shares_.fill({});
-  glBindTexture(GL_TEXTURE_2D, depths_.name());
-  upload({.columns = 1, .rows = 1, .depths_m = {0.0f}});
-}
+ShoalTexture::ShoalTexture() : depths_(GlTexture::make()), shares_("Shoals", shares_binding, share_values) {}
 
 void ShoalTexture::prepare(const std::shared_ptr<const ocean::Shoals>& shoals) {
   if (shoals == shoals_) return;
@@ -44,10 +40,9 @@ void ShoalTexture::prepare(const std::shared_ptr<const ocean::Shoals>& shoals) {
 }
 
 void ShoalTexture::bind(const ShaderProgram& program, glm::dvec2 eye_m, int unit) const {
+  if (!shoals_) return;
   bind_sampler(program, "shoal_depths", unit, depths_.name());
   shares_.bind(program);
-  program.set("has_shoals", shoals_ ? 1 : 0);
-  if (!shoals_) return;
   const ocean::DepthMap& map = *shoals_->instant().depths;
   program.set("shoal_place", glm::vec4((eye_m.x - map.origin_x_m) / map.spacing_x_m,
                                        (eye_m.y - map.origin_z_m) / map.spacing_z_m, 1.0 / map.spacing_x_m,

@@ -18,7 +18,8 @@ class ShoalTexture {
 
   /// Copies them where they are others than those of the last call; none: the open sea.
   void prepare(const std::shared_ptr<const ocean::Shoals>& shoals);
-  /// Gives them to a program in use, for an eye at this label; the texture on this unit.
+  /// Gives them, if there are any, to a program in use that HAS_SHOALS, for an eye at this label; the texture
+  /// on this unit.
   void bind(const ShaderProgram& program, glm::dvec2 eye_m, int unit) const;
 
  private:

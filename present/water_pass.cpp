@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 
 #include "present/air.h"
@@ -21,17 +22,6 @@ constexpr int environment_unit = WaterMaps::first_free_unit, pattern_unit = envi
 // Waves shorter than 2 m break without drawing air under: they make no foam.
 constexpr double ripples_radpm = std::numbers::pi;
 
-ShaderProgram water_program() {
-  return ShaderProgram(
-      {.vertex = {shader_file("screen.vert")},
-       .fragment = {CloudShadows::glsl(), shader_file("environment.glsl"), shader_file("air.glsl"),
-                    shader_file("view_ray.glsl"), shader_file("water.glsl"), shader_file("rings.glsl"),
-                    shader_file("wakes.glsl"), shader_file("shoals.glsl"), shader_file("fresnel.glsl"),
-                    shader_file("water_light.glsl"), shader_file("caustics.glsl"),
-                    shader_file("water_views.glsl"), shader_file("water_debug.glsl"),
-                    shader_file("water.frag")}});
-}
-
 glm::vec3 to_vec3(const ocean::SlopeCovariance& slopes) {
   return {slopes.xx, slopes.xz, slopes.zz};
 }
@@ -40,20 +30,63 @@ glm::vec3 to_vec3(const std::array<double, 3>& values) {
   return {values[0], values[1], values[2]};
 }
 
+void set_light(const ShaderProgram& program, const world::World& world) {
+  const sky::Illuminance& light = world.illuminance();
+  const auto& sun = world.sky().params();
+  const WaterLight water = water_light(world);
+  program.set("sun_direction", glm::vec3(sun.sun_direction_x, sun.sun_direction_y, sun.sun_direction_z));
+  program.set("sun_radius_rad", sun.sun_angular_radius_rad);
+  program.set("sun_klx", to_vec3(light.sun_klx));
+  program.set("sky_klx", to_vec3(light.sky_klx));
+  program.set("water_of_sky_kcdpm2", water.of_sky_kcdpm2);
+  program.set("water_of_sun_kcdpm2", water.of_sun_kcdpm2);
+  program.set("attenuation_perm", water.attenuation_perm);
+}
+
 }  // namespace
 
 WaterPass::WaterPass(const GlCapabilities& capabilities, WaterDetail detail)
     : detail_(detail),
       surface_(capabilities, detail.cells),
-      program_(water_program()),
       no_vertices_(GlVertexArray::make()),
       foam_pattern_(foam_texture()) {}
 
-void WaterPass::set_waves(const world::World& world, const Camera& camera) const {
+ShaderProgram WaterPass::program_for(const Features& features) {
+  const ShaderPart compiled_for{
+      "features of the water",
+      fmt::format("#define HAS_RINGS {:d}\n#define HAS_WAKES {:d}\n#define HAS_SHOALS {:d}\n#define MIRRORS "
+                  "{:d}\n#define MIRRORS_THINGS "
+                  "{:d}\n#define SHOWS_BENEATH {:d}\n",
+                  features.has_rings, features.has_wakes, features.has_shoals, features.mirrors,
+                  features.mirrors_things, features.shows_beneath)};
+  return ShaderProgram(
+      {.vertex = {shader_file("screen.vert")},
+       .fragment = {compiled_for, CloudShadows::glsl(), shader_file("environment.glsl"),
+                    shader_file("air.glsl"), shader_file("view_ray.glsl"), shader_file("water.glsl"),
+                    shader_file("rings.glsl"), shader_file("wakes.glsl"), shader_file("shoals.glsl"),
+                    shader_file("fresnel.glsl"), shader_file("water_light.glsl"),
+                    shader_file("caustics.glsl"), shader_file("water_views.glsl"),
+                    shader_file("water_debug.glsl"), shader_file("water.frag")}});
+}
+
+const ShaderProgram& WaterPass::program_that_shows(const world::World& world) {
+  const Features features{.has_rings = surface_.rings().count() > 0,
+                          .has_wakes = world.wakes() != nullptr,
+                          .has_shoals = world.shoals() != nullptr,
+                          .mirrors = views_.has_mirrored(),
+                          .mirrors_things = views_.has_mirrored_things(),
+                          .shows_beneath = views_.has_beneath()};
+  const auto known = programs_.find(features);
+  return known != programs_.end() ? known->second
+                                  : programs_.emplace(features, program_for(features)).first->second;
+}
+
+void WaterPass::set_waves(const ShaderProgram& program, const world::World& world,
+                          const Camera& camera) const {
   const ocean::OceanParameters& sea = world.parameters().ocean;
   const glm::dvec2 eye_m(camera.eye_m.x, camera.eye_m.z);
-  maps_.bind(program_, world, eye_m);
-  surface_.rings().bind(program_);
+  maps_.bind(program, world, eye_m);
+  surface_.rings().bind(program);
   std::vector<glm::vec4> hidden;
   std::vector<float> breaking;
   for (std::size_t i = 0; i < sea.cascades.size(); ++i) {
@@ -62,32 +95,19 @@ void WaterPass::set_waves(const world::World& world, const Camera& camera) const
       hidden.emplace_back(to_vec3(level), 0.0f);
     }
   }
-  program_.set("hidden_slopes", hidden);
-  program_.set("level_count", static_cast<int>(hidden.size() / sea.cascades.size()));
-  program_.set("ripples", to_vec3(world.hidden_slopes().ripples));
-  program_.set("trochoid_slopes", to_vec3(world.hidden_slopes().trochoids));
-  program_.set("tap_count", detail_.taps);
-  program_.set("breaking", breaking);
-  program_.set("foam_onset", glm::vec2(sea.foam.onset_jacobian, sea.foam.width));
+  program.set("hidden_slopes", hidden);
+  program.set("level_count", static_cast<int>(hidden.size() / sea.cascades.size()));
+  program.set("ripples", to_vec3(world.hidden_slopes().ripples));
+  program.set("trochoid_slopes", to_vec3(world.hidden_slopes().trochoids));
+  program.set("tap_count", detail_.taps);
+  program.set("breaking", breaking);
+  program.set("foam_onset", glm::vec2(sea.foam.onset_jacobian, sea.foam.width));
   const glm::dvec2 foam_place = eye_m / static_cast<double>(foam_tile_m);
-  program_.set("foam_place", glm::vec2(foam_place - glm::floor(foam_place / 100.0) * 100.0));
-  program_.set("foam_tile_m", foam_tile_m);
+  program.set("foam_place", glm::vec2(foam_place - glm::floor(foam_place / 100.0) * 100.0));
+  program.set("foam_tile_m", foam_tile_m);
 }
 
-void WaterPass::set_light(const world::World& world) const {
-  const sky::Illuminance& light = world.illuminance();
-  const auto& sun = world.sky().params();
-  const WaterLight water = water_light(world);
-  program_.set("sun_direction", glm::vec3(sun.sun_direction_x, sun.sun_direction_y, sun.sun_direction_z));
-  program_.set("sun_radius_rad", sun.sun_angular_radius_rad);
-  program_.set("sun_klx", to_vec3(light.sun_klx));
-  program_.set("sky_klx", to_vec3(light.sky_klx));
-  program_.set("water_of_sky_kcdpm2", water.of_sky_kcdpm2);
-  program_.set("water_of_sun_kcdpm2", water.of_sun_kcdpm2);
-  program_.set("attenuation_perm", water.attenuation_perm);
-}
-
-void WaterPass::bind_surface() const {
+void WaterPass::bind_surface(const ShaderProgram& program) const {
   const RenderTarget& surface = surface_.target();
   const std::array<std::pair<const char*, GLuint>, 4> textures{{{"place_of", surface.texture(0)},
                                                                 {"facet_of", surface.texture(1)},
@@ -95,7 +115,7 @@ void WaterPass::bind_surface() const {
                                                                 {"depth_of", surface.depth_texture()}}};
   int unit = first_surface_unit;
   for (const auto& [name, texture] : textures) {
-    bind_sampler(program_, name, unit++, texture);
+    bind_sampler(program, name, unit++, texture);
   }
 }
 
@@ -104,19 +124,20 @@ void WaterPass::draw(world::World& world, const FrameRequest& request, const Dry
   if (!surface_.draw(world, maps_, request.camera, request.fill)) return;
   views_.draw(world, request, detail_.views_px, dry, transfer);
   target.bind();
-  program_.use();
-  set_view_rays(program_, request.camera);
-  set_waves(world, request.camera);
-  set_light(world);
-  bind_surface();
-  set_air(program_, world.parameters().atmosphere, dry.environment, environment_unit);
-  dry.shadows.bind(program_, shadow_unit);
-  views_.bind(program_, first_view_unit);
-  bind_sampler(program_, "foam_pattern", pattern_unit, foam_pattern_.name());
-  program_.set("eye_height_m", static_cast<float>(request.camera.eye_m.y));
-  program_.set("debug_view", static_cast<int>(request.debug));
-  program_.set("debug_white", static_cast<float>(1.0 / request.exposure));
-  program_.set("debug_height_m", static_cast<float>(0.5 * world.reach().vertical_m));
+  const ShaderProgram& program = program_that_shows(world);
+  program.use();
+  set_view_rays(program, request.camera);
+  set_waves(program, world, request.camera);
+  set_light(program, world);
+  bind_surface(program);
+  set_air(program, world.parameters().atmosphere, dry.environment, environment_unit);
+  dry.shadows.bind(program, shadow_unit);
+  views_.bind(program, first_view_unit);
+  bind_sampler(program, "foam_pattern", pattern_unit, foam_pattern_.name());
+  program.set("eye_height_m", static_cast<float>(request.camera.eye_m.y));
+  program.set("debug_view", static_cast<int>(request.debug));
+  program.set("debug_white", static_cast<float>(1.0 / request.exposure));
+  program.set("debug_height_m", static_cast<float>(0.5 * world.reach().vertical_m));
 
   // The shader gives the surface's depth, so that water hides what lies behind it and is hidden by what is
   // before it.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <compare>
+#include <map>
+
 #include "host/base/camera.h"
 #include "host/world/world.h"
 #include "present/cloud_shadows.h"
@@ -38,15 +41,29 @@ class WaterPass {
             const RenderTarget& target, TransferLadder& transfer);
 
  private:
-  void set_waves(const world::World& world, const Camera& camera) const;
-  void set_light(const world::World& world) const;
-  void bind_surface() const;
+  /// What the shader is compiled for. Some renderers, llvmpipe among them, go through what they do not need
+  /// too: an open sea would take half as long again.
+  struct Features {
+    bool has_rings = false;
+    bool has_wakes = false;
+    bool has_shoals = false;
+    bool mirrors = false;
+    bool mirrors_things = false;
+    bool shows_beneath = false;
+
+    auto operator<=>(const Features&) const = default;
+  };
+  static ShaderProgram program_for(const Features& features);
+
+  const ShaderProgram& program_that_shows(const world::World& world);
+  void set_waves(const ShaderProgram& program, const world::World& world, const Camera& camera) const;
+  void bind_surface(const ShaderProgram& program) const;
 
   WaterDetail detail_;
   WaterMaps maps_;
   WaterSurface surface_;
   WaterViews views_;
-  ShaderProgram program_;
+  std::map<Features, ShaderProgram> programs_;  // those that were needed so far
   GlVertexArray no_vertices_;
   GlTexture foam_pattern_;
 };

@@ -46,9 +46,9 @@ void WaterViews::draw(world::World& world, const FrameRequest& request, int long
                       const DryPasses& passes, TransferLadder& transfer) {
   FrameRequest of_view = request;
   of_view.camera = wider(smaller(request.camera, longer_px), margin);
-  const bool has_meshes = !world.meshes().empty();
-  has_mirrored_ = longer_px > 0 && (has_meshes || world.ground() != nullptr || world.clouds() != nullptr);
-  has_beneath_ = longer_px > 0 && (has_meshes || world.ground() != nullptr);
+  has_beneath_ = longer_px > 0 && (!world.meshes().empty() || world.ground() != nullptr);
+  has_mirrored_things_ = has_beneath_;
+  has_mirrored_ = has_mirrored_things_ || (longer_px > 0 && world.clouds() != nullptr);
   if (has_mirrored_) draw_mirrored(world, of_view, passes, transfer);
   if (has_beneath_) draw_beneath(world, of_view, passes, transfer);
 }
@@ -97,8 +97,6 @@ void WaterViews::bind(const ShaderProgram& program, int first_unit) const {
   };
   bind_view(has_mirrored_, mirrored_, "mirrored_light", "mirrored_depth", first_unit);
   bind_view(has_beneath_, beneath_, "beneath_light", "beneath_depth", first_unit + 2);
-  program.set("has_mirrored", has_mirrored_ ? 1 : 0);
-  program.set("has_beneath", has_beneath_ ? 1 : 0);
   program.set("views_margin", static_cast<float>(margin));
   program.set("view_near_m", static_cast<float>(near_m));
 }

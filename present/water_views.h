@@ -31,6 +31,10 @@ class WaterViews {
   /// What has nothing to show is left out.
   void draw(world::World& world, const FrameRequest& request, int longer_px, const DryPasses& passes,
             TransferLadder& transfer);
+  /// Whether the last draw() has something mirrored, with a depth or clouds alone, and something beneath.
+  bool has_mirrored() const { return has_mirrored_; }
+  bool has_mirrored_things() const { return has_mirrored_things_; }
+  bool has_beneath() const { return has_beneath_; }
   /// Gives them to a program in use (water_views.glsl), by unit_count texture units.
   void bind(const ShaderProgram& program, int first_unit) const;
   static constexpr int unit_count = 4;
@@ -44,7 +48,7 @@ class WaterViews {
   TerrainPass mirrored_terrain_, terrain_beneath_;
   CloudPass mirrored_clouds_;
   RenderTarget mirrored_, beneath_;
-  bool has_mirrored_ = false, has_beneath_ = false;
+  bool has_mirrored_ = false, has_mirrored_things_ = false, has_beneath_ = false;
 };
 
 }  // namespace offing::present

@@ -1,6 +1,7 @@
 #include "host/world/clouds_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -42,10 +43,23 @@ Particles given_particles(const CloudSkyParameters& parameters, std::size_t inde
   return index < parameters.particles.size() ? parameters.particles[index] : nullptr;
 }
 
+/// What an eye sees of the particles.
+struct Sight {
+  explicit Sight(const ocl::Device& device) : order(device) {}
+
+  std::optional<glm::dvec3> eye_m;  // nothing: not of these particles in this light
+  ocl::Buffer<CloudSprite> sprites;
+  clouds::ViewOrder order;
+};
+
 }  // namespace
 
 struct CloudsView::Sky {
-  explicit Sky(const ocl::Device& on) : device(on), particle_light(on), view_order(on) {}
+  explicit Sky(const ocl::Device& on) : device(on), particle_light(on), sights{Sight(on), Sight(on)} {}
+
+  void forget_sights() {
+    for (Sight& sight : sights) sight.eye_m.reset();
+  }
 
   ocl::Device device;
   CloudSkyParameters parameters;
@@ -54,15 +68,13 @@ struct CloudsView::Sky {
   std::vector<clouds::CloudLook> looks;                   // one a cloud
   std::uint32_t count = 0;
   ocl::Buffer<CloudParticle> particles;
-  ocl::Buffer<CloudSprite> sprites;
   clouds::ParticleLight particle_light;
-  clouds::ViewOrder view_order;
+  // Of the two last eyes, that of the last see() first: over a sea an eye and its mirror image take turns.
+  std::array<Sight, 2> sights;
   std::optional<double> time_s;                   // of the particles
   std::vector<clouds::CloudIllumination> lit_by;  // these particles, one a cloud; empty: not yet
   std::optional<clouds::CloudShadowMap> shadow;   // made when first asked for
   bool has_shadow = false;                        // of these particles in this light
-  std::optional<glm::dvec3> seen_from_m;
-  std::uint64_t revision = 0;
 };
 
 CloudsView::CloudsView(const ocl::Device& device, const CloudSkyParameters& parameters)
@@ -107,21 +119,21 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
   }
   const std::size_t room = std::max<std::size_t>(count, 1);
   ocl::Buffer<CloudParticle> particles(sky.device, room, "particles of the sky");
-  ocl::Buffer<CloudSprite> sprites(sky.device, room, "sprites of clouds");
+  std::array<ocl::Buffer<CloudSprite>, 2> sprites;
+  for (auto& of_sight : sprites) of_sight = ocl::Buffer<CloudSprite>(sky.device, room, "sprites of clouds");
 
   sky.models = std::move(models);
   sky.looks.clear();
   for (const CloudParameters& cloud : parameters.clouds) sky.looks.push_back(cloud.look);
   sky.particles = std::move(particles);
-  sky.sprites = std::move(sprites);
+  for (std::size_t i = 0; i < sprites.size(); ++i) sky.sights[i].sprites = std::move(sprites[i]);
   sky.count = static_cast<std::uint32_t>(count);
   sky.parameters = parameters;
   sky.origin_m = origin_of(parameters);
   sky.time_s.reset();
   sky.lit_by.clear();
   sky.has_shadow = false;
-  sky.seen_from_m.reset();
-  ++sky.revision;
+  sky.forget_sights();
 }
 
 void CloudsView::at(double time_s) {
@@ -138,7 +150,6 @@ void CloudsView::at(double time_s) {
   sky.time_s = time_s;
   sky.lit_by.clear();
   sky.has_shadow = false;
-  ++sky.revision;
 }
 
 void CloudsView::light(std::span<const clouds::CloudIllumination> of_clouds) {
@@ -150,8 +161,7 @@ void CloudsView::light(std::span<const clouds::CloudIllumination> of_clouds) {
                              has_own_albedo ? clouds::ParticleAlbedo::own : clouds::ParticleAlbedo::of_look);
   sky.lit_by.assign(of_clouds.begin(), of_clouds.end());
   sky.has_shadow = false;
-  sky.seen_from_m.reset();
-  ++sky.revision;
+  sky.forget_sights();
 }
 
 void CloudsView::light(const clouds::CloudIllumination& of_all) {
@@ -160,12 +170,14 @@ void CloudsView::light(const clouds::CloudIllumination& of_all) {
 
 void CloudsView::see(const Camera& camera) {
   Sky& sky = *sky_;
-  if (sky.lit_by.empty() || sky.seen_from_m == camera.eye_m) return;
+  if (sky.lit_by.empty() || sky.sights[0].eye_m == camera.eye_m) return;
+  std::swap(sky.sights[0], sky.sights[1]);
+  Sight& sight = sky.sights[0];
+  if (sight.eye_m == camera.eye_m) return;
   const glm::vec3 eye_m(camera.eye_m - sky.origin_m);
-  sky.particle_light.see(eye_m, sky.sprites);
-  sky.view_order.sort(sky.particles, sky.count, eye_m);
-  sky.seen_from_m = camera.eye_m;
-  ++sky.revision;
+  sky.particle_light.see(eye_m, sight.sprites);
+  sight.order.sort(sky.particles, sky.count, eye_m);
+  sight.eye_m = camera.eye_m;
 }
 
 std::span<const clouds::CloudIllumination> CloudsView::illumination() const {
@@ -214,16 +226,13 @@ std::uint32_t CloudsView::count() const {
   return sky_->count;
 }
 const ocl::Buffer<CloudSprite>& CloudsView::sprites() const {
-  return sky_->sprites;
+  return sky_->sights[0].sprites;
 }
 const ocl::Buffer<std::uint32_t>& CloudsView::order() const {
-  return sky_->view_order.order();
+  return sky_->sights[0].order.order();
 }
 glm::dvec3 CloudsView::sky_origin_m() const {
   return sky_->origin_m;
-}
-std::uint64_t CloudsView::revision() const {
-  return sky_->revision;
 }
 
 }  // namespace offing::world

@@ -53,7 +53,8 @@ class CloudsView {
   void light(std::span<const clouds::CloudIllumination> of_clouds);
   /// The same on all clouds.
   void light(const clouds::CloudIllumination& of_all);
-  /// Enqueues what is seen of the particles of the last light() from a camera's eye; nothing before one.
+  /// Enqueues what is seen of the particles of the last light() from a camera's eye; nothing before one, and
+  /// where this was one of the last two eyes and nothing else has changed.
   void see(const Camera& camera);
 
   /// What lit the particles of the last light(), one a cloud; none before one.
@@ -82,9 +83,6 @@ class CloudsView {
   const ocl::Buffer<std::uint32_t>& order() const;
   /// In the world: what the particles' places are relative to. Multiples of 1024 m; changes with set() only.
   glm::dvec3 sky_origin_m() const;
-  /// Changes whenever particles(), sprites() or order() may have: whoever holds copies knows by it whether
-  /// they are up to date.
-  std::uint64_t revision() const;
 
  private:
   struct Sky;

@@ -107,18 +107,32 @@ static inline void restrict_residuals(__global const float *restrict faces, __gl
   wait_for_group();
 }
 
-// Values of a coarse row at LANES cells of the finer one from `x` on: between middles 3 : 1, as far as there are
+// Four rows of the coarser level around a row of the finer one.
+typedef struct {
+  __global const float *near, *near_y, *near_z, *far;
+} Rows;
+
+#if LANES == 1
+#define rows_at(rows, x) \
+  mix(mix((rows).near[x], (rows).near_y[x], 0.25f), mix((rows).near_z[x], (rows).far[x], 0.25f), 0.25f)
+#else
+#define rows_at(rows, x)                                                          \
+  mix(mix(vload8(0, (rows).near + (x)), vload8(0, (rows).near_y + (x)), 0.25f),   \
+      mix(vload8(0, (rows).near_z + (x)), vload8(0, (rows).far + (x)), 0.25f), 0.25f)
+#endif
+
+// Their values at LANES cells of the finer row from `x` on: between middles 3 : 1 along each axis, as far as there are
 // neighbours.
-static inline lanes along_row(__global const float *row, int x, int last) {
+static inline lanes between_rows(const Rows rows, int x, int last) {
 #if LANES == 1
   const int near_x = x / 2;
-  return mix(row[near_x], row[clamp(near_x + 2 * (x % 2) - 1, 0, last)], 0.25f);
+  return mix(rows_at(rows, near_x), rows_at(rows, clamp(near_x + 2 * (x % 2) - 1, 0, last)), 0.25f);
 #else
   const int first = x / 2;
   const int8 cells = first + (int8)(0, 1, 2, 3, 4, 5, 6, 7);
-  const float8 here = vload8(0, row + first);
-  const float8 before = select(vload8(0, row + first - 1), here, cells == 0);
-  const float8 after = select(vload8(0, row + first + 1), here, cells == last);
+  const float8 here = rows_at(rows, first);
+  const float8 before = select(rows_at(rows, first - 1), here, cells == 0);
+  const float8 after = select(rows_at(rows, first + 1), here, cells == last);
   lanes found;
   found.even = mix(here, before, 0.25f);
   found.odd = mix(here, after, 0.25f);
@@ -135,11 +149,9 @@ static inline void interpolate(__global float *fluence, const Level level, bool 
     const int near_z = piece.z / 2, far_z = clamp(near_z + 2 * (piece.z % 2) - 1, 0, coarse.size_z - 1);
     __global const float *near_plane = fluence + coarse.start + near_z * coarse.size_y * coarse.pitch;
     __global const float *far_plane = fluence + coarse.start + far_z * coarse.size_y * coarse.pitch;
-    const int last = coarse.size_x - 1, near_row = near_y * coarse.pitch, far_row = far_y * coarse.pitch;
-    const lanes found =
-        mix(mix(along_row(near_plane + near_row, piece.x, last), along_row(near_plane + far_row, piece.x, last), 0.25f),
-            mix(along_row(far_plane + near_row, piece.x, last), along_row(far_plane + far_row, piece.x, last), 0.25f),
-            0.25f);
+    const Rows rows = {near_plane + near_y * coarse.pitch, near_plane + far_y * coarse.pitch,
+                       far_plane + near_y * coarse.pitch, far_plane + far_y * coarse.pitch};
+    const lanes found = between_rows(rows, piece.x, coarse.size_x - 1);
     store_lanes(is_first ? found : found + load_lanes(fluence + piece.at), fluence + piece.at);
   }
   wait_for_group();

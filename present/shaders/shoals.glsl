@@ -1,8 +1,13 @@
 // What is left of the waves over shoals (host/ocean/shoals.h): shares of the heights that they have in the open sea.
+// Compiled with HAS_SHOALS; the open sea is left whole.
+struct Shares {
+  vec4 cascades, trochoids;
+};
+
+#if HAS_SHOALS
 const int shoal_steps = 256;       // rows of the table, as in kernels/shared/shoals.h
 const float shoal_steepest = 0.5;  // slope of the bed beyond the map's edge
 
-uniform int has_shoals;
 uniform sampler2D shoal_depths;    // m, of still water at the posts of a map
 uniform vec4 shoal_place;          // the eye's place in posts from the first, column and row; posts a metre
 uniform float shoal_deepest_m;     // below it the sea is open
@@ -10,13 +15,8 @@ layout(std140) uniform Shoals {
   vec4 shoal_shares[2 * shoal_steps];  // of each depth: of cascades, of trochoids in four bands from long to short
 };
 
-struct Shares {
-  vec4 cascades, trochoids;
-};
-
 // At a label relative to the eye.
 Shares shares_at(vec2 label_m) {
-  if (has_shoals == 0) return Shares(vec4(1.0), vec4(1.0));
   vec2 posts = vec2(textureSize(shoal_depths, 0));
   vec2 place = shoal_place.xy + label_m * shoal_place.zw;
   vec2 near = clamp(place, vec2(0.0), posts - 1.0);
@@ -28,3 +28,8 @@ Shares shares_at(vec2 label_m) {
   return Shares(mix(shoal_shares[2 * below], shoal_shares[2 * below + 2], beyond),
                 mix(shoal_shares[2 * below + 1], shoal_shares[2 * below + 3], beyond));
 }
+#else
+Shares shares_at(vec2 label_m) {
+  return Shares(vec4(1.0), vec4(1.0));
+}
+#endif

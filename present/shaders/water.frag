@@ -95,8 +95,14 @@ void main() {
   vec4 place = texelFetch(place_of, pixel, 0);
   vec2 label_m = place.xy, long_m = place.zw;
   float width_m = max(length(long_m) / float(tap_count), facet.w);
+  vec2 trochoid_slope = facet.xy;
+#if HAS_RINGS
   // Rings are mostly shorter than the cells of the grid: their slopes are worked out here.
-  vec2 trochoid_slope = facet.xy + ring_waves(label_m, width_m).yz + wake_waves(label_m, width_m).yz;
+  trochoid_slope += ring_waves(label_m, width_m).yz;
+#endif
+#if HAS_WAKES
+  trochoid_slope += wake_waves(label_m, width_m).yz;
+#endif
   vec4 strain = texelFetch(strain_of, pixel, 0);
   vec3 trochoid_gradient = strain.xyz;
 

@@ -1,9 +1,10 @@
 // Lookups in the pictures of what is not water (present/water_views.h). Places are relative to the eye. What a place
 // of the picture shows stands at the depth that it has there: from the way that a ray goes on to it the place is found
 // where that ray shows it, as if it were flat there.
+// Compiled for what there is, as some renderers go through what they do not need too: MIRRORS, clouds or things;
+// MIRRORS_THINGS, what has a depth; SHOWS_BENEATH.
 uniform sampler2D mirrored_light, mirrored_depth;  // premultiplied kcd/m2 with coverage; reversed depth
 uniform sampler2D beneath_light, beneath_depth;
-uniform int has_mirrored, has_beneath;
 uniform float views_margin;  // width of both pictures over that of the water's
 uniform float view_near_m;
 uniform float eye_height_m;
@@ -53,18 +54,23 @@ float mirrored_way_m(vec3 clip_place, vec3 surface_image_m) {
 
 // What is mirrored toward a ray that leaves the surface, spread by an angle; covers as much as its alpha says.
 vec4 mirrored_along(vec3 surface_m, vec3 ray, float spread_rad) {
-  if (has_mirrored == 0) return vec4(0.0);
+#if MIRRORS
   vec3 image_m = mirror_image(surface_m), image_ray = vec3(ray.x, -ray.y, ray.z);
+#if MIRRORS_THINGS
   vec3 clip_place = clip_of(image_m);
   float way_m = mirrored_way_m(clip_place, image_m);
   for (int step = 0; step < 2; ++step) {
     clip_place = clip_of(image_m + (way_m < 0.0 ? far_m : way_m) * image_ray);
     way_m = mirrored_way_m(clip_place, image_m);
   }
+  float reach_m = way_m < 0.0 ? far_m : way_m;
+#else
+  vec3 clip_place = clip_of(image_m + far_m * image_ray);
+  float reach_m = far_m;
+#endif
   float share = mirrored_share(clip_place);
   if (share <= 0.0) return vec4(0.0);
   float pixel_rad = 2.0 * views_margin * length(ray_up) / float(textureSize(mirrored_light, 0).y);
-  float reach_m = way_m < 0.0 ? far_m : way_m;
   float pixels = max(spread_rad / pixel_rad * reach_m / (reach_m + length(surface_m)), 1.0);
   // Rays that graze rough water are spread upright alone: by a few lookups, each as wide as the spread across.
   float across = clamp(-surface_m.y / length(surface_m), 1.0 / float(upright_taps), 1.0);
@@ -76,15 +82,22 @@ vec4 mirrored_along(vec3 surface_m, vec3 ray, float spread_rad) {
   float count = 0.0;
   for (int tap = 0; tap < upright_taps; ++tap) {
     vec3 place = clip_place + vec3(0.0, ((float(tap) + 0.5) / float(upright_taps) - 0.5) * upright, 0.0);
+    float tap_level = level;
+#if MIRRORS_THINGS
     if (mirrored_way_m(place, image_m) < 0.0) continue;
     // Not what stands beside it before the surface: what is as far away from that.
     bool is_left = min(mirrored_way_m(place - beside, image_m), mirrored_way_m(place - 0.5 * beside, image_m)) < 0.0;
     bool is_right = min(mirrored_way_m(place + beside, image_m), mirrored_way_m(place + 0.5 * beside, image_m)) < 0.0;
     if (is_left != is_right) place += is_left ? beside : -beside;
-    sum += textureLod(mirrored_light, mirrored_uv(place), is_left && is_right ? 0.0 : level);
+    if (is_left && is_right) tap_level = 0.0;
+#endif
+    sum += textureLod(mirrored_light, mirrored_uv(place), tap_level);
     count += 1.0;
   }
   return share / max(count, 1.0) * sum;
+#else
+  return vec4(0.0);
+#endif
 }
 
 vec2 beneath_uv(vec3 clip_place) {
@@ -108,7 +121,7 @@ struct Lit {
 
 // Light that comes up through the surface toward v, of what is in the water and of the water itself.
 vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, Lit lit, vec3 deep_kcdpm2) {
-  if (has_beneath == 0) return deep_kcdpm2;
+#if SHOWS_BENEATH
   vec3 clip_place = clip_of(surface_m);
   vec4 straight = beneath_at(clip_place);
   if (straight.w == 0.0) return deep_kcdpm2;
@@ -135,4 +148,7 @@ vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, Lit lit, vec3 deep_kcdpm
     leaving *= mix(1.0, gathered, lit.sun_part * fade);
   }
   return leaving * seen.rgb / max(seen.a, 1e-3) * left + deep_kcdpm2 * (1.0 - left);
+#else
+  return deep_kcdpm2;
+#endif
 }

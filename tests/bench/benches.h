@@ -44,6 +44,10 @@ void bench_gerstner(const ocl::Device& device, const Settings& settings, const S
 /// Only in builds with the presenter.
 void bench_render(const Settings& settings, const Sinks& sinks);
 
+/// Frames of the shipped world of 640 x 360 pixels, its stages, and what its parts take alone: the sea with
+/// its ship, the island, the clouds. Sizes of the settings do not matter. Only in builds with the presenter.
+void bench_world(const Settings& settings, const Sinks& sinks);
+
 /// A call for the water at 1e5 points from and to host memory, with 16 trochoids and two cascades of each
 /// size whose maps are made before, against a loop in C++ on all cores. Throws Error(device) where results
 /// differ.

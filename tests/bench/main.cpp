@@ -105,6 +105,13 @@ int run_command_line(int argc, char** argv) {
     run(options,
         [&](const auto&, const bench::Sinks& sinks) { bench::bench_render(options.settings, sinks); });
   });
+
+  CLI::App& world = *app.add_subcommand("world", "frames of a whole world beside its parts alone");
+  add_options(world, options);
+  world.callback([&] {
+    run(options,
+        [&](const auto&, const bench::Sinks& sinks) { bench::bench_world(options.settings, sinks); });
+  });
 #endif
 
   CLI::App& queries = *app.add_subcommand(

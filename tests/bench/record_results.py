@@ -12,10 +12,12 @@ import pathlib
 import re
 import subprocess
 
+import result_plots as plots
 import result_tables as tables
 from result_texts import INTRODUCTION, SECTIONS
 
 PAGE = pathlib.Path("docs/results.md")
+PLOTS = pathlib.Path("docs/results")
 BLOCKS = 15
 
 
@@ -54,6 +56,11 @@ class Record:
         chosen = ("--sizes", ",".join(map(str, sizes))) if sizes else ()
         return json.loads(output_of(self.programs / "offing-bench", command, *chosen, "--blocks", blocks, "--json"))
 
+    def plotted(self, section, across, curves):
+        """What a section says of its plot, which is drawn anew."""
+        plots.plot(PLOTS / f"{section}.svg", across, curves)
+        return {"plot": f"![times over sizes](results/{section}.svg)", "growths": plots.growths(curves)}
+
     def frames_drawn(self):
         return self.rows("render", tuple(tables.PAPER_RENDER_FPS))
 
@@ -76,6 +83,7 @@ class Record:
             "terrain_steps": tables.terrain_steps_table(rows),
             "terrain_growth": tables.terrain_growth(rows),
             "terrain_paper": tables.terrain_paper_table(rows),
+            **self.plotted("terrain", "posts a side", plots.terrain_curves(rows)),
         }
 
     def viewsheds(self):
@@ -88,6 +96,7 @@ class Record:
             "curvature": tables.rows_table(self.rows("curvature", (256,), 5)),
             "highlights": tables.rows_table(rows),
             "highlights_paper": tables.highlights_paper_table(rows),
+            **self.plotted("highlights", "faces", plots.highlights_curves(rows)),
         }
 
     def clouds(self):
@@ -95,6 +104,7 @@ class Record:
         return {
             "clouds": tables.rows_table(rows),
             "clouds_paper": tables.clouds_paper_table(rows),
+            **self.plotted("clouds", "particles", plots.clouds_curves(rows)),
             "renderer": next(row["peer"] for row in rows if "_frame_" in row["name"]).split(";")[0],
         }
 
@@ -106,7 +116,15 @@ class Record:
             "transforms": tables.paper_table(tables.PAPER_TRANSFORM_FPS, transforms),
             "simulation": tables.paper_table(tables.PAPER_SIMULATION_FPS, simulation),
             "rendering": tables.rendering_table(self.frames_drawn()),
+            **self.plotted("ocean", "samples a side", plots.ocean_curves(transforms, simulation)),
         }
+
+    def wakes(self):
+        return {"wakes": tables.rows_table(self.rows("wake", (64, 128, 256, 512)))}
+
+    def world(self):
+        rows = self.rows("world")
+        return {"renderer": rows[0]["peer"], "world": tables.rows_table(rows)}
 
     def text(self, section):
         return SECTIONS[section].format(machine=machine_lines(self.programs), **getattr(self, section)())

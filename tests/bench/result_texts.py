@@ -53,6 +53,10 @@ frames, rays and light, on the CPU named above, over the same made ground at eve
 smoothed). From 256 to 4096 {terrain_growth}; the paper's frame takes about 2.5 times as long:
 
 {terrain_paper}
+
+Powers of the size that times grow by, from the smallest to the largest: {growths}.
+
+{plot}
 """,
     "viewsheds": """## Viewsheds
 
@@ -79,6 +83,10 @@ turn: search, tracks, projectors and regions, without drawing. `size` is faces.
 Lee & Choi (2006) print frames a second on an Athlon XP 3200 with a GeForce 7800, drawing included:
 
 {highlights_paper}
+
+Powers of the number of faces that times grow by: {growths}.
+
+{plot}
 """,
     "clouds": """## Clouds
 
@@ -93,6 +101,30 @@ Do, Baek, Lee & Ryu (2009) print frames a second at 1280 x 1024 on a Pentium 4 a
 eye and draws. Times in ms:
 
 {clouds_paper}
+
+Powers of the number of particles that times grow by, from the smallest to the largest: {growths}.
+
+{plot}
+""",
+    "wakes": """## Wakes
+
+{machine}
+
+`offing-bench wake`: one step of a window of n x n cells with a hull in it, by either method, against the dispersive step in C++ with
+FFTW.
+
+{wakes}
+""",
+    "world": """## One world
+
+{machine}
+
+`offing-bench world`: frames of scenes/world.toml, 640 x 360, drawn by {renderer}, beside the sum of what its parts take alone, each
+with its own sky; the eye moves. The rows below the frame are its stages, each with its end waited for. What is in no part is the
+island and the clouds mirrored in the sea. No stage but that of clouds waits for something to come back from a device: it reads the
+picture's depth, once for the eye and once for its mirror image, which costs nothing where the CPU draws.
+
+{world}
 """,
     "papers": """## Ocean beside the paper
 
@@ -114,5 +146,9 @@ Simulation and rendering: one patch, 16 Gerstner waves on 128 x 128 points, 1280
 there; here {renderer}, sky, light and foam worked out for each pixel:
 
 {rendering}
+
+Powers of n that times grow by, from the smallest to the largest: {growths}.
+
+{plot}
 """,
 }

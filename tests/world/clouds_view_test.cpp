@@ -110,6 +110,32 @@ TEST(CloudsView, OrdersFromFarToNear) {
   }
 }
 
+// Fails if an eye that takes turns with another is shown what that one sees, or what it saw in other light.
+TEST(CloudsView, KeepsWhatTwoEyesSee) {
+  CloudsView view(device(), two_clouds());
+  view.at(0.0);
+  const Camera above = camera_at({29'000.0, 1200.0, 100.0}), below = camera_at({29'000.0, -1200.0, 100.0});
+  const auto seen_from = [&](const Camera& eye) {
+    view.see(eye);
+    float light = 0.0f;
+    for (const CloudSprite& sprite : view.sprites().read()) light += sprite.green;
+    std::vector<std::uint32_t> order = view.order().read();
+    order.resize(view.count());
+    return std::pair(order, light);
+  };
+  view.light(daylight());
+  const auto from_above = seen_from(above), from_below = seen_from(below);
+  EXPECT_NE(from_above.first, from_below.first);
+  EXPECT_EQ(seen_from(above), from_above);
+  EXPECT_EQ(seen_from(below), from_below);
+
+  clouds::CloudIllumination dusk = daylight();
+  dusk.suns.front().illuminance_klx *= 0.5;
+  view.light(dusk);
+  EXPECT_LT(seen_from(above).second, 0.9f * from_above.second);
+  EXPECT_LT(seen_from(below).second, 0.9f * from_below.second);
+}
+
 // Fails if light is not finite, or clouds in the sun are dark.
 TEST(CloudsView, IsLit) {
   CloudsView view(device(), two_clouds());
@@ -133,13 +159,13 @@ TEST(CloudsView, AnEditGivesWhatAFreshStartGives) {
   CloudSkyParameters sky = two_clouds();
   CloudsView view(device(), sky);
   view.at(0.0);
-  const std::uint64_t before = view.revision();
+  view.light(daylight());
   view.at(8.0);
-  EXPECT_EQ(view.revision(), before) << "clouds that stand still are moved";
+  EXPECT_FALSE(view.illumination().empty()) << "clouds that stand still are moved";
   sky.clouds[1].balls.push_back({{0.0, 120.0, 0.0}, 90.0});
   view.set(sky);
   view.at(0.0);
-  EXPECT_NE(view.revision(), before);
+  EXPECT_TRUE(view.illumination().empty()) << "other clouds keep the light of those before";
   CloudsView fresh(device(), sky);
   fresh.at(0.0);
   const std::vector<CloudParticle> edited = particles_of(view), made = particles_of(fresh);

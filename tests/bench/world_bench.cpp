@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later (offing-bench links FFTW)
+#include <array>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/scene/moving_view.h"
+#include "host/scene/scene_file.h"
+#include "host/scene/world_scene.h"
+#include "tests/bench/renderer.h"
+
+namespace offing::bench {
+namespace {
+
+using present::Stage;
+using scene::OceanScene;
+
+constexpr int stage_frames = 40;
+
+OceanScene without_ground(OceanScene scene) {
+  scene.terrain = {};
+  return scene;
+}
+
+OceanScene without_clouds(OceanScene scene) {
+  scene.clouds.clear();
+  scene.cloud_layers.clear();
+  return scene;
+}
+
+/// And without what floats on it.
+OceanScene without_sea(OceanScene scene) {
+  scene.names_sea = false;
+  scene.wakes.clear();
+  scene.bodies.clear();
+  scene.meshes.clear();
+  scene.lights.clear();
+  return scene;
+}
+
+/// Frames of an eye that moves.
+class WorldFrames {
+ public:
+  WorldFrames(const OceanScene& scene, const Settings& settings)
+      : renderer_(settings.device, scene::prepare_world(scene), scene::view_at(scene, 0.0), {640, 360}) {}
+
+  std::vector<double> frames_ms(int blocks) {
+    std::vector<double> ms;
+    for (int i = 0; i < blocks; ++i) ms.push_back(block_ms([&] { draw_next(); }));
+    return ms;
+  }
+
+  std::array<std::vector<double>, present::stage_count> stages_ms() {
+    renderer_.wait_for_stages();
+    std::array<std::vector<double>, present::stage_count> ms;
+    for (int i = 0; i < stage_frames; ++i) {
+      draw_next();
+      for (std::size_t s = 0; s < present::stage_count; ++s)
+        ms[s].push_back(renderer_.stage_ms(static_cast<Stage>(s)));
+    }
+    return ms;
+  }
+
+  const std::string& gl_renderer() const { return renderer_.gl_renderer(); }
+
+ private:
+  void draw_next() {
+    step_ = (step_ + 1) % 32;
+    renderer_.draw_next({0.1 * step_, 0.0, 0.0});
+  }
+
+  Renderer renderer_;
+  int step_ = 0;
+};
+
+}  // namespace
+
+void bench_world(const Settings& settings, const Sinks& sinks) {
+  const OceanScene world = scene::load_scene(std::filesystem::path(OFFING_SCENES) / "world.toml");
+  const std::array<std::pair<const char*, OceanScene>, 3> parts{
+      {{"world_sea_and_ship", without_clouds(without_ground(world))},
+       {"world_island", without_clouds(without_sea(world))},
+       {"world_clouds", without_ground(without_sea(world))}}};
+  double sum_ms = 0.0;
+  for (const auto& [name, scene] : parts) {
+    WorldFrames frames(scene, settings);
+    const std::vector<double> ms = frames.frames_ms(settings.blocks);
+    sum_ms += median(ms);
+    sinks.row({.name = name,
+               .size = world.ocean.size,
+               .ours_ms = median(ms),
+               .peer = frames.gl_renderer(),
+               .spread = relative_spread(ms)});
+  }
+  WorldFrames frames(world, settings);
+  const std::vector<double> ms = frames.frames_ms(settings.blocks);
+  sinks.row({.name = "world_frame",
+             .size = world.ocean.size,
+             .ours_ms = median(ms),
+             .peer = "sum of its parts",
+             .peer_ms = sum_ms,
+             .ratio = sum_ms / median(ms),
+             .spread = relative_spread(ms)});
+  const auto stages = frames.stages_ms();
+  for (std::size_t s = 0; s < present::stage_count; ++s) {
+    if (median(stages[s]) == 0.0) continue;
+    sinks.row({.name = fmt::format("world_frame_{}", to_string(static_cast<Stage>(s))),
+               .size = world.ocean.size,
+               .ours_ms = median(stages[s]),
+               .peer = frames.gl_renderer(),
+               .spread = relative_spread(stages[s])});
+  }
+}
+
+}  // namespace offing::bench
