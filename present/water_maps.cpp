@@ -11,7 +11,7 @@
 namespace offing::present {
 namespace {
 
-constexpr int displacement_unit = 0, gradient_unit = 1, foam_unit = 2, wake_unit = 3;
+constexpr int displacement_unit = 0, gradient_unit = 1, foam_unit = 2, wake_unit = 3, shoal_unit = 4;
 
 }  // namespace
 
@@ -37,6 +37,7 @@ void WaterMaps::prepare(world::World& world, TransferLadder& transfer) {
   transfer.upload(uploads);
   for (const MapTexture* map : {&displacement_, &gradient_, &foam_}) map->make_levels();
   if (world.wakes()) wakes_.make_levels();
+  shoals_.prepare(world.shoals());
 }
 
 void WaterMaps::bind(const ShaderProgram& program, const world::World& world, glm::dvec2 eye_m) const {
@@ -63,6 +64,7 @@ void WaterMaps::bind(const ShaderProgram& program, const world::World& world, gl
   program.set("gradient_map", gradient_unit);
   program.set("foam_map", foam_unit);
   bind_wakes(program, world, eye_m);
+  shoals_.bind(program, eye_m, shoal_unit);
 }
 
 void WaterMaps::bind_wakes(const ShaderProgram& program, const world::World& world, glm::dvec2 eye_m) const {

@@ -5,15 +5,16 @@
 #include "host/world/world.h"
 #include "present/map_texture.h"
 #include "present/shader_program.h"
+#include "present/shoal_texture.h"
 #include "present/transfer.h"
 
 namespace offing::present {
 
-/// OpenGL's copies of a sea's maps, which the shaders of the water read (water.glsl, wakes.glsl).
+/// OpenGL's copies of a sea's maps, which the shaders of the water read (water.glsl, wakes.glsl, shoals.glsl).
 class WaterMaps {
  public:
   /// Units from first_free_unit on are left to others.
-  static constexpr int first_free_unit = 4;
+  static constexpr int first_free_unit = 5;
 
   /// Copies the maps of the world as it stands, by way of the ladder.
   void prepare(world::World& world, TransferLadder& transfer);
@@ -25,6 +26,7 @@ class WaterMaps {
   void bind_wakes(const ShaderProgram& program, const world::World& world, glm::dvec2 eye_m) const;
 
   MapTexture displacement_, gradient_, foam_, wakes_;
+  ShoalTexture shoals_;
 };
 
 }  // namespace offing::present

@@ -46,6 +46,7 @@ class WaterPass {
   struct Features {
     bool has_rings = false;
     bool has_wakes = false;
+    bool has_shoals = false;
     bool mirrors = false;
     bool mirrors_things = false;
     bool shows_beneath = false;

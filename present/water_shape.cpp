@@ -1,5 +1,6 @@
 #include "present/water_shape.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -17,16 +18,46 @@ constexpr std::array outputs{"place_of", "facet_of", "strain_of"};
 constexpr GLuint trochoids_binding = 1;
 constexpr std::size_t trochoid_values = TROCHOID_WAVES + TROCHOID_WAVES / 4;
 
-ShaderProgram shape_program() {
-  return ShaderProgram({.vertex = {shader_file("screen.vert")},
-                        .fragment = {shader_file("water.glsl"), shader_file("rings.glsl"),
-                                     shader_file("wakes.glsl"), shader_file("water_shape.frag")}});
+/// What the shader is compiled for.
+enum class WaterDepth { open, shoals };
+
+ShaderProgram shape_program(WaterDepth depth) {
+  const ShaderPart compiled_for{"features of the water", depth == WaterDepth::shoals
+                                                             ? "#define HAS_SHOALS 1\n"
+                                                             : "#define HAS_SHOALS 0\n"};
+  return ShaderProgram(
+      {.vertex = {shader_file("screen.vert")},
+       .fragment = {compiled_for, shader_file("water.glsl"), shader_file("rings.glsl"),
+                    shader_file("wakes.glsl"), shader_file("shoals.glsl"), shader_file("water_shape.frag")}});
+}
+
+/// Trochoids of one band after the other, and where the first three bands end.
+struct BandedWaves {
+  std::vector<ocean::TrochoidInstant::Wave> waves;
+  glm::vec3 ends;
+};
+
+BandedWaves in_bands(const ocean::TrochoidInstant& trochoids, const ocean::Shoals* shoals) {
+  BandedWaves banded{.waves = trochoids.waves(),
+                     .ends = glm::vec3(static_cast<float>(trochoids.waves().size()))};
+  if (shoals == nullptr) return banded;
+  const auto band_of = [&](const ocean::TrochoidInstant::Wave& wave) {
+    return shoals->instant().table.bands().trochoid_band(std::hypot(wave.kx_radpm, wave.kz_radpm));
+  };
+  std::stable_sort(banded.waves.begin(), banded.waves.end(),
+                   [&](const auto& a, const auto& b) { return band_of(a) < band_of(b); });
+  for (int band = 0; band < 3; ++band) {
+    banded.ends[band] = static_cast<float>(
+        std::count_if(banded.waves.begin(), banded.waves.end(),
+                      [&](const ocean::TrochoidInstant::Wave& wave) { return band_of(wave) <= band; }));
+  }
+  return banded;
 }
 
 }  // namespace
 
 WaterShape::WaterShape(GridCells cells)
-    : program_(shape_program()),
+    : open_(shape_program(WaterDepth::open)),
       no_vertices_(GlVertexArray::make()),
       trochoid_block_("Trochoids", trochoids_binding, trochoid_values) {
   fit(cells);
@@ -38,11 +69,13 @@ void WaterShape::fit(GridCells cells) {
                          RenderTarget::Depth::none);
 }
 
-void WaterShape::set_trochoids(const ocean::TrochoidInstant& trochoids, const Camera& camera) const {
+void WaterShape::set_trochoids(const ocean::TrochoidInstant& trochoids, const ocean::Shoals* shoals,
+                               const Camera& camera, const ShaderProgram& program) const {
   // As the shader's block has them: the waves, then their phases, four a value.
   std::vector<glm::vec4> waves(trochoid_values);
   std::size_t count = 0;
-  for (const ocean::TrochoidInstant::Wave& wave : trochoids.waves()) {
+  const BandedWaves banded = in_bands(trochoids, shoals);
+  for (const ocean::TrochoidInstant::Wave& wave : banded.waves) {
     waves[count] = {wave.kx_radpm, wave.kz_radpm, wave.amplitude_m,
                     trochoids.horizontal_scale() * wave.amplitude_m};
     const double phase = wave.kx_radpm * camera.eye_m.x + wave.kz_radpm * camera.eye_m.z + wave.phase_rad;
@@ -50,29 +83,32 @@ void WaterShape::set_trochoids(const ocean::TrochoidInstant& trochoids, const Ca
         static_cast<float>(std::remainder(phase, 2.0 * std::numbers::pi));
     ++count;
   }
-  program_.set("wave_count", static_cast<int>(count));
+  program.set("wave_count", static_cast<int>(count));
+  program.set("band_ends", banded.ends);
   trochoid_block_.fill(std::move(waves));
-  trochoid_block_.bind(program_);
+  trochoid_block_.bind(program);
 }
 
 void WaterShape::draw(const world::World& world, const WaterMaps& maps, const Camera& camera,
                       const ocean::ProjectedGrid& grid) {
   const glm::dvec2 eye_m(camera.eye_m.x, camera.eye_m.z);
+  if (world.shoals() && !over_shoals_) over_shoals_.emplace(shape_program(WaterDepth::shoals));
+  const ShaderProgram& program = world.shoals() ? *over_shoals_ : open_;
   target_.bind();
-  program_.use();
+  program.use();
   std::vector<glm::vec3> corners;
   for (const ocean::ProjectedGrid::Corner& corner : grid.corners()) {
     corners.emplace_back(corner.label_m.x, corner.label_m.y, corner.w);
   }
-  program_.set("corners", corners);
-  program_.set("cells", glm::ivec2(cells_.columns, cells_.rows));
-  program_.set("eye_height_m", static_cast<float>(camera.eye_m.y));
-  maps.bind(program_, world, eye_m);
+  program.set("corners", corners);
+  program.set("cells", glm::ivec2(cells_.columns, cells_.rows));
+  program.set("eye_height_m", static_cast<float>(camera.eye_m.y));
+  maps.bind(program, world, eye_m);
   const ocean::TrochoidInstant trochoids(world.parameters().trochoids, world.time_s());
-  set_trochoids(trochoids, camera);
+  set_trochoids(trochoids, world.shoals().get(), camera, program);
   rings_.prepare(trochoids, eye_m);
-  rings_.bind(program_);
-  program_.set("trochoid_mean_square", static_cast<float>(world.hidden_slopes().trochoids.mean_square()));
+  rings_.bind(program);
+  program.set("trochoid_mean_square", static_cast<float>(world.hidden_slopes().trochoids.mean_square()));
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

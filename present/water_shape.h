@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "host/base/camera.h"
 #include "host/ocean/projected_grid.h"
 #include "host/ocean/trochoid_instant.h"
@@ -39,10 +41,12 @@ class WaterShape {
   const RingWaves& rings() const { return rings_; }
 
  private:
-  void set_trochoids(const ocean::TrochoidInstant& trochoids, const Camera& camera) const;
+  void set_trochoids(const ocean::TrochoidInstant& trochoids, const ocean::Shoals* shoals,
+                     const Camera& camera, const ShaderProgram& program) const;
 
   GridCells cells_;
-  ShaderProgram program_;
+  ShaderProgram open_;                        // of the open sea
+  std::optional<ShaderProgram> over_shoals_;  // made at first use
   GlVertexArray no_vertices_;
   UniformBlock trochoid_block_;
   RingWaves rings_;

@@ -82,6 +82,7 @@ struct Ocean::State {
   WaveModes modes;
   SurfaceMaps surface;
   std::shared_ptr<const WakeMaps> wakes;  // never none
+  std::shared_ptr<const Shoals> shoals;   // none: the open sea
   bool surface_is_current = false;        // whether `surface` is that of time_s
   // Made at first use: many callers want the surface alone.
   std::optional<VelocityMap> velocity;
@@ -120,6 +121,7 @@ QueriedSea Ocean::State::queried(const TrochoidSea& sea_trochoids, const WaterQu
           .size = parameters.size,
           .trochoids = sea_trochoids,
           .wakes = *wakes,
+          .shoals = shoals.get(),
           .dispersion = dispersion,
           .time_s = time_s};
 }
@@ -143,6 +145,10 @@ void Ocean::at(double time_s) {
 
 void Ocean::set_wakes(std::shared_ptr<const WakeMaps> wakes) {
   state_->wakes = wakes ? std::move(wakes) : std::make_shared<const WakeMaps>(state_->device);
+}
+
+void Ocean::set_shoals(std::shared_ptr<const Shoals> shoals) {
+  state_->shoals = std::move(shoals);
 }
 
 SurfaceFields Ocean::read_surface(int cascade) const {

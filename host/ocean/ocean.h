@@ -9,6 +9,7 @@
 #include "host/ocean/cascades.h"
 #include "host/ocean/sample_grid.h"
 #include "host/ocean/sea_spectrum.h"
+#include "host/ocean/shoals.h"
 #include "host/ocean/surface_instant.h"
 #include "host/ocean/trochoids.h"
 #include "host/ocean/wake_maps.h"
@@ -101,6 +102,12 @@ class Ocean {
   /// none for nullptr. Wakes count at labels, as trochoids do, whatever the query's minimum wavelength; below
   /// the surface they fade as waves of a sixteenth of their window, and move the water up and down only.
   void set_wakes(std::shared_ptr<const WakeMaps> wakes);
+
+  /// What is left of the waves of cascades and trochoids in sample() and instant() from now on, by the depth
+  /// of the water at their labels; nullptr: the open sea everywhere. Wakes and rings do not shoal; maps, foam
+  /// and read_composed() stay those of the open sea. A query that leaves out short waves goes by the same
+  /// shares.
+  void set_shoals(std::shared_ptr<const Shoals> shoals);
 
   /// Maps of the last at() on the device, for whoever draws or samples them: [cascades][n][n] float4 (dx m, h
   /// m, dz m, d dx/dz) and (dh/dx, dh/dz, d dx/dx, d dz/dz).

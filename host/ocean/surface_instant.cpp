@@ -65,38 +65,56 @@ class Cell {
 
 SurfaceInstant::SurfaceInstant(std::vector<Maps> cascades, int size, const TrochoidSea& trochoids,
                                double time_s, const WaterQuery& query, const Dispersion& dispersion,
-                               std::vector<WakeMaps::Instant> wakes)
+                               std::vector<WakeMaps::Instant> wakes, std::optional<ShoalsInstant> shoals)
     : cascades_(std::move(cascades)),
       size_(size),
       trochoids_(trochoids, time_s, query.min_wavelength_m),
       wakes_(std::move(wakes)),
+      shoals_(std::move(shoals)),
       query_(query),
       weight_papm_(query.density_kgpm3 * dispersion.gravity_mps2) {
   require_valid_query(query, dispersion.depth_m);
+  if (!shoals_) return;
+  for (const TrochoidInstant::Wave& wave : trochoids_.waves()) {
+    const double k_radpm = std::hypot(wave.kx_radpm, wave.kz_radpm);
+    bands_.push_back(static_cast<std::size_t>(shoals_->table.bands().trochoid_band(k_radpm)));
+  }
+}
+
+SurfaceInstant::Shares SurfaceInstant::shares_at(const WaterPoint& label) const {
+  Shares shares{.cascades = {1.0, 1.0, 1.0, 1.0}, .trochoids = {}};
+  if (!shoals_) return shares;
+  const std::array<double, SHOAL_BANDS> there = shoals_->at(label.x_m, label.z_m);
+  std::copy_n(there.begin(), shares.cascades.size(), shares.cascades.begin());
+  for (const std::size_t band : bands_) shares.trochoids.push_back(there[SHOAL_FIRST_TROCHOIDS + band]);
+  return shares;
 }
 
 SurfaceInstant::Sums SurfaceInstant::sums_at(const WaterPoint& label) const {
-  Sums sums{.values = trochoids_.at(label.x_m, label.z_m)};
+  const Shares shares = shares_at(label);
+  Sums sums{.values = trochoids_.at(label.x_m, label.z_m, shares.trochoids)};
   TrochoidValues& values = sums.values;
   sums.x_by_x = values.gradient_xx;
   sums.z_by_x = sums.x_by_z = values.gradient_xz;
   sums.z_by_z = values.gradient_zz;
-  for (const Maps& maps : cascades_) {
+  for (std::size_t i = 0; i < cascades_.size(); ++i) {
+    const Maps& maps = cascades_[i];
+    const double share = shares.cascades[i];
     const Cell cell(maps.patch_length_m, size_, label);
     const Texel moved = cell.value(maps.displacement), shape = cell.value(maps.gradient);
     const Texel along_x = cell.along_x(maps.displacement), along_z = cell.along_z(maps.displacement);
-    values.displacement_x_m += moved[0];
-    values.displacement_y_m += moved[1];
-    values.displacement_z_m += moved[2];
-    values.gradient_xz += moved[3];
-    values.slope_x += shape[0];
-    values.slope_z += shape[1];
-    values.gradient_xx += shape[2];
-    values.gradient_zz += shape[3];
-    sums.x_by_x += along_x[0];
-    sums.z_by_x += along_x[2];
-    sums.x_by_z += along_z[0];
-    sums.z_by_z += along_z[2];
+    values.displacement_x_m += share * moved[0];
+    values.displacement_y_m += share * moved[1];
+    values.displacement_z_m += share * moved[2];
+    values.gradient_xz += share * moved[3];
+    values.slope_x += share * shape[0];
+    values.slope_z += share * shape[1];
+    values.gradient_xx += share * shape[2];
+    values.gradient_zz += share * shape[3];
+    sums.x_by_x += share * along_x[0];
+    sums.z_by_x += share * along_x[2];
+    sums.x_by_z += share * along_z[0];
+    sums.z_by_z += share * along_z[2];
   }
   for (const WakeMaps::Instant& wake : wakes_) {
     const auto [height_m, slope_x, slope_z, rise_mps] = wake.at(label.x_m, label.z_m);
@@ -112,7 +130,7 @@ WaterPoint SurfaceInstant::label_under(const WaterPoint& point) const {
   WaterPoint label = point;
   const bool has_trochoids = !trochoids_.waves().empty();
   if (has_trochoids) {
-    const TrochoidValues values = trochoids_.at(point.x_m, point.z_m);
+    const TrochoidValues values = trochoids_.at(point.x_m, point.z_m, shares_at(point).trochoids);
     label = {.x_m = point.x_m - values.displacement_x_m, .z_m = point.z_m - values.displacement_z_m};
   }
   for (int step = has_trochoids ? 1 : 0; step < SURFACE_QUERY_MOST_STEPS; ++step) {
@@ -143,14 +161,16 @@ WaterSample SurfaceInstant::at(const WaterPoint& point) const {
   sample.residual_m = static_cast<float>(
       std::hypot(label.x_m + sea.displacement_x_m - point.x_m, label.z_m + sea.displacement_z_m - point.z_m));
   if (query_.fields == WaterQuery::Fields::surface) return sample;
-  ParticleVelocity velocity = trochoids_.velocity(label.x_m, label.z_m, query_.depth_m);
-  double head_m = trochoids_.pressure_head_m(label.x_m, label.z_m, query_.depth_m);
-  for (const Maps& maps : cascades_) {
+  const Shares shares = shares_at(label);
+  ParticleVelocity velocity = trochoids_.velocity(label.x_m, label.z_m, query_.depth_m, shares.trochoids);
+  double head_m = trochoids_.pressure_head_m(label.x_m, label.z_m, query_.depth_m, shares.trochoids);
+  for (std::size_t i = 0; i < cascades_.size(); ++i) {
+    const Maps& maps = cascades_[i];
     const Texel flow = Cell(maps.patch_length_m, size_, label).value(maps.flow);
-    velocity.x_mps += flow[0];
-    velocity.y_mps += flow[1];
-    velocity.z_mps += flow[2];
-    head_m += flow[3];
+    velocity.x_mps += shares.cascades[i] * flow[0];
+    velocity.y_mps += shares.cascades[i] * flow[1];
+    velocity.z_mps += shares.cascades[i] * flow[2];
+    head_m += shares.cascades[i] * flow[3];
   }
   for (const WakeMaps::Instant& wake : wakes_) {
     const std::array<double, 4> there = wake.at(label.x_m, label.z_m);

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "host/ocean/cascades.h"
+#include "host/ocean/shoals.h"
 #include "host/ocean/trochoid_instant.h"
 #include "host/ocean/wake_maps.h"
 #include "host/ocean/water_point.h"
@@ -23,11 +27,11 @@ class SurfaceInstant {
   /// Throws Error(bad_input) for trochoids, time or query out of range.
   SurfaceInstant(std::vector<Maps> cascades, int size, const TrochoidSea& trochoids, double time_s,
                  const WaterQuery& query, const Dispersion& dispersion,
-                 std::vector<WakeMaps::Instant> wakes = {});
+                 std::vector<WakeMaps::Instant> wakes = {}, std::optional<ShoalsInstant> shoals = {});
 
   /// The water on this point's vertical. Throws Error(bad_input) for a point beyond farthest_point_m.
   WaterSample at(const WaterPoint& point) const;
-  /// All cascades, trochoids and wakes at a label, summed.
+  /// All cascades, trochoids and wakes at a label, summed, with what shoals leave of them.
   TrochoidValues at_label(const WaterPoint& label) const { return sums_at(label).values; }
 
   const std::vector<Maps>& cascades() const { return cascades_; }
@@ -40,6 +44,13 @@ class SurfaceInstant {
     double x_by_x = 0.0, z_by_x = 0.0, x_by_z = 0.0, z_by_z = 0.0;
   };
 
+  /// What is left of waves at a label: of each cascade, and of each trochoid.
+  struct Shares {
+    std::array<double, SHOAL_FIRST_TROCHOIDS> cascades;
+    std::vector<double> trochoids;
+  };
+
+  Shares shares_at(const WaterPoint& label) const;
   Sums sums_at(const WaterPoint& label) const;
   WaterPoint label_under(const WaterPoint& point) const;
 
@@ -47,6 +58,8 @@ class SurfaceInstant {
   int size_;
   TrochoidInstant trochoids_;
   std::vector<WakeMaps::Instant> wakes_;
+  std::optional<ShoalsInstant> shoals_;
+  std::vector<std::size_t> bands_;  // of each trochoid, over shoals
   WaterQuery query_;
   double weight_papm_;
 };

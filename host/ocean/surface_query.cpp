@@ -55,8 +55,9 @@ Flow flow_of(const Trochoid& wave, double omega_radps, double depth_m, double wa
           .head_m = attenuated_m * (1.0 + above_bed) / (1.0 + at_bed)};
 }
 
+/// `bands`: of waves that shoal; none where they do not.
 std::vector<SurfaceQueryWave> pack_waves(const TrochoidSea& sea, const WaterQuery& query,
-                                         const WaveClock& clock) {
+                                         const WaveClock& clock, const ShoalingBands* bands) {
   const double scale = horizontal_scale(sea).scale;
   std::vector<SurfaceQueryWave> packed;
   for (const Trochoid& wave : sea.waves) {
@@ -86,7 +87,8 @@ std::vector<SurfaceQueryWave> pack_waves(const TrochoidSea& sea, const WaterQuer
                       .velocity_x_mps = static_cast<float>(flow.along_mps * cosine),
                       .velocity_z_mps = static_cast<float>(flow.along_mps * sine),
                       .head_m = static_cast<float>(flow.head_m),
-                      .velocity_y_mps = static_cast<float>(flow.up_mps)});
+                      .velocity_y_mps = static_cast<float>(flow.up_mps),
+                      .band = bands ? bands->trochoid_band(k) : 0});
   }
   return packed;
 }
@@ -158,18 +160,32 @@ SurfaceInstant read_instant(const QueriedSea& sea, const WaterQuery& query) {
                         .gradient = read(sea.gradient),
                         .flow = sea.flow ? read(*sea.flow) : std::vector<float>{}});
   }
-  return {std::move(cascades), sea.size, sea.trochoids, sea.time_s, query, sea.dispersion, sea.wakes.read()};
+  return {std::move(cascades),
+          sea.size,
+          sea.trochoids,
+          sea.time_s,
+          query,
+          sea.dispersion,
+          sea.wakes.read(),
+          sea.shoals ? std::optional(sea.shoals->instant()) : std::nullopt};
 }
 
 SurfaceQuery::SurfaceQuery(const ocl::Device& device)
     : device_(device),
       lanes_(ocl::tuning_for(device.info(), "trochoids").shape == ocl::KernelShape::strip ? strip_lanes : 1),
-      kernel_(ocl::Program::build(device, "ocean/surface_query.cl", ocl::Defines().set("LANES", lanes_))
-                  .kernel("surface_query")) {}
+      kernel_(make_kernel(Depths::none)) {}
+
+ocl::Kernel SurfaceQuery::make_kernel(Depths depths) const {
+  ocl::Defines defines;
+  defines.set("LANES", lanes_);
+  if (depths == Depths::shoals) defines.set("SHOALS", 1);
+  return ocl::Program::build(device_, "ocean/surface_query.cl", defines).kernel("surface_query");
+}
 
 void SurfaceQuery::upload(const QueriedSea& sea, const WaterQuery& query) {
   const WaveClock clock(largest_omega_radps / two_pi, sea.trochoids.loop_period_s);
-  std::vector<SurfaceQueryWave> waves = pack_waves(sea.trochoids, query, clock);
+  std::vector<SurfaceQueryWave> waves =
+      pack_waves(sea.trochoids, query, clock, sea.shoals ? &sea.shoals->instant().table.bands() : nullptr);
   std::vector<TrochoidRingInTile> rings = pack_rings(sea.trochoids, query, sea.time_s);
   SurfaceQueryParams params = pack_params(sea, query);
   params.wave_count = static_cast<int>(waves.size());
@@ -192,10 +208,18 @@ void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query,
   ocl::LaunchShape shape{{(count + points_an_item - 1) / points_an_item}};
   if (lanes_ > 1) shape.local = {1};
   // Without flow a map that is there stands in for it, unread.
-  kernel_.launch(shape, points, sea.displacement, sea.gradient, sea.flow ? *sea.flow : sea.gradient,
-                 waves_buffer_, rings_buffer_, sea.wakes.maps(), sea.wakes.layers(),
-                 static_cast<int>(sea.wakes.count()), params_buffer_, static_cast<int>(count), time.ticks,
-                 time.tick_fraction, samples);
+  const auto launch = [&](const ocl::Kernel& kernel, const auto&... shoals) {
+    kernel.launch(shape, points, sea.displacement, sea.gradient, sea.flow ? *sea.flow : sea.gradient,
+                  waves_buffer_, rings_buffer_, sea.wakes.maps(), sea.wakes.layers(),
+                  static_cast<int>(sea.wakes.count()), shoals..., params_buffer_, static_cast<int>(count),
+                  time.ticks, time.tick_fraction, samples);
+  };
+  if (sea.shoals == nullptr) {
+    launch(kernel_);
+    return;
+  }
+  if (!over_shoals_) over_shoals_ = make_kernel(Depths::shoals);
+  launch(*over_shoals_, sea.shoals->map(), sea.shoals->depths_m(), sea.shoals->shares());
 }
 
 void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query, std::span<const WaterPoint> points,

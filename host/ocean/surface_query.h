@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "host/ocean/cascades.h"
+#include "host/ocean/shoals.h"
 #include "host/ocean/surface_instant.h"
 #include "host/ocean/trochoids.h"
 #include "host/ocean/wake_maps.h"
@@ -25,6 +27,7 @@ struct QueriedSea {
   int size = 0;  ///< n
   const TrochoidSea& trochoids;
   const WakeMaps& wakes;
+  const Shoals* shoals = nullptr;  ///< none: the sea is open everywhere
   Dispersion dispersion = {};
   double time_s = 0.0;
 };
@@ -47,11 +50,15 @@ class SurfaceQuery {
               std::span<WaterSample> samples);
 
  private:
+  enum class Depths { none, shoals };
+
   void upload(const QueriedSea& sea, const WaterQuery& query);
+  ocl::Kernel make_kernel(Depths depths) const;
 
   ocl::Device device_;
   int lanes_;
   ocl::Kernel kernel_;
+  std::optional<ocl::Kernel> over_shoals_;  // made at first use
   // As they are on the device.
   std::vector<SurfaceQueryWave> waves_;
   std::vector<TrochoidRingInTile> rings_;

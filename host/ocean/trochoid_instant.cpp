@@ -12,6 +12,11 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
+/// Of the wave of an index, where shares are given.
+double share_of(std::span<const double> shares, std::size_t wave) {
+  return shares.empty() ? 1.0 : shares[wave];
+}
+
 /// Phase that a wave of this frequency has gone through, within a turn.
 double phase_rad(const WaveClock& clock, double omega_radps, double time_s) {
   const WaveTime time = clock.at(time_s);
@@ -50,11 +55,13 @@ TrochoidInstant::TrochoidInstant(const TrochoidSea& sea, double time_s, double m
   }
 }
 
-TrochoidValues TrochoidInstant::at(double x_m, double z_m) const {
+TrochoidValues TrochoidInstant::at(double x_m, double z_m, std::span<const double> shares) const {
   TrochoidValues values;
-  for (const Wave& wave : waves_) {
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    const Wave& wave = waves_[i];
     const double phase = wave.kx_radpm * x_m + wave.kz_radpm * z_m + wave.phase_rad;
-    const double up = wave.amplitude_m * std::cos(phase), slope = -wave.amplitude_m * std::sin(phase);
+    const double amplitude_m = share_of(shares, i) * wave.amplitude_m;
+    const double up = amplitude_m * std::cos(phase), slope = -amplitude_m * std::sin(phase);
     const double per_k = horizontal_scale_ / std::hypot(wave.kx_radpm, wave.kz_radpm);
     values.displacement_x_m += per_k * wave.kx_radpm * slope;
     values.displacement_y_m += up;
@@ -84,15 +91,17 @@ void TrochoidInstant::add_ring(const Ring& ring, double x_m, double z_m, Trochoi
 }
 
 /// With z = -d: vertical sinh k(D-d) / sinh kD, horizontal cosh k(D-d) / sinh kD, both e^{-kd} in deep water.
-ParticleVelocity TrochoidInstant::velocity(double x_m, double z_m, double depth_m) const {
+ParticleVelocity TrochoidInstant::velocity(double x_m, double z_m, double depth_m,
+                                           std::span<const double> shares) const {
   require_within("depth_m", depth_m, 0.0, water_depth_m_);
   ParticleVelocity velocity;
-  for (const Wave& wave : waves_) {
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    const Wave& wave = waves_[i];
     const double k = std::hypot(wave.kx_radpm, wave.kz_radpm);
     const double phase = wave.kx_radpm * x_m + wave.kz_radpm * z_m + wave.phase_rad;
     const double above_bed = std::exp(-2.0 * k * (water_depth_m_ - depth_m));
-    const double speed_mps = wave.omega_radps * wave.amplitude_m * std::exp(-k * depth_m) /
-                             (1.0 - std::exp(-2.0 * k * water_depth_m_));
+    const double speed_mps = share_of(shares, i) * wave.omega_radps * wave.amplitude_m *
+                             std::exp(-k * depth_m) / (1.0 - std::exp(-2.0 * k * water_depth_m_));
     velocity.x_mps += speed_mps * (1.0 + above_bed) * wave.kx_radpm / k * std::cos(phase);
     velocity.y_mps += speed_mps * (1.0 - above_bed) * std::sin(phase);
     velocity.z_mps += speed_mps * (1.0 + above_bed) * wave.kz_radpm / k * std::cos(phase);
@@ -100,15 +109,17 @@ ParticleVelocity TrochoidInstant::velocity(double x_m, double z_m, double depth_
   return velocity;
 }
 
-double TrochoidInstant::pressure_head_m(double x_m, double z_m, double depth_m) const {
+double TrochoidInstant::pressure_head_m(double x_m, double z_m, double depth_m,
+                                        std::span<const double> shares) const {
   require_within("depth_m", depth_m, 0.0, water_depth_m_);
   double head_m = 0.0;
-  for (const Wave& wave : waves_) {
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    const Wave& wave = waves_[i];
     const double k = std::hypot(wave.kx_radpm, wave.kz_radpm);
     const double phase = wave.kx_radpm * x_m + wave.kz_radpm * z_m + wave.phase_rad;
     const double above_bed = std::exp(-2.0 * k * (water_depth_m_ - depth_m));
-    head_m += wave.amplitude_m * std::cos(phase) * std::exp(-k * depth_m) * (1.0 + above_bed) /
-              (1.0 + std::exp(-2.0 * k * water_depth_m_));
+    head_m += share_of(shares, i) * wave.amplitude_m * std::cos(phase) * std::exp(-k * depth_m) *
+              (1.0 + above_bed) / (1.0 + std::exp(-2.0 * k * water_depth_m_));
   }
   for (const Ring& ring : rings_) {
     TrochoidValues values;

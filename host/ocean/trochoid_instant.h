@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "host/ocean/trochoids.h"
@@ -26,13 +27,15 @@ class TrochoidInstant {
   /// Error(bad_input) for a sea or a time (beyond 1e8 s) out of range.
   TrochoidInstant(const TrochoidSea& sea, double time_s, double min_wavelength_m = 0.0);
 
-  TrochoidValues at(double x_m, double z_m) const;
+  /// `shares` scale the waves, in the order of waves(); all count in full where it is empty.
+  TrochoidValues at(double x_m, double z_m, std::span<const double> shares = {}) const;
   /// Of the particle `depth_m` below the moving surface, by linear theory with that depth measured from it
   /// (Wheeler stretching), as the cascades' (Ocean::read_velocity()); rings add nothing.
-  ParticleVelocity velocity(double x_m, double z_m, double depth_m) const;
+  ParticleVelocity velocity(double x_m, double z_m, double depth_m,
+                            std::span<const double> shares = {}) const;
   /// Dynamic pressure over density and gravity at that depth below the moving surface, m: each wave's height
   /// times cosh k(D-d) / cosh kD, each ring's times e^{-kd}. It is the height at depth 0.
-  double pressure_head_m(double x_m, double z_m, double depth_m) const;
+  double pressure_head_m(double x_m, double z_m, double depth_m, std::span<const double> shares = {}) const;
 
   /// A wave as it stands now: A cos(kx x + kz z + phase).
   struct Wave {

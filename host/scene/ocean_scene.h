@@ -44,6 +44,9 @@ struct ValueKey {
   auto operator<=>(const ValueKey&) const = default;
 };
 
+/// Whether waves feel the ground of a scene below them.
+enum class Shoaling { off, on };
+
 /// A parallel swell beside the sea of the spectrum.
 struct SwellScene {
   double amplitude_m = 0.5;
@@ -85,6 +88,7 @@ struct OceanScene {
   ocean::OceanParameters ocean;  ///< its cascades are filled in by prepare_sea()
 
   ocean::WaterType water = ocean::WaterType::oceanic_1b;
+  Shoaling shoaling = Shoaling::on;
 
   bool names_sea = false;  ///< the scene has an [ocean] section
   TerrainScene terrain;

@@ -97,6 +97,7 @@ enum class ParameterUse {
   whole_map,           ///< with ground that is no tile store
   made_ground,         ///< with ground that is made
   dry_scene,           ///< with ground and without a sea
+  sea_over_ground,     ///< with ground
   far_light,           ///< of a light that is a direction
   near_light,          ///< of a light that stands at a place
   made_mesh,           ///< of a mesh that is no file's

@@ -69,6 +69,14 @@ std::vector<Parameter> sea_parameters() {
        .storage = choice<&Scene::water>({"I", "IA", "IB", "II", "III", "1C", "3C", "5C", "7C", "9C"}),
        .help =
            "Jerlov's type of water, clear and blue to coastal and brown: how far beds are seen through it"},
+      {.key = "ocean.shoals",
+       .flag = "",
+       .group = sea,
+       .storage = choice<&Scene::shoaling>({"off", "on"}),
+       .help =
+           "whether waves feel the ground below them and break on its shores; off for a map without depths, "
+           "whose sea is ground at 0",
+       .use = ParameterUse::sea_over_ground},
       {.key = "ocean.depth_factor",
        .flag = "--depth-factor",
        .group = sea,

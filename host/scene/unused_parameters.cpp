@@ -98,6 +98,8 @@ class Reasons {
         return scene_.terrain.file.empty() ? "" : "the ground is that of " + scene_.terrain.file;
       case ParameterUse::dry_scene:
         return has_sea_ ? "the scene has a sea" : "";
+      case ParameterUse::sea_over_ground:
+        return scene_.terrain.is_given ? "" : "the scene has no ground";
       default:  // of elements
         return "";
     }

@@ -106,6 +106,7 @@ world::WorldParameters prepare_sea_and_sky(const OceanScene& scene, Warnings war
   parameters.wind_speed_mps = resolved.wind_speed_mps;
   parameters.wind_direction_rad = resolved.wind_direction_rad;
   parameters.water = scene.water;
+  parameters.has_shoals = scene.shoaling == Shoaling::on;
   return parameters;
 }
 

@@ -85,12 +85,14 @@ BodyView::BodyView(const ocl::Device& device, std::vector<BodySettings> settings
   for (const BodySettings& each : settings_) {
     pressers_.emplace_back(device, *each.map, each.body.mass_centre_m);
   }
+  sea_.set_shoals(sea.shoals);
   draught_m_ = total_draught_m();
   reset(start_s);
 }
 
 void BodyView::set_sea(const BodySea& sea) {
   sea_ = ocean::Ocean(device_, sea.spectrum, long_waves_of(sea.ocean, query_.min_wavelength_m));
+  sea_.set_shoals(sea.shoals);
   trochoids_ = sea.trochoids;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "host/bodies/floating_bodies.h"
@@ -33,6 +34,7 @@ struct BodySea {
   ocean::SeaSpectrum spectrum;
   ocean::OceanParameters ocean;
   ocean::TrochoidSea trochoids;
+  std::shared_ptr<const ocean::Shoals> shoals = {};
 };
 
 /// The floating bodies of a world. They are simulated from a start on, and before that for a run-up in which
@@ -48,6 +50,8 @@ class BodyView {
 
   /// Another sea from the time on that has been simulated.
   void set_sea(const BodySea& sea);
+  /// The same for its shoals alone.
+  void set_shoals(std::shared_ptr<const ocean::Shoals> shoals) { sea_.set_shoals(std::move(shoals)); }
 
   /// Simulates up to this time, and a little further; from the start of a world on where it is before that
   /// of these bodies. Throws Error(bad_input) for a leap of more than two hours.

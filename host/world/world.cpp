@@ -10,6 +10,7 @@
 
 #include "host/base/error.h"
 #include "host/world/cloud_light.h"
+#include "host/world/sea_bed.h"
 
 namespace offing::world {
 namespace {
@@ -29,48 +30,23 @@ std::vector<std::vector<float>> variances_of(const ocean::Ocean& ocean) {
   return variances;
 }
 
-void add(ocean::SlopeCovariance& sum, const ocean::SlopeCovariance& slopes) {
-  sum.xx += slopes.xx;
-  sum.xz += slopes.xz;
-  sum.zz += slopes.zz;
-}
-
-std::vector<std::vector<ocean::SlopeCovariance>> hidden_by_levels(
-    const ocean::OceanParameters& ocean, const std::vector<std::vector<float>>& variances) {
-  std::vector<std::vector<ocean::SlopeCovariance>> hidden;
-  for (std::size_t i = 0; i < variances.size(); ++i) {
-    hidden.push_back(ocean::hidden_slopes(variances[i], ocean.size, ocean.cascades[i].patch_length_m));
-  }
-  return hidden;
-}
-
-ocean::SlopeCovariance slopes_of(const std::vector<ocean::Trochoid>& waves) {
-  ocean::SlopeCovariance sum;
-  for (const ocean::Trochoid& wave : waves) {
-    const double steepness = wave.wavenumber_radpm * wave.amplitude_m;
-    const double mean_square = 0.5 * steepness * steepness;
-    const double x = std::cos(wave.direction_rad), z = std::sin(wave.direction_rad);
-    add(sum, {.xx = mean_square * x * x, .xz = mean_square * x * z, .zz = mean_square * z * z});
-  }
-  return sum;
-}
-
-/// Of the slopes that the wind makes, what trochoids and cascades leave is the ripples'.
-HiddenSlopes shared_out(std::vector<std::vector<ocean::SlopeCovariance>> cascades,
-                        const WorldParameters& parameters) {
-  HiddenSlopes hidden{
-      .cascades = std::move(cascades), .trochoids = slopes_of(parameters.trochoids.waves), .ripples = {}};
-  ocean::SlopeCovariance drawn = hidden.trochoids;
-  for (const std::vector<ocean::SlopeCovariance>& levels : hidden.cascades) add(drawn, levels.back());
-  hidden.ripples = ocean::remaining_slopes(
-      ocean::measured_slopes(parameters.wind_speed_mps, parameters.wind_direction_rad), drawn);
-  return hidden;
-}
-
 /// First one motion, then another.
 highlights::RigidMotion after(const highlights::RigidMotion& first, const highlights::RigidMotion& then) {
   return {.rotation = then.rotation * first.rotation,
           .translation_m = then.rotation * first.translation_m + then.translation_m};
+}
+
+RippleWind ripple_wind(const WorldParameters& parameters) {
+  return {.speed_mps = parameters.wind_speed_mps, .direction_rad = parameters.wind_direction_rad};
+}
+
+std::vector<ocean::ShoalingBand> bands_of(const std::vector<std::vector<float>>& variances,
+                                          const ocean::OceanParameters& ocean) {
+  std::vector<ocean::ShoalingBand> bands;
+  for (std::size_t i = 0; i < variances.size(); ++i) {
+    bands.push_back(ocean::band_of_modes(variances[i], ocean.size, ocean.cascades[i].patch_length_m));
+  }
+  return bands;
 }
 
 double deviation_m(const std::vector<std::vector<float>>& variances) {
@@ -101,6 +77,7 @@ World::World(const ocl::Device& device, const WorldParameters& parameters)
   make_sea(parameters);
   set_wakes(parameters.wakes);
   if (parameters.ground) ground_.emplace(device, *parameters.ground);
+  make_shoals();
   set_clouds(parameters.clouds);
   set_meshes(parameters.meshes);
   set_bodies(parameters.bodies, parameters.run_up_s);
@@ -110,6 +87,7 @@ World::World(const ocl::Device& device, const WorldParameters& parameters)
 void World::make_sea(const WorldParameters& parameters) {
   if (!parameters.has_sea) {
     ocean_.reset();
+    cascade_bands_.clear();
     hidden_slopes_ = {};
     deviation_m_ = 0.0;
     return;
@@ -117,9 +95,26 @@ void World::make_sea(const WorldParameters& parameters) {
   ocean::require_valid_trochoids(parameters.trochoids);
   ocean::Ocean made(device_, parameters.spectrum, parameters.ocean);
   const std::vector<std::vector<float>> variances = variances_of(made);
-  hidden_slopes_ = shared_out(hidden_by_levels(parameters.ocean, variances), parameters);
+  hidden_slopes_ = shared_out(hidden_by_levels(parameters.ocean, variances), parameters.trochoids.waves,
+                              ripple_wind(parameters));
   deviation_m_ = deviation_m(variances);
+  cascade_bands_ = bands_of(variances, parameters.ocean);
   ocean_ = std::move(made);
+}
+
+void World::make_shoals() {
+  std::shared_ptr<const ocean::Shoals> made;
+  if (ocean_ && ground_ && parameters_.has_shoals) {
+    if (!bed_) bed_ = std::make_shared<const ocean::DepthMap>(sea_bed(ground_->parameters()));
+    const ocean::ShoalTable table(parameters_.spectrum.dispersion,
+                                  ocean::shoaling_bands(cascade_bands_, parameters_.trochoids.waves));
+    if (bed_->shallowest_m() < table.deepest_m()) {
+      made = std::make_shared<const ocean::Shoals>(device_, bed_, table);
+    }
+  }
+  shoals_ = std::move(made);
+  if (ocean_) ocean_->set_shoals(shoals_);
+  if (bodies_) bodies_->set_shoals(shoals_);
 }
 
 ocean::Ocean& World::ocean() {
@@ -146,7 +141,9 @@ void World::set_atmosphere(const sky::Atmosphere& atmosphere) {
 void World::set_trochoids(const ocean::TrochoidSea& trochoids) {
   ocean::require_valid_trochoids(trochoids);
   parameters_.trochoids = trochoids;
-  hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_);
+  hidden_slopes_ =
+      shared_out(std::move(hidden_slopes_.cascades), parameters_.trochoids.waves, ripple_wind(parameters_));
+  make_shoals();
   if (bodies_) bodies_->set_sea(body_sea());
 }
 
@@ -163,7 +160,9 @@ void World::reseed(std::uint64_t seed, const ocean::TrochoidSea& trochoids) {
   ocean().reseed(seed);
   parameters_.ocean.seed = seed;
   parameters_.trochoids = trochoids;
-  hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_);
+  hidden_slopes_ =
+      shared_out(std::move(hidden_slopes_.cascades), parameters_.trochoids.waves, ripple_wind(parameters_));
+  make_shoals();
   if (bodies_) bodies_->set_sea(body_sea());
 }
 
@@ -175,6 +174,8 @@ void World::set_sea(const WorldParameters& parameters) {
   parameters_.trochoids = parameters.trochoids;
   parameters_.wind_speed_mps = parameters.wind_speed_mps;
   parameters_.wind_direction_rad = parameters.wind_direction_rad;
+  parameters_.has_shoals = parameters.has_shoals;
+  make_shoals();
   set_wakes(parameters.wakes);
   if (bodies_ && has_sea()) {
     bodies_->set_sea(body_sea());
@@ -197,6 +198,10 @@ void World::set_ground(const std::optional<GroundParameters>& ground) {
     ground_.reset();
   }
   parameters_.ground = ground;
+  if (!is_same_shape) {
+    bed_.reset();
+    make_shoals();
+  }
   sky_altitude_m_.reset();
 }
 

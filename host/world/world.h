@@ -21,6 +21,7 @@
 #include "host/world/body_view.h"
 #include "host/world/clouds_view.h"
 #include "host/world/ground_view.h"
+#include "host/world/hidden_slopes.h"
 #include "host/world/mesh_parameters.h"
 #include "host/world/mesh_view.h"
 #include "host/world/wake_view.h"
@@ -33,6 +34,7 @@ struct WorldParameters {
   ocean::SeaSpectrum spectrum = {};
   ocean::OceanParameters ocean = {};
   ocean::TrochoidSea trochoids = {};  ///< those of the spectrum below the cascades' k_split, and swells
+  bool has_shoals = true;             ///< whether waves shoal over the ground, if there is any
   std::vector<WakeSettings> wakes = {};
   /// Wind over the ripples that the spectrum or its maps leave out.
   double wind_speed_mps = 10.0;
@@ -52,16 +54,6 @@ struct WorldParameters {
 };
 
 inline constexpr std::size_t most_lamps = 63;
-
-/// Slopes that a picture must not draw one by one.
-struct HiddenSlopes {
-  /// [cascade][level]: what the mip levels of its slope map hide.
-  std::vector<std::vector<ocean::SlopeCovariance>> cascades;
-  /// All slopes of the trochoids, for grids too coarse to draw them.
-  ocean::SlopeCovariance trochoids;
-  /// Of ripples that neither cascades nor trochoids have.
-  ocean::SlopeCovariance ripples;
-};
 
 /// All simulations of a scene on one device with one queue, and the time that they share. What they make
 /// stays on the device until somebody asks. Objects are confined to the thread that made them.
@@ -112,7 +104,8 @@ class World {
   void set_sun(const std::array<double, 3>& direction, double distance_au);
   /// Changes the air: its tables are made anew.
   void set_atmosphere(const sky::Atmosphere& atmosphere);
-  /// Changes trochoids, swells and raindrops; costs nothing. Throws what require_valid_trochoids() throws.
+  /// Changes trochoids, swells and raindrops; costs nothing but over shoals, a millisecond. Throws what
+  /// require_valid_trochoids() throws.
   void set_trochoids(const ocean::TrochoidSea& trochoids);
   /// Makes the wakes anew, without a history. Throws what WakeView throws.
   void set_wakes(const std::vector<WakeSettings>& wakes);
@@ -162,6 +155,10 @@ class World {
   const sky::Illuminance& illuminance() const { return illuminance_; }
   const HiddenSlopes& hidden_slopes() const { return hidden_slopes_; }
 
+  /// What the ground leaves of the waves; none where the sea is open: without ground, with ground that is too
+  /// deep to be felt, or where waves are not to shoal.
+  const std::shared_ptr<const ocean::Shoals>& shoals() const { return shoals_; }
+
   /// The farthest that waves move the surface at the time of the last at(), 0 without a sea: six standard
   /// deviations of the cascades, which one sample in 10^8 exceeds, all trochoids at once, and the eight
   /// tallest rings.
@@ -169,7 +166,10 @@ class World {
 
  private:
   void make_sea(const WorldParameters& parameters);
-  BodySea body_sea() const { return {parameters_.spectrum, parameters_.ocean, parameters_.trochoids}; }
+  void make_shoals();
+  BodySea body_sea() const {
+    return {parameters_.spectrum, parameters_.ocean, parameters_.trochoids, shoals_};
+  }
   void move_meshes_with_bodies();
   void look_at_sky(double eye_altitude_m);
   std::optional<terrain::CloudShade> shade_of_clouds(const Camera& camera) const;
@@ -178,6 +178,9 @@ class World {
   ocl::Device device_;
   WorldParameters parameters_;
   std::optional<ocean::Ocean> ocean_;
+  std::vector<ocean::ShoalingBand> cascade_bands_;  // of ocean_
+  std::shared_ptr<const ocean::DepthMap> bed_;      // of ground_; none: not made yet
+  std::shared_ptr<const ocean::Shoals> shoals_;
   std::unique_ptr<BodyView> bodies_;
   std::optional<WakeView> wakes_;
   ocean::WaterPoint eye_;

@@ -1,13 +1,15 @@
 // The composed sea at points of the world: the label under each point is found first, as the surface moves sideways.
 // In:  points; displacement, gradient, flow [cascades][n][n] float4 of ocean/surface_assemble.cl and
 //      ocean/velocity_assemble.cl (flow is not read unless has_flow); waves, params (shared/surface_query.h), rings
-//      (TrochoidRingInTile of shared/trochoids.h); wake_maps of ocean/wake_map.cl, wakes (shared/wake.h); time as ocean/wave_phase.clh has it.
+//      (TrochoidRingInTile of shared/trochoids.h); wake_maps of ocean/wake_map.cl, wakes (shared/wake.h); time as ocean/wave_phase.clh has it;
+//      with SHOALS shoals, depths_m [rows][columns], shoal_shares (shared/shoals.h).
 // Out: samples (shared/surface_query.h), the surface of ocean/surface_compose.cl where it meets the point's vertical.
 // The label X solves X + d(X) = x. Steps X <- X - B (X + d(X) - x) end where the residual is small; the first is that
 // of fixed-point iteration (B = 1), the others have B = (I + grad d)^-1 of the interpolated displacement: with B = 1
 // they would go on for dozens of steps where crests are steep. A point under a fold has several labels: one of them is
 // found. Points that are not finite get a residual that is not either.
 #include "ocean/deformation.clh"
+#include "ocean/shoals.clh"
 #include "ocean/trochoid_ring.clh"
 #include "ocean/wake_layer.clh"
 #include "shared/surface_query.h"
@@ -94,9 +96,12 @@ FFT_INLINE void fetch_cells(__global const float4 *map, int cascade_count, const
   }
 }
 
-FFT_INLINE void wave_at(__global const SurfaceQueryWave *wave, uint_lanes tile, lanes x_m, lanes z_m, lanes *cosine,
-                        lanes *sine) {
+FFT_INLINE void wave_at(__global const SurfaceQueryWave *wave, uint_lanes tile, const Shares *shares, lanes x_m, lanes z_m,
+                        lanes *cosine, lanes *sine) {
   cosine_sine_of_turns(tile + fraction_of(x_m * wave->turns_x_perm + z_m * wave->turns_z_perm), cosine, sine);
+  const lanes share = trochoid_share(shares, wave->band);
+  *cosine *= share;
+  *sine *= share;
 }
 
 // Four fields of LANES points out of a float4 a point.
@@ -114,13 +119,14 @@ FFT_INLINE void split_fields(const float4 *points, lanes *a, lanes *b, lanes *c,
 }
 
 // Adds a map's fields of all cascades.
-FFT_INLINE void add_map(__global const float4 *map, int cascade_count, const Cells *cells, lanes *a, lanes *b, lanes *c,
-                        lanes *d) {
+FFT_INLINE void add_map(__global const float4 *map, int cascade_count, const Cells *cells, const Shares *shares, lanes *a,
+                        lanes *b, lanes *c, lanes *d) {
   float4 sums[LANES];
   for (int lane = 0; lane < LANES; ++lane) {
     float4 sum = (float4)(0.0f);
     for (int i = lane; i < cascade_count * LANES; i += LANES) {
-      sum += mix(mix(map[cells->near_left[i]], map[cells->near_right[i]], cells->u[i]),
+      sum += cascade_share(shares, i) *
+             mix(mix(map[cells->near_left[i]], map[cells->near_right[i]], cells->u[i]),
                  mix(map[cells->far_left[i]], map[cells->far_right[i]], cells->u[i]), cells->v[i]);
     }
     sums[lane] = sum;
@@ -140,7 +146,7 @@ typedef struct {
 
 // Adds the displacement of all cascades and its derivative by differences across the cell: what a step needs exactly.
 FFT_INLINE void add_displacement(__global const float4 *map, __global const SurfaceQueryParams *params, const Cells *cells,
-                                 Moved *moved) {
+                                 const Shares *shares, Moved *moved) {
   float4 sums[LANES], derivatives[LANES];
   for (int lane = 0; lane < LANES; ++lane) {
     float4 sum = (float4)(0.0f), derivative = (float4)(0.0f);
@@ -149,9 +155,10 @@ FFT_INLINE void add_displacement(__global const float4 *map, __global const Surf
       const float4 near_left = map[cells->near_left[i]], far_left = map[cells->far_left[i]];
       const float4 along_near = map[cells->near_right[i]] - near_left, along_far = map[cells->far_right[i]] - far_left;
       const float4 near = near_left + cells->u[i] * along_near, across = far_left + cells->u[i] * along_far - near;
-      sum += near + cells->v[i] * across;
+      const float share = cascade_share(shares, i);
+      sum += share * (near + cells->v[i] * across);
       const float4 along = mix(along_near, along_far, cells->v[i]);
-      derivative += params->texels_per_m[cascade] * (float4)(along.xz, across.xz);
+      derivative += share * params->texels_per_m[cascade] * (float4)(along.xz, across.xz);
     }
     sums[lane] = sum;
     derivatives[lane] = derivative;
@@ -167,10 +174,11 @@ FFT_INLINE void add_displacement(__global const float4 *map, __global const Surf
   moved->z_by_z += z_by_z;
 }
 
-// The label, relative to the tile, under points relative to it.
+// The label, relative to the tile, under points relative to it, and what shoals leave of the waves there. That shares
+// differ from label to label is no part of the derivative: they do slowly.
 FFT_INLINE void find_labels(__global const float4 *displacement, __global const SurfaceQueryParams *params,
-                            __global const SurfaceQueryWave *waves, const Tile *tile, lanes x_m, lanes z_m,
-                            lanes *label_x_m, lanes *label_z_m) {
+                            __global const SurfaceQueryWave *waves, const Tile *tile, int_lanes tile_x, int_lanes tile_z,
+                            lanes x_m, lanes z_m, lanes *label_x_m, lanes *label_z_m, Shares *shares) {
   lanes at_x = x_m, at_z = z_m;
   for (int step = 0; step < SURFACE_QUERY_MOST_STEPS; ++step) {
     // The trochoids are the long waves and move the label farthest: the first step takes them alone.
@@ -181,9 +189,10 @@ FFT_INLINE void find_labels(__global const float4 *displacement, __global const 
       set_cells(params, tile, at_x, at_z, &cells);
       fetch_cells(displacement, params->cascade_count, &cells);
     }
+    set_shares(tile_x, tile_z, at_x, at_z, shares);
     for (int i = 0; i < params->wave_count; ++i) {
       lanes cosine, sine;
-      wave_at(waves + i, tile->wave[i], at_x, at_z, &cosine, &sine);
+      wave_at(waves + i, tile->wave[i], shares, at_x, at_z, &cosine, &sine);
       moved.x += waves[i].shift_x_m * sine;
       moved.z += waves[i].shift_z_m * sine;
       moved.x_by_x += waves[i].gradient_xx * cosine;
@@ -191,7 +200,7 @@ FFT_INLINE void find_labels(__global const float4 *displacement, __global const 
       moved.z_by_z += waves[i].gradient_zz * cosine;
     }
     moved.z_by_x = moved.x_by_z;
-    if (takes_all) add_displacement(displacement, params, &cells, &moved);
+    if (takes_all) add_displacement(displacement, params, &cells, shares, &moved);
     const lanes off_x = at_x + moved.x - x_m, off_z = at_z + moved.z - z_m;
     const int_lanes is_far = mask_of(off_x * off_x + off_z * off_z > params->tolerance_m * params->tolerance_m);
     if (takes_all && !any_lane(is_far)) break;
@@ -235,8 +244,9 @@ FFT_INLINE void sample_labels(__global const float4 *displacement, __global cons
                               __global const float4 *flow, __global const SurfaceQueryWave *waves,
                               __global const TrochoidRingInTile *rings, __global const float4 *wake_maps,
                               __global const WakeLayer *wakes, int wake_count,
-                              __global const SurfaceQueryParams *params, const Tile *tile, int_lanes tile_x, int_lanes tile_z, lanes x_m, lanes z_m, lanes label_x_m,
-                              lanes label_z_m, float *fields) {
+                              __global const SurfaceQueryParams *params, const Tile *tile, const Shares *shares,
+                              int_lanes tile_x, int_lanes tile_z, lanes x_m, lanes z_m, lanes label_x_m, lanes label_z_m,
+                              float *fields) {
   Cells cells;
   set_cells(params, tile, label_x_m, label_z_m, &cells);
   fetch_cells(gradient, params->cascade_count, &cells);
@@ -246,7 +256,7 @@ FFT_INLINE void sample_labels(__global const float4 *displacement, __global cons
   lanes velocity_x = shift_x, velocity_y = shift_x, velocity_z = shift_x, head = shift_x;
   for (int i = 0; i < params->wave_count; ++i) {
     lanes cosine, sine;
-    wave_at(waves + i, tile->wave[i], label_x_m, label_z_m, &cosine, &sine);
+    wave_at(waves + i, tile->wave[i], shares, label_x_m, label_z_m, &cosine, &sine);
     shift_x += waves[i].shift_x_m * sine;
     height += waves[i].height_m * cosine;
     shift_z += waves[i].shift_z_m * sine;
@@ -260,9 +270,11 @@ FFT_INLINE void sample_labels(__global const float4 *displacement, __global cons
     velocity_z += waves[i].velocity_z_mps * cosine;
     head += waves[i].head_m * cosine;
   }
-  add_map(displacement, params->cascade_count, &cells, &shift_x, &height, &shift_z, &xz);
-  add_map(gradient, params->cascade_count, &cells, &slope_x, &slope_z, &xx, &zz);
-  if (params->has_flow) add_map(flow, params->cascade_count, &cells, &velocity_x, &velocity_y, &velocity_z, &head);
+  add_map(displacement, params->cascade_count, &cells, shares, &shift_x, &height, &shift_z, &xz);
+  add_map(gradient, params->cascade_count, &cells, shares, &slope_x, &slope_z, &xx, &zz);
+  if (params->has_flow) {
+    add_map(flow, params->cascade_count, &cells, shares, &velocity_x, &velocity_y, &velocity_z, &head);
+  }
   for (int i = 0; i < params->ring_count; ++i) {
     const lanes from_x = convert_lanes(tile_x - rings[i].tile_x) * SURFACE_QUERY_TILE_M - rings[i].ring.centre_x_m;
     const lanes from_z = convert_lanes(tile_z - rings[i].tile_z) * SURFACE_QUERY_TILE_M - rings[i].ring.centre_z_m;
@@ -296,6 +308,10 @@ __kernel void surface_query(__global const SurfaceQueryPoint *restrict points, _
                             __global const TrochoidRingInTile *restrict rings,
                             __global const float4 *restrict wake_maps, __global const WakeLayer *restrict wakes,
                             int wake_count,
+#if SHOALS
+                            __global const ShoalMap *restrict shoals, __global const float *restrict depths_m,
+                            __global const float *restrict shoal_shares,
+#endif
                             __global const SurfaceQueryParams *restrict params, int point_count, uint ticks,
                             float tick_fraction, __global SurfaceQuerySample *restrict samples) {
   const int start = (int)get_global_id(0) * VECTORS * LANES;
@@ -313,10 +329,15 @@ __kernel void surface_query(__global const SurfaceQueryPoint *restrict points, _
     Tile tile;
     set_tile(params, waves, tile_x, tile_z, ticks, tick_fraction, &tile);
     lanes label_x_m, label_z_m;
-    find_labels(displacement, params, waves, &tile, x_m, z_m, &label_x_m, &label_z_m);
+    Shares shares;
+#if SHOALS
+    shares.map = shoals, shares.depths_m = depths_m, shares.table = shoal_shares;
+#endif
+    find_labels(displacement, params, waves, &tile, tile_x, tile_z, x_m, z_m, &label_x_m, &label_z_m, &shares);
+    set_shares(tile_x, tile_z, label_x_m, label_z_m, &shares);
     float fields[8 * LANES];
-    sample_labels(displacement, gradient, flow, waves, rings, wake_maps, wakes, wake_count, params, &tile, tile_x, tile_z, x_m, z_m, label_x_m,
-                  label_z_m, fields);
+    sample_labels(displacement, gradient, flow, waves, rings, wake_maps, wakes, wake_count, params, &tile, &shares, tile_x,
+                  tile_z, x_m, z_m, label_x_m, label_z_m, fields);
     for (int lane = 0; lane < min(LANES, point_count - first); ++lane) {
       const SurfaceQuerySample sample = {fields[lane],
                                          fields[LANES + lane],

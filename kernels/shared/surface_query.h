@@ -40,6 +40,7 @@ typedef struct {
   float shift_x_m, shift_z_m, slope_x, slope_z;  // times the sine
   float velocity_x_mps, velocity_z_mps, head_m;  // times the cosine, at the depth that is asked for
   float velocity_y_mps;                          // times the sine
+  int band;  // of trochoids that shoal alike: row SHOAL_FIRST_TROCHOIDS + band of shared/shoals.h
 } SurfaceQueryWave;
 
 typedef struct {
@@ -60,7 +61,7 @@ typedef struct {
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(SurfaceQueryPoint) == 16, "no padding");
 static_assert(sizeof(SurfaceQuerySample) == 32, "no padding");
-static_assert(sizeof(SurfaceQueryWave) == 80, "no padding");
+static_assert(sizeof(SurfaceQueryWave) == 84, "no padding");
 static_assert(sizeof(SurfaceQueryParams) == 96, "no padding");
 #endif
 

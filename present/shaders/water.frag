@@ -106,6 +106,7 @@ void main() {
   vec4 strain = texelFetch(strain_of, pixel, 0);
   vec3 trochoid_gradient = strain.xyz;
 
+  Shares shares = shares_at(label_m);
   vec2 slope = vec2(0.0);
   vec3 square = vec3(0.0);
   vec3 gradient = trochoid_gradient;
@@ -121,12 +122,13 @@ void main() {
       float level = map_level(i, width_m);
       if (breaking[i] > 0.0) {
         vec3 foam_point = map_place(i, tap_m + aside / cascades[i].w);
-        tap_bare *= 1.0 - textureLod(foam_map, foam_point, level).r;
+        tap_bare *= 1.0 - min(shares.cascades[i], 1.0) * textureLod(foam_map, foam_point, level).r;
       }
       if (width_m >= longest_wave_m[i]) continue;
       vec4 texel = textureLod(gradient_map, map_point, level);
-      tap_slope += texel.xy;
+      tap_slope += shares.cascades[i] * texel.xy;
       vec3 change = vec3(texel.z, textureLod(displacement_map, map_point, level).w, texel.w) / float(tap_count);
+      change *= shares.cascades[i];
       gradient += change;
       breaking_gradient += breaking[i] * change;
     }
@@ -136,8 +138,12 @@ void main() {
   }
   // Hidden are the slopes of ripples, of trochoids that the grid is too coarse for, those between the taps and those
   // that differ from tap to tap.
-  vec3 hidden = ripples + fract(strain.w) * trochoid_slopes + square - vec3(slope.x * slope.x, slope.x * slope.y, slope.y * slope.y);
-  for (int i = 0; i < cascade_count; ++i) hidden += hidden_at(i, map_level(i, width_m));
+  // Trochoids that are not drawn are mostly the shortest. The wind makes ripples anew wherever it blows.
+  float trochoid_share = shares.trochoids.w;
+  vec3 hidden = ripples + trochoid_share * trochoid_share * fract(strain.w) * trochoid_slopes + square - vec3(slope.x * slope.x, slope.x * slope.y, slope.y * slope.y);
+  for (int i = 0; i < cascade_count; ++i) {
+    hidden += shares.cascades[i] * shares.cascades[i] * hidden_at(i, map_level(i, width_m));
+  }
 
   // F^-T applied to the slopes at labels gives those of the displaced surface; F = I + gradient.
   vec3 f = gradient + vec3(1.0, 0.0, 1.0);
@@ -151,7 +157,7 @@ void main() {
   vec3 surface_m = ray * distance_m;
   float sun_level_klx = dot(shaded_sun_klx, vec3(1.0)) * max(sun_direction.y, 0.0);
   float sun_part = sun_level_klx / max(sun_level_klx + dot(sky_klx, vec3(1.0)), 1e-6);
-  Lit lit = Lit(label_m - surface_m.xz, width_m, sun_part);
+  Lit lit = Lit(label_m - surface_m.xz, width_m, sun_part, shares.cascades);
   water_kcdpm2 = light_beneath(surface_m, v, normalize(vec3(-slope.x, 1.0, -slope.y)), lit,
                                water_of_sky_kcdpm2 + sun_share * water_of_sun_kcdpm2);
   Facets facets = Facets(slope, hidden);

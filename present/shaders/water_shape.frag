@@ -1,5 +1,5 @@
 // Shape of the ocean's surface on a projected grid (Lee & Lee 2007, sections 3.4 and 3.5): labels from the grid's
-// corners, displaced by the cascades and the trochoids, one pixel a vertex. A pass of its own, since software
+// corners, displaced by the cascades and the trochoids as far as shoals leave them, one pixel a vertex. A pass of its own, since software
 // renderers share out pixels among cores and vertices not. All positions are relative to the eye, so that nothing
 // loses digits far from the origin.
 const int max_waves = 128;
@@ -8,6 +8,7 @@ uniform vec3 corners[4];  // homogeneous: label x and z, w
 uniform ivec2 cells;      // of the grid: columns and rows
 uniform float eye_height_m;
 uniform int wave_count;
+uniform vec3 band_ends;  // waves of the first, of the first two and three bands that shoal alike
 uniform float trochoid_mean_square;  // slope of all waves
 layout(std140) uniform Trochoids {
   vec4 waves[max_waves];  // wave vector x and z in rad/m, amplitude m, sideways shift m
@@ -39,9 +40,10 @@ void main() {
   vec2 above = grid_label(vec2(across, row_place(max(row, 1.0))));
   float spacing_m = max(distance(label, beside), distance(below, above));
 
+  Shares shares = shares_at(label);
   vec3 moved_m = vec3(0.0);
   for (int i = 0; i < cascade_count && 0.5 * spacing_m < longest_wave_m[i]; ++i) {
-    moved_m += textureLod(displacement_map, map_place(i, label), map_level(i, 0.5 * spacing_m)).xyz;
+    moved_m += shares.cascades[i] * textureLod(displacement_map, map_place(i, label), map_level(i, 0.5 * spacing_m)).xyz;
   }
 
   vec2 slope = vec2(0.0);
@@ -55,6 +57,9 @@ void main() {
     if (share == 0.0) continue;
     float amplitude_m = share * waves[i].z, shift_m = share * waves[i].w;
     drawn += 0.5 * k * k * amplitude_m * amplitude_m;
+    float left = shares.trochoids[int(dot(step(band_ends, vec3(i)), vec3(1.0)))];
+    amplitude_m *= left;
+    shift_m *= left;
     float phase = dot(wave, label) + wave_phases[i / 4][i % 4];
     float cosine = cos(phase), sine = sin(phase);
     moved_m += vec3(-shift_m * sine * direction.x, amplitude_m * cosine, -shift_m * sine * direction.y);

@@ -112,10 +112,11 @@ vec4 beneath_at(vec3 clip_place) {
 }
 
 // How the sun lights what is beneath: labels of places less the places themselves, the width of a pixel's footprint,
-// and its share in the light on level ground.
+// and its share in the light on level ground; what shoals leave of the cascades.
 struct Lit {
   vec2 label_shift_m;
   float width_m, sun_part;
+  vec4 cascade_shares;
 };
 
 // Light that comes up through the surface toward v, of what is in the water and of the water itself.
@@ -142,7 +143,7 @@ vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, Lit lit, vec3 deep_kcdpm
   vec3 left = exp(-attenuation_perm * (down_m + distance(place.xyz, surface_m))) * seen.a;
   float leaving = mix(leaving_share, 1.0, exp(-4.0 * down_m));
   if (down_m > 0.0 && down_m < deepest_caustics_m) {
-    float gathered = caustics(place.xz + lit.label_shift_m, down_m, lit.width_m);
+    float gathered = caustics(place.xz + lit.label_shift_m, down_m, lit.width_m, lit.cascade_shares);
     float fade = smoothstep(deepest_caustics_m, 0.5 * deepest_caustics_m, down_m);
     leaving *= mix(1.0, gathered, lit.sun_part * fade);
   }

@@ -129,6 +129,29 @@ void dump_wakes(const ocl::Device& device, int size, ocean::Ocean& sea, Dump& du
   dump.add_relative(heights);
 }
 
+// A beach with land, shallows and deep water: 12 x 9 posts, none of them where a query looks.
+void dump_shoals(const ocl::Device& device, const ocean::SeaSpectrum& spectrum, ocean::Ocean& sea,
+                 Dump& dump) {
+  auto depths = std::make_shared<ocean::DepthMap>();
+  depths->columns = 12, depths->rows = 9;
+  depths->origin_x_m = -1e5 - 31.0, depths->origin_z_m = 5.0;
+  depths->spacing_x_m = 21.0, depths->spacing_z_m = 50.0;
+  for (int i = 0; i < 12 * 9; ++i)
+    depths->depths_m.push_back(static_cast<float>(-1.0 + 0.8 * (i % 12) + 0.1 * i / 12));
+  const ocean::TrochoidSea trochoids{
+      .waves = {ocean::make_swell({.wavelength_m = 70.0, .direction_rad = 0.4}, {}),
+                ocean::make_swell({.wavelength_m = 31.0, .direction_rad = 2.0}, {})}};
+  std::vector<ocean::ShoalingBand> cascades;
+  for (int i = 0; i < 2; ++i) {
+    const ocean::OceanParameters& parameters = sea.parameters();
+    cascades.push_back(ocean::band_of_modes(sea.mode_variance(i), parameters.size,
+                                            parameters.cascades[static_cast<std::size_t>(i)].patch_length_m));
+  }
+  const ocean::ShoalTable table(spectrum.dispersion, ocean::shoaling_bands(cascades, trochoids.waves));
+  sea.set_shoals(std::make_shared<const ocean::Shoals>(device, depths, table));
+  dump_samples(sea, trochoids, dump);
+}
+
 void dump_all(int size, const char* path) {
   const ocl::Device device = ocl::Device::open();
   std::printf("%s, %s\n", device.info().name.c_str(), device.info().platform.c_str());
@@ -143,6 +166,8 @@ void dump_all(int size, const char* path) {
   Dump dump(path);
   dump_surface(sea, ocean::integrate_sea_state(spectrum).hs_m, dump);
   dump_transforms(device, size, dump);
+  dump_shoals(device, spectrum, sea, dump);
+  sea.set_shoals(nullptr);
   dump_wakes(device, size, sea, dump);
 }
 

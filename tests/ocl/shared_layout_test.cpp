@@ -5,6 +5,7 @@
 #include "kernels/shared/atmosphere_params.h"
 #include "kernels/shared/ocean_params.h"
 #include "kernels/shared/random.h"
+#include "kernels/shared/shoals.h"
 #include "kernels/shared/sky_params.h"
 #include "kernels/shared/surface_query.h"
 #include "kernels/shared/trochoids.h"
@@ -98,10 +99,10 @@ TEST(SharedLayoutTest, SurfaceQueryWaveAndParams) {
   using W = SurfaceQueryWave;
   EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/surface_query.h", "SurfaceQueryWave",
                                 {"phase", "tile_rest_x", "rate", "turns_x_perm", "height_m", "shift_x_m",
-                                 "slope_z", "velocity_y_mps"}),
+                                 "slope_z", "velocity_y_mps", "band"}),
             (Layout{sizeof(W), offsetof(W, phase), offsetof(W, tile_rest_x), offsetof(W, rate),
                     offsetof(W, turns_x_perm), offsetof(W, height_m), offsetof(W, shift_x_m),
-                    offsetof(W, slope_z), offsetof(W, velocity_y_mps)}));
+                    offsetof(W, slope_z), offsetof(W, velocity_y_mps), offsetof(W, band)}));
   using S = SurfaceQueryParams;
   EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/surface_query.h", "SurfaceQueryParams",
                                 {"tile_step_high", "tile_step_low", "patches_per_m", "texels_per_m",
@@ -109,6 +110,14 @@ TEST(SharedLayoutTest, SurfaceQueryWaveAndParams) {
             (Layout{sizeof(S), offsetof(S, tile_step_high), offsetof(S, tile_step_low),
                     offsetof(S, patches_per_m), offsetof(S, texels_per_m), offsetof(S, cascade_count),
                     offsetof(S, ring_count), offsetof(S, has_flow), offsetof(S, tolerance_m)}));
+}
+
+TEST(SharedLayoutTest, ShoalMap) {
+  using S = ShoalMap;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/shoals.h", "ShoalMap",
+                                {"tile_x", "origin_x_m", "columns_per_m", "columns", "rows", "deepest_m"}),
+            (Layout{sizeof(S), offsetof(S, tile_x), offsetof(S, origin_x_m), offsetof(S, columns_per_m),
+                    offsetof(S, columns), offsetof(S, rows), offsetof(S, deepest_m)}));
 }
 
 TEST(SharedLayoutTest, Wakes) {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "host/ocean/ocean.h"
+#include "host/ocean/slope_covariance.h"
+#include "host/ocean/trochoids.h"
+
+namespace offing::world {
+
+/// Slopes that a picture must not draw one by one.
+struct HiddenSlopes {
+  /// [cascade][level]: what the mip levels of its slope map hide.
+  std::vector<std::vector<ocean::SlopeCovariance>> cascades;
+  /// All slopes of the trochoids, for grids too coarse to draw them.
+  ocean::SlopeCovariance trochoids;
+  /// Of ripples that neither cascades nor trochoids have.
+  ocean::SlopeCovariance ripples;
+};
+
+/// The wind over ripples, at 10 m.
+struct RippleWind {
+  double speed_mps = 10.0;
+  double direction_rad = 0.0;
+};
+
+/// What the mip levels of each cascade hide, of the expected variances of its modes [n][n] m^2.
+std::vector<std::vector<ocean::SlopeCovariance>> hidden_by_levels(
+    const ocean::OceanParameters& ocean, const std::vector<std::vector<float>>& variances);
+
+/// Of the slopes that the wind makes, what trochoids and cascades leave is the ripples'.
+HiddenSlopes shared_out(std::vector<std::vector<ocean::SlopeCovariance>> cascades,
+                        const std::vector<ocean::Trochoid>& trochoids, const RippleWind& wind);
+
+}  // namespace offing::world

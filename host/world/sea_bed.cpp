@@ -1,0 +1,65 @@
+#include "host/world/sea_bed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "host/terrain/tile_posts.h"
+#include "kernels/shared/shoals.h"
+
+namespace offing::world {
+namespace {
+
+constexpr int most_cells = 1024;
+
+int stride_of(int posts) {
+  return (posts - 2) / most_cells + 1;
+}
+
+/// Posts along a side of the coarser map: the last stands at the last post of the map or beyond it.
+int kept_posts(int posts, int stride) {
+  return (posts - 2) / stride + 2;
+}
+
+/// The highest of the posts nearer to this one of the coarser map than its neighbours are.
+float highest_around_m(const HeightMap& map, int column, int row, int stride_x, int stride_z) {
+  const auto first = [](int post, int stride) { return std::max(post - stride + 1, 0); };
+  const auto last = [](int post, int stride, int posts) { return std::min(post + stride - 1, posts - 1); };
+  float highest_m = -std::numeric_limits<float>::infinity();
+  for (int z = first(row, stride_z); z <= last(row, stride_z, map.rows); ++z) {
+    for (int x = first(column, stride_x); x <= last(column, stride_x, map.columns); ++x) {
+      highest_m = std::max(highest_m, map.heights_m[map.index(x, z)]);
+    }
+  }
+  return highest_m;
+}
+
+ocean::DepthMap bed_of(const HeightMap& map, double origin_x_m, double origin_z_m) {
+  const int stride_x = stride_of(map.columns), stride_z = stride_of(map.rows);
+  ocean::DepthMap bed{.columns = kept_posts(map.columns, stride_x),
+                      .rows = kept_posts(map.rows, stride_z),
+                      .origin_x_m = origin_x_m,
+                      .origin_z_m = origin_z_m,
+                      .spacing_x_m = stride_x * map.spacing_x_m,
+                      .spacing_z_m = stride_z * map.spacing_z_m,
+                      .depths_m = {}};
+  const auto driest_m = static_cast<float>(-SHOAL_STEEPEST * std::min(bed.spacing_x_m, bed.spacing_z_m));
+  for (int row = 0; row < bed.rows; ++row) {
+    for (int column = 0; column < bed.columns; ++column) {
+      const float highest_m = highest_around_m(map, column * stride_x, row * stride_z, stride_x, stride_z);
+      bed.depths_m.push_back(std::max(-highest_m, driest_m));
+    }
+  }
+  ocean::limit_slopes(bed);
+  return bed;
+}
+
+}  // namespace
+
+ocean::DepthMap sea_bed(const GroundParameters& ground) {
+  if (ground.map) return bed_of(*ground.map, ground.origin_x_m, ground.origin_z_m);
+  const HeightMap overview = terrain::overview_of(ground.tiles->map, ground.tiles->read);
+  return bed_of(overview, ground.origin_x_m, ground.origin_z_m);
+}
+
+}  // namespace offing::world

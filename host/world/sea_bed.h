@@ -1,0 +1,15 @@
+#pragma once
+
+#include "host/ocean/depth_map.h"
+#include "host/world/ground_view.h"
+
+namespace offing::world {
+
+/// How deep the sea is over this ground, as its waves feel it: the map's posts, or every so many that 1024
+/// along a side are left, each with the highest ground of those around it, so that nowhere it is deeper than
+/// it is; of a map in tiles, the whole map as coarsely as its coarsest tiles have it. Land is no higher than
+/// the steepest bed falls between two posts; then slopes are limited (ocean::limit_slopes()). Throws what
+/// reading tiles throws.
+ocean::DepthMap sea_bed(const GroundParameters& ground);
+
+}  // namespace offing::world

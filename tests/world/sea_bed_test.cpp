@@ -1,0 +1,167 @@
+// The bed that a world's waves feel, and the worlds that have one.
+#include "host/world/sea_bed.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "host/ocean/spectrum_parameters.h"
+#include "host/terrain/ground.h"
+#include "host/world/world.h"
+#include "kernels/shared/shoals.h"
+
+namespace offing::world {
+namespace {
+
+/// Heights by a function of the place from the first post.
+template <class Height>
+GroundParameters ground_of(int posts, double spacing_m, Height height_m) {
+  HeightMap map;
+  map.columns = map.rows = posts;
+  map.spacing_x_m = map.spacing_z_m = spacing_m;
+  for (int row = 0; row < posts; ++row) {
+    for (int column = 0; column < posts; ++column) {
+      map.heights_m.push_back(static_cast<float>(height_m(spacing_m * column, spacing_m * row)));
+    }
+  }
+  GroundParameters ground;
+  ground.map = std::make_shared<const HeightMap>(std::move(map));
+  ground.origin_x_m = -300.0;
+  ground.origin_z_m = 50.0;
+  return ground;
+}
+
+/// Hills and troughs between 25 m above and 35 m below the water, nowhere steeper than 1 : 3.
+double hills_m(double x_m, double z_m) {
+  return -5.0 + 20.0 * std::sin(x_m / 130.0) * std::cos(z_m / 170.0) + 4.0 * std::sin((x_m + z_m) / 60.0);
+}
+
+// Fails if a gentle bed is felt at another depth or place than it has: all posts are kept.
+TEST(SeaBed, IsTheGroundWhereItIsGentle) {
+  const GroundParameters ground = ground_of(200, 5.0, hills_m);
+  const ocean::DepthMap bed = sea_bed(ground);
+  EXPECT_EQ(bed.columns, 200);
+  int compared = 0;
+  for (double x_m = -299.0; x_m < 600.0; x_m += 7.3) {
+    const auto below = terrain::ground_at(*ground.map, x_m + 300.0, 201.7);
+    if (below->height_m > -4.0) continue;
+    EXPECT_NEAR(bed.depth_m(x_m, 251.7), -below->height_m, 1e-4);
+    ++compared;
+  }
+  EXPECT_GT(compared, 20);
+}
+
+// Fails if a bed that had to be made coarser, or was too steep, is deeper anywhere than the ground is, so
+// that waves would run through it.
+TEST(SeaBed, IsNowhereDeeperThanTheGround) {
+  const auto steep_m = [](double x_m, double z_m) { return 3.0 * hills_m(7.0 * x_m, 5.0 * z_m); };
+  const GroundParameters ground = ground_of(2100, 1.0, steep_m);
+  const ocean::DepthMap bed = sea_bed(ground);
+  EXPECT_EQ(bed.columns, 701);
+  EXPECT_DOUBLE_EQ(bed.spacing_x_m, 3.0);
+  std::mt19937_64 generator(4);
+  for (int i = 0; i < 20000; ++i) {
+    const double x_m = static_cast<double>(generator() >> 11) * 0x1p-53 * 2098.0;
+    const double z_m = static_cast<double>(generator() >> 11) * 0x1p-53 * 2098.0;
+    const double depth_m = bed.depth_m(x_m - 300.0, z_m + 50.0);
+    const double height_m = terrain::ground_at(*ground.map, x_m, z_m)->height_m;
+    ASSERT_LE(depth_m, std::max(-height_m, 0.0) + 1e-4) << x_m << " " << z_m;
+  }
+}
+
+// Fails if a mountain keeps the sea calm for as far as it is high.
+TEST(SeaBed, MindsNoHeightOfLand) {
+  const ocean::DepthMap bed =
+      sea_bed(ground_of(50, 10.0, [](double x_m, double) { return x_m < 100.0 ? 900.0 : -80.0; }));
+  EXPECT_NEAR(bed.depth_m(-300.0 + 105.0, 100.0), 2.5, 1e-4);
+  EXPECT_NEAR(bed.depth_m(-300.0 + 200.0, 100.0), SHOAL_STEEPEST * 100.0, 5.1);
+  EXPECT_LE(bed.depth_m(-300.0 + 89.0, 100.0), 0.0);
+}
+
+WorldParameters sea() {
+  ocean::SpectrumParameters spectrum;
+  spectrum.wind_speed_mps = 9.0;
+  spectrum.fetch_m = 30e3;
+  WorldParameters result;
+  result.spectrum = ocean::make_sea_spectrum(spectrum);
+  result.ocean.size = 32;
+  const std::array lengths{120.0};
+  result.ocean.cascades = ocean::cascades_from_patches(lengths, result.ocean.size);
+  result.trochoids.waves = {
+      ocean::make_swell({.amplitude_m = 0.4, .wavelength_m = 70.0}, result.spectrum.dispersion)};
+  return result;
+}
+
+std::vector<float> heights_of(World& world) {
+  world.at(6.0, 10.0);
+  std::vector<ocean::WaterPoint> points;
+  for (int i = 0; i < 60; ++i) points.push_back({-290.0 + 16.0 * i, 300.0 + 3.0 * i});
+  std::vector<float> heights_m;
+  for (const ocean::WaterSample& sample : world.sample(points)) heights_m.push_back(sample.height_m);
+  return heights_m;
+}
+
+// Fails if a world's water runs through its ground, or a world that was changed while it ran shoals otherwise
+// than one that was made so: ground, sea, swells.
+TEST(SeaBed, WavesOfAWorldFeelIt) {
+  const ocl::Device device = ocl::Device::open();
+  WorldParameters parameters = sea();
+  World world(device, parameters);
+  const std::vector<float> open = heights_of(world);
+  EXPECT_EQ(world.shoals(), nullptr);
+  const auto expect_as_new = [&](const char* what) {
+    World fresh(device, parameters);
+    EXPECT_EQ(heights_of(world), heights_of(fresh)) << what;
+  };
+
+  parameters.ground = ground_of(200, 5.0, hills_m);
+  world.set_ground(parameters.ground);
+  const std::vector<float> shoaled = heights_of(world);
+  EXPECT_NE(shoaled, open);
+  int dry = 0;
+  for (std::size_t i = 0; i < shoaled.size(); ++i) {
+    const auto below = world.ground()->ground_at(-290.0 + 16.0 * static_cast<double>(i),
+                                                 300.0 + 3.0 * static_cast<double>(i));
+    if (below && below->height_m > 0.0) {
+      EXPECT_EQ(shoaled[i], 0.0f);
+      ++dry;
+    }
+  }
+  EXPECT_GT(dry, 10);
+  expect_as_new("ground");
+  parameters.trochoids.waves[0].amplitude_m = 1.5;
+  world.set_trochoids(parameters.trochoids);
+  expect_as_new("swell");
+  parameters.ocean.choppiness = 0.3;
+  world.set_sea(parameters);
+  expect_as_new("sea");
+  parameters.ground->origin_x_m += 40.0;
+  world.set_ground(parameters.ground);
+  expect_as_new("place of the ground");
+  parameters.has_shoals = false;
+  world.set_sea(parameters);
+  EXPECT_EQ(world.shoals(), nullptr);
+  expect_as_new("no shoals");
+  parameters.has_shoals = true;
+  world.set_sea(parameters);
+  EXPECT_NE(world.shoals(), nullptr);
+  parameters.ground = std::nullopt;
+  world.set_ground({});
+  EXPECT_EQ(world.shoals(), nullptr);
+  expect_as_new("no ground");
+}
+
+// Fails if ground that no wave feels costs anything.
+TEST(SeaBed, OfTheDeepSeaIsNone) {
+  WorldParameters parameters = sea();
+  parameters.ground = ground_of(20, 50.0, [](double, double) { return -500.0; });
+  EXPECT_EQ(World(ocl::Device::open(), parameters).shoals(), nullptr);
+}
+
+}  // namespace
+}  // namespace offing::world
