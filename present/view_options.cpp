@@ -238,6 +238,7 @@ ViewOptions checked(const Written& written) {
     options.scene.terrain.file = written.terrain;
     options.scene.set_at.insert_or_assign("terrain.file", "--terrain");
   }
+  options.scene_file = written.scene;
   options.scene_name =
       std::filesystem::path(shows_default ? shipped.name : std::string_view(written.scene)).stem().string();
   if (!written.size.empty()) options.size = read_size("--size", written.size);

@@ -22,6 +22,7 @@
 #include "present/cloud_panel.h"
 #include "present/highlight_panel.h"
 #include "present/picture_file.h"
+#include "present/view_actions.h"
 #include "present/viewer_start.h"
 
 namespace offing::present {
@@ -48,6 +49,8 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
       input_(window()),
       panels_(window()),
       editing_(sea_, state_),
+      scenes_(options_, sea_, state_, editing_),
+      intake_(options_, sea_, state_, editing_, scenes_),
       last_turn_s_(glfwGetTime()),
       drawn_s_(options.time_s),
       is_on_path_(has_camera_path(options.scene)) {
@@ -61,6 +64,7 @@ bool Viewer::turn() {
   glfwPollEvents();
   const double now_s = glfwGetTime(), wall_s = now_s - std::exchange(last_turn_s_, now_s);
   for (const ViewAction action : input_.take_actions()) act(action);
+  if (intake_.turn(input_.take_dropped_files(), screen(), input_.pointer())) begin_scene();
   state_.clock.advance(wall_s);
   if (options_.recording) {
     const Recording& recording = *options_.recording;
@@ -77,52 +81,10 @@ bool Viewer::turn() {
 }
 
 void Viewer::act(ViewAction action) {
+  if (change_view(action, state_)) return;
   switch (action) {
-    case ViewAction::toggle_help:
-      state_.shows_help = !state_.shows_help;
-      break;
-    case ViewAction::toggle_panels:
-      state_.shows_panels = !state_.shows_panels;
-      break;
-    case ViewAction::toggle_pause:
-      state_.clock.toggle_pause();
-      break;
-    case ViewAction::step_forward:
-      state_.clock.step(1.0 / state_.scene.frames_per_second);
-      break;
-    case ViewAction::step_back:
-      state_.clock.step(-1.0 / state_.scene.frames_per_second);
-      break;
-    case ViewAction::slower:
-      state_.clock.set_scale(0.5 * state_.clock.scale());
-      break;
-    case ViewAction::faster:
-      state_.clock.set_scale(2.0 * state_.clock.scale());
-      break;
-    case ViewAction::real_time:
-      state_.clock.set_scale(1.0);
-      break;
-    case ViewAction::toggle_wireframe:
-      state_.fill = state_.fill == Fill::solid ? Fill::wireframe : Fill::solid;
-      break;
-    case ViewAction::next_debug_view: {
-      const auto next = static_cast<std::size_t>(state_.debug) + 1;
-      state_.debug = all_debug_views[next % all_debug_views.size()];
-      break;
-    }
-    case ViewAction::next_mesh_show: {
-      const auto next = static_cast<std::size_t>(state_.meshes) + 1;
-      state_.meshes = all_mesh_shows[next % all_mesh_shows.size()];
-      break;
-    }
     case ViewAction::toggle_walk:
       if (pilot_.toggle_walk(state_, sea_)) leave_path();
-      break;
-    case ViewAction::toggle_steps:
-      state_.ground = state_.ground == GroundShow::light ? GroundShow::steps : GroundShow::light;
-      break;
-    case ViewAction::toggle_map:
-      state_.shows_map = !state_.shows_map;
       break;
     case ViewAction::pick_ray:
       pick_ray();
@@ -161,7 +123,7 @@ void Viewer::act(ViewAction action) {
       editing_.remove_picked();
       break;
     case ViewAction::undo:
-      editing_.undo();
+      undo();
       break;
     case ViewAction::redo:
       editing_.redo();
@@ -169,7 +131,24 @@ void Viewer::act(ViewAction action) {
     case ViewAction::quit:
       is_quitting_ = true;
       break;
+    default:  // of the view
+      break;
   }
+}
+
+void Viewer::begin_scene() {
+  glfwSetWindowTitle(window(), title(options_).c_str());
+  drawn_s_ = state_.clock.time_s();
+  is_on_path_ = has_camera_path(state_.scene);
+  last_turn_s_ = glfwGetTime();
+}
+
+void Viewer::undo() {
+  if (editing_.can_undo()) return editing_.undo();
+  attempt([&] {
+    if (scenes_.go_back()) return begin_scene();
+    editing_.undo();  // which says that there is nothing
+  });
 }
 
 /// Of the window, whose size is that of the mouse's places.
@@ -339,8 +318,12 @@ void Viewer::apply(const PanelEdits& edits) {
 }
 
 void Viewer::report(const std::function<std::string()>& work) {
+  attempt([&] { state_.message = {.text = work()}; });
+}
+
+void Viewer::attempt(const std::function<void()>& work) {
   try {
-    state_.message = {.text = work()};
+    work();
   } catch (const Error& error) {
     state_.message = fault_message(error);
   }
@@ -357,6 +340,7 @@ void Viewer::take_screenshot() {
 void Viewer::save_scene() {
   report([&] {
     scene::save_scene(state_.scene, state_.save_name, state_.overwriting);
+    scenes_.note_saved();
     return fmt::format("wrote {}", whole_name(state_.save_name));
   });
 }

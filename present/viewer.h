@@ -6,6 +6,7 @@
 
 #include "host/base/cancel_token.h"
 #include "present/camera_pilot.h"
+#include "present/file_intake.h"
 #include "present/frame_limiter.h"
 #include "present/full_screen.h"
 #include "present/gl_context.h"
@@ -15,6 +16,7 @@
 #include "present/panels.h"
 #include "present/scale_ladder.h"
 #include "present/scene_editing.h"
+#include "present/scene_switch.h"
 #include "present/view_options.h"
 #include "present/window_input.h"
 
@@ -38,6 +40,9 @@ class Viewer {
 
  private:
   void act(ViewAction action);
+  /// What follows from another scene's being shown.
+  void begin_scene();
+  void undo();
   void move_camera(double wall_s);
   void leave_path();
   void pick_ray();
@@ -56,6 +61,8 @@ class Viewer {
   void record_frame();
   /// Does something; the message says what came of it, or the fault.
   void report(const std::function<std::string()>& work);
+  /// Does something; the message tells its fault.
+  void attempt(const std::function<void()>& work);
 
   ViewOptions options_;
   GlContext context_;
@@ -65,6 +72,8 @@ class Viewer {
   PanelLayer panels_;
   CameraPilot pilot_;
   SceneEditing editing_;
+  SceneSwitch scenes_;
+  FileIntake intake_;
   MiniMap map_;
   ScaleLadder ladder_;
   FrameLimiter limiter_;

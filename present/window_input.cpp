@@ -29,12 +29,14 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
   glfwSetKeyCallback(window, on_key);
   glfwSetScrollCallback(window, on_wheel);
   glfwSetMouseButtonCallback(window, on_button);
+  glfwSetDropCallback(window, on_drop);
 }
 
 WindowInput::~WindowInput() {
   glfwSetKeyCallback(window_, nullptr);
   glfwSetScrollCallback(window_, nullptr);
   glfwSetMouseButtonCallback(window_, nullptr);
+  glfwSetDropCallback(window_, nullptr);
   glfwSetWindowUserPointer(window_, nullptr);
 }
 
@@ -60,6 +62,15 @@ void WindowInput::on_button(GLFWwindow* window, int button, int action, int modi
   if (button != GLFW_MOUSE_BUTTON_LEFT) return;
   input.pointer_events_.push_back({is_press ? PointerEvent::Kind::pressed : PointerEvent::Kind::released,
                                    input.pointer(), (modifiers & GLFW_MOD_SHIFT) != 0});
+}
+
+void WindowInput::on_drop(GLFWwindow* window, int count, const char** paths) {
+  auto& files = input_of(window).dropped_files_;
+  files.insert(files.end(), paths, paths + count);
+}
+
+std::vector<std::filesystem::path> WindowInput::take_dropped_files() {
+  return std::exchange(dropped_files_, {});
 }
 
 std::vector<glm::dvec2> WindowInput::take_clicks() {
