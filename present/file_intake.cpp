@@ -11,10 +11,15 @@
 
 namespace offing::present {
 
+void FileIntake::open(const ListedScene& scene) {
+  const std::filesystem::path file = scene.is_shipped() ? std::filesystem::path(scene.name) : scene.file;
+  files_.add({{.file = file, .is_shipped = scene.is_shipped()}});
+}
+
 bool FileIntake::turn(const std::vector<std::filesystem::path>& dropped, const Screen& screen,
                       glm::dvec2 pointer) {
-  files_.add(dropped);
-  const std::optional<std::filesystem::path> file = files_.next(state_.message);
+  for (const std::filesystem::path& file : dropped) files_.add({{.file = file}});
+  const std::optional<WaitingFile> file = files_.next(state_.message);
   if (!file) return false;
   bool is_other_scene = false;
   try {
@@ -26,16 +31,17 @@ bool FileIntake::turn(const std::vector<std::filesystem::path>& dropped, const S
   return is_other_scene;
 }
 
-bool FileIntake::take_in(const std::filesystem::path& file, const Screen& screen, glm::dvec2 pointer) {
-  const DroppedKind kind = kind_of_dropped(file);
+bool FileIntake::take_in(const WaitingFile& waiting, const Screen& screen, glm::dvec2 pointer) {
+  const std::filesystem::path& file = waiting.file;
+  const DroppedKind kind = waiting.is_shipped ? DroppedKind::scene : kind_of_dropped(file);
   if (options_.recording) {
     throw Error(
         ErrorKind::bad_usage,
         fmt::format("{}: is not taken in while frames are recorded", one_line(file.filename().string())),
-        "drop it on a window without --record");
+        "a window without --record takes it");
   }
   if (kind == DroppedKind::scene) {
-    scenes_.open(open_scene(file));
+    scenes_.open(waiting.is_shipped ? shipped_scene(file.string()) : open_scene(file));
     return true;
   }
   const bool has_place = kind == DroppedKind::mesh;

@@ -7,6 +7,7 @@
 #include "present/handle_geometry.h"
 #include "present/live_sea.h"
 #include "present/scene_editing.h"
+#include "present/scene_list.h"
 #include "present/scene_switch.h"
 #include "present/view_options.h"
 
@@ -20,12 +21,14 @@ class FileIntake {
              SceneSwitch& scenes)
       : options_(options), sea_(sea), state_(state), editing_(editing), scenes_(scenes) {}
 
+  /// Opens it as soon as the files before it have been taken in.
+  void open(const ListedScene& scene);
   /// Takes in the next file, once a frame; true if another scene is shown from here on. Meshes are put where
   /// the pointer is, in clip coordinates.
   bool turn(const std::vector<std::filesystem::path>& dropped, const Screen& screen, glm::dvec2 pointer);
 
  private:
-  bool take_in(const std::filesystem::path& file, const Screen& screen, glm::dvec2 pointer);
+  bool take_in(const WaitingFile& waiting, const Screen& screen, glm::dvec2 pointer);
 
   const ViewOptions& options_;
   LiveSea& sea_;

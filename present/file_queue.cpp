@@ -8,20 +8,20 @@
 
 namespace offing::present {
 
-void FileQueue::add(const std::vector<std::filesystem::path>& files) {
+void FileQueue::add(const std::vector<WaitingFile>& files) {
   if (waiting_.empty()) said_ = {};
   waiting_.insert(waiting_.end(), files.begin(), files.end());
 }
 
-std::optional<std::filesystem::path> FileQueue::next(Message& message) {
+std::optional<WaitingFile> FileQueue::next(Message& message) {
   if (waiting_.empty()) return {};
   if (!std::exchange(is_announced_, !is_announced_)) {
     message = said_;
     if (!message.text.empty()) message.text += '\n';
-    message.text += fmt::format("reading {} ...", one_line(waiting_.front().filename().string()));
+    message.text += fmt::format("reading {} ...", one_line(waiting_.front().file.filename().string()));
     return {};
   }
-  std::filesystem::path file = std::move(waiting_.front());
+  WaitingFile file = std::move(waiting_.front());
   waiting_.pop_front();
   return file;
 }

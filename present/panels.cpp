@@ -13,6 +13,7 @@
 #include "host/scene/scene_elements.h"
 #include "present/key_bindings.h"
 #include "present/ray_overlay.h"
+#include "present/scene_list_panel.h"
 #include "present/time_graph.h"
 
 namespace offing::present {
@@ -235,6 +236,7 @@ void draw_main_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits
   for (const GroupPanel& panel : group_panels()) {
     if (is_in(state.scene, panel.group)) draw_group(panel, state, edits);
   }
+  if (facts.scenes != nullptr) edits.wanted_scene = draw_scene_list(*facts.scenes, facts.open_scene);
   draw_file(state, edits);
   draw_times(state, facts);
   ImGui::PopItemWidth();

@@ -7,6 +7,7 @@
 #include "host/scene/scene_file.h"
 #include "host/scene/scene_writer.h"
 #include "present/camera_path.h"
+#include "present/scene_sources.h"
 #include "present/viewer_start.h"
 
 namespace offing::present {
@@ -30,6 +31,13 @@ std::string shown_name(const std::string& name) {
 
 OpenedScene open_scene(const std::filesystem::path& file) {
   return {.scene = scene::load_scene(file), .name = file.stem().string(), .file = file};
+}
+
+OpenedScene shipped_scene(std::string_view name) {
+  const EmbeddedFile& source = shipped_source(name);
+  return {.scene = scene::parse_scene(source.text, source.name, ""),
+          .name = std::filesystem::path(source.name).stem().string(),
+          .file = {}};
 }
 
 bool SceneSwitch::has_unsaved_edits() const {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "present/live_sea.h"
@@ -19,6 +20,8 @@ struct OpenedScene {
 };
 /// Throws what load_scene() throws.
 OpenedScene open_scene(const std::filesystem::path& file);
+/// One of scene_sources(). Throws Error(bad_input) for another name.
+OpenedScene shipped_scene(std::string_view name);
 
 /// Takes a window from one scene to another, as if the program had been started with it, in the same window
 /// and on the same device, and back again: scenes that were left are kept with their edits.

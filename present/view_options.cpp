@@ -230,7 +230,7 @@ ViewOptions checked(const Written& written) {
                       : written.is_verbose ? Verbosity::verbose
                                            : Verbosity::normal;
   const bool shows_default = written.scene.empty() && written.terrain.empty();
-  const EmbeddedFile& shipped = scene_sources().front();
+  const EmbeddedFile& shipped = shipped_source(first_scene);
   if (!written.scene.empty()) options.scene = scene::load_scene(written.scene);
   if (shows_default) options.scene = scene::parse_scene(shipped.text, shipped.name, "");
   if (!written.terrain.empty()) {

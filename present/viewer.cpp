@@ -55,6 +55,7 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
       drawn_s_(options.time_s),
       is_on_path_(has_camera_path(options.scene)) {
   options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
+  scene_list_.follow(options_.scene_file);
   if (options.starts_paused) state_.clock.toggle_pause();
   spdlog::info("OpenGL {} ({}); OpenCL {}; transfer {}", context_.capabilities().version,
                context_.capabilities().renderer, sea_.device().name, to_string(sea_.frame().transfer_rung()));
@@ -141,6 +142,7 @@ void Viewer::begin_scene() {
   drawn_s_ = state_.clock.time_s();
   is_on_path_ = has_camera_path(state_.scene);
   last_turn_s_ = glfwGetTime();
+  scene_list_.follow(options_.scene_file);
 }
 
 void Viewer::undo() {
@@ -295,7 +297,9 @@ PanelEdits Viewer::draw_panels() {
                                                    .has_meshes = !sea_.meshes().empty(),
                                                    .ground = sea_.ground(),
                                                    .map = &map_,
-                                                   .ray_rung = ray_rung()});
+                                                   .ray_rung = ray_rung(),
+                                                   .scenes = &scene_list_,
+                                                   .open_scene = listed(options_)});
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_highlight_panel(state_, sea_.meshes()));
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_cloud_panel(state_, sea_));
   panels_.end();
@@ -309,6 +313,7 @@ void Viewer::apply(const PanelEdits& edits) {
   constexpr double quick_s = 0.1;
   const bool follows = edits.scene == Edit::going_on && sea_.edit_s() < quick_s;
   if (edits.scene == Edit::done || edits.scene == Edit::refused || follows) editing_.finish(edits.scene);
+  if (edits.wanted_scene) intake_.open(*edits.wanted_scene);
   if (edits.wants_save) save_scene();
   if (edits.wants_original) {
     state_.scene = options_.scene;

@@ -74,6 +74,7 @@ class Viewer {
   SceneEditing editing_;
   SceneSwitch scenes_;
   FileIntake intake_;
+  SceneList scene_list_;
   MiniMap map_;
   ScaleLadder ladder_;
   FrameLimiter limiter_;

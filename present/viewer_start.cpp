@@ -4,6 +4,11 @@
 
 namespace offing::present {
 
+ListedScene listed(const ViewOptions& options) {
+  const std::filesystem::path& file = options.scene_file;
+  return {.name = file.empty() ? options.scene_name + ".toml" : file.filename().string(), .file = file};
+}
+
 std::string title(const ViewOptions& options) {
   return options.scene_name.empty() ? "Offing" : fmt::format("Offing: {}", options.scene_name);
 }

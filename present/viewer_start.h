@@ -10,6 +10,8 @@ namespace offing::present {
 
 // What a window begins with.
 
+/// As the list of scenes has the one that is open.
+ListedScene listed(const ViewOptions& options);
 std::string title(const ViewOptions& options);
 LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& capabilities,
                              const CancelToken& cancel);

@@ -109,21 +109,21 @@ TEST(FileQueueTest, SaysWhatItReads) {
   FileQueue queue;
   Message message;
   EXPECT_FALSE(queue.next(message));
-  queue.add({"a/one.obj", "two.obj"});
+  queue.add({{.file = "a/one.obj"}, {.file = "two.obj"}});
   EXPECT_FALSE(queue.next(message));
   EXPECT_EQ(message.text, "reading one.obj ...");
-  EXPECT_EQ(queue.next(message), "a/one.obj");
+  EXPECT_EQ(queue.next(message)->file, "a/one.obj");
   message = {.text = "one is no mesh", .is_fault = true};
   queue.note(message);
   EXPECT_FALSE(queue.next(message));
   EXPECT_EQ(message.text, "one is no mesh\nreading two.obj ...");
-  EXPECT_EQ(queue.next(message), "two.obj");
+  EXPECT_EQ(queue.next(message)->file, "two.obj");
   message = {.text = "added two"};
   queue.note(message);
   EXPECT_EQ(message.text, "one is no mesh\nadded two");
   EXPECT_TRUE(message.is_fault);
   EXPECT_FALSE(queue.next(message));
-  queue.add({"three.obj"});
+  queue.add({{.file = "three.obj"}});
   queue.next(message);
   EXPECT_EQ(message.text, "reading three.obj ...");
 }

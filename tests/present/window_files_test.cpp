@@ -1,4 +1,5 @@
 // Files that are dropped on the window, and scenes that are opened in it.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -6,7 +7,11 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <imgui.h>
+// The lists within the panel, which only ImGui knows.
+#include <imgui_internal.h>
 
 #include "host/base/frame_name.h"
 #include "host/scene/scene_file.h"
@@ -162,6 +167,32 @@ TEST_F(WindowFilesTest, ScenesAreOpened) {
   open(fresh);
   turn(2);
   EXPECT_TRUE(picture() == live) << "a fresh start shows another picture";
+}
+
+// Fails if a click on the list of scenes opens none, another one, or leaves the mark where it was.
+TEST_F(WindowFilesTest, ScenesAreOpenedFromTheList) {
+  present::ViewOptions options = quick_options();
+  options.scene_file = file("first.toml", "version = 1\n");
+  options.scene_name = "first";
+  file("second.toml", "version = 1\n[ocean]\nsize = 32\n[wind]\nspeed_mps = 3\n");
+  open(options);
+  toggle_header("Scenes");
+  const auto choose_row = [&](const char* part, int number) {
+    const unsigned id = main_panel()->GetID(part);
+    click(find(ImGui::FindWindowByName(fmt::format("Offing/{}_{:08X}", part, id).c_str()), "##scene", 20,
+               number));
+    turn(3);
+  };
+  choose_row("beside", 1);
+  EXPECT_THAT(message(), HasSubstr("opened second"));
+  EXPECT_EQ(state().scene.wind_speed_mps, 3.0);
+  choose_row("beside", 0);
+  EXPECT_THAT(message(), HasSubstr("opened first"));
+  const present::SceneList list;
+  const auto sky = std::ranges::find(list.shipped(), "sphere.toml", &present::ListedScene::name);
+  choose_row("shipped", static_cast<int>(sky - list.shipped().begin()));
+  EXPECT_THAT(message(), HasSubstr("opened sphere"));
+  EXPECT_EQ(state().scene.meshes.size(), 1u);
 }
 
 // Fails if a scene whose files are missing takes the one before away.
