@@ -18,6 +18,7 @@
 #include "host/scene/moving_view.h"
 #include "host/scene/scene_ground.h"
 #include "host/scene/scene_writer.h"
+#include "present/bookmarks.h"
 #include "present/camera_path.h"
 #include "present/cloud_panel.h"
 #include "present/highlight_panel.h"
@@ -64,7 +65,7 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
 bool Viewer::turn() {
   glfwPollEvents();
   const double now_s = glfwGetTime(), wall_s = now_s - std::exchange(last_turn_s_, now_s);
-  for (const ViewAction action : input_.take_actions()) act(action);
+  for (const KeyPress press : input_.take_presses()) act(press);
   if (intake_.turn(input_.take_dropped_files(), screen(), input_.pointer())) begin_scene();
   state_.clock.advance(wall_s);
   if (options_.recording) {
@@ -81,9 +82,10 @@ bool Viewer::turn() {
   return !is_quitting_ && glfwWindowShouldClose(window()) == GLFW_FALSE;
 }
 
-void Viewer::act(ViewAction action) {
-  if (change_view(action, state_)) return;
-  switch (action) {
+void Viewer::act(KeyPress press) {
+  if (change_view(press.action, state_)) return;
+  const auto number = static_cast<std::size_t>(press.number);
+  switch (press.action) {
     case ViewAction::toggle_walk:
       if (pilot_.toggle_walk(state_, sea_)) leave_path();
       break;
@@ -129,12 +131,28 @@ void Viewer::act(ViewAction action) {
     case ViewAction::redo:
       editing_.redo();
       break;
+    case ViewAction::go_to_bookmark:
+      go_to_bookmark(number);
+      break;
+    case ViewAction::set_bookmark:
+      editing_.make([&](scene::OceanScene& scene) {
+        return present::set_bookmark(scene, state_.camera.camera(), number);
+      });
+      break;
     case ViewAction::quit:
       is_quitting_ = true;
       break;
     default:  // of the view
       break;
   }
+}
+
+void Viewer::go_to_bookmark(std::size_t number) {
+  report([&] {
+    std::string news = present::go_to_bookmark(state_.scene, number, state_.camera.camera());
+    leave_path();
+    return news;
+  });
 }
 
 void Viewer::begin_scene() {

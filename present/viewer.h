@@ -39,7 +39,8 @@ class Viewer {
   GLFWwindow* window() const { return context_.window_handle(); }
 
  private:
-  void act(ViewAction action);
+  void act(KeyPress press);
+  void go_to_bookmark(std::size_t number);
   /// What follows from another scene's being shown.
   void begin_scene();
   void undo();

@@ -43,10 +43,8 @@ WindowInput::~WindowInput() {
 void WindowInput::on_key(GLFWwindow* window, int key, int, int action, int modifiers) {
   // Keys that are held do not repeat: a slow frame would queue up actions.
   if (action != GLFW_PRESS || panels_want_keys()) return;
-  for (const KeyBinding& binding : key_bindings()) {
-    const bool is_meant =
-        binding.modifiers == 0 || binding.modifiers == (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT));
-    if (binding.key == key && is_meant) input_of(window).actions_.push_back(binding.action);
+  if (const std::optional<KeyPress> press = press_of(key, modifiers)) {
+    input_of(window).presses_.push_back(*press);
   }
 }
 
@@ -101,8 +99,8 @@ bool WindowInput::is_held(int key) const {
   return glfwGetKey(window_, key) == GLFW_PRESS;
 }
 
-std::vector<ViewAction> WindowInput::take_actions() {
-  return std::exchange(actions_, {});
+std::vector<KeyPress> WindowInput::take_presses() {
+  return std::exchange(presses_, {});
 }
 
 CameraInput WindowInput::take_camera_input() {

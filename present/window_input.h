@@ -37,7 +37,7 @@ class WindowInput {
   ~WindowInput();
 
   /// What was asked for since the last call, in order.
-  std::vector<ViewAction> take_actions();
+  std::vector<KeyPress> take_presses();
   CameraInput take_camera_input();
   /// Where the middle button went down since the last call, in clip coordinates of the window.
   std::vector<glm::dvec2> take_clicks();
@@ -61,7 +61,7 @@ class WindowInput {
   bool holds_control() const;
 
   GLFWwindow* window_;
-  std::vector<ViewAction> actions_;
+  std::vector<KeyPress> presses_;
   std::vector<glm::dvec2> clicks_;
   std::vector<PointerEvent> pointer_events_;
   std::vector<std::filesystem::path> dropped_files_;
