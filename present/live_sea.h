@@ -14,6 +14,7 @@
 #include "present/frame.h"
 #include "present/gl_context.h"
 #include "present/light_meter.h"
+#include "present/recorder.h"
 
 namespace offing::present {
 
@@ -80,6 +81,8 @@ class LiveSea {
 
   /// Sun, air and exposure are those of the scene at that time. Throws what scene::view_at() throws.
   void draw(const SeaView& view);
+  /// The last picture is the next frame of a recording.
+  void record(Recorder& recorder) const { recorder.write(*frame_, view_.time_s, exposure_); }
   /// The last picture, into a file (picture_file.h).
   void write(const std::filesystem::path& path) const;
 

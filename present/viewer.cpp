@@ -8,7 +8,6 @@
 #include <system_error>
 #include <utility>
 
-#include <epoxy/gl.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -25,6 +24,7 @@
 #include "present/picture_file.h"
 #include "present/view_actions.h"
 #include "present/viewer_start.h"
+#include "present/window_copy.h"
 
 namespace offing::present {
 namespace {
@@ -58,6 +58,7 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
   options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
   scene_list_.follow(options_.scene_file);
   if (options.starts_paused) state_.clock.toggle_pause();
+  if (options.recording) recorder_.emplace(*options.recording);
   spdlog::info("OpenGL {} ({}); OpenCL {}; transfer {}", context_.capabilities().version,
                context_.capabilities().renderer, sea_.device().name, to_string(sea_.frame().transfer_rung()));
 }
@@ -70,13 +71,13 @@ bool Viewer::turn() {
   state_.clock.advance(wall_s);
   if (options_.recording) {
     const Recording& recording = *options_.recording;
-    state_.clock.set_time((recording.frames.first + recorded_) / recording.frames_per_second);
+    state_.clock.set_time((recording.frames.first + recorder_->count()) / recording.frames_per_second);
   }
   editing_.take_clouds();
   if (editing_.turn(screen(), input_.take_pointer_events(), input_.pointer_now())) input_.hold_camera();
   move_camera(wall_s);
   if (show()) {
-    if (options_.recording) record_frame();
+    if (recorder_) record_frame();
     limiter_.wait(state_.frame_limit_hz);
   }
   return !is_quitting_ && glfwWindowShouldClose(window()) == GLFW_FALSE;
@@ -220,7 +221,7 @@ bool Viewer::show() {
   PanelEdits edits;
   {
     const StageTimes::Scope stage(sea_.frame().times(), Stage::panels);
-    copy_to_window(width, height);
+    copy_to_window(sea_.frame().screen(), width, height);
     edits = draw_panels();
   }
   require_no_gl_error("window");
@@ -291,16 +292,6 @@ void Viewer::draw_sea(int width, int height) {
   }
 }
 
-void Viewer::copy_to_window(int width, int height) {
-  const RenderTarget& screen = sea_.frame().screen();
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, screen.framebuffer());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  glBlitFramebuffer(0, 0, screen.width(), screen.height(), 0, 0, width, height, GL_COLOR_BUFFER_BIT,
-                    GL_LINEAR);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, width, height);
-}
-
 PanelEdits Viewer::draw_panels() {
   Frame& frame = sea_.frame();
   if (sea_.ground() && state_.shows_map) map_.show(sea_.ground()->parameters());
@@ -369,17 +360,19 @@ void Viewer::save_scene() {
 }
 
 void Viewer::record_frame() {
-  const Recording& recording = *options_.recording;
-  sea_.write(recording.name.of(recording.frames.first + recorded_));
-  ++recorded_;
-  is_quitting_ = is_quitting_ || recorded_ == recording.count();
+  sea_.record(*recorder_);
+  if (!recorder_->is_complete()) return;
+  recorder_->finish();
+  is_quitting_ = true;
 }
 
 void show_window(const ViewOptions& options, const CancelToken& cancel) {
   Viewer viewer(options, cancel);
   while (!cancel.cancelled() && viewer.turn()) {
   }
-  if (!cancel.cancelled()) return;
+  const bool has_video = options.recording && !options.recording->video.empty();
+  const bool lacks_video = has_video && viewer.recorded() < options.recording->count();
+  if (!cancel.cancelled() && !lacks_video) return;
   if (options.recording) throw stopped_recording(*options.recording, viewer.recorded());
   throw Error(ErrorKind::cancelled, "offing-view: the window was closed by a signal",
               "Esc or the window's own button closes it without an error");

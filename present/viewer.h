@@ -34,7 +34,7 @@ class Viewer {
 
   const ViewState& state() const { return state_; }
   /// Frames of the recording that are written.
-  int recorded() const { return recorded_; }
+  int recorded() const { return recorder_ ? recorder_->count() : 0; }
   LiveSea& sea() { return sea_; }
   GLFWwindow* window() const { return context_.window_handle(); }
 
@@ -54,7 +54,6 @@ class Viewer {
   highlights::LightingAt lighting_at();
   void draw_sea(int width, int height);
   void end_frame();
-  void copy_to_window(int width, int height);
   PanelEdits draw_panels();
   void apply(const PanelEdits& edits);
   Screen screen() const;
@@ -82,7 +81,7 @@ class Viewer {
   double last_turn_s_;
   double drawn_s_;   // time of the last picture; before the first one, of that
   bool is_on_path_;  // the camera follows the scene's keyframes until the user moves it
-  int recorded_ = 0;
+  std::optional<Recorder> recorder_;
   std::optional<int> swap_interval_;
   bool is_quitting_ = false;
   FullScreen full_screen_;
