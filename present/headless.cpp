@@ -1,5 +1,6 @@
 #include "present/headless.h"
 
+#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "present/gl_context.h"
 #include "present/light_meter.h"
 #include "present/picture_file.h"
+#include "present/recorder.h"
 
 namespace offing::present {
 namespace {
@@ -42,8 +44,11 @@ class PictureMaker {
                  to_string(frame_.transfer_rung()));
   }
 
+  /// Puts the picture that was made, at an exposure, where it belongs.
+  using Write = std::function<void(const Frame&, double exposure)>;
+
   /// A picture of a sequence that begins at `first_s`. False, with nothing written, when asked to stop.
-  bool make(double time_s, double first_s, const std::filesystem::path& path, const CancelToken& cancel) {
+  bool make(double time_s, double first_s, const CancelToken& cancel, const Write& write) {
     if (cancel.cancelled()) return false;
     scene::ViewScene view = scene::show_at(world_, scene_, time_s);
     view.camera.width_px = size_.width;
@@ -54,7 +59,7 @@ class PictureMaker {
         world_,
         {.camera = view.camera, .exposure = exposure, .lighting_at = lighting_at_, .first_s = first_s});
     if (cancel.cancelled()) return false;
-    write_picture(path, frame_, time_s, exposure);
+    write(frame_, exposure);
     return true;
   }
 
@@ -74,23 +79,31 @@ class PictureMaker {
 void make_pictures(const ViewOptions& options, const CancelToken& cancel) {
   PictureMaker maker(options, cancel);
   if (!options.output.empty()) {
-    if (!maker.make(options.time_s, options.time_s, options.output, cancel)) cancel.throw_if_cancelled();
+    const bool is_made =
+        maker.make(options.time_s, options.time_s, cancel, [&](const Frame& frame, double exposure) {
+          write_picture(options.output, frame, options.time_s, exposure);
+        });
+    if (!is_made) cancel.throw_if_cancelled();
     fmt::print("{}\n", options.output.string());
   }
   if (!options.recording) return;
   const Recording& recording = *options.recording;
+  Recorder recorder(recording);
   {
     Progress progress(recording.count(), "frames", options.verbosity);
     for (int frame = recording.frames.first; frame <= recording.frames.last; ++frame) {
       const double time_s = frame / recording.frames_per_second;
-      if (!maker.make(time_s, recording.first_s(), recording.name.of(frame), cancel)) {
-        throw stopped_recording(recording, frame - recording.frames.first);
+      const auto write = [&](const Frame& drawn, double exposure) {
+        recorder.write(drawn, time_s, exposure);
+      };
+      if (!maker.make(time_s, recording.first_s(), cancel, write)) {
+        throw stopped_recording(recording, recorder.count());
       }
       progress.advance();
     }
   }
-  fmt::print("{} ... {}\n", recording.name.of(recording.frames.first).string(),
-             recording.name.of(recording.frames.last).string());
+  recorder.finish();
+  fmt::print("{}\n", shown_outputs(recording));
 }
 
 }  // namespace offing::present

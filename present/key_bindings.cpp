@@ -10,7 +10,7 @@ namespace offing::present {
 
 std::span<const KeyBinding> key_bindings() {
   using enum ViewAction;
-  static constexpr std::array<KeyBinding, 28> bindings{{
+  static constexpr std::array<KeyBinding, 30> bindings{{
       {GLFW_KEY_H, "H", toggle_help, "this help"},
       {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
       {GLFW_KEY_SPACE, "Space", toggle_pause, "pause"},
@@ -38,9 +38,24 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_DELETE, "Delete", remove_picked, "takes picked balls, clouds or particles away"},
       {GLFW_KEY_Z, "Ctrl Z", undo, "undo the last edit", GLFW_MOD_CONTROL},
       {GLFW_KEY_Z, "Ctrl Shift Z", redo, "redo it", GLFW_MOD_CONTROL | GLFW_MOD_SHIFT},
+      {GLFW_KEY_1, "1 ... 9", go_to_bookmark, "to that bookmark of the scene", 0, 9},
+      {GLFW_KEY_1, "Ctrl 1 ... 9", set_bookmark, "makes this view that bookmark, or a new one",
+       GLFW_MOD_CONTROL, 9},
       {GLFW_KEY_ESCAPE, "Esc", quit, "quit"},
   }};
   return bindings;
+}
+
+std::optional<KeyPress> press_of(int key, int modifiers) {
+  const int held = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+  std::optional<KeyPress> press;
+  for (const KeyBinding& binding : key_bindings()) {
+    const int number = key - binding.key + 1;
+    if (number < 1 || number > binding.keys) continue;
+    if (binding.modifiers == held && held != 0) return KeyPress{binding.action, number};
+    if (binding.modifiers == 0) press = {binding.action, number};
+  }
+  return press;
 }
 
 std::span<const CameraControl> camera_controls() {

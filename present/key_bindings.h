@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 namespace offing::present {
@@ -33,6 +34,8 @@ enum class ViewAction {
   remove_picked,
   undo,
   redo,
+  go_to_bookmark,
+  set_bookmark,
   quit,
 };
 
@@ -41,8 +44,18 @@ struct KeyBinding {
   const char* name;  ///< as printed on the key
   ViewAction action;
   const char* help;
-  int modifiers = 0;  ///< of GLFW, that are held with it; 0: any
+  int modifiers = 0;  ///< of GLFW, that are held with it; 0: any that no other binding of the key asks for
+  int keys = 1;       ///< so many keys from this one on: numbers of the action, from 1
 };
+
+/// What is asked for by a key that has gone down.
+struct KeyPress {
+  ViewAction action;
+  int number = 1;  ///< of KeyBinding::keys
+};
+
+/// Nothing for a key that does nothing.
+std::optional<KeyPress> press_of(int key, int modifiers);
 
 /// Every key that does something once: the one place that says which, for the window and its help.
 std::span<const KeyBinding> key_bindings();

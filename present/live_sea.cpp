@@ -34,24 +34,49 @@ world::WorldParameters with_particles(CloudBuilder& builder, world::WorldParamet
 LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, const scene::OceanScene& scene)
     : context_(context),
       settings_(settings.frame),
+      cancel_(settings.cancel),
       device_(ocl::Device::open_shared(ocl::select_device(settings.device), ocl::Profiling::on,
                                        context.share_properties())),
       scene_(scene),
       builder_(std::make_unique<CloudBuilder>(device_.info(), scene_)),
       world_(std::make_unique<world::World>(
           device_, with_particles(*builder_, scene::prepare_shown_world(scene_), settings.cancel))),
-      frame_(std::make_unique<Frame>(context, device_, settings.frame)) {
-  if (const auto puffs = scene::own_puffs(scene_)) frame_->set_puffs(device_, *puffs);
-  warning_ = scene::steepness_warning(scene_, world_->parameters().trochoids);
-  // What was written where has been checked: edits are not to be warned of as if they were in the file.
-  scene_.set_at.clear();
-  wanted_ = scene_;
+      frame_(new_frame(scene_)) {
+  take_scene(std::move(scene_));
 }
 
-void LiveSea::try_out(world::World& world) const {
-  world.set_eye({view_.camera.eye_m.x, view_.camera.eye_m.z});
-  world.at(view_.time_s, view_.camera.eye_m.y);
-  world.see_clouds(view_.camera);
+std::unique_ptr<Frame> LiveSea::new_frame(const scene::OceanScene& scene) {
+  auto frame = std::make_unique<Frame>(context_, device_, settings_);
+  if (const auto puffs = scene::own_puffs(scene)) frame->set_puffs(device_, *puffs);
+  return frame;
+}
+
+void LiveSea::take_scene(scene::OceanScene scene) {
+  warning_ = scene::steepness_warning(scene, world_->parameters().trochoids);
+  scene.set_at.clear();
+  wanted_ = scene_ = std::move(scene);
+}
+
+void LiveSea::open(const scene::OceanScene& scene) {
+  scene::OceanScene opened = scene;
+  auto builder = std::make_unique<CloudBuilder>(device_.info(), opened);
+  auto world = std::make_unique<world::World>(
+      device_, with_particles(*builder, scene::prepare_shown_world(opened), cancel_));
+  auto frame = new_frame(opened);
+  const SeaView view{.time_s = opened.start_s, .camera = opened.view.camera};
+  try_out(*world, view);
+  builder_ = std::move(builder);
+  world_ = std::move(world);
+  frame_ = std::move(frame);
+  light_meter_ = {};
+  view_ = view;
+  take_scene(std::move(opened));
+}
+
+void LiveSea::try_out(world::World& world, const SeaView& view) const {
+  world.set_eye({view.camera.eye_m.x, view.camera.eye_m.z});
+  world.at(view.time_s, view.camera.eye_m.y);
+  world.see_clouds(view.camera);
   device_.finish();
 }
 
@@ -59,7 +84,7 @@ void LiveSea::change(const std::function<void()>& work) {
   const world::WorldParameters before = world_->parameters();
   try {
     work();
-    try_out(*world_);
+    try_out(*world_, view_);
   } catch (const Error&) {
     // Any part may have changed; what it was made of needs no file again.
     world_ = std::make_unique<world::World>(device_, before);
@@ -116,12 +141,11 @@ void LiveSea::edit(const scene::OceanScene& scene) {
 }
 
 void LiveSea::reload() {
-  auto frame = std::make_unique<Frame>(context_, device_, settings_);
-  if (const auto puffs = scene::own_puffs(scene_)) frame->set_puffs(device_, *puffs);
+  auto frame = new_frame(scene_);
   auto builder = std::make_unique<CloudBuilder>(device_.info(), scene_);
   auto world = std::make_unique<world::World>(
       device_, with_particles(*builder, scene::prepare_world(scene_, scene::Warnings::left_out), nullptr));
-  try_out(*world);
+  try_out(*world, view_);
   world_ = std::move(world);
   frame_ = std::move(frame);
   builder_ = std::move(builder);

@@ -14,13 +14,14 @@
 #include "present/frame.h"
 #include "present/gl_context.h"
 #include "present/light_meter.h"
+#include "present/recorder.h"
 
 namespace offing::present {
 
 struct LiveSeaSettings {
   std::string device;  ///< selector of ocl::select_device
   FrameSettings frame;
-  const CancelToken* cancel = nullptr;  ///< of making the first world; outlives that
+  const CancelToken* cancel = nullptr;  ///< of making whole worlds; outlives the sea
 };
 
 /// What to show of a sea: when, from where, and how.
@@ -44,6 +45,9 @@ class LiveSea {
   /// Throws what making a world and its pictures throws.
   LiveSea(const GlContext& context, const LiveSeaSettings& settings, const scene::OceanScene& scene);
 
+  /// Shows another scene as a fresh start with it would, on the same device: nothing of the one before goes
+  /// on. Throws what making a world throws, Error(cancelled) where the token says so.
+  void open(const scene::OceanScene& scene);
   /// Changes the scene, making anew only what differs; clouds that differ are made in the background.
   void begin_edit(const scene::OceanScene& scene, Haste haste);
   /// Shows clouds that have been made since; whether there were any. Throws what making them has thrown: the
@@ -77,6 +81,8 @@ class LiveSea {
 
   /// Sun, air and exposure are those of the scene at that time. Throws what scene::view_at() throws.
   void draw(const SeaView& view);
+  /// The last picture is the next frame of a recording.
+  void record(Recorder& recorder) const { recorder.write(*frame_, view_.time_s, exposure_); }
   /// The last picture, into a file (picture_file.h).
   void write(const std::filesystem::path& path) const;
 
@@ -85,15 +91,19 @@ class LiveSea {
 
  private:
   /// What is compiled or allocated at first use.
-  void try_out(world::World& world) const;
+  void try_out(world::World& world, const SeaView& view) const;
   void simulate(const SeaView& view);
   /// Changes the world, or leaves it as it was.
   void change(const std::function<void()>& work);
   void show_clouds(BuiltClouds built);
+  std::unique_ptr<Frame> new_frame(const scene::OceanScene& scene);
+  /// What was written where has been checked: edits are not to be warned of as if they were in the file.
+  void take_scene(scene::OceanScene scene);
   void warn();
 
   const GlContext& context_;
   FrameSettings settings_;
+  const CancelToken* cancel_;
   ocl::Device device_;
   scene::OceanScene scene_, wanted_;
   std::unique_ptr<CloudBuilder> builder_;

@@ -11,8 +11,10 @@
 
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_elements.h"
+#include "present/bookmark_panel.h"
 #include "present/key_bindings.h"
 #include "present/ray_overlay.h"
+#include "present/scene_list_panel.h"
 #include "present/time_graph.h"
 
 namespace offing::present {
@@ -86,6 +88,7 @@ void draw_elements(const GroupPanel& panel, const std::vector<const scene::Param
 
 void draw_group(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
   if (!ImGui::CollapsingHeader(panel.title)) return;
+  if (panel.group == ParameterGroup::bookmark) return draw_bookmarks(state, edits);
   const std::vector<const scene::Parameter*> rows = rows_of(panel.group);
   if (rows.front()->elements) {
     draw_elements(panel, rows, state, edits);
@@ -240,6 +243,7 @@ void draw_main_panel(ViewState& state, const ViewFacts& facts, PanelEdits& edits
   for (const GroupPanel& panel : group_panels()) {
     if (is_in(state.scene, panel.group)) draw_group(panel, state, edits);
   }
+  if (facts.scenes != nullptr) edits.wanted_scene = draw_scene_list(*facts.scenes, facts.open_scene);
   draw_file(state, edits);
   draw_times(state, facts);
   ImGui::PopItemWidth();
@@ -295,7 +299,7 @@ void draw_message(Message& message) {
 }  // namespace
 
 std::span<const GroupPanel> group_panels() {
-  static constexpr std::array<GroupPanel, 27> panels{{{ParameterGroup::wind, "Wind"},
+  static constexpr std::array<GroupPanel, 28> panels{{{ParameterGroup::wind, "Wind"},
                                                       {ParameterGroup::sea, "Spectrum"},
                                                       {ParameterGroup::grid, "Cascades and Gerstner waves"},
                                                       {ParameterGroup::swell, "Swells"},
@@ -319,6 +323,7 @@ std::span<const GroupPanel> group_panels() {
                                                       {ParameterGroup::sun, "Sun"},
                                                       {ParameterGroup::sky, "Air"},
                                                       {ParameterGroup::camera, "Camera"},
+                                                      {ParameterGroup::bookmark, "Bookmarks"},
                                                       {ParameterGroup::render, "Picture"},
                                                       {ParameterGroup::world, "World"},
                                                       {ParameterGroup::time, "Time of the scene"}}};

@@ -21,6 +21,7 @@
 #include "present/parameter_widget.h"
 #include "present/quality.h"
 #include "present/scene_clock.h"
+#include "present/scene_list.h"
 #include "present/stage_times.h"
 #include "present/transfer.h"
 
@@ -81,7 +82,9 @@ struct ViewFacts {
   bool has_meshes = false;
   const world::GroundView* ground = nullptr;
   const MiniMap* map = nullptr;
-  Quality quality = {};  ///< of the picture
+  Quality quality = {};         ///< of the picture
+  SceneList* scenes = nullptr;  ///< nullptr: no list is drawn
+  ListedScene open_scene = {};
 };
 
 /// What the user asked for in one frame, and panels cannot do by themselves.
@@ -89,8 +92,9 @@ struct PanelEdits {
   Edit scene = Edit::none;  ///< of all but the camera
   bool is_camera_moved = false;
   bool wants_save = false;
-  bool wants_original = false;                  ///< the scene as it was when the window opened
-  std::optional<glm::dvec2> wanted_place = {};  ///< of the camera, east and south: a click on the map
+  bool wants_original = false;                   ///< the scene as it was when the window opened
+  std::optional<ListedScene> wanted_scene = {};  ///< to be opened
+  std::optional<glm::dvec2> wanted_place = {};   ///< of the camera, east and south: a click on the map
 };
 
 /// Draws all panels between PanelLayer::begin() and end().

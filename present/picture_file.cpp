@@ -8,21 +8,9 @@
 #include "host/io/exr_image.h"
 #include "host/io/file_extension.h"
 #include "host/io/file_presence.h"
-#include "host/io/png_image.h"
 
 namespace offing::present {
 namespace {
-
-// OpenGL's first row is at the bottom, that of a file at the top.
-void write_png_of(const std::filesystem::path& path, const RenderTarget& screen) {
-  const std::vector<unsigned char> pixels = screen.read_bytes();
-  const std::size_t row = 3 * static_cast<std::size_t>(screen.width());
-  RgbImage image{.width = screen.width(), .height = screen.height(), .rgb = {}};
-  for (auto end = pixels.end(); end != pixels.begin(); end -= static_cast<std::ptrdiff_t>(row)) {
-    image.rgb.insert(image.rgb.end(), end - static_cast<std::ptrdiff_t>(row), end);
-  }
-  write_png(path, image);
-}
 
 void write_exr_of(const std::filesystem::path& path, const RenderTarget& light, double time_s,
                   double exposure) {
@@ -64,11 +52,23 @@ std::filesystem::path unused_picture_name(const std::string& stem) {
   return path;
 }
 
+RgbImage shown_image(const Frame& frame) {
+  const RenderTarget& screen = frame.screen();
+  const std::vector<unsigned char> pixels = screen.read_bytes();
+  const std::size_t row = 3 * static_cast<std::size_t>(screen.width());
+  RgbImage image{.width = screen.width(), .height = screen.height(), .rgb = {}};
+  // OpenGL's first row is at the bottom.
+  for (auto end = pixels.end(); end != pixels.begin(); end -= static_cast<std::ptrdiff_t>(row)) {
+    image.rgb.insert(image.rgb.end(), end - static_cast<std::ptrdiff_t>(row), end);
+  }
+  return image;
+}
+
 void write_picture(const std::filesystem::path& path, const Frame& frame, double time_s, double exposure) {
   if (is_exr(path)) {
     write_exr_of(path, frame.light(), time_s, exposure);
   } else {
-    write_png_of(path, frame.screen());
+    write_png(path, shown_image(frame));
   }
 }
 

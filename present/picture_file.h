@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "host/io/png_image.h"
 #include "host/world/world.h"
 #include "present/frame.h"
 
@@ -14,6 +15,9 @@ void require_picture_name(const std::filesystem::path& path);
 /// The first of stem_001.png, stem_002.png ... that is no file yet. Throws Error(file) for a name that cannot
 /// be looked up.
 std::filesystem::path unused_picture_name(const std::string& stem);
+
+/// The last picture of a frame as a screen shows it, the first row at the top.
+RgbImage shown_image(const Frame& frame);
 
 /// Writes the last picture of a frame: .png as a screen shows it; .exr scene-linear kcd/m2 with the time, the
 /// eye and the exposure in its header. Equal pictures give equal bytes. Throws Error(file) if it cannot be

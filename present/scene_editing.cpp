@@ -7,6 +7,14 @@
 
 namespace offing::present {
 
+void SceneEditing::begin_anew(const scene::OceanScene& first, bool is_edited) {
+  highlights_ = {};
+  clouds_ = {};
+  history_ = SceneHistory(first);
+  if (is_edited) history_.note(state_.scene);
+  is_last_noted_ = true;
+}
+
 bool SceneEditing::turn(const Screen& screen, const std::vector<PointerEvent>& events,
                         const PointerNow& pointer) {
   const bool edits_clouds =
@@ -24,6 +32,19 @@ void SceneEditing::work(const std::function<Edit()>& deed) {
   } catch (const Error& error) {
     state_.message = fault_message(error);
   }
+}
+
+void SceneEditing::make(const std::function<std::string(scene::OceanScene&)>& deed) {
+  work([&] {
+    scene::OceanScene edited = state_.scene;
+    std::string news = deed(edited);
+    state_.scene = std::move(edited);
+    finish(Edit::done);
+    if (state_.message.is_fault) return Edit::none;
+    if (!state_.message.text.empty()) news += '\n' + state_.message.text;
+    state_.message = {.text = std::move(news)};
+    return Edit::none;
+  });
 }
 
 void SceneEditing::finish(Edit edit) {

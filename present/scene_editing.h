@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "present/cloud_editor.h"
@@ -19,13 +20,19 @@ class SceneEditing {
  public:
   SceneEditing(LiveSea& sea, ViewState& state) : sea_(sea), state_(state), history_(state.scene) {}
 
+  /// The state's scene is another file's: undo begins anew with `first`, of which the state's scene, if it is
+  /// edited, is one edit.
+  void begin_anew(const scene::OceanScene& first, bool is_edited);
   /// Takes in what the mouse did beside panels. True while it holds something: then it does not move the
   /// camera.
   bool turn(const Screen& screen, const std::vector<PointerEvent>& events, const PointerNow& pointer);
   /// Shows clouds that have been made since the last frame.
   void take_clouds();
+  /// An edit that `deed` makes of a scene and says something of, which the message then tells, or its fault.
+  void make(const std::function<std::string(scene::OceanScene&)>& deed);
   /// What an edit of the state's scene means for the world and for undo. Handles are let go of.
   void finish(Edit edit);
+  bool can_undo() const { return history_.can_undo(); }
   void undo();
   void redo();
   void set_keyframes() { finish(highlights_.set_keys(state_, sea_.meshes())); }

@@ -21,6 +21,7 @@
 #include "host/scene/version.h"
 #include "present/picture_file.h"
 #include "present/scene_sources.h"
+#include "present/video_pipe.h"
 
 namespace offing::present {
 namespace {
@@ -31,6 +32,7 @@ constexpr const char* footer = R"(
 Examples:
   offing-view scenes/storm.toml --headless --size 1920x1080 --time 12.5 -o storm.png
   offing-view scenes/storm.toml --record out_%04d.png --frames 0:47 --fps 24
+  offing-view scenes/flight.toml --video flight.webm
   offing-view --terrain S33W071.tif
   offing-view scenes/cumulus.toml --compare-reference -o compared
 
@@ -38,8 +40,8 @@ Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device or disp
 
 // The command line as it was written.
 struct Written {
-  std::string scene, terrain, size, detail, kept_hz, time, output, record, frames, fps, transfer, device,
-      sources, samples;
+  std::string scene, terrain, size, detail, kept_hz, time, output, record, video, frames, fps, transfer,
+      device, sources, samples;
   bool compares_reference = false;
   bool is_headless = false;
   bool is_window = false;
@@ -90,8 +92,12 @@ void add_options(CLI::App& app, Written& written) {
                  "picture, replaced if it is there: .png as a screen shows it, .exr scene-linear kcd/m2")
       ->type_name("FILE")
       ->group(pictures);
-  app.add_option("--record", written.record, "a picture a frame: out_%04d.png")
+  app.add_option("--record", written.record, "a picture a frame, out_%04d.png, or the video of --video")
       ->type_name("NAMES")
+      ->group(pictures);
+  app.add_option("--video", written.video,
+                 "the same frames as a video, out.webm or out.mp4, which the program ffmpeg makes")
+      ->type_name("FILE")
       ->group(pictures);
   app.add_option("--frames", written.frames, "of the recording, A to B or A alone (default the scene's)")
       ->type_name("A:B")
@@ -142,12 +148,22 @@ Recording read_recording(const Written& written, const scene::OceanScene& scene)
       written.fps.empty() ? scene.frames_per_second : read_number("--fps", written.fps, "", 0.001, 1e6, "24");
   const int first = static_cast<int>(std::ceil(scene.start_s * fps - 1e-9));
   const int last = std::max(first, static_cast<int>(std::ceil(scene.end_s * fps - 1e-9)) - 1);
-  const FrameName name("--record", written.record, "out_%04d.png");
-  require_picture_name(written.record);
-  return {.name = name,
-          .frames =
-              written.frames.empty() ? FrameRange{first, last} : read_frame_range("--frames", written.frames),
-          .frames_per_second = fps};
+  Recording recording{.video = written.video,
+                      .frames = written.frames.empty() ? FrameRange{first, last}
+                                                       : read_frame_range("--frames", written.frames),
+                      .frames_per_second = fps};
+  if (is_video_name(written.record)) {
+    if (!written.video.empty()) {
+      throw Error(ErrorKind::bad_usage,
+                  fmt::format("--record: expected names of pictures beside --video, got {}", written.record),
+                  "one video is written: leave one of them out");
+    }
+    recording.video = written.record;
+  } else if (!written.record.empty()) {
+    recording.name.emplace("--record", written.record, "out_%04d.png");
+    require_picture_name(written.record);
+  }
+  return recording;
 }
 
 void require_sources(const std::filesystem::path& folder) {
@@ -167,10 +183,11 @@ ReferenceComparison read_comparison(const Written& written, const std::vector<st
     throw Error(ErrorKind::bad_usage, "--compare-reference: expected a folder for its pictures, found none",
                 "add -o compared");
   }
-  if (!written.record.empty() || written.is_window) {
-    throw Error(ErrorKind::bad_usage,
-                "--compare-reference: expected neither --record nor --window, which it does not make",
-                "leave them out");
+  if (!written.record.empty() || !written.video.empty() || written.is_window) {
+    throw Error(
+        ErrorKind::bad_usage,
+        "--compare-reference: expected neither --record, --video nor --window, which it does not make",
+        "leave them out");
   }
   ReferenceComparison comparison{.folder = written.output, .prints_json = written.prints_json};
   if (!written.samples.empty())
@@ -228,9 +245,21 @@ void require_outputs_not_read(const Written& written, const ViewOptions& options
   if (!options.output.empty()) require_not_read(options.output.string(), inputs);
   if (!options.recording) return;
   const Recording& recording = *options.recording;
+  if (!recording.video.empty()) require_not_read(recording.video.string(), inputs);
+  if (!recording.name) return;
   for (int frame = recording.frames.first; frame <= recording.frames.last; ++frame) {
-    require_not_read(recording.name.of(frame).string(), inputs);
+    require_not_read(recording.name->of(frame).string(), inputs);
   }
+}
+
+/// Throws for what cannot be written, before any work is done.
+void require_outputs(const ViewOptions& options) {
+  if (!options.output.empty() && !options.comparison) require_writable(options.output);
+  if (!options.recording) return;
+  const Recording& recording = *options.recording;
+  if (recording.name) require_writable(recording.name->of(recording.frames.first));
+  const PictureSize size = options.size.value_or(PictureSize{});
+  if (!recording.video.empty()) require_video(recording.video, size.width, size.height);
 }
 
 ViewOptions checked(const Written& written) {
@@ -239,7 +268,7 @@ ViewOptions checked(const Written& written) {
                       : written.is_verbose ? Verbosity::verbose
                                            : Verbosity::normal;
   const bool shows_default = written.scene.empty() && written.terrain.empty();
-  const EmbeddedFile& shipped = scene_sources().front();
+  const EmbeddedFile& shipped = shipped_source(first_scene);
   if (!written.scene.empty()) options.scene = scene::load_scene(written.scene);
   if (shows_default) options.scene = scene::parse_scene(shipped.text, shipped.name, "");
   if (!written.terrain.empty()) {
@@ -247,6 +276,7 @@ ViewOptions checked(const Written& written) {
     options.scene.terrain.file = written.terrain;
     options.scene.set_at.insert_or_assign("terrain.file", "--terrain");
   }
+  options.scene_file = written.scene;
   options.scene_name =
       std::filesystem::path(shows_default ? shipped.name : std::string_view(written.scene)).stem().string();
   if (!written.size.empty()) options.size = read_size("--size", written.size);
@@ -262,7 +292,9 @@ ViewOptions checked(const Written& written) {
     options.comparison = read_comparison(written, inputs_of(written, options.scene));
   }
   if (!written.output.empty() && !options.comparison) require_picture_name(options.output);
-  if (!written.record.empty()) options.recording = read_recording(written, options.scene);
+  if (!written.record.empty() || !written.video.empty()) {
+    options.recording = read_recording(written, options.scene);
+  }
   if (!written.transfer.empty()) options.transfer = transfer_rung(written.transfer);
   options.device = written.device;
   options.sources = written.sources;
@@ -283,8 +315,7 @@ ViewOptions checked(const Written& written) {
   }
   refuse_unused(written, options);
   require_outputs_not_read(written, options);
-  if (!options.output.empty() && !options.comparison) require_writable(options.output);
-  if (options.recording) require_writable(options.recording->name.of(options.recording->frames.first));
+  require_outputs(options);
   return options;
 }
 

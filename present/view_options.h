@@ -40,7 +40,8 @@ struct ReferenceComparison {
 /// What the command line asks for, checked.
 struct ViewOptions {
   scene::OceanScene scene;
-  std::string scene_name;  ///< for titles; empty without a file
+  std::string scene_name;            ///< for titles; empty without a file
+  std::filesystem::path scene_file;  ///< empty: none
   bool opens_window = true;
   std::optional<PictureSize> size;  ///< absent: what suits the machine
   std::optional<Detail> detail;

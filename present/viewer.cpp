@@ -8,7 +8,6 @@
 #include <system_error>
 #include <utility>
 
-#include <epoxy/gl.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -18,11 +17,14 @@
 #include "host/scene/moving_view.h"
 #include "host/scene/scene_ground.h"
 #include "host/scene/scene_writer.h"
+#include "present/bookmarks.h"
 #include "present/camera_path.h"
 #include "present/cloud_panel.h"
 #include "present/highlight_panel.h"
 #include "present/picture_file.h"
+#include "present/view_actions.h"
 #include "present/viewer_start.h"
+#include "present/window_copy.h"
 
 namespace offing::present {
 namespace {
@@ -44,15 +46,20 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
                                   .width = options.size.value_or(PictureSize{}).width,
                                   .height = options.size.value_or(PictureSize{}).height})),
       sea_(context_, sea_settings(options, context_.capabilities(), cancel), options.scene),
-      state_(start_state(options, context_.capabilities(), sea_)),
+      state_(start_state(options, sea_)),
       input_(window()),
       panels_(window()),
       editing_(sea_, state_),
+      scenes_(options_, sea_, state_, editing_),
+      intake_(options_, sea_, state_, editing_, scenes_),
       last_turn_s_(glfwGetTime()),
       drawn_s_(options.time_s),
       is_on_path_(has_camera_path(options.scene)) {
   options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
+  scene_list_.follow(options_.scene_file);
+  state_.kept_hz = start_kept_hz(options, context_.capabilities());
   if (options.starts_paused) state_.clock.toggle_pause();
+  if (options.recording) recorder_.emplace(*options.recording);
   spdlog::info("OpenGL {} ({}); OpenCL {}; transfer {}", context_.capabilities().version,
                context_.capabilities().renderer, sea_.device().name, to_string(sea_.frame().transfer_rung()));
 }
@@ -60,11 +67,12 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
 bool Viewer::turn() {
   glfwPollEvents();
   const double now_s = glfwGetTime(), wall_s = now_s - std::exchange(last_turn_s_, now_s);
-  for (const ViewAction action : input_.take_actions()) act(action);
+  for (const KeyPress press : input_.take_presses()) act(press);
+  if (intake_.turn(input_.take_dropped_files(), screen(), input_.pointer())) begin_scene();
   state_.clock.advance(wall_s);
   if (options_.recording) {
     const Recording& recording = *options_.recording;
-    state_.clock.set_time((recording.frames.first + recorded_) / recording.frames_per_second);
+    state_.clock.set_time((recording.frames.first + recorder_->count()) / recording.frames_per_second);
   }
   editing_.take_clouds();
   if (editing_.turn(screen(), input_.take_pointer_events(), input_.pointer_now())) input_.hold_camera();
@@ -74,59 +82,18 @@ bool Viewer::turn() {
       const double shown_s = glfwGetTime();
       ladder_.note(1e3 * (shown_s - now_s), 1e3 / state_.kept_hz, shown_s);
     }
-    if (options_.recording) record_frame();
+    if (recorder_) record_frame();
     limiter_.wait(state_.frame_limit_hz);
   }
   return !is_quitting_ && glfwWindowShouldClose(window()) == GLFW_FALSE;
 }
 
-void Viewer::act(ViewAction action) {
-  switch (action) {
-    case ViewAction::toggle_help:
-      state_.shows_help = !state_.shows_help;
-      break;
-    case ViewAction::toggle_panels:
-      state_.shows_panels = !state_.shows_panels;
-      break;
-    case ViewAction::toggle_pause:
-      state_.clock.toggle_pause();
-      break;
-    case ViewAction::step_forward:
-      state_.clock.step(1.0 / state_.scene.frames_per_second);
-      break;
-    case ViewAction::step_back:
-      state_.clock.step(-1.0 / state_.scene.frames_per_second);
-      break;
-    case ViewAction::slower:
-      state_.clock.set_scale(0.5 * state_.clock.scale());
-      break;
-    case ViewAction::faster:
-      state_.clock.set_scale(2.0 * state_.clock.scale());
-      break;
-    case ViewAction::real_time:
-      state_.clock.set_scale(1.0);
-      break;
-    case ViewAction::toggle_wireframe:
-      state_.fill = state_.fill == Fill::solid ? Fill::wireframe : Fill::solid;
-      break;
-    case ViewAction::next_debug_view: {
-      const auto next = static_cast<std::size_t>(state_.debug) + 1;
-      state_.debug = all_debug_views[next % all_debug_views.size()];
-      break;
-    }
-    case ViewAction::next_mesh_show: {
-      const auto next = static_cast<std::size_t>(state_.meshes) + 1;
-      state_.meshes = all_mesh_shows[next % all_mesh_shows.size()];
-      break;
-    }
+void Viewer::act(KeyPress press) {
+  if (change_view(press.action, state_)) return;
+  const auto number = static_cast<std::size_t>(press.number);
+  switch (press.action) {
     case ViewAction::toggle_walk:
       if (pilot_.toggle_walk(state_, sea_)) leave_path();
-      break;
-    case ViewAction::toggle_steps:
-      state_.ground = state_.ground == GroundShow::light ? GroundShow::steps : GroundShow::light;
-      break;
-    case ViewAction::toggle_map:
-      state_.shows_map = !state_.shows_map;
       break;
     case ViewAction::pick_ray:
       pick_ray();
@@ -165,15 +132,49 @@ void Viewer::act(ViewAction action) {
       editing_.remove_picked();
       break;
     case ViewAction::undo:
-      editing_.undo();
+      undo();
       break;
     case ViewAction::redo:
       editing_.redo();
       break;
+    case ViewAction::go_to_bookmark:
+      go_to_bookmark(number);
+      break;
+    case ViewAction::set_bookmark:
+      editing_.make([&](scene::OceanScene& scene) {
+        return present::set_bookmark(scene, state_.camera.camera(), number);
+      });
+      break;
     case ViewAction::quit:
       is_quitting_ = true;
       break;
+    default:  // of the view
+      break;
   }
+}
+
+void Viewer::go_to_bookmark(std::size_t number) {
+  report([&] {
+    std::string news = present::go_to_bookmark(state_.scene, number, state_.camera.camera());
+    leave_path();
+    return news;
+  });
+}
+
+void Viewer::begin_scene() {
+  glfwSetWindowTitle(window(), title(options_).c_str());
+  drawn_s_ = state_.clock.time_s();
+  is_on_path_ = has_camera_path(state_.scene);
+  last_turn_s_ = glfwGetTime();
+  scene_list_.follow(options_.scene_file);
+}
+
+void Viewer::undo() {
+  if (editing_.can_undo()) return editing_.undo();
+  attempt([&] {
+    if (scenes_.go_back()) return begin_scene();
+    editing_.undo();  // which says that there is nothing
+  });
 }
 
 /// Of the window, whose size is that of the mouse's places.
@@ -227,7 +228,7 @@ bool Viewer::show() {
   PanelEdits edits;
   {
     const StageTimes::Scope stage(sea_.frame().times(), Stage::panels);
-    copy_to_window(width, height);
+    copy_to_window(sea_.frame().screen(), width, height);
     edits = draw_panels();
   }
   require_no_gl_error("window");
@@ -285,16 +286,6 @@ void Viewer::draw_sea(int width, int height) {
   }
 }
 
-void Viewer::copy_to_window(int width, int height) {
-  const RenderTarget& screen = sea_.frame().screen();
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, screen.framebuffer());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  glBlitFramebuffer(0, 0, screen.width(), screen.height(), 0, 0, width, height, GL_COLOR_BUFFER_BIT,
-                    GL_LINEAR);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, width, height);
-}
-
 PanelEdits Viewer::draw_panels() {
   Frame& frame = sea_.frame();
   if (sea_.ground() && state_.shows_map) map_.show(sea_.ground()->parameters());
@@ -309,7 +300,9 @@ PanelEdits Viewer::draw_panels() {
                                                    .has_meshes = !sea_.meshes().empty(),
                                                    .ground = sea_.ground(),
                                                    .map = &map_,
-                                                   .quality = quality()});
+                                                   .quality = quality(),
+                                                   .scenes = &scene_list_,
+                                                   .open_scene = listed(options_)});
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_highlight_panel(state_, sea_.meshes()));
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_cloud_panel(state_, sea_));
   panels_.end();
@@ -323,6 +316,7 @@ void Viewer::apply(const PanelEdits& edits) {
   constexpr double quick_s = 0.1;
   const bool follows = edits.scene == Edit::going_on && sea_.edit_s() < quick_s;
   if (edits.scene == Edit::done || edits.scene == Edit::refused || follows) editing_.finish(edits.scene);
+  if (edits.wanted_scene) intake_.open(*edits.wanted_scene);
   if (edits.wants_save) save_scene();
   if (edits.wants_original) {
     state_.scene = options_.scene;
@@ -332,8 +326,12 @@ void Viewer::apply(const PanelEdits& edits) {
 }
 
 void Viewer::report(const std::function<std::string()>& work) {
+  attempt([&] { state_.message = {.text = work()}; });
+}
+
+void Viewer::attempt(const std::function<void()>& work) {
   try {
-    state_.message = {.text = work()};
+    work();
   } catch (const Error& error) {
     state_.message = fault_message(error);
   }
@@ -350,22 +348,25 @@ void Viewer::take_screenshot() {
 void Viewer::save_scene() {
   report([&] {
     scene::save_scene(state_.scene, state_.save_name, state_.overwriting);
+    scenes_.note_saved();
     return fmt::format("wrote {}", whole_name(state_.save_name));
   });
 }
 
 void Viewer::record_frame() {
-  const Recording& recording = *options_.recording;
-  sea_.write(recording.name.of(recording.frames.first + recorded_));
-  ++recorded_;
-  is_quitting_ = is_quitting_ || recorded_ == recording.count();
+  sea_.record(*recorder_);
+  if (!recorder_->is_complete()) return;
+  recorder_->finish();
+  is_quitting_ = true;
 }
 
 void show_window(const ViewOptions& options, const CancelToken& cancel) {
   Viewer viewer(options, cancel);
   while (!cancel.cancelled() && viewer.turn()) {
   }
-  if (!cancel.cancelled()) return;
+  const bool has_video = options.recording && !options.recording->video.empty();
+  const bool lacks_video = has_video && viewer.recorded() < options.recording->count();
+  if (!cancel.cancelled() && !lacks_video) return;
   if (options.recording) throw stopped_recording(*options.recording, viewer.recorded());
   throw Error(ErrorKind::cancelled, "offing-view: the window was closed by a signal",
               "Esc or the window's own button closes it without an error");

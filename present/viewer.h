@@ -6,6 +6,7 @@
 
 #include "host/base/cancel_token.h"
 #include "present/camera_pilot.h"
+#include "present/file_intake.h"
 #include "present/frame_limiter.h"
 #include "present/full_screen.h"
 #include "present/gl_context.h"
@@ -15,6 +16,7 @@
 #include "present/panels.h"
 #include "present/quality_ladder.h"
 #include "present/scene_editing.h"
+#include "present/scene_switch.h"
 #include "present/view_options.h"
 #include "present/window_input.h"
 
@@ -34,12 +36,16 @@ class Viewer {
   /// Of the next picture. What is recorded has all of it.
   Quality quality() const;
   /// Frames of the recording that are written.
-  int recorded() const { return recorded_; }
+  int recorded() const { return recorder_ ? recorder_->count() : 0; }
   LiveSea& sea() { return sea_; }
   GLFWwindow* window() const { return context_.window_handle(); }
 
  private:
-  void act(ViewAction action);
+  void act(KeyPress press);
+  void go_to_bookmark(std::size_t number);
+  /// What follows from another scene's being shown.
+  void begin_scene();
+  void undo();
   void move_camera(double wall_s);
   void leave_path();
   void pick_ray();
@@ -48,7 +54,6 @@ class Viewer {
   bool show();
   highlights::LightingAt lighting_at();
   void draw_sea(int width, int height);
-  void copy_to_window(int width, int height);
   PanelEdits draw_panels();
   void apply(const PanelEdits& edits);
   Screen screen() const;
@@ -56,6 +61,8 @@ class Viewer {
   void record_frame();
   /// Does something; the message says what came of it, or the fault.
   void report(const std::function<std::string()>& work);
+  /// Does something; the message tells its fault.
+  void attempt(const std::function<void()>& work);
 
   ViewOptions options_;
   GlContext context_;
@@ -65,13 +72,16 @@ class Viewer {
   PanelLayer panels_;
   CameraPilot pilot_;
   SceneEditing editing_;
+  SceneSwitch scenes_;
+  FileIntake intake_;
+  SceneList scene_list_;
   MiniMap map_;
   QualityLadder ladder_;
   FrameLimiter limiter_;
   double last_turn_s_;
   double drawn_s_;   // time of the last picture; before the first one, of that
   bool is_on_path_;  // the camera follows the scene's keyframes until the user moves it
-  int recorded_ = 0;
+  std::optional<Recorder> recorder_;
   std::optional<int> swap_interval_;
   bool is_quitting_ = false;
   FullScreen full_screen_;

@@ -4,6 +4,11 @@
 
 namespace offing::present {
 
+ListedScene listed(const ViewOptions& options) {
+  const std::filesystem::path& file = options.scene_file;
+  return {.name = file.empty() ? options.scene_name + ".toml" : file.filename().string(), .file = file};
+}
+
 std::string title(const ViewOptions& options) {
   return options.scene_name.empty() ? "Offing" : fmt::format("Offing: {}", options.scene_name);
 }
@@ -16,17 +21,19 @@ LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& c
           .cancel = &cancel};
 }
 
-ViewState start_state(const ViewOptions& options, const GlCapabilities& capabilities, const LiveSea& sea) {
-  constexpr double software_hz = 20.0;
-  ViewState state{
-      .scene = options.scene,
-      .camera = FreeCamera(sea.scene().view.camera),
-      .clock = SceneClock(options.time_s),
-      .kept_hz = static_cast<float>(options.kept_hz.value_or(capabilities.is_software ? software_hz : 0.0)),
-      .save_name = (options.scene_name.empty() ? "scene" : options.scene_name) + "_edited.toml",
-      .message = {.text = sea.warning()}};
+ViewState start_state(const ViewOptions& options, const LiveSea& sea) {
+  ViewState state{.scene = options.scene,
+                  .camera = FreeCamera(sea.scene().view.camera),
+                  .clock = SceneClock(options.time_s),
+                  .save_name = (options.scene_name.empty() ? "scene" : options.scene_name) + "_edited.toml",
+                  .message = {.text = sea.warning()}};
   state.scene.view.camera = sea.scene().view.camera;
   return state;
+}
+
+float start_kept_hz(const ViewOptions& options, const GlCapabilities& capabilities) {
+  constexpr double software_hz = 20.0;
+  return static_cast<float>(options.kept_hz.value_or(capabilities.is_software ? software_hz : 0.0));
 }
 
 }  // namespace offing::present

@@ -29,22 +29,22 @@ WindowInput::WindowInput(GLFWwindow* window) : window_(window) {
   glfwSetKeyCallback(window, on_key);
   glfwSetScrollCallback(window, on_wheel);
   glfwSetMouseButtonCallback(window, on_button);
+  glfwSetDropCallback(window, on_drop);
 }
 
 WindowInput::~WindowInput() {
   glfwSetKeyCallback(window_, nullptr);
   glfwSetScrollCallback(window_, nullptr);
   glfwSetMouseButtonCallback(window_, nullptr);
+  glfwSetDropCallback(window_, nullptr);
   glfwSetWindowUserPointer(window_, nullptr);
 }
 
 void WindowInput::on_key(GLFWwindow* window, int key, int, int action, int modifiers) {
   // Keys that are held do not repeat: a slow frame would queue up actions.
   if (action != GLFW_PRESS || panels_want_keys()) return;
-  for (const KeyBinding& binding : key_bindings()) {
-    const bool is_meant =
-        binding.modifiers == 0 || binding.modifiers == (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT));
-    if (binding.key == key && is_meant) input_of(window).actions_.push_back(binding.action);
+  if (const std::optional<KeyPress> press = press_of(key, modifiers)) {
+    input_of(window).presses_.push_back(*press);
   }
 }
 
@@ -60,6 +60,15 @@ void WindowInput::on_button(GLFWwindow* window, int button, int action, int modi
   if (button != GLFW_MOUSE_BUTTON_LEFT) return;
   input.pointer_events_.push_back({is_press ? PointerEvent::Kind::pressed : PointerEvent::Kind::released,
                                    input.pointer(), (modifiers & GLFW_MOD_SHIFT) != 0});
+}
+
+void WindowInput::on_drop(GLFWwindow* window, int count, const char** paths) {
+  auto& files = input_of(window).dropped_files_;
+  files.insert(files.end(), paths, paths + count);
+}
+
+std::vector<std::filesystem::path> WindowInput::take_dropped_files() {
+  return std::exchange(dropped_files_, {});
 }
 
 std::vector<glm::dvec2> WindowInput::take_clicks() {
@@ -90,8 +99,8 @@ bool WindowInput::is_held(int key) const {
   return glfwGetKey(window_, key) == GLFW_PRESS;
 }
 
-std::vector<ViewAction> WindowInput::take_actions() {
-  return std::exchange(actions_, {});
+std::vector<KeyPress> WindowInput::take_presses() {
+  return std::exchange(presses_, {});
 }
 
 CameraInput WindowInput::take_camera_input() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -36,12 +37,14 @@ class WindowInput {
   ~WindowInput();
 
   /// What was asked for since the last call, in order.
-  std::vector<ViewAction> take_actions();
+  std::vector<KeyPress> take_presses();
   CameraInput take_camera_input();
   /// Where the middle button went down since the last call, in clip coordinates of the window.
   std::vector<glm::dvec2> take_clicks();
   /// What the left button did since the last call, in order; presses on panels are the panels'.
   std::vector<PointerEvent> take_pointer_events();
+  /// Files that were dropped on the window since the last call, in order.
+  std::vector<std::filesystem::path> take_dropped_files();
   /// The mouse does not turn the camera from here on until its buttons are up.
   void hold_camera() { is_camera_held_ = true; }
   /// Where the mouse is, in clip coordinates of the window.
@@ -52,14 +55,16 @@ class WindowInput {
   static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
   static void on_wheel(GLFWwindow* window, double x, double y);
   static void on_button(GLFWwindow* window, int button, int action, int modifiers);
+  static void on_drop(GLFWwindow* window, int count, const char** paths);
 
   bool is_held(int key) const;
   bool holds_control() const;
 
   GLFWwindow* window_;
-  std::vector<ViewAction> actions_;
+  std::vector<KeyPress> presses_;
   std::vector<glm::dvec2> clicks_;
   std::vector<PointerEvent> pointer_events_;
+  std::vector<std::filesystem::path> dropped_files_;
   double wheel_ = 0.0;
   bool is_dragging_ = false, is_camera_held_ = false;
   double drag_x_ = 0.0, drag_y_ = 0.0;  // where the mouse was

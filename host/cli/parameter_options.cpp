@@ -38,6 +38,8 @@ const char* title(ParameterGroup group) {
       return "Foam";
     case ParameterGroup::camera:
       return "Camera";
+    case ParameterGroup::bookmark:
+      return "Bookmarks";
     case ParameterGroup::sun:
       return "Sun";
     case ParameterGroup::sky:

@@ -14,6 +14,7 @@
 #include "host/ocean/trochoids.h"
 #include "host/ocean/water_optics.h"
 #include "host/scene/body_scene.h"
+#include "host/scene/bookmark_scene.h"
 #include "host/scene/cloud_scene.h"
 #include "host/scene/mesh_scene.h"
 #include "host/scene/terrain_scene.h"
@@ -103,6 +104,7 @@ struct OceanScene {
   bool has_sea() const { return names_sea || !(terrain.is_given || !meshes.empty() || has_clouds()); }
 
   ViewScene view;  ///< for the presenter; no simulation reads it
+  std::vector<BookmarkScene> bookmarks;
   /// Each number that moves -> how, in the stored unit; see view_at(), meshes_at() and prepare_clouds().
   std::map<ValueKey, KeyframeTrack> tracks;
 

@@ -53,6 +53,7 @@ enum class ParameterGroup {
   wake_hull,
   foam,
   camera,
+  bookmark,
   sun,
   sky,
   render,

@@ -1,6 +1,7 @@
 #include "host/scene/parameter_table.h"
 
 #include "host/scene/body_parameters.h"
+#include "host/scene/bookmark_parameters.h"
 #include "host/scene/cloud_parameters.h"
 #include "host/scene/extra_wave_parameters.h"
 #include "host/scene/highlight_parameters.h"
@@ -207,8 +208,9 @@ std::span<const Parameter> parameter_table() {
     std::vector<Parameter> rows;
     for (const std::vector<Parameter>& more :
          {world_rows(), sea_parameters(), grid_rows(), extra_wave_parameters(), wake_sections(),
-          view_parameters(), sky_parameters(), terrain_parameters(), light_parameters(), mesh_parameters(),
-          highlight_parameters(), body_parameters(), cloud_parameters()}) {
+          view_parameters(), bookmark_parameters(), sky_parameters(), terrain_parameters(),
+          light_parameters(), mesh_parameters(), highlight_parameters(), body_parameters(),
+          cloud_parameters()}) {
       rows.insert(rows.end(), more.begin(), more.end());
     }
     return rows;

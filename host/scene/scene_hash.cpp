@@ -23,9 +23,9 @@ constexpr std::array<std::string_view, 8> indirect_keys = {
 /// Rows that only pictures of the presenter depend on: no sea does.
 bool is_of_pictures(const Parameter& row) {
   using enum ParameterGroup;
-  constexpr std::array groups{camera,      sun,   sky,        render,      terrain,      height_map,
-                              walk,        light, mesh,       highlight,   body,         clouds,
-                              cloud_layer, cloud, cloud_ball, cloud_level, particle_edit};
+  constexpr std::array groups{camera,     bookmark,    sun,   sky,        render,      terrain,
+                              height_map, walk,        light, mesh,       highlight,   body,
+                              clouds,     cloud_layer, cloud, cloud_ball, cloud_level, particle_edit};
   return std::find(groups.begin(), groups.end(), row.group) != groups.end() ||
          row.use == ParameterUse::dated_sun;
 }

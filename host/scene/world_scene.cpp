@@ -24,6 +24,7 @@ enum class SeaChange { none, waves_beside, wakes, seed, all };
 SeaChange change_of(const Parameter& row) {
   switch (row.group) {
     case ParameterGroup::camera:
+    case ParameterGroup::bookmark:
     case ParameterGroup::sun:
     case ParameterGroup::sky:
     case ParameterGroup::render:

@@ -30,19 +30,23 @@ bool is_of_bodies(const present::GroupPanel& panel) {
   return panel.group == scene::ParameterGroup::body;
 }
 
+bool is_of_bookmarks(const present::GroupPanel& panel) {
+  return panel.group == scene::ParameterGroup::bookmark;
+}
+
 bool is_of_clouds(const present::GroupPanel& panel) {
   return panel.group >= scene::ParameterGroup::clouds;
 }
 
 /// All but that of height maps, whose values are as a file has them: window_ground_test.cpp; those of meshes,
 /// whose highlights go by degrees: panels_test.cpp; those of clouds: cloud_panels_test.cpp; those of wakes,
-/// each of whose edits lets them grow for half a minute of theirs; and those of bodies, which begin anew at
-/// the time that is shown.
+/// each of whose edits lets them grow for half a minute of theirs; those of bodies, which begin anew at the
+/// time that is shown; and those of bookmarks: window_bookmarks_test.cpp.
 std::vector<present::GroupPanel> panels_of_free_values() {
   std::vector<present::GroupPanel> panels(present::group_panels().begin(), present::group_panels().end());
   std::erase_if(panels, [](const auto& panel) {
     return panel.group == scene::ParameterGroup::height_map || is_of_wakes(panel) || is_of_bodies(panel) ||
-           is_of_meshes(panel) || is_of_clouds(panel);
+           is_of_bookmarks(panel) || is_of_meshes(panel) || is_of_clouds(panel);
   });
   return panels;
 }

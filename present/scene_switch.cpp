@@ -1,0 +1,110 @@
+#include "present/scene_switch.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/scene/scene_file.h"
+#include "host/scene/scene_writer.h"
+#include "present/camera_path.h"
+#include "present/scene_sources.h"
+#include "present/viewer_start.h"
+
+namespace offing::present {
+namespace {
+
+constexpr std::size_t most_left = 16;
+
+/// All that edits are kept of: the camera is moved without an edit.
+std::string text_without_camera(scene::OceanScene scene) {
+  take_camera_path({}, scene);
+  scene.view.camera = {};
+  scene.view.mode = {};
+  return scene::scene_text(scene, "");
+}
+
+std::string shown_name(const std::string& name) {
+  return name.empty() ? "the scene before" : name;
+}
+
+}  // namespace
+
+OpenedScene open_scene(const std::filesystem::path& file) {
+  return {.scene = scene::load_scene(file), .name = file.stem().string(), .file = file};
+}
+
+OpenedScene shipped_scene(std::string_view name) {
+  const EmbeddedFile& source = shipped_source(name);
+  return {.scene = scene::parse_scene(source.text, source.name, ""),
+          .name = std::filesystem::path(source.name).stem().string(),
+          .file = {}};
+}
+
+bool SceneSwitch::has_unsaved_edits() const {
+  return editing_.can_undo() && text_without_camera(state_.scene) != text_without_camera(saved_);
+}
+
+SceneSwitch::Left SceneSwitch::leave() const {
+  return {.opened = {options_.scene, options_.scene_name, options_.scene_file},
+          .shown = state_.scene,
+          .saved = saved_,
+          .time_s = state_.clock.time_s(),
+          .is_edited = editing_.can_undo()};
+}
+
+void SceneSwitch::show(const OpenedScene& opened, const scene::OceanScene& shown, double time_s,
+                       bool is_edited) {
+  sea_.open(shown);
+  options_.scene = opened.scene;
+  options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
+  options_.scene_name = opened.name;
+  options_.scene_file = opened.file;
+  const bool is_paused = state_.clock.is_paused();
+  options_.time_s = time_s;
+  const ViewState start = start_state(options_, sea_);
+  state_.scene = shown;
+  state_.scene.view.camera = options_.scene.view.camera;
+  state_.camera = start.camera;
+  state_.clock = start.clock;
+  if (is_paused) state_.clock.toggle_pause();
+  state_.pick.reset();
+  state_.picked.reset();
+  state_.clouds = {};
+  state_.save_name = start.save_name;
+  state_.overwriting = start.overwriting;
+  state_.edit = {};
+  editing_.begin_anew(options_.scene, is_edited);
+}
+
+void SceneSwitch::open(OpenedScene opened) {
+  Left left = leave();
+  const bool is_unsaved = has_unsaved_edits();
+  const double start_s = opened.scene.start_s;
+  show(opened, opened.scene, start_s, false);
+  saved_ = state_.scene;
+  const std::string before = shown_name(left.opened.name);
+  state_.message = {
+      .text = is_unsaved ? fmt::format("opened {}; edits of {} are not saved: Ctrl Z goes back to them",
+                                       opened.name, before)
+                         : fmt::format("opened {}; Ctrl Z goes back to {}", opened.name, before)};
+  if (!sea_.warning().empty()) state_.message.text += '\n' + sea_.warning();
+  if (left_.size() == most_left) left_.erase(left_.begin());
+  left_.push_back(std::move(left));
+}
+
+bool SceneSwitch::go_back() {
+  if (left_.empty()) return false;
+  const Left left = left_.back();
+  show(left.opened, left.shown, left.time_s, left.is_edited);
+  // The eye as it was left; Home is that of the file.
+  options_.scene.view.camera = left.opened.scene.view.camera;
+  state_.camera = FreeCamera(left.opened.scene.view.camera);
+  state_.camera.place(left.shown.view.camera);
+  state_.scene.view.camera = state_.camera.camera();
+  saved_ = left.saved;
+  left_.pop_back();
+  state_.message = {.text = fmt::format("back in {}, as it was left", shown_name(left.opened.name))};
+  return true;
+}
+
+}  // namespace offing::present
