@@ -130,6 +130,7 @@ ShoalTable::ShoalTable(const Dispersion& sea, const ShoalingBands& bands) : band
     const std::array<double, SHOAL_BANDS> there = shares_at(sea, bands.bands, deepest_m_ * root * root);
     for (std::size_t i = 0; i < SHOAL_BANDS; ++i) shares_.push_back(static_cast<float>(there[i] / open[i]));
   }
+  largest_share_ = *std::max_element(shares_.begin(), shares_.end());
 }
 
 std::array<double, SHOAL_BANDS> ShoalTable::at(double depth_m) const {

@@ -64,12 +64,14 @@ class ShoalTable {
   /// [SHOAL_STEPS][SHOAL_BANDS]; kernels/shared/shoals.h has the depths of its rows.
   const std::vector<float>& shares() const { return shares_; }
   const ShoalingBands& bands() const { return bands_; }
+  /// The largest of all, 1 or more: how much higher than in the open sea waves may stand before they break.
+  double largest_share() const { return largest_share_; }
   /// Of each band at this depth: the table, linear between its rows, in double precision.
   std::array<double, SHOAL_BANDS> at(double depth_m) const;
 
  private:
   ShoalingBands bands_;
-  double deepest_m_ = 0.0;
+  double deepest_m_ = 0.0, largest_share_ = 1.0;
   std::vector<float> shares_;
 };
 

@@ -285,9 +285,10 @@ void World::see_meshes(const glm::dvec3& eye_m, const highlights::LightingAt& li
 
 ocean::SurfaceReach World::reach() const {
   if (!ocean_) return {};
-  const double waves_m = reach_deviations * deviation_m_;
+  const double growth = shoals_ ? shoals_->instant().table.largest_share() : 1.0;
+  const double waves_m = growth * reach_deviations * deviation_m_;
   double trochoids_m = 0.0;
-  for (const ocean::Trochoid& wave : parameters_.trochoids.waves) trochoids_m += wave.amplitude_m;
+  for (const ocean::Trochoid& wave : parameters_.trochoids.waves) trochoids_m += growth * wave.amplitude_m;
   return {.horizontal_m = parameters_.ocean.choppiness * waves_m +
                           ocean::horizontal_scale(parameters_.trochoids).scale * trochoids_m,
           .vertical_m = waves_m + trochoids_m + height_of_rings_m(parameters_.trochoids.raindrops, time_s_) +

@@ -161,7 +161,7 @@ class World {
 
   /// The farthest that waves move the surface at the time of the last at(), 0 without a sea: six standard
   /// deviations of the cascades, which one sample in 10^8 exceeds, all trochoids at once, and the eight
-  /// tallest rings.
+  /// tallest rings; over shoals, as high as the highest of them make waves.
   ocean::SurfaceReach reach() const;
 
  private:

@@ -1,5 +1,6 @@
 #include "tests/present/drawn_water.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -34,6 +35,13 @@ DrawnWater drawn_beside_queried(world::World& world, const present::WaterSurface
   for (std::size_t i = 0; i < points.size(); ++i) {
     drawn.height_squares_m2 += heights_m[i] * heights_m[i];
     drawn.off_squares_m2 += (samples[i].height_m - heights_m[i]) * (samples[i].height_m - heights_m[i]);
+  }
+  if (world.ground() == nullptr) return drawn;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto ground = world.ground()->ground_at(points[i].x_m, points[i].z_m);
+    if (!ground || ground->height_m <= 0.0) continue;
+    drawn.over_land_m = std::max(drawn.over_land_m, heights_m[i]);
+    ++drawn.land_count;
   }
   return drawn;
 }

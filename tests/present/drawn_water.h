@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -13,11 +14,15 @@ namespace offing::test {
 struct DrawnWater {
   std::size_t count = 0;
   double height_squares_m2 = 0.0, off_squares_m2 = 0.0;
+  std::size_t land_count = 0;  ///< of them, where ground stands above the still water
+  double over_land_m = 0.0;    ///< how high water is drawn there at most, whether land hides it or not
 
   DrawnWater& operator+=(const DrawnWater& other) {
     count += other.count;
     height_squares_m2 += other.height_squares_m2;
     off_squares_m2 += other.off_squares_m2;
+    land_count += other.land_count;
+    over_land_m = std::max(over_land_m, other.over_land_m);
     return *this;
   }
   // Root mean squares, m: of drawn heights, and of how far queries are off them.

@@ -123,11 +123,10 @@ TEST_F(DrawnWaterTest, OfSmallCellsIsWhereQueriesSay) {
   prepare(sea_of_waves_from(0.0), {.columns = 512, .rows = 1024});
   if (!stage_) return;
   ASSERT_LE(longest_cell_m(), 0.05);
-  const DrawnWater drawn = compare();
-  const double height_m = drawn.height_m(), off_m = drawn.off_m();
-  RecordProperty("rms_mm", std::to_string(1e3 * off_m));
-  EXPECT_LT(off_m, 0.01);
-  EXPECT_GT(height_m, 0.1) << "there is nothing to compare";
+  const DrawnWater found = compare();
+  RecordProperty("rms_mm", std::to_string(1e3 * found.off_m()));
+  EXPECT_LT(found.off_m(), 0.01);
+  EXPECT_GT(found.height_m(), 0.1) << "there is nothing to compare";
 }
 
 // The same on the grid that is drawn by default, whose cells are no longer than 2 m here: of a sea of the
@@ -139,16 +138,15 @@ TEST_F(DrawnWaterTest, OfTheDefaultGridIsWhereQueriesSay) {
   prepare(sea_of_waves_from(4.0 * largest_cell_m), {});
   if (!stage_) return;
   ASSERT_LE(longest_cell_m(), largest_cell_m);
-  const DrawnWater drawn = compare();
-  const double height_m = drawn.height_m(), off_m = drawn.off_m();
+  const DrawnWater found = compare();
   const double hs_m = ocean::integrate_sea_state(stage_->world.parameters().spectrum).hs_m;
-  RecordProperty("rms_percent_of_hs", std::to_string(100.0 * off_m / hs_m));
-  EXPECT_LT(off_m, 0.03 * hs_m);
-  EXPECT_GT(height_m, 0.1 * hs_m) << "there is nothing to compare";
+  RecordProperty("rms_percent_of_hs", std::to_string(100.0 * found.off_m() / hs_m));
+  EXPECT_LT(found.off_m(), 0.03 * hs_m);
+  EXPECT_GT(found.height_m(), 0.1 * hs_m) << "there is nothing to compare";
 }
 
 // The same over a beach: fails if the drawn water and the queried shoal otherwise, by depths, shares or
-// bands. Heights change by the share's change within a cell besides, which is linear. Measured 0.05 mm.
+// bands. Heights change by the share's change within a cell besides, which is linear. Measured 0.1 mm.
 TEST_F(DrawnWaterTest, OverABeachIsWhereQueriesSay) {
   camera_.pitch_rad = -0.5 * std::numbers::pi;
   camera_.vertical_field_of_view_rad = 0.2;
@@ -157,27 +155,32 @@ TEST_F(DrawnWaterTest, OverABeachIsWhereQueriesSay) {
   prepare(parameters, {.columns = 512, .rows = 1024});
   if (!stage_) return;
   ASSERT_NE(stage_->world.shoals(), nullptr);
-  const auto [height_m, off_m] = compare();
-  RecordProperty("rms_um", static_cast<int>(1e6 * off_m));
-  EXPECT_LT(off_m, 0.01);
-  EXPECT_GT(height_m, 0.1) << "there is nothing to compare";
+  const DrawnWater found = compare();
+  RecordProperty("rms_um", static_cast<int>(1e6 * found.off_m()));
+  EXPECT_LT(found.off_m(), 0.01);
+  EXPECT_GT(found.height_m(), 0.1) << "there is nothing to compare";
 }
 
-// And from farther away, the waterline in sight: what is drawn on land is level.
+// And from farther away, the waterline in sight. Fails too if waves are drawn over land: but for the cells
+// that the waterline crosses, whose vertices in the water stand in 0.28 m at most, 0.25 m high at six
+// deviations, the water there is level. Measured below 1 mm (and 0.01 % of Hs off queries), gate 0.1 m.
 TEST_F(DrawnWaterTest, OfABeachFromAfarIsWhereQueriesSay) {
   constexpr double largest_cell_m = 2.0;
   camera_.pitch_rad = -0.5;
-  camera_.yaw_rad = 0.5;
+  camera_.yaw_rad = -0.7;
   camera_.vertical_field_of_view_rad = 0.6;
   world::WorldParameters parameters = sea_of_waves_from(4.0 * largest_cell_m);
   parameters.ground = beach_about(camera_.eye_m);
   prepare(parameters, {});
   if (!stage_) return;
-  const auto [height_m, off_m] = compare();
+  const DrawnWater found = compare();
   const double hs_m = ocean::integrate_sea_state(stage_->world.parameters().spectrum).hs_m;
-  RecordProperty("rms_percent_of_hs", std::to_string(100.0 * off_m / hs_m));
-  EXPECT_LT(off_m, 0.03 * hs_m);
-  EXPECT_GT(height_m, 0.05) << "there is nothing to compare";
+  RecordProperty("rms_percent_of_hs", std::to_string(100.0 * found.off_m() / hs_m));
+  EXPECT_LT(found.off_m(), 0.03 * hs_m);
+  EXPECT_GT(found.height_m(), 0.05) << "there is nothing to compare";
+  RecordProperty("over_land_mm", static_cast<int>(1e3 * found.over_land_m));
+  EXPECT_LT(found.over_land_m, 0.1);
+  EXPECT_GT(found.land_count, 20u) << "no land is in sight";
 }
 
 }  // namespace

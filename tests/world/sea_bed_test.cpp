@@ -156,6 +156,33 @@ TEST(SeaBed, WavesOfAWorldFeelIt) {
   expect_as_new("no ground");
 }
 
+// Fails if a swell that grows over shoals grows out of the slab that pictures look for water in: that of 10
+// cm is up to 1.4 times as high before it breaks.
+TEST(SeaBed, ReachGrowsWithSwell) {
+  const ocl::Device device = ocl::Device::open();
+  WorldParameters parameters = sea();
+  parameters.ocean.cascades = {{.patch_length_m = 10.0, .k_min_radpm = 8.0, .k_max_radpm = 9.0}};
+  parameters.trochoids.waves = {
+      ocean::make_swell({.amplitude_m = 0.1, .wavelength_m = 150.0}, parameters.spectrum.dispersion)};
+  World world(device, parameters);
+  const double open_m = world.reach().vertical_m;
+  parameters.ground = ground_of(200, 5.0, hills_m);
+  world.set_ground(parameters.ground);
+  const double reach_m = world.reach().vertical_m;
+  EXPECT_GT(reach_m, 1.3 * open_m);
+  double highest_m = 0.0;
+  for (int i = 0; i < 12; ++i) {
+    world.at(i, 10.0);
+    std::vector<ocean::WaterPoint> points;
+    for (int j = 0; j < 500; ++j) points.push_back({-290.0 + 1.9 * j, 50.0 + 1.7 * j});
+    for (const ocean::WaterSample& sample : world.sample(points)) {
+      highest_m = std::max(highest_m, std::abs(1.0 * sample.height_m));
+    }
+  }
+  EXPECT_GT(highest_m, open_m);
+  EXPECT_LT(highest_m, reach_m);
+}
+
 // Fails if ground that no wave feels costs anything.
 TEST(SeaBed, OfTheDeepSeaIsNone) {
   WorldParameters parameters = sea();
