@@ -14,7 +14,8 @@ std::optional<ListedScene> draw_part(const char* id, const std::vector<ListedSce
                                      const ListedScene& open) {
   constexpr float most_rows = 10.0f;
   const float row_px = ImGui::GetTextLineHeightWithSpacing();
-  const float height_px = row_px * std::min(static_cast<float>(scenes.size()), most_rows) + 8.0f;
+  const float height_px = row_px * std::min(static_cast<float>(scenes.size()), most_rows) +
+                          2.0f * ImGui::GetStyle().WindowPadding.y;
   std::optional<ListedScene> clicked;
   ImGui::BeginChild(id, ImVec2(0.0f, height_px), true);
   for (std::size_t i = 0; i < scenes.size(); ++i) {
