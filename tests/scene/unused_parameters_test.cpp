@@ -83,6 +83,9 @@ const Case cases[] = {
     {.name = "used_by_any_sea",
      .settings =
          {{"world.seed", "3"}, {"ocean.size", "64"}, {"ocean.depth_m", "9"}, {"ocean.choppiness", "1"}}},
+    {.name = "no_ground",
+     .settings = {{"ocean.shoals", "off"}},
+     .lines = {"ocean.shoals: not used: the scene has no ground"}},
     {.name = "no_gerstner_waves",
      .settings = {{"ocean.gerstner.count", "0"}, {"ocean.gerstner.split_wavelength_m", "40"}},
      .lines = {"ocean.gerstner.split_wavelength_m: not used: there are no Gerstner waves"}},
