@@ -29,6 +29,19 @@ world::WorldParameters with_particles(CloudBuilder& builder, world::WorldParamet
   return parameters;
 }
 
+FrameRequest request_of(const SeaView& view, double exposure) {
+  return {.camera = view.camera,
+          .exposure = exposure,
+          .debug = view.debug,
+          .fill = view.fill,
+          .ground = view.ground,
+          .meshes = view.meshes,
+          .tiles = view.tiles,
+          .quality = view.quality,
+          .lighting_at = view.lighting_at,
+          .first_s = view.first_s};
+}
+
 }  // namespace
 
 LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, const scene::OceanScene& scene)
@@ -146,6 +159,7 @@ void LiveSea::reload() {
   auto world = std::make_unique<world::World>(
       device_, with_particles(*builder, scene::prepare_world(scene_, scene::Warnings::left_out), nullptr));
   try_out(*world, view_);
+  frame->draw(*world, request_of(view_, exposure_));  // some shaders are compiled where they are needed first
   world_ = std::move(world);
   frame_ = std::move(frame);
   builder_ = std::move(builder);
@@ -175,16 +189,7 @@ void LiveSea::draw(const SeaView& view) {
   scene::set_meshes_at(*world_, scene_, view.time_s);
   simulate(view);
   exposure_ = light_meter_.exposure(*world_, view.camera, now.exposure_ev);
-  frame_->draw(*world_, {.camera = view.camera,
-                         .exposure = exposure_,
-                         .debug = view.debug,
-                         .fill = view.fill,
-                         .ground = view.ground,
-                         .meshes = view.meshes,
-                         .tiles = view.tiles,
-                         .quality = view.quality,
-                         .lighting_at = view.lighting_at,
-                         .first_s = view.first_s});
+  frame_->draw(*world_, request_of(view, exposure_));
 }
 
 void LiveSea::write(const std::filesystem::path& path) const {

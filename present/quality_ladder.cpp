@@ -1,14 +1,14 @@
 #include "present/quality_ladder.h"
 
-#include <utility>
+#include <algorithm>
 
 namespace offing::present {
 namespace {
 
 constexpr double least_stay_s = 2.0;
-// Frames that are averaged before anything changes: one that stood still does not count much.
+// Frames that are looked at together, whose median counts: one that stood still does not.
 constexpr double window_s = 1.0;
-constexpr int least_frames = 3;
+constexpr std::size_t least_frames = 3;
 // A finer rung is tried only if it leaves this much of the time free, so that rungs do not take turns.
 constexpr double safety = 0.9;
 // As long as a view is much the same.
@@ -24,14 +24,14 @@ double typical_cost(const Quality& quality) {
 
 }  // namespace
 
-double QualityLadder::expected_ms(std::size_t rung, double mean_ms, double now_s) const {
-  const double by_cost_ms = mean_ms * typical_cost(quality_rungs.at(rung)) / typical_cost(quality());
+double QualityLadder::expected_ms(std::size_t rung, double usual_ms, double now_s) const {
+  const double by_cost_ms = usual_ms * typical_cost(quality_rungs.at(rung)) / typical_cost(quality());
   const std::optional<Memory>& known = memory_.at(rung);
   return known && now_s - known->at_s < memory_s ? std::max(known->frame_ms, by_cost_ms) : by_cost_ms;
 }
 
-void QualityLadder::go_to(std::size_t rung, double now_s) {
-  memory_.at(rung_) = Memory{sum_ms_ / frames_, now_s};
+void QualityLadder::go_to(std::size_t rung, double usual_ms, double now_s) {
+  memory_.at(rung_) = Memory{usual_ms, now_s};
   rung_ = rung;
   since_s_.reset();
 }
@@ -40,31 +40,30 @@ void QualityLadder::note(double frame_ms, double wanted_ms, double now_s) {
   if (!since_s_) {
     // The first frame of a rung makes what is as large as its pictures, and is not like those that follow.
     since_s_ = window_s_ = now_s;
-    frames_ = 0;
-    sum_ms_ = 0.0;
+    frames_ms_.clear();
     return;
   }
-  sum_ms_ += frame_ms;
-  ++frames_;
-  if (now_s - window_s_ < window_s || frames_ < least_frames) return;
-  const double mean_ms = sum_ms_ / frames_;
+  frames_ms_.push_back(frame_ms);
+  if (now_s - window_s_ < window_s || frames_ms_.size() < least_frames) return;
+  const auto middle = frames_ms_.begin() + static_cast<std::ptrdiff_t>(frames_ms_.size() / 2);
+  std::nth_element(frames_ms_.begin(), middle, frames_ms_.end());
+  const double usual_ms = *middle;
   if (now_s - *since_s_ >= least_stay_s) {
     std::size_t wanted = rung_;
-    if (mean_ms > wanted_ms) {
+    if (usual_ms > wanted_ms) {
       while (wanted + 1 < quality_rungs.size() &&
-             mean_ms * typical_cost(quality_rungs.at(wanted)) / typical_cost(quality()) > wanted_ms)
+             usual_ms * typical_cost(quality_rungs.at(wanted)) / typical_cost(quality()) > wanted_ms)
         ++wanted;
     } else {
-      while (wanted > 0 && expected_ms(wanted - 1, mean_ms, now_s) < safety * wanted_ms) --wanted;
+      while (wanted > 0 && expected_ms(wanted - 1, usual_ms, now_s) < safety * wanted_ms) --wanted;
     }
     if (wanted != rung_) {
-      go_to(wanted, now_s);
+      go_to(wanted, usual_ms, now_s);
       return;
     }
   }
   window_s_ = now_s;
-  frames_ = 0;
-  sum_ms_ = 0.0;
+  frames_ms_.clear();
 }
 
 }  // namespace offing::present

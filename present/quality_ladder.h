@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "present/quality.h"
 
@@ -24,14 +25,14 @@ class QualityLadder {
     double frame_ms = 0.0, at_s = 0.0;
   };
 
-  double expected_ms(std::size_t rung, double mean_ms, double now_s) const;
-  void go_to(std::size_t rung, double now_s);
+  double expected_ms(std::size_t rung, double usual_ms, double now_s) const;
+  /// From a rung whose frames took so long.
+  void go_to(std::size_t rung, double usual_ms, double now_s);
 
   std::size_t rung_ = 0;
   std::optional<double> since_s_;  // on this rung, its first frame drawn; nothing: not yet
-  double window_s_ = 0.0;          // when the frames that are averaged began
-  int frames_ = 0;
-  double sum_ms_ = 0.0;
+  double window_s_ = 0.0;          // when the frames that are looked at together began
+  std::vector<double> frames_ms_;  // since then
   std::array<std::optional<Memory>, quality_rungs.size()> memory_;  // what rungs took that were left
 };
 

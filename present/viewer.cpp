@@ -167,6 +167,7 @@ void Viewer::begin_scene() {
   is_on_path_ = has_camera_path(state_.scene);
   last_turn_s_ = glfwGetTime();
   scene_list_.follow(options_.scene_file);
+  ladder_ = {};
 }
 
 void Viewer::undo() {
@@ -232,8 +233,9 @@ bool Viewer::show() {
     edits = draw_panels();
   }
   require_no_gl_error("window");
-  // Where no limit is wanted the display's is none either.
-  const int swap_interval = state_.frame_limit_hz > 0.0f ? 1 : 0;
+  // Where no limit is wanted the display's is none either; and a ladder must not take waiting for slow
+  // frames.
+  const int swap_interval = state_.frame_limit_hz > 0.0f && state_.kept_hz == 0.0f ? 1 : 0;
   if (std::exchange(swap_interval_, swap_interval) != swap_interval) glfwSwapInterval(swap_interval);
   glfwSwapBuffers(window());
   sea_.frame().times().end_frame();
@@ -349,6 +351,7 @@ void Viewer::save_scene() {
   report([&] {
     scene::save_scene(state_.scene, state_.save_name, state_.overwriting);
     scenes_.note_saved();
+    scene_list_.look();
     return fmt::format("wrote {}", whole_name(state_.save_name));
   });
 }

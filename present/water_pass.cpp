@@ -54,17 +54,17 @@ WaterPass::WaterPass(const GlCapabilities& capabilities, WaterDetail detail)
 ShaderProgram WaterPass::program_for(const Features& features) {
   const ShaderPart compiled_for{
       "features of the water",
-      fmt::format("#define HAS_RINGS {:d}\n#define HAS_WAKES {:d}\n#define HAS_SHOALS {:d}\n#define MIRRORS "
-                  "{:d}\n#define MIRRORS_THINGS "
-                  "{:d}\n#define SHOWS_BENEATH {:d}\n",
-                  features.has_rings, features.has_wakes, features.has_shoals, features.mirrors,
-                  features.mirrors_things, features.shows_beneath)};
+      fmt::format("#define HAS_RINGS {:d}\n#define HAS_WAKES {:d}\n#define MIRRORS {:d}\n"
+                  "#define MIRRORS_THINGS {:d}\n#define SHOWS_BENEATH {:d}\n",
+                  features.has_rings, features.has_wakes, features.mirrors, features.mirrors_things,
+                  features.shows_beneath)};
+  const WaterDepth depth = features.has_shoals ? WaterDepth::shoals : WaterDepth::open;
   return ShaderProgram(
       {.vertex = {shader_file("screen.vert")},
-       .fragment = {compiled_for, CloudShadows::glsl(), shader_file("environment.glsl"),
-                    shader_file("air.glsl"), shader_file("view_ray.glsl"), shader_file("water.glsl"),
-                    shader_file("rings.glsl"), shader_file("wakes.glsl"), shader_file("shoals.glsl"),
-                    shader_file("fresnel.glsl"), shader_file("water_light.glsl"),
+       .fragment = {compiled_for, shoal_features(depth), CloudShadows::glsl(),
+                    shader_file("environment.glsl"), shader_file("air.glsl"), shader_file("view_ray.glsl"),
+                    shader_file("water.glsl"), shader_file("rings.glsl"), shader_file("wakes.glsl"),
+                    shader_file("shoals.glsl"), shader_file("fresnel.glsl"), shader_file("water_light.glsl"),
                     shader_file("caustics.glsl"), shader_file("water_views.glsl"),
                     shader_file("water_debug.glsl"), shader_file("water.frag")}});
 }

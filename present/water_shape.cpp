@@ -18,16 +18,10 @@ constexpr std::array outputs{"place_of", "facet_of", "strain_of"};
 constexpr GLuint trochoids_binding = 1;
 constexpr std::size_t trochoid_values = TROCHOID_WAVES + TROCHOID_WAVES / 4;
 
-/// What the shader is compiled for.
-enum class WaterDepth { open, shoals };
-
 ShaderProgram shape_program(WaterDepth depth) {
-  const ShaderPart compiled_for{"features of the water", depth == WaterDepth::shoals
-                                                             ? "#define HAS_SHOALS 1\n"
-                                                             : "#define HAS_SHOALS 0\n"};
   return ShaderProgram(
       {.vertex = {shader_file("screen.vert")},
-       .fragment = {compiled_for, shader_file("water.glsl"), shader_file("rings.glsl"),
+       .fragment = {shoal_features(depth), shader_file("water.glsl"), shader_file("rings.glsl"),
                     shader_file("wakes.glsl"), shader_file("shoals.glsl"), shader_file("water_shape.frag")}});
 }
 

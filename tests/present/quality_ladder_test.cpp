@@ -65,6 +65,9 @@ TEST(QualityLadderTest, ForgivesSingleFrames) {
   int count = 0;
   draw(ladder, now_s, 30.0, [&] { return ++count % 100 == 0 ? 150.0 : 20.0; });
   EXPECT_EQ(ladder.rung(), 0u);
+  // A scene that is opened, a picture that is written.
+  draw(ladder, now_s, 30.0, [&] { return ++count % 100 == 0 ? 3000.0 : 40.0; });
+  EXPECT_EQ(ladder.rung(), 0u);
 }
 
 // Fails if a rung is finer than one before it in anything.
