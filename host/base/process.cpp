@@ -25,6 +25,23 @@ Error output_error() {
                "check the disk or the pipe it goes to");
 }
 
+// LLVM, within a driver, deletes its temporary files at a signal: what it was building then fails, which is
+// no fault of the driver.
+int until_stopped(const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::build_failed && cancel_on_signal != nullptr)
+      cancel_on_signal->throw_if_cancelled();
+    throw;
+  }
+}
+
+int report_and_code(const Error& error) {
+  report(error);
+  return exit_code(error.kind());
+}
+
 }  // namespace
 
 void cancel_on_signals(CancelToken& token) {
@@ -45,22 +62,18 @@ int run_program(const std::function<int()>& work) {
   // A write beyond the limit of file sizes is to fail, not to end the process half-way.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    return work();
+    return until_stopped(work);
   } catch (const Error& error) {
-    report(error);
-    return exit_code(error.kind());
+    return report_and_code(error);
   } catch (const std::bad_alloc&) {
-    report(Error(ErrorKind::out_of_memory, "memory: this needs more than the machine has",
-                 "ask for less at once: a smaller --size, fewer --cascades, a part of the mesh"));
-    return exit_code(ErrorKind::out_of_memory);
+    return report_and_code(
+        Error(ErrorKind::out_of_memory, "memory: this needs more than the machine has",
+              "ask for less at once: a smaller --size, fewer --cascades, a part of the mesh"));
   } catch (const std::exception& error) {
-    if (std::ferror(stdout) != 0) {  // printing throws std::system_error where the output is full
-      report(output_error());
-      return exit_code(ErrorKind::file);
-    }
-    report(Error(ErrorKind::device, fmt::format("unexpected fault: {}", error.what()),
-                 "run again with --verbose and report what it says"));
-    return 1;
+    // Printing throws std::system_error where the output is full.
+    if (std::ferror(stdout) != 0) return report_and_code(output_error());
+    return report_and_code(Error(ErrorKind::device, fmt::format("unexpected fault: {}", error.what()),
+                                 "run again with --verbose and report what it says"));
   }
 }
 

@@ -1,0 +1,38 @@
+#include "host/base/process.h"
+
+#include <csignal>
+
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+
+namespace offing {
+namespace {
+
+CancelToken stop;
+
+int fail_to_build() {
+  throw Error(ErrorKind::build_failed, "kernels/a.cl does not build", "update the driver");
+}
+
+// Fails if a build that a signal broke, by way of the files that LLVM deletes then, is told as a fault.
+TEST(ProcessTest, ABuildBrokenByASignalIsAStop) {
+  const auto stopped_while_building = [] {
+    cancel_on_signals(stop);
+    std::raise(SIGTERM);
+    std::exit(run_program(fail_to_build));
+  };
+  EXPECT_EXIT(stopped_while_building(), testing::ExitedWithCode(130), "stopped at the user's request");
+}
+
+// Fails if a build that no signal broke is taken for a stop.
+TEST(ProcessTest, ABuildThatFailsIsAFault) {
+  const auto failing = [] {
+    cancel_on_signals(stop);
+    std::exit(run_program(fail_to_build));
+  };
+  EXPECT_EXIT(failing(), testing::ExitedWithCode(exit_code(ErrorKind::build_failed)), "does not build");
+}
+
+}  // namespace
+}  // namespace offing
