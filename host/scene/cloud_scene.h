@@ -106,7 +106,8 @@ struct CloudsScene {
   clouds::LightModel light = clouds::LightModel::calibrated;
   std::uint64_t seed = 1;
   CloudShadows shadows = CloudShadows::on;
-  double quality = 1.0;  ///< particles, in those that clouds ask for
+  double quality = 1.0;       ///< particles, in those that clouds ask for
+  double light_step_s = 0.5;  ///< of CloudSkyParameters
   /// Folders of pictures for the two sets of puff textures; empty: Offing's own.
   std::string crisp_puffs, soft_puffs;
 };

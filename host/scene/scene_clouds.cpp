@@ -233,7 +233,8 @@ std::optional<world::CloudSkyParameters> prepare_clouds(const OceanScene& scene,
   world::CloudSkyParameters sky{.clouds = {},
                                 .particles = {},
                                 .light_model = scene.cloud_settings.light,
-                                .throws_shadows = scene.cloud_settings.shadows == CloudShadows::on};
+                                .throws_shadows = scene.cloud_settings.shadows == CloudShadows::on,
+                                .light_step_s = scene.cloud_settings.light_step_s};
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     CloudParameters parameters = cloud_parameters_of(scene, i);
     take_quality(scene.cloud_settings.quality, parameters);

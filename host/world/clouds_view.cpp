@@ -12,6 +12,7 @@
 #include "host/base/error.h"
 #include "host/clouds/cloud_model.h"
 #include "host/clouds/particle_light.h"
+#include "host/clouds/particle_motion.h"
 #include "host/clouds/particle_order.h"
 
 namespace offing::world {
@@ -37,11 +38,31 @@ bool stands_still(const CloudParameters& cloud) {
   return motion.wind_mps == glm::dvec3(0.0) && motion.sway_m == 0.0 && !motion.path && !motion.heat;
 }
 
+/// The last time whose light is worked out.
+double light_time_s(const CloudSkyParameters& parameters, double time_s) {
+  const double step_s = parameters.light_step_s;
+  return step_s > 0.0 ? step_s * std::floor(time_s / step_s) : time_s;
+}
+
+/// How far clouds go from one time to another, in their mean.
+glm::dvec3 drift_m(const std::vector<CloudParameters>& clouds, double from_s, double to_s) {
+  glm::dvec3 sum_m(0.0);
+  for (const CloudParameters& cloud : clouds)
+    sum_m += clouds::cloud_origin_m(cloud, to_s) - clouds::cloud_origin_m(cloud, from_s);
+  return sum_m / static_cast<double>(clouds.size());
+}
+
 using Particles = std::shared_ptr<const std::vector<CloudParticle>>;
 
 Particles given_particles(const CloudSkyParameters& parameters, std::size_t index) {
   return index < parameters.particles.size() ? parameters.particles[index] : nullptr;
 }
+
+/// All particles at a time.
+struct Placed {
+  std::optional<double> time_s;  // nothing: they are nowhere yet
+  ocl::Buffer<CloudParticle> particles;
+};
 
 /// What an eye sees of the particles.
 struct Sight {
@@ -57,6 +78,21 @@ struct Sight {
 struct CloudsView::Sky {
   explicit Sky(const ocl::Device& on) : device(on), particle_light(on), sights{Sight(on), Sight(on)} {}
 
+  /// Whether they were elsewhere.
+  bool place(double time_s, Placed& placed) const {
+    const auto& clouds = parameters.clouds;
+    const bool is_same = placed.time_s && (*placed.time_s == time_s ||
+                                           std::all_of(clouds.begin(), clouds.end(), stands_still));
+    if (is_same) return false;
+    std::uint32_t first = 0;
+    for (const auto& model : models) {
+      model->at(time_s, origin_m, placed.particles, first);
+      first += model->count();
+    }
+    placed.time_s = time_s;
+    return true;
+  }
+
   void forget_sights() {
     for (Sight& sight : sights) sight.eye_m.reset();
   }
@@ -67,14 +103,14 @@ struct CloudsView::Sky {
   std::vector<std::shared_ptr<const CloudModel>> models;  // one a cloud
   std::vector<clouds::CloudLook> looks;                   // one a cloud
   std::uint32_t count = 0;
-  ocl::Buffer<CloudParticle> particles;
+  Placed shown, lit;          // as of the last at(), and where light reaches them
+  glm::dvec3 carried_m{0.0};  // from `lit` to `shown`
   clouds::ParticleLight particle_light;
   // Of the two last eyes, that of the last see() first: over a sea an eye and its mirror image take turns.
   std::array<Sight, 2> sights;
-  std::optional<double> time_s;                   // of the particles
-  std::vector<clouds::CloudIllumination> lit_by;  // these particles, one a cloud; empty: not yet
+  std::vector<clouds::CloudIllumination> lit_by;  // of `lit`, one a cloud; empty: not yet
   std::optional<clouds::CloudShadowMap> shadow;   // made when first asked for
-  bool has_shadow = false;                        // of these particles in this light
+  bool has_shadow = false;                        // of `lit` in this light
 };
 
 CloudsView::CloudsView(const ocl::Device& device, const CloudSkyParameters& parameters)
@@ -118,19 +154,20 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
     throw Error(ErrorKind::out_of_memory, "clouds: more particles than can be counted", "ask for fewer");
   }
   const std::size_t room = std::max<std::size_t>(count, 1);
-  ocl::Buffer<CloudParticle> particles(sky.device, room, "particles of the sky");
+  ocl::Buffer<CloudParticle> shown(sky.device, room, "particles of the sky");
+  ocl::Buffer<CloudParticle> lit(sky.device, room, "lit particles of the sky");
   std::array<ocl::Buffer<CloudSprite>, 2> sprites;
   for (auto& of_sight : sprites) of_sight = ocl::Buffer<CloudSprite>(sky.device, room, "sprites of clouds");
 
   sky.models = std::move(models);
   sky.looks.clear();
   for (const CloudParameters& cloud : parameters.clouds) sky.looks.push_back(cloud.look);
-  sky.particles = std::move(particles);
+  sky.shown = {.time_s = {}, .particles = std::move(shown)};
+  sky.lit = {.time_s = {}, .particles = std::move(lit)};
   for (std::size_t i = 0; i < sprites.size(); ++i) sky.sights[i].sprites = std::move(sprites[i]);
   sky.count = static_cast<std::uint32_t>(count);
   sky.parameters = parameters;
   sky.origin_m = origin_of(parameters);
-  sky.time_s.reset();
   sky.lit_by.clear();
   sky.has_shadow = false;
   sky.forget_sights();
@@ -138,18 +175,13 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
 
 void CloudsView::at(double time_s) {
   Sky& sky = *sky_;
-  const auto& clouds = sky.parameters.clouds;
-  const bool is_same =
-      sky.time_s && (*sky.time_s == time_s || std::all_of(clouds.begin(), clouds.end(), stands_still));
-  if (is_same) return;
-  std::uint32_t first = 0;
-  for (const auto& model : sky.models) {
-    model->at(time_s, sky.origin_m, sky.particles, first);
-    first += model->count();
+  if (sky.place(light_time_s(sky.parameters, time_s), sky.lit)) {
+    sky.lit_by.clear();
+    sky.has_shadow = false;
   }
-  sky.time_s = time_s;
-  sky.lit_by.clear();
-  sky.has_shadow = false;
+  if (!sky.place(time_s, sky.shown)) return;
+  sky.carried_m = drift_m(sky.parameters.clouds, *sky.lit.time_s, time_s);
+  sky.forget_sights();
 }
 
 void CloudsView::light(std::span<const clouds::CloudIllumination> of_clouds) {
@@ -157,7 +189,7 @@ void CloudsView::light(std::span<const clouds::CloudIllumination> of_clouds) {
   if (std::ranges::equal(sky.lit_by, of_clouds) || sky.count == 0) return;
   const bool has_own_albedo = std::any_of(sky.models.begin(), sky.models.end(),
                                           [](const auto& model) { return model->has_own_albedo(); });
-  sky.particle_light.relight(sky.particles, sky.count, of_clouds, sky.looks, sky.parameters.light_model,
+  sky.particle_light.relight(sky.lit.particles, sky.count, of_clouds, sky.looks, sky.parameters.light_model,
                              has_own_albedo ? clouds::ParticleAlbedo::own : clouds::ParticleAlbedo::of_look);
   sky.lit_by.assign(of_clouds.begin(), of_clouds.end());
   sky.has_shadow = false;
@@ -174,9 +206,9 @@ void CloudsView::see(const Camera& camera) {
   std::swap(sky.sights[0], sky.sights[1]);
   Sight& sight = sky.sights[0];
   if (sight.eye_m == camera.eye_m) return;
-  const glm::vec3 eye_m(camera.eye_m - sky.origin_m);
-  sky.particle_light.see(eye_m, sight.sprites);
-  sight.order.sort(sky.particles, sky.count, eye_m);
+  const glm::dvec3 eye_m = camera.eye_m - sky.origin_m;
+  sky.particle_light.see(glm::vec3(eye_m - sky.carried_m), sight.sprites);
+  sight.order.sort(sky.shown.particles, sky.count, glm::vec3(eye_m));
   sight.eye_m = camera.eye_m;
 }
 
@@ -195,7 +227,7 @@ void CloudsView::cast_shadow() {
   const glm::dvec3 middle_m = 0.5 * (glm::dvec3(box->low_m) + glm::dvec3(box->high_m));
   const double half_width_m = 0.5 * glm::length(glm::dvec3(box->high_m) - glm::dvec3(box->low_m));
   if (!sky.shadow) sky.shadow.emplace(sky.device);
-  sky.shadow->update(sky.particles, sky.count, lit->suns.front().direction, middle_m, half_width_m);
+  sky.shadow->update(sky.lit.particles, sky.count, lit->suns.front().direction, middle_m, half_width_m);
   sky.has_shadow = true;
 }
 
@@ -206,7 +238,7 @@ const clouds::CloudShadowMap* CloudsView::shadow() const {
 CloudShadowParams CloudsView::shadow_about(const glm::dvec3& point_m) const {
   if (shadow() == nullptr) return {};
   CloudShadowParams params = shadow()->params();
-  const glm::dvec3 from = sky_->origin_m - point_m;
+  const glm::dvec3 from = sky_->origin_m + sky_->carried_m - point_m;
   params.middle_x = static_cast<float>(params.middle_x + from.x);
   params.middle_y = static_cast<float>(params.middle_y + from.y);
   params.middle_z = static_cast<float>(params.middle_z + from.z);
@@ -220,7 +252,7 @@ std::vector<double> CloudsView::altitudes_m() const {
 }
 
 const ocl::Buffer<CloudParticle>& CloudsView::particles() const {
-  return sky_->particles;
+  return sky_->shown.particles;
 }
 std::uint32_t CloudsView::count() const {
   return sky_->count;

@@ -24,6 +24,9 @@ struct CloudSkyParameters {
   std::vector<std::shared_ptr<const std::vector<CloudParticle>>> particles = {};
   clouds::LightModel light_model = clouds::LightModel::calibrated;
   bool throws_shadows = true;  ///< on ground, sea and meshes
+  /// The light on clouds that move is that of the last multiple of this time, carried along with them; 0: of
+  /// any time itself. A sun that moves is followed at once.
+  double light_step_s = 0.5;
 
   bool operator==(const CloudSkyParameters&) const = default;
 };
@@ -48,8 +51,9 @@ class CloudsView {
 
   /// Enqueues the clouds as they are at a time, whatever was asked before.
   void at(double time_s);
-  /// Enqueues the light that reaches the particles of the last at(), one illumination a cloud; nothing where
-  /// neither they nor the light have changed. Throws Error(bad_usage) for another number.
+  /// Enqueues the light that reaches the particles of the last at(), or those of the step of light before it,
+  /// one illumination a cloud; nothing where neither they nor the light have changed. Throws Error(bad_usage)
+  /// for another number.
   void light(std::span<const clouds::CloudIllumination> of_clouds);
   /// The same on all clouds.
   void light(const clouds::CloudIllumination& of_all);
@@ -60,8 +64,8 @@ class CloudsView {
   /// What lit the particles of the last light(), one a cloud; none before one.
   std::span<const clouds::CloudIllumination> illumination() const;
 
-  /// Enqueues the shadow that the particles of the last light() throw in the light of its first sun; nothing
-  /// where neither has changed. Waits for their light.
+  /// Enqueues the shadow that the particles of the last light() throw in the light of its first sun, which
+  /// shadow_about() carries along with them; nothing where neither has changed. Waits for their light.
   void cast_shadow();
   /// Of the last cast_shadow(): nullptr where none was cast, or there is no sun.
   const clouds::CloudShadowMap* shadow() const;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/log.h"
 #include "tests/bench/benches.h"
 
 namespace {
@@ -196,6 +197,8 @@ int run_command_line(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Parts of scenes are measured: what they leave unused is no news.
+  offing::configure_log(offing::Verbosity::quiet);
   try {
     return run_command_line(argc, argv);
   } catch (const Error& error) {
