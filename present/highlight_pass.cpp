@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 
@@ -14,9 +15,11 @@ namespace {
 
 constexpr int environment_unit = 0, picture_unit = 1;
 
-ShaderProgram highlight_program() {
+ShaderProgram highlight_program(highlights::HighlightTexture texture) {
+  const ShaderPart compiled_for{"features of highlights",
+                                fmt::format("#define TEXTURE_KIND {:d}\n", static_cast<int>(texture))};
   return ShaderProgram({.vertex = {shader_file("mesh_place.glsl"), shader_file("highlight.vert")},
-                        .fragment = {CloudShadows::glsl(), shader_file("environment.glsl"),
+                        .fragment = {compiled_for, CloudShadows::glsl(), shader_file("environment.glsl"),
                                      shader_file("air.glsl"), shader_file("mesh_light.glsl"),
                                      shader_file("highlight_shapes.glsl"), shader_file("highlight.frag")}});
 }
@@ -34,27 +37,26 @@ glm::vec3 id_colour(std::uint64_t id) {
   return glm::vec3(glm::clamp(glm::abs(6.0 * place - 3.0) - 1.0, 0.02, 1.0));
 }
 
-HighlightPass::HighlightPass() : program_(highlight_program()) {}
+HighlightPass::HighlightPass() : programs_(highlight_program) {}
 
-void HighlightPass::draw_one(const world::MeshView& mesh, const highlights::DrawnHighlight& highlight,
-                             const Scenery& scenery) {
+void HighlightPass::set_one(const ShaderProgram& program, const world::MeshView& mesh,
+                            const highlights::DrawnHighlight& highlight, const Scenery& scenery) {
   const highlights::HighlightControls& controls = highlight.controls;
   const glm::dmat4 to_box = highlights::projection_of(highlight.projector) *
                             glm::translate(glm::dmat4(1.0), mesh.surface().middle_m());
   const PictureUse use = controls.texture == highlights::HighlightTexture::normal_map ? PictureUse::normals
                                                                                       : PictureUse::colours;
   const int picture = is_picture(controls.texture) ? controls.picture : -1;
-  bind_sampler(program_, "picture", picture_unit,
+  bind_sampler(program, "picture", picture_unit,
                scenery.pictures.texture(scenery.world.parameters().pictures, picture, use));
-  program_.set("to_box", glm::mat4(to_box));
-  program_.set("texture_kind", static_cast<int>(controls.texture));
-  program_.set("colour", glm::vec3(controls.colour));
-  program_.set("lamp_kcdpm2", scenery.lights.highlight_kcdpm2(highlight.lamp));
-  program_.set("opacity",
-               static_cast<float>(highlight.opacity * scenery.lights.highlight_share(highlight.lamp)));
-  program_.set("softness", static_cast<float>(controls.softness));
-  program_.set("shape_depth", static_cast<float>(highlights::depth_of(controls.texture)));
-  program_.set("box_right", glm::vec3(mesh.motion().rotation * highlight.projector.right));
+  program.set("to_box", glm::mat4(to_box));
+  program.set("colour", glm::vec3(controls.colour));
+  program.set("lamp_kcdpm2", scenery.lights.highlight_kcdpm2(highlight.lamp));
+  program.set("opacity",
+              static_cast<float>(highlight.opacity * scenery.lights.highlight_share(highlight.lamp)));
+  program.set("softness", static_cast<float>(controls.softness));
+  program.set("shape_depth", static_cast<float>(highlights::depth_of(controls.texture)));
+  program.set("box_right", glm::vec3(mesh.motion().rotation * highlight.projector.right));
 }
 
 void HighlightPass::draw(const world::MeshView& mesh, const MeshGeometry& geometry,
@@ -67,18 +69,23 @@ void HighlightPass::draw(const world::MeshView& mesh, const MeshGeometry& geomet
     corners_.insert(corners_.end(), corners.begin(), corners.end());
   }
   geometry.set_drawn_faces(corners_);
-  program_.use();
-  matrices.set(program_);
-  scenery.lights.bind(program_);
-  set_air(program_, scenery.world.parameters().atmosphere, scenery.environment, environment_unit);
-  program_.set("shows_box", box_show(request.meshes));
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDepthFunc(GL_GEQUAL);
   glDepthMask(GL_FALSE);
+  const ShaderProgram* used = nullptr;
   for (const highlights::DrawnHighlight& highlight : mesh.highlights()) {
-    draw_one(mesh, highlight, scenery);
-    program_.set("box_light", id_colour(highlight.id) / static_cast<float>(request.exposure));
+    const ShaderProgram& program = programs_.with(highlight.controls.texture);
+    if (&program != used) {
+      program.use();
+      matrices.set(program);
+      scenery.lights.bind(program);
+      set_air(program, scenery.world.parameters().atmosphere, scenery.environment, environment_unit);
+      program.set("shows_box", box_show(request.meshes));
+      used = &program;
+    }
+    set_one(program, mesh, highlight, scenery);
+    program.set("box_light", id_colour(highlight.id) / static_cast<float>(request.exposure));
     geometry.draw(static_cast<GLsizei>(3 * highlight.first_face),
                   static_cast<GLsizei>(3 * highlight.face_count));
   }

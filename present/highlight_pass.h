@@ -8,7 +8,7 @@
 #include "present/mesh_lights.h"
 #include "present/mesh_view_matrices.h"
 #include "present/picture_textures.h"
-#include "present/shader_program.h"
+#include "present/shader_variants.h"
 
 namespace offing::present {
 
@@ -30,10 +30,10 @@ class HighlightPass {
             const FrameRequest& request, const Scenery& scenery);
 
  private:
-  void draw_one(const world::MeshView& mesh, const highlights::DrawnHighlight& highlight,
-                const Scenery& scenery);
+  void set_one(const ShaderProgram& program, const world::MeshView& mesh,
+               const highlights::DrawnHighlight& highlight, const Scenery& scenery);
 
-  ShaderProgram program_;
+  ShaderVariants<highlights::HighlightTexture> programs_;
   std::vector<std::uint32_t> corners_;
 };
 

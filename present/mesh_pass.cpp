@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "present/air.h"
 #include "present/sampler.h"
 
@@ -17,14 +19,6 @@ constexpr int samples_of_gpu = 8, samples_of_cpu = 4;
 
 ShaderProgram screen_program(const char* fragment) {
   return ShaderProgram({.vertex = {shader_file("screen.vert")}, .fragment = {shader_file(fragment)}});
-}
-
-ShaderProgram base_program() {
-  return ShaderProgram(
-      {.vertex = {CloudShadows::glsl(), shader_file("mesh_place.glsl"), shader_file("mesh_light.glsl"),
-                  shader_file("mesh.vert")},
-       .fragment = {CloudShadows::glsl(), shader_file("environment.glsl"), shader_file("air.glsl"),
-                    shader_file("mesh_light.glsl"), shader_file("mesh.frag")}});
 }
 
 ShaderProgram outline_program() {
@@ -44,10 +38,21 @@ void draw_screen(const GlVertexArray& no_vertices) {
 MeshPass::MeshPass(const GlCapabilities& capabilities)
     : capabilities_(capabilities),
       begin_(screen_program("mesh_begin.frag")),
-      base_(base_program()),
       outline_(outline_program()),
       end_(screen_program("mesh_end.frag")),
+      bases_(base_program),
       no_vertices_(GlVertexArray::make()) {}
+
+ShaderProgram MeshPass::base_program(const BaseFeatures& features) {
+  const ShaderPart compiled_for{"features of meshes",
+                                fmt::format("#define SHADING {:d}\n#define SHOWS_CURVATURE {:d}\n",
+                                            static_cast<int>(features.shading), features.shows_curvature)};
+  return ShaderProgram(
+      {.vertex = {compiled_for, CloudShadows::glsl(), shader_file("mesh_place.glsl"),
+                  shader_file("mesh_light.glsl"), shader_file("mesh.vert")},
+       .fragment = {compiled_for, CloudShadows::glsl(), shader_file("environment.glsl"),
+                    shader_file("air.glsl"), shader_file("mesh_light.glsl"), shader_file("mesh.frag")}});
+}
 
 void MeshPass::prepare(const world::World& world) {
   const std::vector<world::MeshView>& views = world.meshes();
@@ -87,24 +92,24 @@ void MeshPass::draw_base(const world::World& world, std::size_t index, const Mes
                          const FrameRequest& request, GLuint environment) {
   const world::MeshView& view = world.meshes()[index];
   const world::MeshMaterial& material = view.parameters().material;
-  base_.use();
-  matrices.set(base_);
-  lights_.bind(base_);
-  set_air(base_, world.parameters().atmosphere, environment, environment_unit);
+  const ShaderProgram& base =
+      bases_.with({.shading = material.shading, .shows_curvature = request.meshes == MeshShow::curvature});
+  base.use();
+  matrices.set(base);
+  lights_.bind(base);
+  set_air(base, world.parameters().atmosphere, environment, environment_unit);
   meshes_[index].geometry.bind_faces(faces_unit);
-  base_.set("faces", faces_unit);
+  base.set("faces", faces_unit);
   const bool is_grey = request.meshes == MeshShow::directions;
-  base_.set("shading", static_cast<int>(material.shading));
-  base_.set("colour", is_grey ? glm::vec3(0.3f) : glm::vec3(material.colour));
-  base_.set("specular", static_cast<float>(material.specular));
-  base_.set("shininess", static_cast<float>(material.shininess));
-  base_.set("cartoon_steps", material.cartoon_steps);
-  base_.set("has_ramp", material.cartoon_ramp >= 0 ? 1 : 0);
-  bind_sampler(base_, "ramp_picture", ramp_unit,
+  base.set("colour", is_grey ? glm::vec3(0.3f) : glm::vec3(material.colour));
+  base.set("specular", static_cast<float>(material.specular));
+  base.set("shininess", static_cast<float>(material.shininess));
+  base.set("cartoon_steps", material.cartoon_steps);
+  base.set("has_ramp", material.cartoon_ramp >= 0 ? 1 : 0);
+  bind_sampler(base, "ramp_picture", ramp_unit,
                pictures_.texture(world.parameters().pictures, material.cartoon_ramp, PictureUse::ramp));
-  base_.set("shows_curvature", request.meshes == MeshShow::curvature ? 1 : 0);
-  base_.set("length_of_mesh_m", static_cast<float>(view.surface().diagonal_m()));
-  base_.set("debug_white", static_cast<float>(1.0 / request.exposure));
+  base.set("length_of_mesh_m", static_cast<float>(view.surface().diagonal_m()));
+  base.set("debug_white", static_cast<float>(1.0 / request.exposure));
   glDepthFunc(GL_GREATER);
   glPolygonMode(GL_FRONT_AND_BACK, request.fill == Fill::wireframe ? GL_LINE : GL_FILL);
   meshes_[index].geometry.draw();

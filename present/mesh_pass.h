@@ -1,5 +1,7 @@
 #pragma once
 
+#include <compare>
+#include <cstdint>
 #include <vector>
 
 #include "host/world/world.h"
@@ -13,6 +15,7 @@
 #include "present/multisample_target.h"
 #include "present/render_target.h"
 #include "present/shader_program.h"
+#include "present/shader_variants.h"
 
 namespace offing::present {
 
@@ -38,6 +41,15 @@ class MeshPass {
     MeshGeometry geometry;
   };
 
+  /// What mesh.frag is compiled for.
+  struct BaseFeatures {
+    world::BaseShading shading = world::BaseShading::phong;
+    bool shows_curvature = false;
+
+    auto operator<=>(const BaseFeatures&) const = default;
+  };
+  static ShaderProgram base_program(const BaseFeatures& features);
+
   PixelBox pixels(const world::World& world, const Camera& camera) const;
   void begin(const RenderTarget& target);
   void draw_mesh(const world::World& world, std::size_t index, const FrameRequest& request,
@@ -49,7 +61,8 @@ class MeshPass {
   void end(const RenderTarget& target, const FrameRequest& request) const;
 
   GlCapabilities capabilities_;
-  ShaderProgram begin_, base_, outline_, end_;
+  ShaderProgram begin_, outline_, end_;
+  ShaderVariants<BaseFeatures> bases_;
   GlVertexArray no_vertices_;
   MeshLights lights_;
   PictureTextures pictures_;

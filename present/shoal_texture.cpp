@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include <fmt/format.h>
 #include <glm/vec4.hpp>
 
 #include "present/sampler.h"
@@ -22,12 +21,6 @@ void upload(const ocean::DepthMap& map) {
 }
 
 }  // namespace
-
-ShaderPart shoal_features(WaterDepth depth) {
-  return {"features of shoals",
-          fmt::format("#define HAS_SHOALS {:d}\n#define SHOAL_STEPS {}\n#define SHOAL_STEEPEST {:f}\n",
-                      depth == WaterDepth::shoals, SHOAL_STEPS, SHOAL_STEEPEST)};
-}
 
 ShoalTexture::ShoalTexture() : depths_(GlTexture::make()), shares_("Shoals", shares_binding, share_values) {}
 

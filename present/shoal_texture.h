@@ -11,11 +11,6 @@
 
 namespace offing::present {
 
-enum class WaterDepth { open, shoals };
-
-/// What shoals.glsl is compiled for.
-ShaderPart shoal_features(WaterDepth depth);
-
 /// OpenGL's copies of a sea's depths and of what shoals leave of its waves, which shoals.glsl reads.
 class ShoalTexture {
  public:

@@ -54,7 +54,6 @@ void WaterMaps::bind(const ShaderProgram& program, const world::World& world, gl
                                  ? static_cast<float>(2.0 * std::numbers::pi / cascade.k_min_radpm)
                                  : std::numeric_limits<float>::max());
   }
-  program.set("cascade_count", static_cast<int>(cascades.size()));
   program.set("cascades", cascades);
   program.set("longest_wave_m", longest_wave_m);
   displacement_.bind(displacement_unit);
@@ -70,7 +69,6 @@ void WaterMaps::bind(const ShaderProgram& program, const world::World& world, gl
 void WaterMaps::bind_wakes(const ShaderProgram& program, const world::World& world, glm::dvec2 eye_m) const {
   program.set("wake_map", wake_unit);
   const world::WakeView* view = world.wakes();
-  program.set("wake_count", view ? static_cast<int>(view->maps()->count()) : 0);
   if (!view) return;
   std::vector<glm::vec4> wakes;
   std::vector<glm::vec4> first;

@@ -1,6 +1,8 @@
 #include "present/water_pass.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -48,37 +50,23 @@ void set_light(const ShaderProgram& program, const world::World& world) {
 WaterPass::WaterPass(const GlCapabilities& capabilities, WaterDetail detail)
     : detail_(detail),
       surface_(capabilities, detail.cells),
+      programs_(program_for),
       no_vertices_(GlVertexArray::make()),
       foam_pattern_(foam_texture()) {}
 
 ShaderProgram WaterPass::program_for(const Features& features) {
-  const ShaderPart compiled_for{
-      "features of the water",
-      fmt::format("#define HAS_RINGS {:d}\n#define HAS_WAKES {:d}\n#define MIRRORS {:d}\n"
-                  "#define MIRRORS_THINGS {:d}\n#define SHOWS_BENEATH {:d}\n",
-                  features.has_rings, features.has_wakes, features.mirrors, features.mirrors_things,
-                  features.shows_beneath)};
-  const WaterDepth depth = features.has_shoals ? WaterDepth::shoals : WaterDepth::open;
-  return ShaderProgram(
-      {.vertex = {shader_file("screen.vert")},
-       .fragment = {compiled_for, shoal_features(depth), CloudShadows::glsl(),
-                    shader_file("environment.glsl"), shader_file("air.glsl"), shader_file("view_ray.glsl"),
-                    shader_file("water.glsl"), shader_file("rings.glsl"), shader_file("wakes.glsl"),
-                    shader_file("shoals.glsl"), shader_file("fresnel.glsl"), shader_file("water_light.glsl"),
-                    shader_file("caustics.glsl"), shader_file("water_views.glsl"),
-                    shader_file("water_debug.glsl"), shader_file("water.frag")}});
-}
-
-const ShaderProgram& WaterPass::program_that_shows(const world::World& world) {
-  const Features features{.has_rings = surface_.rings().count() > 0,
-                          .has_wakes = world.wakes() != nullptr,
-                          .has_shoals = world.shoals() != nullptr,
-                          .mirrors = views_.has_mirrored(),
-                          .mirrors_things = views_.has_mirrored_things(),
-                          .shows_beneath = views_.has_beneath()};
-  const auto known = programs_.find(features);
-  return known != programs_.end() ? known->second
-                                  : programs_.emplace(features, program_for(features)).first->second;
+  const ShaderPart compiled_for{"features of the water",
+                                fmt::format("#define TAPS {}\n#define DEBUG_VIEW {:d}\n#define MIRRORS {:d}\n"
+                                            "#define MIRRORS_THINGS {:d}\n#define SHOWS_BENEATH {:d}\n",
+                                            features.taps, static_cast<int>(features.debug), features.mirrors,
+                                            features.mirrors_things, features.shows_beneath)};
+  std::vector<ShaderPart> fragment{compiled_for, CloudShadows::glsl(), shader_file("environment.glsl"),
+                                   shader_file("air.glsl"), shader_file("view_ray.glsl")};
+  std::ranges::move(wave_shaders(features.waves), std::back_inserter(fragment));
+  for (const char* name : {"fresnel.glsl", "water_light.glsl", "caustics.glsl", "water_views.glsl",
+                           "water_debug.glsl", "water.frag"})
+    fragment.push_back(shader_file(name));
+  return ShaderProgram({.vertex = {shader_file("screen.vert")}, .fragment = std::move(fragment)});
 }
 
 void WaterPass::set_waves(const ShaderProgram& program, const world::World& world,
@@ -99,7 +87,6 @@ void WaterPass::set_waves(const ShaderProgram& program, const world::World& worl
   program.set("level_count", static_cast<int>(hidden.size() / sea.cascades.size()));
   program.set("ripples", to_vec3(world.hidden_slopes().ripples));
   program.set("trochoid_slopes", to_vec3(world.hidden_slopes().trochoids));
-  program.set("tap_count", detail_.taps);
   program.set("breaking", breaking);
   program.set("foam_onset", glm::vec2(sea.foam.onset_jacobian, sea.foam.width));
   const glm::dvec2 foam_place = eye_m / static_cast<double>(foam_tile_m);
@@ -128,7 +115,12 @@ void WaterPass::draw(world::World& world, const FrameRequest& request, const Dry
   if (!surface_.draw(world, maps_, request.camera, request.fill)) return;
   views_.draw(world, request, share_of(detail_.views_px, quality.views_share, least_views_px), dry, transfer);
   target.bind();
-  const ShaderProgram& program = program_that_shows(world);
+  const ShaderProgram& program = programs_.with({.waves = wave_features(world, surface_.rings()),
+                                                 .taps = detail_.taps,
+                                                 .debug = request.debug,
+                                                 .mirrors = views_.has_mirrored(),
+                                                 .mirrors_things = views_.has_mirrored_things(),
+                                                 .shows_beneath = views_.has_beneath()});
   program.use();
   set_view_rays(program, request.camera);
   set_waves(program, world, request.camera);
@@ -139,7 +131,6 @@ void WaterPass::draw(world::World& world, const FrameRequest& request, const Dry
   views_.bind(program, first_view_unit);
   bind_sampler(program, "foam_pattern", pattern_unit, foam_pattern_.name());
   program.set("eye_height_m", static_cast<float>(request.camera.eye_m.y));
-  program.set("debug_view", static_cast<int>(request.debug));
   program.set("debug_white", static_cast<float>(1.0 / request.exposure));
   program.set("debug_height_m", static_cast<float>(0.5 * world.reach().vertical_m));
 

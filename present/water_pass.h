@@ -1,7 +1,6 @@
 #pragma once
 
 #include <compare>
-#include <map>
 
 #include "host/base/camera.h"
 #include "host/world/world.h"
@@ -11,11 +10,12 @@
 #include "present/gl_objects.h"
 #include "present/render_target.h"
 #include "present/ring_waves.h"
-#include "present/shader_program.h"
+#include "present/shader_variants.h"
 #include "present/transfer.h"
 #include "present/water_maps.h"
 #include "present/water_surface.h"
 #include "present/water_views.h"
+#include "present/wave_features.h"
 
 namespace offing::present {
 
@@ -41,12 +41,11 @@ class WaterPass {
             const RenderTarget& target, TransferLadder& transfer);
 
  private:
-  /// What the shader is compiled for. Some renderers, llvmpipe among them, go through what they do not need
-  /// too: an open sea would take half as long again.
+  /// What the shader is compiled for.
   struct Features {
-    bool has_rings = false;
-    bool has_wakes = false;
-    bool has_shoals = false;
+    WaveFeatures waves;
+    int taps = 1;
+    DebugView debug = DebugView::none;
     bool mirrors = false;
     bool mirrors_things = false;
     bool shows_beneath = false;
@@ -55,7 +54,6 @@ class WaterPass {
   };
   static ShaderProgram program_for(const Features& features);
 
-  const ShaderProgram& program_that_shows(const world::World& world);
   void set_waves(const ShaderProgram& program, const world::World& world, const Camera& camera) const;
   void bind_surface(const ShaderProgram& program) const;
 
@@ -63,7 +61,7 @@ class WaterPass {
   WaterMaps maps_;
   WaterSurface surface_;
   WaterViews views_;
-  std::map<Features, ShaderProgram> programs_;  // those that were needed so far
+  ShaderVariants<Features> programs_;
   GlVertexArray no_vertices_;
   GlTexture foam_pattern_;
 };

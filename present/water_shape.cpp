@@ -18,11 +18,10 @@ constexpr std::array outputs{"place_of", "facet_of", "strain_of"};
 constexpr GLuint trochoids_binding = 1;
 constexpr std::size_t trochoid_values = TROCHOID_WAVES + TROCHOID_WAVES / 4;
 
-ShaderProgram shape_program(WaterDepth depth) {
-  return ShaderProgram(
-      {.vertex = {shader_file("screen.vert")},
-       .fragment = {shoal_features(depth), shader_file("water.glsl"), shader_file("rings.glsl"),
-                    shader_file("wakes.glsl"), shader_file("shoals.glsl"), shader_file("water_shape.frag")}});
+ShaderProgram shape_program(const WaveFeatures& features) {
+  std::vector<ShaderPart> fragment = wave_shaders(features);
+  fragment.push_back(shader_file("water_shape.frag"));
+  return ShaderProgram({.vertex = {shader_file("screen.vert")}, .fragment = std::move(fragment)});
 }
 
 /// Trochoids of one band after the other, and where the first three bands end.
@@ -51,7 +50,7 @@ BandedWaves in_bands(const ocean::TrochoidInstant& trochoids, const ocean::Shoal
 }  // namespace
 
 WaterShape::WaterShape(GridCells cells)
-    : open_(shape_program(WaterDepth::open)),
+    : programs_(shape_program),
       no_vertices_(GlVertexArray::make()),
       trochoid_block_("Trochoids", trochoids_binding, trochoid_values) {
   fit(cells);
@@ -86,8 +85,9 @@ void WaterShape::set_trochoids(const ocean::TrochoidInstant& trochoids, const oc
 void WaterShape::draw(const world::World& world, const WaterMaps& maps, const Camera& camera,
                       const ocean::ProjectedGrid& grid) {
   const glm::dvec2 eye_m(camera.eye_m.x, camera.eye_m.z);
-  if (world.shoals() && !over_shoals_) over_shoals_.emplace(shape_program(WaterDepth::shoals));
-  const ShaderProgram& program = world.shoals() ? *over_shoals_ : open_;
+  const ocean::TrochoidInstant trochoids(world.parameters().trochoids, world.time_s());
+  rings_.prepare(trochoids, eye_m);
+  const ShaderProgram& program = programs_.with(wave_features(world, rings_));
   target_.bind();
   program.use();
   std::vector<glm::vec3> corners;
@@ -98,9 +98,7 @@ void WaterShape::draw(const world::World& world, const WaterMaps& maps, const Ca
   program.set("cells", glm::ivec2(cells_.columns, cells_.rows));
   program.set("eye_height_m", static_cast<float>(camera.eye_m.y));
   maps.bind(program, world, eye_m);
-  const ocean::TrochoidInstant trochoids(world.parameters().trochoids, world.time_s());
   set_trochoids(trochoids, world.shoals().get(), camera, program);
-  rings_.prepare(trochoids, eye_m);
   rings_.bind(program);
   program.set("trochoid_mean_square", static_cast<float>(world.hidden_slopes().trochoids.mean_square()));
   glBindVertexArray(no_vertices_.name());

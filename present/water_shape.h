@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "host/base/camera.h"
 #include "host/ocean/projected_grid.h"
 #include "host/ocean/trochoid_instant.h"
@@ -9,9 +7,10 @@
 #include "present/gl_objects.h"
 #include "present/render_target.h"
 #include "present/ring_waves.h"
-#include "present/shader_program.h"
+#include "present/shader_variants.h"
 #include "present/uniform_block.h"
 #include "present/water_maps.h"
+#include "present/wave_features.h"
 
 namespace offing::present {
 
@@ -45,8 +44,7 @@ class WaterShape {
                      const Camera& camera, const ShaderProgram& program) const;
 
   GridCells cells_;
-  ShaderProgram open_;                        // of the open sea
-  std::optional<ShaderProgram> over_shoals_;  // made at first use
+  ShaderVariants<WaveFeatures> programs_;
   GlVertexArray no_vertices_;
   UniformBlock trochoid_block_;
   RingWaves rings_;

@@ -68,7 +68,8 @@ struct Placed {
 struct Sight {
   explicit Sight(const ocl::Device& device) : order(device) {}
 
-  std::optional<glm::dvec3> eye_m;  // nothing: not of these particles in this light
+  std::optional<glm::dvec3> eye_m;        // nothing: not of these particles in this light
+  std::optional<glm::dvec3> light_eye_m;  // from the lit particles' origin: whom sprites are the light to
   ocl::Buffer<CloudSprite> sprites;
   clouds::ViewOrder order;
 };
@@ -97,6 +98,22 @@ struct CloudsView::Sky {
     for (Sight& sight : sights) sight.eye_m.reset();
   }
 
+  void forget_light() {
+    lit_by.clear();
+    has_shadow = false;
+    box.reset();
+    for (Sight& sight : sights) sight.light_eye_m.reset();
+  }
+
+  /// Whether light to one eye is light to the other, both from the lit particles' origin.
+  bool are_alike(const glm::dvec3& eye_m, const glm::dvec3& other_m, double tolerance_rad) {
+    if (tolerance_rad == 0.0) return eye_m == other_m;
+    if (!box) box = particle_light.box();
+    if (!box) return true;
+    const glm::dvec3 nearest_m = glm::clamp(eye_m, glm::dvec3(box->low_m), glm::dvec3(box->high_m));
+    return glm::distance(eye_m, other_m) <= tolerance_rad * glm::distance(eye_m, nearest_m);
+  }
+
   ocl::Device device;
   CloudSkyParameters parameters;
   glm::dvec3 origin_m{0.0};
@@ -109,6 +126,7 @@ struct CloudsView::Sky {
   // Of the two last eyes, that of the last see() first: over a sea an eye and its mirror image take turns.
   std::array<Sight, 2> sights;
   std::vector<clouds::CloudIllumination> lit_by;  // of `lit`, one a cloud; empty: not yet
+  std::optional<clouds::CloudBox> box;            // of `lit`, in this light; read when first needed
   std::optional<clouds::CloudShadowMap> shadow;   // made when first asked for
   bool has_shadow = false;                        // of `lit` in this light
 };
@@ -168,17 +186,13 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
   sky.count = static_cast<std::uint32_t>(count);
   sky.parameters = parameters;
   sky.origin_m = origin_of(parameters);
-  sky.lit_by.clear();
-  sky.has_shadow = false;
+  sky.forget_light();
   sky.forget_sights();
 }
 
 void CloudsView::at(double time_s) {
   Sky& sky = *sky_;
-  if (sky.place(light_time_s(sky.parameters, time_s), sky.lit)) {
-    sky.lit_by.clear();
-    sky.has_shadow = false;
-  }
+  if (sky.place(light_time_s(sky.parameters, time_s), sky.lit)) sky.forget_light();
   if (!sky.place(time_s, sky.shown)) return;
   sky.carried_m = drift_m(sky.parameters.clouds, *sky.lit.time_s, time_s);
   sky.forget_sights();
@@ -191,8 +205,8 @@ void CloudsView::light(std::span<const clouds::CloudIllumination> of_clouds) {
                                           [](const auto& model) { return model->has_own_albedo(); });
   sky.particle_light.relight(sky.lit.particles, sky.count, of_clouds, sky.looks, sky.parameters.light_model,
                              has_own_albedo ? clouds::ParticleAlbedo::own : clouds::ParticleAlbedo::of_look);
+  sky.forget_light();
   sky.lit_by.assign(of_clouds.begin(), of_clouds.end());
-  sky.has_shadow = false;
   sky.forget_sights();
 }
 
@@ -200,14 +214,22 @@ void CloudsView::light(const clouds::CloudIllumination& of_all) {
   light(std::vector<clouds::CloudIllumination>(sky_->models.size(), of_all));
 }
 
-void CloudsView::see(const Camera& camera) {
+void CloudsView::see(const Camera& camera, double tolerance_rad) {
   Sky& sky = *sky_;
-  if (sky.lit_by.empty() || sky.sights[0].eye_m == camera.eye_m) return;
-  std::swap(sky.sights[0], sky.sights[1]);
+  if (sky.lit_by.empty()) return;
+  const glm::dvec3 eye_m = camera.eye_m - sky.origin_m, light_eye_m = eye_m - sky.carried_m;
+  const auto has_light = [&](const Sight& sight) {
+    return sight.light_eye_m && sky.are_alike(light_eye_m, *sight.light_eye_m, tolerance_rad);
+  };
+  const auto shows = [&](const Sight& sight) { return sight.eye_m == camera.eye_m && has_light(sight); };
+  if (shows(sky.sights[0])) return;
+  if (shows(sky.sights[1]) || !has_light(sky.sights[0])) std::swap(sky.sights[0], sky.sights[1]);
   Sight& sight = sky.sights[0];
-  if (sight.eye_m == camera.eye_m) return;
-  const glm::dvec3 eye_m = camera.eye_m - sky.origin_m;
-  sky.particle_light.see(glm::vec3(eye_m - sky.carried_m), sight.sprites);
+  if (shows(sight)) return;
+  if (!has_light(sight)) {
+    sky.particle_light.see(glm::vec3(light_eye_m), sight.sprites);
+    sight.light_eye_m = light_eye_m;
+  }
   sight.order.sort(sky.shown.particles, sky.count, glm::vec3(eye_m));
   sight.eye_m = camera.eye_m;
 }
@@ -222,10 +244,11 @@ void CloudsView::cast_shadow() {
   const auto lit = std::find_if(sky.lit_by.begin(), sky.lit_by.end(),
                                 [](const auto& light) { return !light.suns.empty(); });
   if (lit == sky.lit_by.end()) return;
-  const std::optional<clouds::CloudBox> box = sky.particle_light.box();
-  if (!box) return;
-  const glm::dvec3 middle_m = 0.5 * (glm::dvec3(box->low_m) + glm::dvec3(box->high_m));
-  const double half_width_m = 0.5 * glm::length(glm::dvec3(box->high_m) - glm::dvec3(box->low_m));
+  if (!sky.box) sky.box = sky.particle_light.box();
+  if (!sky.box) return;
+  const glm::dvec3 low_m(sky.box->low_m), high_m(sky.box->high_m);
+  const glm::dvec3 middle_m = 0.5 * (low_m + high_m);
+  const double half_width_m = 0.5 * glm::length(high_m - low_m);
   if (!sky.shadow) sky.shadow.emplace(sky.device);
   sky.shadow->update(sky.lit.particles, sky.count, lit->suns.front().direction, middle_m, half_width_m);
   sky.has_shadow = true;

@@ -58,8 +58,10 @@ class CloudsView {
   /// The same on all clouds.
   void light(const clouds::CloudIllumination& of_all);
   /// Enqueues what is seen of the particles of the last light() from a camera's eye; nothing before one, and
-  /// where this was one of the last two eyes and nothing else has changed.
-  void see(const Camera& camera);
+  /// where this was one of the last two eyes and nothing else has changed. Particles may send it the light
+  /// that they sent to an eye before, at most `tolerance_rad` aside as seen from any of them; where it is not
+  /// 0 a picture depends on those before it.
+  void see(const Camera& camera, double tolerance_rad = 0.0);
 
   /// What lit the particles of the last light(), one a cloud; none before one.
   std::span<const clouds::CloudIllumination> illumination() const;

@@ -335,8 +335,8 @@ void World::light_clouds(double time_s) {
   if (parameters_.clouds->throws_shadows && (ocean_ || ground_ || !meshes_.empty())) clouds_->cast_shadow();
 }
 
-void World::see_clouds(const Camera& camera) {
-  if (clouds_) clouds_->see(camera);
+void World::see_clouds(const Camera& camera, double tolerance_rad) {
+  if (clouds_) clouds_->see(camera, tolerance_rad);
 }
 
 void World::see_ground(const Camera& camera, const terrain::Sampling& sampling, TileWait wait) {

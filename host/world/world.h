@@ -80,8 +80,8 @@ class World {
   /// Enqueues what this camera, with the eye of the last see_ground(), would see of the ground if there were
   /// no water before it, as deep as water lets light through. Does nothing in a world without either.
   void see_ground_beneath(const Camera& camera);
-  /// Enqueues what a camera sees of the clouds of the last at(), if there are any.
-  void see_clouds(const Camera& camera);
+  /// Enqueues what a camera sees of the clouds of the last at(), if there are any: CloudsView::see().
+  void see_clouds(const Camera& camera, double tolerance_rad = 0.0);
   /// Takes the meshes to the time of the last at(), with the highlights that they have for this eye. With a
   /// lighting, of the world's axes at any time, these depend on the time and on that of the sequence's first
   /// picture alone (MeshView::at()); without one they follow the eye and the lamps as they are

@@ -1,8 +1,7 @@
 // A highlight within its projector's box (highlights::HighlightTexture): a shape, a picture, or a picture of normals
-// that is shaded in the highlight.
+// that is shaded in the highlight. Compiled for the TEXTURE_KIND.
 const int first_picture = 6, normal_picture = 7;
 
-uniform int texture_kind;
 uniform vec3 colour;         // of the artist
 uniform vec3 lamp_kcdpm2;    // of a white highlight
 uniform float opacity;
@@ -30,7 +29,7 @@ void main() {
   vec2 uv = vec2(0.5 + 0.5 * box_place.x, 0.5 - 0.5 * box_place.y);
   vec4 texel = texture(picture, uv);
   float alpha = texel.a;
-  if (texture_kind < first_picture) alpha = shape_opacity(texture_kind, box_place, softness, shape_depth);
+  if (TEXTURE_KIND < first_picture) alpha = shape_opacity(TEXTURE_KIND, box_place, softness, shape_depth);
   bool is_in_box = max(abs(box_place.x), abs(box_place.y)) <= 1.0;
   if (shows_box != 0) {
     light = vec4(box_light, 1.0) * (is_in_box || shows_box == 2 ? 0.75 : 0.0);
@@ -38,7 +37,7 @@ void main() {
   }
   if (!is_in_box || alpha <= 0.0) discard;
   vec3 surface = colour * lamp_kcdpm2;
-  if (texture_kind == first_picture) surface *= texel.rgb / alpha;
-  if (texture_kind == normal_picture) surface = pictured_light(texel);
+  if (TEXTURE_KIND == first_picture) surface *= texel.rgb / alpha;
+  if (TEXTURE_KIND == normal_picture) surface = pictured_light(texel);
   light = vec4(through_air(surface, normalize(place_m), length(place_m)), 1.0) * alpha * opacity;
 }

@@ -1,5 +1,5 @@
-// A mesh below its highlights: smooth shading (world::BaseShading), or its curvatures as colours.
-uniform int shading;  // 0 phong, 1 gouraud, 2 cartoon, 3 flat
+// A mesh below its highlights. Compiled for its SHADING (world::BaseShading: 0 phong, 1 gouraud, 2 cartoon, 3 flat)
+// and whether it SHOWS_CURVATURE as colours in its place.
 uniform vec3 colour;
 uniform float specular, shininess;
 uniform int cartoon_steps;
@@ -7,7 +7,6 @@ uniform int has_ramp;
 uniform sampler2D ramp_picture;  // in place of steps
 uniform samplerBuffer faces;  // two a face: unit normal; middle, in the axes of to_eye
 uniform mat4 to_eye;
-uniform int shows_curvature;
 uniform float length_of_mesh_m;
 uniform float debug_white;  // kcd/m2 that the picture shows as white
 
@@ -50,19 +49,19 @@ void main() {
   vec3 surface, lit_m = place_m;
   float side = gl_FrontFacing ? 1.0 : -1.0;
   Material material = Material(colour, specular, shininess);
-  if (shading == 3) {
-    lit_m = (to_eye * vec4(texelFetch(faces, 2 * gl_PrimitiveID + 1).xyz, 1.0)).xyz;
-    surface = smooth_light(material, lit_m, side * mat3(to_eye) * texelFetch(faces, 2 * gl_PrimitiveID).xyz);
-  } else if (shading == 2) {
-    surface = cartoon_light(side * unit_or_zero(normal));
-  } else if (shading == 1) {
-    surface = gl_FrontFacing ? front_light : back_light;
-  } else {
-    surface = smooth_light(material, lit_m, side * unit_or_zero(normal));
-  }
+#if SHADING == 3
+  lit_m = (to_eye * vec4(texelFetch(faces, 2 * gl_PrimitiveID + 1).xyz, 1.0)).xyz;
+  surface = smooth_light(material, lit_m, side * mat3(to_eye) * texelFetch(faces, 2 * gl_PrimitiveID).xyz);
+#elif SHADING == 2
+  surface = cartoon_light(side * unit_or_zero(normal));
+#elif SHADING == 1
+  surface = gl_FrontFacing ? front_light : back_light;
+#else
+  surface = smooth_light(material, lit_m, side * unit_or_zero(normal));
+#endif
   light = vec4(through_air(surface, normalize(lit_m), length(lit_m)), 1.0);
-  if (shows_curvature == 1) {
-    float facing = 0.35 + 0.65 * abs(dot(unit_or_zero(normal), normalize(place_m)));
-    light.rgb = debug_white * facing * curvature_colour();
-  }
+#if SHOWS_CURVATURE
+  float facing = 0.35 + 0.65 * abs(dot(unit_or_zero(normal), normalize(place_m)));
+  light.rgb = debug_white * facing * curvature_colour();
+#endif
 }

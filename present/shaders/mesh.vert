@@ -1,7 +1,6 @@
-// A mesh below its highlights.
+// A mesh below its highlights, compiled as mesh.frag is.
 layout(location = 2) in vec2 vertex_curvatures;  // k_max, k_min, 1/m
 
-uniform int shading;  // world::BaseShading
 uniform vec3 colour;
 uniform float specular, shininess;
 
@@ -17,9 +16,9 @@ void main() {
   curvatures = vertex_curvatures;
   front_light = vec3(0.0);
   back_light = vec3(0.0);
-  if (shading == 1) {
-    Material material = Material(colour, specular, shininess);
-    front_light = smooth_light(material, place_m, unit_or_zero(normal));
-    back_light = smooth_light(material, place_m, -unit_or_zero(normal));
-  }
+#if SHADING == 1
+  Material material = Material(colour, specular, shininess);
+  front_light = smooth_light(material, place_m, unit_or_zero(normal));
+  back_light = smooth_light(material, place_m, -unit_or_zero(normal));
+#endif
 }

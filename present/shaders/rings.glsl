@@ -1,4 +1,6 @@
 // Rings of waves around points, such as those of raindrops; kernels/ocean/trochoid_surface.cl has their formula.
+// Compiled for whether the sea HAS_RINGS.
+#if HAS_RINGS
 const int max_rings = 64;
 
 uniform int ring_count;
@@ -26,3 +28,8 @@ vec3 ring_waves(vec2 label_m, float spacing_m) {
   }
   return sum;
 }
+#else
+vec3 ring_waves(vec2 label_m, float spacing_m) {
+  return vec3(0.0);
+}
+#endif

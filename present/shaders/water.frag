@@ -1,6 +1,7 @@
 // The ocean's surface: slopes summed pixel by pixel, the sky mirrored in them, the sun's glitter, the light of the
 // water below and foam. What a pixel cannot show of the slopes widens the glitter instead: each mip level of the
 // slope map hides a known covariance, and the shortest ripples are in no map. Light is in kcd/m2, linear Rec.709.
+// Compiled for TAPS samples along a pixel's footprint.
 uniform sampler2D place_of;   // water_surface.frag's outputs
 uniform sampler2D facet_of;
 uniform sampler2D strain_of;
@@ -9,10 +10,9 @@ uniform sampler2DArray foam_map;      // coverage 0 ... 1
 uniform sampler2D foam_pattern;  // even values 0 ... 1
 uniform vec2 foam_place;         // the eye's place on its tile
 uniform float foam_tile_m;       // side of its tile
-uniform float breaking[max_cascades];  // 1: the cascade's waves are long enough to draw air under, else 0
-uniform vec4 hidden_slopes[max_cascades * 13];  // covariance xx, xz, zz that each mip level of a cascade hides
+uniform float breaking[CASCADES];  // 1: the cascade's waves are long enough to draw air under, else 0
+uniform vec4 hidden_slopes[CASCADES * 13];  // covariance xx, xz, zz that each mip level of a cascade hides
 uniform int level_count;
-uniform int tap_count;  // samples along a pixel's footprint
 uniform vec3 ripples;  // covariance of the slopes that no map has
 uniform vec3 trochoid_slopes;  // of all trochoids
 uniform vec3 sun_direction;
@@ -94,15 +94,10 @@ void main() {
   gl_FragDepth = texelFetch(depth_of, pixel, 0).r;
   vec4 place = texelFetch(place_of, pixel, 0);
   vec2 label_m = place.xy, long_m = place.zw;
-  float width_m = max(length(long_m) / float(tap_count), facet.w);
+  float width_m = max(length(long_m) / float(TAPS), facet.w);
   vec2 trochoid_slope = facet.xy;
-#if HAS_RINGS
   // Rings are mostly shorter than the cells of the grid: their slopes are worked out here.
-  trochoid_slope += ring_waves(label_m, width_m).yz;
-#endif
-#if HAS_WAKES
-  trochoid_slope += wake_waves(label_m, width_m).yz;
-#endif
+  trochoid_slope += ring_waves(label_m, width_m).yz + wake_waves(label_m, width_m).yz;
   vec4 strain = texelFetch(strain_of, pixel, 0);
   vec3 trochoid_gradient = strain.xyz;
 
@@ -113,11 +108,11 @@ void main() {
   vec3 breaking_gradient = trochoid_gradient;
   float bare = 1.0;
   vec2 aside = ragged(label_m, width_m);
-  for (int tap = 0; tap < tap_count; ++tap) {
-    vec2 tap_m = label_m + ((float(tap) + 0.5) / float(tap_count) - 0.5) * long_m;
+  for (int tap = 0; tap < TAPS; ++tap) {
+    vec2 tap_m = label_m + ((float(tap) + 0.5) / float(TAPS) - 0.5) * long_m;
     vec2 tap_slope = trochoid_slope;
     float tap_bare = 1.0;
-    for (int i = 0; i < cascade_count; ++i) {
+    for (int i = 0; i < CASCADES; ++i) {
       vec3 map_point = map_place(i, tap_m);
       float level = map_level(i, width_m);
       if (breaking[i] > 0.0) {
@@ -127,21 +122,21 @@ void main() {
       if (width_m >= longest_wave_m[i]) continue;
       vec4 texel = textureLod(gradient_map, map_point, level);
       tap_slope += shares.cascades[i] * texel.xy;
-      vec3 change = vec3(texel.z, textureLod(displacement_map, map_point, level).w, texel.w) / float(tap_count);
+      vec3 change = vec3(texel.z, textureLod(displacement_map, map_point, level).w, texel.w) / float(TAPS);
       change *= shares.cascades[i];
       gradient += change;
       breaking_gradient += breaking[i] * change;
     }
-    slope += tap_slope / float(tap_count);
-    square += vec3(tap_slope.x * tap_slope.x, tap_slope.x * tap_slope.y, tap_slope.y * tap_slope.y) / float(tap_count);
-    bare -= (1.0 - tap_bare) / float(tap_count);
+    slope += tap_slope / float(TAPS);
+    square += vec3(tap_slope.x * tap_slope.x, tap_slope.x * tap_slope.y, tap_slope.y * tap_slope.y) / float(TAPS);
+    bare -= (1.0 - tap_bare) / float(TAPS);
   }
   // Hidden are the slopes of ripples, of trochoids that the grid is too coarse for, those between the taps and those
   // that differ from tap to tap.
   // Trochoids that are not drawn are mostly the shortest. The wind makes ripples anew wherever it blows.
   float trochoid_share = shares.trochoids.w;
   vec3 hidden = ripples + trochoid_share * trochoid_share * fract(strain.w) * trochoid_slopes + square - vec3(slope.x * slope.x, slope.x * slope.y, slope.y * slope.y);
-  for (int i = 0; i < cascade_count; ++i) {
+  for (int i = 0; i < CASCADES; ++i) {
     hidden += shares.cascades[i] * shares.cascades[i] * hidden_at(i, map_level(i, width_m));
   }
 
@@ -184,8 +179,8 @@ void main() {
   mirrored_share *= 1.0 - foam;
   light = vec4((1.0 - mirrored_share) * through_air(surface / max(1.0 - mirrored_share, 1e-3), ray, distance_m) +
                    (1.0 - foam) * mirrored, 1.0);
-  if (debug_view != 0) {
-    light.rgb = debug_light(ray.y * distance_m + eye_height_m + earth_drop_m(label_m), slope, jacobian, coverage, width_m, label_m,
-                            floor(strain.w));
-  }
+#if DEBUG_VIEW != 0
+  light.rgb = debug_light(ray.y * distance_m + eye_height_m + earth_drop_m(label_m), slope, jacobian, coverage, width_m,
+                          label_m, floor(strain.w));
+#endif
 }

@@ -1,5 +1,4 @@
 // What the shaders of the water's shape and of its light know: cascades of waves on repeating maps, and where the eye stands on them.
-const int max_cascades = 4;
 const float earth_radius_m = 6.36e6;
 
 // How far the Earth's surface lies below the plane at the eye's label.
@@ -7,9 +6,9 @@ float earth_drop_m(vec2 label_m) {
   return dot(label_m, label_m) / (2.0 * earth_radius_m);
 }
 
-uniform int cascade_count;
-uniform vec4 cascades[max_cascades];  // 1 / L 1/m; the eye's place on the patch in L, x and z; texels a metre
-uniform float longest_wave_m[max_cascades];  // wavelength; wider texels show nothing of the cascade
+// CASCADES, their number, is what this is compiled for.
+uniform vec4 cascades[CASCADES];  // 1 / L 1/m; the eye's place on the patch in L, x and z; texels a metre
+uniform float longest_wave_m[CASCADES];  // wavelength; wider texels show nothing of the cascade
 uniform sampler2DArray displacement_map;  // dx, h, dz in m, d dx/dz
 
 // Place on the map of a cascade of a label relative to the eye: the first texel is label (0, 0).

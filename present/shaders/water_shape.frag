@@ -42,7 +42,7 @@ void main() {
 
   Shares shares = shares_at(label);
   vec3 moved_m = vec3(0.0);
-  for (int i = 0; i < cascade_count && 0.5 * spacing_m < longest_wave_m[i]; ++i) {
+  for (int i = 0; i < CASCADES && 0.5 * spacing_m < longest_wave_m[i]; ++i) {
     moved_m += shares.cascades[i] * textureLod(displacement_map, map_place(i, label), map_level(i, 0.5 * spacing_m)).xyz;
   }
 
