@@ -13,6 +13,7 @@ struct Quality {
   double grid_share = 1.0;       ///< of the cells of the water's grid along a side
   double views_share = 1.0;      ///< of the pixels along a side of what water mirrors and shows beneath it
   double cloud_light_rad = 0.0;  ///< World::see_clouds()'s tolerance
+  int cloud_light_steps = 1;     ///< CloudsView::set_light_steps()
 
   bool operator==(const Quality&) const = default;
 
@@ -25,31 +26,27 @@ inline int share_of(int number, double share, int least) {
   return std::max(std::min(number, least), static_cast<int>(std::lround(share * number)));
 }
 
+/// One coarser than the first, all of which light clouds alike.
+constexpr Quality coarser(double side_share, double grid_share, double views_share) {
+  return {.side_share = side_share,
+          .ray_share = 0.5,
+          .grid_share = grid_share,
+          .views_share = views_share,
+          .cloud_light_rad = 0.01,
+          .cloud_light_steps = 4};
+}
+
 /// The rungs of a ladder of quality, coarser from one to the next: first what is least seen.
 inline constexpr std::array quality_rungs{
     Quality{},
-    Quality{.ray_share = 0.5, .grid_share = 0.75, .views_share = 0.75, .cloud_light_rad = 0.005},
-    Quality{.side_share = 0.85,
-            .ray_share = 0.5,
-            .grid_share = 0.75,
-            .views_share = 0.5,
-            .cloud_light_rad = 0.01},
-    Quality{
-        .side_share = 0.7, .ray_share = 0.5, .grid_share = 0.5, .views_share = 0.5, .cloud_light_rad = 0.01},
-    Quality{
-        .side_share = 0.6, .ray_share = 0.5, .grid_share = 0.5, .views_share = 0.4, .cloud_light_rad = 0.01},
-    Quality{.side_share = 0.5,
-            .ray_share = 0.5,
-            .grid_share = 0.375,
-            .views_share = 0.3,
-            .cloud_light_rad = 0.01},
-    Quality{.side_share = 0.4,
-            .ray_share = 0.5,
-            .grid_share = 0.375,
-            .views_share = 0.25,
-            .cloud_light_rad = 0.01},
-    Quality{
-        .side_share = 0.3, .ray_share = 0.5, .grid_share = 0.25, .views_share = 0.2, .cloud_light_rad = 0.01},
+    coarser(1.0, 0.75, 0.75),
+    coarser(0.85, 0.75, 0.5),
+    coarser(0.7, 0.5, 0.5),
+    coarser(0.6, 0.5, 0.4),
+    coarser(0.5, 0.375, 0.3),
+    coarser(0.4, 0.375, 0.25),
+    coarser(0.3, 0.25, 0.2),
+    coarser(0.2, 0.25, 0.15),
 };
 
 }  // namespace offing::present

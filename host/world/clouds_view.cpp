@@ -39,8 +39,7 @@ bool stands_still(const CloudParameters& cloud) {
 }
 
 /// The last time whose light is worked out.
-double light_time_s(const CloudSkyParameters& parameters, double time_s) {
-  const double step_s = parameters.light_step_s;
+double light_time_s(double step_s, double time_s) {
   return step_s > 0.0 ? step_s * std::floor(time_s / step_s) : time_s;
 }
 
@@ -120,7 +119,8 @@ struct CloudsView::Sky {
   std::vector<std::shared_ptr<const CloudModel>> models;  // one a cloud
   std::vector<clouds::CloudLook> looks;                   // one a cloud
   std::uint32_t count = 0;
-  Placed shown, lit;          // as of the last at(), and where light reaches them
+  Placed shown, lit;  // as of the last at(), and where light reaches them
+  int light_steps = 1;
   glm::dvec3 carried_m{0.0};  // from `lit` to `shown`
   clouds::ParticleLight particle_light;
   // Of the two last eyes, that of the last see() first: over a sea an eye and its mirror image take turns.
@@ -190,9 +190,14 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
   sky.forget_sights();
 }
 
+void CloudsView::set_light_steps(int steps) {
+  sky_->light_steps = steps;
+}
+
 void CloudsView::at(double time_s) {
   Sky& sky = *sky_;
-  if (sky.place(light_time_s(sky.parameters, time_s), sky.lit)) sky.forget_light();
+  if (sky.place(light_time_s(sky.light_steps * sky.parameters.light_step_s, time_s), sky.lit))
+    sky.forget_light();
   if (!sky.place(time_s, sky.shown)) return;
   sky.carried_m = drift_m(sky.parameters.clouds, *sky.lit.time_s, time_s);
   sky.forget_sights();

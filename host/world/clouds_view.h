@@ -49,6 +49,8 @@ class CloudsView {
   /// the next at(), light() and see(). One that throws has changed nothing.
   void set(const CloudSkyParameters& parameters);
 
+  /// From now on light is worked out at every `steps`-th of its steps of time alone, 1 or more.
+  void set_light_steps(int steps);
   /// Enqueues the clouds as they are at a time, whatever was asked before.
   void at(double time_s);
   /// Enqueues the light that reaches the particles of the last at(), or those of the step of light before it,

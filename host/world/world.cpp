@@ -335,6 +335,10 @@ void World::light_clouds(double time_s) {
   if (parameters_.clouds->throws_shadows && (ocean_ || ground_ || !meshes_.empty())) clouds_->cast_shadow();
 }
 
+void World::set_cloud_light_steps(int steps) {
+  if (clouds_) clouds_->set_light_steps(steps);
+}
+
 void World::see_clouds(const Camera& camera, double tolerance_rad) {
   if (clouds_) clouds_->see(camera, tolerance_rad);
 }

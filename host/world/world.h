@@ -80,6 +80,8 @@ class World {
   /// Enqueues what this camera, with the eye of the last see_ground(), would see of the ground if there were
   /// no water before it, as deep as water lets light through. Does nothing in a world without either.
   void see_ground_beneath(const Camera& camera);
+  /// CloudsView::set_light_steps() of the clouds there are.
+  void set_cloud_light_steps(int steps);
   /// Enqueues what a camera sees of the clouds of the last at(), if there are any: CloudsView::see().
   void see_clouds(const Camera& camera, double tolerance_rad = 0.0);
   /// Takes the meshes to the time of the last at(), with the highlights that they have for this eye. With a

@@ -79,6 +79,8 @@ TEST(QualityLadderTest, RungsAreCoarserFromOneToTheNext) {
               finer.side_share * finer.side_share * finer.ray_share);
     EXPECT_LE(coarser.grid_share, finer.grid_share);
     EXPECT_LE(coarser.views_share, finer.views_share);
+    EXPECT_GE(coarser.cloud_light_rad, finer.cloud_light_rad);
+    EXPECT_GE(coarser.cloud_light_steps, finer.cloud_light_steps);
     EXPECT_FALSE(coarser == finer);
   }
 }

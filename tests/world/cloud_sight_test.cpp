@@ -101,6 +101,10 @@ TEST(CloudsView, WorksOutLightInSteps) {
   EXPECT_NEAR(next.second.middle_x - first.second.middle_x, 0.5 * 12.0, 1e-3);
   EXPECT_NEAR(back.second.middle_x - first.second.middle_x, 0.1 * 12.0, 1e-3)
       << "it depends on what was shown";
+  view.set_light_steps(4);
+  const auto coarse = shadow_at(2.1);
+  EXPECT_EQ(shadow_at(3.9).first, coarse.first);
+  EXPECT_NE(shadow_at(4.0).first, coarse.first);
 }
 
 // Fails if an eye that is shown light that was sent to another is farther aside than it allows, if that light
