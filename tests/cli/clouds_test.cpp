@@ -221,6 +221,7 @@ TEST_F(Clouds, RefusesWhatItCannotDo) {
   expect_refusal({"clouds", "build", path("a.toml"), "-o", path("a.vdb"), "--cell-m", "-2"}, 2, "--cell-m");
   expect_refusal({"clouds", "build", path("a.toml"), "-o", path("a.vdb"), "--frames", "0:4"}, 2, "--frames");
   expect_refusal({"clouds", "info", path("none.vdb")}, 2, "none.vdb");
+  expect_refusal({"clouds", "info", path("none.toml")}, 2, "hint: check the name of the scene file");
   std::ofstream(path("empty.toml")) << "version = 1\n";
   expect_refusal({"clouds", "build", path("empty.toml"), "-o", path("a.vdb")}, 2,
                  "expected clouds, found none");
