@@ -267,7 +267,7 @@ void print(const Compared& compared, const Errors& errors, const ReferenceCompar
   if (!asked.prints_json) {
     fmt::print(
         "drawn {:.4g} kcd/m2, reference {:.4g} kcd/m2 over the picture; {:.0f} % covered, there "
-        "{:.4g} kcd/m2, root mean square error {:.4g}\n",
+        "{:.4g} kcd/m2, root mean square error {:.4g} kcd/m2\n",
         drawn, reference, 100.0 * errors.covered_share, errors.mean_kcdpm2, errors.rms_kcdpm2);
   }
   const std::size_t count = compared.reference.orders.size();

@@ -55,7 +55,8 @@ struct Written {
 void add_options(CLI::App& app, Written& written) {
   app.name("offing-view");
   format_help(app);
-  app.description("offing-view: the sea and the ground of a scene, in a window or in pictures without one");
+  app.description(
+      "offing-view: sea, ground, meshes and clouds of a scene, in a window or in pictures without one");
   app.set_version_flag("--version", "offing-view " + std::string(scene::version()), "print the version");
   app.set_help_flag("-h,--help", "print this help");
   app.add_option("SCENE", written.scene,

@@ -102,7 +102,10 @@ Json scene_facts(const InfoArguments& arguments, const GlobalOptions& options) {
                                  particle.radius);
     }
     for (std::size_t i = 0; i < counts.size(); ++i) {
-      Json cloud = {{"genus", clouds::range_of(sky->clouds[i].genus).name}, {"particles", counts[i]}};
+      // Those of layers come after the scene's own, and have no names.
+      Json cloud = {{"name", i < scene.clouds.size() ? scene.clouds[i].name : ""},
+                    {"genus", clouds::range_of(sky->clouds[i].genus).name},
+                    {"particles", counts[i]}};
       if (counts[i] > 0) {
         cloud["low_m"] = json_of(boxes[i].low_m);
         cloud["high_m"] = json_of(boxes[i].high_m);
@@ -126,8 +129,9 @@ void tell(const InfoArguments& arguments, const Json& facts) {
       continue;
     }
     for (const Json& cloud : value) {
-      fmt::print("  {:<18} {} particles\n", cloud["genus"].get<std::string>(),
-                 cloud["particles"].get<std::size_t>());
+      const std::string given = one_line(cloud["name"].get<std::string>());
+      fmt::print("  {:<18} {} particles{}\n", cloud["genus"].get<std::string>(),
+                 cloud["particles"].get<std::size_t>(), given.empty() ? "" : fmt::format(", \"{}\"", given));
     }
   }
 }

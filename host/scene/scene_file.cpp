@@ -229,7 +229,7 @@ std::string read_text(const std::filesystem::path& file) {
   if (!stream) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: cannot open scene: {}", file.string(), std::strerror(errno)),
-                "check the name, or leave the scene out: a default sea is taken then");
+                "check the name of the scene file");
   }
   std::string text;
   std::array<char, 1 << 14> block{};

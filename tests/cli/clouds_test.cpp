@@ -98,6 +98,26 @@ TEST_F(Clouds, ParticlesHoldTheSameMass) {
   EXPECT_EQ(scene["clouds"][0]["genus"], "cumulus");
 }
 
+// Fails if clouds are told by their genus alone: those of a scene may all be of one.
+TEST_F(Clouds, TellsNames) {
+  std::ofstream(path("names.toml")) << R"(version = 1
+[clouds]
+quality = 0.1
+[[cloud]]
+name = "snowman"
+[[cloud]]
+[[cloud_layer]]
+genus = "altocumulus"
+)";
+  const auto clouds = json_of({"clouds", "info", path("names.toml"), "--json"})["clouds"];
+  ASSERT_GT(clouds.size(), 2);
+  EXPECT_EQ(clouds[0]["name"], "snowman");
+  EXPECT_EQ(clouds[1]["name"], "");
+  EXPECT_EQ(clouds[2]["name"], "");
+  EXPECT_THAT(run_offing({"clouds", "info", path("names.toml")}).output,
+              HasSubstr("particles, \"snowman\"\n"));
+}
+
 // What was removed by hand is in no file. Fails if a volume is made of the field, which knows of no edits.
 TEST_F(Clouds, EditsByHandAreHonoured) {
   std::ifstream plain(path("a.toml"));
@@ -221,6 +241,7 @@ TEST_F(Clouds, RefusesWhatItCannotDo) {
   expect_refusal({"clouds", "build", path("a.toml"), "-o", path("a.vdb"), "--cell-m", "-2"}, 2, "--cell-m");
   expect_refusal({"clouds", "build", path("a.toml"), "-o", path("a.vdb"), "--frames", "0:4"}, 2, "--frames");
   expect_refusal({"clouds", "info", path("none.vdb")}, 2, "none.vdb");
+  expect_refusal({"clouds", "info", path("none.toml")}, 2, "hint: check the name of the scene file");
   std::ofstream(path("empty.toml")) << "version = 1\n";
   expect_refusal({"clouds", "build", path("empty.toml"), "-o", path("a.vdb")}, 2,
                  "expected clouds, found none");

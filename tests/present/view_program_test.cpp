@@ -216,7 +216,7 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
   refused({scene(), "--hedless"}, "did you mean --headless?");
   refused({scene(), "--size"}, "offing-view: --size: expected a value, found none");
   refused({scene(), "--time", "noon", "-o", path("a.png")}, "--time: expected a number in s");
-  refused({path("missing.toml"), "-o", path("a.png")}, "leave the scene out");
+  refused({path("missing.toml"), "-o", path("a.png")}, "check the name of the scene file");
   refused({"--terrain", path("missing.tif"), "-o", path("a.png")}, "--terrain: expected a height map");
   std::ofstream(path("no_map.toml")) << "version = 1\n[terrain]\nfile = \"missing.tif\"\n";
   refused({path("no_map.toml"), "-o", path("a.png")}, "no_map.toml:3:8: terrain.file: expected a height map");
