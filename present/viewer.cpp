@@ -132,10 +132,14 @@ void Viewer::act(KeyPress press) {
       editing_.remove_picked();
       break;
     case ViewAction::undo:
-      undo();
+      attempt([&] {
+        if (scenes_.undo()) begin_scene();
+      });
       break;
     case ViewAction::redo:
-      editing_.redo();
+      attempt([&] {
+        if (scenes_.redo()) begin_scene();
+      });
       break;
     case ViewAction::go_to_bookmark:
       go_to_bookmark(number);
@@ -168,14 +172,6 @@ void Viewer::begin_scene() {
   last_turn_s_ = glfwGetTime();
   scene_list_.follow(options_.scene_file);
   ladder_ = {};
-}
-
-void Viewer::undo() {
-  if (editing_.can_undo()) return editing_.undo();
-  attempt([&] {
-    if (scenes_.go_back()) return begin_scene();
-    editing_.undo();  // which says that there is nothing
-  });
 }
 
 /// Of the window, whose size is that of the mouse's places.
