@@ -22,6 +22,7 @@
 #include "present/cloud_panel.h"
 #include "present/highlight_panel.h"
 #include "present/picture_file.h"
+#include "present/video_pipe.h"
 #include "present/view_actions.h"
 #include "present/viewer_start.h"
 #include "present/window_copy.h"
@@ -255,6 +256,10 @@ void Viewer::draw_sea(int width, int height) {
   Camera& camera = state_.camera.camera();
   camera.width_px = std::max(1, static_cast<int>(std::lround(width * scale)));
   camera.height_px = std::max(1, static_cast<int>(std::lround(height * scale)));
+  if (options_.recording) {
+    camera.width_px = fitting_side(options_.recording->video, camera.width_px);
+    camera.height_px = fitting_side(options_.recording->video, camera.height_px);
+  }
   try {
     if (is_on_path_) {
       scene::ViewScene now = scene::view_at(options_.scene, state_.clock.time_s());
