@@ -22,6 +22,7 @@
 #include "present/cloud_panel.h"
 #include "present/highlight_panel.h"
 #include "present/picture_file.h"
+#include "present/shown_names.h"
 #include "present/video_pipe.h"
 #include "present/view_actions.h"
 #include "present/viewer_start.h"
@@ -292,6 +293,7 @@ void Viewer::draw_sea(int width, int height) {
 PanelEdits Viewer::draw_panels() {
   Frame& frame = sea_.frame();
   if (sea_.ground() && state_.shows_map) map_.show(sea_.ground()->parameters());
+  for_shown_names(state_, scene_list_, [&](std::string_view text) { panels_.need(text); });
   panels_.begin();
   editing_.draw(input_.pointer());
   PanelEdits edits = present::draw_panels(state_, {.times = frame.times(),
