@@ -105,7 +105,11 @@ bool FedProgram::feed(std::span<const unsigned char> bytes) {
   while (!bytes.empty()) {
     const ssize_t taken = send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (taken < 0 && errno == EINTR) continue;
-    if (taken < 0) return false;
+    if (taken < 0) {
+      // Its last words may still be on their way, and reading them would move the place it writes them to.
+      finish();
+      return false;
+    }
     bytes = bytes.subspan(static_cast<std::size_t>(taken));
   }
   return true;
@@ -113,6 +117,7 @@ bool FedProgram::feed(std::span<const unsigned char> bytes) {
 
 bool FedProgram::finish() {
   close_input();
+  if (process_ < 0) return false;
   int status = 0;
   pid_t ended = 0;
   do {
@@ -124,14 +129,16 @@ bool FedProgram::finish() {
 
 std::string FedProgram::last_words() const {
   std::rewind(complaints_.get());
-  std::string last;
-  std::array<char, 512> line{};
-  while (std::fgets(line.data(), static_cast<int>(line.size()), complaints_.get()) != nullptr) {
-    std::string_view text(line.data());
-    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
-    if (!text.empty()) last = text;
+  std::string all;
+  std::array<char, 512> part{};
+  while (std::fgets(part.data(), static_cast<int>(part.size()), complaints_.get()) != nullptr) {
+    all += part.data();  // of a long line, its first or next piece
   }
-  return one_line(last);
+  const std::size_t end = all.find_last_not_of("\r\n");
+  if (end == std::string::npos) return {};
+  const std::size_t start = all.find_last_of("\r\n", end);
+  const std::size_t first = start == std::string::npos ? 0 : start + 1;
+  return one_line(all.substr(first, end + 1 - first));
 }
 
 }  // namespace offing::present

@@ -26,11 +26,11 @@ class FedProgram {
   /// Kills it if nobody waited for its end.
   ~FedProgram();
 
-  /// Waits until it has taken the bytes; false once it takes no more.
+  /// Waits until it has taken the bytes; false once it takes no more, and then it has ended.
   bool feed(std::span<const unsigned char> bytes);
-  /// Ends its input and waits for its end; whether that was a good one.
+  /// Ends its input and waits for its end; whether that was a good one. False if it had ended before.
   bool finish();
-  /// The last line of its complaints, on one line; empty without any.
+  /// The last line of its complaints, once it has ended, on one line; empty without any.
   std::string last_words() const;
 
  private:

@@ -38,7 +38,7 @@ bool FileIntake::take_in(const WaitingFile& waiting, const Screen& screen, glm::
     throw Error(
         ErrorKind::bad_usage,
         fmt::format("{}: is not taken in while frames are recorded", one_line(file.filename().string())),
-        "a window without --record takes it");
+        "a window that records nothing takes it");
   }
   if (kind == DroppedKind::scene) {
     scenes_.open(waiting.is_shipped ? shipped_scene(file.string()) : open_scene(file));

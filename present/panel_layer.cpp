@@ -29,6 +29,10 @@ PanelLayer::~PanelLayer() {
 
 void PanelLayer::begin() {
   ImGui_ImplOpenGL3_NewFrame();
+  if (fonts_.update()) {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+  }
   if (window_ != nullptr) ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
 }

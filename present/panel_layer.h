@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string_view>
+
+#include "present/panel_fonts.h"
+
 struct GLFWwindow;
 
 namespace offing::present {
@@ -14,12 +18,15 @@ class PanelLayer {
   PanelLayer& operator=(const PanelLayer&) = delete;
   ~PanelLayer();
 
+  /// A text of the next frame that may have letters of any language, UTF-8.
+  void need(std::string_view text) { fonts_.need(text); }
   void begin();
   /// Draws the panels onto the bound framebuffer.
   void end();
 
  private:
   GLFWwindow* window_;
+  PanelFonts fonts_;
 };
 
 }  // namespace offing::present

@@ -7,12 +7,17 @@
 
 namespace offing::present {
 
-void SceneEditing::begin_anew(const scene::OceanScene& first, bool is_edited) {
+void SceneEditing::begin_anew(SceneHistory history) {
   highlights_ = {};
   clouds_ = {};
-  history_ = SceneHistory(first);
-  if (is_edited) history_.note(state_.scene);
+  history_ = std::move(history);
   is_last_noted_ = true;
+}
+
+SceneHistory SceneEditing::history() const {
+  SceneHistory history = history_;
+  if (!is_last_noted_) history.note(state_.scene);
+  return history;
 }
 
 bool SceneEditing::turn(const Screen& screen, const std::vector<PointerEvent>& events,

@@ -20,9 +20,10 @@ class SceneEditing {
  public:
   SceneEditing(LiveSea& sea, ViewState& state) : sea_(sea), state_(state), history_(state.scene) {}
 
-  /// The state's scene is another file's: undo begins anew with `first`, of which the state's scene, if it is
-  /// edited, is one edit.
-  void begin_anew(const scene::OceanScene& first, bool is_edited);
+  /// The state's scene is another file's, with edits of its own.
+  void begin_anew(SceneHistory history);
+  /// Of the state's scene, which is its last edit.
+  SceneHistory history() const;
   /// Takes in what the mouse did beside panels. True while it holds something: then it does not move the
   /// camera.
   bool turn(const Screen& screen, const std::vector<PointerEvent>& events, const PointerNow& pointer);
@@ -33,6 +34,7 @@ class SceneEditing {
   /// What an edit of the state's scene means for the world and for undo. Handles are let go of.
   void finish(Edit edit);
   bool can_undo() const { return history_.can_undo(); }
+  bool can_redo() const { return history_.can_redo(); }
   void undo();
   void redo();
   void set_keyframes() { finish(highlights_.set_keys(state_, sea_.meshes())); }

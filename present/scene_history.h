@@ -20,6 +20,7 @@ class SceneHistory {
   /// The scene of the last edit that stands.
   const scene::OceanScene& now() const { return now_; }
   bool can_undo() const { return !before_.empty(); }
+  bool can_redo() const { return !after_.empty(); }
   /// The scene before the last edit that still stands; nothing if there is none.
   std::optional<scene::OceanScene> undo();
   /// That of the last undo() taken back; nothing if there is none.

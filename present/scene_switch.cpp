@@ -1,5 +1,6 @@
 #include "present/scene_switch.h"
 
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -49,11 +50,10 @@ SceneSwitch::Left SceneSwitch::leave() const {
           .shown = state_.scene,
           .saved = saved_,
           .time_s = state_.clock.time_s(),
-          .is_edited = editing_.can_undo()};
+          .history = editing_.history()};
 }
 
-void SceneSwitch::show(const OpenedScene& opened, const scene::OceanScene& shown, double time_s,
-                       bool is_edited) {
+void SceneSwitch::show(const OpenedScene& opened, const scene::OceanScene& shown, double time_s) {
   sea_.open(shown);
   options_.scene = opened.scene;
   options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
@@ -73,14 +73,13 @@ void SceneSwitch::show(const OpenedScene& opened, const scene::OceanScene& shown
   state_.save_name = start.save_name;
   state_.overwriting = start.overwriting;
   state_.edit = {};
-  editing_.begin_anew(options_.scene, is_edited);
 }
 
 void SceneSwitch::open(OpenedScene opened) {
   Left left = leave();
   const bool is_unsaved = has_unsaved_edits();
-  const double start_s = opened.scene.start_s;
-  show(opened, opened.scene, start_s, false);
+  show(opened, opened.scene, opened.scene.start_s);
+  editing_.begin_anew(SceneHistory(options_.scene));
   saved_ = state_.scene;
   const std::string before = shown_name(left.opened.name);
   state_.message = {
@@ -88,22 +87,50 @@ void SceneSwitch::open(OpenedScene opened) {
                                        opened.name, before)
                          : fmt::format("opened {}; Ctrl Z goes back to {}", opened.name, before)};
   if (!sea_.warning().empty()) state_.message.text += '\n' + sea_.warning();
-  if (left_.size() == most_left) left_.erase(left_.begin());
-  left_.push_back(std::move(left));
+  // Scenes that undo() has left may have edits that are not saved: they come before this one too.
+  before_.insert(before_.end(), std::make_move_iterator(after_.begin()),
+                 std::make_move_iterator(after_.end()));
+  after_.clear();
+  before_.push_back(std::move(left));
+  if (before_.size() > most_left) before_.erase(before_.begin(), before_.end() - most_left);
 }
 
-bool SceneSwitch::go_back() {
-  if (left_.empty()) return false;
-  const Left left = left_.back();
-  show(left.opened, left.shown, left.time_s, left.is_edited);
+void SceneSwitch::go(std::vector<Left>& from, std::vector<Left>& to) {
+  const Left next = from.back();
+  Left left = leave();
+  show(next.opened, next.shown, next.time_s);
+  editing_.begin_anew(next.history);
   // The eye as it was left; Home is that of the file.
-  options_.scene.view.camera = left.opened.scene.view.camera;
-  state_.camera = FreeCamera(left.opened.scene.view.camera);
-  state_.camera.place(left.shown.view.camera);
+  options_.scene.view.camera = next.opened.scene.view.camera;
+  state_.camera = FreeCamera(next.opened.scene.view.camera);
+  state_.camera.place(next.shown.view.camera);
   state_.scene.view.camera = state_.camera.camera();
-  saved_ = left.saved;
-  left_.pop_back();
-  state_.message = {.text = fmt::format("back in {}, as it was left", shown_name(left.opened.name))};
+  saved_ = next.saved;
+  from.pop_back();
+  to.push_back(std::move(left));
+}
+
+bool SceneSwitch::undo() {
+  if (editing_.can_undo() || before_.empty()) {
+    editing_.undo();
+    return false;
+  }
+  go(before_, after_);
+  state_.message = {.text =
+                        fmt::format("back in {}, as it was left; Ctrl Shift Z goes on to {}",
+                                    shown_name(options_.scene_name), shown_name(after_.back().opened.name))};
+  return true;
+}
+
+bool SceneSwitch::redo() {
+  if (editing_.can_redo() || after_.empty()) {
+    editing_.redo();
+    return false;
+  }
+  go(after_, before_);
+  state_.message = {.text =
+                        fmt::format("on in {}, as it was left; Ctrl Z goes back to {}",
+                                    shown_name(options_.scene_name), shown_name(before_.back().opened.name))};
   return true;
 }
 

@@ -34,8 +34,11 @@ class SceneSwitch {
   /// The message then says what has been left. Throws what LiveSea::open() throws, and has changed nothing
   /// then.
   void open(OpenedScene scene);
-  /// To the scene that was left last, as it was left; false if there is none. Throws as open() does.
-  bool go_back();
+  /// Takes back the last edit, or where none is left goes to the scene that was left last, as it was left;
+  /// true if another scene is shown from here on. Throws as open() does.
+  bool undo();
+  /// The same the other way: redoes an edit, or goes on to the scene that undo() has left.
+  bool redo();
   /// The state's scene is in a file.
   void note_saved() { saved_ = state_.scene; }
 
@@ -44,19 +47,22 @@ class SceneSwitch {
     OpenedScene opened;
     scene::OceanScene shown, saved;
     double time_s;
-    bool is_edited;
+    SceneHistory history;
   };
 
   bool has_unsaved_edits() const;
   Left leave() const;
-  void show(const OpenedScene& opened, const scene::OceanScene& shown, double time_s, bool is_edited);
+  void show(const OpenedScene& opened, const scene::OceanScene& shown, double time_s);
+  /// To the last one of `from`; the scene that is left becomes the last one of `to`.
+  void go(std::vector<Left>& from, std::vector<Left>& to);
 
   ViewOptions& options_;
   LiveSea& sea_;
   ViewState& state_;
   SceneEditing& editing_;
   scene::OceanScene saved_;  // as it is in a file
-  std::vector<Left> left_;   // the last one last
+  // The next one last: before the scene that is shown, and those that undo() has left.
+  std::vector<Left> before_, after_;
 };
 
 }  // namespace offing::present

@@ -24,14 +24,6 @@ bool is_mp4(const std::filesystem::path& file) {
   return file.extension() == ".mp4";
 }
 
-void require_size(const std::filesystem::path& file, int width, int height) {
-  if (!is_mp4(file) || (width % 2 == 0 && height % 2 == 0)) return;
-  throw Error(
-      ErrorKind::bad_usage,
-      fmt::format("{}: expected even sides, which mp4 takes alone, got {}x{}", file.string(), width, height),
-      fmt::format("--size {}x{}, or a video in .webm", width + width % 2, height + height % 2));
-}
-
 /// What ffmpeg makes of sRGB pictures: samples of BT.709 at half the resolution of colour, which all players
 /// know, and nothing in the file that differs from run to run.
 std::vector<std::string> arguments_of(const std::filesystem::path& file, const std::filesystem::path& output,
@@ -83,15 +75,26 @@ bool is_video_name(const std::filesystem::path& file) {
   return is_mp4(file) || file.extension() == ".webm";
 }
 
-void require_video(const std::filesystem::path& file, int width, int height) {
+void require_video(const std::filesystem::path& file) {
   require_extension(file, {".webm", ".mp4"});
-  require_size(file, width, height);
   found_ffmpeg(file);
   require_writable(file);
 }
 
+void require_video_size(const std::filesystem::path& file, int width, int height) {
+  if (fitting_side(file, width) == width && fitting_side(file, height) == height) return;
+  throw Error(
+      ErrorKind::bad_usage,
+      fmt::format("{}: expected even sides, which mp4 takes alone, got {}x{}", file.string(), width, height),
+      fmt::format("--size {}x{}, or a video in .webm", width + width % 2, height + height % 2));
+}
+
+int fitting_side(const std::filesystem::path& file, int side) {
+  return is_mp4(file) && side > 1 ? side - side % 2 : side;
+}
+
 void VideoPipe::start(int width, int height) {
-  require_size(file_, width, height);
+  require_video_size(file_, width, height);
   width_ = width;
   height_ = height;
   const std::filesystem::path ffmpeg = found_ffmpeg(file_);

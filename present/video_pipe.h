@@ -13,10 +13,13 @@ namespace offing::present {
 /// Whether a name is that of a video: it ends in .mp4 or .webm.
 bool is_video_name(const std::filesystem::path& file);
 
-/// Throws, before any work is done, Error(bad_usage) for what is no name of a video or a size that it cannot
-/// have (mp4 takes even sides alone), Error(file) where the program ffmpeg is not found or the file cannot be
-/// written.
-void require_video(const std::filesystem::path& file, int width, int height);
+/// Throws, before any work is done, Error(bad_usage) for what is no name of a video, Error(file) where the
+/// program ffmpeg is not found or the file cannot be written.
+void require_video(const std::filesystem::path& file);
+/// Throws Error(bad_usage) for a size that this video cannot have: mp4 takes even sides alone.
+void require_video_size(const std::filesystem::path& file, int width, int height);
+/// The longest side up to this one that it can have.
+int fitting_side(const std::filesystem::path& file, int side);
 
 /// A video that ffmpeg makes of the frames that it is fed: H.264 in .mp4, VP9 in .webm, of near to no visible
 /// loss. Equal frames give equal bytes where ffmpeg does. The file is there once it is whole.

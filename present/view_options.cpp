@@ -211,13 +211,15 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
     throw Error(ErrorKind::bad_usage, what, mend);
   };
   if (!written.frames.empty() && !options.recording) {
-    refuse("--frames: expected --record, whose frames these are, found none", "add --record out_%04d.png");
+    refuse("--frames: expected --record or --video, whose frames these are, found neither",
+           "add --record out_%04d.png or --video out.webm");
   }
   if (!written.fps.empty() && !options.recording) {
-    refuse("--fps: expected --record, whose frames it times, found none", "add --record out_%04d.png");
+    refuse("--fps: expected --record or --video, whose frames it times, found neither",
+           "add --record out_%04d.png or --video out.webm");
   }
   if (!written.time.empty() && options.recording && options.output.empty()) {
-    refuse("--time: expected no --record, whose frames have times of their own",
+    refuse("--time: expected neither --record nor --video, whose frames have times of their own",
            "choose the frames with --frames A:B, or make one picture with -o");
   }
   if (!options.comparison && (!written.samples.empty() || written.may_replace || written.prints_json)) {
@@ -259,8 +261,11 @@ void require_outputs(const ViewOptions& options) {
   if (!options.recording) return;
   const Recording& recording = *options.recording;
   if (recording.name) require_writable(recording.name->of(recording.frames.first));
+  if (recording.video.empty()) return;
+  require_video(recording.video);
+  // A window has as many pixels as its display gives it; its pictures are made to fit.
   const PictureSize size = options.size.value_or(PictureSize{});
-  if (!recording.video.empty()) require_video(recording.video, size.width, size.height);
+  if (!options.opens_window) require_video_size(recording.video, size.width, size.height);
 }
 
 ViewOptions checked(const Written& written) {
@@ -307,11 +312,12 @@ ViewOptions checked(const Written& written) {
   }
   if (written.is_window && !options.output.empty()) {
     throw Error(ErrorKind::bad_usage, "--window: expected no -o, which a window does not write",
-                "leave --window out, write a recording with --record, or press F12 in the window");
+                "leave --window out, write a recording with --record or --video, or press F12 in the window");
   }
   options.opens_window = written.is_window || (!written.is_headless && !makes_pictures);
   if (!options.opens_window && !makes_pictures) {
-    throw Error(ErrorKind::bad_usage, "--headless: expected a picture to make, found neither -o nor --record",
+    throw Error(ErrorKind::bad_usage,
+                "--headless: expected a picture to make, found neither -o nor --record nor --video",
                 "add -o out.png");
   }
   refuse_unused(written, options);

@@ -22,6 +22,8 @@
 #include "present/cloud_panel.h"
 #include "present/highlight_panel.h"
 #include "present/picture_file.h"
+#include "present/shown_names.h"
+#include "present/video_pipe.h"
 #include "present/view_actions.h"
 #include "present/viewer_start.h"
 #include "present/window_copy.h"
@@ -132,10 +134,14 @@ void Viewer::act(KeyPress press) {
       editing_.remove_picked();
       break;
     case ViewAction::undo:
-      undo();
+      attempt([&] {
+        if (scenes_.undo()) begin_scene();
+      });
       break;
     case ViewAction::redo:
-      editing_.redo();
+      attempt([&] {
+        if (scenes_.redo()) begin_scene();
+      });
       break;
     case ViewAction::go_to_bookmark:
       go_to_bookmark(number);
@@ -168,14 +174,6 @@ void Viewer::begin_scene() {
   last_turn_s_ = glfwGetTime();
   scene_list_.follow(options_.scene_file);
   ladder_ = {};
-}
-
-void Viewer::undo() {
-  if (editing_.can_undo()) return editing_.undo();
-  attempt([&] {
-    if (scenes_.go_back()) return begin_scene();
-    editing_.undo();  // which says that there is nothing
-  });
 }
 
 /// Of the window, whose size is that of the mouse's places.
@@ -259,6 +257,10 @@ void Viewer::draw_sea(int width, int height) {
   Camera& camera = state_.camera.camera();
   camera.width_px = std::max(1, static_cast<int>(std::lround(width * scale)));
   camera.height_px = std::max(1, static_cast<int>(std::lround(height * scale)));
+  if (options_.recording) {
+    camera.width_px = fitting_side(options_.recording->video, camera.width_px);
+    camera.height_px = fitting_side(options_.recording->video, camera.height_px);
+  }
   try {
     if (is_on_path_) {
       scene::ViewScene now = scene::view_at(options_.scene, state_.clock.time_s());
@@ -291,6 +293,7 @@ void Viewer::draw_sea(int width, int height) {
 PanelEdits Viewer::draw_panels() {
   Frame& frame = sea_.frame();
   if (sea_.ground() && state_.shows_map) map_.show(sea_.ground()->parameters());
+  for_shown_names(state_, scene_list_, [&](std::string_view text) { panels_.need(text); });
   panels_.begin();
   editing_.draw(input_.pointer());
   PanelEdits edits = present::draw_panels(state_, {.times = frame.times(),

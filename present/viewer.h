@@ -45,7 +45,6 @@ class Viewer {
   void go_to_bookmark(std::size_t number);
   /// What follows from another scene's being shown.
   void begin_scene();
-  void undo();
   void move_camera(double wall_s);
   void leave_path();
   void pick_ray();

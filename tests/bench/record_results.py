@@ -119,6 +119,9 @@ class Record:
             **self.plotted("ocean", "samples a side", plots.ocean_curves(transforms, simulation)),
         }
 
+    def wakes(self):
+        return {"wakes": tables.rows_table(self.rows("wake", (64, 128, 256, 512)))}
+
     def world(self):
         rows = self.rows("world")
         return {"renderer": rows[0]["peer"], "world": tables.rows_table(rows)}

@@ -106,6 +106,15 @@ Powers of the number of particles that times grow by, from the smallest to the l
 
 {plot}
 """,
+    "wakes": """## Wakes
+
+{machine}
+
+`offing-bench wake`: one step of a window of n x n cells with a hull in it, by either method, against the dispersive step in C++ with
+FFTW.
+
+{wakes}
+""",
     "world": """## One world
 
 {machine}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later (offing-bench links FFTW)
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "host/ocean/wake_window.h"
 #include "tests/bench/benches.h"
@@ -11,14 +12,44 @@
 namespace offing::bench {
 namespace {
 
-const ocean::WakeForcing one_hull{
-    .centre = {}, .hulls = {{.shape = ocean::WakeHull::Shape::gaussian, .length_m = 12.0, .beam_m = 4.0}}};
+/// A hull in the middle of the window, whose first sample is column and row 0 of the world.
+ocean::WakeForcing one_hull(const ocean::WakeParameters& parameters) {
+  const double middle_m = 0.5 * parameters.length_m;
+  return {.centre = {middle_m, middle_m},
+          .hulls = {{.shape = ocean::WakeHull::Shape::gaussian,
+                     .x_m = middle_m,
+                     .z_m = middle_m,
+                     .length_m = 12.0,
+                     .beam_m = 4.0}}};
+}
+
+/// Waves of all lengths and directions: of calm water one step makes heights as small as rounding.
+ocean::WakeState rough_water(int cells) {
+  std::mt19937 random(20'141'019);
+  const auto height_m = [&] { return static_cast<float>(random()) / 4294967296.0f - 0.5f; };
+  ocean::WakeState state;
+  for (int i = 0; i < cells * cells; ++i) {
+    state.height_m.push_back(height_m());
+    state.second_m.push_back(height_m());
+  }
+  return state;
+}
+
+/// What a mode keeps of its height in a step: as the window's, whose short waves fade.
+double kept_in_step(const ocean::WakeParameters& parameters, double k) {
+  if (k == 0.0) return 1.0;
+  const double shortest = std::numbers::pi / parameters.cell_m();
+  const double fade_per_s = 1e-4 + parameters.dispersion.omega_radps(shortest) / (2.0 * std::numbers::pi) *
+                                       std::pow(k / shortest, 4);
+  return std::exp(-fade_per_s * parameters.step_s);
+}
 
 /// The step of the `dispersive` method in C++ with FFTW, without the border: e^(-i omega dt) of each mode,
-/// under a displaced depth that stays.
+/// with its fading, under a displaced depth that stays.
 class FftwStep {
  public:
-  FftwStep(const ocean::WakeParameters& parameters, const std::vector<float>& displaced_m)
+  FftwStep(const ocean::WakeParameters& parameters, const ocean::WakeState& start,
+           const std::vector<float>& displaced_m)
       : count_(displaced_m.size()),
         displaced_m_(displaced_m),
         state_(2 * count_),
@@ -26,15 +57,19 @@ class FftwStep {
         // A forward transform is the conjugate of the inverse one of the conjugate: one plan serves both.
         plan_({.size = parameters.cells, .batch = 1, .pitch = parameters.cells}, modes_.data(), modes_.data(),
               core_count() == 1 ? Threading::one : Threading::openmp) {
-    state_.clear();
+    for (std::size_t i = 0; i < count_; ++i) {
+      state_.data()[2 * i] = start.height_m[i];
+      state_.data()[2 * i + 1] = start.second_m[i];
+    }
     const int n = parameters.cells;
     for (int row = 0; row < n; ++row) {
       for (int column = 0; column < n; ++column) {
         const double k = 2.0 * std::numbers::pi / parameters.length_m *
                          std::hypot(row <= n / 2 ? row : row - n, column <= n / 2 ? column : column - n);
         const double angle = parameters.dispersion.omega_radps(k) * parameters.step_s;
-        turn_.push_back(static_cast<float>(std::cos(angle) / static_cast<double>(count_)));
-        turn_.push_back(static_cast<float>(std::sin(angle) / static_cast<double>(count_)));
+        const double scale = kept_in_step(parameters, k) / static_cast<double>(count_);
+        turn_.push_back(static_cast<float>(scale * std::cos(angle)));
+        turn_.push_back(static_cast<float>(scale * std::sin(angle)));
       }
     }
   }
@@ -71,18 +106,15 @@ class FftwStep {
   FftwPlan plan_;
 };
 
-/// After one step, inside of the border; the peer's heights lie as WakeGrid says.
+/// After one step, inside of the border.
 void require_same(const ocean::WakeWindow& ours, const std::vector<float>& peer_m) {
   const std::vector<float> ours_m = ours.read_state().height_m;
-  const WakeGrid grid = ours.grid();
-  const int n = grid.size, mask = n - 1;
+  const int n = ours.grid().size;
   std::vector<float> found, expected;
   for (int row = n / 8; row < n - n / 8; ++row) {
-    for (int column = n / 8; column < n - n / 8; ++column) {
-      found.push_back(ours_m[static_cast<std::size_t>(row * n + column)]);
-      expected.push_back(peer_m[static_cast<std::size_t>(((grid.first_row + row) & mask) * n +
-                                                         ((grid.first_column + column) & mask))]);
-    }
+    const auto first = static_cast<std::ptrdiff_t>(row * n + n / 8), end = first + n - n / 4;
+    found.insert(found.end(), ours_m.begin() + first, ours_m.begin() + end);
+    expected.insert(expected.end(), peer_m.begin() + first, peer_m.begin() + end);
   }
   require_equal(fmt::format("wake {}", n), found.data(), expected.data(), found.size());
 }
@@ -90,12 +122,15 @@ void require_same(const ocean::WakeWindow& ours, const std::vector<float>& peer_
 void bench_size(const ocl::Device& device, int size, int blocks, const Sinks& sinks) {
   ocean::WakeParameters parameters{.cells = size, .length_m = 0.5 * size};
   std::vector<float> displaced_m;
-  const auto forcing_at = [](double) { return one_hull; };
+  const auto forcing_at = [forcing = one_hull(parameters)](double) { return forcing; };
   ocean::WakeWindow ours(device, parameters);
+  const ocean::WakeState start = rough_water(size);
+  ours.reset(0.0, forcing_at(0.0).centre);
+  ours.write_state(start);
   ours.advance_to(parameters.step_s, forcing_at, [&](double, const WakeGrid&, ocl::Buffer<float>& depths_m) {
     displaced_m = depths_m.read();
   });
-  FftwStep peer(parameters, displaced_m);
+  FftwStep peer(parameters, start, displaced_m);
   peer.step();
   require_same(ours, peer.heights_m());
   const auto run = [&](ocean::WakeWindow& window) -> Work {

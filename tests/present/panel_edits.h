@@ -14,6 +14,7 @@
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_elements.h"
 #include "host/scene/scene_file.h"
+#include "host/scene/scene_writer.h"
 #include "present/parameter_widget.h"
 #include "tests/present/window_test.h"
 
@@ -182,6 +183,7 @@ class PanelEdits : public WindowTest {
   void expect_what_a_fresh_start_shows(const present::GroupPanel& panel) {
     panel_ = panel;
     open(options_of(panel_.group));
+    const std::string start = edited_text();
     toggle_header(panel_.title);
     int rows = 0;
     for (const scene::Parameter& row : scene::parameter_table()) {
@@ -200,9 +202,37 @@ class PanelEdits : public WindowTest {
     present::ViewOptions fresh = quick_options();
     fresh.scene = state().scene;
     fresh.time_s = state().clock.time_s();
+    expect_undone_and_redone(start);
+    expect_saved_and_loaded();
     open(fresh);
     turn(2);
     EXPECT_TRUE(picture() == live) << "the window shows another picture than a fresh start";
+  }
+
+  /// Fails if Ctrl Z does not go back to the scene at the start, or Ctrl Shift Z to that of the last edit.
+  void expect_undone_and_redone(const std::string& start) {
+    const std::string end = edited_text();
+    int steps = 0;
+    for (undo(); message() != "there is nothing to undo"; undo()) {
+      wait_for_clouds();
+      ASSERT_LT(++steps, 100) << message();
+    }
+    EXPECT_EQ(edited_text(), start);
+    for (int i = 0; i < steps; ++i) {
+      redo();
+      wait_for_clouds();
+    }
+    EXPECT_EQ(edited_text(), end);
+  }
+
+  /// Fails if the scene that is saved and opened again is another one. The panel that saves it has a test of
+  /// its own.
+  void expect_saved_and_loaded() {
+    const std::string edited = edited_text();
+    scene::save_scene(state().scene, "edited.toml", scene::Existing::replace);
+    drop({"edited.toml"});
+    EXPECT_FALSE(state().message.is_fault) << message();
+    EXPECT_EQ(edited_text(), edited);
   }
 
  private:

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -16,6 +18,18 @@ inline double mean_difference(const RgbImage& found, const RgbImage& expected) {
   double sum = 0.0;
   for (std::size_t i = 0; i < found.rgb.size(); ++i) sum += std::abs(found.rgb[i] - expected.rgb[i]);
   return sum / static_cast<double>(found.rgb.size());
+}
+
+/// The share of pixels with a colour that differs by more than so many steps of a byte, of pictures of one
+/// size.
+inline double share_beyond(const RgbImage& found, const RgbImage& expected, int steps) {
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < found.rgb.size(); i += 3) {
+    int most = 0;
+    for (std::size_t k = i; k < i + 3; ++k) most = std::max(most, std::abs(found.rgb[k] - expected.rgb[k]));
+    if (most > steps) ++beyond;
+  }
+  return 3.0 * static_cast<double>(beyond) / static_cast<double>(found.rgb.size());
 }
 
 }  // namespace offing::test

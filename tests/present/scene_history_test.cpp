@@ -18,9 +18,11 @@ TEST(SceneHistoryTest, StepsGoBackAndForth) {
   EXPECT_FALSE(history.redo());
   history.note(windy(2.0));
   history.note(windy(3.0));
+  EXPECT_FALSE(history.can_redo());
   EXPECT_EQ(history.undo()->wind_speed_mps, 2.0);
   EXPECT_EQ(history.undo()->wind_speed_mps, 1.0);
   EXPECT_FALSE(history.undo());
+  EXPECT_TRUE(history.can_redo());
   EXPECT_EQ(history.redo()->wind_speed_mps, 2.0);
   history.note(windy(4.0));
   EXPECT_FALSE(history.redo());

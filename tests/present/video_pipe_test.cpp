@@ -99,6 +99,16 @@ TEST_F(VideoPipeTest, TellsWhyFfmpegGaveUp) {
         pipe.finish();
       },
       ErrorKind::file, "a.mp4: ffmpeg gave up: no such coder: libx264");
+  // Closed before it says why, and in a line longer than a buffer.
+  const StandInFfmpeg slow(
+      "exec < /dev/null; sleep 0.3; printf '%0600d' 0 >&2; sleep 0.1; echo ' is the end' >&2; exit 1");
+  expect_fault(
+      [&] {
+        VideoPipe pipe(folder_.path() / "a.mp4", 24.0);
+        for (int i = 0; i < 3; ++i) pipe.write(frame(i, 640, 480));
+        pipe.finish();
+      },
+      ErrorKind::file, "ffmpeg gave up: " + std::string(600, '0') + " is the end");
   const StandInFfmpeg other("cat > /dev/null; exit 3");
   expect_fault(
       [&] {
@@ -112,14 +122,15 @@ TEST_F(VideoPipeTest, TellsWhyFfmpegGaveUp) {
 // Fails if what cannot become a video is found out after the work.
 TEST_F(VideoPipeTest, WhatCannotBeIsToldBeforehand) {
   const StandInFfmpeg ffmpeg;
-  require_video(webm_, 63, 47);
-  expect_fault([&] { require_video(folder_.path() / "a.avi", 64, 48); }, ErrorKind::bad_usage,
+  require_video(webm_);
+  require_video_size(webm_, 63, 47);
+  expect_fault([&] { require_video(folder_.path() / "a.avi"); }, ErrorKind::bad_usage,
                "expected a name that ends in .webm or .mp4");
-  expect_fault([&] { require_video(folder_.path() / "a.mp4", 63, 48); }, ErrorKind::bad_usage,
+  expect_fault([&] { require_video_size(folder_.path() / "a.mp4", 63, 48); }, ErrorKind::bad_usage,
                "expected even sides, which mp4 takes alone, got 63x48");
-  expect_fault([&] { require_video(folder_.path() / "no" / "a.mp4", 64, 48); }, ErrorKind::file, "a.mp4");
+  expect_fault([&] { require_video(folder_.path() / "no" / "a.mp4"); }, ErrorKind::file, "a.mp4");
   ffmpeg.take_away();
-  expect_fault([&] { require_video(webm_, 64, 48); }, ErrorKind::file,
+  expect_fault([&] { require_video(webm_); }, ErrorKind::file,
                "expected the program ffmpeg on PATH, found none");
 }
 

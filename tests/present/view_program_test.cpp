@@ -206,9 +206,10 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
   refused({scene(), "--record", path("a_%d.png"), "--frames", "5:2"}, "--frames");
   refused({scene(), "--transfer", "carrier-pigeon", "-o", path("a.png")}, "mapped-pointer");
   refused({scene(), "--nonsense"}, "--nonsense");
-  refused({scene(), "--frames", "0:5", "-o", path("a.png")}, "--frames: expected --record");
-  refused({scene(), "--fps", "5", "-o", path("a.png")}, "--fps: expected --record");
-  refused({scene(), "--time", "5", "--record", path("a_%d.png")}, "--time: expected no --record");
+  refused({scene(), "--frames", "0:5", "-o", path("a.png")}, "--frames: expected --record or --video");
+  refused({scene(), "--fps", "5", "-o", path("a.png")}, "--fps: expected --record or --video");
+  refused({scene(), "--time", "5", "--record", path("a_%d.png")},
+          "--time: expected neither --record nor --video");
   refused({scene(), "--paused", "-o", path("a.png")}, "--paused: expected a window");
   refused({scene(), "--keep-fps", "20", "-o", path("a.png")}, "--keep-fps: expected a window");
   refused({scene(), "--keep-fps", "many"}, "--keep-fps: expected a number");

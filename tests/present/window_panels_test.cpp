@@ -9,6 +9,7 @@
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_file.h"
 #include "present/parameter_widget.h"
+#include "tests/present/stand_in_ffmpeg.h"
 #include "tests/present/window_test.h"
 
 namespace offing::test {
@@ -146,6 +147,19 @@ TEST_F(WindowPanelsTest, RecordingsEndWithTheirScene) {
   EXPECT_TRUE(std::filesystem::exists("a_0.png"));
   EXPECT_TRUE(std::filesystem::exists("a_1.png"));
   EXPECT_FALSE(std::filesystem::exists("a_4.png"));
+}
+
+// Fails if a window of odd sides, which --size asks for or a display makes of other ones, cannot be recorded as
+// the video that takes even ones alone.
+TEST_F(WindowPanelsTest, RecordingsFitTheirVideo) {
+  const StandInFfmpeg ffmpeg;
+  present::ViewOptions options = quick_options();
+  options.size = present::PictureSize{161, 91};
+  options.starts_paused = false;
+  options.recording = {.video = "a.mp4", .frames = {0, 1}, .frames_per_second = 10.0};
+  present::show_window(options, CancelToken());
+  EXPECT_NE(ffmpeg.arguments().find("-video_size\n160x90\n"), std::string::npos) << ffmpeg.arguments();
+  EXPECT_EQ(std::filesystem::file_size("a.mp4"), 2u * 160u * 90u * 3u);
 }
 
 // Fails if a stage is not timed, by the CPU's clock or the device's.

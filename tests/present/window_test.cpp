@@ -12,6 +12,8 @@
 // What ImGui keeps of windows and items, to find them as a user does with his eyes.
 #include <imgui_internal.h>
 
+#include "host/scene/scene_writer.h"
+
 namespace offing::test {
 namespace {
 
@@ -109,6 +111,38 @@ void WindowTest::enter(Spot spot, const std::string& text) {
   hands_->type(text);
   turn();
   press("Return");
+}
+
+std::string WindowTest::edited_text() const {
+  scene::OceanScene scene = state().scene;
+  scene.view.camera = {};
+  scene.view.mode = {};
+  return scene::scene_text(scene, "");
+}
+
+void WindowTest::undo(int count) {
+  hands_->key("Control_L", Hands::Motion::down);
+  turn();
+  for (int i = 0; i < count; ++i) press("z");
+  hands_->key("Control_L", Hands::Motion::up);
+  turn();
+}
+
+void WindowTest::redo(int count) {
+  hands_->key("Shift_L", Hands::Motion::down);
+  turn();
+  undo(count);
+  hands_->key("Shift_L", Hands::Motion::up);
+  turn();
+}
+
+void WindowTest::drop(const std::vector<std::filesystem::path>& files) {
+  const GLFWdropfun told = glfwSetDropCallback(viewer_->window(), nullptr);
+  glfwSetDropCallback(viewer_->window(), told);
+  std::vector<const char*> names;
+  for (const std::filesystem::path& file : files) names.push_back(file.c_str());
+  told(viewer_->window(), static_cast<int>(names.size()), names.data());
+  turn(static_cast<int>(2 * names.size()));
 }
 
 void WindowTest::look_at_sea() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -40,9 +41,16 @@ class WindowTest : public testing::Test {
   /// Presses, moves and releases, a frame each.
   void drag(Spot from, Spot to);
   void enter(Spot spot, const std::string& text);
+  /// Ctrl Z so many times, and Ctrl Shift Z.
+  void undo(int count = 1);
+  void redo(int count = 1);
+  /// As the window's system tells of files that are dropped on it.
+  void drop(const std::vector<std::filesystem::path>& files);
 
   const present::ViewState& state() const { return viewer_->state(); }
   std::string message() const { return state().message.text; }
+  /// The scene but for its camera, whose moves are no edits.
+  std::string edited_text() const;
   /// Looks down at the sea by dragging the mouse, beside the panels.
   void look_at_sea();
   /// The picture without panels, sRGB.

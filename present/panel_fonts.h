@@ -1,0 +1,36 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace offing::present {
+
+/// The letters of the panels: ImGui's own font, which has those of Western Europe, and for all others fonts
+/// of this system that have them (fontconfig), looked for and loaded once a text needs them, with the glyphs
+/// that texts have needed so far and no more. A letter that no font has is shown as "?".
+class PanelFonts {
+ public:
+  /// A text that is to be shown, UTF-8.
+  void need(std::string_view text);
+  /// Between frames: makes the current ImGui context's fonts anew where a letter has come that they lack.
+  /// True if it did: what was made of them is to be made anew.
+  bool update();
+
+ private:
+  std::set<char32_t> needed_;  // beyond ImGui's own font
+  bool is_new_ = false;
+};
+
+/// A font of this system, one of those in its file.
+struct SystemFont {
+  std::string file;
+  int number = 0;
+  std::set<char32_t> letters;  ///< those that are wanted of it
+};
+/// The fonts of this system that have these letters, the best one first, each for those that the ones before
+/// it lack; without the letters that none has.
+std::vector<SystemFont> fonts_for(std::set<char32_t> letters);
+
+}  // namespace offing::present
