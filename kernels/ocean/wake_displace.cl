@@ -18,8 +18,11 @@ static float hull_depth(__global const WakeHullShape *hull, float x_m, float z_m
 
 static float hull_mean(__global const WakeHullShape *hull, float x_m, float z_m, float cell_m) {
   const float reach = hull->shape == WAKE_SHAPE_GAUSSIAN ? WAKE_GAUSSIAN_REACH : 1.0f;
-  const float reach_m = reach * fmax(hull->half_length_m, hull->half_beam_m) + 1.5f * cell_m;
-  if (x_m * x_m + z_m * z_m > reach_m * reach_m) return 0.0f;
+  // A corner of the square is sqrt(2) cells away.
+  const float along_m = hull->cosine * x_m + hull->sine * z_m, across_m = hull->cosine * z_m - hull->sine * x_m;
+  if (fabs(along_m) > reach * hull->half_length_m + 1.5f * cell_m ||
+      fabs(across_m) > reach * hull->half_beam_m + 1.5f * cell_m)
+    return 0.0f;
   float sum = 0.0f, weights = 0.0f;
   for (int j = 0; j < SAMPLES; ++j) {
     const float across = (2.0f * (float)j + 1.0f) / (float)SAMPLES - 1.0f;

@@ -111,7 +111,7 @@ Powers of the number of particles that times grow by, from the smallest to the l
 {machine}
 
 `offing-bench wake`: one step of a window of n x n cells with a hull in it, by either method, against the dispersive step in C++ with
-FFTW.
+FFTW, which is given what the hull displaces and has no border. Most of a small window's step is the hull, 36 places of each cell.
 
 {wakes}
 """,
