@@ -12,20 +12,11 @@
 // Octaves of the noise that density has no use for (CLOUD_OCTAVES_MOST), one an axis.
 #define SWAY_OCTAVE 13u
 
-// Gradient noise at a place in wavelengths: mean 0, deviation 0.17.
-static float noise(const CloudMotionParams* params, uint octave, float x, float y, float z) {
-  const float low_x = floor(x), low_y = floor(y), low_z = floor(z);
-  const float dx = x - low_x;
-  float sum = 0.0f;
-  for (int corner = 0; corner < 4; ++corner) {
-    const float dy = y - low_y - (float)(corner & 1), dz = z - low_z - (float)(corner >> 1);
-    const NoiseLattice8 row =
-        noise_lattice8(params->seed_low, params->seed_high, octave, params->sway_layer, params->sway_fraction,
-                       (int)low_x, (int)low_y + (corner & 1), (int)low_z + (corner >> 1));
-    const float2 ends = row.x.s01 * (float2)(dx, dx - 1.0f) + row.y.s01 * dy + row.z.s01 * dz + row.value.s01;
-    sum += noise_fade(1.0f - fabs(dy)) * noise_fade(1.0f - fabs(dz)) * mix(ends.x, ends.y, noise_fade(dx));
-  }
-  return sum;
+// How far an eddy sways a place along an axis, in deviations. at: in wavelengths.
+static float sway(const CloudMotionParams* params, uint axis, float3 at) {
+  return noise_at(params->seed_low, params->seed_high, SWAY_OCTAVE + axis, params->sway_layer,
+                  params->sway_fraction, at) /
+         0.169f;
 }
 
 // Where the streamline that comes from (x far ahead, across0 from the axis) is at x, in radii of the sphere:
@@ -60,10 +51,7 @@ __kernel void particle_motion(__global const CloudParticle* restrict rest, const
   }
   if (params.sway > 0.0f) {
     const float3 at = (float3)(particle.x, particle.y, particle.z) * params.sway_per_m;
-    // In deviations of the noise.
-    place.x += params.sway / 0.169f * noise(&params, SWAY_OCTAVE, at.x, at.y, at.z);
-    place.y += params.sway / 0.169f * noise(&params, SWAY_OCTAVE + 1, at.x, at.y, at.z);
-    place.z += params.sway / 0.169f * noise(&params, SWAY_OCTAVE + 2, at.x, at.y, at.z);
+    place += params.sway * (float3)(sway(&params, 0, at), sway(&params, 1, at), sway(&params, 2, at));
   }
   const float3 along = (float3)(params.along_x, params.along_y, params.along_z);
   const float thin = 1.0f - rest[number].optical_mass / (particle.radius * particle.radius * params.densest);
