@@ -59,8 +59,7 @@ void Frame::draw_light(world::World& world, const FrameRequest& request, bool se
 }
 
 void Frame::draw_clouds(world::World& world, const FrameRequest& request) {
-  run_stage(times_, Stage::clouds, world.device(),
-            [&] { world.see_clouds(request.camera, request.quality.cloud_light_rad); });
+  run_stage(times_, Stage::clouds, world.device(), [&] { world.see_clouds(request.camera); });
   const StageTimes::Scope stage(times_, Stage::clouds);
   clouds_.prepare(world.device(), drawn_clouds(world), request.camera, light_, transfer_);
   light_.bind();

@@ -179,7 +179,7 @@ double LiveSea::surface_height_m(double x_m, double z_m) {
 
 void LiveSea::simulate(const SeaView& view) {
   world_->set_eye({view.camera.eye_m.x, view.camera.eye_m.z});
-  world_->set_cloud_light_steps(view.quality.cloud_light_steps);
+  world_->set_light_lag(view.quality.light_lag);
   run_stage(frame_->times(), Stage::simulate, device_, [&] { world_->at(view.time_s, view.camera.eye_m.y); });
 }
 

@@ -4,16 +4,17 @@
 #include <array>
 #include <cmath>
 
+#include "host/world/light_lag.h"
+
 namespace offing::present {
 
 /// How much of its detail a picture is drawn with, as shares of what its settings say.
 struct Quality {
-  double side_share = 1.0;       ///< of the picture's pixels along a side, which are shown enlarged
-  double ray_share = 1.0;        ///< of these pixels, for which rays are cast at the ground
-  double grid_share = 1.0;       ///< of the cells of the water's grid along a side
-  double views_share = 1.0;      ///< of the pixels along a side of what water mirrors and shows beneath it
-  double cloud_light_rad = 0.0;  ///< World::see_clouds()'s tolerance
-  int cloud_light_steps = 1;     ///< CloudsView::set_light_steps()
+  double side_share = 1.0;   ///< of the picture's pixels along a side, which are shown enlarged
+  double ray_share = 1.0;    ///< of these pixels, for which rays are cast at the ground
+  double grid_share = 1.0;   ///< of the cells of the water's grid along a side
+  double views_share = 1.0;  ///< of the pixels along a side of what water mirrors and shows beneath it
+  world::LightLag light_lag{};
 
   bool operator==(const Quality&) const = default;
 
@@ -26,14 +27,13 @@ inline int share_of(int number, double share, int least) {
   return std::max(std::min(number, least), static_cast<int>(std::lround(share * number)));
 }
 
-/// One coarser than the first, all of which light clouds alike.
+/// One coarser than the first, whose light all lags behind alike.
 constexpr Quality coarser(double side_share, double grid_share, double views_share) {
   return {.side_share = side_share,
           .ray_share = 0.5,
           .grid_share = grid_share,
           .views_share = views_share,
-          .cloud_light_rad = 0.01,
-          .cloud_light_steps = 4};
+          .light_lag = {.altitude_share = 0.05, .cloud_steps = 4, .cloud_rad = 0.01, .cloud_parts = 8}};
 }
 
 /// The rungs of a ladder of quality, coarser from one to the next: first what is least seen.

@@ -256,23 +256,28 @@ std::optional<CloudBox> ParticleLight::box() const {
   return box;
 }
 
-void ParticleLight::see(const glm::vec3& eye_m, ocl::Buffer<CloudSprite>& sprites) {
+void ParticleLight::see(const glm::vec3& eye_m, ocl::Buffer<CloudSprite>& sprites, Part part) {
   if (count_ > sprites.size()) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("light of clouds: expected at least {} sprites, got {}", count_, sprites.size()));
   }
-  if (count_ == 0) return;
+  const auto bound = [&](std::uint32_t index) {
+    return static_cast<std::uint32_t>(std::uint64_t{count_} * index / part.of);
+  };
+  const std::uint32_t first = bound(part.index), end = bound(part.index + 1);
+  if (first == end) return;
   const std::uint32_t per_item = is_strip_ ? strip_particles : 1;
-  ocl::LaunchShape shape{{(count_ + per_item - 1) / per_item}};
+  ocl::LaunchShape shape{{(end - first + per_item - 1) / per_item}};
   if (is_strip_) shape.local = {1};
   if (model_ == LightModel::harris) {
-    first_order_kernel_.launch(shape, *particles_, static_cast<int>(count_), static_cast<int>(per_item),
-                               looks_, lights_, phases_, reached_, eye_m.x, eye_m.y, eye_m.z, sprites);
+    first_order_kernel_.launch(shape, *particles_, static_cast<int>(first), static_cast<int>(end),
+                               static_cast<int>(per_item), looks_, lights_, phases_, reached_, eye_m.x,
+                               eye_m.y, eye_m.z, sprites);
     return;
   }
-  scatter_kernel_.launch(shape, *particles_, static_cast<int>(count_), static_cast<int>(per_item), grids_,
-                         looks_, lights_, phases_, absorption_, beams_, glow_, drift_, channels_, eye_m.x,
-                         eye_m.y, eye_m.z, sprites);
+  scatter_kernel_.launch(shape, *particles_, static_cast<int>(first), static_cast<int>(end),
+                         static_cast<int>(per_item), grids_, looks_, lights_, phases_, absorption_, beams_,
+                         glow_, drift_, channels_, eye_m.x, eye_m.y, eye_m.z, sprites);
 }
 
 }  // namespace offing::clouds

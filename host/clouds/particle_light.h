@@ -54,8 +54,14 @@ class ParticleLight {
   /// Waits for the box around the particles of the last relight(); nothing where there are none.
   std::optional<CloudBox> box() const;
 
-  /// Queues what an eye at this place, in the particles' axes, sees of each: sprites [count].
-  void see(const glm::vec3& eye_m, ocl::Buffer<CloudSprite>& sprites);
+  /// One of several parts of all particles, about as many in each.
+  struct Part {
+    std::uint32_t index, of;
+  };
+
+  /// Queues what an eye at this place, in the particles' axes, sees of each, or of each of a part: sprites
+  /// [count].
+  void see(const glm::vec3& eye_m, ocl::Buffer<CloudSprite>& sprites, Part part = {0, 1});
 
  private:
   using Float4 = std::array<float, 4>;

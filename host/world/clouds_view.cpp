@@ -38,6 +38,14 @@ bool stands_still(const CloudParameters& cloud) {
   return motion.wind_mps == glm::dvec3(0.0) && motion.sway_m == 0.0 && !motion.path && !motion.heat;
 }
 
+/// Whether all of them keep their distances while they drift, but for their eddies, shear and rise.
+bool drift_as_one(const std::vector<CloudParameters>& clouds) {
+  return std::all_of(clouds.begin(), clouds.end(), [&](const CloudParameters& cloud) {
+    return !cloud.motion.path && !cloud.motion.obstacle &&
+           cloud.motion.wind_mps == clouds.front().motion.wind_mps;
+  });
+}
+
 /// The last time whose light is worked out.
 double light_time_s(double step_s, double time_s) {
   return step_s > 0.0 ? step_s * std::floor(time_s / step_s) : time_s;
@@ -69,6 +77,7 @@ struct Sight {
 
   std::optional<glm::dvec3> eye_m;        // nothing: not of these particles in this light
   std::optional<glm::dvec3> light_eye_m;  // from the lit particles' origin: whom sprites are the light to
+  int parts = 1, parts_left = 0;          // of the sprites: those left are still the light to an eye before
   ocl::Buffer<CloudSprite> sprites;
   clouds::ViewOrder order;
 };
@@ -101,16 +110,49 @@ struct CloudsView::Sky {
     lit_by.clear();
     has_shadow = false;
     box.reset();
-    for (Sight& sight : sights) sight.light_eye_m.reset();
+    for (Sight& sight : sights) {
+      sight.light_eye_m.reset();
+      sight.parts_left = 0;
+    }
+  }
+
+  /// Whether the lit particles are shown, carried along.
+  bool carries() const { return is_one && lag.cloud_steps > 1; }
+  const ocl::Buffer<CloudParticle>& shown_particles() const {
+    return carries() ? lit.particles : shown.particles;
+  }
+  glm::dvec3 shown_origin_m() const { return carries() ? origin_m + carried_m : origin_m; }
+
+  /// Sends a sight's eye the light that it lacks, or the next part of it.
+  void send_light(const glm::dvec3& eye_m, Sight& sight) {
+    if (sight.parts_left == 0) {
+      sight.parts_left = sight.light_eye_m ? lag.cloud_parts : 1;
+      sight.parts = sight.parts_left;
+    }
+    const auto part = static_cast<std::uint32_t>(sight.parts - sight.parts_left);
+    particle_light.see(glm::vec3(eye_m), sight.sprites, {part, static_cast<std::uint32_t>(sight.parts)});
+    --sight.parts_left;
+    sight.light_eye_m = eye_m;
   }
 
   /// Whether light to one eye is light to the other, both from the lit particles' origin.
-  bool are_alike(const glm::dvec3& eye_m, const glm::dvec3& other_m, double tolerance_rad) {
-    if (tolerance_rad == 0.0) return eye_m == other_m;
+  bool are_alike(const glm::dvec3& eye_m, const glm::dvec3& other_m) {
+    if (lag.cloud_rad == 0.0) return eye_m == other_m;
     if (!box) box = particle_light.box();
     if (!box) return true;
     const glm::dvec3 nearest_m = glm::clamp(eye_m, glm::dvec3(box->low_m), glm::dvec3(box->high_m));
-    return glm::distance(eye_m, other_m) <= tolerance_rad * glm::distance(eye_m, nearest_m);
+    return glm::distance(eye_m, other_m) <= lag.cloud_rad * glm::distance(eye_m, nearest_m);
+  }
+
+  /// That of an alike eye, one that is nobody's, or that of the nearest eye.
+  std::size_t sight_of(const glm::dvec3& eye_m) {
+    for (std::size_t i = 0; i < sights.size(); ++i) {
+      if (sights[i].light_eye_m && are_alike(eye_m, *sights[i].light_eye_m)) return i;
+    }
+    const auto far_m = [&](const Sight& sight) {
+      return sight.light_eye_m ? glm::distance(*sight.light_eye_m, eye_m) : 0.0;
+    };
+    return far_m(sights[1]) < far_m(sights[0]) ? 1 : 0;
   }
 
   ocl::Device device;
@@ -120,11 +162,12 @@ struct CloudsView::Sky {
   std::vector<clouds::CloudLook> looks;                   // one a cloud
   std::uint32_t count = 0;
   Placed shown, lit;  // as of the last at(), and where light reaches them
-  int light_steps = 1;
+  LightLag lag;
+  bool is_one = false;        // the clouds drift as one
   glm::dvec3 carried_m{0.0};  // from `lit` to `shown`
   clouds::ParticleLight particle_light;
-  // Of the two last eyes, that of the last see() first: over a sea an eye and its mirror image take turns.
-  std::array<Sight, 2> sights;
+  std::array<Sight, 2> sights;                    // over a sea an eye and its mirror image take turns
+  std::size_t seen = 0;                           // which of them was the last see()'s
   std::vector<clouds::CloudIllumination> lit_by;  // of `lit`, one a cloud; empty: not yet
   std::optional<clouds::CloudBox> box;            // of `lit`, in this light; read when first needed
   std::optional<clouds::CloudShadowMap> shadow;   // made when first asked for
@@ -186,20 +229,26 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
   sky.count = static_cast<std::uint32_t>(count);
   sky.parameters = parameters;
   sky.origin_m = origin_of(parameters);
+  sky.is_one = drift_as_one(parameters.clouds);
   sky.forget_light();
   sky.forget_sights();
 }
 
-void CloudsView::set_light_steps(int steps) {
-  sky_->light_steps = steps;
+void CloudsView::set_light_lag(const LightLag& lag) {
+  Sky& sky = *sky_;
+  if (sky.lag == lag) return;
+  sky.lag = lag;
+  sky.forget_sights();
 }
 
 void CloudsView::at(double time_s) {
   Sky& sky = *sky_;
-  if (sky.place(light_time_s(sky.light_steps * sky.parameters.light_step_s, time_s), sky.lit))
+  if (sky.place(light_time_s(sky.lag.cloud_steps * sky.parameters.light_step_s, time_s), sky.lit))
     sky.forget_light();
-  if (!sky.place(time_s, sky.shown)) return;
-  sky.carried_m = drift_m(sky.parameters.clouds, *sky.lit.time_s, time_s);
+  const bool has_moved = !sky.carries() && sky.place(time_s, sky.shown);
+  const glm::dvec3 carried_m = drift_m(sky.parameters.clouds, *sky.lit.time_s, time_s);
+  if (!has_moved && carried_m == sky.carried_m) return;
+  sky.carried_m = carried_m;
   sky.forget_sights();
 }
 
@@ -219,23 +268,16 @@ void CloudsView::light(const clouds::CloudIllumination& of_all) {
   light(std::vector<clouds::CloudIllumination>(sky_->models.size(), of_all));
 }
 
-void CloudsView::see(const Camera& camera, double tolerance_rad) {
+void CloudsView::see(const Camera& camera) {
   Sky& sky = *sky_;
   if (sky.lit_by.empty()) return;
-  const glm::dvec3 eye_m = camera.eye_m - sky.origin_m, light_eye_m = eye_m - sky.carried_m;
-  const auto has_light = [&](const Sight& sight) {
-    return sight.light_eye_m && sky.are_alike(light_eye_m, *sight.light_eye_m, tolerance_rad);
-  };
-  const auto shows = [&](const Sight& sight) { return sight.eye_m == camera.eye_m && has_light(sight); };
-  if (shows(sky.sights[0])) return;
-  if (shows(sky.sights[1]) || !has_light(sky.sights[0])) std::swap(sky.sights[0], sky.sights[1]);
-  Sight& sight = sky.sights[0];
-  if (shows(sight)) return;
-  if (!has_light(sight)) {
-    sky.particle_light.see(glm::vec3(light_eye_m), sight.sprites);
-    sight.light_eye_m = light_eye_m;
-  }
-  sight.order.sort(sky.shown.particles, sky.count, glm::vec3(eye_m));
+  const glm::dvec3 light_eye_m = camera.eye_m - sky.origin_m - sky.carried_m;
+  sky.seen = sky.sight_of(light_eye_m);
+  Sight& sight = sky.sights[sky.seen];
+  const bool has_light = sight.light_eye_m && sky.are_alike(light_eye_m, *sight.light_eye_m);
+  if (!has_light || sight.parts_left > 0) sky.send_light(light_eye_m, sight);
+  if (sight.eye_m == camera.eye_m) return;
+  sight.order.sort(sky.shown_particles(), sky.count, glm::vec3(camera.eye_m - sky.shown_origin_m()));
   sight.eye_m = camera.eye_m;
 }
 
@@ -280,19 +322,19 @@ std::vector<double> CloudsView::altitudes_m() const {
 }
 
 const ocl::Buffer<CloudParticle>& CloudsView::particles() const {
-  return sky_->shown.particles;
+  return sky_->shown_particles();
 }
 std::uint32_t CloudsView::count() const {
   return sky_->count;
 }
 const ocl::Buffer<CloudSprite>& CloudsView::sprites() const {
-  return sky_->sights[0].sprites;
+  return sky_->sights[sky_->seen].sprites;
 }
 const ocl::Buffer<std::uint32_t>& CloudsView::order() const {
-  return sky_->sights[0].order.order();
+  return sky_->sights[sky_->seen].order.order();
 }
 glm::dvec3 CloudsView::sky_origin_m() const {
-  return sky_->origin_m;
+  return sky_->shown_origin_m();
 }
 
 }  // namespace offing::world

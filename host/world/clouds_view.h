@@ -12,6 +12,7 @@
 #include "host/clouds/cloud_shadow_map.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
+#include "host/world/light_lag.h"
 #include "kernels/shared/clouds.h"
 
 namespace offing::world {
@@ -34,7 +35,7 @@ struct CloudSkyParameters {
 /// The clouds of a world on a device: particles of all of them in one array, what light they send to an eye
 /// and the order in which they are drawn.
 ///
-/// Particles are relative to sky_origin_m(), a fixed place near the clouds, so that floats hold them to 1e-3
+/// Particles are relative to sky_origin_m(), a place near the clouds, so that floats hold them to 1e-3
 /// m within 8 km of it. A particle's `cloud` is the index of its cloud in the parameters.
 class CloudsView {
  public:
@@ -49,8 +50,8 @@ class CloudsView {
   /// the next at(), light() and see(). One that throws has changed nothing.
   void set(const CloudSkyParameters& parameters);
 
-  /// From now on light is worked out at every `steps`-th of its steps of time alone, 1 or more.
-  void set_light_steps(int steps);
+  /// Takes effect with the next at() and see().
+  void set_light_lag(const LightLag& lag);
   /// Enqueues the clouds as they are at a time, whatever was asked before.
   void at(double time_s);
   /// Enqueues the light that reaches the particles of the last at(), or those of the step of light before it,
@@ -60,10 +61,8 @@ class CloudsView {
   /// The same on all clouds.
   void light(const clouds::CloudIllumination& of_all);
   /// Enqueues what is seen of the particles of the last light() from a camera's eye; nothing before one, and
-  /// where this was one of the last two eyes and nothing else has changed. Particles may send it the light
-  /// that they sent to an eye before, at most `tolerance_rad` aside as seen from any of them; where it is not
-  /// 0 a picture depends on those before it.
-  void see(const Camera& camera, double tolerance_rad = 0.0);
+  /// where this was one of the last two eyes and nothing else has changed.
+  void see(const Camera& camera);
 
   /// What lit the particles of the last light(), one a cloud; none before one.
   std::span<const clouds::CloudIllumination> illumination() const;
@@ -89,7 +88,8 @@ class CloudsView {
   const ocl::Buffer<CloudSprite>& sprites() const;
   /// [count()], indices of particles, the farthest from the eye first.
   const ocl::Buffer<std::uint32_t>& order() const;
-  /// In the world: what the particles' places are relative to. Multiples of 1024 m; changes with set() only.
+  /// In the world: what the particles' places are relative to. Where they lag behind it drifts with them;
+  /// else it changes with set() only, multiples of 1024 m.
   glm::dvec3 sky_origin_m() const;
 
  private:

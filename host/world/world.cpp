@@ -15,9 +15,6 @@
 namespace offing::world {
 namespace {
 
-// The sky changes so little with the eye's height that steps of a percent cannot be seen. The steps are
-// fixed, so that a frame does not depend on those before it.
-constexpr double altitude_step = 0.01;
 constexpr double reach_deviations = 6.0;
 constexpr std::size_t rings_that_meet = 8;
 constexpr double sea_radius_m = 6.36e6;  // as the water is drawn: present/shaders/water.glsl
@@ -210,6 +207,7 @@ void World::set_clouds(const std::optional<CloudSkyParameters>& clouds) {
     clouds_->set(*clouds);
   } else if (clouds) {
     clouds_.emplace(device_, *clouds);
+    clouds_->set_light_lag(lag_);
   } else {
     clouds_.reset();
     cloud_sky_.reset();
@@ -297,8 +295,9 @@ ocean::SurfaceReach World::reach() const {
 }
 
 void World::look_at_sky(double eye_altitude_m) {
-  const double steps = std::round(std::log(std::max(eye_altitude_m, 1.0)) / altitude_step);
-  const double altitude_m = std::exp(steps * altitude_step);
+  // Fixed heights, so that a frame does not depend on those before it.
+  const double steps = std::round(std::log(std::max(eye_altitude_m, 1.0)) / lag_.altitude_share);
+  const double altitude_m = std::exp(steps * lag_.altitude_share);
   if (sky_altitude_m_ == altitude_m) return;
   sky_.at({.sun_direction = parameters_.sun_direction,
            .sun_distance_au = parameters_.sun_distance_au,
@@ -335,12 +334,13 @@ void World::light_clouds(double time_s) {
   if (parameters_.clouds->throws_shadows && (ocean_ || ground_ || !meshes_.empty())) clouds_->cast_shadow();
 }
 
-void World::set_cloud_light_steps(int steps) {
-  if (clouds_) clouds_->set_light_steps(steps);
+void World::set_light_lag(const LightLag& lag) {
+  lag_ = lag;
+  if (clouds_) clouds_->set_light_lag(lag);
 }
 
-void World::see_clouds(const Camera& camera, double tolerance_rad) {
-  if (clouds_) clouds_->see(camera, tolerance_rad);
+void World::see_clouds(const Camera& camera) {
+  if (clouds_) clouds_->see(camera);
 }
 
 void World::see_ground(const Camera& camera, const terrain::Sampling& sampling, TileWait wait) {

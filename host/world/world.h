@@ -22,6 +22,7 @@
 #include "host/world/clouds_view.h"
 #include "host/world/ground_view.h"
 #include "host/world/hidden_slopes.h"
+#include "host/world/light_lag.h"
 #include "host/world/mesh_parameters.h"
 #include "host/world/mesh_view.h"
 #include "host/world/wake_view.h"
@@ -80,10 +81,10 @@ class World {
   /// Enqueues what this camera, with the eye of the last see_ground(), would see of the ground if there were
   /// no water before it, as deep as water lets light through. Does nothing in a world without either.
   void see_ground_beneath(const Camera& camera);
-  /// CloudsView::set_light_steps() of the clouds there are.
-  void set_cloud_light_steps(int steps);
+  /// Takes effect with the next at().
+  void set_light_lag(const LightLag& lag);
   /// Enqueues what a camera sees of the clouds of the last at(), if there are any: CloudsView::see().
-  void see_clouds(const Camera& camera, double tolerance_rad = 0.0);
+  void see_clouds(const Camera& camera);
   /// Takes the meshes to the time of the last at(), with the highlights that they have for this eye. With a
   /// lighting, of the world's axes at any time, these depend on the time and on that of the sequence's first
   /// picture alone (MeshView::at()); without one they follow the eye and the lamps as they are
@@ -188,6 +189,7 @@ class World {
   ocean::WaterPoint eye_;
   sky::ClearSky sky_;
   std::optional<GroundView> ground_;
+  LightLag lag_;
   std::optional<CloudsView> clouds_;
   std::optional<sky::ClearSky> cloud_sky_;                     // as clouds see it, not the eye
   std::vector<clouds::CloudIllumination> cloud_illumination_;  // one a cloud; none: it is out of date

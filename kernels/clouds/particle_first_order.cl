@@ -1,17 +1,17 @@
 // What the eye sees of each particle by the paper's model (C10, C11): of each sun's light that reaches it, what it scatters
 // toward the eye once, and a share of what sky and ground send on the average.
-// In:  particles [count], looks, lights, phases, reached [suns][count]; the eye.
-// Out: sprites [count].
+// In:  particles [end], looks, lights of one sun at most, phases, reached [end]; the eye.
+// Out: sprites [first ... end - 1].
 #include "clouds/chord.clh"
 #include "clouds/phase.clh"
 #include "shared/clouds.h"
 
-__kernel void particle_first_order(__global const CloudParticle *restrict particles, int count, int particles_per_item,
+__kernel void particle_first_order(__global const CloudParticle *restrict particles, int first, int end, int particles_per_item,
                                    __global const CloudScattering *restrict looks, __global const CloudLightParams *restrict lights,
                                    __global const float *restrict phases, __global const float *restrict reached,
                                    float eye_x, float eye_y, float eye_z, __global CloudSprite *restrict sprites) {
-  const int end = min(((int)get_global_id(0) + 1) * particles_per_item, count);
-  for (int i = (int)get_global_id(0) * particles_per_item; i < end; ++i) {
+  const int own = first + (int)get_global_id(0) * particles_per_item, own_end = min(own + particles_per_item, end);
+  for (int i = own; i < own_end; ++i) {
     const CloudParticle particle = particles[i];
     const CloudLightParams light = lights[particle.cloud];
     const float3 way = (float3)(eye_x - particle.x, eye_y - particle.y, eye_z - particle.z);
@@ -21,7 +21,7 @@ __kernel void particle_first_order(__global const CloudParticle *restrict partic
     for (int sun = 0; sun < light.sun_count; ++sun) {
       const CloudSunLight from = light.suns[sun];
       const float place = phase_angle_place(-(from.x * view.x + from.y * view.y + from.z * view.z));
-      seen += phase_at(phases, looks[particle.cloud].phase_table, place, 0.0f) * reached[sun * count + i] *
+      seen += phase_at(phases, looks[particle.cloud].phase_table, place, 0.0f) * reached[i] *
               (float3)(from.red, from.green, from.blue);
     }
     const CloudSprite sprite = {seen.x * particle.red, seen.y * particle.green, seen.z * particle.blue,

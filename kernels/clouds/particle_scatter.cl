@@ -3,8 +3,8 @@
 // grid; since billboards extinguish with the true depth, they must shine with S = f w L + A for their sum to be L in
 // front, where A = w (P E B + glow (1 + drift . v)): light of the suns scattered toward the eye, with the phase P of the
 // whole way (phase tables), and often scattered light. The albedo w is the particle's own, behind it that of the cells.
-// In:  particles [count], grids, looks, lights, phases, medium, absorption, beams, glow, drift; the eye.
-// Out: sprites [count].
+// In:  particles [end], grids, looks, lights, phases, medium, absorption, beams, glow, drift; the eye.
+// Out: sprites [first ... end - 1].
 #include "clouds/chord.clh"
 #include "clouds/light_grid.clh"
 #include "clouds/phase.clh"
@@ -40,14 +40,14 @@ static inline float3 of_colours(const float *values, int channels) {
   return channels == 1 ? (float3)(values[0]) : (float3)(values[0], values[1], values[2]);
 }
 
-__kernel void particle_scatter(__global const CloudParticle *restrict particles, int count, int particles_per_item,
+__kernel void particle_scatter(__global const CloudParticle *restrict particles, int first, int end, int particles_per_item,
                                __global const CloudGrid *restrict grids, __global const CloudScattering *restrict looks,
                                __global const CloudLightParams *restrict lights, __global const float *restrict phases,
                                __global const float *restrict absorption, __global const float *restrict beams,
                                __global const float4 *restrict glow, __global const float4 *restrict drift, int channels,
                                float eye_x, float eye_y, float eye_z, __global CloudSprite *restrict sprites) {
-  const int end = min(((int)get_global_id(0) + 1) * particles_per_item, count);
-  for (int i = (int)get_global_id(0) * particles_per_item; i < end; ++i) {
+  const int own = first + (int)get_global_id(0) * particles_per_item, own_end = min(own + particles_per_item, end);
+  for (int i = own; i < own_end; ++i) {
     const CloudParticle particle = particles[i];
     const size_t cloud = particle.cloud;
     const CloudGrid grid = grids[cloud];

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "tests/world/example_clouds.h"
@@ -101,7 +102,7 @@ TEST(CloudsView, WorksOutLightInSteps) {
   EXPECT_NEAR(next.second.middle_x - first.second.middle_x, 0.5 * 12.0, 1e-3);
   EXPECT_NEAR(back.second.middle_x - first.second.middle_x, 0.1 * 12.0, 1e-3)
       << "it depends on what was shown";
-  view.set_light_steps(4);
+  view.set_light_lag({.cloud_steps = 4});
   const auto coarse = shadow_at(2.1);
   EXPECT_EQ(shadow_at(3.9).first, coarse.first);
   EXPECT_NE(shadow_at(4.0).first, coarse.first);
@@ -114,10 +115,11 @@ TEST(CloudsView, SendsAlikeEyesTheSameLight) {
   view.at(0.0);
   view.light(daylight());
   const auto light_to = [&](const glm::dvec3& eye_m, double tolerance_rad) {
-    view.see(camera_at(eye_m), tolerance_rad);
+    view.set_light_lag({.cloud_rad = tolerance_rad});
+    view.see(camera_at(eye_m));
     // The two sights take turns.
-    view.see(camera_at({29'000.0, -1200.0, 100.0}), tolerance_rad);
-    view.see(camera_at(eye_m), tolerance_rad);
+    view.see(camera_at({29'000.0, -1200.0, 100.0}));
+    view.see(camera_at(eye_m));
     double light = 0.0;
     for (const CloudSprite& sprite : view.sprites().read()) light += sprite.green;
     return light;
@@ -133,6 +135,79 @@ TEST(CloudsView, SendsAlikeEyesTheSameLight) {
   evening.suns[0].direction = {0.8, 0.6, 0.0};
   view.light(evening);
   EXPECT_NE(light_to(eye_m, 0.01), there);
+}
+
+// Fails if an eye's light that comes in parts is not all there after them, or if all of it is worked out at
+// once, or if the light of another sun comes in parts.
+TEST(CloudsView, SendsLightInParts) {
+  const glm::dvec3 first_m(30'000.0, 1000.0, 300.0), then_m(29'000.0, 1500.0, 300.0);
+  const auto light_of = [](CloudsView& view, const glm::dvec3& eye_m) {
+    view.see(camera_at(eye_m));
+    std::vector<float> light;
+    for (const CloudSprite& sprite : view.sprites().read()) light.push_back(sprite.green);
+    light.resize(view.count());
+    return light;
+  };
+  const auto viewed = [&] {
+    CloudsView view(device(), two_clouds());
+    view.at(0.0);
+    view.light(daylight());
+    return view;
+  };
+  CloudsView exact = viewed(), view = viewed();
+  view.set_light_lag({.cloud_rad = 1e-9, .cloud_parts = 3});
+  const auto from_first = light_of(exact, first_m), from_then = light_of(exact, then_m);
+  EXPECT_EQ(light_of(view, first_m), from_first);
+  light_of(view, {29'000.0, -9000.0, 300.0});  // the other eye, which stays where it is
+  for (std::size_t part = 1; part <= 3; ++part) {
+    // The third of the two clouds' particles, rounded down, is new.
+    const auto bound = static_cast<std::ptrdiff_t>(from_first.size() * part / 3);
+    std::vector<float> expected = from_first;
+    std::copy(from_then.begin(), from_then.begin() + bound, expected.begin());
+    EXPECT_EQ(light_of(view, then_m), expected) << part;
+  }
+  EXPECT_EQ(light_of(view, then_m), from_then);
+  clouds::CloudIllumination evening = daylight();
+  evening.suns[0].direction = {0.8, 0.6, 0.0};
+  exact.light(evening);
+  view.light(evening);
+  EXPECT_EQ(light_of(view, then_m), light_of(exact, then_m));
+}
+
+// Clouds that lag keep their shape between steps of light and go on with the wind. Fails if they stand still,
+// if they change, or if they are seen from elsewhere than the eye.
+TEST(CloudsView, CarriesClouds) {
+  CloudSkyParameters sky = windy_clouds(0.5);
+  for (clouds::CloudParameters& cloud : sky.clouds) cloud.motion.sway_m = 20.0;
+  sky.clouds[0].turbulence.change_per_s = sky.clouds[1].turbulence.change_per_s = 0.2;
+  CloudsView view(device(), sky), exact(device(), sky);
+  view.set_light_lag({.cloud_steps = 4});
+  const auto places_at = [](CloudsView& of, double time_s) {
+    of.at(time_s);
+    of.light(daylight());
+    of.see(camera_at({30'000.0, 1450.0, 150.0}));
+    std::vector<glm::dvec3> places;
+    const std::vector<CloudParticle> particles = of.particles().read();
+    for (std::size_t i = 0; i < of.count(); ++i)
+      places.push_back(of.sky_origin_m() + glm::dvec3(particles[i].x, particles[i].y, particles[i].z));
+    return places;
+  };
+  const auto at_step = places_at(view, 2.0), later = places_at(view, 3.5), own = places_at(exact, 3.5);
+  EXPECT_EQ(at_step, places_at(exact, 2.0));
+  double sway_m = 0.0;
+  for (std::size_t i = 0; i < at_step.size(); ++i) {
+    // Floats within 1 km.
+    EXPECT_LT(glm::distance(later[i], at_step[i] + 1.5 * glm::dvec3(12.0, 0.0, 5.0)), 1e-3);
+    sway_m = std::max(sway_m, glm::distance(later[i], own[i]));
+  }
+  EXPECT_GT(sway_m, 1.0) << "nothing sways";
+  const std::vector<std::uint32_t> order = view.order().read();
+  const glm::dvec3 eye_m(30'000.0, 1450.0, 150.0);
+  for (std::size_t i = 1; i < later.size(); ++i) {
+    EXPECT_GE(glm::distance(later[order[i - 1]], eye_m), glm::distance(later[order[i]], eye_m) - 0.1);
+  }
+  view.set_light_lag({});
+  EXPECT_EQ(places_at(view, 3.5), own);
 }
 
 }  // namespace
