@@ -1,8 +1,7 @@
 // Particles of clouds as a camera sees them: nearest first, with the boxes of pixels that they may cover.
 // In:  particles [count], sprites [count], order [count] indices of both, the farthest first.
-// Out: puffs [count], the nearest first; boxes [4][box_pitch] px: the left, right, lower and upper edges, an
-// empty
-//      one where nothing of the particle is seen. Row 0 is at the bottom.
+// Out: puffs [count], the nearest first, of those that are seen; boxes [4][box_pitch] px: the left, right, lower
+//      and upper edges, an empty one where nothing of the particle is seen. Row 0 is at the bottom.
 #include "shared/cloud_picture.h"
 #include "shared/clouds.h"
 
@@ -57,18 +56,17 @@ __kernel void puff_project(__global const CloudParticle* restrict particles,
       (fabs(above) - params.half_height * ahead) / sqrt(1.0f + params.half_height * params.half_height);
   const bool is_seen = ahead > -radius && beside < radius && over < radius && sprite.optical_depth > 0.0f &&
                        sprite.optical_depth < INFINITY && isfinite(sprite.red + sprite.green + sprite.blue);
-  if (is_seen) {
-    float2 columns = (float2)(-1.0f, 1.0f), rows = (float2)(-1.0f, 1.0f);
-    if (ahead > 1.01f * radius) {
-      columns = ball_edges(across, ahead, radius) / params.half_width;
-      rows = ball_edges(above, ahead, radius) / params.half_height;
-    }
-    const float half_columns = 0.5f * (float)params.width_px, half_rows = 0.5f * (float)params.height_px;
-    *left = fma(columns.x, half_columns, half_columns);
-    *right = fma(columns.y, half_columns, half_columns);
-    *bottom = fma(rows.x, half_rows, half_rows);
-    *top = fma(rows.y, half_rows, half_rows);
+  if (!is_seen) return;  // nobody reads the puff of an empty box
+  float2 columns = (float2)(-1.0f, 1.0f), rows = (float2)(-1.0f, 1.0f);
+  if (ahead > 1.01f * radius) {
+    columns = ball_edges(across, ahead, radius) / params.half_width;
+    rows = ball_edges(above, ahead, radius) / params.half_height;
   }
+  const float half_columns = 0.5f * (float)params.width_px, half_rows = 0.5f * (float)params.height_px;
+  *left = fma(columns.x, half_columns, half_columns);
+  *right = fma(columns.y, half_columns, half_columns);
+  *bottom = fma(rows.x, half_rows, half_rows);
+  *top = fma(rows.y, half_rows, half_rows);
 
   CloudPuff puff;
   puff.x = way.x;
