@@ -20,6 +20,8 @@
 namespace offing::present {
 namespace {
 
+constexpr int fewest_samples = 32;  // along a patch of the sea, unless a scene asks for fewer
+
 world::WorldParameters with_particles(CloudBuilder& builder, world::WorldParameters parameters,
                                       const CancelToken* cancel) {
   const CancelToken none;
@@ -180,6 +182,8 @@ double LiveSea::surface_height_m(double x_m, double z_m) {
 void LiveSea::simulate(const SeaView& view) {
   world_->set_eye({view.camera.eye_m.x, view.camera.eye_m.z});
   world_->set_light_lag(view.quality.light_lag);
+  world_->set_sea_samples(
+      std::max(fewest_samples, world_->parameters().ocean.size >> view.quality.sea_halvings));
   run_stage(frame_->times(), Stage::simulate, device_, [&] { world_->at(view.time_s, view.camera.eye_m.y); });
 }
 

@@ -14,6 +14,7 @@ struct Quality {
   double ray_share = 1.0;    ///< of these pixels, for which rays are cast at the ground
   double grid_share = 1.0;   ///< of the cells of the water's grid along a side
   double views_share = 1.0;  ///< of the pixels along a side of what water mirrors and shows beneath it
+  int sea_halvings = 0;      ///< of the samples along a patch of the sea
   world::LightLag light_lag{};
 
   bool operator==(const Quality&) const = default;
@@ -28,25 +29,26 @@ inline int share_of(int number, double share, int least) {
 }
 
 /// One coarser than the first, whose light all lags behind alike.
-constexpr Quality coarser(double side_share, double grid_share, double views_share) {
+constexpr Quality coarser(double side_share, double grid_share, double views_share, int sea_halvings) {
   return {.side_share = side_share,
           .ray_share = 0.5,
           .grid_share = grid_share,
           .views_share = views_share,
+          .sea_halvings = sea_halvings,
           .light_lag = {.altitude_share = 0.05, .cloud_steps = 4, .cloud_rad = 0.01, .cloud_parts = 8}};
 }
 
 /// The rungs of a ladder of quality, coarser from one to the next: first what is least seen.
 inline constexpr std::array quality_rungs{
     Quality{},
-    coarser(1.0, 0.75, 0.75),
-    coarser(0.85, 0.75, 0.5),
-    coarser(0.7, 0.5, 0.5),
-    coarser(0.6, 0.5, 0.4),
-    coarser(0.5, 0.375, 0.3),
-    coarser(0.4, 0.375, 0.25),
-    coarser(0.3, 0.25, 0.2),
-    coarser(0.2, 0.25, 0.15),
+    coarser(1.0, 0.75, 0.75, 0),
+    coarser(0.85, 0.75, 0.5, 0),
+    coarser(0.7, 0.5, 0.5, 1),
+    coarser(0.6, 0.5, 0.4, 1),
+    coarser(0.5, 0.375, 0.3, 1),
+    coarser(0.4, 0.375, 0.25, 1),
+    coarser(0.3, 0.25, 0.2, 2),
+    coarser(0.2, 0.25, 0.15, 2),
 };
 
 }  // namespace offing::present

@@ -49,7 +49,7 @@ void WaterMaps::bind(const ShaderProgram& program, const world::World& world, gl
     // Reduced in double, so that an eye far from the origin loses nothing.
     const glm::dvec2 place = eye_m / length_m;
     cascades.emplace_back(1.0 / length_m, place.x - std::floor(place.x), place.y - std::floor(place.y),
-                          sea.size / length_m);
+                          world.sea_samples() / length_m);
     longest_wave_m.push_back(cascade.k_min_radpm > 0.0
                                  ? static_cast<float>(2.0 * std::numbers::pi / cascade.k_min_radpm)
                                  : std::numeric_limits<float>::max());

@@ -3,68 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "host/base/error.h"
 #include "host/world/cloud_light.h"
-#include "host/world/sea_bed.h"
 
 namespace offing::world {
 namespace {
 
-constexpr double reach_deviations = 6.0;
-constexpr std::size_t rings_that_meet = 8;
 constexpr double sea_radius_m = 6.36e6;  // as the water is drawn: present/shaders/water.glsl
-
-std::vector<std::vector<float>> variances_of(const ocean::Ocean& ocean) {
-  std::vector<std::vector<float>> variances;
-  for (std::size_t i = 0; i < ocean.parameters().cascades.size(); ++i) {
-    variances.push_back(ocean.mode_variance(static_cast<int>(i)));
-  }
-  return variances;
-}
 
 /// First one motion, then another.
 highlights::RigidMotion after(const highlights::RigidMotion& first, const highlights::RigidMotion& then) {
   return {.rotation = then.rotation * first.rotation,
           .translation_m = then.rotation * first.translation_m + then.translation_m};
-}
-
-RippleWind ripple_wind(const WorldParameters& parameters) {
-  return {.speed_mps = parameters.wind_speed_mps, .direction_rad = parameters.wind_direction_rad};
-}
-
-std::vector<ocean::ShoalingBand> bands_of(const std::vector<std::vector<float>>& variances,
-                                          const ocean::OceanParameters& ocean) {
-  std::vector<ocean::ShoalingBand> bands;
-  for (std::size_t i = 0; i < variances.size(); ++i) {
-    bands.push_back(ocean::band_of_modes(variances[i], ocean.size, ocean.cascades[i].patch_length_m));
-  }
-  return bands;
-}
-
-double deviation_m(const std::vector<std::vector<float>>& variances) {
-  double variance_m2 = 0.0;
-  for (const std::vector<float>& modes : variances) {
-    variance_m2 = std::accumulate(modes.begin(), modes.end(), variance_m2);
-  }
-  return std::sqrt(variance_m2);
-}
-
-/// Of the tallest rings alone: so many seldom meet in one place, and a scene may have thousands.
-double height_of_rings_m(const std::vector<ocean::Raindrop>& drops, double time_s) {
-  std::vector<double> heights_m;
-  for (const ocean::Raindrop& drop : drops) {
-    const double age_s = time_s - drop.time_s;
-    if (age_s >= 0.0) heights_m.push_back(std::abs(drop.amplitude_m) * std::exp(-age_s / drop.decay_s));
-  }
-  const auto counted =
-      heights_m.begin() + static_cast<std::ptrdiff_t>(std::min(heights_m.size(), rings_that_meet));
-  std::partial_sort(heights_m.begin(), counted, heights_m.end(), std::greater<>());
-  return std::accumulate(heights_m.begin(), counted, 0.0);
 }
 
 }  // namespace
@@ -79,39 +33,6 @@ World::World(const ocl::Device& device, const WorldParameters& parameters)
   set_meshes(parameters.meshes);
   set_bodies(parameters.bodies, parameters.run_up_s);
   set_lamps(parameters.lamps);
-}
-
-void World::make_sea(const WorldParameters& parameters) {
-  if (!parameters.has_sea) {
-    ocean_.reset();
-    cascade_bands_.clear();
-    hidden_slopes_ = {};
-    deviation_m_ = 0.0;
-    return;
-  }
-  ocean::require_valid_trochoids(parameters.trochoids);
-  ocean::Ocean made(device_, parameters.spectrum, parameters.ocean);
-  const std::vector<std::vector<float>> variances = variances_of(made);
-  hidden_slopes_ = shared_out(hidden_by_levels(parameters.ocean, variances), parameters.trochoids.waves,
-                              ripple_wind(parameters));
-  deviation_m_ = deviation_m(variances);
-  cascade_bands_ = bands_of(variances, parameters.ocean);
-  ocean_ = std::move(made);
-}
-
-void World::make_shoals() {
-  std::shared_ptr<const ocean::Shoals> made;
-  if (ocean_ && ground_ && parameters_.has_shoals) {
-    if (!bed_) bed_ = std::make_shared<const ocean::DepthMap>(sea_bed(ground_->parameters()));
-    const ocean::ShoalTable table(parameters_.spectrum.dispersion,
-                                  ocean::shoaling_bands(cascade_bands_, parameters_.trochoids.waves));
-    if (bed_->shallowest_m() < table.deepest_m()) {
-      made = std::make_shared<const ocean::Shoals>(device_, bed_, table);
-    }
-  }
-  shoals_ = std::move(made);
-  if (ocean_) ocean_->set_shoals(shoals_);
-  if (bodies_) bodies_->set_shoals(shoals_);
 }
 
 ocean::Ocean& World::ocean() {
@@ -133,52 +54,6 @@ void World::set_atmosphere(const sky::Atmosphere& atmosphere) {
   sky_altitude_m_.reset();
   cloud_sky_.reset();
   cloud_illumination_.clear();
-}
-
-void World::set_trochoids(const ocean::TrochoidSea& trochoids) {
-  ocean::require_valid_trochoids(trochoids);
-  parameters_.trochoids = trochoids;
-  hidden_slopes_ =
-      shared_out(std::move(hidden_slopes_.cascades), parameters_.trochoids.waves, ripple_wind(parameters_));
-  make_shoals();
-  if (bodies_) bodies_->set_sea(body_sea());
-}
-
-void World::set_wakes(const std::vector<WakeSettings>& wakes) {
-  std::optional<WakeView> made;
-  if (ocean_ && !wakes.empty()) made.emplace(device_, wakes, time_s_);
-  wakes_ = std::move(made);
-  if (ocean_) ocean_->set_wakes(wakes_ ? wakes_->maps() : nullptr);
-  parameters_.wakes = wakes;
-}
-
-void World::reseed(std::uint64_t seed, const ocean::TrochoidSea& trochoids) {
-  ocean::require_valid_trochoids(trochoids);
-  ocean().reseed(seed);
-  parameters_.ocean.seed = seed;
-  parameters_.trochoids = trochoids;
-  hidden_slopes_ =
-      shared_out(std::move(hidden_slopes_.cascades), parameters_.trochoids.waves, ripple_wind(parameters_));
-  make_shoals();
-  if (bodies_) bodies_->set_sea(body_sea());
-}
-
-void World::set_sea(const WorldParameters& parameters) {
-  make_sea(parameters);
-  parameters_.has_sea = parameters.has_sea;
-  parameters_.spectrum = parameters.spectrum;
-  parameters_.ocean = parameters.ocean;
-  parameters_.trochoids = parameters.trochoids;
-  parameters_.wind_speed_mps = parameters.wind_speed_mps;
-  parameters_.wind_direction_rad = parameters.wind_direction_rad;
-  parameters_.has_shoals = parameters.has_shoals;
-  make_shoals();
-  set_wakes(parameters.wakes);
-  if (bodies_ && has_sea()) {
-    bodies_->set_sea(body_sea());
-  } else {
-    set_bodies(parameters_.bodies, parameters_.run_up_s);
-  }
 }
 
 void World::set_ground(const std::optional<GroundParameters>& ground) {
@@ -279,19 +154,6 @@ void World::see_meshes(const glm::dvec3& eye_m, const highlights::LightingAt& li
       mesh.follow(time_s_, lighting(eye_m));
     }
   }
-}
-
-ocean::SurfaceReach World::reach() const {
-  if (!ocean_) return {};
-  const double growth = shoals_ ? shoals_->instant().table.largest_share() : 1.0;
-  const double waves_m = growth * reach_deviations * deviation_m_;
-  double trochoids_m = 0.0;
-  for (const ocean::Trochoid& wave : parameters_.trochoids.waves) trochoids_m += growth * wave.amplitude_m;
-  return {.horizontal_m = parameters_.ocean.choppiness * waves_m +
-                          ocean::horizontal_scale(parameters_.trochoids).scale * trochoids_m,
-          .vertical_m = waves_m + trochoids_m + height_of_rings_m(parameters_.trochoids.raindrops, time_s_) +
-                        (wakes_ ? wakes_->reach_m(time_s_) : 0.0) +
-                        (wakes_ && bodies_ ? bodies_->draught_m() : 0.0)};
 }
 
 void World::look_at_sky(double eye_altitude_m) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -81,6 +82,9 @@ class World {
   /// Enqueues what this camera, with the eye of the last see_ground(), would see of the ground if there were
   /// no water before it, as deep as water lets light through. Does nothing in a world without either.
   void see_ground_beneath(const Camera& camera);
+  /// From now on the sea has at most so many samples a side, a power of two from 16 on: of waves too short
+  /// for them the ripples have the slopes. Bodies float on the whole sea still. Throws what Ocean throws.
+  void set_sea_samples(int most);
   /// Takes effect with the next at().
   void set_light_lag(const LightLag& lag);
   /// Enqueues what a camera sees of the clouds of the last at(), if there are any: CloudsView::see().
@@ -141,6 +145,8 @@ class World {
   /// nullptr in a world without wakes.
   const WakeView* wakes() const { return wakes_ ? &*wakes_ : nullptr; }
   bool has_sea() const { return ocean_.has_value(); }
+  /// Samples along a patch of the sea that there is, 0 without one.
+  int sea_samples() const { return ocean_ ? ocean_->parameters().size : 0; }
   /// Throws Error(bad_usage) in a world without a sea.
   ocean::Ocean& ocean();
   /// nullptr in a world without ground.
@@ -169,6 +175,8 @@ class World {
 
  private:
   void make_sea(const WorldParameters& parameters);
+  /// To the samples that are wanted.
+  void fit_sea(const WorldParameters& parameters);
   void make_shoals();
   BodySea body_sea() const {
     return {parameters_.spectrum, parameters_.ocean, parameters_.trochoids, shoals_};
@@ -180,9 +188,10 @@ class World {
 
   ocl::Device device_;
   WorldParameters parameters_;
-  std::optional<ocean::Ocean> ocean_;
-  std::vector<ocean::ShoalingBand> cascade_bands_;  // of ocean_
-  std::shared_ptr<const ocean::DepthMap> bed_;      // of ground_; none: not made yet
+  int most_samples_ = std::numeric_limits<int>::max();
+  std::optional<ocean::Ocean> ocean_, spare_ocean_;  // as it is, and as it was before of other samples
+  std::vector<ocean::ShoalingBand> cascade_bands_;   // of ocean_
+  std::shared_ptr<const ocean::DepthMap> bed_;       // of ground_; none: not made yet
   std::shared_ptr<const ocean::Shoals> shoals_;
   std::unique_ptr<BodyView> bodies_;
   std::optional<WakeView> wakes_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -73,6 +74,41 @@ TEST_F(WorldTest, HoldsTheSurfaceOfItsTime) {
   ocean::Ocean alone(device_, parameters().spectrum, parameters().ocean);
   alone.at(12.3);
   EXPECT_EQ(world_.ocean().displacement_map().read(), alone.displacement_map().read());
+}
+
+// Fails if a sea of fewer samples is not the one that is made with so many, if the light loses the slopes of
+// the waves that it leaves out, or if the whole sea does not come back.
+TEST_F(WorldTest, ShowsTheSeaInFewerSamples) {
+  const auto surface = [&] {
+    world_.at(12.3, 5.0);
+    return std::pair(world_.ocean().displacement_map().read(), world_.ocean().foam_map().read());
+  };
+  const auto all_slopes = [&] {
+    const HiddenSlopes& hidden = world_.hidden_slopes();
+    return hidden.cascades.front().back().xx + hidden.trochoids.xx + hidden.ripples.xx;
+  };
+  const auto whole = surface();
+  const double slopes = all_slopes();
+  const double drawn = world_.hidden_slopes().cascades.front().back().xx;
+  world_.set_sea_samples(32);
+  EXPECT_EQ(world_.sea_samples(), 32);
+  const double height_m = world_.sample(std::array{ocean::WaterPoint{3.0, -40.0}}).front().height_m;
+  ocean::OceanParameters coarse = parameters().ocean;
+  coarse.size = 32;
+  ocean::Ocean alone(device_, parameters().spectrum, coarse);
+  alone.at(12.3);
+  EXPECT_EQ(surface().first, alone.displacement_map().read());
+  EXPECT_EQ(height_m, world_.sample(std::array{ocean::WaterPoint{3.0, -40.0}}).front().height_m)
+      << "it had another time";
+  // Where waves along one axis have more slope than the wind makes, ripples cannot have less than none: 0.8 %.
+  EXPECT_NEAR(all_slopes(), slopes, 0.02 * slopes);
+  EXPECT_LT(world_.hidden_slopes().cascades.front().back().xx, drawn - 0.04 * slopes);
+  world_.reseed(9, parameters().trochoids);
+  EXPECT_NE(surface().first, alone.displacement_map().read());
+  world_.set_sea_samples(1024);
+  world_.reseed(parameters().ocean.seed, parameters().trochoids);
+  EXPECT_EQ(surface(), whole);
+  EXPECT_EQ(all_slopes(), slopes);
 }
 
 // Fails if the sun stays where it was, or its light does not reach the eye.
