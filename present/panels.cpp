@@ -189,9 +189,10 @@ void draw_view(ViewState& state, const ViewFacts& facts) {
                      ImGuiSliderFlags_AlwaysClamp);
   if (state.kept_hz > 0.0f) {
     const Quality& now = facts.quality;
-    ImGui::TextDisabled("now sides %.0f %%, rays %.0f %%, grid %.0f %%, mirror images %.0f %%",
+    ImGui::TextDisabled("now sides %.0f %%, rays %.0f %%, grid %.0f %%, mirror images %.0f %%,",
                         100.0 * now.side_share, 100.0 * now.ray_share, 100.0 * now.grid_share,
                         100.0 * now.views_share);
+    ImGui::TextDisabled("sea samples %.0f %%", 100.0 / (1 << now.sea_halvings));
   }
   ImGui::SliderFloat("render scale", &state.render_scale, 0.1f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
   ImGui::SliderFloat("most frames/s", &state.frame_limit_hz, 0.0f, 240.0f,

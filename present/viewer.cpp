@@ -85,7 +85,7 @@ bool Viewer::turn() {
       ladder_.note(1e3 * (shown_s - now_s), 1e3 / state_.kept_hz, shown_s);
     }
     if (recorder_) record_frame();
-    limiter_.wait(state_.frame_limit_hz);
+    limiter_.wait(most_frames_hz());
   }
   return !is_quitting_ && glfwWindowShouldClose(window()) == GLFW_FALSE;
 }
@@ -202,6 +202,13 @@ Quality Viewer::quality() const {
   Quality quality = state_.kept_hz > 0.0f && !options_.recording ? ladder_.quality() : Quality{};
   quality.ray_share = std::min(quality.ray_share, ray_shares.at(static_cast<std::size_t>(state_.rays)));
   return quality;
+}
+
+/// While quality gives way to a rate, more frames than that would come unevenly and leave it for nothing.
+double Viewer::most_frames_hz() const {
+  const double limit_hz = state_.frame_limit_hz, kept_hz = state_.kept_hz;
+  if (kept_hz == 0.0 || options_.recording || ladder_.rung() == 0) return limit_hz;
+  return limit_hz > 0.0 ? std::min(limit_hz, kept_hz) : kept_hz;
 }
 
 /// From here on the camera is the user's.

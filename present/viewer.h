@@ -50,6 +50,7 @@ class Viewer {
   void pick_ray();
   void reset_camera();
   void take_screenshot();
+  double most_frames_hz() const;
   bool show();
   highlights::LightingAt lighting_at();
   void draw_sea(int width, int height);
