@@ -26,13 +26,22 @@ class CloudPass {
   /// what CloudPicture and TransferLadder throw.
   void prepare(const ocl::Device& device, const clouds::DrawnParticles& drawn, const Camera& camera,
                const RenderTarget& target, TransferLadder& transfer);
+  /// The same where nothing stands before the clouds, without a target to read.
+  void prepare_open(const ocl::Device& device, const clouds::DrawnParticles& drawn, const Camera& camera,
+                    TransferLadder& transfer);
+  /// Where the air before clouds begins: at the eye, or, for an eye below the sea, where its rays leave it.
+  enum class AirFrom { eye, sea };
   /// Lays the picture of prepare() over the bound target. `environment` is the map of SkyPass.
-  void draw(const Camera& camera, const sky::Atmosphere& air, GLuint environment) const;
+  void draw(const Camera& camera, const sky::Atmosphere& air, GLuint environment,
+            AirFrom air_from = AirFrom::eye) const;
 
   /// Puts other textures in the place of Offing's own.
   void set_textures(const ocl::Device& device, const clouds::PuffTextures& textures);
 
  private:
+  void fit(const ocl::Device& device, int width_px, int height_px);
+  void make(const clouds::DrawnParticles& drawn, const Camera& camera, TransferLadder& transfer);
+
   ShaderProgram program_;
   GlVertexArray no_vertices_;
   std::optional<clouds::CloudPicture> picture_;

@@ -1,5 +1,7 @@
 #include "present/frame.h"
 
+#include <cmath>
+
 #include "present/device_stage.h"
 #include "present/drawn_clouds.h"
 #include "present/scaled_camera.h"
@@ -39,7 +41,11 @@ void Frame::draw_light(world::World& world, const FrameRequest& request, bool se
   }
   if (world.has_sea() && !is_under_) {
     const StageTimes::Scope stage(times_, Stage::water);
-    water_.draw(world, request, {.meshes = meshes_, .shadows = shadows_, .environment = sky_.environment()},
+    water_.draw(world, request,
+                {.meshes = meshes_,
+                 .shadows = shadows_,
+                 .environment = sky_.environment(),
+                 .cloudy_sky = cloudy_sky_},
                 light_, transfer_);
   }
   {
@@ -64,6 +70,25 @@ void Frame::draw_clouds(world::World& world, const FrameRequest& request) {
   clouds_.prepare(world.device(), drawn_clouds(world), request.camera, light_, transfer_);
   light_.bind();
   clouds_.draw(request.camera, world.parameters().atmosphere, sky_.environment());
+}
+
+void Frame::draw_cloudy_sky(world::World& world, const FrameRequest& request) {
+  if (world.clouds() == nullptr || !world.has_sea()) {
+    cloudy_sky_.forget();
+    return;
+  }
+  const bool keeps = request.sky == SkyRefresh::slice && cloudy_sky_.has_map();
+  if (keeps && ++frames_of_face_ < request.quality.sky_face_frames) return;
+  frames_of_face_ = 0;
+  // Level water mirrors what the eye's mirror image sees.
+  Camera from_below = request.camera;
+  from_below.eye_m.y = -std::abs(from_below.eye_m.y);
+  run_stage(times_, Stage::clouds, world.device(), [&] { world.see_clouds(from_below); });
+  const StageTimes::Scope stage(times_, Stage::clouds);
+  cloudy_sky_.draw(
+      world.device(),
+      {.drawn = drawn_clouds(world), .air = world.parameters().atmosphere, .clear_sky = sky_.environment()},
+      from_below.eye_m, request.sky, transfer_);
 }
 
 void Frame::draw(world::World& world, const FrameRequest& request) {
@@ -94,11 +119,14 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
     light_.bind();
     terrain_.draw_steps();
   } else {
+    draw_cloudy_sky(world, request);
     draw_light(world, request, sees_ground);
     if (world.clouds() != nullptr) draw_clouds(world, request);
     if (is_under_) {
       const StageTimes::Scope stage(times_, Stage::water);
-      underwater_.draw(world, request.camera, sky_.environment(), light_, under_);
+      underwater_.draw(world, request.camera,
+                       {.light = light_, .environment = sky_.environment(), .cloudy_sky = cloudy_sky_},
+                       under_);
     }
   }
   {

@@ -7,6 +7,7 @@
 #include "host/world/world.h"
 #include "present/cloud_pass.h"
 #include "present/cloud_shadows.h"
+#include "present/cloudy_sky.h"
 #include "present/gl_context.h"
 #include "present/mesh_pass.h"
 #include "present/render_target.h"
@@ -39,7 +40,11 @@ class Frame {
   /// Puts other textures of clouds in the place of Offing's own.
   void set_puffs(const ocl::Device& device, const clouds::PuffTextures& textures) {
     clouds_.set_textures(device, textures);
+    cloudy_sky_.set_textures(device, textures);
   }
+
+  /// Has the next picture draw all that pictures may keep of those before it (SkyRefresh).
+  void forget() { cloudy_sky_.forget(); }
 
   /// Scene-linear light of the last picture, kcd/m2.
   const RenderTarget& light() const { return is_under_ ? under_ : light_; }
@@ -53,6 +58,7 @@ class Frame {
   void fit(int width, int height);
   void draw_light(world::World& world, const FrameRequest& request, bool sees_ground);
   void draw_clouds(world::World& world, const FrameRequest& request);
+  void draw_cloudy_sky(world::World& world, const FrameRequest& request);
 
   GlCapabilities capabilities_;
   terrain::Sampling ground_sampling_;
@@ -62,6 +68,8 @@ class Frame {
   TerrainPass terrain_;
   MeshPass meshes_;
   CloudPass clouds_;
+  CloudySky cloudy_sky_;
+  int frames_of_face_ = 0;  // drawn since a face of it was
   CloudShadows shadows_;
   UnderwaterPass underwater_;
   TonePass tone_;

@@ -52,6 +52,12 @@ inline constexpr std::array all_mesh_shows{MeshShow::light,      MeshShow::curva
                                            MeshShow::projectors, MeshShow::regions,   MeshShow::ids};
 std::string_view to_string(MeshShow show);
 
+/// How much of the round map of a cloudy sky a picture draws anew.
+enum class SkyRefresh {
+  whole,  ///< a picture is the same whatever was drawn before it
+  slice,  ///< a fifth: the map lags a few pictures behind
+};
+
 /// What to draw: the world as this camera sees it.
 struct FrameRequest {
   Camera camera;
@@ -61,6 +67,7 @@ struct FrameRequest {
   GroundShow ground = GroundShow::light;
   MeshShow meshes = MeshShow::light;
   world::TileWait tiles = world::TileWait::all;
+  SkyRefresh sky = SkyRefresh::whole;
   Quality quality = {};  ///< the camera has the side's share already
   /// For highlights that depend on the time alone (World::see_meshes()); none: they follow the camera.
   highlights::LightingAt lighting_at = {};

@@ -39,6 +39,7 @@ FrameRequest request_of(const SeaView& view, double exposure) {
           .ground = view.ground,
           .meshes = view.meshes,
           .tiles = view.tiles,
+          .sky = SkyRefresh::slice,
           .quality = view.quality,
           .lighting_at = view.lighting_at,
           .first_s = view.first_s};
@@ -100,6 +101,7 @@ void LiveSea::change(const std::function<void()>& work) {
   try {
     work();
     try_out(*world_, view_);
+    frame_->forget();
   } catch (const Error&) {
     // Any part may have changed; what it was made of needs no file again.
     world_ = std::make_unique<world::World>(device_, before);

@@ -2,9 +2,11 @@
 
 #include "host/base/camera.h"
 #include "host/world/world.h"
+#include "present/cloudy_sky.h"
 #include "present/gl_objects.h"
 #include "present/render_target.h"
 #include "present/shader_program.h"
+#include "present/shader_variants.h"
 
 namespace offing::present {
 
@@ -19,13 +21,20 @@ class UnderwaterPass {
   static bool is_under(const world::World& world, const Camera& camera) {
     return world.has_sea() && camera.eye_m.y <= 0.0;
   }
-  /// Fills `target` with the light of `dry`, drawn without a sea: light and reversed depth. `environment` is
-  /// the map of SkyPass.
-  void draw(const world::World& world, const Camera& camera, GLuint environment, const RenderTarget& dry,
-            const RenderTarget& target) const;
+  /// What is drawn already.
+  struct Dry {
+    const RenderTarget& light;  ///< light and reversed depth without a sea
+    GLuint environment;         ///< the map of SkyPass
+    const CloudySky& cloudy_sky;
+  };
+  /// Fills `target` with what reaches the eye of it.
+  void draw(const world::World& world, const Camera& camera, const Dry& dry, const RenderTarget& target);
 
  private:
-  ShaderProgram program_;
+  enum class Sky { clear, cloudy };  // above the water
+  static ShaderProgram program_for(Sky sky);
+
+  ShaderVariants<Sky> programs_;
   GlVertexArray no_vertices_;
 };
 

@@ -60,8 +60,9 @@ ShaderProgram WaterPass::program_for(const Features& features) {
                                             "#define MIRRORS_THINGS {:d}\n#define SHOWS_BENEATH {:d}\n",
                                             features.taps, static_cast<int>(features.debug), features.mirrors,
                                             features.mirrors_things, features.shows_beneath)};
-  std::vector<ShaderPart> fragment{compiled_for, CloudShadows::glsl(), shader_file("environment.glsl"),
-                                   shader_file("air.glsl"), shader_file("view_ray.glsl")};
+  std::vector<ShaderPart> fragment{compiled_for, CloudShadows::glsl(), shader_file("environment.glsl")};
+  if (features.has_clouds) fragment.push_back(shader_file("cloudy_sky.glsl"));
+  for (const char* name : {"air.glsl", "view_ray.glsl"}) fragment.push_back(shader_file(name));
   std::ranges::move(wave_shaders(features.waves), std::back_inserter(fragment));
   for (const char* name : {"fresnel.glsl", "water_light.glsl", "caustics.glsl", "water_views.glsl",
                            "water_debug.glsl", "water.frag"})
@@ -120,13 +121,15 @@ void WaterPass::draw(world::World& world, const FrameRequest& request, const Dry
                                                  .debug = request.debug,
                                                  .mirrors = views_.has_mirrored(),
                                                  .mirrors_things = views_.has_mirrored_things(),
-                                                 .shows_beneath = views_.has_beneath()});
+                                                 .shows_beneath = views_.has_beneath(),
+                                                 .has_clouds = dry.cloudy_sky.has_map()});
   program.use();
   set_view_rays(program, request.camera);
   set_waves(program, world, request.camera);
   set_light(program, world);
   bind_surface(program);
   set_air(program, world.parameters().atmosphere, dry.environment, environment_unit);
+  dry.cloudy_sky.bind(environment_unit);
   dry.shadows.bind(program, shadow_unit);
   views_.bind(program, first_view_unit);
   bind_sampler(program, "foam_pattern", pattern_unit, foam_pattern_.name());

@@ -49,6 +49,7 @@ class WaterPass {
     bool mirrors = false;
     bool mirrors_things = false;
     bool shows_beneath = false;
+    bool has_clouds = false;  // in the sky that it mirrors
 
     auto operator<=>(const Features&) const = default;
   };

@@ -3,6 +3,7 @@
 #include "host/world/world.h"
 #include "present/cloud_pass.h"
 #include "present/cloud_shadows.h"
+#include "present/cloudy_sky.h"
 #include "present/frame_request.h"
 #include "present/mesh_pass.h"
 #include "present/render_target.h"
@@ -17,6 +18,7 @@ struct DryPasses {
   MeshPass& meshes;
   const CloudShadows& shadows;
   GLuint environment;  ///< the map of SkyPass
+  const CloudySky& cloudy_sky;
 };
 
 /// What is not water, as small pictures that the water's shader looks things up in (O13): what level water at

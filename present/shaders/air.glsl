@@ -1,11 +1,14 @@
-// The air between the eye and what it sees, which lies before the horizon of the sky's map (environment.glsl).
-uniform sampler2D environment;
+// The air between the eye and what it sees, which lies before the horizon of the sky's map (environment.glsl). Behind
+// cloudy_sky.glsl it is that map's clear sky.
 uniform vec3 haze_perm;  // extinction of the air
 
+#ifndef CLOUDY_SKY
+uniform sampler2D environment;
+
 vec3 environment_light(vec3 direction) {
-  vec2 point = direction.xz / (1.0 + max(direction.y, 0.0));
-  return textureLod(environment, 0.5 + 0.5 / environment_margin * point, 0.0).rgb;
+  return textureLod(environment, environment_uv(direction), 0.0).rgb;
 }
+#endif
 
 // What is left of a light over this distance along a unit ray, with the light of the horizon that the air sends
 // besides, as a long way through it does.

@@ -2,6 +2,7 @@
 uniform sampler2DArray cloud_image;     // premultiplied, kcd/m2
 uniform sampler2DArray cloud_distance;  // m, mean of that light's
 uniform float eye_altitude_m;
+uniform float airless_m;  // what rays rise first without air before them
 uniform vec3 rayleigh_depth;  // optical depth of all air above the sea
 uniform float aerosol_depth;
 uniform vec2 scale_heights_m;  // of air and of aerosol
@@ -19,8 +20,8 @@ void main() {
   ivec3 pixel = ivec3(gl_FragCoord.xy, 0);
   vec4 seen = texelFetch(cloud_image, pixel, 0);
   if (seen.a <= 0.0) discard;
-  float distance_m = texelFetch(cloud_distance, pixel, 0).r;
   vec3 ray = normalize(view_ray());
+  float distance_m = max(texelFetch(cloud_distance, pixel, 0).r - airless_m / max(ray.y, 1e-3), 0.0);
   float from_m = max(eye_altitude_m, 0.0);
   vec2 way = distance_m / scale_heights_m * mean_density(from_m, max(distance_m * ray.y, -from_m));
   vec3 before = rayleigh_depth * way.x + aerosol_depth * way.y;

@@ -8,6 +8,14 @@ uniform float depth_m;  // of the eye
 
 out vec4 light;
 
+vec3 sky_above(vec3 direction) {
+#ifdef CLOUDY_SKY
+  return cloudy_sky_light(direction, 0.0);
+#else
+  return environment_light(direction);
+#endif
+}
+
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec3 ray = view_ray();
@@ -19,7 +27,7 @@ void main() {
   if (surface_m < way_m) {
     vec3 above = refract(ray, vec3(0.0, -1.0, 0.0), water_index);
     bool is_window = dot(above, above) > 0.0;
-    seen = is_window ? (1.0 - fresnel(above.y)) * environment_light(above) : deep_kcdpm2;
+    seen = is_window ? (1.0 - fresnel(above.y)) * sky_above(above) : deep_kcdpm2;
     way_m = surface_m;
   } else {
     // Light has come down to what is seen.

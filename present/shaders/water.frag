@@ -51,11 +51,18 @@ FacetLight facet_light(vec2 slope, vec3 surface_m, vec3 v, float blur) {
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
   vec3 ray = reflect(-v, normal);
   vec3 upward = normalize(vec3(ray.x, sqrt(ray.y * ray.y + blur * blur), ray.z));
-  vec4 local = mirrored_along(surface_m, upward, 4.0 * blur);
+  float shown;
+  vec4 local = mirrored_along(surface_m, upward, 4.0 * blur, shown);
   float lost = ray.y < 0.0 ? 1.0 - fresnel(-ray.y) : 0.0;
   float mirrors = fresnel(clamp(dot(v, normal), 0.0, 1.0)) * (1.0 - lost);
   vec3 mirrored = mirrors * local.rgb;
+#ifdef CLOUDY_SKY
+  // Clouds that the picture shows are in it.
+  vec3 sky = mirrors * ((shown - local.a) * environment_light(upward) +
+                        (1.0 - shown) * cloudy_sky_light(upward, 4.0 * blur));
+#else
   vec3 sky = mirrors * (1.0 - local.a) * environment_light(upward);
+#endif
   return FacetLight(mirrored + sky + (1.0 - mirrors) * water_kcdpm2, mirrored, mirrors * local.a);
 }
 

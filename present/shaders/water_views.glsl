@@ -37,9 +37,14 @@ vec2 mirrored_uv(vec3 clip_place) {
   return 0.5 + 0.5 / views_margin * vec2(clip_place.x, -clip_place.y);
 }
 
-// Beside the picture there is what its rim shows, above it the sky.
+// Above the picture there is the sky, and beside it too where clouds are all that it shows; else what its rim shows.
 float mirrored_share(vec3 clip_place) {
-  return clip_place.z > 0.0 ? smoothstep(views_margin, 0.9 * views_margin, abs(clip_place.y)) : 0.0;
+#if MIRRORS_THINGS
+  float outward = abs(clip_place.y);
+#else
+  float outward = max(abs(clip_place.x), abs(clip_place.y));
+#endif
+  return clip_place.z > 0.0 ? smoothstep(views_margin, 0.9 * views_margin, outward) : 0.0;
 }
 
 // How far from a place of the surface that stands which is mirrored at a place of the picture; far_m: nothing near,
@@ -53,7 +58,9 @@ float mirrored_way_m(vec3 clip_place, vec3 surface_image_m) {
 }
 
 // What is mirrored toward a ray that leaves the surface, spread by an angle; covers as much as its alpha says.
-vec4 mirrored_along(vec3 surface_m, vec3 ray, float spread_rad) {
+// `shown`: the share of the picture in it; of that what is not covered is clear sky.
+vec4 mirrored_along(vec3 surface_m, vec3 ray, float spread_rad, out float shown) {
+  shown = 0.0;
 #if MIRRORS
   vec3 image_m = mirror_image(surface_m), image_ray = vec3(ray.x, -ray.y, ray.z);
 #if MIRRORS_THINGS
@@ -94,6 +101,7 @@ vec4 mirrored_along(vec3 surface_m, vec3 ray, float spread_rad) {
     sum += textureLod(mirrored_light, mirrored_uv(place), tap_level);
     count += 1.0;
   }
+  if (count > 0.0) shown = share;
   return share / max(count, 1.0) * sum;
 #else
   return vec4(0.0);

@@ -130,27 +130,38 @@ class CloudStage : public GlTest {
     sky_->prepare(world_->sky());
   }
 
-  /// Clouds over it.
-  void draw_clouds(const Camera& camera) {
+  /// What is drawn of the particles, on the device.
+  struct Heaps {
+    ocl::Buffer<CloudParticle> particles;
+    ocl::Buffer<CloudSprite> sprites;
+    ocl::Buffer<std::uint32_t> order;
+  };
+  Heaps heaps_from(const glm::dvec3& eye_m) const {
     std::vector<std::uint32_t> order(particles_.size());
     std::iota(order.begin(), order.end(), 0u);
     std::vector<double> distance;
     for (const CloudParticle& p : particles_) {
-      distance.push_back(glm::length(glm::dvec3(p.x, p.y, p.z) + origin_m_ - camera.eye_m));
+      distance.push_back(glm::length(glm::dvec3(p.x, p.y, p.z) + origin_m_ - eye_m));
     }
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return distance[a] > distance[b]; });
-    const ocl::Buffer<CloudParticle> particles(*device_, particles_, "particles");
-    const ocl::Buffer<CloudSprite> sprites(*device_, sprites_, "sprites");
-    const ocl::Buffer<std::uint32_t> places(*device_, order, "order");
-    pass_->prepare(*device_,
-                   {.particles = particles,
-                    .sprites = sprites,
-                    .order = places,
-                    .count = static_cast<std::uint32_t>(particles_.size()),
-                    .origin_m = origin_m_,
-                    .sun_direction = sun()},
-                   camera, frame_->light(), *transfer_);
+    return {.particles = {*device_, particles_, "particles"},
+            .sprites = {*device_, sprites_, "sprites"},
+            .order = {*device_, order, "order"}};
+  }
+  clouds::DrawnParticles drawn(const Heaps& heaps) const {
+    return {.particles = heaps.particles,
+            .sprites = heaps.sprites,
+            .order = heaps.order,
+            .count = static_cast<std::uint32_t>(particles_.size()),
+            .origin_m = origin_m_,
+            .sun_direction = sun()};
+  }
+
+  /// Clouds over it.
+  void draw_clouds(const Camera& camera) {
+    const Heaps heaps = heaps_from(camera.eye_m);
+    pass_->prepare(*device_, drawn(heaps), camera, frame_->light(), *transfer_);
     frame_->light().bind();
     pass_->draw(camera, world_->parameters().atmosphere, sky_->environment());
   }
