@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/base/error.h"
+#include "host/base/freed_memory.h"
 #include "host/base/log.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/own_puffs.h"
@@ -87,6 +88,7 @@ void LiveSea::open(const scene::OceanScene& scene) {
   light_meter_ = {};
   view_ = view;
   take_scene(std::move(opened));
+  give_back_freed_memory();
 }
 
 void LiveSea::try_out(world::World& world, const SeaView& view) const {
@@ -168,6 +170,7 @@ void LiveSea::reload() {
   frame_ = std::move(frame);
   builder_ = std::move(builder);
   if (scene::are_other_clouds(scene_, wanted_)) builder_->begin(wanted_, Haste::let_finish);
+  give_back_freed_memory();
 }
 
 double LiveSea::surface_height_m(double x_m, double z_m) {

@@ -1,0 +1,46 @@
+#include "host/base/freed_memory.h"
+
+#include <cstddef>
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace offing {
+namespace {
+
+constexpr std::size_t mebibyte = std::size_t{1} << 20;
+
+/// Of this process, as the system counts it.
+std::size_t resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  std::size_t all_pages = 0, resident_pages = 0;
+  file >> all_pages >> resident_pages;
+  return resident_pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+// Fails if memory that was freed stays with the process where small blocks that are still needed lie behind
+// it. 64 MiB in blocks that are too small for pages of their own, each with a small one behind it: all but
+// the pages of the small ones, which is one in 16, has to go. Measured: 60 MiB of 64; gate: three quarters.
+TEST(FreedMemoryTest, GoesBackFromBetweenWhatIsKept) {
+#if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "memory is not allocated by glibc here";
+#endif
+  constexpr std::size_t blocks = 1024, block_bytes = mebibyte / 16, kept_bytes = 64;
+  std::vector<std::unique_ptr<std::byte[]>> freed, kept;
+  for (std::size_t i = 0; i < blocks; ++i) {
+    freed.push_back(std::make_unique<std::byte[]>(block_bytes));
+    std::memset(freed.back().get(), 1, block_bytes);
+    kept.push_back(std::make_unique<std::byte[]>(kept_bytes));
+  }
+  freed.clear();
+  const std::size_t before = resident_bytes();
+  give_back_freed_memory();
+  EXPECT_GT(before, resident_bytes() + blocks * block_bytes / 4 * 3);
+}
+
+}  // namespace
+}  // namespace offing
