@@ -40,7 +40,7 @@ FrameRequest request_of(const SeaView& view, double exposure) {
           .ground = view.ground,
           .meshes = view.meshes,
           .tiles = view.tiles,
-          .sky = SkyRefresh::slice,
+          .sky = view.sky,
           .quality = view.quality,
           .lighting_at = view.lighting_at,
           .first_s = view.first_s};

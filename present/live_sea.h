@@ -33,6 +33,7 @@ struct SeaView {
   GroundShow ground = GroundShow::light;
   MeshShow meshes = MeshShow::light;
   world::TileWait tiles = world::TileWait::all;
+  SkyRefresh sky = SkyRefresh::whole;
   Quality quality = {};                     ///< of FrameRequest
   highlights::LightingAt lighting_at = {};  ///< of FrameRequest
   std::optional<double> first_s = {};       ///< of FrameRequest

@@ -281,6 +281,7 @@ void Viewer::draw_sea(int width, int height) {
                .ground = state_.ground,
                .meshes = state_.meshes,
                .tiles = options_.recording ? world::TileWait::all : world::TileWait::none,
+               .sky = options_.recording ? SkyRefresh::whole : SkyRefresh::slice,
                .quality = quality(),
                .lighting_at = lighting_at(),
                .first_s = options_.recording ? std::optional(options_.recording->first_s()) : std::nullopt});
