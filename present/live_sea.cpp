@@ -88,7 +88,7 @@ void LiveSea::open(const scene::OceanScene& scene) {
   light_meter_ = {};
   view_ = view;
   take_scene(std::move(opened));
-  give_back_freed_memory();
+  is_drawn_ = false;
 }
 
 void LiveSea::try_out(world::World& world, const SeaView& view) const {
@@ -200,6 +200,8 @@ void LiveSea::draw(const SeaView& view) {
   simulate(view);
   exposure_ = light_meter_.exposure(*world_, view.camera, now.exposure_ev);
   frame_->draw(*world_, request_of(view, exposure_));
+  // What the scene before held, and what the compilers of shaders took for the first picture.
+  if (!std::exchange(is_drawn_, true)) give_back_freed_memory();
 }
 
 void LiveSea::write(const std::filesystem::path& path) const {

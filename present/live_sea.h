@@ -114,6 +114,7 @@ class LiveSea {
   LightMeter light_meter_;
   SeaView view_;  // of the last picture
   double exposure_ = 1.0, edit_s_ = 0.0;
+  bool is_drawn_ = false;  // since the scene was opened
 };
 
 }  // namespace offing::present

@@ -10,7 +10,7 @@ namespace offing::present {
 /// How far an edit of a value has come.
 enum class Edit {
   none,
-  refused,   ///< the table does not take the value
+  refused,   ///< the table does not take the value, or the world did not while it was held
   going_on,  ///< a slider is held, a number is typed
   done,
 };

@@ -72,6 +72,8 @@ bool SceneEditing::edit_sea(Edit edit) {
     return true;
   } catch (const Error& error) {
     state_.message = fault_message(error);
+    // So that letting go of a slider there is not an edit that is done, which would clear the message.
+    if (edit == Edit::going_on) state_.edit.fault = state_.message.text;
     take_scene(sea_.wanted());
     return false;
   }

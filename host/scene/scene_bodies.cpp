@@ -218,7 +218,6 @@ std::size_t followed_body(const OceanScene& scene, std::size_t wake) {
 }
 
 void edit_bodies(world::World& world, const OceanScene& before, const OceanScene& after) {
-  if (before.bodies.empty() && after.bodies.empty()) return;
   const bool is_same = !are_other_bodies(before, after) && run_up_s(before) == run_up_s(after) &&
                        before.has_sea() == after.has_sea();
   if (is_same) return;

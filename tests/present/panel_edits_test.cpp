@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "host/scene/scene_file.h"
+#include "present/parameter_widget.h"
+
 namespace offing::test {
 namespace {
 
@@ -17,46 +20,20 @@ TEST_P(PanelEditsTest, ShowWhatAFreshStartShows) {
   expect_what_a_fresh_start_shows(GetParam());
 }
 
-bool is_of_meshes(const present::GroupPanel& panel) {
-  return panel.group == scene::ParameterGroup::mesh || panel.group == scene::ParameterGroup::highlight ||
-         panel.group == scene::ParameterGroup::light;
-}
-
-bool is_of_wakes(const present::GroupPanel& panel) {
-  return panel.group == scene::ParameterGroup::wake || panel.group == scene::ParameterGroup::wake_hull;
-}
-
-bool is_of_bodies(const present::GroupPanel& panel) {
-  return panel.group == scene::ParameterGroup::body;
-}
-
-bool is_of_bookmarks(const present::GroupPanel& panel) {
-  return panel.group == scene::ParameterGroup::bookmark;
-}
-
-bool is_of_clouds(const present::GroupPanel& panel) {
-  return panel.group >= scene::ParameterGroup::clouds;
-}
-
-/// All but that of height maps, whose values are as a file has them: window_ground_test.cpp; those of meshes,
-/// whose highlights go by degrees: panels_test.cpp; those of clouds: cloud_panels_test.cpp; those of wakes,
-/// each of whose edits lets them grow for half a minute of theirs; those of bodies, which begin anew at the
-/// time that is shown; and those of bookmarks: window_bookmarks_test.cpp.
+/// All but that of height maps, whose values are as a file has them: window_ground_test.cpp; those of what a
+/// world has beside its sea: world_panels_test.cpp, cloud_panels_test.cpp; those of bodies, which begin anew
+/// with each edit; and those of bookmarks: window_bookmarks_test.cpp.
 std::vector<present::GroupPanel> panels_of_free_values() {
   std::vector<present::GroupPanel> panels(present::group_panels().begin(), present::group_panels().end());
   std::erase_if(panels, [](const auto& panel) {
-    return panel.group == scene::ParameterGroup::height_map || is_of_wakes(panel) || is_of_bodies(panel) ||
-           is_of_bookmarks(panel) || is_of_meshes(panel) || is_of_clouds(panel);
+    return panel.group == scene::ParameterGroup::height_map || is_of_world(panel.group) ||
+           panel.group == scene::ParameterGroup::body || panel.group == scene::ParameterGroup::bookmark ||
+           is_of_clouds(panel.group);
   });
   return panels;
 }
 
-INSTANTIATE_TEST_SUITE_P(Panels, PanelEditsTest, testing::ValuesIn(panels_of_free_values()),
-                         [](const auto& panel) {
-                           std::string name = panel.param.title;
-                           std::erase(name, ' ');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Panels, PanelEditsTest, testing::ValuesIn(panels_of_free_values()), panel_name);
 
 // Fails if a row of the table belongs to no panel.
 TEST(GroupPanelsTest, HoldEveryRow) {
@@ -87,21 +64,26 @@ TEST_F(RefusedEditsTest, NumbersOutOfRange) {
   open(quick_options());
   const std::vector<unsigned char> before = sea();
   toggle_header("Wind");
-  const Spot slider = find(main_panel(), parameter_label(*scene::find_parameter("wind.speed_mps")), 70);
-  hands_->key("Control_L", Hands::Motion::down);
-  turn();
-  click(slider);
-  hands_->key("Control_L", Hands::Motion::up);
-  turn();
-  for (const char* digit : {"9", "9", "9"}) press(digit);
-  press("Return");
-  turn(2);
+  enter_into_slider(find(main_panel(), parameter_label(*scene::find_parameter("wind.speed_mps")), 70), "999");
   EXPECT_NE(message().find("wind.speed_mps: expected a number in m/s within [0.1, 60], got 999"),
             std::string::npos)
       << message();
   EXPECT_TRUE(state().message.is_fault);
   EXPECT_EQ(state().scene.wind_speed_mps, quick_options().scene.wind_speed_mps);
   EXPECT_TRUE(sea() == before);
+}
+
+// Fails if a number that the world refuses while its slider is held is no more told of once it is let go.
+TEST_F(RefusedEditsTest, NumbersThatTheRestOfTheSceneForbids) {
+  open(panel_options(scene::ParameterGroup::wake, quick_options()));
+  const std::string before = edited_text();
+  toggle_header("Wakes");
+  const Parameter& rain = *scene::find_parameter("ocean.wake.rain_per_m2s");
+  const Spot slider = find(main_panel(), parameter_label(rain), 70, 0);
+  drag(slider, {slider.x + 35, slider.y});
+  EXPECT_NE(message().find("wake.rain.drops_per_m2s"), std::string::npos) << message();
+  EXPECT_TRUE(state().message.is_fault);
+  EXPECT_EQ(edited_text(), before);
 }
 
 // Fails if a spectrum file that is not there ends the window, or takes the sea away.

@@ -149,8 +149,8 @@ TEST_F(WindowPanelsTest, RecordingsEndWithTheirScene) {
   EXPECT_FALSE(std::filesystem::exists("a_4.png"));
 }
 
-// Fails if a window of odd sides, which --size asks for or a display makes of other ones, cannot be recorded as
-// the video that takes even ones alone.
+// Fails if a window of odd sides, which --size asks for or a display makes of other ones, cannot be recorded
+// as the video that takes even ones alone.
 TEST_F(WindowPanelsTest, RecordingsFitTheirVideo) {
   const StandInFfmpeg ffmpeg;
   present::ViewOptions options = quick_options();

@@ -113,6 +113,18 @@ void WindowTest::enter(Spot spot, const std::string& text) {
   press("Return");
 }
 
+void WindowTest::enter_into_slider(Spot spot, const std::string& text) {
+  hands_->key("Control_L", Hands::Motion::down);
+  turn();
+  click(spot);
+  hands_->key("Control_L", Hands::Motion::up);
+  turn();
+  hands_->type(text);
+  turn();
+  press("Return");
+  turn(2);
+}
+
 std::string WindowTest::edited_text() const {
   scene::OceanScene scene = state().scene;
   scene.view.camera = {};

@@ -41,6 +41,8 @@ class WindowTest : public testing::Test {
   /// Presses, moves and releases, a frame each.
   void drag(Spot from, Spot to);
   void enter(Spot spot, const std::string& text);
+  /// Into a slider: Ctrl and a click.
+  void enter_into_slider(Spot spot, const std::string& text);
   /// Ctrl Z so many times, and Ctrl Shift Z.
   void undo(int count = 1);
   void redo(int count = 1);
