@@ -10,12 +10,13 @@ namespace offing::present {
 
 /// How much of its detail a picture is drawn with, as shares of what its settings say.
 struct Quality {
-  double side_share = 1.0;   ///< of the picture's pixels along a side, which are shown enlarged
-  double ray_share = 1.0;    ///< of these pixels, for which rays are cast at the ground
-  double grid_share = 1.0;   ///< of the cells of the water's grid along a side
-  double views_share = 1.0;  ///< of the pixels along a side of what water mirrors and shows beneath it
-  int sky_face_frames = 1;   ///< from one slice of the cloudy sky's map to the next
-  int sea_halvings = 0;      ///< of the samples along a patch of the sea
+  double side_share = 1.0;     ///< of the picture's pixels along a side, which are shown enlarged
+  double ray_share = 1.0;      ///< of these pixels, for which rays are cast at the ground
+  double grid_share = 1.0;     ///< of the cells of the water's grid along a side
+  double views_share = 1.0;    ///< of the pixels along a side of what water mirrors and shows beneath it
+  bool mirrors_clouds = true;  ///< in what water mirrors at its size; else by the cloudy sky's map
+  int sky_face_frames = 1;     ///< from one slice of the cloudy sky's map to the next
+  int sea_halvings = 0;        ///< of the samples along a patch of the sea
   world::LightLag light_lag{};
 
   bool operator==(const Quality&) const = default;
@@ -35,6 +36,7 @@ constexpr Quality coarser(double side_share, double grid_share, double views_sha
           .ray_share = 0.5,
           .grid_share = grid_share,
           .views_share = views_share,
+          .mirrors_clouds = side_share > 0.5,
           .sky_face_frames = 4,
           .sea_halvings = sea_halvings,
           .light_lag = {.altitude_share = 0.05, .cloud_steps = 4, .cloud_rad = 0.01, .cloud_parts = 8}};

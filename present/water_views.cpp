@@ -48,7 +48,8 @@ void WaterViews::draw(world::World& world, const FrameRequest& request, int long
   of_view.camera = wider(smaller(request.camera, longer_px), margin);
   has_beneath_ = longer_px > 0 && (!world.meshes().empty() || world.ground() != nullptr);
   has_mirrored_things_ = has_beneath_;
-  has_mirrored_ = has_mirrored_things_ || (longer_px > 0 && world.clouds() != nullptr);
+  mirrors_clouds_ = longer_px > 0 && world.clouds() != nullptr && request.quality.mirrors_clouds;
+  has_mirrored_ = has_mirrored_things_ || mirrors_clouds_;
   if (has_mirrored_) draw_mirrored(world, of_view, passes, transfer);
   if (has_beneath_) draw_beneath(world, of_view, passes, transfer);
 }
@@ -68,7 +69,7 @@ void WaterViews::draw_mirrored(world::World& world, const FrameRequest& request,
   glEnable(GL_CLIP_DISTANCE0);
   passes.meshes.draw_plainly(world, from_below, passes.environment, passes.shadows, mirrored_);
   glDisable(GL_CLIP_DISTANCE0);
-  if (world.clouds() != nullptr) {
+  if (mirrors_clouds_) {
     world.see_clouds(from_below.camera);
     mirrored_clouds_.prepare(world.device(), drawn_clouds(world), from_below.camera, mirrored_, transfer);
     mirrored_.bind();
@@ -97,6 +98,7 @@ void WaterViews::bind(const ShaderProgram& program, int first_unit) const {
   };
   bind_view(has_mirrored_, mirrored_, "mirrored_light", "mirrored_depth", first_unit);
   bind_view(has_beneath_, beneath_, "beneath_light", "beneath_depth", first_unit + 2);
+  program.set("picture_has_clouds", mirrors_clouds_ ? 1.0f : 0.0f);
   program.set("views_margin", static_cast<float>(margin));
   program.set("view_near_m", static_cast<float>(near_m));
 }

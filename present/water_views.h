@@ -51,6 +51,7 @@ class WaterViews {
   CloudPass mirrored_clouds_;
   RenderTarget mirrored_, beneath_;
   bool has_mirrored_ = false, has_mirrored_things_ = false, has_beneath_ = false;
+  bool mirrors_clouds_ = false;
 };
 
 }  // namespace offing::present

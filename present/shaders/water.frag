@@ -45,6 +45,10 @@ vec3 hidden_at(int cascade, float level) {
              hidden_slopes[cascade * level_count + below + 1].xyz, place - float(below));
 }
 
+#ifdef CLOUDY_SKY
+uniform float picture_has_clouds;  // 1: the picture of what is mirrored, 0: the sky's map alone
+#endif
+
 // Light that a facet of this slope sends along v, and facets like it, whose mirrored rays rise or fall by `blur`. A
 // ray that is mirrored downward meets another wave, taken as level there.
 FacetLight facet_light(vec2 slope, vec3 surface_m, vec3 v, float blur) {
@@ -57,7 +61,8 @@ FacetLight facet_light(vec2 slope, vec3 surface_m, vec3 v, float blur) {
   float mirrors = fresnel(clamp(dot(v, normal), 0.0, 1.0)) * (1.0 - lost);
   vec3 mirrored = mirrors * local.rgb;
 #ifdef CLOUDY_SKY
-  // Clouds that the picture shows are in it.
+  // Clouds that the picture shows are in it; else they are behind all that it shows.
+  shown = mix(local.a, shown, picture_has_clouds);
   vec3 sky = mirrors * ((shown - local.a) * environment_light(upward) +
                         (1.0 - shown) * cloudy_sky_light(upward, 4.0 * blur));
 #else
