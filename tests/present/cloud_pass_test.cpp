@@ -45,22 +45,8 @@ TEST_F(CloudPassTest, LaysCloudsOverTheSky) {
   open(sky_alone());
   Camera view = camera();
   const auto wall = [&](double distance_m, float kcdpm2) {
-    particles_.clear();
-    sprites_.clear();
-    const glm::dvec3 at_m = view.eye_m + distance_m * basis(view).forward - origin_m_;
-    add({.x = static_cast<float>(at_m.x),
-         .y = static_cast<float>(at_m.y),
-         .z = static_cast<float>(at_m.z),
-         .radius = static_cast<float>(0.8 * distance_m),
-         .optical_mass = 1.0f,
-         .red = 1.0f,
-         .green = 1.0f,
-         .blue = 1.0f,
-         .texture = 0,
-         .cloud = 0,
-         .id = 0,
-         .turn = 0.0f},
-        {.red = kcdpm2, .green = kcdpm2, .blue = kcdpm2, .optical_depth = 60.0f});
+    remove_clouds();
+    add_ball(view.eye_m + distance_m * basis(view).forward, 0.8 * distance_m, glm::vec3(kcdpm2));
     const std::vector<float> pixels = light(view);
     const std::size_t i = 4 * (height / 2 * width + width / 2);
     return glm::dvec3(pixels[i], pixels[i + 1], pixels[i + 2]);
@@ -104,27 +90,15 @@ TEST_F(CloudPassTest, EndsAtTheSea) {
 // left: 4 %: a wave of a metre changes it by 2 %.
 TEST_F(CloudPassTest, FadesTheSeaAroundAnEyeInClouds) {
   open(sea());
-  constexpr double height_m = 40.0, radius_m = 100.0, depth = 3.0;
+  constexpr double height_m = 40.0, radius_m = 100.0;
+  constexpr float depth = 3.0f;
   Camera view = camera();
   view.eye_m.y = height_m;
   view.pitch_rad = -1.5707;
   view.vertical_field_of_view_rad = 0.1;
   draw_scene(view);
   const std::vector<float> bare = frame_->light().read();
-  const glm::dvec3 at_m = view.eye_m - origin_m_;
-  add({.x = static_cast<float>(at_m.x),
-       .y = static_cast<float>(at_m.y),
-       .z = static_cast<float>(at_m.z),
-       .radius = static_cast<float>(radius_m),
-       .optical_mass = 1.0f,
-       .red = 1.0f,
-       .green = 1.0f,
-       .blue = 1.0f,
-       .texture = 0,
-       .cloud = 0,
-       .id = 0,
-       .turn = 0.0f},
-      {.red = 10.0f, .green = 0.0f, .blue = 0.0f, .optical_depth = static_cast<float>(depth)});
+  add_ball(view.eye_m, radius_m, {10.0f, 0.0f, 0.0f}, depth);
   const std::vector<float> found = light(view);
   glm::dvec3 before(0.0), after(0.0);
   for (std::size_t i = 0; i < bare.size(); i += 4) {
@@ -134,7 +108,7 @@ TEST_F(CloudPassTest, FadesTheSeaAroundAnEyeInClouds) {
   }
   const double z = height_m / radius_m, z3 = z * z * z;
   const double left =
-      std::exp(-depth * (z - 22.0 / 27.0 * z3 + 17.0 / 45.0 * z3 * z * z - 4.0 / 63.0 * z3 * z3 * z));
+      std::exp(-double{depth} * (z - 22.0 / 27.0 * z3 + 17.0 / 45.0 * z3 * z * z - 4.0 / 63.0 * z3 * z3 * z));
   EXPECT_NEAR(after.y / before.y, left, 0.04 * left);
   EXPECT_NEAR(after.z / before.z, left, 0.04 * left);
   EXPECT_NEAR(after.x, before.x * left + 10.0 * (1.0 - left), 0.4 * left);

@@ -62,6 +62,29 @@ class CloudStage : public GlTest {
     sprites_.push_back(sprite);
   }
 
+  /// A single ball around a place of the world.
+  void add_ball(const glm::dvec3& middle_m, double radius_m, const glm::vec3& kcdpm2,
+                float optical_depth = 60.0f) {
+    const glm::dvec3 at_m = middle_m - origin_m_;
+    add({.x = static_cast<float>(at_m.x),
+         .y = static_cast<float>(at_m.y),
+         .z = static_cast<float>(at_m.z),
+         .radius = static_cast<float>(radius_m),
+         .optical_mass = 1.0f,
+         .red = 1.0f,
+         .green = 1.0f,
+         .blue = 1.0f,
+         .texture = 0,
+         .cloud = 0,
+         .id = static_cast<unsigned>(particles_.size()),
+         .turn = 0.0f},
+        {.red = kcdpm2.r, .green = kcdpm2.g, .blue = kcdpm2.b, .optical_depth = optical_depth});
+  }
+  void remove_clouds() {
+    particles_.clear();
+    sprites_.clear();
+  }
+
   /// A heap with a flat base around this place of the world.
   void add_heap(const glm::dvec3& base_m, double size_m, int count, unsigned set = 0) {
     const auto seed = static_cast<std::uint32_t>(particles_.size());

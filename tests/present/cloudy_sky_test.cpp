@@ -50,27 +50,6 @@ class CloudySkyTest : public test::CloudStage {
     return cloudy_->read();
   }
 
-  void add_ball(const glm::dvec3& middle_m, double radius_m, const glm::vec3& kcdpm2) {
-    const glm::dvec3 at_m = middle_m - origin_m_;
-    add({.x = static_cast<float>(at_m.x),
-         .y = static_cast<float>(at_m.y),
-         .z = static_cast<float>(at_m.z),
-         .radius = static_cast<float>(radius_m),
-         .optical_mass = 1.0f,
-         .red = 1.0f,
-         .green = 1.0f,
-         .blue = 1.0f,
-         .texture = 0,
-         .cloud = 0,
-         .id = static_cast<unsigned>(particles_.size()),
-         .turn = 0.0f},
-        {.red = kcdpm2.r, .green = kcdpm2.g, .blue = kcdpm2.b, .optical_depth = 60.0f});
-  }
-  void remove_clouds() {
-    particles_.clear();
-    sprites_.clear();
-  }
-
   /// What a texel shows: the paraboloid's direction (2 x, 1 - x^2 - y^2, 2 y) / (1 + x^2 + y^2).
   static glm::dvec3 direction_at(int column, int row) {
     const double x = 1.04 * ((2.0 * column + 1.0) / side - 1.0), y = 1.04 * ((2.0 * row + 1.0) / side - 1.0);
