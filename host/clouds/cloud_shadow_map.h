@@ -15,7 +15,7 @@
 namespace offing::clouds {
 
 /// The shadow of clouds: optical depth toward the sun over a square across its light, on the device, read by
-/// kernels/clouds/cloud_shadow.clh in kernels and shaders alike.
+/// kernels/clouds/cloud_shadow.clh in shaders and kernels/terrain/ground_light.clh on the ground.
 class CloudShadowMap {
  public:
   using Texel = std::array<float, 4>;

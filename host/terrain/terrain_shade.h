@@ -46,10 +46,12 @@ struct Sampling {
   double least_contrast = 0.2;  ///< below 0: all pixels get all of them
 };
 
-/// A sea that is drawn over its bed: pixels do not see ground that lies deeper than this.
+/// A sea that is drawn over its bed: pixels do not see ground that lies deeper than this; nor, in a picture
+/// of what is under water, ground that stands out of it.
 struct SeaOverGround {
   double below_m = -1e30;
   double bend_perm = 0.0;  ///< the depth grows by this times the square of the distance
+  double above_m = 1e30;   ///< highest ground that is seen
 };
 
 /// What lies on the ground, and how finely it is drawn. What is pointed to is not kept.

@@ -211,7 +211,7 @@ void World::see_ground(const Camera& camera, const terrain::Sampling& sampling, 
   const double waves_m = reach().vertical_m;
   // From above the crests, what is deeper than the troughs is behind water, which falls away as the Earth
   // bends.
-  if (ocean_ && camera.eye_m.y > waves_m) sea = {-waves_m, 0.5 / sea_radius_m};
+  if (ocean_ && camera.eye_m.y > waves_m) sea = {.below_m = -waves_m, .bend_perm = 0.5 / sea_radius_m};
   const std::optional<terrain::CloudShade> shade = shade_of_clouds(camera);
   ground_->at(camera, sky_, {ground_light_, shade ? &*shade : nullptr}, sampling, wait, sea);
 }
@@ -227,7 +227,9 @@ void World::see_ground_beneath(const Camera& camera) {
   const std::optional<terrain::CloudShade> shade = shade_of_clouds(camera);
   const double seen_m = ocean::visible_depth_m(ocean::water_optics(parameters_.water));
   ground_->beneath_at(camera, sky_, {ground_light_, shade ? &*shade : nullptr},
-                      {-reach().vertical_m - seen_m, 0.5 / sea_radius_m});
+                      {.below_m = -reach().vertical_m - seen_m,
+                       .bend_perm = 0.5 / sea_radius_m,
+                       .above_m = reach().vertical_m});
 }
 
 std::optional<terrain::CloudShade> World::shade_of_clouds(const Camera& camera) const {

@@ -12,12 +12,12 @@ typedef struct {
   int open_sky_stride;
   int open_sky_columns, open_sky_rows;
   // Ground lower than hidden_below_m, less hidden_bend_perm times the square of its distance, is under water that is
-  // drawn over it: it counts as missed.
-  float hidden_below_m, hidden_bend_perm;
+  // drawn over it: it counts as missed, and so does what is higher than hidden_above_m.
+  float hidden_below_m, hidden_bend_perm, hidden_above_m;
 } TerrainLook;
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(TerrainLook) == 48, "no padding");
+static_assert(sizeof(TerrainLook) == 52, "no padding");
 #endif
 
 #endif

@@ -49,7 +49,7 @@ __kernel void terrain_shade(__global const float *restrict heights_m, __global c
     for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); column += BLOCK_COLUMNS) {
       const Rays rays = rays_of(field, view, column + (int_lanes)lane_column, row + (int_lanes)lane_row);
       GroundHits ground = ground_hits(hits, view, column, row);
-      ground.is_hit &= above_water(look, rays, ground.t_m);
+      ground.is_hit &= shown_by_height(look, rays, ground.t_m);
 #if MAP_EDGE == TERRAIN_EDGE_MIRRORS
       ground.way_x = turned(view.cell_x, view.fraction_x, ground.t_m * rays.along_x, field.cells_x);
       ground.way_z = turned(view.cell_z, view.fraction_z, ground.t_m * rays.along_z, field.cells_z);

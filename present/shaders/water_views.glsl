@@ -86,7 +86,6 @@ vec4 mirrored_along(vec3 surface_m, vec3 ray, float spread_rad, out float shown)
   // As far as a lookup between two levels reaches: two texels of the coarser one.
   vec3 beside = vec3(4.0 * exp2(level) * views_margin / float(textureSize(mirrored_light, 0).x), 0.0, 0.0);
   vec4 sum = vec4(0.0);
-  float count = 0.0;
   for (int tap = 0; tap < upright_taps; ++tap) {
     vec3 place = clip_place + vec3(0.0, ((float(tap) + 0.5) / float(upright_taps) - 0.5) * upright, 0.0);
     float tap_level = level;
@@ -99,10 +98,9 @@ vec4 mirrored_along(vec3 surface_m, vec3 ray, float spread_rad, out float shown)
     if (is_left && is_right) tap_level = 0.0;
 #endif
     sum += textureLod(mirrored_light, mirrored_uv(place), tap_level);
-    count += 1.0;
+    shown += share / float(upright_taps);
   }
-  if (count > 0.0) shown = share;
-  return share / max(count, 1.0) * sum;
+  return share / float(upright_taps) * sum;
 #else
   return vec4(0.0);
 #endif

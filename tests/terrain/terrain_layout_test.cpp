@@ -65,9 +65,9 @@ TEST(TerrainLayoutTest, TerrainSight) {
 TEST(TerrainLayoutTest, TerrainLook) {
   using S = TerrainLook;
   EXPECT_EQ(layout_of("shared/terrain_look.h", "TerrainLook",
-                      {"colour_columns", "colour_left", "open_sky_stride", "hidden_bend_perm"}),
+                      {"colour_columns", "colour_left", "open_sky_stride", "hidden_above_m"}),
             (Layout{sizeof(S), offsetof(S, colour_columns), offsetof(S, colour_left),
-                    offsetof(S, open_sky_stride), offsetof(S, hidden_bend_perm)}));
+                    offsetof(S, open_sky_stride), offsetof(S, hidden_above_m)}));
 }
 
 }  // namespace
