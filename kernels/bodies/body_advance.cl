@@ -9,8 +9,9 @@
 //  - the pressure of the water above it, density * gravity * depth, integrated in closed form;
 //  - friction along it (ITTC 1957), drag of its speed across it, which is less where it moves away from the water;
 //  - damping by the waves that what faces downward makes, in proportion to its vertical speed.
-// Semi-implicit Euler: velocities first, then places by the new ones. Drag is weakened as an implicit step would, so that
-// it never turns a motion around.
+// Semi-implicit Euler: velocities first, then places by the new ones. Drag and the rudder's lift are weakened as an
+// implicit step would, so that they never turn a motion around. Speed and spin have bounds far above those of any hull
+// (shared/bodies.h): what no step of this length can follow, such as a thrust of 1e9 N on a toy, stays a motion.
 #include "bodies/turn.clh"
 #include "bodies/wetted_part.clh"
 #include "shared/bodies.h"
@@ -33,6 +34,16 @@ typedef struct {
 
 static float3 symmetric_product(float xx, float yy, float zz, float xy, float xz, float yz, float3 v) {
   return (float3)(xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z);
+}
+
+static float3 inverse_inertia_times(const BodyShape* shape, float3 v) {
+  return symmetric_product(shape->inverse_xx, shape->inverse_yy, shape->inverse_zz, shape->inverse_xy,
+                           shape->inverse_xz, shape->inverse_yz, v);
+}
+
+static float3 no_longer_than(float most, float3 v) {
+  const float size = length(v);
+  return size > most ? v * (most / size) : v;
 }
 
 static float3 surface_velocity(const SurfaceQuerySample* sample) {
@@ -104,9 +115,15 @@ static void add_drive(const BodyShape* shape, const BodyWater* water, const Body
   // The propeller's race behind its disc, by the theory of momentum: its dynamic pressure rises by thrust / disc area.
   const float race = 8.0f * fmax(thrust, 0.0f) / (M_PI_F * diameter * diameter * water->density_kgpm3);
   const float along = sqrt(ahead * ahead + race);
-  const float lift = -0.5f * water->density_kgpm3 * shape->rudder_area_m2 * shape->rudder_lift * along *
-                     (copysign(along, ahead + race) * sin(drive->rudder_rad) + dot(speed, starboard));
-  const float3 side = lift * clamp(0.5f + propeller_depth / diameter, 0.0f, 1.0f) * starboard;
+  const float immersed = clamp(0.5f + propeller_depth / diameter, 0.0f, 1.0f);
+  const float lift_by_speed =
+      0.5f * water->density_kgpm3 * shape->rudder_area_m2 * shape->rudder_lift * along * immersed;
+  // What a sideways push at the rudder moves there: 1 / kg.
+  const float3 lever = turned_back(motion->turn, cross(rudder, starboard));
+  const float yielding = 1.0f / shape->mass_kg + dot(lever, inverse_inertia_times(shape, lever));
+  const float lift = -lift_by_speed * (copysign(along, ahead + race) * sin(drive->rudder_rad) + dot(speed, starboard)) /
+                     (1.0f + water->step_s * lift_by_speed * yielding);
+  const float3 side = lift * starboard;
   *force += side;
   *moment += cross(rudder, side);
 }
@@ -151,8 +168,9 @@ static void advance(const BodyShape* shape, const BodyWater* water, const BodyDr
   const float3 momentum = symmetric_product(shape->inertia_xx, shape->inertia_yy, shape->inertia_zz, shape->inertia_xy,
                                             shape->inertia_xz, shape->inertia_yz, spin);
   const float3 rest = turned_back(motion->turn, moment) - cross(spin, momentum);
-  motion->spin += water->step_s * symmetric_product(shape->inverse_xx, shape->inverse_yy, shape->inverse_zz,
-                                                    shape->inverse_xy, shape->inverse_xz, shape->inverse_yz, rest);
+  motion->spin += water->step_s * inverse_inertia_times(shape, rest);
+  motion->velocity = no_longer_than(BODY_LARGEST_SPEED_MPS, motion->velocity);
+  motion->spin = no_longer_than(BODY_LARGEST_SPIN_RADPS, motion->spin);
   motion->place += water->step_s * motion->velocity;
   motion->turn = normalize(turn_product(motion->turn, turn_by(water->step_s * motion->spin)));
   if (drive->follows_path) follow_path(drive, origin, motion);

@@ -6,6 +6,10 @@
 // Places are whole tiles of SURFACE_QUERY_TILE_M (shared/surface_query.h) along x and z and a rest, as those of
 // queries.
 
+// Bounds of what forces make of a body's motion: ten times the fastest hulls, and half a radian a sub-step of 1/120 s.
+#define BODY_LARGEST_SPEED_MPS 1500.0f
+#define BODY_LARGEST_SPIN_RADPS 60.0f
+
 // A body at one time.
 typedef struct {
   int tile_x, tile_z;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -291,6 +292,60 @@ TEST_F(FloatingBodiesTest, StayOnTheWater) {
   for (const BodyPose& pose : floating.read_poses()) {
     EXPECT_LT(std::abs(pose.mass_centre_m.y), 2.0);
     EXPECT_LT(glm::length(pose.velocity_mps), 10.0);
+  }
+}
+
+// Fails if the lift of a rudder that is far too large for its step turns a ship's drift around, again and
+// again and faster: here it brakes 20 times the drift in one sub-step.
+TEST_F(FloatingBodiesTest, LargeRuddersBrakeTheirDrift) {
+  FloatingBody body = ship();
+  body.start = at_rest(body, density, 0.0, 0.0, 0.0);
+  body.start.velocity_mps = {30.0, 0.0, 1.0};
+  body.drive.rudder_area_m2 = 7000.0;
+  FloatingBodies floating(device_, {body});
+  for (int second = 1; second <= 10; ++second) {
+    floating.advance_to(second, test::still_water());
+    const BodyPose pose = floating.read_poses().front();
+    EXPECT_LT(glm::length(pose.velocity_mps), 30.1) << second;
+    EXPECT_LT(glm::length(pose.spin_radps), 1.0) << second;
+  }
+}
+
+// Fails if any values that bodies may have drive one to a place or a turn that is no number: seeds 1 to 40,
+// each quantity within its range.
+TEST_F(FloatingBodiesTest, AbsurdDrivesLeaveNumbers) {
+  std::vector<FloatingBody> bodies;
+  std::vector<BodyDrive> drives;
+  for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+    std::mt19937 random(seed);
+    const auto between = [&](double low, double high) {
+      return low * std::pow(high / low, std::uniform_real_distribution<>(0.0, 1.0)(random));
+    };
+    FloatingBody body = load_to_mass("absurd", test::ball(between(0.1, 50.0), 1), 0.0042, density);
+    body.mass_kg = between(1e-2, 1e8);
+    body.inertia_kgm2 = glm::dmat3(body.mass_kg * between(1e-4, 100.0));
+    body.drive.propeller_diameter_m = between(1e-3, 100.0);
+    body.drive.rudder_area_m2 = between(1.0, 1e4);
+    body.start.mass_centre_m = {200.0 * seed, 0.0, 0.0};
+    body.start.velocity_mps = {between(1.0, 100.0), 0.0, between(1.0, 100.0)};
+    bodies.push_back(std::move(body));
+    BodyDrive drive{};
+    drive.thrust_n = static_cast<float>((seed % 2 == 0 ? 1.0 : -1.0) * between(1.0, 1e9));
+    drive.rudder_rad = static_cast<float>(between(0.01, 1.04));
+    drives.push_back(drive);
+  }
+  FloatingBodies floating(device_, bodies);
+  floating.advance_to(5.0, test::wavy_water({.amplitude_m = 2.0, .wavelength_m = 40.0}),
+                      [&](std::size_t body, double) { return drives[body]; });
+  const std::vector<BodyPose> poses = floating.read_poses();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_LE(glm::length(poses[i].velocity_mps), 1.001 * BODY_LARGEST_SPEED_MPS) << i + 1;
+    EXPECT_LE(glm::length(poses[i].spin_radps), 1.001 * BODY_LARGEST_SPIN_RADPS) << i + 1;
+    EXPECT_NEAR(glm::length(poses[i].turn), 1.0, 1e-5) << i + 1;
+    // Five seconds of its greatest speed.
+    EXPECT_LE(glm::length(poses[i].mass_centre_m - bodies[i].start.mass_centre_m),
+              5.1 * BODY_LARGEST_SPEED_MPS)
+        << i + 1;
   }
 }
 
