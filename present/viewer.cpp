@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/freed_memory.h"
 #include "host/base/log.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/scene_ground.h"
@@ -57,6 +58,7 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
       last_turn_s_(glfwGetTime()),
       drawn_s_(options.time_s),
       is_on_path_(has_camera_path(options.scene)) {
+  keep_large_arrays_apart();  // scenes come and go, and a window stays open for hours
   options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
   scene_list_.follow(options_.scene_file);
   state_.kept_hz = start_kept_hz(options, context_.capabilities());

@@ -18,4 +18,11 @@ void give_back_freed_memory() {
 #endif
 }
 
+void keep_large_arrays_apart() {
+#ifdef __GLIBC__
+  constexpr int mebibyte = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, mebibyte);  // which also ends that the threshold grows by itself
+#endif
+}
+
 }  // namespace offing

@@ -42,5 +42,25 @@ TEST(FreedMemoryTest, GoesBackFromBetweenWhatIsKept) {
   EXPECT_GT(before, resident_bytes() + blocks * block_bytes / 4 * 3);
 }
 
+// Fails if arrays of 2 MiB stay with the process once they are freed, after a larger one was freed before
+// them and with small blocks between them: by itself glibc keeps them in its heap then.
+TEST(FreedMemoryTest, LargeArraysGoBackByThemselves) {
+#if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "memory is not allocated by glibc here";
+#endif
+  keep_large_arrays_apart();
+  constexpr std::size_t arrays = 32, array_bytes = 2 * mebibyte, kept_bytes = 64;
+  std::make_unique<std::byte[]>(16 * mebibyte).reset();
+  std::vector<std::unique_ptr<std::byte[]>> freed, kept;
+  for (std::size_t i = 0; i < arrays; ++i) {
+    freed.push_back(std::make_unique<std::byte[]>(array_bytes));
+    std::memset(freed.back().get(), 1, array_bytes);
+    kept.push_back(std::make_unique<std::byte[]>(kept_bytes));
+  }
+  const std::size_t before = resident_bytes();
+  freed.clear();
+  EXPECT_GT(before, resident_bytes() + arrays * array_bytes / 10 * 9);
+}
+
 }  // namespace
 }  // namespace offing
