@@ -35,11 +35,6 @@ void begin(RenderTarget& target, const Camera& camera) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void draw_ground(const TerrainPass& terrain, const Camera& camera) {
-  terrain.draw(camera, TerrainPass::Part::covered);
-  terrain.draw(camera, TerrainPass::Part::edges);
-}
-
 }  // namespace
 
 void WaterViews::draw(world::World& world, const FrameRequest& request, int longer_px,
@@ -59,11 +54,12 @@ void WaterViews::draw_mirrored(world::World& world, const FrameRequest& request,
   FrameRequest from_below = request;
   from_below.camera = mirrored(request.camera, 0.0);
   begin(mirrored_, from_below.camera);
+  // One ray a pixel: no pixel is covered in part.
   world.see_mirrored_ground(from_below.camera);
   if (world.ground() != nullptr && world.ground()->mirrored() != nullptr) {
     mirrored_terrain_.prepare(*world.ground()->mirrored(), transfer);
     mirrored_.bind();
-    draw_ground(mirrored_terrain_, from_below.camera);
+    mirrored_terrain_.draw(from_below.camera, TerrainPass::Part::covered);
   }
   // Meshes alone reach below the plane.
   glEnable(GL_CLIP_DISTANCE0);
@@ -85,7 +81,7 @@ void WaterViews::draw_beneath(world::World& world, const FrameRequest& request, 
   if (world.ground() != nullptr && world.ground()->beneath() != nullptr) {
     terrain_beneath_.prepare(*world.ground()->beneath(), transfer);
     beneath_.bind();
-    draw_ground(terrain_beneath_, request.camera);
+    terrain_beneath_.draw(request.camera, TerrainPass::Part::covered);
   }
   passes.meshes.draw_plainly(world, request, passes.environment, passes.shadows, beneath_);
 }
