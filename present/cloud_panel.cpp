@@ -149,7 +149,8 @@ void draw_costs(const ViewState& state, LiveSea& sea) {
     ImGui::TextDisabled("all clouds are made");
   }
   if (sea.clouds() == nullptr) return;
-  ImGui::Text("clouds: %zu; particles: %u", sea.clouds()->parameters().clouds.size(), sea.clouds()->count());
+  ImGui::Text("clouds: %zu; particles: %u", sea.clouds()->parameters().clouds.size(),
+              sea.clouds()->whole_count());
   ImGui::Text("clouds take %.2f ms of a frame", sea.frame().times().mean_ms(Stage::clouds, TimeSource::cpu));
   if (state.clouds.picked.empty()) return;
   const auto& particles = sea.clouds()->parameters().particles;

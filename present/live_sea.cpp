@@ -189,6 +189,7 @@ void LiveSea::simulate(const SeaView& view) {
   world_->set_light_lag(view.quality.light_lag);
   world_->set_sea_samples(
       std::max(fewest_samples, world_->parameters().ocean.size >> view.quality.sea_halvings));
+  world_->set_cloud_halvings(view.quality.cloud_halvings);
   run_stage(frame_->times(), Stage::simulate, device_, [&] { world_->at(view.time_s, view.camera.eye_m.y); });
 }
 

@@ -192,7 +192,8 @@ void draw_view(ViewState& state, const ViewFacts& facts) {
     ImGui::TextDisabled("now sides %.0f %%, rays %.0f %%, grid %.0f %%, mirror images %.0f %%,",
                         100.0 * now.side_share, 100.0 * now.ray_share, 100.0 * now.grid_share,
                         100.0 * now.views_share);
-    ImGui::TextDisabled("sea samples %.0f %%", 100.0 / (1 << now.sea_halvings));
+    ImGui::TextDisabled("sea samples %.0f %%, particles of clouds %.0f %%", 100.0 / (1 << now.sea_halvings),
+                        100.0 / (1 << now.cloud_halvings));
   }
   ImGui::SliderFloat("render scale", &state.render_scale, 0.1f, 1.0f, "%.2f", ImGuiSliderFlags_AlwaysClamp);
   ImGui::SliderFloat("most frames/s", &state.frame_limit_hz, 0.0f, 240.0f,

@@ -18,7 +18,7 @@ constexpr double memory_s = 60.0;
 /// not, simulation and meshes, is the other half.
 double typical_cost(const Quality& quality) {
   const double pixels = quality.side_share * quality.side_share;
-  return 0.3 + 0.3 * pixels + 0.2 * pixels * quality.ray_share +
+  return 0.25 + 0.05 / (1 << quality.cloud_halvings) + 0.3 * pixels + 0.2 * pixels * quality.ray_share +
          0.1 * quality.grid_share * quality.grid_share + 0.1 * quality.views_share * quality.views_share;
 }
 

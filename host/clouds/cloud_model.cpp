@@ -11,6 +11,7 @@
 #include "host/clouds/cloud_particle.h"
 #include "host/clouds/hierarchy.h"
 #include "host/clouds/metaball.h"
+#include "host/clouds/particle_thinning.h"
 #include "host/clouds/sampled_particles.h"
 
 namespace offing::clouds {
@@ -165,6 +166,11 @@ CloudModel::CloudModel(const ocl::Device& device, std::span<const CloudParticle>
   has_own_albedo_ = std::any_of(edited.begin(), edited.end(), [&](const CloudParticle& particle) {
     return glm::vec3(particle.red, particle.green, particle.blue) != albedo;
   });
+}
+
+CloudModel CloudModel::thinned(const ocl::Device& device, int halvings) const {
+  const std::vector<CloudParticle> whole = rest_.read();
+  return {device, thinned_particles(std::span(whole).first(count_), halvings), parameters_, cloud_};
 }
 
 void CloudModel::at(double time_s, const glm::dvec3& origin_m) {

@@ -34,6 +34,10 @@ class CloudModel {
   CloudModel(const ocl::Device& device, const CloudParameters& parameters,
              std::span<const CloudParticle> at_rest, std::uint32_t cloud = 0);
 
+  /// The same cloud of fewer particles: thinned_particles() of them at rest, after its edits. Waits for the
+  /// device.
+  CloudModel thinned(const ocl::Device& device, int halvings) const;
+
   /// Enqueues the particles at a time, relative to the cloud's position_m.
   void at(double time_s) { at(time_s, parameters_.position_m); }
   /// Relative to a place of the world: near the eye or the sky's clouds, so that floats keep their digits.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -14,6 +15,7 @@
 #include "host/clouds/particle_light.h"
 #include "host/clouds/particle_motion.h"
 #include "host/clouds/particle_order.h"
+#include "host/clouds/particle_thinning.h"
 
 namespace offing::world {
 namespace {
@@ -65,6 +67,22 @@ Particles given_particles(const CloudSkyParameters& parameters, std::size_t inde
   return index < parameters.particles.size() ? parameters.particles[index] : nullptr;
 }
 
+/// A cloud by how often its particles are halved; nullptr: not asked for yet.
+using ModelRungs = std::array<std::shared_ptr<const CloudModel>, 1 + clouds::most_particle_halvings>;
+
+void make_rung(const ocl::Device& device, ModelRungs& rungs, std::size_t halvings) {
+  if (!rungs[halvings])
+    rungs[halvings] =
+        std::make_shared<const CloudModel>(rungs[0]->thinned(device, static_cast<int>(halvings)));
+}
+
+/// Of all clouds.
+std::uint64_t count_of(const std::vector<ModelRungs>& models, std::size_t halvings) {
+  std::uint64_t count = 0;
+  for (const ModelRungs& rungs : models) count += rungs[halvings]->count();
+  return count;
+}
+
 /// All particles at a time.
 struct Placed {
   std::optional<double> time_s;  // nothing: they are nowhere yet
@@ -94,9 +112,10 @@ struct CloudsView::Sky {
                                            std::all_of(clouds.begin(), clouds.end(), stands_still));
     if (is_same) return false;
     std::uint32_t first = 0;
-    for (const auto& model : models) {
-      model->at(time_s, origin_m, placed.particles, first);
-      first += model->count();
+    for (const ModelRungs& rungs : models) {
+      const CloudModel& model = *rungs[halvings];
+      model.at(time_s, origin_m, placed.particles, first);
+      first += model.count();
     }
     placed.time_s = time_s;
     return true;
@@ -158,10 +177,11 @@ struct CloudsView::Sky {
   ocl::Device device;
   CloudSkyParameters parameters;
   glm::dvec3 origin_m{0.0};
-  std::vector<std::shared_ptr<const CloudModel>> models;  // one a cloud
-  std::vector<clouds::CloudLook> looks;                   // one a cloud
-  std::uint32_t count = 0;
-  Placed shown, lit;  // as of the last at(), and where light reaches them
+  std::vector<ModelRungs> models;        // one a cloud
+  std::vector<clouds::CloudLook> looks;  // one a cloud
+  std::size_t halvings = 0;              // of the particles
+  std::uint32_t count = 0;               // of these
+  Placed shown, lit;  // as of the last at(), and where light reaches them; with room for whole clouds
   LightLag lag;
   bool is_one = false;        // the clouds drift as one
   glm::dvec3 carried_m{0.0};  // from `lit` to `shown`
@@ -193,8 +213,7 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
   }
   // All that can fail comes first.
   const CloudSkyParameters& before = sky.parameters;
-  std::vector<std::shared_ptr<const CloudModel>> models;
-  std::uint64_t count = 0;
+  std::vector<ModelRungs> models;
   for (std::size_t i = 0; i < parameters.clouds.size(); ++i) {
     const CloudParameters& cloud = parameters.clouds[i];
     const Particles given = given_particles(parameters, i);
@@ -204,17 +223,18 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
     if (is_known) {
       models.push_back(sky.models[i]);
     } else if (given) {
-      models.push_back(std::make_shared<const CloudModel>(sky.device, cloud, *given, number));
+      models.push_back({std::make_shared<const CloudModel>(sky.device, cloud, *given, number)});
     } else {
-      models.push_back(std::make_shared<const CloudModel>(sky.device, cloud, number));
+      models.push_back({std::make_shared<const CloudModel>(sky.device, cloud, number)});
     }
-    count += models.back()->count();
+    make_rung(sky.device, models.back(), sky.halvings);
   }
   constexpr std::uint64_t most_particles = 0xffff'ffff;
-  if (count > most_particles) {
+  const std::uint64_t whole_count = count_of(models, 0);
+  if (whole_count > most_particles) {
     throw Error(ErrorKind::out_of_memory, "clouds: more particles than can be counted", "ask for fewer");
   }
-  const std::size_t room = std::max<std::size_t>(count, 1);
+  const std::size_t room = std::max<std::size_t>(whole_count, 1);
   ocl::Buffer<CloudParticle> shown(sky.device, room, "particles of the sky");
   ocl::Buffer<CloudParticle> lit(sky.device, room, "lit particles of the sky");
   std::array<ocl::Buffer<CloudSprite>, 2> sprites;
@@ -226,10 +246,27 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
   sky.shown = {.time_s = {}, .particles = std::move(shown)};
   sky.lit = {.time_s = {}, .particles = std::move(lit)};
   for (std::size_t i = 0; i < sprites.size(); ++i) sky.sights[i].sprites = std::move(sprites[i]);
-  sky.count = static_cast<std::uint32_t>(count);
+  sky.count = static_cast<std::uint32_t>(count_of(sky.models, sky.halvings));
   sky.parameters = parameters;
   sky.origin_m = origin_of(parameters);
   sky.is_one = drift_as_one(parameters.clouds);
+  sky.forget_light();
+  sky.forget_sights();
+}
+
+void CloudsView::set_particle_halvings(int halvings) {
+  Sky& sky = *sky_;
+  if (halvings < 0 || halvings > clouds::most_particle_halvings) {
+    throw Error(ErrorKind::bad_usage, fmt::format("clouds: expected 0 to {} halvings of particles, got {}",
+                                                  clouds::most_particle_halvings, halvings));
+  }
+  const auto wanted = static_cast<std::size_t>(halvings);
+  if (sky.halvings == wanted) return;
+  for (ModelRungs& rungs : sky.models) make_rung(sky.device, rungs, wanted);
+  sky.halvings = wanted;
+  sky.count = static_cast<std::uint32_t>(count_of(sky.models, wanted));
+  sky.shown.time_s.reset();
+  sky.lit.time_s.reset();
   sky.forget_light();
   sky.forget_sights();
 }
@@ -256,7 +293,7 @@ void CloudsView::light(std::span<const clouds::CloudIllumination> of_clouds) {
   Sky& sky = *sky_;
   if (std::ranges::equal(sky.lit_by, of_clouds) || sky.count == 0) return;
   const bool has_own_albedo = std::any_of(sky.models.begin(), sky.models.end(),
-                                          [](const auto& model) { return model->has_own_albedo(); });
+                                          [](const ModelRungs& rungs) { return rungs[0]->has_own_albedo(); });
   sky.particle_light.relight(sky.lit.particles, sky.count, of_clouds, sky.looks, sky.parameters.light_model,
                              has_own_albedo ? clouds::ParticleAlbedo::own : clouds::ParticleAlbedo::of_look);
   sky.forget_light();
@@ -326,6 +363,9 @@ const ocl::Buffer<CloudParticle>& CloudsView::particles() const {
 }
 std::uint32_t CloudsView::count() const {
   return sky_->count;
+}
+std::uint32_t CloudsView::whole_count() const {
+  return static_cast<std::uint32_t>(count_of(sky_->models, 0));
 }
 const ocl::Buffer<CloudSprite>& CloudsView::sprites() const {
   return sky_->sights[sky_->seen].sprites;

@@ -50,6 +50,11 @@ class CloudsView {
   /// the next at(), light() and see(). One that throws has changed nothing.
   void set(const CloudSkyParameters& parameters);
 
+  /// From now on each cloud has half of its particles, so many times over, 0 to
+  /// clouds::most_particle_halvings (clouds::thinned_particles()), which are made when first asked for. Takes
+  /// effect with the next at(), light() and see(). Throws what ocl::Buffer throws, Error(bad_usage) for
+  /// another number, and has changed nothing then.
+  void set_particle_halvings(int halvings);
   /// Takes effect with the next at() and see().
   void set_light_lag(const LightLag& lag);
   /// Enqueues the clouds as they are at a time, whatever was asked before.
@@ -84,6 +89,8 @@ class CloudsView {
   /// [count()]
   const ocl::Buffer<CloudParticle>& particles() const;
   std::uint32_t count() const;
+  /// count() without halvings.
+  std::uint32_t whole_count() const;
   /// [count()], one a particle, in the order of particles().
   const ocl::Buffer<CloudSprite>& sprites() const;
   /// [count()], indices of particles, the farthest from the eye first.

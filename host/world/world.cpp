@@ -81,8 +81,10 @@ void World::set_clouds(const std::optional<CloudSkyParameters>& clouds) {
   if (clouds && clouds_) {
     clouds_->set(*clouds);
   } else if (clouds) {
-    clouds_.emplace(device_, *clouds);
-    clouds_->set_light_lag(lag_);
+    CloudsView made(device_, *clouds);
+    made.set_light_lag(lag_);
+    made.set_particle_halvings(cloud_halvings_);
+    clouds_ = std::move(made);
   } else {
     clouds_.reset();
     cloud_sky_.reset();
@@ -199,6 +201,11 @@ void World::light_clouds(double time_s) {
 void World::set_light_lag(const LightLag& lag) {
   lag_ = lag;
   if (clouds_) clouds_->set_light_lag(lag);
+}
+
+void World::set_cloud_halvings(int halvings) {
+  if (clouds_) clouds_->set_particle_halvings(halvings);
+  cloud_halvings_ = halvings;
 }
 
 void World::see_clouds(const Camera& camera) {

@@ -85,6 +85,8 @@ class World {
   /// From now on the sea has at most so many samples a side, a power of two from 16 on: of waves too short
   /// for them the ripples have the slopes. Bodies float on the whole sea still. Throws what Ocean throws.
   void set_sea_samples(int most);
+  /// See CloudsView::set_particle_halvings(); of clouds that are yet to come too.
+  void set_cloud_halvings(int halvings);
   /// Takes effect with the next at().
   void set_light_lag(const LightLag& lag);
   /// Enqueues what a camera sees of the clouds of the last at(), if there are any: CloudsView::see().
@@ -199,6 +201,7 @@ class World {
   sky::ClearSky sky_;
   std::optional<GroundView> ground_;
   LightLag lag_;
+  int cloud_halvings_ = 0;
   std::optional<CloudsView> clouds_;
   std::optional<sky::ClearSky> cloud_sky_;                     // as clouds see it, not the eye
   std::vector<clouds::CloudIllumination> cloud_illumination_;  // one a cloud; none: it is out of date

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "host/clouds/particle_thinning.h"
+
 namespace offing::present {
 namespace {
 
@@ -82,12 +84,14 @@ TEST(QualityLadderTest, RungsAreCoarserFromOneToTheNext) {
     EXPECT_LE(coarser.mirrors_clouds, finer.mirrors_clouds);
     EXPECT_GE(coarser.sky_face_frames, finer.sky_face_frames);
     EXPECT_GE(coarser.sea_halvings, finer.sea_halvings);
+    EXPECT_GE(coarser.cloud_halvings, finer.cloud_halvings);
     EXPECT_GE(coarser.light_lag.altitude_share, finer.light_lag.altitude_share);
     EXPECT_GE(coarser.light_lag.cloud_rad, finer.light_lag.cloud_rad);
     EXPECT_GE(coarser.light_lag.cloud_steps, finer.light_lag.cloud_steps);
     EXPECT_GE(coarser.light_lag.cloud_parts, finer.light_lag.cloud_parts);
     EXPECT_FALSE(coarser == finer);
   }
+  EXPECT_EQ(quality_rungs.back().cloud_halvings, clouds::most_particle_halvings) << "clouds refuse more";
 }
 
 // Fails if a share of a small number is nothing.
