@@ -30,13 +30,13 @@ std::string format_of(const Parameter& row) {
 bool number_slider(const char* label, const Parameter& row, double& value) {
   constexpr double long_range = 1e5, decades = 1e3;
   constexpr float drag_speed = 0.5f;  // units a pixel
+  const auto [low, high] = row.slider.value_or(scene::SliderRange{row.low, row.high});
   const std::string format = format_of(row);
-  const bool is_logarithmic = row.low > 0.0 && row.high / row.low >= decades;
-  if (!is_logarithmic && row.high - row.low > long_range) {
-    return ImGui::DragScalar(label, ImGuiDataType_Double, &value, drag_speed, &row.low, &row.high,
-                             format.c_str());
+  const bool is_logarithmic = low > 0.0 && high / low >= decades;
+  if (!is_logarithmic && high - low > long_range) {
+    return ImGui::DragScalar(label, ImGuiDataType_Double, &value, drag_speed, &low, &high, format.c_str());
   }
-  return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &row.low, &row.high, format.c_str(),
+  return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &low, &high, format.c_str(),
                              is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
 }
 
@@ -234,6 +234,7 @@ Edit parameter_widget(OceanScene& scene, const Parameter& row, EditInProgress& e
     if (!row.absent.empty()) text += fmt::format("\nwithout: {}", row.absent);
     if (scene.tracks.contains({row.key, element})) text += "\nmoves by keyframes, which an edit ends";
     if (is_text(row)) text += "\nEnter takes what is typed";
+    if (row.slider) text += "\nbeyond its slider Ctrl and a click type " + scene::expected_text(row);
     ImGui::SetTooltip("%s", text.c_str());
   }
   return state;

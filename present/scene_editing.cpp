@@ -95,6 +95,8 @@ void SceneEditing::take_clouds() {
     // What failed is taken back. What is the last edit then may still have to be made, as it was given up for
     // the one that failed.
     if (is_last_noted_) history_.take_back();
+    // As where the world refuses a value at once: a slider that is held is not to clear the message.
+    if (!is_last_noted_) state_.edit.fault = fault.text;
     is_last_noted_ = true;
     take_scene(history_.now());
     edit_sea(Edit::refused);

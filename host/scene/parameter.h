@@ -123,6 +123,11 @@ enum class ParameterUse {
   obstructed_cloud,    ///< of one that flows around something
 };
 
+/// Where a slider ends.
+struct SliderRange {
+  double low, high;
+};
+
 /// One row of the parameter table: everything there is to say about one value of a scene.
 struct Parameter {
   std::string_view key;        ///< in a scene file: "ocean.fetch_m"
@@ -145,6 +150,8 @@ struct Parameter {
   std::string_view instead_of = {};
   ParameterUse use = ParameterUse::always;
   ParameterMotion motion = ParameterMotion::constant;
+  /// Of those to which one pull is to lead, in `unit`, where others make much work: these are typed.
+  std::optional<SliderRange> slider = {};
 };
 
 /// The parts of a row's key "ocean.foam.width": "ocean.foam" and "width".

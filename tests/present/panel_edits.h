@@ -11,16 +11,23 @@
 
 namespace offing::test {
 
-/// Edits of every row of a panel with a mouse and a keyboard. Of repeated sections the last element is
-/// edited, the second of two, but for wakes, whose windows have to be of one size.
+/// Rows of a panel from one to another in the order of the parameter table; without keys all of them.
+struct PanelRows {
+  present::GroupPanel panel;
+  std::string_view first = {}, last = {};
+};
+
+/// Edits of rows of a panel with a mouse and a keyboard. Of repeated sections the last element is edited, the
+/// second of two, but for wakes, whose windows have to be of one size, and clouds, whose rows fill the
+/// window.
 class PanelEdits : public WindowTest {
  protected:
   /// Fails if a row has no widget, the mouse does not reach it, it does not change its value, its edits
-  /// cannot be undone and redone, or the scene cannot be saved and opened again; if an edit shows another
-  /// sea, cloud, hull, sun or eye than a window that is opened with the edited scene, by one byte.
-  void expect_what_a_fresh_start_shows(const present::GroupPanel& panel);
-  /// The same but for the last: of what goes by degrees from what it was before an edit.
-  void expect_edits(const present::GroupPanel& panel);
+  /// cannot be undone and redone, or the scene cannot be saved and opened again; if the edits show another
+  /// sea, cloud, hull, body, mesh, sun or eye than a window that is opened with the edited scene, at once or
+  /// after a few frames, by one byte. What goes by degrees, such as highlights, has arrived by then: the
+  /// mouse takes many frames.
+  void expect_what_a_fresh_start_shows(const PanelRows& rows);
 
  private:
   void edit_rows();
@@ -41,7 +48,6 @@ class PanelEdits : public WindowTest {
   void change(const scene::Parameter& row, scene::ValueAt<std::optional<glm::dvec3>> at);
   void change(const scene::Parameter& row, scene::ValueAt<std::vector<double>> at);
   void change(const scene::Parameter& row, const scene::ChoiceStorage& choice);
-  void shorten(const scene::Parameter& row);
 
   std::string text_for(const scene::Parameter& row) const;
   std::string particle_file() const;
@@ -51,15 +57,15 @@ class PanelEdits : public WindowTest {
 
   void expect_undone_and_redone(const std::string& start);
   void expect_saved_and_loaded();
+  void step_frames();
 
-  present::GroupPanel panel_{};
+  PanelRows rows_{};
 };
 
-/// What a window is opened with to edit a panel's rows: two of each element, small enough to be made in a
-/// moment.
-present::ViewOptions panel_options(scene::ParameterGroup group, present::ViewOptions usual);
+/// What a window is opened with to edit rows: small enough to be made in a moment.
+present::ViewOptions panel_options(const PanelRows& rows, present::ViewOptions usual);
 
-/// Wakes, meshes and what belongs to them, lamps.
+/// Wakes, meshes and what belongs to them, lamps, floating bodies.
 bool is_of_world(scene::ParameterGroup group);
 bool is_of_clouds(scene::ParameterGroup group);
 

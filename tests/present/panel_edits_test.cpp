@@ -17,18 +17,17 @@ class PanelEditsTest : public PanelEdits, public testing::WithParamInterface<pre
 
 // Fails as PanelEdits::expect_what_a_fresh_start_shows() says.
 TEST_P(PanelEditsTest, ShowWhatAFreshStartShows) {
-  expect_what_a_fresh_start_shows(GetParam());
+  expect_what_a_fresh_start_shows({GetParam()});
 }
 
 /// All but that of height maps, whose values are as a file has them: window_ground_test.cpp; those of what a
-/// world has beside its sea: world_panels_test.cpp, cloud_panels_test.cpp; those of bodies, which begin anew
-/// with each edit; and those of bookmarks: window_bookmarks_test.cpp.
+/// world has beside its sea: world_panels_test.cpp, cloud_panels_test.cpp; and those of bookmarks:
+/// window_bookmarks_test.cpp.
 std::vector<present::GroupPanel> panels_of_free_values() {
   std::vector<present::GroupPanel> panels(present::group_panels().begin(), present::group_panels().end());
   std::erase_if(panels, [](const auto& panel) {
     return panel.group == scene::ParameterGroup::height_map || is_of_world(panel.group) ||
-           panel.group == scene::ParameterGroup::body || panel.group == scene::ParameterGroup::bookmark ||
-           is_of_clouds(panel.group);
+           panel.group == scene::ParameterGroup::bookmark || is_of_clouds(panel.group);
   });
   return panels;
 }
@@ -75,7 +74,7 @@ TEST_F(RefusedEditsTest, NumbersOutOfRange) {
 
 // Fails if a number that the world refuses while its slider is held is no more told of once it is let go.
 TEST_F(RefusedEditsTest, NumbersThatTheRestOfTheSceneForbids) {
-  open(panel_options(scene::ParameterGroup::wake, quick_options()));
+  open(panel_options({{scene::ParameterGroup::wake, "Wakes"}}, quick_options()));
   const std::string before = edited_text();
   toggle_header("Wakes");
   const Parameter& rain = *scene::find_parameter("ocean.wake.rain_per_m2s");
@@ -117,6 +116,18 @@ TEST_F(RefusedEditsTest, LeaveTheCameraToTheUser) {
   turn(2);
   ASSERT_TRUE(state().message.is_fault);
   EXPECT_TRUE(state().scene.tracks.empty());
+}
+
+// Fails if a number beyond the ends of its slider, but within its range, cannot be typed.
+TEST_F(PanelFieldsTest, NumbersBeyondTheSlider) {
+  open(panel_options({{scene::ParameterGroup::wake, "Wakes"}}, quick_options()));
+  toggle_header("Wakes");
+  const Parameter& step = *scene::find_parameter("ocean.wake.step_s");
+  ASSERT_TRUE(step.slider);
+  ASSERT_GT(step.slider->low, 0.005);
+  enter_into_slider(find(main_panel(), parameter_label(step), 70, 0), "0.005");
+  EXPECT_EQ(state().scene.wakes.front().parameters.step_s, 0.005);
+  EXPECT_FALSE(state().message.is_fault) << message();
 }
 
 // Fails if Enter in a field that nobody changed takes what it shows for the value: twelve digits.

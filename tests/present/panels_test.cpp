@@ -104,11 +104,13 @@ TEST_F(PanelsTest, DrawWithoutChangingAnything) {
 }
 
 // Fails if a slider's ends are not those of the row, or the end of an edit is missed: a drag to the right end
-// of each slider of the wind and the sun.
+// of each slider of the wind and the sun; or if a pull asks for an hour of simulation.
 TEST_F(PanelsTest, SlidersReachTheirRange) {
-  for (const char* key :
-       {"wind.speed_mps", "ocean.gamma", "sun.elevation_deg", "ocean.foam.width", "camera.fov_deg"}) {
+  scene_.wakes.resize(1);
+  for (const char* key : {"wind.speed_mps", "ocean.gamma", "sun.elevation_deg", "ocean.foam.width",
+                          "camera.fov_deg", "ocean.wake.history_s"}) {
     const scene::Parameter& row = *scene::find_parameter(key);
+    const double end = row.slider ? row.slider->high : row.high;
     WidgetClicks clicks(scene_);
     const auto step = [&](float share, bool is_down) {
       frame([&] { clicks.draw(row); });
@@ -127,8 +129,9 @@ TEST_F(PanelsTest, SlidersReachTheirRange) {
     step(2.0f, false);
     EXPECT_EQ(clicks.last_edit(), Edit::done) << key;
     EXPECT_EQ(clicks.fault(), "");
-    EXPECT_NEAR(std::stod(scene::value_text(scene_, row)), row.high, 1e-3 * row.high) << key;
+    EXPECT_NEAR(std::stod(scene::value_text(scene_, row)), end, 1e-3 * end) << key;
   }
+  EXPECT_EQ(scene_.wakes.front().history_s, 60.0);
 }
 
 // Fails if a value that has no default cannot be set and taken away again.

@@ -214,7 +214,7 @@ TEST_F(SceneEditingTest, RefusesValuesThatNoCloudHas) {
 }
 
 // A bad edit comes while a good one is being made, which it takes the place of. Fails if the good one is lost
-// with the bad one.
+// with the bad one, or if letting go of a slider that was held there counts as an edit that is done.
 TEST_F(SceneEditingTest, GoodEditsOutliveBadOnes) {
   edit([](scene::OceanScene& scene) { scene.clouds[0].seed = 4; });
   edit([](scene::OceanScene& scene) { scene.clouds[0].shape.file = "nowhere.vdb"; });
@@ -231,6 +231,7 @@ TEST_F(SceneEditingTest, GoodEditsOutliveBadOnes) {
   edit([](scene::OceanScene& scene) { scene.clouds[0].shape.file = "nowhere.vdb"; }, Edit::going_on);
   wait();
   EXPECT_TRUE(state_.scene.clouds[0].shape.file.empty());
+  EXPECT_THAT(state_.edit.fault, HasSubstr("nowhere.vdb"));
   editing_->redo();
   EXPECT_EQ(state_.scene.clouds[0].seed, 4u);
 }
