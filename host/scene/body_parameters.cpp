@@ -138,7 +138,8 @@ std::vector<Parameter> motion_rows() {
         .help = "area of its rudder",
         .example = "1",
         .absent = "a fiftieth of length times draught",
-        .use = ParameterUse::driven_body}});
+        .use = ParameterUse::driven_body,
+        .slider = {{0.0, 50.0}}}});
 }
 
 }  // namespace
