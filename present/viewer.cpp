@@ -58,7 +58,6 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
       last_turn_s_(glfwGetTime()),
       drawn_s_(options.time_s),
       is_on_path_(has_camera_path(options.scene)) {
-  keep_large_arrays_apart();  // scenes come and go, and a window stays open for hours
   options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
   scene_list_.follow(options_.scene_file);
   state_.kept_hz = start_kept_hz(options, context_.capabilities());
@@ -377,6 +376,7 @@ void Viewer::record_frame() {
 }
 
 void show_window(const ViewOptions& options, const CancelToken& cancel) {
+  keep_large_arrays_apart();  // scenes come and go, and a window stays open for hours
   Viewer viewer(options, cancel);
   while (!cancel.cancelled() && viewer.turn()) {
   }

@@ -170,7 +170,11 @@ CloudModel::CloudModel(const ocl::Device& device, std::span<const CloudParticle>
 
 CloudModel CloudModel::thinned(const ocl::Device& device, int halvings) const {
   const std::vector<CloudParticle> whole = rest_.read();
-  return {device, thinned_particles(std::span(whole).first(count_), halvings), parameters_, cloud_};
+  CloudModel model(device, thinned_particles(std::span(whole).first(count_), halvings), parameters_, cloud_);
+  // The wind drags ahead what is thin beside this. Joined ones have 2^h times the mass, and radii 2^(h/3)
+  // times.
+  model.densest_ = densest_ * static_cast<float>(std::exp2(halvings / 3.0));
+  return model;
 }
 
 void CloudModel::at(double time_s, const glm::dvec3& origin_m) {

@@ -35,7 +35,7 @@ class CloudModel {
              std::span<const CloudParticle> at_rest, std::uint32_t cloud = 0);
 
   /// The same cloud of fewer particles: thinned_particles() of them at rest, after its edits. Waits for the
-  /// device.
+  /// device. Throws as that does.
   CloudModel thinned(const ocl::Device& device, int halvings) const;
 
   /// Enqueues the particles at a time, relative to the cloud's position_m.

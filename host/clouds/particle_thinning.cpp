@@ -101,11 +101,14 @@ std::pair<std::size_t, CloudParticle> joined(std::span<const CloudParticle> part
 
 }  // namespace
 
+void require_halvings(int halvings) {
+  if (halvings >= 0 && halvings <= most_particle_halvings) return;
+  throw Error(ErrorKind::bad_usage, fmt::format("particles of clouds: expected 0 to {} halvings, got {}",
+                                                most_particle_halvings, halvings));
+}
+
 std::vector<CloudParticle> thinned_particles(std::span<const CloudParticle> particles, int halvings) {
-  if (halvings < 0 || halvings > most_particle_halvings) {
-    throw Error(ErrorKind::bad_usage, fmt::format("particles of clouds: expected 0 to {} halvings, got {}",
-                                                  most_particle_halvings, halvings));
-  }
+  require_halvings(halvings);
   if (halvings == 0) return {particles.begin(), particles.end()};
   Numbers by_size(particles.size());
   std::iota(by_size.begin(), by_size.end(), std::size_t{0});
@@ -121,7 +124,6 @@ std::vector<CloudParticle> thinned_particles(std::span<const CloudParticle> part
     octaves[std::ilogb(particles[*number].radius / particles[*small].radius)].push_back(*number);
   const std::size_t most = std::size_t{1} << halvings;
   for (auto& [octave, numbers] : octaves) {
-    std::sort(numbers.begin(), numbers.end());
     put_neighbours_together(particles, numbers);
     for (std::span<std::size_t> rest(numbers); !rest.empty();
          rest = rest.subspan(std::min(most, rest.size())))

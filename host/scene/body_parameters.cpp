@@ -139,7 +139,7 @@ std::vector<Parameter> motion_rows() {
         .example = "1",
         .absent = "a fiftieth of length times draught",
         .use = ParameterUse::driven_body,
-        .slider = {{0.0, 50.0}}}});
+        .slider = {{0.0, 200.0}}}});
 }
 
 }  // namespace

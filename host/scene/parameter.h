@@ -150,7 +150,8 @@ struct Parameter {
   std::string_view instead_of = {};
   ParameterUse use = ParameterUse::always;
   ParameterMotion motion = ParameterMotion::constant;
-  /// Of those to which one pull is to lead, in `unit`, where others make much work: these are typed.
+  /// Ends of its slider, in `unit`, where the range goes on to values that make much work or have hardly a
+  /// use: those are typed.
   std::optional<SliderRange> slider = {};
 };
 

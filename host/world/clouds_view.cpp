@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -255,11 +254,8 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
 }
 
 void CloudsView::set_particle_halvings(int halvings) {
+  clouds::require_halvings(halvings);
   Sky& sky = *sky_;
-  if (halvings < 0 || halvings > clouds::most_particle_halvings) {
-    throw Error(ErrorKind::bad_usage, fmt::format("clouds: expected 0 to {} halvings of particles, got {}",
-                                                  clouds::most_particle_halvings, halvings));
-  }
   const auto wanted = static_cast<std::size_t>(halvings);
   if (sky.halvings == wanted) return;
   for (ModelRungs& rungs : sky.models) make_rung(sky.device, rungs, wanted);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/clouds/particle_thinning.h"
 #include "host/world/cloud_light.h"
 
 namespace offing::world {
@@ -204,6 +205,7 @@ void World::set_light_lag(const LightLag& lag) {
 }
 
 void World::set_cloud_halvings(int halvings) {
+  clouds::require_halvings(halvings);
   if (clouds_) clouds_->set_particle_halvings(halvings);
   cloud_halvings_ = halvings;
 }
@@ -236,7 +238,8 @@ void World::see_ground_beneath(const Camera& camera) {
   ground_->beneath_at(camera, sky_, {ground_light_, shade ? &*shade : nullptr},
                       {.below_m = -reach().vertical_m - seen_m,
                        .bend_perm = 0.5 / sea_radius_m,
-                       .above_m = reach().vertical_m});
+                       // Far above what a wave's foot shows of a beach: pixels there are coarse.
+                       .above_m = reach().vertical_m + seen_m});
 }
 
 std::optional<terrain::CloudShade> World::shade_of_clouds(const Camera& camera) const {

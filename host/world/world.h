@@ -85,7 +85,8 @@ class World {
   /// From now on the sea has at most so many samples a side, a power of two from 16 on: of waves too short
   /// for them the ripples have the slopes. Bodies float on the whole sea still. Throws what Ocean throws.
   void set_sea_samples(int most);
-  /// See CloudsView::set_particle_halvings(); of clouds that are yet to come too.
+  /// See CloudsView::set_particle_halvings(); of clouds that are yet to come too. Throws
+  /// Error(bad_usage) for halvings out of range.
   void set_cloud_halvings(int halvings);
   /// Takes effect with the next at().
   void set_light_lag(const LightLag& lag);

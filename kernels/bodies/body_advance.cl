@@ -9,8 +9,8 @@
 //  - the pressure of the water above it, density * gravity * depth, integrated in closed form;
 //  - friction along it (ITTC 1957), drag of its speed across it, which is less where it moves away from the water;
 //  - damping by the waves that what faces downward makes, in proportion to its vertical speed.
-// Semi-implicit Euler: velocities first, then places by the new ones. Drag and the rudder's lift are weakened as an
-// implicit step would, so that they never turn a motion around. Speed and spin have bounds far above those of any hull
+// Semi-implicit Euler: velocities first, then places by the new ones. Drag and the rudder's lift are each weakened as an
+// implicit step would, so that neither turns a motion around. Speed and spin have bounds far above those of any hull
 // (shared/bodies.h): what no step of this length can follow, such as a thrust of 1e9 N on a toy, stays a motion.
 #include "bodies/turn.clh"
 #include "bodies/wetted_part.clh"

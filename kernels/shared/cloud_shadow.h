@@ -5,6 +5,12 @@
 // Texels a side of the map [CLOUD_SHADOW_SIZE][CLOUD_SHADOW_SIZE].
 #define CLOUD_SHADOW_SIZE 512
 
+// What a texel holds above a place is the logistic function of deviations times this, within 0.01 of the normal
+// distribution, of no deviation smaller than the least.
+#define CLOUD_SHADOW_SLOPE 1.702f
+#define CLOUD_SHADOW_LEAST_DEVIATION 1e-4f
+#define CLOUD_SHADOW_MOST_DEVIATIONS 35.0f
+
 // A square across the sun's light around a middle, in the axes of the particles. half_width 0: there is no shadow.
 typedef struct {
   float middle_x, middle_y, middle_z;  // m

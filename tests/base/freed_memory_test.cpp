@@ -1,5 +1,6 @@
 #include "host/base/freed_memory.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <fstream>
@@ -50,7 +51,11 @@ TEST(FreedMemoryTest, LargeArraysGoBackByThemselves) {
 #endif
   keep_large_arrays_apart();
   constexpr std::size_t arrays = 32, array_bytes = 2 * mebibyte, kept_bytes = 64;
-  std::make_unique<std::byte[]>(16 * mebibyte).reset();
+  auto larger = std::make_unique<std::byte[]>(16 * mebibyte);
+  std::memset(larger.get(), 1, 16 * mebibyte);
+  EXPECT_EQ(std::count(larger.get(), larger.get() + mebibyte, std::byte{1}),
+            static_cast<std::ptrdiff_t>(mebibyte));  // or compilers leave it out
+  larger.reset();
   std::vector<std::unique_ptr<std::byte[]>> freed, kept;
   for (std::size_t i = 0; i < arrays; ++i) {
     freed.push_back(std::make_unique<std::byte[]>(array_bytes));

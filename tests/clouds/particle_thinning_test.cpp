@@ -100,6 +100,27 @@ TEST_P(ParticleThinningTest, KeepsMassAndPlace) {
   }
 }
 
+// Fails if clouds jump as they are thinned where the wind drags their thin parts ahead: their middle, by more
+// than a tenth of the way that it drags the thinnest. Joined ones count as thick as what they are of where
+// radii are 2^(h/3) times as large; those that are kept whole count as thinner, and are a sixteenth.
+TEST_P(ParticleThinningTest, StaysWhereTheWindDragsIt) {
+  const CloudModel model(device_, parameters_, 0);
+  const auto moved = [&](const CloudModel& of) {
+    const ocl::Buffer<CloudParticle> target(device_, std::max<std::size_t>(of.count(), 1), "moved");
+    of.at(0.0, glm::dvec3(0.0), target, 0);
+    return Sums(target.read());
+  };
+  const Sums due = moved(model);
+  const double dragged_m = parameters_.motion.drag * glm::length(parameters_.motion.wind_mps);
+  for (int halvings = 1; halvings <= most_particle_halvings; ++halvings) {
+    const Sums found = moved(model.thinned(device_, halvings));
+    RecordProperty(fmt::format("moved_m_{}", halvings),
+                   std::to_string(glm::distance(found.middle_m, due.middle_m)));
+    // Noise sways neighbours alike, but for what lies between them.
+    EXPECT_LT(glm::distance(found.middle_m, due.middle_m), 0.1 * dragged_m + 0.01 * due.spread_m) << halvings;
+  }
+}
+
 // Fails if a quarter has particles that a half has not, if any is there twice or out of its order, or if a
 // size that a level of a hierarchy has is given up wholly or kept wholly.
 TEST_P(ParticleThinningTest, IsNestedAndOfAllSizes) {

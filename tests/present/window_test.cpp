@@ -12,6 +12,7 @@
 // What ImGui keeps of windows and items, to find them as a user does with his eyes.
 #include <imgui_internal.h>
 
+#include "host/base/freed_memory.h"
 #include "host/scene/scene_writer.h"
 
 namespace offing::test {
@@ -55,6 +56,7 @@ present::ViewOptions WindowTest::quick_options() {
 
 void WindowTest::open(const present::ViewOptions& options) {
   viewer_.reset();
+  keep_large_arrays_apart();  // as show_window() does
   viewer_ = std::make_unique<present::Viewer>(options, cancel_);
   glfwSetWindowSize(viewer_->window(), window_width, window_height);
   constexpr double longest_s = 10.0;

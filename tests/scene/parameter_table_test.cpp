@@ -178,6 +178,19 @@ TEST_P(EachParameter, RefusesOtherTypes) {
   }
 }
 
+// Fails if a slider goes beyond what its row takes, or belongs to a widget that has none.
+TEST(ParameterTable, SlidersAreWithinTheirRanges) {
+  for (const Parameter& row : parameter_table()) {
+    if (!row.slider) continue;
+    EXPECT_TRUE(std::holds_alternative<ValueAt<double>>(row.storage) ||
+                std::holds_alternative<ValueAt<std::optional<double>>>(row.storage))
+        << row.key;
+    EXPECT_LE(row.low, row.slider->low) << row.key;
+    EXPECT_LT(row.slider->low, row.slider->high) << row.key;
+    EXPECT_LE(row.slider->high, row.high) << row.key;
+  }
+}
+
 // Fails if two rows share a key or a flag: one of them would be out of reach.
 TEST(ParameterTable, KeysAndFlagsAreUnique) {
   std::set<std::string_view> keys;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -25,8 +26,12 @@ bool is_srtm_name(const std::filesystem::path& path) {
 class Raster {
  public:
   explicit Raster(const std::filesystem::path& path) : path_(path) {
-    dataset_.reset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                              nullptr, nullptr, nullptr));
+    open(nullptr);
+    if (dataset_ && is_integer_ascii_grid()) {
+      // Read as integers, "nan" and "inf" would be 0.
+      constexpr std::array<const char*, 2> as_numbers{"DATATYPE=Float64", nullptr};
+      open(as_numbers.data());
+    }
     if (!dataset_) {
       throw Error(
           ErrorKind::bad_input,
@@ -63,6 +68,17 @@ class Raster {
   }
 
  private:
+  void open(const char* const* options) {
+    dataset_.reset();
+    dataset_.reset(GDALOpenEx(path_.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                              nullptr, options, nullptr));
+  }
+  /// Whether it is one in whose first part GDAL has found no decimal point.
+  bool is_integer_ascii_grid() const {
+    const std::string_view driver = GDALGetDriverShortName(GDALGetDatasetDriver(handle()));
+    return driver == "AAIGrid" && bands() == 1 && GDALGetRasterDataType(band(1)) == GDT_Int32;
+  }
+
   std::filesystem::path path_;
   GdalSession session_;
   Dataset dataset_;

@@ -124,6 +124,15 @@ TEST_F(BadHeightMap, DegreesThatOneSpacingDoesNotSuit) {
   expect_error(path("wide.tif"), ErrorKind::bad_input, "spacing along x changes by");
 }
 
+// Fails if what is no number among whole ones is read as 0.
+TEST_F(BadHeightMap, NotANumberAmongIntegers) {
+  for (const char* bad : {"nan", "inf"}) {
+    std::ofstream(path("grid.asc"))
+        << "ncols 2\nnrows 2\nxllcenter 7000\nyllcenter 45000\ncellsize 10\n1 2\n" << bad << " 4\n";
+    expect_error(path("grid.asc"), ErrorKind::bad_input, "finite");
+  }
+}
+
 TEST_F(BadHeightMap, MetresOrDegrees) {
   std::ofstream(path("grid.asc"))
       << "ncols 2\nnrows 2\nxllcenter 7\nyllcenter 45\ncellsize 0.001\n1 2\n3 4\n";
