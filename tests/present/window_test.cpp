@@ -95,6 +95,11 @@ void WindowTest::click(Spot spot) {
 void WindowTest::drag(Spot from, Spot to) {
   hands_->move_to(from.x, from.y);
   turn();
+  // Where frames are quick, a press where the last click chose from a list is a double click, which types.
+  const ImGuiIO& io = ImGui::GetIO();
+  const double end_s = glfwGetTime() + double{io.MouseDoubleClickTime};
+  while (glfwGetTime() < end_s && ImGui::GetTime() - io.MouseClickedTime[0] < double{io.MouseDoubleClickTime})
+    turn();
   hands_->button(Hands::Button::left, Hands::Motion::down);
   turn();
   hands_->move_to(to.x, to.y);
