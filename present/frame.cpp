@@ -78,12 +78,12 @@ void Frame::draw_cloudy_sky(world::World& world, const FrameRequest& request) {
     return;
   }
   const bool keeps = request.sky == SkyRefresh::slice && cloudy_sky_.has_map();
-  if (keeps && ++frames_of_face_ < request.quality.sky_face_frames) return;
-  frames_of_face_ = 0;
+  if (keeps && ++frames_of_slice_ < slice_frames) return;
+  frames_of_slice_ = 0;
   // Level water mirrors what the eye's mirror image sees.
   Camera from_below = request.camera;
   from_below.eye_m.y = -std::abs(from_below.eye_m.y);
-  run_stage(times_, Stage::clouds, world.device(), [&] { world.see_clouds(from_below); });
+  run_stage(times_, Stage::clouds, world.device(), [&] { world.see_mirrored_clouds(from_below); });
   const StageTimes::Scope stage(times_, Stage::clouds);
   cloudy_sky_.draw(
       world.device(),

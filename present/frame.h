@@ -34,6 +34,10 @@ class Frame {
  public:
   Frame(const GlContext& context, const ocl::Device& device, const FrameSettings& settings);
 
+  /// From one slice of the cloudy sky's map to the next (SkyRefresh::slice): a pixel of the map is two
+  /// degrees, which clouds take seconds for.
+  static constexpr int slice_frames = 4;
+
   /// Draws the world as it stands (World::at()), with the camera's width and height.
   void draw(world::World& world, const FrameRequest& request);
 
@@ -69,7 +73,7 @@ class Frame {
   MeshPass meshes_;
   CloudPass clouds_;
   CloudySky cloudy_sky_;
-  int frames_of_face_ = 0;  // drawn since a face of it was
+  int frames_of_slice_ = 0;  // drawn since a slice of it was
   CloudShadows shadows_;
   UnderwaterPass underwater_;
   TonePass tone_;

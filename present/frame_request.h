@@ -55,7 +55,7 @@ std::string_view to_string(MeshShow show);
 /// How much of the round map of a cloudy sky a picture draws anew.
 enum class SkyRefresh {
   whole,  ///< a picture is the same whatever was drawn before it
-  slice,  ///< a fifth: the map lags a few pictures behind
+  slice,  ///< now and then a fifth: the map lags some pictures behind
 };
 
 /// What to draw: the world as this camera sees it.

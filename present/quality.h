@@ -15,7 +15,6 @@ struct Quality {
   double grid_share = 1.0;     ///< of the cells of the water's grid along a side
   double views_share = 1.0;    ///< of the pixels along a side of what water mirrors and shows beneath it
   bool mirrors_clouds = true;  ///< in what water mirrors at its size; else by the cloudy sky's map
-  int sky_face_frames = 1;     ///< from one slice of the cloudy sky's map to the next
   int sea_halvings = 0;        ///< of the samples along a patch of the sea
   int cloud_halvings = 0;      ///< of the particles of each cloud
   world::LightLag light_lag{};
@@ -38,7 +37,6 @@ constexpr Quality coarser(double side_share, double grid_share, double views_sha
           .grid_share = grid_share,
           .views_share = views_share,
           .mirrors_clouds = side_share > 0.5,
-          .sky_face_frames = 4,
           .sea_halvings = sea_halvings,
           .cloud_halvings = side_share > 0.7 ? 0 : (side_share > 0.5 ? 1 : 2),
           .light_lag = {.altitude_share = 0.05, .cloud_steps = 4, .cloud_rad = 0.01, .cloud_parts = 8}};

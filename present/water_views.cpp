@@ -66,7 +66,7 @@ void WaterViews::draw_mirrored(world::World& world, const FrameRequest& request,
   passes.meshes.draw_plainly(world, from_below, passes.environment, passes.shadows, mirrored_);
   glDisable(GL_CLIP_DISTANCE0);
   if (mirrors_clouds_) {
-    world.see_clouds(from_below.camera);
+    world.see_mirrored_clouds(from_below.camera);
     mirrored_clouds_.prepare(world.device(), drawn_clouds(world), from_below.camera, mirrored_, transfer);
     mirrored_.bind();
     mirrored_clouds_.draw(from_below.camera, world.parameters().atmosphere, passes.environment);

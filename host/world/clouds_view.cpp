@@ -88,21 +88,37 @@ struct Placed {
   ocl::Buffer<CloudParticle> particles;
 };
 
-/// What an eye sees of the particles.
-struct Sight {
-  explicit Sight(const ocl::Device& device) : order(device) {}
+/// How far aside an eye and its mirror image may stand, rad as seen from any cloud, for water to mirror
+/// clouds in the light that they send to the eye itself: waves turn rays farther.
+constexpr double mirror_rad = 0.02;
 
-  std::optional<glm::dvec3> eye_m;        // nothing: not of these particles in this light
-  std::optional<glm::dvec3> light_eye_m;  // from the lit particles' origin: whom sprites are the light to
-  int parts = 1, parts_left = 0;          // of the sprites: those left are still the light to an eye before
+/// The light that particles send to an eye.
+struct SentLight {
+  std::optional<glm::dvec3> eye_m;  // from the lit particles' origin; nothing: not this light of these
+  int parts = 1, parts_left = 0;    // of the sprites: those left are still the light to an eye before
   ocl::Buffer<CloudSprite> sprites;
+};
+
+/// The particles in the order of their distances from an eye.
+struct SeenOrder {
+  explicit SeenOrder(const ocl::Device& device) : order(device) {}
+
+  std::optional<glm::dvec3> eye_m;  // nothing: not of these particles
   clouds::ViewOrder order;
 };
+
+/// Of two that eyes share: one that is nobody's, or that of the nearest eye.
+template <typename Kept>
+std::size_t given_up(const std::array<Kept, 2>& kept, const glm::dvec3& eye_m) {
+  const auto far_m = [&](const Kept& of) { return of.eye_m ? glm::distance(*of.eye_m, eye_m) : 0.0; };
+  return far_m(kept[1]) < far_m(kept[0]) ? 1 : 0;
+}
 
 }  // namespace
 
 struct CloudsView::Sky {
-  explicit Sky(const ocl::Device& on) : device(on), particle_light(on), sights{Sight(on), Sight(on)} {}
+  explicit Sky(const ocl::Device& on)
+      : device(on), particle_light(on), orders{SeenOrder(on), SeenOrder(on)} {}
 
   /// Whether they were elsewhere.
   bool place(double time_s, Placed& placed) const {
@@ -120,17 +136,17 @@ struct CloudsView::Sky {
     return true;
   }
 
-  void forget_sights() {
-    for (Sight& sight : sights) sight.eye_m.reset();
+  void forget_orders() {
+    for (SeenOrder& of : orders) of.eye_m.reset();
   }
 
   void forget_light() {
     lit_by.clear();
     has_shadow = false;
     box.reset();
-    for (Sight& sight : sights) {
-      sight.light_eye_m.reset();
-      sight.parts_left = 0;
+    for (SentLight& light : sent) {
+      light.eye_m.reset();
+      light.parts_left = 0;
     }
   }
 
@@ -141,37 +157,51 @@ struct CloudsView::Sky {
   }
   glm::dvec3 shown_origin_m() const { return carries() ? origin_m + carried_m : origin_m; }
 
-  /// Sends a sight's eye the light that it lacks, or the next part of it.
-  void send_light(const glm::dvec3& eye_m, Sight& sight) {
-    if (sight.parts_left == 0) {
-      sight.parts_left = sight.light_eye_m ? lag.cloud_parts : 1;
-      sight.parts = sight.parts_left;
+  /// Sends an eye the light that it lacks, or the next part of it.
+  void send(const glm::dvec3& eye_m, SentLight& light) {
+    if (light.parts_left == 0) {
+      light.parts_left = light.eye_m ? lag.cloud_parts : 1;
+      light.parts = light.parts_left;
     }
-    const auto part = static_cast<std::uint32_t>(sight.parts - sight.parts_left);
-    particle_light.see(glm::vec3(eye_m), sight.sprites, {part, static_cast<std::uint32_t>(sight.parts)});
-    --sight.parts_left;
-    sight.light_eye_m = eye_m;
+    const auto part = static_cast<std::uint32_t>(light.parts - light.parts_left);
+    particle_light.see(glm::vec3(eye_m), light.sprites, {part, static_cast<std::uint32_t>(light.parts)});
+    --light.parts_left;
+    light.eye_m = eye_m;
   }
 
-  /// Whether light to one eye is light to the other, both from the lit particles' origin.
-  bool are_alike(const glm::dvec3& eye_m, const glm::dvec3& other_m) {
-    if (lag.cloud_rad == 0.0) return eye_m == other_m;
+  /// Whether no particle sees the two, both from the lit particles' origin, farther apart than that.
+  bool are_within(double angle_rad, const glm::dvec3& eye_m, const glm::dvec3& other_m) {
+    if (angle_rad == 0.0) return eye_m == other_m;
     if (!box) box = particle_light.box();
     if (!box) return true;
     const glm::dvec3 nearest_m = glm::clamp(eye_m, glm::dvec3(box->low_m), glm::dvec3(box->high_m));
-    return glm::distance(eye_m, other_m) <= lag.cloud_rad * glm::distance(eye_m, nearest_m);
+    return glm::distance(eye_m, other_m) <= angle_rad * glm::distance(eye_m, nearest_m);
   }
 
-  /// That of an alike eye, one that is nobody's, or that of the nearest eye.
-  std::size_t sight_of(const glm::dvec3& eye_m) {
-    for (std::size_t i = 0; i < sights.size(); ++i) {
-      if (sights[i].light_eye_m && are_alike(eye_m, *sights[i].light_eye_m)) return i;
-    }
-    const auto far_m = [&](const Sight& sight) {
-      return sight.light_eye_m ? glm::distance(*sight.light_eye_m, eye_m) : 0.0;
+  /// Makes the light to an eye that which sprites() are.
+  void choose_light(const glm::dvec3& eye_m) {
+    const auto is_alike = [&](const SentLight& light) {
+      return light.eye_m && are_within(lag.cloud_rad, eye_m, *light.eye_m);
     };
-    return far_m(sights[1]) < far_m(sights[0]) ? 1 : 0;
+    const auto alike = std::ranges::find_if(sent, is_alike);
+    const bool has_light = alike != sent.end();
+    seen_light = has_light ? static_cast<std::size_t>(alike - sent.begin()) : given_up(sent, eye_m);
+    SentLight& light = sent[seen_light];
+    if (!has_light || light.parts_left > 0) send(eye_m, light);
   }
+
+  /// Makes the order from an eye in the world that which order() is.
+  void choose_order(const glm::dvec3& eye_m) {
+    const auto same = std::ranges::find(orders, eye_m, &SeenOrder::eye_m);
+    const bool has_order = same != orders.end();
+    seen_order = has_order ? static_cast<std::size_t>(same - orders.begin()) : given_up(orders, eye_m);
+    if (has_order) return;
+    SeenOrder& of = orders[seen_order];
+    of.order.sort(shown_particles(), count, glm::vec3(eye_m - shown_origin_m()));
+    of.eye_m = eye_m;
+  }
+
+  glm::dvec3 from_lit_m(const glm::dvec3& eye_m) const { return eye_m - origin_m - carried_m; }
 
   ocl::Device device;
   CloudSkyParameters parameters;
@@ -185,8 +215,9 @@ struct CloudsView::Sky {
   bool is_one = false;        // the clouds drift as one
   glm::dvec3 carried_m{0.0};  // from `lit` to `shown`
   clouds::ParticleLight particle_light;
-  std::array<Sight, 2> sights;                    // over a sea an eye and its mirror image take turns
-  std::size_t seen = 0;                           // which of them was the last see()'s
+  std::array<SentLight, 2> sent;                  // over a sea an eye and its mirror image take turns
+  std::array<SeenOrder, 2> orders;                // likewise
+  std::size_t seen_light = 0, seen_order = 0;     // of these, the last see()'s
   std::vector<clouds::CloudIllumination> lit_by;  // of `lit`, one a cloud; empty: not yet
   std::optional<clouds::CloudBox> box;            // of `lit`, in this light; read when first needed
   std::optional<clouds::CloudShadowMap> shadow;   // made when first asked for
@@ -244,13 +275,13 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
   for (const CloudParameters& cloud : parameters.clouds) sky.looks.push_back(cloud.look);
   sky.shown = {.time_s = {}, .particles = std::move(shown)};
   sky.lit = {.time_s = {}, .particles = std::move(lit)};
-  for (std::size_t i = 0; i < sprites.size(); ++i) sky.sights[i].sprites = std::move(sprites[i]);
+  for (std::size_t i = 0; i < sprites.size(); ++i) sky.sent[i].sprites = std::move(sprites[i]);
   sky.count = static_cast<std::uint32_t>(count_of(sky.models, sky.halvings));
   sky.parameters = parameters;
   sky.origin_m = origin_of(parameters);
   sky.is_one = drift_as_one(parameters.clouds);
   sky.forget_light();
-  sky.forget_sights();
+  sky.forget_orders();
 }
 
 void CloudsView::set_particle_halvings(int halvings) {
@@ -264,14 +295,14 @@ void CloudsView::set_particle_halvings(int halvings) {
   sky.shown.time_s.reset();
   sky.lit.time_s.reset();
   sky.forget_light();
-  sky.forget_sights();
+  sky.forget_orders();
 }
 
 void CloudsView::set_light_lag(const LightLag& lag) {
   Sky& sky = *sky_;
   if (sky.lag == lag) return;
   sky.lag = lag;
-  sky.forget_sights();
+  sky.forget_orders();
 }
 
 void CloudsView::at(double time_s) {
@@ -282,7 +313,7 @@ void CloudsView::at(double time_s) {
   const glm::dvec3 carried_m = drift_m(sky.parameters.clouds, *sky.lit.time_s, time_s);
   if (!has_moved && carried_m == sky.carried_m) return;
   sky.carried_m = carried_m;
-  sky.forget_sights();
+  sky.forget_orders();
 }
 
 void CloudsView::light(std::span<const clouds::CloudIllumination> of_clouds) {
@@ -294,7 +325,7 @@ void CloudsView::light(std::span<const clouds::CloudIllumination> of_clouds) {
                              has_own_albedo ? clouds::ParticleAlbedo::own : clouds::ParticleAlbedo::of_look);
   sky.forget_light();
   sky.lit_by.assign(of_clouds.begin(), of_clouds.end());
-  sky.forget_sights();
+  sky.forget_orders();
 }
 
 void CloudsView::light(const clouds::CloudIllumination& of_all) {
@@ -304,14 +335,17 @@ void CloudsView::light(const clouds::CloudIllumination& of_all) {
 void CloudsView::see(const Camera& camera) {
   Sky& sky = *sky_;
   if (sky.lit_by.empty()) return;
-  const glm::dvec3 light_eye_m = camera.eye_m - sky.origin_m - sky.carried_m;
-  sky.seen = sky.sight_of(light_eye_m);
-  Sight& sight = sky.sights[sky.seen];
-  const bool has_light = sight.light_eye_m && sky.are_alike(light_eye_m, *sight.light_eye_m);
-  if (!has_light || sight.parts_left > 0) sky.send_light(light_eye_m, sight);
-  if (sight.eye_m == camera.eye_m) return;
-  sight.order.sort(sky.shown_particles(), sky.count, glm::vec3(camera.eye_m - sky.shown_origin_m()));
-  sight.eye_m = camera.eye_m;
+  sky.choose_light(sky.from_lit_m(camera.eye_m));
+  sky.choose_order(camera.eye_m);
+}
+
+void CloudsView::see_mirrored(const Camera& mirrored) {
+  Sky& sky = *sky_;
+  if (sky.lit_by.empty()) return;
+  const glm::dvec3 image_m = sky.from_lit_m(mirrored.eye_m);
+  const glm::dvec3 eye_m = sky.from_lit_m({mirrored.eye_m.x, std::abs(mirrored.eye_m.y), mirrored.eye_m.z});
+  sky.choose_light(sky.are_within(mirror_rad, eye_m, image_m) ? eye_m : image_m);
+  sky.choose_order(mirrored.eye_m);
 }
 
 std::span<const clouds::CloudIllumination> CloudsView::illumination() const {
@@ -364,10 +398,10 @@ std::uint32_t CloudsView::whole_count() const {
   return static_cast<std::uint32_t>(count_of(sky_->models, 0));
 }
 const ocl::Buffer<CloudSprite>& CloudsView::sprites() const {
-  return sky_->sights[sky_->seen].sprites;
+  return sky_->sent[sky_->seen_light].sprites;
 }
 const ocl::Buffer<std::uint32_t>& CloudsView::order() const {
-  return sky_->sights[sky_->seen].order.order();
+  return sky_->orders[sky_->seen_order].order.order();
 }
 glm::dvec3 CloudsView::sky_origin_m() const {
   return sky_->shown_origin_m();

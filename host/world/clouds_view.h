@@ -68,6 +68,9 @@ class CloudsView {
   /// Enqueues what is seen of the particles of the last light() from a camera's eye; nothing before one, and
   /// where this was one of the last two eyes and nothing else has changed.
   void see(const Camera& camera);
+  /// The same for the mirror image of an eye in the sea's level, for water that mirrors what it sees. The
+  /// light is that to the eye itself where clouds are far above both.
+  void see_mirrored(const Camera& mirrored);
 
   /// What lit the particles of the last light(), one a cloud; none before one.
   std::span<const clouds::CloudIllumination> illumination() const;

@@ -214,6 +214,10 @@ void World::see_clouds(const Camera& camera) {
   if (clouds_) clouds_->see(camera);
 }
 
+void World::see_mirrored_clouds(const Camera& mirrored) {
+  if (clouds_) clouds_->see_mirrored(mirrored);
+}
+
 void World::see_ground(const Camera& camera, const terrain::Sampling& sampling, TileWait wait) {
   if (!ground_) return;
   terrain::SeaOverGround sea;

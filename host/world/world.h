@@ -92,6 +92,8 @@ class World {
   void set_light_lag(const LightLag& lag);
   /// Enqueues what a camera sees of the clouds of the last at(), if there are any: CloudsView::see().
   void see_clouds(const Camera& camera);
+  /// The same for what the sea mirrors: CloudsView::see_mirrored().
+  void see_mirrored_clouds(const Camera& mirrored);
   /// Takes the meshes to the time of the last at(), with the highlights that they have for this eye. With a
   /// lighting, of the world's axes at any time, these depend on the time and on that of the sequence's first
   /// picture alone (MeshView::at()); without one they follow the eye and the lamps as they are

@@ -29,7 +29,7 @@ void Renderer::draw_next(const glm::dvec3& moved_m) {
     device_.finish();
   }
   const double exposure = light_meter_.exposure(world_, camera, view_.exposure_ev);
-  // As a window does it: a face of the cloudy sky's map a frame.
+  // As a window does it: the map of the cloudy sky comes in slices.
   frame_.draw(world_, {.camera = camera, .exposure = exposure, .sky = present::SkyRefresh::slice});
   glFinish();
   frame_.times().end_frame();

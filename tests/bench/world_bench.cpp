@@ -16,7 +16,9 @@ namespace {
 using present::Stage;
 using scene::OceanScene;
 
-constexpr int stage_frames = 40;
+constexpr int stage_blocks = 12;
+// A block has so many frames, one of them with a slice of the cloudy sky's map.
+constexpr int slice_frames = present::Frame::slice_frames;
 
 OceanScene without_ground(OceanScene scene) {
   scene.terrain = {};
@@ -47,17 +49,25 @@ class WorldFrames {
 
   std::vector<double> frames_ms(int blocks) {
     std::vector<double> ms;
-    for (int i = 0; i < blocks; ++i) ms.push_back(block_ms([&] { draw_next(); }));
+    for (int i = 0; i < blocks; ++i) {
+      const double ms_of_block = block_ms([&] {
+        for (int frame = 0; frame < slice_frames; ++frame) draw_next();
+      });
+      ms.push_back(ms_of_block / slice_frames);
+    }
     return ms;
   }
 
   std::array<std::vector<double>, present::stage_count> stages_ms() {
     renderer_.wait_for_stages();
     std::array<std::vector<double>, present::stage_count> ms;
-    for (int i = 0; i < stage_frames; ++i) {
-      draw_next();
-      for (std::size_t s = 0; s < present::stage_count; ++s)
-        ms[s].push_back(renderer_.stage_ms(static_cast<Stage>(s)));
+    for (int i = 0; i < stage_blocks; ++i) {
+      for (std::vector<double>& of_stage : ms) of_stage.push_back(0.0);
+      for (int frame = 0; frame < slice_frames; ++frame) {
+        draw_next();
+        for (std::size_t s = 0; s < present::stage_count; ++s)
+          ms[s].back() += renderer_.stage_ms(static_cast<Stage>(s)) / slice_frames;
+      }
     }
     return ms;
   }

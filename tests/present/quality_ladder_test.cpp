@@ -82,7 +82,6 @@ TEST(QualityLadderTest, RungsAreCoarserFromOneToTheNext) {
     EXPECT_LE(coarser.grid_share, finer.grid_share);
     EXPECT_LE(coarser.views_share, finer.views_share);
     EXPECT_LE(coarser.mirrors_clouds, finer.mirrors_clouds);
-    EXPECT_GE(coarser.sky_face_frames, finer.sky_face_frames);
     EXPECT_GE(coarser.sea_halvings, finer.sea_halvings);
     EXPECT_GE(coarser.cloud_halvings, finer.cloud_halvings);
     EXPECT_GE(coarser.light_lag.altitude_share, finer.light_lag.altitude_share);

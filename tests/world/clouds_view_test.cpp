@@ -93,6 +93,38 @@ TEST(CloudsView, IsLit) {
   EXPECT_GT(brightest, 3.0f);
 }
 
+// Fails if the sea mirrors clouds in another light than they send it, but for an eye close above it: or in
+// the order of another eye.
+TEST(CloudsView, SendsAnEyeCloseAboveTheSeaAndItsMirrorImageOneLight) {
+  CloudsView view(device(), two_clouds());
+  view.at(0.0);
+  view.light(daylight());
+  const auto read = [&] {
+    std::vector<std::uint32_t> order = view.order().read();
+    order.resize(view.count());
+    return std::pair(view.sprites().read(), order);
+  };
+  const auto seen = [&](double altitude_m) {
+    view.see(camera_at({26'000.0, altitude_m, 3000.0}));
+    return read();
+  };
+  const auto mirrored = [&](double altitude_m) {
+    view.see_mirrored(camera_at({26'000.0, -altitude_m, 3000.0}));
+    return read();
+  };
+  const auto equal = [](const std::vector<CloudSprite>& a, const std::vector<CloudSprite>& b) {
+    return std::memcmp(a.data(), b.data(), a.size() * sizeof(CloudSprite)) == 0;
+  };
+  // The clouds are more than 3 km away: 10 m are 0.2 degrees, 800 m more than 5.
+  const auto [near_light, near_order] = mirrored(5.0);
+  EXPECT_TRUE(equal(near_light, seen(5.0).first));
+  EXPECT_EQ(near_order, seen(-5.0).second);
+  const auto [far_light, far_order] = mirrored(400.0);
+  EXPECT_FALSE(equal(far_light, seen(400.0).first));
+  EXPECT_TRUE(equal(far_light, seen(-400.0).first));
+  EXPECT_EQ(far_order, seen(-400.0).second);
+}
+
 // Fails if an edit of one cloud changes another, or differs from a view that was made with it.
 TEST(CloudsView, AnEditGivesWhatAFreshStartGives) {
   CloudSkyParameters sky = two_clouds();
