@@ -15,6 +15,7 @@
 #include "host/clouds/particle_motion.h"
 #include "host/clouds/particle_order.h"
 #include "host/clouds/particle_thinning.h"
+#include "host/world/eye_pair.h"
 
 namespace offing::world {
 namespace {
@@ -107,18 +108,11 @@ struct SeenOrder {
   clouds::ViewOrder order;
 };
 
-/// Of two that eyes share: one that is nobody's, or that of the nearest eye.
-template <typename Kept>
-std::size_t given_up(const std::array<Kept, 2>& kept, const glm::dvec3& eye_m) {
-  const auto far_m = [&](const Kept& of) { return of.eye_m ? glm::distance(*of.eye_m, eye_m) : 0.0; };
-  return far_m(kept[1]) < far_m(kept[0]) ? 1 : 0;
-}
-
 }  // namespace
 
 struct CloudsView::Sky {
   explicit Sky(const ocl::Device& on)
-      : device(on), particle_light(on), orders{SeenOrder(on), SeenOrder(on)} {}
+      : device(on), particle_light(on), lights({}, {}), orders(SeenOrder(on), SeenOrder(on)) {}
 
   /// Whether they were elsewhere.
   bool place(double time_s, Placed& placed) const {
@@ -137,14 +131,14 @@ struct CloudsView::Sky {
   }
 
   void forget_orders() {
-    for (SeenOrder& of : orders) of.eye_m.reset();
+    for (SeenOrder& of : orders.both()) of.eye_m.reset();
   }
 
   void forget_light() {
     lit_by.clear();
     has_shadow = false;
     box.reset();
-    for (SentLight& light : sent) {
+    for (SentLight& light : lights.both()) {
       light.eye_m.reset();
       light.parts_left = 0;
     }
@@ -180,25 +174,16 @@ struct CloudsView::Sky {
 
   /// Makes the light to an eye that which sprites() are.
   void choose_light(const glm::dvec3& eye_m) {
-    const auto is_alike = [&](const SentLight& light) {
-      return light.eye_m && are_within(lag.cloud_rad, eye_m, *light.eye_m);
-    };
-    const auto alike = std::ranges::find_if(sent, is_alike);
-    const bool has_light = alike != sent.end();
-    seen_light = has_light ? static_cast<std::size_t>(alike - sent.begin()) : given_up(sent, eye_m);
-    SentLight& light = sent[seen_light];
-    if (!has_light || light.parts_left > 0) send(eye_m, light);
+    const bool has_light = lights.choose(
+        eye_m, [&](const glm::dvec3& other_m) { return are_within(lag.cloud_rad, eye_m, other_m); });
+    if (!has_light || lights.current().parts_left > 0) send(eye_m, lights.current());
   }
 
   /// Makes the order from an eye in the world that which order() is.
   void choose_order(const glm::dvec3& eye_m) {
-    const auto same = std::ranges::find(orders, eye_m, &SeenOrder::eye_m);
-    const bool has_order = same != orders.end();
-    seen_order = has_order ? static_cast<std::size_t>(same - orders.begin()) : given_up(orders, eye_m);
-    if (has_order) return;
-    SeenOrder& of = orders[seen_order];
-    of.order.sort(shown_particles(), count, glm::vec3(eye_m - shown_origin_m()));
-    of.eye_m = eye_m;
+    if (orders.choose(eye_m, [&](const glm::dvec3& other_m) { return other_m == eye_m; })) return;
+    orders.current().order.sort(shown_particles(), count, glm::vec3(eye_m - shown_origin_m()));
+    orders.current().eye_m = eye_m;
   }
 
   glm::dvec3 from_lit_m(const glm::dvec3& eye_m) const { return eye_m - origin_m - carried_m; }
@@ -215,9 +200,8 @@ struct CloudsView::Sky {
   bool is_one = false;        // the clouds drift as one
   glm::dvec3 carried_m{0.0};  // from `lit` to `shown`
   clouds::ParticleLight particle_light;
-  std::array<SentLight, 2> sent;                  // over a sea an eye and its mirror image take turns
-  std::array<SeenOrder, 2> orders;                // likewise
-  std::size_t seen_light = 0, seen_order = 0;     // of these, the last see()'s
+  EyePair<SentLight> lights;                      // of the last see()'s eye
+  EyePair<SeenOrder> orders;                      // likewise
   std::vector<clouds::CloudIllumination> lit_by;  // of `lit`, one a cloud; empty: not yet
   std::optional<clouds::CloudBox> box;            // of `lit`, in this light; read when first needed
   std::optional<clouds::CloudShadowMap> shadow;   // made when first asked for
@@ -275,7 +259,7 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
   for (const CloudParameters& cloud : parameters.clouds) sky.looks.push_back(cloud.look);
   sky.shown = {.time_s = {}, .particles = std::move(shown)};
   sky.lit = {.time_s = {}, .particles = std::move(lit)};
-  for (std::size_t i = 0; i < sprites.size(); ++i) sky.sent[i].sprites = std::move(sprites[i]);
+  for (std::size_t i = 0; i < sprites.size(); ++i) sky.lights.both()[i].sprites = std::move(sprites[i]);
   sky.count = static_cast<std::uint32_t>(count_of(sky.models, sky.halvings));
   sky.parameters = parameters;
   sky.origin_m = origin_of(parameters);
@@ -398,10 +382,10 @@ std::uint32_t CloudsView::whole_count() const {
   return static_cast<std::uint32_t>(count_of(sky_->models, 0));
 }
 const ocl::Buffer<CloudSprite>& CloudsView::sprites() const {
-  return sky_->sent[sky_->seen_light].sprites;
+  return sky_->lights.current().sprites;
 }
 const ocl::Buffer<std::uint32_t>& CloudsView::order() const {
-  return sky_->orders[sky_->seen_order].order.order();
+  return sky_->orders.current().order.order();
 }
 glm::dvec3 CloudsView::sky_origin_m() const {
   return sky_->shown_origin_m();
