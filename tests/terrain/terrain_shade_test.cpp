@@ -26,7 +26,8 @@ struct Scene : test::GroundScene {
                 .width_px = columns_px,
                 .height_px = rows_px};
 
-  std::vector<Texel> draw(const std::function<double(int, int)>& height_m) const {
+  std::vector<Texel> draw(const std::function<double(int, int)>& height_m,
+                          const terrain::SeaOverGround& sea = {}) const {
     test::HeightMap map{.name = "made",
                         .grid = {.columns = 65, .rows = 65, .spacing_x_m = 2.0, .spacing_z_m = 2.0},
                         .heights_m = {}};
@@ -35,7 +36,7 @@ struct Scene : test::GroundScene {
         map.heights_m.push_back(static_cast<float>(height_m(column, row)));
       }
     }
-    return test::GroundPainter(map, *this).draw(camera, {.sampling = {.rays = 1}});
+    return test::GroundPainter(map, *this).draw(camera, {.sampling = {.rays = 1}, .sea = sea});
   }
 };
 
@@ -111,6 +112,35 @@ TEST(TerrainShadeTest, LeavesTheSkyAlone) {
   Scene scene;
   scene.camera.pitch_rad = 0.5 * pi;
   for (const Texel& texel : scene.draw([](int, int) { return 0.0; })) EXPECT_EQ(texel, (Texel{}));
+}
+
+// A slope that rises by an eighth to the right. Fails if ground is drawn that lies deeper or higher than
+// asked, if other ground is not, or if the depth does not grow with the square of the distance.
+TEST(TerrainShadeTest, HidesWhatIsTooDeepOrTooHigh) {
+  const Scene scene;
+  constexpr double slope = 0.125, eye_m = 80.0, middle_x_m = 64.0, rounding_m = 1e-3;
+  const terrain::SeaOverGround sea{.below_m = 6.0, .bend_perm = 2e-4, .above_m = 11.0};
+  const std::vector<Texel> image = scene.draw([](int column, int) { return slope * 2.0 * column; }, sea);
+  const double pixel = 2.0 * std::tan(0.5 * scene.camera.vertical_field_of_view_rad) / rows_px;
+  int shown = 0, deep = 0, high = 0;
+  for (std::size_t row = 0; row < rows_px; ++row) {
+    for (std::size_t column = 0; column < columns_px; ++column) {
+      const double right = pixel * (static_cast<double>(column) + 0.5 - 0.5 * columns_px);
+      const double up = pixel * (static_cast<double>(row) + 0.5 - 0.5 * rows_px);
+      const double height_m = slope * (middle_x_m + eye_m * right) / (1.0 + slope * right);
+      const double away_m = (eye_m - height_m) * std::hypot(1.0, right, up);
+      const double deepest_m = sea.below_m - sea.bend_perm * away_m * away_m;
+      if (std::abs(height_m - deepest_m) < rounding_m || std::abs(height_m - sea.above_m) < rounding_m)
+        continue;
+      const bool is_deep = height_m<deepest_m, is_high = height_m> sea.above_m;
+      deep += is_deep ? 1 : 0;
+      high += is_high ? 1 : 0;
+      shown += is_deep || is_high ? 0 : 1;
+      EXPECT_EQ(image[row * columns_px + column][3], is_deep || is_high ? 0.0f : 1.0f)
+          << column << ' ' << row;
+    }
+  }
+  EXPECT_GT(std::min({shown, deep, high}), 99);
 }
 
 // Posts of noise smaller than a pixel: its light is that of the mean slope, 0. Slopes between posts next to
