@@ -5,6 +5,7 @@ namespace offing::test {
 /// What the process holds of the system's.
 struct Holdings {
   double memory_mb = 0.0;
+  /// But for those that Mesa has write compiled shaders to disk: one to four, as many as there is to write.
   int threads = 0;
   int descriptors = 0;
 };
