@@ -1,6 +1,9 @@
 #include "present/frame.h"
 
 #include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
 
 #include "present/device_stage.h"
 #include "present/drawn_clouds.h"
@@ -12,6 +15,14 @@ namespace {
 /// The camera whose rays see the ground.
 Camera ground_camera(const FrameRequest& request) {
   return scaled_camera(request.camera, request.quality.ray_scale());
+}
+
+/// Whether one picture shows about the sky that another did: flight and time lapse do, bookmarks do not.
+bool goes_on_from(const SkySight& before, const SkySight& now) {
+  constexpr double farthest_m = 100.0, longest_s = 2.0, least_sun_cosine = 0.9998;  // 1.1 degrees
+  return glm::distance(before.eye_m, now.eye_m) < farthest_m &&
+         std::abs(now.time_s - before.time_s) < longest_s &&
+         glm::dot(before.sun_direction, now.sun_direction) > least_sun_cosine;
 }
 
 }  // namespace
@@ -77,18 +88,22 @@ void Frame::draw_cloudy_sky(world::World& world, const FrameRequest& request) {
     cloudy_sky_.forget();
     return;
   }
-  const bool keeps = request.sky == SkyRefresh::slice && cloudy_sky_.has_map();
+  const auto& [x, y, z] = world.parameters().sun_direction;
+  const SkySight sight{request.camera.eye_m, {x, y, z}, world.time_s()};
+  const SkySight before = std::exchange(sky_sight_, sight);
+  const bool keeps = request.sky == SkyRefresh::slice && cloudy_sky_.has_map() && goes_on_from(before, sight);
   if (keeps && ++frames_of_slice_ < slice_frames) return;
   frames_of_slice_ = 0;
   // Level water mirrors what the eye's mirror image sees.
-  Camera from_below = request.camera;
-  from_below.eye_m.y = -std::abs(from_below.eye_m.y);
-  run_stage(times_, Stage::clouds, world.device(), [&] { world.see_mirrored_clouds(from_below); });
+  const bool is_below = request.camera.eye_m.y < 0.0;
+  const Camera from_below = is_below ? request.camera : mirrored(request.camera, 0.0);
+  run_stage(times_, Stage::clouds, world.device(),
+            [&] { is_below ? world.see_clouds(from_below) : world.see_mirrored_clouds(from_below); });
   const StageTimes::Scope stage(times_, Stage::clouds);
   cloudy_sky_.draw(
       world.device(),
       {.drawn = drawn_clouds(world), .air = world.parameters().atmosphere, .clear_sky = sky_.environment()},
-      from_below.eye_m, request.sky, transfer_);
+      from_below.eye_m, keeps ? SkyRefresh::slice : SkyRefresh::whole, transfer_);
 }
 
 void Frame::draw(world::World& world, const FrameRequest& request) {

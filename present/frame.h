@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include <glm/vec3.hpp>
+
 #include "host/base/camera.h"
 #include "host/clouds/puff_textures.h"
 #include "host/world/world.h"
@@ -28,14 +30,20 @@ struct FrameSettings {
   int sky_step_px = 1;  ///< between pixels of whose sky the light is worked out (SkyPass)
 };
 
+/// What a picture of the sky depends on.
+struct SkySight {
+  glm::dvec3 eye_m{0.0}, sun_direction{0.0};
+  double time_s = 0.0;
+};
+
 /// Draws pictures of a world, always into framebuffers of its own, so that a window, a file and a test see
 /// the same. One context, one thread.
 class Frame {
  public:
   Frame(const GlContext& context, const ocl::Device& device, const FrameSettings& settings);
 
-  /// From one slice of the cloudy sky's map to the next (SkyRefresh::slice): a pixel of the map is two
-  /// degrees, which clouds take seconds for.
+  /// Pictures from one slice of the cloudy sky's map to the next (SkyRefresh::slice): a pixel of the map is
+  /// two degrees, which clouds and eyes take seconds for. Where eye, sun or time jump all of it is drawn.
   static constexpr int slice_frames = 4;
 
   /// Draws the world as it stands (World::at()), with the camera's width and height.
@@ -74,6 +82,7 @@ class Frame {
   CloudPass clouds_;
   CloudySky cloudy_sky_;
   int frames_of_slice_ = 0;  // drawn since a slice of it was
+  SkySight sky_sight_;       // of the last picture with clouds
   CloudShadows shadows_;
   UnderwaterPass underwater_;
   TonePass tone_;

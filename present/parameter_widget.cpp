@@ -1,7 +1,6 @@
 #include "present/parameter_widget.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <sstream>
@@ -26,24 +25,16 @@ std::string format_of(const Parameter& row) {
   return row.unit.empty() ? "%.6g" : fmt::format("%.6g {}", row.unit);
 }
 
-/// Units a pixel of a field to drag: so many, or a hundredth of what stands in it, that large values move
-/// too.
-float drag_speed(double slowest, double largest) {
-  constexpr double share = 0.01;
-  return static_cast<float>(std::max(slowest, share * largest));
-}
-
 /// A slider where the range is short, on a logarithmic scale where it spans decades, a field to drag where it
 /// is both long and signed. Numbers that are typed are checked by the table.
 bool number_slider(const char* label, const Parameter& row, double& value) {
   constexpr double long_range = 1e5, decades = 1e3;
-  constexpr double slowest = 0.5;
+  constexpr float drag_speed = 0.5f;  // units a pixel
   const auto [low, high] = row.slider.value_or(scene::SliderRange{row.low, row.high});
   const std::string format = format_of(row);
   const bool is_logarithmic = low > 0.0 && high / low >= decades;
   if (!is_logarithmic && high - low > long_range) {
-    return ImGui::DragScalar(label, ImGuiDataType_Double, &value, drag_speed(slowest, std::abs(value)), &low,
-                             &high, format.c_str());
+    return ImGui::DragScalar(label, ImGuiDataType_Double, &value, drag_speed, &low, &high, format.c_str());
   }
   return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &low, &high, format.c_str(),
                              is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
@@ -69,10 +60,10 @@ class Widget {
 
   Edit operator()(scene::ValueAt<int> at) {
     if (row_.rule == scene::ParameterRule::power_of_two) return power_of_two(at(scene_, element_));
-    constexpr double slowest = 0.1;
+    constexpr float drag_speed = 0.1f;
     int value = at(scene_, element_);
-    const bool is_changed = ImGui::DragInt(label_.c_str(), &value, drag_speed(slowest, std::abs(value)),
-                                           static_cast<int>(row_.low), static_cast<int>(row_.high));
+    const bool is_changed = ImGui::DragInt(label_.c_str(), &value, drag_speed, static_cast<int>(row_.low),
+                                           static_cast<int>(row_.high));
     return stored(is_changed, {.value = std::int64_t{value}, .shown = fmt::format("{}", value)});
   }
 
@@ -173,10 +164,13 @@ class Widget {
 
   Edit triple(const glm::dvec3& at) {
     glm::dvec3 value = at / row_.scale;
-    const double largest = std::max({std::abs(value.x), std::abs(value.y), std::abs(value.z)});
-    const double slowest = std::min(0.01, 1e-3 * (row_.high - row_.low));
+    constexpr double finest = 0.01, share = 1e-3;
+    const double across = row_.high - row_.low;
+    // Units a pixel; what has a slider's range is dragged across it in a thousand.
+    const double speed =
+        row_.slider ? share * (row_.slider->high - row_.slider->low) : std::min(finest, share * across);
     const bool is_changed =
-        ImGui::DragScalarN(label_.c_str(), ImGuiDataType_Double, &value.x, 3, drag_speed(slowest, largest),
+        ImGui::DragScalarN(label_.c_str(), ImGuiDataType_Double, &value.x, 3, static_cast<float>(speed),
                            &row_.low, &row_.high, format_of(row_).c_str());
     return stored(is_changed, {.value = std::vector<double>{value.x, value.y, value.z},
                                .shown = fmt::format("[{:g}, {:g}, {:g}]", value.x, value.y, value.z)});

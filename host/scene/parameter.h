@@ -151,7 +151,7 @@ struct Parameter {
   ParameterUse use = ParameterUse::always;
   ParameterMotion motion = ParameterMotion::constant;
   /// Ends of its slider, in `unit`, where the range goes on to values that make much work or have hardly a
-  /// use: those are typed.
+  /// use: those are typed. Of three numbers: what they are dragged across.
   std::optional<SliderRange> slider = {};
 };
 

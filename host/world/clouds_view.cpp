@@ -15,7 +15,6 @@
 #include "host/clouds/particle_motion.h"
 #include "host/clouds/particle_order.h"
 #include "host/clouds/particle_thinning.h"
-#include "host/world/eye_pair.h"
 
 namespace offing::world {
 namespace {
@@ -90,7 +89,8 @@ struct Placed {
 };
 
 /// How far aside an eye and its mirror image may stand, rad as seen from any cloud, for water to mirror
-/// clouds in the light that they send to the eye itself: waves turn rays farther.
+/// clouds in the light that they send to the eye itself. Rays that water mirrors are as far aside anyway
+/// where their waves slope by half as much; in a wind of 1 m/s they slope by 0.09 (Cox and Munk 1954).
 constexpr double mirror_rad = 0.02;
 
 /// The light that particles send to an eye.
@@ -108,11 +108,14 @@ struct SeenOrder {
   clouds::ViewOrder order;
 };
 
+/// Whose light and order they are.
+enum SeenBy : std::size_t { eye, mirror_image, seen_by_count };
+
 }  // namespace
 
 struct CloudsView::Sky {
   explicit Sky(const ocl::Device& on)
-      : device(on), particle_light(on), lights({}, {}), orders(SeenOrder(on), SeenOrder(on)) {}
+      : device(on), particle_light(on), orders{SeenOrder(on), SeenOrder(on)} {}
 
   /// Whether they were elsewhere.
   bool place(double time_s, Placed& placed) const {
@@ -131,14 +134,18 @@ struct CloudsView::Sky {
   }
 
   void forget_orders() {
-    for (SeenOrder& of : orders.both()) of.eye_m.reset();
+    for (SeenOrder& of : orders) of.eye_m.reset();
   }
 
   void forget_light() {
     lit_by.clear();
     has_shadow = false;
     box.reset();
-    for (SentLight& light : lights.both()) {
+    forget_sent_light();
+  }
+
+  void forget_sent_light() {
+    for (SentLight& light : lights) {
       light.eye_m.reset();
       light.parts_left = 0;
     }
@@ -151,16 +158,17 @@ struct CloudsView::Sky {
   }
   glm::dvec3 shown_origin_m() const { return carries() ? origin_m + carried_m : origin_m; }
 
-  /// Sends an eye the light that it lacks, or the next part of it.
+  /// Sends an eye the light that it lacks, or the next part of it: all parts go to one eye.
   void send(const glm::dvec3& eye_m, SentLight& light) {
     if (light.parts_left == 0) {
-      light.parts_left = light.eye_m ? lag.cloud_parts : 1;
-      light.parts = light.parts_left;
+      if (light.eye_m && are_within(lag.cloud_rad, eye_m, *light.eye_m)) return;
+      light.parts = light.parts_left = light.eye_m ? lag.cloud_parts : 1;
+      light.eye_m = eye_m;
     }
     const auto part = static_cast<std::uint32_t>(light.parts - light.parts_left);
-    particle_light.see(glm::vec3(eye_m), light.sprites, {part, static_cast<std::uint32_t>(light.parts)});
+    particle_light.see(glm::vec3(*light.eye_m), light.sprites,
+                       {part, static_cast<std::uint32_t>(light.parts)});
     --light.parts_left;
-    light.eye_m = eye_m;
   }
 
   /// Whether no particle sees the two, both from the lit particles' origin, farther apart than that.
@@ -172,18 +180,10 @@ struct CloudsView::Sky {
     return glm::distance(eye_m, other_m) <= angle_rad * glm::distance(eye_m, nearest_m);
   }
 
-  /// Makes the light to an eye that which sprites() are.
-  void choose_light(const glm::dvec3& eye_m) {
-    const bool has_light = lights.choose(
-        eye_m, [&](const glm::dvec3& other_m) { return are_within(lag.cloud_rad, eye_m, other_m); });
-    if (!has_light || lights.current().parts_left > 0) send(eye_m, lights.current());
-  }
-
-  /// Makes the order from an eye in the world that which order() is.
-  void choose_order(const glm::dvec3& eye_m) {
-    if (orders.choose(eye_m, [&](const glm::dvec3& other_m) { return other_m == eye_m; })) return;
-    orders.current().order.sort(shown_particles(), count, glm::vec3(eye_m - shown_origin_m()));
-    orders.current().eye_m = eye_m;
+  void sort(const glm::dvec3& eye_m, SeenOrder& of) {
+    if (of.eye_m == eye_m) return;
+    of.order.sort(shown_particles(), count, glm::vec3(eye_m - shown_origin_m()));
+    of.eye_m = eye_m;
   }
 
   glm::dvec3 from_lit_m(const glm::dvec3& eye_m) const { return eye_m - origin_m - carried_m; }
@@ -200,8 +200,9 @@ struct CloudsView::Sky {
   bool is_one = false;        // the clouds drift as one
   glm::dvec3 carried_m{0.0};  // from `lit` to `shown`
   clouds::ParticleLight particle_light;
-  EyePair<SentLight> lights;                      // of the last see()'s eye
-  EyePair<SeenOrder> orders;                      // likewise
+  std::array<SentLight, seen_by_count> lights;    // to each of them
+  std::array<SeenOrder, seen_by_count> orders;    // from each of them
+  SeenBy light_of = eye, order_of = eye;          // what the last see() or see_mirrored() chose
   std::vector<clouds::CloudIllumination> lit_by;  // of `lit`, one a cloud; empty: not yet
   std::optional<clouds::CloudBox> box;            // of `lit`, in this light; read when first needed
   std::optional<clouds::CloudShadowMap> shadow;   // made when first asked for
@@ -251,15 +252,15 @@ void CloudsView::set(const CloudSkyParameters& parameters) {
   const std::size_t room = std::max<std::size_t>(whole_count, 1);
   ocl::Buffer<CloudParticle> shown(sky.device, room, "particles of the sky");
   ocl::Buffer<CloudParticle> lit(sky.device, room, "lit particles of the sky");
-  std::array<ocl::Buffer<CloudSprite>, 2> sprites;
-  for (auto& of_sight : sprites) of_sight = ocl::Buffer<CloudSprite>(sky.device, room, "sprites of clouds");
+  std::array<ocl::Buffer<CloudSprite>, seen_by_count> sprites;
+  for (auto& of_light : sprites) of_light = ocl::Buffer<CloudSprite>(sky.device, room, "sprites of clouds");
 
   sky.models = std::move(models);
   sky.looks.clear();
   for (const CloudParameters& cloud : parameters.clouds) sky.looks.push_back(cloud.look);
   sky.shown = {.time_s = {}, .particles = std::move(shown)};
   sky.lit = {.time_s = {}, .particles = std::move(lit)};
-  for (std::size_t i = 0; i < sprites.size(); ++i) sky.lights.both()[i].sprites = std::move(sprites[i]);
+  for (std::size_t i = 0; i < sprites.size(); ++i) sky.lights[i].sprites = std::move(sprites[i]);
   sky.count = static_cast<std::uint32_t>(count_of(sky.models, sky.halvings));
   sky.parameters = parameters;
   sky.origin_m = origin_of(parameters);
@@ -286,6 +287,7 @@ void CloudsView::set_light_lag(const LightLag& lag) {
   Sky& sky = *sky_;
   if (sky.lag == lag) return;
   sky.lag = lag;
+  sky.forget_sent_light();
   sky.forget_orders();
 }
 
@@ -319,17 +321,20 @@ void CloudsView::light(const clouds::CloudIllumination& of_all) {
 void CloudsView::see(const Camera& camera) {
   Sky& sky = *sky_;
   if (sky.lit_by.empty()) return;
-  sky.choose_light(sky.from_lit_m(camera.eye_m));
-  sky.choose_order(camera.eye_m);
+  sky.light_of = sky.order_of = eye;
+  sky.send(sky.from_lit_m(camera.eye_m), sky.lights[eye]);
+  sky.sort(camera.eye_m, sky.orders[eye]);
 }
 
 void CloudsView::see_mirrored(const Camera& mirrored) {
   Sky& sky = *sky_;
   if (sky.lit_by.empty()) return;
   const glm::dvec3 image_m = sky.from_lit_m(mirrored.eye_m);
-  const glm::dvec3 eye_m = sky.from_lit_m({mirrored.eye_m.x, std::abs(mirrored.eye_m.y), mirrored.eye_m.z});
-  sky.choose_light(sky.are_within(mirror_rad, eye_m, image_m) ? eye_m : image_m);
-  sky.choose_order(mirrored.eye_m);
+  const glm::dvec3 eye_m = sky.from_lit_m({mirrored.eye_m.x, -mirrored.eye_m.y, mirrored.eye_m.z});
+  sky.light_of = sky.are_within(mirror_rad, eye_m, image_m) ? eye : mirror_image;
+  sky.order_of = mirror_image;
+  sky.send(sky.light_of == eye ? eye_m : image_m, sky.lights[sky.light_of]);
+  sky.sort(mirrored.eye_m, sky.orders[mirror_image]);
 }
 
 std::span<const clouds::CloudIllumination> CloudsView::illumination() const {
@@ -382,10 +387,10 @@ std::uint32_t CloudsView::whole_count() const {
   return static_cast<std::uint32_t>(count_of(sky_->models, 0));
 }
 const ocl::Buffer<CloudSprite>& CloudsView::sprites() const {
-  return sky_->lights.current().sprites;
+  return sky_->lights[sky_->light_of].sprites;
 }
 const ocl::Buffer<std::uint32_t>& CloudsView::order() const {
-  return sky_->orders.current().order.order();
+  return sky_->orders[sky_->order_of].order.order();
 }
 glm::dvec3 CloudsView::sky_origin_m() const {
   return sky_->shown_origin_m();

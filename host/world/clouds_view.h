@@ -66,10 +66,11 @@ class CloudsView {
   /// The same on all clouds.
   void light(const clouds::CloudIllumination& of_all);
   /// Enqueues what is seen of the particles of the last light() from a camera's eye; nothing before one, and
-  /// where this was one of the last two eyes and nothing else has changed.
+  /// where this was the last eye and nothing else has changed.
   void see(const Camera& camera);
-  /// The same for the mirror image of an eye in the sea's level, for water that mirrors what it sees. The
-  /// light is that to the eye itself where clouds are far above both.
+  /// The same for the mirror image of an eye in the sea's level, for water that mirrors what it sees. Where
+  /// no cloud sees eye and image more than 0.02 rad apart, the light is that to the eye itself. May wait for
+  /// the light's box.
   void see_mirrored(const Camera& mirrored);
 
   /// What lit the particles of the last light(), one a cloud; none before one.

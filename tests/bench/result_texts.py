@@ -120,8 +120,9 @@ FFTW, which is given what the hull displaces and has no border. Most of a small 
 {machine}
 
 `offing-bench world`: frames of scenes/world.toml, 640 x 360, drawn by {renderer}, beside the sum of what its parts take alone, each
-with its own sky; the eye moves, and a fifth of the map of the cloudy sky is drawn anew with every fourth frame, as in a window. The rows
-below the frame are its stages, each with its end waited for. What is in no part is the island and the clouds mirrored in the sea,
+with its own sky; the eye moves, and a fifth of the map of the cloudy sky is drawn anew with every fourth frame, as in a window. Times are medians of
+means over four frames in a row; the ship comes nearer meanwhile, alike in all rows but those of stages, which come last. These are
+the rows below the frame, each stage with its end waited for. What is in no part is the island and the clouds mirrored in the sea,
 and that map. No stage but that of clouds waits for something to come back from a device: it reads the
 picture's depth, once for the eye and once for its mirror image, which costs nothing where the CPU draws.
 

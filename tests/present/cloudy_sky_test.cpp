@@ -194,6 +194,26 @@ TEST_F(CloudyWaterTest, MirrorsCloudsOnce) {
   }
 }
 
+// Fails if water mirrors the sky of another place behind a jump of the eye, or if an eye that moves a little
+// has all of the map drawn anew at once, or has it never.
+TEST_F(CloudyWaterTest, SlicesFollowTheEye) {
+  const auto above = [](double x_m) {
+    Camera camera = looking(1.0, -up_rad);
+    camera.eye_m.x = x_m;
+    return camera;
+  };
+  const auto sliced = [&](const std::vector<Camera>& cameras) {
+    return light_of_last(sea() + cloud(), cameras, 0, {}, SkyRefresh::slice);
+  };
+  const std::vector<float> whole = light(sea() + cloud(), above(200.0), 0);
+  EXPECT_EQ(sliced({above(-800.0), above(200.0)}), whole);
+  std::vector<Camera> cameras{above(140.0), above(200.0)};
+  EXPECT_NE(sliced(cameras), whole);
+  constexpr int faces = 5;
+  cameras.resize(1 + faces * Frame::slice_frames, above(200.0));
+  EXPECT_EQ(sliced(cameras), whole);
+}
+
 // Fails if an eye in the water finds a clear sky in Snell's window under clouds: straight up it sees what the
 // surface and half a metre of water leaves of them. Measured 0.7 % more, gate 5 %.
 TEST_F(CloudyWaterTest, CloudsStandInSnellsWindow) {

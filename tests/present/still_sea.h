@@ -31,11 +31,19 @@ class StillSea : public GlTest {
   /// Light [height][width] of 4 floats, kcd/m2, row 0 at the bottom; WaterDetail::views_px as given.
   std::vector<float> light(const std::string& text, const Camera& camera, int views_px,
                            const present::Quality& quality = {}) {
+    return light_of_last(text, {camera}, views_px, quality, present::SkyRefresh::whole);
+  }
+
+  /// The same of the last of several pictures in a row.
+  std::vector<float> light_of_last(const std::string& text, const std::vector<Camera>& cameras, int views_px,
+                                   const present::Quality& quality, present::SkyRefresh sky) {
     const scene::OceanScene scene = scene::parse_scene("version = 1\n" + text, "a.toml", "");
     world::World world(*device_, scene::prepare_world(scene, scene::Warnings::left_out));
     present::Frame frame(*context_, *device_, {.water = {{64, 64}, 1, views_px}, .transfer = {}});
-    world.at(0.0, camera.eye_m.y);
-    frame.draw(world, {.camera = camera, .exposure = 0.1, .quality = quality});
+    for (const Camera& camera : cameras) {
+      world.at(0.0, camera.eye_m.y);
+      frame.draw(world, {.camera = camera, .exposure = 0.1, .sky = sky, .quality = quality});
+    }
     return frame.light().read();
   }
 

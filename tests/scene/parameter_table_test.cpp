@@ -183,7 +183,8 @@ TEST(ParameterTable, SlidersAreWithinTheirRanges) {
   for (const Parameter& row : parameter_table()) {
     if (!row.slider) continue;
     EXPECT_TRUE(std::holds_alternative<ValueAt<double>>(row.storage) ||
-                std::holds_alternative<ValueAt<std::optional<double>>>(row.storage))
+                std::holds_alternative<ValueAt<std::optional<double>>>(row.storage) ||
+                std::holds_alternative<ValueAt<glm::dvec3>>(row.storage))
         << row.key;
     EXPECT_LE(row.low, row.slider->low) << row.key;
     EXPECT_LT(row.slider->low, row.slider->high) << row.key;

@@ -125,6 +125,42 @@ TEST(CloudsView, SendsAnEyeCloseAboveTheSeaAndItsMirrorImageOneLight) {
   EXPECT_EQ(far_order, seen(-400.0).second);
 }
 
+// Fails if light that comes in parts never reaches an eye and its mirror image behind a low flight, in which
+// they share it; or if parts are left of it where nothing lags any more.
+TEST(CloudsView, LightInPartsArrivesBehindALowFlight) {
+  CloudsView view(device(), two_clouds()), fresh(device(), two_clouds());
+  for (CloudsView* of : {&view, &fresh}) {
+    of->at(0.0);
+    of->light(daylight());
+  }
+  constexpr int parts = 4;
+  view.set_light_lag({.cloud_rad = 0.01, .cloud_parts = parts});
+  const auto look = [](CloudsView& from, double x_m, double altitude_m) {
+    from.see_mirrored(camera_at({x_m, -altitude_m, 3000.0}));
+    const std::vector<CloudSprite> image = from.sprites().read();
+    from.see(camera_at({x_m, altitude_m, 3000.0}));
+    return std::pair(image, from.sprites().read());
+  };
+  const auto equal = [](const std::vector<CloudSprite>& a, const std::vector<CloudSprite>& b) {
+    return std::memcmp(a.data(), b.data(), a.size() * sizeof(CloudSprite)) == 0;
+  };
+  look(view, 25'000.0, 400.0);
+  for (const double x_m : {25'500.0, 26'000.0, 26'500.0}) look(view, x_m, 5.0);
+  const auto [due_image, due] = look(fresh, 26'500.0, 400.0);
+  // A part may be under way to an eye before: that round ends, then comes one to this eye.
+  for (int i = 0; i < 2 * parts; ++i) look(view, 26'500.0, 400.0);
+  const auto [image, seen] = look(view, 26'500.0, 400.0);
+  EXPECT_TRUE(equal(image, due_image));
+  EXPECT_TRUE(equal(seen, due));
+
+  look(view, 24'000.0, 400.0);
+  view.set_light_lag({});
+  const auto [image_at_once, seen_at_once] = look(view, 24'000.0, 400.0);
+  const auto [due_image_there, due_there] = look(fresh, 24'000.0, 400.0);
+  EXPECT_TRUE(equal(image_at_once, due_image_there));
+  EXPECT_TRUE(equal(seen_at_once, due_there));
+}
+
 // Fails if an edit of one cloud changes another, or differs from a view that was made with it.
 TEST(CloudsView, AnEditGivesWhatAFreshStartGives) {
   CloudSkyParameters sky = two_clouds();
