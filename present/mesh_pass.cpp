@@ -131,9 +131,9 @@ void MeshPass::draw_outline(std::size_t index, const MeshViewMatrices& matrices,
 }
 
 void MeshPass::draw_mesh(const world::World& world, std::size_t index, const FrameRequest& request,
-                         GLuint environment) {
+                         GLuint environment, MeshPart part) {
   const world::MeshView& view = world.meshes()[index];
-  const MeshViewMatrices matrices(view, request.camera, capabilities_);
+  const MeshViewMatrices matrices(view, request.camera, capabilities_, part);
   draw_base(world, index, matrices, request, environment);
   if (view.parameters().material.outline_px > 0.0 && request.fill == Fill::solid) {
     draw_outline(index, matrices, request, view.parameters().material);
@@ -164,19 +164,22 @@ void MeshPass::draw(const world::World& world, const FrameRequest& request, GLui
   glEnable(GL_SCISSOR_TEST);
   glScissor(box.left, box.bottom, box.width, box.height);
   begin(target);
-  for (std::size_t i = 0; i < meshes_.size(); ++i) draw_mesh(world, i, request, environment);
+  for (std::size_t i = 0; i < meshes_.size(); ++i) draw_mesh(world, i, request, environment, MeshPart::all);
   end(target, request);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_TEST);
 }
 
 void MeshPass::draw_plainly(const world::World& world, const FrameRequest& request, GLuint environment,
-                            const CloudShadows& shadows, const RenderTarget& target) {
+                            const CloudShadows& shadows, MeshPart part, const RenderTarget& target) {
   if (meshes_.empty()) return;
   lights_.prepare(world, request.camera.eye_m, shadows);
   target.bind();
   glEnable(GL_DEPTH_TEST);
-  for (std::size_t i = 0; i < meshes_.size(); ++i) draw_mesh(world, i, request, environment);
+  // Some drivers clip all the same where it is not enabled: what is not cut has no distance to be clipped at.
+  if (part == MeshPart::above_sea) glEnable(GL_CLIP_DISTANCE0);
+  for (std::size_t i = 0; i < meshes_.size(); ++i) draw_mesh(world, i, request, environment, part);
+  glDisable(GL_CLIP_DISTANCE0);
   glDisable(GL_DEPTH_TEST);
 }
 

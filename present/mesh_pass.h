@@ -31,9 +31,9 @@ class MeshPass {
   /// SkyPass.
   void draw(const world::World& world, const FrameRequest& request, GLuint environment,
             const CloudShadows& shadows, const RenderTarget& target);
-  /// Draws onto a target of light and depth as draw() does, one sample a pixel.
+  /// Draws a part of all meshes onto a target of light and depth as draw() does, one sample a pixel.
   void draw_plainly(const world::World& world, const FrameRequest& request, GLuint environment,
-                    const CloudShadows& shadows, const RenderTarget& target);
+                    const CloudShadows& shadows, MeshPart part, const RenderTarget& target);
 
  private:
   struct Mesh {
@@ -53,7 +53,7 @@ class MeshPass {
   PixelBox pixels(const world::World& world, const Camera& camera) const;
   void begin(const RenderTarget& target);
   void draw_mesh(const world::World& world, std::size_t index, const FrameRequest& request,
-                 GLuint environment);
+                 GLuint environment, MeshPart part);
   void draw_base(const world::World& world, std::size_t index, const MeshViewMatrices& matrices,
                  const FrameRequest& request, GLuint environment);
   void draw_outline(std::size_t index, const MeshViewMatrices& matrices, const FrameRequest& request,

@@ -10,10 +10,15 @@
 #include "present/view_depth.h"
 
 namespace offing::present {
+namespace {
+
+constexpr double nowhere_m = -1e9;  // deeper than anything is drawn
+
+}  // namespace
 
 MeshViewMatrices::MeshViewMatrices(const world::MeshView& mesh, const Camera& camera,
-                                   const GlCapabilities& capabilities)
-    : to_eye(mesh.motion().rotation), sea_m(-camera.eye_m.y) {
+                                   const GlCapabilities& capabilities, MeshPart part)
+    : to_eye(mesh.motion().rotation), cut_m(part == MeshPart::above_sea ? -camera.eye_m.y : nowhere_m) {
   const highlights::RigidMotion& motion = mesh.motion();
   to_eye[3] =
       glm::dvec4(motion.rotation * mesh.surface().middle_m() + (motion.translation_m - camera.eye_m), 1.0);
@@ -23,7 +28,7 @@ MeshViewMatrices::MeshViewMatrices(const world::MeshView& mesh, const Camera& ca
 void MeshViewMatrices::set(const ShaderProgram& program) const {
   program.set("to_eye", glm::mat4(to_eye));
   program.set("to_clip", glm::mat4(to_clip));
-  program.set("sea_m", static_cast<float>(sea_m));
+  program.set("cut_m", static_cast<float>(cut_m));
 }
 
 PixelBox pixels_of(const glm::dvec3& low_m, const glm::dvec3& high_m, const MeshViewMatrices& matrices,

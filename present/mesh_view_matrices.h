@@ -9,13 +9,19 @@
 
 namespace offing::present {
 
+enum class MeshPart {
+  all,
+  above_sea,  ///< above the level sea
+};
+
 /// How places of MeshGeometry, relative to the mesh's middle, come to the screen. Made in double precision.
 struct MeshViewMatrices {
   glm::dmat4 to_eye;   ///< relative to the eye, in the world's axes
   glm::dmat4 to_clip;  ///< of the screen
-  double sea_m;        ///< height of the level sea over the eye's
+  double cut_m;        ///< height over the eye's below which nothing is drawn
 
-  MeshViewMatrices(const world::MeshView& mesh, const Camera& camera, const GlCapabilities& capabilities);
+  MeshViewMatrices(const world::MeshView& mesh, const Camera& camera, const GlCapabilities& capabilities,
+                   MeshPart part = MeshPart::all);
 
   /// Gives them to a program in use (mesh_place.glsl).
   void set(const ShaderProgram& program) const;

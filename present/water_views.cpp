@@ -62,9 +62,8 @@ void WaterViews::draw_mirrored(world::World& world, const FrameRequest& request,
     mirrored_terrain_.draw(from_below.camera, TerrainPass::Part::covered);
   }
   // Meshes alone reach below the plane.
-  glEnable(GL_CLIP_DISTANCE0);
-  passes.meshes.draw_plainly(world, from_below, passes.environment, passes.shadows, mirrored_);
-  glDisable(GL_CLIP_DISTANCE0);
+  passes.meshes.draw_plainly(world, from_below, passes.environment, passes.shadows, MeshPart::above_sea,
+                             mirrored_);
   if (mirrors_clouds_) {
     world.see_mirrored_clouds(from_below.camera);
     mirrored_clouds_.prepare(world.device(), drawn_clouds(world), from_below.camera, mirrored_, transfer);
@@ -83,7 +82,7 @@ void WaterViews::draw_beneath(world::World& world, const FrameRequest& request, 
     beneath_.bind();
     terrain_beneath_.draw(request.camera, TerrainPass::Part::covered);
   }
-  passes.meshes.draw_plainly(world, request, passes.environment, passes.shadows, beneath_);
+  passes.meshes.draw_plainly(world, request, passes.environment, passes.shadows, MeshPart::all, beneath_);
 }
 
 void WaterViews::bind(const ShaderProgram& program, int first_unit) const {

@@ -5,7 +5,7 @@ layout(location = 1) in vec3 vertex_normal;
 uniform mat4 to_clip;
 uniform mat4 to_eye;  // relative to the eye, in the world's axes
 
-uniform float sea_m;  // height of the level sea over the eye's
+uniform float cut_m;  // height over the eye's below which nothing is drawn
 
 invariant gl_Position;
 
@@ -13,9 +13,8 @@ vec3 eye_place_m() {
   return (to_eye * vec4(position_m, 1.0)).xyz;
 }
 
-// Where only what is above the level sea is drawn, the rest is cut away.
 vec4 clip_place() {
-  gl_ClipDistance[0] = eye_place_m().y - sea_m;
+  gl_ClipDistance[0] = eye_place_m().y - cut_m;
   return to_clip * vec4(position_m, 1.0);
 }
 

@@ -52,6 +52,22 @@ TEST_F(WaterViewsTest, MirrorsWhatStandsInIt) {
   }
 }
 
+// Fails if what reaches below the height 0 of a world is cut away there, as what water mirrors is: a box of
+// 4 m whose middle lies 1 m below, seen from the side. The lower row shows it at -2.5 m.
+TEST_F(WaterViewsTest, ShowsMeshesBelowTheLevelSea) {
+  const std::string box =
+      "[[mesh]]\nshape = \"box\"\nsize_m = 4\ny_m = -1\ncolour = [0.8, 0.05, 0.05]\n"
+      "specular = 0\nhighlights = \"off\"\n";
+  Camera camera = square_camera({0.0, -1.0, 14.0});
+  camera.vertical_field_of_view_rad = 2.0 * std::atan(3.0 / 12.0);
+  const std::vector<float> seen = light(box, camera, side_px);
+  for (const double height_m : {0.5, -0.5, -2.5}) {
+    const int row = static_cast<int>((0.5 + (height_m + 1.0) / 6.0) * side_px);
+    const float* texel = pixel(seen, side_px / 2, row);
+    EXPECT_GT(texel[0], 3.0f * texel[2]) << height_m;
+  }
+}
+
 // A level bed of sand: what is seen of it straight from above falls with depth as exp(-2 K d), channel by
 // channel, beside the light of deep water and that of the surface. Gate: 3 % of the ratio: halves round to
 // 2^-11, the ground's air and its mottling differ by less than a percent over two metres.
