@@ -24,6 +24,13 @@ constexpr int environment_unit = WaterMaps::first_free_unit, pattern_unit = envi
 // Waves shorter than 2 m break without drawing air under: they make no foam.
 constexpr double ripples_radpm = std::numbers::pi;
 
+/// Share of the foam of steep waves that a wind leaves: whitecaps begin at 3.7 m/s (Callaghan and others
+/// 2008), calmer seas break without drawing air under, however steep.
+double whitecap_share(double wind_speed_mps) {
+  constexpr double first_mps = 3.7, all_mps = 6.0;
+  return glm::smoothstep(first_mps, all_mps, wind_speed_mps);
+}
+
 glm::vec3 to_vec3(const ocean::SlopeCovariance& slopes) {
   return {slopes.xx, slopes.xz, slopes.zz};
 }
@@ -89,6 +96,7 @@ void WaterPass::set_waves(const ShaderProgram& program, const world::World& worl
   program.set("ripples", to_vec3(world.hidden_slopes().ripples));
   program.set("trochoid_slopes", to_vec3(world.hidden_slopes().trochoids));
   program.set("breaking", breaking);
+  program.set("whitecaps", static_cast<float>(whitecap_share(world.parameters().wind_speed_mps)));
   program.set("foam_onset", glm::vec2(sea.foam.onset_jacobian, sea.foam.width));
   const glm::dvec2 foam_place = eye_m / static_cast<double>(foam_tile_m);
   program.set("foam_place", glm::vec2(foam_place - glm::floor(foam_place / 100.0) * 100.0));

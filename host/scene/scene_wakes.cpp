@@ -7,6 +7,7 @@
 
 #include "host/base/error.h"
 #include "host/scene/moving_number.h"
+#include "host/scene/named_file.h"
 #include "host/scene/scene_bodies.h"
 
 namespace offing::scene {
@@ -76,9 +77,10 @@ std::vector<world::WakeSettings> prepare_wakes(const OceanScene& scene, const oc
     const WakeScene& wake = scene.wakes[i];
     if (wake.parameters.cells != scene.wakes.front().parameters.cells) {
       throw Error(ErrorKind::bad_input,
-                  fmt::format("ocean.wake.cells: expected the same in all windows, got {} and {}",
+                  fmt::format("{}: expected as many cells as in the first window, {}, got {}",
+                              place_of_name(scene, {"ocean.wake.cells", {i, 0}}),
                               scene.wakes.front().parameters.cells, wake.parameters.cells),
-                  "choose other lengths instead");
+                  "give all windows the same cells, and lengths of their own");
     }
     world::WakeSettings settings{.parameters = wake.parameters,
                                  .history_s = wake.history_s,

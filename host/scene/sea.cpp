@@ -147,7 +147,7 @@ OceanScene with_resolved_wind(OceanScene scene) {
 
 Sea prepare_sea(const OceanScene& scene, Warnings warnings) {
   if (!scene.has_sea()) {
-    throw Error(ErrorKind::bad_input, "scene: expected a sea, found ground alone",
+    throw Error(ErrorKind::bad_input, "scene: expected a sea, found none",
                 "add an [ocean] section to the scene");
   }
   Sea sea;

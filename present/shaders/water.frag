@@ -22,6 +22,7 @@ uniform vec3 sky_klx;   // on a level surface, by the sky alone
 uniform vec3 water_of_sky_kcdpm2;  // light from below the surface that was the sky's
 uniform vec3 water_of_sun_kcdpm2;  // and the sun's, where no cloud stands before it
 uniform vec2 foam_onset;    // Jacobian where foam begins, and how far below it covers all
+uniform float whitecaps;    // share of that foam that the wind leaves
 
 out vec4 light;
 
@@ -182,7 +183,7 @@ void main() {
   // The maps' foam knows of its cascade alone. Long waves gather it where they press the water together, on their
   // crests: it does not repeat as the maps do.
   float pressed = -(trochoid_gradient.x + trochoid_gradient.z);
-  float coverage = max(fresh_foam(breaking_gradient), clamp(1.0 + 9.0 * pressed, 0.0, 1.5) * (1.0 - bare));
+  float coverage = whitecaps * max(fresh_foam(breaking_gradient), clamp(1.0 + 9.0 * pressed, 0.0, 1.5) * (1.0 - bare));
   float foam = foam_opacity(coverage, label_m, width_m);
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
   vec3 foam_light = foam_albedo / pi * (sky_klx + shaded_sun_klx * max(dot(normal, sun_direction), 0.0));

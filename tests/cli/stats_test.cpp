@@ -140,7 +140,7 @@ TEST(Stats, TakesTheScenesWithoutAWarning) {
     EXPECT_THAT(result.errors, testing::Not(testing::HasSubstr("warning"))) << entry.path();
     if (!scene::load_scene(entry.path()).has_sea()) {
       EXPECT_EQ(result.exit_code, 2) << entry.path();
-      EXPECT_THAT(result.errors, testing::HasSubstr("expected a sea, found ground alone"));
+      EXPECT_THAT(result.errors, testing::HasSubstr("expected a sea, found none"));
     } else {
       EXPECT_EQ(result.exit_code, 0) << result.errors;
       ++seas;
