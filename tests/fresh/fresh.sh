@@ -48,6 +48,9 @@ trap cleanup EXIT
 
 say() { printf 'fresh: %s\n' "$*"; }
 
+# One commit for all of it, whatever is committed meanwhile.
+commit=$(git -c safe.directory='*' -C "$repository" rev-parse HEAD)
+
 say "Debian $release from its mirror, in $work"
 debootstrap --variant=minbase "$release" "$work/base" "$mirror" >"$work/debootstrap.log" 2>&1 ||
   { tail -n 20 "$work/debootstrap.log" >&2; fail "debootstrap failed" "see above; check the mirror"; }
@@ -77,6 +80,7 @@ prepare() {
   fi
   # A path with a space, as people have.
   git -c safe.directory='*' clone --quiet --no-local "$repository" "$root$home/off ing"
+  git -c safe.directory='*' -C "$root$home/off ing" checkout --quiet --detach "$commit"
   [[ "$person" == root ]] || chroot "$root" chown -R visitor: "$home"
 }
 
@@ -116,5 +120,5 @@ for person in "${people[@]}"; do
   done
 done
 
-say "all passed at $(git -c safe.directory='*' -C "$repository" rev-parse --short HEAD), $(nproc) cores"
+say "all passed at $commit, $(nproc) cores"
 printf '%s\n' "${results[@]}"
