@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
@@ -39,10 +40,12 @@ TEST(SceneWakes, HullsMoveAndWindowsFollow) {
   EXPECT_EQ(wakes[1].forcing_at(1.0).centre.z_m, 6.0);
 }
 
-// Fails if windows that cannot share a texture come through.
+// Fails if windows that cannot share a texture come through, or it is not told which one differs.
 TEST(SceneWakes, WindowsHaveTheSameCells) {
   const OceanScene scene = scene_with("[[ocean.wake]]\n[[ocean.wake]]\ncells = 128\n");
-  EXPECT_THROW(prepare_wakes(scene, {}), Error);
+  EXPECT_THAT([&] { prepare_wakes(scene, {}); },
+              testing::ThrowsMessage<Error>(
+                  testing::AllOf(testing::StartsWith("a.toml:8:"), testing::EndsWith("256, got 128"))));
 }
 
 }  // namespace
