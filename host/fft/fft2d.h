@@ -2,6 +2,7 @@
 
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
+#include "host/ocl/tuning.h"
 
 namespace offing::fft {
 
@@ -19,7 +20,8 @@ enum class Direction {
 class Fft2d {
  public:
   /// Throws Error(bad_input) if size is not a power of two in [16, 4096], batch < 1, or the size needs larger
-  /// work-groups than the device allows (see fft_plan.h).
+  /// work-groups than the device allows (see fft_plan.h); Error(device) if the device computes wrong
+  /// transforms (see sound_family.h).
   Fft2d(const ocl::Device& device, int size, int batch, Direction direction);
 
   int size() const { return size_; }
@@ -30,6 +32,9 @@ class Fft2d {
   void transform(const ocl::Buffer<float>& input, ocl::Buffer<float>& output);
 
  private:
+  Fft2d(const ocl::Device& device, int size, int batch, Direction direction, ocl::KernelShape family);
+  static ocl::KernelShape family_for(const ocl::Device& device, int size, Direction direction);
+
   int size_;
   int batch_;
   ocl::Kernel rows_;

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/ocl/tuning.h"
 
 namespace offing::fft {
 namespace {
@@ -179,12 +178,6 @@ PassPlan group_pass(const PlanRequest& request, int width) {
 
 PassPlan group_columns(const ocl::DeviceInfo& device, const PlanRequest& request) {
   const int threads = request.size / thread_values;
-  if (static_cast<std::size_t>(threads) > device.max_work_group_size) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("transform size {}: needs work-groups of {}, {} allows {}", request.size, threads,
-                            device.name, device.max_work_group_size),
-                "choose a smaller --size or another --device");
-  }
   const auto bytes_per_column = sizeof(float) * static_cast<std::size_t>(request.size);
   // Up to 16 neighbouring columns for coalesced access, as long as a work-group stays near 256 work-items.
   int width = std::clamp(256 / threads, 1, strip_lanes);
@@ -220,7 +213,7 @@ ocl::LaunchShape PassPlan::shape_for(int batch) const {
   return batched;
 }
 
-FftPlan::FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request) {
+std::vector<ocl::KernelShape> possible_families(const ocl::DeviceInfo& device, const PlanRequest& request) {
   if (request.size < smallest_size || request.size > largest_size ||
       !std::has_single_bit(static_cast<unsigned>(request.size))) {
     throw Error(ErrorKind::bad_input,
@@ -228,13 +221,29 @@ FftPlan::FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request) {
                             largest_size, request.size),
                 "use 256, 512 or 1024");
   }
-  ocl::KernelShape shape = ocl::tuning_for(device, "fft").shape;
-  int lanes = strip_lanes;
-  if (strip_scratch_bytes(request, lanes) > device.local_memory_bytes) lanes = narrow_lanes;
-  if (strip_scratch_bytes(request, lanes) > device.local_memory_bytes) shape = ocl::KernelShape::group;
-  if (request.size < smallest_strip_size) shape = ocl::KernelShape::group;
-  if (shape == ocl::KernelShape::strip) {
-    columns_ = strip_columns(request, lanes);
+  const int threads = request.size / thread_values;
+  const bool can_strip = request.size >= smallest_strip_size &&
+                         strip_scratch_bytes(request, narrow_lanes) <= device.local_memory_bytes;
+  const bool can_group = static_cast<std::size_t>(threads) <= device.max_work_group_size;
+  const ocl::KernelShape wanted = ocl::tuning_for(device, "fft").shape;
+  std::vector<ocl::KernelShape> families;
+  if (can_strip) families.push_back(ocl::KernelShape::strip);
+  if (can_group) families.push_back(ocl::KernelShape::group);
+  if (families.empty()) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("transform size {}: needs work-groups of {}, {} allows {}", request.size, threads,
+                            device.name, device.max_work_group_size),
+                "choose a smaller --size or another --device");
+  }
+  if (families.front() != wanted) std::reverse(families.begin(), families.end());
+  if (ocl::shape_is_forced() && families.front() == wanted) families.resize(1);
+  return families;
+}
+
+FftPlan::FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request, ocl::KernelShape family) {
+  if (family == ocl::KernelShape::strip) {
+    const bool has_room = strip_scratch_bytes(request, strip_lanes) <= device.local_memory_bytes;
+    columns_ = strip_columns(request, has_room ? strip_lanes : narrow_lanes);
     rows_ = strip_rows(request);
   } else {
     columns_ = group_columns(device, request);

@@ -6,6 +6,7 @@
 #include "host/ocl/device.h"
 #include "host/ocl/kernel.h"
 #include "host/ocl/program.h"
+#include "host/ocl/tuning.h"
 
 namespace offing::fft {
 
@@ -28,14 +29,20 @@ struct PlanRequest {
   int result_fields = 1;  ///< complex fields that the second pass stores
 };
 
-/// The two passes of an n x n transform, shaped for the device by the tuning table: a strip of lanes a
-/// work-item on a CPU, a work-group a row or strip of columns on a GPU. A CPU whose __local memory is too
-/// small for the columns takes narrower strips, then the GPU shape.
+/// The families of kernels that can do this transform on this device, the one that the tuning table names
+/// first: strip, a strip of lanes a work-item, for CPUs; group, a work-group a row or strip of columns, for
+/// GPUs. Strips need sizes from 64 on and __local memory for a column. Where OFFING_SHAPE chooses a family,
+/// the other one is there only if that one cannot do it.
+///
+/// Throws Error(bad_input) if the size is not a power of two in [16, 4096], or the device has neither memory
+/// for strips nor work-groups of n / 8 work-items: 4096 needs 512, which a few GPUs do not allow.
+std::vector<ocl::KernelShape> possible_families(const ocl::DeviceInfo& device, const PlanRequest& request);
+
+/// The two passes of an n x n transform.
 class FftPlan {
  public:
-  /// Throws Error(bad_input) if the size is not a power of two in [16, 4096], or the device gets the GPU shape
-  /// and allows work-groups of fewer than n / 8 work-items: 4096 needs 512, which a few GPUs do not allow.
-  FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request);
+  /// `family` is one of possible_families().
+  FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request, ocl::KernelShape family);
 
   const PassPlan& columns() const { return columns_; }
   const PassPlan& rows() const { return rows_; }

@@ -20,9 +20,21 @@ class ModeTransform {
     std::string_view second_source, second_kernel;  ///< "ocean/surface_assemble.cl", "surface_assemble"
     int half_fields = 0;
     int pair_fields = 0;
+    /// The relative error of a transform of one cascade against a reference on the host, such as
+    /// surface_self_test(): what decides about the family of kernels (see fft/sound_family.h).
+    double (*self_test)(const ocl::Device& device, ModeTransform& transform, int size) = nullptr;
   };
 
+  /// Of what WaveModes says.
+  struct Grid {
+    int size, columns, cascade_count;
+  };
+
+  /// Takes the family of kernels that suits the device best and passes the self-test. Throws Error(device) if
+  /// none does.
   ModeTransform(const ocl::Device& device, const WaveModes& modes, const Request& request);
+  /// Takes this family, untested.
+  ModeTransform(const ocl::Device& device, const Grid& grid, const Request& request, ocl::KernelShape family);
 
   /// Enqueues the first pass with its own arguments, which come first.
   template <class... Args>
@@ -36,6 +48,8 @@ class ModeTransform {
   }
 
  private:
+  static ocl::KernelShape family_for(const ocl::Device& device, Grid grid, const Request& request);
+
   ocl::Kernel first_, second_;
   ocl::LaunchShape first_shape_, second_shape_;
   ocl::LocalMemory first_scratch_;

@@ -5,6 +5,9 @@
 
 namespace offing::ocean {
 
+/// The kernels of SurfaceMaps.
+ModeTransform::Request surface_request();
+
 /// The surface of every cascade at one time, on the device: eight real fields in two maps.
 class SurfaceMaps {
  public:

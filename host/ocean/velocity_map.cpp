@@ -2,20 +2,26 @@
 
 #include <algorithm>
 
+#include "host/ocean/mode_self_test.h"
+
 namespace offing::ocean {
 namespace {
 // Water deeper than this is deep for every wave that a patch can hold, and finite numbers suit every device.
 constexpr double bottomless_m = 1e6;
 }  // namespace
 
+ModeTransform::Request velocity_request() {
+  return {.first_source = "ocean/velocity_advance.cl",
+          .first_kernel = "velocity_advance",
+          .second_source = "ocean/velocity_assemble.cl",
+          .second_kernel = "velocity_assemble",
+          .half_fields = 4,
+          .pair_fields = 2,
+          .self_test = velocity_self_test};
+}
+
 VelocityMap::VelocityMap(const ocl::Device& device, const WaveModes& modes, double water_depth_m)
-    : transform_(device, modes,
-                 {.first_source = "ocean/velocity_advance.cl",
-                  .first_kernel = "velocity_advance",
-                  .second_source = "ocean/velocity_assemble.cl",
-                  .second_kernel = "velocity_assemble",
-                  .half_fields = 4,
-                  .pair_fields = 2}),
+    : transform_(device, modes, velocity_request()),
       water_depth_m_(static_cast<float>(std::min(water_depth_m, bottomless_m))) {
   const auto n = static_cast<std::size_t>(modes.size());
   velocity_ =

@@ -7,6 +7,9 @@
 
 namespace offing::ocean {
 
+/// The kernels of VelocityMap.
+ModeTransform::Request velocity_request();
+
 /// Particle velocity and pressure of every cascade at one time and one depth below the instantaneous surface,
 /// on the device.
 class VelocityMap {

@@ -32,15 +32,9 @@ std::string options_of(const DeviceInfo& info, const Defines& defines) {
   return options;
 }
 
-// Everything that shapes the binary; '\0' keeps neighbours apart.
+// Everything that shapes the binary.
 std::string identity_of(const DeviceInfo& info, const std::string& source, const std::string& options) {
-  std::string identity;
-  for (const std::string* part : {&source, &options, &info.platform, &info.platform_version, &info.name,
-                                  &info.vendor, &info.device_version, &info.driver_version}) {
-    identity += *part;
-    identity += '\0';
-  }
-  return identity;
+  return joined_identity({source, options}) + driver_identity(info);
 }
 
 std::string build_log(cl_program program, cl_device_id device) {

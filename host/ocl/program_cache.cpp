@@ -75,6 +75,20 @@ void remove_stale_temporaries(const fs::path& folder) {
 
 }  // namespace
 
+std::string joined_identity(std::initializer_list<std::string_view> parts) {
+  std::string identity;
+  for (const std::string_view part : parts) {
+    identity += part;
+    identity += '\0';
+  }
+  return identity;
+}
+
+std::string driver_identity(const DeviceInfo& info) {
+  return joined_identity({info.platform, info.platform_version, info.name, info.vendor, info.device_version,
+                          info.driver_version});
+}
+
 fs::path ProgramCache::default_folder() {
   if (const char* own = std::getenv("OFFING_CACHE_DIR")) return own;
   const char* xdg = std::getenv("XDG_CACHE_HOME");

@@ -2,12 +2,20 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "host/ocl/device.h"
+
 namespace offing::ocl {
+
+/// The parts of an entry's identity as one string; '\0' keeps neighbours apart.
+std::string joined_identity(std::initializer_list<std::string_view> parts);
+/// Everything about a device and its driver that shapes what is compiled for it.
+std::string driver_identity(const DeviceInfo& info);
 
 /// A folder of compiled programs, one file each, named by a 128-bit hash of all that shapes the binary.
 ///

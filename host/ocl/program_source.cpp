@@ -69,8 +69,10 @@ class Assembler {
  public:
   void add(std::string_view name, const std::string& included_at) {
     if (!seen_.insert(std::string(name)).second) return;
+    const std::optional<SourceFile> embedded = read_embedded(name);
     std::optional<SourceFile> file = read_from_folder(name);
-    if (!file) file = read_embedded(name);
+    if (file && embedded && file->text != embedded->text) replaced_.emplace_back(name);
+    if (!file) file = embedded;
     if (!file) {
       throw Error(
           ErrorKind::build_failed,
@@ -93,9 +95,11 @@ class Assembler {
   }
 
   std::string take() { return std::move(text_); }
+  std::vector<std::string> take_replaced() { return std::move(replaced_); }
 
  private:
   std::string text_;
+  std::vector<std::string> replaced_;
   std::set<std::string> seen_;
 };
 
@@ -105,6 +109,12 @@ std::string assemble_source(std::string_view source_name) {
   Assembler assembler;
   assembler.add(source_name, "Program::build");
   return assembler.take();
+}
+
+std::vector<std::string> replaced_files(std::string_view source_name) {
+  Assembler assembler;
+  assembler.add(source_name, "replaced_files");
+  return assembler.take_replaced();
 }
 
 }  // namespace offing::ocl

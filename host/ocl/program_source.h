@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace offing::ocl {
 
@@ -12,5 +13,9 @@ namespace offing::ocl {
 /// folder OFFING_KERNEL_PATH when it was read there. A file that this folder lacks comes from the embedded
 /// text. Throws Error(build_failed) that names the missing file and the line that includes it.
 std::string assemble_source(std::string_view source_name);
+
+/// The files of this source that OFFING_KERNEL_PATH replaces with another text, by their names below
+/// kernels/.
+std::vector<std::string> replaced_files(std::string_view source_name);
 
 }  // namespace offing::ocl

@@ -27,6 +27,10 @@ bool is_pocl(const DeviceInfo& info) {
   return info.platform == "Portable Computing Language";
 }
 
+bool is_intel_cpu(const DeviceInfo& info) {
+  return info.platform == "Intel(R) OpenCL" && info.type == DeviceType::cpu;
+}
+
 const char* variable(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr || *value == '\0' ? nullptr : value;
@@ -110,8 +114,15 @@ bool forbids_host_pointers(const DeviceInfo& info) {
 
 // Oclgrind 21.10 aborts on what its compiler makes of `restrict` parameters in inlined helpers
 // (https://github.com/jrprice/Oclgrind). Without the word the kernels mean the same.
+//
+// Intel's OpenCL for the CPU (2026.22.10 and earlier) mixes up private values that live across a barrier: a
+// negated value that is used before and after it is that of the work-group's last work-item for all of them
+// (https://github.com/intel/llvm/issues/23220). The rows of several fields in one unrolled piece have such
+// values; a loop over the fields keeps them in memory, where they are right.
 std::string build_options(const DeviceInfo& info) {
-  return is_oclgrind(info) ? " -Drestrict=" : "";
+  if (is_oclgrind(info)) return " -Drestrict=";
+  if (is_intel_cpu(info)) return " -DFFT_FIELDS_IN_LOOP";
+  return "";
 }
 
 }  // namespace offing::ocl::quirks

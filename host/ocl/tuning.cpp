@@ -39,10 +39,15 @@ DeviceClass class_of(const DeviceInfo& device) {
   return has_vectors ? DeviceClass::vector_cpu : DeviceClass::other;
 }
 
+// Empty where the device decides.
+std::string_view forced_shape() {
+  const char* shape = std::getenv("OFFING_SHAPE");
+  return shape == nullptr ? "" : shape;
+}
+
 KernelTuning with_override(KernelTuning tuning) {
-  const char* wanted = std::getenv("OFFING_SHAPE");
-  if (wanted == nullptr || *wanted == '\0') return tuning;
-  const std::string_view shape = wanted;
+  const std::string_view shape = forced_shape();
+  if (shape.empty()) return tuning;
   if (shape == "strip") return strip;
   if (shape == "group") return group;
   throw Error(ErrorKind::bad_usage, fmt::format("OFFING_SHAPE: expected strip or group, got \"{}\"", shape),
@@ -57,6 +62,10 @@ KernelTuning tuning_for(const DeviceInfo& device, std::string_view family) {
     if (row.family == family && row.device_class == device_class) return with_override(row.tuning);
   }
   return with_override(group);  // the default row: right everywhere, if not fast
+}
+
+bool shape_is_forced() {
+  return !forced_shape().empty();
 }
 
 }  // namespace offing::ocl

@@ -22,4 +22,7 @@ struct KernelTuning {
 /// group overrides the shape, for tests; any other value throws Error(bad_usage).
 KernelTuning tuning_for(const DeviceInfo& device, std::string_view family);
 
+/// Whether OFFING_SHAPE chooses the shape of all kernels.
+bool shape_is_forced();
+
 }  // namespace offing::ocl

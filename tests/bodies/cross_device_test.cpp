@@ -29,7 +29,7 @@ class BodyCrossDeviceTest : public testing::Test {
 };
 
 // Fails if a kernel relies on what one driver does.
-TEST_F(BodyCrossDeviceTest, RusticlMovesThemAlike) {
+TEST_F(BodyCrossDeviceTest, AllDevicesMoveThemAlike) {
   dump_.compare_devices(expect_same);
 }
 

@@ -30,7 +30,7 @@ class LightCrossDeviceTest : public testing::Test {
 };
 
 // Fails if a kernel relies on what one driver does, such as its mathematics, its rounding or its vectors.
-TEST_F(LightCrossDeviceTest, ShapesAndRusticlLightAlike) {
+TEST_F(LightCrossDeviceTest, AllDevicesLightAlike) {
   dump_.compare_devices(expect_same);
 }
 

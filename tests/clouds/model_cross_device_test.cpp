@@ -28,7 +28,7 @@ class CloudModelCrossDeviceTest : public testing::Test {
 };
 
 // Fails if a kernel relies on what one driver does, such as its mathematics, its rounding or its vectors.
-TEST_F(CloudModelCrossDeviceTest, ShapesAndRusticlMakeTheSameClouds) {
+TEST_F(CloudModelCrossDeviceTest, AllDevicesMakeTheSameClouds) {
   dump_.compare_devices(expect_same);
 }
 

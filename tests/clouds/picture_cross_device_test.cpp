@@ -31,7 +31,7 @@ class PictureCrossDeviceTest : public testing::Test {
 };
 
 // Fails if a kernel relies on what one driver does, such as its mathematics, its rounding or its vectors.
-TEST_F(PictureCrossDeviceTest, ShapesAndRusticlDrawTheSamePicture) {
+TEST_F(PictureCrossDeviceTest, AllDevicesDrawTheSamePicture) {
   dump_.compare_devices(expect_same);
 }
 

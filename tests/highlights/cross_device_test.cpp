@@ -28,7 +28,7 @@ class HighlightCrossDeviceTest : public testing::Test {
 };
 
 // Fails if a kernel relies on what one driver does, such as its mathematics, its rounding or its vectors.
-TEST_F(HighlightCrossDeviceTest, ShapesAndRusticlFindTheSameHighlights) {
+TEST_F(HighlightCrossDeviceTest, AllDevicesFindTheSameHighlights) {
   dump_.compare_devices(expect_same);
 }
 

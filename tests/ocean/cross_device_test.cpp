@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 
 #include "tests/io/temporary_folder.h"
+#include "tests/ocl/other_devices.h"
 
 namespace offing::ocean {
 namespace {
@@ -76,14 +77,23 @@ class CrossDeviceTest : public testing::Test {
 };
 
 // Fails if a kernel relies on what one driver does, such as its mathematics, its rounding or its vectors.
-TEST_F(CrossDeviceTest, RusticlGivesTheSameSea) {
-  const std::string rusticl = "RUSTICL_ENABLE=llvmpipe OFFING_DEVICE=rusticl";
-  if (!has("test -e /etc/OpenCL/vendors/rusticl.icd")) {
-    GTEST_SKIP() << "rusticl is not installed (mesa-opencl-icd libclc-15 libllvmspirvlib15)";
+TEST_F(CrossDeviceTest, AllDevicesGiveTheSameSea) {
+  for (const test::OtherDevice& device : test::other_devices()) {
+    if (!device.is_installed()) continue;
+    for (const int size : {16, 32}) {
+      SCOPED_TRACE(device.name);
+      expect_same_sea(dump(device.prefix() + "OFFING_SHAPE=group", size), dump(default_device, size), size);
+    }
   }
-  for (const int size : {16, 32}) {
-    expect_same_sea(dump(rusticl + " OFFING_SHAPE=group", size), dump(default_device, size), size);
-  }
+  if (const std::string missing = test::missing_devices(); !missing.empty()) GTEST_SKIP() << missing;
+}
+
+// Fails if Intel's runtime computes fields of any size, 16 ... 4096, in either family, less exactly than PoCL
+// may (transform_sizes_test.cpp).
+TEST_F(CrossDeviceTest, IntelKeepsTheBoundOfPocl) {
+  const test::OtherDevice intel = test::intel();
+  if (!intel.is_installed()) GTEST_SKIP() << intel.missing;
+  EXPECT_EQ(run("OFFING_CACHE_DIR=" + path("cache") + " " + intel.prefix() + OFFING_TRANSFORM_SIZES_TEST), 0);
 }
 
 // Fails if a work-item reads or writes outside a buffer, if two race for a place, or if results differ from

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/ocl/other_devices.h"
+
 namespace offing::test {
 namespace {
 
@@ -42,10 +44,14 @@ std::vector<float> DeviceDump::values_under_oclgrind(const std::string& shape) c
 void DeviceDump::compare_devices(const Compare& compare) const {
   const std::vector<float> expected = values(default_device);
   compare(values("OFFING_SHAPE=group OFFING_DEVICE=portable"), expected);
-  if (!has_rusticl()) {
-    GTEST_SKIP() << "rusticl is not installed (mesa-opencl-icd libclc-15 libllvmspirvlib15)";
+  for (const OtherDevice& device : other_devices()) {
+    if (!device.is_installed()) continue;
+    for (const std::string& shape : device.shapes) {
+      SCOPED_TRACE(device.name + " " + shape);
+      compare(values(device.prefix() + "OFFING_SHAPE=" + shape), expected);
+    }
   }
-  compare(values("RUSTICL_ENABLE=llvmpipe OFFING_DEVICE=rusticl OFFING_SHAPE=group"), expected);
+  if (const std::string missing = missing_devices(); !missing.empty()) GTEST_SKIP() << missing;
 }
 
 void DeviceDump::compare_under_oclgrind(const Compare& compare) const {
@@ -56,10 +62,6 @@ void DeviceDump::compare_under_oclgrind(const Compare& compare) const {
 
 bool DeviceDump::has_oclgrind() {
   return std::system("command -v oclgrind > /dev/null 2>&1") == 0;
-}
-
-bool DeviceDump::has_rusticl() {
-  return std::filesystem::exists("/etc/OpenCL/vendors/rusticl.icd");
 }
 
 }  // namespace offing::test

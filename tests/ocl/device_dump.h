@@ -28,13 +28,13 @@ class DeviceDump {
 
   /// Checks what was found elsewhere beside what the default device wrote.
   using Compare = std::function<void(const std::vector<float>& found, const std::vector<float>& expected)>;
-  /// For PoCL with the kernels shaped for a GPU, and for rusticl, or skips that where it is not installed.
+  /// For PoCL with the kernels shaped for a GPU, and for the other devices in their shapes, or skips where
+  /// one of these is not installed.
   void compare_devices(const Compare& compare) const;
   /// For both shapes under Oclgrind, or skips where it is not installed.
   void compare_under_oclgrind(const Compare& compare) const;
 
   static bool has_oclgrind();
-  static bool has_rusticl();
 
  private:
   std::string path(const std::string& name) const { return (folder_.path() / name).string(); }

@@ -16,6 +16,9 @@ class TestKernels {
   TestKernels();
   /// Writes `text` as the kernel source `name`.
   void write(std::string_view name, std::string_view text) const;
+  /// Writes Offing's own kernel source `name` with `part` of it replaced. Fails the test if it has no such
+  /// part.
+  void change(std::string_view name, std::string_view part, std::string_view by) const;
   std::string path_of(std::string_view name) const { return (folder_.path() / name).string(); }
   const TemporaryFolder& cache() const { return cache_; }
 

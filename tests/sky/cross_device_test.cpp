@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/io/temporary_folder.h"
+#include "tests/ocl/other_devices.h"
 
 namespace offing::sky {
 namespace {
@@ -67,11 +68,12 @@ class SkyCrossDeviceTest : public testing::Test {
 };
 
 // Fails if a kernel relies on what one driver does, such as its mathematics or its vectors.
-TEST_F(SkyCrossDeviceTest, RusticlGivesTheSameSky) {
-  if (!std::filesystem::exists("/etc/OpenCL/vendors/rusticl.icd")) {
-    GTEST_SKIP() << "rusticl is not installed (mesa-opencl-icd libclc-15 libllvmspirvlib15)";
+TEST_F(SkyCrossDeviceTest, AllDevicesGiveTheSameSky) {
+  for (const test::OtherDevice& device : test::other_devices()) {
+    SCOPED_TRACE(device.name);
+    if (device.is_installed()) expect_same(dump(device.prefix()), dump(default_device));
   }
-  expect_same(dump("RUSTICL_ENABLE=llvmpipe OFFING_DEVICE=rusticl"), dump(default_device));
+  if (const std::string missing = test::missing_devices(); !missing.empty()) GTEST_SKIP() << missing;
 }
 
 // Fails if a work-item reads or writes outside a buffer, or results differ from those of a real device.

@@ -30,23 +30,14 @@ class TerrainCrossDeviceTest : public testing::Test {
 };
 
 // Fails if a kernel relies on what one driver does, such as its mathematics, its rounding or its vectors.
-TEST_F(TerrainCrossDeviceTest, ShapesAndRusticlFindTheSameGround) {
-  const std::vector<float> expected = dump_.values(test::DeviceDump::default_device);
-  expect_same(dump_.values("OFFING_SHAPE=group OFFING_DEVICE=portable"), expected);
-  if (!test::DeviceDump::has_rusticl()) {
-    GTEST_SKIP() << "rusticl is not installed (mesa-opencl-icd libclc-15 libllvmspirvlib15)";
-  }
-  expect_same(dump_.values("RUSTICL_ENABLE=llvmpipe OFFING_DEVICE=rusticl OFFING_SHAPE=group"), expected);
+TEST_F(TerrainCrossDeviceTest, AllDevicesFindTheSameGround) {
+  dump_.compare_devices(expect_same);
 }
 
 // Fails if a work-item reads or writes outside a buffer, if two race for a place, or if results differ from
 // those of a real device.
 TEST_F(TerrainCrossDeviceTest, OclgrindReportsNothing) {
-  if (!test::DeviceDump::has_oclgrind()) GTEST_SKIP() << "oclgrind is not installed";
-  const std::vector<float> expected = dump_.values(test::DeviceDump::default_device);
-  for (const char* const shape : {"group", "strip"}) {
-    expect_same(dump_.values_under_oclgrind(shape), expected);
-  }
+  dump_.compare_under_oclgrind(expect_same);
 }
 
 }  // namespace
