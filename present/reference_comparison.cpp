@@ -71,9 +71,12 @@ clouds::CloudIllumination mean_illumination(std::span<const clouds::CloudIllumin
   for (const clouds::CloudIllumination& light : lights) {
     mean.sky_kcdpm2 += share * light.sky_kcdpm2;
     mean.ground_kcdpm2 += share * light.ground_kcdpm2;
-    if (light.suns.empty()) continue;
-    if (mean.suns.empty()) mean.suns.push_back({.direction = light.suns.front().direction});
-    mean.suns.front().illuminance_klx += share * light.suns.front().illuminance_klx;
+    if (mean.suns.size() < light.suns.size()) mean.suns.resize(light.suns.size());
+    for (std::size_t i = 0; i < light.suns.size(); ++i) {
+      clouds::CloudSun& sun = mean.suns[i];
+      if (sun.illuminance_klx == glm::dvec3(0.0)) sun.direction = light.suns[i].direction;
+      sun.illuminance_klx += share * light.suns[i].illuminance_klx;
+    }
   }
   return mean;
 }

@@ -73,7 +73,7 @@ std::vector<Parameter> light_parameters() {
         .unit = "klx",
         .low = 0.0,
         .high = 1000.0,
-        .help = "how much light it gives meshes, however far they are; the sun gives about 100",
+        .help = "how much light it gives meshes and clouds, however far they are; the sun gives about 100",
         .motion = keyed}});
 }
 

@@ -1,9 +1,13 @@
 #include "host/scene/unused_cloud_parameters.h"
 
+#include <cstddef>
+#include <set>
+
 #include <fmt/format.h>
 
 #include "host/clouds/genera.h"
 #include "host/scene/parameter_table.h"
+#include "host/world/cloud_light.h"
 
 namespace offing::scene {
 
@@ -56,6 +60,23 @@ std::string against_cloud(const CloudScene& cloud, ParameterUse use) {
     default:
       return "";
   }
+}
+
+std::vector<std::string> lights_without_clouds(const OceanScene& scene) {
+  std::vector<std::string> lines;
+  if (!scene.has_clouds()) return lines;
+  const bool has_sun_alone = scene.cloud_settings.light == clouds::LightModel::harris;
+  const std::size_t taken = has_sun_alone ? 0 : world::most_lights_on_clouds;
+  const std::string reason = has_sun_alone ? "clouds.light is harris, which takes the sun alone"
+                                           : fmt::format("clouds take the first {} lights", taken);
+  std::set<std::size_t> known;  // a line for each light
+  for (const auto& [key, place] : scene.set_at) {
+    const Parameter* row = find_parameter(key.key);
+    if (row == nullptr || row->group != ParameterGroup::light || key.element.outer < taken) continue;
+    if (known.insert(key.element.outer).second)
+      lines.push_back(fmt::format("{}: does not light the clouds: {}", place, reason));
+  }
+  return lines;
 }
 
 std::vector<std::string> unused_cloud_parameters(const OceanScene& scene) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -173,6 +174,7 @@ std::vector<std::string> unused_lines(const OceanScene& scene, const Reasons& re
       if (!reason.empty()) lines.push_back(fmt::format("{}: not used: {}", place->second, reason));
     }
   }
+  for (std::string& line : lights_without_clouds(scene)) lines.push_back(std::move(line));
   return lines;
 }
 

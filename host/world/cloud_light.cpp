@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace offing::world {
 
@@ -64,6 +65,26 @@ std::vector<clouds::CloudIllumination> cloud_illumination(sky::ClearSky& sky,
     light.ground_kcdpm2 = albedo_of(atmosphere) * on_ground_klx / std::numbers::pi;
   }
   return lights;
+}
+
+std::vector<clouds::CloudIllumination> with_lights(std::vector<clouds::CloudIllumination> illumination,
+                                                   std::span<const Lamp> lights,
+                                                   std::span<const glm::dvec3> places_m) {
+  for (const Lamp& light : lights.first(std::min(lights.size(), most_lights_on_clouds))) {
+    const glm::dvec3 klx = light.illuminance_klx * light.colour;
+    if (klx == glm::dvec3(0.0)) continue;
+    for (std::size_t cloud = 0; cloud < illumination.size(); ++cloud) {
+      const bool is_place = light.source.kind == highlights::Source::Kind::place;
+      const glm::dvec3 way = is_place ? light.source.vector - places_m[cloud] : light.source.vector;
+      const double length = glm::length(way);
+      std::vector<clouds::CloudSun>& suns = illumination[cloud].suns;
+      if (suns.empty()) suns.emplace_back();
+      // One in a cloud's very middle stands above it.
+      suns.push_back(
+          {.direction = length > 0.0 ? way / length : glm::dvec3(0.0, 1.0, 0.0), .illuminance_klx = klx});
+    }
+  }
+  return illumination;
 }
 
 }  // namespace offing::world

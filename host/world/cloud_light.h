@@ -1,12 +1,15 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "host/clouds/cloud_parameters.h"
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
+#include "host/world/mesh_parameters.h"
+#include "kernels/shared/cloud_light.h"
 
 namespace offing::world {
 
@@ -25,5 +28,15 @@ std::vector<clouds::CloudIllumination> cloud_illumination(sky::ClearSky& sky,
                                                           const sky::Atmosphere& atmosphere,
                                                           const CloudSunlight& sun,
                                                           std::span<const double> altitudes_m);
+
+/// Of the lights beside the sun, the first so many light clouds.
+inline constexpr std::size_t most_lights_on_clouds = CLOUD_SUNS - 1;
+
+/// What falls on clouds, with the lights beside the sun. A light at a place comes to a cloud from where it is
+/// as seen from the cloud's middle, one of `places_m` a cloud, and is as bright at any distance, as it is on
+/// meshes. The sun stays in front, dark where there is none.
+std::vector<clouds::CloudIllumination> with_lights(std::vector<clouds::CloudIllumination> illumination,
+                                                   std::span<const Lamp> lights,
+                                                   std::span<const glm::dvec3> places_m);
 
 }  // namespace offing::world

@@ -344,8 +344,10 @@ std::span<const clouds::CloudIllumination> CloudsView::illumination() const {
 void CloudsView::cast_shadow() {
   Sky& sky = *sky_;
   if (sky.has_shadow) return;
-  const auto lit = std::find_if(sky.lit_by.begin(), sky.lit_by.end(),
-                                [](const auto& light) { return !light.suns.empty(); });
+  // The sun is the first one; others throw no shadows.
+  const auto lit = std::find_if(sky.lit_by.begin(), sky.lit_by.end(), [](const auto& light) {
+    return !light.suns.empty() && light.suns.front().illuminance_klx != glm::dvec3(0.0);
+  });
   if (lit == sky.lit_by.end()) return;
   if (!sky.box) sky.box = sky.particle_light.box();
   if (!sky.box) return;
@@ -371,10 +373,8 @@ CloudShadowParams CloudsView::shadow_about(const glm::dvec3& point_m) const {
   return params;
 }
 
-std::vector<double> CloudsView::altitudes_m() const {
-  std::vector<double> altitudes;
-  for (const CloudParameters& cloud : sky_->parameters.clouds) altitudes.push_back(cloud.position_m.y);
-  return altitudes;
+double CloudsView::lit_at_s() const {
+  return sky_->lit.time_s.value_or(0.0);
 }
 
 const ocl::Buffer<CloudParticle>& CloudsView::particles() const {

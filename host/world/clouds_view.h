@@ -76,8 +76,9 @@ class CloudsView {
   /// What lit the particles of the last light(), one a cloud; none before one.
   std::span<const clouds::CloudIllumination> illumination() const;
 
-  /// Enqueues the shadow that the particles of the last light() throw in the light of its first sun, which
-  /// shadow_about() carries along with them; nothing where neither has changed. Waits for their light.
+  /// Enqueues the shadow that the particles of the last light() throw in the light of its first sun, if that
+  /// shines, which shadow_about() carries along with them; nothing where neither has changed. Waits for their
+  /// light.
   void cast_shadow();
   /// Of the last cast_shadow(): nullptr where none was cast, or there is no sun.
   const clouds::CloudShadowMap* shadow() const;
@@ -85,8 +86,8 @@ class CloudsView {
   /// shadow.
   CloudShadowParams shadow_about(const glm::dvec3& point_m) const;
 
-  /// Of each cloud's origin at time 0, m above the sea.
-  std::vector<double> altitudes_m() const;
+  /// The time of the clouds that light() lights, by the last at().
+  double lit_at_s() const;
 
   // On the device, of the last at(), light() and see().
 

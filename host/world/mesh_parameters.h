@@ -34,7 +34,7 @@ struct MeshMaterial {
 struct Lamp {
   highlights::Source source;      ///< in the world's axes
   glm::dvec3 colour{1.0};         ///< linear Rec.709
-  double illuminance_klx = 50.0;  ///< at the meshes, whatever the distance
+  double illuminance_klx = 50.0;  ///< at the meshes and clouds, whatever the distance
 };
 
 /// A mesh of a world with its highlights.

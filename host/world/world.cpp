@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/clouds/particle_motion.h"
 #include "host/clouds/particle_thinning.h"
 #include "host/world/cloud_light.h"
 
@@ -189,13 +190,23 @@ void World::at(double time_s, double eye_altitude_m) {
 void World::light_clouds(double time_s) {
   if (!clouds_) return;
   if (!cloud_sky_) cloud_sky_.emplace(device_, parameters_.atmosphere);
+  const std::vector<clouds::CloudParameters>& all = parameters_.clouds->clouds;
   if (cloud_illumination_.empty()) {
+    std::vector<double> altitudes_m;
+    for (const clouds::CloudParameters& cloud : all) altitudes_m.push_back(cloud.position_m.y);
     cloud_illumination_ =
         cloud_illumination(*cloud_sky_, parameters_.atmosphere,
-                           {parameters_.sun_direction, parameters_.sun_distance_au}, clouds_->altitudes_m());
+                           {parameters_.sun_direction, parameters_.sun_distance_au}, altitudes_m);
   }
   clouds_->at(time_s);
-  clouds_->light(cloud_illumination_);
+  if (parameters_.clouds->light_model == clouds::LightModel::calibrated) {
+    std::vector<glm::dvec3> places_m;
+    for (const clouds::CloudParameters& cloud : all)
+      places_m.push_back(clouds::cloud_origin_m(cloud, clouds_->lit_at_s()));
+    clouds_->light(with_lights(cloud_illumination_, parameters_.lamps, places_m));
+  } else {
+    clouds_->light(cloud_illumination_);  // Harris has one sun (clouds::ParticleLight)
+  }
   if (parameters_.clouds->throws_shadows && (ocean_ || ground_ || !meshes_.empty())) clouds_->cast_shadow();
 }
 

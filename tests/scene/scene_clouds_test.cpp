@@ -352,6 +352,8 @@ TEST_F(SceneClouds, TellsKeysWithoutAPart) {
               testing::ElementsAre(HasSubstr("cloud.target_particles: not used: it grows on its balls")));
   EXPECT_THAT(unused("[[cloud]]\ngenus = \"stratus\"\ntarget_particles = 9\nbase_m = 3\n"),
               testing::ElementsAre(HasSubstr("cloud.base_m: not used: it is sampled")));
+  EXPECT_THAT(unused("[[cloud]]\nyaw_deg = 9\n[[cloud]]\nyaw_deg = 9\nshape = \"bird\"\n"),
+              testing::ElementsAre(HasSubstr("a.toml:3:11: cloud.yaw_deg: not used: none of")));
 }
 
 // Clouds go from one scene to another with their keyframes, and nothing else does.

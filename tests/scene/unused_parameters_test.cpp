@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "host/scene/parameter_table.h"
+#include "host/scene/scene_file.h"
 
 namespace offing::scene {
 namespace {
@@ -164,6 +165,24 @@ const Case cases[] = {
 
 INSTANTIATE_TEST_SUITE_P(Seas, UnusedParameters, testing::ValuesIn(cases),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+// Fails if a light that does not light the clouds is passed over in silence, or one that does is complained
+// of.
+TEST(UnusedLights, AreToldWithPlaceAndReason) {
+  const auto unused = [&](const std::string& text) {
+    return unused_parameters(parse_scene("version = 1\n" + text, "a.toml", ""));
+  };
+  std::string lights;
+  for (int i = 0; i < 4; ++i) lights += "[[light]]\nazimuth_deg = 9\nilluminance_klx = 5\n";
+  EXPECT_THAT(unused(lights), testing::IsEmpty());
+  EXPECT_THAT(
+      unused("[[cloud]]\n" + lights),
+      testing::ElementsAre(testing::HasSubstr("does not light the clouds: clouds take the first 3 lights")));
+  EXPECT_THAT(unused("[clouds]\nlight = \"harris\"\n[[cloud]]\n[[light]]\nazimuth_deg = 9\n"),
+              testing::ElementsAre(testing::HasSubstr(
+                  "a.toml:6:15: light.azimuth_deg: does not light the clouds: clouds.light "
+                  "is harris")));
+}
 
 }  // namespace
 }  // namespace offing::scene
