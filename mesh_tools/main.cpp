@@ -45,9 +45,8 @@ Examples:
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 130 interrupted.)");
 }
 
-int run(int argc, char** argv) {
-  static mesh_tools::Options options;  // signals may come until the process ends
-  offing::cancel_on_signals(options.cancel);
+int run(int argc, char** argv, const offing::CancelToken& cancel) {
+  mesh_tools::Options options{.cancel = cancel};
   offing::configure_log(options.verbosity);
   CLI::App app;
   build(app, options);
@@ -59,5 +58,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return offing::run_program([&] { return run(argc, argv); });
+  return offing::run_program([&](const offing::CancelToken& cancel) { return run(argc, argv, cancel); });
 }

@@ -8,7 +8,7 @@ namespace offing::mesh_tools {
 /// What every command understands.
 struct Options {
   Verbosity verbosity = Verbosity::normal;
-  CancelToken cancel;  ///< set by Ctrl-C
+  const CancelToken& cancel;  ///< set by Ctrl-C
 };
 
 }  // namespace offing::mesh_tools

@@ -11,10 +11,8 @@
 
 namespace {
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv, const offing::CancelToken& cancel) {
   namespace present = offing::present;
-  static offing::CancelToken cancel;  // signals may come until the process ends
-  offing::cancel_on_signals(cancel);
   offing::configure_log(offing::Verbosity::normal);
   if (const std::optional<present::ViewOptions> options = present::read_view_options(argc, argv)) {
     offing::configure_log(options->verbosity);
@@ -34,5 +32,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return offing::run_program([&] { return run(argc, argv); });
+  return offing::run_program([&](const offing::CancelToken& cancel) { return run(argc, argv, cancel); });
 }

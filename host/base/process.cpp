@@ -13,11 +13,21 @@
 namespace offing {
 namespace {
 
-// A signal handler can reach nothing but a global.
-CancelToken* cancel_on_signal = nullptr;
+// Signals may come until the process ends, and their handler can reach nothing but a global.
+constinit CancelToken stop;
 
-extern "C" void request_cancel(int) {
-  cancel_on_signal->cancel();
+extern "C" void request_stop(int) {
+  stop.cancel();
+}
+
+void handle_signals() {
+  struct sigaction action {};
+  action.sa_handler = request_stop;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  // A write beyond the limit of file sizes is to fail, not to end the process half-way.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 Error output_error() {
@@ -27,12 +37,11 @@ Error output_error() {
 
 // LLVM, within a driver, deletes its temporary files at a signal: what it was building then fails, which is
 // no fault of the driver.
-int until_stopped(const std::function<int()>& work) {
+int until_stopped(const std::function<int(const CancelToken&)>& work) {
   try {
-    return work();
+    return work(stop);
   } catch (const Error& error) {
-    if (error.kind() == ErrorKind::build_failed && cancel_on_signal != nullptr)
-      cancel_on_signal->throw_if_cancelled();
+    if (error.kind() == ErrorKind::build_failed) stop.throw_if_cancelled();
     throw;
   }
 }
@@ -44,23 +53,13 @@ int report_and_code(const Error& error) {
 
 }  // namespace
 
-void cancel_on_signals(CancelToken& token) {
-  cancel_on_signal = &token;
-  struct sigaction action {};
-  action.sa_handler = request_cancel;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
-
 void finish_output() {
   std::cout.flush();
   if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw output_error();
 }
 
-int run_program(const std::function<int()>& work) {
-  // A write beyond the limit of file sizes is to fail, not to end the process half-way.
-  std::signal(SIGXFSZ, SIG_IGN);
+int run_program(const std::function<int(const CancelToken&)>& work) {
+  handle_signals();
   try {
     return until_stopped(work);
   } catch (const Error& error) {

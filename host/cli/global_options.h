@@ -13,7 +13,7 @@ namespace offing::cli {
 struct GlobalOptions {
   std::string device;  ///< selector of ocl::select_device; empty: the default device
   Verbosity verbosity = Verbosity::normal;
-  CancelToken cancel;  ///< set by Ctrl-C
+  const CancelToken& cancel;  ///< set by Ctrl-C
 };
 
 enum class DeviceUse { none, one, any_number };

@@ -44,9 +44,8 @@ Examples:
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device, 130 interrupted.)");
 }
 
-int run(int argc, char** argv) {
-  cli::GlobalOptions options;
-  offing::cancel_on_signals(options.cancel);
+int run(int argc, char** argv, const offing::CancelToken& cancel) {
+  cli::GlobalOptions options{.device = {}, .cancel = cancel};
   offing::configure_log(options.verbosity);
   CLI::App app;
   build(app, options);
@@ -58,5 +57,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return offing::run_program([&] { return run(argc, argv); });
+  return offing::run_program([&](const offing::CancelToken& cancel) { return run(argc, argv, cancel); });
 }

@@ -9,28 +9,24 @@
 namespace offing {
 namespace {
 
-CancelToken stop;
-
-int fail_to_build() {
+int fail_to_build(const CancelToken&) {
   throw Error(ErrorKind::build_failed, "kernels/a.cl does not build", "update the driver");
 }
 
 // Fails if a build that a signal broke, by way of the files that LLVM deletes then, is told as a fault.
 TEST(ProcessTest, ABuildBrokenByASignalIsAStop) {
   const auto stopped_while_building = [] {
-    cancel_on_signals(stop);
-    std::raise(SIGTERM);
-    std::exit(run_program(fail_to_build));
+    std::exit(run_program([](const CancelToken& cancel) {
+      std::raise(SIGTERM);
+      return fail_to_build(cancel);
+    }));
   };
   EXPECT_EXIT(stopped_while_building(), testing::ExitedWithCode(130), "stopped at the user's request");
 }
 
 // Fails if a build that no signal broke is taken for a stop.
 TEST(ProcessTest, ABuildThatFailsIsAFault) {
-  const auto failing = [] {
-    cancel_on_signals(stop);
-    std::exit(run_program(fail_to_build));
-  };
+  const auto failing = [] { std::exit(run_program(fail_to_build)); };
   EXPECT_EXIT(failing(), testing::ExitedWithCode(exit_code(ErrorKind::build_failed)), "does not build");
 }
 
