@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/log.h"
 #include "host/ocl/device.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/version.h"
@@ -60,10 +61,18 @@ OffingStatus status_of(ErrorKind kind) {
   }
 }
 
+/// spdlog's own logger writes to standard output, which is the program's; one that the program has set stays.
+void log_to_stderr() {
+  const std::shared_ptr<spdlog::logger> logger = spdlog::default_logger();
+  if (logger != nullptr && logger->name().empty()) offing::configure_log(offing::Verbosity::normal);
+}
+
 /// Runs what a call does; an exception becomes its status and the thread's last failure.
 template <class Work>
 OffingStatus run(const Work& work) noexcept {
   try {
+    static const bool has_log = (log_to_stderr(), true);
+    static_cast<void>(has_log);
     work();
     return OFFING_OK;
   } catch (const Error& error) {

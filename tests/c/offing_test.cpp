@@ -154,6 +154,22 @@ TEST_F(OffingInterfaceTest, RefusesTimesBeforeAnythingMoves) {
   offing_free_scene(scene);
 }
 
+// Fails if a warning about a scene goes to standard output, which is the program's, or is not printed.
+TEST_F(OffingInterfaceTest, WarnsOnStderr) {
+  OffingScene* scene = nullptr;
+  OffingWorld* world = nullptr;
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(
+      offing_parse_scene("version = 1\n[ocean]\nsize = 16\nspectrum = \"pm\"\ngamma = 3\n", nullptr, &scene),
+      OFFING_OK);
+  EXPECT_EQ(offing_make_world(device_, scene, &world), OFFING_OK) << offing_last_error();
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("gamma"));
+  offing_free_world(world);
+  offing_free_scene(scene);
+}
+
 // Fails if a failure of one thread is told to another.
 TEST_F(OffingInterfaceTest, KeepsFailuresOfThreadsApart) {
   EXPECT_EQ(offing_frame(nullptr, 0.0), OFFING_BAD_INPUT);
