@@ -13,6 +13,7 @@
 #include "host/base/error_report.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
 #include "host/command_line/verbosity_flags.h"
 #include "host/io/meshes/prepared_mesh.h"
 #include "host/io/meshes/read_mesh.h"
@@ -154,8 +155,8 @@ void run(const CurvatureArguments& arguments, const Options& program_options) {
     print_json(json);
     return;
   }
-  fmt::print("{}: {} vertices, {} faces, {}, {:.2f} us a vertex\n", one_line(arguments.output),
-             unit.vertex_count(), prepared.mesh.faces.size(), arguments.method, us_a_vertex);
+  print_summary("{}: {} vertices, {} faces, {}, {:.2f} us a vertex\n", one_line(arguments.output),
+                unit.vertex_count(), prepared.mesh.faces.size(), arguments.method, us_a_vertex);
   if (arguments.stats) fmt::print("{}", text_of(statistics));
 }
 

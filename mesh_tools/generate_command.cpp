@@ -8,6 +8,7 @@
 #include "host/base/error_report.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
 #include "host/command_line/verbosity_flags.h"
 #include "host/io/meshes/write_mesh.h"
 #include "host/mesh_shapes/shape.h"
@@ -45,7 +46,7 @@ void write(const Shape& shape, const GenerateArguments& arguments) {
                 {"faces", faces},
                 {"has_true_curvature", shape.truth.has_value()}});
   } else {
-    fmt::print("{}: {} vertices, {} faces\n", one_line(arguments.output), vertices, faces);
+    print_summary("{}: {} vertices, {} faces\n", one_line(arguments.output), vertices, faces);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "host/base/error_report.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
 #include "host/io/meshes/read_mesh.h"
 #include "host/io/meshes/write_mesh.h"
 
@@ -44,7 +45,7 @@ void MeshJob::tell(const TriangleMesh& mesh, std::size_t faces_before) const {
                 {"faces", mesh.faces.size()},
                 {"faces_before", faces_before}});
   } else {
-    fmt::print("{} of {}\n", told(mesh), faces_before);
+    print_summary("{} of {}\n", told(mesh), faces_before);
   }
 }
 

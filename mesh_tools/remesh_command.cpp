@@ -13,6 +13,7 @@
 #include "host/base/argument.h"
 #include "host/base/error.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
 #include "host/command_line/verbosity_flags.h"
 #include "mesh_tools/mesh_job.h"
 #include "mesh_tools/remesh.h"
@@ -98,7 +99,7 @@ void run(const RemeshArguments& arguments, const Options& options) {
                 {"faces", result.faces.size()},
                 {"edge_m", settings.edge_m}});
   } else {
-    fmt::print("{}, edges of about {:.4g} m\n", arguments.job.told(result), settings.edge_m);
+    print_summary("{}, edges of about {:.4g} m\n", arguments.job.told(result), settings.edge_m);
   }
 }
 

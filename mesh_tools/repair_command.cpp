@@ -12,6 +12,7 @@
 
 #include "host/base/argument.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
 #include "host/command_line/verbosity_flags.h"
 #include "mesh_tools/defects_text.h"
 #include "mesh_tools/mesh_defects.h"
@@ -79,17 +80,17 @@ void run(const RepairArguments& arguments, const Options& options) {
                 {"after", to_json(after)}});
     return;
   }
-  fmt::print("{}\n", arguments.job.told(mesh));
+  print_summary("{}\n", arguments.job.told(mesh));
   bool has_changed = false;
   for (const NamedChange& change : named(changes)) {
     if (change.count == 0) continue;
-    fmt::print("  {:<46} {}\n", change.label, change.count);
+    print_summary("  {:<46} {}\n", change.label, change.count);
     has_changed = true;
   }
-  if (!has_changed) fmt::print("  nothing to mend\n");
+  if (!has_changed) print_summary("  nothing to mend\n");
   for (const auto& [label, count] : {std::pair("faces without an area that are left", after.degenerate_faces),
                                      {"self-intersections that are left", after.self_intersections}}) {
-    if (count > 0) fmt::print("  {:<46} {}\n", label, count);
+    if (count > 0) print_summary("  {:<46} {}\n", label, count);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "host/base/progress.h"
+#include "host/command_line/print_summary.h"
 #include "host/scene/own_puffs.h"
 #include "host/scene/scene_meshes.h"
 #include "host/scene/world_scene.h"
@@ -84,7 +85,7 @@ void make_pictures(const ViewOptions& options, const CancelToken& cancel) {
           write_picture(options.output, frame, options.time_s, exposure);
         });
     if (!is_made) cancel.throw_if_cancelled();
-    fmt::print("{}\n", options.output.string());
+    print_summary("{}\n", options.output.string());
   }
   if (!options.recording) return;
   const Recording& recording = *options.recording;
@@ -103,7 +104,7 @@ void make_pictures(const ViewOptions& options, const CancelToken& cancel) {
     }
   }
   recorder.finish();
-  fmt::print("{}\n", shown_outputs(recording));
+  print_summary("{}\n", shown_outputs(recording));
 }
 
 }  // namespace offing::present

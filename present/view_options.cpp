@@ -132,7 +132,8 @@ void add_options(CLI::App& app, Written& written) {
                  "built in)")
       ->type_name("FOLDER")
       ->group(general);
-  CLI::Option* quiet = app.add_flag("--quiet", written.is_quiet, "errors only, no progress");
+  CLI::Option* quiet = app.add_flag("--quiet", written.is_quiet,
+                                    "results and errors only: no progress, warnings or summaries");
   quiet->group(general);
   app.add_flag("--verbose", written.is_verbose, "more about what is done")->group(general)->excludes(quiet);
   app.footer(footer);

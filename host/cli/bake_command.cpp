@@ -16,6 +16,7 @@
 #include "host/cli/parameter_options.h"
 #include "host/cli/pictures/contact_sheet.h"
 #include "host/cli/scene_frames.h"
+#include "host/command_line/print_summary.h"
 #include "host/io/spectra/write_ww3_spectra.h"
 #include "host/scene/sampled_spectrum.h"
 #include "host/scene/scene_hash.h"
@@ -116,7 +117,7 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   const std::vector<ocl::DeviceInfo> devices = choose_devices(options.device);
   const EnergyShares energy = energy_shares(sea.spectrum, sea.parameters.cascades);
   if (!arguments.json) {
-    fmt::print("{}", cascade_text(sea, energy));
+    print_summary("{}", cascade_text(sea, energy));
     std::fflush(stdout);
   }
   warn_of_broken_loop(sea, settings.frames_per_second);
@@ -141,8 +142,8 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   if (arguments.json) {
     fmt::print("{}\n", summary_json(settings, sea, energy, summary, hash).dump(2));
   } else {
-    fmt::print("{} frame{} written, {} there already: {}\n", summary.written, summary.written == 1 ? "" : "s",
-               summary.kept, settings.folder.string());
+    print_summary("{} frame{} written, {} there already: {}\n", summary.written,
+                  summary.written == 1 ? "" : "s", summary.kept, settings.folder.string());
   }
 }
 

@@ -21,6 +21,7 @@
 #include "host/clouds/cloud_density.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
 #include "host/io/file_extension.h"
 #include "host/scene/scene_clouds.h"
 #include "host/scene/scene_file.h"
@@ -135,8 +136,8 @@ void tell(const BuildArguments& arguments, const std::vector<TimedFile>& files, 
       is_volume(arguments) ? fmt::format("{} bricks of cells of {:g} m", facts["bricks"].get<std::size_t>(),
                                          facts["cell_m"].get<double>())
                            : fmt::format("{} particles", facts["particles"].get<std::size_t>());
-  fmt::print("{}: {} file{}, {} cloud{}, {}, {} bytes\n", one_line(arguments.output), files.size(),
-             files.size() == 1 ? "" : "s", clouds, clouds == 1 ? "" : "s", content, bytes);
+  print_summary("{}: {} file{}, {} cloud{}, {}, {} bytes\n", one_line(arguments.output), files.size(),
+                files.size() == 1 ? "" : "s", clouds, clouds == 1 ? "" : "s", content, bytes);
 }
 
 void run(const BuildArguments& arguments, const GlobalOptions& options) {

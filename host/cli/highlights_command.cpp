@@ -18,6 +18,7 @@
 #include "host/cli/scene_frames.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/scene_files.h"
 
@@ -93,10 +94,10 @@ void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
                 {"most_in_a_frame", counts.most},
                 {"bytes", std::filesystem::file_size(output)}});
   } else {
-    fmt::print("{}: {} frame{}, {} highlight{} on {} mesh{}, up to {} projectors at once\n",
-               one_line(arguments.output), frame_count, frame_count == 1 ? "" : "s", counts.highlights,
-               counts.highlights == 1 ? "" : "s", animation.meshes.size(),
-               animation.meshes.size() == 1 ? "" : "es", counts.most);
+    print_summary("{}: {} frame{}, {} highlight{} on {} mesh{}, up to {} projectors at once\n",
+                  one_line(arguments.output), frame_count, frame_count == 1 ? "" : "s", counts.highlights,
+                  counts.highlights == 1 ? "" : "s", animation.meshes.size(),
+                  animation.meshes.size() == 1 ? "" : "es", counts.most);
   }
 }
 

@@ -19,6 +19,7 @@
 #include "host/cli/query_settings.h"
 #include "host/cli/query_text.h"
 #include "host/command_line/new_output.h"
+#include "host/command_line/print_summary.h"
 #include "host/io/atomic_file.h"
 #include "host/io/number_table.h"
 #include "host/scene/scene_hash.h"
@@ -248,7 +249,7 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
         scene, sea, fmt::format("query depth {:.17g} from {:.17g}", query.depth_m, query.min_wavelength_m));
     fmt::print("{}\n", summary_json(arguments, query, times, sink, hash).dump(2));
   } else {
-    fmt::print("{} samples written: {}\n", sink.count(), arguments.output_file);
+    print_summary("{} samples written: {}\n", sink.count(), arguments.output_file);
   }
 }
 

@@ -16,6 +16,7 @@
 #include "host/cli/terrain_place.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
 #include "host/io/atomic_file.h"
 #include "host/io/file_extension.h"
 #include "host/io/height_maps/height_raster.h"
@@ -119,11 +120,11 @@ void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options
                 {"lowest_m", lowest_m},
                 {"highest_m", highest_m}});
   } else {
-    fmt::print("{}: {} x {} posts, {:g} ... {:g} m{}\n", one_line(arguments.output), parameters.posts,
-               parameters.posts, lowest_m, highest_m,
-               is_raw ? fmt::format("; read it with --raw-size {}x{} --spacing-m {:.10g}", parameters.posts,
-                                    parameters.posts, spacing_m)
-                      : "");
+    print_summary("{}: {} x {} posts, {:g} ... {:g} m{}\n", one_line(arguments.output), parameters.posts,
+                  parameters.posts, lowest_m, highest_m,
+                  is_raw ? fmt::format("; read it with --raw-size {}x{} --spacing-m {:.10g}",
+                                       parameters.posts, parameters.posts, spacing_m)
+                         : "");
   }
 }
 

@@ -18,6 +18,7 @@
 #include "host/cli/terrain_place.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
 #include "host/io/exr_image.h"
 #include "host/io/file_extension.h"
 #include "host/io/height_maps/read_colour_map.h"
@@ -154,9 +155,9 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
         {"refined_share", picture.refined_share}};
     print_json(json);
   } else {
-    fmt::print("{}: from ({:.1f}, {:.1f}, {:.1f}) m, {:.1f} % ground, {:.1f} steps a ray\n",
-               one_line(arguments.output), camera.eye_m.x, camera.eye_m.y, camera.eye_m.z,
-               100.0 * ground_share, picture.mean_steps);
+    print_summary("{}: from ({:.1f}, {:.1f}, {:.1f}) m, {:.1f} % ground, {:.1f} steps a ray\n",
+                  one_line(arguments.output), camera.eye_m.x, camera.eye_m.y, camera.eye_m.z,
+                  100.0 * ground_share, picture.mean_steps);
   }
 }
 

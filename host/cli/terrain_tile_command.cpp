@@ -16,6 +16,7 @@
 #include "host/cli/terrain_place.h"
 #include "host/cli/tile_writers.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
 #include "host/terrain/tile_builder.h"
 
 namespace offing::cli {
@@ -112,9 +113,10 @@ void run(const TerrainTileArguments& arguments, const GlobalOptions& options) {
                 {"void_posts", header.void_posts},
                 {"seconds", taken.count()}});
   } else {
-    fmt::print("{}: {} x {} posts in {} tiles of {} levels, {} of them kept, {}\n",
-               one_line(arguments.output), header.shape.columns, header.shape.rows, header.shape.tile_count(),
-               header.shape.levels, tiling.kept(), duration_text(taken.count()));
+    print_summary("{}: {} x {} posts in {} tiles of {} levels, {} of them kept, {}\n",
+                  one_line(arguments.output), header.shape.columns, header.shape.rows,
+                  header.shape.tile_count(), header.shape.levels, tiling.kept(),
+                  duration_text(taken.count()));
   }
 }
 

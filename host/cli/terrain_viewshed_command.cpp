@@ -14,6 +14,7 @@
 #include "host/cli/terrain_place.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
 #include "host/io/file_extension.h"
 #include "host/io/height_maps/byte_raster.h"
 #include "host/scene/stored_ground.h"
@@ -124,8 +125,8 @@ void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options
                 {"seen_area_m2", area_m2},
                 {"void_posts", std::count(map.is_void.begin(), map.is_void.end(), 1)}});
   } else {
-    fmt::print("{}: from {:.1f} m up, {} of {} posts are seen, {:.4g} km^2\n", one_line(arguments.output),
-               eye_m, seen_posts, seen.size(), 1e-6 * area_m2);
+    print_summary("{}: from {:.1f} m up, {} of {} posts are seen, {:.4g} km^2\n", one_line(arguments.output),
+                  eye_m, seen_posts, seen.size(), 1e-6 * area_m2);
   }
 }
 

@@ -168,7 +168,8 @@ auto with_input(const std::filesystem::path& path, Read read) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    refuse(path, fmt::format("not a whole EXR file: {}", error.what()), "bake this frame again");
+    refuse(path, fmt::format("not a whole EXR file: {}", error.what()),
+           "make or copy the file again: it is cut short or damaged");
   }
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include "host/base/error.h"
 #include "host/base/log.h"
@@ -82,6 +83,18 @@ DeviceInfo describe(cl_platform_id platform, cl_device_id device) {
   return info;
 }
 
+// Drivers open libraries, caches and pipes to compilers, and blame none of this where they cannot: PoCL 3.1
+// fails with 12 and works with 16.
+void require_open_files() {
+  constexpr rlim_t fewest = 32;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= fewest) return;
+  throw Error(ErrorKind::no_device,
+              fmt::format("no OpenCL device: drivers need {} open files, this process may have {}", fewest,
+                          limit.rlim_cur),
+              "raise the limit with ulimit -n 1024");
+}
+
 std::vector<cl_platform_id> platforms() {
   cl_uint count = 0;
   const int status = clGetPlatformIDs(0, nullptr, &count);
@@ -111,6 +124,7 @@ std::vector<ListedDevice> enumerate_devices() {
   // PoCL 3.1 sets itself up in the first call and offers no devices to threads that ask meanwhile.
   static std::mutex turn;
   const std::lock_guard lock(turn);
+  require_open_files();
   quirks::prepare_environment();
   std::vector<ListedDevice> listed;
   std::string empty_platforms;

@@ -115,7 +115,7 @@ TEST_F(MeshProgram, Outputs) {
     for (const std::string name : {"out.ply", "out.obj", "out.off", "out.stl"}) {
       const ProgramResult result = run_offing(maker(flags, "in.off", name));
       ASSERT_EQ(result.exit_code, 0) << flags << ' ' << name << ": " << result.errors;
-      EXPECT_THAT(result.output, HasSubstr(name + ": "));
+      EXPECT_EQ(result.output, "") << "--quiet";
       EXPECT_FALSE(read_mesh(path(name)).faces.empty());
       expect_refusal(maker(flags, "in.off", name), name, 1);  // is there already
       std::vector<std::string> forced = maker(flags, "in.off", name);

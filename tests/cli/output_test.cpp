@@ -1,0 +1,70 @@
+// What commands print, and where to.
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "tests/cli/offing_program.h"
+
+namespace offing::test {
+namespace {
+
+using testing::HasSubstr;
+
+class OutputTest : public testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+
+  TemporaryFolder folder_;
+};
+
+// Fails if a command that was told to be quiet prints what it wrote, or does not print what it was asked for.
+TEST_F(OutputTest, QuietCommandsPrintResultsAlone) {
+  const std::string map = path("map.tif");
+  const std::vector<std::vector<std::string>> writing = {
+      {"terrain", "generate", "--posts", "17", "-o", map},
+      {"terrain", "tile", map, "-o", path("store")},
+      {"terrain", "profile", map, "--from", "0,0", "--to", "100,100", "-o", path("profile.csv")},
+      {"terrain", "viewshed", map, "--observer", "100,100", "-o", path("seen.tif")},
+      {"terrain", "render", map, "--size", "16x9", "--samples", "1", "-o", path("picture.png")},
+      {"ocean", "query", "--size", "16", "--cascades", "1", "--at", "0,0", "-o", path("query.csv")},
+      {"ocean", "bake", "--size", "16", "--cascades", "1", "--frames", "0", "-o", path("frames")}};
+  for (std::vector<std::string> arguments : writing) {
+    arguments.push_back("--quiet");
+    const ProgramResult result = run_offing(arguments);
+    EXPECT_EQ(result.exit_code, 0) << arguments[1] << ": " << result.errors;
+    EXPECT_EQ(result.output, "") << arguments[1];
+    EXPECT_EQ(result.errors, "") << arguments[1];
+  }
+  const ProgramResult asked = run_offing({"terrain", "height", map, "--at", "100,100", "--quiet"});
+  EXPECT_THAT(asked.output, HasSubstr("height"));
+}
+
+// Fails if a damaged EXR height map is taken for a frame of a bake.
+TEST_F(OutputTest, ADamagedMapIsNoFrame) {
+  std::ofstream(path("map.exr"), std::ios::binary) << "\x76\x2f\x31\x01 and no more";
+  const ProgramResult result = run_offing({"terrain", "info", path("map.exr"), "--spacing-m", "10"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, HasSubstr("map.exr: not a whole EXR file"));
+  EXPECT_THAT(result.errors, HasSubstr("hint: make or copy the file again"));
+}
+
+// Fails if too few open files are taken for a fault of a driver: with 4 there was "no OpenCL platform".
+TEST_F(OutputTest, TooFewOpenFilesAreToldAsThat) {
+  rlimit usual{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &usual), 0);
+  const rlimit few{16, usual.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &few), 0);
+  const ProgramResult result = run_offing({"devices"});
+  setrlimit(RLIMIT_NOFILE, &usual);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.errors, HasSubstr("this process may have 16"));
+  EXPECT_THAT(result.errors, HasSubstr("hint: raise the limit with ulimit -n 1024"));
+}
+
+}  // namespace
+}  // namespace offing::test
