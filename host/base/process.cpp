@@ -1,31 +1,64 @@
 #include "host/base/process.h"
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <new>
+#include <string_view>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "host/base/error.h"
 #include "host/base/error_report.h"
+#include "host/base/unfinished_file.h"
 
 namespace offing {
 namespace {
 
 // Signals may come until the process ends, and their handler can reach nothing but a global.
 constinit CancelToken stop;
+constinit std::atomic<bool> is_reported{false}, is_pipe_broken{false};
 
-extern "C" void request_stop(int) {
+// A launch of a kernel, a driver's compiler, a library or a read from a pipe may take any time: work that
+// has not ended by itself after this is ended.
+constexpr unsigned grace_s = 1;
+
+// No destructor runs: other threads may be anywhere.
+[[noreturn]] void end_at_once() {
+  remove_unfinished_files();
+  if (!is_pipe_broken && !is_reported.exchange(true)) {
+    constexpr std::string_view text =
+        "error: stopped at the user's request\nhint: run the same command again\n";
+    // Nobody is left to report a failure to.
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+  }
+  _exit(exit_code(ErrorKind::cancelled));
+}
+
+// Does only what is safe in a signal handler.
+extern "C" void request_stop(int number) {
+  if (number == SIGPIPE) {
+    is_pipe_broken = true;
+    if (stop.cancelled()) return;  // what is printed until the end breaks it again
+  }
+  if (stop.cancelled()) end_at_once();  // the second signal, or the alarm
   stop.cancel();
+  alarm(grace_s);
 }
 
 void handle_signals() {
   struct sigaction action {};
   action.sa_handler = request_stop;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  action.sa_flags = SA_RESTART;
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGALRM}) sigaddset(&action.sa_mask, number);
+  struct sigaction before {};
+  sigaction(SIGHUP, nullptr, &before);
+  const bool survives_terminal = before.sa_handler == SIG_IGN;  // started by nohup
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGALRM}) {
+    if (number != SIGHUP || !survives_terminal) sigaction(number, &action, nullptr);
+  }
   // A write beyond the limit of file sizes is to fail, not to end the process half-way.
   std::signal(SIGXFSZ, SIG_IGN);
 }
@@ -47,7 +80,9 @@ int until_stopped(const std::function<int(const CancelToken&)>& work) {
 }
 
 int report_and_code(const Error& error) {
-  report(error);
+  // Whoever read the output has had enough, as `head` has.
+  if (is_pipe_broken) return exit_code(ErrorKind::cancelled);
+  if (!is_reported.exchange(true)) report(error);
   return exit_code(error.kind());
 }
 

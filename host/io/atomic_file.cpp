@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "host/base/error.h"
+#include "host/base/unfinished_file.h"
 
 namespace offing {
 namespace {
@@ -135,6 +136,7 @@ AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
       unlink(temporary_.c_str());
       fail("cannot open", error_number);
     }
+    mark_unfinished(temporary_.c_str());
     return;
   }
 }
@@ -146,6 +148,7 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::discard() noexcept {
   if (file_ == nullptr) return;
   unlink(temporary_.c_str());  // before the close, which gives up the lock
+  unmark_unfinished(temporary_.c_str());
   std::fclose(file_);
   file_ = nullptr;
 }
@@ -176,6 +179,7 @@ void AtomicFile::commit() {
   if (std::fflush(file_) != 0) fail("cannot write", errno);
   if (fsync(fileno(file_)) != 0) fail("cannot sync", errno);
   if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot rename", errno);
+  unmark_unfinished(temporary_.c_str());
   std::FILE* const file = std::exchange(file_, nullptr);  // published: nothing left to remove
   if (std::fclose(file) != 0) fail("cannot close", errno);
   if (const int error_number = sync_folder(folder_of(target_)); error_number != 0) {

@@ -19,9 +19,9 @@ RULES = (
     ),
     (
         re.compile(r"(?<![\w.>])(?:std::)?(?:exit|_exit|_Exit|quick_exit|abort)\s*\("),
-        "only main ends the process; throw offing::Error",
+        "only main and the handler of signals end the process; throw offing::Error",
         ("host", "present", "mesh_tools"),
-        re.compile(r".*/main\.cpp"),
+        re.compile(r".*/main\.cpp|host/base/process\.cpp"),
     ),
     (
         re.compile(r"\bbool\b(?:\s+\w+)?(?:\s*=\s*\w+)?\s*,\s*(?:const\s+)?bool\b"),
