@@ -1,8 +1,6 @@
 #include "present/view_options.h"
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -18,6 +16,7 @@
 #include "host/io/atomic_file.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/scene_files.h"
+#include "host/scene/scene_frames.h"
 #include "host/scene/version.h"
 #include "present/picture_file.h"
 #include "present/scene_sources.h"
@@ -148,10 +147,8 @@ Detail read_detail(const std::string& text) {
 Recording read_recording(const Written& written, const scene::OceanScene& scene) {
   const double fps =
       written.fps.empty() ? scene.frames_per_second : read_number("--fps", written.fps, "", 0.001, 1e6, "24");
-  const int first = static_cast<int>(std::ceil(scene.start_s * fps - 1e-9));
-  const int last = std::max(first, static_cast<int>(std::ceil(scene.end_s * fps - 1e-9)) - 1);
   Recording recording{.video = written.video,
-                      .frames = written.frames.empty() ? FrameRange{first, last}
+                      .frames = written.frames.empty() ? scene::frames_in_time_span(scene, fps)
                                                        : read_frame_range("--frames", written.frames),
                       .frames_per_second = fps};
   if (is_video_name(written.record)) {

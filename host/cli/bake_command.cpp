@@ -15,10 +15,10 @@
 #include "host/cli/device_choice.h"
 #include "host/cli/parameter_options.h"
 #include "host/cli/pictures/contact_sheet.h"
-#include "host/cli/scene_frames.h"
 #include "host/command_line/print_summary.h"
 #include "host/io/spectra/write_ww3_spectra.h"
 #include "host/scene/sampled_spectrum.h"
+#include "host/scene/scene_frames.h"
 #include "host/scene/scene_hash.h"
 
 namespace offing::cli {
@@ -44,8 +44,8 @@ BakeSettings read_settings(const BakeArguments& arguments, const scene::OceanSce
   BakeSettings settings = arguments.settings;
   settings.folder = arguments.folder;
   settings.frames_per_second = scene.frames_per_second;
-  settings.frames =
-      arguments.frames.empty() ? frames_in_time_span(scene) : read_frame_range("--frames", arguments.frames);
+  settings.frames = arguments.frames.empty() ? scene::frames_in_time_span(scene, scene.frames_per_second)
+                                             : read_frame_range("--frames", arguments.frames);
   settings.share = read_share("--chunk", arguments.chunk);
   settings.compression = read_compression("--compression", arguments.compression);
   settings.channels |= read_channels("--channels", arguments.channels);

@@ -17,7 +17,6 @@
 #include "host/base/progress.h"
 #include "host/cli/cloud_frame.h"
 #include "host/cli/device_choice.h"
-#include "host/cli/scene_frames.h"
 #include "host/clouds/cloud_density.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
@@ -26,6 +25,7 @@
 #include "host/scene/scene_clouds.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/scene_files.h"
+#include "host/scene/scene_frames.h"
 #include "host/scene/unused_cloud_parameters.h"
 
 namespace offing::cli {
@@ -61,8 +61,9 @@ std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::Oc
     throw Error(ErrorKind::bad_usage, "--time: expected one file, found a name for many", "use --frames");
   }
   const FrameName name("-o", arguments.output, "cloud.%04d.vdb");
-  const FrameRange frames =
-      arguments.frames.empty() ? frames_in_time_span(scene) : read_frame_range("--frames", arguments.frames);
+  const FrameRange frames = arguments.frames.empty()
+                                ? scene::frames_in_time_span(scene, scene.frames_per_second)
+                                : read_frame_range("--frames", arguments.frames);
   std::vector<TimedFile> files;
   for (int frame = frames.first; frame <= frames.last; ++frame) {
     files.push_back({name.of(frame).string(), frame / scene.frames_per_second});

@@ -1,14 +1,45 @@
 #include "host/cli/frame_maker.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "host/ocl/host_memory.h"
+
 namespace offing::cli {
+namespace {
+
+// One is made, one waits and one is written.
+constexpr std::size_t frames_at_once = 3;
+
+void require_room(const BakeSettings& settings, int size, std::size_t cascades) {
+  const std::size_t frames = std::min<std::size_t>(
+      frames_at_once, static_cast<std::size_t>(settings.frames.last - settings.frames.first + 1));
+  ocl::require_host_memory(static_cast<double>(frames * frame_bytes(settings, size, cascades)),
+                           fmt::format("{}: {} frames at once, of {} cascades of {} x {} samples,",
+                                       settings.folder.string(), frames, cascades, size, size),
+                           "take a smaller --size or fewer --cascades");
+}
+
+}  // namespace
+
+std::size_t frame_bytes(const BakeSettings& settings, int size, std::size_t cascades) {
+  const std::size_t texels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+  const bool shows_foam = settings.has(ChannelGroup::foam) || settings.preview == PreviewUse::pictures;
+  const std::size_t surface = 10, foam = shows_foam ? 1 : 0,
+                    velocity = settings.has(ChannelGroup::velocity) ? 3 : 0;
+  const std::size_t with_gerstner = settings.gerstner == GerstnerUse::included ? 1 : 0;
+  const std::size_t mesh = settings.mesh == MeshFormat::none ? 0 : 6;
+  return texels * sizeof(float) * ((cascades + with_gerstner) * (surface + foam + velocity) + mesh);
+}
 
 FrameMaker::FrameMaker(const ocl::Device& device, const scene::Sea& sea, const BakeSettings& settings)
     : settings_(settings), ocean_(device, sea.spectrum, sea.parameters) {
   if (settings.gerstner == GerstnerUse::included && sea.has_trochoids()) {
     gerstner_.emplace(device, sea);
   }
+  require_room(settings, sea.parameters.size, sea.parameters.cascades.size());
 }
 
 BakedFrame FrameMaker::make(int frame) {

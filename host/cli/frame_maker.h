@@ -11,9 +11,14 @@
 
 namespace offing::cli {
 
+/// What a frame takes of host memory.
+std::size_t frame_bytes(const BakeSettings& settings, int size, std::size_t cascades);
+
 /// Simulates frames on one device; confined to one thread.
 class FrameMaker {
  public:
+  /// Throws what Ocean throws, and Error(out_of_memory) where the frames that are on their way at once do not
+  /// fit beside it into host memory.
   FrameMaker(const ocl::Device& device, const scene::Sea& sea, const BakeSettings& settings);
 
   BakedFrame make(int frame);

@@ -15,12 +15,12 @@
 #include "host/base/error_report.h"
 #include "host/cli/device_choice.h"
 #include "host/cli/highlight_recorder.h"
-#include "host/cli/scene_frames.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/command_line/print_summary.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/scene_files.h"
+#include "host/scene/scene_frames.h"
 
 namespace offing::cli {
 namespace {
@@ -74,8 +74,9 @@ void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
   require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused, inputs);
   if (!arguments.frames_per_second.empty())
     scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "30");
-  const FrameRange frames =
-      arguments.frames.empty() ? frames_in_time_span(scene) : read_frame_range("--frames", arguments.frames);
+  const FrameRange frames = arguments.frames.empty()
+                                ? scene::frames_in_time_span(scene, scene.frames_per_second)
+                                : read_frame_range("--frames", arguments.frames);
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   animations::HighlightAnimation animation = [&] {
     Progress progress(frames.last - frames.first + 1, "frames", options.verbosity);

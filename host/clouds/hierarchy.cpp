@@ -8,13 +8,17 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
+#include "host/clouds/cloud_particle.h"
 #include "host/clouds/hexagon_hash.h"
 #include "host/clouds/random_draws.h"
+#include "host/ocl/host_memory.h"
 
 namespace offing::clouds {
 namespace {
 
 constexpr std::size_t most_particles = 10'000'000;
+// While they grow and are turned into CloudParticle.
+constexpr double bytes_a_particle = 2.0 * (sizeof(HierarchyParticle) + sizeof(CloudParticle));
 // Of the parent's radius: touching children are this much nearer at most, by rounding.
 constexpr double slack = 1e-9;
 
@@ -270,7 +274,12 @@ void require_countable(std::span<const HierarchyParticle> parents, const Hierarc
         parameters.repulsion * parameters.ratio * (parent.radius_m + parameters.deviation_m);
     count += 4.0 * fewest_share * std::pow(parent.radius_m / child_m, 2);
   }
-  if (count <= static_cast<double>(most_particles)) return;
+  if (count <= static_cast<double>(most_particles)) {
+    ocl::require_host_memory(bytes_a_particle * count,
+                             fmt::format("cloud: {:.0e} particles of level {}", count, level),
+                             "take larger ratios or repulsions, or fewer levels or balls");
+    return;
+  }
   throw Error(ErrorKind::bad_input,
               fmt::format("cloud: level {} would have some {:.0e} particles, expected at most {}", level,
                           count, most_particles),

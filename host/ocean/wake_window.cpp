@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/time_estimate.h"
 #include "host/base/world_limits.h"
 #include "host/ocean/parameter_check.h"
 #include "host/ocean/wake_border.h"
@@ -182,10 +183,16 @@ void WakeWindow::advance_to(double time_s, const ForcingAt& forcing_at, const Ad
   require_within("time_s", time_s, -largest_time_s, largest_time_s);
   // A time that is a multiple of the step but for rounding is taken as that multiple.
   const auto last = static_cast<std::int64_t>(std::floor(time_s / parameters_.step_s + 1e-6));
+  TimeEstimate estimate(
+      last - step_,
+      fmt::format("ocean.wake: {} steps of {:g} s on {} x {} cells", last - step_, parameters_.step_s,
+                  parameters_.cells, parameters_.cells),
+      "take a shorter ocean.wake.history_s, a longer ocean.wake.step_s, or fewer ocean.wake.cells");
   while (step_ < last) {
     const double middle_s = (static_cast<double>(step_) + 0.5) * parameters_.step_s;
     step(forcing_at(middle_s), middle_s, add_displaced);
     ++step_;
+    estimate.step_done([&] { device_.finish(); });
   }
 }
 

@@ -7,6 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+
 namespace offing::ocl {
 namespace {
 
@@ -66,6 +70,16 @@ std::uint64_t available_host_memory_bytes() {
     available = std::min(available, available_in_group_bytes(root / group.relative_path()));
     if (!group.has_relative_path()) return available;
   }
+}
+
+void require_host_memory(double bytes, const std::string& what, const std::string& hint) {
+  const auto available = static_cast<double>(available_host_memory_bytes());
+  if (bytes <= available) return;
+  constexpr double bytes_per_gb = 1e9;
+  throw Error(ErrorKind::out_of_memory,
+              fmt::format("{} need {:.2f} GB of memory, {:.2f} GB are free", what, bytes / bytes_per_gb,
+                          available / bytes_per_gb),
+              hint);
 }
 
 }  // namespace offing::ocl

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <string>
 
 namespace offing::ocl {
 
@@ -16,6 +17,10 @@ std::uint64_t total_host_memory_bytes();
 /// groups; unlimited_bytes if the system does not say. File pages that the kernel would give back at once
 /// count as free: a long bake fills a container's limit with the files it wrote.
 std::uint64_t available_host_memory_bytes();
+
+/// Throws Error(out_of_memory) with both figures where this much is not available: the kernel would kill the
+/// process later, in the middle of its work. `what` begins the message, "terrain.posts: 16384 x 16384 posts".
+void require_host_memory(double bytes, const std::string& what, const std::string& hint);
 
 /// What the control group of this folder (files memory.max, memory.current and memory.stat of cgroup v2) lets
 /// its processes still use; unlimited_bytes where it has no limit.

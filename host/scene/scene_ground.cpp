@@ -10,9 +10,11 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/time_estimate.h"
 #include "host/io/height_maps/read_colour_map.h"
 #include "host/io/height_maps/read_height_map.h"
 #include "host/io/tile_store/tile_store.h"
+#include "host/ocl/host_memory.h"
 #include "host/scene/named_file.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/stored_ground.h"
@@ -36,15 +38,22 @@ struct Heights {
 
 Heights made_heights(const TerrainScene& terrain) {
   const terrain::FractalParameters& parameters = terrain.fractal;
+  const std::string what = fmt::format("terrain.posts: {0} x {0} posts", parameters.posts);
+  ocl::require_host_memory(sizeof(float) * static_cast<double>(parameters.posts) * parameters.posts, what,
+                           "take fewer, or make a file with `offing terrain generate` and tiles of it with "
+                           "`offing terrain tile`");
   terrain::RowMakers makers(parameters);
   HeightMap map;
   map.columns = map.rows = parameters.posts;
   map.spacing_x_m = map.spacing_z_m = parameters.side_m / (parameters.posts - 1);
   const auto posts = static_cast<std::size_t>(parameters.posts);
   map.heights_m.reserve(posts * posts);
+  const int rounds = (parameters.posts + makers.rows_at_once() - 1) / makers.rows_at_once();
+  TimeEstimate estimate(rounds, what, "take fewer terrain.posts");
   for (int first = 0; first < parameters.posts; first += makers.rows_at_once()) {
     const std::span<const float> rows = makers.make(first);
     map.heights_m.insert(map.heights_m.end(), rows.begin(), rows.end());
+    estimate.step_done();
   }
   return {.map = std::make_shared<const HeightMap>(std::move(map))};
 }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/time_estimate.h"
 #include "host/bodies/hull.h"
 
 namespace offing::world {
@@ -123,9 +124,14 @@ void BodyView::reach(double time_s) {
     ask_sea(at_s, points, count, samples);
   };
   const auto drive = [this](std::size_t body, double at_s) { return settings_[body].drive(at_s, start_s_); };
+  const double missing_s = std::max(time_s + ahead_s - path_->end_s(), 0.0);
+  TimeEstimate estimate(static_cast<std::int64_t>(missing_s / question_s) + 1,
+                        fmt::format("time: {:.0f} s of floating bodies", missing_s),
+                        "choose an earlier time, a smaller ocean.size, or fewer bodies");
   while (path_->end_s() < time_s + ahead_s) {
     bodies_.advance_to(bodies_.stepped_to_s() + question_s, water, drive);
     path_->add(bodies_.latest());
+    estimate.step_done([this] { device_.finish(); });
   }
 }
 

@@ -159,7 +159,7 @@ const std::vector<BadInput> bad_inputs = {
      file("a.toml", "version = 1\n[time]\nstart_s = 3\nend_s = 2\n"),
      {"ocean", "bake", "@/a.toml", "--size", "16", "-o", "@/out"},
      2,
-     "time: expected frames between .*"},
+     "time: expected frames 0 to 9999999 between .*"},
 
     // Spectrum files.
     {"spectrum_missing", nothing, stats({"--spectrum-file", "@/none.spec"}), 2,

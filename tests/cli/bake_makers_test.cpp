@@ -11,6 +11,7 @@
 #include "host/base/cancel_token.h"
 #include "host/base/error.h"
 #include "host/cli/bake.h"
+#include "host/cli/frame_maker.h"
 #include "tests/cli/folder_content.h"
 #include "tests/io/temporary_folder.h"
 
@@ -50,6 +51,41 @@ TEST(BakeMakers, ShareTheFrames) {
   EXPECT_EQ(bake_on(3, three.path(), {0, 11}, {}).written, 12);
   EXPECT_TRUE(test::folder_content(three.path()) == test::folder_content(one.path()));
   EXPECT_EQ(bake_on(3, three.path(), {0, 11}, {}).kept, 12);
+}
+
+/// What a frame's arrays take.
+std::size_t bytes_of(const BakedFrame& frame) {
+  std::size_t floats = frame.mesh.positions_xyz.size() + frame.mesh.normals_xyz.size();
+  const auto add = [&](const BakedFrame::CascadeFields& fields) {
+    const ocean::SurfaceFields& of = fields.surface;
+    for (const std::vector<float>* values :
+         {&of.displacement_x, &of.displacement_y, &of.displacement_z, &of.slope_x, &of.slope_z,
+          &of.gradient_xx, &of.gradient_xz, &of.gradient_zz, &of.jacobian, &of.jacobian_min_eigenvalue,
+          &fields.foam, &fields.velocity.x, &fields.velocity.y, &fields.velocity.z}) {
+      floats += values->size();
+    }
+  };
+  for (const BakedFrame::CascadeFields& fields : frame.cascades) add(fields);
+  if (frame.first_with_gerstner) add(*frame.first_with_gerstner);
+  return floats * sizeof(float);
+}
+
+// Fails if the memory that a bake is refused for is not what its frames take.
+TEST(BakeMakers, KnowWhatAFrameTakes) {
+  scene::OceanScene scene;
+  scene.ocean.size = 32;
+  scene.patch_lengths_m = {200.0, 30.0};
+  scene.gerstner_count = 8;
+  const scene::Sea sea = scene::prepare_sea(scene);
+  const ocl::Device device = ocl::Device::open();
+  BakeSettings settings;
+  settings.channels.set(static_cast<std::size_t>(ChannelGroup::displacement));
+  EXPECT_EQ(bytes_of(FrameMaker(device, sea, settings).make(0)), frame_bytes(settings, 32, 2));
+  settings.channels.set(static_cast<std::size_t>(ChannelGroup::foam));
+  settings.channels.set(static_cast<std::size_t>(ChannelGroup::velocity));
+  settings.mesh = MeshFormat::ply;
+  settings.gerstner = GerstnerUse::included;
+  EXPECT_EQ(bytes_of(FrameMaker(device, sea, settings).make(0)), frame_bytes(settings, 32, 2));
 }
 
 // Fails if a bake goes on after it was cancelled from another thread (it would for hours), or if what it

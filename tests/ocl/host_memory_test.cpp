@@ -1,9 +1,11 @@
 #include "host/ocl/host_memory.h"
 
 #include <fstream>
+#include <regex>
 
 #include <gtest/gtest.h>
 
+#include "host/base/error.h"
 #include "tests/io/temporary_folder.h"
 
 // Control groups of cgroup v2, made up in a folder.
@@ -55,6 +57,21 @@ TEST_F(ControlGroup, MayHaveNoLimit) {
 TEST(HostMemory, IsSomeOfTheMachines) {
   EXPECT_GT(available_host_memory_bytes(), 0u);
   EXPECT_LE(available_host_memory_bytes(), total_host_memory_bytes());
+}
+
+// Fails if what no machine has is begun, what fits is refused, or the message lacks a figure.
+TEST(HostMemory, IsRequiredWithBothFigures) {
+  EXPECT_NO_THROW(require_host_memory(1.0, "one byte", ""));
+  try {
+    require_host_memory(3e18, "posts", "take fewer");
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::out_of_memory);
+    EXPECT_TRUE(std::regex_match(
+        error.what(), std::regex(R"(posts need 3000000000\.00 GB of memory, [0-9]+\.[0-9]{2} GB are free)")))
+        << error.what();
+    EXPECT_EQ(error.hint(), "take fewer");
+  }
 }
 
 }  // namespace
