@@ -23,15 +23,15 @@ CameraGround camera_ground(const HeightMap& map) {
 
 CameraGround camera_ground(terrain::TiledField& field) {
   const terrain::TiledMap& map = field.map();
-  return {
-      .extent = {.width_m = map.width_m(), .depth_m = map.depth_m(), .highest_m = map.highest_m},
-      .under = [&field](double x_m, double z_m) {
-        // With the eye there, the tile is of the finest level.
-        const double above_m = field.map().highest_m + 1.0;
-        field.look_and_wait({.eye_m = {x_m, field.map().lowest_m, z_m}});
-        const TerrainHit hit = field.cast(std::vector{terrain::Ray{.origin_m = {x_m, above_m, z_m}}}).front();
-        return terrain::GroundPoint{above_m - hit.distance_m, {hit.normal_x, hit.normal_y, hit.normal_z}};
-      }};
+  return {.extent = {.width_m = map.width_m(), .depth_m = map.depth_m(), .highest_m = map.highest_m},
+          .under = [&field](double x_m, double z_m) {
+            // With the eye there, the tile is of the finest level.
+            const double above_m = field.map().highest_m + 1.0;
+            field.look_and_wait({.eye_m = {x_m, field.map().lowest_m, z_m}});
+            const terrain::RayHit hit =
+                field.cast(std::vector{terrain::Ray{.origin_m = {x_m, above_m, z_m}}}).front();
+            return terrain::GroundPoint{above_m - hit.distance_m, {hit.normal_x, hit.normal_y, hit.normal_z}};
+          }};
 }
 
 Camera read_terrain_camera(std::string_view text, const CameraGround& ground) {

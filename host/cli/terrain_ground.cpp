@@ -52,8 +52,9 @@ void TerrainGround::open(const ocl::Device& device) {
   }
 }
 
-std::vector<TerrainHit> TerrainGround::cast(std::span<const terrain::Ray> rays,
-                                            const terrain::EarthCurve& curve, terrain::HitNormals normals) {
+std::vector<terrain::RayHit> TerrainGround::cast(std::span<const terrain::Ray> rays,
+                                                 const terrain::EarthCurve& curve,
+                                                 terrain::HitNormals normals) {
   if (!field_ && !tiles_)
     throw Error(ErrorKind::bad_usage, "terrain ground: expected a device first", "call open()");
   if (field_) {
@@ -61,9 +62,9 @@ std::vector<TerrainHit> TerrainGround::cast(std::span<const terrain::Ray> rays,
     return curve.bend_perm() == 0.0 ? field_->cast(rays, terrain::CastMethod::parity, normals)
                                     : field_->cast(rays, curve, normals);
   }
-  std::vector<TerrainHit> hits = tiles_->cast_fully(rays, curve);
+  std::vector<terrain::RayHit> hits = tiles_->cast_fully(rays, curve);
   if (normals == terrain::HitNormals::patch) return hits;
-  for (TerrainHit& hit : hits) {
+  for (terrain::RayHit& hit : hits) {
     if (hit.kind != TERRAIN_SURFACE && hit.kind != TERRAIN_INSIDE) continue;
     const auto normal =
         terrain::smooth_normal_at(posts_, (hit.cell_x + static_cast<double>(hit.u)) * posts_.spacing_x_m,

@@ -32,8 +32,8 @@ class TerrainGround {
   void open(const ocl::Device& device);
   /// What rays hit over ground that falls away by a curve, or none. Throws Error(bad_usage) before open(),
   /// and what HeightField::cast() and TiledField::cast_fully() throw.
-  std::vector<TerrainHit> cast(std::span<const terrain::Ray> rays, const terrain::EarthCurve& curve,
-                               terrain::HitNormals normals = terrain::HitNormals::patch);
+  std::vector<terrain::RayHit> cast(std::span<const terrain::Ray> rays, const terrain::EarthCurve& curve,
+                                    terrain::HitNormals normals = terrain::HitNormals::patch);
 
  private:
   CacheFlags cache_;

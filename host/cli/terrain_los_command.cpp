@@ -50,7 +50,7 @@ struct Sight {
             .direction = glm::normalize(way + rise),
             .limit_m = distance_m - 2.0 * slack_m};
   }
-  double hidden_at_m(const TerrainHit& hit) const { return slack_m + static_cast<double>(hit.distance_m); }
+  double hidden_at_m(const terrain::RayHit& hit) const { return slack_m + hit.distance_m; }
   /// Where the line is, as the map has heights.
   glm::dvec3 point(double along_m) const {
     const double plan_m = along_m * plan_share();
@@ -87,7 +87,7 @@ Sight sight_between(const terrain::GroundPosts& posts, const terrain::EarthCurve
   return {from_m, (to_m - from_m) / distance_m, distance_m, slack_m, curve.bend_perm()};
 }
 
-void answer_one(const Sight& sight, const TerrainHit& hit, bool is_json) {
+void answer_one(const Sight& sight, const terrain::RayHit& hit, bool is_json) {
   const bool is_visible = hit.kind == TERRAIN_MISS;
   const glm::dvec3 by_m = sight.point(sight.hidden_at_m(hit));
   if (is_json) {
@@ -118,14 +118,14 @@ void answer_all(const TerrainLosArguments& arguments, TerrainGround& ground, con
           sights.push_back(sight_between(ground.posts(), curve, place, row.first(3), place, row.subspan(3)));
           rays.push_back(sights.back().ray());
         }
-        const std::vector<TerrainHit> hits = ground.cast(rays, curve);
+        const std::vector<terrain::RayHit> hits = ground.cast(rays, curve);
         for (std::size_t i = 0; i < hits.size(); ++i) {
           const bool is_visible = hits[i].kind == TERRAIN_MISS;
           for (std::size_t column = 0; column < 6; ++column) {
             fmt::format_to(std::back_inserter(text), "{:.12g},", rows[6 * i + column]);
           }
           fmt::format_to(std::back_inserter(text), "{},{:.9g},{}\n", is_visible ? 1 : 0, sights[i].distance_m,
-                         is_visible ? "" : fmt::format("{:.7g}", sights[i].hidden_at_m(hits[i])));
+                         is_visible ? "" : fmt::format("{:.9g}", sights[i].hidden_at_m(hits[i])));
         }
       },
       options);

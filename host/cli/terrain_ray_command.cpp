@@ -82,13 +82,20 @@ void require_valid(const terrain::Ray& ray, const terrain::PostGrid& grid, const
 }
 
 /// As the map has heights: the ground falls away by a curve.
-glm::dvec3 point_of(const terrain::Ray& ray, const TerrainHit& hit, const terrain::EarthCurve& curve) {
-  const glm::dvec3 way_m = static_cast<double>(hit.distance_m) * ray.direction;
+glm::dvec3 point_of(const terrain::Ray& ray, const terrain::RayHit& hit, const terrain::EarthCurve& curve) {
+  const glm::dvec3 way_m = hit.distance_m * ray.direction;
   const double plan_m = std::hypot(way_m.x, way_m.z);
   return ray.origin_m + way_m + glm::dvec3(0.0, curve.bend_perm() * plan_m * plan_m, 0.0);
 }
 
-void answer_one(const TerrainHit& hit, const glm::dvec3& point_m, bool is_json) {
+/// A hit's distance with the digits that it has.
+std::string distance_text(const terrain::RayHit& hit) {
+  const int digits =
+      hit.distance_m > 0.0 ? static_cast<int>(std::log10(hit.distance_m / hit.resolution_m)) : 1;
+  return fmt::format("{:.{}g}", hit.distance_m, digits);
+}
+
+void answer_one(const terrain::RayHit& hit, const glm::dvec3& point_m, bool is_json) {
   const glm::dvec3 normal(hit.normal_x, hit.normal_y, hit.normal_z);
   const bool is_hit = hit.kind != TERRAIN_MISS;
   if (is_json) {
@@ -129,10 +136,10 @@ void answer_all(const TerrainRayArguments& arguments, TerrainGround& ground, con
           rays.push_back({.origin_m = {rows[i], rows[i + 1], rows[i + 2]}, .direction = way / length});
           require_valid(rays.back(), ground.grid(), table.place_of(i / 6));
         }
-        const std::vector<TerrainHit> hits = ground.cast(rays, curve, normals_of(arguments));
+        const std::vector<terrain::RayHit> hits = ground.cast(rays, curve, normals_of(arguments));
         for (std::size_t i = 0; i < hits.size(); ++i) {
           const auto out = std::back_inserter(text);
-          const TerrainHit& hit = hits[i];
+          const terrain::RayHit& hit = hits[i];
           for (std::size_t column = 0; column < 6; ++column)
             fmt::format_to(out, "{:.12g},", rows[6 * i + column]);
           if (hit.kind == TERRAIN_MISS) {
@@ -140,8 +147,8 @@ void answer_all(const TerrainRayArguments& arguments, TerrainGround& ground, con
             continue;
           }
           const glm::dvec3 point_m = point_of(rays[i], hit, curve);
-          fmt::format_to(out, "{},{:.7g},{:.9g},{:.9g},{:.9g},{:.7g},{:.7g},{:.7g}\n", name_of(hit.kind),
-                         hit.distance_m, point_m.x, point_m.y, point_m.z, hit.normal_x, hit.normal_y,
+          fmt::format_to(out, "{},{},{:.9g},{:.9g},{:.9g},{:.7g},{:.7g},{:.7g}\n", name_of(hit.kind),
+                         distance_text(hit), point_m.x, point_m.y, point_m.z, hit.normal_x, hit.normal_y,
                          hit.normal_z);
         }
       },
@@ -156,7 +163,7 @@ void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
   ground.open(ocl::Device::open(choose_one_device(options.device)));
   if (!is_single) return answer_all(arguments, ground, options);
   const terrain::EarthCurve curve = arguments.curve.read();
-  const TerrainHit hit = ground.cast(std::span(&ray, 1), curve, normals_of(arguments))[0];
+  const terrain::RayHit hit = ground.cast(std::span(&ray, 1), curve, normals_of(arguments))[0];
   answer_one(hit, point_of(ray, hit, curve), arguments.json);
 }
 

@@ -24,14 +24,14 @@ using Places = std::vector<std::size_t>;
 
 /// Fills in the hits of a group of rays. Returns those for which there was no room.
 Places cast_group(std::span<const Ray> rays, Places group, const CoarseGround& ground,
-                  std::vector<TerrainHit>& hits) {
+                  std::vector<RayHit>& hits) {
   const bool is_alone = group.size() == 1;
   std::set<TileKey> tiles;
   while (!group.empty() && tiles.size() <= ground.most_tiles) {
     ground.lay({tiles.begin(), tiles.end()});
     std::vector<Ray> some;
     for (const std::size_t i : group) some.push_back(rays[i]);
-    const std::vector<TerrainHit> found = ground.cast(some);
+    const std::vector<RayHit> found = ground.cast(some);
     Places open;
     for (std::size_t i = 0; i < group.size(); ++i) {
       if (const std::optional<TileKey> finer = ground.finer_tile(found[i])) {
@@ -49,8 +49,8 @@ Places cast_group(std::span<const Ray> rays, Places group, const CoarseGround& g
 
 }  // namespace
 
-std::vector<TerrainHit> cast_until_fine(std::span<const Ray> rays, const CoarseGround& ground) {
-  std::vector<TerrainHit> hits(rays.size());
+std::vector<RayHit> cast_until_fine(std::span<const Ray> rays, const CoarseGround& ground) {
+  std::vector<RayHit> hits(rays.size());
   Places waiting(rays.size());
   std::iota(waiting.rbegin(), waiting.rend(), std::size_t{0});
   std::size_t group_size = rays.size();

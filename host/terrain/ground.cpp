@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+
+#include "host/terrain/ray.h"
 
 namespace offing::terrain {
 
@@ -18,18 +19,13 @@ struct CellPlace {
   double u, v;
 };
 
-/// The last post's place is a product, which the quotient may miss by a rounding of each.
-constexpr double past_last_post = 1.0 + 2.0 * std::numeric_limits<double>::epsilon();
-
 std::optional<CellPlace> cell_of(const GroundPosts& posts, double x_m, double z_m) {
-  const double x = x_m / posts.spacing_x_m, z = z_m / posts.spacing_z_m;
-  const double last_x = posts.columns - 1, last_z = posts.rows - 1;
-  if (!(x >= 0.0 && x <= past_last_post * last_x && z >= 0.0 && z <= past_last_post * last_z)) {
-    return std::nullopt;
-  }
+  const double x = place_in_posts(x_m, posts.spacing_x_m, posts.columns),
+               z = place_in_posts(z_m, posts.spacing_z_m, posts.rows);
+  if (!(x >= 0.0 && x <= posts.columns - 1 && z >= 0.0 && z <= posts.rows - 1)) return std::nullopt;
   const int column = std::min(static_cast<int>(x), posts.columns - 2);
   const int row = std::min(static_cast<int>(z), posts.rows - 2);
-  return CellPlace{column, row, std::min(x - column, 1.0), std::min(z - row, 1.0)};
+  return CellPlace{column, row, x - column, z - row};
 }
 
 double height_of(const GroundPosts& posts, int column, int row) {

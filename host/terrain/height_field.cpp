@@ -10,6 +10,7 @@
 
 #include "host/base/error.h"
 #include "host/ocl/program.h"
+#include "host/terrain/host_rays.h"
 #include "host/terrain/picture.h"
 
 namespace offing::terrain {
@@ -19,8 +20,6 @@ constexpr float farthest_height_m = 1e6f;
 // Rays that come from outside start where a level has about this many nodes: higher ones are hardly ever
 // empty.
 constexpr int nodes_at_start = 8;
-// Rays that are on the device at a time: 92 MB with their hits.
-constexpr std::size_t most_rays = std::size_t{1} << 20;
 
 struct Range {
   float lowest_m, highest_m;
@@ -105,8 +104,7 @@ struct HeightField::State {
   std::array<std::optional<ocl::Kernel>, up_rules> distance_kernels;
   std::array<std::array<std::optional<ocl::Kernel>, up_rules>, 2> picture_kernels, ray_kernels;
   std::array<std::optional<ocl::Kernel>, 2> curved_kernels;  ///< by normals
-  ocl::Buffer<TerrainRay> rays;
-  ocl::Buffer<TerrainHit> hits;
+  HostRays host_rays;
 
   State(const ocl::Device& on, const PostGrid& posts, std::span<const float> heights)
       : device(on),
@@ -168,27 +166,14 @@ struct HeightField::State {
                    bends...);
   }
 
-  /// Calls cast(count) for rays that lie on the device, until all have been there.
-  template <class Cast>
-  std::vector<TerrainHit> cast_in_turn(std::span<const Ray> all, Cast cast) {
-    for (const Ray& ray : all) require_valid(ray, grid);
-    const std::size_t most = std::min(all.size(), most_rays);
-    if (rays.size() < most) {
-      rays = ocl::Buffer<TerrainRay>(device, most, "rays");
-      hits = ocl::Buffer<TerrainHit>(device, most, "hits");
-    }
-    std::vector<TerrainHit> found(all.size());
-    std::vector<TerrainRay> packed(most);
-    for (std::size_t first = 0; first < all.size(); first += most_rays) {
-      const std::size_t count = std::min(most_rays, all.size() - first);
-      std::transform(all.begin() + static_cast<std::ptrdiff_t>(first),
-                     all.begin() + static_cast<std::ptrdiff_t>(first + count), packed.begin(),
-                     [&](const Ray& ray) { return device_ray(ray, grid); });
-      rays.write(std::span(packed).first(count));
-      cast(count);
-      hits.read(std::span(found).subspan(first, count));
-    }
-    return found;
+  std::vector<RayHit> cast_from_host(std::span<const Ray> rays, double bend_perm,
+                                     const HostRays::Cast& cast) {
+    for (const Ray& ray : rays) require_valid(ray, grid);
+    std::vector<RayToBox> moved;
+    moved.reserve(rays.size());
+    for (const Ray& ray : rays)
+      moved.push_back(moved_to_box(ray, grid, static_cast<double>(range.highest_m), bend_perm));
+    return host_rays.cast(device, grid, moved, cast);
   }
 };
 
@@ -238,23 +223,27 @@ void HeightField::cast(const ocl::Buffer<TerrainRay>& rays, std::size_t count, o
   state_->cast_rays(kernel, state_->defines(method, normals), rays, count, hits, method);
 }
 
-std::vector<TerrainHit> HeightField::cast(std::span<const Ray> rays, CastMethod method, HitNormals normals) {
-  return state_->cast_in_turn(
-      rays, [&](std::size_t count) { cast(state_->rays, count, state_->hits, method, normals); });
+std::vector<RayHit> HeightField::cast(std::span<const Ray> rays, CastMethod method, HitNormals normals) {
+  return state_->cast_from_host(
+      rays, 0.0, [&](const ocl::Buffer<TerrainRay>& some, std::size_t count, ocl::Buffer<TerrainHit>& hits) {
+        cast(some, count, hits, method, normals);
+      });
 }
 
-std::vector<TerrainHit> HeightField::cast(std::span<const Ray> rays, const EarthCurve& curve,
-                                          HitNormals normals) {
+std::vector<RayHit> HeightField::cast(std::span<const Ray> rays, const EarthCurve& curve,
+                                      HitNormals normals) {
   require_valid(curve);
   const auto bend_m = [&](double spacing_m) {
     return static_cast<float>(curve.bend_perm() * spacing_m * spacing_m);
   };
   const ocl::Defines definitions = state_->defines(CastMethod::parity, normals).set_flag("IS_CURVED");
-  return state_->cast_in_turn(rays, [&](std::size_t count) {
-    state_->cast_rays(state_->curved_kernels[static_cast<std::size_t>(normals)], definitions, state_->rays,
-                      count, state_->hits, CastMethod::parity, bend_m(state_->grid.spacing_x_m),
-                      bend_m(state_->grid.spacing_z_m));
-  });
+  return state_->cast_from_host(
+      rays, curve.bend_perm(),
+      [&](const ocl::Buffer<TerrainRay>& some, std::size_t count, ocl::Buffer<TerrainHit>& hits) {
+        state_->cast_rays(state_->curved_kernels[static_cast<std::size_t>(normals)], definitions, some, count,
+                          hits, CastMethod::parity, bend_m(state_->grid.spacing_x_m),
+                          bend_m(state_->grid.spacing_z_m));
+      });
 }
 
 }  // namespace offing::terrain

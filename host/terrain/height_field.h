@@ -36,9 +36,10 @@ enum class HitNormals {
 /// found, never a later one. Borders between patches are watertight.
 ///
 /// A hit's place, cell + (u, v), is within 1e-3 cells of a double-precision walk along the same ray up to
-/// 2^16 cells away, across the surface (times |n.d|), and its distance within that and 2^-23 of itself; where
-/// the ray touches the surface to less than 1e-4 cells, hit and miss may differ. The directions of a camera's
-/// pixels are right to 3e-7. (tests/terrain/ray_cast_test.cpp.)
+/// 2^16 cells away, across the surface (times |n.d|), and its distance within that and 2^-23 of itself, or of
+/// the way within the map's box where the ray lies in host memory; where the ray touches the surface to less
+/// than 1e-4 cells, hit and miss may differ. The directions of a camera's pixels are right to 3e-7.
+/// (tests/terrain/ray_cast_test.cpp.)
 ///
 /// cast() enqueues where it takes buffers. Every call may throw Error(out_of_memory) or Error(device). Not
 /// safe for use from several threads at once.
@@ -75,12 +76,12 @@ class HeightField {
             CastMethod method = CastMethod::parity, HitNormals normals = HitNormals::patch);
   /// The same for rays in host memory; waits. Throws what require_valid(ray, grid) throws, before any is
   /// cast.
-  std::vector<TerrainHit> cast(std::span<const Ray> rays, CastMethod method = CastMethod::parity,
-                               HitNormals normals = HitNormals::patch);
+  std::vector<RayHit> cast(std::span<const Ray> rays, CastMethod method = CastMethod::parity,
+                           HitNormals normals = HitNormals::patch);
   /// The same over ground that lies curve.bend_perm() d^2 lower at a distance d, in plan, from a ray's
   /// origin. Throws what require_valid(curve) throws too.
-  std::vector<TerrainHit> cast(std::span<const Ray> rays, const EarthCurve& curve,
-                               HitNormals normals = HitNormals::patch);
+  std::vector<RayHit> cast(std::span<const Ray> rays, const EarthCurve& curve,
+                           HitNormals normals = HitNormals::patch);
 
  private:
   struct State;

@@ -31,6 +31,10 @@ void require_valid(const PostGrid& grid);
 /// The posts of a map, the first one at x = z = 0.
 PostGrid post_grid(const HeightMap& map);
 
+/// A place counted in posts from the first, of `posts` on its axis. The last post's place is a product, which
+/// the quotient may miss by a rounding of each: a place that near to it is on it.
+double place_in_posts(double from_first_m, double spacing_m, int posts);
+
 /// The farthest that a ray may start from a map: whole cells from there to a border are exact as floats.
 inline constexpr double farthest_origin_cells = 1 << 22;
 
@@ -43,5 +47,27 @@ void require_valid(const Ray& ray, const PostGrid& grid);
 
 /// A ray as kernels take it (shared/terrain.h).
 TerrainRay device_ray(const Ray& ray, const PostGrid& grid);
+
+/// A ray that begins a cell before the box of a map, or where it began if that is nearer, over ground that
+/// falls away by `bend_perm` times the square of the distance in plan. Devices have floats, which lose the
+/// digits of long ways. Its direction is no unit vector where the ground falls away.
+struct RayToBox {
+  Ray ray;
+  double moved_m = 0.0;  ///< from its old origin to its new one
+};
+RayToBox moved_to_box(const Ray& ray, const PostGrid& grid, double highest_m, double bend_perm = 0.0);
+
+/// What a ray hit first. As a TerrainHit, but for the distance, which is from the ray's own origin: right to
+/// 2^-23 of the ray's way in the map's box, and to 1e-3 cells across the surface.
+struct RayHit {
+  double distance_m = std::numeric_limits<double>::infinity();
+  double resolution_m = 0.0;  ///< the step of the floats behind the distance: digits below are noise
+  int kind = TERRAIN_MISS;
+  int cell_x = 0, cell_z = 0;
+  float u = 0.0f, v = 0.0f;
+  float normal_x = 0.0f, normal_y = 0.0f, normal_z = 0.0f;
+  int steps = 0;
+};
+RayHit ray_hit(const TerrainHit& hit, double moved_m);
 
 }  // namespace offing::terrain

@@ -11,6 +11,7 @@
 #include "host/base/error.h"
 #include "host/ocl/program.h"
 #include "host/terrain/fine_cast.h"
+#include "host/terrain/host_rays.h"
 #include "host/terrain/page_table.h"
 #include "host/terrain/picture.h"
 #include "host/terrain/tile_cache.h"
@@ -26,7 +27,6 @@ constexpr int levels_below_top = 3;
 // By how much finer a tile is taken where a ray hits a coarse one: a ray that passes high above the ground
 // asks for few tiles, one that hits it for two.
 constexpr int levels_a_try = 4;
-constexpr std::size_t rays_at_once = std::size_t{1} << 18;
 
 PostGrid grid_of(const TiledMap& map) {
   return {.columns = map.shape.columns,
@@ -69,6 +69,7 @@ struct TiledField::State {
   Statistics statistics;
   std::optional<glm::dvec3> last_eye_m;
   std::optional<ocl::Kernel> distance_kernel, picture_kernel, ray_kernel, curved_kernel;
+  HostRays host_rays;
 
   State(const ocl::Device& on, const TiledMap& of, TileReader read, std::size_t cache_bytes)
       : device(on),
@@ -110,7 +111,7 @@ struct TiledField::State {
   }
 
   /// The finer tile that a hit asks for, unless it is on one of level 0.
-  std::optional<TileKey> finer_tile(const TerrainHit& hit) const {
+  std::optional<TileKey> finer_tile(const RayHit& hit) const {
     if (hit.kind == TERRAIN_MISS) return std::nullopt;
     const int column = hit.cell_x / tile_cells, row = hit.cell_z / tile_cells;
     const int level = table.level_at(column, row);
@@ -212,34 +213,30 @@ struct TiledField::State {
                 "call look() first");
   }
 
+  /// As kernels begin it: maps that go on have no box.
+  RayToBox near_ray(Ray ray, double bend_perm) const {
+    ray.origin_m = near_place(ray.origin_m);
+    require_valid(ray, grid);
+    return map.edge == MapEdge::ends ? moved_to_box(ray, grid, map.highest_m, bend_perm) : RayToBox{ray};
+  }
+
   /// `bends` are what the kernel takes with IS_CURVED.
   template <class... Bends>
-  std::vector<TerrainHit> cast_rays(std::optional<ocl::Kernel>& kernel, const ocl::Defines& definitions,
-                                    std::span<const Ray> rays, Bends... bends) {
-    std::vector<TerrainHit> hits(rays.size());
-    if (rays.empty()) return hits;
+  std::vector<RayHit> cast_rays(std::optional<ocl::Kernel>& kernel, const ocl::Defines& definitions,
+                                std::span<const Ray> rays, double bend_perm, Bends... bends) {
+    if (rays.empty()) return {};
+    std::vector<RayToBox> near;
+    near.reserve(rays.size());
+    for (const Ray& ray : rays) near.push_back(near_ray(ray, bend_perm));
     if (!kernel) kernel = ocl::Program::build(device, "terrain/ray_cast.cl", definitions).kernel("ray_cast");
     const auto rays_each = static_cast<std::size_t>(lanes);
-    const std::size_t most = std::min(rays.size(), rays_at_once);
-    ocl::Buffer<TerrainRay> packed_on_device(device, most, "rays");
-    ocl::Buffer<TerrainHit> hits_on_device(device, most, "hits");
-    std::vector<TerrainRay> packed(most);
-    for (std::size_t first = 0; first < rays.size(); first += most) {
-      const std::size_t count = std::min(most, rays.size() - first);
-      for (std::size_t i = 0; i < count; ++i) {
-        Ray ray = rays[first + i];
-        ray.origin_m = near_place(ray.origin_m);
-        require_valid(ray, grid);
-        packed[i] = device_ray(ray, grid);
-      }
-      packed_on_device.write(std::span(packed).first(count));
+    const auto cast = [&](const ocl::Buffer<TerrainRay>& some, std::size_t count,
+                          ocl::Buffer<TerrainHit>& hits) {
       ocl::LaunchShape shape{{(count + rays_each - 1) / rays_each}};
       if (lanes > 1) shape.local = {1};
-      kernel->launch(shape, cache.pool(), pages, field(), packed_on_device, static_cast<int>(count),
-                     hits_on_device, bends...);
-      hits_on_device.read(std::span(hits).subspan(first, count));
-    }
-    return hits;
+      kernel->launch(shape, cache.pool(), pages, field(), some, static_cast<int>(count), hits, bends...);
+    };
+    return host_rays.cast(device, grid, near, cast);
   }
 
   template <class Record>
@@ -301,12 +298,12 @@ void TiledField::cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits) {
   state_->cast_picture(state_->picture_kernel, state_->defines().set_flag("WRITES_HITS"), camera, hits);
 }
 
-std::vector<TerrainHit> TiledField::cast(std::span<const Ray> rays) {
+std::vector<RayHit> TiledField::cast(std::span<const Ray> rays) {
   state_->require_look();
-  return state_->cast_rays(state_->ray_kernel, state_->defines(), rays);
+  return state_->cast_rays(state_->ray_kernel, state_->defines(), rays, 0.0);
 }
 
-std::vector<TerrainHit> TiledField::cast_fully(std::span<const Ray> rays, const EarthCurve& curve) {
+std::vector<RayHit> TiledField::cast_fully(std::span<const Ray> rays, const EarthCurve& curve) {
   require_valid(curve);
   if (map().edge != MapEdge::ends) {
     throw Error(ErrorKind::bad_usage, "tiled field: expected a map that ends, found one that goes on",
@@ -317,13 +314,13 @@ std::vector<TerrainHit> TiledField::cast_fully(std::span<const Ray> rays, const 
   };
   const bool is_flat = curve.bend_perm() == 0.0;
   const auto cast = [&](std::span<const Ray> some) {
-    if (is_flat) return state_->cast_rays(state_->ray_kernel, state_->defines(), some);
+    if (is_flat) return state_->cast_rays(state_->ray_kernel, state_->defines(), some, 0.0);
     return state_->cast_rays(state_->curved_kernel, state_->defines().set_flag("IS_CURVED"), some,
-                             bend_m(map().spacing_x_m), bend_m(map().spacing_z_m));
+                             curve.bend_perm(), bend_m(map().spacing_x_m), bend_m(map().spacing_z_m));
   };
   return cast_until_fine(rays, {.most_tiles = state_->cache.slot_count() - state_->cache.coarsest_count(),
                                 .lay = [&](const std::vector<TileKey>& keys) { state_->lay_fine(keys); },
-                                .finer_tile = [&](const TerrainHit& hit) { return state_->finer_tile(hit); },
+                                .finer_tile = [&](const RayHit& hit) { return state_->finer_tile(hit); },
                                 .cast = cast});
 }
 

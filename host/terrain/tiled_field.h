@@ -63,14 +63,14 @@ class TiledField {
   void cast(const Camera& camera, ocl::Buffer<float>& distances_m);
   void cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits);
   /// The same for rays in host memory; waits.
-  std::vector<TerrainHit> cast(std::span<const Ray> rays);
+  std::vector<RayHit> cast(std::span<const Ray> rays);
 
   /// What the rays hit first of the map itself, whatever tiles the last look() chose: those of level 0 are
   /// loaded wherever a ray does not pass above coarser ones, and waited for. `curve` as HeightField::cast()
   /// takes it. Needs no look(), and another one is due before the next picture. Throws Error(bad_usage) for a
   /// map that repeats or mirrors, Error(bad_input) for a tile that cannot be read, and where a single ray
   /// needs more tiles than there are slots.
-  std::vector<TerrainHit> cast_fully(std::span<const Ray> rays, const EarthCurve& curve = {});
+  std::vector<RayHit> cast_fully(std::span<const Ray> rays, const EarthCurve& curve = {});
 
   /// Highest post of the coarsest level around a place of the plan, which is held to the map: nothing there
   /// is higher.

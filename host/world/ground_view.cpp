@@ -79,7 +79,7 @@ std::optional<terrain::GroundPoint> GroundView::ground_at(double x_m, double z_m
   return terrain::ground_at(posts_, x_m - parameters_.origin_x_m, z_m - parameters_.origin_z_m);
 }
 
-TerrainHit GroundView::cast(const terrain::Ray& ray) {
+terrain::RayHit GroundView::cast(const terrain::Ray& ray) {
   const std::span<const terrain::Ray> one(&ray, 1);
   return (field_ ? field_->cast(one) : tiles_->cast(one)).front();
 }

@@ -73,7 +73,7 @@ class GroundView {
   /// nullptr where it is not.
   const terrain::TiledField* tiles() const { return tiles_ ? &*tiles_ : nullptr; }
   /// What a ray hits first, of tiles those of the last at().
-  TerrainHit cast(const terrain::Ray& ray);
+  terrain::RayHit cast(const terrain::Ray& ray);
   /// The ground above or below a point of the world; nothing beyond the map's edge.
   std::optional<terrain::GroundPoint> ground_at(double x_m, double z_m) const;
 

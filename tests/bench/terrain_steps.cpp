@@ -38,15 +38,15 @@ std::vector<terrain::Ray> rays_of(const Camera& camera) {
 }
 
 /// Compares two methods' hits of the same rays and notes it in `steps`.
-void compare_hits(const std::vector<terrain::Ray>& rays, const std::vector<TerrainHit>& a,
-                  const std::vector<TerrainHit>& b, double cell_m, CameraSteps& steps) {
+void compare_hits(const std::vector<terrain::Ray>& rays, const std::vector<terrain::RayHit>& a,
+                  const std::vector<terrain::RayHit>& b, double cell_m, CameraSteps& steps) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (std::isinf(a[i].distance_m) != std::isinf(b[i].distance_m)) {
       ++steps.unlike;
     } else if (!std::isinf(a[i].distance_m)) {
       const glm::dvec3 normal(a[i].normal_x, a[i].normal_y, a[i].normal_z);
       const double facing = std::abs(glm::dot(normal, rays[i].direction));
-      const double apart_m = std::abs(static_cast<double>(a[i].distance_m) - b[i].distance_m);
+      const double apart_m = std::abs(a[i].distance_m - b[i].distance_m);
       steps.worst_cells = std::max(steps.worst_cells, apart_m * facing / cell_m);
     }
   }
@@ -70,25 +70,24 @@ CameraSteps steps_of_way(const std::string& way, terrain::HeightField& field, co
   const double cell_m = std::min(field.grid().spacing_x_m, field.grid().spacing_z_m);
   CameraSteps result;
   result.way = way;
-  std::array<std::vector<TerrainHit>, methods.size()> all;
+  std::array<std::vector<terrain::RayHit>, methods.size()> all;
   std::array<double, methods.size()> times_ms{};
-  std::vector<TerrainHit> of_pictures;
+  std::vector<terrain::RayHit> of_pictures;
   for (const auto& [camera_way, camera] : cameras) {
     if (camera_way != way) continue;
     const std::vector<terrain::Ray> rays = rays_of(camera);
     result.rays += rays.size();
     ocl::Buffer<TerrainHit> picture(device, rays.size(), "hits");
-    std::vector<TerrainHit> first;
+    std::vector<terrain::RayHit> first;
     for (std::size_t i = 0; i < methods.size(); ++i) {
-      const std::vector<TerrainHit> hits = field.cast(rays, methods[i].method);
+      const std::vector<terrain::RayHit> hits = field.cast(rays, methods[i].method);
       if (i == 0) first = hits;
       compare_hits(rays, first, hits, cell_m, result);
       all[i].insert(all[i].end(), hits.begin(), hits.end());
       times_ms[i] += cast_ms(field, device, camera, picture, methods[i].method);
     }
     field.cast(camera, picture);
-    const std::vector<TerrainHit> hits = picture.read();
-    of_pictures.insert(of_pictures.end(), hits.begin(), hits.end());
+    for (const TerrainHit& hit : picture.read()) of_pictures.push_back(terrain::ray_hit(hit, 0.0));
   }
   for (std::size_t i = 0; i < methods.size(); ++i) {
     result.methods.push_back({methods[i].name, step_statistics(all[i]), times_ms[i]});
@@ -99,9 +98,9 @@ CameraSteps steps_of_way(const std::string& way, terrain::HeightField& field, co
 
 }  // namespace
 
-StepStatistics step_statistics(const std::vector<TerrainHit>& hits) {
+StepStatistics step_statistics(const std::vector<terrain::RayHit>& hits) {
   std::vector<int> steps;
-  for (const TerrainHit& hit : hits) steps.push_back(hit.steps);
+  for (const terrain::RayHit& hit : hits) steps.push_back(hit.steps);
   std::sort(steps.begin(), steps.end());
   const auto count = static_cast<double>(steps.size());
   double sum = 0.0;

@@ -11,7 +11,7 @@
 namespace offing::bench {
 
 /// Of at least one hit or miss.
-StepStatistics step_statistics(const std::vector<TerrainHit>& hits);
+StepStatistics step_statistics(const std::vector<terrain::RayHit>& hits);
 
 /// What the pixels' rays of all cameras of a way take.
 struct CameraSteps {

@@ -143,6 +143,23 @@ TEST_F(TerrainQuery, FilesAskManyAtOnce) {
                              "3,900,7,0,1,0,miss,,,,,,,"));
 }
 
+// Fails if rays straight down on the far edges are lost, or hit something 45,000 km below, or if a distance
+// loses the digits of a long way.
+TEST_F(TerrainQuery, FilesOfRaysAtTheEdgesAndFromFarAway) {
+  std::ofstream(path("edges.asc")) << "ncols 3\nnrows 3\nxllcenter 0\nyllcenter 0\ncellsize 30.9\n"
+                                      "0 0 0\n0 0 0\n0 0 0\n";
+  std::ofstream(path("rays.csv")) << "61.8,50,10,0,-1,0\n61.80000000003,50,10,0,-1,0\n10,50,61.8,0,-1,0\n"
+                                     "-1000000,1000030.25,10,1,-1,0\n";
+  const ProgramResult result =
+      run_offing({"terrain", "ray", path("edges.asc"), "--points", path("rays.csv")});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, ::testing::ContainsRegex("\n61.8,50,10,0,-1,0,surface,50,61.8,0,10,"));
+  EXPECT_THAT(result.output, ::testing::HasSubstr("\n61.8,50,10,0,-1,0,miss"));
+  EXPECT_THAT(result.output, ::testing::ContainsRegex("\n10,50,61.8,0,-1,0,surface,50,10,0,61.8,"));
+  // 1,000,030.25 m times the square root of 2.
+  EXPECT_THAT(result.output, ::testing::ContainsRegex("surface,1414256\\.342[0-9]*,30.25"));
+}
+
 // Fails if a bad line is not named, or leaves a file.
 TEST_F(TerrainQuery, FilesNameTheirBadLines) {
   const auto refuse = [&](const std::string& command, const std::string& questions,

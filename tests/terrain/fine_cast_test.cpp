@@ -65,15 +65,15 @@ TEST_F(FineCastTest, AnswersOverCurvedGroundAreTheMaps) {
   // So small an Earth that the far side of the map lies 200 m lower.
   const EarthCurve curve{.radius_m = 1e6, .refraction = 0.13};
   const std::vector<Ray> rays = test::example_rays(example_.map(), 4000, 6);
-  const std::vector<TerrainHit> expected = whole.cast(rays, curve), found = field.cast_fully(rays, curve),
-                                flat = whole.cast(rays);
+  const std::vector<terrain::RayHit> expected = whole.cast(rays, curve),
+                                     found = field.cast_fully(rays, curve), flat = whole.cast(rays);
   std::size_t hits = 0, differ = 0, curved = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits += expected[i].kind == TERRAIN_MISS ? 0 : 1;
     curved += expected[i].distance_m == flat[i].distance_m ? 0 : 1;
     const bool is_same =
         expected[i].kind == found[i].kind &&
-        (expected[i].kind == TERRAIN_MISS || std::abs(expected[i].distance_m - found[i].distance_m) <= 0.01f);
+        (expected[i].kind == TERRAIN_MISS || std::abs(expected[i].distance_m - found[i].distance_m) <= 0.01);
     differ += is_same ? 0 : 1;
   }
   EXPECT_GT(hits, 1000u);
@@ -127,7 +127,7 @@ class Staircase {
                   EXPECT_LE(keys.size(), most_tiles_);
                   laid_ = {keys.begin(), keys.end()};
                 },
-            .finer_tile = [](const TerrainHit& hit) -> std::optional<TileKey> {
+            .finer_tile = [](const terrain::RayHit& hit) -> std::optional<TileKey> {
               if (hit.kind == TERRAIN_SURFACE) return std::nullopt;
               return TileKey{0, hit.cell_x, 0};
             },
@@ -135,13 +135,13 @@ class Staircase {
   }
 
  private:
-  std::vector<TerrainHit> cast(std::span<const Ray> rays) const {
-    std::vector<TerrainHit> hits;
+  std::vector<terrain::RayHit> cast(std::span<const Ray> rays) const {
+    std::vector<terrain::RayHit> hits;
     for (const Ray& ray : rays) {
       const int last = static_cast<int>(ray.origin_m.x);
       int next = 0;
       while (next <= last && laid_.contains({0, next, 0})) ++next;
-      TerrainHit hit{};
+      terrain::RayHit hit;
       hit.kind = next > last ? TERRAIN_SURFACE : TERRAIN_INSIDE;
       hit.cell_x = next;
       hits.push_back(hit);
@@ -157,7 +157,7 @@ class Staircase {
 TEST(FineGroupsTest, TakeRaysInGroupsForWhichThereIsRoom) {
   std::vector<Ray> rays;
   for (const double last : {3.0, 0.0, 7.0, 5.0, 7.0, 2.0}) rays.push_back({.origin_m = {last, 0.0, 0.0}});
-  const std::vector<TerrainHit> hits = cast_until_fine(rays, Staircase(8).ground());
+  const std::vector<terrain::RayHit> hits = cast_until_fine(rays, Staircase(8).ground());
   ASSERT_EQ(hits.size(), rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) EXPECT_EQ(hits[i].cell_x, rays[i].origin_m.x + 1.0) << i;
   test::expect_error(ErrorKind::bad_input, "at most 7 tiles",

@@ -28,7 +28,9 @@ class Dump {
     file_.close();
     if (!file_) throw Error(ErrorKind::file, "the dump cannot be written", "make room");
   }
-  void add_distance(float distance_m) { add(std::isinf(distance_m) ? 1e6f : distance_m); }
+  void add_distance(double distance_m) {
+    add(std::isinf(distance_m) ? 1e6f : static_cast<float>(distance_m));
+  }
 
  private:
   std::ofstream file_;
@@ -52,7 +54,7 @@ void dump_picture(const ocl::Device& device, Field& field, const Camera& camera,
   ocl::Buffer<float> distances_m(device, pixels, "distances");
   field.cast(camera, hits);
   field.cast(camera, distances_m);
-  for (const float distance_m : distances_m.read()) dump.add_distance(distance_m);
+  for (const float distance_m : distances_m.read()) dump.add_distance(static_cast<double>(distance_m));
   TerrainLight light{};
   light.sun_red_klx = light.sun_green_klx = light.sun_blue_klx = 90.0f;
   light.sky_red_klx = light.sky_green_klx = light.sky_blue_klx = 12.0f;
@@ -110,7 +112,7 @@ void dump_tiles(const ocl::Device& device, Dump& dump) {
         .eye_m = {250.0, 90.0, 250.0}, .yaw_rad = 0.5, .pitch_rad = -0.3, .width_px = 18, .height_px = 7};
     field.look_and_wait(camera);
     dump_picture(device, field, camera, dump);
-    for (const TerrainHit& hit : field.cast(test::example_rays(example.map(), 40, 52))) {
+    for (const terrain::RayHit& hit : field.cast(test::example_rays(example.map(), 40, 52))) {
       dump.add_distance(hit.distance_m);
     }
   }
@@ -126,7 +128,7 @@ void write_dump(const char* path) {
   const std::vector<terrain::Ray> rays = test::example_rays(map, 90, 51);
   for (const CastMethod method :
        {CastMethod::parity, CastMethod::paper, CastMethod::pdm, CastMethod::linear}) {
-    for (const TerrainHit& hit : field.cast(rays, method)) dump.add_distance(hit.distance_m);
+    for (const terrain::RayHit& hit : field.cast(rays, method)) dump.add_distance(hit.distance_m);
   }
   // From above, whose rays go one way in part of the blocks, and from within.
   dump_picture(device, field,

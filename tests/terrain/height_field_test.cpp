@@ -65,14 +65,15 @@ TEST(HeightFieldTest, APictureIsTheRaysOfItsPixels) {
       rays.push_back({.origin_m = camera.eye_m, .direction = glm::normalize(ray_direction(camera, clip))});
     }
   }
-  const std::vector<TerrainHit> expected = field.cast(rays), found = hits.read();
+  const std::vector<terrain::RayHit> expected = field.cast(rays);
+  const std::vector<TerrainHit> found = hits.read();
   const std::vector<float> found_m = distances.read();
   std::size_t differing = 0, ground = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     EXPECT_EQ(found_m[i], found[i].distance_m) << i;
-    const bool is_same =
-        found[i].kind == expected[i].kind &&
-        (found[i].kind == TERRAIN_MISS || std::abs(found_m[i] - expected[i].distance_m) < 1e-2);
+    const bool is_same = found[i].kind == expected[i].kind &&
+                         (found[i].kind == TERRAIN_MISS ||
+                          std::abs(static_cast<double>(found_m[i]) - expected[i].distance_m) < 1e-2);
     differing += is_same ? 0 : 1;
     ground += found[i].kind == TERRAIN_SURFACE ? 1 : 0;
   }

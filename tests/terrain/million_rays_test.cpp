@@ -19,10 +19,10 @@ using terrain::CastMethod;
 
 constexpr std::size_t rays_a_made_map = 150'000, rays_a_real_map = 50'000;
 
-void print_steps(const std::string& name, const char* method, const std::vector<TerrainHit>& hits) {
+void print_steps(const std::string& name, const char* method, const std::vector<terrain::RayHit>& hits) {
   double sum = 0.0;
   std::size_t up_to_16 = 0, over_80 = 0;
-  for (const TerrainHit& hit : hits) {
+  for (const terrain::RayHit& hit : hits) {
     sum += hit.steps;
     up_to_16 += hit.steps <= 16 ? 1 : 0;
     over_80 += hit.steps > 80 ? 1 : 0;
@@ -33,9 +33,9 @@ void print_steps(const std::string& name, const char* method, const std::vector<
               100.0 * static_cast<double>(over_80) / count);
 }
 
-double mean_steps(const std::vector<TerrainHit>& hits) {
+double mean_steps(const std::vector<terrain::RayHit>& hits) {
   double sum = 0.0;
-  for (const TerrainHit& hit : hits) sum += hit.steps;
+  for (const terrain::RayHit& hit : hits) sum += hit.steps;
   return sum / static_cast<double>(hits.size());
 }
 
@@ -56,7 +56,7 @@ void check(const ocl::Device& device, const test::HeightMap& map, std::size_t co
   const std::vector<test::ReferenceHit> references = test::reference_hits(map, rays);
   std::vector<double> steps;
   for (const auto& [name, method] : methods) {
-    const std::vector<TerrainHit> hits = field.cast(rays, method);
+    const std::vector<terrain::RayHit> hits = field.cast(rays, method);
     const test::RayComparison comparison = test::compare(map, rays, references, hits);
     std::printf("%s, %s: %zu rays, %zu hits, worst %.2g cells, %zu decided by rounding\n", map.name.c_str(),
                 name, count, comparison.hits, comparison.worst_cells, comparison.touching);

@@ -40,7 +40,7 @@ TEST(NodesOnRayTest, LeadToTheHit) {
   for (const auto& toward :
        std::array<glm::dvec3, 4>{{{1.0, -0.25, 0.3}, {0.4, -0.5, 0.9}, {0.0, -1.0, 0.0}, {1.0, -0.1, 0.0}}}) {
     const Ray ray{.origin_m = {300.0, field.highest_m() + 40.0, 420.0}, .direction = glm::normalize(toward)};
-    const TerrainHit hit = field.cast(std::span(&ray, 1)).front();
+    const terrain::RayHit hit = field.cast(std::span(&ray, 1)).front();
     ASSERT_EQ(hit.kind, TERRAIN_SURFACE);
     const std::vector<RayNode> nodes = nodes_on_ray(field, ray, hit.distance_m);
     ASSERT_FALSE(nodes.empty());

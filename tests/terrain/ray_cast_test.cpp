@@ -52,9 +52,9 @@ TEST(RayCastTest, MethodsAgreeAndTheDefaultTakesFewestSteps) {
     const std::vector<Ray> rays = test::example_rays(map, 4000, 12);
     double steps[4] = {};
     for (std::size_t method = 0; method < 4; ++method) {
-      const std::vector<TerrainHit> hits = field.cast(rays, all_methods[method]);
+      const std::vector<terrain::RayHit> hits = field.cast(rays, all_methods[method]);
       EXPECT_EQ(test::compare(map, rays, hits).wrong, 0u) << map.name << ", method " << method;
-      for (const TerrainHit& hit : hits) steps[method] += hit.steps / static_cast<double>(hits.size());
+      for (const terrain::RayHit& hit : hits) steps[method] += hit.steps / static_cast<double>(hits.size());
     }
     std::printf("%s: mean steps: parity %.2f, paper %.2f, pdm %.2f, linear %.2f\n", map.name.c_str(),
                 steps[0], steps[1], steps[2], steps[3]);
@@ -83,7 +83,7 @@ TEST(RayCastTest, HitsFarAwayAreStatedToAThousandthOfACell) {
     const glm::dvec3 from(0.3, 3000.0 + 4.0 * i, 1.0 + 0.004 * i), to(60000.5 + 7.31 * i, -40.0, 2.1);
     rays.push_back({.origin_m = from, .direction = glm::normalize(to - from)});
   }
-  const std::vector<TerrainHit> hits = field.cast(rays);
+  const std::vector<terrain::RayHit> hits = field.cast(rays);
   double worst_cells = 0.0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     // The kernel takes the rise as a float: the ray that it follows.
@@ -101,8 +101,48 @@ TEST(RayCastTest, HitsFarAwayAreStatedToAThousandthOfACell) {
   EXPECT_LT(worst_cells, 1e-3);
 }
 
+// Rays that begin 1,000 km before places in and beside a map, over maps of every kind. Fails if a ray's way
+// to the map is among the floats of its distance: those of 1,000 km are 6 cm apart. Gate 1e-3 cells.
+TEST(RayCastTest, DistancesFromFarAwayAreAsExact) {
+  const ocl::Device device = ocl::Device::open();
+  for (const test::HeightMap& map : test::example_maps()) {
+    HeightField field(device, map.grid, map.heights_m);
+    std::vector<Ray> rays = test::example_rays(map, 4000, 14);
+    for (Ray& ray : rays) ray.origin_m -= 1e6 * ray.direction;
+    const test::RayComparison comparison = test::compare(map, rays, field.cast(rays));
+    EXPECT_EQ(comparison.wrong, 0u) << map.name;
+    EXPECT_GT(comparison.hits, rays.size() / 10) << map.name << ": the rays miss";
+    std::printf("%s: worst %.2g cells\n", map.name.c_str(), comparison.worst_cells);
+  }
+}
+
+// Along the far edges of a map whose last post is no whole number of metres away: a place that differs from
+// it by rounding is on it, and one beyond it has no ground. Fails if a ray beside the map comes into it
+// somewhere.
+TEST(RayCastTest, RaysBesideTheMapMissIt) {
+  const terrain::PostGrid grid{.columns = 11, .rows = 14, .spacing_x_m = 30.9, .spacing_z_m = 92.7};
+  HeightField field(ocl::Device::open(), grid, std::vector<float>(11 * 14, 7.0f));
+  const double width_m = 10 * 30.9, depth_m = 13 * 92.7;
+  const auto hit = [&](const glm::dvec3& from, const glm::dvec3& toward) {
+    return field.cast(std::vector<Ray>{{.origin_m = from, .direction = glm::normalize(toward)}}).front();
+  };
+  for (const glm::dvec3& toward : {glm::dvec3(0, -1, 0), glm::dvec3(0, -1, 1), glm::dvec3(0, -1e-3, -1)}) {
+    EXPECT_EQ(hit({width_m, 7.5, 600.0}, toward).kind, TERRAIN_SURFACE) << toward.y;
+    for (const double beyond_m : {1e-12, 3e-11, 1e-9, 1e-6, 1e-3, 1.0}) {
+      EXPECT_EQ(hit({-beyond_m, 7.5, 600.0}, toward).kind, TERRAIN_MISS) << toward.y << ", " << beyond_m;
+      const terrain::RayHit found = hit({width_m + beyond_m, 7.5, 600.0}, toward);
+      if (beyond_m > 1e-12) {
+        EXPECT_EQ(found.kind, TERRAIN_MISS) << toward.y << ", " << beyond_m << ": " << found.distance_m;
+      }
+    }
+  }
+  EXPECT_EQ(hit({100.0, 7.5, std::nextafter(depth_m, 1e9)}, {0, -1, 0}).kind, TERRAIN_SURFACE);
+  EXPECT_EQ(hit({100.0, 7.5, depth_m + 3e-11}, {1, -1e-3, 0}).kind, TERRAIN_MISS);
+  EXPECT_EQ(hit({width_m + 3e-11, 7.5, depth_m + 3e-11}, {0, -1, 0}).kind, TERRAIN_MISS);
+}
+
 /// One patch with the given corners, and a ray over it in cells.
-TerrainHit cast_one(const std::vector<float>& corners_m, const Ray& ray) {
+terrain::RayHit cast_one(const std::vector<float>& corners_m, const Ray& ray) {
   HeightField field(ocl::Device::open(), {.columns = 2, .rows = 2}, corners_m);
   return field.cast(std::vector<Ray>{ray})[0];
 }
@@ -119,12 +159,13 @@ TEST(RayCastTest, TakesTheFirstRootOfEachBranch) {
   EXPECT_EQ(cast_one(flat, {.origin_m = {0.5, 1.0, 0.5}, .direction = {1, 0, 0}}).kind, TERRAIN_INSIDE);
   // Level along the diagonal of h = u + v - 2 u v, from 1 to 0 and back, at 3/4: u = 3/4 of both roots 1/4,
   // 3/4.
-  const TerrainHit second = cast_one(valley, {.origin_m = {0.5, 0.625, 0.5}, .direction = {half, 0, half}});
+  const terrain::RayHit second =
+      cast_one(valley, {.origin_m = {0.5, 0.625, 0.5}, .direction = {half, 0, half}});
   EXPECT_EQ(second.kind, TERRAIN_SURFACE);
   EXPECT_NEAR(second.u, 0.75, 1e-6);
   EXPECT_NEAR(second.v, 0.75, 1e-6);
   // Two roots, both ahead: over the ridge between (0, 1) and (1, 0) the first is taken.
-  const TerrainHit first =
+  const terrain::RayHit first =
       cast_one(saddle, {.origin_m = {-0.25, 0.375, -0.25}, .direction = {half, 0, half}});
   EXPECT_EQ(first.kind, TERRAIN_SURFACE);
   EXPECT_NEAR(first.u, 0.25, 1e-6);
@@ -138,14 +179,14 @@ TEST(RayCastTest, TakesTheFirstRootOfEachBranch) {
 
 TEST(RayCastTest, StatesHowARayEnds) {
   const std::vector<float> slope{0, 1, 0, 1};
-  const TerrainHit inside = cast_one(slope, {.origin_m = {0.75, 0.5, 0.5}, .direction = {0, 1, 0}});
+  const terrain::RayHit inside = cast_one(slope, {.origin_m = {0.75, 0.5, 0.5}, .direction = {0, 1, 0}});
   EXPECT_EQ(inside.kind, TERRAIN_INSIDE);
   EXPECT_EQ(inside.distance_m, 0.0f);
-  const TerrainHit side = cast_one(slope, {.origin_m = {3.0, 0.5, 0.5}, .direction = {-1, 0, 0}});
+  const terrain::RayHit side = cast_one(slope, {.origin_m = {3.0, 0.5, 0.5}, .direction = {-1, 0, 0}});
   EXPECT_EQ(side.kind, TERRAIN_SIDE);
   EXPECT_EQ(side.distance_m, 2.0f);
   EXPECT_EQ(side.normal_x, 1.0f);
-  const TerrainHit surface = cast_one(slope, {.origin_m = {0.25, 1.0, 0.5}});
+  const terrain::RayHit surface = cast_one(slope, {.origin_m = {0.25, 1.0, 0.5}});
   EXPECT_EQ(surface.kind, TERRAIN_SURFACE);
   EXPECT_NEAR(surface.distance_m, 0.75, 1e-6);
   EXPECT_NEAR(surface.normal_x, -std::numbers::sqrt2 / 2.0, 1e-6);
@@ -167,7 +208,7 @@ TEST(RayCastTest, CurvedGroundFallsAway) {
     rays.push_back({.origin_m = {3.0, 25.0, 7.0},
                     .direction = glm::normalize(glm::dvec3(std::cos(heading), -slope, std::sin(heading)))});
   }
-  const std::vector<TerrainHit> hits = field.cast(rays, terrain::EarthCurve{.radius_m = radius_m});
+  const std::vector<terrain::RayHit> hits = field.cast(rays, terrain::EarthCurve{.radius_m = radius_m});
   int misses = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const double slope = -rays[i].direction.y / std::hypot(rays[i].direction.x, rays[i].direction.z);
@@ -182,6 +223,32 @@ TEST(RayCastTest, CurvedGroundFallsAway) {
     EXPECT_NEAR(hits[i].distance_m, plan_m * std::sqrt(1.0 + slope * slope), 1e-2 * 4.0 / slope) << slope;
   }
   EXPECT_GT(misses, 10);
+}
+
+// The same from 100 km before a map, over the Earth: 20 - p x + x^2 / 2R = 0 again, from 2 km up. Fails if
+// the ground does not fall away on the way to the map, or the distance is from the map's edge. Gate 1e-3
+// cells, as above.
+TEST(RayCastTest, CurvedGroundFallsAwayBeforeTheMap) {
+  const terrain::PostGrid grid{
+      .columns = 301, .rows = 301, .spacing_x_m = 10.0, .spacing_z_m = 15.0, .origin_x_m = 1e5};
+  HeightField field(ocl::Device::open(), grid, std::vector<float>(301 * 301, 5.0f));
+  const double radius_m = 6.4e6, height_m = 2000.0;
+  std::vector<Ray> rays;
+  std::vector<double> expected_m;
+  for (int i = 0; i < 100; ++i) {
+    const double plan_m = 100'400.0 + 25.0 * i, slope = height_m / plan_m + plan_m / (2.0 * radius_m);
+    rays.push_back({.origin_m = {3.0, 5.0 + height_m, 2000.0},
+                    .direction = glm::normalize(glm::dvec3(1.0, -slope, 1e-3))});
+    const double across = std::hypot(rays.back().direction.x, rays.back().direction.z);
+    // Of the direction as it is: its plan is longer than 1 by 5e-7.
+    const double p = -rays.back().direction.y / across;
+    expected_m.push_back(radius_m * (p - std::sqrt(p * p - 2.0 * height_m / radius_m)) / across);
+  }
+  const std::vector<terrain::RayHit> hits = field.cast(rays, terrain::EarthCurve{.radius_m = radius_m});
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    ASSERT_EQ(hits[i].kind, TERRAIN_SURFACE) << i;
+    EXPECT_NEAR(hits[i].distance_m, expected_m[i], 1.0) << i;
+  }
 }
 
 }  // namespace

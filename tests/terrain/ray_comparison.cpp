@@ -34,12 +34,13 @@ std::vector<ReferenceHit> reference_hits(const HeightMap& map, const std::vector
 }
 
 RayComparison compare(const HeightMap& map, const std::vector<terrain::Ray>& rays,
-                      const std::vector<TerrainHit>& found) {
+                      const std::vector<terrain::RayHit>& found) {
   return compare(map, rays, reference_hits(map, rays), found);
 }
 
 RayComparison compare(const HeightMap& map, const std::vector<terrain::Ray>& rays,
-                      const std::vector<ReferenceHit>& references, const std::vector<TerrainHit>& found) {
+                      const std::vector<ReferenceHit>& references,
+                      const std::vector<terrain::RayHit>& found) {
   RayComparison comparison;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const ReferenceHit& expected = references[i];

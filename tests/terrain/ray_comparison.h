@@ -24,9 +24,9 @@ std::vector<ReferenceHit> reference_hits(const HeightMap& map, const std::vector
 
 /// Adds a failure for each of the first few wrong rays.
 RayComparison compare(const HeightMap& map, const std::vector<terrain::Ray>& rays,
-                      const std::vector<ReferenceHit>& references, const std::vector<TerrainHit>& found);
+                      const std::vector<ReferenceHit>& references, const std::vector<terrain::RayHit>& found);
 /// The same against reference_hits(map, rays).
 RayComparison compare(const HeightMap& map, const std::vector<terrain::Ray>& rays,
-                      const std::vector<TerrainHit>& found);
+                      const std::vector<terrain::RayHit>& found);
 
 }  // namespace offing::test

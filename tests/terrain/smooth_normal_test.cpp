@@ -47,8 +47,8 @@ TEST(SmoothNormalTest, RaysFindWhatDoublePrecisionFinds) {
     rays.push_back({.origin_m = {x_m, 500.0, z_m}});
   }
   for (const CastMethod method : {CastMethod::parity, CastMethod::paper}) {
-    const std::vector<TerrainHit> hits = field.cast(rays, method, HitNormals::smooth);
-    const std::vector<TerrainHit> of_patches = field.cast(rays, method);
+    const std::vector<terrain::RayHit> hits = field.cast(rays, method, HitNormals::smooth);
+    const std::vector<terrain::RayHit> of_patches = field.cast(rays, method);
     double largest = 0.0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const glm::dvec3 expected = *smooth_normal_at(on_host, rays[i].origin_m.x, rays[i].origin_m.z);

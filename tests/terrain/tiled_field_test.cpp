@@ -62,7 +62,7 @@ TEST_F(TiledFieldTest, HitsAreInTheMapsCells) {
   field_.look_and_wait(coarse_camera());
   EXPECT_GT(field_.statistics().tiles, 1u);
   const std::vector<Ray> rays = test::example_rays(example_.map(), 3000, 6);
-  const std::vector<TerrainHit> hits = field_.cast(rays);
+  const std::vector<terrain::RayHit> hits = field_.cast(rays);
   std::size_t checked = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (hits[i].kind == TERRAIN_MISS) continue;
@@ -84,12 +84,12 @@ TEST_F(TiledFieldTest, HitsAreInTheMapsCells) {
 TEST_F(TiledFieldTest, CoarseTilesAreNowhereBelowTheMap) {
   HeightField whole(device_, example_.map().grid, example_.map().heights_m);
   std::vector<Ray> rays = test::example_rays(example_.map(), 8000, 7);
-  const std::vector<TerrainHit> expected = whole.cast(rays);
+  const std::vector<terrain::RayHit> expected = whole.cast(rays);
   for (const int height_px : {2, 24, 100, 400}) {
     Camera camera = coarse_camera();
     camera.height_px = height_px;
     field_.look_and_wait(camera);
-    const std::vector<TerrainHit> found = field_.cast(rays);
+    const std::vector<terrain::RayHit> found = field_.cast(rays);
     std::size_t hits = 0, holes = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (expected[i].kind == TERRAIN_MISS) continue;
@@ -121,14 +121,15 @@ TEST_F(TiledFieldTest, APictureIsTheRaysOfItsPixels) {
       rays.push_back({.origin_m = camera.eye_m, .direction = glm::normalize(ray_direction(camera, clip))});
     }
   }
-  const std::vector<TerrainHit> expected = field_.cast(rays), found = hits.read();
+  const std::vector<terrain::RayHit> expected = field_.cast(rays);
+  const std::vector<TerrainHit> found = hits.read();
   const std::vector<float> found_m = distances.read();
   std::size_t differing = 0, ground = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     EXPECT_EQ(found_m[i], found[i].distance_m);
-    const bool is_same =
-        found[i].kind == expected[i].kind &&
-        (found[i].kind == TERRAIN_MISS || std::abs(found_m[i] - expected[i].distance_m) < 0.05);
+    const bool is_same = found[i].kind == expected[i].kind &&
+                         (found[i].kind == TERRAIN_MISS ||
+                          std::abs(static_cast<double>(found_m[i]) - expected[i].distance_m) < 0.05);
     differing += is_same ? 0 : 1;
     ground += found[i].kind == TERRAIN_SURFACE ? 1 : 0;
   }
@@ -158,7 +159,7 @@ TEST_F(TiledFieldTest, CoarseGroundStandsInForBrokenTiles) {
   EXPECT_EQ(field.statistics().stood_in, 1u);
   std::vector<Ray> rays;
   for (int i = 0; i < 400; ++i) rays.push_back({.origin_m = {2600.0 + 6.0 * i, 500.0, 3300.0 + 7.0 * i}});
-  for (const TerrainHit& hit : field.cast(rays)) EXPECT_EQ(hit.kind, TERRAIN_SURFACE);
+  for (const terrain::RayHit& hit : field.cast(rays)) EXPECT_EQ(hit.kind, TERRAIN_SURFACE);
 }
 
 // Fails if look() waits for tiles, or never gets them: the first look has the coarsest level only, and a few
@@ -226,7 +227,7 @@ TEST(TiledFieldFlight, SeesAcrossHugeMaps) {
   for (int i = 1; i < 140; ++i) {
     rays.push_back({.origin_m = {1000.0, 1.0 * i + 0.5, 3.0 * i}, .direction = {1.0, 0.0, 0.0}});
   }
-  const std::vector<TerrainHit> hits = field.cast(rays);
+  const std::vector<terrain::RayHit> hits = field.cast(rays);
   for (std::size_t i = 0; i < 300; ++i) {
     const double raised_m = 300.0 - hits[i].distance_m - rise * rays[i].origin_m.x;
     EXPECT_GE(raised_m, -1e-4) << i;
@@ -283,7 +284,7 @@ TEST_P(TiledFieldEdges, CopiesGoOnBeyondTheMap) {
   ASSERT_EQ(field.statistics().stood_in, 0u);
   std::vector<Ray> rays = test::example_rays(many, 4000, 12);
   std::size_t compared = 0, wrong = 0;
-  const std::vector<TerrainHit> found = field.cast(rays);
+  const std::vector<terrain::RayHit> found = field.cast(rays);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const glm::dvec3& from = rays[i].origin_m;
     const bool is_over =
