@@ -7,7 +7,9 @@
 
 #include "host/base/progress.h"
 #include "host/command_line/print_summary.h"
+#include "host/scene/moving_view.h"
 #include "host/scene/own_puffs.h"
+#include "host/scene/scene_ground.h"
 #include "host/scene/scene_meshes.h"
 #include "host/scene/world_scene.h"
 #include "host/world/cloud_grower.h"
@@ -51,6 +53,7 @@ class PictureMaker {
   /// A picture of a sequence that begins at `first_s`. False, with nothing written, when asked to stop.
   bool make(double time_s, double first_s, const CancelToken& cancel, const Write& write) {
     if (cancel.cancelled()) return false;
+    warn_of_eye(time_s);
     scene::ViewScene view = scene::show_at(world_, scene_, time_s);
     view.camera.width_px = size_.width;
     view.camera.height_px = size_.height;
@@ -65,6 +68,16 @@ class PictureMaker {
   }
 
  private:
+  /// Of the first picture that there is something to say about.
+  void warn_of_eye(double time_s) {
+    if (has_warned_ || !world_.ground()) return;
+    const auto warning =
+        scene::eye_warning(*world_.ground(), scene::view_at(scene_, time_s), scene_.has_sea());
+    if (!warning) return;
+    spdlog::warn("at {:g} s: {}", time_s, *warning);
+    has_warned_ = true;
+  }
+
   GlContext context_;
   ocl::Device device_;
   scene::OceanScene scene_;
@@ -73,6 +86,7 @@ class PictureMaker {
   Frame frame_;
   LightMeter light_meter_;
   PictureSize size_;
+  bool has_warned_ = false;
 };
 
 }  // namespace

@@ -1,10 +1,14 @@
 #include "host/cli/terrain_camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include <spdlog/spdlog.h>
+
 #include "host/base/argument.h"
+#include "host/terrain/eye_place.h"
 #include "host/terrain/flying_camera.h"
 #include "host/terrain/ground.h"
 
@@ -23,15 +27,18 @@ CameraGround camera_ground(const HeightMap& map) {
 
 CameraGround camera_ground(terrain::TiledField& field) {
   const terrain::TiledMap& map = field.map();
-  return {.extent = {.width_m = map.width_m(), .depth_m = map.depth_m(), .highest_m = map.highest_m},
-          .under = [&field](double x_m, double z_m) {
+  return {
+      .extent = {.width_m = map.width_m(), .depth_m = map.depth_m(), .highest_m = map.highest_m},
+      .under =
+          [&field](double x_m, double z_m) {
             // With the eye there, the tile is of the finest level.
             const double above_m = field.map().highest_m + 1.0;
             field.look_and_wait({.eye_m = {x_m, field.map().lowest_m, z_m}});
             const terrain::RayHit hit =
                 field.cast(std::vector{terrain::Ray{.origin_m = {x_m, above_m, z_m}}}).front();
             return terrain::GroundPoint{above_m - hit.distance_m, {hit.normal_x, hit.normal_y, hit.normal_z}};
-          }};
+          },
+      .ends = map.edge == terrain::MapEdge::ends};
 }
 
 Camera read_terrain_camera(std::string_view text, const CameraGround& ground) {
@@ -55,6 +62,25 @@ Camera read_terrain_camera(std::string_view text, const CameraGround& ground) {
     camera.pitch_rad = place[4] * radians;
   }
   return camera;
+}
+
+void keep_above_ground(Camera& camera, const CameraGround& ground) {
+  if (ground.ends) {
+    if (const auto warning = terrain::warning_off_map(camera.eye_m, ground.extent)) {
+      spdlog::warn("{}", *warning);
+      return;
+    }
+  }
+  if (camera.eye_m.y > ground.extent.highest_m) return;
+  double x_m = camera.eye_m.x, z_m = camera.eye_m.z;
+  if (ground.ends) {
+    // An eye on the edge may be beyond it by rounding.
+    x_m = std::clamp(x_m, 0.0, ground.extent.width_m);
+    z_m = std::clamp(z_m, 0.0, ground.extent.depth_m);
+  }
+  const double ground_m = ground.under(x_m, z_m).height_m;
+  const auto warning = terrain::lift_out_of_ground(camera.eye_m, ground_m, eye_height_m);
+  if (warning) spdlog::warn("{}", *warning);
 }
 
 void read_picture_size(std::string_view text, Camera& camera) {

@@ -15,6 +15,7 @@ namespace offing::cli {
 struct CameraGround {
   terrain::GroundExtent extent;
   std::function<terrain::GroundPoint(double x_m, double z_m)> under;
+  bool ends = true;  ///< at its edges
 };
 
 /// Those of a map and of a field, which must live as long.
@@ -25,6 +26,9 @@ CameraGround camera_ground(terrain::TiledField& field);
 /// post, looking north and 15 degrees down), "walk" (on the ground in the middle of the map, 1.7 m high,
 /// looking where it falls) or "X,Y,Z,YAW_DEG,PITCH_DEG". Throws Error(bad_usage) for anything else.
 Camera read_terrain_camera(std::string_view text, const CameraGround& ground);
+
+/// Lifts a camera whose eye is in the ground to a walker's height, and warns of that and of one off the map.
+void keep_above_ground(Camera& camera, const CameraGround& ground);
 
 /// `--size WxH`, the pixels of a camera. Throws Error(bad_usage) for anything else.
 void read_picture_size(std::string_view text, Camera& camera);

@@ -43,6 +43,7 @@ struct TerrainRenderArguments {
 
 Camera read_camera(const TerrainRenderArguments& arguments, const CameraGround& ground) {
   Camera camera = read_terrain_camera(arguments.camera, ground);
+  keep_above_ground(camera, ground);
   read_picture_size(arguments.size, camera);
   const double degrees = arguments.field_of_view.empty()
                              ? 60.0

@@ -18,6 +18,7 @@
 #include "host/scene/named_file.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/stored_ground.h"
+#include "host/terrain/eye_place.h"
 #include "host/terrain/flying_camera.h"
 #include "host/terrain/row_makers.h"
 
@@ -146,10 +147,22 @@ std::optional<world::GroundParameters> edited_ground(const std::optional<world::
 }
 
 void stand_on_ground(const world::GroundView& ground, ViewScene& view) {
-  if (view.mode != CameraMode::walk) return;
   glm::dvec3& eye_m = view.camera.eye_m;
   const std::optional<terrain::GroundPoint> below = ground.ground_at(eye_m.x, eye_m.z);
-  if (below) eye_m.y = below->height_m + view.walker.eye_height_m;
+  if (!below) return;
+  if (view.mode == CameraMode::walk) eye_m.y = below->height_m + view.walker.eye_height_m;
+  terrain::lift_out_of_ground(eye_m, below->height_m, view.walker.eye_height_m);
+}
+
+std::optional<std::string> eye_warning(const world::GroundView& ground, ViewScene view, bool has_sea) {
+  glm::dvec3& eye_m = view.camera.eye_m;
+  const world::GroundParameters& parameters = ground.parameters();
+  const std::optional<terrain::GroundPoint> below = ground.ground_at(eye_m.x, eye_m.z);
+  if (below && view.mode != CameraMode::walk) {
+    return terrain::lift_out_of_ground(eye_m, below->height_m, view.walker.eye_height_m);
+  }
+  if (below || has_sea) return std::nullopt;
+  return terrain::warning_off_map(eye_m, parameters.extent(), parameters.origin_x_m, parameters.origin_z_m);
 }
 
 bool places_its_camera(const OceanScene& scene) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "host/scene/ocean_scene.h"
 #include "host/world/ground_view.h"
@@ -24,7 +25,11 @@ bool places_its_camera(const OceanScene& scene);
 /// with the scene's field of view. Does nothing else.
 void place_camera(OceanScene& scene, const std::optional<world::GroundParameters>& ground);
 
-/// Where the camera walks and is over the ground: its eye goes to a walker's height.
+/// Where the camera walks and is over the ground, or is in the ground: its eye goes to a walker's height.
 void stand_on_ground(const world::GroundView& ground, ViewScene& view);
+
+/// What is wrong with where the eye of a view is, before stand_on_ground(): in the ground or, where there is
+/// no sea, off the map. Nothing where it is well.
+std::optional<std::string> eye_warning(const world::GroundView& ground, ViewScene view, bool has_sea);
 
 }  // namespace offing::scene

@@ -52,6 +52,29 @@ TEST_F(TerrainRender, DrawsPictureAndDepth) {
   EXPECT_NEAR(depth_m[32], 40.0 / 0.8660, 0.4);
 }
 
+// Fails if an eye in the ground makes a picture of the ground's inside, without a word, or if one off the map
+// does so.
+TEST_F(TerrainRender, WarnsOfEyesInTheGroundAndOffTheMap) {
+  const auto eye_of = [&](const std::string& camera, const char* warning) {
+    const ProgramResult result = render({"--camera", camera, "--size", "32x32", "--force", "--json"});
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    if (*warning == '\0') {
+      EXPECT_EQ(result.errors, "") << camera;
+    } else {
+      EXPECT_THAT(result.errors, ::testing::HasSubstr(warning)) << camera;
+    }
+    const auto json = nlohmann::json::parse(result.output);
+    EXPECT_LT(json["ground_share"].get<double>(), 0.7) << camera;
+    return json["eye_m"][1].get<double>();
+  };
+  EXPECT_NEAR(eye_of("500,60,500,0,0", "is 40.0 m below the ground; lifted to y = 101.7 m, 1.7 m above it"),
+              101.7, 1e-9);
+  EXPECT_NEAR(eye_of("500,100,500,0,0", "is 0.0 m below the ground; lifted"), 101.7, 1e-9);
+  EXPECT_NEAR(eye_of("-300,60,1400,0,0", "is 500.0 m beyond the map, which reaches from x = 0.0 to 1000.0 m"),
+              60.0, 1e-9);
+  EXPECT_NEAR(eye_of("500,100.1,500,0,0", ""), 100.1, 1e-9);
+}
+
 // Above the horizon of "walk" there is sky, below it the level ground: half the picture each, but for the row
 // at the horizon.
 TEST_F(TerrainRender, WalksOnTheGround) {

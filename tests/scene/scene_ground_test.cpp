@@ -14,6 +14,7 @@
 #include "host/base/error.h"
 #include "host/io/png_image.h"
 #include "host/io/tile_store/tile_store.h"
+#include "host/scene/moving_view.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/scene_writer.h"
 #include "host/scene/sea.h"
@@ -276,6 +277,27 @@ TEST_F(SceneGroundTest, StandsWalkersOnTheGround) {
   world::World world(ocl::Device::open(), prepare_world(scene));
   const ViewScene view = show_at(world, scene, 0.0);
   EXPECT_NEAR(view.camera.eye_m.y, world.ground()->ground_at(1234.0, -77.0)->height_m + 2.0, 1e-9);
+}
+
+// Fails if an eye in the ground stays there, if nobody is told how deep it was, or if one over the ground is
+// moved. Off the map one is told of where there is no sea.
+TEST_F(SceneGroundTest, LiftsEyesOutOfTheGround) {
+  const OceanScene scene = scene_of("[terrain]\nposts = 33\n[camera]\nx_m = 1234\nz_m = -77\n");
+  world::World world(ocl::Device::open(), prepare_world(scene));
+  const world::GroundView& ground = *world.ground();
+  const double ground_m = ground.ground_at(1234.0, -77.0)->height_m;
+  ViewScene view = view_at(scene, 0.0);
+  view.camera.eye_m.y = ground_m - 12.5;
+  EXPECT_THAT(eye_warning(ground, view, true).value_or(""), testing::HasSubstr("is 12.5 m below the ground"));
+  stand_on_ground(ground, view);
+  EXPECT_NEAR(view.camera.eye_m.y, ground_m + view.walker.eye_height_m, 1e-9);
+  view.camera.eye_m.y = ground_m + 0.5;
+  EXPECT_EQ(eye_warning(ground, view, false), std::nullopt);
+  stand_on_ground(ground, view);
+  EXPECT_EQ(view.camera.eye_m.y, ground_m + 0.5);
+  view.camera.eye_m.x = -10'100.0;  // the ground is 20 km wide
+  EXPECT_EQ(eye_warning(ground, view, true), std::nullopt);
+  EXPECT_THAT(eye_warning(ground, view, false).value_or(""), testing::HasSubstr("is 100.0 m beyond the map"));
 }
 
 }  // namespace
