@@ -1,5 +1,6 @@
 #include "host/io/png_image.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
@@ -74,12 +75,22 @@ std::pair<int, int> decode_png(const std::filesystem::path& path, png_uint_32 fo
 
 }  // namespace
 
+float dither_noise(int column, int row) {
+  const auto fraction = [](float value) { return value - std::floor(value); };
+  const float x = static_cast<float>(column) + 0.5f, y = static_cast<float>(row) + 0.5f;
+  return fraction(52.9829189f * fraction(0.06711056f * x + 0.00583715f * y)) - 0.5f;
+}
+
 std::uint8_t srgb_from_linear(float linear) {
+  return dithered_srgb(linear, 0.0f);
+}
+
+std::uint8_t dithered_srgb(float linear, float noise) {
   if (!(linear > 0.0f)) return 0;
   if (linear >= 1.0f) return 255;
   const float encoded =
       linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
-  return static_cast<std::uint8_t>(std::lround(255.0f * encoded));
+  return static_cast<std::uint8_t>(std::lround(std::clamp(255.0f * encoded + noise, 0.0f, 255.0f)));
 }
 
 void write_png(const std::filesystem::path& path, const RgbImage& image) {

@@ -18,6 +18,14 @@ struct RgbImage {
 /// sRGB byte of a linear intensity; 0 and below (and NaN) give 0, 1 and above 255. IEC 61966-2-1.
 std::uint8_t srgb_from_linear(float linear);
 
+/// Fixed noise of a pixel, at least -0.5 and below 0.5, whose mean over a few pixels is 0: interleaved
+/// gradient noise (Jimenez 2014), as present/shaders/tone.frag has it.
+float dither_noise(int column, int row);
+
+/// The same byte with less than one step of this noise added before it is rounded, which hides the steps of 8
+/// bits in smooth pictures. Black and white stay as they are.
+std::uint8_t dithered_srgb(float linear, float noise);
+
 /// Writes an 8-bit PNG marked as sRGB, atomically; equal pictures give equal bytes.
 /// Throws Error(bad_input) for an empty picture or pixels that do not match its size, Error(file) if it
 /// cannot be written.

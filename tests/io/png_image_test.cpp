@@ -57,6 +57,25 @@ TEST(PngImage, EncodesSrgb) {
             7);  // linear toe: 12.92 * 0.002 * 255 = 6.6; a power of 1/2.4 would give 5
 }
 
+// Fails if dithering moves a mean, or a value by a whole step, or black and white: 255 srgb(0.5) = 187.5.
+// Over 64 x 64 pixels the noise has a mean of 0 to 0.01.
+TEST(PngImage, DitheringKeepsMeans) {
+  for (const float linear : {0.5f, 0.02f, 0.9f}) {
+    const double exact = 255.0 * (1.055 * std::pow(static_cast<double>(linear), 1.0 / 2.4) - 0.055);
+    double sum = 0.0;
+    for (int i = 0; i < 64 * 64; ++i) {
+      const int value = dithered_srgb(linear, dither_noise(i % 64, i / 64));
+      EXPECT_LT(std::abs(value - exact), 1.0);
+      sum += value;
+    }
+    EXPECT_NEAR(sum / (64 * 64), exact, 0.02);
+  }
+  for (const float noise : {-0.5f, 0.49f}) {
+    EXPECT_EQ(dithered_srgb(0.0f, noise), 0);
+    EXPECT_EQ(dithered_srgb(1.0f, noise), 255);
+  }
+}
+
 // Fails if an empty picture, a wrong size or a broken file goes unnoticed.
 TEST(PngImage, BadInputIsRefused) {
   const TemporaryFolder folder;

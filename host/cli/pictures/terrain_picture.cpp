@@ -21,10 +21,10 @@ constexpr double key = 0.3;
 constexpr double mean_albedo = 0.18;
 constexpr double least_klx = 1e-4;
 
-void store(RgbImage& image, std::size_t pixel, Vec3 linear) {
-  image.rgb[3 * pixel] = srgb_from_linear(linear.x);
-  image.rgb[3 * pixel + 1] = srgb_from_linear(linear.y);
-  image.rgb[3 * pixel + 2] = srgb_from_linear(linear.z);
+void store(RgbImage& image, std::size_t pixel, Vec3 linear, float noise) {
+  image.rgb[3 * pixel] = dithered_srgb(linear.x, noise);
+  image.rgb[3 * pixel + 1] = dithered_srgb(linear.y, noise);
+  image.rgb[3 * pixel + 2] = dithered_srgb(linear.z, noise);
 }
 
 /// Directions of the pixels that the ground does not cover.
@@ -80,7 +80,9 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
     }
     const Vec3 exposed{static_cast<float>(exposure * colour[0]), static_cast<float>(exposure * colour[1]),
                        static_cast<float>(exposure * colour[2])};
-    store(picture.image, pixel, tone_mapped(exposed));
+    const std::size_t width = static_cast<std::size_t>(camera.width_px);
+    const float noise = dither_noise(static_cast<int>(pixel % width), static_cast<int>(pixel / width));
+    store(picture.image, pixel, tone_mapped(exposed), noise);
   }
 }
 
@@ -101,7 +103,7 @@ TerrainPicture draw(const ocl::Device& device, Field& field, const Camera& camer
     const TerrainHit& hit = hits[pixel];
     if (show == TerrainShow::steps) {
       const auto [red, green, blue] = terrain::step_colour(static_cast<float>(hit.steps));
-      store(picture.image, pixel, {red, green, blue});
+      store(picture.image, pixel, {red, green, blue}, 0.0f);
     }
     picture.distances_m.push_back(hit.distance_m);
     picture.ground_pixels += hit.kind == TERRAIN_MISS ? 0 : 1;
