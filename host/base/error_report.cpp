@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "host/base/error_list.h"
+
 namespace offing {
 namespace {
 
@@ -21,14 +23,21 @@ std::string escaped(std::string_view text, unsigned char highest) {
   return out;
 }
 
+std::string lines_of(const Error& error) {
+  const std::string hint = error.hint().empty() ? "" : fmt::format("hint: {}\n", one_line(error.hint()));
+  return fmt::format("error: {}\n{}", one_line(error.what()), hint);
+}
+
 }  // namespace
 
 void report(const Error& error) {
-  // Not fmt::print(), which throws where stderr is full: there is nobody left to tell.
-  std::string text = fmt::format("error: {}\n", one_line(error.what()));
-  if (!error.hint().empty()) {
-    text += fmt::format("hint: {}\n", one_line(error.hint()));
+  std::string text;
+  if (const auto* list = dynamic_cast<const ErrorList*>(&error)) {
+    for (const Error& each : list->errors()) text += lines_of(each);
+  } else {
+    text = lines_of(error);
   }
+  // Not fmt::print(), which throws where stderr is full: there is nobody left to tell.
   std::fputs(text.c_str(), stderr);
 }
 

@@ -7,7 +7,7 @@
 
 namespace offing {
 
-/// Prints an error to stderr as its two lines, `error: ...` and `hint: ...`.
+/// Prints an error to stderr as its two lines, `error: ...` and `hint: ...`; of an ErrorList all errors.
 void report(const Error& error);
 
 /// One printable line: control characters, as hostile file names hold them, become \xNN.

@@ -4,6 +4,9 @@
 #include <numeric>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace offing::scene {
 
 namespace {
@@ -42,6 +45,17 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
     }
   }
   return best;
+}
+
+std::string hint_of_names(std::string_view name, const std::vector<std::string>& known,
+                          std::string_view without_any) {
+  constexpr std::size_t most_listed = 20;
+  if (known.empty()) return std::string(without_any);
+  const std::vector<std::string_view> candidates(known.begin(), known.end());
+  const std::string_view near = nearest_name(name, candidates);
+  const auto listed = std::span(candidates).first(std::min(most_listed, candidates.size()));
+  return fmt::format("{}known here: {}{}", near.empty() ? "" : fmt::format("did you mean {}? ", near),
+                     fmt::join(listed, ", "), listed.size() < candidates.size() ? ", ..." : "");
 }
 
 }  // namespace offing::scene

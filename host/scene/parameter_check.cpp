@@ -1,6 +1,7 @@
 #include "host/scene/parameter_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -8,14 +9,58 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/scene/nearest_name.h"
 
 namespace offing::scene {
 
 namespace {
 
+std::string number_text(double number) {
+  return fmt::format("{:.12g}", number);
+}
+
+/// The power of two within the parameter's range that is nearest.
+double nearest_power_of_two(const Parameter& parameter, double number) {
+  double nearest = 1.0;
+  while (nearest < parameter.low) nearest *= 2.0;
+  for (double next = 2.0 * nearest; next <= parameter.high; next *= 2.0) {
+    if (std::abs(next - number) < std::abs(nearest - number)) nearest = next;
+  }
+  return nearest;
+}
+
+/// The numbers that a value was written as; none where it was written otherwise.
+std::vector<double> numbers_of(const WrittenValue& written) {
+  if (const auto* real = std::get_if<double>(&written.value)) return {*real};
+  if (const auto* whole = std::get_if<std::int64_t>(&written.value)) return {static_cast<double>(*whole)};
+  if (const auto* list = std::get_if<std::vector<double>>(&written.value)) return *list;
+  return {};
+}
+
+/// The allowed value that is nearest to what was written; empty where nothing is near.
+std::string nearest_allowed(const Parameter& parameter, const WrittenValue& written) {
+  if (const auto* choice = std::get_if<ChoiceStorage>(&parameter.storage)) {
+    const auto* name = std::get_if<std::string>(&written.value);
+    return std::string(name ? nearest_name(*name, choice->names) : "");
+  }
+  std::vector<double> numbers = numbers_of(written);
+  const bool has_seed = std::holds_alternative<ValueAt<std::uint64_t>>(parameter.storage);
+  if (is_text(parameter) || has_seed || numbers.size() != (is_triple(parameter) ? 3u : 1u)) return "";
+  for (double& number : numbers) {
+    if (std::isnan(number)) return "";
+    number = std::clamp(number, parameter.low, parameter.high);
+    if (std::holds_alternative<ValueAt<int>>(parameter.storage)) number = std::round(number);
+    if (parameter.rule == ParameterRule::power_of_two) number = nearest_power_of_two(parameter, number);
+  }
+  if (numbers.size() == 1) return number_text(numbers[0]);
+  return fmt::format("[{}, {}, {}]", number_text(numbers[0]), number_text(numbers[1]),
+                     number_text(numbers[2]));
+}
+
 [[noreturn]] void refuse(const Parameter& parameter, const WrittenValue& written, const Place& place) {
-  const std::string example{parameter.example.empty() ? default_text(parameter)
-                                                      : std::string(parameter.example)};
+  std::string example = nearest_allowed(parameter, written);
+  if (example.empty())
+    example = parameter.example.empty() ? default_text(parameter) : std::string(parameter.example);
   const bool quote = is_text(parameter);
   const bool in_file = place.assignment.ends_with("= ");
   throw Error(ErrorKind::bad_input,

@@ -14,6 +14,7 @@
 #include "host/bodies/pressed_hull.h"
 #include "host/scene/moving_number.h"
 #include "host/scene/named_file.h"
+#include "host/scene/nearest_name.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/parameter_track.h"
 #include "host/scene/scene_meshes.h"
@@ -75,6 +76,14 @@ class BodyCourse {
   MovingNumber x_m_, z_m_, heading_rad_, thrust_n_, rudder_rad_;
 };
 
+std::vector<std::string> names_of_bodies(const OceanScene& scene) {
+  std::vector<std::string> names;
+  for (const BodyScene& body : scene.bodies) {
+    if (!body.name.empty()) names.push_back(body.name);
+  }
+  return names;
+}
+
 std::size_t mesh_of(const OceanScene& scene, std::size_t index) {
   const std::string& name = scene.bodies[index].mesh;
   const auto mesh =
@@ -84,11 +93,12 @@ std::size_t mesh_of(const OceanScene& scene, std::size_t index) {
   for (const MeshScene& each : scene.meshes) {
     if (!each.name.empty()) names.push_back(each.name);
   }
-  throw Error(
-      ErrorKind::bad_input,
-      fmt::format("{}: expected the name of a [[mesh]], got \"{}\"",
-                  place_of_name(scene, {"body.mesh", {index, 0}}), name),
-      names.empty() ? "add a [[mesh]] with a name" : fmt::format("known here: {}", fmt::join(names, ", ")));
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected the name of a [[mesh]], got \"{}\"",
+                          place_of_name(scene, {"body.mesh", {index, 0}}), name),
+              hint_of_names(name, names,
+                            scene.meshes.empty() ? "add a [[mesh]] of this name"
+                                                 : "no [[mesh]] has a name: give one this name"));
 }
 
 void require_other_mesh(const OceanScene& scene, const std::vector<world::BodySettings>& known,
@@ -111,7 +121,8 @@ void board(const OceanScene& scene, std::vector<world::BodySettings>& bodies) {
       throw Error(ErrorKind::bad_input,
                   fmt::format("{}: expected the name of a [[body]] that carries it, got \"{}\"",
                               place_of_name(scene, {"mesh.aboard", {mesh, 0}}), name),
-                  is_body ? "a mesh that floats itself is carried by none" : "give the [[body]] this name");
+                  is_body ? "a mesh that floats itself is carried by none"
+                          : hint_of_names(name, names_of_bodies(scene), "give the [[body]] this name"));
     }
     bodies[static_cast<std::size_t>(body - scene.bodies.begin())].aboard.push_back(mesh);
   }
@@ -211,10 +222,11 @@ std::size_t followed_body(const OceanScene& scene, std::size_t wake) {
       name.empty() ? scene.bodies.begin() : std::ranges::find(scene.bodies, name, &BodyScene::name);
   if (body != scene.bodies.end()) return static_cast<std::size_t>(body - scene.bodies.begin());
   const char* key = name.empty() ? "ocean.wake.centre" : "ocean.wake.body";
-  throw Error(ErrorKind::bad_input,
-              fmt::format("{}: expected the name of a [[body]], got \"{}\"",
-                          place_of_name(scene, {key, {wake, 0}}), name),
-              "add a [[body]] of that name, or choose another centre");
+  throw Error(
+      ErrorKind::bad_input,
+      fmt::format("{}: expected the name of a [[body]], got \"{}\"", place_of_name(scene, {key, {wake, 0}}),
+                  name),
+      hint_of_names(name, names_of_bodies(scene), "add a [[body]] of that name, or choose another centre"));
 }
 
 void edit_bodies(world::World& world, const OceanScene& before, const OceanScene& after) {

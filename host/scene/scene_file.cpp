@@ -11,7 +11,7 @@
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 
-#include "host/base/error.h"
+#include "host/base/error_list.h"
 #include "host/scene/nearest_name.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_elements.h"
@@ -28,6 +28,9 @@ constexpr std::array<std::string_view, 1> planned_keys = {"world.sea_level_m"};
 /// What benchmarks take from a scene: nothing of it changes the scene.
 constexpr std::string_view bench_section = "bench";
 
+/// That are reported at once.
+constexpr std::size_t most_errors = 10;
+
 class SceneReader {
  public:
   SceneReader(std::string_view name, std::filesystem::path folder)
@@ -36,6 +39,7 @@ class SceneReader {
   OceanScene read(const toml::table& root) {
     check_version(root);
     read_table(root, "");
+    throw_faults();
     scene_.names_sea = root.contains("ocean");
     scene_.terrain.is_given = root.contains("terrain");
     return std::move(scene_);
@@ -43,6 +47,30 @@ class SceneReader {
 
  private:
   std::string place_of(const toml::source_region& region) const { return place_text(name_, region); }
+
+  /// Reads a part of the file. What is wrong with it is thrown later, with what is wrong elsewhere.
+  template <class Read>
+  void attempt(const toml::source_region& region, Read read) {
+    try {
+      read();
+    } catch (const Error& error) {
+      faults_.push_back({{region.begin.line, region.begin.column}, error});
+    }
+  }
+
+  /// The first ones of the file, in its order: tables are read in that of their keys.
+  void throw_faults() {
+    if (faults_.empty()) return;
+    std::ranges::stable_sort(faults_, {}, &Fault::place);
+    std::vector<Error> errors;
+    for (const Fault& fault : faults_) {
+      // Two keys that exclude each other say the same.
+      const bool is_known = std::ranges::any_of(
+          errors, [&](const Error& each) { return std::string_view(each.what()) == fault.error.what(); });
+      if (!is_known && errors.size() < most_errors) errors.push_back(fault.error);
+    }
+    throw ErrorList(std::move(errors));
+  }
 
   void check_version(const toml::table& root) const {
     const toml::node* version = root.get("version");
@@ -65,14 +93,20 @@ class SceneReader {
       if (full_key == "version" || (full_key == bench_section && node.is_table())) {
         continue;
       }
-      if (const Parameter* parameter = find_parameter(full_key)) {
-        refuse_both(*parameter, key, table);
-        read_value(*parameter, std::string(key.str()), node);
-      } else if (first_row_below(full_key)) {
-        read_section(full_key, key, node);
-      } else {
-        refuse_key(full_key, prefix, key);
-      }
+      attempt(key.source(),
+              [&, &key = key, &node = node] { read_entry(full_key, prefix, key, node, table); });
+    }
+  }
+
+  void read_entry(const std::string& full_key, const std::string& prefix, const toml::key& key,
+                  const toml::node& node, const toml::table& table) {
+    if (const Parameter* parameter = find_parameter(full_key)) {
+      refuse_both(*parameter, key, table);
+      read_value(*parameter, std::string(key.str()), node);
+    } else if (first_row_below(full_key)) {
+      read_section(full_key, key, node);
+    } else {
+      refuse_key(full_key, prefix, key);
     }
   }
 
@@ -107,8 +141,11 @@ class SceneReader {
     if (repeated && elements && elements->is_array_of_tables()) {
       const Parameter& row = *first_row_of(full_key);
       for (const toml::node& element : *elements) {
-        append_element(scene_, row, {.subject = fmt::format("{}: {}", place_of(element.source()), full_key)});
-        read_table(*element.as_table(), full_key + '.');
+        attempt(element.source(), [&] {
+          append_element(scene_, row,
+                         {.subject = fmt::format("{}: {}", place_of(element.source()), full_key)});
+          read_table(*element.as_table(), full_key + '.');
+        });
       }
     } else if (!repeated && node.is_table()) {
       read_table(*node.as_table(), full_key + '.');
@@ -214,9 +251,16 @@ class SceneReader {
     return names;
   }
 
+  /// What is wrong with a part of the file, and where: line and column.
+  struct Fault {
+    std::pair<toml::source_index, toml::source_index> place;
+    Error error;
+  };
+
   std::string name_;
   std::filesystem::path folder_;
   OceanScene scene_;
+  std::vector<Fault> faults_;
 };
 
 std::string read_text(const std::filesystem::path& file) {

@@ -15,7 +15,7 @@ inline constexpr std::size_t most_scene_bytes = std::size_t{4} << 20;
 ///
 /// Throws Error(bad_input) as `storm.toml:14:13: ocean.fetch_m: expected ..., got ...` for a file that cannot
 /// be read, is not TOML, or has an unknown key, a wrong type, a value out of range or not finite, or a
-/// section of a system that this version does not have.
+/// section of a system that this version does not have. It is an ErrorList of the first ten such faults.
 OceanScene load_scene(const std::filesystem::path& file);
 
 /// The same from text; `name` stands for the file in messages, `folder` is what file names are relative to.

@@ -21,6 +21,7 @@
 #include "host/scene/mesh_motion.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/named_file.h"
+#include "host/scene/nearest_name.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/parameter_track.h"
 #include "host/scene/scene_ground.h"
@@ -91,7 +92,7 @@ std::optional<int> lamp_of(const OceanScene& scene, ElementIndex element) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected the name of a [[light]] or sun, got \"{}\"",
                             place_of_name(scene, {"mesh.highlight.light", element}), name),
-                fmt::format("known here: {}", fmt::join(names, ", ")));
+                hint_of_names(name, names, ""));
   }
   return static_cast<int>(light - scene.lights.begin());
 }

@@ -318,6 +318,24 @@ TEST(BadCache, IsRebuilt) {
   EXPECT_EQ(second.output, first.output);
 }
 
+// Fails if the faults of a scene are told one a run, or not in the order of the file.
+TEST(BadScene, HasItsFaultsToldAtOnce) {
+  const TemporaryFolder folder;
+  const std::filesystem::path scene = folder.path() / "a.toml";
+  write(scene, "version = 1\n[wind]\nspeed_mps = 200\n[ocean]\nsize = 100\nspectrum = \"jonswop\"\n");
+  const ProgramResult result = run_offing({"ocean", "stats", scene.string()});
+  EXPECT_EQ(result.exit_code, 2);
+  const std::string place = scene.string();
+  EXPECT_EQ(
+      result.errors,
+      "error: " + place + ":3:13: wind.speed_mps: expected a number in m/s within [0.1, 60], got 200\n" +
+          "hint: write speed_mps = 60\n" + "error: " + place +
+          ":5:8: ocean.size: expected a power of two within [16, 4096], got 100\nhint: write size = 128\n" +
+          "error: " + place +
+          ":6:12: ocean.spectrum: expected one of phillips, pm, jonswap, tma, swell, got \"jonswop\"\n" +
+          "hint: write spectrum = \"jonswap\"\n");
+}
+
 class FullOutput : public testing::Test {
  protected:
   void SetUp() override {

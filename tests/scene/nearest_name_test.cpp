@@ -25,5 +25,13 @@ TEST(NearestName, LeavesStrangersAlone) {
   EXPECT_EQ(nearest_name(std::string(1000000, 'a'), names), "");
 }
 
+// Fails if names that a scene has are not listed, or all of thousands are.
+TEST(NearestName, HintsListWhatIsKnown) {
+  EXPECT_EQ(hint_of_names("shp", {"buoy", "ship"}, "none"), "did you mean ship? known here: buoy, ship");
+  EXPECT_EQ(hint_of_names("whale", {"buoy", "ship"}, "none"), "known here: buoy, ship");
+  EXPECT_EQ(hint_of_names("ship", {}, "none"), "none");
+  EXPECT_LT(hint_of_names("ship", std::vector<std::string>(5000, "buoy"), "none").size(), 200u);
+}
+
 }  // namespace
 }  // namespace offing::scene

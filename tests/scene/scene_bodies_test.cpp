@@ -1,6 +1,7 @@
 // Bodies of a scene, as a world gets them.
 #include "host/scene/scene_bodies.h"
 
+#include <optional>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -22,15 +23,26 @@ std::vector<world::BodySettings> bodies_of(const std::string& text) {
   return prepare_bodies(scene, prepare_meshes(scene));
 }
 
-std::string fault_of(const std::string& text) {
+/// What asking for the bodies of a scene throws; empty if it does not.
+std::optional<Error> error_of(const std::string& text) {
   try {
     bodies_of(text);
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::bad_input);
     EXPECT_FALSE(error.hint().empty());
-    return error.what();
+    return error;
   }
-  return "";
+  return std::nullopt;
+}
+
+std::string fault_of(const std::string& text) {
+  const std::optional<Error> error = error_of(text);
+  return error ? error->what() : "";
+}
+
+std::string hint_of(const std::string& text) {
+  const std::optional<Error> error = error_of(text);
+  return error ? error->hint() : "";
 }
 
 double draught_m(const world::BodySettings& settings) {
@@ -110,6 +122,9 @@ TEST(SceneBodies, ToldWhereTheyAreWrong) {
   const std::string body = "[[body]]\nmesh = \"hull\"\n";
   EXPECT_EQ(fault_of(sea + hull + "[[body]]\nmesh = \"hul\"\n"),
             "a.toml:9:8: body.mesh: expected the name of a [[mesh]], got \"hul\"");
+  EXPECT_EQ(hint_of(sea + hull + "[[body]]\nmesh = \"hul\"\n"), "did you mean hull? known here: hull");
+  EXPECT_EQ(hint_of(sea + "[[mesh]]\nshape = \"ship\"\n[[body]]\nmesh = \"hull\"\n"),
+            "no [[mesh]] has a name: give one this name");
   EXPECT_EQ(fault_of(hull + body), "a.toml:7:8: body.mesh: expected a sea for the body, found none");
   EXPECT_NE(fault_of(sea + hull + body + body)
                 .find("a.toml:11:8: body.mesh: expected a mesh that no other body moves"),

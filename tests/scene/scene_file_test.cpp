@@ -137,7 +137,9 @@ class BadScenes : public testing::TestWithParam<BadScene> {};
 // Each fails if the fault is accepted, or its place, key, expectation or mend is not told.
 TEST_P(BadScenes, AreRefusedWithPlaceAndMend) {
   const Refusal refusal = refusal_of(GetParam().text);
-  EXPECT_EQ(refusal.what, GetParam().what);
+  if (GetParam().what != nullptr) {
+    EXPECT_EQ(refusal.what, GetParam().what);
+  }
   EXPECT_EQ(refusal.hint, GetParam().hint);
 }
 
@@ -150,19 +152,30 @@ INSTANTIATE_TEST_SUITE_P(
             "write wind_speed_mps = 10"},
         BadScene{"out_of_range", "version = 1\n[ocean]\ndepth_m = -5\n",
                  "storm.toml:3:11: ocean.depth_m: expected a number in m within [0.1, 12000], got -5",
-                 "write depth_m = 50"},
+                 "write depth_m = 0.1"},
         BadScene{"not_finite", "version = 1\n[wind]\nspeed_mps = nan\n",
                  "storm.toml:3:13: wind.speed_mps: expected a number in m/s within [0.1, 60], got nan",
                  "write speed_mps = 10"},
         BadScene{"infinite", "version = 1\n[wind]\nspeed_mps = inf\n",
                  "storm.toml:3:13: wind.speed_mps: expected a number in m/s within [0.1, 60], got inf",
-                 "write speed_mps = 10"},
+                 "write speed_mps = 60"},
         BadScene{"real_for_whole", "version = 1\n[ocean]\nsize = 512.0\n",
                  "storm.toml:3:8: ocean.size: expected a power of two within [16, 4096], got 512.0",
                  "write size = 512"},
         BadScene{"boolean", "version = 1\n[ocean]\ngamma = true\n",
                  "storm.toml:3:9: ocean.gamma: expected a number within [1, 20], got true",
                  "write gamma = 3.3"},
+        BadScene{"too_large", "version = 1\n[wind]\nspeed_mps = 200\n",
+                 "storm.toml:3:13: wind.speed_mps: expected a number in m/s within [0.1, 60], got 200",
+                 "write speed_mps = 60"},
+        BadScene{"no_power_of_two", "version = 1\n[ocean]\nsize = 1500\n",
+                 "storm.toml:3:8: ocean.size: expected a power of two within [16, 4096], got 1500",
+                 "write size = 1024"},
+        BadScene{"real_for_count", "version = 1\n[ocean.gerstner]\ncount = 12.4\n",
+                 "storm.toml:3:9: ocean.gerstner.count: expected a whole number within [0, 64], got 12.4",
+                 "write count = 12"},
+        BadScene{"misspelt_choice", "version = 1\n[[cloud]]\ngenus = \"cumulonimbis\"\n", nullptr,
+                 "write genus = \"cumulonimbus\""},
         BadScene{"date", "version = 1\n[ocean]\ngamma = 1979-05-27\n",
                  "storm.toml:3:9: ocean.gamma: expected a number within [1, 20], got 1979-05-27",
                  "write gamma = 3.3"},
@@ -203,7 +216,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "write [[ocean.wake]] on a line of its own and its keys below"},
         BadScene{"swell_value", "version = 1\n[[ocean.swell]]\nperiod_s = 0\n",
                  "storm.toml:3:12: ocean.swell.period_s: expected a number in s within [0.3, 120], got 0",
-                 "write period_s = 8"},
+                 "write period_s = 0.3"},
         BadScene{"swell_key", "version = 1\n[[ocean.swell]]\nperoid_s = 8\n",
                  "storm.toml:3:1: ocean.swell.peroid_s: expected a known key, got \"peroid_s\"",
                  "did you mean period_s?"},
@@ -225,7 +238,7 @@ INSTANTIATE_TEST_SUITE_P(
             "write x_m = 0"},
         BadScene{"gerstner_count", "version = 1\n[ocean.gerstner]\ncount = 65\n",
                  "storm.toml:3:9: ocean.gerstner.count: expected a whole number within [0, 64], got 65",
-                 "write count = 0"},
+                 "write count = 64"},
         BadScene{"gerstner_key", "version = 1\n[ocean.gerstner]\nlimit_m = 65\n",
                  "storm.toml:3:1: ocean.gerstner.limit_m: expected a known key, got \"limit_m\"",
                  "known here: count, split_wavelength_m"},
@@ -256,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"keyframe_value",
                  "version = 1\n[camera]\ny_m.keys = [{ t = 0, value = 3 }, { t = 1, value = -4e5 }]\n",
                  "storm.toml:3:52: camera.y_m: expected a number in m within [-12000, 50000], got -400000.0",
-                 "write value = 5"},
+                 "write value = -12000"},
         BadScene{"keyframe_without_value", "version = 1\n[camera]\ny_m.keys = [{ t = 0 }]\n",
                  "storm.toml:3:13: camera.y_m: expected a key of t and value, got a table",
                  "write keys = [{ t = 0, value = 1 }, { t = 2, value = 3 }]"},
@@ -300,7 +313,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "write time_utc = \"2024-06-21T12:00Z\""},
         BadScene{"sky_value", "version = 1\n[sky]\naerosol_optical_depth = 3\n",
                  "storm.toml:3:25: sky.aerosol_optical_depth: expected a number within [0, 2], got 3",
-                 "write aerosol_optical_depth = 0.06"},
+                 "write aerosol_optical_depth = 2"},
         BadScene{"sky_key", "version = 1\n[sky]\nozone = 3\n",
                  "storm.toml:3:1: sky.ozone: expected a known key, got \"ozone\"", "did you mean ozone_du?"},
         BadScene{"section_as_value", "version = 1\nocean = 3\n",
