@@ -15,6 +15,7 @@
 #include "host/cli/device_choice.h"
 #include "host/cli/parameter_options.h"
 #include "host/cli/pictures/contact_sheet.h"
+#include "host/cli/water_left_out.h"
 #include "host/command_line/print_summary.h"
 #include "host/io/spectra/write_ww3_spectra.h"
 #include "host/scene/sampled_spectrum.h"
@@ -122,6 +123,7 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   }
   warn_of_broken_loop(sea, settings.frames_per_second);
   warn_of_waves_beside(sea, settings.gerstner);
+  warn_of_water_left_out(scene, "frames");
 
   const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings));
   const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), hash);

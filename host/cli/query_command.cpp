@@ -18,6 +18,7 @@
 #include "host/cli/parameter_options.h"
 #include "host/cli/query_settings.h"
 #include "host/cli/query_text.h"
+#include "host/cli/water_left_out.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_summary.h"
 #include "host/io/atomic_file.h"
@@ -230,6 +231,7 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
   const TimeRange times = read_times(arguments);
   const scene::OceanScene scene = arguments.parameters.read();
   const scene::Sea sea = scene::prepare_sea(scene);
+  warn_of_water_left_out(scene, "answers");
   const ocean::WaterQuery query = read_query(arguments, sea.spectrum.dispersion.depth_m);
   PointSource points(arguments, times);
   AnswerSink sink(arguments, times, query.depth_m);

@@ -1,0 +1,46 @@
+// Water of a scene that its sea alone does not have.
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/offing_program.h"
+#include "tests/io/temporary_folder.h"
+
+namespace offing::test {
+namespace {
+
+// Fails if wakes, bodies or shores of a scene are left out without a word, by a bake or by a query, or if a
+// scene of none is warned of.
+TEST(WaterLeftOut, HasAWarning) {
+  const TemporaryFolder folder;
+  const auto scene = folder.path() / "a.toml", alone = folder.path() / "b.toml";
+  const std::string sea = "version = 1\n[ocean]\nsize = 16\ncascade_count = 1\n";
+  std::ofstream(alone) << sea;
+  std::ofstream(scene) << sea +
+                              "[[ocean.wake]]\n[[ocean.wake]]\n[[mesh]]\nname = \"hull\"\nshape = \"ship\"\n"
+                              "[[body]]\nname = \"ferry\"\nmesh = \"hull\"\n[terrain]\nposts = 33\n";
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"bake", "--frames", "0:0", "-o", (folder.path() / "out").string(),
+                                 "--force"},
+        {"query", "--at", "0,0"}}) {
+    const auto errors_of = [&](const std::string& file) {
+      std::vector<std::string> arguments = {"ocean", command[0], file};
+      arguments.insert(arguments.end(), command.begin() + 1, command.end());
+      const ProgramResult result = run_offing(arguments);
+      EXPECT_EQ(result.exit_code, 0) << result.errors;
+      return result.errors;
+    };
+    const std::string errors = errors_of(scene.string());
+    for (const char* part : {"[[ocean.wake]] 1: not in the ", "[[ocean.wake]] 2: not in the ",
+                             "[[body]] \"ferry\": not in the ", "[terrain]: not in the "}) {
+      EXPECT_THAT(errors, testing::HasSubstr(part)) << command[0];
+    }
+    EXPECT_THAT(errors_of(alone.string()), testing::Not(testing::HasSubstr("not in the"))) << command[0];
+  }
+}
+
+}  // namespace
+}  // namespace offing::test
