@@ -1,0 +1,59 @@
+"""installed_files_test.py BUILD PREFIX: what is installed is whole, `./dev demo` builds all of it, and an incomplete
+build installs nothing."""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD, PREFIX = (pathlib.Path(argument) for argument in sys.argv[1:3])
+SCRIPT = BUILD / "host/install/cmake_install.cmake"
+
+
+def ninja(*arguments):
+    return subprocess.run(
+        ["ninja", "-C", BUILD, *arguments], check=True, capture_output=True, text=True
+    ).stdout.splitlines()
+
+
+class InstalledFilesTest(unittest.TestCase):
+    # Fails if a program or a licence has no install rule, or a program does not start from there.
+    def test_programs_and_licences_are_there(self):
+        for program in ("offing", "offing-view", "offing-mesh"):
+            said = subprocess.run([PREFIX / "bin" / program, "--version"], capture_output=True, text=True)
+            self.assertEqual(said.returncode, 0, said.stderr)
+            self.assertIn("0.1.0", said.stdout)
+        licences = [path.name for path in (PREFIX / "share/doc/Offing").rglob("*") if path.is_file()]
+        expected = ["LICENSE"] + [path.name for path in (ROOT / "LICENSES").iterdir()]
+        self.assertEqual(sorted(licences), sorted(expected))
+
+    # Fails if `cmake --install` after `./dev demo` misses a file: the demo builds less than is installed.
+    def test_demo_builds_what_is_installed(self):
+        demo = re.search(r"^run_demo\(\) \{\n.*?^\}", (ROOT / "dev").read_text(), re.M | re.S)[0]
+        targets = re.search(r"build_targets ([^#\n]*)", demo)[1].split()
+        built = {BUILD / word for command in ninja("-t", "commands", *targets) for word in command.split()}
+        outputs = {BUILD / line.rsplit(":", 1)[0] for line in ninja("-t", "targets", "all")}
+        installed = {pathlib.Path(name) for name in re.findall(r'"(/[^";\n]+)"', SCRIPT.read_text())} & outputs
+        self.assertGreater(len(installed), 20)
+        self.assertEqual(sorted(installed - built), [])
+
+    # Fails if an incomplete build is installed in part, or the hint does not say what to build.
+    def test_incomplete_build_installs_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            script = pathlib.Path(folder) / "install.cmake"
+            script.write_text(SCRIPT.read_text().replace("liboffing_c.a", "liboffing_gone.a"))
+            prefix = pathlib.Path(folder) / "prefix"
+            said = subprocess.run(
+                ["cmake", f"-DCMAKE_INSTALL_PREFIX={prefix}", "-P", script], capture_output=True, text=True
+            )
+            self.assertNotEqual(said.returncode, 0)
+            self.assertIn("liboffing_gone.a: is not built yet", said.stderr)
+            self.assertIn(f"hint: cmake --build '{BUILD}' --target offing_installed", said.stderr)
+            self.assertFalse(prefix.exists())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
