@@ -10,7 +10,7 @@ namespace offing::present {
 
 std::span<const KeyBinding> key_bindings() {
   using enum ViewAction;
-  static constexpr std::array<KeyBinding, 30> bindings{{
+  static constexpr std::array<KeyBinding, 32> bindings{{
       {GLFW_KEY_H, "H", toggle_help, "this help"},
       {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
       {GLFW_KEY_SPACE, "Space", toggle_pause, "pause"},
@@ -41,7 +41,9 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_1, "1 ... 9", go_to_bookmark, "to that bookmark of the scene", 0, 9},
       {GLFW_KEY_1, "Ctrl 1 ... 9", set_bookmark, "makes this view that bookmark, or a new one",
        GLFW_MOD_CONTROL, 9},
-      {GLFW_KEY_ESCAPE, "Esc", quit, "quit"},
+      {GLFW_KEY_S, "Ctrl S", save, "save the scene", GLFW_MOD_CONTROL},
+      {GLFW_KEY_ESCAPE, "Esc", deselect, "close what popped up; else pick nothing"},
+      {GLFW_KEY_Q, "Ctrl Q", quit, "quit; asks first where edits are not saved", GLFW_MOD_CONTROL},
   }};
   return bindings;
 }
@@ -53,7 +55,7 @@ std::optional<KeyPress> press_of(int key, int modifiers) {
     const int number = key - binding.key + 1;
     if (number < 1 || number > binding.keys) continue;
     if (binding.modifiers == held && held != 0) return KeyPress{binding.action, number};
-    if (binding.modifiers == 0) press = {binding.action, number};
+    if (binding.modifiers == 0 && (held & GLFW_MOD_CONTROL) == 0) press = {binding.action, number};
   }
   return press;
 }
@@ -63,7 +65,7 @@ std::span<const CameraControl> camera_controls() {
       {"W S", "forward, back"},
       {"A D", "left, right"},
       {"E Q", "up, down"},
-      {"Shift, Ctrl", "five times faster (on foot: running), slower"},
+      {"Shift, Alt", "five times faster (on foot: running), slower"},
       {"Mouse drag", "look around"},
       {"Wheel", "speed"},
       {"Click", "picks a highlight or, after O, of clouds: handles move, turn and resize it"},

@@ -36,6 +36,8 @@ enum class ViewAction {
   redo,
   go_to_bookmark,
   set_bookmark,
+  save,
+  deselect,
   quit,
 };
 
@@ -44,8 +46,9 @@ struct KeyBinding {
   const char* name;  ///< as printed on the key
   ViewAction action;
   const char* help;
-  int modifiers = 0;  ///< of GLFW, that are held with it; 0: any that no other binding of the key asks for
-  int keys = 1;       ///< so many keys from this one on: numbers of the action, from 1
+  int modifiers =
+      0;         ///< of GLFW, that are held with it; 0: none, or Shift where no other binding asks for it
+  int keys = 1;  ///< so many keys from this one on: numbers of the action, from 1
 };
 
 /// What is asked for by a key that has gone down.

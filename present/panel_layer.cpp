@@ -27,6 +27,12 @@ PanelLayer::~PanelLayer() {
   ImGui::DestroyContext();
 }
 
+bool PanelLayer::close_popups() {
+  if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return false;
+  ImGui::SetWindowFocus(nullptr);  // which closes all that belong to another window
+  return true;
+}
+
 void PanelLayer::begin() {
   ImGui_ImplOpenGL3_NewFrame();
   if (fonts_.update()) {

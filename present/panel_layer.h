@@ -20,6 +20,8 @@ class PanelLayer {
 
   /// A text of the next frame that may have letters of any language, UTF-8.
   void need(std::string_view text) { fonts_.need(text); }
+  /// Closes lists, menus and dialogs that have popped up; false if there were none.
+  bool close_popups();
   void begin();
   /// Draws the panels onto the bound framebuffer.
   void end();

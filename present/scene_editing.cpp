@@ -123,6 +123,18 @@ void SceneEditing::redo() {
   go_back(history_.redo(), "there is nothing to redo");
 }
 
+bool SceneEditing::deselect() {
+  if (highlights_.holds() || clouds_.holds()) return true;
+  CloudEditing& clouds = state_.clouds;
+  const bool has_any = state_.pick || state_.picked || clouds.tool != CloudTool::pick ||
+                       !clouds.picked.empty() || !clouds.particles.empty();
+  state_.pick.reset();
+  state_.picked.reset();
+  clouds.tool = CloudTool::pick;
+  clouds.forget_picks();
+  return has_any;
+}
+
 void SceneEditing::next_cloud_pick() {
   const auto next = (static_cast<std::size_t>(state_.clouds.pick) + 1) % cloud_pick_names.size();
   state_.clouds.pick = static_cast<CloudPick>(next);

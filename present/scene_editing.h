@@ -38,6 +38,9 @@ class SceneEditing {
   void undo();
   void redo();
   void set_keyframes() { finish(highlights_.set_keys(state_, sea_.meshes())); }
+  /// Picks nothing any more and lays down the tool; false where there was nothing to do so with. What is held
+  /// by the mouse stays picked.
+  bool deselect();
   void next_cloud_pick();
   /// Takes the tool, or lays it down.
   void toggle_tool(CloudTool tool);

@@ -1,10 +1,14 @@
 #include "present/scene_switch.h"
 
 #include <iterator>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "host/base/error.h"
+#include "host/io/file_presence.h"
+#include "host/io/whole_file.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/scene_writer.h"
 #include "present/camera_path.h"
@@ -28,6 +32,10 @@ std::string shown_name(const std::string& name) {
   return name.empty() ? "the scene before" : name;
 }
 
+std::string scene_file_text(const std::filesystem::path& file) {
+  return read_whole_file(file, {.kind = "a scene file", .most_bytes = scene::most_scene_bytes});
+}
+
 }  // namespace
 
 OpenedScene open_scene(const std::filesystem::path& file) {
@@ -41,8 +49,44 @@ OpenedScene shipped_scene(std::string_view name) {
           .file = {}};
 }
 
-bool SceneSwitch::has_unsaved_edits() const {
-  return editing_.can_undo() && text_without_camera(state_.scene) != text_without_camera(saved_);
+SavedScene::SavedScene(const std::filesystem::path& file, scene::OceanScene scene)
+    : scene_(std::move(scene)) {
+  std::error_code ignored;
+  if (file.empty() || std::filesystem::is_symlink(file, ignored)) return;
+  try {
+    text_ = scene_file_text(file);
+    file_ = file;
+    has_comments_ = text_.find('#') != std::string::npos;
+  } catch (const Error&) {  // it has gone since it was opened
+  }
+}
+
+bool SavedScene::differs_from(const scene::OceanScene& scene) const {
+  try {
+    return text_without_camera(scene) != text_without_camera(scene_);
+  } catch (const Error&) {  // what no file can have is in none
+    return true;
+  }
+}
+
+std::filesystem::path SavedScene::save(const scene::OceanScene& scene, const std::filesystem::path& name,
+                                       scene::Existing existing) {
+  if (file_.empty() || has_comments_) return save_as(scene, name, existing);
+  if (is_there(file_) && scene_file_text(file_) != text_) {
+    throw Error(ErrorKind::file, fmt::format("{}: another program has changed it", file_.string()),
+                "save under another name: panel \"Scene file\"");
+  }
+  return save_as(scene, file_, scene::Existing::replace);
+}
+
+std::filesystem::path SavedScene::save_as(const scene::OceanScene& scene, const std::filesystem::path& name,
+                                          scene::Existing existing) {
+  scene::save_scene(scene, name, existing);
+  scene_ = scene;
+  file_ = name;
+  text_ = scene_file_text(name);
+  has_comments_ = false;  // of a person: names may hold the sign
+  return file_;
 }
 
 SceneSwitch::Left SceneSwitch::leave() const {
@@ -77,10 +121,10 @@ void SceneSwitch::show(const OpenedScene& opened, const scene::OceanScene& shown
 
 void SceneSwitch::open(OpenedScene opened) {
   Left left = leave();
-  const bool is_unsaved = has_unsaved_edits();
+  const bool is_unsaved = saved_.differs_from(state_.scene);
   show(opened, opened.scene, opened.scene.start_s);
   editing_.begin_anew(SceneHistory(options_.scene));
-  saved_ = state_.scene;
+  saved_ = SavedScene(options_.scene_file, state_.scene);
   const std::string before = shown_name(left.opened.name);
   state_.message = {
       .text = is_unsaved ? fmt::format("opened {}; edits of {} are not saved: Ctrl Z goes back to them",
@@ -108,6 +152,28 @@ void SceneSwitch::go(std::vector<Left>& from, std::vector<Left>& to) {
   saved_ = next.saved;
   from.pop_back();
   to.push_back(std::move(left));
+}
+
+std::vector<std::string> SceneSwitch::unsaved() const {
+  std::vector<std::string> names;
+  const auto look = [&](const SavedScene& saved, const scene::OceanScene& scene, const std::string& name) {
+    if (saved.differs_from(scene)) names.push_back(name.empty() ? "the scene" : name);
+  };
+  look(saved_, state_.scene, options_.scene_name);
+  for (const std::vector<Left>* scenes : {&before_, &after_}) {
+    for (const Left& left : *scenes) look(left.saved, left.shown, left.opened.name);
+  }
+  return names;
+}
+
+void SceneSwitch::save_all() {
+  if (saved_.differs_from(state_.scene)) save();
+  for (std::vector<Left>* scenes : {&before_, &after_}) {
+    for (Left& left : *scenes) {
+      if (!left.saved.differs_from(left.shown)) continue;
+      left.saved.save(left.shown, first_save_name(left.opened.name), scene::Existing::keep);
+    }
+  }
 }
 
 bool SceneSwitch::undo() {

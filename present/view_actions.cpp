@@ -61,4 +61,29 @@ bool change_view(ViewAction action, ViewState& state) {
   }
 }
 
+bool change_edits(ViewAction action, SceneEditing& editing) {
+  switch (action) {
+    case ViewAction::set_keyframes:
+      editing.set_keyframes();
+      return true;
+    case ViewAction::next_cloud_pick:
+      editing.next_cloud_pick();
+      return true;
+    case ViewAction::place_ball:
+      editing.toggle_tool(CloudTool::place_ball);
+      return true;
+    case ViewAction::place_cloud:
+      editing.toggle_tool(CloudTool::place_cloud);
+      return true;
+    case ViewAction::duplicate_picked:
+      editing.duplicate_picked();
+      return true;
+    case ViewAction::remove_picked:
+      editing.remove_picked();
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace offing::present

@@ -17,7 +17,6 @@
 #include "host/base/log.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/scene_ground.h"
-#include "host/scene/scene_writer.h"
 #include "present/bookmarks.h"
 #include "present/camera_path.h"
 #include "present/cloud_panel.h"
@@ -55,6 +54,7 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
       editing_(sea_, state_),
       scenes_(options_, sea_, state_, editing_),
       intake_(options_, sea_, state_, editing_, scenes_),
+      quit_(scenes_, state_),
       last_turn_s_(glfwGetTime()),
       drawn_s_(options.time_s),
       is_on_path_(has_camera_path(options.scene)) {
@@ -71,7 +71,12 @@ bool Viewer::turn() {
   glfwPollEvents();
   const double now_s = glfwGetTime(), wall_s = now_s - std::exchange(last_turn_s_, now_s);
   for (const KeyPress press : input_.take_presses()) act(press);
-  if (intake_.turn(input_.take_dropped_files(), screen(), input_.pointer())) begin_scene();
+  if (glfwWindowShouldClose(window()) == GLFW_TRUE) {
+    glfwSetWindowShouldClose(window(), GLFW_FALSE);
+    request_quit();
+  }
+  const bool asks = quit_.is_open();
+  if (!asks && intake_.turn(input_.take_dropped_files(), screen(), input_.pointer())) begin_scene();
   state_.clock.advance(wall_s);
   if (options_.recording) {
     const Recording& recording = *options_.recording;
@@ -88,11 +93,16 @@ bool Viewer::turn() {
     if (recorder_) record_frame();
     limiter_.wait(most_frames_hz());
   }
-  return !is_quitting_ && glfwWindowShouldClose(window()) == GLFW_FALSE;
+  return !quit_.has_quit() && !is_recorded_;
 }
 
 void Viewer::act(KeyPress press) {
-  if (change_view(press.action, state_)) return;
+  if (quit_.is_open()) {  // the dialog takes two keys, and keeps all others from the scene
+    if (press.action != ViewAction::deselect && press.action != ViewAction::save) return;
+    panels_.close_popups();
+    return press.action == ViewAction::save ? quit_.save() : quit_.cancel();
+  }
+  if (change_view(press.action, state_) || change_edits(press.action, editing_)) return;
   const auto number = static_cast<std::size_t>(press.number);
   switch (press.action) {
     case ViewAction::toggle_walk:
@@ -116,32 +126,10 @@ void Viewer::act(KeyPress press) {
     case ViewAction::reset_camera:
       reset_camera();
       break;
-    case ViewAction::set_keyframes:
-      editing_.set_keyframes();
-      break;
-    case ViewAction::next_cloud_pick:
-      editing_.next_cloud_pick();
-      break;
-    case ViewAction::place_ball:
-      editing_.toggle_tool(CloudTool::place_ball);
-      break;
-    case ViewAction::place_cloud:
-      editing_.toggle_tool(CloudTool::place_cloud);
-      break;
-    case ViewAction::duplicate_picked:
-      editing_.duplicate_picked();
-      break;
-    case ViewAction::remove_picked:
-      editing_.remove_picked();
-      break;
     case ViewAction::undo:
-      attempt([&] {
-        if (scenes_.undo()) begin_scene();
-      });
-      break;
     case ViewAction::redo:
       attempt([&] {
-        if (scenes_.redo()) begin_scene();
+        if (press.action == ViewAction::undo ? scenes_.undo() : scenes_.redo()) begin_scene();
       });
       break;
     case ViewAction::go_to_bookmark:
@@ -152,12 +140,30 @@ void Viewer::act(KeyPress press) {
         return present::set_bookmark(scene, state_.camera.camera(), number);
       });
       break;
+    case ViewAction::save:
+      save_scene(false);
+      break;
+    case ViewAction::deselect:
+      escape();
+      break;
     case ViewAction::quit:
-      is_quitting_ = true;
+      request_quit();
       break;
     default:  // of the view
       break;
   }
+}
+
+void Viewer::escape() {
+  if (!panels_.close_popups() && !editing_.deselect())
+    state_.message = {.text = "nothing is picked; Ctrl Q quits"};
+}
+
+void Viewer::request_quit() {
+  quit_.open();
+  // A minimised window cannot ask.
+  const bool is_minimised = glfwGetWindowAttrib(window(), GLFW_ICONIFIED) == GLFW_TRUE;
+  if (quit_.is_open() && is_minimised) glfwRestoreWindow(window());
 }
 
 void Viewer::go_to_bookmark(std::size_t number) {
@@ -185,7 +191,8 @@ Screen Viewer::screen() const {
 }
 
 void Viewer::move_camera(double wall_s) {
-  const CameraInput input = input_.take_camera_input();
+  CameraInput input = input_.take_camera_input();
+  if (quit_.is_open()) input = {};
   if (is_on_path_ && input.moves()) leave_path();
   for (const glm::dvec2 clip : input_.take_clicks()) {
     if (pilot_.go_through(state_, sea_, clip)) leave_path();
@@ -319,6 +326,7 @@ PanelEdits Viewer::draw_panels() {
                                                    .open_scene = listed(options_)});
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_highlight_panel(state_, sea_.meshes()));
   if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_cloud_panel(state_, sea_));
+  quit_.draw();
   panels_.end();
   return edits;
 }
@@ -331,7 +339,7 @@ void Viewer::apply(const PanelEdits& edits) {
   const bool follows = edits.scene == Edit::going_on && sea_.edit_s() < quick_s;
   if (edits.scene == Edit::done || edits.scene == Edit::refused || follows) editing_.finish(edits.scene);
   if (edits.wanted_scene) intake_.open(*edits.wanted_scene);
-  if (edits.wants_save) save_scene();
+  if (edits.wants_save) save_scene(true);
   if (edits.wants_original) {
     state_.scene = options_.scene;
     reset_camera();
@@ -359,12 +367,11 @@ void Viewer::take_screenshot() {
   });
 }
 
-void Viewer::save_scene() {
+void Viewer::save_scene(bool under_new_name) {
   report([&] {
-    scene::save_scene(state_.scene, state_.save_name, state_.overwriting);
-    scenes_.note_saved();
+    const std::filesystem::path file = under_new_name ? scenes_.save_as() : scenes_.save();
     scene_list_.look();
-    return fmt::format("wrote {}", whole_name(state_.save_name));
+    return fmt::format("wrote {}", whole_name(file));
   });
 }
 
@@ -372,7 +379,7 @@ void Viewer::record_frame() {
   sea_.record(*recorder_);
   if (!recorder_->is_complete()) return;
   recorder_->finish();
-  is_quitting_ = true;
+  is_recorded_ = true;
 }
 
 void show_window(const ViewOptions& options, const CancelToken& cancel) {
@@ -385,7 +392,7 @@ void show_window(const ViewOptions& options, const CancelToken& cancel) {
   if (!cancel.cancelled() && !lacks_video) return;
   if (options.recording) throw stopped_recording(*options.recording, viewer.recorded());
   throw Error(ErrorKind::cancelled, "offing-view: the window was closed by a signal",
-              "Esc or the window's own button closes it without an error");
+              "Ctrl Q or the window's own button closes it without an error");
 }
 
 }  // namespace offing::present

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "host/base/cancel_token.h"
 #include "present/camera_pilot.h"
@@ -15,6 +16,7 @@
 #include "present/panel_layer.h"
 #include "present/panels.h"
 #include "present/quality_ladder.h"
+#include "present/quit_dialog.h"
 #include "present/scene_editing.h"
 #include "present/scene_switch.h"
 #include "present/view_options.h"
@@ -28,7 +30,7 @@ class Viewer {
   /// Opens a window on the scene of the options. Throws Error(no_device) where no window can be had.
   Viewer(const ViewOptions& options, const CancelToken& cancel);
 
-  /// Input, time, picture, panels: one frame. False once the window is to be closed, or the last frame of a
+  /// Input, time, picture, panels: one frame. False once the user has quit, or the last frame of a
   /// recording is written.
   bool turn();
 
@@ -57,7 +59,10 @@ class Viewer {
   PanelEdits draw_panels();
   void apply(const PanelEdits& edits);
   Screen screen() const;
-  void save_scene();
+  void save_scene(bool under_new_name);
+  /// Deselects, or closes what has popped up.
+  void escape();
+  void request_quit();
   void record_frame();
   /// Does something; the message says what came of it, or the fault.
   void report(const std::function<std::string()>& work);
@@ -74,6 +79,7 @@ class Viewer {
   SceneEditing editing_;
   SceneSwitch scenes_;
   FileIntake intake_;
+  QuitDialog quit_;
   SceneList scene_list_;
   MiniMap map_;
   QualityLadder ladder_;
@@ -83,13 +89,13 @@ class Viewer {
   bool is_on_path_;  // the camera follows the scene's keyframes until the user moves it
   std::optional<Recorder> recorder_;
   std::optional<int> swap_interval_;
-  bool is_quitting_ = false;
+  bool is_recorded_ = false;  // the whole recording is
   FullScreen full_screen_;
 };
 
-/// Shows the scene of the options in a window until it is closed, Esc is pressed or the token is cancelled;
-/// with a recording, until its last frame is written. Throws what Viewer throws, Error(cancelled) where the
-/// token ended it.
+/// Shows the scene of the options in a window until the user quits or the token is cancelled; with a
+/// recording, until its last frame is written. Throws what Viewer throws, Error(cancelled) where the token
+/// ended it.
 void show_window(const ViewOptions& options, const CancelToken& cancel);
 
 }  // namespace offing::present

@@ -9,6 +9,10 @@ ListedScene listed(const ViewOptions& options) {
   return {.name = file.empty() ? options.scene_name + ".toml" : file.filename().string(), .file = file};
 }
 
+std::string first_save_name(const std::string& scene_name) {
+  return (scene_name.empty() ? "scene" : scene_name) + "_edited.toml";
+}
+
 std::string title(const ViewOptions& options) {
   return options.scene_name.empty() ? "Offing" : fmt::format("Offing: {}", options.scene_name);
 }
@@ -25,7 +29,7 @@ ViewState start_state(const ViewOptions& options, const LiveSea& sea) {
   ViewState state{.scene = options.scene,
                   .camera = FreeCamera(sea.scene().view.camera),
                   .clock = SceneClock(options.time_s),
-                  .save_name = (options.scene_name.empty() ? "scene" : options.scene_name) + "_edited.toml",
+                  .save_name = first_save_name(options.scene_name),
                   .message = {.text = sea.warning()}};
   state.scene.view.camera = sea.scene().view.camera;
   return state;

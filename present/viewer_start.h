@@ -12,6 +12,8 @@ namespace offing::present {
 
 /// As the list of scenes has the one that is open.
 ListedScene listed(const ViewOptions& options);
+/// What a scene is first saved as.
+std::string first_save_name(const std::string& scene_name);
 std::string title(const ViewOptions& options);
 LiveSeaSettings sea_settings(const ViewOptions& options, const GlCapabilities& capabilities,
                              const CancelToken& cancel);

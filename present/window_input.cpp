@@ -41,10 +41,14 @@ WindowInput::~WindowInput() {
 }
 
 void WindowInput::on_key(GLFWwindow* window, int key, int, int action, int modifiers) {
+  WindowInput& input = input_of(window);
+  if (action == GLFW_RELEASE) input.camera_keys_.erase(key);
   // Keys that are held do not repeat: a slow frame would queue up actions.
   if (action != GLFW_PRESS || panels_want_keys()) return;
+  // Whoever lets go of Ctrl first does not fly by the letter that is still down.
+  if ((modifiers & GLFW_MOD_CONTROL) == 0) input.camera_keys_.insert(key);
   if (const std::optional<KeyPress> press = press_of(key, modifiers)) {
-    input_of(window).presses_.push_back(*press);
+    input.presses_.push_back(*press);
   }
 }
 
@@ -106,13 +110,14 @@ std::vector<KeyPress> WindowInput::take_presses() {
 CameraInput WindowInput::take_camera_input() {
   CameraInput input;
   input.wheel = std::exchange(wheel_, 0.0);
-  if (!panels_want_keys()) {
+  if (!panels_want_keys() && !holds_control()) {
     const auto axis = [&](int positive, int negative) {
-      return static_cast<double>(is_held(positive)) - static_cast<double>(is_held(negative));
+      return static_cast<double>(camera_keys_.count(positive)) -
+             static_cast<double>(camera_keys_.count(negative));
     };
     input.move = {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S)};
     input.is_fast = is_held(GLFW_KEY_LEFT_SHIFT) || is_held(GLFW_KEY_RIGHT_SHIFT);
-    input.is_slow = holds_control();
+    input.is_slow = is_held(GLFW_KEY_LEFT_ALT) || is_held(GLFW_KEY_RIGHT_ALT);
   }
   double x = 0.0, y = 0.0;
   glfwGetCursorPos(window_, &x, &y);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -65,6 +66,7 @@ class WindowInput {
   std::vector<glm::dvec2> clicks_;
   std::vector<PointerEvent> pointer_events_;
   std::vector<std::filesystem::path> dropped_files_;
+  std::set<int> camera_keys_;  // that are down, and went down without Ctrl
   double wheel_ = 0.0;
   bool is_dragging_ = false, is_camera_held_ = false;
   double drag_x_ = 0.0, drag_y_ = 0.0;  // where the mouse was

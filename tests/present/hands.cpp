@@ -88,6 +88,19 @@ void Hands::button(Button button, Motion motion) {
   XSync(state_->display, False);
 }
 
+void Hands::close() {
+  // As ICCCM 4.2.8.1 has it.
+  XEvent event{};
+  event.xclient.type = ClientMessage;
+  event.xclient.window = state_->focused();
+  event.xclient.message_type = XInternAtom(state_->display, "WM_PROTOCOLS", False);
+  event.xclient.format = 32;
+  event.xclient.data.l[0] = static_cast<long>(XInternAtom(state_->display, "WM_DELETE_WINDOW", False));
+  event.xclient.data.l[1] = CurrentTime;
+  XSendEvent(state_->display, event.xclient.window, False, NoEventMask, &event);
+  XSync(state_->display, False);
+}
+
 void Hands::minimise() {
   state_->minimised = state_->focused();
   state_->set_wm_state(state_->minimised, IconicState);

@@ -38,7 +38,11 @@ TEST(KeyBindingsTest, AreFoundByKeyAndModifiers) {
   expect(GLFW_KEY_9, GLFW_MOD_CONTROL, ViewAction::set_bookmark, 9);
   expect(GLFW_KEY_Z, GLFW_MOD_CONTROL, ViewAction::undo, 1);
   expect(GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT, ViewAction::redo, 1);
-  expect(GLFW_KEY_H, GLFW_MOD_CONTROL, ViewAction::toggle_help, 1);
+  expect(GLFW_KEY_S, GLFW_MOD_CONTROL, ViewAction::save, 1);
+  expect(GLFW_KEY_Q, GLFW_MOD_CONTROL, ViewAction::quit, 1);
+  expect(GLFW_KEY_ESCAPE, 0, ViewAction::deselect, 1);
+  expect(GLFW_KEY_H, GLFW_MOD_ALT, ViewAction::toggle_help, 1);
+  EXPECT_FALSE(press_of(GLFW_KEY_H, GLFW_MOD_CONTROL));
   EXPECT_FALSE(press_of(GLFW_KEY_Z, 0));
   EXPECT_FALSE(press_of(GLFW_KEY_0, 0));
 }

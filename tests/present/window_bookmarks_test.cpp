@@ -16,13 +16,6 @@ using ::testing::HasSubstr;
 
 class WindowBookmarksTest : public WindowTest {
  protected:
-  void press_with_control(const char* key) {
-    hands_->key("Control_L", Hands::Motion::down);
-    turn();
-    press(key);
-    hands_->key("Control_L", Hands::Motion::up);
-    turn();
-  }
   double pitch_rad() const { return state().camera.camera().pitch_rad; }
 };
 

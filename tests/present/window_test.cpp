@@ -83,6 +83,14 @@ void WindowTest::press(const char* key) {
   turn();
 }
 
+void WindowTest::press_with_control(const char* key) {
+  hands_->key("Control_L", Hands::Motion::down);
+  turn();
+  press(key);
+  hands_->key("Control_L", Hands::Motion::up);
+  turn();
+}
+
 void WindowTest::click(Spot spot) {
   hands_->move_to(spot.x, spot.y);
   turn();
@@ -110,11 +118,7 @@ void WindowTest::drag(Spot from, Spot to) {
 
 void WindowTest::enter(Spot spot, const std::string& text) {
   click(spot);
-  hands_->key("Control_L", Hands::Motion::down);
-  turn();
-  press("a");
-  hands_->key("Control_L", Hands::Motion::up);
-  turn();
+  press_with_control("a");
   hands_->type(text);
   turn();
   press("Return");

@@ -37,6 +37,7 @@ class WindowTest : public testing::Test {
   void open(const present::ViewOptions& options);
   void turn(int count = 1);
   void press(const char* key);
+  void press_with_control(const char* key);
   void click(Spot spot);
   /// Presses, moves and releases, a frame each.
   void drag(Spot from, Spot to);
