@@ -88,6 +88,11 @@ void Hands::button(Button button, Motion motion) {
   XSync(state_->display, False);
 }
 
+bool Hands::has_window() const {
+  const Window window = state_->focused();
+  return window > PointerRoot && window != DefaultRootWindow(state_->display);
+}
+
 void Hands::close() {
   // As ICCCM 4.2.8.1 has it.
   XEvent event{};

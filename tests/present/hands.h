@@ -24,6 +24,8 @@ class Hands {
   void type(std::string_view text);
   void move_to(int x, int y);
   void button(Button button, Motion motion);
+  /// Whether a window has the keyboard.
+  bool has_window() const;
   /// As a window manager closes the window that has the keyboard.
   void close();
   /// As a window manager minimises and restores the window that has the keyboard.
