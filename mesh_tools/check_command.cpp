@@ -8,6 +8,7 @@
 
 #include "host/base/error_report.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/trust_flag.h"
 #include "host/command_line/verbosity_flags.h"
 #include "host/io/meshes/read_mesh.h"
 #include "mesh_tools/defects_text.h"
@@ -20,10 +21,11 @@ namespace {
 struct CheckArguments {
   std::string input;
   bool json = false;
+  Trust trust = Trust::trusted;
 };
 
 void run(const CheckArguments& arguments, const Options& options) {
-  const MeshFile file = read_mesh_file(arguments.input);
+  const MeshFile file = read_mesh_file(arguments.input, arguments.trust);
   const MeshDefects defects = find_defects(file.mesh, options.cancel);
   if (arguments.json) {
     warn_of_left_out(arguments.input, file.report);
@@ -43,6 +45,7 @@ void add_check_command(CLI::App& program, Options& options) {
   CLI::App* command = program.add_subcommand("check", "what is to know about a mesh before it is used");
   command->add_option("FILE", arguments->input, "mesh: .obj, .ply, .off, .stl, .gltf, .glb")->required();
   command->add_flag("--json", arguments->json, "results for scripts");
+  add_trust_flag(*command, arguments->trust);
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
 Everything is counted by index and nothing is changed: an edge may have any number of faces, a vertex any

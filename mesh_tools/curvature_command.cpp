@@ -14,6 +14,7 @@
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/command_line/print_summary.h"
+#include "host/command_line/trust_flag.h"
 #include "host/command_line/verbosity_flags.h"
 #include "host/io/meshes/prepared_mesh.h"
 #include "host/io/meshes/read_mesh.h"
@@ -34,6 +35,7 @@ struct CurvatureArguments {
   bool stats = false;
   bool json = false;
   bool force = false;
+  Trust trust = Trust::trusted;
 };
 
 /// What a method has no use for must not look as if it had been heeded.
@@ -119,7 +121,7 @@ void run(const CurvatureArguments& arguments, const Options& program_options) {
   const bool has_colour = !arguments.colour.empty();
   const CurvatureColour colour = has_colour ? curvature_colour(arguments.colour) : CurvatureColour::mean;
 
-  PreparedMesh prepared{read_mesh(arguments.input), {}};
+  PreparedMesh prepared{read_mesh(arguments.input, arguments.trust), {}};
   program_options.cancel.throw_if_cancelled();
   const UnitMesh unit = unit_mesh(prepared.mesh);
   program_options.cancel.throw_if_cancelled();
@@ -193,6 +195,7 @@ void add_curvature_command(CLI::App& program, Options& options) {
   command->add_flag("--stats", arguments->stats, "print ranges and the check by Gauss and Bonnet");
   command->add_flag("--json", arguments->json, "all of these for scripts");
   command->add_flag("--force", arguments->force, "replace a file that is there");
+  add_trust_flag(*command, arguments->trust);
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
 Vertices keep their order; those at exactly one position are one of the surface. Written for each: normal; k_max, k_min in

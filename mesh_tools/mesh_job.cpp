@@ -6,6 +6,7 @@
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/command_line/print_summary.h"
+#include "host/command_line/trust_flag.h"
 #include "host/io/meshes/read_mesh.h"
 #include "host/io/meshes/write_mesh.h"
 
@@ -18,6 +19,7 @@ void MeshJob::add_to(CLI::App& command) {
       ->required();
   command.add_flag("--force", force, "replace a file that is there");
   command.add_flag("--json", json, "results for scripts");
+  add_trust_flag(command, trust);
 }
 
 void MeshJob::require_output() const {
@@ -26,7 +28,7 @@ void MeshJob::require_output() const {
 }
 
 TriangleMesh MeshJob::read() const {
-  return read_mesh(input);
+  return read_mesh(input, trust);
 }
 
 void MeshJob::write(const TriangleMesh& mesh) const {

@@ -6,6 +6,7 @@
 #include <CLI/App.hpp>
 
 #include "host/base/triangle_mesh.h"
+#include "host/io/file_trust.h"
 #include "host/io/meshes/mesh_file.h"
 
 namespace offing::mesh_tools {
@@ -15,6 +16,7 @@ struct MeshJob {
   std::string input, output;
   bool force = false;
   bool json = false;
+  Trust trust = Trust::trusted;
 
   void add_to(CLI::App& command);
 

@@ -41,7 +41,7 @@ bool FileIntake::take_in(const WaitingFile& waiting, const Screen& screen, glm::
         "a window that records nothing takes it");
   }
   if (kind == DroppedKind::scene) {
-    scenes_.open(waiting.is_shipped ? shipped_scene(file.string()) : open_scene(file));
+    scenes_.open(waiting.is_shipped ? shipped_scene(file.string()) : open_scene(file, options_.trust));
     return true;
   }
   const bool has_place = kind == DroppedKind::mesh;

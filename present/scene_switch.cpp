@@ -38,8 +38,8 @@ std::string scene_file_text(const std::filesystem::path& file) {
 
 }  // namespace
 
-OpenedScene open_scene(const std::filesystem::path& file) {
-  return {.scene = scene::load_scene(file), .name = file.stem().string(), .file = file};
+OpenedScene open_scene(const std::filesystem::path& file, Trust trust) {
+  return {.scene = scene::load_scene(file, trust), .name = file.stem().string(), .file = file};
 }
 
 OpenedScene shipped_scene(std::string_view name) {
@@ -120,6 +120,7 @@ void SceneSwitch::show(const OpenedScene& opened, const scene::OceanScene& shown
 }
 
 void SceneSwitch::open(OpenedScene opened) {
+  opened.scene.trust = options_.trust;  // of shipped ones too: files may be dropped on them
   Left left = leave();
   const bool is_unsaved = saved_.differs_from(state_.scene);
   show(opened, opened.scene, opened.scene.start_s);

@@ -19,7 +19,7 @@ struct OpenedScene {
   std::filesystem::path file;  ///< empty: none
 };
 /// Throws what load_scene() throws.
-OpenedScene open_scene(const std::filesystem::path& file);
+OpenedScene open_scene(const std::filesystem::path& file, Trust trust);
 /// One of scene_sources(). Throws Error(bad_input) for another name.
 OpenedScene shipped_scene(std::string_view name);
 

@@ -13,6 +13,7 @@
 #include "host/command_line/help_format.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/parse_arguments.h"
+#include "host/command_line/trust_flag.h"
 #include "host/io/atomic_file.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/scene_files.h"
@@ -49,6 +50,7 @@ struct Written {
   bool may_replace = false;
   bool is_quiet = false;
   bool is_verbose = false;
+  Trust trust = Trust::trusted;
 };
 
 void add_options(CLI::App& app, Written& written) {
@@ -131,6 +133,7 @@ void add_options(CLI::App& app, Written& written) {
                  "built in)")
       ->type_name("FOLDER")
       ->group(general);
+  add_trust_flag(app, written.trust);
   CLI::Option* quiet = app.add_flag("--quiet", written.is_quiet,
                                     "results and errors only: no progress, warnings or summaries");
   quiet->group(general);
@@ -273,13 +276,15 @@ ViewOptions checked(const Written& written) {
                                            : Verbosity::normal;
   const bool shows_default = written.scene.empty() && written.terrain.empty();
   const EmbeddedFile& shipped = shipped_source(first_scene);
-  if (!written.scene.empty()) options.scene = scene::load_scene(written.scene);
+  if (!written.scene.empty()) options.scene = scene::load_scene(written.scene, written.trust);
   if (shows_default) options.scene = scene::parse_scene(shipped.text, shipped.name, "");
   if (!written.terrain.empty()) {
     options.scene.terrain.is_given = true;
     options.scene.terrain.file = written.terrain;
     options.scene.set_at.insert_or_assign("terrain.file", "--terrain");
+    options.scene.named_files.erase(written.terrain);
   }
+  options.trust = options.scene.trust = written.trust;
   options.scene_file = written.scene;
   options.scene_name =
       std::filesystem::path(shows_default ? shipped.name : std::string_view(written.scene)).stem().string();

@@ -56,6 +56,7 @@ struct ViewOptions {
   /// Checkout whose kernels and shaders are read instead of those built in; empty: none.
   std::filesystem::path sources;
   Verbosity verbosity = Verbosity::normal;
+  Trust trust = Trust::trusted;  ///< in all scenes that are opened
 };
 
 /// From here on kernels and shaders are read from a checkout, as with OFFING_KERNEL_PATH and

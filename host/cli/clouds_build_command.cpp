@@ -21,6 +21,7 @@
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/command_line/print_summary.h"
+#include "host/command_line/trust_flag.h"
 #include "host/io/file_extension.h"
 #include "host/scene/scene_clouds.h"
 #include "host/scene/scene_file.h"
@@ -36,6 +37,7 @@ struct BuildArguments {
   bool half = false;
   bool json = false;
   bool force = false;
+  Trust trust = Trust::trusted;
 };
 
 /// A file to write and the time that it shows.
@@ -149,7 +151,7 @@ void run(const BuildArguments& arguments, const GlobalOptions& options) {
   std::optional<double> cell_m;
   if (!arguments.cell_m.empty())
     cell_m = read_number("--cell-m", arguments.cell_m, "m", least_cell_m, largest_cell_m, "20");
-  scene::OceanScene scene = scene::load_scene(arguments.scene);
+  scene::OceanScene scene = scene::load_scene(arguments.scene, arguments.trust);
   if (!arguments.frames_per_second.empty()) {
     scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "24");
   }
@@ -199,6 +201,7 @@ void add_clouds_build_command(CLI::App& parent, GlobalOptions& options) {
   add("--fps", arguments->frames_per_second, "F", "frames a second (default: the scene's)");
   command->add_flag("--force", arguments->force, "replace files that are there");
   command->add_flag("--json", arguments->json, "a summary for scripts");
+  add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
 Examples:

@@ -19,6 +19,7 @@
 #include "host/clouds/cloud_model.h"
 #include "host/clouds/genera.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/trust_flag.h"
 #include "host/io/file_extension.h"
 #include "host/scene/scene_clouds.h"
 #include "host/scene/scene_file.h"
@@ -31,6 +32,7 @@ using Json = nlohmann::ordered_json;
 struct InfoArguments {
   std::string file, grid = "density";
   bool json = false;
+  Trust trust = Trust::trusted;
 };
 
 struct Box {
@@ -86,7 +88,7 @@ Json particle_facts(const InfoArguments& arguments) {
 }
 
 Json scene_facts(const InfoArguments& arguments, const GlobalOptions& options) {
-  const scene::OceanScene scene = scene::load_scene(arguments.file);
+  const scene::OceanScene scene = scene::load_scene(arguments.file, arguments.trust);
   const std::optional<world::CloudSkyParameters> sky = scene::prepare_clouds(scene);
   Json list = Json::array();
   std::size_t particles = 0;
@@ -156,6 +158,7 @@ void add_clouds_info_command(CLI::App& parent, GlobalOptions& options) {
   command->add_option("--grid", arguments->grid, "which grid of a .vdb (default: density)")
       ->type_name("NAME");
   command->add_flag("--json", arguments->json, "the same for scripts");
+  add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
 Examples:

@@ -18,6 +18,7 @@
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/command_line/print_summary.h"
+#include "host/command_line/trust_flag.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/scene_files.h"
 #include "host/scene/scene_frames.h"
@@ -28,6 +29,7 @@ namespace {
 struct HighlightsArguments {
   std::string scene, output, frames, frames_per_second;
   bool json = false, force = false;
+  Trust trust = Trust::trusted;
 };
 
 /// Pictures and meshes as a file in that folder names them.
@@ -68,7 +70,7 @@ Counts counts_of(const animations::HighlightAnimation& animation) {
 void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
   const std::filesystem::path output = arguments.output;
   animations::require_animation_name(output);
-  scene::OceanScene scene = scene::load_scene(arguments.scene);
+  scene::OceanScene scene = scene::load_scene(arguments.scene, arguments.trust);
   std::vector<std::string> inputs = scene::files_of(scene);
   inputs.push_back(arguments.scene);
   require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused, inputs);
@@ -120,6 +122,7 @@ void add_highlights_command(CLI::App& app, GlobalOptions& options) {
   add("--fps", arguments->frames_per_second, "F", "frames a second (default: the scene's)");
   command->add_flag("--force", arguments->force, "replace a file that is there");
   command->add_flag("--json", arguments->json, "a summary for scripts");
+  add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
 A projector is a box that casts its texture along -normal onto the faces of its mesh: -1 ... 1 along right and

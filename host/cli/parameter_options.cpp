@@ -5,6 +5,7 @@
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
 
+#include "host/command_line/trust_flag.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_file.h"
 
@@ -101,6 +102,7 @@ const char* placeholder(const Parameter& parameter) {
 
 void ParameterOptions::add_to(CLI::App& command, std::initializer_list<ParameterGroup> groups) {
   command.add_option("SCENE", scene_file_, "scene file (.toml); flags override what it says")->type_name("");
+  add_trust_flag(command, trust_);
   command.add_flag_callback(
       "--compass", [this] { directions_ = DirectionStyle::from_bearing; },
       "directions are those that wind and sea come from, clockwise from north\n(default: of travel, from +x "
@@ -123,7 +125,9 @@ void ParameterOptions::add_to(CLI::App& command, std::initializer_list<Parameter
 }
 
 scene::OceanScene ParameterOptions::read() const {
-  scene::OceanScene scene = scene_file_.empty() ? scene::OceanScene{} : scene::load_scene(scene_file_);
+  scene::OceanScene scene;
+  if (!scene_file_.empty()) scene = scene::load_scene(scene_file_, trust_);
+  scene.trust = trust_;
   for (const Flag& flag : flags_) {
     read_flag(scene, flag);
   }

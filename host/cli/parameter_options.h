@@ -8,6 +8,7 @@
 #include <CLI/App.hpp>
 
 #include "host/cli/direction_text.h"
+#include "host/io/file_trust.h"
 #include "host/scene/parameter.h"
 
 namespace offing::cli {
@@ -16,7 +17,8 @@ namespace offing::cli {
 /// override it.
 class ParameterOptions {
  public:
-  /// Adds SCENE, the flags of these groups and --compass to `command`, which this object must outlive.
+  /// Adds SCENE, --untrusted, the flags of these groups and --compass to `command`, which this object must
+  /// outlive.
   void add_to(CLI::App& command, std::initializer_list<scene::ParameterGroup> groups);
 
   /// The scene as file and flags say. Throws Error(bad_input).
@@ -34,6 +36,7 @@ class ParameterOptions {
   void read_flag(scene::OceanScene& scene, const Flag& flag) const;
 
   std::string scene_file_;
+  Trust trust_ = Trust::trusted;
   DirectionStyle directions_ = DirectionStyle::travel;
   std::deque<Flag> flags_;  // a deque: CLI11 keeps references to the values
 };

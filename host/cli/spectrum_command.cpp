@@ -17,6 +17,7 @@
 #include "host/cli/pictures/spectrum_plot.h"
 #include "host/cli/spectrum_text.h"
 #include "host/command_line/new_output.h"
+#include "host/command_line/trust_flag.h"
 #include "host/io/file_extension.h"
 #include "host/io/spectra/read_spectra.h"
 #include "host/io/spectra/write_ww3_spectra.h"
@@ -33,6 +34,7 @@ struct SpectrumArguments {
   std::string export_file;
   bool json = false;
   DirectionStyle directions = DirectionStyle::travel;
+  Trust trust = Trust::trusted;
 };
 
 /// The sea state of a record, in deep water unless the file says otherwise; all 0 for a record without
@@ -111,7 +113,7 @@ void require_one_record(const SpectrumArguments& arguments, std::size_t count) {
 
 void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
   if (!arguments.plot.empty()) require_extension(arguments.plot, {".png"});
-  const std::vector<WaveSpectrum> records = read_spectra(arguments.file);
+  const std::vector<WaveSpectrum> records = read_spectra(arguments.file, arguments.trust);
   std::optional<std::size_t> chosen;
   if (!arguments.record.empty()) {
     chosen = static_cast<std::size_t>(
@@ -172,6 +174,7 @@ void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
       "--compass", [arguments] { arguments->directions = DirectionStyle::from_bearing; },
       "print directions that the sea comes from, clockwise from north (default: of travel, from east toward "
       "south); files keep their own");
+  add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
 Examples:

@@ -26,6 +26,7 @@
 #include "host/cli/terrain_place.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
+#include "host/command_line/trust_flag.h"
 
 namespace offing::cli {
 
@@ -39,6 +40,7 @@ struct TerrainFlyArguments {
   std::string frames = "600", every = "12", speed = "300", rate = "30", height = "150";
   CacheFlags cache;
   HeightMapFlags map_flags;
+  Trust trust = Trust::trusted;
   bool force = false, json = false;
 };
 
@@ -87,13 +89,15 @@ class Flying {
       : arguments_(arguments),
         options_(options),
         settings_(read_settings(arguments)),
-        store_(arguments.store),
+        store_(arguments.store, arguments.trust),
         device_(ocl::Device::open(choose_one_device(options.device))),
         field_(make_field(store_, device_, arguments.cache)),
         cameras_(path_over(field_, settings_, arguments.size)) {
     if (!arguments_.output.empty()) make_folder();
     if (!arguments_.compared.empty()) {
-      const HeightMapFile file = read_height_map(arguments_.compared, arguments_.map_flags.read());
+      HeightMapOptions reading = arguments_.map_flags.read();
+      reading.trust.trust = arguments_.trust;
+      const HeightMapFile file = read_height_map(arguments_.compared, reading);
       require_map_of_store(file.map);
       map_.emplace(make_field(file.map, device_));
       comparison_.emplace(*map_);
@@ -294,6 +298,7 @@ void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
   arguments->map_flags.add_to(*command);
   command->add_flag("--force", arguments->force, "replace pictures that are there");
   command->add_flag("--json", arguments->json, "results for scripts");
+  add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
 The way is a figure of eight over the middle of the map. Frames are drawn as fast as they can be, one step of V / F

@@ -28,7 +28,7 @@ void require_flags_of(const TerrainInput& input, const CacheFlags& cache) {
 TerrainGround::TerrainGround(const TerrainInput& input, const CacheFlags& cache) : cache_(cache) {
   require_flags_of(input, cache);
   if (is_tile_store(input.file())) {
-    store_.emplace(input.file());
+    store_.emplace(input.file(), input.trust());
     posts_ = terrain::posts_of(scene::tiled_map(store_->header()), scene::tile_reader(*store_),
                                terrain::Unreadable::refused);
   } else {

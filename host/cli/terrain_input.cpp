@@ -5,6 +5,7 @@
 
 #include "host/base/error.h"
 #include "host/base/error_report.h"
+#include "host/command_line/trust_flag.h"
 #include "host/io/tile_store/tile_store.h"
 
 namespace offing::cli {
@@ -13,10 +14,17 @@ void TerrainInput::add_to(CLI::App& command) {
   command
       .add_option("FILE", file_,
                   "GeoTIFF, SRTM .hgt (.hgt.zip), USGS DEM, ASCII grid, PNG, EXR, .r16, .r32, or another "
-                  "raster that GDAL reads; or a tile store")
+                  "raster of docs/terrain.md; or a tile store")
       ->required()
       ->type_name("");
   flags_.add_to(command);
+  add_trust_flag(command, trust_);
+}
+
+HeightMapOptions TerrainInput::options() const {
+  HeightMapOptions options = flags_.read();
+  options.trust.trust = trust_;
+  return options;
 }
 
 HeightMapFile TerrainInput::read() const {

@@ -18,7 +18,8 @@ class TerrainInput {
   void add_to(CLI::App& command);
 
   const std::string& file() const { return file_; }
-  HeightMapOptions options() const { return flags_.read(); }
+  HeightMapOptions options() const;
+  Trust trust() const { return trust_; }
   /// Whether a flag says how to read a height map.
   bool has_reading_flags() const { return flags_.are_given(); }
   /// Throws what read_height_map() throws, and Error(bad_input) for a tile store.
@@ -26,6 +27,7 @@ class TerrainInput {
 
  private:
   std::string file_;
+  Trust trust_ = Trust::trusted;
   HeightMapFlags flags_;
 };
 

@@ -107,7 +107,8 @@ Rendered render_map(const TerrainRenderArguments& arguments, const GlobalOptions
   const HeightMapFile file = arguments.input.read();
   const Camera camera = read_camera(arguments, camera_ground(file.map));
   TerrainScenery scenery = read_scenery(arguments, file.source.centre_latitude_deg);
-  if (!arguments.colour.empty()) scenery.colours = read_colour_map(arguments.colour, file.map);
+  if (!arguments.colour.empty())
+    scenery.colours = read_colour_map(arguments.colour, file.map, {.trust = arguments.input.trust()});
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::HeightField field = make_field(file.map, device);
   options.cancel.throw_if_cancelled();
@@ -116,11 +117,12 @@ Rendered render_map(const TerrainRenderArguments& arguments, const GlobalOptions
 
 Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptions& options,
                       TerrainShow show) {
-  const TileStore store(arguments.input.file());
+  const TileStore store(arguments.input.file(), arguments.input.trust());
   const TileStoreHeader& header = store.header();
   TerrainScenery scenery = read_scenery(arguments, header.centre_latitude_deg);
   if (!arguments.colour.empty()) {
-    scenery.colours = read_colour_map(arguments.colour, scene::place_of(header));
+    scenery.colours =
+        read_colour_map(arguments.colour, scene::place_of(header), {.trust = arguments.input.trust()});
   }
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::TiledField field = make_field(store, device, arguments.cache);

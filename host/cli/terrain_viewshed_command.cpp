@@ -61,7 +61,7 @@ struct SeenMap {
 constexpr double bytes_a_post = 12.0;
 
 SeenMap read_store(const TerrainViewshedArguments& arguments, const terrain::ViewshedParameters& parameters) {
-  const TileStore store(arguments.input.file());
+  const TileStore store(arguments.input.file(), arguments.input.trust());
   const TileStoreHeader& header = store.header();
   const double x_m = parameters.observer_x_m, z_m = parameters.observer_z_m;
   const terrain::TiledMap of = scene::tiled_map(header);

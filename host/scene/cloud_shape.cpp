@@ -193,8 +193,9 @@ RestingParticles take_shape(const OceanScene& scene, std::size_t index, CloudPar
   const double size_m = cloud.scale * cloud.shape.size_m;
   if (cloud.shape.file.empty()) {
     if (!cloud.shape.mesh.empty()) {
-      const TriangleMesh mesh = read_named(scene, {"cloud.mesh", element}, "a mesh", cloud.shape.mesh,
-                                           [&] { return fitted(read_mesh(cloud.shape.mesh), size_m); });
+      const TriangleMesh mesh = read_named(scene, {"cloud.mesh", element}, "a mesh", cloud.shape.mesh, [&] {
+        return fitted(read_mesh(cloud.shape.mesh, scene.trust), size_m);
+      });
       at_key(scene, {"cloud.mesh", element}, [&] { take_solid(cloud, mesh, parameters); });
     } else if (!cloud.shape.text.empty()) {
       at_key(scene, {"cloud.text", element}, [&] {

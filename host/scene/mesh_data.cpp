@@ -23,8 +23,8 @@ mesh_shapes::Grid grid_of(int u_cells, int v_cells, int detail) {
   return {(u_cells << detail) / 4, (v_cells << detail) / 4};
 }
 
-Surface read_surface(const std::string& file) {
-  if (!is_prepared(file)) return {read_mesh(file), {}};
+Surface read_surface(const std::string& file, Trust trust) {
+  if (!is_prepared(file)) return {read_mesh(file, trust), {}};
   PreparedMesh prepared = read_prepared(file);
   return {std::move(prepared.mesh), std::move(prepared.curvatures)};
 }
@@ -78,7 +78,7 @@ MeshData mesh_data(const OceanScene& scene, std::size_t index) {
     surface = {std::move(shape.mesh), std::move(shape.truth)};
   } else {
     surface = read_named(scene, {"mesh.file", {index, 0}}, "a mesh", mesh.file,
-                         [&] { return read_surface(mesh.file); });
+                         [&] { return read_surface(mesh.file, scene.trust); });
   }
   scale_by(mesh.scale, surface);
   MeshData data{.mesh = std::make_shared<const TriangleMesh>(std::move(surface.mesh)), .curvatures = {}};

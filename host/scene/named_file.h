@@ -6,6 +6,7 @@
 
 #include "host/base/error.h"
 #include "host/io/file_presence.h"
+#include "host/io/file_trust.h"
 #include "host/scene/ocean_scene.h"
 
 namespace offing::scene {
@@ -14,6 +15,11 @@ namespace offing::scene {
 inline std::string place_of_name(const OceanScene& scene, const ValueKey& key) {
   const auto set_at = scene.set_at.find(key);
   return set_at == scene.set_at.end() ? std::string(key.key) : set_at->second;
+}
+
+/// How far a raster that the scene reads may lead.
+inline FileTrust trust_in(const OceanScene& scene, const std::string& file) {
+  return {.trust = scene.trust, .is_named_by_scene = scene.named_files.contains(file)};
 }
 
 /// What read() gives; faults are told where the scene names the file by this key. Throws Error(bad_input) for

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "host/base/keyframes.h"
+#include "host/io/file_trust.h"
 #include "host/ocean/ocean.h"
 #include "host/ocean/spectrum_parameters.h"
 #include "host/ocean/trochoids.h"
@@ -109,6 +111,9 @@ struct OceanScene {
   std::map<ValueKey, KeyframeTrack> tracks;
 
   std::map<ValueKey, std::string> set_at;  ///< each parameter that was set -> where
+
+  Trust trust = Trust::trusted;       ///< in the files that it names
+  std::set<std::string> named_files;  ///< by the scene's file, not by flags or in the window
 };
 
 }  // namespace offing::scene

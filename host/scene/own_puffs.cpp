@@ -15,7 +15,7 @@
 namespace offing::scene {
 namespace {
 
-std::vector<RgbaImage> read_pictures(const std::string& folder) {
+std::vector<RgbaImage> read_pictures(const std::string& folder, Trust trust) {
   std::vector<std::filesystem::path> files;
   std::error_code failure;
   // Not a range: its steps throw what is no Error.
@@ -32,7 +32,10 @@ std::vector<RgbaImage> read_pictures(const std::string& folder) {
   }
   std::sort(files.begin(), files.end());
   std::vector<RgbaImage> pictures;
-  for (const std::filesystem::path& file : files) pictures.push_back(read_png_with_alpha(file));
+  for (const std::filesystem::path& file : files) {
+    if (trust == Trust::untrusted) require_below(folder, file);
+    pictures.push_back(read_png_with_alpha(file));
+  }
   return pictures;
 }
 
@@ -45,7 +48,7 @@ std::optional<clouds::PuffTextures> own_puffs(const OceanScene& scene) {
   const auto replace = [&](const char* key, const std::string& folder, int set) {
     if (folder.empty()) return;
     read_named(scene, key, "a folder of pictures", folder, [&] {
-      clouds::replace_puffs(textures, set, read_pictures(folder));
+      clouds::replace_puffs(textures, set, read_pictures(folder, scene.trust));
       return set;
     });
   };

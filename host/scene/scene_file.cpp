@@ -11,7 +11,10 @@
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 
+#include "host/base/error.h"
 #include "host/base/error_list.h"
+#include "host/base/error_report.h"
+#include "host/io/file_trust.h"
 #include "host/scene/nearest_name.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_elements.h"
@@ -33,8 +36,10 @@ constexpr std::size_t most_errors = 10;
 
 class SceneReader {
  public:
-  SceneReader(std::string_view name, std::filesystem::path folder)
-      : name_(name), folder_(std::move(folder)) {}
+  SceneReader(std::string_view name, std::filesystem::path folder, Trust trust)
+      : name_(name), folder_(std::move(folder)) {
+    scene_.trust = trust;
+  }
 
   OceanScene read(const toml::table& root) {
     check_version(root);
@@ -185,8 +190,28 @@ class SceneReader {
     if (parameter.rule == ParameterRule::file_name) {
       std::string& file =
           std::get<ValueAt<std::string>>(parameter.storage)(scene_, last_element(scene_, parameter.elements));
-      file = (folder_ / file).string();
+      file = named_file(file, place);
     }
+  }
+
+  /// A file as the scene names it; relative to its folder.
+  std::string named_file(const std::string& written, const Place& place) {
+    const std::string file = (folder_ / written).string();
+    if (is_address(written)) {
+      throw Error(
+          ErrorKind::bad_input,
+          fmt::format("{}: expected a file, got an address, \"{}\"", place.subject, printable(written)),
+          "download it beside the scene, and write the name of the file");
+    }
+    if (!written.empty() && scene_.trust == Trust::untrusted) {
+      try {
+        require_below(folder_, file);
+      } catch (const Error& error) {
+        throw Error(error.kind(), fmt::format("{}: {}", place.subject, error.what()), error.hint());
+      }
+    }
+    scene_.named_files.insert(file);
+    return file;
   }
 
   [[noreturn]] void refuse_key(const std::string& full_key, const std::string& prefix,
@@ -296,11 +321,12 @@ std::string read_text(const std::filesystem::path& file) {
 
 }  // namespace
 
-OceanScene load_scene(const std::filesystem::path& file) {
-  return parse_scene(read_text(file), file.string(), file.parent_path());
+OceanScene load_scene(const std::filesystem::path& file, Trust trust) {
+  return parse_scene(read_text(file), file.string(), file.parent_path(), trust);
 }
 
-OceanScene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path& folder) {
+OceanScene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path& folder,
+                       Trust trust) {
   toml::table root;
   try {
     root = toml::parse(text, name);
@@ -311,7 +337,7 @@ OceanScene parse_scene(std::string_view text, std::string_view name, const std::
                             error.description()),
                 "a scene is lines such as speed_mps = 10 below headings such as [wind]");
   }
-  return SceneReader(name, folder).read(root);
+  return SceneReader(name, folder, trust).read(root);
 }
 
 }  // namespace offing::scene

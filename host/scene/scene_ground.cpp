@@ -63,7 +63,7 @@ Heights read_heights(const OceanScene& scene) {
   const TerrainScene& terrain = scene.terrain;
   return read_named(scene, "terrain.file", "a height map", terrain.file, [&] {
     if (is_tile_store(terrain.file)) {
-      const TileStore store(terrain.file);
+      const TileStore store(terrain.file, scene.trust);
       constexpr std::size_t mebibyte = 1 << 20;
       return Heights{.tiles = std::make_shared<const world::GroundTiles>(world::GroundTiles{
                          .map = tiled_map(store.header()),
@@ -71,7 +71,9 @@ Heights read_heights(const OceanScene& scene) {
                          .cache_bytes = mebibyte * static_cast<std::size_t>(terrain.cache_mb)}),
                      .latitude_deg = store.header().centre_latitude_deg};
     }
-    HeightMapFile file = read_height_map(terrain.file, terrain.reading);
+    HeightMapOptions reading = terrain.reading;
+    reading.trust = trust_in(scene, terrain.file);
+    HeightMapFile file = read_height_map(terrain.file, reading);
     warn_of_assumed_spacing(terrain.file, file.source);
     return Heights{.map = std::make_shared<const HeightMap>(std::move(file.map)),
                    .latitude_deg = file.source.centre_latitude_deg};
@@ -83,8 +85,9 @@ std::shared_ptr<const ColourMap> read_colours(const OceanScene& scene, const Hei
   if (file.empty()) return nullptr;
   return read_named(scene, "terrain.colour", "a picture of the ground", file, [&] {
     return std::make_shared<const ColourMap>(
-        heights.map ? read_colour_map(file, *heights.map)
-                    : read_colour_map(file, place_of(TileStore(scene.terrain.file).header())));
+        heights.map ? read_colour_map(file, *heights.map, trust_in(scene, file))
+                    : read_colour_map(file, place_of(TileStore(scene.terrain.file, scene.trust).header()),
+                                      trust_in(scene, file)));
   });
 }
 

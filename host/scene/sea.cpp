@@ -30,7 +30,7 @@ void require_spectrum_file(const OceanScene& scene) {
 
 WaveSpectrum read_record(const OceanScene& scene) {
   require_spectrum_file(scene);
-  std::vector<WaveSpectrum> records = read_spectra(scene.spectrum_file);
+  std::vector<WaveSpectrum> records = read_spectra(scene.spectrum_file, scene.trust);
   const auto index = static_cast<std::size_t>(scene.record);
   if (index >= records.size()) {
     throw Error(ErrorKind::bad_input,

@@ -1,14 +1,24 @@
 // Scenes that somebody, or a failing disk, has spoiled.
+#include <filesystem>
+#include <fstream>
 #include <random>
 #include <regex>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
 #include "host/scene/moving_view.h"
+#include "host/scene/own_puffs.h"
+#include "host/scene/parameter_table.h"
 #include "host/scene/scene_file.h"
+#include "host/scene/scene_ground.h"
 #include "host/scene/scene_meshes.h"
+#include "host/scene/sea.h"
+#include "tests/io/temporary_folder.h"
 
 namespace offing::scene {
 namespace {
@@ -144,6 +154,144 @@ TEST(HostileScene, HoldsItsLimits) {
   };
   EXPECT_EQ(outcome(keys(10'000)), "");
   EXPECT_EQ(outcome(keys(10'001)), "a.toml:3:1: camera.x_m: expected 1 ... 10000 keys, found 10001");
+}
+
+/// A scene whose `key` names a file.
+std::string naming(std::string_view key, const std::string& file) {
+  std::string text = "version = 1\n";
+  const std::string_view section = section_of(key);
+  for (std::size_t dot = section.find('.');; dot = section.find('.', dot + 1)) {
+    const std::string part(section.substr(0, dot));
+    text += find_parameter(key)->elements ? "[[" + part + "]]\n" : "[" + part + "]\n";
+    if (dot == std::string_view::npos) break;
+  }
+  return text + std::string(name_of(key)) + " = '" + file + "'\n";
+}
+
+/// What comes of reading it in a folder; "" if it is read.
+std::string outcome_in(const std::filesystem::path& folder, const std::string& text, Trust trust) {
+  try {
+    parse_scene(text, "a.toml", folder, trust);
+    return "";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+    EXPECT_NE(error.hint(), "");
+    return error.what();
+  }
+}
+
+std::vector<std::string_view> keys_of_files() {
+  std::vector<std::string_view> keys;
+  for (const Parameter& row : parameter_table()) {
+    if (row.rule == ParameterRule::file_name) keys.push_back(row.key);
+  }
+  return keys;
+}
+
+// Fails if a key of a file takes an address, trusted or not.
+TEST(HostileScene, NamesNoAddress) {
+  ASSERT_GE(keys_of_files().size(), 10u);
+  for (const std::string_view key : keys_of_files()) {
+    for (const char* address :
+         {"https://127.0.0.1/a.tif", "/vsicurl/http://127.0.0.1/a.tif", "/vsimem/a", "s3://a/b"}) {
+      EXPECT_THAT(outcome_in(".", naming(key, address), Trust::trusted),
+                  ::testing::HasSubstr("got an address"))
+          << key << " " << address;
+    }
+  }
+}
+
+// Fails if a key of a file leads an untrusted scene out of its folder, by a name or by a link, or keeps it
+// from what lies in it.
+TEST(HostileScene, StaysInItsFolderUnlessTrusted) {
+  const TemporaryFolder folder;
+  const std::filesystem::path own = folder.path() / "own";
+  std::filesystem::create_directories(own / "deep");
+  std::filesystem::create_directory(folder.path() / "own.other");
+  std::filesystem::create_symlink("..", own / "up");
+  std::filesystem::create_symlink(own, folder.path() / "link");
+  const std::string outside = "file in " + std::filesystem::canonical(own).string() + " or below";
+  for (const std::string_view key : keys_of_files()) {
+    for (const char* name : {"/etc/passwd", "../a", "deep/../../a", "up/a", "../own.other/a"}) {
+      EXPECT_THAT(outcome_in(own, naming(key, name), Trust::untrusted), ::testing::HasSubstr(outside))
+          << key << " " << name;
+      EXPECT_EQ(outcome_in(own, naming(key, name), Trust::trusted), "") << key << " " << name;
+    }
+    for (const std::string& name : {std::string("a"), std::string("deep/../a"), (own / "a").string(),
+                                    (folder.path() / "link" / "a").string()}) {
+      EXPECT_EQ(outcome_in(own, naming(key, name), Trust::untrusted), "") << key << " " << name;
+    }
+  }
+}
+
+// Fails if files that an untrusted scene's files lead to are read from elsewhere, though the names in the
+// scene are its own.
+TEST(HostileScene, IsNotLedAwayByItsFiles) {
+  const TemporaryFolder folder;
+  const std::filesystem::path own = folder.path() / "own";
+  std::filesystem::create_directories(own / "puffs");
+  const auto write = [](const std::filesystem::path& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+  };
+  write(folder.path() / "secret.bin", std::string(36, 'x'));
+  write(own / "ship.gltf",
+        R"({"asset":{"version":"2.0"},"buffers":[{"uri":"../secret.bin","byteLength":36}]})");
+  const auto said = [](const auto& read) -> std::string {
+    try {
+      read();
+      return "";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  const auto scene = [&](Trust trust) {
+    return parse_scene(naming("mesh.file", "ship.gltf"), "a.toml", own, trust);
+  };
+  EXPECT_THAT(said([&] { prepare_meshes(scene(Trust::untrusted)); }),
+              ::testing::HasSubstr("found one outside"));
+  EXPECT_THAT(said([&] { prepare_meshes(scene(Trust::trusted)); }),
+              ::testing::Not(::testing::HasSubstr("found one outside")));
+
+  for (int i = 0; i < CLOUD_TEXTURES; ++i) {
+    std::filesystem::create_symlink(folder.path() / "secret.bin",
+                                    own / "puffs" / (std::to_string(i) + ".png"));
+  }
+  EXPECT_THAT(
+      said([&] {
+        own_puffs(parse_scene(naming("clouds.crisp_puffs", "puffs"), "a.toml", own, Trust::untrusted));
+      }),
+      ::testing::HasSubstr("found one outside"));
+
+  const std::string header = "#YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) spec_2 (freq_2) ... >\n";
+  write(own / "buoy.data_spec", header + "2020 06 08 03 50 0.225 0.100 (0.100) 2.000 (0.200)\n");
+  std::filesystem::create_symlink(folder.path() / "secret.bin", own / "buoy.swdir");
+  EXPECT_THAT(said([&] {
+                prepare_sea(parse_scene(naming("ocean.spectrum_file", "buoy.data_spec"), "a.toml", own,
+                                        Trust::untrusted));
+              }),
+              ::testing::HasSubstr("found one outside"));
+}
+
+// Fails if a scene may name a VRT, or a person may not.
+TEST(HostileScene, NamesNoVrt) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "map.asc")
+      << "ncols 2\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 30\n1 2\n3 4\n";
+  std::ofstream(folder.path() / "map.tif")
+      << R"(<VRTDataset rasterXSize="2" rasterYSize="2"><GeoTransform>0,30,0,0,0,-30</GeoTransform>)"
+         R"(<VRTRasterBand dataType="Float32" band="1"><SimpleSource><SourceFilename relativeToVRT="1">map.asc)"
+         R"(</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>)";
+  OceanScene scene = parse_scene("version = 1\n[terrain]\nfile = 'map.tif'\nhorizontal_unit = 'metre'\n",
+                                 "a.toml", folder.path());
+  try {
+    prepare_ground(scene);
+    ADD_FAILURE() << "a VRT was read";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("a.toml:3:8: terrain.file: "));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("found a VRT"));
+  }
+  scene.named_files.clear();  // as if a flag had named it
+  EXPECT_TRUE(prepare_ground(scene));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "host/base/error.h"
 #include "host/io/height_maps/elevation_rgb.h"
 #include "host/io/height_maps/gdal_session.h"
+#include "host/io/height_maps/raster_file.h"
 
 namespace offing::height_maps {
 
@@ -25,7 +26,7 @@ bool is_srtm_name(const std::filesystem::path& path) {
 
 class Raster {
  public:
-  explicit Raster(const std::filesystem::path& path) : path_(path) {
+  Raster(const std::filesystem::path& path, const FileTrust& trust) : path_(path), trust_(trust) {
     open(nullptr);
     if (dataset_ && is_integer_ascii_grid()) {
       // Read as integers, "nan" and "inf" would be 0.
@@ -70,8 +71,7 @@ class Raster {
  private:
   void open(const char* const* options) {
     dataset_.reset();
-    dataset_.reset(GDALOpenEx(path_.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                              nullptr, options, nullptr));
+    dataset_ = open_raster(path_, trust_, options);
   }
   /// Whether it is one in whose first part GDAL has found no decimal point.
   bool is_integer_ascii_grid() const {
@@ -80,6 +80,7 @@ class Raster {
   }
 
   std::filesystem::path path_;
+  FileTrust trust_;
   GdalSession session_;
   Dataset dataset_;
 };
@@ -277,7 +278,7 @@ void turn_over(SourceHeights& source) {
 
 SourceHeights read_gdal_heights(const std::filesystem::path& path, const HeightMapOptions& options,
                                 const RowTaker& taker) {
-  const Raster raster(path);
+  const Raster raster(path, options.trust);
   if (raster.bands() == 0) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a raster of heights, found none in it", path.string()),

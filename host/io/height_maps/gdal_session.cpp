@@ -1,16 +1,55 @@
 #include "host/io/height_maps/gdal_session.h"
 
+#include <algorithm>
+#include <array>
 #include <mutex>
+#include <string_view>
+#include <vector>
 
 #include <cpl_conv.h>
+#include <ogr_spatialref.h>
 
 #include "host/base/error_report.h"
 
 namespace offing::height_maps {
 
+namespace {
+
+constexpr std::array<const char*, 26> plain{
+    "GTiff", "SRTMHGT", "USGSDEM", "AAIGrid", "GRASSASCIIGrid", "DTED", "PNG",    "JPEG", "JP2OpenJPEG",
+    "WEBP",  "BMP",     "GIF",     "EHdr",    "ENVI",           "HFA",  "BT",     "XYZ",  "GSAG",
+    "GSBG",  "GS7BG",   "SAGA",    "RST",     "Terragen",       "HF2",  "netCDF", nullptr};
+
+bool is_used(std::string_view driver) {
+  return driver == "MEM" || driver == "VRT" ||
+         std::find_if(plain.begin(), plain.end() - 1, [&](const char* name) { return driver == name; }) !=
+             plain.end() - 1;
+}
+
+/// Files that lead to others (masks, overviews, sources of a VRT) have GDAL open them as any driver it knows.
+void register_used_drivers() {
+  std::vector<GDALDriverH> others;
+  for (int i = 0; i < GDALGetDriverCount(); ++i) others.push_back(GDALGetDriver(i));
+  GDALAllRegister();
+  for (int i = GDALGetDriverCount() - 1; i >= 0; --i) {
+    const GDALDriverH driver = GDALGetDriver(i);
+    if (!is_used(GDALGetDriverShortName(driver)) && std::ranges::find(others, driver) == others.end()) {
+      GDALDeregisterDriver(driver);
+      GDALDestroyDriver(driver);
+    }
+  }
+  OSRSetPROJEnableNetwork(0);
+}
+
+}  // namespace
+
+const char* const* plain_formats() {
+  return plain.data();
+}
+
 GdalSession::GdalSession() {
   static std::once_flag once;
-  std::call_once(once, GDALAllRegister);
+  std::call_once(once, register_used_drivers);
   CPLPushErrorHandlerEx(note, this);
 }
 
@@ -31,7 +70,9 @@ std::string GdalSession::failure() const {
 
 SpatialReference spatial_reference(const std::string& text) {
   SpatialReference reference(OSRNewSpatialReference(nullptr));
-  if (OSRSetFromUserInput(reference.get(), text.c_str()) != OGRERR_NONE) {
+  if (OGRSpatialReference::FromHandle(reference.get())
+          ->SetFromUserInput(text.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) !=
+      OGRERR_NONE) {
     return nullptr;
   }
   OSRSetAxisMappingStrategy(reference.get(), OAMS_TRADITIONAL_GIS_ORDER);

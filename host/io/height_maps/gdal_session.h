@@ -9,7 +9,13 @@
 
 namespace offing::height_maps {
 
-/// Collects what GDAL complains about while it lives, instead of letting it print; the drivers are there.
+/// GDAL's names of the formats that are read, ended by a null pointer: those whose files hold their own
+/// samples, and lead to no server and no program.
+const char* const* plain_formats();
+
+/// Collects what GDAL complains about while it lives, instead of letting it print. GDAL then knows the plain
+/// formats and its memory and VRT: the others are taken from it, but for those that the program around Offing
+/// had registered before.
 class GdalSession {
  public:
   GdalSession();
@@ -38,7 +44,8 @@ struct DestroySpatialReference {
 /// Axes in the order that pictures use: east before north.
 using SpatialReference = std::unique_ptr<void, DestroySpatialReference>;
 
-/// The system that WKT, "EPSG:n" or another text that PROJ understands stands for; null if none does.
+/// The system that WKT, "EPSG:n" or another text that PROJ understands stands for; null if none does. Texts
+/// that name files or servers are none.
 SpatialReference spatial_reference(const std::string& text);
 
 /// A coordinate system as WKT.

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "host/io/file_trust.h"
+
 namespace offing {
 
 /// How a height is packed into the samples of a picture.
@@ -44,6 +46,8 @@ struct HeightMapOptions {
   /// Coordinate system in metres to resample to: "utm" (the zone of the centre), or what PROJ understands,
   /// such as "EPSG:32719". Empty: the posts stay where they are.
   std::string reproject_to;
+
+  FileTrust trust;  ///< how far the file may lead
 };
 
 }  // namespace offing

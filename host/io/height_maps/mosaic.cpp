@@ -12,19 +12,22 @@
 
 #include "host/base/error.h"
 #include "host/io/height_maps/gdal_session.h"
+#include "host/io/height_maps/raster_file.h"
 
 namespace offing::height_maps {
 
-Mosaic::Mosaic(const std::filesystem::path& folder)
-    : path_(fmt::format("/vsimem/{}/mosaic.vrt", static_cast<const void*>(this))) {
+Mosaic::Mosaic(const std::filesystem::path& folder, Trust trust)
+    : path_(fmt::format("{}{}/mosaic.vrt", own_memory, static_cast<const void*>(this))) {
   const GdalSession session;
   std::vector<std::string> names;
   std::error_code status, of_file;
   for (std::filesystem::directory_iterator entry(folder, status), end; !status && entry != end;
        entry.increment(status)) {
-    const std::string name = entry->path().string();
-    if (entry->is_regular_file(of_file) && GDALIdentifyDriver(name.c_str(), nullptr) != nullptr)
-      names.push_back(name);
+    const std::filesystem::path file = std::filesystem::absolute(entry->path());
+    if (!entry->is_regular_file(of_file) || !is_plain_raster(file)) continue;
+    if (trust == Trust::untrusted) require_below(folder, file);
+    check_raster(file, trust);
+    names.push_back(file.string());
   }
   if (status) {
     throw Error(ErrorKind::file, fmt::format("{}: cannot be read: {}", folder.string(), status.message()),

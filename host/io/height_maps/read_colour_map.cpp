@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <cpl_string.h>
 #include <fmt/format.h>
@@ -13,6 +16,7 @@
 
 #include "host/base/error.h"
 #include "host/io/height_maps/gdal_session.h"
+#include "host/io/height_maps/raster_file.h"
 #include "host/io/height_maps/readable_file.h"
 
 namespace offing {
@@ -25,128 +29,189 @@ using height_maps::SpatialReference;
 constexpr double most_pixels = 268'435'456.0;
 using Corner = std::array<double, 6>;
 
+/// Pixels in red, green, blue and alpha, and where they lie.
+struct Pixels {
+  int columns = 0, rows = 0;
+  std::vector<std::uint8_t> rgba;
+  std::optional<Corner> corner;  ///< nothing where they do not say
+};
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& what, const char* hint) {
+  throw Error(ErrorKind::bad_input, fmt::format("{}: {}", path.string(), what), hint);
+}
+
+void require_size(const std::filesystem::path& path, int columns, int rows) {
+  if (static_cast<double>(columns) * rows <= most_pixels) return;
+  refuse(path, fmt::format("expected at most {:.0f} pixels, found {} x {}", most_pixels, columns, rows),
+         "cut out a part or make it coarser, as with gdal_translate -srcwin or -outsize");
+}
+
 class Picture {
  public:
-  explicit Picture(const std::filesystem::path& path) : path_(path) {
+  Picture(const std::filesystem::path& path, const FileTrust& trust) : path_(path) {
     height_maps::require_readable_file(path, "a picture");
-    dataset_.reset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                              nullptr, nullptr, nullptr));
+    dataset_ = height_maps::open_raster(path, trust);
     if (!dataset_) {
-      refuse(fmt::format("expected a picture, found what cannot be opened as one: {}", session_.failure()),
+      refuse(path_,
+             fmt::format("expected a picture, found what cannot be opened as one: {}", session_.failure()),
              "give a GeoTIFF or a PNG; a file that is cut short must be copied again");
     }
-    if (bands() == 0) refuse("expected a picture, found none in it", "name one of its pictures as a file");
-    require_size();
-    if (GDALGetRasterColorTable(band(1)) != nullptr) {
-      take(GDALTranslate("", dataset_.get(), translation({"-of", "MEM", "-expand", "rgba"}).get(), nullptr));
+    if (bands() == 0) {
+      refuse(path_, "expected a picture, found none in it", "name one of its pictures as a file");
     }
+    require_size(path_, columns(), rows());
     const GDALDataType type = GDALGetRasterDataType(band(1));
     if (type != GDT_Byte && type != GDT_UInt16) {
-      refuse(fmt::format("expected colours of 8 or 16 bits, found {}", GDALGetDataTypeName(type)),
+      refuse(path_, fmt::format("expected colours of 8 or 16 bits, found {}", GDALGetDataTypeName(type)),
              "if these are heights, give them as FILE");
     }
   }
 
+  /// Its coordinate system as WKT; empty where it names none.
+  std::string coordinate_system() const {
+    const OGRSpatialReferenceH own = GDALGetSpatialRef(dataset_.get());
+    return own == nullptr ? "" : height_maps::wkt_of(own);
+  }
+
+  Pixels read() const {
+    const auto count = static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows());
+    Pixels pixels{.columns = columns(), .rows = rows(), .rgba = {}, .corner = corner()};
+    pixels.rgba.resize(4 * count);
+    std::uint8_t* const target = pixels.rgba.data();
+    if (const GDALColorTableH palette = GDALGetRasterColorTable(band(1))) {
+      read_palette(palette, target);
+    } else {
+      for (int channel = 0; channel < 3; ++channel) {
+        read_band(band(bands() >= 3 ? channel + 1 : 1), target + channel);
+      }
+      read_band(GDALGetMaskBand(band(1)), target + 3);
+    }
+    return pixels;
+  }
+
+ private:
   int columns() const { return GDALGetRasterXSize(dataset_.get()); }
   int rows() const { return GDALGetRasterYSize(dataset_.get()); }
+  int bands() const { return GDALGetRasterCount(dataset_.get()); }
+  GDALRasterBandH band(int number) const { return GDALGetRasterBand(dataset_.get(), number); }
 
-  /// Where it says that it lies; nothing where it does not.
   std::optional<Corner> corner() const {
     Corner corner{};
     if (GDALGetGeoTransform(dataset_.get(), corner.data()) != CE_None) return std::nullopt;
     if (corner[2] != 0.0 || corner[4] != 0.0 || !std::isnormal(corner[1]) || !std::isnormal(corner[5]) ||
         corner[1] < 0.0) {
-      refuse("expected columns toward the east and rows along the meridian, found a rotated picture",
+      refuse(path_, "expected columns toward the east and rows along the meridian, found a rotated picture",
              "make a north-up one of it with gdalwarp");
     }
     return corner;
   }
 
-  /// Resamples it to the coordinate system, where it names another.
-  void bring_into(const std::string& coordinate_system) {
-    const SpatialReference wanted = height_maps::spatial_reference(coordinate_system);
-    const OGRSpatialReferenceH own = GDALGetSpatialRef(dataset_.get());
-    if (!wanted || own == nullptr || OSRIsSame(wanted.get(), own) != 0) return;
-    char** words = nullptr;
-    for (const char* const word : {"-of", "MEM", "-r", "bilinear", "-dstalpha", "-t_srs"}) {
-      words = CSLAddString(words, word);
-    }
-    words = CSLAddString(words, coordinate_system.c_str());
-    GDALWarpAppOptions* const options = GDALWarpAppOptionsNew(words, nullptr);
-    CSLDestroy(words);
-    GDALDatasetH source = dataset_.get();
-    Dataset warped(GDALWarp("", nullptr, 1, &source, options, nullptr));
-    GDALWarpAppOptionsFree(options);
-    take(warped.release());
-    require_size();
-  }
-
-  std::vector<std::uint8_t> read_rgba() const {
-    const int colours = bands() >= 3 ? 3 : 1;
-    const auto pixels = static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows());
-    std::vector<std::uint8_t> rgba(4 * pixels);
-    for (int channel = 0; channel < 3; ++channel) {
-      read(band(colours == 3 ? channel + 1 : 1), rgba.data() + channel);
-    }
-    read(GDALGetMaskBand(band(1)), rgba.data() + 3);
-    return rgba;
-  }
-
- private:
-  struct FreeTranslation {
-    void operator()(GDALTranslateOptions* options) const { GDALTranslateOptionsFree(options); }
-  };
-  static std::unique_ptr<GDALTranslateOptions, FreeTranslation> translation(
-      std::initializer_list<const char*> words) {
-    char** list = nullptr;
-    for (const char* const word : words) list = CSLAddString(list, word);
-    std::unique_ptr<GDALTranslateOptions, FreeTranslation> options(GDALTranslateOptionsNew(list, nullptr));
-    CSLDestroy(list);
-    return options;
-  }
-
-  [[noreturn]] void refuse(const std::string& what, const char* hint) const {
-    throw Error(ErrorKind::bad_input, fmt::format("{}: {}", path_.string(), what), hint);
-  }
-  void require_size() const {
-    const double pixels = static_cast<double>(columns()) * rows();
-    if (pixels <= most_pixels) return;
-    refuse(fmt::format("expected at most {:.0f} pixels, found {} x {}", most_pixels, columns(), rows()),
-           "cut out a part or make it coarser, as with gdal_translate -srcwin or -outsize");
-  }
-  int bands() const { return GDALGetRasterCount(dataset_.get()); }
-  GDALRasterBandH band(int number) const { return GDALGetRasterBand(dataset_.get(), number); }
-
-  void take(GDALDatasetH made) {
-    if (made == nullptr) {
-      refuse(fmt::format("cannot be brought into red, green and blue over the map: {}", session_.failure()),
-             "convert it first, with gdalwarp or gdal_translate -expand rgb");
-    }
-    dataset_.reset(made);
-  }
-
-  /// Bytes of a band to every fourth byte from `target` on.
-  void read(GDALRasterBandH band, std::uint8_t* target) const {
-    const bool is_wide = GDALGetRasterDataType(band) == GDT_UInt16;
+  /// Calls take(value, i) for each pixel i.
+  template <class Take>
+  void for_each(GDALRasterBandH band, Take take) const {
     std::vector<std::uint16_t> row(static_cast<std::size_t>(columns()));
+    std::size_t i = 0;
     for (int r = 0; r < rows(); ++r) {
       if (GDALRasterIO(band, GF_Read, 0, r, columns(), 1, row.data(), columns(), 1, GDT_UInt16, 0, 0) !=
           CE_None) {
-        refuse(fmt::format("expected {} rows, found none that can be read from row {} on: {}", rows(), r,
+        refuse(path_,
+               fmt::format("expected {} rows, found none that can be read from row {} on: {}", rows(), r,
                            session_.failure()),
                "the file is cut short or damaged: copy or download it again");
       }
-      for (const std::uint16_t value : row) {
-        *target = static_cast<std::uint8_t>(is_wide ? (value + 128) / 257 : value);
-        target += 4;
-      }
+      for (const std::uint16_t value : row) take(value, i++);
     }
+  }
+
+  /// Bytes of a band to every fourth byte from `target` on.
+  void read_band(GDALRasterBandH band, std::uint8_t* target) const {
+    const bool is_wide = GDALGetRasterDataType(band) == GDT_UInt16;
+    for_each(band, [&](std::uint16_t value, std::size_t i) {
+      target[4 * i] = static_cast<std::uint8_t>(is_wide ? (value + 128) / 257 : value);
+    });
+  }
+
+  void read_palette(GDALColorTableH palette, std::uint8_t* target) const {
+    std::vector<std::array<std::uint8_t, 4>> colours;
+    for (int i = 0; i < GDALGetColorEntryCount(palette); ++i) {
+      GDALColorEntry entry{};
+      GDALGetColorEntryAsRGB(palette, i, &entry);
+      const auto byte = [](short value) { return static_cast<std::uint8_t>(std::clamp<int>(value, 0, 255)); };
+      colours.push_back({byte(entry.c1), byte(entry.c2), byte(entry.c3), byte(entry.c4)});
+    }
+    read_band(GDALGetMaskBand(band(1)), target + 3);
+    for_each(band(1), [&](std::uint16_t index, std::size_t i) {
+      const bool is_covered = index < colours.size() && target[4 * i + 3] != 0;
+      const std::array<std::uint8_t, 4> colour = is_covered ? colours[index] : std::array<std::uint8_t, 4>{};
+      std::copy(colour.begin(), colour.end(), target + 4 * i);
+    });
   }
 
   std::filesystem::path path_;
   GdalSession session_;
   Dataset dataset_;
 };
+
+struct FreeList {
+  void operator()(char** list) const { CSLDestroy(list); }
+};
+using WordList = std::unique_ptr<char*, FreeList>;
+
+WordList list_of(std::initializer_list<std::string> words) {
+  WordList list;
+  for (const std::string& word : words) list.reset(CSLAddString(list.release(), word.c_str()));
+  return list;
+}
+
+/// A raster in memory of pixels, which must outlive it.
+Dataset raster_of(Pixels& pixels, const std::string& coordinate_system) {
+  Dataset raster(
+      GDALCreate(GDALGetDriverByName("MEM"), "", pixels.columns, pixels.rows, 0, GDT_Byte, nullptr));
+  if (!raster) return raster;
+  for (std::size_t channel = 0; channel < 4; ++channel) {
+    std::array<char, 64> place{};
+    CPLPrintPointer(place.data(), pixels.rgba.data() + channel, static_cast<int>(place.size()) - 1);
+    const WordList options = list_of({fmt::format("DATAPOINTER={}", place.data()), "PIXELOFFSET=4",
+                                      fmt::format("LINEOFFSET={}", 4 * pixels.columns)});
+    if (GDALAddBand(raster.get(), GDT_Byte, options.get()) != CE_None) return nullptr;
+  }
+  GDALSetRasterColorInterpretation(GDALGetRasterBand(raster.get(), 4), GCI_AlphaBand);
+  GDALSetGeoTransform(raster.get(), pixels.corner->data());
+  GDALSetProjection(raster.get(), coordinate_system.c_str());
+  return raster;
+}
+
+/// The pixels resampled to a coordinate system, where it is another than their own.
+Pixels brought_into(const std::string& wanted, Pixels pixels, const std::string& own,
+                    const std::filesystem::path& path) {
+  const GdalSession session;
+  const SpatialReference to = height_maps::spatial_reference(wanted),
+                         from = height_maps::spatial_reference(own);
+  if (!to || !from || OSRIsSame(to.get(), from.get()) != 0) return pixels;
+  const auto fail = [&] {
+    refuse(path, fmt::format("cannot be brought into the map's coordinate system: {}", session.failure()),
+           "convert it first, with gdalwarp");
+  };
+  const Dataset source = raster_of(pixels, own);
+  if (!source) fail();
+  const WordList words =
+      list_of({"-of", "MEM", "-r", "bilinear", "-dstalpha", "-t_srs", height_maps::wkt_of(to.get())});
+  const std::unique_ptr<GDALWarpAppOptions, void (*)(GDALWarpAppOptions*)> options(
+      GDALWarpAppOptionsNew(words.get(), nullptr), GDALWarpAppOptionsFree);
+  GDALDatasetH handle = source.get();
+  const Dataset warped(GDALWarp("", nullptr, 1, &handle, options.get(), nullptr));
+  if (!warped) fail();
+  Pixels result{.columns = GDALGetRasterXSize(warped.get()), .rows = GDALGetRasterYSize(warped.get())};
+  require_size(path, result.columns, result.rows);
+  result.rgba.resize(4 * static_cast<std::size_t>(result.columns) * static_cast<std::size_t>(result.rows));
+  if (GDALGetGeoTransform(warped.get(), result.corner.emplace().data()) != CE_None ||
+      GDALDatasetRasterIOEx(warped.get(), GF_Read, 0, 0, result.columns, result.rows, result.rgba.data(),
+                            result.columns, result.rows, GDT_Byte, 4, nullptr, 4,
+                            4 * GSpacing{result.columns}, 1, nullptr) != CE_None) {
+    fail();
+  }
+  return result;
+}
 
 /// Rows from north to south.
 void turn_over(ColourMap& colours) {
@@ -162,17 +227,17 @@ void turn_over(ColourMap& colours) {
 
 }  // namespace
 
-ColourMap read_colour_map(const std::filesystem::path& path, const HeightMap& map) {
-  Picture picture(path);
+ColourMap read_colour_map(const std::filesystem::path& path, const HeightMap& map, const FileTrust& trust) {
+  const Picture picture(path, trust);
   const Georeference& place = map.georeference;
-  std::optional<Corner> corner = picture.corner();
-  if (corner && place.step_x != 0.0 && !place.coordinate_system.empty()) {
-    picture.bring_into(place.coordinate_system);
-    corner = picture.corner();
+  Pixels pixels = picture.read();
+  if (pixels.corner && place.step_x != 0.0 && !place.coordinate_system.empty()) {
+    pixels = brought_into(place.coordinate_system, std::move(pixels), picture.coordinate_system(), path);
   }
-  ColourMap colours{.columns = picture.columns(),
-                    .rows = picture.rows(),
-                    .rgba = picture.read_rgba(),
+  const std::optional<Corner> corner = pixels.corner;
+  ColourMap colours{.columns = pixels.columns,
+                    .rows = pixels.rows,
+                    .rgba = std::move(pixels.rgba),
                     .left = 0.0,
                     .top = 0.0,
                     .right = map.columns - 1.0,

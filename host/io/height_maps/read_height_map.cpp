@@ -247,7 +247,7 @@ HeightMapSource stream_height_map(const std::filesystem::path& path, const Heigh
   std::optional<height_maps::Mosaic> mosaic;
   std::error_code status;
   if (std::filesystem::is_directory(path, status)) {
-    mosaic.emplace(path);
+    mosaic.emplace(path, options.trust.trust);
   } else {
     height_maps::require_readable_file(path, "a height map");
   }

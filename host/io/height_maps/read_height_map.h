@@ -43,9 +43,9 @@ struct HeightMapFile {
   HeightMapSource source;
 };
 
-/// Reads a height map: GeoTIFF, SRTM HGT (also zipped), USGS DEM, ASCII grid, 8- and 16-bit PNG and every
-/// other raster that GDAL knows; EXR; files without a header (.r16, .r32, .raw, .bin) whose size the options
-/// state; Mapbox and Terrarium RGB.
+/// Reads a height map: GeoTIFF, SRTM HGT (also zipped), USGS DEM, ASCII grid, 8- and 16-bit PNG and the
+/// other rasters of docs/terrain.md; EXR; files without a header (.r16, .r32, .raw, .bin) whose size the
+/// options state; Mapbox and Terrarium RGB.
 ///
 /// A post stands at the centre of its sample, whether the file says pixel-is-area or pixel-is-point. Rows are
 /// put in order from north to south. Heights in feet become metres. Degrees become metres at the latitude of

@@ -8,10 +8,17 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/error_report.h"
+#include "host/io/file_trust.h"
 
 namespace offing::height_maps {
 
 void require_readable_file(const std::filesystem::path& path, const char* expected, const char* folder_hint) {
+  if (is_address(path.string())) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected {}, found an address", one_line(path.string()), expected),
+                "download it, and give the path of the file");
+  }
   std::error_code status;
   const auto kind = std::filesystem::status(path, status).type();
   if (kind == std::filesystem::file_type::not_found) {

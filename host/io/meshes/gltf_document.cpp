@@ -85,8 +85,8 @@ std::string shown(const json& value) {
                                 : value.type_name();
 }
 
-GltfDocument::GltfDocument(std::string_view bytes, const std::filesystem::path& path)
-    : path_(path), bytes_(bytes.size()) {
+GltfDocument::GltfDocument(std::string_view bytes, const std::filesystem::path& path, Trust trust)
+    : path_(path), trust_(trust), bytes_(bytes.size()) {
   const std::string_view text = parse_container(bytes);
   root_ = json::parse(text, nullptr, false);
   if (root_.is_discarded() || !root_.is_object()) fail("glTF: an object in JSON", "what is none");
@@ -156,6 +156,7 @@ std::string GltfDocument::load_buffer(const std::string& uri) const {
   const std::string name = decode_percent(uri);
   const bool is_relative = uri.find("://") == std::string::npos && std::filesystem::path(name).is_relative();
   if (!is_relative) fail("buffers in files beside the glTF", '"' + printable(uri) + '"');
+  require_beside(path_, path_.parent_path() / name, trust_);
   return read_whole_file(path_.parent_path() / name,
                          {.kind = "a buffer of a glTF", .most_bytes = most_bytes});
 }

@@ -11,6 +11,8 @@
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
+#include "host/io/file_trust.h"
+
 namespace offing::meshes {
 
 /// A value of a document as an error shows it.
@@ -19,8 +21,9 @@ std::string shown(const nlohmann::json& value);
 /// A glTF 2.0 document with its buffers: what it refers to is checked when it is asked for.
 class GltfDocument {
  public:
-  /// Of a .gltf or a .glb; buffers beside the file are read. Throws Error(bad_input) for what is neither.
-  GltfDocument(std::string_view bytes, const std::filesystem::path& path);
+  /// Of a .gltf or a .glb; buffers beside the file are read. Throws Error(bad_input) for what is neither, and
+  /// as require_beside() for buffers.
+  GltfDocument(std::string_view bytes, const std::filesystem::path& path, Trust trust);
 
   /// Object `index` of a list at the document's top, such as "nodes". Throws Error(bad_input) if there is
   /// none.
@@ -60,6 +63,7 @@ class GltfDocument {
   View view_of(std::size_t accessor, std::string_view type, std::size_t components) const;
 
   std::filesystem::path path_;
+  Trust trust_;
   nlohmann::json root_;
   std::string_view binary_chunk_;
   std::vector<std::string> own_buffers_;

@@ -34,8 +34,10 @@ constexpr std::size_t triangles = 4, triangle_strip = 5, triangle_fan = 6;
 
 class GltfParser {
  public:
-  GltfParser(std::string_view bytes, const std::filesystem::path& path)
-      : document_(bytes, path), soup_(path.string()), has_mesh_been_shown_(document_.count("meshes"), 0) {
+  GltfParser(std::string_view bytes, const std::filesystem::path& path, Trust trust)
+      : document_(bytes, path, trust),
+        soup_(path.string()),
+        has_mesh_been_shown_(document_.count("meshes"), 0) {
     soup_.report.format = document_.is_binary() ? "glTF, binary" : "glTF";
   }
 
@@ -258,8 +260,8 @@ class GltfParser {
 
 }  // namespace
 
-MeshFile parse_gltf(std::string_view bytes, const std::filesystem::path& path) {
-  return GltfParser(bytes, path).parse();
+MeshFile parse_gltf(std::string_view bytes, const std::filesystem::path& path, Trust trust) {
+  return GltfParser(bytes, path, trust).parse();
 }
 
 }  // namespace offing::meshes

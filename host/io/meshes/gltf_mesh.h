@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "host/io/file_trust.h"
 #include "host/io/meshes/mesh_file.h"
 
 namespace offing::meshes {
@@ -18,6 +19,6 @@ namespace offing::meshes {
 /// work, but decodes each picture and opens each file that a document names.
 ///
 /// Throws Error(bad_input) for what is no glTF or refers to what is not there, and as PolygonSoup::finish().
-MeshFile parse_gltf(std::string_view bytes, const std::filesystem::path& path);
+MeshFile parse_gltf(std::string_view bytes, const std::filesystem::path& path, Trust trust = Trust::trusted);
 
 }  // namespace offing::meshes

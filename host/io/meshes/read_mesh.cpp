@@ -34,7 +34,7 @@ std::string_view first_word(std::string_view text) {
   return lines.next_line() ? lines.word() : std::string_view();
 }
 
-MeshFile parse(std::string_view bytes, const std::filesystem::path& path) {
+MeshFile parse(std::string_view bytes, const std::filesystem::path& path, Trust trust) {
   const std::string name = path.string(), extension = lower_extension(path);
   const std::string_view word = first_word(bytes);
   if (word == "ply" || extension == ".ply") return meshes::parse_ply(bytes, name).file;
@@ -42,7 +42,7 @@ MeshFile parse(std::string_view bytes, const std::filesystem::path& path) {
   if (meshes::is_off_keyword(word) || extension == ".off") return meshes::parse_off(bytes, name);
   if (extension == ".stl") return meshes::parse_stl(bytes, name);
   if (bytes.starts_with("glTF") || extension == ".gltf" || extension == ".glb")
-    return meshes::parse_gltf(bytes, path);
+    return meshes::parse_gltf(bytes, path, trust);
   if (word == "solid") return meshes::parse_stl(bytes, name);
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a mesh, got {}", one_line(name),
@@ -52,12 +52,12 @@ MeshFile parse(std::string_view bytes, const std::filesystem::path& path) {
 
 }  // namespace
 
-MeshFile read_mesh_file(const std::filesystem::path& path) {
-  return meshes::parse_mesh_file(path, [&](std::string_view bytes) { return parse(bytes, path); });
+MeshFile read_mesh_file(const std::filesystem::path& path, Trust trust) {
+  return meshes::parse_mesh_file(path, [&](std::string_view bytes) { return parse(bytes, path, trust); });
 }
 
-TriangleMesh read_mesh(const std::filesystem::path& path) {
-  MeshFile file = read_mesh_file(path);
+TriangleMesh read_mesh(const std::filesystem::path& path, Trust trust) {
+  MeshFile file = read_mesh_file(path, trust);
   for (const LeftOut& item : file.report.left_out) {
     spdlog::warn("{}: left out: {} {}", one_line(path.string()), item.count, item.what);
   }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "host/io/file_trust.h"
 #include "host/io/meshes/mesh_file.h"
 
 namespace offing {
@@ -13,10 +14,11 @@ namespace offing {
 /// the parse_...() functions of this folder for what each format holds.
 ///
 /// Throws Error(bad_input) if there is no such file, it cannot be read, is no regular file, has no faces, is
-/// of no known format or damaged: what() names file and line.
-MeshFile read_mesh_file(const std::filesystem::path& path);
+/// of no known format or damaged: what() names file and line. Buffers of an untrusted glTF lie in its folder
+/// or below.
+MeshFile read_mesh_file(const std::filesystem::path& path, Trust trust = Trust::trusted);
 
 /// The same without the report: logs a warning for what a mesh cannot hold.
-TriangleMesh read_mesh(const std::filesystem::path& path);
+TriangleMesh read_mesh(const std::filesystem::path& path, Trust trust = Trust::trusted);
 
 }  // namespace offing

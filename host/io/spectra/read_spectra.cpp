@@ -1,5 +1,6 @@
 #include "host/io/spectra/read_spectra.h"
 
+#include <algorithm>
 #include <new>
 #include <optional>
 #include <span>
@@ -39,19 +40,22 @@ LoadedFile load(const std::filesystem::path& path) {
                                                                 "records that you need"})};
 }
 
-std::optional<LoadedFile> load_if_there(const std::filesystem::path& path) {
+/// A companion of `main`.
+std::optional<LoadedFile> load_if_there(const std::filesystem::path& main, const std::filesystem::path& path,
+                                        Trust trust) {
   std::error_code status;
   if (!std::filesystem::exists(path, status)) return std::nullopt;
+  require_beside(main, path, trust);
   return load(path);
 }
 
-std::vector<WaveSpectrum> read_ndbc(const LoadedFile& main, const std::filesystem::path& path) {
+std::vector<WaveSpectrum> read_ndbc(const LoadedFile& main, const std::filesystem::path& path, Trust trust) {
   const auto paths = spectra::ndbc_companion_paths(path);
   if (!paths) return spectra::parse_ndbc(main.bytes, main.name);
-  const std::optional<LoadedFile> alpha1 = load_if_there(paths->alpha1);
-  const std::optional<LoadedFile> alpha2 = load_if_there(paths->alpha2);
-  const std::optional<LoadedFile> r1 = load_if_there(paths->r1);
-  const std::optional<LoadedFile> r2 = load_if_there(paths->r2);
+  const std::optional<LoadedFile> alpha1 = load_if_there(path, paths->alpha1, trust);
+  const std::optional<LoadedFile> alpha2 = load_if_there(path, paths->alpha2, trust);
+  const std::optional<LoadedFile> r1 = load_if_there(path, paths->r1, trust);
+  const std::optional<LoadedFile> r2 = load_if_there(path, paths->r2, trust);
   const bool has_any = alpha1 || alpha2 || r1 || r2;
   if (has_any && !(alpha1 && alpha2 && r1 && r2)) {
     spdlog::warn("{}: of the four directional files {} {} {} {} not all are there: {}",
@@ -67,8 +71,8 @@ std::vector<WaveSpectrum> read_ndbc(const LoadedFile& main, const std::filesyste
   return spectra::parse_ndbc(main.bytes, main.name, {text(alpha1), text(alpha2), text(r1), text(r2)});
 }
 
-bool is_netcdf(std::string_view bytes) {
-  return bytes.starts_with("CDF") || bytes.starts_with("\x89HDF\r\n\x1a\n");
+bool is_hdf5(std::string_view bytes) {
+  return bytes.starts_with("\x89HDF\r\n\x1a\n");
 }
 
 std::string_view first_filled_line(std::string_view text, std::string_view name) {
@@ -77,34 +81,57 @@ std::string_view first_filled_line(std::string_view text, std::string_view name)
   return cursor.line();
 }
 
-// A Datawell file has no mark but its name, or a first line that is a single number.
-bool is_datawell(std::string_view first_line, const std::filesystem::path& path) {
-  if (path.extension() == ".spt" || path.extension() == ".SPT") return true;
-  return spectra::take_number(first_line) && spectra::is_blank(first_line);
+// "#YY MM DD" and older headers without the mark. Other files may begin with a # too.
+bool is_ndbc(std::string_view first_line) {
+  std::string_view rest =
+      first_line.substr(std::min(first_line.find_first_not_of("# \t"), first_line.size()));
+  const std::string_view word = spectra::take_word(rest);
+  return word == "YY" || word == "YYYY";
 }
 
-std::vector<WaveSpectrum> parse(const LoadedFile& file, const std::filesystem::path& path) {
-  if (is_netcdf(file.bytes)) return spectra::parse_netcdf(std::as_bytes(std::span(file.bytes)), file.name);
+// A Datawell file has no mark but its name, or twelve lines of a single number.
+bool is_datawell(const LoadedFile& file, const std::filesystem::path& path) {
+  if (path.extension() == ".spt" || path.extension() == ".SPT") return true;
+  spectra::TextCursor cursor(file.bytes, file.name);
+  for (int line = 0; line < 12; ++line) {
+    if (!cursor.next_filled_line() || !spectra::take_number(cursor.rest()) ||
+        !spectra::is_blank(cursor.rest()))
+      return false;
+  }
+  return true;
+}
+
+std::vector<WaveSpectrum> parse(const LoadedFile& file, const std::filesystem::path& path, Trust trust) {
+  if (is_hdf5(file.bytes) && trust == Trust::untrusted) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: expected a file that stands alone, got HDF5 (NetCDF-4), which can name other "
+                    "files as its data",
+                    spectra::printable_name(file.name)),
+        "convert it with nccopy -k cdf5, or leave --untrusted out if you trust whoever made it");
+  }
+  if (is_hdf5(file.bytes) || file.bytes.starts_with("CDF"))
+    return spectra::parse_netcdf(std::as_bytes(std::span(file.bytes)), file.name);
   const std::string_view line = first_filled_line(file.bytes, file.name);
   std::string_view rest = line;
   const std::string_view word = spectra::take_word(rest);
   if (line.find("WAVEWATCH III SPECTRA") != std::string_view::npos)
     return spectra::parse_ww3(file.bytes, file.name);
   if (word == "SWAN") return spectra::parse_swan(file.bytes, file.name);
-  if (word.starts_with("#") || word == "YY" || word == "YYYY") return read_ndbc(file, path);
-  if (is_datawell(line, path)) return spectra::parse_datawell(file.bytes, file.name);
+  if (is_ndbc(line)) return read_ndbc(file, path, trust);
+  if (is_datawell(file, path)) return spectra::parse_datawell(file.bytes, file.name);
   throw Error(ErrorKind::bad_input,
-              fmt::format("{}:1: expected a wave spectrum file, got {}", spectra::printable_name(file.name),
-                          file.bytes.empty() ? "an empty file" : "\"" + printable(line) + "\""),
+              fmt::format("{}: expected a wave spectrum file, got {}", spectra::printable_name(file.name),
+                          file.bytes.empty() ? "an empty file" : "a file of no format that is known"),
               "formats read: NDBC .data_spec or historical text, WAVEWATCH III or SWAN text or NetCDF, "
               "Datawell .spt");
 }
 
 }  // namespace
 
-std::vector<WaveSpectrum> read_spectra(const std::filesystem::path& path) {
+std::vector<WaveSpectrum> read_spectra(const std::filesystem::path& path, Trust trust) {
   try {
-    return parse(load(path), path);
+    return parse(load(path), path, trust);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::out_of_memory,
                 fmt::format("{}: not enough memory for its spectra", spectra::printable_name(path.string())),

@@ -90,8 +90,9 @@ std::uint64_t checksum_of(const fs::path& path, const std::string& text) {
   refuse_header(path, fmt::format("heights_checksum: expected 16 hexadecimal digits, found \"{}\"", text));
 }
 
-TileStoreHeader read_header(const fs::path& folder) {
+TileStoreHeader read_header(const fs::path& folder, Trust trust) {
   const fs::path path = folder / header_name;
+  if (trust == Trust::untrusted) require_below(folder, path);
   const auto content = content_of(path);
   if (!content) refuse_header(path, "expected the header of a tile store, found no such file");
   toml::table table;
@@ -233,7 +234,8 @@ bool is_tile_store(const fs::path& path) {
   return fs::is_directory(path, status) && fs::is_regular_file(path / header_name, status);
 }
 
-TileStore::TileStore(fs::path folder) : folder_(std::move(folder)), header_(read_header(folder_)) {}
+TileStore::TileStore(fs::path folder, Trust trust)
+    : folder_(std::move(folder)), trust_(trust), header_(read_header(folder_, trust)) {}
 
 fs::path TileStore::path_of(const TileKey& key) const {
   return tile_path(folder_, key);
@@ -241,6 +243,7 @@ fs::path TileStore::path_of(const TileKey& key) const {
 
 HeightTile TileStore::read(const TileKey& key) const {
   const fs::path path = path_of(key);
+  if (trust_ == Trust::untrusted) require_below(folder_, path);
   const auto content = content_of(path);
   if (content) return tile_store::decode_tile(path, *content, key);
   throw Error(ErrorKind::bad_input,

@@ -7,6 +7,7 @@
 
 #include "host/base/height_map.h"
 #include "host/base/height_tile.h"
+#include "host/io/file_trust.h"
 
 namespace offing {
 
@@ -28,8 +29,9 @@ bool is_tile_store(const std::filesystem::path& path);
 /// tile of every level (tile_file.h).
 class TileStore {
  public:
-  /// Throws Error(bad_input) if the folder holds no finished store of this version.
-  explicit TileStore(std::filesystem::path folder);
+  /// Throws Error(bad_input) if the folder holds no finished store of this version. Links of an untrusted
+  /// store lead nowhere outside of it.
+  explicit TileStore(std::filesystem::path folder, Trust trust = Trust::trusted);
 
   const TileStoreHeader& header() const { return header_; }
   std::filesystem::path path_of(const TileKey& key) const;
@@ -39,6 +41,7 @@ class TileStore {
 
  private:
   std::filesystem::path folder_;
+  Trust trust_;
   TileStoreHeader header_;
 };
 

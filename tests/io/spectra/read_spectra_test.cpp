@@ -53,6 +53,8 @@ TEST(ReadSpectra, FindsHistoricalCompanions) {
                [&] { read_spectra(folder.path() / "46042w2020.txt"); });
 }
 
+// Fails if a file that is no spectrum is taken for one, or an error shows what is in it: a scene may name any
+// file of the machine.
 TEST(ReadSpectra, RefusesWhatIsNoSpectrum) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "f";
@@ -61,30 +63,40 @@ TEST(ReadSpectra, RefusesWhatIsNoSpectrum) {
   expect_error(ErrorKind::bad_input, "got a folder or device", [&] { read_spectra(folder.path()); });
   expect_error(ErrorKind::bad_input, "got a folder or device", [&] { read_spectra("/dev/null"); });
   expect_error(ErrorKind::bad_input, "got no such file", [&] { read_spectra(""); });
+  constexpr const char* unknown = "f: expected a wave spectrum file, got a file of no format that is known";
   const struct {
     std::string bytes;
     const char* message;
   } cases[] = {
-      {"", "f:1: expected a wave spectrum file, got an empty file"},
-      {"hello\n", "f:1: expected a wave spectrum file, got \"hello\""},
-      {std::string(1000, '\0'), "f:1: expected a wave spectrum file, got \"\\x00"},
+      {"", "f: expected a wave spectrum file, got an empty file"},
+      {"secret\n", unknown},
+      {"# secret\n1 2 3\n", unknown},
+      {"###", unknown},
+      {"5\nsecret\n", unknown},
+      {std::string(1000, '\0'), unknown},
       {"\x7f"
        "ELF\x02\x01\x01",
-       "f:1: expected a wave spectrum file, got \"\\x7fELF"},
-      {std::string(1 << 20, 'x'), "f:1: expected a wave spectrum file, got \"xxx"},
-      {std::string(1 << 20, '\n'), "f:1: expected a wave spectrum file, got"},
+       unknown},
+      {std::string(1 << 20, 'x'), unknown},
+      {std::string(1 << 20, '\n'), unknown},
       {"CDF\x01", "f: expected a NetCDF file, but the header is cut short"},
       {"CDF", "f: expected a NetCDF file, but the header is cut short"},
       {"\x89HDF\r\n\x1a\n", "f: expected a NetCDF file, but opening it failed"},
       {"SWAN", "f:1: expected SWAN and the version 1"},
       {"'WAVEWATCH III SPECTRA'", "f:1: expected the number of frequencies, got the end of the file"},
       {"#YY", "f:1: expected the date columns"},
-      {"5\n6\n", "f:2: expected twelve header lines of one value"},
   };
   for (const auto& c : cases) {
     write_text(path, c.bytes);
-    const std::string hint = expect_error(ErrorKind::bad_input, c.message, [&] { read_spectra(path); });
-    EXPECT_FALSE(hint.empty()) << c.message;
+    try {
+      read_spectra(path);
+      ADD_FAILURE() << c.message;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+      EXPECT_THAT(error.what(), ::testing::HasSubstr(c.message));
+      EXPECT_THAT(error.what(), ::testing::Not(::testing::HasSubstr("secret")));
+      EXPECT_FALSE(error.hint().empty()) << c.message;
+    }
   }
 }
 

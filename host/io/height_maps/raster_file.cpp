@@ -1,0 +1,152 @@
+// Which rasters GDAL may open, and what they may lead to. GDAL alone would open, whatever a file's extension,
+// descriptions of servers (WMS, WCS), of any bytes of any file and of programs (VRT).
+#include "host/io/height_maps/raster_file.h"
+
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <cpl_string.h>
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/error_report.h"
+
+namespace offing::height_maps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 2> vrt_format{"VRT", nullptr}, tiff_format{"GTiff", nullptr};
+
+bool is_of(const fs::path& path, const char* const* formats) {
+  return GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, formats, nullptr) != nullptr;
+}
+
+Dataset open_as(const fs::path& path, const char* const* formats, const char* const* options) {
+  return Dataset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, formats,
+                            options, nullptr));
+}
+
+/// NetCDF-4 too.
+bool is_hdf5(const fs::path& path) {
+  constexpr std::array mark{'\x89', 'H', 'D', 'F'};
+  std::array<char, mark.size()> bytes{};
+  std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
+  return bytes == mark;
+}
+
+std::string lower(std::string text) {
+  for (char& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return text;
+}
+
+/// Masks, overviews and metadata of a raster, as GDAL finds them: in folders of up to 1000 files in letters
+/// of any case.
+std::vector<fs::path> sidecars_of(const fs::path& path) {
+  std::vector<fs::path> found;
+  std::error_code status;
+  for (const char* const ending : {".msk", ".MSK", ".ovr", ".OVR", ".aux.xml"}) {
+    const fs::path exact = path.string() + ending;
+    if (fs::exists(exact, status)) found.push_back(exact);
+  }
+  const std::string own = lower(path.filename().string());
+  fs::directory_iterator entry(path.parent_path(), status);
+  for (int count = 0; !status && count <= 1000 && entry != fs::directory_iterator();
+       ++count, entry.increment(status)) {
+    const std::string name = lower(entry->path().filename().string());
+    if (name == own + ".msk" || name == own + ".ovr" || name == own + ".aux.xml")
+      found.push_back(entry->path());
+  }
+  return found;
+}
+
+/// GDAL would open masks and overviews as any format.
+void check_beside(const fs::path& path, Trust trust) {
+  for (const fs::path& beside : sidecars_of(path)) {
+    require_beside(path, beside, trust);
+    std::error_code status;
+    const bool is_metadata = lower(beside.string()).ends_with(".xml");
+    if (fs::is_regular_file(beside, status) && (is_metadata || is_of(beside, tiff_format.data()))) continue;
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a {}, as it lies beside {}, found something else",
+                            one_line(beside.string()), is_metadata ? "file" : "GeoTIFF",
+                            one_line(path.filename().string())),
+                "move it to another folder");
+  }
+}
+
+/// Of a raster that is open: the files that GDAL has read for it, and the one that it would open for
+/// overviews.
+void check_parts(GDALDatasetH raster, const fs::path& path, Trust trust) {
+  if (const char* const overviews = GDALGetMetadataItem(raster, "OVERVIEW_FILE", "OVERVIEWS")) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a raster that stands alone, found overviews in another file, {}",
+                            one_line(path.string()), printable(overviews)),
+                "make a copy without them: gdal_translate -co COPY_SRC_OVERVIEWS=NO MAP.tif COPY.tif");
+  }
+  if (trust == Trust::trusted) return;
+  const std::unique_ptr<char*, void (*)(char**)> names(GDALGetFileList(raster), CSLDestroy);
+  for (char** name = names.get(); name != nullptr && *name != nullptr; ++name) {
+    // The content of a .hgt.zip.
+    if (std::string_view(*name).starts_with("/vsizip/" + path.string())) continue;
+    require_beside(path, *name, trust);
+  }
+}
+
+Dataset open_plain(const fs::path& path, Trust trust, const char* const* options) {
+  if (trust == Trust::untrusted && is_hdf5(path)) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a raster that stands alone, found HDF5 (NetCDF-4), which can name "
+                            "other files as its data",
+                            one_line(path.string())),
+                "make a GeoTIFF of it: gdal_translate MAP.nc MAP.tif");
+  }
+  check_beside(path, trust);
+  Dataset raster = open_as(path, plain_formats(), options);
+  if (raster) check_parts(raster.get(), path, trust);
+  return raster;
+}
+
+}  // namespace
+
+bool is_plain_raster(const fs::path& path) {
+  return is_of(path, plain_formats());
+}
+
+void check_raster(const fs::path& path, Trust trust, int depth) {
+  const GdalSession session;
+  if (is_of(path, vrt_format.data())) {
+    check_beside(path, trust);
+    check_vrt(path, trust, depth);
+  } else if (!open_plain(path, trust, nullptr)) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a raster, found what cannot be opened as one: {}",
+                            one_line(path.string()), session.failure()),
+                "leave it out of the VRT, or copy it again");
+  }
+}
+
+Dataset open_raster(const fs::path& path, const FileTrust& trust, const char* const* options) {
+  if (path.string().starts_with(own_memory)) return open_as(path, vrt_format.data(), options);
+  // No part of an absolute path is taken for the name of a format.
+  const fs::path file = fs::absolute(path);
+  if (!is_of(file, vrt_format.data())) return open_plain(file, trust.trust, options);
+  if (trust.is_named_by_scene) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a raster that stands alone, found a VRT, which no scene may name",
+                            one_line(path.string())),
+                "make a GeoTIFF of it: gdal_translate MAP.vrt MAP.tif");
+  }
+  // GDAL, too, takes sources to be relative to where links lead.
+  const fs::path real = fs::canonical(file);
+  check_raster(real, trust.trust);
+  return open_as(real, vrt_format.data(), options);
+}
+
+}  // namespace offing::height_maps

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "host/io/file_trust.h"
+#include "host/io/height_maps/gdal_session.h"
+
+namespace offing::height_maps {
+
+/// Where rasters lie that Offing keeps in GDAL's memory.
+inline constexpr std::string_view own_memory = "/vsimem/";
+
+/// Opens a raster of a plain format (plain_formats()); null for what is none. A VRT is opened if a person has
+/// named it and check_raster() has nothing against it. Throws Error(bad_input) as check_raster().
+Dataset open_raster(const std::filesystem::path& path, const FileTrust& trust,
+                    const char* const* options = nullptr);
+
+/// Whether a file is a raster of a plain format.
+bool is_plain_raster(const std::filesystem::path& path);
+
+/// Throws Error(bad_input) for rasters that lead where they may not: masks and overviews beside them are
+/// GeoTIFF, and a VRT joins plain rasters of this machine, as gdalbuildvrt and gdal_translate write it. With
+/// Trust::untrusted, all of that lies in the file's folder or below. `depth` counts the VRTs that led here.
+void check_raster(const std::filesystem::path& path, Trust trust, int depth = 0);
+
+/// The same for a file that is a VRT.
+void check_vrt(const std::filesystem::path& path, Trust trust, int depth);
+
+}  // namespace offing::height_maps

@@ -1,0 +1,183 @@
+// Rasters that lead elsewhere: to servers, to any bytes of the machine, out of their folder.
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gdal.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "host/io/height_maps/read_colour_map.h"
+#include "host/io/height_maps/read_height_map.h"
+#include "tests/io/height_maps/raster_writer.h"
+#include "tests/io/local_server.h"
+#include "tests/io/temporary_folder.h"
+
+namespace offing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+constexpr FileTrust untrusted{.trust = Trust::untrusted};
+
+class HostileRaster : public ::testing::Test {
+ protected:
+  HostileRaster() {
+    fs::create_directory(path("own"));
+    for (const char* name : {"own/map.tif", "secret.tif"}) {
+      test::Raster raster = test::raster_of(8, 6, [](int column, int row) { return column + 10.0 * row; });
+      raster.geotransform = {500000.0, 20.0, 0.0, 6400000.0, 0.0, -20.0};
+      raster.coordinate_system = "EPSG:32719";
+      test::write_raster(path(name), "GTiff", raster);
+    }
+  }
+
+  fs::path path(const std::string& name) const { return folder_.path() / name; }
+
+  fs::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+  }
+
+  /// A VRT of 8 x 6 posts with one band of this kind and content.
+  static std::string vrt(const std::string& content, const std::string& band = "") {
+    return fmt::format(
+        R"(<VRTDataset rasterXSize="8" rasterYSize="6"><GeoTransform>0,20,0,0,0,-20</GeoTransform>)"
+        R"(<VRTRasterBand dataType="Float32" band="1" {}>{}</VRTRasterBand></VRTDataset>)",
+        band, content);
+  }
+  static std::string source(const std::string& name, const std::string& attribute = "") {
+    return fmt::format(
+        R"(<SimpleSource><SourceFilename {}>{}</SourceFilename><SourceBand>1</SourceBand></SimpleSource>)",
+        attribute, name);
+  }
+
+  /// What reading it says; "" if it is read.
+  static std::string outcome(const fs::path& file, const FileTrust& trust = {}) {
+    try {
+      HeightMapOptions options;
+      options.trust = trust;
+      options.horizontal_unit = HorizontalUnit::metre;
+      read_height_map(file, options);
+      return "";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_input) << error.what();
+      EXPECT_NE(error.hint(), "") << error.what();
+      return error.what();
+    }
+  }
+
+  TemporaryFolder folder_;
+  test::LocalServer server_;
+};
+
+// Fails if GDAL is asked for an address, or opens a description of a server whatever its file is called.
+TEST_F(HostileRaster, ReachesNoServer) {
+  const std::string url = server_.url();
+  EXPECT_THAT(outcome("/vsicurl/" + url + "/map.tif"), HasSubstr("found an address"));
+  EXPECT_THAT(outcome(url + "/map.tif"), HasSubstr("found an address"));
+  EXPECT_THAT(outcome("/vsizip/" + path("a.zip").string()), HasSubstr("found an address"));
+  const std::string wms = fmt::format(
+      "<GDAL_WMS><Service "
+      "name=\"TMS\"><ServerUrl>{}/${{z}}/${{x}}/${{y}}.png</ServerUrl></Service><DataWindow>"
+      "<UpperLeftX>-10</UpperLeftX><UpperLeftY>10</UpperLeftY><LowerRightX>10</LowerRightX><LowerRightY>-10"
+      "</LowerRightY><SizeX>256</SizeX><SizeY>256</SizeY></DataWindow><BandsCount>1</BandsCount></GDAL_WMS>",
+      url);
+  const std::string wcs = fmt::format(
+      "<WCS_GDAL><ServiceURL>{}/?</ServiceURL><CoverageName>a</CoverageName>"
+      "</WCS_GDAL>",
+      url);
+  EXPECT_THAT(outcome(write("wms.tif", wms)), HasSubstr("cannot be opened"));
+  EXPECT_THAT(outcome(write("wcs.tif", wcs)), HasSubstr("cannot be opened"));
+  EXPECT_THAT(outcome(write("curl.vrt", vrt(source("/vsicurl/" + url + "/a.tif")))), HasSubstr("sources"));
+  EXPECT_THAT(outcome(write("attribute.vrt",
+                            vrt(fmt::format(R"(<SimpleSource SourceFilename="/vsicurl/{}/a.tif"/>)", url)))),
+              HasSubstr("sources"));
+  write("wms.xml", wms);
+  EXPECT_THAT(outcome(write("wms.vrt", vrt(source("wms.xml", R"(relativeToVRT="1")")))),
+              HasSubstr("cannot be opened"));
+  for (const char* name : {"own/map.tif.msk", "own/map.tif.OVR", "own/Map.TIF.mSk"}) {
+    write(name, wms);
+    EXPECT_THAT(outcome(path("own/map.tif")), HasSubstr("expected a GeoTIFF")) << name;
+    fs::remove(path(name));
+  }
+  EXPECT_EQ(server_.callers(), 0);
+}
+
+// Fails if a name of a coordinate system, a mask or overviews make GDAL call a server.
+TEST_F(HostileRaster, ReachesNoServerBesideIts) {
+  const std::string url = server_.url();
+  HeightMap map = read_height_map(path("secret.tif")).map;
+  test::Raster picture = test::raster_of(8, 6, [](int column, int row) { return column + 10.0 * row; });
+  picture.type = "Byte";
+  picture.geotransform = {500000.0, 20.0, 0.0, 6400000.0, 0.0, -20.0};
+  picture.coordinate_system = "EPSG:32719";
+  test::write_raster(path("picture.tif"), "GTiff", picture);
+  const std::string system = map.georeference.coordinate_system;
+  map.georeference.coordinate_system = url + "/system";
+  EXPECT_EQ(read_colour_map(path("picture.tif"), map).columns, 8);
+  map.georeference.coordinate_system = "EPSG:32718";
+  const GDALDatasetH file = GDALOpen(path("picture.tif").c_str(), GA_Update);
+  GDALSetMetadataItem(file, "OVERVIEW_FILE", ("/vsicurl/" + url + "/a.tif").c_str(), "OVERVIEWS");
+  GDALClose(file);
+  EXPECT_THROW(read_colour_map(path("picture.tif"), map), Error);
+  EXPECT_EQ(server_.callers(), 0);
+}
+
+// Fails if a VRT shows the bytes of any file of the machine, or runs anything.
+TEST_F(HostileRaster, VrtsOnlyJoinRasters) {
+  const std::string secret = path("secret.tif").string();
+  const std::vector<std::pair<std::string, std::string>> bands{
+      {R"(subClass="VRTRawRasterBand")",
+       fmt::format("<SourceFilename relativeToVRT=\"0\">{}</SourceFilename>", secret)},
+      {R"(subclass="VRTDerivedRasterBand")",
+       "<PixelFunctionLanguage>Python</PixelFunctionLanguage><PixelFunctionType>m.f</PixelFunctionType>"},
+      {R"(subClass="VRTWarpedRasterBand")", ""},
+      {"", "<KernelFilteredSource/>"},
+      {"", R"(<Metadata domain="OVERVIEWS"><MDI key="OVERVIEW_FILE">a.vrt</MDI></Metadata>)"},
+      {"", source("&lt;VRTDataset/&gt;")},
+      {"", source("/etc/passwd")},
+      {"", source("none.tif")}};
+  for (const auto& [band, content] : bands) {
+    EXPECT_THAT(outcome(write("a.vrt", vrt(content, band))), HasSubstr("expected")) << band << content;
+  }
+  write("self.vrt", vrt(source("self.vrt", R"(relativeToVRT="1")")));
+  EXPECT_THAT(outcome(path("self.vrt")), HasSubstr("VRTs in one another"));
+  EXPECT_EQ(outcome(write("sound.vrt", vrt(source(secret)))), "");
+}
+
+// Fails if a scene may name a VRT, whatever it is called.
+TEST_F(HostileRaster, NoSceneNamesAVrt) {
+  const fs::path file = write("a.tif", vrt(source(path("secret.tif").string())));
+  EXPECT_EQ(outcome(file), "");
+  EXPECT_THAT(outcome(file, {.is_named_by_scene = true}), HasSubstr("found a VRT"));
+  const HeightMap map = read_height_map(path("secret.tif")).map;
+  EXPECT_THROW(read_colour_map(file, map, {.is_named_by_scene = true}), Error);
+}
+
+// Fails if an untrusted raster leads out of its folder, by a name or by a link; or if it may not lead to
+// what lies in it.
+TEST_F(HostileRaster, UntrustedOnesStayInTheirFolder) {
+  const auto own = [&](const std::string& name) {
+    return outcome(write("own/a.vrt", vrt(source(name, R"(relativeToVRT="1")"))), untrusted);
+  };
+  EXPECT_EQ(own("map.tif"), "");
+  EXPECT_THAT(own("../secret.tif"), HasSubstr("found one outside"));
+  EXPECT_THAT(own(path("secret.tif").string()), HasSubstr("found"));
+  fs::create_symlink(path("secret.tif"), path("own/link.tif"));
+  EXPECT_THAT(own("link.tif"), HasSubstr("found one outside"));
+  EXPECT_EQ(outcome(path("own/map.tif"), untrusted), "");
+  fs::create_symlink(path("secret.tif"), path("own/map.tif.msk"));
+  EXPECT_THAT(outcome(path("own/map.tif"), untrusted), HasSubstr("found one outside"));
+  fs::remove(path("own/map.tif.msk"));
+  write("own/hdf5.nc", "\x89HDF\r\n\x1a\n");
+  EXPECT_THAT(outcome(path("own/hdf5.nc"), untrusted), HasSubstr("HDF5"));
+}
+
+}  // namespace
+}  // namespace offing
