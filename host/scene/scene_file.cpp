@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,6 +16,7 @@
 #include "host/base/error_list.h"
 #include "host/base/error_report.h"
 #include "host/io/file_trust.h"
+#include "host/io/toml_depth.h"
 #include "host/scene/nearest_name.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_elements.h"
@@ -327,6 +329,12 @@ OceanScene load_scene(const std::filesystem::path& file, Trust trust) {
 
 OceanScene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path& folder,
                        Trust trust) {
+  if (const std::optional<TomlPlace> place = too_deep_toml(text)) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}:{}:{}: expected at most {} names or brackets in one another, found more",
+                            name, place->line, place->column, most_toml_levels),
+                "a scene is lines such as speed_mps = 10 below headings such as [wind]");
+  }
   toml::table root;
   try {
     root = toml::parse(text, name);

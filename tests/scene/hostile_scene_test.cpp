@@ -156,6 +156,37 @@ TEST(HostileScene, HoldsItsLimits) {
   EXPECT_EQ(outcome(keys(10'001)), "a.toml:3:1: camera.x_m: expected 1 ... 10000 keys, found 10001");
 }
 
+// Fails if tables or lists in one another end the stack, however they are written: as headers, keys of many
+// names, lists and tables of one line, and beside strings and comments that look like them.
+TEST(HostileScene, IsRefusedWhereItIsDeep) {
+  const auto repeated = [](const std::string& text, int count) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += text;
+    return all;
+  };
+  const auto chain = [&](const std::string& name, int count) {
+    return name + repeated("." + name, count - 1);
+  };
+  for (const int count : {33, 40'000}) {
+    const std::string names = chain("c", count);
+    for (const std::string& deep :
+         {"[" + names + "]", "[[" + names + "]]", names + " = 1", "[" + chain("\"a.b\"", count) + "]",
+          chain("'#'", count) + " = 1", chain(" a ", count) + " = 1", "a = " + repeated("[", count),
+          "a = " + repeated("{b=", count), "a = [ \"\"\"b\"\"\"\"\", {" + names + " = 1} ]",
+          "a = '''b''''' # '\n" + names + " = 1", "a = \"\\\"\"\n" + names + " = 1",
+          "a = { b = 1, " + names + " = 1 }"}) {
+      EXPECT_THAT(outcome("version = 1\n" + deep),
+                  ::testing::HasSubstr("expected at most 32 names or brackets in one another"))
+          << deep.substr(0, 40) << " " << count;
+    }
+  }
+  const std::string looks_deep = repeated("a.[{", 100);
+  EXPECT_EQ(outcome("version = 1\n[wind] # " + looks_deep), "");
+  for (const char* quote : {"'", "'''", "\"", "\"\"\""}) {
+    EXPECT_EQ(outcome("version = 1\n[bench]\nname = " + (quote + looks_deep) + quote), "") << quote;
+  }
+}
+
 /// A scene whose `key` names a file.
 std::string naming(std::string_view key, const std::string& file) {
   std::string text = "version = 1\n";

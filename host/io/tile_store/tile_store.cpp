@@ -16,6 +16,7 @@
 #include "host/base/error.h"
 #include "host/io/atomic_file.h"
 #include "host/io/tile_store/tile_file.h"
+#include "host/io/toml_depth.h"
 
 namespace offing {
 namespace {
@@ -95,6 +96,11 @@ TileStoreHeader read_header(const fs::path& folder, Trust trust) {
   if (trust == Trust::untrusted) require_below(folder, path);
   const auto content = content_of(path);
   if (!content) refuse_header(path, "expected the header of a tile store, found no such file");
+  if (const std::optional<TomlPlace> place = too_deep_toml(*content)) {
+    refuse_header(path,
+                  fmt::format("expected at most {} names or brackets in one another, found more in line {}",
+                              most_toml_levels, place->line));
+  }
   toml::table table;
   try {
     table = toml::parse(*content);

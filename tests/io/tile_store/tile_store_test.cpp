@@ -243,6 +243,9 @@ TEST_F(TileStoreTest, RefusesWhatIsNoStore) {
   with("version = 2\ncolumns = 6000\nrows = 300", "levels");
   with("version = 2\nrows = 300", "columns");
   with("version = = 1", "TOML");
+  std::string deep = "a";
+  for (int i = 0; i < 40'000; ++i) deep += ".a";
+  with("[" + deep + "]", "in one another");
   const auto with_range = [&](const std::string& lowest, const std::string& highest,
                               const std::string& part) {
     std::string changed = text;
