@@ -47,13 +47,7 @@ SourceHeights read_exr_heights(const std::filesystem::path& path, const HeightMa
   source.format = "OpenEXR";
   source.sample_type = "channel " + channel.name;
   const HeightScale scale{options.vertical_scale, options.offset_m};
-  for (const float value : channel.values) {
-    if (is_nodata(value, options.nodata)) {
-      append_void(source);
-    } else {
-      append_height(path, source, scale.to_metres(value));
-    }
-  }
+  for (const float value : channel.values) append_sample(path, source, value, scale, options.nodata);
   return source;
 }
 

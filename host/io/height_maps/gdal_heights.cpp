@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/io/height_maps/ascii_grid_check.h"
 #include "host/io/height_maps/elevation_rgb.h"
 #include "host/io/height_maps/gdal_session.h"
 #include "host/io/height_maps/raster_file.h"
@@ -52,6 +53,7 @@ class Raster {
   int bands() const { return GDALGetRasterCount(handle()); }
   GDALRasterBandH band(int number) const { return GDALGetRasterBand(handle(), number); }
   const std::filesystem::path& path() const { return path_; }
+  bool is_ascii_grid() const { return driver() == "AAIGrid" || driver() == "GRASSASCIIGrid"; }
 
   /// Rows first ... first + count of a band, as `type`.
   template <typename Sample>
@@ -75,9 +77,9 @@ class Raster {
   }
   /// Whether it is one in whose first part GDAL has found no decimal point.
   bool is_integer_ascii_grid() const {
-    const std::string_view driver = GDALGetDriverShortName(GDALGetDatasetDriver(handle()));
-    return driver == "AAIGrid" && bands() == 1 && GDALGetRasterDataType(band(1)) == GDT_Int32;
+    return driver() == "AAIGrid" && bands() == 1 && GDALGetRasterDataType(band(1)) == GDT_Int32;
   }
+  std::string_view driver() const { return GDALGetDriverShortName(GDALGetDatasetDriver(handle())); }
 
   std::filesystem::path path_;
   FileTrust trust_;
@@ -198,6 +200,7 @@ void read_plain(const Raster& raster, const HeightMapOptions& options, SourceHei
   constexpr double srtm_void = -32768.0;
   const bool may_be_srtm = has_nodata == 0 && GDALGetRasterDataType(band) == GDT_Int16;
   const bool has_mask = (GDALGetMaskFlags(band) & GMF_ALL_VALID) == 0;
+  source.declares_voids = has_nodata != 0 || has_mask;
   std::vector<double> samples;
   std::vector<std::uint8_t> mask;
   for_each_row_block(raster, [&](int first, int count) {
@@ -206,11 +209,10 @@ void read_plain(const Raster& raster, const HeightMapOptions& options, SourceHei
       raster.read(GDALGetMaskBand(band), first, count, GDT_Byte, mask);
     }
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      if ((has_mask && mask[i] == 0) || is_nodata(samples[i], options.nodata) ||
-          (may_be_srtm && samples[i] == srtm_void)) {
+      if ((has_mask && mask[i] == 0) || (may_be_srtm && samples[i] == srtm_void)) {
         append_void(source);
       } else {
-        append_height(raster.path(), source, scale.to_metres(samples[i]));
+        append_sample(raster.path(), source, samples[i], scale, options.nodata);
       }
     }
     hand_over_rows(source);
@@ -283,6 +285,10 @@ SourceHeights read_gdal_heights(const std::filesystem::path& path, const HeightM
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a raster of heights, found none in it", path.string()),
                 "if it holds several, name one as a file of its own");
+  }
+  if (raster.is_ascii_grid()) {
+    check_ascii_grid(path,
+                     static_cast<std::size_t>(raster.columns()) * static_cast<std::size_t>(raster.rows()));
   }
   SourceHeights source = begin_heights(path, raster.columns(), raster.rows(), taker);
   source.georeference = georeference_of(raster);

@@ -119,11 +119,7 @@ SourceHeights read_raw_heights(const std::filesystem::path& path, const HeightMa
     }
     for (std::size_t at = 0; at < row.size(); at += sample_bytes) {
       const double sample = sample_of(&row[at], type, options.raw_byte_order);
-      if (is_nodata(sample, options.nodata)) {
-        append_void(source);
-      } else {
-        append_height(path, source, scale.to_metres(sample));
-      }
+      append_sample(path, source, sample, scale, options.nodata);
     }
     hand_over_rows(source);
   }

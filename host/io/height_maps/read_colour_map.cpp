@@ -201,10 +201,13 @@ Pixels brought_into(const std::string& wanted, Pixels pixels, const std::string&
   GDALDatasetH handle = source.get();
   const Dataset warped(GDALWarp("", nullptr, 1, &handle, options.get(), nullptr));
   if (!warped) fail();
-  Pixels result{.columns = GDALGetRasterXSize(warped.get()), .rows = GDALGetRasterYSize(warped.get())};
+  Pixels result{.columns = GDALGetRasterXSize(warped.get()),
+                .rows = GDALGetRasterYSize(warped.get()),
+                .rgba = {},
+                .corner = Corner{}};
   require_size(path, result.columns, result.rows);
   result.rgba.resize(4 * static_cast<std::size_t>(result.columns) * static_cast<std::size_t>(result.rows));
-  if (GDALGetGeoTransform(warped.get(), result.corner.emplace().data()) != CE_None ||
+  if (GDALGetGeoTransform(warped.get(), result.corner->data()) != CE_None ||
       GDALDatasetRasterIOEx(warped.get(), GF_Read, 0, 0, result.columns, result.rows, result.rgba.data(),
                             result.columns, result.rows, GDT_Byte, 4, nullptr, 4,
                             4 * GSpacing{result.columns}, 1, nullptr) != CE_None) {

@@ -10,6 +10,7 @@
 #include <spdlog/spdlog.h>
 
 #include "host/base/error.h"
+#include "host/base/error_report.h"
 #include "host/io/height_maps/exr_heights.h"
 #include "host/io/height_maps/gdal_heights.h"
 #include "host/io/height_maps/ground_spacing.h"
@@ -58,8 +59,8 @@ void check_options(const std::filesystem::path& path, const HeightMapOptions& op
   }
 }
 
-SourceHeights read_source(const std::filesystem::path& path, const HeightMapOptions& options,
-                          const height_maps::RowTaker& taker = {}) {
+SourceHeights read_any(const std::filesystem::path& path, const HeightMapOptions& options,
+                       const height_maps::RowTaker& taker) {
   if (height_maps::is_raw_name(path)) {
     return height_maps::read_raw_heights(path, options, taker);
   }
@@ -71,6 +72,20 @@ SourceHeights read_source(const std::filesystem::path& path, const HeightMapOpti
   source.taker = taker;
   if (taker.begin) taker.begin(source);
   height_maps::hand_over_rows(source);
+  return source;
+}
+
+SourceHeights read_source(const std::filesystem::path& path, const HeightMapOptions& options,
+                          const height_maps::RowTaker& taker = {}) {
+  SourceHeights source = read_any(path, options, taker);
+  if (source.likely_voids > 0 && !source.declares_voids && !options.nodata) {
+    spdlog::warn(
+        "{}: {} post{} of {:g} m, which often marks voids, and the file does not say so: if they are voids, "
+        "give "
+        "--nodata {:g}, in a scene nodata = {:g}",
+        one_line(path.string()), source.likely_voids, source.likely_voids == 1 ? "" : "s", source.likely_void,
+        source.likely_void, source.likely_void);
+  }
   return source;
 }
 
@@ -114,6 +129,13 @@ std::pair<double, double> spacing_of_degrees(const std::filesystem::path& path, 
     return height_maps::degree_length(std::clamp(latitude_deg, -90.0, 90.0), units.equatorial_radius_m,
                                       units.flattening);
   };
+  constexpr double rounding_deg = 1e-6;
+  if (std::max(std::abs(north_deg), std::abs(south_deg)) > 90.0 + rounding_deg) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected latitudes within 90 degrees, found {:.6g} to {:.6g}",
+                            one_line(path.string()), south_deg, north_deg),
+                "repair the header, as with gdal_edit.py -a_ullr, or state the spacing: --spacing-m 30");
+  }
   const height_maps::DegreeLength middle = length_at(0.5 * (north_deg + south_deg));
   const double worst = std::max(std::abs(length_at(north_deg).east_m - middle.east_m),
                                 std::abs(length_at(south_deg).east_m - middle.east_m)) /
@@ -156,6 +178,18 @@ void settle_spacing(const std::filesystem::path& path, const SourceHeights& sour
       file.source.spacing_source =
           options.reproject_to.empty() ? SpacingSource::file : SpacingSource::reprojected;
     }
+  }
+  const auto check_spacing = [&](double spacing_m) {
+    if (spacing_m >= least_spacing_m && spacing_m <= 10.0 * most_spacing_m) return;
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a spacing of posts within {:g} ... {:g} m, found {:g} m in its "
+                            "georeference",
+                            one_line(path.string()), least_spacing_m, 10.0 * most_spacing_m, spacing_m),
+                "repair the header, as with gdal_edit.py -tr 30 30, or state the spacing: --spacing-m 30");
+  };
+  if (source.georeference && !is_stated) {
+    check_spacing(map.spacing_x_m);
+    check_spacing(map.spacing_z_m);
   }
   if (options.spacing_x_m || options.spacing_z_m) {
     map.spacing_x_m = options.spacing_x_m.value_or(map.spacing_x_m);

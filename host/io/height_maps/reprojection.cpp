@@ -132,7 +132,7 @@ std::optional<GeographicPlace> geographic_place(const std::string& coordinate_sy
   }
   const bool is_there = OCTTransform(way, 1, &x, &y, nullptr) != 0 && std::isfinite(x) && std::isfinite(y);
   OCTDestroyCoordinateTransformation(way);
-  return is_there ? std::optional(GeographicPlace{y, x}) : std::nullopt;
+  return is_there && std::abs(y) <= 90.0 ? std::optional(GeographicPlace{y, x}) : std::nullopt;
 }
 
 SourceHeights reproject(const std::filesystem::path& path, const SourceHeights& source,

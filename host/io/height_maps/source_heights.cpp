@@ -96,8 +96,18 @@ void append_height(const std::filesystem::path& path, SourceHeights& source, flo
   source.is_void.push_back(0);
 }
 
-bool is_nodata(double sample, const std::optional<double>& nodata) {
-  return nodata && (sample == *nodata || (std::isnan(sample) && std::isnan(*nodata)));
+void append_sample(const std::filesystem::path& path, SourceHeights& source, double sample,
+                   const HeightScale& scale, const std::optional<double>& nodata) {
+  if (nodata && (sample == *nodata || (std::isnan(sample) && std::isnan(*nodata)))) {
+    append_void(source);
+    return;
+  }
+  // Of ESRI and of SRTM.
+  if (sample == -9999.0 || sample == -32768.0) {
+    source.likely_void = sample;
+    ++source.likely_voids;
+  }
+  append_height(path, source, scale.to_metres(sample));
 }
 
 }  // namespace offing::height_maps

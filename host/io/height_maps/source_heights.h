@@ -32,6 +32,9 @@ struct SourceHeights {
   SampleExtent sample_extent = SampleExtent::unknown;
   RowTaker taker;
   std::size_t posts_taken = 0;
+  bool declares_voids = false;   ///< the file says what marks them
+  double likely_void = 0.0;      ///< a sample that often marks voids, and was taken for a height
+  std::size_t likely_voids = 0;  ///< how many posts have such a sample
 };
 
 /// The farthest from 0 m that a height may be: rays are exact up to there.
@@ -62,7 +65,9 @@ inline void append_void(SourceHeights& source) {
   source.is_void.push_back(1);
 }
 
-/// Whether a sample equals the value that marks voids; NaN equals NaN.
-bool is_nodata(double sample, const std::optional<double>& nodata);
+/// Adds the next post: a void where the sample equals `nodata` (NaN equals NaN), else its height. Throws as
+/// append_height().
+void append_sample(const std::filesystem::path& path, SourceHeights& source, double sample,
+                   const HeightScale& scale, const std::optional<double>& nodata);
 
 }  // namespace offing::height_maps

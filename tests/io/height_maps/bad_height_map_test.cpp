@@ -10,6 +10,7 @@
 #include "host/io/height_maps/read_height_map.h"
 #include "tests/io/height_maps/raster_writer.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/ocl/log_capture.h"
 
 namespace offing {
 namespace {
@@ -127,10 +128,70 @@ TEST_F(BadHeightMap, DegreesThatOneSpacingDoesNotSuit) {
 // Fails if what is no number among whole ones is read as 0.
 TEST_F(BadHeightMap, NotANumberAmongIntegers) {
   for (const char* bad : {"nan", "inf"}) {
-    std::ofstream(path("grid.asc"))
-        << "ncols 2\nnrows 2\nxllcenter 7000\nyllcenter 45000\ncellsize 10\n1 2\n" << bad << " 4\n";
+    std::ofstream(path("grid.asc")) << "ncols 2\nnrows 2\nxllcenter 7000\nyllcenter 45000\ncellsize 10\n1 2\n"
+                                    << bad << " 4\n";
     expect_error(path("grid.asc"), ErrorKind::bad_input, "finite");
   }
+}
+
+// Fails if what is missing or no number is read as 0 m, or its line is not said; or if a way of writing
+// numbers that GDAL reads is refused.
+TEST_F(BadHeightMap, AnAsciiGridWithoutAllItsHeights) {
+  const std::string header = "ncols 2\nnrows 2\nxllcenter 7000\nyllcenter 45000\ncellsize 10\n";
+  const auto write = [&](const std::string& content) {
+    std::ofstream(path("grid.asc")) << header << content;
+    return path("grid.asc");
+  };
+  expect_error(write("1 2\n3\n"), ErrorKind::bad_input, "grid.asc:7: expected 4 heights, found 3");
+  expect_error(write("1.5 2\n3 \n"), ErrorKind::bad_input, "grid.asc:7: expected 4 heights, found 3");
+  expect_error(write("1 2\n3 x\n"), ErrorKind::bad_input,
+               "grid.asc:7: expected 4 heights, found \"x\" after 3");
+  expect_error(write("1 2\n\n4m 3\n"), ErrorKind::bad_input, "grid.asc:8: expected 4 heights, found \"4m\"");
+  EXPECT_EQ(read_height_map(write("1 2\n3 4")).map.heights_m.back(), 4.0f);
+  EXPECT_EQ(read_height_map(write("+1e0 2.5 -3\r\n4.\r\n")).map.heights_m.back(), 4.0f);
+}
+
+// Fails if a georeference that no map can have is taken.
+TEST_F(BadHeightMap, AGeoreferenceThatCannotBe) {
+  Raster raster = in_metres(5, 4);
+  raster.geotransform = {500000.0, 1e-13, 0.0, 6400000.0, 0.0, -1e-13};
+  write_raster(path("dense.tif"), "GTiff", raster);
+  expect_error(path("dense.tif"), ErrorKind::bad_input, "spacing of posts within 0.001");
+  raster.geotransform = {7.0, 0.01, 0.0, 95.0, 0.0, -0.01};
+  raster.coordinate_system = "EPSG:4326";
+  write_raster(path("pole.tif"), "GTiff", raster);
+  expect_error(path("pole.tif"), ErrorKind::bad_input, "latitudes within 90 degrees, found 94.965 to 94.995");
+  HeightMapOptions options;
+  options.spacing_x_m = options.spacing_z_m = 30.0;
+  const HeightMapFile file = read_height_map(path("pole.tif"), options);
+  EXPECT_EQ(file.map.spacing_x_m, 30.0);
+  EXPECT_FALSE(file.source.centre_latitude_deg);
+}
+
+// Fails if samples that often mark voids are taken for heights without a warning, or with one though the file
+// or the caller has said what they are.
+TEST_F(BadHeightMap, SamplesThatOftenMarkVoids) {
+  const auto warning = [&](const Raster& raster, const HeightMapOptions& options = {}) {
+    write_raster(path("map.tif"), "GTiff", raster);
+    const test::LogCapture log;
+    read_height_map(path("map.tif"), options);
+    return log.text();
+  };
+  Raster raster = in_metres(5, 4);
+  EXPECT_EQ(warning(raster), "");
+  raster.bands[0][7] = raster.bands[0][9] = -9999.0;
+  EXPECT_THAT(warning(raster), HasSubstr("2 posts of -9999 m"));
+  EXPECT_THAT(warning(raster), HasSubstr("--nodata -9999"));
+  HeightMapOptions options;
+  options.nodata = -9999.0;
+  EXPECT_EQ(warning(raster, options), "");
+  raster.nodata = -1.0;
+  EXPECT_EQ(warning(raster), "");
+  raster.nodata.reset();
+  raster.bands[0][7] = raster.bands[0][9] = -32768.0;
+  EXPECT_THAT(warning(raster), HasSubstr("--nodata -32768"));
+  raster.type = "Int16";  // as SRTM has it
+  EXPECT_EQ(warning(raster), "");
 }
 
 TEST_F(BadHeightMap, MetresOrDegrees) {

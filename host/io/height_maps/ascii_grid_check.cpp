@@ -1,0 +1,94 @@
+#include "host/io/height_maps/ascii_grid_check.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/error_report.h"
+
+namespace offing::height_maps {
+namespace {
+
+bool is_space(int letter) {
+  return std::isspace(letter) != 0;
+}
+
+/// As GDAL reads them: "1.5", "1,5", "+2", "nan", "1.#QNAN", and what marks voids.
+bool is_height(std::string word) {
+  std::ranges::replace(word, ',', '.');
+  if (word.starts_with('+')) word.erase(0, 1);
+  if (word == "*" || word == "null" || word.find(".#") != std::string::npos) return true;
+  double value = 0.0;
+  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return status != std::errc::invalid_argument && end == word.data() + word.size();
+}
+
+/// Words of a file with their lines.
+class Words {
+ public:
+  explicit Words(const std::filesystem::path& path) : file_(path, std::ios::binary) {}
+
+  /// False at the end.
+  bool next() {
+    word_.clear();
+    int letter = get();
+    while (letter >= 0 && is_space(letter)) letter = get();
+    constexpr std::size_t longest = 128;  // of a number
+    for (; letter >= 0 && !is_space(letter); letter = get()) {
+      if (word_.size() < longest) word_ += static_cast<char>(letter);
+    }
+    ends_line_ = letter < 0 || letter == '\n';
+    if (word_.empty()) return false;
+    line_of_word_ = line_ - (letter == '\n' ? 1 : 0);
+    return true;
+  }
+  void skip_line() {
+    for (int letter = ends_line_ ? '\n' : get(); letter >= 0 && letter != '\n';) letter = get();
+  }
+
+  const std::string& word() const { return word_; }
+  std::size_t line() const { return line_of_word_; }
+
+ private:
+  int get() {
+    const int letter = file_.rdbuf()->sbumpc();
+    if (letter == '\n') ++line_;
+    return letter;
+  }
+
+  std::ifstream file_;
+  std::string word_;
+  std::size_t line_ = 1, line_of_word_ = 1;
+  bool ends_line_ = false;
+};
+
+}  // namespace
+
+void check_ascii_grid(const std::filesystem::path& path, std::size_t heights) {
+  Words words(path);
+  bool is_there = words.next();
+  // The header: "ncols 4", "north: 4928000".
+  while (is_there && std::isalpha(static_cast<unsigned char>(words.word().front())) != 0 &&
+         !is_height(words.word())) {
+    words.skip_line();
+    is_there = words.next();
+  }
+  const auto refuse = [&](const std::string& what) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}:{}: expected {} heights, found {}", one_line(path.string()), words.line(),
+                            heights, what),
+                "the file is cut short or has been edited: copy it again, or write the nodata value there");
+  };
+  for (std::size_t i = 0; i < heights; ++i, is_there = words.next()) {
+    if (!is_there) refuse(fmt::format("{}", i));
+    if (!is_height(words.word())) refuse(fmt::format("\"{}\" after {} of them", printable(words.word()), i));
+  }
+}
+
+}  // namespace offing::height_maps
