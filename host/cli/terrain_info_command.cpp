@@ -27,6 +27,8 @@ const char* name_of(SpacingSource source) {
       return "file";
     case SpacingSource::latitude:
       return "latitude";
+    case SpacingSource::mercator:
+      return "mercator";
     case SpacingSource::reprojected:
       return "reprojected";
     case SpacingSource::options:
@@ -37,12 +39,15 @@ const char* name_of(SpacingSource source) {
   return "";
 }
 
-const char* explanation(SpacingSource source) {
-  switch (source) {
+std::string explanation(const HeightMapSource& source) {
+  switch (source.spacing_source) {
     case SpacingSource::file:
       return "as the file says";
     case SpacingSource::latitude:
       return "degrees, in metres at the latitude of the middle row";
+    case SpacingSource::mercator:
+      return fmt::format("as the file says, divided by the scale {:.5g} of Mercator at the middle row",
+                         source.projection_scale);
     case SpacingSource::reprojected:
       return "resampled to metres";
     case SpacingSource::options:
@@ -76,6 +81,7 @@ nlohmann::ordered_json to_json(const TerrainInfoArguments& arguments, const Heig
                                  {"spacing_x_m", map.spacing_x_m},
                                  {"spacing_z_m", map.spacing_z_m},
                                  {"spacing_source", name_of(source.spacing_source)},
+                                 {"projection_scale", source.projection_scale},
                                  {"extent_x_m", map.spacing_x_m * (map.columns - 1)},
                                  {"extent_z_m", map.spacing_z_m * (map.rows - 1)},
                                  {"lowest_m", source.lowest_m},
@@ -105,7 +111,7 @@ void print_text(const TerrainInfoArguments& arguments, const HeightMapOptions& o
   fmt::print("{}: {}, {}\n", one_line(arguments.input.file()), source.format, source.sample_type);
   line("posts", fmt::format("{} x {}", map.columns, map.rows));
   line("spacing", fmt::format("{:.6g} m along x, {:.6g} m along z ({})", map.spacing_x_m, map.spacing_z_m,
-                              explanation(source.spacing_source)));
+                              explanation(source)));
   line("extent", fmt::format("{:.6g} m x {:.6g} m", map.spacing_x_m * (map.columns - 1),
                              map.spacing_z_m * (map.rows - 1)));
   line("heights", fmt::format("{:g} ... {:g} m", source.lowest_m, source.highest_m));

@@ -54,6 +54,23 @@ TEST_F(TerrainInfo, TellsPeople) {
   EXPECT_THAT(result.output, HasSubstr("1 post, 0.00025 km^2, filled from the posts around them"));
 }
 
+// Fails if a person is not told that metres of Web Mercator are not those of the ground: at 60 degrees they
+// are twice as long.
+TEST_F(TerrainInfo, TellsTheScaleOfMercator) {
+  std::ofstream(file()) << "ncols 2\nnrows 2\nxllcenter 0\nyllcenter 8399725\ncellsize 26\n1 2\n3 4\n";
+  std::ofstream((folder_.path() / "grid.prj").string())
+      << "PROJCS[\"WGS_1984_Web_Mercator_Auxiliary_Sphere\",GEOGCS[\"GCS_WGS_1984\",DATUM[\"D_WGS_1984\","
+         "SPHEROID[\"WGS_1984\",6378137.0,298.257223563]],PRIMEM[\"Greenwich\",0.0],UNIT[\"Degree\","
+         "0.0174532925199433]],PROJECTION[\"Mercator_Auxiliary_Sphere\"],PARAMETER[\"False_Easting\",0.0],"
+         "PARAMETER[\"False_Northing\",0.0],PARAMETER[\"Central_Meridian\",0.0],PARAMETER[\"Standard_"
+         "Parallel_1\","
+         "0.0],PARAMETER[\"Auxiliary_Sphere_Type\",0.0],UNIT[\"Meter\",1.0]]";
+  const ProgramResult result = run_offing({"terrain", "info", file()});
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("13.0328 m along x"));
+  EXPECT_THAT(result.output, HasSubstr("divided by the scale 1.995 of Mercator at the middle row"));
+}
+
 // Fails if a bad file or flag is no error of usage or input with its two lines.
 TEST_F(TerrainInfo, RefusesWithAHint) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{folder_.path().string()},

@@ -2,6 +2,8 @@
 
 namespace offing::height_maps {
 
+inline constexpr double wgs84_radius_m = 6378137.0, wgs84_flattening = 1.0 / 298.257223563;
+
 /// Length of a degree on the ground.
 struct DegreeLength {
   double east_m = 0.0;   ///< along the parallel

@@ -113,44 +113,87 @@ height_maps::CoordinateUnits units_of(const std::filesystem::path& path, const S
   }
   height_maps::CoordinateUnits units;
   units.is_geographic = wanted == HorizontalUnit::degree;
-  // WGS 84.
-  units.equatorial_radius_m = 6378137.0;
-  units.flattening = 1.0 / 298.257223563;
+  units.equatorial_radius_m = height_maps::wgs84_radius_m;
+  units.flattening = height_maps::wgs84_flattening;
   return units;
 }
 
-/// Spacing of a geographic map at its middle latitude, where one spacing will do for the whole of it.
+/// Throws Error(bad_input) where one spacing along x will not do for the whole of a map.
+void require_one_spacing(const std::filesystem::path& path, const char* units, double south_deg,
+                         double north_deg, double worst) {
+  constexpr double most = 0.05;
+  if (worst <= most) return;
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: in {} from {:.4g} to {:.4g} N, where the spacing along x changes by {:.0f} %, "
+                          "expected at most {:.0f} %",
+                          one_line(path.string()), units, south_deg, north_deg, 100.0 * worst, 100.0 * most),
+              "resample it to metres with --reproject utm or --reproject EPSG:CODE, or cut out a part");
+}
+
+/// Spacing of a geographic map at its middle latitude.
 std::pair<double, double> spacing_of_degrees(const std::filesystem::path& path, const SourceHeights& source,
                                              const height_maps::CoordinateUnits& units) {
   const Georeference& place = *source.georeference;
   const double north_deg = place.origin_y * units.degrees_a_unit;
   const double south_deg = north_deg + place.step_y * units.degrees_a_unit * (source.rows - 1);
-  const auto length_at = [&](double latitude_deg) {
-    return height_maps::degree_length(std::clamp(latitude_deg, -90.0, 90.0), units.equatorial_radius_m,
-                                      units.flattening);
-  };
   constexpr double rounding_deg = 1e-6;
-  if (std::max(std::abs(north_deg), std::abs(south_deg)) > 90.0 + rounding_deg) {
+  if (!(std::max(std::abs(north_deg), std::abs(south_deg)) <= 90.0 + rounding_deg)) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected latitudes within 90 degrees, found {:.6g} to {:.6g}",
                             one_line(path.string()), south_deg, north_deg),
                 "repair the header, as with gdal_edit.py -a_ullr, or state the spacing: --spacing-m 30");
   }
+  const auto length_at = [&](double latitude_deg) {
+    return height_maps::degree_length(std::clamp(latitude_deg, -90.0, 90.0), units.equatorial_radius_m,
+                                      units.flattening);
+  };
   const height_maps::DegreeLength middle = length_at(0.5 * (north_deg + south_deg));
-  const double worst = std::max(std::abs(length_at(north_deg).east_m - middle.east_m),
-                                std::abs(length_at(south_deg).east_m - middle.east_m)) /
-                       middle.east_m;
-  constexpr double most = 0.05;
-  if (!(worst <= most)) {
-    throw Error(
-        ErrorKind::bad_input,
-        fmt::format("{}: in degrees from {:.4g} to {:.4g} N, where the spacing along x changes by {:.0f} %, "
-                    "expected at most {:.0f} %",
-                    path.string(), south_deg, north_deg, 100.0 * worst, 100.0 * most),
-        "resample it to metres with --reproject utm or --reproject EPSG:CODE, or cut out a part");
-  }
+  require_one_spacing(path, "degrees", south_deg, north_deg,
+                      std::max(std::abs(length_at(north_deg).east_m - middle.east_m),
+                               std::abs(length_at(south_deg).east_m - middle.east_m)) /
+                          middle.east_m);
   return {place.step_x * units.degrees_a_unit * middle.east_m,
           -place.step_y * units.degrees_a_unit * middle.north_m};
+}
+
+/// Metres on the ground between two columns, and two rows, of a map in Mercator.
+struct GroundStep {
+  double east_m = 0.0, south_m = 0.0, latitude_deg = 0.0;
+};
+
+GroundStep ground_step(const std::filesystem::path& path, const SourceHeights& source, double row) {
+  const Georeference& place = *source.georeference;
+  const double column = 0.5 * (source.columns - 1);
+  const auto at = [&](double of_column, double of_row) {
+    const auto found =
+        height_maps::geographic_place(place.coordinate_system, place.origin_x + place.step_x * of_column,
+                                      place.origin_y + place.step_y * of_row);
+    if (found) return *found;
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: expected a map in Mercator, found coordinates that have no place on the earth",
+                    one_line(path.string())),
+        "repair the header, as with gdal_edit.py -a_ullr, or state the spacing: --spacing-m 30");
+  };
+  const height_maps::GeographicPlace middle = at(column, row);
+  const height_maps::DegreeLength degree = height_maps::degree_length(
+      middle.latitude_deg, height_maps::wgs84_radius_m, height_maps::wgs84_flattening);
+  const double east_deg = at(column + 0.5, row).longitude_deg - at(column - 0.5, row).longitude_deg;
+  const double south_deg = at(column, row - 0.5).latitude_deg - at(column, row + 0.5).latitude_deg;
+  return {east_deg * degree.east_m, south_deg * degree.north_m, middle.latitude_deg};
+}
+
+/// Spacing of a map in Mercator on the ground of its middle row.
+std::pair<double, double> spacing_of_mercator(const std::filesystem::path& path,
+                                              const SourceHeights& source) {
+  const GroundStep north = ground_step(path, source, 0.0),
+                   south = ground_step(path, source, source.rows - 1.0),
+                   middle = ground_step(path, source, 0.5 * (source.rows - 1));
+  require_one_spacing(
+      path, "Mercator", south.latitude_deg, north.latitude_deg,
+      std::max(std::abs(north.east_m - middle.east_m), std::abs(south.east_m - middle.east_m)) /
+          middle.east_m);
+  return {middle.east_m, middle.south_m};
 }
 
 /// Size, spacing, where it comes from, and the centre.
@@ -172,6 +215,10 @@ void settle_spacing(const std::filesystem::path& path, const SourceHeights& sour
     if (units.is_geographic) {
       std::tie(map.spacing_x_m, map.spacing_z_m) = spacing_of_degrees(path, source, units);
       file.source.spacing_source = SpacingSource::latitude;
+    } else if (units.is_mercator) {
+      std::tie(map.spacing_x_m, map.spacing_z_m) = spacing_of_mercator(path, source);
+      file.source.spacing_source = SpacingSource::mercator;
+      file.source.projection_scale = source.georeference->step_x * units.metres_a_unit / map.spacing_x_m;
     } else {
       map.spacing_x_m = source.georeference->step_x * units.metres_a_unit;
       map.spacing_z_m = -source.georeference->step_y * units.metres_a_unit;

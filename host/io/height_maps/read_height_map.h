@@ -16,6 +16,7 @@ namespace offing {
 enum class SpacingSource {
   file,         ///< the coordinate system counts in a length
   latitude,     ///< degrees, at the latitude of the middle row on the system's ellipsoid
+  mercator,     ///< the file, divided by the scale of (Web) Mercator at the middle row
   reprojected,  ///< resampled to metres on request
   options,      ///< the caller's
   assumed,      ///< nothing says it: 1 m
@@ -32,6 +33,7 @@ struct HeightMapSource {
   std::string coordinate_system;  ///< name of the system of the result; empty where there is none
   SampleExtent sample_extent = SampleExtent::unknown;
   SpacingSource spacing_source = SpacingSource::assumed;
+  double projection_scale = 1.0;  ///< metres of the file a metre along x on the ground; of Mercator alone
   std::optional<double> centre_latitude_deg, centre_longitude_deg;  ///< WGS 84
   std::size_t void_posts = 0;
   double void_area_m2 = 0.0;                ///< void_posts times the area of a cell
@@ -49,8 +51,9 @@ struct HeightMapFile {
 ///
 /// A post stands at the centre of its sample, whether the file says pixel-is-area or pixel-is-point. Rows are
 /// put in order from north to south. Heights in feet become metres. Degrees become metres at the latitude of
-/// the middle row, unless reproject_to asks for a resampled grid; they are refused where one spacing would be
-/// wrong by more than 5 % at the northern or southern edge.
+/// the middle row, unless reproject_to asks for a resampled grid, and those of Mercator become metres of the
+/// ground there; they are refused where one spacing would be wrong by more than 5 % at the northern or
+/// southern edge.
 ///
 /// Voids (nodata values, masks, transparent pixels, and -32768 in 16-bit files that name no nodata value) are
 /// marked in is_void and filled by void_fill.h, or with void_height_m.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <cpl_string.h>
 #include <fmt/format.h>
@@ -116,6 +117,9 @@ CoordinateUnits coordinate_units(const std::filesystem::path& path, const std::s
     units.flattening = inverse > 0.0 ? 1.0 / inverse : 0.0;
   } else {
     units.metres_a_unit = OSRGetLinearUnits(reference.get(), nullptr);
+    const char* const projection = OSRGetAttrValue(reference.get(), "PROJECTION", 0);
+    const std::string_view method = projection == nullptr ? "" : projection;
+    units.is_mercator = method.starts_with("Mercator") || method == "Popular_Visualisation_Pseudo_Mercator";
   }
   return units;
 }

@@ -16,8 +16,9 @@ struct GeographicPlace {
 struct CoordinateUnits {
   std::string name;
   bool is_geographic = false;
-  double metres_a_unit = 1.0;                          ///< of others than geographic ones
-  double degrees_a_unit = 1.0;                         ///< of geographic ones
+  bool is_mercator = false;     ///< Web Mercator too: its metres are longer than those of the ground
+  double metres_a_unit = 1.0;   ///< of others than geographic ones
+  double degrees_a_unit = 1.0;  ///< of geographic ones
   double equatorial_radius_m = 0.0, flattening = 0.0;  ///< of geographic ones
 };
 

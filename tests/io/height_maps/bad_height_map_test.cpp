@@ -125,6 +125,14 @@ TEST_F(BadHeightMap, DegreesThatOneSpacingDoesNotSuit) {
   expect_error(path("wide.tif"), ErrorKind::bad_input, "spacing along x changes by");
 }
 
+TEST_F(BadHeightMap, MercatorThatOneSpacingDoesNotSuit) {
+  Raster raster = in_metres(50, 50);
+  raster.geotransform = {0.0, 1e5, 0.0, 9e6, 0.0, -1e5};
+  raster.coordinate_system = "EPSG:3857";
+  write_raster(path("wide.tif"), "GTiff", raster);
+  expect_error(path("wide.tif"), ErrorKind::bad_input, "in Mercator from");
+}
+
 // Fails if what is no number among whole ones is read as 0.
 TEST_F(BadHeightMap, NotANumberAmongIntegers) {
   for (const char* bad : {"nan", "inf"}) {

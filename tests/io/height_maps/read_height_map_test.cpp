@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <string_view>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -68,6 +69,38 @@ TEST_F(ReadHeightMap, GeoTiffOfAreas) {
   EXPECT_EQ(file.source.spacing_source, SpacingSource::file);
   EXPECT_THAT(file.source.coordinate_system, ::testing::HasSubstr("UTM zone 19S"));
   EXPECT_TRUE(file.map.is_void.empty());
+}
+
+// Fails if metres of Mercator are taken for metres on the ground. Expected is the scale of the sphere that
+// Web Mercator uses over the radii of WGS 84 (Snyder 1987, Map Projections, pages 24 and 41), from other
+// formulae than the reader's.
+TEST_F(ReadHeightMap, MetresOfMercatorAreLongerThanThoseOfTheGround) {
+  struct Case {
+    const char* system;
+    double latitude_deg;
+  };
+  for (const auto& [system, latitude_deg] :
+       {Case{"EPSG:3857", 0.0}, Case{"EPSG:3857", 32.0}, Case{"EPSG:3857", -60.0}, Case{"EPSG:3395", 60.0}}) {
+    constexpr double radius_m = 6378137.0, eccentricity2 = 0.00669437999014, degree = 0.017453292519943295;
+    const double latitude = latitude_deg * degree, sine = std::sin(latitude);
+    const double w2 = 1.0 - eccentricity2 * sine * sine;
+    const bool is_web = std::string_view(system) == "EPSG:3857";
+    const double eccentricity = is_web ? 0.0 : std::sqrt(eccentricity2);
+    const double y_m = radius_m * (std::atanh(sine) - eccentricity * std::atanh(eccentricity * sine));
+    // Along the parallel; along the meridian: that of a sphere over that of the ellipsoid, or the same.
+    const double scale_x = std::sqrt(w2) / std::cos(latitude);
+    const double scale_z =
+        is_web ? w2 * std::sqrt(w2) / ((1.0 - eccentricity2) * std::cos(latitude)) : scale_x;
+    Raster raster = in_metres(5, 4);
+    raster.geotransform = {1e6, 20.0, 0.0, y_m + 60.0, 0.0, -30.0};
+    raster.coordinate_system = system;
+    write_raster(path("mercator.tif"), "GTiff", raster);
+    const HeightMapFile file = read_height_map(path("mercator.tif"));
+    EXPECT_NEAR(file.map.spacing_x_m * scale_x, 20.0, 1e-6) << system << " " << latitude_deg;
+    EXPECT_NEAR(file.map.spacing_z_m * scale_z, 30.0, 1e-6) << system << " " << latitude_deg;
+    EXPECT_NEAR(file.source.projection_scale, scale_x, 1e-6);
+    EXPECT_EQ(file.source.spacing_source, SpacingSource::mercator);
+  }
 }
 
 // Fails if a GeoTIFF of points is moved by half a sample: its tie point is the post itself. The writer states
