@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -45,6 +46,7 @@ class Raster {
               : "give a GeoTIFF, HGT, DEM, ASCII grid, PNG or EXR; a file without a header needs the ending "
                 ".r16, .r32, .raw or .bin; a file that is cut short must be copied again");
     }
+    cache_.emplace(handle());
   }
 
   GDALDatasetH handle() const { return dataset_.get(); }
@@ -85,6 +87,7 @@ class Raster {
   FileTrust trust_;
   GdalSession session_;
   Dataset dataset_;
+  std::optional<CacheBound> cache_;
 };
 
 /// Calls read(first, count) for all rows, so many at once that GDAL works on whole blocks and memory stays

@@ -47,6 +47,19 @@ const char* const* plain_formats() {
   return plain.data();
 }
 
+CacheBound::CacheBound(GDALDatasetH raster) : before_bytes_(GDALGetCacheMax64()) {
+  if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) != nullptr || GDALGetRasterCount(raster) == 0) return;
+  const GDALRasterBandH band = GDALGetRasterBand(raster, 1);
+  int block_columns = 0, block_rows = 0;
+  GDALGetBlockSize(band, &block_columns, &block_rows);
+  // Twice the rows of a block, of a VRT of its sources' usual ones: none is read again for the next rows.
+  const GIntBig rows = 2 * std::clamp(block_rows, 256, 4096);
+  const GIntBig row_bytes = GIntBig{GDALGetRasterXSize(raster)} * GDALGetRasterCount(raster) *
+                            GDALGetDataTypeSizeBytes(GDALGetRasterDataType(band));
+  constexpr GIntBig mebibyte = 1 << 20;
+  GDALSetCacheMax64(std::clamp(rows * row_bytes, 16 * mebibyte, 1024 * mebibyte));
+}
+
 GdalSession::GdalSession() {
   static std::once_flag once;
   std::call_once(once, register_used_drivers);

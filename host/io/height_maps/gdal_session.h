@@ -44,6 +44,19 @@ struct DestroySpatialReference {
 /// Axes in the order that pictures use: east before north.
 using SpatialReference = std::unique_ptr<void, DestroySpatialReference>;
 
+/// While it lives, GDAL's cache of blocks, 5 % of the machine's memory by itself, has room for a few hundred
+/// rows of a raster. Leaves it alone where GDAL_CACHEMAX is set.
+class CacheBound {
+ public:
+  explicit CacheBound(GDALDatasetH raster);
+  CacheBound(const CacheBound&) = delete;
+  CacheBound& operator=(const CacheBound&) = delete;
+  ~CacheBound() { GDALSetCacheMax64(before_bytes_); }
+
+ private:
+  GIntBig before_bytes_;
+};
+
 /// The system that WKT, "EPSG:n" or another text that PROJ understands stands for; null if none does. Texts
 /// that name files or servers are none.
 SpatialReference spatial_reference(const std::string& text);

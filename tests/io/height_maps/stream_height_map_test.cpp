@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <gdal.h>
 #include <gtest/gtest.h>
 
 #include "host/io/height_maps/read_height_map.h"
@@ -68,6 +69,22 @@ TEST_F(StreamHeightMap, IsTheMap) {
   EXPECT_EQ(streamed.source.centre_latitude_deg, whole.source.centre_latitude_deg);
   EXPECT_EQ(streamed.source.lowest_m, whole.source.lowest_m);
   EXPECT_EQ(streamed.source.highest_m, whole.source.highest_m);
+}
+
+// Fails if GDAL keeps more of the map than 16 MiB, which is more than some hundred of its rows: it is 17.6
+// MB.
+TEST_F(StreamHeightMap, KeepsFewRowsInMemory) {
+  test::write_raster(path("map.tif"), "GTiff", raster_at(2100, 2100, 0, 0));
+  const GIntBig usual_bytes = GDALGetCacheMax64();
+  GIntBig most_bytes = 0;
+  stream_height_map(
+      path("map.tif"), {}, [](const HeightMapFile&) {},
+      [&](std::span<const float>, std::span<const std::uint8_t>) {
+        most_bytes = std::max(most_bytes, GDALGetCacheUsed64());
+      });
+  EXPECT_GT(most_bytes, 0);
+  EXPECT_LE(most_bytes, GIntBig{16} << 20);
+  EXPECT_EQ(GDALGetCacheMax64(), usual_bytes);
 }
 
 // Four files of one map, in a folder.
