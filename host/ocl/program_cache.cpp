@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <system_error>
 #include <utility>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #define XXH_INLINE_ALL
@@ -60,6 +64,28 @@ void report_unwritable(const fs::path& folder, const std::string& reason) {
                folder.string(), reason);
 }
 
+// Drivers run what the cache holds: a folder in which another user may write is not used. Empty if it is ours
+// alone or not there yet, else what is wrong with it.
+std::string trouble_with(const fs::path& folder) {
+  struct stat status {};
+  if (stat(folder.c_str(), &status) != 0) return {};
+  if (status.st_uid != geteuid()) return "it belongs to another user";
+  if ((status.st_mode & S_IWOTH) != 0) return "every user may write in it";
+  return {};
+}
+
+// A new file that nobody else has opened, by a name with the number of this process; null if there is none.
+std::FILE* create_temporary(const fs::path& entry, fs::path& temporary) {
+  static std::atomic<unsigned> counter{0};
+  for (;;) {
+    temporary = fmt::format("{}.{}.{}.tmp", entry.string(), getpid(), counter++);
+    const int descriptor =
+        open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
+    if (descriptor >= 0) return fdopen(descriptor, "wb");
+    if (errno != EEXIST && errno != EINTR) return nullptr;
+  }
+}
+
 // Removes what killed processes left half-written. No write takes an hour, so that those of living processes
 // stay; what cannot be looked at or removed is left alone.
 void remove_stale_temporaries(const fs::path& folder) {
@@ -106,7 +132,7 @@ fs::path ProgramCache::entry_path(std::string_view identity) const {
 }
 
 std::optional<std::vector<std::uint8_t>> ProgramCache::load(std::string_view identity) const {
-  if (folder_.empty()) return std::nullopt;
+  if (folder_.empty() || !trouble_with(folder_).empty()) return std::nullopt;
   const fs::path path = entry_path(identity);
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) return std::nullopt;
@@ -129,23 +155,23 @@ std::optional<std::vector<std::uint8_t>> ProgramCache::load(std::string_view ide
 
 void ProgramCache::store(std::string_view identity, const std::vector<std::uint8_t>& binary) const {
   if (folder_.empty() || binary.empty()) return;
-  static std::atomic<unsigned> counter{0};
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) return report_unwritable(folder_, error.message());
+  if (const std::string trouble = trouble_with(folder_); !trouble.empty()) {
+    return report_unwritable(folder_, trouble);
+  }
   remove_stale_temporaries(folder_);
   const fs::path path = entry_path(identity);
-  const fs::path temporary = fmt::format("{}.{}.{}.tmp", path.string(), getpid(), counter++);
+  fs::path temporary;
+  std::FILE* const file = create_temporary(path, temporary);
+  if (file == nullptr) return report_unwritable(folder_, std::strerror(errno));
   const EntryHeader header = header_of(identity, binary);
-  {
-    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-    file.write(reinterpret_cast<const char*>(&header), sizeof header);
-    file.write(reinterpret_cast<const char*>(binary.data()), static_cast<std::streamsize>(binary.size()));
-    file.close();
-    if (!file) {
-      fs::remove(temporary, error);
-      return report_unwritable(folder_, "the file cannot be written");
-    }
+  const bool is_written = std::fwrite(&header, sizeof header, 1, file) == 1 &&
+                          std::fwrite(binary.data(), 1, binary.size(), file) == binary.size();
+  if (std::fclose(file) != 0 || !is_written) {
+    fs::remove(temporary, error);
+    return report_unwritable(folder_, "the file cannot be written");
   }
   fs::rename(temporary, path, error);
   if (error) {

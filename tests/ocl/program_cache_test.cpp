@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "host/ocl/buffer.h"
 #include "host/ocl/program.h"
@@ -129,6 +131,37 @@ TEST_F(ProgramCacheTest, SurvivesAFolderThatCannotBeMade) {
   const ProgramCache unwritable("/dev/null/cache");  // refused to root too
   EXPECT_NO_THROW(unwritable.store("identity", binary_));
   EXPECT_EQ(unwritable.load("identity"), std::nullopt);
+}
+
+// Fails if a program that another user can have put there is loaded, or one is left for them to change.
+TEST_F(ProgramCacheTest, UsesNoFolderOfOtherUsers) {
+  const fs::path folder = entry_.parent_path();
+  const auto expect_unused = [&](const char* what) {
+    EXPECT_EQ(cache_.load("identity"), std::nullopt) << what;
+    cache_.store("new", binary_);
+    EXPECT_FALSE(fs::exists(cache_.entry_path("new"))) << what;
+  };
+  fs::permissions(folder, fs::perms::others_write, fs::perm_options::add);
+  expect_unused("a folder for everybody");
+  fs::permissions(folder, fs::perms::others_write, fs::perm_options::remove);
+  EXPECT_THAT(cache_.load("identity"), Optional(binary_));
+  if (geteuid() != 0) GTEST_SKIP() << "only root can give a folder away";
+  ASSERT_EQ(chown(folder.c_str(), 65534, 65534), 0);
+  expect_unused("a folder of another user");
+}
+
+// Fails if a temporary name that somebody has prepared as a link leads the write to another file.
+TEST_F(ProgramCacheTest, WritesThroughNoLink) {
+  const fs::path victim = folder_.path() / "victim";
+  replace(victim, "mine");
+  for (int count = 0; count < 1000; ++count) {
+    fs::create_symlink(victim,
+                       cache_.entry_path("new").string() + fmt::format(".{}.{}.tmp", getpid(), count));
+  }
+  cache_.store("new", binary_);
+  EXPECT_EQ(content_of(victim), "mine");
+  EXPECT_THAT(cache_.load("new"), Optional(binary_));
+  EXPECT_FALSE(fs::is_symlink(cache_.entry_path("new")));
 }
 
 TEST_F(ProgramCacheTest, CanBeOff) {
