@@ -34,8 +34,8 @@ struct CurvatureArguments {
   bool is_unsigned = false;
   bool stats = false;
   bool json = false;
-  bool force = false;
   Trust trust = Trust::trusted;
+  Overwriting overwriting = Overwriting::refused;
 };
 
 /// What a method has no use for must not look as if it had been heeded.
@@ -116,8 +116,7 @@ void run(const CurvatureArguments& arguments, const Options& program_options) {
   if (std::filesystem::path(arguments.output).extension() != ".ply") {
     throw bad_argument("--output", "a name that ends in .ply", arguments.output, "out.ply");
   }
-  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused,
-              {arguments.input});
+  require_new(arguments.output, arguments.overwriting, {arguments.input});
   const bool has_colour = !arguments.colour.empty();
   const CurvatureColour colour = has_colour ? curvature_colour(arguments.colour) : CurvatureColour::mean;
 
@@ -194,7 +193,7 @@ void add_curvature_command(CLI::App& program, Options& options) {
       ->type_name("N");
   command->add_flag("--stats", arguments->stats, "print ranges and the check by Gauss and Bonnet");
   command->add_flag("--json", arguments->json, "all of these for scripts");
-  command->add_flag("--force", arguments->force, "replace a file that is there");
+  add_force_flag(*command, arguments->overwriting);
   add_trust_flag(*command, arguments->trust);
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(

@@ -22,7 +22,7 @@ using namespace mesh_shapes;
 struct GenerateArguments {
   std::string output;
   bool json = false;
-  bool force = false;
+  Overwriting overwriting = Overwriting::refused;
   int level = 5;
   Grid grid;
   bool random_diagonals = false;
@@ -61,11 +61,11 @@ CLI::App* add_shape(CLI::App& generate, Options& options, const std::shared_ptr<
       ->required()
       ->type_name("OUT");
   command->add_flag("--json", arguments->json, "results for scripts");
-  command->add_flag("--force", arguments->force, "replace a file that is there");
+  add_force_flag(*command, arguments->overwriting);
   add_verbosity_flags(*command, options.verbosity);
   command->callback([arguments, make] {
     require_mesh_extension(arguments->output);
-    require_new(arguments->output, arguments->force ? Overwriting::allowed : Overwriting::refused);
+    require_new(arguments->output, arguments->overwriting);
     if (arguments->random_diagonals) arguments->grid.diagonals = Diagonals::random;
     write(make(), *arguments);
   });

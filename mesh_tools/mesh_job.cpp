@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error_report.h"
-#include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/command_line/print_summary.h"
 #include "host/command_line/trust_flag.h"
@@ -17,14 +16,14 @@ void MeshJob::add_to(CLI::App& command) {
   command.add_option("-o,--output", output, "mesh to write: .ply (binary), .obj, .off, .stl")
       ->type_name("FILE")
       ->required();
-  command.add_flag("--force", force, "replace a file that is there");
+  add_force_flag(command, overwriting);
   command.add_flag("--json", json, "results for scripts");
   add_trust_flag(command, trust);
 }
 
 void MeshJob::require_output() const {
   require_mesh_extension(output);
-  require_new(output, force ? Overwriting::allowed : Overwriting::refused, {input});
+  require_new(output, overwriting, {input});
 }
 
 TriangleMesh MeshJob::read() const {

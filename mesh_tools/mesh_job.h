@@ -6,6 +6,7 @@
 #include <CLI/App.hpp>
 
 #include "host/base/triangle_mesh.h"
+#include "host/command_line/new_output.h"
 #include "host/io/file_trust.h"
 #include "host/io/meshes/mesh_file.h"
 
@@ -14,7 +15,7 @@ namespace offing::mesh_tools {
 /// What commands share that make a mesh of a mesh: `IN -o OUT [--force] [--json]`.
 struct MeshJob {
   std::string input, output;
-  bool force = false;
+  Overwriting overwriting = Overwriting::refused;
   bool json = false;
   Trust trust = Trust::trusted;
 

@@ -14,7 +14,7 @@ namespace offing::present {
 bool is_video_name(const std::filesystem::path& file);
 
 /// Throws, before any work is done, Error(bad_usage) for what is no name of a video, Error(file) where the
-/// program ffmpeg is not found or the file cannot be written.
+/// program ffmpeg is not found.
 void require_video(const std::filesystem::path& file);
 /// Throws Error(bad_usage) for a size that this video cannot have: mp4 takes even sides alone.
 void require_video_size(const std::filesystem::path& file, int width, int height);

@@ -47,7 +47,7 @@ struct Written {
   bool is_window = false;
   bool is_paused = false;
   bool prints_json = false;
-  bool may_replace = false;
+  Overwriting overwriting = Overwriting::refused;
   bool is_quiet = false;
   bool is_verbose = false;
   Trust trust = Trust::trusted;
@@ -91,7 +91,7 @@ void add_options(CLI::App& app, Written& written) {
   app.add_flag("--paused", written.is_paused, "a window stands at that time until it is let run (Space)")
       ->group(pictures);
   app.add_option("-o,--output", written.output,
-                 "picture, replaced if it is there: .png as a screen shows it, .exr scene-linear kcd/m2")
+                 "picture: .png as a screen shows it, .exr scene-linear kcd/m2")
       ->type_name("FILE")
       ->group(pictures);
   app.add_option("--record", written.record, "a picture a frame, out_%04d.png, or the video of --video")
@@ -107,6 +107,7 @@ void add_options(CLI::App& app, Written& written) {
   app.add_option("--fps", written.fps, "frame i shows time i / fps (default the scene's)")
       ->type_name("F")
       ->group(pictures);
+  add_force_flag(app, written.overwriting)->group(pictures);
   const char* reference = "Clouds beside a reference";
   app.add_flag("--compare-reference", written.compares_reference,
                "the clouds as drawn, as paths traced in double precision have them, and what differs\n"
@@ -115,7 +116,6 @@ void add_options(CLI::App& app, Written& written) {
   app.add_option("--samples", written.samples, "paths a pixel (default 32)")
       ->type_name("N")
       ->group(reference);
-  app.add_flag("--force", written.may_replace, "replace pictures of the folder")->group(reference);
   app.add_flag("--json", written.prints_json, "how much light there is, for scripts")->group(reference);
   const char* general = "General";
   app.add_option("--device", written.device,
@@ -200,9 +200,8 @@ ReferenceComparison read_comparison(const Written& written, const std::vector<st
     throw Error(ErrorKind::file, fmt::format("{}: is no folder and cannot be made one", written.output),
                 "name another folder");
   }
-  const Overwriting overwriting = written.may_replace ? Overwriting::allowed : Overwriting::refused;
   for (const char* name : {"drawn.png", "reference.png", "error.png", "compared.exr"})
-    require_new(comparison.file(name).string(), overwriting, inputs);
+    require_new(comparison.file(name).string(), written.overwriting, inputs);
   return comparison;
 }
 
@@ -223,9 +222,13 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
     refuse("--time: expected neither --record nor --video, whose frames have times of their own",
            "choose the frames with --frames A:B, or make one picture with -o");
   }
-  if (!options.comparison && (!written.samples.empty() || written.may_replace || written.prints_json)) {
-    refuse("--samples, --force, --json: expected --compare-reference, which they belong to, found none",
+  if (!options.comparison && (!written.samples.empty() || written.prints_json)) {
+    refuse("--samples, --json: expected --compare-reference, which they belong to, found none",
            "add --compare-reference, or leave them out");
+  }
+  if (written.overwriting == Overwriting::allowed && options.output.empty() && !options.recording) {
+    refuse("--force: expected -o, --record or --video, whose files it replaces, found none",
+           "leave --force out");
   }
   if (options.kept_hz && (!options.opens_window || options.recording)) {
     throw bad_argument("--keep-fps", "a window to be looked at", "pictures into files",
@@ -244,26 +247,16 @@ std::vector<std::string> inputs_of(const Written& written, const scene::OceanSce
   return inputs;
 }
 
-void require_outputs_not_read(const Written& written, const ViewOptions& options) {
+/// Throws for what may not or cannot be written, before any work is done.
+void require_outputs(const Written& written, const ViewOptions& options) {
   const std::vector<std::string> inputs = inputs_of(written, options.scene);
-  if (!options.output.empty()) require_not_read(options.output.string(), inputs);
+  if (!options.comparison) require_new(options.output.string(), written.overwriting, inputs);
   if (!options.recording) return;
   const Recording& recording = *options.recording;
-  if (!recording.video.empty()) require_not_read(recording.video.string(), inputs);
-  if (!recording.name) return;
-  for (int frame = recording.frames.first; frame <= recording.frames.last; ++frame) {
-    require_not_read(recording.name->of(frame).string(), inputs);
-  }
-}
-
-/// Throws for what cannot be written, before any work is done.
-void require_outputs(const ViewOptions& options) {
-  if (!options.output.empty() && !options.comparison) require_writable(options.output);
-  if (!options.recording) return;
-  const Recording& recording = *options.recording;
-  if (recording.name) require_writable(recording.name->of(recording.frames.first));
+  if (recording.name) require_new_frames(*recording.name, recording.frames, written.overwriting, inputs);
   if (recording.video.empty()) return;
   require_video(recording.video);
+  require_new(recording.video.string(), written.overwriting, inputs);
   // A window has as many pixels as its display gives it; its pictures are made to fit.
   const PictureSize size = options.size.value_or(PictureSize{});
   if (!options.opens_window) require_video_size(recording.video, size.width, size.height);
@@ -324,8 +317,7 @@ ViewOptions checked(const Written& written) {
                 "add -o out.png");
   }
   refuse_unused(written, options);
-  require_outputs_not_read(written, options);
-  require_outputs(options);
+  require_outputs(written, options);
   return options;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,15 @@ class FrameName {
   FrameName(std::string_view flag, std::string_view pattern, std::string_view example);
 
   std::filesystem::path of(int frame) const;
+  /// The same names below a folder, which may hold a %.
+  FrameName in(const std::filesystem::path& folder) const;
+  /// The frame whose file has this name, without its folder; none for other names, and where the number
+  /// stands in the name of a folder.
+  std::optional<int> frame_of(std::string_view file_name) const;
+  /// What file names begin with, before the number.
+  std::string prefix() const;
+  /// Whether all frames lie in one folder: the number is in the file's name.
+  bool is_one_folder() const { return after_.find('/') == std::string::npos; }
 
  private:
   std::string before_, after_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <memory>
 
 #include <CLI/Option.hpp>
@@ -16,7 +18,9 @@
 #include "host/cli/parameter_options.h"
 #include "host/cli/pictures/contact_sheet.h"
 #include "host/cli/water_left_out.h"
+#include "host/command_line/new_output.h"
 #include "host/command_line/print_summary.h"
+#include "host/io/atomic_file.h"
 #include "host/io/spectra/write_ww3_spectra.h"
 #include "host/scene/sampled_spectrum.h"
 #include "host/scene/scene_frames.h"
@@ -111,6 +115,19 @@ void warn_of_waves_beside(const scene::Sea& sea, GerstnerUse use) {
   }
 }
 
+/// A bake that resumes finds what it has exported: an equal file is left alone.
+void export_spectrum(const std::string& file, const scene::Sea& sea, Overwriting overwriting,
+                     const std::vector<std::string>& inputs) {
+  const WaveSpectrum exported = scene::sampled_spectrum(sea);
+  const std::string text = ww3_text(file, std::span(&exported, 1));
+  if (std::ifstream found(file, std::ios::binary);
+      found && std::string(std::istreambuf_iterator<char>(found), {}) == text) {
+    return;
+  }
+  require_new(file, overwriting, inputs);
+  write_file_atomically(file, text);
+}
+
 void run(const BakeArguments& arguments, const GlobalOptions& options) {
   const scene::OceanScene scene = arguments.parameters.read();
   const scene::Sea sea = scene::prepare_sea(scene);
@@ -127,10 +144,10 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
 
   const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings));
   const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), hash);
-  files.prepare_folder();
+  const std::vector<std::string> inputs = arguments.parameters.inputs(scene);
+  files.prepare_folder(inputs);
   if (!arguments.export_file.empty()) {  // after the folder: it may lie there
-    const WaveSpectrum exported = scene::sampled_spectrum(sea);
-    write_ww3_spectra(arguments.export_file, std::span(&exported, 1));
+    export_spectrum(arguments.export_file, sea, settings.overwriting, inputs);
   }
   const FrameWriter writer(sea, settings, files, hash, scene::spectrum_name(scene, sea));
   const BakeSummary summary = [&] {
@@ -185,8 +202,9 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
       "write the spectrum as WAVEWATCH III text (.spec)");
   add("--chunk", arguments->chunk, "i/n",
       "make share i of n, for n processes that share a folder (default 1/1)");
-  add_switch("--force", "replace frames of another scene, with all their files (default: refuse to mix)",
-             [&settings] { settings.foreign = ForeignFrames::replace; });
+  add_force_flag(command, settings.overwriting)
+      ->description("replace files that exist, frames of another scene with all that belongs to them")
+      ->group(group);
   command.add_flag("--json", arguments->json, "a summary for scripts")->group(group);
 }
 

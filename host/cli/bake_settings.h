@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/base/argument.h"
+#include "host/command_line/new_output.h"
 #include "host/io/exr_image.h"
 
 namespace offing::cli {
@@ -21,7 +22,6 @@ enum class MeshFormat { none, obj, ply };
 enum class PreviewUse { none, pictures };
 /// Whether the first cascade holds the Gerstner waves, or the header alone.
 enum class GerstnerUse { listed, included };
-enum class ForeignFrames { refuse, replace };
 
 /// How frames are written, and where.
 struct BakeSettings {
@@ -37,7 +37,7 @@ struct BakeSettings {
   MeshFormat mesh = MeshFormat::none;
   PreviewUse preview = PreviewUse::none;
   GerstnerUse gerstner = GerstnerUse::listed;
-  ForeignFrames foreign = ForeignFrames::refuse;
+  Overwriting overwriting = Overwriting::refused;
 
   bool has(ChannelGroup group) const { return channels.test(static_cast<std::size_t>(group)); }
   double time_s(int frame) const { return frame / frames_per_second; }

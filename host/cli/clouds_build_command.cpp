@@ -36,7 +36,7 @@ struct BuildArguments {
   std::string scene, output, cell_m, time_s, frames, frames_per_second;
   bool half = false;
   bool json = false;
-  bool force = false;
+  Overwriting overwriting = Overwriting::refused;
   Trust trust = Trust::trusted;
 };
 
@@ -46,9 +46,21 @@ struct TimedFile {
   double time_s = 0.0;
 };
 
+bool is_sequence(const BuildArguments& arguments) {
+  return arguments.output.find('%') != std::string::npos;
+}
+
+FrameName frame_name(const BuildArguments& arguments) {
+  return {"-o", arguments.output, "cloud.%04d.vdb"};
+}
+
+FrameRange frames_of(const BuildArguments& arguments, const scene::OceanScene& scene) {
+  return arguments.frames.empty() ? scene::frames_in_time_span(scene, scene.frames_per_second)
+                                  : read_frame_range("--frames", arguments.frames);
+}
+
 std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::OceanScene& scene) {
-  const bool is_sequence = arguments.output.find('%') != std::string::npos;
-  if (!is_sequence) {
+  if (!is_sequence(arguments)) {
     if (!arguments.frames.empty() || !arguments.frames_per_second.empty()) {
       throw Error(ErrorKind::bad_usage,
                   "--frames: expected a name with a place for the frame's number, found none",
@@ -62,10 +74,8 @@ std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::Oc
   if (!arguments.time_s.empty()) {
     throw Error(ErrorKind::bad_usage, "--time: expected one file, found a name for many", "use --frames");
   }
-  const FrameName name("-o", arguments.output, "cloud.%04d.vdb");
-  const FrameRange frames = arguments.frames.empty()
-                                ? scene::frames_in_time_span(scene, scene.frames_per_second)
-                                : read_frame_range("--frames", arguments.frames);
+  const FrameName name = frame_name(arguments);
+  const FrameRange frames = frames_of(arguments, scene);
   std::vector<TimedFile> files;
   for (int frame = frames.first; frame <= frames.last; ++frame) {
     files.push_back({name.of(frame).string(), frame / scene.frames_per_second});
@@ -73,12 +83,14 @@ std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::Oc
   return files;
 }
 
-void require_outputs(const BuildArguments& arguments, const scene::OceanScene& scene,
-                     const std::vector<TimedFile>& files) {
-  const Overwriting overwriting = arguments.force ? Overwriting::allowed : Overwriting::refused;
+void require_outputs(const BuildArguments& arguments, const scene::OceanScene& scene) {
   std::vector<std::string> inputs = scene::files_of(scene);
   inputs.push_back(arguments.scene);
-  for (const TimedFile& file : files) require_new(file.name, overwriting, inputs);
+  if (is_sequence(arguments)) {
+    require_new_frames(frame_name(arguments), frames_of(arguments, scene), arguments.overwriting, inputs);
+  } else {
+    require_new(arguments.output, arguments.overwriting, inputs);
+  }
 }
 
 bool is_volume(const BuildArguments& arguments) {
@@ -156,7 +168,7 @@ void run(const BuildArguments& arguments, const GlobalOptions& options) {
     scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "24");
   }
   const std::vector<TimedFile> files = files_of(arguments, scene);
-  require_outputs(arguments, scene, files);
+  require_outputs(arguments, scene);
   for (const std::string& line : scene::unused_cloud_parameters(scene)) spdlog::warn("{}", line);
   const std::optional<world::CloudSkyParameters> sky = scene::prepare_clouds(scene);
   if (!sky || sky->clouds.empty()) {
@@ -199,7 +211,7 @@ void add_clouds_build_command(CLI::App& parent, GlobalOptions& options) {
   add("--frames", arguments->frames, "A:B",
       "frames to write, A to B or A alone; time = frame / fps (default: the scene's)");
   add("--fps", arguments->frames_per_second, "F", "frames a second (default: the scene's)");
-  command->add_flag("--force", arguments->force, "replace files that are there");
+  add_force_flag(*command, arguments->overwriting);
   command->add_flag("--json", arguments->json, "a summary for scripts");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "host/base/error.h"
+#include "host/command_line/new_output.h"
 #include "host/io/atomic_file.h"
 
 namespace offing::cli {
@@ -46,8 +47,7 @@ void remove_file(const fs::path& file) {
   std::error_code error;
   fs::remove(file, error);
   if (error) {
-    throw Error(ErrorKind::file,
-                fmt::format("{}: cannot remove what another bake wrote: {}", file.string(), error.message()),
+    throw Error(ErrorKind::file, fmt::format("{}: cannot remove it: {}", file.string(), error.message()),
                 "remove it yourself, or name another folder with -o");
   }
 }
@@ -59,10 +59,27 @@ void remove_file(const fs::path& file) {
 
 }  // namespace
 
+FrameFiles::Listing FrameFiles::list_folder(const fs::path& folder) {
+  static const std::regex exr_name(R"(ocean(\.c[0-9])?\.[0-9]{4,}\.exr)");
+  static const std::regex product_name(R"(ocean\.[0-9]{4,}\.(obj|ply|png)|contact_sheet\.png)");
+  Listing listing;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (std::regex_match(name, exr_name)) listing.exr_files.push_back(entry->path());
+    if (std::regex_match(name, product_name)) listing.products.push_back(entry->path());
+  }
+  if (error) {
+    refuse_folder(folder, "it cannot be listed: " + error.message(),
+                  "give yourself the right to read it, or name another folder with -o");
+  }
+  return listing;
+}
+
 FrameFiles::FrameFiles(const BakeSettings& settings, int cascades, std::string scene_hash)
     : settings_(settings), cascades_(cascades), scene_hash_(std::move(scene_hash)) {}
 
-void FrameFiles::prepare_folder() const {
+void FrameFiles::prepare_folder(std::span<const std::string> inputs) const {
   const fs::path& folder = settings_.folder;
   std::error_code error;
   fs::create_directories(folder, error);
@@ -76,29 +93,57 @@ void FrameFiles::prepare_folder() const {
   }
   remove_stale_partials(folder, "ocean.");
   remove_stale_partials(folder, "contact_sheet.");
-  if (settings_.foreign == ForeignFrames::replace) {
-    return;
-  }
-  static const std::regex frame_name(R"(ocean(\.c[0-9])?\.[0-9]{4,}\.exr)");
-  for (fs::directory_iterator entry(folder, error), end; entry != end; entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    if (!std::regex_match(name, frame_name)) {
-      continue;
-    }
-    // A damaged file is remade if it is one of this bake's frames, and left alone if not.
-    if (hash_in(entry->path(), read_exr_attributes).value_or(scene_hash_) != scene_hash_) {
+  const Listing listing = list_folder(folder);
+  std::vector<fs::path> replaceable = listing.exr_files;
+  replaceable.insert(replaceable.end(), listing.products.begin(), listing.products.end());
+  require_not_read(replaceable, inputs);
+  if (settings_.overwriting == Overwriting::refused) require_own_files(listing);
+}
+
+void FrameFiles::require_own_files(const Listing& listing) const {
+  // Frames come before what is made with them, so that another process that has just begun cannot have made
+  // products alone: its frames are looked for after its products.
+  bool has_own_frames = false;
+  std::vector<fs::path> damaged;
+  for (const fs::path& file : list_folder(settings_.folder).exr_files) {
+    const std::optional<std::string> hash = hash_in(file, read_exr_attributes);
+    if (!hash) {
+      damaged.push_back(file);
+    } else if (*hash == scene_hash_) {
+      has_own_frames = true;
+    } else {
       throw Error(
           ErrorKind::bad_input,
           fmt::format(
               "{}: expected frames of this scene and these output settings alone, found {} of another",
-              folder.string(), name),
+              settings_.folder.string(), file.filename().string()),
           "name another folder with -o, or replace the frames with --force");
     }
   }
-  if (error) {
-    refuse_folder(folder, "it cannot be listed: " + error.message(),
-                  "give yourself the right to read it, or name another folder with -o");
+  if (has_own_frames) return;  // an interrupted bake: it resumes, and makes damaged frames again
+  for (const std::vector<fs::path>& files : {damaged, listing.products}) {
+    for (const fs::path& file : files) {
+      if (!will_write(file)) continue;
+      throw Error(
+          ErrorKind::bad_usage,
+          fmt::format("{}: expected a file of this bake, found no frame of it in the folder", file.string()),
+          "name another folder with -o, or replace the file with --force");
+    }
   }
+}
+
+bool FrameFiles::will_write(const fs::path& file) const {
+  const std::string name = file.filename().string();
+  if (settings_.preview == PreviewUse::pictures && name == contact_sheet().filename()) return true;
+  static const std::regex numbered(R"(ocean(\.c[0-9])?\.([0-9]{4,9})\.[a-z]+)");
+  std::smatch parts;
+  if (!std::regex_match(name, parts, numbered)) return false;
+  const int frame = std::stoi(parts[2]);
+  if (frame < settings_.frames.first || frame > settings_.frames.last) return false;
+  std::vector<fs::path> own = exr_files(frame);
+  if (settings_.mesh != MeshFormat::none) own.push_back(mesh(frame));
+  if (settings_.preview == PreviewUse::pictures) own.push_back(preview(frame));
+  return std::any_of(own.begin(), own.end(), [&](const fs::path& path) { return path.filename() == name; });
 }
 
 bool FrameFiles::has_preview(int frame) const {
@@ -127,8 +172,13 @@ bool FrameFiles::is_done(int frame) const {
   });
 }
 
+void FrameFiles::remove_products(int frame) const {
+  if (settings_.mesh != MeshFormat::none) remove_file(mesh(frame));
+  if (settings_.preview == PreviewUse::pictures) remove_file(preview(frame));
+}
+
 void FrameFiles::remove_foreign_files(int frame) const {
-  if (settings_.foreign == ForeignFrames::refuse) {
+  if (settings_.overwriting == Overwriting::refused) {
     return;  // prepare_folder() found none
   }
   const std::vector<fs::path> own = exr_files(frame);

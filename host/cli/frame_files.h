@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,12 @@ class FrameFiles {
   /// `cascades` is how many the sea has, `scene_hash` what every EXR of this bake carries.
   FrameFiles(const BakeSettings& settings, int cascades, std::string scene_hash);
 
-  /// Makes the folder, removes what killed runs left behind, and looks for frames of other bakes. Throws
-  /// Error(file) if the folder cannot be written to, Error(bad_input) if it holds another bake's frames and
-  /// these are not to be replaced.
-  void prepare_folder() const;
+  /// Makes the folder, removes what killed runs left behind, and checks what is there. A folder with frames
+  /// of this very bake is an interrupted bake, which resumes: damaged frames, meshes and pictures are its own
+  /// too. Throws Error(file) if the folder cannot be written to, Error(bad_usage) for an input among the
+  /// files that a bake writes, and unless files may be replaced Error(bad_input) for another bake's frames
+  /// and Error(bad_usage) for files that this bake would write over.
+  void prepare_folder(std::span<const std::string> inputs = {}) const;
 
   /// Whether all files of this frame exist, whole, from this very bake. Reads the EXR files through, so that
   /// a damaged one is found.
@@ -32,12 +35,23 @@ class FrameFiles {
   /// Throws Error(file).
   void remove_foreign_files(int frame) const;
 
+  /// Removes the mesh and the picture of a frame that are to be made again. Throws Error(file).
+  void remove_products(int frame) const;
+
   std::filesystem::path exr(int frame, int cascade) const;  ///< the same for every cascade when combined
   std::filesystem::path mesh(int frame) const;
   std::filesystem::path preview(int frame) const;
   std::filesystem::path contact_sheet() const;
 
  private:
+  /// Files of a folder that have names of a bake's.
+  struct Listing {
+    std::vector<std::filesystem::path> exr_files, products;
+  };
+  static Listing list_folder(const std::filesystem::path& folder);
+  void require_own_files(const Listing& listing) const;
+  bool will_write(const std::filesystem::path& file) const;
+
   std::filesystem::path combined_exr(int frame) const;
   std::filesystem::path cascade_exr(int frame, int cascade) const;
   std::vector<std::filesystem::path> exr_files(int frame) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,15 +39,20 @@ FrameWriter::FrameWriter(const scene::Sea& sea, const BakeSettings& settings, co
 
 void FrameWriter::write(const BakedFrame& frame, const CancelToken& cancel) const {
   files_.remove_foreign_files(frame.number);
-  if (settings_.preview == PreviewUse::pictures) {
-    write_preview(frame, cancel);
-  }
+  std::optional<RgbImage> preview;
+  if (settings_.preview == PreviewUse::pictures) preview = draw_preview(frame, cancel);
+  // A frame is done when all its files are there. The EXR files come first: they tell whose the folder is.
+  files_.remove_products(frame.number);
+  write_fields(frame);
   if (settings_.mesh == MeshFormat::obj) {
     write_obj(files_.mesh(frame.number), frame.mesh);
   } else if (settings_.mesh == MeshFormat::ply) {
     write_ply(files_.mesh(frame.number), frame.mesh);
   }
+  if (preview) write_png(files_.preview(frame.number), *preview);
+}
 
+void FrameWriter::write_fields(const BakedFrame& frame) const {
   if (settings_.layout == FileLayout::combined) {
     ExrImage image = image_of(frame);
     image.attributes.emplace_back("tileable", frame.first_with_gerstner ? 0 : 1);
@@ -70,7 +76,7 @@ void FrameWriter::write(const BakedFrame& frame, const CancelToken& cancel) cons
 
 /// Seen from a ship's bridge, the same for every sea that does not reach it, so that a calm and a storm
 /// differ as their heights do; looking against the waves and a little aside.
-void FrameWriter::write_preview(const BakedFrame& frame, const CancelToken& cancel) const {
+RgbImage FrameWriter::draw_preview(const BakedFrame& frame, const CancelToken& cancel) const {
   std::vector<PreviewCascade> cascades;
   for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
     cascades.push_back(
@@ -81,7 +87,7 @@ void FrameWriter::write_preview(const BakedFrame& frame, const CancelToken& canc
   view.yaw_rad = mean_direction_rad_ + 2.6;
   view.sun_azimuth_rad = view.yaw_rad + 0.7;
   const PreviewSurface surface(cascades, sea_.parameters.foam, {trochoids_, frame.time_s});
-  write_png(files_.preview(frame.number), render_sea_preview(surface, view, cancel));
+  return render_sea_preview(surface, view, cancel);
 }
 
 ExrImage FrameWriter::image_of(const BakedFrame& frame) const {

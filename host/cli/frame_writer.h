@@ -6,12 +6,12 @@
 #include "host/cli/bake_settings.h"
 #include "host/cli/baked_frame.h"
 #include "host/cli/frame_files.h"
+#include "host/io/png_image.h"
 #include "host/scene/sea.h"
 
 namespace offing::cli {
 
-/// Writes frames as EXR, mesh and preview, each file whole or not at all, the EXR files last: once they are
-/// there, the frame is.
+/// Writes frames as EXR, mesh and preview, in this order, each file whole or not at all.
 class FrameWriter {
  public:
   /// The arguments must outlive this object.
@@ -22,7 +22,8 @@ class FrameWriter {
   void write(const BakedFrame& frame, const CancelToken& cancel) const;
 
  private:
-  void write_preview(const BakedFrame& frame, const CancelToken& cancel) const;
+  RgbImage draw_preview(const BakedFrame& frame, const CancelToken& cancel) const;
+  void write_fields(const BakedFrame& frame) const;
   ExrImage image_of(const BakedFrame& frame) const;
   void add_gerstner_attributes(ExrImage& image, double time_s) const;
   void add_cascade(ExrImage& image, const BakedFrame::CascadeFields& fields, const std::string& layer) const;

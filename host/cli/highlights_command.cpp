@@ -28,7 +28,8 @@ namespace {
 
 struct HighlightsArguments {
   std::string scene, output, frames, frames_per_second;
-  bool json = false, force = false;
+  bool json = false;
+  Overwriting overwriting = Overwriting::refused;
   Trust trust = Trust::trusted;
 };
 
@@ -73,7 +74,7 @@ void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
   scene::OceanScene scene = scene::load_scene(arguments.scene, arguments.trust);
   std::vector<std::string> inputs = scene::files_of(scene);
   inputs.push_back(arguments.scene);
-  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused, inputs);
+  require_new(arguments.output, arguments.overwriting, inputs);
   if (!arguments.frames_per_second.empty())
     scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "30");
   const FrameRange frames = arguments.frames.empty()
@@ -120,7 +121,7 @@ void add_highlights_command(CLI::App& app, GlobalOptions& options) {
   add("--frames", arguments->frames, "A:B",
       "frames to write, A to B or A alone; time = frame / fps (default: the scene's)");
   add("--fps", arguments->frames_per_second, "F", "frames a second (default: the scene's)");
-  command->add_flag("--force", arguments->force, "replace a file that is there");
+  add_force_flag(*command, arguments->overwriting);
   command->add_flag("--json", arguments->json, "a summary for scripts");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);

@@ -8,6 +8,7 @@
 #include "host/command_line/trust_flag.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_file.h"
+#include "host/scene/scene_files.h"
 
 namespace offing::cli {
 
@@ -132,6 +133,12 @@ scene::OceanScene ParameterOptions::read() const {
     read_flag(scene, flag);
   }
   return scene;
+}
+
+std::vector<std::string> ParameterOptions::inputs(const scene::OceanScene& scene) const {
+  std::vector<std::string> inputs = scene::files_of(scene);
+  inputs.push_back(scene_file_);
+  return inputs;
 }
 
 void ParameterOptions::read_flag(scene::OceanScene& scene, const Flag& flag) const {

@@ -24,6 +24,9 @@ class ParameterOptions {
   /// The scene as file and flags say. Throws Error(bad_input).
   scene::OceanScene read() const;
 
+  /// The files that this scene is read from: its own and those that it names.
+  std::vector<std::string> inputs(const scene::OceanScene& scene) const;
+
   /// How flags give directions, and results are to show them.
   DirectionStyle directions() const { return directions_; }
 

@@ -37,7 +37,7 @@ struct QueryArguments {
   ParameterOptions parameters;
   std::string at, points_file, time, times, depth, min_wavelength, output_file;
   bool json = false;
-  bool force = false;
+  Overwriting overwriting = Overwriting::refused;
 };
 
 /// The points of the command: one, or those of a file, in blocks.
@@ -90,11 +90,12 @@ class PointSource {
 /// Where answers go: a file that appears when all are there, or standard output; as CSV, as JSON or in words.
 class AnswerSink {
  public:
-  AnswerSink(const QueryArguments& arguments, const TimeRange& times, double depth_m)
+  AnswerSink(const QueryArguments& arguments, const TimeRange& times, double depth_m,
+             std::vector<std::string> inputs)
       : depth_m_(depth_m), style_(style_of(arguments, times)) {
     if (!arguments.output_file.empty()) {
-      require_new(arguments.output_file, arguments.force ? Overwriting::allowed : Overwriting::refused,
-                  {arguments.points_file});
+      inputs.push_back(arguments.points_file);
+      require_new(arguments.output_file, arguments.overwriting, inputs);
       file_.emplace(arguments.output_file);
     }
     if (style_ == Style::csv) {
@@ -224,7 +225,7 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
                             arguments.at.empty() ? "neither" : "both"),
                 "write --at 12.5,-40 for one point, or --points FILE for many");
   }
-  if (arguments.force && arguments.output_file.empty()) {
+  if (arguments.overwriting == Overwriting::allowed && arguments.output_file.empty()) {
     throw Error(ErrorKind::bad_usage, "--force: expected -o, whose file it replaces, found none",
                 "add -o FILE, or leave --force out");
   }
@@ -234,7 +235,7 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
   warn_of_water_left_out(scene, "answers");
   const ocean::WaterQuery query = read_query(arguments, sea.spectrum.dispersion.depth_m);
   PointSource points(arguments, times);
-  AnswerSink sink(arguments, times, query.depth_m);
+  AnswerSink sink(arguments, times, query.depth_m, arguments.parameters.inputs(scene));
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   ocean::Ocean ocean(device, sea.spectrum, sea.parameters);
   answer(ocean, scene::trochoids_of(sea, sea.parameters.seed), query, times, points, sink, options);
@@ -279,7 +280,7 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
       "leave shorter waves out, as a hull longer than they are does not feel them (default 0: none)");
   add("-o,--output", arguments->output_file, "FILE",
       "write CSV there, whole or not at all (default: to standard output)");
-  command->add_flag("--force", arguments->force, "replace a file that is there")->group(group);
+  add_force_flag(*command, arguments->overwriting)->group(group);
   command
       ->add_flag("--json", arguments->json,
                  "results for scripts: an object for one point and time, else an array\nwith -o a summary")

@@ -33,6 +33,7 @@ struct SpectrumArguments {
   std::string plot;
   std::string export_file;
   bool json = false;
+  Overwriting overwriting = Overwriting::refused;
   DirectionStyle directions = DirectionStyle::travel;
   Trust trust = Trust::trusted;
 };
@@ -121,7 +122,7 @@ void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
   }
   require_one_record(arguments, records.size());
   for (const std::string* output : {&arguments.plot, &arguments.export_file}) {
-    require_new(*output, Overwriting::allowed, {arguments.file});
+    require_new(*output, arguments.overwriting, {arguments.file});
   }
   if (!arguments.plot.empty()) {
     const WaveSpectrum& drawn = records[chosen.value_or(0)];
@@ -169,6 +170,7 @@ void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
       ->add_option("--export-spectrum", arguments->export_file,
                    "write the record, or all, as WAVEWATCH III text (.spec)")
       ->type_name("FILE");
+  add_force_flag(*command, arguments->overwriting);
   command->add_flag("--json", arguments->json, "results for scripts");
   command->add_flag_callback(
       "--compass", [arguments] { arguments->directions = DirectionStyle::from_bearing; },

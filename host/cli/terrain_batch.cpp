@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include "host/base/error.h"
-#include "host/command_line/new_output.h"
 #include "host/io/atomic_file.h"
 
 namespace offing::cli {
@@ -38,11 +37,11 @@ void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::s
       ->type_name("FILE")
       ->group(group)
       ->needs(points);
-  command.add_flag("--force", force_, "replace a file that is there")->group(group)->needs(points);
+  add_force_flag(command, overwriting_)->group(group)->needs(points);
 }
 
 void TerrainBatch::require_question(const std::string& single, const std::string& ground) const {
-  require_new(output_, force_ ? Overwriting::allowed : Overwriting::refused, {ground, points_});
+  require_new(output_, overwriting_, {ground, points_});
   if (is_asked() || !single.empty()) return;
   throw Error(ErrorKind::bad_usage, fmt::format("expected {} or --points, found neither", single_),
               "give one question, or a file of them");

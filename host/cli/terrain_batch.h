@@ -7,6 +7,7 @@
 #include <CLI/App.hpp>
 
 #include "host/cli/global_options.h"
+#include "host/command_line/new_output.h"
 #include "host/io/number_table.h"
 
 namespace offing::cli {
@@ -34,7 +35,7 @@ class TerrainBatch {
  private:
   NumberColumns columns_;
   std::string single_, points_, output_;
-  bool force_ = false;
+  Overwriting overwriting_ = Overwriting::refused;
 };
 
 }  // namespace offing::cli

@@ -40,8 +40,9 @@ struct TerrainFlyArguments {
   std::string frames = "600", every = "12", speed = "300", rate = "30", height = "150";
   CacheFlags cache;
   HeightMapFlags map_flags;
+  bool json = false;
+  Overwriting overwriting = Overwriting::refused;
   Trust trust = Trust::trusted;
-  bool force = false, json = false;
 };
 
 struct FlightSettings {
@@ -155,9 +156,7 @@ class Flying {
   }
 
   /// Of every picture that is written.
-  std::filesystem::path path_of(int frame) const {
-    return std::filesystem::path(arguments_.output) / fmt::format("frame.{:06}.png", frame);
-  }
+  FrameName picture_name() const { return FrameName("-o", "frame.%06d.png", "frames").in(arguments_.output); }
 
   void make_folder() const {
     std::error_code status;
@@ -168,17 +167,16 @@ class Flying {
           fmt::format("{}: cannot be made a folder: {}", one_line(arguments_.output), status.message()),
           "name a folder where you may write with -o");
     }
-    const Overwriting overwriting = arguments_.force ? Overwriting::allowed : Overwriting::refused;
-    for (int frame = 0; frame < settings_.frames; frame += settings_.every) {
-      require_new(path_of(frame).string(), overwriting);
-    }
+    const std::vector<std::string> inputs{arguments_.store, arguments_.compared};
+    require_new_frames(picture_name(), {0, settings_.frames - 1}, arguments_.overwriting, inputs);
   }
 
   void keep(int frame, const Camera& camera, FlightRecorder& recorder) {
     if (!arguments_.output.empty()) {
       const TerrainScenery scenery{
           .lines = world::cover_lines(store_.header().centre_latitude_deg.value_or(usual_latitude_deg))};
-      write_png(path_of(frame), draw_terrain(device_, field_, camera, scenery, TerrainShow::light).image);
+      write_png(picture_name().of(frame),
+                draw_terrain(device_, field_, camera, scenery, TerrainShow::light).image);
     }
     if (comparison_) kept_.push_back({&camera, sky_of(recorder.read_hits())});
   }
@@ -296,7 +294,7 @@ void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
       "height map that the store was made of: compares every K-th frame with that of the whole map in "
       "memory");
   arguments->map_flags.add_to(*command);
-  command->add_flag("--force", arguments->force, "replace pictures that are there");
+  add_force_flag(*command, arguments->overwriting);
   command->add_flag("--json", arguments->json, "results for scripts");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);

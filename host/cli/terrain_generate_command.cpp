@@ -31,7 +31,7 @@ static_assert(std::endian::native == std::endian::little, ".r32 is written as it
 struct TerrainGenerateArguments {
   std::string output, posts, side, relief, mean, longest, roughness, erosion, island, seed;
   bool json = false;
-  bool force = false;
+  Overwriting overwriting = Overwriting::refused;
 };
 
 terrain::FractalParameters read_parameters(const TerrainGenerateArguments& arguments) {
@@ -94,7 +94,7 @@ void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options
   require_extension(arguments.output, {".r32", ".tif", ".tiff"});
   const bool is_raw = arguments.output.ends_with(".r32");
   const double spacing_m = parameters.side_m / (parameters.posts - 1);
-  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused);
+  require_new(arguments.output, arguments.overwriting);
   GroundFile file(arguments.output, parameters.posts, spacing_m);
   float lowest_m = 0.0f, highest_m = 0.0f;
   {
@@ -148,7 +148,7 @@ void add_terrain_generate_command(CLI::App& terrain, GlobalOptions& options) {
   add("--island-radius-m", arguments->island, "M",
       "an island: the ground sinks by the relief from its middle to this distance (default: it does not)");
   add("--seed", arguments->seed, "S", "another ground for each whole number (default 1)");
-  command->add_flag("--force", arguments->force, "replace a file that is there");
+  add_force_flag(*command, arguments->overwriting);
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(

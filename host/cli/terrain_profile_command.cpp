@@ -23,14 +23,13 @@ struct TerrainProfileArguments {
   TerrainInput input;
   EarthCurveFlags curve;
   std::string from, to, step, output;
-  bool force = false;
+  Overwriting overwriting = Overwriting::refused;
 };
 
 void run(const TerrainProfileArguments& arguments) {
   const auto from = read_numbers("--from", arguments.from, 2, "X,Z", "0,0");
   const auto to = read_numbers("--to", arguments.to, 2, "X,Z", "1200,350");
-  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused,
-              {arguments.input.file()});
+  require_new(arguments.output, arguments.overwriting, {arguments.input.file()});
   const terrain::EarthCurve curve = arguments.curve.read();
   const bool is_curved = arguments.curve.are_given();
   const TerrainGround of(arguments.input, {});
@@ -79,7 +78,7 @@ void add_terrain_profile_command(CLI::App& terrain, GlobalOptions& options) {
   arguments->curve.add_to(*command);
   command->add_option("-o,--output", arguments->output, "CSV to write (default: standard output)")
       ->type_name("FILE");
-  command->add_flag("--force", arguments->force, "replace a file that is there");
+  add_force_flag(*command, arguments->overwriting);
   add_global_options(*command, options, DeviceUse::none);
   command->footer(fmt::format(
       "\n{}\nmeasured is 0 where the map has a void, which was filled in. With --curvature, fallen_height_m "

@@ -38,7 +38,7 @@ struct TerrainRenderArguments {
   std::string field_of_view, sun, exposure, sea_level, tree_line, snow_line, samples = "auto", colour;
   std::string sky_visibility = "on";
   bool json = false;
-  bool force = false;
+  Overwriting overwriting = Overwriting::refused;
 };
 
 Camera read_camera(const TerrainRenderArguments& arguments, const CameraGround& ground) {
@@ -135,11 +135,10 @@ Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptio
 void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) {
   const TerrainShow show = read_show(arguments.show);
   require_flags_of(arguments.input, arguments.cache);
-  const Overwriting overwriting = arguments.force ? Overwriting::allowed : Overwriting::refused;
   require_extension(arguments.output, {".png"});
   if (!arguments.depth.empty()) require_extension(arguments.depth, {".exr"});
   for (const std::string& file : {arguments.output, arguments.depth}) {
-    require_new(file, overwriting, {arguments.input.file(), arguments.colour});
+    require_new(file, arguments.overwriting, {arguments.input.file(), arguments.colour});
   }
   const auto [camera, picture] = is_tile_store(arguments.input.file())
                                      ? render_store(arguments, options, show)
@@ -199,7 +198,7 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
       "auto)");
   add("--show", arguments->show, "WHAT",
       "light, or steps: how far each ray walked, blue 0, green 16, yellow 40, red 80 and more");
-  command->add_flag("--force", arguments->force, "replace files that are there");
+  add_force_flag(*command, arguments->overwriting);
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(

@@ -33,7 +33,7 @@ struct TerrainViewshedArguments {
   EarthCurveFlags curve;
   std::string observer, observer_height, target_height, radius, output;
   bool json = false;
-  bool force = false;
+  Overwriting overwriting = Overwriting::refused;
 };
 
 terrain::ViewshedParameters read_parameters(const TerrainViewshedArguments& arguments) {
@@ -86,8 +86,7 @@ SeenMap read_store(const TerrainViewshedArguments& arguments, const terrain::Vie
 void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options) {
   terrain::ViewshedParameters parameters = read_parameters(arguments);
   require_extension(arguments.output, {".tif", ".tiff"});
-  require_new(arguments.output, arguments.force ? Overwriting::allowed : Overwriting::refused,
-              {arguments.input.file()});
+  require_new(arguments.output, arguments.overwriting, {arguments.input.file()});
   require_flags_of(arguments.input, arguments.cache);
   const SeenMap seen_map = is_tile_store(arguments.input.file()) ? read_store(arguments, parameters)
                                                                  : SeenMap{arguments.input.read().map};
@@ -147,7 +146,7 @@ void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
   add("--radius-m", arguments->radius, "R", "what is farther, in plan, is not seen (default: no limit)");
   arguments->curve.add_to(*command);
   add("-o,--output", arguments->output, "FILE", "GeoTIFF to write, .tif, whole or not at all")->required();
-  command->add_flag("--force", arguments->force, "replace a file that is there");
+  add_force_flag(*command, arguments->overwriting);
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(fmt::format(R"(

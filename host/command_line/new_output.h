@@ -1,21 +1,38 @@
 #pragma once
 
+#include <filesystem>
 #include <initializer_list>
 #include <span>
 #include <string>
+
+#include <CLI/App.hpp>
+
+#include "host/base/argument.h"
+#include "host/base/frame_name.h"
 
 namespace offing {
 
 enum class Overwriting { refused, allowed };
 
-/// Throws Error(file) for an output that is one of the inputs, by whatever name.
-void require_not_read(const std::string& output, std::span<const std::string> inputs);
+/// The one rule for everything that a program writes: never over a file that it reads, by whatever name, and
+/// never over an existing file without --force. Each function throws Error(bad_usage), before any work is
+/// done, for an output that breaks it. `inputs` are the files and folders that the command was given; what is
+/// read with them (input_files.h) counts too.
 
-/// Throws Error(file), before any work is done, for an output that could not be written after it: one that is
-/// there already, unless --force allows to replace it; one that is among the inputs, even with --force; one
-/// in a folder that takes no files. An empty name is no output.
+/// Adds --force. `overwriting` must outlive the command.
+CLI::Option* add_force_flag(CLI::App& command, Overwriting& overwriting);
+
+/// For one file; an empty name is no output. Removes what killed runs left of it. Throws Error(file) for a
+/// file that cannot be written.
 void require_new(const std::string& output, Overwriting overwriting,
                  std::initializer_list<std::string> inputs = {});
 void require_new(const std::string& output, Overwriting overwriting, std::span<const std::string> inputs);
+
+/// The same for a file a frame. The folder is listed, so that the number of frames does not matter.
+void require_new_frames(const FrameName& names, FrameRange frames, Overwriting overwriting,
+                        std::span<const std::string> inputs);
+
+/// For files that may be replaced, such as those of a bake that resumes, but not if they are read.
+void require_not_read(std::span<const std::filesystem::path> outputs, std::span<const std::string> inputs);
 
 }  // namespace offing

@@ -230,7 +230,7 @@ const std::vector<BadInput> bad_inputs = {
      link_picture_to_itself,
      {"ocean", "bake", "--size", "16", "--frames", "1:1", "--chunk", "2/2", "--preview", "-o", "@/out"},
      1,
-     ".*/out/ocean.0001.png: cannot look at it: .*"},
+     ".*/out/ocean.0001.png: cannot be looked up: .*"},
     {"folder_of_another_scene", bake_other_scene, bake({"--seed", "6", "-o", "@/out"}), 2,
      ".*/out: expected frames of this scene .*found ocean.c0.0000.exr of another"},
     {"export_not_writable", nothing, bake({"--export-spectrum", "/proc/a.spec", "-o", "@/out"}), 1,

@@ -110,18 +110,6 @@ TEST_F(Highlights, AreThoseOfTheScene) {
   }
 }
 
-// Fails if what a scene is made of can be written over, even with --force.
-TEST_F(Highlights, NeverWriteOverTheScenesFiles) {
-  ASSERT_EQ(run_offing({"highlights", scene(), "-o", path("mesh.glb"), "--frames", "0"}).exit_code, 0);
-  std::ofstream(path("filed.toml")) << "version = 1\n[[mesh]]\nfile = \"mesh.glb\"\n";
-  const auto bytes = std::filesystem::file_size(path("mesh.glb"));
-  const ProgramResult result =
-      run_offing({"highlights", path("filed.toml"), "-o", path("./mesh.glb"), "--force"});
-  EXPECT_EQ(result.exit_code, 1) << result.errors;
-  EXPECT_THAT(result.errors, HasSubstr("is the file that is read"));
-  EXPECT_EQ(std::filesystem::file_size(path("mesh.glb")), bytes);
-}
-
 // A scene of a mesh alone that places no camera is seen from the south, from where all of it is in the
 // picture (scene::look_at_meshes()): 0.55 diagonals of its box over sin(fov / 2) away, a fifth of that above.
 // Fails if other programs are given highlights for another eye than offing-view draws them for. Gate as

@@ -181,8 +181,8 @@ TEST_F(Query, FilterAndDepthReachTheSea) {
 TEST_F(Query, FilesAreReplacedOnlyWhenAsked) {
   const std::string out = write("out.csv", "mine");
   const ProgramResult refused = query({"--at", "0,0", "-o", out});
-  EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.errors, HasSubstr("out.csv: is there already"));
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("out.csv: expected a new file"));
   EXPECT_THAT(refused.errors, HasSubstr("--force"));
   EXPECT_EQ(text_of(out), "mine");
   const std::string broken = write("points.csv", "1,2\n3,4\n5\n");

@@ -73,7 +73,7 @@ TEST_F(TerrainGenerate, RefusesWithAHint) {
   }
   EXPECT_EQ(generate({"-o", path("b.png")}).exit_code, 2);
   std::ofstream(path("c.r32")) << "mine";
-  EXPECT_EQ(generate({"--posts", "9", "-o", path("c.r32")}).exit_code, 1);
+  EXPECT_EQ(generate({"--posts", "9", "-o", path("c.r32")}).exit_code, 2);
   EXPECT_EQ(std::filesystem::file_size(path("c.r32")), 4u);
 }
 

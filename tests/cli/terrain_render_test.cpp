@@ -171,7 +171,7 @@ TEST_F(TerrainRender, RefusesWithAHint) {
 // Fails if somebody's picture is replaced unasked.
 TEST_F(TerrainRender, KeepsFilesThatAreThere) {
   std::ofstream(path("out.png")) << "mine";
-  EXPECT_EQ(render({"--size", "16x16"}).exit_code, 1);
+  EXPECT_EQ(render({"--size", "16x16"}).exit_code, 2);
   EXPECT_EQ(std::filesystem::file_size(path("out.png")), 4u);
   EXPECT_EQ(render({"--size", "16x16", "--force"}).exit_code, 0);
   EXPECT_NE(std::filesystem::file_size(path("out.png")), 4u);

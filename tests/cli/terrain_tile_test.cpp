@@ -293,8 +293,8 @@ TEST_F(TerrainTile, FlightsKeepPicturesAndKnowTheirMap) {
   fs::create_directory(path("frames"));
   std::ofstream(path("frames/frame.000001.png")) << "mine";
   const ProgramResult refused = fly({});
-  EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.errors, ::testing::HasSubstr("frame.000001.png: is there already"));
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, ::testing::HasSubstr("frame.000001.png: expected a new file"));
   EXPECT_FALSE(fs::exists(path("frames/frame.000000.png")));
   EXPECT_EQ(fs::file_size(path("frames/frame.000001.png")), 4u);
   const ProgramResult forced = fly({"--force"});

@@ -94,34 +94,9 @@ TEST_F(TerrainViewshed, RefusesWithAHint) {
   refuse({"--observer", "50,20", "--observer-height-m", "-1"}, "--observer-height-m: expected");
   refuse({"--observer", "50,20", "--radius-m", "0"}, "--radius-m: expected");
   refuse({"--observer", "50,20", "--refraction", "2"}, "--refraction: expected");
-  std::ofstream(path("there.tif")) << "kept";
-  const ProgramResult there =
-      run_offing({"terrain", "viewshed", path("grid.asc"), "--observer", "50,20", "-o", path("there.tif")});
-  EXPECT_EQ(there.exit_code, 1);
-  EXPECT_THAT(there.errors, ::testing::HasSubstr("is there already"));
   const ProgramResult name =
       run_offing({"terrain", "viewshed", path("grid.asc"), "--observer", "50,20", "-o", path("seen.png")});
   EXPECT_EQ(name.exit_code, 2);
-}
-
-// A map is not replaced by what is seen of it, whatever name leads to it and even with --force.
-TEST_F(TerrainViewshed, NeverWritesOverItsMap) {
-  const std::string map = path("map.tif");
-  ASSERT_EQ(run_offing({"terrain", "generate", "--posts", "33", "-o", map}).exit_code, 0);
-  const auto bytes = [&] {
-    std::ifstream file(map, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  };
-  const std::string before = bytes();
-  std::filesystem::create_symlink(map, path("link.tif"));
-  std::filesystem::create_hard_link(map, path("twin.tif"));
-  for (const char* output : {"map.tif", "link.tif", "twin.tif"}) {
-    const ProgramResult result =
-        run_offing({"terrain", "viewshed", map, "--observer", "50,20", "-o", path(output), "--force"});
-    EXPECT_EQ(result.exit_code, 1) << output;
-    EXPECT_THAT(result.errors, ::testing::HasSubstr("is the file that is read")) << output;
-    EXPECT_EQ(bytes(), before) << output;
-  }
 }
 
 }  // namespace

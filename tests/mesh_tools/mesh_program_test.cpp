@@ -117,7 +117,7 @@ TEST_F(MeshProgram, Outputs) {
       ASSERT_EQ(result.exit_code, 0) << flags << ' ' << name << ": " << result.errors;
       EXPECT_EQ(result.output, "") << "--quiet";
       EXPECT_FALSE(read_mesh(path(name)).faces.empty());
-      expect_refusal(maker(flags, "in.off", name), name, 1);  // is there already
+      expect_refusal(maker(flags, "in.off", name), name, 2);  // exists
       std::vector<std::string> forced = maker(flags, "in.off", name);
       forced.insert(forced.end(), {"--force", "--json"});
       const ProgramResult replaced = run_offing(forced);
@@ -127,7 +127,7 @@ TEST_F(MeshProgram, Outputs) {
     }
     std::vector<std::string> in_place = maker(flags, "in.off", "in.off");
     in_place.push_back("--force");
-    expect_refusal(in_place, "in.off", 1);
+    expect_refusal(in_place, "in.off", 2);
     expect_refusal(maker(flags, "in.off", "out.txt"), "out.txt", 2);
     expect_refusal(maker(flags, "in.off", "none/out.ply"), "none/out.ply", 1);
   }

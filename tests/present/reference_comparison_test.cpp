@@ -72,8 +72,8 @@ TEST_F(ReferenceComparisonTest, KeepsWhatIsThere) {
   std::filesystem::create_directory(path("compared"));
   std::ofstream(path("compared/error.png")) << "mine";
   const ProgramResult refused = compare(clouds);
-  EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.errors, HasSubstr("error.png: is there already"));
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("error.png: expected a new file"));
   EXPECT_FALSE(std::filesystem::exists(path("compared/drawn.png")));
   std::ifstream file(path("compared/error.png"));
   EXPECT_EQ((std::string{std::istreambuf_iterator<char>(file), {}}), "mine");
@@ -87,8 +87,8 @@ TEST_F(ReferenceComparisonTest, KeepsWhatTheSceneReads) {
   std::ofstream(path("compared/drawn.png")) << "heights";
   const ProgramResult refused =
       compare(scene("[terrain]\nfile = \"compared/drawn.png\"\n[[cloud]]\ny_m = 1000\n"), {"--force"});
-  EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.errors, HasSubstr("drawn.png: is the file that is read"));
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("drawn.png: expected a file that is not read"));
   std::ifstream file(path("compared/drawn.png"));
   EXPECT_EQ((std::string{std::istreambuf_iterator<char>(file), {}}), "heights");
 }

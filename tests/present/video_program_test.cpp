@@ -96,8 +96,8 @@ TEST_F(VideoProgramTest, OneVideoIsWritten) {
 TEST_F(VideoProgramTest, StoppedOnesLeaveTheVideoBefore) {
   const StandInFfmpeg ffmpeg;
   std::ofstream(path("a.webm")) << "before";
-  OffingProgram program(arguments(
-      {"--record", path("a_%d.png"), "--video", path("a.webm"), "--frames", "0:100000", "--quiet"}));
+  OffingProgram program(arguments({"--record", path("a_%d.png"), "--video", path("a.webm"), "--frames",
+                                   "0:100000", "--force", "--quiet"}));
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (!std::filesystem::exists(path("a_1.png")) && program.is_running()) {
     ASSERT_LT(std::chrono::steady_clock::now(), end);

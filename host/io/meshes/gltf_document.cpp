@@ -1,8 +1,11 @@
 #include "host/io/meshes/gltf_document.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <utility>
 
@@ -266,6 +269,31 @@ std::vector<std::uint32_t> GltfDocument::indices(std::size_t accessor) const {
 
 void GltfDocument::fail(std::string_view expected, std::string_view got) const {
   throw mesh_error(path_.string(), 0, expected, got);
+}
+
+std::vector<std::filesystem::path> files_of_gltf(const std::filesystem::path& path) {
+  std::array<char, 4> magic{};
+  std::ifstream(path, std::ios::binary).read(magic.data(), magic.size());
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const bool is_named_so = extension == ".gltf" || extension == ".glb";
+  if (!is_named_so && std::string_view(magic.data(), magic.size()) != "glTF") return {};
+  std::vector<std::filesystem::path> files;
+  try {
+    const std::string bytes = read_whole_file(path, {.kind = "a glTF", .most_bytes = most_bytes});
+    const GltfDocument document(bytes, path, Trust::trusted);
+    for (const char* list : {"buffers", "images"}) {
+      for (std::size_t i = 0; i < document.count(list); ++i) {
+        const json& object = document.object(list, i);
+        const auto uri = object.find("uri");
+        if (uri == object.end() || !uri->is_string()) continue;
+        files.push_back(path.parent_path() / decode_percent(uri->get<std::string>()));
+      }
+    }
+  } catch (const Error&) {
+    return {};  // whoever reads it says what is wrong
+  }
+  return files;
 }
 
 }  // namespace offing::meshes

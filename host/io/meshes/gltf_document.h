@@ -72,4 +72,7 @@ class GltfDocument {
   bool is_binary_ = false;
 };
 
+/// The buffers and images that a .gltf or .glb names beside itself; empty for a file that is none or damaged.
+std::vector<std::filesystem::path> files_of_gltf(const std::filesystem::path& path);
+
 }  // namespace offing::meshes

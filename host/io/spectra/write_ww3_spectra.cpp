@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -111,9 +114,9 @@ std::vector<std::size_t> ww3_order(std::span<const double> bearings_rad) {
   return order;
 }
 
-}  // namespace
-
-void write_ww3_spectra(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra) {
+/// Hands over the text of a file record by record.
+void make_text(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra,
+               const std::function<void(std::string_view)>& write) {
   check_alike(path, spectra);
   const std::size_t points = points_a_time(path, spectra);
   const WaveSpectrum& first = spectra.front();
@@ -134,7 +137,6 @@ void write_ww3_spectra(const std::filesystem::path& path, std::span<const WaveSp
       "'WAVEWATCH III SPECTRA' {:5} {:5} {:5} 'written by Offing                '\n", nf, nd, points);
   append_values(text, first.frequencies_hz, 8);
   append_values(text, ordered_rad, 7);
-  AtomicFile file(path);
   std::vector<double> density(nf * nd);
   for (std::size_t record = 0; record < spectra.size(); ++record) {
     const WaveSpectrum& spectrum = spectra[record];
@@ -148,10 +150,26 @@ void write_ww3_spectra(const std::filesystem::path& path, std::span<const WaveSp
       }
     }
     append_values(text, density, 7);
-    file.write(text);
+    write(text);
     text.clear();
   }
-  file.commit();
+}
+
+}  // namespace
+
+std::string ww3_text(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra) {
+  std::string text;
+  make_text(path, spectra, [&](std::string_view part) { text += part; });
+  return text;
+}
+
+void write_ww3_spectra(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra) {
+  std::optional<AtomicFile> file;  // not before there is something to write
+  make_text(path, spectra, [&](std::string_view part) {
+    if (!file) file.emplace(path);
+    file->write(part);
+  });
+  file->commit();
 }
 
 }  // namespace offing

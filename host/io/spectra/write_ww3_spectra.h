@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "host/base/wave_spectrum.h"
 
@@ -16,5 +17,8 @@ namespace offing {
 /// Throws Error(bad_input) if `spectra` is empty, one has no directions, or they differ in frequencies,
 /// directions or points a time; Error(file) if the file cannot be written.
 void write_ww3_spectra(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra);
+
+/// The text of that file; errors name `path`.
+std::string ww3_text(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra);
 
 }  // namespace offing

@@ -102,7 +102,7 @@ TEST_F(CurvatureProgram, RefusesWhatItWouldNotHeed) {
   EXPECT_EQ(run_offing({"curvature", path("in.ply"), "-o", path("out.obj")}).exit_code, 2);
   EXPECT_EQ(run_offing({"curvature", path("none.ply"), "-o", path("out.ply")}).exit_code, 2);
   EXPECT_EQ(run_offing({"curvature", path("in.ply"), "-o", path("in.ply")}).exit_code,
-            1);  // is there already
+            2);  // exists
   EXPECT_EQ(run_offing({"generate", "torus", "--tube-m", "2", "-o", path("out.ply")}).exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(path("out.ply")));
 }

@@ -1,0 +1,58 @@
+#include "host/command_line/input_files.h"
+
+#include <optional>
+#include <system_error>
+
+#include <sys/stat.h>
+
+#include "host/io/height_maps/raster_files.h"
+#include "host/io/meshes/gltf_document.h"
+#include "host/io/spectra/ndbc_spectra.h"
+
+namespace offing {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::pair<dev_t, ino_t>> identity_of(const fs::path& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return std::nullopt;
+  return std::pair(status.st_dev, status.st_ino);
+}
+
+}  // namespace
+
+InputFiles::InputFiles(std::span<const std::string> names) {
+  for (const std::string& name : names) {
+    if (name.empty()) continue;
+    const fs::path path = name;
+    add(path);
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) {
+      for (fs::recursive_directory_iterator entry(path, ignored), end; !ignored && entry != end;
+           entry.increment(ignored)) {
+        add(entry->path());
+      }
+      continue;
+    }
+    if (!fs::is_regular_file(path, ignored)) continue;
+    if (const auto companions = spectra::ndbc_companion_paths(path)) {
+      for (const fs::path& file : {companions->alpha1, companions->alpha2, companions->r1, companions->r2}) {
+        add(file);
+      }
+    }
+    for (const fs::path& file : meshes::files_of_gltf(path)) add(file);
+    for (const fs::path& file : height_maps::raster_files(path)) add(file);
+  }
+}
+
+void InputFiles::add(const fs::path& path) {
+  if (const auto identity = identity_of(path)) files_.insert(*identity);
+}
+
+bool InputFiles::contains(const fs::path& path) const {
+  const auto identity = identity_of(path);
+  return identity && files_.contains(*identity);
+}
+
+}  // namespace offing

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <sys/types.h>
+
+namespace offing {
+
+/// The files that a command reads. They are told apart by device and inode, not by name, so that another
+/// path, a symbolic link or a hard link makes no difference.
+class InputFiles {
+ public:
+  /// `names` are files and folders as the user gave them; empty ones and those that do not exist are passed
+  /// over. With each come the files that are read along with it: all files below a folder, the directional
+  /// files of an NDBC spectrum, buffers and images of a glTF, what GDAL reads beside a raster (.aux.xml,
+  /// .tfw, the sources of a VRT).
+  explicit InputFiles(std::span<const std::string> names);
+
+  bool contains(const std::filesystem::path& path) const;
+
+ private:
+  void add(const std::filesystem::path& path);
+
+  std::set<std::pair<dev_t, ino_t>> files_;
+};
+
+}  // namespace offing

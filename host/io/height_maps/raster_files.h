@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace offing::height_maps {
+
+/// The files that GDAL reads for a raster: the file itself, those beside it (.aux.xml, .tfw, .ovr), the
+/// sources of a VRT. Empty for a file that is no raster.
+std::vector<std::filesystem::path> raster_files(const std::filesystem::path& path);
+
+}  // namespace offing::height_maps

@@ -1,0 +1,89 @@
+// The rule for outputs that all programs share; output_flags_test.py tries it at each flag.
+#include "host/command_line/new_output.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/io/atomic_file.h"
+#include "tests/io/temporary_folder.h"
+#include "tests/ocl/expect_error.h"
+
+namespace offing {
+namespace {
+
+namespace fs = std::filesystem;
+
+class NewOutput : public testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+  std::string leave(const std::string& name) const {
+    std::ofstream(path(name)) << "left";
+    return path(name);
+  }
+
+  TemporaryFolder folder_;
+};
+
+// Fails if what a killed run has begun to write stays for ever, or what a living one writes goes, or a file
+// of another output.
+TEST_F(NewOutput, RemovesWhatKilledRunsLeft) {
+  const std::string killed = leave(".out.csv.0123456789abcdef.partial"),
+                    other = leave(".other.csv.0123456789abcdef.partial"),
+                    frame = leave(".out_0003.png.0123456789abcdef.partial");
+  const AtomicFile living(path("out.csv"));
+  require_new(path("out.csv"), Overwriting::refused);
+  EXPECT_FALSE(fs::exists(killed));
+  EXPECT_TRUE(fs::exists(living.temporary()));
+  EXPECT_TRUE(fs::exists(other));
+  EXPECT_TRUE(fs::exists(frame));
+  require_new_frames({"--record", path("out_%04d.png"), ""}, {0, 9}, Overwriting::refused, {});
+  EXPECT_FALSE(fs::exists(frame));
+}
+
+// Fails if a frame that exists is missed, if one beyond the range is counted, or if each of ten million
+// frames is looked up, which takes a minute.
+TEST_F(NewOutput, LooksForFramesInTheFolder) {
+  const FrameName names("--record", path("out_%04d.png"), "");
+  leave("out_0007.png");
+  leave("out_7.png");
+  require_new_frames(names, {8, 9'999'999}, Overwriting::refused, {});
+  require_new_frames(names, {0, 6}, Overwriting::refused, {});
+  test::expect_error(ErrorKind::bad_usage, "out_0007.png: expected a new file", [&] {
+    require_new_frames(names, {0, 7}, Overwriting::refused, {});
+  });
+  require_new_frames(names, {0, 7}, Overwriting::allowed, {});
+  const std::vector<std::string> inputs{path("out_0007.png")};
+  test::expect_error(ErrorKind::bad_usage, "an input of this command", [&] {
+    require_new_frames(names, {0, 7}, Overwriting::allowed, inputs);
+  });
+  fs::create_directories(path("3"));
+  leave("3/a.png");
+  test::expect_error(ErrorKind::bad_usage, "3/a.png", [&] {
+    require_new_frames({"--record", path("%d/a.png"), ""}, {3, 4}, Overwriting::refused, {});
+  });
+}
+
+// Fails if a folder counts as a file that --force would replace.
+TEST_F(NewOutput, ReplacesNoFolders) {
+  fs::create_directories(path("folder.csv"));
+  for (const Overwriting overwriting : {Overwriting::refused, Overwriting::allowed}) {
+    test::expect_error(ErrorKind::file, "expected a file name, found a folder",
+                       [&] { require_new(path("folder.csv"), overwriting); });
+  }
+}
+
+// Fails if a file below a folder that is read can be written over.
+TEST_F(NewOutput, KeepsFilesOfFoldersThatAreRead) {
+  fs::create_directories(path("maps/west"));
+  leave("maps/west/a.tif");
+  test::expect_error(ErrorKind::bad_usage, "an input of this command",
+                     [&] { require_new(path("maps/west/a.tif"), Overwriting::allowed, {path("maps")}); });
+  require_new(path("maps/b.tif"), Overwriting::allowed, {path("maps")});
+}
+
+}  // namespace
+}  // namespace offing
