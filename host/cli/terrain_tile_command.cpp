@@ -1,8 +1,10 @@
 #include "host/cli/terrain_tile_command.h"
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
@@ -10,11 +12,13 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "host/base/error.h"
 #include "host/base/error_report.h"
 #include "host/base/progress.h"
 #include "host/cli/terrain_input.h"
 #include "host/cli/terrain_place.h"
 #include "host/cli/tile_writers.h"
+#include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/command_line/print_summary.h"
 #include "host/terrain/tile_builder.h"
@@ -27,7 +31,7 @@ struct TerrainTileArguments {
   TerrainInput input;
   std::string output;
   bool json = false;
-  bool force = false;
+  Overwriting overwriting = Overwriting::refused;
 };
 
 /// From rows to a store.
@@ -46,8 +50,8 @@ class Tiling {
     header_.georeference = about.map.georeference;
     header_.centre_latitude_deg = about.source.centre_latitude_deg;
     header_.centre_longitude_deg = about.source.centre_longitude_deg;
-    const auto existing =
-        arguments_.force ? TileStoreWriter::Existing::replace : TileStoreWriter::Existing::refuse;
+    const auto existing = arguments_.overwriting == Overwriting::allowed ? TileStoreWriter::Existing::replace
+                                                                         : TileStoreWriter::Existing::refuse;
     store_.emplace(arguments_.output, header_.shape, existing);
     progress_.emplace(static_cast<int>(header_.shape.tile_count()), "tiles", options_.verbosity);
     writers_.emplace(*store_, *progress_);
@@ -75,6 +79,12 @@ class Tiling {
     return header_;
   }
 
+  /// Leaves a finished store as it was found.
+  void discard() {
+    writers_.reset();  // waits for its threads
+    if (store_) store_->discard();
+  }
+
   long long written() const { return writers_->written(); }
   long long kept() const { return writers_->kept(); }
 
@@ -90,15 +100,33 @@ class Tiling {
   std::optional<terrain::TileBuilder> builder_;
 };
 
+std::vector<std::filesystem::path> files_below(const std::string& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code status;
+  for (std::filesystem::recursive_directory_iterator entry(folder, status), end; !status && entry != end;
+       entry.increment(status)) {
+    files.push_back(entry->path());
+  }
+  return files;
+}
+
 void run(const TerrainTileArguments& arguments, const GlobalOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   Tiling tiling(arguments, options);
-  const HeightMapSource source = stream_height_map(
-      arguments.input.file(), arguments.input.options(),
-      [&](const HeightMapFile& about) { tiling.begin(about); },
-      [&](std::span<const float> heights_m, std::span<const std::uint8_t> is_void) {
-        tiling.add_row(heights_m, is_void);
-      });
+  require_not_read(files_below(arguments.output), std::vector{arguments.input.file()});
+  const HeightMapSource source = [&] {
+    try {
+      return stream_height_map(
+          arguments.input.file(), arguments.input.options(),
+          [&](const HeightMapFile& about) { tiling.begin(about); },
+          [&](std::span<const float> heights_m, std::span<const std::uint8_t> is_void) {
+            tiling.add_row(heights_m, is_void);
+          });
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::cancelled) tiling.discard();  // one that was stopped may be gone on with
+      throw;
+    }
+  }();
   const TileStoreHeader& header = tiling.finish(source);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (arguments.json) {
@@ -127,7 +155,8 @@ void add_terrain_tile_command(CLI::App& terrain, GlobalOptions& options) {
   CLI::App* command = terrain.add_subcommand("tile", "a height map of any size as a store of tiles");
   arguments->input.add_to(*command);
   command->add_option("-o,--output", arguments->output, "folder to fill")->type_name("STORE")->required();
-  command->add_flag("--force", arguments->force, "make a finished store again; what is right in it is kept");
+  add_force_flag(*command, arguments->overwriting)
+      ->description("replace a finished store, once the new one is complete; equal tiles are kept");
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(

@@ -1,3 +1,5 @@
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -100,6 +102,32 @@ TEST_F(TerrainBadInput, FoldersAndNothing) {
     EXPECT_THAT(result.errors, ::testing::MatchesRegex("error: [^\n]+\nhint: [^\n]+\n")) << name;
     EXPECT_FALSE(std::filesystem::exists(path("out.png"))) << name;
   }
+}
+
+// Fails if the size that a header claims is believed: 2^31 - 1 posts a side in a file of 146 bytes made
+// thousands of folders, and Ctrl-C went unheard.
+TEST_F(TerrainBadInput, TilingLooksAtTheSizeFirst) {
+  std::string tiff("II*\0\x08\0\0\0", 8);
+  const auto add = [&](std::uint32_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) tiff += static_cast<char>(value >> 8 * i);
+  };
+  // Tag, type (3: 16 bits, 4: 32 bits), value: TIFF 6.0, section 8.
+  const std::vector<std::array<std::uint32_t, 3>> entries{
+      {256, 4, 0x7fffffff}, {257, 4, 0x7fffffff}, {258, 3, 8},          {259, 3, 1}, {262, 3, 1},
+      {273, 4, 145},        {277, 3, 1},          {278, 4, 0x7fffffff}, {279, 4, 1}};
+  add(static_cast<std::uint32_t>(entries.size()), 2);
+  for (const auto& [tag, type, value] : entries) {
+    add(tag, 2);
+    add(type, 2);
+    add(1, 4);
+    add(value, 4);
+  }
+  tiff.resize(146);
+  std::ofstream(path("huge.tif"), std::ios::binary) << tiff;
+  const ProgramResult result = run_offing({"terrain", "tile", path("huge.tif"), "-o", path("store")});
+  EXPECT_EQ(result.exit_code, 2) << result.errors;
+  EXPECT_THAT(result.errors, ::testing::HasSubstr("expected a map of at most 1048576 posts a side"));
+  EXPECT_FALSE(std::filesystem::exists(path("store")));
 }
 
 }  // namespace

@@ -256,13 +256,32 @@ TEST_F(TerrainTile, KeepsWhatIsThere) {
   const std::vector<std::string> ground = make_ground(300);
   ASSERT_EQ(tile(ground, "store").exit_code, 0);
   const ProgramResult again = tile(ground, "store");
-  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_EQ(again.exit_code, 2);
   EXPECT_THAT(again.errors, ::testing::HasSubstr("--force"));
   std::vector<std::string> forced = tile_command(ground, "store");
   forced.push_back("--force");
   const ProgramResult third = run_offing(forced);
   EXPECT_EQ(third.exit_code, 0) << third.errors;
   EXPECT_EQ(nlohmann::json::parse(third.output)["tiles_kept"], 5);
+}
+
+// Fails if a source that breaks off half-way costs a finished store anything.
+TEST_F(TerrainTile, KeepsAStoreFromABrokenSource) {
+  const std::string map = path("ground.tif");
+  ASSERT_EQ(run_offing({"terrain", "generate", "--posts", "600", "-o", map}).exit_code, 0);
+  ASSERT_EQ(tile({map}, "store").exit_code, 0);
+  const auto before = content_of("store");
+  ASSERT_EQ(
+      run_offing({"terrain", "generate", "--posts", "600", "--seed", "5", "--force", "-o", map}).exit_code,
+      0);
+  fs::resize_file(map, fs::file_size(map) - fs::file_size(map) / 4);
+  std::vector<std::string> forced = tile_command({map}, "store");
+  forced.push_back("--force");
+  const ProgramResult result = run_offing(forced);
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, ::testing::HasSubstr("ground.tif"));
+  EXPECT_EQ(content_of("store"), before);
+  EXPECT_FALSE(fs::exists(path("store/.new")));
 }
 
 // Nothing is written for input that cannot be read.

@@ -162,6 +162,11 @@ std::string encode_tile(const HeightTile& tile) {
   return bytes;
 }
 
+bool is_begun_as_tile(std::string_view bytes) {
+  return bytes.empty() ||
+         (bytes.size() >= sizeof magic && std::memcmp(bytes.data(), &magic, sizeof magic) == 0);
+}
+
 HeightTile decode_tile(const std::filesystem::path& path, std::string_view bytes, const TileKey& key) {
   Header header{};
   if (bytes.size() >= sizeof(Header)) std::memcpy(&header, bytes.data(), sizeof(Header));

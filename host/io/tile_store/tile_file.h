@@ -14,6 +14,9 @@ namespace offing::tile_store {
 /// as bits. Equal tiles have equal bytes.
 std::string encode_tile(const HeightTile& tile);
 
+/// Whether bytes begin as those of a tile do, though they may be damaged behind that; also if there are none.
+bool is_begun_as_tile(std::string_view bytes);
+
 /// The tile of a file's bytes. Throws Error(bad_input) that names the file if they are of another version or
 /// tile, too few or too many, or not as they were written.
 HeightTile decode_tile(const std::filesystem::path& path, std::string_view bytes, const TileKey& key);

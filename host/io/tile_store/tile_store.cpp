@@ -24,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* header_name = "store.toml";
+constexpr const char* new_tiles_name = ".new";  ///< tiles that wait to replace those of a finished store
 constexpr int format_version = 2;
 
 fs::path tile_path(const fs::path& folder, const TileKey& key) {
@@ -111,10 +112,9 @@ TileStoreHeader read_header(const fs::path& folder, Trust trust) {
   const HeaderReader reader(path, table);
   reader.whole("version", format_version, format_version);
   reader.whole("tile_cells", tile_cells, tile_cells);
-  constexpr int most_posts = 1 << 20;
   TileStoreHeader header;
-  header.shape =
-      TileSetShape::of(reader.whole("columns", 2, most_posts), reader.whole("rows", 2, most_posts));
+  header.shape = TileSetShape::of(reader.whole("columns", 2, most_stored_posts),
+                                  reader.whole("rows", 2, most_stored_posts));
   reader.whole("levels", header.shape.levels, header.shape.levels);
   header.spacing_x_m = reader.above_zero("spacing_x_m");
   header.spacing_z_m = reader.above_zero("spacing_z_m");
@@ -176,12 +176,12 @@ std::string header_text(const TileStoreHeader& header) {
   return text;
 }
 
-/// Whether an entry of a folder could be of a store that was not finished: a level, or a temporary of the
-/// header's.
+/// Whether an entry of a folder could be of a store that was not finished: a level, new tiles, or a temporary
+/// of the header's.
 bool is_of_store(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string();
   const bool is_level = name.size() == 1 && name[0] >= '0' && name[0] <= '8' && entry.is_directory();
-  return is_level || name.starts_with(fmt::format(".{}.", header_name));
+  return is_level || name == new_tiles_name || name.starts_with(fmt::format(".{}.", header_name));
 }
 
 /// The number that a file or folder of a store is named by; nothing where it is some other file.
@@ -233,6 +233,34 @@ void make_folder(const fs::path& folder) {
               "name a folder that does not exist yet, where you may write");
 }
 
+/// Whether a file is a tile of this place that was damaged. No run leaves one half-written.
+bool is_damaged_tile(const fs::path& path, const std::string& bytes, const TileKey& key) {
+  if (!tile_store::is_begun_as_tile(bytes)) return false;
+  try {
+    tile_store::decode_tile(path, bytes, key);
+    return false;
+  } catch (const Error&) {
+    return true;
+  }
+}
+
+[[noreturn]] void fail_to(const char* action, const fs::path& path, const std::error_code& reason) {
+  throw Error(ErrorKind::file, fmt::format("{}: cannot be {}: {}", path.string(), action, reason.message()),
+              "check the permissions of the folder");
+}
+
+void remove_file(const fs::path& path) {
+  std::error_code status;
+  fs::remove(path, status);
+  if (status) fail_to("removed", path, status);
+}
+
+void move_file(const fs::path& from, const fs::path& to) {
+  std::error_code status;
+  fs::rename(from, to, status);
+  if (status) fail_to("replaced", to, status);
+}
+
 }  // namespace
 
 bool is_tile_store(const fs::path& path) {
@@ -258,16 +286,23 @@ HeightTile TileStore::read(const TileKey& key) const {
 }
 
 TileStoreWriter::TileStoreWriter(fs::path folder, const TileSetShape& shape, Existing existing)
-    : folder_(std::move(folder)) {
-  make_folder(folder_);
-  if (is_tile_store(folder_) && existing == Existing::refuse) {
-    throw Error(ErrorKind::file, fmt::format("{}: a finished tile store is there already", folder_.string()),
+    : folder_(std::move(folder)), existing_(existing), is_replacement_(is_tile_store(folder_)) {
+  if (shape.columns > most_stored_posts || shape.rows > most_stored_posts) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a map of at most {} posts a side, found {} x {}", folder_.string(),
+                            most_stored_posts, shape.columns, shape.rows),
+                "cut the map with gdal_translate -srcwin, or make it coarser with gdal_translate -outsize");
+  }
+  if (is_replacement_ && existing == Existing::refuse) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("{}: expected a new folder, found a finished tile store", folder_.string()),
                 "--force makes it again, or name another folder with -o");
   }
+  make_folder(folder_);
   std::error_code status;
   for (fs::directory_iterator entry(folder_, status), end; !status && entry != end; entry.increment(status)) {
     if (entry->path().filename() == header_name || is_of_store(*entry)) continue;
-    throw Error(ErrorKind::file,
+    throw Error(ErrorKind::bad_usage,
                 fmt::format("{}: expected an empty folder or a tile store, found {} in it", folder_.string(),
                             entry->path().filename().string()),
                 "name a new folder with -o");
@@ -276,34 +311,59 @@ TileStoreWriter::TileStoreWriter(fs::path folder, const TileSetShape& shape, Exi
     throw Error(ErrorKind::file, fmt::format("{}: cannot be read: {}", folder_.string(), status.message()),
                 "check the permissions of the folder");
   }
-  // Until it is whole again it is no store.
-  fs::remove(folder_ / header_name, status);
-  if (status) {
-    throw Error(ErrorKind::file,
-                fmt::format("{}: cannot be removed: {}", (folder_ / header_name).string(), status.message()),
-                "check the permissions of the folder");
-  }
-  remove_stale_partials(folder_);
-  for (int level = 0; level < shape.levels; ++level) {
-    for (int row = 0; row < shape.tiles_z(level); ++row) {
-      const fs::path rows = tile_path(folder_, {level, 0, row}).parent_path();
-      make_folder(rows);
-      remove_stale_partials(rows);
+  remove_partials();
+}
+
+void TileStoreWriter::remove_partials() const {
+  for (const fs::path& top : {folder_, folder_ / new_tiles_name}) {
+    remove_stale_partials(top);
+    for (const fs::path& level : entries_of(top)) {
+      if (!number_of(level, "")) continue;
+      for (const fs::path& row : entries_of(level)) remove_stale_partials(row);
     }
   }
 }
 
 bool TileStoreWriter::write(const HeightTile& tile) const {
   const std::string bytes = tile_store::encode_tile(tile);
-  const fs::path path = tile_path(folder_, tile.key);
-  if (content_of(path) == bytes) return false;
-  write_file_atomically(path, bytes);
+  const fs::path path = tile_path(folder_, tile.key), waiting = tile_path(folder_ / new_tiles_name, tile.key);
+  const std::optional<std::string> found = content_of(path);
+  if (found == bytes) {
+    std::error_code ignored;
+    if (is_replacement_) fs::remove(waiting, ignored);  // of a run for another map that was stopped
+    return false;
+  }
+  if (found && existing_ == Existing::refuse && !is_damaged_tile(path, *found, tile.key)) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("{}: expected a tile of this map, found another file", path.string()),
+                "--force replaces it, or name another folder with -o");
+  }
+  const fs::path& target = is_replacement_ ? waiting : path;
+  if (is_replacement_ && content_of(waiting) == bytes) return false;
+  make_folder(target.parent_path());
+  write_file_atomically(target, bytes);
   return true;
 }
 
 void TileStoreWriter::finish(const TileStoreHeader& header) const {
+  if (is_replacement_) {
+    remove_file(folder_ / header_name);  // until all tiles have moved it is no store
+    for (const fs::path& level : entries_of(folder_ / new_tiles_name)) {
+      for (const fs::path& row : entries_of(level)) {
+        const fs::path rows = folder_ / level.filename() / row.filename();
+        make_folder(rows);
+        for (const fs::path& tile : entries_of(row)) move_file(tile, rows / tile.filename());
+      }
+    }
+  }
+  discard();
   remove_others(folder_, header.shape);
   write_file_atomically(folder_ / header_name, header_text(header));
+}
+
+void TileStoreWriter::discard() const {
+  std::error_code ignored;
+  fs::remove_all(folder_ / new_tiles_name, ignored);
 }
 
 }  // namespace offing

@@ -11,6 +11,9 @@
 
 namespace offing {
 
+/// Along a side of the map of a store.
+inline constexpr int most_stored_posts = 1 << 20;
+
 /// What a store says of its map.
 struct TileStoreHeader {
   TileSetShape shape;
@@ -45,23 +48,33 @@ class TileStore {
   TileStoreHeader header_;
 };
 
-/// Fills a folder with a store. A folder in which an earlier run was stopped is gone on with: tiles that are
-/// there as they would be written are kept. The header is written last: a folder without one is no store.
+/// Fills a folder with a store. The header is written last: a folder without one is no store. A folder in
+/// which an earlier run was stopped is gone on with: tiles that are there as they would be written are kept,
+/// damaged ones are written again. A finished store that is replaced stays whole until all tiles of the new
+/// one are there; those that differ wait in the subfolder `.new`.
 class TileStoreWriter {
  public:
   enum class Existing { refuse, replace };
 
-  /// Makes the folder. Throws Error(file) if it holds something else, or a finished store that may not be
-  /// replaced.
+  /// Makes the folder. Throws Error(bad_input) for a map that is too large, before anything is made;
+  /// Error(bad_usage) if the folder holds something else, or a finished store that
+  /// may not be replaced; Error(file) if it cannot be made or read.
   TileStoreWriter(std::filesystem::path folder, const TileSetShape& shape, Existing existing);
 
-  /// Writes a tile unless it is there; returns whether it was. Safe to use from several threads at once.
+  /// Writes a tile unless it is there; returns whether it was written. Throws Error(bad_usage) for a whole
+  /// tile of another map that may not be replaced. Safe to use from several threads at once.
   bool write(const HeightTile& tile) const;
   /// Publishes the store, without what is left of a store of another shape.
   void finish(const TileStoreHeader& header) const;
+  /// Removes what was written beside a finished store, which stays as it is.
+  void discard() const;
 
  private:
+  void remove_partials() const;
+
   std::filesystem::path folder_;
+  Existing existing_;
+  bool is_replacement_;  ///< of a finished store
 };
 
 }  // namespace offing

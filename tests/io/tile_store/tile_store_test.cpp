@@ -56,16 +56,19 @@ std::map<std::string, std::string> content_of(const fs::path& folder) {
 class TileStoreTest : public ::testing::Test {
  protected:
   /// Writes tiles of a map of 600 x 300 posts until so many are written; finishes it if all are.
-  int write(const fs::path& folder, int most) const {
+  int write(const fs::path& folder, int most,
+            TileStoreWriter::Existing existing = TileStoreWriter::Existing::refuse,
+            double raised_m = 0.0) const {
     const TileSetShape shape = TileSetShape::of(600, 300);
-    const TileStoreWriter writer(folder, shape, TileStoreWriter::Existing::refuse);
+    const TileStoreWriter writer(folder, shape, existing);
     int written = 0;
     for (int level = 0; level < shape.levels; ++level) {
       for (int row = 0; row < shape.tiles_z(level); ++row) {
         for (int column = 0; column < shape.tiles_x(level); ++column) {
           if (written == most) return written;
-          written += writer.write(made({level, column, row},
-                                       [&](int x, int z) { return hills(x + 256 * column, z + 256 * row); }))
+          written += writer.write(made(
+                         {level, column, row},
+                         [&](int x, int z) { return raised_m + hills(x + 256 * column, z + 256 * row); }))
                          ? 1
                          : 0;
         }
@@ -174,6 +177,49 @@ TEST_F(TileStoreTest, GoesOnAfterAnyTile) {
   }
 }
 
+// Fails if a run without permission to replace writes over a whole tile of another map, or a file that is
+// none.
+TEST_F(TileStoreTest, GoesOnWithItsOwnTilesOnly) {
+  write(folder(), 5);
+  const auto before = content_of(folder());
+  test::expect_error(ErrorKind::bad_usage, "expected a tile of this map, found another file",
+                     [&] { write(folder(), 1000, TileStoreWriter::Existing::refuse, 10.0); });
+  EXPECT_EQ(content_of(folder()), before);
+  const fs::path tile = folder() / "0" / "0000" / "0000.tile";
+  std::ofstream(tile) << "mine";
+  test::expect_error(ErrorKind::bad_usage, tile.string(), [&] { write(folder(), 1000); });
+  EXPECT_EQ(bytes_of(tile), "mine");
+  EXPECT_EQ(write(folder(), 1000, TileStoreWriter::Existing::replace, 10.0), 9);
+}
+
+// Fails if a finished store loses anything before the one that replaces it is complete, or if that one is not
+// the same as a new one, also where an earlier run for another map was stopped.
+TEST_F(TileStoreTest, KeepsAFinishedStoreUntilItIsReplaced) {
+  using enum TileStoreWriter::Existing;
+  const fs::path once = temporary_.path() / "once";
+  write(once, 1000, refuse, 10.0);
+  write(folder(), 1000);
+  const auto before = content_of(folder());
+  for (const int stop : {0, 1, 8}) {
+    EXPECT_EQ(write(folder(), stop, replace, stop == 8 ? 20.0 : 10.0), stop == 8 ? 8 : stop);
+    const auto found = content_of(folder());
+    for (const auto& [name, bytes] : before) EXPECT_EQ(found.at(name), bytes) << name;
+    EXPECT_EQ(TileStore(folder()).read({0, 0, 0}).key, (TileKey{0, 0, 0}));
+  }
+  EXPECT_EQ(write(folder(), 1000, replace, 10.0), 9);
+  EXPECT_EQ(content_of(folder()), content_of(once));
+  EXPECT_FALSE(fs::exists(folder() / ".new"));
+  // Equal tiles are kept.
+  EXPECT_EQ(write(folder(), 1000, replace, 10.0), 0);
+}
+
+// Fails if folders are made before there are tiles for them.
+TEST_F(TileStoreTest, MakesFoldersAsTilesCome) {
+  const TileSetShape shape = TileSetShape::of(most_stored_posts, most_stored_posts);
+  const TileStoreWriter writer(folder(), shape, TileStoreWriter::Existing::refuse);
+  EXPECT_TRUE(fs::is_empty(folder()));
+}
+
 // A store that replaces a larger one has its own tiles only, and leaves a stranger's file alone.
 TEST_F(TileStoreTest, KeepsNoTilesOfAnotherShape) {
   const fs::path once = temporary_.path() / "once";
@@ -232,7 +278,7 @@ TEST_F(TileStoreTest, NamesDamagedTiles) {
 TEST_F(TileStoreTest, RefusesWhatIsNoStore) {
   test::expect_error(ErrorKind::bad_input, "store.toml", [&] { TileStore(temporary_.path()); });
   write(folder(), 1000);
-  test::expect_error(ErrorKind::file, "is there already", [&] { write(folder(), 1000); });
+  test::expect_error(ErrorKind::bad_usage, "found a finished tile store", [&] { write(folder(), 1000); });
   std::string text = bytes_of(folder() / "store.toml");
   const auto with = [&](const std::string& line, const std::string& part) {
     std::ofstream(folder() / "store.toml") << line << "\n" << text.substr(text.find("tile_cells"));
@@ -262,7 +308,7 @@ TEST_F(TileStoreTest, RefusesWhatIsNoStore) {
   const fs::path other = temporary_.path() / "other";
   fs::create_directory(other);
   std::ofstream(other / "letter.txt") << "mine";
-  test::expect_error(ErrorKind::file, "letter.txt", [&] { write(other, 1000); });
+  test::expect_error(ErrorKind::bad_usage, "letter.txt", [&] { write(other, 1000); });
   EXPECT_EQ(content_of(other).size(), 1u);
 }
 
