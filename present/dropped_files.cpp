@@ -36,7 +36,8 @@ constexpr std::array known_names{
     KnownName{".exr", DroppedKind::height_map}, KnownName{".data_spec", DroppedKind::spectrum},
     KnownName{".spec", DroppedKind::spectrum},  KnownName{".spc", DroppedKind::spectrum},
     KnownName{".spt", DroppedKind::spectrum},   KnownName{".txt", DroppedKind::spectrum},
-    KnownName{".nc", DroppedKind::spectrum},    KnownName{".vdb", DroppedKind::cloud}};
+    KnownName{".nc", DroppedKind::spectrum},    KnownName{".gz", DroppedKind::spectrum},
+    KnownName{".vdb", DroppedKind::cloud}};
 
 std::string lower_extension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
@@ -137,7 +138,7 @@ DroppedKind kind_of_dropped(const std::filesystem::path& file) {
                   "of none",
                   one_line(file.filename().string())),
       "known are .toml; .obj .ply .off .stl .gltf .glb; .tif .hgt .zip .dem .asc .vrt .png .exr and tile "
-      "stores; .data_spec .spec .spc .spt .txt .nc; .vdb and .ply of particles");
+      "stores; .data_spec .spec .spc .spt .txt .nc and these as .gz; .vdb and .ply of particles");
 }
 
 std::string add_dropped(scene::OceanScene& scene, const std::filesystem::path& file, DroppedKind kind,

@@ -31,3 +31,4 @@ offing_dependency(PkgConfig::CAIRO
   PKG_CONFIG cairo)
 offing_dependency(openvdb CMAKE "" PKG_CONFIG_LIBRARIES -lopenvdb)
 offing_dependency(TBB::tbb CMAKE "find_dependency(TBB)" PKG_CONFIG tbb)
+offing_dependency(ZLIB::ZLIB CMAKE "find_dependency(ZLIB)" PKG_CONFIG zlib)

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 
-/// E(f) at 128 frequencies.
+/// E(f) at as many frequencies as other readers take.
 WaveSpectrum sampled_energy(const ocean::SeaSpectrum& spectrum) {
-  constexpr int frequency_count = 128;
+  constexpr int frequency_count = 99;
   const double highest_radps = std::min(spectrum.omega_max_radps, 10.0 * spectrum.omega_peak_radps);
   const double step = std::log(highest_radps / spectrum.omega_min_radps) / (frequency_count - 1);
   WaveSpectrum sampled;

@@ -10,7 +10,8 @@
 namespace offing::meshes {
 
 /// The words of a text file, line by line; knows where it stands, so that every error can say file and line.
-/// Lines end with LF or CRLF. What follows a # is a comment.
+/// Lines end with LF or CRLF. What follows a # is a comment. A byte-order mark at the begin of a file is no
+/// word.
 class TextLines {
  public:
   /// `lines_before` counts the lines of the file before the text.

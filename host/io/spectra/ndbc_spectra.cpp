@@ -9,6 +9,7 @@
 
 #include "host/base/error.h"
 #include "host/io/spectra/bearings.h"
+#include "host/io/spectra/gzip.h"
 #include "host/io/spectra/ndbc_table.h"
 #include "host/io/spectra/spectrum_builder.h"
 #include "host/io/spectra/text_cursor.h"
@@ -104,7 +105,7 @@ class MomentFiles {
 
 // "41010" of 41010.data_spec and of 41010w2020.txt.
 std::string station_name(std::string_view file_name) {
-  const std::filesystem::path path{std::string(file_name)};
+  const std::filesystem::path path = unpacked_name(std::string(file_name));
   std::string stem = path.stem().string();
   if (const auto companions = ndbc_companion_paths(path); companions && path.extension() == ".txt") {
     stem.resize(stem.size() - 5);

@@ -14,6 +14,7 @@
 #include "host/base/error_report.h"
 #include "host/base/log.h"
 #include "host/io/spectra/datawell_spectra.h"
+#include "host/io/spectra/gzip.h"
 #include "host/io/spectra/ndbc_spectra.h"
 #include "host/io/spectra/netcdf_spectra.h"
 #include "host/io/spectra/swan_spectra.h"
@@ -33,20 +34,33 @@ struct LoadedFile {
   NamedText text() const { return {bytes, name}; }
 };
 
+/// Unpacked if it is compressed.
 LoadedFile load(const std::filesystem::path& path) {
-  return {path.string(), read_whole_file(path, {.kind = "a wave spectrum file",
-                                                .most_bytes = std::size_t{1} << 30,
-                                                .mend_of_size = "cut the file into months, or extract the "
-                                                                "records that you need"})};
+  // A year of a buoy has 20 MB.
+  constexpr std::size_t most_unpacked_bytes = std::size_t{1} << 28;
+  LoadedFile file{path.string(),
+                  read_whole_file(path, {.kind = "a wave spectrum file",
+                                         .most_bytes = std::size_t{1} << 30,
+                                         .mend_of_size = "cut the file into months, or extract "
+                                                         "the records that you need"})};
+  if (spectra::is_gzip(file.bytes)) {
+    file.bytes = spectra::unpack_gzip(file.bytes, file.name, most_unpacked_bytes);
+  }
+  return file;
 }
 
-/// A companion of `main`.
+/// A companion of `main`, or the same compressed.
 std::optional<LoadedFile> load_if_there(const std::filesystem::path& main, const std::filesystem::path& path,
                                         Trust trust) {
+  std::filesystem::path packed = path;
+  packed += ".gz";
   std::error_code status;
-  if (!std::filesystem::exists(path, status)) return std::nullopt;
-  require_beside(main, path, trust);
-  return load(path);
+  for (const std::filesystem::path& file : {path, packed}) {
+    if (!std::filesystem::exists(file, status)) continue;
+    require_beside(main, file, trust);
+    return load(file);
+  }
+  return std::nullopt;
 }
 
 std::vector<WaveSpectrum> read_ndbc(const LoadedFile& main, const std::filesystem::path& path, Trust trust) {
@@ -131,7 +145,7 @@ std::vector<WaveSpectrum> parse(const LoadedFile& file, const std::filesystem::p
 
 std::vector<WaveSpectrum> read_spectra(const std::filesystem::path& path, Trust trust) {
   try {
-    return parse(load(path), path, trust);
+    return parse(load(path), spectra::unpacked_name(path), trust);
   } catch (const std::bad_alloc&) {
     throw Error(ErrorKind::out_of_memory,
                 fmt::format("{}: not enough memory for its spectra", spectra::printable_name(path.string())),

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -33,18 +34,92 @@ constexpr double smallest_printed = 1e-99;
               hint);
 }
 
+// Other readers of this format, wavespectra among them, take counts of two digits only.
+constexpr std::size_t most_counted = 99;
+
+// Of more directions than that: a whole number of them becomes one where that leaves enough.
+std::size_t written_directions(std::size_t count) {
+  constexpr std::size_t fewest = 36, usual = 90;
+  for (std::size_t merged = 2; count / merged >= fewest; ++merged) {
+    if (count % merged == 0 && count / merged <= most_counted) return count / merged;
+  }
+  return usual;
+}
+
+// Energy stays where it is but for the width of the cells: each takes its share of those that it covers.
+void coarsen_directions(WaveSpectrum& spectrum, std::size_t count) {
+  const std::size_t given = spectrum.directions_rad.size(), rows = spectrum.frequencies_hz.size();
+  const double ratio = static_cast<double>(given) / static_cast<double>(count);
+  std::vector<double> directions_rad(count), spreading(rows * count, 0.0);
+  const double step_rad = 2.0 * std::numbers::pi / static_cast<double>(given);
+  for (std::size_t to = 0; to < count; ++to) {
+    // Cell borders in given cells, from the first one's lower border on.
+    const double begin = ratio * static_cast<double>(to), end = begin + ratio;
+    directions_rad[to] = spectrum.directions_rad[0] + step_rad * (0.5 * (begin + end) - 0.5);
+    for (auto from = static_cast<std::size_t>(begin); from < given && static_cast<double>(from) < end;
+         ++from) {
+      const double low = std::max(begin, static_cast<double>(from)),
+                   high = std::min(end, static_cast<double>(from + 1));
+      for (std::size_t row = 0; row < rows; ++row)
+        spreading[row * count + to] += (high - low) / ratio * spectrum.spreading[row * given + from];
+    }
+  }
+  spectrum.directions_rad = std::move(directions_rad);
+  spectrum.spreading = std::move(spreading);
+}
+
+// Evenly among the given ones, from the first to the last; the variance stays.
+void coarsen_frequencies(WaveSpectrum& spectrum, std::size_t count) {
+  const std::size_t given = spectrum.frequencies_hz.size(), directions = spectrum.directions_rad.size();
+  WaveSpectrum coarse = spectrum;
+  coarse.frequencies_hz.clear();
+  coarse.energy.clear();
+  coarse.spreading.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double place =
+        static_cast<double>(i) * static_cast<double>(given - 1) / static_cast<double>(count - 1);
+    const std::size_t before = std::min(static_cast<std::size_t>(place), given - 2);
+    const double share = place - static_cast<double>(before);
+    const auto between = [&](double low, double high) { return std::lerp(low, high, share); };
+    coarse.frequencies_hz.push_back(
+        between(spectrum.frequencies_hz[before], spectrum.frequencies_hz[before + 1]));
+    coarse.energy.push_back(between(spectrum.energy[before], spectrum.energy[before + 1]));
+    for (std::size_t j = 0; j < directions; ++j) {
+      const std::size_t at = before * directions + j;
+      coarse.spreading.push_back(between(spectrum.spreading[at], spectrum.spreading[at + directions]));
+    }
+  }
+  const double scale = variance_m2(coarse) > 0.0 ? variance_m2(spectrum) / variance_m2(coarse) : 1.0;
+  for (double& energy : coarse.energy) energy *= scale;
+  spectrum = std::move(coarse);
+}
+
+WaveSpectrum with_counts_of_two_digits(WaveSpectrum spectrum) {
+  const std::size_t directions = spectrum.directions_rad.size();
+  if (directions > most_counted) coarsen_directions(spectrum, written_directions(directions));
+  if (spectrum.frequencies_hz.size() > most_counted) coarsen_frequencies(spectrum, most_counted);
+  return spectrum;
+}
+
+std::vector<const WaveSpectrum*> oldest_first(std::span<const WaveSpectrum> spectra) {
+  std::vector<const WaveSpectrum*> sorted;
+  for (const WaveSpectrum& spectrum : spectra) sorted.push_back(&spectrum);
+  std::ranges::stable_sort(sorted, {}, [](const WaveSpectrum* each) { return each->time_utc; });
+  return sorted;
+}
+
 // How many spectra share the first one's time; checks that the others repeat that.
-std::size_t points_a_time(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra) {
+std::size_t points_a_time(const std::filesystem::path& path, std::span<const WaveSpectrum* const> spectra) {
   const auto same_time = [&](std::size_t begin) {
     std::size_t end = begin;
-    while (end < spectra.size() && spectra[end].time_utc == spectra[begin].time_utc) ++end;
+    while (end < spectra.size() && spectra[end]->time_utc == spectra[begin]->time_utc) ++end;
     return end - begin;
   };
   const std::size_t points = same_time(0);
   for (std::size_t begin = points; begin < spectra.size(); begin += points) {
     if (same_time(begin) == points) continue;
     fail(path,
-         fmt::format("expected {} spectra at {}, got {}", points, spectra[begin].time_utc, same_time(begin)),
+         fmt::format("expected {} spectra at {}, got {}", points, spectra[begin]->time_utc, same_time(begin)),
          "this format needs the same points at every time; write one record");
   }
   return points;
@@ -118,8 +193,9 @@ std::vector<std::size_t> ww3_order(std::span<const double> bearings_rad) {
 void make_text(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra,
                const std::function<void(std::string_view)>& write) {
   check_alike(path, spectra);
-  const std::size_t points = points_a_time(path, spectra);
-  const WaveSpectrum& first = spectra.front();
+  const std::vector<const WaveSpectrum*> sorted = oldest_first(spectra);
+  const std::size_t points = points_a_time(path, sorted);
+  const WaveSpectrum first = with_counts_of_two_digits(*sorted.front());
   const std::size_t nf = first.frequencies_hz.size();
   const std::size_t nd = first.directions_rad.size();
 
@@ -138,8 +214,8 @@ void make_text(const std::filesystem::path& path, std::span<const WaveSpectrum> 
   append_values(text, first.frequencies_hz, 8);
   append_values(text, ordered_rad, 7);
   std::vector<double> density(nf * nd);
-  for (std::size_t record = 0; record < spectra.size(); ++record) {
-    const WaveSpectrum& spectrum = spectra[record];
+  for (std::size_t record = 0; record < sorted.size(); ++record) {
+    const WaveSpectrum spectrum = with_counts_of_two_digits(*sorted[record]);
     if (record % points == 0) text += time_line(spectrum);
     text += fmt::format("{} {:.4f} {:.4f} {:.2f} 0.00 0.0 0.00 0.0\n", quoted_name(spectrum.station),
                         spectrum.latitude_deg.value_or(unknown), spectrum.longitude_deg.value_or(unknown),

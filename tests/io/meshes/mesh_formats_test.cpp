@@ -50,6 +50,18 @@ TEST(MeshFormats, AllKindsHoldTheSamePyramid) {
   EXPECT_EQ(checked, 9);
 }
 
+// Windows programs begin text with a byte-order mark. Fails if one is taken for a part of the first word.
+TEST(MeshFormats, ByteOrderMarksArePassedOver) {
+  const std::string mark = "\xef\xbb\xbf", pyramid = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n";
+  const TemporaryFolder folder;
+  for (const std::string& text : {pyramid, "# made elsewhere\n" + pyramid}) {
+    std::ofstream(folder.path() / "a.obj", std::ios::binary) << mark << text;
+    const TriangleMesh mesh = read_mesh(folder.path() / "a.obj");
+    EXPECT_EQ(mesh.positions_m.size(), 4u);
+    EXPECT_EQ(mesh.faces.size(), 1u);
+  }
+}
+
 // Fails if negative indices, a line that goes on, texture indices, faces before their vertices, or elements
 // that are no faces are taken otherwise than the format says.
 TEST(MeshFormats, ObjTakesPositionIndicesAlone) {

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
+#include "host/io/spectra/gzip.h"
 #include "tests/io/spectra/spectrum_checks.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/ocl/expect_error.h"
@@ -51,6 +53,59 @@ TEST(ReadSpectra, FindsHistoricalCompanions) {
   write_text(folder.path() / "46042k2020.txt", "damaged");
   expect_error(ErrorKind::bad_input, "46042k2020.txt:1: expected an NDBC header",
                [&] { read_spectra(folder.path() / "46042w2020.txt"); });
+}
+
+/// As one member of a gzip file.
+std::string packed(const std::string& text) {
+  z_stream stream{};
+  deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, MAX_WBITS + 16, 8, Z_DEFAULT_STRATEGY);
+  std::string bytes(deflateBound(&stream, text.size()), '\0');
+  std::string input = text;
+  stream.next_in = reinterpret_cast<Bytef*>(input.data());
+  stream.avail_in = static_cast<uInt>(input.size());
+  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
+  stream.avail_out = static_cast<uInt>(bytes.size());
+  deflate(&stream, Z_FINISH);
+  bytes.resize(stream.total_out);
+  deflateEnd(&stream);
+  return bytes;
+}
+
+// NDBC's archive is compressed. Fails if such a file, its companions or its station are not found, or if a
+// file of two members loses the second.
+TEST(ReadSpectra, UnpacksGzip) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "46042w2020.txt.gz";
+  const std::size_t half = historical.size() / 2;
+  write_text(path, packed(historical.substr(0, half)) + packed(historical.substr(half)));
+  EXPECT_FALSE(read_spectra(path)[0].is_directional());
+  EXPECT_EQ(read_spectra(path)[0].station, "46042");
+  write_text(folder.path() / "46042d2020.txt.gz", packed(directions));
+  write_text(folder.path() / "46042j2020.txt.gz", packed(moments));
+  EXPECT_TRUE(read_spectra(path)[0].is_directional());
+  write_text(folder.path() / "buoy.spt.gz", packed(datawell));
+  EXPECT_EQ(read_spectra(folder.path() / "buoy.spt.gz")[0].energy[0], 0.5);
+}
+
+// Fails if a small file can fill the memory, or a damaged one is read as a shorter one. 300 MB are 1.3 MB
+// packed.
+TEST(ReadSpectra, RefusesDamagedGzip) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "46042w2020.txt.gz";
+  const std::string whole = packed(historical);
+  for (const std::size_t length : {std::size_t{2}, std::size_t{12}, whole.size() - 5}) {
+    write_text(path, whole.substr(0, length));
+    expect_error(ErrorKind::bad_input, "46042w2020.txt.gz: expected a whole gzip file",
+                 [&] { read_spectra(path); });
+  }
+  std::string bad_sum = whole;
+  bad_sum[whole.size() - 6] ^= 1;
+  write_text(path, bad_sum);
+  expect_error(ErrorKind::bad_input, "expected a whole gzip file", [&] { read_spectra(path); });
+  const std::string bomb = packed(std::string(3'000'000, ' '));
+  EXPECT_LT(bomb.size(), 20'000u);
+  expect_error(ErrorKind::bad_input, "b.gz: expected at most 1000000 bytes unpacked, got more",
+               [&] { spectra::unpack_gzip(bomb, "b.gz", 1'000'000); });
 }
 
 // Fails if a file that is no spectrum is taken for one, or an error shows what is in it: a scene may name any

@@ -1,0 +1,32 @@
+"""How a test comes to a package of PyPI: it goes on in the Python that has the package, or skips with the reason."""
+
+import os
+import pathlib
+import subprocess
+import sys
+
+SKIPPED = 77  # SKIP_RETURN_CODE of the tests
+
+
+def skip(reason):
+    print(f"{sys.argv[0]}: Skipped\n{reason}")
+    sys.exit(SKIPPED)
+
+
+def enter(package):
+    """Takes TEST.py PYTHON OFFING SCENES to a process of PYTHON, which has `package`. Returns OFFING and SCENES."""
+    python, offing, scenes = sys.argv[1:]
+    if os.environ.get("OFFING_PEER") != package:
+        if not pathlib.Path(python).exists():
+            skip(f"no virtual environment with {package}: ./dev test --slow makes it")
+        found = subprocess.run([python, "-c", f"import {package}"], capture_output=True, text=True)
+        if found.returncode != 0:
+            skip(f"{package} cannot be imported: {(found.stderr.strip().splitlines() or ['no reason'])[-1]}")
+        os.environ["OFFING_PEER"] = package
+        os.execv(python, [python, "-B", *sys.argv])
+    return offing, pathlib.Path(scenes)
+
+
+def run(offing, *arguments):
+    """The output of an offing command, which must succeed."""
+    return subprocess.run([offing, *map(str, arguments)], check=True, stdout=subprocess.PIPE, text=True).stdout
