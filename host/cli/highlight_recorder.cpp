@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <map>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -14,7 +13,7 @@
 #include "host/scene/scene_meshes.h"
 #include "host/scene/version.h"
 #include "host/scene/world_scene.h"
-#include "host/world/mesh_view.h"
+#include "host/world/world.h"
 
 namespace offing::cli {
 namespace {
@@ -95,6 +94,14 @@ animations::MeshFrame frame_of(const world::MeshView& view, const scene::MeshSce
   return frame;
 }
 
+/// Without what neither moves meshes nor lights them.
+world::WorldParameters with_what_moves_meshes(world::WorldParameters parameters) {
+  parameters.clouds.reset();
+  parameters.wakes.clear();
+  parameters.has_sea = !parameters.bodies.empty();
+  return parameters;
+}
+
 void require_highlights(const scene::OceanScene& scene) {
   for (const scene::MeshScene& mesh : scene.meshes) {
     if (mesh.shown == scene::MeshHighlights::on) return;
@@ -110,10 +117,9 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, scen
                                                  const FrameRange& frames, Progress& progress,
                                                  const CancelToken& cancel) {
   require_highlights(scene);
-  // With the eye where offing-view has it.
-  const world::WorldParameters shown = scene::prepare_shown_world(scene);
-  std::optional<world::GroundView> ground;
-  if (shown.ground) ground.emplace(device, *shown.ground);
+  // As offing-view shows it: the eye at its place, and bodies where they float.
+  world::World world(device, with_what_moves_meshes(scene::prepare_shown_world(scene)));
+  world.set_sea_samples(16);  // bodies feel the whole sea still, and nobody looks at it
   animations::HighlightAnimation animation{.generator = fmt::format("Offing {}", scene::version()),
                                            .frames_per_s = scene.frames_per_second,
                                            .first_frame = frames.first,
@@ -122,26 +128,21 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, scen
                                            .meshes = {}};
   for (const scene::LightScene& light : scene.lights) animation.lamps.push_back(light.name);
   animation.lamps.emplace_back("sun");
-  std::vector<world::MeshView> views;
-  for (std::size_t i = 0; i < shown.meshes.size(); ++i) {
-    animation.meshes.push_back({.name = shown.meshes[i].name,
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    animation.meshes.push_back({.name = world.meshes()[i].parameters().name,
                                 .file = scene.meshes[i].file,
                                 .scale = scene.meshes[i].scale,
                                 .frames = {}});
-    views.emplace_back(device, shown.meshes[i]);
   }
-  const highlights::LightingAt lighting = scene::lighting_of(scene, ground ? &*ground : nullptr);
+  const highlights::LightingAt lighting = scene::lighting_of(scene, world.ground());
   const double first_s = frames.first / scene.frames_per_second;
   Textures textures(animation.textures);
   for (int frame = frames.first; frame <= frames.last; ++frame) {
     cancel.throw_if_cancelled();
-    const double time_s = frame / scene.frames_per_second;
-    const auto rules = scene::mesh_rules_at(scene, time_s);
-    for (std::size_t i = 0; i < views.size(); ++i) {
-      views[i].set_rules(rules[i]);
-      views[i].at(time_s, lighting, first_s);
-      animation.meshes[i].frames.push_back(frame_of(views[i], scene.meshes[i], textures));
-    }
+    const scene::ViewScene view = scene::show_at(world, scene, frame / scene.frames_per_second);
+    world.see_meshes(view.camera.eye_m, lighting, first_s);
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+      animation.meshes[i].frames.push_back(frame_of(world.meshes()[i], scene.meshes[i], textures));
     progress.advance();
   }
   return animation;
