@@ -193,8 +193,11 @@ class Writer {
     const ProjectorSample& sample = *projector.samples.front().second;
     const NodeKeys keys = keys_of(projector);
     const Json first_colour = {keys.colours[0], keys.colours[1], keys.colours[2], keys.colours[3]};
+    const std::string name = fmt::format("highlight {}.{}.{}", sample.id, sample.rule, sample.copy);
+    // Blender's importer stops at an unlit material without a name.
     materials_.push_back(
-        {{"pbrMetallicRoughness",
+        {{"name", name},
+         {"pbrMetallicRoughness",
           {{"baseColorFactor", first_colour}, {"baseColorTexture", {{"index", sample.texture}}}}},
          {"alphaMode", "BLEND"},
          {"doubleSided", true},
@@ -204,7 +207,7 @@ class Writer {
                           {"indices", square_indices},
                           {"material", materials_.size() - 1}}}}});
     const std::size_t node = nodes_.size();
-    nodes_.push_back({{"name", fmt::format("highlight {}.{}.{}", sample.id, sample.rule, sample.copy)},
+    nodes_.push_back({{"name", name},
                       {"mesh", meshes_.size() - 1},
                       {"extras",
                        {{"id", sample.id},

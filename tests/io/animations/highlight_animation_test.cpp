@@ -176,6 +176,9 @@ void expect_nodes(const tinygltf::Model& model, const HighlightAnimation& animat
   EXPECT_EQ(model.nodes[0].extras.Get("file").Get<std::string>(), "knot.ply");
   EXPECT_EQ(model.nodes[0].extras.Get("scale").GetNumberAsDouble(), 0.5);
   EXPECT_EQ(model.extras.Get("lamps").Get(1).Get<std::string>(), "sun");
+  // Blender's importer stops at an unlit material without a name.
+  ASSERT_EQ(model.materials.size(), 2u);
+  for (const tinygltf::Material& material : model.materials) EXPECT_NE(material.name, "");
   // Where animations are left out, all is as in the first frame.
   const glm::dvec3 at_rest = vector_of(model.nodes[static_cast<std::size_t>(nodes.at(3))].translation);
   EXPECT_LE(glm::distance(at_rest, sample(3, 0).position_m), 1e-6);
