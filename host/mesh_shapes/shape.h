@@ -70,12 +70,20 @@ Shape make_head(double radius_m, int level, const Roughness& roughness = {});
 /// depth follow from the length.
 Shape make_ship(double length_m, const Grid& grid);
 
-/// An open boat with a deck at each end, bow toward +x, +y up: a closed surface of an outer and an inner skin,
-/// whose sections have v_cells quads, half of them outside; 8 or more. No truth, as for ships.
+/// An open boat with a deck at each end, bow toward +x, +y up: a closed surface of an outer and an inner
+/// skin, whose sections have v_cells quads, half of them outside; 8 or more. No truth, as for ships.
 Shape make_boat(double length_m, const Grid& grid);
 
 /// A box about the origin, each side of so many cells a side. No truth, for its edges.
 Shape make_box(const glm::dvec3& sides_m, int cells);
+
+/// A closed cylinder about the y axis, its middle at the origin: u_cells rings of cells from its bottom to
+/// its top, v_cells around it, 3 or more each; a fan closes each end. No truth, for its edges.
+Shape make_cylinder(double radius_m, double height_m, const Grid& grid);
+
+/// A closed cone about the y axis, its apex up and half of its height above the origin; cells as a
+/// cylinder's, the last of which are a fan about the apex.
+Shape make_cone(double radius_m, double height_m, const Grid& grid);
 
 /// A bird that soars toward +x, +y up, its wings raised: a closed surface of u_cells ellipses of v_cells
 /// points from tip to tip along z, and a fan at each tip; no truth, for its beak has edges.

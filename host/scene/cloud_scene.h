@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,8 +16,6 @@ namespace offing::scene {
 
 enum class CloudModelling { as_genus, sampled, hierarchical };
 enum class CloudSampling { as_genus, uniform, random };
-/// Closed shapes made by formulas (MeshShape of mesh_scene.h).
-enum class CloudSolid { none, knot, sphere, ellipsoid, torus, head, ship, bird };
 enum class CloudPuffs { as_genus, crisp, soft };
 enum class CloudPhase { as_genus, rayleigh, henyey_greenstein, double_henyey_greenstein, mie_droplet };
 
@@ -26,16 +25,14 @@ struct CloudShapeScene {
   std::string grid = "density";  ///< of a .vdb
   std::string mesh;              ///< a closed one
   std::string text;
-  CloudSolid solid = CloudSolid::none;
+  std::size_t solid = 0;  ///< 0: none; else 1 + the index of mesh_shapes::closed_shapes()
   double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;  ///< how a solid, a mesh or a text is turned
   double size_m = 500.0;                                  ///< height of a text; longest edge of a mesh
   double depth_m = 150.0;                                 ///< of a text, from front to back
   double thickness_m = 40.0;  ///< how deep below the surface of a mesh or a text its density has risen to 1
   double fluff_m = 15.0;      ///< how far beyond that surface it begins
 
-  bool is_given() const {
-    return !file.empty() || !mesh.empty() || !text.empty() || solid != CloudSolid::none;
-  }
+  bool is_given() const { return !file.empty() || !mesh.empty() || !text.empty() || solid != 0; }
   bool operator==(const CloudShapeScene&) const = default;
 };
 

@@ -15,7 +15,7 @@
 #include "host/io/meshes/read_mesh.h"
 #include "host/io/text/text_mesh.h"
 #include "host/io/vdb/vdb_volume.h"
-#include "host/scene/mesh_data.h"
+#include "host/mesh_shapes/shape_table.h"
 #include "host/scene/named_file.h"
 
 namespace offing::scene {
@@ -141,34 +141,13 @@ void take_solid(const CloudScene& cloud, TriangleMesh mesh, CloudParameters& par
   parameters.shape = std::make_shared<const CloudVolume>(std::move(volume));
 }
 
-MeshShape mesh_shape_of(CloudSolid solid) {
-  switch (solid) {
-    case CloudSolid::none:
-    case CloudSolid::knot:
-      break;
-    case CloudSolid::sphere:
-      return MeshShape::sphere;
-    case CloudSolid::ellipsoid:
-      return MeshShape::ellipsoid;
-    case CloudSolid::torus:
-      return MeshShape::torus;
-    case CloudSolid::head:
-      return MeshShape::head;
-    case CloudSolid::ship:
-      return MeshShape::ship;
-    case CloudSolid::bird:
-      return MeshShape::bird;
-  }
-  return MeshShape::knot;
-}
-
 /// What makes a cloud is said once: the rest would be ignored.
 void require_one_source(const OceanScene& scene, std::size_t index) {
   const CloudShapeScene& shape = scene.clouds[index].shape;
   const std::pair<const char*, bool> sources[]{{"cloud.file", !shape.file.empty()},
                                                {"cloud.mesh", !shape.mesh.empty()},
                                                {"cloud.text", !shape.text.empty()},
-                                               {"cloud.shape", shape.solid != CloudSolid::none}};
+                                               {"cloud.shape", shape.solid != 0}};
   const char* first = nullptr;
   for (const auto& [key, is_given] : sources) {
     if (!is_given) continue;
@@ -202,11 +181,11 @@ RestingParticles take_shape(const OceanScene& scene, std::size_t index, CloudPar
         const TextMeshOptions options{.height_m = size_m, .thickness_m = cloud.scale * cloud.shape.depth_m};
         take_solid(cloud, text_mesh(cloud.shape.text, options), parameters);
       });
-    } else if (cloud.shape.solid != CloudSolid::none) {
+    } else if (cloud.shape.solid != 0) {
       constexpr int detail = 2;
       at_key(scene, {"cloud.shape", element}, [&] {
-        take_solid(cloud, fitted(made_shape(mesh_shape_of(cloud.shape.solid), 1.0, detail).mesh, size_m),
-                   parameters);
+        const mesh_shapes::ShapeRow& row = mesh_shapes::closed_shapes().at(cloud.shape.solid - 1);
+        take_solid(cloud, fitted(mesh_shapes::made_shape(row, 1.0, detail).mesh, size_m), parameters);
       });
     }
     return nullptr;

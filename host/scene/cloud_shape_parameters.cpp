@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "host/clouds/phase_function.h"
+#include "host/mesh_shapes/shape_table.h"
 #include "host/scene/parameter_storage.h"
 
 namespace offing::scene {
@@ -29,6 +30,8 @@ std::vector<Parameter> in_clouds(std::vector<Parameter> rows) {
 
 std::vector<Parameter> form_rows() {
   using enum ParameterUse;
+  std::vector<std::string_view> solids = mesh_shapes::names_of(mesh_shapes::closed_shapes());
+  solids.insert(solids.begin(), "none");
   return in_clouds(
       {{.key = "cloud.file",
         .storage = &element<singles, form, &CloudShapeScene::file>,
@@ -56,8 +59,7 @@ std::vector<Parameter> form_rows() {
         .absent = "none",
         .rule = ParameterRule::name},
        {.key = "cloud.shape",
-        .storage = choice_at<&element<singles, form, &CloudShapeScene::solid>>(
-            {"none", "knot", "sphere", "ellipsoid", "torus", "head", "ship", "bird"}),
+        .storage = choice_at<&element<singles, form, &CloudShapeScene::solid>>(solids),
         .help = "a shape of offing-mesh generate that is filled, in place of balls"},
        {.key = "cloud.yaw_deg",
         .storage = &element<singles, form, &CloudShapeScene::yaw_rad>,

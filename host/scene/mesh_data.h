@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "host/base/triangle_mesh.h"
-#include "host/mesh_shapes/shape.h"
 #include "host/scene/ocean_scene.h"
 
 namespace offing::scene {
@@ -13,10 +12,6 @@ struct MeshData {
   std::shared_ptr<const TriangleMesh> mesh;
   std::shared_ptr<const VertexCurvatures> curvatures;
 };
-
-/// A shape made by a formula, as fine as `mesh.detail` says. size_m: radius, of ship and
-/// boat length, of bird span, of a box half its side.
-mesh_shapes::Shape made_shape(MeshShape shape, double size_m, int detail);
 
 /// Reads or makes it. Throws Error(bad_input) that names the place in the scene for a file that is not there,
 /// and what read_mesh() and read_prepared() throw.

@@ -1,5 +1,8 @@
 #include "host/scene/mesh_parameters.h"
 
+#include <string>
+
+#include "host/mesh_shapes/shape_table.h"
 #include "host/scene/parameter_storage.h"
 
 namespace offing::scene {
@@ -17,6 +20,7 @@ std::vector<Parameter> in_meshes(std::vector<Parameter> rows) {
 }
 
 std::vector<Parameter> form_rows() {
+  static const std::string size_help = "of a shape: " + mesh_shapes::meaning_of_size();
   return in_meshes(
       {{.key = "mesh.name",
         .storage = &element<meshes, &MeshScene::name>,
@@ -32,8 +36,8 @@ std::vector<Parameter> form_rows() {
         .absent = "none: the shape",
         .rule = ParameterRule::file_name},
        {.key = "mesh.shape",
-        .storage = choice_at<&element<meshes, &MeshScene::shape>>(
-            {"knot", "sphere", "ellipsoid", "torus", "saddle", "head", "ship", "bird", "boat", "box"}),
+        .storage =
+            choice_at<&element<meshes, &MeshScene::shape>>(mesh_shapes::names_of(mesh_shapes::shapes())),
         .help = "made by a formula",
         .use = ParameterUse::made_mesh},
        {.key = "mesh.size_m",
@@ -41,7 +45,7 @@ std::vector<Parameter> form_rows() {
         .unit = "m",
         .low = 1e-3,
         .high = 1e5,
-        .help = "radius of a shape, of ship and boat length, of bird span, of a box half its side",
+        .help = size_help,
         .use = ParameterUse::made_mesh},
        {.key = "mesh.detail",
         .storage = &element<meshes, &MeshScene::detail>,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -31,22 +32,20 @@ struct HighlightScene {
   std::string picture;             ///< file of HighlightTexture::image or normal_map
 };
 
-/// Shapes of host/mesh_shapes.
-enum class MeshShape { knot, sphere, ellipsoid, torus, saddle, head, ship, bird, boat, box };
 enum class MeshHighlights { off, on };
 
 /// A mesh of a scene: a file's or, without one, a shape.
 struct MeshScene {
   std::string name;
   std::string file;
-  MeshShape shape = MeshShape::knot;
+  std::size_t shape = 0;  ///< index of mesh_shapes::shapes()
   double size_m = 1.0;
   int detail = 2;
   double scale = 1.0;
   glm::dvec3 position_m{0.0};
   double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;
   double spin_radps = 0.0;
-  std::string aboard;  ///< name of the [[body]] that carries it; empty: it stands in the world
+  std::string aboard;            ///< name of the [[body]] that carries it; empty: it stands in the world
   world::MeshMaterial material;  ///< its ramp is that of the name below
   std::string cartoon_ramp;      ///< file; empty: equal steps
   int smoothing_rounds = 0;

@@ -48,7 +48,7 @@ std::string against_cloud(const CloudScene& cloud, ParameterUse use) {
     case ParameterUse::filed_cloud:
       return shape.file.empty() ? "cloud.file is not given" : "";
     case ParameterUse::shaped_cloud:
-      return shape.mesh.empty() && shape.text.empty() && shape.solid == CloudSolid::none
+      return shape.mesh.empty() && shape.text.empty() && shape.solid == 0
                  ? "none of cloud.mesh, cloud.text and cloud.shape is given"
                  : "";
     case ParameterUse::text_cloud:

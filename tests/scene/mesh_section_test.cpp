@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/mesh_shapes/shape_table.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/scene_elements.h"
 #include "host/scene/scene_writer.h"
@@ -51,7 +52,7 @@ TEST(MeshSection, ValuesAreThoseOfTheirElement) {
   ASSERT_EQ(scene.meshes.size(), 3u);
   EXPECT_EQ(scene.meshes[0].file, "scenes/models/head.ply");
   EXPECT_EQ(scene.meshes[1].file, "");
-  EXPECT_EQ(scene.meshes[1].shape, MeshShape::ship);
+  EXPECT_EQ(mesh_shapes::shapes().at(scene.meshes[1].shape).name, "ship");
   EXPECT_EQ(scene.meshes[2].shown, MeshHighlights::off);
   ASSERT_EQ(scene.meshes[0].highlights.size(), 2u);
   EXPECT_EQ(scene.meshes[0].highlights[0].light, "lamp");
@@ -125,7 +126,7 @@ TEST(MeshSection, FaultsAreToldWithTheirPlace) {
   } cases[] = {
       {"[[mesh]]\nshape = \"cube\"\n",
        "a.toml:3:9: mesh.shape: expected one of knot, sphere, ellipsoid, torus, saddle, head, ship, bird, "
-       "boat, box, "
+       "boat, box, cylinder, cone, "
        "got "
        "\"cube\""},
       {"[[mesh]]\nname = \"\"\n", "a.toml:3:8: mesh.name: expected a name, got \"\""},

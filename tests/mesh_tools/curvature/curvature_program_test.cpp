@@ -4,14 +4,21 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "host/io/meshes/prepared_mesh.h"
 #include "host/io/meshes/read_mesh.h"
+#include "host/scene/mesh_data.h"
+#include "host/scene/parameter_table.h"
+#include "host/scene/scene_file.h"
 #include "mesh_tools/curvature/curvature_colours.h"
 #include "tests/cli/offing_program.h"
 #include "tests/io/temporary_folder.h"
@@ -62,6 +69,31 @@ TEST_F(CurvatureProgram, AllShapesThroughAllMethods) {
       EXPECT_NEAR(measured["k_max_per_m"]["max"], *std::ranges::max_element(k_max), 1e-4)
           << shape << " " << method;
     }
+  }
+}
+
+glm::dvec3 extent_m(const TriangleMesh& mesh) {
+  glm::dvec3 low = mesh.positions_m.front(), high = low;
+  for (const glm::dvec3& place_m : mesh.positions_m) {
+    low = glm::min(low, place_m);
+    high = glm::max(high, place_m);
+  }
+  return high - low;
+}
+
+// Fails if a shape that scenes name cannot be generated, or is larger or smaller there than in a scene
+// without a size_m. Where the cells are finer the faces cut off less: by 0.6 % at most. Gate 2 %.
+TEST_F(CurvatureProgram, MakesTheShapesOfScenes) {
+  const scene::Parameter* row = scene::find_parameter("mesh.shape");
+  ASSERT_NE(row, nullptr);
+  for (const std::string_view name : std::get<scene::ChoiceStorage>(row->storage).names) {
+    const std::string shape(name), file = path(shape + ".ply");
+    json_of({"generate", shape, "-o", file});
+    const scene::OceanScene scene =
+        scene::parse_scene("version = 1\n[[mesh]]\nshape = \"" + shape + "\"\n", "a.toml", "");
+    const glm::dvec3 there_m = extent_m(*scene::mesh_data(scene, 0).mesh);
+    ASSERT_TRUE(std::filesystem::exists(file)) << shape;
+    EXPECT_LT(glm::length(extent_m(read_mesh(file)) - there_m), 0.02 * glm::length(there_m)) << shape;
   }
 }
 

@@ -81,6 +81,12 @@ TEST(Shapes, AreClosedAndFaceOutward) {
   expect_closed(make_bird(1.6, {60, 12}), 2);
   expect_closed(make_boat(6.0, {40, 24}), 2);
   expect_closed(make_box({1.0, 2.0, 3.0}, 2), 2);
+  expect_closed(make_cylinder(1.0, 2.0, {3, 24}), 2);
+  expect_closed(make_cone(1.0, 2.0, {3, 24}), 2);
+  // Of 24 corners.
+  const double prism_m3 = 2.0 * 12.0 * std::sin(std::numbers::pi / 12.0);
+  EXPECT_NEAR(enclosed_volume_m3(make_cylinder(1.0, 2.0, {3, 24}).mesh), prism_m3, 1e-12);
+  EXPECT_NEAR(enclosed_volume_m3(make_cone(1.0, 2.0, {3, 24}).mesh), prism_m3 / 3.0, 1e-12);
   EXPECT_NEAR(enclosed_volume_m3(make_sphere(2.0, 5).mesh), 32.0 / 3.0 * std::numbers::pi, 0.05);
   EXPECT_NEAR(enclosed_volume_m3(make_torus(1.0, 0.4, {200, 100}).mesh),
               2.0 * std::pow(std::numbers::pi * 0.4, 2), 0.01);
@@ -118,6 +124,8 @@ TEST(Shapes, RefuseSizesThatMakeNoShape) {
   EXPECT_THROW(make_saddle(1.0, {10, 10}, {.jitter = 0.6}), Error);
   EXPECT_THROW(make_ship(std::nan(""), {40, 24}), Error);
   EXPECT_THROW(make_bird(1.0, {60, 3}), Error);
+  EXPECT_THROW(make_cone(1.0, 0.0, {12, 48}), Error);
+  EXPECT_THROW(make_cylinder(1.0, 2.0, {12, 2}), Error);
 }
 
 }  // namespace
