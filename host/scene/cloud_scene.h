@@ -17,16 +17,19 @@ namespace offing::scene {
 enum class CloudModelling { as_genus, sampled, hierarchical };
 enum class CloudSampling { as_genus, uniform, random };
 enum class CloudPuffs { as_genus, crisp, soft };
+/// Which axis of a file points up.
+enum class CloudUp { y, z };
 enum class CloudPhase { as_genus, rayleigh, henyey_greenstein, double_henyey_greenstein, mie_droplet };
 
 /// What the shape of a cloud is made of, in place of balls; the first one that is given counts.
 struct CloudShapeScene {
   std::string file;              ///< .vdb or, of particles, .ply
   std::string grid = "density";  ///< of a .vdb
+  CloudUp up = CloudUp::y;       ///< of a file
   std::string mesh;              ///< a closed one
   std::string text;
   std::size_t solid = 0;  ///< 0: none; else 1 + the index of mesh_shapes::closed_shapes()
-  double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;  ///< how a solid, a mesh or a text is turned
+  double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;  ///< how it is turned
   double size_m = 500.0;                                  ///< height of a text; longest edge of a mesh
   double depth_m = 150.0;                                 ///< of a text, from front to back
   double thickness_m = 40.0;  ///< how deep below the surface of a mesh or a text its density has risen to 1

@@ -1,12 +1,14 @@
 #include "host/scene/cloud_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <utility>
 
 #include <glm/common.hpp>
+#include <glm/mat3x3.hpp>
 
 #include "host/base/camera.h"
 #include "host/clouds/cloud_particle.h"
@@ -34,17 +36,109 @@ auto at_key(const OceanScene& scene, const ValueKey& key, const Make& make) {
   }
 }
 
+/// Columns are where the axes of a cloud's own places go: as a mesh of the scene, its -z axis is where it
+/// looks. A file whose z axis points up is laid back first.
+glm::dmat3 turn_of(const CloudShapeScene& shape) {
+  const CameraBasis axes =
+      basis({.yaw_rad = shape.yaw_rad, .pitch_rad = shape.pitch_rad, .roll_rad = shape.roll_rad});
+  const bool is_laid = !shape.file.empty() && shape.up == CloudUp::z;
+  return is_laid ? glm::dmat3(axes.right, axes.forward, axes.up)
+                 : glm::dmat3(axes.right, axes.up, -axes.forward);
+}
+
+/// Where the axes of a volume's cells go by quarter turns.
+struct QuarterTurn {
+  std::array<int, 3> from{0, 1, 2};   ///< which axis comes to lie along x, y, z
+  std::array<bool, 3> is_mirrored{};  ///< and runs the other way
+
+  bool operator==(const QuarterTurn&) const = default;
+};
+
+QuarterTurn quarter_turn(const OceanScene& scene, std::size_t index) {
+  const glm::dmat3 turn = turn_of(scene.clouds[index].shape);
+  constexpr double tolerance = 1e-9;
+  QuarterTurn quarters;
+  for (int from = 0; from < 3; ++from) {
+    for (int to = 0; to < 3; ++to) {
+      const double share = std::abs(turn[from][to]);
+      if (share > 1.0 - tolerance) {
+        quarters.from[static_cast<std::size_t>(to)] = from;
+        quarters.is_mirrored[static_cast<std::size_t>(to)] = turn[from][to] < 0.0;
+      } else if (share > tolerance) {
+        throw Error(
+            ErrorKind::bad_input,
+            fmt::format("{}: expected yaw_deg, pitch_deg and roll_deg of 0, 90, 180 or 270 for a .vdb, "
+                        "found another turn",
+                        place_of_name(scene, {"cloud.file", {index, 0}})),
+            "a .vdb is turned by quarters only: turn it in the program that wrote it, or write up = "
+            "\"z\" if it lies on its side");
+      }
+    }
+  }
+  return quarters;
+}
+
+/// The values of all bricks, each brick turned.
+template <typename Value>
+std::vector<Value> turned_cells(const std::vector<Value>& values, const QuarterTurn& turn) {
+  constexpr int edge = CloudVolume::brick_cells;
+  constexpr std::array<int, 3> step{1, edge, edge * edge};
+  std::vector<Value> turned(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto cell = static_cast<int>(i % CloudVolume::cells_of_brick);
+    int from = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int place = cell / step[axis] % edge;
+      from += step[static_cast<std::size_t>(turn.from[axis])] *
+              (turn.is_mirrored[axis] ? edge - 1 - place : place);
+    }
+    turned[i] = values[i - static_cast<std::size_t>(cell) + static_cast<std::size_t>(from)];
+  }
+  return turned;
+}
+
+void turn_volume(const QuarterTurn& turn, VdbCloud& cloud) {
+  if (turn == QuarterTurn{}) return;
+  const CloudVolume& given = cloud.volume;
+  CloudVolume turned{.cell_m = given.cell_m,
+                     .extinction_per_m = given.extinction_per_m,
+                     .brick_of = {},
+                     .density = turned_cells(given.density, turn)};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int to = static_cast<int>(axis), from = turn.from[axis];
+    turned.bricks[axis] = given.bricks[static_cast<std::size_t>(from)];
+    const double low_m = given.origin_m[from],
+                 high_m = low_m + given.cell_m * CloudVolume::brick_cells * turned.bricks[axis];
+    turned.origin_m[to] = turn.is_mirrored[axis] ? -high_m : low_m;
+  }
+  const std::array<int, 3> step{1, given.bricks[0], given.bricks[0] * given.bricks[1]};
+  const auto [nx, ny, nz] = turned.bricks;
+  for (int i = 0; i < nx * ny * nz; ++i) {
+    const std::array<int, 3> place{i % nx, i / nx % ny, i / nx / ny};
+    int from = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      from += step[static_cast<std::size_t>(turn.from[axis])] *
+              (turn.is_mirrored[axis] ? turned.bricks[axis] - 1 - place[axis] : place[axis]);
+    }
+    turned.brick_of.push_back(given.brick_of[static_cast<std::size_t>(from)]);
+  }
+  cloud.volume = std::move(turned);
+  cloud.albedo = turned_cells(cloud.albedo, turn);
+}
+
 /// The particles of a .ply, all of this cloud, with its colour where the scene gives one.
 RestingParticles particles_of(const OceanScene& scene, std::size_t index) {
   const CloudScene& cloud = scene.clouds[index];
   CloudParticles file = read_named(scene, {"cloud.file", {index, 0}}, "particles of a cloud",
                                    cloud.shape.file, [&] { return read_cloud_particles(cloud.shape.file); });
-  const glm::vec3 shift(file.origin_m * cloud.scale);
+  const glm::dmat3 turn = turn_of(cloud.shape);
   const auto scale = static_cast<float>(cloud.scale);
   for (CloudParticle& particle : file.particles) {
-    particle.x = particle.x * scale + shift.x;
-    particle.y = particle.y * scale + shift.y;
-    particle.z = particle.z * scale + shift.z;
+    const glm::vec3 place_m(cloud.scale *
+                            (turn * (glm::dvec3(particle.x, particle.y, particle.z) + file.origin_m)));
+    particle.x = place_m.x;
+    particle.y = place_m.y;
+    particle.z = place_m.z;
     particle.radius *= scale;
     particle.optical_mass *= scale * scale;  // extinction over the volume, as thick for light as before
     at_key(scene, {"cloud.file", {index, 0}}, [&] {
@@ -64,6 +158,7 @@ void take_volume(const OceanScene& scene, std::size_t index, CloudParameters& pa
   const CloudScene& cloud = scene.clouds[index];
   VdbCloud file = read_named(scene, {"cloud.file", {index, 0}}, "a volume", cloud.shape.file,
                              [&] { return read_vdb(cloud.shape.file, cloud.shape.grid); });
+  turn_volume(quarter_turn(scene, index), file);
   file.volume.origin_m *= cloud.scale;
   file.volume.cell_m *= cloud.scale;
   if (file.tells_extinction && !cloud.look.extinction_per_m) {
@@ -100,18 +195,10 @@ TriangleMesh fitted(TriangleMesh mesh, double size_m) {
   return mesh;
 }
 
-/// As a mesh of the scene is: its -z axis is where it looks.
-void turn(TriangleMesh& mesh, const CloudShapeScene& shape) {
-  const CameraBasis axes =
-      basis({.yaw_rad = shape.yaw_rad, .pitch_rad = shape.pitch_rad, .roll_rad = shape.roll_rad});
-  for (glm::dvec3& place_m : mesh.positions_m) {
-    place_m = place_m.x * axes.right + place_m.y * axes.up - place_m.z * axes.forward;
-  }
-}
-
 void take_solid(const CloudScene& cloud, TriangleMesh mesh, CloudParameters& parameters) {
   const CloudShapeScene& shape = cloud.shape;
-  turn(mesh, shape);
+  const glm::dmat3 turn = turn_of(shape);
+  for (glm::dvec3& place_m : mesh.positions_m) place_m = turn * place_m;
   // Fine enough for the rise of density from the surface, and no finer than the size can show.
   constexpr double most_cells = 192.0, cells_of_rise = 3.0;
   const double rise_m = cloud.scale * (shape.thickness_m + shape.fluff_m);

@@ -113,8 +113,9 @@ enum class ParameterUse {
   picture_highlight,   ///< of one that is
   body_of_density,     ///< of a body without mass and draught
   driven_body,         ///< of one that forces move
-  filed_cloud,         ///< of a cloud that a .vdb makes
+  filed_cloud,         ///< of a cloud that a file makes
   shaped_cloud,        ///< of one that a mesh or a text makes
+  turned_cloud,        ///< of one that a file, a mesh or a text makes
   text_cloud,          ///< of one that a text makes
   balled_cloud,        ///< of one that balls make
   sampled_cloud,       ///< of one that is merged from cells

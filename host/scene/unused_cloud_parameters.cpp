@@ -51,6 +51,8 @@ std::string against_cloud(const CloudScene& cloud, ParameterUse use) {
       return shape.mesh.empty() && shape.text.empty() && shape.solid == 0
                  ? "none of cloud.mesh, cloud.text and cloud.shape is given"
                  : "";
+    case ParameterUse::turned_cloud:
+      return made_by.empty() ? "none of cloud.file, cloud.mesh, cloud.text and cloud.shape is given" : "";
     case ParameterUse::text_cloud:
       return shape.text.empty() ? "cloud.text is not given" : "";
     case ParameterUse::heated_cloud:

@@ -262,44 +262,6 @@ TEST_F(SceneClouds, ShapesAreKeptUntilTheyChange) {
   EXPECT_NE(next_sky(file).clouds[0].shape, first);
 }
 
-// Fails if colours of a volume are dropped, come to other places, or count where the scene gives one. Two
-// blocks, red and blue, of the file's own cells and of a field that is frayed anew.
-TEST_F(SceneClouds, ColoursOfAVolumeAreTaken) {
-  CloudVolume volume{.cell_m = 10.0, .bricks = {2, 1, 1}, .brick_of = {0, 1}, .density = {}};
-  volume.density.assign(1024, 1.0f);
-  VdbCloud file{.volume = volume, .albedo = {}};
-  for (int i = 0; i < 1024; ++i) {
-    file.albedo.push_back(i < 512 ? std::array{1.0f, 0.25f, 0.25f} : std::array{0.25f, 0.25f, 1.0f});
-  }
-  write_vdb(folder_.path() / "a.vdb", file);
-  const ocl::Device device = ocl::Device::open();
-  const std::string text = "[[cloud]]\nfile = \"a.vdb\"\ntarget_particles = 60\n";
-  for (const char* more : {"", "sampling = \"random\"\n", "noise_blend = 0.2\n"}) {
-    const auto particles = clouds::particles_at_rest(device, sky_of(text + more).clouds[0]);
-    // Between the middles of the two colours' cells a field has both, which merging takes along: 0.06
-    // measured.
-    const float gate = *more == 'n' ? 0.1f : 0.0f;
-    int reds = 0, blues = 0;
-    for (const CloudParticle& particle : particles) {
-      if (particle.x < 60.0f) {
-        EXPECT_NEAR(particle.red, 1.0f, gate) << more;
-        EXPECT_NEAR(particle.blue, 0.25f, gate) << more;
-        ++reds;
-      } else if (particle.x > 100.0f) {
-        EXPECT_NEAR(particle.red, 0.25f, gate) << more;
-        EXPECT_NEAR(particle.blue, 1.0f, gate) << more;
-        ++blues;
-      }
-    }
-    EXPECT_GT(reds, 10) << more;
-    EXPECT_GT(blues, 10) << more;
-  }
-  for (const CloudParticle& particle :
-       clouds::particles_at_rest(device, sky_of(text + "colour = [0.5, 0.5, 0.5]\n").clouds[0])) {
-    ASSERT_EQ(particle.red, 0.5f);
-  }
-}
-
 // Fails if an error names a value that nobody gave, in no place, or with a mend that is no key.
 TEST_F(SceneClouds, FaultsOfFormSayWhereAndWhatToChange) {
   const auto hint = [&](const std::string& text) {
