@@ -1,8 +1,11 @@
 #include "host/io/exr_image.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <fstream>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -14,8 +17,9 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
-#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfThreading.h>
@@ -154,6 +158,35 @@ ExrAttributes attributes_of(const Imf::Header& header) {
   return attributes;
 }
 
+/// Throws unless the file is one part whose attributes lie within it: the library takes memory for an
+/// attribute before it reads it. What is wrong with the rest the library says.
+void require_attributes(const std::filesystem::path& path) {
+  const auto file_bytes = static_cast<std::int64_t>(std::filesystem::file_size(path));
+  std::ifstream file(path, std::ios::binary);
+  const auto whole = [&] {
+    std::array<unsigned char, 4> bytes{};
+    file.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
+    return bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 |
+           std::uint32_t{bytes[3]} << 24;
+  };
+  constexpr std::uint32_t magic = 20000630, many_parts = 0x1000;
+  if (whole() != magic) return;
+  if ((whole() & many_parts) != 0)
+    refuse(path, "expected one part, found several", "write a file of one part");
+  std::string name, type;
+  while (std::getline(file, name, '\0') && !name.empty() && std::getline(file, type, '\0')) {
+    const std::int64_t bytes = whole();
+    if (!file) return;
+    if (bytes > file_bytes - file.tellg()) {
+      refuse(path,
+             fmt::format("not a whole EXR file: expected at most {} bytes of an attribute, found {}",
+                         file_bytes - file.tellg(), bytes),
+             "bake this frame again");
+    }
+    file.seekg(bytes, std::ios::cur);
+  }
+}
+
 /// Runs `read` on the opened file; what OpenEXR throws becomes an Error that names the file.
 template <typename Read>
 auto with_input(const std::filesystem::path& path, Read read) {
@@ -163,7 +196,8 @@ auto with_input(const std::filesystem::path& path, Read read) {
                 "check the path");
   }
   try {
-    Imf::InputFile file(path.c_str());
+    require_attributes(path);
+    Imf::MultiPartInputFile file(path.c_str());
     return read(file);
   } catch (const Error&) {
     throw;
@@ -173,15 +207,37 @@ auto with_input(const std::filesystem::path& path, Read read) {
   }
 }
 
-ExrContent content_of(const std::filesystem::path& path, Imf::InputFile& file) {
-  const Imath::Box2i window = file.header().dataWindow();
+/// Throws where a header promises more than its file can hold, before memory is taken for it. Half floats
+/// become twice as large; deflate shrinks to a 1032nd, and DWA to one number for 64 pixels before that.
+void require_room(const std::filesystem::path& path, const Imf::Header& header) {
+  const Imath::Box2i window = header.dataWindow();
+  double channels = 0.0;
+  for (auto entry = header.channels().begin(); entry != header.channels().end(); ++entry) channels += 1.0;
+  const double wanted =
+      sizeof(float) * channels * (1.0 + window.max.x - window.min.x) * (1.0 + window.max.y - window.min.y);
+  const bool is_dwa =
+      header.compression() == Imf::DWAA_COMPRESSION || header.compression() == Imf::DWAB_COMPRESSION;
+  const double most =
+      2.0 * 1032.0 * (is_dwa ? 64.0 : 1.0) * static_cast<double>(std::filesystem::file_size(path));
+  if (wanted <= most) return;
+  refuse(path,
+         fmt::format(
+             "not a whole EXR file: expected at most {:.0f} bytes of pixels in it, found a header for {:.0f}",
+             most, wanted),
+         "bake this frame again");
+}
+
+ExrContent content_of(const std::filesystem::path& path, Imf::MultiPartInputFile& file) {
+  const Imf::Header& header = file.header(0);
+  require_room(path, header);
+  const Imath::Box2i window = header.dataWindow();
   ExrContent content;
   content.width = window.max.x - window.min.x + 1;
   content.height = window.max.y - window.min.y + 1;
-  content.attributes = attributes_of(file.header());
+  content.attributes = attributes_of(header);
   const std::size_t columns = static_cast<std::size_t>(content.width);
   Imf::FrameBuffer frame;
-  const Imf::ChannelList& channels = file.header().channels();
+  const Imf::ChannelList& channels = header.channels();
   for (auto entry = channels.begin(); entry != channels.end(); ++entry) {
     if (entry.channel().xSampling != 1 || entry.channel().ySampling != 1) {
       refuse(path, fmt::format("channel {} is subsampled", entry.name()), "store every channel at full size");
@@ -194,8 +250,9 @@ ExrContent content_of(const std::filesystem::path& path, Imf::InputFile& file) {
         slice_base(content.channels.back().values.data()) - origin * std::ptrdiff_t{sizeof(float)};
     frame.insert(entry.name(), Imf::Slice(Imf::FLOAT, base, sizeof(float), sizeof(float) * columns));
   }
-  file.setFrameBuffer(frame);
-  file.readPixels(window.min.y, window.max.y);
+  Imf::InputPart part(file, 0);
+  part.setFrameBuffer(frame);
+  part.readPixels(window.min.y, window.max.y);
   return content;
 }
 
@@ -245,11 +302,11 @@ void write_exr(const std::filesystem::path& path, const ExrImage& image, PixelTy
 }
 
 ExrContent read_exr(const std::filesystem::path& path) {
-  return with_input(path, [&](Imf::InputFile& file) { return content_of(path, file); });
+  return with_input(path, [&](Imf::MultiPartInputFile& file) { return content_of(path, file); });
 }
 
 ExrAttributes read_exr_attributes(const std::filesystem::path& path) {
-  return with_input(path, [](Imf::InputFile& file) { return attributes_of(file.header()); });
+  return with_input(path, [](Imf::MultiPartInputFile& file) { return attributes_of(file.header(0)); });
 }
 
 }  // namespace offing

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -47,6 +48,19 @@ std::string encoded(const std::string& name, int width, int height, png_uint_32 
   return file;
 }
 
+/// Throws where a header promises more pixels than its file can hold: deflate shrinks to a 1032nd at most,
+/// and a pixel takes a bit or more.
+void require_pixels(const std::filesystem::path& path, const png_image& header, std::size_t file_bytes) {
+  const double most = 8.0 * 1032.0 * static_cast<double>(file_bytes);
+  if (static_cast<double>(header.width) * header.height <= most) return;
+  throw Error(
+      ErrorKind::bad_input,
+      fmt::format(
+          "{}: not a whole PNG file: expected at most {:.0f} pixels in {} bytes, found a header for {}x{}",
+          path.string(), most, file_bytes, header.width, header.height),
+      "make the picture again");
+}
+
 /// Pixels in a format of libpng; returns width and height.
 std::pair<int, int> decode_png(const std::filesystem::path& path, png_uint_32 format,
                                const png_color* background, std::vector<std::uint8_t>& pixels) {
@@ -58,16 +72,17 @@ std::pair<int, int> decode_png(const std::filesystem::path& path, png_uint_32 fo
   }
   png_image description{};
   description.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, void (*)(png_image*)> freed(&description, png_image_free);
   bool decoded = png_image_begin_read_from_memory(&description, bytes.data(), bytes.size()) != 0;
   if (decoded) {
+    require_pixels(path, description, bytes.size());
     description.format = format;
     pixels.resize(PNG_IMAGE_SIZE(description));
     decoded = png_image_finish_read(&description, background, pixels.data(), 0, nullptr) != 0;
   }
   if (!decoded) {
-    const std::string reason = description.message;
-    png_image_free(&description);
-    throw Error(ErrorKind::bad_input, fmt::format("{}: not a whole PNG file: {}", path.string(), reason),
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: not a whole PNG file: {}", path.string(), description.message),
                 "make the picture again");
   }
   return {static_cast<int>(description.width), static_cast<int>(description.height)};

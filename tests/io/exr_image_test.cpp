@@ -176,5 +176,41 @@ TEST_F(ExrImageTest, BrokenFilesAreRefused) {
                Error);
 }
 
+// Fails if memory is taken for an image that its file cannot hold: here one 10^8 pixels wide.
+TEST_F(ExrImageTest, HeadersThatPromiseTooMuchAreRefused) {
+  const fs::path path = folder_.path() / "a.exr";
+  write_exr(path, image_, PixelType::float_32, ExrCompression::zip);
+  const std::string window("dataWindow\0box2i\0\x10\0\0\0", 21);
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_NE(bytes.find(window), std::string::npos);
+  constexpr std::int32_t right = 100'000'000;
+  file.seekp(static_cast<std::streamoff>(bytes.find(window) + window.size() + 2 * sizeof(right)));
+  file.write(reinterpret_cast<const char*>(&right), sizeof(right));
+  file.close();
+  try {
+    read_exr(path);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("found a header for"));
+  }
+}
+
+// Fails if the library is asked for an attribute of 1.7 GB of a file that ends before: it takes the memory
+// first.
+TEST_F(ExrImageTest, AttributesBeyondTheFileAreRefused) {
+  const fs::path path = folder_.path() / "a.exr";
+  std::ofstream(path, std::ios::binary) << std::string(
+      "\x76\x2f\x31\x01\2\0\0\0a\0b\0\0\0\0\x6a"
+      "0",
+      17);
+  try {
+    read_exr_attributes(path);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("bytes of an attribute, found 1778384896"));
+  }
+}
+
 }  // namespace
 }  // namespace offing
