@@ -342,7 +342,7 @@ OceanScene parse_scene(std::string_view text, std::string_view name, const std::
     const toml::source_position at = error.source().begin;
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}:{}:{}: expected TOML, found a fault: {}", name, at.line, at.column,
-                            error.description()),
+                            one_line(error.description())),
                 "a scene is lines such as speed_mps = 10 below headings such as [wind]");
   }
   return SceneReader(name, folder, trust).read(root);

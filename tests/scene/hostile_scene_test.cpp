@@ -140,9 +140,17 @@ TEST(HostileScene, IsReadOrRefusedWithItsPlace) {
     refused += message.empty() ? 0 : 1;
     ASSERT_TRUE(message.empty() || std::regex_match(message, place)) << message << "\n" << text;
     ASSERT_LT(message.size(), 600u) << message;
+    ASSERT_EQ(message.find('\n'), std::string::npos) << message;
   }
   EXPECT_GT(refused, 10'000);  // most changes break something; some fall into numbers
   EXPECT_LT(refused, 20'000);
+}
+
+// Fails if a line break of the file gets into the message, which is one line.
+TEST(HostileScene, IsRefusedInOneLine) {
+  const std::string message = outcome("version = 1\na = f\n.i00rst = 0.0\n");
+  EXPECT_NE(message, "");
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
 // Fails if many keyframes or elements take more than time in proportion, or more than there may be are taken.

@@ -47,6 +47,8 @@ constexpr std::size_t ringed_posts = std::size_t{ringed_tile_posts} * ringed_til
 constexpr std::size_t plain_posts = std::size_t{tile_posts} * tile_posts;
 constexpr std::size_t void_bytes = (plain_posts + 7) / 8;
 constexpr float most_steps = 65535.0f;
+// Heights are within 1e6 m; means beyond the map's edge go on straight.
+constexpr float farthest_height_m = 4e6f;
 
 enum class Rounding { none, allowed };
 
@@ -130,6 +132,12 @@ std::vector<std::uint8_t> unpacked_voids(std::string_view packed) {
   return is_void;
 }
 
+bool are_heights(const std::vector<float>& heights_m) {
+  std::size_t wrong = 0;  // counted, not sought: twice as quick, and NaN is wrong too
+  for (const float height_m : heights_m) wrong += std::abs(height_m) <= farthest_height_m ? 0 : 1;
+  return wrong == 0;
+}
+
 std::uint64_t checksum_of(std::string_view bytes) {
   return XXH3_64bits(bytes.data() + checked_from, bytes.size() - checked_from);
 }
@@ -157,9 +165,13 @@ std::string encode_tile(const HeightTile& tile) {
   append_layer(bytes, header.means, tile.means_m);
   append_layer(bytes, header.highest, tile.highest_m);
   append(bytes, voids.data(), voids.size());
+  seal_tile(bytes);
+  return bytes;
+}
+
+void seal_tile(std::string& bytes) {
   const std::uint64_t checksum = checksum_of(bytes);
   std::memcpy(bytes.data() + sizeof(magic), &checksum, sizeof(checksum));
-  return bytes;
 }
 
 bool is_begun_as_tile(std::string_view bytes) {
@@ -187,6 +199,12 @@ HeightTile decode_tile(const std::filesystem::path& path, std::string_view bytes
                "expected the tile of level {}, column {}, row {}, found that of level {}, column {}, row {}",
                key.level, key.column, key.row, found.level, found.column, found.row));
   }
+  // The checksum finds damage; it says nothing about who wrote the file.
+  if (header.means.encoding > Encoding::steps || header.highest.encoding > Encoding::middle) {
+    refuse(path, fmt::format("expected encodings 0 or 1 and 0, 1 or 2, found {} and {}",
+                             static_cast<std::uint32_t>(header.means.encoding),
+                             static_cast<std::uint32_t>(header.highest.encoding)));
+  }
   const std::size_t means_bytes = layer_bytes(header.means, ringed_posts);
   const std::size_t highest_bytes = layer_bytes(header.highest, plain_posts);
   const bool are_voids_right = header.void_bytes == 0 || header.void_bytes == void_bytes;
@@ -197,6 +215,9 @@ HeightTile decode_tile(const std::filesystem::path& path, std::string_view bytes
   tile.highest_m = header.highest.encoding == Encoding::middle
                        ? middle_of(tile.means_m)
                        : read_layer(header.highest, bytes.data() + sizeof(Header) + means_bytes, plain_posts);
+  if (!are_heights(tile.means_m) || !are_heights(tile.highest_m)) {
+    refuse(path, fmt::format("expected heights within {:g} m, found others", farthest_height_m));
+  }
   if (header.void_bytes > 0) {
     tile.is_void = unpacked_voids(bytes.substr(sizeof(Header) + means_bytes + highest_bytes));
   }

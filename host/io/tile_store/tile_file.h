@@ -17,8 +17,11 @@ std::string encode_tile(const HeightTile& tile);
 /// Whether bytes begin as those of a tile do, though they may be damaged behind that; also if there are none.
 bool is_begun_as_tile(std::string_view bytes);
 
+/// Writes the checksum of a file's bytes, at least a header, into them: encode_tile() has done so. For tests.
+void seal_tile(std::string& bytes);
+
 /// The tile of a file's bytes. Throws Error(bad_input) that names the file if they are of another version or
-/// tile, too few or too many, or not as they were written.
+/// tile, too few or too many, not as they were written, or hold heights that are not finite or too far.
 HeightTile decode_tile(const std::filesystem::path& path, std::string_view bytes, const TileKey& key);
 
 }  // namespace offing::tile_store

@@ -14,6 +14,7 @@
 #include <toml++/toml.h>
 
 #include "host/base/error.h"
+#include "host/base/error_report.h"
 #include "host/io/atomic_file.h"
 #include "host/io/tile_store/tile_file.h"
 #include "host/io/toml_depth.h"
@@ -74,6 +75,11 @@ class HeaderReader {
     refuse_header(path_,
                   fmt::format("{}: expected a number within {:g}, found {:g}", name, farthest, number));
   }
+  std::optional<double> finite(const char* name) const {
+    const auto number = optional<double>(name);
+    if (!number || std::isfinite(*number)) return number;
+    refuse_header(path_, fmt::format("{}: expected a finite number, found {:g}", name, *number));
+  }
   double above_zero(const char* name) const {
     const auto number = value<double>(name);
     if (number > 0.0 && number < 1e9) return number;
@@ -106,7 +112,7 @@ TileStoreHeader read_header(const fs::path& folder, Trust trust) {
   try {
     table = toml::parse(*content);
   } catch (const toml::parse_error& error) {
-    refuse_header(path, fmt::format("expected TOML, found {} in line {}", error.description(),
+    refuse_header(path, fmt::format("expected TOML, found {} in line {}", one_line(error.description()),
                                     error.source().begin.line));
   }
   const HeaderReader reader(path, table);
@@ -129,12 +135,11 @@ TileStoreHeader read_header(const fs::path& folder, Trust trust) {
       static_cast<std::uint64_t>(std::max<std::int64_t>(0, reader.value<std::int64_t>("void_posts")));
   header.heights_checksum = checksum_of(path, reader.value<std::string>("heights_checksum"));
   header.georeference = {reader.optional<std::string>("coordinate_system").value_or(""),
-                         reader.optional<double>("first_post_x").value_or(0.0),
-                         reader.optional<double>("first_post_y").value_or(0.0),
-                         reader.optional<double>("step_x").value_or(0.0),
-                         reader.optional<double>("step_y").value_or(0.0)};
-  header.centre_latitude_deg = reader.optional<double>("centre_latitude_deg");
-  header.centre_longitude_deg = reader.optional<double>("centre_longitude_deg");
+                         reader.finite("first_post_x").value_or(0.0),
+                         reader.finite("first_post_y").value_or(0.0), reader.finite("step_x").value_or(0.0),
+                         reader.finite("step_y").value_or(0.0)};
+  header.centre_latitude_deg = reader.finite("centre_latitude_deg");
+  header.centre_longitude_deg = reader.finite("centre_longitude_deg");
   return header;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -275,6 +276,28 @@ TEST_F(TileStoreTest, NamesDamagedTiles) {
       "column 0");
 }
 
+// A checksum that is right says nothing about who wrote the file. Fails if an encoding that no layer has is
+// believed (what lay behind the bytes was read), or a height that rays cannot meet.
+TEST_F(TileStoreTest, RefusesTilesThatLie) {
+  const TileKey key{1, 0, 0};
+  const std::string whole = tile_store::encode_tile(made(key, hills));
+  const auto with = [&](std::size_t place, auto value, std::size_t bytes, const std::string& part) {
+    std::string changed = whole.substr(0, bytes);
+    std::memcpy(changed.data() + place, &value, sizeof(value));
+    tile_store::seal_tile(changed);
+    test::expect_error(ErrorKind::bad_input, part,
+                       [&] { tile_store::decode_tile("0000.tile", changed, key); });
+  };
+  constexpr std::size_t header_bytes = 64, means_bytes = 2 * ringed_tile_posts * ringed_tile_posts;
+  ASSERT_EQ(whole.size(), header_bytes + means_bytes + sizeof(float) * tile_posts * tile_posts);
+  with(32, std::uint32_t{2}, whole.size() - means_bytes, "found 2 and 0");
+  with(44, std::uint32_t{7}, header_bytes + means_bytes, "found 1 and 7");
+  for (const float wrong : {std::nanf(""), INFINITY, -5e6f}) {
+    with(36, wrong, whole.size(), "expected heights within");
+    with(whole.size() - sizeof(float), wrong, whole.size(), "expected heights within");
+  }
+}
+
 TEST_F(TileStoreTest, RefusesWhatIsNoStore) {
   test::expect_error(ErrorKind::bad_input, "store.toml", [&] { TileStore(temporary_.path()); });
   write(folder(), 1000);
@@ -292,19 +315,20 @@ TEST_F(TileStoreTest, RefusesWhatIsNoStore) {
   std::string deep = "a";
   for (int i = 0; i < 40'000; ++i) deep += ".a";
   with("[" + deep + "]", "in one another");
-  const auto with_range = [&](const std::string& lowest, const std::string& highest,
-                              const std::string& part) {
+  with("version = f\n.i00rst = 0.0", "TOML");  // in one line, although the fault is a line break
+  const auto with_values = [&](const std::map<std::string, std::string>& values, const std::string& part) {
     std::string changed = text;
-    for (const auto& [key, value] : {std::pair("lowest_m", lowest), std::pair("highest_m", highest)}) {
+    for (const auto& [key, value] : values) {
       const std::size_t begin = changed.find(key);
-      changed.replace(begin, changed.find('\n', begin) - begin, std::string(key) + " = " + value);
+      changed.replace(begin, changed.find('\n', begin) - begin, key + " = " + value);
     }
     std::ofstream(folder() / "store.toml") << changed;
     test::expect_error(ErrorKind::bad_input, part, [&] { TileStore store(folder()); });
   };
-  with_range("nan", "1.0", "lowest_m");
-  with_range("0.0", "inf", "highest_m");
-  with_range("5.0", "1.0", "highest_m: expected 5 or more");
+  with_values({{"lowest_m", "nan"}}, "lowest_m");
+  with_values({{"highest_m", "inf"}}, "highest_m");
+  with_values({{"lowest_m", "5.0"}, {"highest_m", "1.0"}}, "highest_m: expected 5 or more");
+  with_values({{"first_post_x", "inf"}}, "first_post_x: expected a finite number");
   const fs::path other = temporary_.path() / "other";
   fs::create_directory(other);
   std::ofstream(other / "letter.txt") << "mine";
