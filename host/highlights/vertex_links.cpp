@@ -23,9 +23,8 @@ std::vector<std::uint32_t> places_of_faces(const TriangleMesh& mesh, DisjointSet
       sets.join(first[corner], corner);
     }
   }
-  std::ranges::sort(places);
-  const auto repeated = std::ranges::unique(places);
-  places.erase(repeated.begin(), repeated.end());
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }
 

@@ -186,15 +186,15 @@ std::vector<world::MeshParameters> prepare_meshes(const OceanScene& scene) {
 
 std::vector<std::shared_ptr<const RgbaImage>> prepare_pictures(const OceanScene& scene) {
   std::vector<std::shared_ptr<const RgbaImage>> pictures;
-  for (const auto& [file, named_by] : named_pictures(scene)) {
-    if (file.empty()) {
+  for (const NamedPicture& picture : named_pictures(scene)) {
+    if (picture.file.empty()) {
       throw Error(ErrorKind::bad_input,
                   fmt::format("{}: expected a mesh.highlight.picture beside it, found none",
-                              place_of_name(scene, {"mesh.highlight.texture", named_by.element})),
+                              place_of_name(scene, {"mesh.highlight.texture", picture.named_by.element})),
                   "write picture = \"moon.png\" below it, or choose a shape");
     }
-    pictures.push_back(read_named(scene, named_by, "a PNG picture", file, [&] {
-      return std::make_shared<const RgbaImage>(read_png_with_alpha(file));
+    pictures.push_back(read_named(scene, picture.named_by, "a PNG picture", picture.file, [&] {
+      return std::make_shared<const RgbaImage>(read_png_with_alpha(picture.file));
     }));
   }
   return pictures;

@@ -17,4 +17,15 @@ inline void expect_told(const Error& error) {
   expect(!error.hint().empty());
 }
 
+/// Runs `read`, which checks what it reads: it must return, or throw Error of one line with a hint.
+template <class Read>
+int check_reading(Read read) {
+  try {
+    read();
+  } catch (const Error& error) {
+    expect_told(error);
+  }
+  return 0;
+}
+
 }  // namespace offing::fuzz

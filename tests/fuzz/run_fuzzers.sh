@@ -1,37 +1,78 @@
 #!/usr/bin/env bash
-# Builds the libFuzzer targets into build-fuzz/ and runs each for SECONDS_EACH seconds (default 300), starting from
-# tests/fuzz/corpus. Findings lie in build-fuzz/findings; the exit status is 1 if there are any.
-# Usage: tests/fuzz/run_fuzzers.sh [SECONDS_EACH [READER...]]      READER: datawell ndbc netcdf swan ww3 gltf obj off ply stl
+# Builds the libFuzzer targets into build-fuzz/ and runs each for SECONDS_EACH seconds (default 1800) or 10^7 executions,
+# whichever comes first, starting from tests/fuzz/corpus and what make_corpus writes. Prints the executions of each and
+# how many a second. Findings lie in build-fuzz/findings. The exit status is 1 if there are any, and if a target is too
+# slow: below 10^5 executions in 1800 s, or that share of them in a shorter time.
+# Usage: tests/fuzz/run_fuzzers.sh [SECONDS_EACH [READER...]]      READER: the name of a *_fuzzer.cpp without _fuzzer.cpp
 set -euo pipefail
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
 build="$root/build-fuzz"
-seconds_each=${1:-300}
+seconds_each=${1:-1800}
 readers=("${@:2}")
 if ((${#readers[@]} == 0)); then
-  readers=(datawell ndbc netcdf swan ww3 gltf obj off ply stl)
+  for source in "$root"/tests/fuzz/*_fuzzer.cpp; do
+    readers+=("$(basename "$source" _fuzzer.cpp)")
+  done
 fi
+most_executions=10000000
+least_executions=$((100000 * (seconds_each < 1800 ? seconds_each : 1800) / 1800))
 
-cmake -S "$root" -B "$build" -G Ninja \
+launcher=()
+if command -v ccache >/dev/null; then
+  launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+fi
+cmake -S "$root" -B "$build" -G Ninja "${launcher[@]}" \
   -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo -DOFFING_BUILD_FUZZERS=ON \
   -DOFFING_SANITIZE=address,undefined,fuzzer-no-link \
-  -DOFFING_BUILD_TESTS=OFF -DOFFING_BUILD_BENCH=OFF -DOFFING_BUILD_MESH_TOOLS=OFF -DOFFING_INSTALL=OFF >/dev/null
-cmake --build "$build" --target fuzzers
+  -DOFFING_BUILD_TESTS=OFF -DOFFING_BUILD_BENCH=OFF -DOFFING_BUILD_MESH_TOOLS=OFF -DOFFING_BUILD_VIEWER=OFF \
+  -DOFFING_INSTALL=OFF >/dev/null
+cmake --build "$build" --target fuzzers -- ${OFFING_JOBS:+-j "$OFFING_JOBS"}
+
+# Files of readers that take a path are written here.
+in_memory=/dev/shm
+[[ -d "$in_memory" && -w "$in_memory" ]] || in_memory=${TMPDIR:-/tmp}
+TMPDIR=$(mktemp -d -p "$in_memory" offing-fuzz.XXXXXX)
+export TMPDIR
+trap 'rm -rf "$TMPDIR"' EXIT
+
+seeds="$build/seeds"
+rm -rf "$seeds"
+"$build/fuzz/make_corpus" "$seeds" "$root/scenes"
 
 status=0
 mkdir -p "$build/findings"
 for reader in "${readers[@]}"; do
   grown="$build/corpus/$reader"  # what this run finds; the corpus in the repository stays as it is
-  mkdir -p "$grown"
-  echo "fuzz: $reader, $seconds_each s"
-  if ! "$build/fuzz/${reader}_fuzzer" "$grown" "$root/tests/fuzz/corpus/$reader" \
-    -max_total_time="$seconds_each" -max_len=8192 -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=1536 \
-    -artifact_prefix="$build/findings/$reader-" -print_final_stats=1 -verbosity=0 2>"$build/$reader.log"; then
+  corpora=("$grown")
+  for folder in "$root/tests/fuzz/corpus/$reader" "$seeds/$reader"; do
+    if [[ -d "$folder" ]]; then corpora+=("$folder"); fi
+  done
+  if ((${#corpora[@]} < 2)); then
+    echo "fuzz: $reader: NO CORPUS in $root/tests/fuzz/corpus or $seeds"
     status=1
-    echo "fuzz: $reader: FINDING, see $build/$reader.log and $build/findings"
-    tail -n 40 "$build/$reader.log"
-  else
-    grep -E "number_of_executed_units|average_exec_per_sec" "$build/$reader.log" || true
+    continue
+  fi
+  mkdir -p "$grown"
+  longest=8192
+  if [[ "$reader" == vdb ]]; then longest=32768; fi  # the smallest volume has 10 kB
+  log="$build/$reader.log"
+  if ! OFFING_CACHE_DIR="$build/kernel_cache" UBSAN_OPTIONS=print_stacktrace=1 \
+    "$build/fuzz/${reader}_fuzzer" "${corpora[@]}" \
+    -max_total_time="$seconds_each" -runs="$most_executions" -max_len="$longest" -timeout=20 \
+    -rss_limit_mb=2048 -malloc_limit_mb=1536 \
+    -artifact_prefix="$build/findings/$reader-" -print_final_stats=1 -verbosity=0 2>"$log"; then
+    status=1
+    echo "fuzz: $reader: FINDING, see $log and $build/findings"
+    tail -n 40 "$log"
+    continue
+  fi
+  executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+  each_second=$(sed -n 's/^stat::average_exec_per_sec: *//p' "$log")
+  echo "fuzz: $reader: $executions executions, $each_second/s, no finding"
+  if ((executions < least_executions)); then
+    status=1
+    echo "fuzz: $reader: TOO SLOW, expected $least_executions executions or more"
   fi
 done
 exit "$status"
