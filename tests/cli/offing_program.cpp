@@ -21,8 +21,8 @@ std::string text_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-OffingProgram::OffingProgram(const std::vector<std::string>& arguments) {
-  std::vector<std::string> words = {OFFING_PROGRAM};
+OffingProgram::OffingProgram(const std::vector<std::string>& arguments, const char* program) {
+  std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) {
@@ -36,10 +36,10 @@ OffingProgram::OffingProgram(const std::vector<std::string>& arguments) {
                                    0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, (folder_.path() / "errors").c_str(), create,
                                    0600);
-  const int error = posix_spawn(&process_, OFFING_PROGRAM, &actions, nullptr, pointers.data(), environ);
+  const int error = posix_spawn(&process_, program, &actions, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
-    throw std::runtime_error("cannot start " OFFING_PROGRAM);
+    throw std::runtime_error(std::string("cannot start ") + program);
   }
 }
 

@@ -16,10 +16,10 @@ struct ProgramResult {
   std::string errors;
 };
 
-/// The program `offing` running beside the test, with the test's environment.
+/// The program `offing`, or another one, running beside the test, with the test's environment.
 class OffingProgram {
  public:
-  explicit OffingProgram(const std::vector<std::string>& arguments);
+  explicit OffingProgram(const std::vector<std::string>& arguments, const char* program = OFFING_PROGRAM);
   OffingProgram(const OffingProgram&) = delete;
   OffingProgram& operator=(const OffingProgram&) = delete;
   /// Kills it if nobody waited for it.
