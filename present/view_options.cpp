@@ -191,6 +191,7 @@ ReferenceComparison read_comparison(const Written& written, const std::vector<st
         "--compare-reference: expected neither --record, --video nor --window, which it does not make",
         "leave them out");
   }
+  require_file_name(written.output);
   ReferenceComparison comparison{.folder = written.output, .prints_json = written.prints_json};
   if (!written.samples.empty())
     comparison.samples = static_cast<int>(read_whole("--samples", written.samples, 1, 1'000'000, "32"));

@@ -47,6 +47,7 @@ struct BakeArguments {
 BakeSettings read_settings(const BakeArguments& arguments, const scene::OceanScene& scene,
                            double water_depth_m) {
   BakeSettings settings = arguments.settings;
+  require_file_name(arguments.folder);
   settings.folder = arguments.folder;
   settings.frames_per_second = scene.frames_per_second;
   settings.frames = arguments.frames.empty() ? scene::frames_in_time_span(scene, scene.frames_per_second)

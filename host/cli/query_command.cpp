@@ -38,6 +38,8 @@ struct QueryArguments {
   std::string at, points_file, time, times, depth, min_wavelength, output_file;
   bool json = false;
   Overwriting overwriting = Overwriting::refused;
+
+  bool writes_file() const { return !output_file.empty() && !is_standard_output(output_file); }
 };
 
 /// The points of the command: one, or those of a file, in blocks.
@@ -93,7 +95,7 @@ class AnswerSink {
   AnswerSink(const QueryArguments& arguments, const TimeRange& times, double depth_m,
              std::vector<std::string> inputs)
       : depth_m_(depth_m), style_(style_of(arguments, times)) {
-    if (!arguments.output_file.empty()) {
+    if (arguments.writes_file()) {
       inputs.push_back(arguments.points_file);
       require_new(arguments.output_file, arguments.overwriting, inputs);
       file_.emplace(arguments.output_file);
@@ -148,14 +150,14 @@ class AnswerSink {
   enum class Style { words, csv, json_object, json_array };
 
   static Style style_of(const QueryArguments& arguments, const TimeRange& times) {
-    if (!arguments.output_file.empty()) {
+    if (arguments.writes_file()) {
       return Style::csv;
     }
     const bool is_single = arguments.points_file.empty() && times.count == 1;
     if (arguments.json) {
       return is_single ? Style::json_object : Style::json_array;
     }
-    return is_single ? Style::words : Style::csv;
+    return is_single && arguments.output_file.empty() ? Style::words : Style::csv;
   }
 
   double depth_m_;
@@ -244,7 +246,7 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
         "{} of {} samples miss their point by more than {:g} m, under crests that fold: see residual_m",
         sink.missed(), sink.count(), query.tolerance_m);
   }
-  if (arguments.output_file.empty()) {
+  if (!arguments.writes_file()) {
     return;
   }
   if (arguments.json) {
@@ -279,7 +281,7 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   add("--min-wavelength-m", arguments->min_wavelength, "L",
       "leave shorter waves out, as a hull longer than they are does not feel them (default 0: none)");
   add("-o,--output", arguments->output_file, "FILE",
-      "write CSV there, whole or not at all (default: to standard output)");
+      "write CSV there, whole or not at all (default, and -: standard output)");
   add_force_flag(*command, arguments->overwriting)->group(group);
   command
       ->add_flag("--json", arguments->json,

@@ -122,6 +122,7 @@ void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
   }
   require_one_record(arguments, records.size());
   for (const std::string* output : {&arguments.plot, &arguments.export_file}) {
+    if (output == &arguments.export_file && is_standard_output(*output)) continue;  // text
     require_new(*output, arguments.overwriting, {arguments.file});
   }
   if (!arguments.plot.empty()) {
@@ -130,7 +131,12 @@ void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
   }
   if (!arguments.export_file.empty()) {
     const std::span<const WaveSpectrum> all(records);
-    write_ww3_spectra(arguments.export_file, chosen ? all.subspan(*chosen, 1) : all);
+    const std::span<const WaveSpectrum> exported = chosen ? all.subspan(*chosen, 1) : all;
+    if (is_standard_output(arguments.export_file)) {
+      fmt::print("{}", ww3_text(arguments.file, exported));
+      return;
+    }
+    write_ww3_spectra(arguments.export_file, exported);
   }
 
   const std::vector<Listed> listed = integrate(records, chosen, options);
@@ -167,8 +173,9 @@ void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
       ->add_option("--plot", arguments->plot, "write a picture (.png): energy against frequency, and polar")
       ->type_name("FILE");
   command
-      ->add_option("--export-spectrum", arguments->export_file,
-                   "write the record, or all, as WAVEWATCH III text (.spec)")
+      ->add_option(
+          "--export-spectrum", arguments->export_file,
+          "write the record, or all, as WAVEWATCH III text (.spec); -: to standard output, and nothing else")
       ->type_name("FILE");
   add_force_flag(*command, arguments->overwriting);
   command->add_flag("--json", arguments->json, "results for scripts");

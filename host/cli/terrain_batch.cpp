@@ -33,7 +33,7 @@ void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::s
                             ->excludes(command.get_option("--json"));
   command
       .add_option("-o,--output", output_,
-                  "write CSV there, whole or not at all (default: to standard output)")
+                  "write CSV there, whole or not at all (default, and -: standard output)")
       ->type_name("FILE")
       ->group(group)
       ->needs(points);
@@ -41,7 +41,7 @@ void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::s
 }
 
 void TerrainBatch::require_question(const std::string& single, const std::string& ground) const {
-  require_new(output_, overwriting_, {ground, points_});
+  if (!is_standard_output(output_)) require_new(output_, overwriting_, {ground, points_});
   if (is_asked() || !single.empty()) return;
   throw Error(ErrorKind::bad_usage, fmt::format("expected {} or --points, found neither", single_),
               "give one question, or a file of them");
@@ -51,7 +51,7 @@ void TerrainBatch::answer(std::string_view heading, const Answer& answer,
                           const GlobalOptions& options) const {
   NumberTable table(points_, columns_);
   std::optional<AtomicFile> file;
-  if (!output_.empty()) file.emplace(output_);
+  if (!output_.empty() && !is_standard_output(output_)) file.emplace(output_);
   std::string text = fmt::format("{}\n", heading);
   for (auto rows = table.next(block_rows); !rows.empty(); rows = table.next(block_rows)) {
     options.cancel.throw_if_cancelled();

@@ -29,7 +29,8 @@ struct TerrainProfileArguments {
 void run(const TerrainProfileArguments& arguments) {
   const auto from = read_numbers("--from", arguments.from, 2, "X,Z", "0,0");
   const auto to = read_numbers("--to", arguments.to, 2, "X,Z", "1200,350");
-  require_new(arguments.output, arguments.overwriting, {arguments.input.file()});
+  const bool prints = arguments.output.empty() || is_standard_output(arguments.output);
+  if (!prints) require_new(arguments.output, arguments.overwriting, {arguments.input.file()});
   const terrain::EarthCurve curve = arguments.curve.read();
   const bool is_curved = arguments.curve.are_given();
   const TerrainGround of(arguments.input, {});
@@ -58,7 +59,7 @@ void run(const TerrainProfileArguments& arguments) {
     if (is_curved) text += fmt::format(",{:.7g}", height_m - curve.bend_perm() * distance_m * distance_m);
     text += '\n';
   }
-  if (arguments.output.empty()) {
+  if (prints) {
     fmt::print("{}", text);
   } else {
     write_file_atomically(arguments.output, text);
@@ -76,7 +77,7 @@ void add_terrain_profile_command(CLI::App& terrain, GlobalOptions& options) {
   command->add_option("--step-m", arguments->step, "at most this far apart (default: as the posts)")
       ->type_name("S");
   arguments->curve.add_to(*command);
-  command->add_option("-o,--output", arguments->output, "CSV to write (default: standard output)")
+  command->add_option("-o,--output", arguments->output, "CSV to write (default, and -: standard output)")
       ->type_name("FILE");
   add_force_flag(*command, arguments->overwriting);
   add_global_options(*command, options, DeviceUse::none);

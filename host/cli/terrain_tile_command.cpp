@@ -112,6 +112,7 @@ std::vector<std::filesystem::path> files_below(const std::string& folder) {
 
 void run(const TerrainTileArguments& arguments, const GlobalOptions& options) {
   const auto start = std::chrono::steady_clock::now();
+  require_file_name(arguments.output);
   Tiling tiling(arguments, options);
   require_not_read(files_below(arguments.output), std::vector{arguments.input.file()});
   const HeightMapSource source = [&] {

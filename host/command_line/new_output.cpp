@@ -41,6 +41,13 @@ CLI::Option* add_force_flag(CLI::App& command, Overwriting& overwriting) {
       "--force", [&overwriting] { overwriting = Overwriting::allowed; }, "replace files that exist");
 }
 
+void require_file_name(const std::string& output) {
+  if (!is_standard_output(output)) return;
+  throw Error(ErrorKind::bad_usage,
+              "-: expected a name, found standard output, which this command does not write to",
+              "name a file or folder; ./- is one of this name");
+}
+
 void require_not_read(std::span<const fs::path> outputs, std::span<const std::string> inputs) {
   std::optional<InputFiles> files;
   for (const fs::path& output : outputs) {
@@ -61,6 +68,7 @@ void require_new(const std::string& output, Overwriting overwriting,
 
 void require_new(const std::string& output, Overwriting overwriting, std::span<const std::string> inputs) {
   if (output.empty()) return;
+  require_file_name(output);
   const fs::path file = output;
   std::error_code ignored;
   // Folders and devices are never replaced: require_writable() says so.

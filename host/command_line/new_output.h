@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <CLI/App.hpp>
 
@@ -21,6 +22,13 @@ enum class Overwriting { refused, allowed };
 
 /// Adds --force. `overwriting` must outlive the command.
 CLI::Option* add_force_flag(CLI::App& command, Overwriting& overwriting);
+
+/// Whether an output is "-": standard output, for what is text.
+inline bool is_standard_output(std::string_view output) {
+  return output == "-";
+}
+/// For files that are no text, and for folders: refuses "-".
+void require_file_name(const std::string& output);
 
 /// For one file; an empty name is no output. Removes what killed runs left of it. Throws Error(file) for a
 /// file that cannot be written.

@@ -44,9 +44,41 @@ TEST_F(OutputTest, QuietCommandsPrintResultsAlone) {
   EXPECT_THAT(asked.output, HasSubstr("height"));
 }
 
+// Fails if "-" makes a file of that name, text does not go to standard output, or something else goes with
+// it.
+TEST_F(OutputTest, AMinusIsStandardOutput) {
+  const std::string map = path("map.tif"), records = OFFING_SCENES "/example_sea.data_spec";
+  ASSERT_EQ(run_offing({"terrain", "generate", "--posts", "17", "-o", map}).exit_code, 0);
+  const std::vector<std::string> profile = {"terrain", "profile", map, "--from", "0,0", "--to", "100,100"};
+  std::vector<std::string> to_output = profile;
+  to_output.insert(to_output.end(), {"-o", "-"});
+  EXPECT_EQ(run_offing(to_output).output, run_offing(profile).output);
+  const ProgramResult query =
+      run_offing({"ocean", "query", "--size", "16", "--cascades", "1", "--at", "0,0", "-o", "-"});
+  EXPECT_EQ(query.exit_code, 0) << query.errors;
+  EXPECT_THAT(query.output, testing::StartsWith("time_s,"));
+  EXPECT_THAT(query.output, testing::Not(HasSubstr("written")));
+  const ProgramResult spectrum =
+      run_offing({"ocean", "spectrum", records, "--record", "0", "--export-spectrum", "-"});
+  EXPECT_EQ(spectrum.exit_code, 0) << spectrum.errors;
+  EXPECT_THAT(spectrum.output, testing::StartsWith("'WAVEWATCH III SPECTRA'"));
+  for (const std::vector<std::string>& no_text :
+       {std::vector<std::string>{"terrain", "generate", "--posts", "17", "-o", "-"},
+        {"terrain", "tile", map, "-o", "-"},
+        {"terrain", "render", map, "-o", "-"},
+        {"ocean", "spectrum", records, "--plot", "-"},
+        {"ocean", "bake", "--size", "16", "--cascades", "1", "--frames", "0", "-o", "-"}}) {
+    const ProgramResult result = run_offing(no_text);
+    EXPECT_EQ(result.exit_code, 2) << no_text[1];
+    EXPECT_THAT(result.errors, HasSubstr("hint: ")) << no_text[1];
+  }
+  EXPECT_FALSE(std::filesystem::exists("-"));
+}
+
 // Fails if a damaged EXR height map is taken for a frame of a bake.
 TEST_F(OutputTest, ADamagedMapIsNoFrame) {
-  std::ofstream(path("map.exr"), std::ios::binary) << "\x76\x2f\x31\x01 and no more";
+  std::ofstream(path("map.exr"), std::ios::binary)
+      << std::string("\x76\x2f\x31\x01\x02\0\0\0 and no more", 20);
   const ProgramResult result = run_offing({"terrain", "info", path("map.exr"), "--spacing-m", "10"});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.errors, HasSubstr("map.exr: not a whole EXR file"));
