@@ -114,19 +114,6 @@ void check_has_data(const Raster& raster, GDALRasterBandH band) {
   }
 }
 
-/// A grid of text takes two bytes a post or more; GDAL takes memory for each row that its header promises.
-void check_text_size(const Raster& raster) {
-  const std::string_view driver = GDALGetDriverShortName(GDALGetDatasetDriver(raster.handle()));
-  if (driver != "AAIGrid" && driver != "GRASSASCIIGrid" && driver != "ISG") return;
-  std::error_code unknown;  // of a file within another one
-  const std::uintmax_t bytes = std::filesystem::file_size(raster.path(), unknown);
-  if (unknown || static_cast<double>(raster.columns()) * raster.rows() <= static_cast<double>(bytes)) return;
-  throw Error(ErrorKind::bad_input,
-              fmt::format("{}: a header for {}x{} posts, expected two bytes or more for each, found {} bytes",
-                          raster.path().string(), raster.columns(), raster.rows(), bytes),
-              "the file is cut short or damaged: copy or download it again");
-}
-
 /// Metres in the unit of height that a band names; 1 for metres, and where it names none.
 double metres_of_unit(const Raster& raster, GDALRasterBandH band) {
   constexpr double us_survey_foot_m = 1200.0 / 3937.0;
@@ -302,7 +289,6 @@ SourceHeights read_gdal_heights(const std::filesystem::path& path, const HeightM
                 fmt::format("{}: expected a raster of heights, found none in it", path.string()),
                 "if it holds several, name one as a file of its own");
   }
-  check_text_size(raster);
   if (raster.is_ascii_grid()) {
     check_ascii_grid(path,
                      static_cast<std::size_t>(raster.columns()) * static_cast<std::size_t>(raster.rows()));
