@@ -6,8 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <map>
 #include <mutex>
+#include <optional>
 #include <set>
+#include <string_view>
 #include <thread>
 
 #include <Imath/half.h>
@@ -26,6 +29,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/error_report.h"
 #include "host/io/atomic_file.h"
 
 namespace offing {
@@ -158,6 +162,44 @@ ExrAttributes attributes_of(const Imf::Header& header) {
   return attributes;
 }
 
+/// Bytes that the library reads for an attribute of this type, whatever the file says; none for types that
+/// end where the file says.
+std::optional<std::int64_t> fixed_bytes(std::string_view type) {
+  static const std::map<std::string_view, std::int64_t> bytes{{"box2f", 16},
+                                                              {"box2i", 16},
+                                                              {"chromaticities", 32},
+                                                              {"compression", 1},
+                                                              {"deepImageState", 1},
+                                                              {"double", 8},
+                                                              {"envmap", 1},
+                                                              {"float", 4},
+                                                              {"int", 4},
+                                                              {"keycode", 28},
+                                                              {"lineOrder", 1},
+                                                              {"m33d", 72},
+                                                              {"m33f", 36},
+                                                              {"m44d", 128},
+                                                              {"m44f", 64},
+                                                              {"rational", 8},
+                                                              {"tiledesc", 9},
+                                                              {"timecode", 8},
+                                                              {"v2d", 16},
+                                                              {"v2f", 8},
+                                                              {"v2i", 8},
+                                                              {"v3d", 24},
+                                                              {"v3f", 12},
+                                                              {"v3i", 12}};
+  const auto found = bytes.find(type);
+  return found == bytes.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Where a list of channels ends: names with 16 bytes each, then an empty one.
+std::int64_t end_of_channels(std::ifstream& file) {
+  constexpr std::streamoff bytes = 16;
+  for (std::string name; std::getline(file, name, '\0') && !name.empty();) file.seekg(bytes, std::ios::cur);
+  return file.tellg();
+}
+
 /// Throws unless the file is one part whose attributes lie within it: the library takes memory for an
 /// attribute before it reads it. What is wrong with the rest the library says.
 void require_attributes(const std::filesystem::path& path) {
@@ -183,7 +225,18 @@ void require_attributes(const std::filesystem::path& path) {
                          file_bytes - file.tellg(), bytes),
              "bake this frame again");
     }
-    file.seekg(bytes, std::ios::cur);
+    const std::int64_t end = file.tellg() + bytes;
+    const bool is_wrong =
+        type == "chlist" ? end_of_channels(file) != end : fixed_bytes(type).value_or(bytes) != bytes;
+    if (is_wrong) {
+      refuse(path,
+             fmt::format(
+                 "not a whole EXR file: expected an attribute of type {}, found {} bytes of something else",
+                 one_line(type), bytes),
+             "bake this frame again");
+    }
+    file.clear();
+    file.seekg(end);
   }
 }
 

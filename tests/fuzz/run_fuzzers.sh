@@ -54,13 +54,17 @@ for reader in "${readers[@]}"; do
     continue
   fi
   mkdir -p "$grown"
-  longest=8192
-  if [[ "$reader" == vdb ]]; then longest=32768; fi  # the smallest volume has 10 kB
+  longest=8192 memory_mb=2048 block_mb=1536
+  case "$reader" in
+    exr | raster) block_mb=65536 ;;  # OpenEXR and maps reserve memory that they do not touch before they read
+    # The smallest volume has 10 kB; OpenVDB takes up to 4 GiB for a name before it reads it.
+    vdb) longest=32768 memory_mb=6144 block_mb=5120 ;;
+  esac
   log="$build/$reader.log"
   if ! OFFING_CACHE_DIR="$build/kernel_cache" UBSAN_OPTIONS=print_stacktrace=1 \
     "$build/fuzz/${reader}_fuzzer" "${corpora[@]}" \
     -max_total_time="$seconds_each" -runs="$most_executions" -max_len="$longest" -timeout=20 \
-    -rss_limit_mb=2048 -malloc_limit_mb=1536 \
+    -rss_limit_mb="$memory_mb" -malloc_limit_mb="$block_mb" \
     -artifact_prefix="$build/findings/$reader-" -print_final_stats=1 -verbosity=0 2>"$log"; then
     status=1
     echo "fuzz: $reader: FINDING, see $log and $build/findings"

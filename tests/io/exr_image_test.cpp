@@ -210,6 +210,17 @@ TEST_F(ExrImageTest, AttributesBeyondTheFileAreRefused) {
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("bytes of an attribute, found 1778384896"));
   }
+  // An int of five bytes, of which the library reads four.
+  std::ofstream(path, std::ios::binary) << std::string(
+      "\x76\x2f\x31\x01\2\0\0\0a\0int\0\5\0\0\0"
+      "00000\0",
+      24);
+  try {
+    read_exr_attributes(path);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("attribute of type int, found 5 bytes"));
+  }
 }
 
 }  // namespace
