@@ -1,20 +1,26 @@
 #include "host/io/height_maps/raster_files.h"
 
+#include <memory>
+
 #include <cpl_string.h>
 
-#include "host/io/height_maps/gdal_session.h"
+#include "host/base/error.h"
+#include "host/io/height_maps/raster_file.h"
 
 namespace offing::height_maps {
 
 std::vector<std::filesystem::path> raster_files(const std::filesystem::path& path) {
   const GdalSession session;
-  const Dataset dataset(
-      GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+  Dataset dataset;
+  try {
+    dataset = open_raster(path, {});
+  } catch (const Error&) {
+    return {};  // whoever reads it says what is wrong
+  }
   if (!dataset) return {};
-  char** const list = GDALGetFileList(dataset.get());
+  const std::unique_ptr<char*, void (*)(char**)> names(GDALGetFileList(dataset.get()), CSLDestroy);
   std::vector<std::filesystem::path> files;
-  for (char** name = list; name != nullptr && *name != nullptr; ++name) files.emplace_back(*name);
-  CSLDestroy(list);
+  for (char** name = names.get(); name != nullptr && *name != nullptr; ++name) files.emplace_back(*name);
   return files;
 }
 
