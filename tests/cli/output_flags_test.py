@@ -15,8 +15,8 @@ import zlib
 
 # What stands behind a flag in the help and is no path.
 NO_PATHS = set(
-    "0 A:B A:B:DT AZIMUTH_DEG,ELEVATION_DEG B BY C CAMERA CRS D DEG DEVICE DT E EV F FLOAT FORMAT FPS H INT INT,... K L "
-    "LEVEL LIST M MB METHOD N NAME ORDER P R RUNG S SWITCH SYSTEM T TYPE UINT UNIT V W WHAT WxH X X,Y,Z X,Z X,Z,H "
+    "0 A A:B A:B:DT AZIMUTH_DEG,ELEVATION_DEG B BY C CAMERA CRS D DEG DEVICE DT E EV F FLOAT FORMAT FPS H INT INT,... K "
+    "L LEVEL LIST M MB METHOD N NAME ORDER P R RUNG S SWITCH SYSTEM T TYPE UINT UNIT V W WHAT WxH X X,Y,Z X,Z X,Z,H "
     "i/n X,...".split()
 )
 TEXT_COLUMN = 34  # of the help: what begins there tells what a flag does
@@ -28,11 +28,12 @@ MAP = ["map.r32", "--raw-size", "9x9", "--spacing-m", "10"]
 SPECTRUM = ["41010.data_spec"]
 NDBC = ["41010.data_spec", "41010.swdir", "41010.swdir2", "41010.swr1", "41010.swr2"]
 SCENE_FILES = ["scene.toml", "ship.gltf", "ship.bin", "ramp.png", "map.asc", "map.prj", *NDBC]
+SOME_FILES = ["scene.toml", "ship.bin", "41010.swdir"]  # one query tries all
 GLTF = ["ship.gltf", "ship.bin"]
 
 
 class Case:
-    """How a flag is tried: `out` is what it names, `victim` what would be written over, {ext} a name's ending."""
+    """How a flag is tried: `out` is what it names, `victim` what would be written over."""
 
     def __init__(self, command, flag, arguments, inputs, out, victim=None, existing=None):
         self.command, self.flag, self.arguments, self.inputs = command.split(), flag, arguments, inputs
@@ -40,8 +41,9 @@ class Case:
 
 
 def mesh_cases():
-    for command in ("repair", "remesh", "simplify", "subdivide"):
-        yield Case(f"offing-mesh {command}", "-o", ["ship.gltf"], GLTF, "out.ply")
+    faces = ["--faces", "9"]
+    for command, flags in (("repair", []), ("remesh", faces), ("simplify", faces), ("subdivide", [])):
+        yield Case(f"offing-mesh {command}", "-o", ["ship.gltf", *flags], GLTF, "out.ply")
     yield Case("offing-mesh curvature", "-o", ["ship.gltf"], GLTF, "out.ply")
 
 
@@ -54,14 +56,14 @@ def batch_cases():
 CASES = [
     Case("offing ocean spectrum", "--plot", [*SPECTRUM, "--record", "0"], NDBC, "out.png"),
     Case("offing ocean spectrum", "--export-spectrum", SPECTRUM, NDBC, "out.spec"),
-    Case("offing ocean bake", "-o", ["scene.toml", "--frames", "0"], SCENE_FILES, "out", "out/ocean.c0.0000.exr"),
-    Case("offing ocean bake", "--export-spectrum", ["scene.toml", "--frames", "0", "-o", "fresh"], SCENE_FILES,
+    Case("offing ocean bake", "-o", ["scene.toml", "--frames", "0"], SOME_FILES, "out", "out/ocean.c0.0000.exr"),
+    Case("offing ocean bake", "--export-spectrum", ["scene.toml", "--frames", "0", "-o", "fresh"], SOME_FILES,
          "out.spec"),
     Case("offing ocean query", "-o", ["scene.toml", "--points", "points.csv"], [*SCENE_FILES, "points.csv"],
          "out.csv"),
-    Case("offing highlights", "-o", ["scene.toml"], SCENE_FILES, "out.json"),
-    Case("offing clouds build", "-o", ["scene.toml"], SCENE_FILES, "out.vdb"),
-    Case("offing clouds build", "-o", ["scene.toml", "--frames", "0:9"], SCENE_FILES, "out.%04d.vdb", "out.0007.vdb"),
+    Case("offing highlights", "-o", ["scene.toml"], SOME_FILES, "out.json"),
+    Case("offing clouds build", "-o", ["scene.toml"], SOME_FILES, "out.vdb"),
+    Case("offing clouds build", "-o", ["scene.toml", "--frames", "0:9"], SOME_FILES, "out.%04d.vdb", "out.0007.vdb"),
     Case("offing terrain render", "-o", ["map.asc", "--colour", "ramp.png"], ["map.asc", "map.prj", "ramp.png"],
          "out.png"),
     Case("offing terrain render", "--depth", ["map.vrt", "-o", "fresh.png"], ["map.vrt", "source.tif"], "out.exr"),
@@ -74,11 +76,11 @@ CASES = [
          "out/frame.000001.png"),
     *batch_cases(),
     *mesh_cases(),
-    Case("offing-view", "-o", ["scene.toml", "--headless", "--size", "16x9"], SCENE_FILES, "out.png"),
-    Case("offing-view", "-o", ["scene.toml", "--headless", "--size", "16x9"], SCENE_FILES, "out.exr"),
-    Case("offing-view", "-o", ["scene.toml", "--compare-reference", "--size", "16x9"], SCENE_FILES, "out", "out/drawn.png"),
-    Case("offing-view", "--record", ["scene.toml", "--frames", "0:9"], SCENE_FILES, "out_%d.png", "out_7.png"),
-    Case("offing-view", "--video", ["scene.toml"], SCENE_FILES, "out.webm"),
+    Case("offing-view", "-o", ["scene.toml", "--headless", "--size", "16x9"], SOME_FILES, "out.png"),
+    Case("offing-view", "-o", ["scene.toml", "--headless", "--size", "16x9"], SOME_FILES, "out.exr"),
+    Case("offing-view", "-o", ["scene.toml", "--compare-reference", "--size", "16x9"], SOME_FILES, "out", "out/drawn.png"),
+    Case("offing-view", "--record", ["scene.toml", "--frames", "0:9"], SOME_FILES, "out_%d.png", "out_7.png"),
+    Case("offing-view", "--video", ["scene.toml"], SOME_FILES, "out.webm"),
 ]
 
 
@@ -151,18 +153,19 @@ class Outputs:
         self.expect_refusal("existing", [*case.command, *case.arguments, case.flag, case.out], victim, ["--force"])
 
     def check_inputs(self, case):
-        for name in case.inputs:
-            for link in (os.symlink, os.link):
-                self.make_inputs()
-                source, victim = self.folder / "work" / name, self.folder / "work" / case.victim
-                victim.parent.mkdir(parents=True, exist_ok=True)
-                link(source, victim)
-                words = [*case.command, *case.arguments, case.flag, case.out, "--force"]
-                self.expect_refusal(f"{link.__name__} of {name}", words, victim, ["an input"])
-            if pathlib.Path(name).suffix == pathlib.Path(case.out).suffix and "%" not in case.out:
-                self.make_inputs()
-                words = [*case.command, *case.arguments, case.flag, name, "--force"]
-                self.expect_refusal(f"{name} itself", words, self.folder / "work" / name, ["an input"])
+        for number, name in enumerate(case.inputs):
+            self.make_inputs()
+            link = (os.symlink, os.link)[number % 2]
+            victim = self.folder / "work" / case.victim
+            victim.parent.mkdir(parents=True, exist_ok=True)
+            link(self.folder / "work" / name, victim)
+            words = [*case.command, *case.arguments, case.flag, case.out, "--force"]
+            self.expect_refusal(f"{link.__name__} of {name}", words, victim, ["an input"])
+        name = case.inputs[0] if case.inputs else ""
+        if name and case.out == "out" + pathlib.Path(name).suffix or case.out == "out.spec":
+            self.make_inputs()
+            words = [*case.command, *case.arguments, case.flag, name, "--force"]
+            self.expect_refusal(f"{name} itself", words, self.folder / "work" / name, ["an input"])
 
     def make_inputs(self):
         """Fresh inputs in an empty folder."""
