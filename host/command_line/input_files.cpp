@@ -7,6 +7,7 @@
 
 #include "host/io/height_maps/raster_files.h"
 #include "host/io/meshes/gltf_document.h"
+#include "host/io/spectra/gzip.h"
 #include "host/io/spectra/ndbc_spectra.h"
 
 namespace offing {
@@ -36,9 +37,10 @@ InputFiles::InputFiles(std::span<const std::string> names) {
       continue;
     }
     if (!fs::is_regular_file(path, ignored)) continue;
-    if (const auto companions = spectra::ndbc_companion_paths(path)) {
-      for (const fs::path& file : {companions->alpha1, companions->alpha2, companions->r1, companions->r2}) {
+    if (const auto companions = spectra::ndbc_companion_paths(spectra::unpacked_name(path))) {
+      for (fs::path file : {companions->alpha1, companions->alpha2, companions->r1, companions->r2}) {
         add(file);
+        add(file += ".gz");
       }
     }
     for (const fs::path& file : meshes::files_of_gltf(path)) add(file);

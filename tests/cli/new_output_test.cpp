@@ -85,5 +85,14 @@ TEST_F(NewOutput, KeepsFilesOfFoldersThatAreRead) {
   require_new(path("maps/b.tif"), Overwriting::allowed, {path("maps")});
 }
 
+// Fails if a directional file that is read beside a compressed spectrum can be written over.
+TEST_F(NewOutput, KeepsCompanionsOfPackedSpectra) {
+  const std::string spectrum = leave("46042w2020.txt.gz");
+  for (const char* name : {"46042d2020.txt", "46042k2020.txt.gz"}) {
+    test::expect_error(ErrorKind::bad_usage, "an input of this command",
+                       [&] { require_new(leave(name), Overwriting::allowed, {spectrum}); });
+  }
+}
+
 }  // namespace
 }  // namespace offing
