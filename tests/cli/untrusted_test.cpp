@@ -37,7 +37,8 @@ TEST_F(Untrusted, IsKeptByEveryCommand) {
                                 "<SimpleSource><SourceFilename relativeToVRT=\"1\">../b.asc</SourceFilename>"
                                 "</SimpleSource></VRTRasterBand></VRTDataset>");
   write("b.asc", "ncols 2\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 20\n1 2\n3 4\n");
-  const std::string out = path("out"), vdb = path("out.vdb"), json = path("out.json"), png = path("out.png");
+  const std::string out = path("out"), vdb = path("out.vdb"), json = path("out.json"), png = path("out.png"),
+                    tif = path("out.tif");
   const std::string height = path("b.data_spec");
   const std::string header = "#YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) spec_2 (freq_2) ... >\n";
   const std::string spectrum =
@@ -55,7 +56,7 @@ TEST_F(Untrusted, IsKeptByEveryCommand) {
       {"terrain", "info", map},
       {"terrain", "height", map, "--at", "0,0"},
       {"terrain", "tile", map, "-o", out},
-      {"terrain", "viewshed", map, "--from", "0,0", "-o", png},
+      {"terrain", "viewshed", map, "--observer", "0,0", "-o", tif},
       {"terrain", "render", map, "-o", png}};
   for (std::vector<std::string> command : commands) {
     command.emplace_back("--untrusted");
