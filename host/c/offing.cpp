@@ -182,8 +182,8 @@ OffingStatus offing_make_world(const OffingDevice* device, const OffingScene* sc
     require(device, "device");
     require(scene, "scene");
     require(world, "world");
-    auto made = std::make_unique<OffingWorld>(
-        scene->scene, offing::world::World(device->device, offing::scene::prepare_world(scene->scene)));
+    auto made = std::unique_ptr<OffingWorld>(new OffingWorld{
+        scene->scene, offing::world::World(device->device, offing::scene::prepare_world(scene->scene))});
     offing::scene::show_at(made->world, made->scene, made->scene.start_s);
     *world = made.release();
   });
