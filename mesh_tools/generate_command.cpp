@@ -51,11 +51,13 @@ void write(const Shape& shape, const GenerateArguments& arguments) {
 void add_roughness(CLI::App& command, Roughness& roughness) {
   command
       .add_option("--jitter", roughness.jitter,
-                  "vertices move along the surface by up to so many edge lengths")
+                  "moves vertices along the surface by up to this many edge lengths")
       ->type_name("0 ... 0.45");
-  command.add_option("--noise", roughness.normal_noise, "and off it, a standard deviation in edge lengths")
+  command
+      .add_option("--noise", roughness.normal_noise,
+                  "moves vertices off the surface: standard deviation in edge lengths")
       ->type_name("0 ... 1");
-  command.add_option("--seed", roughness.seed, "of what is drawn");
+  command.add_option("--seed", roughness.seed, "of the random numbers");
 }
 
 /// With its default, which the help does not show of itself.
@@ -89,7 +91,7 @@ void add_fineness(CLI::App& command, const ShapeRow& row, GenerateArguments& arg
   if (!row.has_truth) return;
   if (row.level == 0)
     command.add_flag("--random-diagonals", arguments.random_diagonals,
-                     "cut cells either way, as the seed has it");
+                     "cut each cell along a random diagonal");
   add_roughness(command, order.roughness);
 }
 

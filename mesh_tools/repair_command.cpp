@@ -87,7 +87,7 @@ void run(const RepairArguments& arguments, const Options& options) {
     print_summary("  {:<46} {}\n", change.label, change.count);
     has_changed = true;
   }
-  if (!has_changed) print_summary("  nothing to mend\n");
+  if (!has_changed) print_summary("  nothing to repair\n");
   for (const auto& [label, count] : {std::pair("faces without an area that are left", after.degenerate_faces),
                                      {"self-intersections that are left", after.self_intersections}}) {
     if (count > 0) print_summary("  {:<46} {}\n", label, count);

@@ -42,8 +42,8 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_1, "Ctrl 1 ... 9", set_bookmark, "makes this view that bookmark, or a new one",
        GLFW_MOD_CONTROL, 9},
       {GLFW_KEY_S, "Ctrl S", save, "save the scene", GLFW_MOD_CONTROL},
-      {GLFW_KEY_ESCAPE, "Esc", deselect, "close what popped up; else pick nothing"},
-      {GLFW_KEY_Q, "Ctrl Q", quit, "quit; asks first where edits are not saved", GLFW_MOD_CONTROL},
+      {GLFW_KEY_ESCAPE, "Esc", deselect, "close lists and dialogs; else deselect"},
+      {GLFW_KEY_Q, "Ctrl Q", quit, "quit; asks first if there are unsaved edits", GLFW_MOD_CONTROL},
   }};
   return bindings;
 }

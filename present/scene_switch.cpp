@@ -74,7 +74,7 @@ std::filesystem::path SavedScene::save(const scene::OceanScene& scene, const std
   if (file_.empty() || has_comments_) return save_as(scene, name, existing);
   if (is_there(file_) && scene_file_text(file_) != text_) {
     throw Error(ErrorKind::file, fmt::format("{}: another program has changed it", file_.string()),
-                "save under another name: panel \"Scene file\"");
+                "save under another name, in the panel \"Scene file\"");
   }
   return save_as(scene, file_, scene::Existing::replace);
 }

@@ -204,7 +204,7 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
   add("--chunk", arguments->chunk, "i/n",
       "make share i of n, for n processes that share a folder (default 1/1)");
   add_force_flag(command, settings.overwriting)
-      ->description("replace files that exist, frames of another scene with all that belongs to them")
+      ->description("replace existing files, also frames of another scene with everything made from them")
       ->group(group);
   command.add_flag("--json", arguments->json, "a summary for scripts")->group(group);
 }

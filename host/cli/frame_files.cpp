@@ -124,10 +124,10 @@ void FrameFiles::require_own_files(const Listing& listing) const {
   for (const std::vector<fs::path>& files : {damaged, listing.products}) {
     for (const fs::path& file : files) {
       if (!will_write(file)) continue;
-      throw Error(
-          ErrorKind::bad_usage,
-          fmt::format("{}: expected a file of this bake, found no frame of it in the folder", file.string()),
-          "name another folder with -o, or replace the file with --force");
+      throw Error(ErrorKind::bad_usage,
+                  fmt::format("{}: expected a file of this bake, found no frame of this bake in the folder",
+                              file.string()),
+                  "name another folder with -o, or replace the file with --force");
     }
   }
 }

@@ -19,7 +19,7 @@ void require_room(const BakeSettings& settings, int size, std::size_t cascades) 
   ocl::require_host_memory(static_cast<double>(frames * frame_bytes(settings, size, cascades)),
                            fmt::format("{}: {} frames at once, of {} cascades of {} x {} samples,",
                                        settings.folder.string(), frames, cascades, size, size),
-                           "take a smaller --size or fewer --cascades");
+                           "use a smaller --size or fewer --cascades");
 }
 
 }  // namespace

@@ -281,7 +281,7 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   add("--min-wavelength-m", arguments->min_wavelength, "L",
       "leave shorter waves out, as a hull longer than they are does not feel them (default 0: none)");
   add("-o,--output", arguments->output_file, "FILE",
-      "write CSV there, whole or not at all (default, and -: standard output)");
+      "CSV to write, whole or not at all (default or -: standard output)");
   add_force_flag(*command, arguments->overwriting)->group(group);
   command
       ->add_flag("--json", arguments->json,

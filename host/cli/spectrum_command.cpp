@@ -173,9 +173,9 @@ void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
       ->add_option("--plot", arguments->plot, "write a picture (.png): energy against frequency, and polar")
       ->type_name("FILE");
   command
-      ->add_option(
-          "--export-spectrum", arguments->export_file,
-          "write the record, or all, as WAVEWATCH III text (.spec); -: to standard output, and nothing else")
+      ->add_option("--export-spectrum", arguments->export_file,
+                   "write the record, or all records, as WAVEWATCH III text (.spec); -: to standard output, "
+                   "without other text")
       ->type_name("FILE");
   add_force_flag(*command, arguments->overwriting);
   command->add_flag("--json", arguments->json, "results for scripts");

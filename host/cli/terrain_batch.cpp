@@ -32,8 +32,7 @@ void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::s
                             ->excludes(command.get_option(single))
                             ->excludes(command.get_option("--json"));
   command
-      .add_option("-o,--output", output_,
-                  "write CSV there, whole or not at all (default, and -: standard output)")
+      .add_option("-o,--output", output_, "CSV to write, whole or not at all (default or -: standard output)")
       ->type_name("FILE")
       ->group(group)
       ->needs(points);

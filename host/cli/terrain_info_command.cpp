@@ -46,7 +46,7 @@ std::string explanation(const HeightMapSource& source) {
     case SpacingSource::latitude:
       return "degrees, in metres at the latitude of the middle row";
     case SpacingSource::mercator:
-      return fmt::format("as the file says, divided by the scale {:.5g} of Mercator at the middle row",
+      return fmt::format("as the file says, divided by the Mercator scale {:.5g} at the middle row",
                          source.projection_scale);
     case SpacingSource::reprojected:
       return "resampled to metres";

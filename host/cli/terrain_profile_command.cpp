@@ -77,7 +77,7 @@ void add_terrain_profile_command(CLI::App& terrain, GlobalOptions& options) {
   command->add_option("--step-m", arguments->step, "at most this far apart (default: as the posts)")
       ->type_name("S");
   arguments->curve.add_to(*command);
-  command->add_option("-o,--output", arguments->output, "CSV to write (default, and -: standard output)")
+  command->add_option("-o,--output", arguments->output, "CSV to write (default or -: standard output)")
       ->type_name("FILE");
   add_force_flag(*command, arguments->overwriting);
   add_global_options(*command, options, DeviceUse::none);

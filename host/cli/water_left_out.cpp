@@ -8,8 +8,8 @@ namespace offing::cli {
 
 void warn_of_water_left_out(const scene::OceanScene& scene, const char* results) {
   const auto warn = [&](const std::string& part, const char* what) {
-    spdlog::warn("{}: not in the {}: {} is in pictures of offing-view and in worlds of the C interface", part,
-                 results, what);
+    spdlog::warn("{}: {} leave out {}; offing-view and worlds of the C interface include it", part, results,
+                 what);
   };
   for (std::size_t i = 0; i < scene.wakes.size(); ++i) {
     warn(fmt::format("[[ocean.wake]] {}", i + 1), "its water");
@@ -20,7 +20,7 @@ void warn_of_water_left_out(const scene::OceanScene& scene, const char* results)
          "the water that it moves");
   }
   if (scene.terrain.is_given && scene.shoaling == scene::Shoaling::on) {
-    warn("[terrain]", "what shores do to the waves");
+    warn("[terrain]", "the effect of shores on the waves");
   }
 }
 

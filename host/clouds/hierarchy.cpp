@@ -125,7 +125,7 @@ class Level {
     if (particles_.size() >= most_particles) {
       throw Error(ErrorKind::bad_input,
                   fmt::format("cloud: level {} has more than {} particles", level_, most_particles),
-                  "take larger ratios or repulsions, or fewer levels or balls");
+                  "use larger ratios or repulsions, or fewer levels or balls");
     }
     hash_.insert(centre_m, static_cast<std::uint32_t>(particles_.size()));
     particles_.push_back({centre_m, child_radius_m, repulsion_m, level_, parent_});
@@ -277,13 +277,13 @@ void require_countable(std::span<const HierarchyParticle> parents, const Hierarc
   if (count <= static_cast<double>(most_particles)) {
     ocl::require_host_memory(bytes_a_particle * count,
                              fmt::format("cloud: {:.0e} particles of level {}", count, level),
-                             "take larger ratios or repulsions, or fewer levels or balls");
+                             "use larger ratios or repulsions, or fewer levels or balls");
     return;
   }
   throw Error(ErrorKind::bad_input,
               fmt::format("cloud: level {} would have some {:.0e} particles, expected at most {}", level,
                           count, most_particles),
-              "take larger ratios or repulsions, or fewer levels or balls");
+              "use larger ratios or repulsions, or fewer levels or balls");
 }
 
 }  // namespace

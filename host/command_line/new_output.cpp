@@ -30,22 +30,22 @@ void check(std::span<const fs::path> outputs, Overwriting overwriting, std::span
   if (overwriting == Overwriting::allowed) return;
   throw Error(
       ErrorKind::bad_usage,
-      fmt::format("{}: expected a new file, found one that exists", one_line(outputs.front().string())),
-      "--force replaces it, or name another file");
+      fmt::format("{}: expected a new file, found an existing one", one_line(outputs.front().string())),
+      "add --force to replace it, or name another file");
 }
 
 }  // namespace
 
 CLI::Option* add_force_flag(CLI::App& command, Overwriting& overwriting) {
   return command.add_flag_callback(
-      "--force", [&overwriting] { overwriting = Overwriting::allowed; }, "replace files that exist");
+      "--force", [&overwriting] { overwriting = Overwriting::allowed; }, "replace existing files");
 }
 
 void require_file_name(const std::string& output) {
   if (!is_standard_output(output)) return;
   throw Error(ErrorKind::bad_usage,
-              "-: expected a name, found standard output, which this command does not write to",
-              "name a file or folder; ./- is one of this name");
+              "-: expected a file name, found standard output, where this command does not write",
+              "name a file or folder; write ./- for one that is named -");
 }
 
 void require_not_read(std::span<const fs::path> outputs, std::span<const std::string> inputs) {
@@ -54,10 +54,10 @@ void require_not_read(std::span<const fs::path> outputs, std::span<const std::st
     if (!is_there(output)) continue;
     if (!files) files.emplace(inputs);  // which may open them: only where it matters
     if (!files->contains(output)) continue;
-    throw Error(ErrorKind::bad_usage,
-                fmt::format("{}: expected a file that is not read, found an input of this command",
-                            one_line(output.string())),
-                "name another file to write");
+    throw Error(
+        ErrorKind::bad_usage,
+        fmt::format("{}: expected an output file, found an input of this command", one_line(output.string())),
+        "name another file to write");
   }
 }
 

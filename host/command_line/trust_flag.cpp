@@ -10,7 +10,7 @@ void add_trust_flag(CLI::App& command, Trust& trust) {
   command
       .add_flag_callback(
           "--untrusted", [&trust] { trust = Trust::untrusted; },
-          "for a file of somebody else: what it leads to is read only from its folder and below")
+          "for files by other people: read what they name only from their folder and below")
       ->group(general_group);
 }
 

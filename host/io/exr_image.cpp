@@ -221,7 +221,7 @@ void require_attributes(const std::filesystem::path& path) {
     if (!file) return;
     if (bytes > file_bytes - file.tellg()) {
       refuse(path,
-             fmt::format("not a whole EXR file: expected at most {} bytes of an attribute, found {}",
+             fmt::format("not a whole EXR file: expected at most {} bytes in an attribute, found {}",
                          file_bytes - file.tellg(), bytes),
              "bake this frame again");
     }
@@ -273,11 +273,11 @@ void require_room(const std::filesystem::path& path, const Imf::Header& header) 
   const double most =
       2.0 * 1032.0 * (is_dwa ? 64.0 : 1.0) * static_cast<double>(std::filesystem::file_size(path));
   if (wanted <= most) return;
-  refuse(path,
-         fmt::format(
-             "not a whole EXR file: expected at most {:.0f} bytes of pixels in it, found a header for {:.0f}",
-             most, wanted),
-         "bake this frame again");
+  refuse(
+      path,
+      fmt::format("not a whole EXR file: expected at most {:.0f} bytes of pixels, found a header for {:.0f}",
+                  most, wanted),
+      "bake this frame again");
 }
 
 ExrContent content_of(const std::filesystem::path& path, Imf::MultiPartInputFile& file) {

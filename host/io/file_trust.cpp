@@ -19,7 +19,7 @@ fs::path followed(const fs::path& path) {
   if (failure) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: cannot be looked up: {}", one_line(path.string()), failure.message()),
-                "check the links on its way, and the permissions of its folders");
+                "check the links in its path and the permissions of its folders");
   }
   return real;
 }
@@ -36,7 +36,7 @@ void require_below(const fs::path& folder, const fs::path& file) {
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a file in {} or below, found one outside", one_line(file.string()),
                           one_line(root.string())),
-              "copy the file there; leave --untrusted out only if you trust whoever wrote the name");
+              "copy the file there; leave out --untrusted only if you trust the author");
 }
 
 void require_beside(const fs::path& leader, const fs::path& file, Trust trust) {

@@ -187,7 +187,7 @@ void WakeWindow::advance_to(double time_s, const ForcingAt& forcing_at, const Ad
       last - step_,
       fmt::format("ocean.wake: {} steps of {:g} s on {} x {} cells", last - step_, parameters_.step_s,
                   parameters_.cells, parameters_.cells),
-      "take a shorter ocean.wake.history_s, a longer ocean.wake.step_s, or fewer ocean.wake.cells");
+      "use a shorter ocean.wake.history_s, a longer ocean.wake.step_s, or fewer ocean.wake.cells");
   while (step_ < last) {
     const double middle_s = (static_cast<double>(step_) + 0.5) * parameters_.step_s;
     step(forcing_at(middle_s), middle_s, add_displaced);

@@ -70,7 +70,7 @@ QuarterTurn quarter_turn(const OceanScene& scene, std::size_t index) {
             fmt::format("{}: expected yaw_deg, pitch_deg and roll_deg of 0, 90, 180 or 270 for a .vdb, "
                         "found another turn",
                         place_of_name(scene, {"cloud.file", {index, 0}})),
-            "a .vdb is turned by quarters only: turn it in the program that wrote it, or write up = "
+            "a .vdb has only quarter turns: turn it in the program that wrote it, or write up = "
             "\"z\" if it lies on its side");
       }
     }

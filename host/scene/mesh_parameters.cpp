@@ -20,7 +20,7 @@ std::vector<Parameter> in_meshes(std::vector<Parameter> rows) {
 }
 
 std::vector<Parameter> form_rows() {
-  static const std::string size_help = "of a shape: " + mesh_shapes::meaning_of_size();
+  static const std::string size_help = "for a shape: " + mesh_shapes::meaning_of_size();
   return in_meshes(
       {{.key = "mesh.name",
         .storage = &element<meshes, &MeshScene::name>,

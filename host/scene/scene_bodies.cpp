@@ -121,7 +121,7 @@ void board(const OceanScene& scene, std::vector<world::BodySettings>& bodies) {
       throw Error(ErrorKind::bad_input,
                   fmt::format("{}: expected the name of a [[body]] that carries it, got \"{}\"",
                               place_of_name(scene, {"mesh.aboard", {mesh, 0}}), name),
-                  is_body ? "a mesh that floats itself is carried by none"
+                  is_body ? "remove aboard: a mesh with a [[body]] of its own is not carried"
                           : hint_of_names(name, names_of_bodies(scene), "give the [[body]] this name"));
     }
     bodies[static_cast<std::size_t>(body - scene.bodies.begin())].aboard.push_back(mesh);

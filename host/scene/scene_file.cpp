@@ -203,7 +203,7 @@ class SceneReader {
       throw Error(
           ErrorKind::bad_input,
           fmt::format("{}: expected a file, got an address, \"{}\"", place.subject, printable(written)),
-          "download it beside the scene, and write the name of the file");
+          "download it to the scene's folder, and write the name of the file");
     }
     if (!written.empty() && scene_.trust == Trust::untrusted) {
       try {
@@ -331,9 +331,9 @@ OceanScene parse_scene(std::string_view text, std::string_view name, const std::
                        Trust trust) {
   if (const std::optional<TomlPlace> place = too_deep_toml(text)) {
     throw Error(ErrorKind::bad_input,
-                fmt::format("{}:{}:{}: expected at most {} names or brackets in one another, found more",
-                            name, place->line, place->column, most_toml_levels),
-                "a scene is lines such as speed_mps = 10 below headings such as [wind]");
+                fmt::format("{}:{}:{}: expected at most {} nested names or brackets, found more", name,
+                            place->line, place->column, most_toml_levels),
+                "write lines such as speed_mps = 10 below headings such as [wind]");
   }
   toml::table root;
   try {
@@ -343,7 +343,7 @@ OceanScene parse_scene(std::string_view text, std::string_view name, const std::
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}:{}:{}: expected TOML, found a fault: {}", name, at.line, at.column,
                             one_line(error.description())),
-                "a scene is lines such as speed_mps = 10 below headings such as [wind]");
+                "write lines such as speed_mps = 10 below headings such as [wind]");
   }
   return SceneReader(name, folder, trust).read(root);
 }

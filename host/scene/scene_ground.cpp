@@ -41,7 +41,7 @@ Heights made_heights(const TerrainScene& terrain) {
   const terrain::FractalParameters& parameters = terrain.fractal;
   const std::string what = fmt::format("terrain.posts: {0} x {0} posts", parameters.posts);
   ocl::require_host_memory(sizeof(float) * static_cast<double>(parameters.posts) * parameters.posts, what,
-                           "take fewer, or make a file with `offing terrain generate` and tiles of it with "
+                           "use fewer, or make a file with `offing terrain generate` and tile it with "
                            "`offing terrain tile`");
   terrain::RowMakers makers(parameters);
   HeightMap map;
@@ -50,7 +50,7 @@ Heights made_heights(const TerrainScene& terrain) {
   const auto posts = static_cast<std::size_t>(parameters.posts);
   map.heights_m.reserve(posts * posts);
   const int rounds = (parameters.posts + makers.rows_at_once() - 1) / makers.rows_at_once();
-  TimeEstimate estimate(rounds, what, "take fewer terrain.posts");
+  TimeEstimate estimate(rounds, what, "use fewer terrain.posts");
   for (int first = 0; first < parameters.posts; first += makers.rows_at_once()) {
     const std::span<const float> rows = makers.make(first);
     map.heights_m.insert(map.heights_m.end(), rows.begin(), rows.end());

@@ -69,8 +69,8 @@ std::vector<std::string> lights_without_clouds(const OceanScene& scene) {
   if (!scene.has_clouds()) return lines;
   const bool has_sun_alone = scene.cloud_settings.light == clouds::LightModel::harris;
   const std::size_t taken = has_sun_alone ? 0 : world::most_lights_on_clouds;
-  const std::string reason = has_sun_alone ? "clouds.light is harris, which takes the sun alone"
-                                           : fmt::format("clouds take the first {} lights", taken);
+  const std::string reason = has_sun_alone ? "clouds.light is harris, which uses only the sun"
+                                           : fmt::format("clouds use only the first {} lights", taken);
   std::set<std::size_t> known;  // a line for each light
   for (const auto& [key, place] : scene.set_at) {
     const Parameter* row = find_parameter(key.key);

@@ -12,9 +12,8 @@ std::optional<std::string> lift_out_of_ground(glm::dvec3& eye_m, double ground_m
   const glm::dvec3 from_m = eye_m;
   eye_m.y = ground_m + above_m;
   return fmt::format(
-      "camera: the eye at ({:.1f}, {:.1f}, {:.1f}) m is {:.1f} m below the ground; lifted to y = {:.1f} m, "
-      "{:g} m "
-      "above it",
+      "camera: the eye at ({:.1f}, {:.1f}, {:.1f}) m is {:.1f} m below the ground; raised to y = {:.1f} m, "
+      "{:g} m above it",
       from_m.x, from_m.y, from_m.z, ground_m - from_m.y, eye_m.y, above_m);
 }
 
@@ -27,8 +26,7 @@ std::optional<std::string> warning_off_map(const glm::dvec3& eye_m, const Ground
   if (beyond_m <= rounding_m) return std::nullopt;
   return fmt::format(
       "camera: the eye at ({:.1f}, {:.1f}, {:.1f}) m is {:.1f} m beyond the map, which reaches from x = "
-      "{:.1f} to "
-      "{:.1f} m and from z = {:.1f} to {:.1f} m",
+      "{:.1f} to {:.1f} m and from z = {:.1f} to {:.1f} m",
       eye_m.x, eye_m.y, eye_m.z, beyond_m, origin_x_m, origin_x_m + extent.width_m, origin_z_m,
       origin_z_m + extent.depth_m);
 }

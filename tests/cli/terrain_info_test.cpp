@@ -68,7 +68,7 @@ TEST_F(TerrainInfo, TellsTheScaleOfMercator) {
   const ProgramResult result = run_offing({"terrain", "info", file()});
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   EXPECT_THAT(result.output, HasSubstr("13.0328 m along x"));
-  EXPECT_THAT(result.output, HasSubstr("divided by the scale 1.995 of Mercator at the middle row"));
+  EXPECT_THAT(result.output, HasSubstr("divided by the Mercator scale 1.995 at the middle row"));
 }
 
 // Fails if a bad file or flag is no error of usage or input with its two lines.

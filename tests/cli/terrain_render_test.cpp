@@ -69,9 +69,9 @@ TEST_F(TerrainRender, WarnsOfEyesInTheGroundAndOffTheMap) {
     EXPECT_LT(json["ground_share"].get<double>(), 0.7) << camera;
     return json["eye_m"][1].get<double>();
   };
-  EXPECT_NEAR(eye_of("500,60,500,0,0", "is 40.0 m below the ground; lifted to y = 101.7 m, 1.7 m above it"),
+  EXPECT_NEAR(eye_of("500,60,500,0,0", "is 40.0 m below the ground; raised to y = 101.7 m, 1.7 m above it"),
               101.7, 1e-9);
-  EXPECT_NEAR(eye_of("500,100,500,0,0", "is 0.0 m below the ground; lifted"), 101.7, 1e-9);
+  EXPECT_NEAR(eye_of("500,100,500,0,0", "is 0.0 m below the ground; raised"), 101.7, 1e-9);
   EXPECT_NEAR(eye_of("-300,60,1400,0,0", "is 500.0 m beyond the map, which reaches from x = 0.0 to 1000.0 m"),
               60.0, 1e-9);
   EXPECT_NEAR(eye_of("500,100.1,500,0,0", ""), 100.1, 1e-9);

@@ -208,7 +208,7 @@ TEST_F(ExrImageTest, AttributesBeyondTheFileAreRefused) {
     read_exr_attributes(path);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("bytes of an attribute, found 1778384896"));
+    EXPECT_THAT(error.what(), HasSubstr("bytes in an attribute, found 1778384896"));
   }
   // An int of five bytes, of which the library reads four.
   std::ofstream(path, std::ios::binary) << std::string(

@@ -88,7 +88,7 @@ TEST_F(ReferenceComparisonTest, KeepsWhatTheSceneReads) {
   const ProgramResult refused =
       compare(scene("[terrain]\nfile = \"compared/drawn.png\"\n[[cloud]]\ny_m = 1000\n"), {"--force"});
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.errors, HasSubstr("drawn.png: expected a file that is not read"));
+  EXPECT_THAT(refused.errors, HasSubstr("drawn.png: expected an output file, found an input"));
   std::ifstream file(path("compared/drawn.png"));
   EXPECT_EQ((std::string{std::istreambuf_iterator<char>(file), {}}), "heights");
 }

@@ -184,7 +184,7 @@ TEST(HostileScene, IsRefusedWhereItIsDeep) {
           "a = '''b''''' # '\n" + names + " = 1", "a = \"\\\"\"\n" + names + " = 1",
           "a = { b = 1, " + names + " = 1 }"}) {
       EXPECT_THAT(outcome("version = 1\n" + deep),
-                  ::testing::HasSubstr("expected at most 32 names or brackets in one another"))
+                  ::testing::HasSubstr("expected at most 32 nested names or brackets"))
           << deep.substr(0, 40) << " " << count;
     }
   }

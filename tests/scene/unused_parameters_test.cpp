@@ -175,9 +175,9 @@ TEST(UnusedLights, AreToldWithPlaceAndReason) {
   std::string lights;
   for (int i = 0; i < 4; ++i) lights += "[[light]]\nazimuth_deg = 9\nilluminance_klx = 5\n";
   EXPECT_THAT(unused(lights), testing::IsEmpty());
-  EXPECT_THAT(
-      unused("[[cloud]]\n" + lights),
-      testing::ElementsAre(testing::HasSubstr("does not light the clouds: clouds take the first 3 lights")));
+  EXPECT_THAT(unused("[[cloud]]\n" + lights),
+              testing::ElementsAre(
+                  testing::HasSubstr("does not light the clouds: clouds use only the first 3 lights")));
   EXPECT_THAT(unused("[clouds]\nlight = \"harris\"\n[[cloud]]\n[[light]]\nazimuth_deg = 9\n"),
               testing::ElementsAre(testing::HasSubstr(
                   "a.toml:6:15: light.azimuth_deg: does not light the clouds: clouds.light "

@@ -38,8 +38,8 @@ class Raster {
     if (!dataset_) {
       throw Error(
           ErrorKind::bad_input,
-          fmt::format("{}: expected a height map, found what cannot be opened as one: {}", path.string(),
-                      session_.failure()),
+          fmt::format("{}: expected a height map, found a file that cannot be opened as one: {}",
+                      path.string(), session_.failure()),
           is_srtm_name(path)
               ? "an .hgt has 1201 x 1201 or 3601 x 3601 posts and the name of its south-west corner, such as "
                 "N42E001.hgt: name it so, or copy it again where it is cut short"

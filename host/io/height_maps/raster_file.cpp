@@ -74,7 +74,7 @@ void check_beside(const fs::path& path, Trust trust) {
     const bool is_metadata = lower(beside.string()).ends_with(".xml");
     if (fs::is_regular_file(beside, status) && (is_metadata || is_of(beside, tiff_format.data()))) continue;
     throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected a {}, as it lies beside {}, found something else",
+                fmt::format("{}: expected a {}, because it lies beside {}, found something else",
                             one_line(beside.string()), is_metadata ? "file" : "GeoTIFF",
                             one_line(path.filename().string())),
                 "move it to another folder");
@@ -86,7 +86,7 @@ void check_beside(const fs::path& path, Trust trust) {
 void check_parts(GDALDatasetH raster, const fs::path& path, Trust trust) {
   if (const char* const overviews = GDALGetMetadataItem(raster, "OVERVIEW_FILE", "OVERVIEWS")) {
     throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected a raster that stands alone, found overviews in another file, {}",
+                fmt::format("{}: expected a self-contained raster, found overviews in another file, {}",
                             one_line(path.string()), printable(overviews)),
                 "make a copy without them: gdal_translate -co COPY_SRC_OVERVIEWS=NO MAP.tif COPY.tif");
   }
@@ -102,10 +102,10 @@ void check_parts(GDALDatasetH raster, const fs::path& path, Trust trust) {
 Dataset open_plain(const fs::path& path, Trust trust, const char* const* options) {
   if (trust == Trust::untrusted && is_hdf5(path)) {
     throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected a raster that stands alone, found HDF5 (NetCDF-4), which can name "
+                fmt::format("{}: expected a self-contained raster, found HDF5 (NetCDF-4), which can name "
                             "other files as its data",
                             one_line(path.string())),
-                "make a GeoTIFF of it: gdal_translate MAP.nc MAP.tif");
+                "convert it to a GeoTIFF: gdal_translate MAP.nc MAP.tif");
   }
   check_beside(path, trust);
   Dataset raster = open_as(path, plain_formats(), options);
@@ -126,7 +126,7 @@ void check_raster(const fs::path& path, Trust trust, int depth) {
     check_vrt(path, trust, depth);
   } else if (!open_plain(path, trust, nullptr)) {
     throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected a raster, found what cannot be opened as one: {}",
+                fmt::format("{}: expected a raster, found a file that cannot be opened as one: {}",
                             one_line(path.string()), session.failure()),
                 "leave it out of the VRT, or copy it again");
   }
@@ -139,9 +139,9 @@ Dataset open_raster(const fs::path& path, const FileTrust& trust, const char* co
   if (!is_of(file, vrt_format.data())) return open_plain(file, trust.trust, options);
   if (trust.is_named_by_scene) {
     throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected a raster that stands alone, found a VRT, which no scene may name",
+                fmt::format("{}: expected a self-contained raster, found a VRT, which a scene may not name",
                             one_line(path.string())),
-                "make a GeoTIFF of it: gdal_translate MAP.vrt MAP.tif");
+                "convert it to a GeoTIFF: gdal_translate MAP.vrt MAP.tif");
   }
   // GDAL, too, takes sources to be relative to where links lead.
   const fs::path real = fs::canonical(file);

@@ -43,7 +43,7 @@ struct Pixels {
 void require_size(const std::filesystem::path& path, int columns, int rows) {
   if (static_cast<double>(columns) * rows <= most_pixels) return;
   refuse(path, fmt::format("expected at most {:.0f} pixels, found {} x {}", most_pixels, columns, rows),
-         "cut out a part or make it coarser, as with gdal_translate -srcwin or -outsize");
+         "cut out a part or make it coarser, for example with gdal_translate -srcwin or -outsize");
 }
 
 class Picture {
@@ -53,7 +53,8 @@ class Picture {
     dataset_ = height_maps::open_raster(path, trust);
     if (!dataset_) {
       refuse(path_,
-             fmt::format("expected a picture, found what cannot be opened as one: {}", session_.failure()),
+             fmt::format("expected a picture, found a file that cannot be opened as one: {}",
+                         session_.failure()),
              "give a GeoTIFF or a PNG; a file that is cut short must be copied again");
     }
     if (bands() == 0) {
@@ -101,7 +102,7 @@ class Picture {
     if (corner[2] != 0.0 || corner[4] != 0.0 || !std::isnormal(corner[1]) || !std::isnormal(corner[5]) ||
         corner[1] < 0.0) {
       refuse(path_, "expected columns toward the east and rows along the meridian, found a rotated picture",
-             "make a north-up one of it with gdalwarp");
+             "make a north-up copy with gdalwarp");
     }
     return corner;
   }

@@ -80,9 +80,8 @@ SourceHeights read_source(const std::filesystem::path& path, const HeightMapOpti
   SourceHeights source = read_any(path, options, taker);
   if (source.likely_voids > 0 && !source.declares_voids && !options.nodata) {
     spdlog::warn(
-        "{}: {} post{} of {:g} m, which often marks voids, and the file does not say so: if they are voids, "
-        "give "
-        "--nodata {:g}, in a scene nodata = {:g}",
+        "{}: {} post{} of {:g} m: this often marks voids, but the file does not say so; if they are voids, "
+        "give --nodata {:g}, or nodata = {:g} in a scene",
         one_line(path.string()), source.likely_voids, source.likely_voids == 1 ? "" : "s", source.likely_void,
         source.likely_void, source.likely_void);
   }
@@ -169,11 +168,10 @@ GroundStep ground_step(const std::filesystem::path& path, const SourceHeights& s
         height_maps::geographic_place(place.coordinate_system, place.origin_x + place.step_x * of_column,
                                       place.origin_y + place.step_y * of_row);
     if (found) return *found;
-    throw Error(
-        ErrorKind::bad_input,
-        fmt::format("{}: expected a map in Mercator, found coordinates that have no place on the earth",
-                    one_line(path.string())),
-        "repair the header, as with gdal_edit.py -a_ullr, or state the spacing: --spacing-m 30");
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a map in Mercator, found coordinates that are not on the earth",
+                            one_line(path.string())),
+                "repair the header, as with gdal_edit.py -a_ullr, or state the spacing: --spacing-m 30");
   };
   const height_maps::GeographicPlace middle = at(column, row);
   const height_maps::DegreeLength degree = height_maps::degree_length(

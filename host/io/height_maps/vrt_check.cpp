@@ -80,8 +80,7 @@ class VrtCheck {
   VrtCheck(fs::path path, Trust trust, int depth) : path_(std::move(path)), trust_(trust), depth_(depth) {}
 
   void run() const {
-    if (depth_ >= most_vrts)
-      refuse(fmt::format("expected at most {} VRTs in one another, found more", most_vrts));
+    if (depth_ >= most_vrts) refuse(fmt::format("expected at most {} nested VRTs, found more", most_vrts));
     const std::string text = read_whole_file(path_, {.kind = "a VRT", .most_bytes = most_bytes});
     const std::unique_ptr<CPLXMLNode, void (*)(CPLXMLNode*)> root(CPLParseXMLString(text.c_str()),
                                                                   CPLDestroyXMLNode);
@@ -92,7 +91,7 @@ class VrtCheck {
  private:
   [[noreturn]] void refuse(const std::string& what) const {
     throw Error(ErrorKind::bad_input, fmt::format("{}: {}", one_line(path_.string()), what),
-                "make a GeoTIFF of what it describes: gdal_translate MAP.vrt MAP.tif");
+                "convert it to a GeoTIFF: gdal_translate MAP.vrt MAP.tif");
   }
 
   // GDAL takes names of any case, and attributes for elements.
@@ -100,14 +99,16 @@ class VrtCheck {
     if (node.eType != CXT_Element && node.eType != CXT_Attribute) return;
     const std::string_view name = node.pszValue;
     if (EQUAL(node.pszValue, "SourceFilename")) return check_source(node);
-    if (EQUAL(node.pszValue, "subClass")) return refuse("expected joined rasters, found another kind of VRT");
+    if (EQUAL(node.pszValue, "subClass"))
+      return refuse("expected a VRT that only joins rasters, found another kind of VRT");
     if (node.eType != CXT_Element || name.starts_with('?')) return;
     if (level > most_levels || std::ranges::find(known_elements, name) == known_elements.end()) {
-      refuse(fmt::format("expected joined rasters, found an element {}", printable(name)));
+      refuse(fmt::format("expected a VRT that only joins rasters, found an element {}", printable(name)));
     }
     const std::string_view domain = CPLGetXMLValue(&node, "domain", "");
     if (name == "Metadata" && !domain.empty() && domain != "IMAGE_STRUCTURE") {
-      refuse(fmt::format("expected joined rasters, found metadata of the domain {}", printable(domain)));
+      refuse(fmt::format("expected a VRT that only joins rasters, found metadata of the domain {}",
+                         printable(domain)));
     }
     for (const CPLXMLNode* child = node.psChild; child != nullptr; child = child->psNext) {
       check_node(*child, level + 1);
@@ -120,7 +121,7 @@ class VrtCheck {
     const fs::path source = is_relative ? path_.parent_path() / name : fs::path(name);
     std::error_code status;
     if (is_address(name) || !fs::is_regular_file(source, status)) {
-      refuse(fmt::format("expected sources that are files of this machine, found {}", printable(name)));
+      refuse(fmt::format("expected sources that are files on this machine, found {}", printable(name)));
     }
     require_beside(path_, source, trust_);
     check_raster(source, trust_, depth_ + 1);

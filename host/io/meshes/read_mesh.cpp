@@ -46,7 +46,7 @@ MeshFile parse(std::string_view bytes, const std::filesystem::path& path, Trust 
   if (word == "solid") return meshes::parse_stl(bytes, name);
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a mesh, got {}", one_line(name),
-                          bytes.empty() ? "an empty file" : "a file of no format that is known"),
+                          bytes.empty() ? "an empty file" : "a file of unknown format"),
               "formats read: .obj, .ply, .off, .stl, .gltf, .glb");
 }
 

@@ -117,12 +117,11 @@ bool is_datawell(const LoadedFile& file, const std::filesystem::path& path) {
 
 std::vector<WaveSpectrum> parse(const LoadedFile& file, const std::filesystem::path& path, Trust trust) {
   if (is_hdf5(file.bytes) && trust == Trust::untrusted) {
-    throw Error(
-        ErrorKind::bad_input,
-        fmt::format("{}: expected a file that stands alone, got HDF5 (NetCDF-4), which can name other "
-                    "files as its data",
-                    spectra::printable_name(file.name)),
-        "convert it with nccopy -k cdf5, or leave --untrusted out if you trust whoever made it");
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a self-contained file, got HDF5 (NetCDF-4), which can name other "
+                            "files as its data",
+                            spectra::printable_name(file.name)),
+                "convert it with nccopy -k cdf5, or leave out --untrusted if you trust the author");
   }
   if (is_hdf5(file.bytes) || file.bytes.starts_with("CDF"))
     return spectra::parse_netcdf(std::as_bytes(std::span(file.bytes)), file.name);
@@ -136,7 +135,7 @@ std::vector<WaveSpectrum> parse(const LoadedFile& file, const std::filesystem::p
   if (is_datawell(file, path)) return spectra::parse_datawell(file.bytes, file.name);
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a wave spectrum file, got {}", spectra::printable_name(file.name),
-                          file.bytes.empty() ? "an empty file" : "a file of no format that is known"),
+                          file.bytes.empty() ? "an empty file" : "a file of unknown format"),
               "formats read: NDBC .data_spec or historical text, WAVEWATCH III or SWAN text or NetCDF, "
               "Datawell .spt");
 }

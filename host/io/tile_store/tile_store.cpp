@@ -104,9 +104,8 @@ TileStoreHeader read_header(const fs::path& folder, Trust trust) {
   const auto content = content_of(path);
   if (!content) refuse_header(path, "expected the header of a tile store, found no such file");
   if (const std::optional<TomlPlace> place = too_deep_toml(*content)) {
-    refuse_header(path,
-                  fmt::format("expected at most {} names or brackets in one another, found more in line {}",
-                              most_toml_levels, place->line));
+    refuse_header(path, fmt::format("expected at most {} nested names or brackets, found more in line {}",
+                                    most_toml_levels, place->line));
   }
   toml::table table;
   try {
@@ -341,7 +340,7 @@ bool TileStoreWriter::write(const HeightTile& tile) const {
   if (found && existing_ == Existing::refuse && !is_damaged_tile(path, *found, tile.key)) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("{}: expected a tile of this map, found another file", path.string()),
-                "--force replaces it, or name another folder with -o");
+                "add --force to replace it, or name another folder with -o");
   }
   const fs::path& target = is_replacement_ ? waiting : path;
   if (is_replacement_ && content_of(waiting) == bytes) return false;

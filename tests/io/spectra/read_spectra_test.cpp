@@ -118,7 +118,7 @@ TEST(ReadSpectra, RefusesWhatIsNoSpectrum) {
   expect_error(ErrorKind::bad_input, "got a folder or device", [&] { read_spectra(folder.path()); });
   expect_error(ErrorKind::bad_input, "got a folder or device", [&] { read_spectra("/dev/null"); });
   expect_error(ErrorKind::bad_input, "got no such file", [&] { read_spectra(""); });
-  constexpr const char* unknown = "f: expected a wave spectrum file, got a file of no format that is known";
+  constexpr const char* unknown = "f: expected a wave spectrum file, got a file of unknown format";
   const struct {
     std::string bytes;
     const char* message;

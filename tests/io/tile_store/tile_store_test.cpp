@@ -314,7 +314,7 @@ TEST_F(TileStoreTest, RefusesWhatIsNoStore) {
   with("version = = 1", "TOML");
   std::string deep = "a";
   for (int i = 0; i < 40'000; ++i) deep += ".a";
-  with("[" + deep + "]", "in one another");
+  with("[" + deep + "]", "nested names or brackets");
   with("version = f\n.i00rst = 0.0", "TOML");  // in one line, although the fault is a line break
   const auto with_values = [&](const std::map<std::string, std::string>& values, const std::string& part) {
     std::string changed = text;
