@@ -60,7 +60,7 @@ void add_roughness(CLI::App& command, Roughness& roughness) {
   command.add_option("--seed", roughness.seed, "of the random numbers");
 }
 
-/// With its default, which the help does not show of itself.
+/// Adds an option and puts its default into the help, which does not show it by itself.
 template <typename Value>
 CLI::Option* add_value(CLI::App& command, std::string_view flag, Value& value, std::string_view help) {
   return command.add_option(std::string(flag), value, fmt::format("{} [{}]", help, value));

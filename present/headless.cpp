@@ -68,7 +68,7 @@ class PictureMaker {
   }
 
  private:
-  /// Of the first picture that there is something to say about.
+  /// Warns once, for the first picture whose eye needs it.
   void warn_of_eye(double time_s) {
     if (has_warned_ || !world_.ground()) return;
     const auto warning =

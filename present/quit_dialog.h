@@ -8,8 +8,7 @@
 
 namespace offing::present {
 
-/// Quitting a window: where edits are not saved, a dialog asks whether to save or discard them, or not to
-/// quit.
+/// Quitting a window: if there are unsaved edits, a dialog asks whether to save them, discard them or stay.
 class QuitDialog {
  public:
   QuitDialog(SceneSwitch& scenes, ViewState& state) : scenes_(scenes), state_(state) {}

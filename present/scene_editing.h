@@ -38,8 +38,8 @@ class SceneEditing {
   void undo();
   void redo();
   void set_keyframes() { finish(highlights_.set_keys(state_, sea_.meshes())); }
-  /// Picks nothing any more and lays down the tool; false where there was nothing to do so with. What is held
-  /// by the mouse stays picked.
+  /// Deselects everything and puts the tool away; false if nothing was selected and there was no tool. What
+  /// the mouse holds stays selected.
   bool deselect();
   void next_cloud_pick();
   /// Takes the tool, or lays it down.

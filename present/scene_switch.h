@@ -23,10 +23,11 @@ OpenedScene open_scene(const std::filesystem::path& file, Trust trust);
 /// One of scene_sources(). Throws Error(bad_input) for another name.
 OpenedScene shipped_scene(std::string_view name);
 
-/// A scene as a file has it, and the file that saving writes again.
+/// A scene as it stands in a file, and the file that the next save overwrites.
 class SavedScene {
  public:
-  /// Just opened from a file; an empty name, a link or a file that cannot be read: saving writes another one.
+  /// Just opened from a file. If the name is empty, or the file is a link or cannot be read, saving writes
+  /// another file.
   SavedScene(const std::filesystem::path& file, scene::OceanScene scene);
 
   /// Whether anything but the camera differs.

@@ -45,7 +45,7 @@ void WindowInput::on_key(GLFWwindow* window, int key, int, int action, int modif
   if (action == GLFW_RELEASE) input.camera_keys_.erase(key);
   // Keys that are held do not repeat: a slow frame would queue up actions.
   if (action != GLFW_PRESS || panels_want_keys()) return;
-  // Whoever lets go of Ctrl first does not fly by the letter that is still down.
+  // If Ctrl is released first, the letter that is still down must not move the camera.
   if ((modifiers & GLFW_MOD_CONTROL) == 0) input.camera_keys_.insert(key);
   if (const std::optional<KeyPress> press = press_of(key, modifiers)) {
     input.presses_.push_back(*press);

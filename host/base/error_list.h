@@ -6,10 +6,10 @@
 
 namespace offing {
 
-/// Several errors at once, as a file may have them. As an Error it is the first one; report() prints all.
+/// Several errors of one file. As an Error it is the first one; report() prints all.
 class ErrorList : public Error {
  public:
-  /// Of at least one error.
+  /// `errors` holds at least one.
   explicit ErrorList(std::vector<Error> errors) : Error(errors.front()), errors_(std::move(errors)) {}
 
   const std::vector<Error>& errors() const noexcept { return errors_; }

@@ -7,8 +7,8 @@
 
 namespace offing {
 
-/// Refuses work of many steps that would take more than an hour before it shows anything, as far as the
-/// steps that are done let expect; the first of them does not count.
+/// Refuses work of many steps that would take more than an hour before it shows anything. The estimate is
+/// from the steps done so far, without the first.
 class TimeEstimate {
  public:
   /// `what` names the setting and the work, "ocean.wake: 432000 steps of 512 x 512 cells"; `hint` says how to
@@ -28,7 +28,7 @@ class TimeEstimate {
   std::int64_t done_ = 0, next_look_ = 16;  // more than most frames take
 };
 
-/// What TimeEstimate does once so many steps have taken so long.
+/// The check of TimeEstimate: throws if `steps` would take too long, given that `done` took `elapsed_s`.
 void require_under_an_hour(std::int64_t done, std::int64_t steps, double elapsed_s, const std::string& what,
                            const std::string& hint);
 

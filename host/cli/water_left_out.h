@@ -4,8 +4,8 @@
 
 namespace offing::cli {
 
-/// Warns of each part of a scene that moves the water of its world and not the sea alone: wakes, bodies, and
-/// ground that waves run up. `results` are what lack it, such as "frames".
+/// Warns of each part of a scene whose effect on the water is not in the maps of the sea: wakes, bodies and
+/// shores. `results` names what leaves it out, such as "frames".
 void warn_of_water_left_out(const scene::OceanScene& scene, const char* results);
 
 }  // namespace offing::cli

@@ -201,7 +201,7 @@ std::int64_t end_of_channels(std::ifstream& file) {
 }
 
 /// Throws unless the file is one part whose attributes lie within it: the library takes memory for an
-/// attribute before it reads it. What is wrong with the rest the library says.
+/// attribute before it reads it. The library reports all other faults.
 void require_attributes(const std::filesystem::path& path) {
   const auto file_bytes = static_cast<std::int64_t>(std::filesystem::file_size(path));
   std::ifstream file(path, std::ios::binary);

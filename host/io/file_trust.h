@@ -22,8 +22,7 @@ bool is_address(std::string_view name);
 /// is not there is judged by its name.
 void require_below(const std::filesystem::path& folder, const std::filesystem::path& file);
 
-/// The same for a file that `leader` leads to, of which the folder is the leader's; nothing where it is
-/// trusted.
+/// The same for a file that `leader` leads to, with the leader's folder. Does nothing for Trust::trusted.
 void require_beside(const std::filesystem::path& leader, const std::filesystem::path& file, Trust trust);
 
 }  // namespace offing

@@ -36,8 +36,8 @@ auto at_key(const OceanScene& scene, const ValueKey& key, const Make& make) {
   }
 }
 
-/// Columns are where the axes of a cloud's own places go: as a mesh of the scene, its -z axis is where it
-/// looks. A file whose z axis points up is laid back first.
+/// The columns are the cloud's own axes in the scene. As with meshes, its -z axis is where it looks. A file
+/// whose z axis points up is turned to y up first.
 glm::dmat3 turn_of(const CloudShapeScene& shape) {
   const CameraBasis axes =
       basis({.yaw_rad = shape.yaw_rad, .pitch_rad = shape.pitch_rad, .roll_rad = shape.roll_rad});

@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 1> planned_keys = {"world.sea_level_m"};
 /// What benchmarks take from a scene: nothing of it changes the scene.
 constexpr std::string_view bench_section = "bench";
 
-/// That are reported at once.
+/// How many errors of a file are reported at once.
 constexpr std::size_t most_errors = 10;
 
 class SceneReader {

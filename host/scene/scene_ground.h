@@ -28,8 +28,8 @@ void place_camera(OceanScene& scene, const std::optional<world::GroundParameters
 /// Where the camera walks and is over the ground, or is in the ground: its eye goes to a walker's height.
 void stand_on_ground(const world::GroundView& ground, ViewScene& view);
 
-/// What is wrong with where the eye of a view is, before stand_on_ground(): in the ground or, where there is
-/// no sea, off the map. Nothing where it is well.
+/// A warning if the eye of a view, before stand_on_ground(), is below the ground or, where there is no sea,
+/// off the map. Nothing otherwise.
 std::optional<std::string> eye_warning(const world::GroundView& ground, ViewScene view, bool has_sea);
 
 }  // namespace offing::scene

@@ -32,9 +32,9 @@ std::vector<clouds::CloudIllumination> cloud_illumination(sky::ClearSky& sky,
 /// Of the lights beside the sun, the first so many light clouds.
 inline constexpr std::size_t most_lights_on_clouds = CLOUD_SUNS - 1;
 
-/// What falls on clouds, with the lights beside the sun. A light at a place comes to a cloud from where it is
-/// as seen from the cloud's middle, one of `places_m` a cloud, and is as bright at any distance, as it is on
-/// meshes. The sun stays in front, dark where there is none.
+/// The light that falls on clouds, with the lights besides the sun. A light at a place lights a whole cloud
+/// from one direction, seen from the cloud's middle (`places_m`, one a cloud), and is equally bright at any
+/// distance, as on meshes. The sun stays the first one, dark where there is none.
 std::vector<clouds::CloudIllumination> with_lights(std::vector<clouds::CloudIllumination> illumination,
                                                    std::span<const Lamp> lights,
                                                    std::span<const glm::dvec3> places_m);

@@ -15,8 +15,8 @@ namespace offing {
 ///
 /// Throws Error(bad_input) if there is no such file, it cannot be read, is no regular file, larger than 1
 /// GiB, of no known format or damaged: what() names file and line. Logs a warning if only some of the
-/// directional files of an NDBC spectrum are there. Of a file that is no spectrum no error shows what is in
-/// it. With Trust::untrusted, companions lie in the folder of the file or below, and HDF5 (NetCDF-4) is
+/// directional files of an NDBC spectrum are there. No error shows the content of a file that is not a
+/// spectrum. With Trust::untrusted, companions lie in the folder of the file or below, and HDF5 (NetCDF-4) is
 /// refused: it can name other files of the machine as its data.
 std::vector<WaveSpectrum> read_spectra(const std::filesystem::path& path, Trust trust = Trust::trusted);
 

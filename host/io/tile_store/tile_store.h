@@ -48,10 +48,10 @@ class TileStore {
   TileStoreHeader header_;
 };
 
-/// Fills a folder with a store. The header is written last: a folder without one is no store. A folder in
-/// which an earlier run was stopped is gone on with: tiles that are there as they would be written are kept,
-/// damaged ones are written again. A finished store that is replaced stays whole until all tiles of the new
-/// one are there; those that differ wait in the subfolder `.new`.
+/// Fills a folder with a store. The header is written last: a folder without one is no store. An
+/// interrupted run resumes: tiles that are equal to those it would write are kept, damaged ones are written
+/// again. A finished store that is replaced stays whole until all tiles of the new one are there; tiles that
+/// differ wait in the subfolder `.new`.
 class TileStoreWriter {
  public:
   enum class Existing { refuse, replace };
