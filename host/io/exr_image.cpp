@@ -36,6 +36,7 @@ namespace offing {
 namespace {
 
 constexpr float largest_half = 65504.0f;
+constexpr const char* hint_of_damage = "make or copy the file again: it is cut short or damaged";
 
 /// Lets OpenEXR write into an AtomicFile.
 class AtomicStream : public Imf::OStream {
@@ -223,7 +224,7 @@ void require_attributes(const std::filesystem::path& path) {
       refuse(path,
              fmt::format("not a whole EXR file: expected at most {} bytes in an attribute, found {}",
                          file_bytes - file.tellg(), bytes),
-             "bake this frame again");
+             hint_of_damage);
     }
     const std::int64_t end = file.tellg() + bytes;
     const bool is_wrong =
@@ -233,7 +234,7 @@ void require_attributes(const std::filesystem::path& path) {
              fmt::format(
                  "not a whole EXR file: expected an attribute of type {}, found {} bytes of something else",
                  one_line(type), bytes),
-             "bake this frame again");
+             hint_of_damage);
     }
     file.clear();
     file.seekg(end);
@@ -255,8 +256,7 @@ auto with_input(const std::filesystem::path& path, Read read) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    refuse(path, fmt::format("not a whole EXR file: {}", error.what()),
-           "make or copy the file again: it is cut short or damaged");
+    refuse(path, fmt::format("not a whole EXR file: {}", error.what()), hint_of_damage);
   }
 }
 
@@ -277,7 +277,7 @@ void require_room(const std::filesystem::path& path, const Imf::Header& header) 
       path,
       fmt::format("not a whole EXR file: expected at most {:.0f} bytes of pixels, found a header for {:.0f}",
                   most, wanted),
-      "bake this frame again");
+      hint_of_damage);
 }
 
 ExrContent content_of(const std::filesystem::path& path, Imf::MultiPartInputFile& file) {

@@ -36,6 +36,9 @@ constexpr std::string_view bench_section = "bench";
 /// How many errors of a file are reported at once.
 constexpr std::size_t most_errors = 10;
 
+/// That are looked for: a hostile scene may have a fault in each of millions of keys.
+constexpr std::size_t most_faults = 1000;
+
 class SceneReader {
  public:
   SceneReader(std::string_view name, std::filesystem::path folder, Trust trust)
@@ -60,8 +63,11 @@ class SceneReader {
   void attempt(const toml::source_region& region, Read read) {
     try {
       read();
+    } catch (const ErrorList&) {
+      throw;
     } catch (const Error& error) {
       faults_.push_back({{region.begin.line, region.begin.column}, error});
+      if (faults_.size() >= most_faults) throw_faults();
     }
   }
 

@@ -9,6 +9,7 @@
 
 #include "host/base/error.h"
 #include "host/base/log.h"
+#include "host/command_line/help_format.h"
 #include "tests/bench/benches.h"
 
 namespace {
@@ -38,9 +39,11 @@ void add_options(CLI::App& command, Options& options) {
       .add_option("--sizes", options.settings.sizes,
                   "sizes n of n x n samples, powers of two from 16 to 4096")
       ->delimiter(',')
+      ->type_name("INT,...")
       ->capture_default_str();
   command.add_option("--blocks", options.settings.blocks, "blocks of ours and of the peer, in turn")
       ->check(CLI::Range(1, 10000))
+      ->type_name("N")
       ->capture_default_str();
   command.add_option("--device", options.settings.device,
                      "index, type or part of the name, as `offing devices` lists");
@@ -69,6 +72,7 @@ void run(const Options& options,
 
 int run_command_line(int argc, char** argv) {
   CLI::App app{"Offing's kernels against their peers, side by side in one process"};
+  offing::format_help(app);
   app.set_help_flag("-h,--help", "print this help");
   app.require_subcommand(1);
   Options options;

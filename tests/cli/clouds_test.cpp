@@ -252,9 +252,9 @@ TEST_F(Clouds, RefusesWhatItCannotDo) {
 // Fails if a run overwrites what was there, or what it reads.
 TEST_F(Clouds, NeverReplacesItsInput) {
   json_of({"clouds", "build", path("a.toml"), "-o", path("a.ply"), "--json"});
-  expect_refusal({"clouds", "build", path("a.toml"), "-o", path("a.ply")}, 1, "a.ply");
+  expect_refusal({"clouds", "build", path("a.toml"), "-o", path("a.ply")}, 2, "a.ply");
   std::ofstream(path("b.toml")) << "version = 1\n[[cloud]]\nfile = \"a.ply\"\n";
-  expect_refusal({"clouds", "build", path("b.toml"), "-o", path("a.ply"), "--force"}, 1, "a.ply");
+  expect_refusal({"clouds", "build", path("b.toml"), "-o", path("a.ply"), "--force"}, 2, "a.ply");
   json_of({"clouds", "build", path("a.toml"), "-o", path("a.ply"), "--force", "--json"});
 }
 

@@ -1,4 +1,5 @@
 // Scenes that somebody, or a failing disk, has spoiled.
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/base/error_list.h"
 #include "host/scene/moving_view.h"
 #include "host/scene/own_puffs.h"
 #include "host/scene/parameter_table.h"
@@ -309,6 +311,15 @@ TEST(HostileScene, IsNotLedAwayByItsFiles) {
                                         Trust::untrusted));
               }),
               ::testing::HasSubstr("found one outside"));
+}
+
+// Fails if each of very many faults is kept, although ten are reported: 100,000 took five seconds.
+TEST(HostileScene, IsRefusedAtOnceForManyFaults) {
+  std::string text = "version = 1\n";
+  for (int i = 0; i < 100'000; ++i) text += "k" + std::to_string(i) + " = 1\n";
+  const std::clock_t start = std::clock();
+  EXPECT_THROW(parse_scene(text, "a.toml", ""), ErrorList);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 2.5);
 }
 
 // Fails if a scene may name a VRT, or a person may not.

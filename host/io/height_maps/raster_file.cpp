@@ -2,6 +2,7 @@
 // descriptions of servers (WMS, WCS), of any bytes of any file and of programs (VRT).
 #include "host/io/height_maps/raster_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <fstream>
@@ -33,12 +34,17 @@ Dataset open_as(const fs::path& path, const char* const* formats, const char* co
                             options, nullptr));
 }
 
-/// NetCDF-4 too.
+/// NetCDF-4 too. A block of the user may come first: the mark is at byte 0, 512, 1024, 2048 and so on (HDF5
+/// File Format Specification, section II.A).
 bool is_hdf5(const fs::path& path) {
   constexpr std::array mark{'\x89', 'H', 'D', 'F'};
+  std::ifstream file(path, std::ios::binary);
   std::array<char, mark.size()> bytes{};
-  std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
-  return bytes == mark;
+  for (std::streamoff at = 0; file.seekg(at).read(bytes.data(), bytes.size());
+       at = std::max(2 * at, std::streamoff{512})) {
+    if (bytes == mark) return true;
+  }
+  return false;
 }
 
 std::string lower(std::string text) {
@@ -99,17 +105,17 @@ void check_parts(GDALDatasetH raster, const fs::path& path, Trust trust) {
   }
 }
 
-Dataset open_plain(const fs::path& path, Trust trust, const char* const* options) {
-  if (trust == Trust::untrusted && is_hdf5(path)) {
+Dataset open_plain(const fs::path& path, const FileTrust& trust, const char* const* options) {
+  if ((trust.trust == Trust::untrusted || trust.is_named_by_scene) && is_hdf5(path)) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a self-contained raster, found HDF5 (NetCDF-4), which can name "
                             "other files as its data",
                             one_line(path.string())),
                 "convert it to a GeoTIFF: gdal_translate MAP.nc MAP.tif");
   }
-  check_beside(path, trust);
+  check_beside(path, trust.trust);
   Dataset raster = open_as(path, plain_formats(), options);
-  if (raster) check_parts(raster.get(), path, trust);
+  if (raster) check_parts(raster.get(), path, trust.trust);
   return raster;
 }
 
@@ -124,7 +130,7 @@ void check_raster(const fs::path& path, Trust trust, int depth) {
   if (is_of(path, vrt_format.data())) {
     check_beside(path, trust);
     check_vrt(path, trust, depth);
-  } else if (!open_plain(path, trust, nullptr)) {
+  } else if (!open_plain(path, {.trust = trust}, nullptr)) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a raster, found a file that cannot be opened as one: {}",
                             one_line(path.string()), session.failure()),
@@ -136,7 +142,7 @@ Dataset open_raster(const fs::path& path, const FileTrust& trust, const char* co
   if (path.string().starts_with(own_memory)) return open_as(path, vrt_format.data(), options);
   // No part of an absolute path is taken for the name of a format.
   const fs::path file = fs::absolute(path);
-  if (!is_of(file, vrt_format.data())) return open_plain(file, trust.trust, options);
+  if (!is_of(file, vrt_format.data())) return open_plain(file, trust, options);
   if (trust.is_named_by_scene) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a self-contained raster, found a VRT, which a scene may not name",

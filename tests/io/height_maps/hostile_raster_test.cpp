@@ -182,6 +182,9 @@ TEST_F(HostileRaster, UntrustedOnesStayInTheirFolder) {
   fs::remove(path("own/map.tif.msk"));
   write("own/hdf5.nc", "\x89HDF\r\n\x1a\n");
   EXPECT_THAT(outcome(path("own/hdf5.nc"), untrusted), HasSubstr("HDF5"));
+  EXPECT_THAT(outcome(path("own/hdf5.nc"), {.is_named_by_scene = true}), HasSubstr("HDF5"));
+  write("own/block.nc", std::string(2048, ' ') + "\x89HDF\r\n\x1a\n");
+  EXPECT_THAT(outcome(path("own/block.nc"), untrusted), HasSubstr("HDF5"));
 }
 
 }  // namespace
