@@ -41,8 +41,9 @@ void add_options(CLI::App& command, Options& options) {
       ->delimiter(',')
       ->type_name("INT,...")
       ->capture_default_str();
-  command.add_option("--blocks", options.settings.blocks, "blocks of ours and of the peer, in turn")
-      ->check(CLI::Range(1, 10000))
+  command
+      .add_option("--blocks", options.settings.blocks, "blocks of ours and of the peer, in turn, 1 to 10000")
+      ->check(CLI::Range(1, 10000).description(""))
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--device", options.settings.device,
