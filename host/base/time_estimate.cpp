@@ -13,6 +13,8 @@ namespace {
 constexpr double longest_s = 3600.0;
 constexpr double least_elapsed_s = 2.0;
 constexpr auto look_interval = std::chrono::seconds(1);
+// What a frame takes: it never waits for the device.
+constexpr std::int64_t few_steps = 16;
 
 }  // namespace
 
@@ -30,6 +32,7 @@ TimeEstimate::TimeEstimate(std::int64_t steps, std::string what, std::string hin
     : steps_(steps), what_(std::move(what)), hint_(std::move(hint)) {}
 
 void TimeEstimate::step_done(const std::function<void()>& finish) {
+  if (steps_ <= few_steps) return;
   ++done_;
   if (done_ == 1) {
     // It pays for what is made once: drivers compile kernels at their first launch, for seconds.

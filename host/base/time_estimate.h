@@ -15,8 +15,8 @@ class TimeEstimate {
   /// ask for less.
   TimeEstimate(std::int64_t steps, std::string what, std::string hint);
 
-  /// To be called after each step. Now and then waits by `finish` for steps that are only enqueued, and then
-  /// throws Error(bad_input) with the time needed if that is too long.
+  /// To be called after each step. Of more than 16 steps, now and then waits by `finish` for those that are
+  /// only enqueued, and then throws Error(bad_input) with the time needed if that is too long.
   void step_done(const std::function<void()>& finish = {});
 
  private:

@@ -66,6 +66,12 @@ TEST(TimeEstimate, LooksWhileItWorks) {
   EXPECT_LE(done, 64);
 }
 
+// Fails if the steps of a frame wait for the device.
+TEST(TimeEstimate, FramesNeverWait) {
+  TimeEstimate estimate(16, "work", "take less");
+  for (int step = 0; step < 16; ++step) estimate.step_done([] { ADD_FAILURE() << "waited"; });
+}
+
 // Fails if work is refused because its first step waits for a driver's compiler: 2.1 s in place of nothing.
 TEST(TimeEstimate, LeavesTheFirstStepOut) {
   TimeEstimate estimate(10'000, "work", "take less");
