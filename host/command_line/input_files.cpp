@@ -5,7 +5,7 @@
 
 #include <sys/stat.h>
 
-#include "host/io/height_maps/raster_files.h"
+#include "host/io/height_maps/files_of_raster.h"
 #include "host/io/meshes/gltf_document.h"
 #include "host/io/spectra/gzip.h"
 #include "host/io/spectra/ndbc_spectra.h"
@@ -44,7 +44,7 @@ InputFiles::InputFiles(std::span<const std::string> names) {
       }
     }
     for (const fs::path& file : meshes::files_of_gltf(path)) add(file);
-    for (const fs::path& file : height_maps::raster_files(path)) add(file);
+    for (const fs::path& file : height_maps::files_of_raster(path)) add(file);
   }
 }
 

@@ -97,11 +97,10 @@ void check_parts(GDALDatasetH raster, const fs::path& path, Trust trust) {
                 "make a copy without them: gdal_translate -co COPY_SRC_OVERVIEWS=NO MAP.tif COPY.tif");
   }
   if (trust == Trust::trusted) return;
-  const std::unique_ptr<char*, void (*)(char**)> names(GDALGetFileList(raster), CSLDestroy);
-  for (char** name = names.get(); name != nullptr && *name != nullptr; ++name) {
+  for (const fs::path& file : files_of_dataset(raster)) {
     // The content of a .hgt.zip.
-    if (std::string_view(*name).starts_with("/vsizip/" + path.string())) continue;
-    require_beside(path, *name, trust);
+    if (file.string().starts_with("/vsizip/" + path.string())) continue;
+    require_beside(path, file, trust);
   }
 }
 
@@ -120,6 +119,13 @@ Dataset open_plain(const fs::path& path, const FileTrust& trust, const char* con
 }
 
 }  // namespace
+
+std::vector<fs::path> files_of_dataset(GDALDatasetH raster) {
+  const std::unique_ptr<char*, void (*)(char**)> names(GDALGetFileList(raster), CSLDestroy);
+  std::vector<fs::path> files;
+  for (char** name = names.get(); name != nullptr && *name != nullptr; ++name) files.emplace_back(*name);
+  return files;
+}
 
 bool is_plain_raster(const fs::path& path) {
   return is_of(path, plain_formats());

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 #include "host/io/file_trust.h"
 #include "host/io/height_maps/gdal_session.h"
@@ -15,6 +16,9 @@ inline constexpr std::string_view own_memory = "/vsimem/";
 /// named it and check_raster() has nothing against it. Throws Error(bad_input) as check_raster().
 Dataset open_raster(const std::filesystem::path& path, const FileTrust& trust,
                     const char* const* options = nullptr);
+
+/// The files that GDAL has read for a raster that is open.
+std::vector<std::filesystem::path> files_of_dataset(GDALDatasetH raster);
 
 /// Whether a file is a raster of a plain format.
 bool is_plain_raster(const std::filesystem::path& path);

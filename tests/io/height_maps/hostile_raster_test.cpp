@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/io/height_maps/raster_files.h"
+#include "host/io/height_maps/files_of_raster.h"
 #include "host/io/height_maps/read_colour_map.h"
 #include "host/io/height_maps/read_height_map.h"
 #include "tests/io/height_maps/raster_writer.h"
@@ -108,9 +108,9 @@ TEST_F(HostileRaster, ReachesNoServer) {
     fs::remove(path(name));
   }
   for (const char* name : {"wms.tif", "curl.vrt", "attribute.vrt", "wms.vrt"}) {
-    EXPECT_THAT(height_maps::raster_files(path(name)), ::testing::IsEmpty()) << name;
+    EXPECT_THAT(height_maps::files_of_raster(path(name)), ::testing::IsEmpty()) << name;
   }
-  EXPECT_THAT(height_maps::raster_files(path("own/map.tif")), ::testing::ElementsAre(path("own/map.tif")));
+  EXPECT_THAT(height_maps::files_of_raster(path("own/map.tif")), ::testing::ElementsAre(path("own/map.tif")));
   EXPECT_EQ(server_.callers(), 0);
 }
 

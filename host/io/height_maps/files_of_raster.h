@@ -6,8 +6,7 @@
 namespace offing::height_maps {
 
 /// The files that GDAL reads for a raster: the file itself, those beside it (.aux.xml, .tfw, .ovr), the
-/// sources of a VRT. Empty for a file that is no raster, or one
-/// that open_raster() refuses.
-std::vector<std::filesystem::path> raster_files(const std::filesystem::path& path);
+/// sources of a VRT. Empty for a file that is no raster, or one that open_raster() refuses.
+std::vector<std::filesystem::path> files_of_raster(const std::filesystem::path& path);
 
 }  // namespace offing::height_maps
