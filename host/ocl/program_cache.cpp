@@ -14,13 +14,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
 #include "host/base/log.h"
+#include "host/ocl/private_folder.h"
 
 namespace offing::ocl {
 namespace {
@@ -62,16 +62,6 @@ void report_unwritable(const fs::path& folder, const std::string& reason) {
   if (was_reported.exchange(true)) return;
   spdlog::warn("cannot keep compiled kernels in {}: {}; each start compiles anew (set OFFING_CACHE_DIR)",
                folder.string(), reason);
-}
-
-// Drivers run what the cache holds: a folder in which another user may write is not used. Empty if it is ours
-// alone or not there yet, else what is wrong with it.
-std::string trouble_with(const fs::path& folder) {
-  struct stat status {};
-  if (stat(folder.c_str(), &status) != 0) return {};
-  if (status.st_uid != geteuid()) return "it belongs to another user";
-  if ((status.st_mode & S_IWOTH) != 0) return "every user may write in it";
-  return {};
 }
 
 // A new file that nobody else has opened, by a name with the number of this process; null if there is none.
@@ -132,7 +122,7 @@ fs::path ProgramCache::entry_path(std::string_view identity) const {
 }
 
 std::optional<std::vector<std::uint8_t>> ProgramCache::load(std::string_view identity) const {
-  if (folder_.empty() || !trouble_with(folder_).empty()) return std::nullopt;
+  if (folder_.empty() || !trouble_with_folder(folder_).empty()) return std::nullopt;
   const fs::path path = entry_path(identity);
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) return std::nullopt;
@@ -155,10 +145,7 @@ std::optional<std::vector<std::uint8_t>> ProgramCache::load(std::string_view ide
 
 void ProgramCache::store(std::string_view identity, const std::vector<std::uint8_t>& binary) const {
   if (folder_.empty() || binary.empty()) return;
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (error) return report_unwritable(folder_, error.message());
-  if (const std::string trouble = trouble_with(folder_); !trouble.empty()) {
+  if (const std::string trouble = make_private_folder(folder_); !trouble.empty()) {
     return report_unwritable(folder_, trouble);
   }
   remove_stale_temporaries(folder_);
@@ -169,6 +156,7 @@ void ProgramCache::store(std::string_view identity, const std::vector<std::uint8
   const EntryHeader header = header_of(identity, binary);
   const bool is_written = std::fwrite(&header, sizeof header, 1, file) == 1 &&
                           std::fwrite(binary.data(), 1, binary.size(), file) == binary.size();
+  std::error_code error;
   if (std::fclose(file) != 0 || !is_written) {
     fs::remove(temporary, error);
     return report_unwritable(folder_, "the file cannot be written");

@@ -20,10 +20,10 @@ std::string driver_identity(const DeviceInfo& info);
 /// A folder of compiled programs, one file each, named by a 128-bit hash of all that shapes the binary.
 ///
 /// Processes may share a folder: an entry is written to a name of its own and renamed into place, so a reader
-/// sees a whole entry or none. A folder of another user, or in which every user may write, is not used:
-/// drivers run what it holds. Nothing about the cache is fatal: a damaged or foreign entry counts as absent,
-/// and a folder that cannot be written is reported once. Half-written entries of killed processes go with the
-/// first store() an hour later.
+/// sees a whole entry or none. It is made for its owner alone; one of another user, or in which others may
+/// write, is not used: drivers run what it holds. Nothing about the cache is fatal: a damaged or foreign
+/// entry counts as absent, and a folder that cannot be written is reported once. Half-written entries of
+/// killed processes go with the first store() an hour later.
 class ProgramCache {
  public:
   /// $OFFING_CACHE_DIR, else $XDG_CACHE_HOME/offing, else ~/.cache/offing. Empty = off: OFFING_CACHE_DIR is

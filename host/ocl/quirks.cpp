@@ -8,10 +8,10 @@
 #include <string_view>
 #include <system_error>
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "host/ocl/host_memory.h"
+#include "host/ocl/private_folder.h"
 #include "host/ocl/program_cache.h"
 
 namespace offing::ocl::quirks {
@@ -46,11 +46,7 @@ bool can_write(const fs::path& folder) {
 fs::path private_temporary_folder() {
   std::error_code error;
   const fs::path folder = fs::temp_directory_path(error) / ("offing-pocl-" + std::to_string(geteuid()));
-  mkdir(folder.c_str(), S_IRWXU);
-  struct stat status {};
-  const bool is_ours = lstat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) &&
-                       status.st_uid == geteuid() && (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
-  return is_ours ? folder : fs::path();
+  return make_private_folder(folder).empty() ? folder : fs::path();
 }
 
 // Where PoCL keeps what it compiles (lib/CL/pocl_cache.c, pocl_cache_init_topdir).
@@ -68,7 +64,7 @@ void give_pocl_a_cache() {
   if (variable("POCL_CACHE_DIR") != nullptr || can_write(pocl_cache_folder())) return;
   const fs::path own = ProgramCache::default_folder();
   fs::path folder = own.empty() ? fs::path() : own / "pocl";
-  if (folder.empty() || !can_write(folder)) folder = private_temporary_folder();
+  if (folder.empty() || !make_private_folder(folder).empty()) folder = private_temporary_folder();
   if (!folder.empty()) setenv("POCL_CACHE_DIR", folder.c_str(), 1);
 }
 

@@ -141,13 +141,25 @@ TEST_F(ProgramCacheTest, UsesNoFolderOfOtherUsers) {
     cache_.store("new", binary_);
     EXPECT_FALSE(fs::exists(cache_.entry_path("new"))) << what;
   };
-  fs::permissions(folder, fs::perms::others_write, fs::perm_options::add);
-  expect_unused("a folder for everybody");
-  fs::permissions(folder, fs::perms::others_write, fs::perm_options::remove);
+  for (const fs::perms others : {fs::perms::others_write, fs::perms::group_write}) {
+    fs::permissions(folder, others, fs::perm_options::add);
+    expect_unused(others == fs::perms::others_write ? "a folder for everybody" : "a folder for a group");
+    fs::permissions(folder, others, fs::perm_options::remove);
+  }
   EXPECT_THAT(cache_.load("identity"), Optional(binary_));
   if (geteuid() != 0) GTEST_SKIP() << "only root can give a folder away";
   ASSERT_EQ(chown(folder.c_str(), 65534, 65534), 0);
   expect_unused("a folder of another user");
+}
+
+// Fails if others may look into a folder that the cache makes, or write in it, whatever the umask.
+TEST_F(ProgramCacheTest, MakesItsFolderForItsOwnerAlone) {
+  const mode_t before = umask(0);
+  const fs::path folder = entry_.parent_path() / "deeper" / "cache";
+  ProgramCache(folder).store("identity", binary_);
+  umask(before);
+  EXPECT_EQ(fs::status(folder).permissions(), fs::perms::owner_all);
+  EXPECT_THAT(ProgramCache(folder).load("identity"), Optional(binary_));
 }
 
 // Fails if a temporary name that somebody has prepared as a link leads the write to another file.
