@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <string>
 #include <utility>
@@ -62,17 +63,20 @@ OffingStatus status_of(ErrorKind kind) {
 }
 
 /// spdlog's own logger writes to standard output, which is the program's; one that the program has set stays.
+/// Once a process, whichever call comes first.
 void log_to_stderr() {
-  const std::shared_ptr<spdlog::logger> logger = spdlog::default_logger();
-  if (logger != nullptr && logger->name().empty()) offing::configure_log(offing::Verbosity::normal);
+  static std::once_flag is_done;
+  std::call_once(is_done, [] {
+    const std::shared_ptr<spdlog::logger> logger = spdlog::default_logger();
+    if (logger != nullptr && logger->name().empty()) offing::configure_log(offing::Verbosity::normal);
+  });
 }
 
 /// Runs what a call does; an exception becomes its status and the thread's last failure.
 template <class Work>
 OffingStatus run(const Work& work) noexcept {
   try {
-    static const bool has_log = (log_to_stderr(), true);
-    static_cast<void>(has_log);
+    log_to_stderr();
     work();
     return OFFING_OK;
   } catch (const Error& error) {

@@ -3,6 +3,7 @@
 #include "host/c/offing.h"
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/base/log.h"
 #include "host/scene/scene_file.h"
 #include "host/scene/world_scene.h"
 
@@ -168,6 +170,18 @@ TEST_F(OffingInterfaceTest, WarnsOnStderr) {
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("gamma"));
   offing_free_world(world);
   offing_free_scene(scene);
+}
+
+// Fails if a logger that the program sets after its first call is replaced by a later one, of another
+// function.
+TEST_F(OffingInterfaceTest, KeepsTheLoggerOfTheProgram) {
+  const std::shared_ptr<spdlog::logger> before = spdlog::default_logger();
+  const auto own = std::make_shared<spdlog::logger>("");
+  spdlog::set_default_logger(own);
+  EXPECT_EQ(offing_frame(world_, 1.0), OFFING_OK);
+  heights();
+  EXPECT_EQ(spdlog::default_logger(), own);
+  spdlog::set_default_logger(before);
 }
 
 // Fails if a failure of one thread is told to another.
