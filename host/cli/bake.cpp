@@ -25,8 +25,10 @@ constexpr std::size_t waiting_frames = 1;
 class Bake {
  public:
   Bake(const scene::Sea& sea, const BakeSettings& settings, const FrameFiles& files,
-       const FrameWriter& writer, Progress& progress, const CancelToken& cancel)
-      : sea_(sea),
+       const FrameWriter& writer, Progress& progress, const CancelToken& cancel,
+       const std::vector<ocl::DeviceInfo>& devices)
+      : devices_(devices),
+        sea_(sea),
         settings_(settings),
         files_(files),
         writer_(writer),
@@ -34,14 +36,14 @@ class Bake {
         cancel_(cancel),
         frames_(frames_in_share(settings.frames, settings.share)) {}
 
-  BakeSummary run(const std::vector<ocl::DeviceInfo>& devices) {
+  BakeSummary run() {
     {
       const std::jthread writing = start([this] { write_frames(); });
       // Each is waited for in the opposite order: the makers, then the writer, whose queue ends in between on
       // every way out.
       const ClosedAtEnd closing{queue_};
       std::vector<std::jthread> makers;
-      for (const ocl::DeviceInfo& info : devices) {
+      for (const ocl::DeviceInfo& info : devices_) {
         makers.push_back(start([this, &info] { make_frames(info); }));
       }
     }
@@ -92,6 +94,7 @@ class Bake {
           continue;
         }
         if (!maker) {
+          std::call_once(has_room_, [this] { require_host_room(settings_, sea_, devices_); });
           maker.emplace(ocl::Device::open(info), sea_, settings_);
         }
         if (!queue_.push(maker->make(frames_[index]))) {
@@ -127,6 +130,7 @@ class Bake {
     failed_ = true;
   }
 
+  const std::vector<ocl::DeviceInfo>& devices_;
   const scene::Sea& sea_;
   const BakeSettings& settings_;
   const FrameFiles& files_;
@@ -139,6 +143,7 @@ class Bake {
   std::atomic<int> written_{0};
   std::atomic<int> kept_{0};
   std::atomic<bool> failed_{false};
+  std::once_flag has_room_;  // looked at when the first frame is due
   std::mutex fault_mutex_;
   std::exception_ptr fault_;
 };
@@ -148,7 +153,7 @@ class Bake {
 BakeSummary bake(const std::vector<ocl::DeviceInfo>& devices, const scene::Sea& sea,
                  const BakeSettings& settings, const FrameFiles& files, const FrameWriter& writer,
                  Progress& progress, const CancelToken& cancel) {
-  return Bake(sea, settings, files, writer, progress, cancel).run(devices);
+  return Bake(sea, settings, files, writer, progress, cancel, devices).run();
 }
 
 }  // namespace offing::cli

@@ -5,33 +5,67 @@
 
 #include <fmt/format.h>
 
+#include "host/ocean/foam_instants.h"
 #include "host/ocl/host_memory.h"
 
 namespace offing::cli {
 namespace {
 
-// One is made, one waits and one is written.
-constexpr std::size_t frames_at_once = 3;
+// Beside the one that each device makes: one waits and one is written.
+constexpr std::size_t frames_behind = 2;
 
-void require_room(const BakeSettings& settings, int size, std::size_t cascades) {
-  const std::size_t frames = std::min<std::size_t>(
-      frames_at_once, static_cast<std::size_t>(settings.frames.last - settings.frames.first + 1));
-  ocl::require_host_memory(static_cast<double>(frames * frame_bytes(settings, size, cascades)),
-                           fmt::format("{}: {} frames at once, of {} cascades of {} x {} samples,",
-                                       settings.folder.string(), frames, cascades, size, size),
-                           "use a smaller --size or fewer --cascades");
+bool shows_foam(const BakeSettings& settings) {
+  return settings.has(ChannelGroup::foam) || settings.preview == PreviewUse::pictures;
+}
+
+bool shares_host_memory(const ocl::DeviceInfo& device) {
+  return device.type == ocl::DeviceType::cpu || device.has_host_unified_memory;
 }
 
 }  // namespace
 
 std::size_t frame_bytes(const BakeSettings& settings, int size, std::size_t cascades) {
   const std::size_t texels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
-  const bool shows_foam = settings.has(ChannelGroup::foam) || settings.preview == PreviewUse::pictures;
-  const std::size_t surface = 10, foam = shows_foam ? 1 : 0,
+  const std::size_t surface = 10, foam = shows_foam(settings) ? 1 : 0,
                     velocity = settings.has(ChannelGroup::velocity) ? 3 : 0;
   const std::size_t with_gerstner = settings.gerstner == GerstnerUse::included ? 1 : 0;
   const std::size_t mesh = settings.mesh == MeshFormat::none ? 0 : 6;
   return texels * sizeof(float) * ((cascades + with_gerstner) * (surface + foam + velocity) + mesh);
+}
+
+std::size_t sea_bytes(const BakeSettings& settings, const scene::Sea& sea) {
+  const auto texels = static_cast<std::size_t>(sea.parameters.size) *
+                      static_cast<std::size_t>(sea.parameters.size) * sea.parameters.cascades.size();
+  // In bytes a texel. WaveModes keeps amplitudes and frequencies of half the modes, and all variances;
+  // ModeTransform five and, of velocities, four fields between its passes.
+  constexpr std::size_t modes = 8 + 2 + 4, between_passes = 20, maps = 32, velocity = 16 + 16;
+  std::size_t bytes_a_texel = modes + between_passes + maps;
+  if (settings.has(ChannelGroup::velocity)) bytes_a_texel += velocity;
+  if (shows_foam(settings)) {
+    const ocean::FoamInstants instants(sea.parameters.foam, sea.parameters.loop_period_s);
+    bytes_a_texel +=
+        sizeof(float) + sizeof(std::uint16_t) * static_cast<std::size_t>(instants.past_count() + 1);
+  }
+  return bytes_a_texel * texels;
+}
+
+void require_host_room(const BakeSettings& settings, const scene::Sea& sea,
+                       std::span<const ocl::DeviceInfo> devices) {
+  const std::size_t cascades = sea.parameters.cascades.size();
+  const int size = sea.parameters.size;
+  const std::size_t frames =
+      std::min<std::size_t>(devices.size() + frames_behind,
+                            static_cast<std::size_t>(settings.frames.last - settings.frames.first + 1));
+  const auto seas =
+      static_cast<std::size_t>(std::count_if(devices.begin(), devices.end(), shares_host_memory));
+  ocl::require_host_memory(
+      static_cast<double>(frames) * static_cast<double>(frame_bytes(settings, size, cascades)) +
+          static_cast<double>(seas) * static_cast<double>(sea_bytes(settings, sea)),
+      fmt::format(
+          "{}: {} frames at once of {} cascades of {} x {} samples, and the seas of {} devices that use "
+          "the machine's memory,",
+          settings.folder.string(), frames, cascades, size, size, seas),
+      "use a smaller --size, fewer --cascades, or one device with --device");
 }
 
 FrameMaker::FrameMaker(const ocl::Device& device, const scene::Sea& sea, const BakeSettings& settings)
@@ -39,7 +73,6 @@ FrameMaker::FrameMaker(const ocl::Device& device, const scene::Sea& sea, const B
   if (settings.gerstner == GerstnerUse::included && sea.has_trochoids()) {
     gerstner_.emplace(device, sea);
   }
-  require_room(settings, sea.parameters.size, sea.parameters.cascades.size());
 }
 
 BakedFrame FrameMaker::make(int frame) {
@@ -47,12 +80,11 @@ BakedFrame FrameMaker::make(int frame) {
   baked.number = frame;
   baked.time_s = settings_.time_s(frame);
   ocean_.at(baked.time_s);
-  const bool shows_foam = settings_.has(ChannelGroup::foam) || settings_.preview == PreviewUse::pictures;
   for (std::size_t i = 0; i < ocean_.parameters().cascades.size(); ++i) {
     const int cascade = static_cast<int>(i);
     BakedFrame::CascadeFields& fields = baked.cascades.emplace_back();
     fields.surface = ocean_.read_surface(cascade);
-    if (shows_foam) {
+    if (shows_foam(settings_)) {
       fields.foam = ocean_.read_foam(cascade);
     }
     if (settings_.has(ChannelGroup::velocity)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "host/cli/bake_settings.h"
 #include "host/cli/baked_frame.h"
@@ -14,11 +15,19 @@ namespace offing::cli {
 /// What a frame takes of host memory.
 std::size_t frame_bytes(const BakeSettings& settings, int size, std::size_t cascades);
 
+/// What a maker's sea takes of its device's memory, to a tenth: waves, maps and past foam. Gerstner waves and
+/// meshes take little beside them.
+std::size_t sea_bytes(const BakeSettings& settings, const scene::Sea& sea);
+/// Throws Error(out_of_memory) where a maker on each of these devices would need more host memory than is
+/// free: for all frames that are on their way at once, and for the seas of devices that use the host's
+/// memory.
+void require_host_room(const BakeSettings& settings, const scene::Sea& sea,
+                       std::span<const ocl::DeviceInfo> devices);
+
 /// Simulates frames on one device; confined to one thread.
 class FrameMaker {
  public:
-  /// Throws what Ocean throws, and Error(out_of_memory) where the frames that are on their way at once do not
-  /// fit beside it into host memory.
+  /// Throws what Ocean throws.
   FrameMaker(const ocl::Device& device, const scene::Sea& sea, const BakeSettings& settings);
 
   BakedFrame make(int frame);
