@@ -50,7 +50,7 @@ struct Sight {
             .direction = glm::normalize(way + rise),
             .limit_m = distance_m - 2.0 * slack_m};
   }
-  double hidden_at_m(const terrain::RayHit& hit) const { return slack_m + hit.distance_m; }
+  double hidden_at_m(const terrain::RayHit& hit) const { return hit.rounded_m(slack_m + hit.distance_m); }
   /// Where the line is, as the map has heights.
   glm::dvec3 point(double along_m) const {
     const double plan_m = along_m * plan_share();
@@ -89,7 +89,7 @@ Sight sight_between(const terrain::GroundPosts& posts, const terrain::EarthCurve
 
 void answer_one(const Sight& sight, const terrain::RayHit& hit, bool is_json) {
   const bool is_visible = hit.kind == TERRAIN_MISS;
-  const glm::dvec3 by_m = sight.point(sight.hidden_at_m(hit));
+  const glm::dvec3 by_m = hit.rounded_m(sight.point(sight.hidden_at_m(hit)));
   if (is_json) {
     nlohmann::ordered_json json = {{"visible", is_visible}, {"distance_m", sight.distance_m}};
     if (!is_visible) {
@@ -98,9 +98,9 @@ void answer_one(const Sight& sight, const terrain::RayHit& hit, bool is_json) {
     }
     print_json(json);
   } else if (is_visible) {
-    fmt::print("visible, {:.1f} m away\n", sight.distance_m);
+    fmt::print("visible, {:.9g} m away\n", sight.distance_m);
   } else {
-    fmt::print("hidden: ground at ({:.1f}, {:.1f}, {:.1f}), {:.1f} m of {:.1f} m\n", by_m.x, by_m.y, by_m.z,
+    fmt::print("hidden: ground at ({}, {}, {}), {} m of {:.9g} m\n", by_m.x, by_m.y, by_m.z,
                sight.hidden_at_m(hit), sight.distance_m);
   }
 }
@@ -125,7 +125,7 @@ void answer_all(const TerrainLosArguments& arguments, TerrainGround& ground, con
             fmt::format_to(std::back_inserter(text), "{:.12g},", rows[6 * i + column]);
           }
           fmt::format_to(std::back_inserter(text), "{},{:.9g},{}\n", is_visible ? 1 : 0, sights[i].distance_m,
-                         is_visible ? "" : fmt::format("{:.9g}", sights[i].hidden_at_m(hits[i])));
+                         is_visible ? "" : fmt::format("{}", sights[i].hidden_at_m(hits[i])));
         }
       },
       options);

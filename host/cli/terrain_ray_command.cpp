@@ -81,18 +81,12 @@ void require_valid(const terrain::Ray& ray, const terrain::PostGrid& grid, const
   }
 }
 
-/// As the map has heights: the ground falls away by a curve.
+/// Where the ray hit, with the decimals that its distance has; as the map has heights: the ground falls away
+/// by a curve.
 glm::dvec3 point_of(const terrain::Ray& ray, const terrain::RayHit& hit, const terrain::EarthCurve& curve) {
   const glm::dvec3 way_m = hit.distance_m * ray.direction;
   const double plan_m = std::hypot(way_m.x, way_m.z);
-  return ray.origin_m + way_m + glm::dvec3(0.0, curve.bend_perm() * plan_m * plan_m, 0.0);
-}
-
-/// A hit's distance with the digits that it has.
-std::string distance_text(const terrain::RayHit& hit) {
-  const int digits =
-      hit.distance_m > 0.0 ? static_cast<int>(std::log10(hit.distance_m / hit.resolution_m)) : 1;
-  return fmt::format("{:.{}g}", hit.distance_m, digits);
+  return hit.rounded_m(ray.origin_m + way_m + glm::dvec3(0.0, curve.bend_perm() * plan_m * plan_m, 0.0));
 }
 
 void answer_one(const terrain::RayHit& hit, const glm::dvec3& point_m, bool is_json) {
@@ -101,7 +95,7 @@ void answer_one(const terrain::RayHit& hit, const glm::dvec3& point_m, bool is_j
   if (is_json) {
     nlohmann::ordered_json json = {{"hit", name_of(hit.kind)}};
     if (is_hit) {
-      json["distance_m"] = hit.distance_m;
+      json["distance_m"] = hit.rounded_m(hit.distance_m);
       json["point_m"] = to_json(point_m);
       json["normal"] = to_json(normal);
       json["cell"] = {hit.cell_x, hit.cell_z};
@@ -110,9 +104,9 @@ void answer_one(const terrain::RayHit& hit, const glm::dvec3& point_m, bool is_j
     json["steps"] = hit.steps;
     print_json(json);
   } else if (is_hit) {
-    fmt::print("{} at {:.3f} m: ({:.3f}, {:.3f}, {:.3f}), normal ({:.4f}, {:.4f}, {:.4f}), {} steps\n",
-               name_of(hit.kind), hit.distance_m, point_m.x, point_m.y, point_m.z, normal.x, normal.y,
-               normal.z, hit.steps);
+    fmt::print("{} at {} m: ({}, {}, {}), normal ({:.4f}, {:.4f}, {:.4f}), {} steps\n", name_of(hit.kind),
+               hit.rounded_m(hit.distance_m), point_m.x, point_m.y, point_m.z, normal.x, normal.y, normal.z,
+               hit.steps);
   } else {
     fmt::print("miss, {} steps\n", hit.steps);
   }
@@ -147,9 +141,9 @@ void answer_all(const TerrainRayArguments& arguments, TerrainGround& ground, con
             continue;
           }
           const glm::dvec3 point_m = point_of(rays[i], hit, curve);
-          fmt::format_to(out, "{},{},{:.9g},{:.9g},{:.9g},{:.7g},{:.7g},{:.7g}\n", name_of(hit.kind),
-                         distance_text(hit), point_m.x, point_m.y, point_m.z, hit.normal_x, hit.normal_y,
-                         hit.normal_z);
+          fmt::format_to(out, "{},{},{},{},{},{:.7g},{:.7g},{:.7g}\n", name_of(hit.kind),
+                         hit.rounded_m(hit.distance_m), point_m.x, point_m.y, point_m.z, hit.normal_x,
+                         hit.normal_y, hit.normal_z);
         }
       },
       options);

@@ -166,6 +166,16 @@ RayToBox moved_to_box(const Ray& ray, const PostGrid& grid, double highest_m, do
   return {moved, moved_m};
 }
 
+double RayHit::rounded_m(double length_m) const {
+  if (!(resolution_m > 0.0)) return length_m;
+  const double steps_a_metre = std::pow(10.0, std::floor(-std::log10(resolution_m)));
+  return std::round(length_m * steps_a_metre) / steps_a_metre + 0.0;  // no -0
+}
+
+glm::dvec3 RayHit::rounded_m(const glm::dvec3& point_m) const {
+  return {rounded_m(point_m.x), rounded_m(point_m.y), rounded_m(point_m.z)};
+}
+
 RayHit ray_hit(const TerrainHit& hit, double moved_m) {
   const float next_m = std::nextafter(hit.distance_m, std::numeric_limits<float>::infinity());
   return {.distance_m = moved_m + static_cast<double>(hit.distance_m),

@@ -67,6 +67,11 @@ struct RayHit {
   float u = 0.0f, v = 0.0f;
   float normal_x = 0.0f, normal_y = 0.0f, normal_z = 0.0f;
   int steps = 0;
+
+  /// A length along the ray, or a coordinate of a place on it, with the decimals that the distance has: to
+  /// the smallest power of ten that is not below its resolution.
+  double rounded_m(double length_m) const;
+  glm::dvec3 rounded_m(const glm::dvec3& point_m) const;
 };
 RayHit ray_hit(const TerrainHit& hit, double moved_m);
 

@@ -160,6 +160,26 @@ TEST_F(TerrainQuery, FilesOfRaysAtTheEdgesAndFromFarAway) {
   EXPECT_THAT(result.output, ::testing::ContainsRegex("surface,1414256\\.342[0-9]*,30.25"));
 }
 
+// Fails if a distance has other digits in JSON, in words or in a line of sight than in CSV, where it has
+// those of the floats that it was made of and no more: a float's step at 70 m is 7.6e-6 m, at 1 km 6.1e-5 m.
+TEST_F(TerrainQuery, DistancesHaveTheirDigitsEverywhere) {
+  const std::vector<std::string> ray{"--from", "33.3,1116.5,7.7", "--direction", "0.1,-1,0.1"};
+  const auto json = nlohmann::json::parse(ask("ray", {ray[0], ray[1], ray[2], ray[3], "--json"}).output);
+  const std::string distance = json["distance_m"].dump();
+  EXPECT_THAT(distance, ::testing::MatchesRegex("[0-9]+\\.[0-9]?[0-9]?[0-9]?[0-9]?[0-9]?"));
+  EXPECT_THAT(ask("ray", ray).output,
+              ::testing::HasSubstr("at " + distance + " m: (" + json["point_m"][0].dump()));
+  std::ofstream(path("rays.csv")) << "33.3,1116.5,7.7,0.1,-1,0.1\n";
+  EXPECT_THAT(ask("ray", {"--points", path("rays.csv")}).output,
+              ::testing::HasSubstr("surface," + distance + ","));
+  const std::vector<std::string> sight{"--from", "100,20,2", "--to", "100,180,2"};
+  const auto hidden =
+      nlohmann::json::parse(ask("los", {sight[0], sight[1], sight[2], sight[3], "--json"}).output);
+  const std::string hidden_at = hidden["hidden_at_m"].dump();
+  EXPECT_THAT(hidden_at, ::testing::MatchesRegex("70\\.2[0-9]?[0-9]?[0-9]?[0-9]?"));
+  EXPECT_THAT(ask("los", sight).output, ::testing::HasSubstr("), " + hidden_at + " m of 160 m"));
+}
+
 // Fails if a bad line is not named, or leaves a file.
 TEST_F(TerrainQuery, FilesNameTheirBadLines) {
   const auto refuse = [&](const std::string& command, const std::string& questions,
