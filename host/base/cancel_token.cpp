@@ -4,10 +4,8 @@
 
 namespace offing {
 
-void CancelToken::throw_if_cancelled() const {
-  if (cancelled())
-    throw Error(ErrorKind::cancelled, "stopped at the user's request",
-                "run the same command again to start over");
+void CancelToken::throw_if_cancelled(const char* hint) const {
+  if (cancelled()) throw Error(ErrorKind::cancelled, "stopped at the user's request", hint);
 }
 
 }  // namespace offing

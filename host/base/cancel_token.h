@@ -10,8 +10,8 @@ class CancelToken {
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
   bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
 
-  /// Throws Error(cancelled) when cancel() was called.
-  void throw_if_cancelled() const;
+  /// Throws Error(cancelled) when cancel() was called. The hint says how to go on.
+  void throw_if_cancelled(const char* hint = "run the same command again to start over") const;
 
  private:
   std::atomic<bool> cancelled_{false};

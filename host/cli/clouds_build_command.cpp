@@ -182,7 +182,8 @@ void run(const BuildArguments& arguments, const GlobalOptions& options) {
   {
     Progress progress(static_cast<int>(files.size()), "frames", options.verbosity);
     for (const TimedFile& file : files) {
-      options.cancel.throw_if_cancelled();
+      options.cancel.throw_if_cancelled(
+          "run the same command again with --force, which replaces the files that are done");
       facts = write_frame(arguments, frames, file, cell_m);
       progress.advance();
     }

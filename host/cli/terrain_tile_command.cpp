@@ -59,7 +59,7 @@ class Tiling {
   }
 
   void add_row(std::span<const float> heights_m, std::span<const std::uint8_t> is_void) {
-    options_.cancel.throw_if_cancelled();
+    options_.cancel.throw_if_cancelled("run the same command again to resume");
     XXH3_64bits_update(&heights_hash_, heights_m.data(), heights_m.size_bytes());
     for (const float height_m : heights_m) {
       lowest_m_ = std::min(lowest_m_, height_m);

@@ -53,6 +53,24 @@ TEST(StoppedPreview, IsAnInterruptedBake) {
   }
 }
 
+// Fails if the hint says that a store is begun anew: what is done is kept. The map is large enough for
+// seconds.
+TEST(Stopping, OfATileStoreSaysThatItResumes) {
+  const TemporaryFolder folder;
+  const std::string map = (folder.path() / "flat.r32").string();
+  std::ofstream(map).close();
+  std::filesystem::resize_file(map, 4ull * 8193 * 8193);
+  OffingProgram program({"terrain", "tile", map, "--raw-size", "8193x8193", "--spacing-m", "10", "-o",
+                         (folder.path() / "store").string()});
+  while (program.is_running() && !std::filesystem::exists(folder.path() / "store/0")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  program.send_signal(SIGINT);
+  const ProgramResult stopped = program.wait();
+  EXPECT_EQ(stopped.exit_code, 130);
+  EXPECT_THAT(stopped.errors, testing::HasSubstr("hint: run the same command again to resume"));
+}
+
 /// Points that come through a pipe with a name, which waits for whoever writes to it.
 class StoppingAtAPipe : public testing::Test {
  protected:

@@ -89,7 +89,7 @@ TEST(SceneGuide, ItsExamplesAreScenes) {
   EXPECT_EQ(head.meshes[0].highlights.size(), 2u);
   EXPECT_EQ(head.tracks.size(), 5u);
   EXPECT_EQ(mesh_rules_at(head, 0.0)[0][1].lamp, 0);
-  const OceanScene sky = example_between("## Clouds", "\n## Scenes of others");
+  const OceanScene sky = example_between("## Clouds", "\n## Scenes from strangers");
   EXPECT_EQ(sky.cloud_layers.size(), 1u);
   ASSERT_EQ(sky.clouds.size(), 1u);
   EXPECT_EQ(sky.clouds[0].balls.size(), 2u);
@@ -98,7 +98,7 @@ TEST(SceneGuide, ItsExamplesAreScenes) {
 // Fails if the guide does not say what a key of a file reads.
 TEST(SceneGuide, NamesEveryKeyOfAFile) {
   const std::string guide = read_guide();
-  const std::string section = guide.substr(guide.find("## Scenes of others"));
+  const std::string section = guide.substr(guide.find("## Scenes from strangers"));
   for (const Parameter& row : parameter_table()) {
     if (row.rule != ParameterRule::file_name) continue;
     EXPECT_LT(section.find(fmt::format("`{}`", row.key)), section.find("## Benchmarks")) << row.key;
