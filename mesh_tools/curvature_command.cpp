@@ -35,7 +35,7 @@ struct CurvatureArguments {
   bool stats = false;
   bool json = false;
   Trust trust = Trust::trusted;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
 };
 
 /// What a method has no use for must not look as if it had been heeded.
@@ -116,7 +116,7 @@ void run(const CurvatureArguments& arguments, const Options& program_options) {
   if (std::filesystem::path(arguments.output).extension() != ".ply") {
     throw bad_argument("--output", "a name that ends in .ply", arguments.output, "out.ply");
   }
-  require_new(arguments.output, arguments.overwriting, {arguments.input});
+  require_new(arguments.output, arguments.existing, {arguments.input});
   const bool has_colour = !arguments.colour.empty();
   const CurvatureColour colour = has_colour ? curvature_colour(arguments.colour) : CurvatureColour::mean;
 
@@ -139,7 +139,7 @@ void run(const CurvatureArguments& arguments, const Options& program_options) {
     attributes.colours = coloured.colours;
     attributes.comments.push_back(fmt::format("colour {}, full at {:.6g}", arguments.colour, coloured.limit));
   }
-  write_prepared(arguments.output, prepared, attributes);
+  write_prepared(arguments.output, prepared, attributes, arguments.existing);
 
   const CurvatureStatistics statistics = curvature_statistics(unit, prepared.curvatures);
   const double us_a_vertex =
@@ -193,7 +193,7 @@ void add_curvature_command(CLI::App& program, Options& options) {
       ->type_name("N");
   command->add_flag("--stats", arguments->stats, "print ranges and the check by Gauss and Bonnet");
   command->add_flag("--json", arguments->json, "all of these for scripts");
-  add_force_flag(*command, arguments->overwriting);
+  add_force_flag(*command, arguments->existing);
   add_trust_flag(*command, arguments->trust);
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(

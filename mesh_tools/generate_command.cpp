@@ -22,7 +22,7 @@ using namespace mesh_shapes;
 struct GenerateArguments {
   std::string output;
   bool json = false;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
   bool random_diagonals = false;
   ShapeOrder order;
 };
@@ -33,9 +33,10 @@ void write(const Shape& shape, const GenerateArguments& arguments) {
     write_ply(arguments.output, shape.mesh,
               {.properties = {{"true_k_max", truth.k_max_per_m}, {"true_k_min", truth.k_min_per_m}},
                .colours = {},
-               .comments = {"curvatures of the smooth surface in 1/m, positive where convex"}});
+               .comments = {"curvatures of the smooth surface in 1/m, positive where convex"}},
+              arguments.existing);
   } else {
-    write_mesh(arguments.output, shape.mesh);
+    write_mesh(arguments.output, shape.mesh, arguments.existing);
   }
   const std::size_t vertices = shape.mesh.positions_m.size(), faces = shape.mesh.faces.size();
   if (arguments.json) {
@@ -107,13 +108,13 @@ void add_shape(CLI::App& generate, Options& options, const ShapeRow& row) {
       ->required()
       ->type_name("OUT");
   command->add_flag("--json", arguments->json, "results for scripts");
-  add_force_flag(*command, arguments->overwriting);
+  add_force_flag(*command, arguments->existing);
   add_verbosity_flags(*command, options.verbosity);
   add_sizes(*command, row, arguments->order);
   add_fineness(*command, row, *arguments);
   command->callback([arguments, &row] {
     require_mesh_extension(arguments->output);
-    require_new(arguments->output, arguments->overwriting);
+    require_new(arguments->output, arguments->existing);
     if (arguments->random_diagonals) arguments->order.grid.diagonals = Diagonals::random;
     write(row.make(arguments->order), *arguments);
   });

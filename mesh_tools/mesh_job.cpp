@@ -16,14 +16,14 @@ void MeshJob::add_to(CLI::App& command) {
   command.add_option("-o,--output", output, "mesh to write: .ply (binary), .obj, .off, .stl")
       ->type_name("FILE")
       ->required();
-  add_force_flag(command, overwriting);
+  add_force_flag(command, existing);
   command.add_flag("--json", json, "results for scripts");
   add_trust_flag(command, trust);
 }
 
 void MeshJob::require_output() const {
   require_mesh_extension(output);
-  require_new(output, overwriting, {input});
+  require_new(output, existing, {input});
 }
 
 TriangleMesh MeshJob::read() const {
@@ -31,7 +31,7 @@ TriangleMesh MeshJob::read() const {
 }
 
 void MeshJob::write(const TriangleMesh& mesh) const {
-  write_mesh(output, mesh);
+  write_mesh(output, mesh, existing);
 }
 
 std::string MeshJob::told(const TriangleMesh& mesh) const {

@@ -15,7 +15,7 @@ namespace offing::mesh_tools {
 /// What commands share that make a mesh of a mesh: `IN -o OUT [--force] [--json]`.
 struct MeshJob {
   std::string input, output;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
   bool json = false;
   Trust trust = Trust::trusted;
 

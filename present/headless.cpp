@@ -96,7 +96,7 @@ void make_pictures(const ViewOptions& options, const CancelToken& cancel) {
   if (!options.output.empty()) {
     const bool is_made =
         maker.make(options.time_s, options.time_s, cancel, [&](const Frame& frame, double exposure) {
-          write_picture(options.output, frame, options.time_s, exposure);
+          write_picture(options.output, frame, options.time_s, exposure, options.existing);
         });
     if (!is_made) cancel.throw_if_cancelled();
     print_summary("{}\n", options.output.string());

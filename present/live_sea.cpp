@@ -205,8 +205,8 @@ void LiveSea::draw(const SeaView& view) {
   if (!std::exchange(is_drawn_, true)) give_back_freed_memory();
 }
 
-void LiveSea::write(const std::filesystem::path& path) const {
-  write_picture(path, *frame_, view_.time_s, exposure_);
+void LiveSea::write(const std::filesystem::path& path, Existing existing) const {
+  write_picture(path, *frame_, view_.time_s, exposure_, existing);
 }
 
 }  // namespace offing::present

@@ -85,7 +85,7 @@ class LiveSea {
   /// The last picture is the next frame of a recording.
   void record(Recorder& recorder) const { recorder.write(*frame_, view_.time_s, exposure_); }
   /// The last picture, into a file (picture_file.h).
-  void write(const std::filesystem::path& path) const;
+  void write(const std::filesystem::path& path, Existing existing) const;
 
   Frame& frame() { return *frame_; }
   const ocl::DeviceInfo& device() const { return device_.info(); }

@@ -205,9 +205,9 @@ void draw_file(ViewState& state, PanelEdits& edits) {
   ImGui::InputText("name", &state.save_name);
   edits.wants_save = ImGui::Button("save scene as");
   ImGui::SameLine();
-  bool is_overwriting = state.overwriting == scene::Existing::replace;
+  bool is_overwriting = state.existing == Existing::replace;
   ImGui::Checkbox("overwrite", &is_overwriting);
-  state.overwriting = is_overwriting ? scene::Existing::replace : scene::Existing::keep;
+  state.existing = is_overwriting ? Existing::replace : Existing::keep;
   edits.wants_original = ImGui::Button("undo all edits");
 }
 

@@ -67,7 +67,7 @@ struct ViewState {
   bool shows_map = false;
   TimeSource shown_times = TimeSource::cpu;
   std::string save_name = {};  ///< file that the edited scene is to be saved as
-  scene::Existing overwriting = scene::Existing::keep;
+  Existing existing = Existing::keep;
   EditInProgress edit = {};
   Message message = {};
 };

@@ -13,7 +13,7 @@ namespace offing::present {
 namespace {
 
 void write_exr_of(const std::filesystem::path& path, const RenderTarget& light, double time_s,
-                  double exposure) {
+                  double exposure, Existing existing) {
   const std::vector<float> pixels = light.read();
   const auto width = static_cast<std::size_t>(light.width()),
              height = static_cast<std::size_t>(light.height());
@@ -30,7 +30,7 @@ void write_exr_of(const std::filesystem::path& path, const RenderTarget& light, 
              .height = light.height(),
              .channels = {{"R", channels[0]}, {"G", channels[1]}, {"B", channels[2]}},
              .attributes = {{"time_s", time_s}, {"unit", std::string("kcd/m2")}, {"exposure", exposure}}},
-            PixelType::half_16, ExrCompression::zip);
+            PixelType::half_16, ExrCompression::zip, existing);
 }
 
 bool is_exr(const std::filesystem::path& path) {
@@ -48,7 +48,7 @@ std::filesystem::path unused_picture_name(const std::string& stem) {
   std::filesystem::path path;
   do {
     path = fmt::format("{}_{:03}.png", stem, number++);
-  } while (is_there(path));
+  } while (is_taken(path));
   return path;
 }
 
@@ -64,11 +64,12 @@ RgbImage shown_image(const Frame& frame) {
   return image;
 }
 
-void write_picture(const std::filesystem::path& path, const Frame& frame, double time_s, double exposure) {
+void write_picture(const std::filesystem::path& path, const Frame& frame, double time_s, double exposure,
+                   Existing existing) {
   if (is_exr(path)) {
-    write_exr_of(path, frame.light(), time_s, exposure);
+    write_exr_of(path, frame.light(), time_s, exposure, existing);
   } else {
-    write_png(path, shown_image(frame));
+    write_png(path, shown_image(frame), existing);
   }
 }
 

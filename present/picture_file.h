@@ -22,6 +22,7 @@ RgbImage shown_image(const Frame& frame);
 /// Writes the last picture of a frame: .png as a screen shows it; .exr scene-linear kcd/m2 with the time, the
 /// eye and the exposure in its header. Equal pictures give equal bytes. Throws Error(file) if it cannot be
 /// written.
-void write_picture(const std::filesystem::path& path, const Frame& frame, double time_s, double exposure);
+void write_picture(const std::filesystem::path& path, const Frame& frame, double time_s, double exposure,
+                   Existing existing);
 
 }  // namespace offing::present

@@ -5,12 +5,16 @@
 namespace offing::present {
 
 Recorder::Recorder(const Recording& recording) : recording_(recording) {
-  if (!recording.video.empty()) video_.emplace(recording.video, recording.frames_per_second);
+  if (!recording.video.empty()) {
+    video_.emplace(recording.video, recording.frames_per_second, recording.existing);
+  }
 }
 
 void Recorder::write(const Frame& drawn, double time_s, double exposure) {
   const int frame = recording_.frames.first + count_;
-  if (recording_.name) write_picture(recording_.name->of(frame), drawn, time_s, exposure);
+  if (recording_.name) {
+    write_picture(recording_.name->of(frame), drawn, time_s, exposure, recording_.existing);
+  }
   if (video_) video_->write(shown_image(drawn));
   ++count_;
 }

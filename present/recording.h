@@ -6,6 +6,7 @@
 
 #include "host/base/argument.h"
 #include "host/base/error.h"
+#include "host/base/existing.h"
 #include "host/base/frame_name.h"
 
 namespace offing::present {
@@ -16,6 +17,7 @@ struct Recording {
   std::filesystem::path video = {};    ///< empty: none
   FrameRange frames;
   double frames_per_second = 24.0;  ///< frame i shows time i / frames_per_second
+  Existing existing = Existing::keep;
 
   int count() const { return frames.last - frames.first + 1; }
   double first_s() const { return frames.first / frames_per_second; }

@@ -211,7 +211,8 @@ RgbImage error_image(const Compared& compared, PictureSize size, double full_kcd
   return image;
 }
 
-void write_light(const std::filesystem::path& path, const Compared& compared, PictureSize size) {
+void write_light(const std::filesystem::path& path, const Compared& compared, PictureSize size,
+                 Existing existing) {
   std::vector<std::pair<std::string, const LightImage*>> layers{{"drawn", &compared.drawn},
                                                                 {"reference", &compared.reference.image}};
   for (std::size_t order = 0; order < compared.reference.orders.size(); ++order)
@@ -231,7 +232,7 @@ void write_light(const std::filesystem::path& path, const Compared& compared, Pi
              .height = size.height,
              .channels = channels,
              .attributes = {{"unit", std::string("kcd/m2")}, {"exposure", compared.exposure}}},
-            PixelType::float_32, ExrCompression::zip);
+            PixelType::float_32, ExrCompression::zip, existing);
 }
 
 /// In how many pixels there is any cloud, by the reference, and how far they are off.
@@ -292,11 +293,12 @@ void compare_with_reference(const ViewOptions& options, const CancelToken& cance
   const Compared compared = compare(options, cancel);
   const PictureSize size = options.size.value_or(PictureSize{160, 90});
   const Errors errors = errors_of(compared);
-  write_png(asked.file("drawn.png"), screen_image(compared.drawn, size, compared.exposure));
-  write_png(asked.file("reference.png"), screen_image(compared.reference.image, size, compared.exposure));
+  write_png(asked.file("drawn.png"), screen_image(compared.drawn, size, compared.exposure), asked.existing);
+  write_png(asked.file("reference.png"), screen_image(compared.reference.image, size, compared.exposure),
+            asked.existing);
   write_png(asked.file("error.png"),
-            error_image(compared, size, full_error * std::max(errors.mean_kcdpm2, 1e-9)));
-  write_light(asked.file("compared.exr"), compared, size);
+            error_image(compared, size, full_error * std::max(errors.mean_kcdpm2, 1e-9)), asked.existing);
+  write_light(asked.file("compared.exr"), compared, size, asked.existing);
   print(compared, errors, asked);
 }
 

@@ -70,17 +70,17 @@ bool SavedScene::differs_from(const scene::OceanScene& scene) const {
 }
 
 std::filesystem::path SavedScene::save(const scene::OceanScene& scene, const std::filesystem::path& name,
-                                       scene::Existing existing) {
+                                       Existing existing) {
   if (file_.empty() || has_comments_) return save_as(scene, name, existing);
   if (is_there(file_) && scene_file_text(file_) != text_) {
     throw Error(ErrorKind::file, fmt::format("{}: another program has changed it", file_.string()),
                 "save under another name, in the panel \"Scene file\"");
   }
-  return save_as(scene, file_, scene::Existing::replace);
+  return save_as(scene, file_, Existing::replace);
 }
 
 std::filesystem::path SavedScene::save_as(const scene::OceanScene& scene, const std::filesystem::path& name,
-                                          scene::Existing existing) {
+                                          Existing existing) {
   scene::save_scene(scene, name, existing);
   scene_ = scene;
   file_ = name;
@@ -115,7 +115,7 @@ void SceneSwitch::show(const OpenedScene& opened, const scene::OceanScene& shown
   state_.picked.reset();
   state_.clouds = {};
   state_.save_name = start.save_name;
-  state_.overwriting = start.overwriting;
+  state_.existing = start.existing;
   state_.edit = {};
 }
 
@@ -172,7 +172,7 @@ void SceneSwitch::save_all() {
   for (std::vector<Left>* scenes : {&before_, &after_}) {
     for (Left& left : *scenes) {
       if (!left.saved.differs_from(left.shown)) continue;
-      left.saved.save(left.shown, first_save_name(left.opened.name), scene::Existing::keep);
+      left.saved.save(left.shown, first_save_name(left.opened.name), Existing::keep);
     }
   }
 }

@@ -37,9 +37,9 @@ class SavedScene {
   /// written. Throws Error(file) where another program has changed the file, and what scene::save_scene()
   /// throws.
   std::filesystem::path save(const scene::OceanScene& scene, const std::filesystem::path& name,
-                             scene::Existing existing);
+                             Existing existing);
   std::filesystem::path save_as(const scene::OceanScene& scene, const std::filesystem::path& name,
-                                scene::Existing existing);
+                                Existing existing);
 
  private:
   scene::OceanScene scene_;
@@ -69,10 +69,8 @@ class SceneSwitch {
   /// The same the other way: redoes an edit, or goes on to the scene that undo() has left.
   bool redo();
   /// Saves the state's scene, and saves it under the name that the panel has. Both return what was written.
-  std::filesystem::path save() { return saved_.save(state_.scene, state_.save_name, state_.overwriting); }
-  std::filesystem::path save_as() {
-    return saved_.save_as(state_.scene, state_.save_name, state_.overwriting);
-  }
+  std::filesystem::path save() { return saved_.save(state_.scene, state_.save_name, state_.existing); }
+  std::filesystem::path save_as() { return saved_.save_as(state_.scene, state_.save_name, state_.existing); }
   /// Names of all scenes with edits that no file has: the one that is shown and those that were left.
   std::vector<std::string> unsaved() const;
   /// Saves them all.

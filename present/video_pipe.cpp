@@ -97,7 +97,7 @@ void VideoPipe::start(int width, int height) {
   width_ = width;
   height_ = height;
   const std::filesystem::path ffmpeg = found_ffmpeg(file_);
-  target_.emplace(file_);
+  target_.emplace(file_, existing_);
   ffmpeg_.emplace(ffmpeg, arguments_of(file_, target_->temporary(), frames_per_second_, width, height));
 }
 

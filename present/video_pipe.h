@@ -25,8 +25,8 @@ int fitting_side(const std::filesystem::path& file, int side);
 /// loss. Equal frames give equal bytes where ffmpeg does. The file is there once it is whole.
 class VideoPipe {
  public:
-  VideoPipe(std::filesystem::path file, double frames_per_second)
-      : file_(std::move(file)), frames_per_second_(frames_per_second) {}
+  VideoPipe(std::filesystem::path file, double frames_per_second, Existing existing)
+      : file_(std::move(file)), frames_per_second_(frames_per_second), existing_(existing) {}
 
   /// The next frame, sRGB, the first row at the top. Throws Error(bad_usage) for one of another size than the
   /// first, Error(file) where ffmpeg has ended, with what it says.
@@ -40,6 +40,7 @@ class VideoPipe {
 
   std::filesystem::path file_;
   double frames_per_second_;
+  Existing existing_;
   int width_ = 0, height_ = 0;
   // In this order: ffmpeg ends before the file goes that it writes to.
   std::optional<AtomicFile> target_;

@@ -1,8 +1,11 @@
 #include "present/view_options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <CLI/App.hpp>
@@ -47,7 +50,7 @@ struct Written {
   bool is_window = false;
   bool is_paused = false;
   bool prints_json = false;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
   bool is_quiet = false;
   bool is_verbose = false;
   Trust trust = Trust::trusted;
@@ -107,7 +110,7 @@ void add_options(CLI::App& app, Written& written) {
   app.add_option("--fps", written.fps, "frame i shows time i / fps (default the scene's)")
       ->type_name("F")
       ->group(pictures);
-  add_force_flag(app, written.overwriting)->group(pictures);
+  add_force_flag(app, written.existing)->group(pictures);
   const char* reference = "Clouds beside a reference";
   app.add_flag("--compare-reference", written.compares_reference,
                "the clouds as drawn, as paths traced in double precision have them, and what differs\n"
@@ -153,7 +156,8 @@ Recording read_recording(const Written& written, const scene::OceanScene& scene)
   Recording recording{.video = written.video,
                       .frames = written.frames.empty() ? scene::frames_in_time_span(scene, fps)
                                                        : read_frame_range("--frames", written.frames),
-                      .frames_per_second = fps};
+                      .frames_per_second = fps,
+                      .existing = written.existing};
   if (is_video_name(written.record)) {
     if (!written.video.empty()) {
       throw Error(ErrorKind::bad_usage,
@@ -192,7 +196,8 @@ ReferenceComparison read_comparison(const Written& written, const std::vector<st
         "leave them out");
   }
   require_file_name(written.output);
-  ReferenceComparison comparison{.folder = written.output, .prints_json = written.prints_json};
+  ReferenceComparison comparison{
+      .folder = written.output, .prints_json = written.prints_json, .existing = written.existing};
   if (!written.samples.empty())
     comparison.samples = static_cast<int>(read_whole("--samples", written.samples, 1, 1'000'000, "32"));
   std::error_code failed;
@@ -202,7 +207,7 @@ ReferenceComparison read_comparison(const Written& written, const std::vector<st
                 "name another folder");
   }
   for (const char* name : {"drawn.png", "reference.png", "error.png", "compared.exr"})
-    require_new(comparison.file(name).string(), written.overwriting, inputs);
+    require_new(comparison.file(name).string(), written.existing, inputs);
   return comparison;
 }
 
@@ -227,7 +232,7 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
     refuse("--samples, --json: expected --compare-reference, which they belong to, found none",
            "add --compare-reference, or leave them out");
   }
-  if (written.overwriting == Overwriting::allowed && options.output.empty() && !options.recording) {
+  if (written.existing == Existing::replace && options.output.empty() && !options.recording) {
     refuse("--force: expected -o, --record or --video, whose files it replaces, found none",
            "leave --force out");
   }
@@ -248,16 +253,34 @@ std::vector<std::string> inputs_of(const Written& written, const scene::OceanSce
   return inputs;
 }
 
+/// The picture of a recording that has this name, if there is one.
+std::filesystem::path recorded_as(const Recording& recording, const std::filesystem::path& output) {
+  if (!recording.name || output.empty()) return {};
+  std::error_code ignored;
+  const std::filesystem::path wanted = std::filesystem::weakly_canonical(output, ignored);
+  int first = recording.frames.first, last = recording.frames.last;
+  if (recording.name->is_one_folder()) {
+    first = std::max(first, recording.name->frame_of(output.filename().string()).value_or(last + 1));
+    last = std::min(last, first);
+  }
+  for (int frame = first; frame <= last; ++frame) {
+    const std::filesystem::path picture = recording.name->of(frame);
+    if (std::filesystem::weakly_canonical(picture, ignored) == wanted) return picture;
+  }
+  return {};
+}
+
 /// Throws for what may not or cannot be written, before any work is done.
 void require_outputs(const Written& written, const ViewOptions& options) {
   const std::vector<std::string> inputs = inputs_of(written, options.scene);
-  if (!options.comparison) require_new(options.output.string(), written.overwriting, inputs);
+  if (!options.comparison) require_new(options.output.string(), written.existing, inputs);
   if (!options.recording) return;
   const Recording& recording = *options.recording;
-  if (recording.name) require_new_frames(*recording.name, recording.frames, written.overwriting, inputs);
+  require_distinct({{"-o", options.output}, {"--record", recorded_as(recording, options.output)}});
+  if (recording.name) require_new_frames(*recording.name, recording.frames, written.existing, inputs);
   if (recording.video.empty()) return;
   require_video(recording.video);
-  require_new(recording.video.string(), written.overwriting, inputs);
+  require_new(recording.video.string(), written.existing, inputs);
   // A window has as many pixels as its display gives it; its pictures are made to fit.
   const PictureSize size = options.size.value_or(PictureSize{});
   if (!options.opens_window) require_video_size(recording.video, size.width, size.height);
@@ -291,6 +314,7 @@ ViewOptions checked(const Written& written) {
                        : read_number("--time", written.time, "s", -largest_time_s, largest_time_s, "12.5");
   options.starts_paused = written.is_paused;
   options.output = written.output;
+  options.existing = written.existing;
   if (written.compares_reference) {
     options.comparison = read_comparison(written, inputs_of(written, options.scene));
   }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host/base/cancel_token.h"
+#include "host/base/existing.h"
 #include "host/base/log.h"
 #include "host/scene/ocean_scene.h"
 #include "present/frame.h"
@@ -32,6 +33,7 @@ struct ReferenceComparison {
   std::filesystem::path folder;
   int samples = 32;  ///< paths a pixel
   bool prints_json = false;
+  Existing existing = Existing::keep;
 
   /// "drawn.png", "reference.png", "error.png", "compared.exr"
   std::filesystem::path file(const char* name) const { return folder / name; }
@@ -49,6 +51,7 @@ struct ViewOptions {
   double time_s = 0.0;
   bool starts_paused = false;    ///< a window stands at time_s until it is let run
   std::filesystem::path output;  ///< one picture; empty: none
+  Existing existing = Existing::keep;
   std::optional<Recording> recording;
   std::optional<ReferenceComparison> comparison;
   std::optional<TransferRung> transfer;

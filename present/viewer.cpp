@@ -362,7 +362,7 @@ void Viewer::attempt(const std::function<void()>& work) {
 void Viewer::take_screenshot() {
   report([&] {
     const auto path = unused_picture_name(options_.scene_name.empty() ? "offing" : options_.scene_name);
-    sea_.write(path);
+    sea_.write(path, Existing::keep);
     return fmt::format("wrote {}", whole_name(path));
   });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -116,17 +117,24 @@ void warn_of_waves_beside(const scene::Sea& sea, GerstnerUse use) {
   }
 }
 
+/// Whether a regular file holds this text and nothing else.
+bool holds(const std::string& file, const std::string& text) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored) ||
+      std::filesystem::file_size(file, ignored) != text.size())
+    return false;
+  std::ifstream found(file, std::ios::binary);
+  return found && std::string(std::istreambuf_iterator<char>(found), {}) == text;
+}
+
 /// A bake that resumes finds what it has exported: an equal file is left alone.
-void export_spectrum(const std::string& file, const scene::Sea& sea, Overwriting overwriting,
+void export_spectrum(const std::string& file, const scene::Sea& sea, Existing existing,
                      const std::vector<std::string>& inputs) {
   const WaveSpectrum exported = scene::sampled_spectrum(sea);
   const std::string text = ww3_text(file, std::span(&exported, 1));
-  if (std::ifstream found(file, std::ios::binary);
-      found && std::string(std::istreambuf_iterator<char>(found), {}) == text) {
-    return;
-  }
-  require_new(file, overwriting, inputs);
-  write_file_atomically(file, text);
+  if (holds(file, text)) return;
+  require_new(file, existing, inputs);
+  write_file_atomically(file, text, existing);
 }
 
 void run(const BakeArguments& arguments, const GlobalOptions& options) {
@@ -146,9 +154,12 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings));
   const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), hash);
   const std::vector<std::string> inputs = arguments.parameters.inputs(scene);
+  if (const std::filesystem::path exported = arguments.export_file; files.will_write(exported)) {
+    require_distinct({{"-o", settings.folder / exported.filename()}, {"--export-spectrum", exported}});
+  }
   files.prepare_folder(inputs);
   if (!arguments.export_file.empty()) {  // after the folder: it may lie there
-    export_spectrum(arguments.export_file, sea, settings.overwriting, inputs);
+    export_spectrum(arguments.export_file, sea, settings.existing, inputs);
   }
   const FrameWriter writer(sea, settings, files, hash, scene::spectrum_name(scene, sea));
   const BakeSummary summary = [&] {
@@ -203,7 +214,7 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
       "write the spectrum as WAVEWATCH III text (.spec)");
   add("--chunk", arguments->chunk, "i/n",
       "make share i of n, for n processes that share a folder (default 1/1)");
-  add_force_flag(command, settings.overwriting)
+  add_force_flag(command, settings.existing)
       ->description("replace existing files, also frames of another scene with everything made from them")
       ->group(group);
   command.add_flag("--json", arguments->json, "a summary for scripts")->group(group);

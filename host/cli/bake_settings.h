@@ -37,7 +37,7 @@ struct BakeSettings {
   MeshFormat mesh = MeshFormat::none;
   PreviewUse preview = PreviewUse::none;
   GerstnerUse gerstner = GerstnerUse::listed;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
 
   bool has(ChannelGroup group) const { return channels.test(static_cast<std::size_t>(group)); }
   double time_s(int frame) const { return frame / frames_per_second; }

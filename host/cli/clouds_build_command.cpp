@@ -36,7 +36,7 @@ struct BuildArguments {
   std::string scene, output, cell_m, time_s, frames, frames_per_second;
   bool half = false;
   bool json = false;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
   Trust trust = Trust::trusted;
 };
 
@@ -87,9 +87,9 @@ void require_outputs(const BuildArguments& arguments, const scene::OceanScene& s
   std::vector<std::string> inputs = scene::files_of(scene);
   inputs.push_back(arguments.scene);
   if (is_sequence(arguments)) {
-    require_new_frames(frame_name(arguments), frames_of(arguments, scene), arguments.overwriting, inputs);
+    require_new_frames(frame_name(arguments), frames_of(arguments, scene), arguments.existing, inputs);
   } else {
-    require_new(arguments.output, arguments.overwriting, inputs);
+    require_new(arguments.output, arguments.existing, inputs);
   }
 }
 
@@ -126,13 +126,13 @@ nlohmann::ordered_json write_frame(const BuildArguments& arguments, CloudFrames&
   if (!is_volume(arguments)) {
     const CloudParticles cloud = frames.particles_at(file.time_s);
     require_some(cloud.particles.size(), file);
-    write_cloud_particles(file.name, cloud);
+    write_cloud_particles(file.name, cloud, arguments.existing);
     return facts_of(cloud);
   }
   if (!cell_m) cell_m = usual_cell_m(frames.particles_at(file.time_s));
   const VdbCloud cloud = frames.volume_at(file.time_s, *cell_m);
   require_some(cloud.volume.density.size(), file);
-  write_vdb(file.name, cloud, arguments.half ? VdbPrecision::half : VdbPrecision::single);
+  write_vdb(file.name, cloud, arguments.half ? VdbPrecision::half : VdbPrecision::single, arguments.existing);
   return facts_of(cloud);
 }
 
@@ -212,7 +212,7 @@ void add_clouds_build_command(CLI::App& parent, GlobalOptions& options) {
   add("--frames", arguments->frames, "A:B",
       "frames to write, A to B or A alone; time = frame / fps (default: the scene's)");
   add("--fps", arguments->frames_per_second, "F", "frames a second (default: the scene's)");
-  add_force_flag(*command, arguments->overwriting);
+  add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "a summary for scripts");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);

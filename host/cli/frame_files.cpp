@@ -97,7 +97,7 @@ void FrameFiles::prepare_folder(std::span<const std::string> inputs) const {
   std::vector<fs::path> replaceable = listing.exr_files;
   replaceable.insert(replaceable.end(), listing.products.begin(), listing.products.end());
   require_not_read(replaceable, inputs);
-  if (settings_.overwriting == Overwriting::refused) require_own_files(listing);
+  if (settings_.existing == Existing::keep) require_own_files(listing);
 }
 
 void FrameFiles::require_own_files(const Listing& listing) const {
@@ -178,7 +178,7 @@ void FrameFiles::remove_products(int frame) const {
 }
 
 void FrameFiles::remove_foreign_files(int frame) const {
-  if (settings_.overwriting == Overwriting::refused) {
+  if (settings_.existing == Existing::keep) {
     return;  // prepare_folder() found none
   }
   const std::vector<fs::path> own = exr_files(frame);

@@ -38,6 +38,9 @@ class FrameFiles {
   /// Removes the mesh and the picture of a frame that are to be made again. Throws Error(file).
   void remove_products(int frame) const;
 
+  /// Whether this bake writes a file of this name into its folder.
+  bool will_write(const std::filesystem::path& file) const;
+
   std::filesystem::path exr(int frame, int cascade) const;  ///< the same for every cascade when combined
   std::filesystem::path mesh(int frame) const;
   std::filesystem::path preview(int frame) const;
@@ -50,7 +53,6 @@ class FrameFiles {
   };
   static Listing list_folder(const std::filesystem::path& folder);
   void require_own_files(const Listing& listing) const;
-  bool will_write(const std::filesystem::path& file) const;
 
   std::filesystem::path combined_exr(int frame) const;
   std::filesystem::path cascade_exr(int frame, int cascade) const;

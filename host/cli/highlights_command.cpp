@@ -29,7 +29,7 @@ namespace {
 struct HighlightsArguments {
   std::string scene, output, frames, frames_per_second;
   bool json = false;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
   Trust trust = Trust::trusted;
 };
 
@@ -74,7 +74,7 @@ void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
   scene::OceanScene scene = scene::load_scene(arguments.scene, arguments.trust);
   std::vector<std::string> inputs = scene::files_of(scene);
   inputs.push_back(arguments.scene);
-  require_new(arguments.output, arguments.overwriting, inputs);
+  require_new(arguments.output, arguments.existing, inputs);
   if (!arguments.frames_per_second.empty())
     scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "30");
   const FrameRange frames = arguments.frames.empty()
@@ -86,7 +86,7 @@ void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
     return record_highlights(device, scene, frames, progress, options.cancel);
   }();
   name_from(std::filesystem::absolute(output).parent_path(), animation);
-  animations::write_highlights(output, animation);
+  animations::write_highlights(output, animation, arguments.existing);
   const Counts counts = counts_of(animation);
   const int frame_count = frames.last - frames.first + 1;
   if (arguments.json) {
@@ -121,7 +121,7 @@ void add_highlights_command(CLI::App& app, GlobalOptions& options) {
   add("--frames", arguments->frames, "A:B",
       "frames to write, A to B or A alone; time = frame / fps (default: the scene's)");
   add("--fps", arguments->frames_per_second, "F", "frames a second (default: the scene's)");
-  add_force_flag(*command, arguments->overwriting);
+  add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "a summary for scripts");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);

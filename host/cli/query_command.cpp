@@ -37,7 +37,7 @@ struct QueryArguments {
   ParameterOptions parameters;
   std::string at, points_file, time, times, depth, min_wavelength, output_file;
   bool json = false;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
 
   bool writes_file() const { return !output_file.empty() && !is_standard_output(output_file); }
 };
@@ -97,8 +97,8 @@ class AnswerSink {
       : depth_m_(depth_m), style_(style_of(arguments, times)) {
     if (arguments.writes_file()) {
       inputs.push_back(arguments.points_file);
-      require_new(arguments.output_file, arguments.overwriting, inputs);
-      file_.emplace(arguments.output_file);
+      require_new(arguments.output_file, arguments.existing, inputs);
+      file_.emplace(arguments.output_file, arguments.existing);
     }
     if (style_ == Style::csv) {
       text_ = csv_header();
@@ -227,7 +227,7 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
                             arguments.at.empty() ? "neither" : "both"),
                 "write --at 12.5,-40 for one point, or --points FILE for many");
   }
-  if (arguments.overwriting == Overwriting::allowed && arguments.output_file.empty()) {
+  if (arguments.existing == Existing::replace && arguments.output_file.empty()) {
     throw Error(ErrorKind::bad_usage, "--force: expected -o, whose file it replaces, found none",
                 "add -o FILE, or leave --force out");
   }
@@ -282,7 +282,7 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
       "leave shorter waves out, as a hull longer than they are does not feel them (default 0: none)");
   add("-o,--output", arguments->output_file, "FILE",
       "CSV to write, whole or not at all (default or -: standard output)");
-  add_force_flag(*command, arguments->overwriting)->group(group);
+  add_force_flag(*command, arguments->existing)->group(group);
   command
       ->add_flag("--json", arguments->json,
                  "results for scripts: an object for one point and time, else an array\nwith -o a summary")

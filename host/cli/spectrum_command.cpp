@@ -33,7 +33,7 @@ struct SpectrumArguments {
   std::string plot;
   std::string export_file;
   bool json = false;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
   DirectionStyle directions = DirectionStyle::travel;
   Trust trust = Trust::trusted;
 };
@@ -121,13 +121,14 @@ void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
         read_whole("--record", arguments.record, 0, static_cast<std::int64_t>(records.size()) - 1, "0"));
   }
   require_one_record(arguments, records.size());
+  require_distinct({{"--plot", arguments.plot}, {"--export-spectrum", arguments.export_file}});
   for (const std::string* output : {&arguments.plot, &arguments.export_file}) {
     if (output == &arguments.export_file && is_standard_output(*output)) continue;  // text
-    require_new(*output, arguments.overwriting, {arguments.file});
+    require_new(*output, arguments.existing, {arguments.file});
   }
   if (!arguments.plot.empty()) {
     const WaveSpectrum& drawn = records[chosen.value_or(0)];
-    write_spectrum_plot(arguments.plot, drawn, state_of(drawn), arguments.directions);
+    write_spectrum_plot(arguments.plot, drawn, state_of(drawn), arguments.directions, arguments.existing);
   }
   if (!arguments.export_file.empty()) {
     const std::span<const WaveSpectrum> all(records);
@@ -136,7 +137,7 @@ void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
       fmt::print("{}", ww3_text(arguments.file, exported));
       return;
     }
-    write_ww3_spectra(arguments.export_file, exported);
+    write_ww3_spectra(arguments.export_file, exported, arguments.existing);
   }
 
   const std::vector<Listed> listed = integrate(records, chosen, options);
@@ -177,7 +178,7 @@ void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
                    "write the record, or all records, as WAVEWATCH III text (.spec); -: to standard output, "
                    "without other text")
       ->type_name("FILE");
-  add_force_flag(*command, arguments->overwriting);
+  add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "results for scripts");
   command->add_flag_callback(
       "--compass", [arguments] { arguments->directions = DirectionStyle::from_bearing; },

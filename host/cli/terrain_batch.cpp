@@ -36,11 +36,11 @@ void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::s
       ->type_name("FILE")
       ->group(group)
       ->needs(points);
-  add_force_flag(command, overwriting_)->group(group)->needs(points);
+  add_force_flag(command, existing_)->group(group)->needs(points);
 }
 
 void TerrainBatch::require_question(const std::string& single, const std::string& ground) const {
-  if (!is_standard_output(output_)) require_new(output_, overwriting_, {ground, points_});
+  if (!is_standard_output(output_)) require_new(output_, existing_, {ground, points_});
   if (is_asked() || !single.empty()) return;
   throw Error(ErrorKind::bad_usage, fmt::format("expected {} or --points, found neither", single_),
               "give one question, or a file of them");
@@ -50,7 +50,7 @@ void TerrainBatch::answer(std::string_view heading, const Answer& answer,
                           const GlobalOptions& options) const {
   NumberTable table(points_, columns_);
   std::optional<AtomicFile> file;
-  if (!output_.empty() && !is_standard_output(output_)) file.emplace(output_);
+  if (!output_.empty() && !is_standard_output(output_)) file.emplace(output_, existing_);
   std::string text = fmt::format("{}\n", heading);
   for (auto rows = table.next(block_rows); !rows.empty(); rows = table.next(block_rows)) {
     options.cancel.throw_if_cancelled();

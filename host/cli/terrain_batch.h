@@ -35,7 +35,7 @@ class TerrainBatch {
  private:
   NumberColumns columns_;
   std::string single_, points_, output_;
-  Overwriting overwriting_ = Overwriting::refused;
+  Existing existing_ = Existing::keep;
 };
 
 }  // namespace offing::cli

@@ -41,7 +41,7 @@ struct TerrainFlyArguments {
   CacheFlags cache;
   HeightMapFlags map_flags;
   bool json = false;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
   Trust trust = Trust::trusted;
 };
 
@@ -168,7 +168,8 @@ class Flying {
           "name a folder where you may write with -o");
     }
     const std::vector<std::string> inputs{arguments_.store, arguments_.compared};
-    require_new_frames(picture_name(), {0, settings_.frames - 1}, arguments_.overwriting, inputs);
+    require_new_frames(picture_name(), {0, settings_.frames - 1}, arguments_.existing, inputs,
+                       settings_.every);
   }
 
   void keep(int frame, const Camera& camera, FlightRecorder& recorder) {
@@ -176,7 +177,8 @@ class Flying {
       const TerrainScenery scenery{
           .lines = world::cover_lines(store_.header().centre_latitude_deg.value_or(usual_latitude_deg))};
       write_png(picture_name().of(frame),
-                draw_terrain(device_, field_, camera, scenery, TerrainShow::light).image);
+                draw_terrain(device_, field_, camera, scenery, TerrainShow::light).image,
+                arguments_.existing);
     }
     if (comparison_) kept_.push_back({&camera, sky_of(recorder.read_hits())});
   }
@@ -262,6 +264,7 @@ void print_text(const TerrainFlyArguments& arguments, const FlightReport& report
 }
 
 void run(const TerrainFlyArguments& arguments, const GlobalOptions& options) {
+  require_file_name(arguments.output);
   const FlightReport report = Flying(arguments, options).run();
   if (arguments.json) {
     print_json(to_json(arguments, report));
@@ -294,7 +297,7 @@ void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
       "height map that the store was made of: compares every K-th frame with that of the whole map in "
       "memory");
   arguments->map_flags.add_to(*command);
-  add_force_flag(*command, arguments->overwriting);
+  add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "results for scripts");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);

@@ -31,7 +31,7 @@ static_assert(std::endian::native == std::endian::little, ".r32 is written as it
 struct TerrainGenerateArguments {
   std::string output, posts, side, relief, mean, longest, roughness, erosion, island, seed;
   bool json = false;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
 };
 
 terrain::FractalParameters read_parameters(const TerrainGenerateArguments& arguments) {
@@ -62,11 +62,11 @@ terrain::FractalParameters read_parameters(const TerrainGenerateArguments& argum
 /// Floats without a header (.r32), or a GeoTIFF.
 class GroundFile {
  public:
-  GroundFile(const std::string& name, int posts, double spacing_m) {
+  GroundFile(const std::string& name, int posts, double spacing_m, Existing existing) {
     if (name.ends_with(".r32")) {
-      raw_.emplace(name);
+      raw_.emplace(name, existing);
     } else {
-      raster_.emplace(name, posts, posts, spacing_m);
+      raster_.emplace(name, posts, posts, spacing_m, existing);
     }
   }
   void add_rows(std::span<const float> heights_m) {
@@ -94,8 +94,8 @@ void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options
   require_extension(arguments.output, {".r32", ".tif", ".tiff"});
   const bool is_raw = arguments.output.ends_with(".r32");
   const double spacing_m = parameters.side_m / (parameters.posts - 1);
-  require_new(arguments.output, arguments.overwriting);
-  GroundFile file(arguments.output, parameters.posts, spacing_m);
+  require_new(arguments.output, arguments.existing);
+  GroundFile file(arguments.output, parameters.posts, spacing_m, arguments.existing);
   float lowest_m = 0.0f, highest_m = 0.0f;
   {
     Progress progress(parameters.posts, "rows", options.verbosity);
@@ -148,7 +148,7 @@ void add_terrain_generate_command(CLI::App& terrain, GlobalOptions& options) {
   add("--island-radius-m", arguments->island, "M",
       "an island: the ground sinks by the relief from its middle to this distance (default: it does not)");
   add("--seed", arguments->seed, "S", "another ground for each whole number (default 1)");
-  add_force_flag(*command, arguments->overwriting);
+  add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(

@@ -23,14 +23,14 @@ struct TerrainProfileArguments {
   TerrainInput input;
   EarthCurveFlags curve;
   std::string from, to, step, output;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
 };
 
 void run(const TerrainProfileArguments& arguments) {
   const auto from = read_numbers("--from", arguments.from, 2, "X,Z", "0,0");
   const auto to = read_numbers("--to", arguments.to, 2, "X,Z", "1200,350");
   const bool prints = arguments.output.empty() || is_standard_output(arguments.output);
-  if (!prints) require_new(arguments.output, arguments.overwriting, {arguments.input.file()});
+  if (!prints) require_new(arguments.output, arguments.existing, {arguments.input.file()});
   const terrain::EarthCurve curve = arguments.curve.read();
   const bool is_curved = arguments.curve.are_given();
   const TerrainGround of(arguments.input, {});
@@ -62,7 +62,7 @@ void run(const TerrainProfileArguments& arguments) {
   if (prints) {
     fmt::print("{}", text);
   } else {
-    write_file_atomically(arguments.output, text);
+    write_file_atomically(arguments.output, text, arguments.existing);
   }
 }
 
@@ -79,7 +79,7 @@ void add_terrain_profile_command(CLI::App& terrain, GlobalOptions& options) {
   arguments->curve.add_to(*command);
   command->add_option("-o,--output", arguments->output, "CSV to write (default or -: standard output)")
       ->type_name("FILE");
-  add_force_flag(*command, arguments->overwriting);
+  add_force_flag(*command, arguments->existing);
   add_global_options(*command, options, DeviceUse::none);
   command->footer(fmt::format(
       "\n{}\nmeasured is 0 where the map has a void, which was filled in. With --curvature, fallen_height_m "

@@ -38,7 +38,7 @@ struct TerrainRenderArguments {
   std::string field_of_view, sun, exposure, sea_level, tree_line, snow_line, samples = "auto", colour;
   std::string sky_visibility = "on";
   bool json = false;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
 };
 
 Camera read_camera(const TerrainRenderArguments& arguments, const CameraGround& ground) {
@@ -89,13 +89,14 @@ TerrainShow read_show(const std::string& text) {
   throw bad_argument("--show", "light or steps", text, "steps");
 }
 
-void write_depth(const std::string& file, const Camera& camera, const std::vector<float>& distances_m) {
+void write_depth(const std::string& file, const Camera& camera, const std::vector<float>& distances_m,
+                 Existing existing) {
   const ExrImage image{
       .width = camera.width_px,
       .height = camera.height_px,
       .channels = {{"Z", distances_m}},
       .attributes = {{"meaning", "metres along each pixel's ray; infinite where it is sky"}}};
-  write_exr(file, image, PixelType::float_32, ExrCompression::zip);
+  write_exr(file, image, PixelType::float_32, ExrCompression::zip, existing);
 }
 
 struct Rendered {
@@ -138,14 +139,16 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
   require_extension(arguments.output, {".png"});
   if (!arguments.depth.empty()) require_extension(arguments.depth, {".exr"});
   for (const std::string& file : {arguments.output, arguments.depth}) {
-    require_new(file, arguments.overwriting, {arguments.input.file(), arguments.colour});
+    require_new(file, arguments.existing, {arguments.input.file(), arguments.colour});
   }
   const auto [camera, picture] = is_tile_store(arguments.input.file())
                                      ? render_store(arguments, options, show)
                                      : render_map(arguments, options, show);
   options.cancel.throw_if_cancelled();
-  write_png(arguments.output, picture.image);
-  if (!arguments.depth.empty()) write_depth(arguments.depth, camera, picture.distances_m);
+  write_png(arguments.output, picture.image, arguments.existing);
+  if (!arguments.depth.empty()) {
+    write_depth(arguments.depth, camera, picture.distances_m, arguments.existing);
+  }
 
   const double ground_share =
       static_cast<double>(picture.ground_pixels) / static_cast<double>(picture.distances_m.size());
@@ -198,7 +201,7 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
       "auto)");
   add("--show", arguments->show, "WHAT",
       "light, or steps: how far each ray walked, blue 0, green 16, yellow 40, red 80 and more");
-  add_force_flag(*command, arguments->overwriting);
+  add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(

@@ -31,7 +31,7 @@ struct TerrainTileArguments {
   TerrainInput input;
   std::string output;
   bool json = false;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
 };
 
 /// From rows to a store.
@@ -50,9 +50,7 @@ class Tiling {
     header_.georeference = about.map.georeference;
     header_.centre_latitude_deg = about.source.centre_latitude_deg;
     header_.centre_longitude_deg = about.source.centre_longitude_deg;
-    const auto existing = arguments_.overwriting == Overwriting::allowed ? TileStoreWriter::Existing::replace
-                                                                         : TileStoreWriter::Existing::refuse;
-    store_.emplace(arguments_.output, header_.shape, existing);
+    store_.emplace(arguments_.output, header_.shape, arguments_.existing);
     progress_.emplace(static_cast<int>(header_.shape.tile_count()), "tiles", options_.verbosity);
     writers_.emplace(*store_, *progress_);
     builder_.emplace(header_.shape, [this](HeightTile tile) { writers_->add(std::move(tile)); });
@@ -156,7 +154,7 @@ void add_terrain_tile_command(CLI::App& terrain, GlobalOptions& options) {
   CLI::App* command = terrain.add_subcommand("tile", "a height map of any size as a store of tiles");
   arguments->input.add_to(*command);
   command->add_option("-o,--output", arguments->output, "folder to fill")->type_name("STORE")->required();
-  add_force_flag(*command, arguments->overwriting)
+  add_force_flag(*command, arguments->existing)
       ->description("replace a finished store, once the new one is complete; equal tiles are kept");
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::none);

@@ -33,7 +33,7 @@ struct TerrainViewshedArguments {
   EarthCurveFlags curve;
   std::string observer, observer_height, target_height, radius, output;
   bool json = false;
-  Overwriting overwriting = Overwriting::refused;
+  Existing existing = Existing::keep;
 };
 
 terrain::ViewshedParameters read_parameters(const TerrainViewshedArguments& arguments) {
@@ -86,7 +86,7 @@ SeenMap read_store(const TerrainViewshedArguments& arguments, const terrain::Vie
 void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options) {
   terrain::ViewshedParameters parameters = read_parameters(arguments);
   require_extension(arguments.output, {".tif", ".tiff"});
-  require_new(arguments.output, arguments.overwriting, {arguments.input.file()});
+  require_new(arguments.output, arguments.existing, {arguments.input.file()});
   require_flags_of(arguments.input, arguments.cache);
   const SeenMap seen_map = is_tile_store(arguments.input.file()) ? read_store(arguments, parameters)
                                                                  : SeenMap{arguments.input.read().map};
@@ -110,7 +110,8 @@ void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options
                      .rows = map.rows,
                      .values = seen,
                      .georeference = map.georeference,
-                     .nodata = map.is_void.empty() ? std::nullopt : std::optional(of_void)});
+                     .nodata = map.is_void.empty() ? std::nullopt : std::optional(of_void)},
+                    arguments.existing);
 
   const auto seen_posts = std::count(seen.begin(), seen.end(), visible);
   const double area_m2 = static_cast<double>(seen_posts) * map.spacing_x_m * map.spacing_z_m;
@@ -146,7 +147,7 @@ void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
   add("--radius-m", arguments->radius, "R", "what is farther, in plan, is not seen (default: no limit)");
   arguments->curve.add_to(*command);
   add("-o,--output", arguments->output, "FILE", "GeoTIFF to write, .tif, whole or not at all")->required();
-  add_force_flag(*command, arguments->overwriting);
+  add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(fmt::format(R"(

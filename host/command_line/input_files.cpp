@@ -9,6 +9,7 @@
 #include "host/io/meshes/gltf_document.h"
 #include "host/io/spectra/gzip.h"
 #include "host/io/spectra/ndbc_spectra.h"
+#include "host/io/tile_store/tile_store.h"
 
 namespace offing {
 namespace {
@@ -30,9 +31,10 @@ InputFiles::InputFiles(std::span<const std::string> names) {
     add(path);
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) {
-      for (fs::recursive_directory_iterator entry(path, ignored), end; !ignored && entry != end;
-           entry.increment(ignored)) {
-        add(entry->path());
+      if (is_tile_store(path)) {
+        add_entries<fs::recursive_directory_iterator>(path);
+      } else {
+        add_entries<fs::directory_iterator>(path);
       }
       continue;
     }
@@ -50,6 +52,14 @@ InputFiles::InputFiles(std::span<const std::string> names) {
 
 void InputFiles::add(const fs::path& path) {
   if (const auto identity = identity_of(path)) files_.insert(*identity);
+}
+
+template <class Iterator>
+void InputFiles::add_entries(const fs::path& folder) {
+  std::error_code failure;
+  for (Iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
+    add(entry->path());
+  }
 }
 
 bool InputFiles::contains(const fs::path& path) const {

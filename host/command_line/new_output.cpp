@@ -18,27 +18,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder_of(const fs::path& file) {
-  const fs::path folder = file.parent_path();
-  return folder.empty() ? fs::path(".") : folder;
+/// By name: links to one file are replaced one by one.
+bool is_same_name(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  return a.filename() == b.filename() &&
+         fs::weakly_canonical(folder_of(a), ignored) == fs::weakly_canonical(folder_of(b), ignored);
 }
 
 /// For files that exist.
-void check(std::span<const fs::path> outputs, Overwriting overwriting, std::span<const std::string> inputs) {
+void check(std::span<const fs::path> outputs, Existing existing, std::span<const std::string> inputs) {
   if (outputs.empty()) return;
   require_not_read(outputs, inputs);
-  if (overwriting == Overwriting::allowed) return;
-  throw Error(
-      ErrorKind::bad_usage,
-      fmt::format("{}: expected a new file, found an existing one", one_line(outputs.front().string())),
-      "add --force to replace it, or name another file");
+  if (existing == Existing::replace) return;
+  refuse_existing(outputs.front());
 }
 
 }  // namespace
 
-CLI::Option* add_force_flag(CLI::App& command, Overwriting& overwriting) {
+CLI::Option* add_force_flag(CLI::App& command, Existing& existing) {
   return command.add_flag_callback(
-      "--force", [&overwriting] { overwriting = Overwriting::allowed; }, "replace existing files");
+      "--force", [&existing] { existing = Existing::replace; }, "replace existing files");
 }
 
 void require_file_name(const std::string& output) {
@@ -61,38 +60,55 @@ void require_not_read(std::span<const fs::path> outputs, std::span<const std::st
   }
 }
 
-void require_new(const std::string& output, Overwriting overwriting,
-                 std::initializer_list<std::string> inputs) {
-  require_new(output, overwriting, std::span<const std::string>(inputs.begin(), inputs.size()));
+void require_new(const std::string& output, Existing existing, std::initializer_list<std::string> inputs) {
+  require_new(output, existing, std::span<const std::string>(inputs.begin(), inputs.size()));
 }
 
-void require_new(const std::string& output, Overwriting overwriting, std::span<const std::string> inputs) {
+void require_new(const std::string& output, Existing existing, std::span<const std::string> inputs) {
   if (output.empty()) return;
   require_file_name(output);
   const fs::path file = output;
-  std::error_code ignored;
   // Folders and devices are never replaced: require_writable() says so.
-  if (is_there(file) && fs::is_regular_file(file, ignored)) check(std::span(&file, 1), overwriting, inputs);
+  std::error_code ignored;
+  const fs::file_type type = fs::status(file, ignored).type();
+  const bool is_replaceable = type == fs::file_type::regular || type == fs::file_type::not_found;
+  if (is_replaceable && is_taken(file)) check(std::span(&file, 1), existing, inputs);
   remove_stale_partials(folder_of(file), file.filename().string());
   require_writable(file);
 }
 
-void require_new_frames(const FrameName& names, FrameRange frames, Overwriting overwriting,
-                        std::span<const std::string> inputs) {
+void require_new_frames(const FrameName& names, FrameRange frames, Existing existing,
+                        std::span<const std::string> inputs, int step) {
   std::vector<fs::path> outputs;
   std::error_code failure;
   const fs::path folder = folder_of(names.of(frames.first));
-  for (int frame = frames.first; !names.is_one_folder() && frame <= frames.last; ++frame) {
-    if (is_there(names.of(frame))) outputs.push_back(names.of(frame));
+  for (int frame = frames.first; !names.is_one_folder() && frame <= frames.last; frame += step) {
+    if (is_taken(names.of(frame))) outputs.push_back(names.of(frame));
   }
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
        entry.increment(failure)) {
     const std::optional<int> frame = names.frame_of(entry->path().filename().string());
-    if (frame && *frame >= frames.first && *frame <= frames.last) outputs.push_back(entry->path());
+    if (frame && *frame >= frames.first && *frame <= frames.last && (*frame - frames.first) % step == 0) {
+      outputs.push_back(entry->path());
+    }
   }
-  check(outputs, overwriting, inputs);
+  check(outputs, existing, inputs);
   remove_stale_partials(folder, names.prefix());
   require_writable(names.of(frames.first));
+}
+
+void require_distinct(std::span<const NamedOutput> outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (std::size_t j = i + 1; j < outputs.size(); ++j) {
+      const auto& [first, file] = outputs[i];
+      const auto& [second, other] = outputs[j];
+      if (file.empty() || other.empty() || !is_same_name(file, other)) continue;
+      throw Error(ErrorKind::bad_usage,
+                  fmt::format("{}: expected another file than that of {}, found {} for both", second, first,
+                              one_line(file.string())),
+                  "name two files");
+    }
+  }
 }
 
 }  // namespace offing

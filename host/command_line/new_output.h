@@ -9,36 +9,47 @@
 #include <CLI/App.hpp>
 
 #include "host/base/argument.h"
+#include "host/base/existing.h"
 #include "host/base/frame_name.h"
 
 namespace offing {
-
-enum class Overwriting { refused, allowed };
 
 /// The one rule for everything that a program writes: never over a file that it reads, by whatever name, and
 /// never over an existing file without --force. Each function throws Error(bad_usage), before any work is
 /// done, for an output that breaks it. `inputs` are the files and folders that the command was given; what is
 /// read with them (input_files.h) counts too.
 
-/// Adds --force. `overwriting` must outlive the command.
-CLI::Option* add_force_flag(CLI::App& command, Overwriting& overwriting);
+/// Adds --force. `existing` must outlive the command.
+CLI::Option* add_force_flag(CLI::App& command, Existing& existing);
 
 /// Whether an output is "-": standard output, for what is text.
 inline bool is_standard_output(std::string_view output) {
   return output == "-";
 }
-/// For files that are no text, and for folders: refuses "-".
+/// For outputs that are no text, and for folders: refuses "-".
 void require_file_name(const std::string& output);
 
 /// For one file; an empty name is no output. Removes what killed runs left of it. Throws Error(file) for a
 /// file that cannot be written.
-void require_new(const std::string& output, Overwriting overwriting,
+void require_new(const std::string& output, Existing existing,
                  std::initializer_list<std::string> inputs = {});
-void require_new(const std::string& output, Overwriting overwriting, std::span<const std::string> inputs);
+void require_new(const std::string& output, Existing existing, std::span<const std::string> inputs);
 
-/// The same for a file a frame. The folder is listed, so that the number of frames does not matter.
-void require_new_frames(const FrameName& names, FrameRange frames, Overwriting overwriting,
-                        std::span<const std::string> inputs);
+/// The same for a file a frame, or for every `step`-th alone. The folder is listed, so that the number of
+/// frames does not matter.
+void require_new_frames(const FrameName& names, FrameRange frames, Existing existing,
+                        std::span<const std::string> inputs, int step = 1);
+
+/// A file, and the flag that names it.
+struct NamedOutput {
+  std::string_view flag;
+  std::filesystem::path file;
+};
+/// Two flags that name one file: the last one written would replace the other. Empty names are no outputs.
+void require_distinct(std::span<const NamedOutput> outputs);
+inline void require_distinct(std::initializer_list<NamedOutput> outputs) {
+  require_distinct(std::span(outputs.begin(), outputs.size()));
+}
 
 /// For files that may be replaced, such as those of a bake that resumes, but not if they are read.
 void require_not_read(std::span<const std::filesystem::path> outputs, std::span<const std::string> inputs);

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "host/base/error.h"
+#include "host/base/error_report.h"
 #include "host/base/unfinished_file.h"
 
 namespace offing {
@@ -23,11 +24,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view partial_suffix = ".partial";
 constexpr std::size_t random_digits = 16;
-
-fs::path folder_of(const fs::path& target) {
-  const fs::path folder = target.parent_path();
-  return folder.empty() ? fs::path(".") : folder;
-}
 
 std::string hint_for(int error_number, const fs::path& target) {
   const std::string folder = folder_of(target).string();
@@ -93,6 +89,19 @@ void lock(int descriptor) {
   }
 }
 
+/// 0, or the errno of giving `from` the name `to`, which must be free.
+int rename_to_free_name(const fs::path& from, const fs::path& to) {
+  if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) return errno;
+  // Network file systems have no such rename, but links, which never replace either.
+  if (link(from.c_str(), to.c_str()) == 0) return unlink(from.c_str()) == 0 ? 0 : errno;
+  if (errno == EEXIST) return errno;
+  // Neither: what is left is to look just before.
+  struct stat status {};
+  if (lstat(to.c_str(), &status) == 0) return EEXIST;
+  return rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+}
+
 /// 0, or the errno of syncing the folder's entries; file systems that cannot sync a folder are taken as they
 /// are.
 int sync_folder(const fs::path& folder) {
@@ -105,7 +114,18 @@ int sync_folder(const fs::path& folder) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
+fs::path folder_of(const fs::path& file) {
+  const fs::path folder = file.parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+void refuse_existing(const fs::path& output) {
+  throw Error(ErrorKind::bad_usage,
+              fmt::format("{}: expected a new file, found an existing one", one_line(output.string())),
+              "add --force to replace it, or name another file");
+}
+
+AtomicFile::AtomicFile(fs::path target, Existing existing) : target_(std::move(target)), existing_(existing) {
   std::error_code ignored;
   const fs::file_status status = fs::status(target_, ignored);
   if (!target_.has_filename() || (fs::exists(status) && !fs::is_regular_file(status))) {
@@ -178,7 +198,7 @@ void AtomicFile::commit() {
   if (first_error_ != 0) fail("cannot write", first_error_);
   if (std::fflush(file_) != 0) fail("cannot write", errno);
   if (fsync(fileno(file_)) != 0) fail("cannot sync", errno);
-  if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot rename", errno);
+  publish();
   unmark_unfinished(temporary_.c_str());
   std::FILE* const file = std::exchange(file_, nullptr);  // published: nothing left to remove
   if (std::fclose(file) != 0) fail("cannot close", errno);
@@ -187,8 +207,18 @@ void AtomicFile::commit() {
   }
 }
 
-void write_file_atomically(const fs::path& target, std::string_view bytes) {
-  AtomicFile file(target);
+void AtomicFile::publish() {
+  if (existing_ == Existing::replace) {
+    if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot rename", errno);
+    return;
+  }
+  const int error_number = rename_to_free_name(temporary_, target_);
+  if (error_number == EEXIST) refuse_existing(target_);
+  if (error_number != 0) fail("cannot rename", error_number);
+}
+
+void write_file_atomically(const fs::path& target, std::string_view bytes, Existing existing) {
+  AtomicFile file(target, existing);
   file.write(bytes);
   file.commit();
 }

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "host/base/existing.h"
+
 namespace offing {
 
 /// A file that appears under its final name whole or not at all, also after kill -9 or a power cut.
@@ -15,10 +17,11 @@ namespace offing {
 /// syncs the folder. Destroying the object without commit() removes the temporary. Libraries that want a name
 /// write to temporary(). Every failure throws Error(file) that names the target and what the system said,
 /// also if the target is a folder, a device or anything else that a rename must not replace; the hint says
-/// the mend that fits, such as room on a full disk.
+/// the fix, such as room on a full disk. With Existing::keep, commit() throws Error(bad_usage) where the name
+/// has been taken since.
 class AtomicFile {
  public:
-  explicit AtomicFile(std::filesystem::path target);
+  explicit AtomicFile(std::filesystem::path target, Existing existing = Existing::replace);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
   ~AtomicFile();
@@ -38,20 +41,29 @@ class AtomicFile {
 
  private:
   [[noreturn]] void fail(std::string_view action, int error_number);
+  void publish();
   void discard() noexcept;
 
   std::filesystem::path target_;
   std::filesystem::path temporary_;
+  Existing existing_;
   std::FILE* file_ = nullptr;
   int first_error_ = 0;  ///< errno of the first failure
 };
 
 /// Writes `bytes` to `target` in one go, as AtomicFile does.
-void write_file_atomically(const std::filesystem::path& target, std::string_view bytes);
+void write_file_atomically(const std::filesystem::path& target, std::string_view bytes,
+                           Existing existing = Existing::replace);
 
 /// Makes sure, before long work, that `target` can be written: throws what AtomicFile would throw. Nothing is
 /// left behind.
 void require_writable(const std::filesystem::path& target);
+
+/// The folder of a file: "." where only its name is given.
+std::filesystem::path folder_of(const std::filesystem::path& file);
+
+/// Throws Error(bad_usage): the name of an output is taken, and what has it is to be kept.
+[[noreturn]] void refuse_existing(const std::filesystem::path& output);
 
 /// Removes temporaries that killed runs left in `folder` for targets whose name begins with `name_prefix`
 /// (empty: all). Those of living writers, in this or any other process, are locked and stay. Returns how many

@@ -322,7 +322,7 @@ const std::vector<float>& ExrContent::channel(const std::string& name) const {
 }
 
 void write_exr(const std::filesystem::path& path, const ExrImage& image, PixelType pixel_type,
-               ExrCompression compression) {
+               ExrCompression compression, Existing existing) {
   check(path, image);
   start_compression_threads();
   const Imf::Header header = header_of(path, image, pixel_type, compression);
@@ -339,7 +339,7 @@ void write_exr(const std::filesystem::path& path, const ExrImage& image, PixelTy
                                             sizeof(float) * columns));
     }
   }
-  AtomicFile file(path);
+  AtomicFile file(path, existing);
   try {
     AtomicStream stream(file);
     Imf::OutputFile output(stream, header);

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "host/base/existing.h"
+
 namespace offing {
 
 /// A channel to be written: values [height][width] row-major, row 0 first. A layer is part of the name, as in
@@ -51,7 +53,7 @@ enum class ExrCompression { none, zips, zip, piz };
 /// empty image, values that do not match the size, repeated names or attribute names that EXR itself uses;
 /// Error(file) if it cannot be written.
 void write_exr(const std::filesystem::path& path, const ExrImage& image, PixelType pixel_type,
-               ExrCompression compression);
+               ExrCompression compression, Existing existing = Existing::replace);
 
 /// Reads all channels of a single-part EXR as float, and its string, double, float and int attributes.
 /// Throws Error(bad_input) if it cannot be opened or is not a whole EXR.

@@ -108,8 +108,9 @@ std::uint8_t dithered_srgb(float linear, float noise) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(255.0f * encoded + noise, 0.0f, 255.0f)));
 }
 
-void write_png(const std::filesystem::path& path, const RgbImage& image) {
-  write_file_atomically(path, encoded(path.string(), image.width, image.height, PNG_FORMAT_RGB, image.rgb));
+void write_png(const std::filesystem::path& path, const RgbImage& image, Existing existing) {
+  write_file_atomically(path, encoded(path.string(), image.width, image.height, PNG_FORMAT_RGB, image.rgb),
+                        existing);
 }
 
 std::string png_bytes(const RgbaImage& image) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host/base/existing.h"
 #include "host/base/rgba_image.h"
 
 namespace offing {
@@ -29,7 +30,8 @@ std::uint8_t dithered_srgb(float linear, float noise);
 /// Writes an 8-bit PNG marked as sRGB, atomically; equal pictures give equal bytes.
 /// Throws Error(bad_input) for an empty picture or pixels that do not match its size, Error(file) if it
 /// cannot be written.
-void write_png(const std::filesystem::path& path, const RgbImage& image);
+void write_png(const std::filesystem::path& path, const RgbImage& image,
+               Existing existing = Existing::replace);
 
 /// An 8-bit PNG marked as sRGB, for files that hold pictures. Throws Error(bad_input) as write_png() does.
 std::string png_bytes(const RgbaImage& image);

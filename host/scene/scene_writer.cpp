@@ -225,7 +225,7 @@ std::string scene_text(const OceanScene& scene, const std::filesystem::path& fol
 
 void save_scene(const OceanScene& scene, const std::filesystem::path& file, Existing existing) {
   require_extension(file, {".toml"});
-  if (existing == Existing::keep && is_there(file)) {
+  if (existing == Existing::keep && is_taken(file)) {
     throw Error(ErrorKind::bad_usage, fmt::format("{}: is there already", file.string()),
                 "choose another name, or overwrite it");
   }
@@ -237,7 +237,7 @@ void save_scene(const OceanScene& scene, const std::filesystem::path& file, Exis
                     file.string(), most_scene_bytes, text.size()),
         "give clouds the balls of their genus again, or remove some");
   }
-  write_file_atomically(file, text);
+  write_file_atomically(file, text, existing);
 }
 
 }  // namespace offing::scene

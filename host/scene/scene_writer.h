@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "host/base/existing.h"
 #include "host/scene/ocean_scene.h"
 
 namespace offing::scene {
@@ -11,8 +12,6 @@ namespace offing::scene {
 /// value that is not the default one. File names are written relative to `folder`.
 /// Throws Error(bad_input) for more sections of a kind than load_scene() takes.
 std::string scene_text(const OceanScene& scene, const std::filesystem::path& folder);
-
-enum class Existing { keep, replace };
 
 /// Writes the scene's text, atomically. Throws Error(bad_usage) unless the name ends in .toml, or if there is
 /// a file already that is to be kept; Error(bad_input) for one of more than most_scene_bytes, Error(file)

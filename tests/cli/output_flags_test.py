@@ -1,5 +1,5 @@
 """Every flag of every program that names what is written, tried: never over an input, never over an existing
-file without --force. The flags come from the programs' help, so that a new one fails here until it has a case.
+file without --force, and "-" is no file. The flags come from the programs' help, so that a new one fails here until it has a case.
 
 usage: output_flags_test.py [--quick] PROGRAM...      --quick: over existing files only, not over inputs
 """
@@ -38,6 +38,7 @@ class Case:
     def __init__(self, command, flag, arguments, inputs, out, victim=None, existing=None):
         self.command, self.flag, self.arguments, self.inputs = command.split(), flag, arguments, inputs
         self.out, self.victim, self.existing = out, victim or out, existing or victim or out
+        self.is_text = out.endswith(".csv") or (command, flag) == ("offing ocean spectrum", "--export-spectrum")
 
 
 def mesh_cases():
@@ -48,9 +49,8 @@ def mesh_cases():
 
 
 def batch_cases():
-    for command in ("height", "ray", "los"):
-        inputs = ["map.r32", "points.csv"]
-        yield Case(f"offing terrain {command}", "-o", [*MAP, "--points", "points.csv"], inputs, "out.csv")
+    for command, points in (("height", "points.csv"), ("ray", "pairs.csv"), ("los", "pairs.csv")):
+        yield Case(f"offing terrain {command}", "-o", [*MAP, "--points", points], ["map.r32", points], "out.csv")
 
 
 CASES = [
@@ -152,6 +152,23 @@ class Outputs:
         victim.write_text("mine")
         self.expect_refusal("existing", [*case.command, *case.arguments, case.flag, case.out], victim, ["--force"])
 
+    def check_standard_output(self, case):
+        """"-" is standard output for text, and refused for all else; it never names a file or a folder."""
+        self.make_inputs()
+        before = sorted(path.name for path in (self.folder / "work").iterdir())
+        words = [*case.command, *case.arguments, case.flag, "-"]
+        result = self.run(*words)
+        told = f"{' '.join(words)}: exit {result.returncode}, {result.stderr!r}"
+        if case.is_text:
+            if result.returncode != 0 or not result.stdout:
+                self.fault(f"expected text on standard output: {told}")
+        elif result.returncode != 2 or not re.fullmatch(r"(?s)(?:warning: .*\n)?error: [^\n]+\nhint: [^\n]+\n",
+                                                        result.stderr):
+            self.fault(f"expected a refusal of standard output: {told}")
+        after = sorted(path.name for path in (self.folder / "work").iterdir() if path.name != "fresh")
+        if after != before:
+            self.fault(f"expected no new files, found {set(after) - set(before)}: {told}")
+
     def check_inputs(self, case):
         for number, name in enumerate(case.inputs):
             self.make_inputs()
@@ -182,6 +199,7 @@ def write_inputs(outputs):
         (work / name).write_text(text)
 
     write("points.csv", "1,2\n")
+    write("pairs.csv", "10,20,2,50,40,3\n")
     (work / "map.r32").write_bytes(bytes(4 * 81))
     write("map.asc", "ncols 3\nnrows 3\nxllcenter 0\nyllcenter 0\ncellsize 10\n" + "1.5 2 3\n" * 3)
     write("map.prj", 'LOCAL_CS["flat",UNIT["metre",1]]')
@@ -235,6 +253,7 @@ def main():
         for case in CASES:
             if case.command[0] in outputs.programs:
                 outputs.check_existing(case)
+                outputs.check_standard_output(case)
                 if not is_quick:
                     outputs.check_inputs(case)
         return 1 if outputs.faults else 0

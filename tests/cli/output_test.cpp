@@ -1,12 +1,15 @@
 // What commands print, and where to.
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include "tests/cli/offing_program.h"
 
@@ -42,6 +45,34 @@ TEST_F(OutputTest, QuietCommandsPrintResultsAlone) {
   }
   const ProgramResult asked = run_offing({"terrain", "height", map, "--at", "100,100", "--quiet"});
   EXPECT_THAT(asked.output, HasSubstr("height"));
+}
+
+// Fails if a pipe in the place of an exported spectrum is read, which waits for whoever writes to it, or if
+// two outputs of a command may take one name.
+TEST_F(OutputTest, ExportsSpectraToFilesOfTheirOwn) {
+  const auto bake = [&](const std::string& folder, const std::string& file) {
+    return std::vector<std::string>{
+        "ocean",    "bake", "--size", "16",         "--cascades",        "1",
+        "--frames", "0:3",  "-o",     path(folder), "--export-spectrum", path(file)};
+  };
+  ASSERT_EQ(mkfifo(path("pipe.spec").c_str(), 0600), 0);
+  OffingProgram program(bake("a", "pipe.spec"));
+  for (int wait = 0; wait < 600 && program.is_running(); ++wait) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  ASSERT_FALSE(program.is_running()) << "it reads the pipe";
+  const ProgramResult piped = program.wait();
+  EXPECT_EQ(piped.exit_code, 1);
+  EXPECT_THAT(piped.errors, HasSubstr("pipe.spec: cannot write: expected a file name"));
+  const ProgramResult frame = run_offing(bake("b", "b/ocean.c0.0002.exr"));
+  EXPECT_EQ(frame.exit_code, 2);
+  EXPECT_THAT(frame.errors, HasSubstr("--export-spectrum: expected another file than that of -o"));
+  EXPECT_FALSE(std::filesystem::exists(path("b")));
+  const ProgramResult plot =
+      run_offing({"ocean", "spectrum", OFFING_SCENES "/example_sea.data_spec", "--record", "0", "--plot",
+                  path("a.png"), "--export-spectrum", path("./a.png")});
+  EXPECT_EQ(plot.exit_code, 2);
+  EXPECT_THAT(plot.errors, HasSubstr("--export-spectrum: expected another file than that of --plot"));
 }
 
 // Fails if "-" makes a file of that name, text does not go to standard output, or something else goes with

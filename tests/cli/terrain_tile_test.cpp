@@ -265,6 +265,20 @@ TEST_F(TerrainTile, KeepsWhatIsThere) {
   EXPECT_EQ(nlohmann::json::parse(third.output)["tiles_kept"], 5);
 }
 
+// Fails if a store that lies among the maps that it is made of can be made, but not resumed or replaced.
+TEST_F(TerrainTile, AStoreMayLieAmongItsMaps) {
+  fs::create_directory(path("maps"));
+  ASSERT_EQ(run_offing({"terrain", "generate", "--posts", "300", "-o", path("maps/a.tif")}).exit_code, 0);
+  ASSERT_EQ(tile({path("maps")}, "maps/store").exit_code, 0);
+  fs::remove(path("maps/store/store.toml"));
+  const ProgramResult resumed = tile({path("maps")}, "maps/store");
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.errors;
+  std::vector<std::string> forced = tile_command({path("maps")}, "maps/store");
+  forced.push_back("--force");
+  const ProgramResult replaced = run_offing(forced);
+  EXPECT_EQ(replaced.exit_code, 0) << replaced.errors;
+}
+
 // Fails if a source that breaks off half-way costs a finished store anything.
 TEST_F(TerrainTile, KeepsAStoreFromABrokenSource) {
   const std::string map = path("ground.tif");
@@ -315,6 +329,10 @@ TEST_F(TerrainTile, FlightsKeepPicturesAndKnowTheirMap) {
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors, ::testing::HasSubstr("frame.000001.png: expected a new file"));
   EXPECT_FALSE(fs::exists(path("frames/frame.000000.png")));
+  EXPECT_EQ(fs::file_size(path("frames/frame.000001.png")), 4u);
+  const ProgramResult sparse = run_offing({"terrain", "fly", path("store"), "--frames", "3", "--every", "2",
+                                           "--size", "16x9", "-o", path("frames")});
+  EXPECT_EQ(sparse.exit_code, 0) << sparse.errors;
   EXPECT_EQ(fs::file_size(path("frames/frame.000001.png")), 4u);
   const ProgramResult forced = fly({"--force"});
   EXPECT_EQ(forced.exit_code, 0) << forced.errors;

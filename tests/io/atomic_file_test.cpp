@@ -93,6 +93,31 @@ TEST(AtomicFile, PublishesOnlyOnCommit) {
   EXPECT_EQ(names_in(folder.path()).size(), 1u);
 }
 
+// Fails if a file that another program makes meanwhile is replaced, or a link that leads nowhere.
+TEST(AtomicFile, KeepsWhatAppearsMeanwhile) {
+  const TemporaryFolder folder;
+  const fs::path target = folder.path() / "a.txt";
+  for (const bool is_link : {false, true}) {
+    AtomicFile file(target, Existing::keep);
+    file.write("new bytes");
+    if (is_link) {
+      fs::create_symlink("gone", target);
+    } else {
+      std::ofstream(target) << "theirs";
+    }
+    const Error error = error_of([&] { file.commit(); });
+    EXPECT_EQ(error.kind(), ErrorKind::bad_usage);
+    EXPECT_THAT(error.what(), HasSubstr("a.txt: expected a new file, found an existing one"));
+    EXPECT_EQ(fs::is_symlink(target), is_link);
+    EXPECT_TRUE(is_link || content(target) == "theirs");
+    fs::remove(target);
+  }
+  EXPECT_TRUE(names_in(folder.path()).empty());
+  write_file_atomically(target, "new bytes", Existing::keep);
+  EXPECT_EQ(content(target), "new bytes");
+  EXPECT_EQ(names_in(folder.path()).size(), 1u);
+}
+
 // Fails if an exception on the way leaves a temporary or touches the target.
 TEST(AtomicFile, VanishesWithoutCommit) {
   const TemporaryFolder folder;

@@ -21,6 +21,15 @@ TEST(FilePresence, FindsFilesAndFolders) {
   EXPECT_FALSE(is_there(folder.path() / "b" / "b.txt"));
 }
 
+// Fails if a link that leads nowhere counts as a file to be read, or as a free name.
+TEST(FilePresence, KnowsLinksThatLeadNowhere) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("gone", folder.path() / "link");
+  EXPECT_FALSE(is_there(folder.path() / "link"));
+  EXPECT_TRUE(is_taken(folder.path() / "link"));
+  EXPECT_FALSE(is_taken(folder.path() / "gone"));
+}
+
 // Fails if a name that no file can have comes out as another exception than Error, which programs do not
 // catch.
 TEST(FilePresence, RefusesNamesThatAreTooLong) {

@@ -73,7 +73,7 @@ TEST_F(DroppedFilesTest, AreInTheSceneThatIsSaved) {
   add_dropped(scene, cloud, DroppedKind::cloud, {});
   add_dropped(scene, sea, DroppedKind::spectrum, {});
   const std::filesystem::path saved = folder_.path() / "saved.toml";
-  scene::save_scene(scene, saved, scene::Existing::keep);
+  scene::save_scene(scene, saved, Existing::keep);
   const scene::OceanScene again = scene::load_scene(saved);
   ASSERT_EQ(again.meshes.size(), 2u);
   EXPECT_EQ(again.meshes[0].file, mesh);

@@ -261,7 +261,7 @@ void PanelEdits::expect_undone_and_redone(const std::string& start) {
 /// its own.
 void PanelEdits::expect_saved_and_loaded() {
   const std::string edited = edited_text();
-  scene::save_scene(state().scene, "edited.toml", scene::Existing::replace);
+  scene::save_scene(state().scene, "edited.toml", Existing::replace);
   drop({"edited.toml"});
   EXPECT_FALSE(state().message.is_fault) << message();
   EXPECT_EQ(edited_text(), edited);

@@ -63,7 +63,7 @@ class VideoPipeTest : public testing::Test {
 // is whole, or under a name that a shell has changed.
 TEST_F(VideoPipeTest, PassesFramesAsTheyAre) {
   const StandInFfmpeg ffmpeg;
-  VideoPipe pipe(webm_, 23.976);
+  VideoPipe pipe(webm_, 23.976, Existing::replace);
   std::vector<std::uint8_t> all;
   for (int i = 0; i < 3; ++i) {
     const RgbImage image = frame(i);
@@ -82,7 +82,7 @@ TEST_F(VideoPipeTest, PassesFramesAsTheyAre) {
 TEST_F(VideoPipeTest, LeavesNoPartOfAVideo) {
   const StandInFfmpeg ffmpeg;
   {
-    VideoPipe pipe(webm_, 24.0);
+    VideoPipe pipe(webm_, 24.0, Existing::replace);
     pipe.write(frame(0));
   }
   EXPECT_EQ(count_of(folder_.path()), 0u);
@@ -94,7 +94,7 @@ TEST_F(VideoPipeTest, TellsWhyFfmpegGaveUp) {
   const StandInFfmpeg ffmpeg("head -c 10 > /dev/null; echo 'no such coder: libx264' >&2; echo >&2; exit 1");
   expect_fault(
       [&] {
-        VideoPipe pipe(folder_.path() / "a.mp4", 24.0);
+        VideoPipe pipe(folder_.path() / "a.mp4", 24.0, Existing::replace);
         for (int i = 0; i < 3; ++i) pipe.write(frame(i, 640, 480));
         pipe.finish();
       },
@@ -104,7 +104,7 @@ TEST_F(VideoPipeTest, TellsWhyFfmpegGaveUp) {
       "exec < /dev/null; sleep 0.3; printf '%0600d' 0 >&2; sleep 0.1; echo ' is the end' >&2; exit 1");
   expect_fault(
       [&] {
-        VideoPipe pipe(folder_.path() / "a.mp4", 24.0);
+        VideoPipe pipe(folder_.path() / "a.mp4", 24.0, Existing::replace);
         for (int i = 0; i < 3; ++i) pipe.write(frame(i, 640, 480));
         pipe.finish();
       },
@@ -112,7 +112,7 @@ TEST_F(VideoPipeTest, TellsWhyFfmpegGaveUp) {
   const StandInFfmpeg other("cat > /dev/null; exit 3");
   expect_fault(
       [&] {
-        VideoPipe pipe(webm_, 24.0);
+        VideoPipe pipe(webm_, 24.0, Existing::replace);
         pipe.write(frame(0));
         pipe.finish();
       },
@@ -138,7 +138,7 @@ TEST_F(VideoPipeTest, FramesHaveOneSize) {
   const StandInFfmpeg ffmpeg;
   expect_fault(
       [&] {
-        VideoPipe pipe(webm_, 24.0);
+        VideoPipe pipe(webm_, 24.0, Existing::replace);
         pipe.write(frame(0));
         pipe.write(frame(1, 32, 48));
       },
@@ -155,7 +155,7 @@ TEST_F(VideoPipeTest, FfmpegMakesAVideo) {
     const std::filesystem::path video = folder_.path() / name, raw = folder_.path() / "raw";
     std::vector<std::uint8_t> first;
     for (int run = 0; run < 2; ++run) {
-      VideoPipe pipe(video, 10.0);
+      VideoPipe pipe(video, 10.0, Existing::replace);
       for (int i = 0; i < 5; ++i) pipe.write(frame(i));
       pipe.finish();
       if (run == 0) first = bytes_of(video);

@@ -147,7 +147,7 @@ TEST_F(ViewProgramTest, ShowsGround) {
 TEST_F(ViewProgramTest, ShowsTileStores) {
   const int side = 300;
   const TileSetShape shape = TileSetShape::of(side, side);
-  const TileStoreWriter writer(path("hills.tiles"), shape, TileStoreWriter::Existing::refuse);
+  const TileStoreWriter writer(path("hills.tiles"), shape, Existing::keep);
   terrain::TileBuilder builder(shape, [&](const HeightTile& tile) { writer.write(tile); });
   std::vector<float> all_m, row_m(side);
   for (int row = 0; row < side; ++row) {
@@ -287,7 +287,8 @@ TEST_F(ViewProgramTest, AStoppedPictureIsNotWritten) {
 
 // Fails if a rung that is forced is not used, or not printed.
 TEST_F(ViewProgramTest, PrintsTheTransfer) {
-  const ProgramResult result = view({"--transfer", "blocking-read", "--time", "2", "-o", path("blocking.png")});
+  const ProgramResult result =
+      view({"--transfer", "blocking-read", "--time", "2", "-o", path("blocking.png")});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_NE(result.errors.find("transfer blocking-read"), std::string::npos) << result.errors;
   EXPECT_EQ(bytes_of(path("blocking.png")), bytes_of(path("first.png")));

@@ -86,7 +86,7 @@ TEST_F(WindowBookmarksTest, Panel) {
   drag(tilt, {tilt.x + 20, tilt.y});
   EXPECT_NE(state().scene.bookmarks[0].camera.pitch_rad, at_sea_rad);
 
-  scene::save_scene(state().scene, "saved.toml", scene::Existing::keep);
+  scene::save_scene(state().scene, "saved.toml", Existing::keep);
   EXPECT_EQ(scene::load_scene("saved.toml").bookmarks[0].name, "bow");
 
   click(find(main_panel(), "remove", 250, 0));

@@ -231,8 +231,8 @@ RgbImage draw_spectrum_plot(const WaveSpectrum& record, const ocean::SeaState& s
 }
 
 void write_spectrum_plot(const std::filesystem::path& path, const WaveSpectrum& record,
-                         const ocean::SeaState& state, DirectionStyle style) {
-  write_png(path, draw_spectrum_plot(record, state, style));
+                         const ocean::SeaState& state, DirectionStyle style, Existing existing) {
+  write_png(path, draw_spectrum_plot(record, state, style), existing);
 }
 
 }  // namespace offing::cli

@@ -19,6 +19,6 @@ RgbImage draw_spectrum_plot(const WaveSpectrum& record, const ocean::SeaState& s
 
 /// Writes that picture as PNG, atomically. Throws Error(file) if it cannot be written.
 void write_spectrum_plot(const std::filesystem::path& path, const WaveSpectrum& record,
-                         const ocean::SeaState& state, DirectionStyle style);
+                         const ocean::SeaState& state, DirectionStyle style, Existing existing);
 
 }  // namespace offing::cli

@@ -9,6 +9,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "host/base/existing.h"
 #include "host/base/rgba_image.h"
 
 namespace offing::animations {
@@ -62,7 +63,8 @@ struct HighlightAnimation {
 /// pose of each mesh; `.gltf` or `.glb`, for engines: a node a projector below one a mesh (see
 /// highlight_animation_gltf.h). The same animation gives the same bytes. Throws Error(bad_usage) for another
 /// ending, Error(file) if it cannot be written.
-void write_highlights(const std::filesystem::path& file, const HighlightAnimation& animation);
+void write_highlights(const std::filesystem::path& file, const HighlightAnimation& animation,
+                      Existing existing = Existing::replace);
 
 /// Throws Error(bad_usage) unless the name ends in one of those that write_highlights() writes.
 void require_animation_name(const std::filesystem::path& file);

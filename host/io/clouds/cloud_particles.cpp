@@ -205,12 +205,13 @@ glm::dvec3 middle_of(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void write_cloud_particles(const std::filesystem::path& path, const CloudParticles& cloud) {
+void write_cloud_particles(const std::filesystem::path& path, const CloudParticles& cloud,
+                           Existing existing) {
   std::vector<meshes::PlyColumn> written;
   for (const Column& column : columns) written.push_back({column.type, std::string(column.name)});
   meshes::PlyWriter writer(
       path, {"particles of clouds: x y z and radius in m, +y up; optical_mass in m^2; turn in rad"}, written,
-      {.vertices = cloud.particles.size(), .faces = 0});
+      {.vertices = cloud.particles.size(), .faces = 0}, existing);
   for (const CloudParticle& particle : cloud.particles) {
     writer.put(cloud.origin_m.x + particle.x);
     writer.put(cloud.origin_m.y + particle.y);

@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "host/base/existing.h"
 #include "kernels/shared/clouds.h"
 
 namespace offing {
@@ -18,7 +19,8 @@ struct CloudParticles {
 /// Writes particles as a binary PLY of vertices, atomically and with the same bytes for the same particles: x
 /// y z (double, in the world), radius, optical_mass, red green blue, turn (float), texture cloud id (uint),
 /// as CloudParticle has them. Throws Error(file) if it cannot be written.
-void write_cloud_particles(const std::filesystem::path& path, const CloudParticles& cloud);
+void write_cloud_particles(const std::filesystem::path& path, const CloudParticles& cloud,
+                           Existing existing = Existing::replace);
 
 /// Reads particles of a PLY, text or binary: x y z radius optical_mass must be there; without the others
 /// albedo is 1, texture, cloud and turn are 0 and ids count from 0. Places become relative to a multiple of

@@ -8,7 +8,7 @@
 
 namespace offing {
 
-void write_byte_raster(const std::filesystem::path& path, const ByteRaster& raster) {
+void write_byte_raster(const std::filesystem::path& path, const ByteRaster& raster, Existing existing) {
   const auto posts = static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows);
   if (raster.values.size() != posts) {
     throw Error(ErrorKind::bad_usage,
@@ -16,7 +16,7 @@ void write_byte_raster(const std::filesystem::path& path, const ByteRaster& rast
                             raster.values.size()),
                 "give a value for each post");
   }
-  AtomicFile file(path);
+  AtomicFile file(path, existing);
   const height_maps::GdalSession session;
   height_maps::Dataset dataset = height_maps::create_raster(
       {.name = path,

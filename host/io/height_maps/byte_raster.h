@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "host/base/existing.h"
 #include "host/base/height_map.h"
 
 namespace offing {
@@ -19,6 +20,7 @@ struct ByteRaster {
 
 /// Writes a GeoTIFF of one band, compressed, whole or not at all. Each sample has its post at its centre.
 /// Throws Error(bad_usage) if the sizes do not fit each other, Error(file) if it cannot be written.
-void write_byte_raster(const std::filesystem::path& path, const ByteRaster& raster);
+void write_byte_raster(const std::filesystem::path& path, const ByteRaster& raster,
+                       Existing existing = Existing::replace);
 
 }  // namespace offing

@@ -18,9 +18,9 @@ struct HeightRasterWriter::State {
   int columns, next_row = 0;
   height_maps::Dataset dataset;
 
-  State(const std::filesystem::path& of, int columns_of, int rows, double spacing_m)
+  State(const std::filesystem::path& of, int columns_of, int rows, double spacing_m, Existing existing)
       : path(of),
-        file(of),
+        file(of, existing),
         columns(columns_of),
         dataset(height_maps::create_raster(
             {.name = of,
@@ -34,8 +34,8 @@ struct HeightRasterWriter::State {
 };
 
 HeightRasterWriter::HeightRasterWriter(const std::filesystem::path& path, int columns, int rows,
-                                       double spacing_m)
-    : state_(std::make_unique<State>(path, columns, rows, spacing_m)) {}
+                                       double spacing_m, Existing existing)
+    : state_(std::make_unique<State>(path, columns, rows, spacing_m, existing)) {}
 HeightRasterWriter::~HeightRasterWriter() = default;
 
 void HeightRasterWriter::add_rows(std::span<const float> heights_m) {

@@ -4,6 +4,8 @@
 #include <memory>
 #include <span>
 
+#include "host/base/existing.h"
+
 namespace offing {
 
 /// Writes heights as a GeoTIFF of floats, row by row, whole or not at all: of a map whose posts are so many
@@ -11,7 +13,8 @@ namespace offing {
 class HeightRasterWriter {
  public:
   /// Throws Error(file) if it cannot be written.
-  HeightRasterWriter(const std::filesystem::path& path, int columns, int rows, double spacing_m);
+  HeightRasterWriter(const std::filesystem::path& path, int columns, int rows, double spacing_m,
+                     Existing existing = Existing::replace);
   ~HeightRasterWriter();
   HeightRasterWriter(const HeightRasterWriter&) = delete;
   HeightRasterWriter& operator=(const HeightRasterWriter&) = delete;

@@ -18,7 +18,9 @@ namespace offing::meshes {
 /// back to the same float or double. Throws Error(file) if it cannot be written.
 class ObjWriter {
  public:
-  ObjWriter(const std::filesystem::path& path, std::string_view comment) : file_(path) {
+  ObjWriter(const std::filesystem::path& path, std::string_view comment,
+            Existing existing = Existing::replace)
+      : file_(path, existing) {
     file_.write(fmt::format("# {}\n", comment));
   }
 

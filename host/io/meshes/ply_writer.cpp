@@ -10,8 +10,8 @@ namespace offing::meshes {
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
 
 PlyWriter::PlyWriter(const std::filesystem::path& path, const std::vector<std::string>& comments,
-                     const std::vector<PlyColumn>& columns, const Counts& counts)
-    : file_(path) {
+                     const std::vector<PlyColumn>& columns, const Counts& counts, Existing existing)
+    : file_(path, existing) {
   std::string header = "ply\nformat binary_little_endian 1.0\n";
   const auto out = std::back_inserter(header);
   for (const std::string& comment : comments) fmt::format_to(out, "comment {}\n", comment);

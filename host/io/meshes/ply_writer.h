@@ -29,7 +29,8 @@ class PlyWriter {
 
   /// `comments` are lines without a line break.
   PlyWriter(const std::filesystem::path& path, const std::vector<std::string>& comments,
-            const std::vector<PlyColumn>& columns, const Counts& counts);
+            const std::vector<PlyColumn>& columns, const Counts& counts,
+            Existing existing = Existing::replace);
 
   /// Values of a vertex, of the type of their columns.
   void put(const float* values, std::size_t count) { file_.write(values, count * sizeof(float)); }

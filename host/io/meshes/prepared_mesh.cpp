@@ -86,7 +86,7 @@ std::vector<double> axis_of(const std::vector<glm::dvec3>& vectors, int axis) {
 }  // namespace
 
 void write_prepared(const std::filesystem::path& path, const PreparedMesh& prepared,
-                    const VertexAttributes& attributes) {
+                    const VertexAttributes& attributes, Existing existing) {
   if (prepared.mesh.normals.empty()) throw unprepared(path, "normals", "none");
   const VertexCurvatures& curvatures = prepared.curvatures;
   std::array<std::vector<double>, 6> parts;
@@ -110,7 +110,7 @@ void write_prepared(const std::filesystem::path& path, const PreparedMesh& prepa
   all.colours = attributes.colours;
   all.comments = {"k_max, k_min in 1/m, positive where the surface is convex; area in m^2"};
   all.comments.insert(all.comments.end(), attributes.comments.begin(), attributes.comments.end());
-  write_ply(path, prepared.mesh, all);
+  write_ply(path, prepared.mesh, all, existing);
 }
 
 bool is_prepared(const std::filesystem::path& path) {

@@ -18,7 +18,7 @@ struct PreparedMesh {
 /// Writes a prepared mesh, which must have normals; `attributes` are written after the curvatures. Errors as
 /// write_ply().
 void write_prepared(const std::filesystem::path& path, const PreparedMesh& prepared,
-                    const VertexAttributes& attributes = {});
+                    const VertexAttributes& attributes = {}, Existing existing = Existing::replace);
 
 /// Whether a file is a PLY with the first of these properties.
 bool is_prepared(const std::filesystem::path& path);

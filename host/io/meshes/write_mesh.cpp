@@ -84,9 +84,9 @@ void put_floats(meshes::PlyWriter& file, const glm::dvec3& vector) {
   for (int axis = 0; axis < 3; ++axis) file.put(static_cast<float>(vector[axis]));
 }
 
-void write_obj(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  meshes::ObjWriter file(path,
-                         fmt::format("{} vertices, {} faces", mesh.positions_m.size(), mesh.faces.size()));
+void write_obj(const std::filesystem::path& path, const TriangleMesh& mesh, Existing existing) {
+  meshes::ObjWriter file(
+      path, fmt::format("{} vertices, {} faces", mesh.positions_m.size(), mesh.faces.size()), existing);
   for (const glm::dvec3& position : mesh.positions_m) file.put_vector("v", position);
   for (const glm::dvec3& normal : mesh.normals) file.put_vector("vn", normal);
   using Normals = meshes::ObjWriter::Normals;
@@ -95,19 +95,19 @@ void write_obj(const std::filesystem::path& path, const TriangleMesh& mesh) {
   file.commit();
 }
 
-void write_off(const std::filesystem::path& path, const TriangleMesh& mesh) {
+void write_off(const std::filesystem::path& path, const TriangleMesh& mesh, Existing existing) {
   std::string text = fmt::format("OFF\n{} {} 0\n", mesh.positions_m.size(), mesh.faces.size());
   const auto out = std::back_inserter(text);
   for (const glm::dvec3& p : mesh.positions_m) fmt::format_to(out, "{} {} {}\n", p.x, p.y, p.z);
   for (const TriangleIndices& face : mesh.faces)
     fmt::format_to(out, "3 {} {} {}\n", face[0], face[1], face[2]);
-  write_file_atomically(path, text);
+  write_file_atomically(path, text, existing);
 }
 
 /// 80 bytes of header, the count of facets, and for each its normal, its corners and two bytes that mean
 /// nothing.
-void write_stl(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  AtomicFile file(path);
+void write_stl(const std::filesystem::path& path, const TriangleMesh& mesh, Existing existing) {
+  AtomicFile file(path, existing);
   std::string header = "binary STL, metres";
   header.resize(80, ' ');
   file.write(header);
@@ -138,7 +138,7 @@ void write_stl(const std::filesystem::path& path, const TriangleMesh& mesh) {
 }  // namespace
 
 void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh,
-               const VertexAttributes& attributes) {
+               const VertexAttributes& attributes, Existing existing) {
   check(path, mesh);
   check(path, mesh, attributes);
   const bool has_floats = are_floats(mesh.positions_m);
@@ -151,7 +151,8 @@ void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh,
   if (!attributes.colours.empty()) {
     for (const char* name : {"red", "green", "blue"}) columns.push_back({"uchar", name});
   }
-  meshes::PlyWriter file(path, attributes.comments, columns, {mesh.positions_m.size(), mesh.faces.size()});
+  meshes::PlyWriter file(path, attributes.comments, columns, {mesh.positions_m.size(), mesh.faces.size()},
+                         existing);
   for (std::size_t i = 0; i < mesh.positions_m.size(); ++i) {
     if (has_floats) {
       put_floats(file, mesh.positions_m[i]);
@@ -169,20 +170,20 @@ void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh,
   file.commit();
 }
 
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh, Existing existing) {
   require_mesh_extension(path);
   const std::string extension = path.extension().string();
   if (extension == ".ply") {
-    write_ply(path, mesh);
+    write_ply(path, mesh, {}, existing);
     return;
   }
   check(path, mesh);
   if (extension == ".obj") {
-    write_obj(path, mesh);
+    write_obj(path, mesh, existing);
   } else if (extension == ".off") {
-    write_off(path, mesh);
+    write_off(path, mesh, existing);
   } else {
-    write_stl(path, mesh);
+    write_stl(path, mesh, existing);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "host/base/existing.h"
 #include "host/base/triangle_mesh.h"
 
 namespace offing {
@@ -30,12 +31,13 @@ struct VertexAttributes {
 /// Throws Error(bad_input) for arrays that do not match the mesh, a value that is not finite as a float, a
 /// name or a comment that a PLY cannot hold; Error(file) if it cannot be written.
 void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh,
-               const VertexAttributes& attributes = {});
+               const VertexAttributes& attributes = {}, Existing existing = Existing::replace);
 
 /// Writes what the name says: .ply as write_ply(), .obj (with normals), .off, .stl (binary: floats without
 /// indices, so that only corners at one place are joined again, and vertices of no face are lost). Errors as
 /// write_ply(), Error(bad_usage) for any other name.
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh);
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh,
+                Existing existing = Existing::replace);
 
 /// Throws Error(bad_usage) for a name that write_mesh() does not know.
 void require_mesh_extension(const std::filesystem::path& path);

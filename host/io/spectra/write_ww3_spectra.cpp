@@ -239,10 +239,11 @@ std::string ww3_text(const std::filesystem::path& path, std::span<const WaveSpec
   return text;
 }
 
-void write_ww3_spectra(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra) {
+void write_ww3_spectra(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra,
+                       Existing existing) {
   std::optional<AtomicFile> file;  // not before there is something to write
   make_text(path, spectra, [&](std::string_view part) {
-    if (!file) file.emplace(path);
+    if (!file) file.emplace(path, existing);
     file->write(part);
   });
   file->commit();

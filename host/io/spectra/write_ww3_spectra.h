@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "host/base/existing.h"
 #include "host/base/wave_spectrum.h"
 
 namespace offing {
@@ -17,7 +18,8 @@ namespace offing {
 ///
 /// Throws Error(bad_input) if `spectra` is empty, one has no directions, or they differ in frequencies,
 /// directions or points a time; Error(file) if the file cannot be written.
-void write_ww3_spectra(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra);
+void write_ww3_spectra(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra,
+                       Existing existing = Existing::replace);
 
 /// The text of that file; errors name `path`.
 std::string ww3_text(const std::filesystem::path& path, std::span<const WaveSpectrum> spectra);

@@ -297,7 +297,7 @@ TileStoreWriter::TileStoreWriter(fs::path folder, const TileSetShape& shape, Exi
                             most_stored_posts, shape.columns, shape.rows),
                 "cut the map with gdal_translate -srcwin, or make it coarser with gdal_translate -outsize");
   }
-  if (is_replacement_ && existing == Existing::refuse) {
+  if (is_replacement_ && existing == Existing::keep) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("{}: expected a new folder, found a finished tile store", folder_.string()),
                 "--force makes it again, or name another folder with -o");
@@ -337,7 +337,7 @@ bool TileStoreWriter::write(const HeightTile& tile) const {
     if (is_replacement_) fs::remove(waiting, ignored);  // of a run for another map that was stopped
     return false;
   }
-  if (found && existing_ == Existing::refuse && !is_damaged_tile(path, *found, tile.key)) {
+  if (found && existing_ == Existing::keep && !is_damaged_tile(path, *found, tile.key)) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("{}: expected a tile of this map, found another file", path.string()),
                 "add --force to replace it, or name another folder with -o");

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "host/base/existing.h"
 #include "host/base/height_map.h"
 #include "host/base/height_tile.h"
 #include "host/io/file_trust.h"
@@ -54,8 +55,6 @@ class TileStore {
 /// differ wait in the subfolder `.new`.
 class TileStoreWriter {
  public:
-  enum class Existing { refuse, replace };
-
   /// Makes the folder. Throws Error(bad_input) for a map that is too large, before anything is made;
   /// Error(bad_usage) if the folder holds something else, or a finished store that
   /// may not be replaced; Error(file) if it cannot be made or read.

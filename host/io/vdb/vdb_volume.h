@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/base/cloud_volume.h"
+#include "host/base/existing.h"
 
 namespace offing {
 
@@ -30,7 +31,7 @@ enum class VdbPrecision { single, half };
 /// Throws Error(bad_input) for a volume that does not keep what CloudVolume promises, or whose density is
 /// above what VdbPrecision::half holds, Error(file) if it cannot be written.
 void write_vdb(const std::filesystem::path& path, const VdbCloud& cloud,
-               VdbPrecision precision = VdbPrecision::single);
+               VdbPrecision precision = VdbPrecision::single, Existing existing = Existing::replace);
 
 /// Reads the grid `grid` of an OpenVDB file, of float or double, and `color` or `Cd` where it has the same
 /// cells. A file of write_vdb() gives the same volume again, but for bricks without density; of others the

@@ -171,7 +171,8 @@ void write_file(const std::filesystem::path& path, const openvdb::GridCPtrVec& g
 
 }  // namespace
 
-void write_vdb(const std::filesystem::path& path, const VdbCloud& cloud, VdbPrecision precision) {
+void write_vdb(const std::filesystem::path& path, const VdbCloud& cloud, VdbPrecision precision,
+               Existing existing) {
   const float most = precision == VdbPrecision::half ? 65504.0f : std::numeric_limits<float>::max();
   std::optional<CloudVolume> mended;  // few are in need of it
   if (!is_fit(cloud.volume.density, most)) mended = repaired(path, cloud.volume, most);
@@ -180,7 +181,7 @@ void write_vdb(const std::filesystem::path& path, const VdbCloud& cloud, VdbPrec
   if (!cloud.albedo.empty() && cloud.albedo.size() != volume.density.size()) {
     throw vdb::bad_vdb(path, "color", "one albedo a density", "others", "make them anew");
   }
-  AtomicFile file(path);
+  AtomicFile file(path, existing);
   openvdb::initialize();
   const std::vector<float>& density = volume.density;
   const std::vector<KeptBrick> bricks = kept_bricks(volume);

@@ -57,8 +57,7 @@ std::map<std::string, std::string> content_of(const fs::path& folder) {
 class TileStoreTest : public ::testing::Test {
  protected:
   /// Writes tiles of a map of 600 x 300 posts until so many are written; finishes it if all are.
-  int write(const fs::path& folder, int most,
-            TileStoreWriter::Existing existing = TileStoreWriter::Existing::refuse,
+  int write(const fs::path& folder, int most, Existing existing = Existing::keep,
             double raised_m = 0.0) const {
     const TileSetShape shape = TileSetShape::of(600, 300);
     const TileStoreWriter writer(folder, shape, existing);
@@ -184,21 +183,21 @@ TEST_F(TileStoreTest, GoesOnWithItsOwnTilesOnly) {
   write(folder(), 5);
   const auto before = content_of(folder());
   test::expect_error(ErrorKind::bad_usage, "expected a tile of this map, found another file",
-                     [&] { write(folder(), 1000, TileStoreWriter::Existing::refuse, 10.0); });
+                     [&] { write(folder(), 1000, Existing::keep, 10.0); });
   EXPECT_EQ(content_of(folder()), before);
   const fs::path tile = folder() / "0" / "0000" / "0000.tile";
   std::ofstream(tile) << "mine";
   test::expect_error(ErrorKind::bad_usage, tile.string(), [&] { write(folder(), 1000); });
   EXPECT_EQ(bytes_of(tile), "mine");
-  EXPECT_EQ(write(folder(), 1000, TileStoreWriter::Existing::replace, 10.0), 9);
+  EXPECT_EQ(write(folder(), 1000, Existing::replace, 10.0), 9);
 }
 
 // Fails if a finished store loses anything before the one that replaces it is complete, or if that one is not
 // the same as a new one, also where an earlier run for another map was stopped.
 TEST_F(TileStoreTest, KeepsAFinishedStoreUntilItIsReplaced) {
-  using enum TileStoreWriter::Existing;
+  using enum Existing;
   const fs::path once = temporary_.path() / "once";
-  write(once, 1000, refuse, 10.0);
+  write(once, 1000, keep, 10.0);
   write(folder(), 1000);
   const auto before = content_of(folder());
   for (const int stop : {0, 1, 8}) {
@@ -217,7 +216,7 @@ TEST_F(TileStoreTest, KeepsAFinishedStoreUntilItIsReplaced) {
 // Fails if folders are made before there are tiles for them.
 TEST_F(TileStoreTest, MakesFoldersAsTilesCome) {
   const TileSetShape shape = TileSetShape::of(most_stored_posts, most_stored_posts);
-  const TileStoreWriter writer(folder(), shape, TileStoreWriter::Existing::refuse);
+  const TileStoreWriter writer(folder(), shape, Existing::keep);
   EXPECT_TRUE(fs::is_empty(folder()));
 }
 
