@@ -39,6 +39,13 @@ trap 'rm -rf "$TMPDIR"' EXIT
 seeds="$build/seeds"
 rm -rf "$seeds"
 "$build/fuzz/make_corpus" "$seeds" "$root/scenes"
+if command -v vdb_tool >/dev/null; then  # Offing writes no compressed volumes
+  cp "$seeds/vdb/single" "$TMPDIR/plain.vdb"
+  for codec in zip blosc; do
+    vdb_tool -quiet -read "$TMPDIR/plain.vdb" -write codec="$codec" "$TMPDIR/$codec.vdb"
+    mv "$TMPDIR/$codec.vdb" "$seeds/vdb/$codec"
+  done
+fi
 
 status=0
 mkdir -p "$build/findings"
@@ -57,8 +64,7 @@ for reader in "${readers[@]}"; do
   longest=8192 memory_mb=2048 block_mb=1536
   case "$reader" in
     exr | raster) block_mb=65536 ;;  # OpenEXR and maps reserve memory that they do not touch before they read
-    # The smallest volume has 10 kB; OpenVDB takes up to 4 GiB for a name before it reads it.
-    vdb) longest=32768 memory_mb=6144 block_mb=5120 ;;
+    vdb) longest=32768 ;;  # the smallest volume has 10 kB
   esac
   log="$build/$reader.log"
   if ! OFFING_CACHE_DIR="$build/kernel_cache" UBSAN_OPTIONS=print_stacktrace=1 \

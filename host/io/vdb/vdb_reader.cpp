@@ -14,6 +14,7 @@
 #include <openvdb/io/GridDescriptor.h>
 #include <openvdb/openvdb.h>
 
+#include "host/io/vdb/vdb_check.h"
 #include "host/io/vdb/vdb_values.h"
 #include "host/io/vdb/vdb_volume.h"
 
@@ -39,12 +40,14 @@ class VdbFile : private openvdb::io::Archive {
                   "give yourself the right to read it");
     }
     require_magic();
-    reading("the header", [&] {
+    reading("the header", [&](const vdb::PartOfVdb& part) {
       stream_.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
       readHeader(stream_);
       setFormatVersion(stream_);
       setLibraryVersion(stream_);
       setDataCompression(stream_);
+      require_version();
+      vdb::check_metadata(stream_, part);
       openvdb::MetaMap().readMeta(stream_);
     });
   }
@@ -52,9 +55,9 @@ class VdbFile : private openvdb::io::Archive {
   /// The grids of these names that the file has, without a second of the same name.
   std::map<std::string, openvdb::GridBase::Ptr> grids(const std::set<std::string>& wanted) {
     std::map<std::string, openvdb::GridBase::Ptr> found;
-    reading("the list of grids", [&] {
+    reading("the list of grids", [&](const vdb::PartOfVdb& part) {
       const std::int32_t count = readGridCount(stream_);
-      for (std::int32_t i = 0; i < count; ++i) read_grid(wanted, found);
+      for (std::int32_t i = 0; i < count; ++i) read_grid(part, wanted, found);
     });
     return found;
   }
@@ -84,10 +87,21 @@ class VdbFile : private openvdb::io::Archive {
     stream_.seekg(0);
   }
 
-  void read_grid(const std::set<std::string>& wanted, std::map<std::string, openvdb::GridBase::Ptr>& found) {
+  void require_version() const {
+    if (fileVersion() >= openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION) return;
+    throw bad_vdb(path_, "",
+                  fmt::format("an OpenVDB file of format {} or later (2013)",
+                              static_cast<int>(openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION)),
+                  fmt::format("format {}", fileVersion()),
+                  "write it again: vdb_tool -read OLD.vdb -write NEW.vdb");
+  }
+
+  void read_grid(const vdb::PartOfVdb& list, const std::set<std::string>& wanted,
+                 std::map<std::string, openvdb::GridBase::Ptr>& found) {
     openvdb::io::GridDescriptor descriptor;
-    const std::streamoff begin = stream_.tellg();
+    vdb::check_descriptor(stream_, list);
     const openvdb::GridBase::Ptr grid = descriptor.read(stream_);
+    const std::streamoff begin = stream_.tellg();
     const std::string name = descriptor.gridName();
     names_.push_back(name);
     if (wanted.contains(name) && !found.contains(name)) {
@@ -97,28 +111,42 @@ class VdbFile : private openvdb::io::Archive {
                       "write the file without instances");
       }
       if (inputHasGridOffsets()) descriptor.seekToGrid(stream_);
-      reading(fmt::format("grid {}", printable(name)), [&] { readGrid(grid, descriptor, stream_); });
+      read_values(grid, descriptor);
       found.emplace(name, grid);
     } else if (!inputHasGridOffsets()) {
-      readGrid(grid, descriptor, stream_);
+      read_values(grid, descriptor);
     }
     if (!inputHasGridOffsets()) return;
     descriptor.seekToEnd(stream_);
     // Or a crafted list would be read again and again.
-    if (stream_.tellg() <= begin) {
+    if (stream_.tellg() < begin) {
       throw bad_vdb(path_, fmt::format("grid {}", printable(name)), "an end after its begin", "one before it",
                     "copy or write the file again");
+    }
+  }
+
+  /// Leaves a grid empty whose type no cloud has.
+  void read_values(const openvdb::GridBase::Ptr& grid, const openvdb::io::GridDescriptor& descriptor) {
+    const std::string name = printable(descriptor.gridName());
+    if (vdb::is_readable(*grid)) {
+      reading(fmt::format("grid {}", name), [&](const vdb::PartOfVdb& part) {
+        vdb::check_grid(stream_, part, *grid);
+        readGrid(grid, descriptor, stream_);
+      });
+    } else if (!inputHasGridOffsets()) {
+      throw bad_vdb(path_, fmt::format("grid {}", name),
+                    "float, double or three floats, in a file that is a stream", printable(grid->valueType()),
+                    "write the file again: vdb_tool -read OLD.vdb -write NEW.vdb");
     }
   }
 
   /// Calls `read` and says where what it throws comes from.
   template <typename Read>
   void reading(const std::string& what, const Read& read) {
-    const auto broken = [&](std::string_view found) {
-      return bad_vdb(path_, what, "a whole OpenVDB file", found, "copy or write the file again");
-    };
+    const vdb::PartOfVdb part{path_, what};
+    const auto broken = [&](std::string_view found) { return vdb::broken_vdb(part, found); };
     try {
-      read();
+      read(part);
     } catch (const Error&) {
       throw;
     } catch (const std::bad_alloc&) {
@@ -332,7 +360,7 @@ class GridReader {
 }  // namespace
 
 VdbCloud read_vdb(const std::filesystem::path& path, std::string_view grid) {
-  openvdb::initialize();
+  vdb::initialize();
   VdbFile file(path);
   const std::string name(grid);
   const auto grids = file.grids({name, "color", "Cd"});

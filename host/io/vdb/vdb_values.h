@@ -34,6 +34,16 @@ inline Error bad_vdb(const std::filesystem::path& path, std::string_view place, 
           std::move(hint)};
 }
 
+/// The part of a file that is read, for errors: "grid density".
+struct PartOfVdb {
+  std::filesystem::path path;
+  std::string place;
+};
+
+inline Error broken_vdb(const PartOfVdb& part, std::string_view got) {
+  return bad_vdb(part.path, part.place, "a whole OpenVDB file", got, "copy or write the file again");
+}
+
 /// Sets values below 0 by no more than rounding to 0 and throws Error(bad_input), by fail(index, expected,
 /// hint), for the first that is not finite or further below.
 template <typename Fail>

@@ -14,6 +14,7 @@
 
 #include "host/base/parallel_chunks.h"
 #include "host/io/atomic_file.h"
+#include "host/io/vdb/vdb_check.h"
 #include "host/io/vdb/vdb_values.h"
 #include "host/io/vdb/vdb_volume.h"
 
@@ -181,8 +182,8 @@ void write_vdb(const std::filesystem::path& path, const VdbCloud& cloud, VdbPrec
   if (!cloud.albedo.empty() && cloud.albedo.size() != volume.density.size()) {
     throw vdb::bad_vdb(path, "color", "one albedo a density", "others", "make them anew");
   }
-  AtomicFile file(path, existing);
-  openvdb::initialize();
+  AtomicFile file(path);
+  vdb::initialize();
   const std::vector<float>& density = volume.density;
   const std::vector<KeptBrick> bricks = kept_bricks(volume);
   openvdb::GridCPtrVec grids;

@@ -264,6 +264,68 @@ TEST_F(VdbVolume, RefusesListsThatGoBack) {
   EXPECT_THAT(error_of(in_folder("loop.vdb"))->what(), HasSubstr("an end after its begin"));
 }
 
+// Lengths of names and metadata of 4 GB in a file of 30 kB. Fails if OpenVDB sees them: it allocates so much.
+TEST_F(VdbVolume, AllocatesNoMoreThanTheFileHas) {
+  write_vdb(in_folder("whole.vdb"), {example_volume()});
+  const std::string whole = bytes_of(in_folder("whole.vdb"));
+  constexpr std::uint32_t huge = 0xffff'fff0;
+  const std::string length_of_name("\7\0\0\0density", 11), type("Tree_float_5_4_3"),
+      map("UniformScaleTranslateMap");
+  for (std::size_t at : {whole.find(length_of_name), whole.find(type) - 4, whole.find(type) + type.size(),
+                         whole.find("class") - 4, whole.find("class") + 5, whole.find("fog volume") - 4,
+                         whole.find(map) - 4}) {
+    ASSERT_LT(at, whole.size());
+    std::string bytes = whole;
+    std::memcpy(bytes.data() + at, &huge, sizeof huge);
+    write_bytes(in_folder("huge.vdb"), bytes);
+    const std::optional<Error> error = error_of(in_folder("huge.vdb"));
+    ASSERT_TRUE(error) << at;
+    EXPECT_THAT(error->what(), HasSubstr("4294967280 bytes where")) << at;
+  }
+}
+
+class CompressedVdb : public VdbVolume {
+ protected:
+  /// The example as an independent program writes it: OpenVDB's own. False where it is missing.
+  bool make(const char* name, const std::string& options) {
+    if (std::system("command -v vdb_tool >/dev/null 2>&1") != 0) return false;
+    write_vdb(in_folder("plain.vdb"), {example_volume()});
+    const std::string command =
+        fmt::format("vdb_tool -quiet -read '{}' -write {} '{}' >'{}' 2>&1", in_folder("plain.vdb").string(),
+                    options, in_folder(name).string(), in_folder("out.txt").string());
+    EXPECT_EQ(std::system(command.c_str()), 0) << command << bytes_of(in_folder("out.txt"));
+    return true;
+  }
+};
+
+// Fails if the check of lengths takes what compression writes for damage.
+TEST_F(CompressedVdb, GivesTheSameVolume) {
+  for (const char* options : {"codec=none", "codec=zip", "codec=blosc", "codec=active", "codec=zip bits=16",
+                              "codec=blosc bits=16"}) {
+    SCOPED_TRACE(options);
+    if (!make("packed.vdb", options)) GTEST_SKIP() << "no vdb_tool (libopenvdb-tools)";
+    EXPECT_LE(difference(example_volume(), read_vdb(in_folder("packed.vdb")).volume), std::ldexp(1.0, -10));
+  }
+}
+
+// A block that is not packed and says that it is larger than its values. OpenVDB 10 writes it past the end of
+// their buffer. Fails if OpenVDB sees it.
+TEST_F(CompressedVdb, RefusesBlocksOfAnotherSize) {
+  if (!make("packed.vdb", "codec=blosc")) GTEST_SKIP() << "no vdb_tool (libopenvdb-tools)";
+  const std::string whole = bytes_of(in_folder("packed.vdb"));
+  // Blosc's version 2, its format 1, flags, 4 bytes a value, then the size.
+  const std::size_t at = whole.find(std::string("\2\1", 2), whole.find("Tree_float_5_4_3"));
+  ASSERT_NE(at, std::string::npos);
+  for (const std::int64_t size : {std::int64_t{-4000}, std::int64_t{1} << 40, std::int64_t{3}}) {
+    std::string bytes = whole;
+    std::memcpy(bytes.data() + at - 8, &size, sizeof size);
+    write_bytes(in_folder("larger.vdb"), bytes);
+    const std::optional<Error> error = error_of(in_folder("larger.vdb"));
+    ASSERT_TRUE(error) << size;
+    EXPECT_THAT(error->what(), HasSubstr("a block of")) << size;
+  }
+}
+
 // An independent program reads the file: OpenVDB's own. It counts active cells and tells where they are.
 TEST_F(VdbVolume, VdbPrintReadsIt) {
   if (std::system("command -v vdb_print >/dev/null 2>&1") != 0)
