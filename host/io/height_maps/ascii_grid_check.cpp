@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdint>
 #include <fstream>
 #include <string>
 #include <system_error>
@@ -20,13 +21,21 @@ bool is_space(int letter) {
 }
 
 /// As GDAL reads them: "1.5", "1,5", "+2", "nan", "1.#QNAN", and what marks voids.
-bool is_height(std::string word) {
+bool is_height(std::string word, AsciiNumbers numbers) {
   std::ranges::replace(word, ',', '.');
   if (word.starts_with('+')) word.erase(0, 1);
-  if (word == "*" || word == "null" || word.find(".#") != std::string::npos) return true;
+  if (word == "*" || word == "null") return true;
+  const char* const begin = word.data();
+  const char* const end = begin + word.size();
+  if (numbers == AsciiNumbers::integers) {
+    std::int32_t value = 0;
+    const std::from_chars_result result = std::from_chars(begin, end, value);
+    return result.ec == std::errc() && result.ptr == end;
+  }
+  if (word.find(".#") != std::string::npos) return true;
   double value = 0.0;
-  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return status != std::errc::invalid_argument && end == word.data() + word.size();
+  const std::from_chars_result result = std::from_chars(begin, end, value);
+  return result.ec != std::errc::invalid_argument && result.ptr == end;
 }
 
 /// Words of a file with their lines.
@@ -70,12 +79,12 @@ class Words {
 
 }  // namespace
 
-void check_ascii_grid(const std::filesystem::path& path, std::size_t heights) {
+void check_ascii_grid(const std::filesystem::path& path, std::size_t heights, AsciiNumbers numbers) {
   Words words(path);
   bool is_there = words.next();
   // The header: "ncols 4", "north: 4928000".
   while (is_there && std::isalpha(static_cast<unsigned char>(words.word().front())) != 0 &&
-         !is_height(words.word())) {
+         !is_height(words.word(), AsciiNumbers::real)) {
     words.skip_line();
     is_there = words.next();
   }
@@ -87,7 +96,13 @@ void check_ascii_grid(const std::filesystem::path& path, std::size_t heights) {
   };
   for (std::size_t i = 0; i < heights; ++i, is_there = words.next()) {
     if (!is_there) refuse(fmt::format("{}", i));
-    if (!is_height(words.word())) refuse(fmt::format("\"{}\" after {} of them", printable(words.word()), i));
+    if (is_height(words.word(), numbers)) continue;
+    if (!is_height(words.word(), AsciiNumbers::real))
+      refuse(fmt::format("\"{}\" after {} of them", printable(words.word()), i));
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}:{}: expected whole heights, as the first ones are, found \"{}\"",
+                            one_line(path.string()), words.line(), printable(words.word())),
+                "convert it: gdal_translate -oo DATATYPE=Float64 MAP.asc MAP.tif");
   }
 }
 

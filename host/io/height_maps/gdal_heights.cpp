@@ -6,12 +6,10 @@
 #include <cstring>
 #include <limits>
 #include <optional>
-#include <string_view>
 
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/io/height_maps/ascii_grid_check.h"
 #include "host/io/height_maps/elevation_rgb.h"
 #include "host/io/height_maps/gdal_session.h"
 #include "host/io/height_maps/raster_file.h"
@@ -28,13 +26,8 @@ bool is_srtm_name(const std::filesystem::path& path) {
 
 class Raster {
  public:
-  Raster(const std::filesystem::path& path, const FileTrust& trust) : path_(path), trust_(trust) {
-    open(nullptr);
-    if (dataset_ && is_integer_ascii_grid()) {
-      // Read as integers, "nan" and "inf" would be 0.
-      constexpr std::array<const char*, 2> as_numbers{"DATATYPE=Float64", nullptr};
-      open(as_numbers.data());
-    }
+  Raster(const std::filesystem::path& path, const FileTrust& trust)
+      : path_(path), dataset_(open_raster(path, trust)) {
     if (!dataset_) {
       throw Error(
           ErrorKind::bad_input,
@@ -55,7 +48,6 @@ class Raster {
   int bands() const { return GDALGetRasterCount(handle()); }
   GDALRasterBandH band(int number) const { return GDALGetRasterBand(handle(), number); }
   const std::filesystem::path& path() const { return path_; }
-  bool is_ascii_grid() const { return driver() == "AAIGrid" || driver() == "GRASSASCIIGrid"; }
 
   /// Rows first ... first + count of a band, as `type`.
   template <typename Sample>
@@ -73,18 +65,7 @@ class Raster {
   }
 
  private:
-  void open(const char* const* options) {
-    dataset_.reset();
-    dataset_ = open_raster(path_, trust_, options);
-  }
-  /// Whether it is one in whose first part GDAL has found no decimal point.
-  bool is_integer_ascii_grid() const {
-    return driver() == "AAIGrid" && bands() == 1 && GDALGetRasterDataType(band(1)) == GDT_Int32;
-  }
-  std::string_view driver() const { return GDALGetDriverShortName(GDALGetDatasetDriver(handle())); }
-
   std::filesystem::path path_;
-  FileTrust trust_;
   GdalSession session_;
   Dataset dataset_;
   std::optional<CacheBound> cache_;
@@ -288,10 +269,6 @@ SourceHeights read_gdal_heights(const std::filesystem::path& path, const HeightM
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a raster of heights, found none in it", path.string()),
                 "if it holds several, name one as a file of its own");
-  }
-  if (raster.is_ascii_grid()) {
-    check_ascii_grid(path,
-                     static_cast<std::size_t>(raster.columns()) * static_cast<std::size_t>(raster.rows()));
   }
   SourceHeights source = begin_heights(path, raster.columns(), raster.rows(), taker);
   source.georeference = georeference_of(raster);

@@ -20,13 +20,14 @@ Mosaic::Mosaic(const std::filesystem::path& folder, Trust trust)
     : path_(fmt::format("{}{}/mosaic.vrt", own_memory, static_cast<const void*>(this))) {
   const GdalSession session;
   std::vector<std::string> names;
+  bool has_real_grids = false;
   std::error_code status, of_file;
   for (std::filesystem::directory_iterator entry(folder, status), end; !status && entry != end;
        entry.increment(status)) {
     const std::filesystem::path file = std::filesystem::absolute(entry->path());
     if (!entry->is_regular_file(of_file) || !is_plain_raster(file)) continue;
     if (trust == Trust::untrusted) require_below(folder, file);
-    check_raster(file, trust);
+    has_real_grids = is_real_grid(file, trust) || has_real_grids;
     names.push_back(file.string());
   }
   if (status) {
@@ -42,8 +43,8 @@ Mosaic::Mosaic(const std::filesystem::path& folder, Trust trust)
   std::vector<const char*> pointers;
   for (const std::string& name : names) pointers.push_back(name.c_str());
   // A raster that does not fit in is an error, not left out.
-  char strict[] = "-strict";
-  char* arguments[] = {strict, nullptr};
+  char strict[] = "-strict", option[] = "-oo", as_real[] = "DATATYPE=Float64";
+  char* arguments[] = {strict, has_real_grids ? option : nullptr, as_real, nullptr};
   const std::unique_ptr<GDALBuildVRTOptions, void (*)(GDALBuildVRTOptions*)> options(
       GDALBuildVRTOptionsNew(arguments, nullptr), GDALBuildVRTOptionsFree);
   int is_wrong = 0;

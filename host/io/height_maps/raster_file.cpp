@@ -17,6 +17,7 @@
 
 #include "host/base/error.h"
 #include "host/base/error_report.h"
+#include "host/io/height_maps/ascii_grid_check.h"
 
 namespace offing::height_maps {
 namespace {
@@ -29,7 +30,7 @@ bool is_of(const fs::path& path, const char* const* formats) {
   return GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, formats, nullptr) != nullptr;
 }
 
-Dataset open_as(const fs::path& path, const char* const* formats, const char* const* options) {
+Dataset open_as(const fs::path& path, const char* const* formats, const char* const* options = nullptr) {
   return Dataset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, formats,
                             options, nullptr));
 }
@@ -104,7 +105,22 @@ void check_parts(GDALDatasetH raster, const fs::path& path, Trust trust) {
   }
 }
 
-Dataset open_plain(const fs::path& path, const FileTrust& trust, const char* const* options) {
+bool is_of_driver(GDALDatasetH raster, std::string_view name) {
+  return GDALGetDriverShortName(GDALGetDatasetDriver(raster)) == name;
+}
+
+bool is_of_integers(GDALDatasetH raster) {
+  return GDALGetRasterCount(raster) == 1 &&
+         GDALGetRasterDataType(GDALGetRasterBand(raster, 1)) == GDT_Int32;
+}
+
+/// An ASCII grid in whose first part GDAL finds no decimal point has integers: "1.5" would be 1, "nan" 0.
+enum class IntegerGrids {
+  as_real,     ///< read as real numbers
+  of_integers  ///< refused if they hold anything else: GDAL itself opens the sources of a VRT
+};
+
+Dataset open_plain(const fs::path& path, const FileTrust& trust, IntegerGrids integer_grids) {
   if ((trust.trust == Trust::untrusted || trust.is_named_by_scene) && is_hdf5(path)) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a self-contained raster, found HDF5 (NetCDF-4), which can name "
@@ -113,9 +129,30 @@ Dataset open_plain(const fs::path& path, const FileTrust& trust, const char* con
                 "convert it to a GeoTIFF: gdal_translate MAP.nc MAP.tif");
   }
   check_beside(path, trust.trust);
-  Dataset raster = open_as(path, plain_formats(), options);
-  if (raster) check_parts(raster.get(), path, trust.trust);
+  Dataset raster = open_as(path, plain_formats());
+  if (!raster) return raster;
+  if (integer_grids == IntegerGrids::as_real && is_of_driver(raster.get(), "AAIGrid") &&
+      is_of_integers(raster.get())) {
+    constexpr std::array<const char*, 2> as_real{"DATATYPE=Float64", nullptr};
+    raster.reset();
+    raster = open_as(path, plain_formats(), as_real.data());
+    if (!raster) return raster;
+  }
+  check_parts(raster.get(), path, trust.trust);
+  if (is_of_driver(raster.get(), "AAIGrid") || is_of_driver(raster.get(), "GRASSASCIIGrid")) {
+    check_ascii_grid(path,
+                     static_cast<std::size_t>(GDALGetRasterXSize(raster.get())) *
+                         static_cast<std::size_t>(GDALGetRasterYSize(raster.get())),
+                     is_of_integers(raster.get()) ? AsciiNumbers::integers : AsciiNumbers::real);
+  }
   return raster;
+}
+
+[[noreturn]] void refuse_part(const fs::path& path, const GdalSession& session) {
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected a raster, found a file that cannot be opened as one: {}",
+                          one_line(path.string()), session.failure()),
+              "leave it out, or copy it again");
 }
 
 }  // namespace
@@ -136,19 +173,24 @@ void check_raster(const fs::path& path, Trust trust, int depth) {
   if (is_of(path, vrt_format.data())) {
     check_beside(path, trust);
     check_vrt(path, trust, depth);
-  } else if (!open_plain(path, {.trust = trust}, nullptr)) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected a raster, found a file that cannot be opened as one: {}",
-                            one_line(path.string()), session.failure()),
-                "leave it out of the VRT, or copy it again");
+  } else if (!open_plain(path, {.trust = trust}, IntegerGrids::of_integers)) {
+    refuse_part(path, session);
   }
 }
 
-Dataset open_raster(const fs::path& path, const FileTrust& trust, const char* const* options) {
-  if (path.string().starts_with(own_memory)) return open_as(path, vrt_format.data(), options);
+bool is_real_grid(const fs::path& path, Trust trust) {
+  const GdalSession session;
+  const Dataset raster = open_plain(path, {.trust = trust}, IntegerGrids::as_real);
+  if (!raster) refuse_part(path, session);
+  return is_of_driver(raster.get(), "AAIGrid") &&
+         GDALGetRasterDataType(GDALGetRasterBand(raster.get(), 1)) == GDT_Float64;
+}
+
+Dataset open_raster(const fs::path& path, const FileTrust& trust) {
+  if (path.string().starts_with(own_memory)) return open_as(path, vrt_format.data());
   // No part of an absolute path is taken for the name of a format.
   const fs::path file = fs::absolute(path);
-  if (!is_of(file, vrt_format.data())) return open_plain(file, trust, options);
+  if (!is_of(file, vrt_format.data())) return open_plain(file, trust, IntegerGrids::as_real);
   if (trust.is_named_by_scene) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a self-contained raster, found a VRT, which a scene may not name",
@@ -158,7 +200,7 @@ Dataset open_raster(const fs::path& path, const FileTrust& trust, const char* co
   // GDAL, too, takes sources to be relative to where links lead.
   const fs::path real = fs::canonical(file);
   check_raster(real, trust.trust);
-  return open_as(real, vrt_format.data(), options);
+  return open_as(real, vrt_format.data());
 }
 
 }  // namespace offing::height_maps

@@ -13,9 +13,9 @@ namespace offing::height_maps {
 inline constexpr std::string_view own_memory = "/vsimem/";
 
 /// Opens a raster of a plain format (plain_formats()); null for what is none. A VRT is opened if a person has
-/// named it and check_raster() has nothing against it. Throws Error(bad_input) as check_raster().
-Dataset open_raster(const std::filesystem::path& path, const FileTrust& trust,
-                    const char* const* options = nullptr);
+/// named it and check_raster() has nothing against it. ASCII grids hold all their heights, and those of
+/// integers are read as real numbers. Throws Error(bad_input) as check_raster().
+Dataset open_raster(const std::filesystem::path& path, const FileTrust& trust);
 
 /// The files that GDAL has read for a raster that is open.
 std::vector<std::filesystem::path> files_of_dataset(GDALDatasetH raster);
@@ -25,10 +25,15 @@ bool is_plain_raster(const std::filesystem::path& path);
 
 /// Throws Error(bad_input) for rasters that lead where they may not: masks and overviews beside them are
 /// GeoTIFF, and a VRT joins plain rasters of this machine, as gdalbuildvrt and gdal_translate write it. With
-/// Trust::untrusted, all of that lies in the file's folder or below. `depth` counts the VRTs that led here.
+/// Trust::untrusted, all of that lies in the file's folder or below. ASCII grids must hold all their heights,
+/// as integers if GDAL takes them for such. `depth` counts the VRTs that led here.
 void check_raster(const std::filesystem::path& path, Trust trust, int depth = 0);
 
-/// The same for a file that is a VRT.
+/// The same for a raster of a plain format that is joined to others. Integers of ASCII grids may be any
+/// numbers: returns whether it is one that must be read by the option DATATYPE=Float64.
+bool is_real_grid(const std::filesystem::path& path, Trust trust);
+
+/// check_raster() for a file that is a VRT.
 void check_vrt(const std::filesystem::path& path, Trust trust, int depth);
 
 }  // namespace offing::height_maps

@@ -159,6 +159,33 @@ TEST_F(BadHeightMap, AnAsciiGridWithoutAllItsHeights) {
   EXPECT_EQ(read_height_map(write("+1e0 2.5 -3\r\n4.\r\n")).map.heights_m.back(), 4.0f);
 }
 
+// Fails if what GDAL reads as 0 or 1 m in a source of a VRT is taken for a height: no option of ours reaches
+// it.
+TEST_F(BadHeightMap, AVrtOfAnAsciiGrid) {
+  std::ofstream(path("grid.vrt"))
+      << "<VRTDataset rasterXSize='2' "
+         "rasterYSize='2'><GeoTransform>0,10,0,0,0,-10</GeoTransform><VRTRasterBand "
+         "dataType='Float32' band='1'><SimpleSource><SourceFilename "
+         "relativeToVRT='1'>grid.asc</SourceFilename>"
+         "<SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>";
+  const auto outcome = [&](const std::string& content) -> std::string {
+    std::ofstream(path("grid.asc")) << "ncols 2\nnrows 2\nxllcenter 7000\nyllcenter 45000\ncellsize 10\n"
+                                    << content;
+    HeightMapOptions options;
+    options.horizontal_unit = HorizontalUnit::metre;
+    try {
+      read_height_map(path("grid.vrt"), options);
+      return "";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(outcome("1 2\n3 4\n"), "");
+  EXPECT_EQ(outcome("1.5 2\n3 4\n"), "");
+  EXPECT_THAT(outcome("1 2\n3\n"), HasSubstr("grid.asc:7: expected 4 heights, found 3"));
+  EXPECT_THAT(outcome("1 2\n3 nan\n"), HasSubstr("grid.asc:7: expected whole heights"));
+}
+
 // Fails if a georeference that no map can have is taken.
 TEST_F(BadHeightMap, AGeoreferenceThatCannotBe) {
   Raster raster = in_metres(5, 4);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <span>
 #include <string>
 #include <vector>
@@ -69,6 +70,31 @@ TEST_F(StreamHeightMap, IsTheMap) {
   EXPECT_EQ(streamed.source.centre_latitude_deg, whole.source.centre_latitude_deg);
   EXPECT_EQ(streamed.source.lowest_m, whole.source.lowest_m);
   EXPECT_EQ(streamed.source.highest_m, whole.source.highest_m);
+}
+
+// Fails if ASCII grids of a folder are read as GDAL takes them: 0 m for what is missing or "nan", 1 m for 1.5 in
+// a grid whose first part has integers alone.
+TEST_F(StreamHeightMap, ChecksTheAsciiGridsOfAFolder) {
+  std::filesystem::create_directory(path("grids"));
+  HeightMapOptions options;
+  options.horizontal_unit = HorizontalUnit::metre;
+  std::string integers;
+  for (int i = 0; i < 300'000; ++i) integers += i % 300 == 299 ? "12\n" : "12 ";
+  const auto write = [&](const char* name, int left, const std::string& last) {
+    std::ofstream(path("grids") / name)
+        << "ncols 300\nnrows 1000\nxllcenter " << left << "\nyllcenter 45000\ncellsize 10\n"
+        << integers.substr(0, integers.size() - 3) << last << "\n";
+  };
+  write("a.asc", 7000, "12");
+  write("b.asc", 10'000, "1.5");
+  EXPECT_EQ(stream("grids", options).map.heights_m.back(), 1.5f);
+  EXPECT_EQ(stream("grids", options).map.columns, 600);
+  write("b.asc", 10'000, "");
+  test::expect_error(ErrorKind::bad_input, "b.asc:1006: expected 300000 heights, found 299999",
+                     [&] { stream("grids", options); });
+  write("b.asc", 10'000, "nan");
+  test::expect_error(ErrorKind::bad_input, "row 999, column 599: expected a finite height, found nan",
+                     [&] { stream("grids", options); });
 }
 
 // Fails if GDAL keeps more of the map than 16 MiB, which is more than some hundred of its rows: it is 17.6
