@@ -168,14 +168,14 @@ bool is_plain_raster(const fs::path& path) {
   return is_of(path, plain_formats());
 }
 
-void check_raster(const fs::path& path, Trust trust, int depth) {
+int check_raster(const fs::path& path, Trust trust, CheckedRasters& checked, int depth) {
   const GdalSession session;
   if (is_of(path, vrt_format.data())) {
     check_beside(path, trust);
-    check_vrt(path, trust, depth);
-  } else if (!open_plain(path, {.trust = trust}, IntegerGrids::of_integers)) {
-    refuse_part(path, session);
+    return check_vrt(path, trust, checked, depth);
   }
+  if (!open_plain(path, {.trust = trust}, IntegerGrids::of_integers)) refuse_part(path, session);
+  return 0;
 }
 
 bool is_real_grid(const fs::path& path, Trust trust) {
@@ -199,7 +199,8 @@ Dataset open_raster(const fs::path& path, const FileTrust& trust) {
   }
   // GDAL, too, takes sources to be relative to where links lead.
   const fs::path real = fs::canonical(file);
-  check_raster(real, trust.trust);
+  CheckedRasters checked;
+  check_raster(real, trust.trust, checked);
   return open_as(real, vrt_format.data());
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -23,17 +25,21 @@ std::vector<std::filesystem::path> files_of_dataset(GDALDatasetH raster);
 /// Whether a file is a raster of a plain format.
 bool is_plain_raster(const std::filesystem::path& path);
 
+/// What check_raster() has returned for each file; nothing for those that it still checks.
+using CheckedRasters = std::map<std::filesystem::path, std::optional<int>>;
+
 /// Throws Error(bad_input) for rasters that lead where they may not: masks and overviews beside them are
 /// GeoTIFF, and a VRT joins plain rasters of this machine, as gdalbuildvrt and gdal_translate write it. With
 /// Trust::untrusted, all of that lies in the file's folder or below. ASCII grids must hold all their heights,
-/// as integers if GDAL takes them for such. `depth` counts the VRTs that led here.
-void check_raster(const std::filesystem::path& path, Trust trust, int depth = 0);
+/// as integers if GDAL takes them for such. Returns how many VRTs are in one another: 0 for a plain raster.
+/// `checked` spares files that were checked before; `depth` counts the VRTs that led here.
+int check_raster(const std::filesystem::path& path, Trust trust, CheckedRasters& checked, int depth = 0);
 
 /// The same for a raster of a plain format that is joined to others. Integers of ASCII grids may be any
 /// numbers: returns whether it is one that must be read by the option DATATYPE=Float64.
 bool is_real_grid(const std::filesystem::path& path, Trust trust);
 
 /// check_raster() for a file that is a VRT.
-void check_vrt(const std::filesystem::path& path, Trust trust, int depth);
+int check_vrt(const std::filesystem::path& path, Trust trust, CheckedRasters& checked, int depth);
 
 }  // namespace offing::height_maps

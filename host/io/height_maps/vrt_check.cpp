@@ -77,15 +77,17 @@ constexpr std::size_t most_bytes = std::size_t{256} << 20;
 
 class VrtCheck {
  public:
-  VrtCheck(fs::path path, Trust trust, int depth) : path_(std::move(path)), trust_(trust), depth_(depth) {}
+  VrtCheck(fs::path path, Trust trust, CheckedRasters& checked, int depth)
+      : path_(std::move(path)), trust_(trust), checked_(checked), depth_(depth) {}
 
-  void run() const {
-    if (depth_ >= most_vrts) refuse(fmt::format("expected at most {} nested VRTs, found more", most_vrts));
+  int run() {
+    require_depth(1);
     const std::string text = read_whole_file(path_, {.kind = "a VRT", .most_bytes = most_bytes});
     const std::unique_ptr<CPLXMLNode, void (*)(CPLXMLNode*)> root(CPLParseXMLString(text.c_str()),
                                                                   CPLDestroyXMLNode);
     if (!root) refuse("expected a VRT, found XML that cannot be read");
     for (const CPLXMLNode* node = root.get(); node != nullptr; node = node->psNext) check_node(*node, 0);
+    return nested_ + 1;
   }
 
  private:
@@ -94,8 +96,13 @@ class VrtCheck {
                 "convert it to a GeoTIFF: gdal_translate MAP.vrt MAP.tif");
   }
 
+  void require_depth(int nested) const {
+    if (depth_ + nested > most_vrts)
+      refuse(fmt::format("expected at most {} nested VRTs, found more", most_vrts));
+  }
+
   // GDAL takes names of any case, and attributes for elements.
-  void check_node(const CPLXMLNode& node, int level) const {
+  void check_node(const CPLXMLNode& node, int level) {
     if (node.eType != CXT_Element && node.eType != CXT_Attribute) return;
     const std::string_view name = node.pszValue;
     if (EQUAL(node.pszValue, "SourceFilename")) return check_source(node);
@@ -115,7 +122,7 @@ class VrtCheck {
     }
   }
 
-  void check_source(const CPLXMLNode& node) const {
+  void check_source(const CPLXMLNode& node) {
     const std::string name = CPLGetXMLValue(&node, nullptr, "");
     const bool is_relative = std::atoi(CPLGetXMLValue(&node, "relativeToVRT", "0")) != 0;
     const fs::path source = is_relative ? path_.parent_path() / name : fs::path(name);
@@ -124,18 +131,27 @@ class VrtCheck {
       refuse(fmt::format("expected sources that are files on this machine, found {}", printable(name)));
     }
     require_beside(path_, source, trust_);
-    check_raster(source, trust_, depth_ + 1);
+    // A file may be the source of many: by its name in its true folder, where GDAL looks for masks.
+    const auto [known, is_new] =
+        checked_.try_emplace(fs::canonical(source.parent_path()) / source.filename());
+    if (is_new) known->second = check_raster(source, trust_, checked_, depth_ + 1);
+    if (!known->second)
+      refuse(fmt::format("expected nested VRTs that end, found {} in itself", printable(name)));
+    nested_ = std::max(nested_, *known->second);
+    require_depth(1 + nested_);
   }
 
   fs::path path_;
   Trust trust_;
-  int depth_;
+  CheckedRasters& checked_;
+  int depth_;       // how many VRTs lead here
+  int nested_ = 0;  // how many are in one another below
 };
 
 }  // namespace
 
-void check_vrt(const fs::path& path, Trust trust, int depth) {
-  VrtCheck(fs::canonical(path), trust, depth).run();
+int check_vrt(const fs::path& path, Trust trust, CheckedRasters& checked, int depth) {
+  return VrtCheck(fs::canonical(path), trust, checked, depth).run();
 }
 
 }  // namespace offing::height_maps

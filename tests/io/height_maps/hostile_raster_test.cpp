@@ -1,4 +1,5 @@
 // Rasters that lead elsewhere: to servers, to any bytes of the machine, out of their folder.
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -151,9 +152,40 @@ TEST_F(HostileRaster, VrtsOnlyJoinRasters) {
   for (const auto& [band, content] : bands) {
     EXPECT_THAT(outcome(write("a.vrt", vrt(content, band))), HasSubstr("expected")) << band << content;
   }
-  write("self.vrt", vrt(source("self.vrt", R"(relativeToVRT="1")")));
-  EXPECT_THAT(outcome(path("self.vrt")), HasSubstr("nested VRTs"));
   EXPECT_EQ(outcome(write("sound.vrt", vrt(source(secret)))), "");
+}
+
+// Fails if VRTs that lead back to themselves are followed without end, or too many in one another are read,
+// though some of them were checked before.
+TEST_F(HostileRaster, NestedVrtsEnd) {
+  const auto near = [](const std::string& name) { return source(name, R"(relativeToVRT="1")"); };
+  write("self.vrt", vrt(near("self.vrt")));
+  EXPECT_THAT(outcome(path("self.vrt")), HasSubstr("nested VRTs"));
+  write("back.vrt", vrt(near("forth.vrt")));
+  write("forth.vrt", vrt(near("secret.tif") + near("back.vrt")));
+  EXPECT_THAT(outcome(path("forth.vrt")), HasSubstr("nested VRTs"));
+  write("0.vrt", vrt(near("secret.tif")));
+  for (int i = 1; i <= 8; ++i) write(fmt::format("{}.vrt", i), vrt(near(fmt::format("{}.vrt", i - 1))));
+  EXPECT_EQ(outcome(path("7.vrt")), "");
+  EXPECT_THAT(outcome(path("8.vrt")), HasSubstr("at most 8 nested VRTs"));
+  // First by itself, then below another.
+  write("above.vrt", vrt(near("6.vrt")));
+  EXPECT_EQ(outcome(write("twice.vrt", vrt(near("6.vrt") + near("5.vrt")))), "");
+  EXPECT_THAT(outcome(write("late.vrt", vrt(near("6.vrt") + near("above.vrt")))), HasSubstr("at most 8 nested VRTs"));
+}
+
+// Each of seven VRTs names the next one six times: 6^7 ways, which took 19 s. Fails if each is followed.
+TEST_F(HostileRaster, ChecksEachSourceOnce) {
+  write("0.vrt", vrt(source("secret.tif", R"(relativeToVRT="1")")));
+  for (int i = 1; i <= 7; ++i) {
+    std::string content;
+    for (int k = 0; k < 6; ++k)
+      content += source(fmt::format("{}{}.vrt", k % 2 == 0 ? "" : "own/../", i - 1), R"(relativeToVRT="1")");
+    write(fmt::format("{}.vrt", i), vrt(content));
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  files_of_raster(path("7.vrt"));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
 }
 
 // Fails if a scene may name a VRT, whatever it is called.
