@@ -184,7 +184,7 @@ void require_sources(const std::filesystem::path& folder) {
 }
 
 /// Throws, before any work is done, for files that may not be written.
-ReferenceComparison read_comparison(const Written& written, const std::vector<std::string>& inputs) {
+ReferenceComparison read_comparison(const Written& written, const GivenInputs& inputs) {
   if (written.output.empty()) {
     throw Error(ErrorKind::bad_usage, "--compare-reference: expected a folder for its pictures, found none",
                 "add -o compared");
@@ -247,9 +247,9 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
 }
 
 /// What the scene is made of: no picture takes its place.
-std::vector<std::string> inputs_of(const Written& written, const scene::OceanScene& scene) {
-  std::vector<std::string> inputs = scene::files_of(scene);
-  inputs.push_back(written.scene);
+GivenInputs inputs_of(const Written& written, const scene::OceanScene& scene) {
+  GivenInputs inputs{scene::files_of(scene), written.trust};
+  inputs.names.push_back(written.scene);
   return inputs;
 }
 
@@ -272,8 +272,8 @@ std::filesystem::path recorded_as(const Recording& recording, const std::filesys
 
 /// Throws for what may not or cannot be written, before any work is done.
 void require_outputs(const Written& written, const ViewOptions& options) {
-  const std::vector<std::string> inputs = inputs_of(written, options.scene);
-  if (!options.comparison) require_new(options.output.string(), written.existing, inputs);
+  const GivenInputs inputs = inputs_of(written, options.scene);
+  if (!options.comparison) require_new(options.output.string(), written.overwriting, inputs);
   if (!options.recording) return;
   const Recording& recording = *options.recording;
   require_distinct({{"-o", options.output}, {"--record", recorded_as(recording, options.output)}});

@@ -84,8 +84,8 @@ std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::Oc
 }
 
 void require_outputs(const BuildArguments& arguments, const scene::OceanScene& scene) {
-  std::vector<std::string> inputs = scene::files_of(scene);
-  inputs.push_back(arguments.scene);
+  GivenInputs inputs{scene::files_of(scene), arguments.trust};
+  inputs.names.push_back(arguments.scene);
   if (is_sequence(arguments)) {
     require_new_frames(frame_name(arguments), frames_of(arguments, scene), arguments.existing, inputs);
   } else {

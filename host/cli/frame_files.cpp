@@ -79,7 +79,7 @@ FrameFiles::Listing FrameFiles::list_folder(const fs::path& folder) {
 FrameFiles::FrameFiles(const BakeSettings& settings, int cascades, std::string scene_hash)
     : settings_(settings), cascades_(cascades), scene_hash_(std::move(scene_hash)) {}
 
-void FrameFiles::prepare_folder(std::span<const std::string> inputs) const {
+void FrameFiles::prepare_folder(const GivenInputs& inputs) const {
   const fs::path& folder = settings_.folder;
   std::error_code error;
   fs::create_directories(folder, error);

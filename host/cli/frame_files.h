@@ -1,11 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "host/cli/bake_settings.h"
+#include "host/command_line/input_files.h"
 
 namespace offing::cli {
 
@@ -20,7 +20,7 @@ class FrameFiles {
   /// too. Throws Error(file) if the folder cannot be written to, Error(bad_usage) for an input among the
   /// files that a bake writes, and unless files may be replaced Error(bad_input) for another bake's frames
   /// and Error(bad_usage) for files that this bake would write over.
-  void prepare_folder(std::span<const std::string> inputs = {}) const;
+  void prepare_folder(const GivenInputs& inputs = {}) const;
 
   /// Whether all files of this frame exist, whole, from this very bake. Reads the EXR files through, so that
   /// a damaged one is found.

@@ -72,9 +72,9 @@ void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
   const std::filesystem::path output = arguments.output;
   animations::require_animation_name(output);
   scene::OceanScene scene = scene::load_scene(arguments.scene, arguments.trust);
-  std::vector<std::string> inputs = scene::files_of(scene);
-  inputs.push_back(arguments.scene);
-  require_new(arguments.output, arguments.existing, inputs);
+  GivenInputs inputs{scene::files_of(scene), arguments.trust};
+  inputs.names.push_back(arguments.scene);
+  require_new(arguments.output, arguments.overwriting, inputs);
   if (!arguments.frames_per_second.empty())
     scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "30");
   const FrameRange frames = arguments.frames.empty()

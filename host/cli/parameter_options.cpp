@@ -135,9 +135,9 @@ scene::OceanScene ParameterOptions::read() const {
   return scene;
 }
 
-std::vector<std::string> ParameterOptions::inputs(const scene::OceanScene& scene) const {
-  std::vector<std::string> inputs = scene::files_of(scene);
-  inputs.push_back(scene_file_);
+GivenInputs ParameterOptions::inputs(const scene::OceanScene& scene) const {
+  GivenInputs inputs{scene::files_of(scene), trust_};
+  inputs.names.push_back(scene_file_);
   return inputs;
 }
 

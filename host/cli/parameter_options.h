@@ -8,6 +8,7 @@
 #include <CLI/App.hpp>
 
 #include "host/cli/direction_text.h"
+#include "host/command_line/input_files.h"
 #include "host/io/file_trust.h"
 #include "host/scene/parameter.h"
 
@@ -25,7 +26,7 @@ class ParameterOptions {
   scene::OceanScene read() const;
 
   /// The files that this scene is read from: its own and those that it names.
-  std::vector<std::string> inputs(const scene::OceanScene& scene) const;
+  GivenInputs inputs(const scene::OceanScene& scene) const;
 
   /// How flags give directions, and results are to show them.
   DirectionStyle directions() const { return directions_; }

@@ -92,13 +92,12 @@ class PointSource {
 /// Where answers go: a file that appears when all are there, or standard output; as CSV, as JSON or in words.
 class AnswerSink {
  public:
-  AnswerSink(const QueryArguments& arguments, const TimeRange& times, double depth_m,
-             std::vector<std::string> inputs)
+  AnswerSink(const QueryArguments& arguments, const TimeRange& times, double depth_m, GivenInputs inputs)
       : depth_m_(depth_m), style_(style_of(arguments, times)) {
     if (arguments.writes_file()) {
-      inputs.push_back(arguments.points_file);
-      require_new(arguments.output_file, arguments.existing, inputs);
-      file_.emplace(arguments.output_file, arguments.existing);
+      inputs.names.push_back(arguments.points_file);
+      require_new(arguments.output_file, arguments.overwriting, inputs);
+      file_.emplace(arguments.output_file);
     }
     if (style_ == Style::csv) {
       text_ = csv_header();

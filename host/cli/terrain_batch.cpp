@@ -39,8 +39,9 @@ void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::s
   add_force_flag(command, existing_)->group(group)->needs(points);
 }
 
-void TerrainBatch::require_question(const std::string& single, const std::string& ground) const {
-  if (!is_standard_output(output_)) require_new(output_, existing_, {ground, points_});
+void TerrainBatch::require_question(const std::string& single, const TerrainInput& ground) const {
+  if (!is_standard_output(output_))
+    require_new(output_, overwriting_, {{ground.file(), points_}, ground.trust()});
   if (is_asked() || !single.empty()) return;
   throw Error(ErrorKind::bad_usage, fmt::format("expected {} or --points, found neither", single_),
               "give one question, or a file of them");

@@ -167,9 +167,8 @@ class Flying {
           fmt::format("{}: cannot be made a folder: {}", one_line(arguments_.output), status.message()),
           "name a folder where you may write with -o");
     }
-    const std::vector<std::string> inputs{arguments_.store, arguments_.compared};
-    require_new_frames(picture_name(), {0, settings_.frames - 1}, arguments_.existing, inputs,
-                       settings_.every);
+    const GivenInputs inputs{{arguments_.store, arguments_.compared}, arguments_.trust};
+    require_new_frames(picture_name(), {0, settings_.frames - 1}, arguments_.overwriting, inputs);
   }
 
   void keep(int frame, const Camera& camera, FlightRecorder& recorder) {

@@ -52,7 +52,7 @@ void answer_one(const TerrainHeightArguments& arguments, const terrain::GroundPo
 }
 
 void run(const TerrainHeightArguments& arguments, const GlobalOptions& options) {
-  arguments.batch.require_question(arguments.at, arguments.input.file());
+  arguments.batch.require_question(arguments.at, arguments.input);
   std::vector<double> place;
   if (!arguments.batch.is_asked()) place = read_numbers("--at", arguments.at, 2, "X,Z", "1200,350.5");
   const TerrainGround of(arguments.input, {});

@@ -132,7 +132,7 @@ void answer_all(const TerrainLosArguments& arguments, TerrainGround& ground, con
 }
 
 void run(const TerrainLosArguments& arguments, const GlobalOptions& options) {
-  arguments.batch.require_question(arguments.from, arguments.input.file());
+  arguments.batch.require_question(arguments.from, arguments.input);
   if (arguments.batch.is_asked()) {
     TerrainGround ground(arguments.input, arguments.cache);
     ground.open(ocl::Device::open(choose_one_device(options.device)));

@@ -150,7 +150,7 @@ void answer_all(const TerrainRayArguments& arguments, TerrainGround& ground, con
 }
 
 void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
-  arguments.batch.require_question(arguments.from, arguments.input.file());
+  arguments.batch.require_question(arguments.from, arguments.input);
   const bool is_single = !arguments.batch.is_asked();
   const terrain::Ray ray = is_single ? read_ray(arguments) : terrain::Ray{};
   TerrainGround ground(arguments.input, arguments.cache);

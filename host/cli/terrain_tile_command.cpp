@@ -112,7 +112,7 @@ void run(const TerrainTileArguments& arguments, const GlobalOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   require_file_name(arguments.output);
   Tiling tiling(arguments, options);
-  require_not_read(files_below(arguments.output), std::vector{arguments.input.file()});
+  require_not_read(files_below(arguments.output), {{arguments.input.file()}, arguments.input.trust()});
   const HeightMapSource source = [&] {
     try {
       return stream_height_map(

@@ -24,8 +24,8 @@ std::optional<std::pair<dev_t, ino_t>> identity_of(const fs::path& path) {
 
 }  // namespace
 
-InputFiles::InputFiles(std::span<const std::string> names) {
-  for (const std::string& name : names) {
+InputFiles::InputFiles(const GivenInputs& inputs) {
+  for (const std::string& name : inputs.names) {
     if (name.empty()) continue;
     const fs::path path = name;
     add(path);
@@ -46,7 +46,7 @@ InputFiles::InputFiles(std::span<const std::string> names) {
       }
     }
     for (const fs::path& file : meshes::files_of_gltf(path)) add(file);
-    for (const fs::path& file : height_maps::files_of_raster(path)) add(file);
+    for (const fs::path& file : height_maps::files_of_raster(path, inputs.trust)) add(file);
   }
 }
 

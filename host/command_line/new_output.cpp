@@ -9,7 +9,6 @@
 
 #include "host/base/error.h"
 #include "host/base/error_report.h"
-#include "host/command_line/input_files.h"
 #include "host/io/atomic_file.h"
 #include "host/io/file_presence.h"
 
@@ -26,7 +25,7 @@ bool is_same_name(const fs::path& a, const fs::path& b) {
 }
 
 /// For files that exist.
-void check(std::span<const fs::path> outputs, Existing existing, std::span<const std::string> inputs) {
+void check(std::span<const fs::path> outputs, Overwriting overwriting, const GivenInputs& inputs) {
   if (outputs.empty()) return;
   require_not_read(outputs, inputs);
   if (existing == Existing::replace) return;
@@ -47,7 +46,7 @@ void require_file_name(const std::string& output) {
               "name a file or folder; write ./- for one that is named -");
 }
 
-void require_not_read(std::span<const fs::path> outputs, std::span<const std::string> inputs) {
+void require_not_read(std::span<const fs::path> outputs, const GivenInputs& inputs) {
   std::optional<InputFiles> files;
   for (const fs::path& output : outputs) {
     if (!is_there(output)) continue;
@@ -60,11 +59,7 @@ void require_not_read(std::span<const fs::path> outputs, std::span<const std::st
   }
 }
 
-void require_new(const std::string& output, Existing existing, std::initializer_list<std::string> inputs) {
-  require_new(output, existing, std::span<const std::string>(inputs.begin(), inputs.size()));
-}
-
-void require_new(const std::string& output, Existing existing, std::span<const std::string> inputs) {
+void require_new(const std::string& output, Overwriting overwriting, const GivenInputs& inputs) {
   if (output.empty()) return;
   require_file_name(output);
   const fs::path file = output;
@@ -77,8 +72,8 @@ void require_new(const std::string& output, Existing existing, std::span<const s
   require_writable(file);
 }
 
-void require_new_frames(const FrameName& names, FrameRange frames, Existing existing,
-                        std::span<const std::string> inputs, int step) {
+void require_new_frames(const FrameName& names, FrameRange frames, Overwriting overwriting,
+                        const GivenInputs& inputs) {
   std::vector<fs::path> outputs;
   std::error_code failure;
   const fs::path folder = folder_of(names.of(frames.first));

@@ -1,6 +1,7 @@
 #include "host/io/file_extension.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,6 +9,12 @@
 #include "host/base/error.h"
 
 namespace offing {
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return extension;
+}
 
 void require_extension(const std::filesystem::path& path,
                        std::initializer_list<std::string_view> extensions) {

@@ -2,9 +2,13 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <string>
 #include <string_view>
 
 namespace offing {
+
+/// The extension of a name in lower case: ".png" of "A.PNG".
+std::string lower_extension(const std::filesystem::path& path);
 
 /// Throws Error(bad_usage) unless a name ends in one of these, such as ".png": a file must be what its name
 /// says. The hint is the name with the first of them.

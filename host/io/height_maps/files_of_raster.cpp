@@ -5,10 +5,10 @@
 
 namespace offing::height_maps {
 
-std::vector<std::filesystem::path> files_of_raster(const std::filesystem::path& path) {
+std::vector<std::filesystem::path> files_of_raster(const std::filesystem::path& path, Trust trust) {
   const GdalSession session;
   try {
-    const Dataset raster = open_raster(path, {});
+    const Dataset raster = open_raster(path, {.trust = trust});
     return raster ? files_of_dataset(raster.get()) : std::vector<std::filesystem::path>();
   } catch (const Error&) {
     return {};  // whoever reads it says what is wrong

@@ -1,17 +1,17 @@
 #include "host/io/meshes/gltf_document.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "host/base/error_report.h"
+#include "host/io/file_extension.h"
 #include "host/io/meshes/data_uri.h"
 #include "host/io/meshes/text_lines.h"
 #include "host/io/percent_code.h"
@@ -79,7 +79,47 @@ double component_at(const char* at, std::size_t component_type, bool is_normalis
   }
 }
 
+constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8;  // of a .glb
+constexpr std::uint32_t json_type = 0x4e4f534a, binary_type = 0x004e4942;
+
+/// The JSON of a file that is a glTF, without its buffers; "" where there is none.
+std::string json_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string header(header_bytes, '\0');
+  file.read(header.data(), header_bytes);
+  if (!is_gltf(header, path)) return "";
+  std::error_code status;
+  const std::uintmax_t size = std::filesystem::file_size(path, status);
+  if (status || size > most_bytes) return "";
+  std::size_t begin = 0, length = size;
+  if (is_binary_gltf(header)) {
+    std::string chunk(chunk_header_bytes, '\0');
+    begin = header_bytes;
+    length = 0;
+    do {
+      begin += length;
+      if (!file.seekg(static_cast<std::streamoff>(begin)).read(chunk.data(), chunk_header_bytes)) return "";
+      begin += chunk_header_bytes;
+      length = word_at(chunk, 0);
+    } while (word_at(chunk, 4) != json_type);
+    if (length > size - begin) return "";
+  }
+  std::string text(length, '\0');
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(begin)).read(text.data(), static_cast<std::streamsize>(length));
+  return file ? text : "";
+}
+
 }  // namespace
+
+bool is_binary_gltf(std::string_view bytes) {
+  return bytes.starts_with("glTF");
+}
+
+bool is_gltf(std::string_view bytes, const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  return is_binary_gltf(bytes) || extension == ".gltf" || extension == ".glb";
+}
 
 std::string shown(const json& value) {
   // Lists may be nested so deep that printing them ends the stack.
@@ -103,10 +143,8 @@ GltfDocument::GltfDocument(std::string_view bytes, const std::filesystem::path& 
 /// The JSON of a .gltf, which it is, or of a .glb: 12 bytes of header, then chunks of a length, a type and
 /// data.
 std::string_view GltfDocument::parse_container(std::string_view bytes) {
-  if (!bytes.starts_with("glTF")) return bytes;
+  if (!is_binary_gltf(bytes)) return bytes;
   is_binary_ = true;
-  constexpr std::size_t header_bytes = 12, chunk_header_bytes = 8;
-  constexpr std::uint32_t json_type = 0x4e4f534a, binary_type = 0x004e4942;
   if (bytes.size() < header_bytes + chunk_header_bytes) fail("the header of a .glb", "the end of the file");
   if (word_at(bytes, 4) != 2) fail("a .glb of version 2", fmt::format("version {}", word_at(bytes, 4)));
   const std::size_t length = word_at(bytes, 8);
@@ -272,26 +310,15 @@ void GltfDocument::fail(std::string_view expected, std::string_view got) const {
 }
 
 std::vector<std::filesystem::path> files_of_gltf(const std::filesystem::path& path) {
-  std::array<char, 4> magic{};
-  std::ifstream(path, std::ios::binary).read(magic.data(), magic.size());
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const bool is_named_so = extension == ".gltf" || extension == ".glb";
-  if (!is_named_so && std::string_view(magic.data(), magic.size()) != "glTF") return {};
+  const json root = json::parse(json_of(path), nullptr, false);
   std::vector<std::filesystem::path> files;
-  try {
-    const std::string bytes = read_whole_file(path, {.kind = "a glTF", .most_bytes = most_bytes});
-    const GltfDocument document(bytes, path, Trust::trusted);
-    for (const char* list : {"buffers", "images"}) {
-      for (std::size_t i = 0; i < document.count(list); ++i) {
-        const json& object = document.object(list, i);
-        const auto uri = object.find("uri");
-        if (uri == object.end() || !uri->is_string()) continue;
-        files.push_back(path.parent_path() / decode_percent(uri->get<std::string>()));
-      }
+  for (const char* list : {"buffers", "images"}) {
+    if (!root.is_object() || !root.contains(list)) continue;
+    for (const json& object : root[list]) {
+      const json uri = object.is_object() ? object.value("uri", json()) : json();
+      if (!uri.is_string() || uri.get_ref<const std::string&>().starts_with("data:")) continue;
+      files.push_back(path.parent_path() / decode_percent(uri.get<std::string>()));
     }
-  } catch (const Error&) {
-    return {};  // whoever reads it says what is wrong
   }
   return files;
 }

@@ -72,7 +72,13 @@ class GltfDocument {
   bool is_binary_ = false;
 };
 
-/// The buffers and images that a .gltf or .glb names beside itself; empty for a file that is none or damaged.
+/// Whether the first bytes of a file, or its name, are those of a glTF; whether the bytes are those of a
+/// .glb.
+bool is_gltf(std::string_view bytes, const std::filesystem::path& path);
+bool is_binary_gltf(std::string_view bytes);
+
+/// The buffers and images that a .gltf or .glb names beside itself, there or not. Reads its JSON alone; empty
+/// for a file that is none or damaged.
 std::vector<std::filesystem::path> files_of_gltf(const std::filesystem::path& path);
 
 }  // namespace offing::meshes

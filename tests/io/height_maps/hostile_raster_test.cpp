@@ -109,9 +109,10 @@ TEST_F(HostileRaster, ReachesNoServer) {
     fs::remove(path(name));
   }
   for (const char* name : {"wms.tif", "curl.vrt", "attribute.vrt", "wms.vrt"}) {
-    EXPECT_THAT(height_maps::files_of_raster(path(name)), ::testing::IsEmpty()) << name;
+    EXPECT_THAT(height_maps::files_of_raster(path(name), Trust::trusted), ::testing::IsEmpty()) << name;
   }
-  EXPECT_THAT(height_maps::files_of_raster(path("own/map.tif")), ::testing::ElementsAre(path("own/map.tif")));
+  EXPECT_THAT(height_maps::files_of_raster(path("own/map.tif"), Trust::trusted),
+              ::testing::ElementsAre(path("own/map.tif")));
   EXPECT_EQ(server_.callers(), 0);
 }
 
@@ -171,7 +172,15 @@ TEST_F(HostileRaster, NestedVrtsEnd) {
   // First by itself, then below another.
   write("above.vrt", vrt(near("6.vrt")));
   EXPECT_EQ(outcome(write("twice.vrt", vrt(near("6.vrt") + near("5.vrt")))), "");
-  EXPECT_THAT(outcome(write("late.vrt", vrt(near("6.vrt") + near("above.vrt")))), HasSubstr("at most 8 nested VRTs"));
+  EXPECT_THAT(outcome(write("late.vrt", vrt(near("6.vrt") + near("above.vrt")))),
+              HasSubstr("at most 8 nested VRTs"));
+}
+
+// Fails if listing what an untrusted raster reads opens what it may not lead to.
+TEST_F(HostileRaster, ListsNoFilesOutsideOfTheFolder) {
+  write("own/a.vrt", vrt(source("../secret.tif", R"(relativeToVRT="1")")));
+  EXPECT_EQ(height_maps::files_of_raster(path("own/a.vrt"), Trust::trusted).size(), 2u);
+  EXPECT_EQ(height_maps::files_of_raster(path("own/a.vrt"), Trust::untrusted).size(), 0u);
 }
 
 // Each of seven VRTs names the next one six times: 6^7 ways, which took 19 s. Fails if each is followed.
@@ -184,7 +193,7 @@ TEST_F(HostileRaster, ChecksEachSourceOnce) {
     write(fmt::format("{}.vrt", i), vrt(content));
   }
   const auto begin = std::chrono::steady_clock::now();
-  files_of_raster(path("7.vrt"));
+  height_maps::files_of_raster(path("7.vrt"), Trust::trusted);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
 }
 
