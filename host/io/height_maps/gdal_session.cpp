@@ -41,13 +41,20 @@ void register_used_drivers() {
   OSRSetPROJEnableNetwork(0);
 }
 
+/// The bounds of GDAL's only cache that live now.
+struct {
+  std::mutex mutex;
+  int count = 0;
+  GIntBig bytes_without = 0;
+} cache_bounds;
+
 }  // namespace
 
 const char* const* plain_formats() {
   return plain.data();
 }
 
-CacheBound::CacheBound(GDALDatasetH raster) : before_bytes_(GDALGetCacheMax64()) {
+CacheBound::CacheBound(GDALDatasetH raster) {
   if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) != nullptr || GDALGetRasterCount(raster) == 0) return;
   const GDALRasterBandH band = GDALGetRasterBand(raster, 1);
   int block_columns = 0, block_rows = 0;
@@ -57,7 +64,18 @@ CacheBound::CacheBound(GDALDatasetH raster) : before_bytes_(GDALGetCacheMax64())
   const GIntBig row_bytes = GIntBig{GDALGetRasterXSize(raster)} * GDALGetRasterCount(raster) *
                             GDALGetDataTypeSizeBytes(GDALGetRasterDataType(band));
   constexpr GIntBig mebibyte = 1 << 20;
-  GDALSetCacheMax64(std::clamp(rows * row_bytes, 16 * mebibyte, 1024 * mebibyte));
+  const GIntBig wanted_bytes = std::clamp(rows * row_bytes, 16 * mebibyte, 1024 * mebibyte);
+  const std::lock_guard lock(cache_bounds.mutex);
+  const bool is_first = cache_bounds.count++ == 0;
+  if (is_first) cache_bounds.bytes_without = GDALGetCacheMax64();
+  GDALSetCacheMax64(is_first ? wanted_bytes : std::max(wanted_bytes, GDALGetCacheMax64()));
+  is_set_ = true;
+}
+
+CacheBound::~CacheBound() {
+  if (!is_set_) return;
+  const std::lock_guard lock(cache_bounds.mutex);
+  if (--cache_bounds.count == 0) GDALSetCacheMax64(cache_bounds.bytes_without);
 }
 
 GdalSession::GdalSession() {

@@ -45,16 +45,17 @@ struct DestroySpatialReference {
 using SpatialReference = std::unique_ptr<void, DestroySpatialReference>;
 
 /// While it lives, GDAL's cache of blocks, 5 % of the machine's memory by itself, has room for a few hundred
-/// rows of a raster. Leaves it alone where GDAL_CACHEMAX is set.
+/// rows of a raster: of the largest, where several are read at once. Leaves it alone where GDAL_CACHEMAX is
+/// set.
 class CacheBound {
  public:
   explicit CacheBound(GDALDatasetH raster);
   CacheBound(const CacheBound&) = delete;
   CacheBound& operator=(const CacheBound&) = delete;
-  ~CacheBound() { GDALSetCacheMax64(before_bytes_); }
+  ~CacheBound();
 
  private:
-  GIntBig before_bytes_;
+  bool is_set_ = false;
 };
 
 /// The system that WKT, "EPSG:n" or another text that PROJ understands stands for; null if none does. Texts

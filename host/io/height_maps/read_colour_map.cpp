@@ -28,6 +28,7 @@ using height_maps::SpatialReference;
 
 constexpr double most_pixels = 268'435'456.0;
 using Corner = std::array<double, 6>;
+using Colour = std::array<std::uint8_t, 4>;
 
 /// Pixels in red, green, blue and alpha, and where they lie.
 struct Pixels {
@@ -61,6 +62,7 @@ class Picture {
       refuse(path_, "expected a picture, found none in it", "name one of its pictures as a file");
     }
     require_size(path_, columns(), rows());
+    cache_.emplace(dataset_.get());
     const GDALDataType type = GDALGetRasterDataType(band(1));
     if (type != GDT_Byte && type != GDT_UInt16) {
       refuse(path_, fmt::format("expected colours of 8 or 16 bits, found {}", GDALGetDataTypeName(type)),
@@ -78,14 +80,18 @@ class Picture {
     const auto count = static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows());
     Pixels pixels{.columns = columns(), .rows = rows(), .rgba = {}, .corner = corner()};
     pixels.rgba.resize(4 * count);
-    std::uint8_t* const target = pixels.rgba.data();
-    if (const GDALColorTableH palette = GDALGetRasterColorTable(band(1))) {
-      read_palette(palette, target);
-    } else {
-      for (int channel = 0; channel < 3; ++channel) {
-        read_band(band(bands() >= 3 ? channel + 1 : 1), target + channel);
+    const GDALColorTableH palette = GDALGetRasterColorTable(band(1));
+    const std::vector<Colour> colours = palette == nullptr ? std::vector<Colour>() : colours_of(palette);
+    // Row by row: in most files the bands of a pixel lie together.
+    for (int row = 0; row < rows(); ++row) {
+      std::uint8_t* const target = pixels.rgba.data() + std::ptrdiff_t{4} * columns() * row;
+      read_band(GDALGetMaskBand(band(1)), row, target + 3);
+      if (palette != nullptr) {
+        read_indices(colours, row, target);
+        continue;
       }
-      read_band(GDALGetMaskBand(band(1)), target + 3);
+      for (int channel = 0; channel < 3; ++channel)
+        read_band(band(bands() >= 3 ? channel + 1 : 1), row, target + channel);
     }
     return pixels;
   }
@@ -107,43 +113,44 @@ class Picture {
     return corner;
   }
 
-  /// Calls take(value, i) for each pixel i.
+  /// Calls take(value, i) for each pixel i of a row.
   template <class Take>
-  void for_each(GDALRasterBandH band, Take take) const {
-    std::vector<std::uint16_t> row(static_cast<std::size_t>(columns()));
-    std::size_t i = 0;
-    for (int r = 0; r < rows(); ++r) {
-      if (GDALRasterIO(band, GF_Read, 0, r, columns(), 1, row.data(), columns(), 1, GDT_UInt16, 0, 0) !=
-          CE_None) {
-        refuse(path_,
-               fmt::format("expected {} rows, found none that can be read from row {} on: {}", rows(), r,
-                           session_.failure()),
-               "the file is cut short or damaged: copy or download it again");
-      }
-      for (const std::uint16_t value : row) take(value, i++);
+  void for_each(GDALRasterBandH band, int row, Take take) const {
+    std::vector<std::uint16_t> values(static_cast<std::size_t>(columns()));
+    if (GDALRasterIO(band, GF_Read, 0, row, columns(), 1, values.data(), columns(), 1, GDT_UInt16, 0, 0) !=
+        CE_None) {
+      refuse(path_,
+             fmt::format("expected {} rows, found none that can be read from row {} on: {}", rows(), row,
+                         session_.failure()),
+             "the file is cut short or damaged: copy or download it again");
     }
+    for (std::size_t i = 0; i < values.size(); ++i) take(values[i], i);
   }
 
-  /// Bytes of a band to every fourth byte from `target` on.
-  void read_band(GDALRasterBandH band, std::uint8_t* target) const {
+  /// Bytes of a row of a band to every fourth byte from `target` on.
+  void read_band(GDALRasterBandH band, int row, std::uint8_t* target) const {
     const bool is_wide = GDALGetRasterDataType(band) == GDT_UInt16;
-    for_each(band, [&](std::uint16_t value, std::size_t i) {
+    for_each(band, row, [&](std::uint16_t value, std::size_t i) {
       target[4 * i] = static_cast<std::uint8_t>(is_wide ? (value + 128) / 257 : value);
     });
   }
 
-  void read_palette(GDALColorTableH palette, std::uint8_t* target) const {
-    std::vector<std::array<std::uint8_t, 4>> colours;
+  static std::vector<Colour> colours_of(GDALColorTableH palette) {
+    std::vector<Colour> colours;
     for (int i = 0; i < GDALGetColorEntryCount(palette); ++i) {
       GDALColorEntry entry{};
       GDALGetColorEntryAsRGB(palette, i, &entry);
       const auto byte = [](short value) { return static_cast<std::uint8_t>(std::clamp<int>(value, 0, 255)); };
       colours.push_back({byte(entry.c1), byte(entry.c2), byte(entry.c3), byte(entry.c4)});
     }
-    read_band(GDALGetMaskBand(band(1)), target + 3);
-    for_each(band(1), [&](std::uint16_t index, std::size_t i) {
+    return colours;
+  }
+
+  /// Colours for the indices of a row whose mask is in `target` already.
+  void read_indices(const std::vector<Colour>& colours, int row, std::uint8_t* target) const {
+    for_each(band(1), row, [&](std::uint16_t index, std::size_t i) {
       const bool is_covered = index < colours.size() && target[4 * i + 3] != 0;
-      const std::array<std::uint8_t, 4> colour = is_covered ? colours[index] : std::array<std::uint8_t, 4>{};
+      const Colour colour = is_covered ? colours[index] : Colour{};
       std::copy(colour.begin(), colour.end(), target + 4 * i);
     });
   }
@@ -151,6 +158,7 @@ class Picture {
   std::filesystem::path path_;
   GdalSession session_;
   Dataset dataset_;
+  std::optional<height_maps::CacheBound> cache_;
 };
 
 struct FreeList {

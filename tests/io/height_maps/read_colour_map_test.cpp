@@ -1,8 +1,12 @@
 #include "host/io/height_maps/read_colour_map.h"
 
+#include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
+#include <gdal.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -188,6 +192,22 @@ TEST_F(ReadColourMap, ReadsFilesAlone) {
       EXPECT_THAT(error.what(), ::testing::HasSubstr("expected a picture, found a ")) << name;
     }
   }
+}
+
+// Fails if GDAL may keep 5 % of the memory of the machine while a picture is read, or afterwards less.
+TEST_F(ReadColourMap, KeepsFewRowsInMemory) {
+  write_raster(path("picture.tif"), "GTiff", picture(2500, 2500, 3));
+  const GIntBig usual_bytes = GDALGetCacheMax64();
+  std::atomic<bool> is_read = false;
+  GIntBig least_bytes = usual_bytes;
+  std::thread watch([&] {
+    while (!is_read) least_bytes = std::min(least_bytes, GDALGetCacheMax64());
+  });
+  read_colour_map(path("picture.tif"), map_in_metres());
+  is_read = true;
+  watch.join();
+  EXPECT_EQ(least_bytes, GIntBig{16} << 20);
+  EXPECT_EQ(GDALGetCacheMax64(), usual_bytes);
 }
 
 }  // namespace

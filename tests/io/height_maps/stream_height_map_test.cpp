@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <gdal.h>
 #include <gtest/gtest.h>
 
+#include "host/io/height_maps/gdal_session.h"
 #include "host/io/height_maps/read_height_map.h"
 #include "tests/io/height_maps/raster_writer.h"
 #include "tests/io/temporary_folder.h"
@@ -72,8 +74,8 @@ TEST_F(StreamHeightMap, IsTheMap) {
   EXPECT_EQ(streamed.source.highest_m, whole.source.highest_m);
 }
 
-// Fails if ASCII grids of a folder are read as GDAL takes them: 0 m for what is missing or "nan", 1 m for 1.5 in
-// a grid whose first part has integers alone.
+// Fails if ASCII grids of a folder are read as GDAL takes them: 0 m for what is missing or "nan", 1 m for 1.5
+// in a grid whose first part has integers alone.
 TEST_F(StreamHeightMap, ChecksTheAsciiGridsOfAFolder) {
   std::filesystem::create_directory(path("grids"));
   HeightMapOptions options;
@@ -110,6 +112,22 @@ TEST_F(StreamHeightMap, KeepsFewRowsInMemory) {
       });
   EXPECT_GT(most_bytes, 0);
   EXPECT_LE(most_bytes, GIntBig{16} << 20);
+  EXPECT_EQ(GDALGetCacheMax64(), usual_bytes);
+}
+
+// Fails if the size that GDAL's cache had is not restored when two readings end in the order in which they
+// began.
+TEST_F(StreamHeightMap, RestoresTheCacheAfterTheLastReading) {
+  test::write_raster(path("map.tif"), "GTiff", raster_at(40, 700, 0, 0));
+  const height_maps::GdalSession session;
+  const height_maps::Dataset map(GDALOpen(path("map.tif").c_str(), GA_ReadOnly));
+  const GIntBig usual_bytes = GDALGetCacheMax64();
+  std::optional<height_maps::CacheBound> first(map.get()), second(map.get());
+  const GIntBig bound_bytes = GDALGetCacheMax64();
+  EXPECT_LT(bound_bytes, usual_bytes);
+  first.reset();
+  EXPECT_EQ(GDALGetCacheMax64(), bound_bytes);
+  second.reset();
   EXPECT_EQ(GDALGetCacheMax64(), usual_bytes);
 }
 
