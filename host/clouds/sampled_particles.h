@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "host/base/cloud_volume.h"
+#include "host/base/host_memory.h"
 #include "host/base/work.h"
 #include "host/clouds/cloud_parameters.h"
-#include "host/ocl/host_memory.h"
 #include "kernels/shared/clouds.h"
 
 namespace offing::clouds {
@@ -15,7 +15,7 @@ struct SamplingOptions {
   Sampling sampling = Sampling::uniform;
   int target_particles = 1000;
   std::uint64_t seed = 1;
-  std::uint64_t most_bytes = ocl::available_host_memory_bytes();  ///< that merging may take
+  std::uint64_t most_bytes = available_host_memory_bytes();  ///< that merging may take
 };
 
 /// Particles that stand for a volume (C5), places relative to its origin, at most as many as aimed at, and

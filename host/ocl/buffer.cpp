@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/host_memory.h"
 #include "host/ocl/device_state.h"
-#include "host/ocl/host_memory.h"
 #include "host/ocl/host_pages.h"
 #include "host/ocl/opencl.h"
 #include "host/ocl/quirks.h"

@@ -6,7 +6,7 @@
 
 #include <sys/mman.h>
 
-#include "host/ocl/host_memory.h"
+#include "host/base/host_memory.h"
 
 namespace offing::ocl {
 namespace {

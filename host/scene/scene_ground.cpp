@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/host_memory.h"
 #include "host/base/time_estimate.h"
 #include "host/io/height_maps/read_colour_map.h"
 #include "host/io/height_maps/read_height_map.h"
 #include "host/io/tile_store/tile_store.h"
-#include "host/ocl/host_memory.h"
 #include "host/scene/named_file.h"
 #include "host/scene/parameter_table.h"
 #include "host/scene/stored_ground.h"
@@ -40,9 +40,9 @@ struct Heights {
 Heights made_heights(const TerrainScene& terrain) {
   const terrain::FractalParameters& parameters = terrain.fractal;
   const std::string what = fmt::format("terrain.posts: {0} x {0} posts", parameters.posts);
-  ocl::require_host_memory(sizeof(float) * static_cast<double>(parameters.posts) * parameters.posts, what,
-                           "use fewer, or make a file with `offing terrain generate` and tile it with "
-                           "`offing terrain tile`");
+  require_host_memory(sizeof(float) * static_cast<double>(parameters.posts) * parameters.posts, what,
+                      "use fewer, or make a file with `offing terrain generate` and tile it with "
+                      "`offing terrain tile`");
   terrain::RowMakers makers(parameters);
   HeightMap map;
   map.columns = map.rows = parameters.posts;

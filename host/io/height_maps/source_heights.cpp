@@ -1,27 +1,16 @@
 #include "host/io/height_maps/source_heights.h"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/host_memory.h"
 
 namespace offing::height_maps {
 
 namespace {
-
-/// Memory that can be taken without swapping, bytes; without limit where the system does not say.
-double free_memory_bytes() {
-  std::ifstream file("/proc/meminfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("MemAvailable:")) {
-      return 1024.0 * std::stod(line.substr(line.find(':') + 1));
-    }
-  }
-  return std::numeric_limits<double>::infinity();
-}
 
 void check_sides(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows) {
   constexpr std::int64_t most = std::numeric_limits<int>::max();
@@ -39,14 +28,9 @@ void check_size(const std::filesystem::path& path, std::int64_t columns, std::in
   check_sides(path, columns, rows);
   constexpr double bytes_a_post = sizeof(float) + sizeof(std::uint8_t);
   const double wanted_bytes = bytes_a_post * static_cast<double>(columns) * static_cast<double>(rows);
-  const double free_bytes = free_memory_bytes();
-  if (wanted_bytes > free_bytes) {
-    throw Error(ErrorKind::out_of_memory,
-                fmt::format("{}: {}x{} posts need {:.1f} GB of memory, {:.1f} GB are free", path.string(),
-                            columns, rows, wanted_bytes * 1e-9, free_bytes * 1e-9),
-                "`offing terrain tile` makes a store of it that needs little memory; gdal_translate -outsize "
-                "makes it coarser");
-  }
+  require_host_memory(wanted_bytes, fmt::format("{}: {}x{} posts", path.string(), columns, rows),
+                      "`offing terrain tile` makes a store of it that needs little memory; gdal_translate "
+                      "-outsize makes it coarser");
 }
 
 SourceHeights begin_heights(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows,

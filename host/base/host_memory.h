@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-namespace offing::ocl {
+namespace offing {
 
 /// Memory without a limit.
 constexpr std::uint64_t unlimited_bytes = std::numeric_limits<std::uint64_t>::max();
@@ -26,4 +26,4 @@ void require_host_memory(double bytes, const std::string& what, const std::strin
 /// its processes still use; unlimited_bytes where it has no limit.
 std::uint64_t available_in_group_bytes(const std::filesystem::path& group);
 
-}  // namespace offing::ocl
+}  // namespace offing

@@ -1,4 +1,4 @@
-#include "host/ocl/host_memory.h"
+#include "host/base/host_memory.h"
 
 #include <fstream>
 #include <regex>
@@ -10,7 +10,7 @@
 
 // Control groups of cgroup v2, made up in a folder.
 
-namespace offing::ocl {
+namespace offing {
 namespace {
 
 class ControlGroup : public testing::Test {
@@ -75,4 +75,4 @@ TEST(HostMemory, IsRequiredWithBothFigures) {
 }
 
 }  // namespace
-}  // namespace offing::ocl
+}  // namespace offing

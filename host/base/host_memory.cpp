@@ -1,4 +1,4 @@
-#include "host/ocl/host_memory.h"
+#include "host/base/host_memory.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,7 +11,7 @@
 
 #include "host/base/error.h"
 
-namespace offing::ocl {
+namespace offing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -82,4 +82,4 @@ void require_host_memory(double bytes, const std::string& what, const std::strin
               hint);
 }
 
-}  // namespace offing::ocl
+}  // namespace offing
