@@ -14,6 +14,7 @@
 
 #include "host/base/error.h"
 #include "host/base/world_limits.h"
+#include "host/io/byte_order_mark.h"
 
 namespace offing {
 namespace {
@@ -86,8 +87,7 @@ bool NumberTable::read_line(std::string_view& line) {
                   fmt::format("{}:{}: expected text, found a byte of value 0", path_.string(), line_number_),
                   "save it as plain text in UTF-8 or ASCII");
     }
-    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-    if (line_number_ == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
+    if (line_number_ == 1) line = without_byte_order_mark(line);
     if (!line.empty() && line.front() != '#') return true;
   }
   if (file_.bad()) {

@@ -13,6 +13,7 @@
 
 #include "host/base/error_report.h"
 #include "host/base/vertex_places.h"
+#include "host/io/byte_order_mark.h"
 #include "host/io/meshes/polygon_soup.h"
 #include "host/io/meshes/text_lines.h"
 
@@ -30,7 +31,7 @@ std::uint32_t facet_count(std::string_view bytes) {
 bool is_text(std::string_view bytes) {
   if (bytes.size() >= header_bytes && bytes.size() == header_bytes + facet_bytes * facet_count(bytes))
     return false;
-  std::string_view begin = bytes.substr(0, 4096);
+  std::string_view begin = without_byte_order_mark(bytes.substr(0, 4096));
   begin.remove_prefix(std::min(begin.find_first_not_of(" \t\r\n"), begin.size()));
   return begin.starts_with("solid") &&
          (begin.find("facet") != std::string_view::npos || begin.find("endsolid") != std::string_view::npos);

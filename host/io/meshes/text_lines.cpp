@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error_report.h"
+#include "host/io/byte_order_mark.h"
 
 namespace offing::meshes {
 namespace {
@@ -30,11 +31,9 @@ std::string_view without_plus(std::string_view word) {
 }  // namespace
 
 TextLines::TextLines(std::string_view text, std::string_view file_name, std::size_t lines_before)
-    : remaining_(text), file_name_(file_name), line_number_(lines_before) {
-  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // of UTF-8, as Windows programs write it
-  if (lines_before == 0 && remaining_.starts_with(byte_order_mark))
-    remaining_.remove_prefix(byte_order_mark.size());
-}
+    : remaining_(lines_before == 0 ? without_byte_order_mark(text) : text),
+      file_name_(file_name),
+      line_number_(lines_before) {}
 
 bool TextLines::next_line() {
   while (!remaining_.empty()) {

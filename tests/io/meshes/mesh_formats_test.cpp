@@ -60,6 +60,11 @@ TEST(MeshFormats, ByteOrderMarksArePassedOver) {
     EXPECT_EQ(mesh.positions_m.size(), 4u);
     EXPECT_EQ(mesh.faces.size(), 1u);
   }
+  std::ofstream(folder.path() / "a.stl", std::ios::binary)
+      << mark
+      << "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+      << "endfacet\nendsolid a\n";
+  EXPECT_EQ(read_mesh(folder.path() / "a.stl").faces.size(), 1u);
 }
 
 // Fails if negative indices, a line that goes on, texture indices, faces before their vertices, or elements
