@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 #include <string_view>
 #include <system_error>
@@ -11,6 +10,7 @@
 
 #include "host/base/error.h"
 #include "host/base/error_report.h"
+#include "host/io/file_extension.h"
 #include "host/io/meshes/ply_header.h"
 #include "host/io/tile_store/tile_store.h"
 #include "host/scene/parameter_table.h"
@@ -38,13 +38,6 @@ constexpr std::array known_names{
     KnownName{".spt", DroppedKind::spectrum},   KnownName{".txt", DroppedKind::spectrum},
     KnownName{".nc", DroppedKind::spectrum},    KnownName{".gz", DroppedKind::spectrum},
     KnownName{".vdb", DroppedKind::cloud}};
-
-std::string lower_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 DroppedKind kind_of_ply(const std::filesystem::path& file) {
   constexpr std::size_t most_bytes = 1 << 16;  // of a header

@@ -23,5 +23,10 @@ TEST(FileExtension, IsThatOfTheFormat) {
   }
 }
 
+TEST(FileExtension, InLowerCase) {
+  EXPECT_EQ(lower_extension("A.B/c.D.PnG"), ".png");
+  EXPECT_EQ(lower_extension("A.B/.Hidden"), "");
+}
+
 }  // namespace
 }  // namespace offing

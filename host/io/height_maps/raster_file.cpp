@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -17,6 +16,7 @@
 
 #include "host/base/error.h"
 #include "host/base/error_report.h"
+#include "host/io/hdf5_mark.h"
 #include "host/io/height_maps/ascii_grid_check.h"
 
 namespace offing::height_maps {
@@ -33,19 +33,6 @@ bool is_of(const fs::path& path, const char* const* formats) {
 Dataset open_as(const fs::path& path, const char* const* formats, const char* const* options = nullptr) {
   return Dataset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, formats,
                             options, nullptr));
-}
-
-/// NetCDF-4 too. A block of the user may come first: the mark is at byte 0, 512, 1024, 2048 and so on (HDF5
-/// File Format Specification, section II.A).
-bool is_hdf5(const fs::path& path) {
-  constexpr std::array mark{'\x89', 'H', 'D', 'F'};
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, mark.size()> bytes{};
-  for (std::streamoff at = 0; file.seekg(at).read(bytes.data(), bytes.size());
-       at = std::max(2 * at, std::streamoff{512})) {
-    if (bytes == mark) return true;
-  }
-  return false;
 }
 
 std::string lower(std::string text) {
@@ -110,8 +97,7 @@ bool is_of_driver(GDALDatasetH raster, std::string_view name) {
 }
 
 bool is_of_integers(GDALDatasetH raster) {
-  return GDALGetRasterCount(raster) == 1 &&
-         GDALGetRasterDataType(GDALGetRasterBand(raster, 1)) == GDT_Int32;
+  return GDALGetRasterCount(raster) == 1 && GDALGetRasterDataType(GDALGetRasterBand(raster, 1)) == GDT_Int32;
 }
 
 /// An ASCII grid in whose first part GDAL finds no decimal point has integers: "1.5" would be 1, "nan" 0.
@@ -121,7 +107,7 @@ enum class IntegerGrids {
 };
 
 Dataset open_plain(const fs::path& path, const FileTrust& trust, IntegerGrids integer_grids) {
-  if ((trust.trust == Trust::untrusted || trust.is_named_by_scene) && is_hdf5(path)) {
+  if ((trust.trust == Trust::untrusted || trust.is_named_by_scene) && is_hdf5_file(path)) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a self-contained raster, found HDF5 (NetCDF-4), which can name "
                             "other files as its data",

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -11,18 +10,11 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/io/file_extension.h"
 
 namespace offing::height_maps {
 
 namespace {
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& letter : extension) {
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  }
-  return extension;
-}
 
 RawType raw_type_of(const std::filesystem::path& path, const HeightMapOptions& options) {
   const std::string extension = lower_extension(path);

@@ -1,7 +1,5 @@
 #include "host/io/meshes/read_mesh.h"
 
-#include <algorithm>
-#include <cctype>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,6 +9,8 @@
 #include "host/base/error.h"
 #include "host/base/error_report.h"
 #include "host/base/log.h"
+#include "host/io/file_extension.h"
+#include "host/io/meshes/gltf_document.h"
 #include "host/io/meshes/gltf_mesh.h"
 #include "host/io/meshes/mesh_bytes.h"
 #include "host/io/meshes/obj_mesh.h"
@@ -21,13 +21,6 @@
 
 namespace offing {
 namespace {
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 std::string_view first_word(std::string_view text) {
   meshes::TextLines lines(text.substr(0, 4096), "");
@@ -41,8 +34,7 @@ MeshFile parse(std::string_view bytes, const std::filesystem::path& path, Trust 
   if (extension == ".obj") return meshes::parse_obj(bytes, name);
   if (meshes::is_off_keyword(word) || extension == ".off") return meshes::parse_off(bytes, name);
   if (extension == ".stl") return meshes::parse_stl(bytes, name);
-  if (bytes.starts_with("glTF") || extension == ".gltf" || extension == ".glb")
-    return meshes::parse_gltf(bytes, path, trust);
+  if (meshes::is_gltf(bytes, path)) return meshes::parse_gltf(bytes, path, trust);
   if (word == "solid") return meshes::parse_stl(bytes, name);
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a mesh, got {}", one_line(name),

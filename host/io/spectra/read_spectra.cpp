@@ -13,6 +13,7 @@
 #include "host/base/error.h"
 #include "host/base/error_report.h"
 #include "host/base/log.h"
+#include "host/io/hdf5_mark.h"
 #include "host/io/spectra/datawell_spectra.h"
 #include "host/io/spectra/gzip.h"
 #include "host/io/spectra/ndbc_spectra.h"
@@ -83,10 +84,6 @@ std::vector<WaveSpectrum> read_ndbc(const LoadedFile& main, const std::filesyste
     return file ? std::optional(file->text()) : std::nullopt;
   };
   return spectra::parse_ndbc(main.bytes, main.name, {text(alpha1), text(alpha2), text(r1), text(r2)});
-}
-
-bool is_hdf5(std::string_view bytes) {
-  return bytes.starts_with("\x89HDF\r\n\x1a\n");
 }
 
 std::string_view first_filled_line(std::string_view text, std::string_view name) {

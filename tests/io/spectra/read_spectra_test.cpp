@@ -155,6 +155,16 @@ TEST(ReadSpectra, RefusesWhatIsNoSpectrum) {
   }
 }
 
+// Fails if a block of the user hides that an untrusted file is HDF5, which can lead to other files.
+TEST(ReadSpectra, FindsHdf5BehindABlock) {
+  const TemporaryFolder folder;
+  for (const std::size_t block : {0, 512, 2048}) {
+    write_text(folder.path() / "f.nc", std::string(block, ' ') + "\x89HDF\r\n\x1a\n");
+    expect_error(ErrorKind::bad_input, "f.nc: expected a self-contained file, got HDF5",
+                 [&] { read_spectra(folder.path() / "f.nc", Trust::untrusted); });
+  }
+}
+
 TEST(ReadSpectra, NamesAFileThatMayNotBeRead) {
   if (geteuid() == 0) GTEST_SKIP() << "root may read everything";
   const TemporaryFolder folder;
