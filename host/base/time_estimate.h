@@ -7,16 +7,22 @@
 
 namespace offing {
 
-/// Refuses work of many steps that would take more than an hour before it shows anything. The estimate is
-/// from the steps done so far, without the first.
+/// Refuses work of many steps that would take more than 45 s, or OFFING_LONGEST_WAIT_S of the environment,
+/// before it shows anything. The estimate is from the steps done so far.
 class TimeEstimate {
  public:
-  /// `what` names the setting and the work, "ocean.wake: 432000 steps of 512 x 512 cells"; `hint` says how to
-  /// ask for less.
-  TimeEstimate(std::int64_t steps, std::string what, std::string hint);
+  /// What steps are like.
+  enum class Steps {
+    small,  ///< 16 are done in a frame without a wait; the first may compile kernels and counts for nothing
+    large,  ///< 2 are done in a frame without a wait; the first counts, and kernels are compiled
+  };
 
-  /// To be called after each step. Of more than 16 steps, now and then waits by `finish` for those that are
-  /// only enqueued, and then throws Error(bad_input) with the time needed if that is too long.
+  /// `what` names the setting and the work, "ocean.wake: 432000 steps of 512 x 512 cells"; `hint` says how to
+  /// ask for less. Large steps begin here: all that was enqueued before is to be finished.
+  TimeEstimate(std::int64_t steps, std::string what, std::string hint, Steps size = Steps::small);
+
+  /// To be called after each step. Of more steps than a frame takes, now and then waits by `finish` for those
+  /// that are only enqueued, and then throws Error(bad_input) with the time needed if that is too long.
   void step_done(const std::function<void()>& finish = {});
 
  private:
@@ -24,12 +30,14 @@ class TimeEstimate {
 
   const std::int64_t steps_;
   const std::string what_, hint_;
-  Clock::time_point start_, last_look_;     // of the second step; of the last look
-  std::int64_t done_ = 0, next_look_ = 16;  // more than most frames take
+  const Steps size_;
+  Clock::time_point start_ = Clock::now(), last_look_ = start_;  // of the first step that counts
+  std::int64_t done_ = 0, next_look_;
 };
 
-/// The check of TimeEstimate: throws if `steps` would take too long, given that `done` took `elapsed_s`.
-void require_under_an_hour(std::int64_t done, std::int64_t steps, double elapsed_s, const std::string& what,
-                           const std::string& hint);
+/// The check of TimeEstimate: throws if `steps` would take too long, given that `done` took `elapsed_s`,
+/// unless they are more than half of them.
+void require_short_wait(std::int64_t done, std::int64_t steps, double elapsed_s, const std::string& what,
+                        const std::string& hint);
 
 }  // namespace offing

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/time_estimate.h"
 #include "host/ocean/parameter_check.h"
 #include "host/ocl/program.h"
 
@@ -71,9 +72,19 @@ void Foam::at(const WaveModes& modes, SurfaceMaps& surface, double time_s) {
   std::erase_if(coverages_, [&](const auto& entry) { return !needed.contains(entry.first); });
   held_.reset();
   foam_.fill(0.0f);
+  const std::size_t missing = needed.size() - coverages_.size();
+  if (missing > 2) device_.finish();  // so that the first one is timed alone; frames never wait
+  TimeEstimate estimate(
+      static_cast<std::int64_t>(missing),
+      fmt::format("ocean.foam: {} past instants of {} x {} samples in {} cascades", missing, modes.size(),
+                  modes.size(), modes.cascade_count()),
+      "use a smaller ocean.size, a longer ocean.foam.step_s, or a shorter ocean.foam.decay_s",
+      TimeEstimate::Steps::large);
   for (std::int64_t j = 0; j <= past_count; ++j) {
+    const bool is_new = !coverages_.contains(instants_.key_of(now - j));
     decay_.launch({{texels_, 1, 1}}, coverage_at(modes, surface, now - j),
                   static_cast<float>(instants_.weight(j)), foam_);
+    if (is_new) estimate.step_done([this] { device_.finish(); });
   }
   held_ = instants_.key_of(now);
 }

@@ -2,6 +2,9 @@
 #include "host/base/work.h"
 
 #include <chrono>
+#include <cstdlib>
+#include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -30,20 +33,66 @@ TEST(Work, PartsTellSharesOfTheWhole) {
   EXPECT_NO_THROW(Work().part(0.0, 0.5).tell(0.3)) << "nobody waits for it";
 }
 
-// Fails if work of hours is begun, work of minutes is refused, or the time that is named is not that of the
-// steps: 10 of 100,000 in 5 s are 50,000 s.
-TEST(TimeEstimate, RefusesHours) {
-  try {
-    require_under_an_hour(10, 100'000, 5.0, "ocean.wake: 100000 steps", "take fewer");
-    ADD_FAILURE() << "no error";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
-    EXPECT_STREQ(error.what(),
-                 "ocean.wake: 100000 steps would take about 13 h 53 min here, expected at most 1 h 00 min");
-    EXPECT_EQ(error.hint(), "take fewer");
+/// A value of the environment for as long as this lives.
+class LongestWait {
+ public:
+  explicit LongestWait(const char* value) {
+    if (const char* usual = std::getenv("OFFING_LONGEST_WAIT_S")) usual_ = usual;
+    if (value == nullptr) {
+      unsetenv("OFFING_LONGEST_WAIT_S");
+    } else {
+      setenv("OFFING_LONGEST_WAIT_S", value, 1);
+    }
   }
-  EXPECT_NO_THROW(require_under_an_hour(10, 1000, 5.0, "", ""));
-  EXPECT_NO_THROW(require_under_an_hour(1, 1'000'000, 0.5, "", "")) << "too early to know";
+  LongestWait(const LongestWait&) = delete;
+  LongestWait& operator=(const LongestWait&) = delete;
+  ~LongestWait() {
+    if (usual_) {
+      setenv("OFFING_LONGEST_WAIT_S", usual_->c_str(), 1);
+    } else {
+      unsetenv("OFFING_LONGEST_WAIT_S");
+    }
+  }
+
+ private:
+  std::optional<std::string> usual_;
+};
+
+// Fails if work of minutes is begun, work of seconds is refused, the time that is named is not that of the
+// steps (10 of 10,000 in 5 s are 5,000 s), or its hint does not lead to it.
+TEST(TimeEstimate, RefusesMinutes) {
+  {
+    const LongestWait usual(nullptr);
+    try {
+      require_short_wait(10, 10'000, 5.0, "ocean.wake: 10000 steps", "take fewer");
+      ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+      EXPECT_STREQ(error.what(),
+                   "ocean.wake: 10000 steps would take about 1 h 23 min here, expected at most 45 s");
+      EXPECT_EQ(error.hint(), "take fewer; or wait: set OFFING_LONGEST_WAIT_S=7500");
+    }
+    EXPECT_NO_THROW(require_short_wait(10, 80, 5.0, "", ""));
+    EXPECT_NO_THROW(require_short_wait(1, 1'000'000, 0.5, "", "")) << "too early to know";
+    EXPECT_NO_THROW(require_short_wait(6, 10, 40.0, "", "")) << "half done";
+  }
+  const LongestWait longer("7500");
+  EXPECT_NO_THROW(require_short_wait(10, 10'000, 5.0, "", ""));
+}
+
+// Fails if a limit that is no number is taken for none, or for zero.
+TEST(TimeEstimate, NeedsALimitInSeconds) {
+  for (const char* text : {"", "ten", "5 min", "0", "-1", "nan"}) {
+    const LongestWait wrong(text);
+    try {
+      require_short_wait(10, 1000, 5.0, "", "");
+      ADD_FAILURE() << "no error for \"" << text << '"';
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_usage);
+      EXPECT_EQ(std::string(error.what()),
+                std::string("OFFING_LONGEST_WAIT_S: expected seconds above 0, found \"") + text + '"');
+    }
+  }
 }
 
 // Fails if steps that would take hours go on for more than a few seconds, or what is only enqueued is not
@@ -70,6 +119,16 @@ TEST(TimeEstimate, LooksWhileItWorks) {
 TEST(TimeEstimate, FramesNeverWait) {
   TimeEstimate estimate(16, "work", "take less");
   for (int step = 0; step < 16; ++step) estimate.step_done([] { ADD_FAILURE() << "waited"; });
+}
+
+// Fails if a hundred steps of 2 s each are not refused after the first, or those of a frame wait.
+TEST(TimeEstimate, LooksAtTheFirstLargeStep) {
+  const LongestWait usual(nullptr);
+  TimeEstimate estimate(100, "work", "take less", TimeEstimate::Steps::large);
+  EXPECT_THROW(estimate.step_done([] { std::this_thread::sleep_for(std::chrono::milliseconds(2100)); }),
+               Error);
+  TimeEstimate frame(2, "work", "take less", TimeEstimate::Steps::large);
+  for (int step = 0; step < 2; ++step) frame.step_done([] { ADD_FAILURE() << "waited"; });
 }
 
 // Fails if work is refused because its first step waits for a driver's compiler: 2.1 s in place of nothing.
