@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "host/base/error.h"
 
@@ -45,6 +47,21 @@ fs::path own_group() {
   return "/";
 }
 
+// What a limit of this process (`ulimit -v`, `ulimit -d`) leaves beside `used_pages`.
+std::uint64_t left_of_limit(decltype(RLIMIT_AS) resource, std::uint64_t used_pages) {
+  rlimit limit{};
+  if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited_bytes;
+  const std::uint64_t used = used_pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  return limit.rlim_cur - std::min<std::uint64_t>(limit.rlim_cur, used);
+}
+
+std::uint64_t left_of_limits() {
+  std::uint64_t size = 0, resident = 0, shared = 0, text = 0, libraries = 0, data = 0;
+  if (!(std::ifstream("/proc/self/statm") >> size >> resident >> shared >> text >> libraries >> data))
+    return unlimited_bytes;
+  return std::min(left_of_limit(RLIMIT_AS, size), left_of_limit(RLIMIT_DATA, data));
+}
+
 }  // namespace
 
 std::uint64_t total_host_memory_bytes() {
@@ -63,7 +80,8 @@ std::uint64_t available_in_group_bytes(const fs::path& group) {
 }
 
 std::uint64_t available_host_memory_bytes() {
-  std::uint64_t available = meminfo_bytes("MemAvailable:").value_or(unlimited_bytes);
+  std::uint64_t available =
+      std::min(left_of_limits(), meminfo_bytes("MemAvailable:").value_or(unlimited_bytes));
   // Each group up to the root may have a limit; what another namespace hides has no files here.
   const fs::path root = "/sys/fs/cgroup";
   for (fs::path group = own_group().lexically_normal();; group = group.parent_path()) {

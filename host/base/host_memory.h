@@ -13,9 +13,10 @@ constexpr std::uint64_t unlimited_bytes = std::numeric_limits<std::uint64_t>::ma
 /// All memory of this machine; 0 if the system does not say.
 std::uint64_t total_host_memory_bytes();
 
-/// Host memory that can still be used without swapping or breaking a memory limit of this process' control
-/// groups; unlimited_bytes if the system does not say. File pages that the kernel would give back at once
-/// count as free: a long bake fills a container's limit with the files it wrote.
+/// Host memory that can still be used without swapping or breaking a memory limit of this process (`ulimit
+/// -v`, `ulimit -d`) or of its control groups; unlimited_bytes if the system does not say. File pages that
+/// the kernel would give back at once count as free: a long bake fills a container's limit with the files it
+/// wrote.
 std::uint64_t available_host_memory_bytes();
 
 /// Throws Error(out_of_memory) with both figures where this much is not available: the kernel would kill the

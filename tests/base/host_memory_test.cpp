@@ -4,6 +4,7 @@
 #include <regex>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "host/base/error.h"
 #include "tests/io/temporary_folder.h"
@@ -57,6 +58,20 @@ TEST_F(ControlGroup, MayHaveNoLimit) {
 TEST(HostMemory, IsSomeOfTheMachines) {
   EXPECT_GT(available_host_memory_bytes(), 0u);
   EXPECT_LE(available_host_memory_bytes(), total_host_memory_bytes());
+}
+
+// Fails if work begins that a limit of the process, as `ulimit` sets it, then stops in its middle.
+TEST(HostMemory, IsWithinLimitsOfTheProcess) {
+  for (const auto resource : {RLIMIT_AS, RLIMIT_DATA}) {
+    rlimit usual{};
+    ASSERT_EQ(getrlimit(resource, &usual), 0);
+    constexpr rlim_t gibibyte = rlim_t{1} << 30;
+    const rlimit limited{.rlim_cur = gibibyte, .rlim_max = usual.rlim_max};
+    ASSERT_EQ(setrlimit(resource, &limited), 0);
+    const std::uint64_t left = available_host_memory_bytes();
+    ASSERT_EQ(setrlimit(resource, &usual), 0);
+    EXPECT_LT(left, gibibyte);
+  }
 }
 
 // Fails if what no machine has is begun, what fits is refused, or the message lacks a figure.
