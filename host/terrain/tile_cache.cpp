@@ -25,6 +25,7 @@ std::size_t head_floats_of(const TileSetShape& shape) {
   return 2 * static_cast<std::size_t>(pages.columns) * static_cast<std::size_t>(pages.rows);
 }
 
+/// Those that the budget has room for, at most twice as many as there are tiles: a view takes a part of them.
 std::size_t slots_within(const ocl::Device& device, const TileSetShape& shape, std::size_t budget_bytes) {
   const std::size_t fixed_bytes = head_floats_of(shape) * sizeof(float);
   const std::size_t loader_bytes = (TileLoader::most_images + 1) * slot_bytes;
@@ -44,7 +45,7 @@ std::size_t slots_within(const ocl::Device& device, const TileSetShape& shape, s
         fmt::format("give it {:.0f} MiB or more",
                     static_cast<double>(needed * slot_bytes + fixed_bytes + loader_bytes) / mebibyte + 1.0));
   }
-  return slots;
+  return std::min(slots, 2 * static_cast<std::size_t>(shape.tile_count()) + needed);
 }
 
 }  // namespace

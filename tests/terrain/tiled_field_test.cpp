@@ -240,6 +240,16 @@ TEST(TiledFieldFlight, SeesAcrossHugeMaps) {
   }
 }
 
+// Fails if a map of few tiles takes all the memory that it may.
+TEST(TiledFieldFlight, TakesNoMoreThanTheMapNeeds) {
+  const ocl::Device device = ocl::Device::open();
+  const test::ExampleTiles example = test::hilly_tiles();
+  const TiledField field(device, example.tiled_map(), example.reader(), 2048 * mebibyte);
+  EXPECT_LE(field.statistics().slots,
+            2u * static_cast<std::size_t>(example.tiled_map().shape.tile_count()) + 33u);
+  EXPECT_LT(field.statistics().bytes, 256u * mebibyte);
+}
+
 TEST(TiledFieldFlight, RefusesWhatCannotBe) {
   const ocl::Device device = ocl::Device::open();
   const test::ExampleTiles example = test::hilly_tiles();
