@@ -14,16 +14,18 @@
 namespace offing::bodies {
 namespace {
 
-/// Below the stern, where a ship has them.
+constexpr double smallest_propeller_m = 1e-3, largest_propeller_m = 100.0, largest_rudder_m2 = 1e4;
+
+/// Below the stern, where a ship has them; of a raft or an island the nearest in size that is allowed.
 HullDrive drive_below_stern(const Extent& extent, double level_m) {
   const double draught_m = level_m - extent.low_m.y, length_m = extent.high_m.x - extent.low_m.x;
   const double middle_z_m = 0.5 * (extent.low_m.z + extent.high_m.z);
   const double below_m = level_m - 0.6 * draught_m;
   return {.propeller_m = {extent.low_m.x + 0.04 * length_m, below_m, middle_z_m},
-          .propeller_diameter_m = 0.6 * draught_m,
+          .propeller_diameter_m = std::clamp(0.6 * draught_m, smallest_propeller_m, largest_propeller_m),
           .rudder_m = {extent.low_m.x + 0.01 * length_m, below_m, middle_z_m},
           // What classification societies ask of merchant ships: some 2 % of length times draught.
-          .rudder_area_m2 = 0.02 * length_m * draught_m};
+          .rudder_area_m2 = std::min(0.02 * length_m * draught_m, largest_rudder_m2)};
 }
 
 bool is_positive_definite(const glm::dmat3& matrix) {
@@ -80,8 +82,9 @@ void require_valid(const FloatingBody& body) {
                                     {"drag.added_inertia", body.drag.added_inertia}}) {
     check(what, value, 0.0, 100.0);
   }
-  check("drive.propeller_diameter_m", body.drive.propeller_diameter_m, 1e-3, 100.0);
-  check("drive.rudder_area_m2", body.drive.rudder_area_m2, 0.0, 1e4);
+  check("drive.propeller_diameter_m", body.drive.propeller_diameter_m, smallest_propeller_m,
+        largest_propeller_m);
+  check("drive.rudder_area_m2", body.drive.rudder_area_m2, 0.0, largest_rudder_m2);
   check("drive.rudder_lift", body.drive.rudder_lift, 0.0, 2.0 * 3.15);
   if (!is_positive_definite(body.inertia_kgm2)) {
     throw Error(ErrorKind::bad_input, fmt::format("{}: expected moments of inertia above 0", body.name),

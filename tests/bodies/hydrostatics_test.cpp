@@ -60,5 +60,14 @@ TEST(SubmergedTest, LoadedShipsAreStable) {
   EXPECT_NEAR(heading_of(pose), 0.5, 1e-12);
 }
 
+// Fails if a body is refused for a propeller or a rudder that nobody gave it: a raft that is 0.1 mm deep in
+// the water, or an island of 600 m.
+TEST(FloatingBodyTest, MayDrawLittleOrMuch) {
+  EXPECT_NO_THROW(
+      require_valid(load_to_level("raft", test::box({2.0, 2.0, 2.0}), -0.9999, test::sea_density_kgpm3)));
+  EXPECT_NO_THROW(require_valid(
+      load_to_level("island", test::box({1000.0, 800.0, 1000.0}), 200.0, test::sea_density_kgpm3)));
+}
+
 }  // namespace
 }  // namespace offing::bodies
