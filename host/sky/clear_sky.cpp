@@ -18,6 +18,7 @@ namespace {
 constexpr double lowest_eye_m = 1.0;
 // The march along a ray ends where the air does: an eye there would see a ray of no length.
 constexpr double highest_eye_share = 0.999;
+constexpr double highest_eye_m = 1e9;
 
 constexpr std::size_t depth_columns = SKY_DEPTH_COLUMNS;
 constexpr std::size_t depth_rows = SKY_DEPTH_ROWS;
@@ -39,11 +40,11 @@ std::vector<Rgb> read_rgb(const ocl::Buffer<Texel>& buffer) {
   return light;
 }
 
-void require_valid(const SkyView& view, const Atmosphere& atmosphere) {
+void require_valid(const SkyView& view) {
   const auto& [x, y, z] = view.sun_direction;
   require_within("sky.sun_direction length", std::hypot(x, y, z), 0.999, 1.001);
   require_within("sky.sun_distance_au", view.sun_distance_au, 0.1, 100.0);
-  require_within("sky.eye_altitude_m", view.eye_altitude_m, 0.0, highest_eye_share * atmosphere.thickness_m);
+  require_within("sky.eye_altitude_m", view.eye_altitude_m, 0.0, highest_eye_m);
 }
 
 }  // namespace
@@ -75,7 +76,7 @@ ClearSky::ClearSky(const ocl::Device& device, const Atmosphere& atmosphere)
 }
 
 void ClearSky::at(const SkyView& view) {
-  require_valid(view, atmosphere_);
+  require_valid(view);
   const auto single = [](double value) { return static_cast<float>(value); };
   const auto& [x, y, z] = view.sun_direction;
   const double length = std::hypot(x, y, z);
@@ -85,7 +86,8 @@ void ClearSky::at(const SkyView& view) {
   params_ = {.sun_direction_x = single(x / length),
              .sun_direction_y = single(y / length),
              .sun_direction_z = single(z / length),
-             .eye_altitude_m = single(std::max(view.eye_altitude_m, lowest_eye_m)),
+             .eye_altitude_m = single(
+                 std::clamp(view.eye_altitude_m, lowest_eye_m, highest_eye_share * atmosphere_.thickness_m)),
              .ground_radius_m = air_.ground_radius_m,
              .thickness_m = air_.thickness_m,
              .aerosol_asymmetry = single(atmosphere_.aerosol_asymmetry),

@@ -20,7 +20,7 @@ using Texel = std::array<float, 4>;
 struct SkyView {
   std::array<double, 3> sun_direction{0.0, 1.0, 0.0};  ///< unit, toward the sun; x east, y up, z south
   double sun_distance_au = 1.0;
-  double eye_altitude_m = 2.0;  ///< above the sea; taken as 1 m where less
+  double eye_altitude_m = 2.0;  ///< above the sea; taken as 1 m where less, as the top of the air above it
 };
 
 /// Light at the eye, klx in linear Rec.709.
@@ -53,7 +53,7 @@ class ClearSky {
   ClearSky(const ocl::Device& device, const Atmosphere& atmosphere);
 
   /// Enqueues the table of this sun and eye. Throws Error(bad_input) unless the sun's direction is of unit
-  /// length within 1e-3, its distance within 0.1 ... 100 au, and the eye inside the air, at 0 m or more.
+  /// length within 1e-3, its distance within 0.1 ... 100 au, and the eye within 0 ... 1e9 m.
   void at(const SkyView& view);
 
   /// Changes with each at(), and is that of no other sky: whoever holds copies of the tables knows by it
