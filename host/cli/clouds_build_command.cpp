@@ -171,7 +171,7 @@ void run(const BuildArguments& arguments, const GlobalOptions& options) {
   require_outputs(arguments, scene);
   for (const std::string& line : scene::unused_cloud_parameters(scene)) spdlog::warn("{}", line);
   const std::optional<world::CloudSkyParameters> sky = scene::prepare_clouds(scene);
-  if (!sky || sky->clouds.empty()) {
+  if (!sky) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected clouds, found none", one_line(arguments.scene)),
                 "add a [[cloud]] section to the scene");

@@ -92,7 +92,7 @@ Json scene_facts(const InfoArguments& arguments, const GlobalOptions& options) {
   const std::optional<world::CloudSkyParameters> sky = scene::prepare_clouds(scene);
   Json list = Json::array();
   std::size_t particles = 0;
-  if (sky && !sky->clouds.empty()) {
+  if (sky) {
     const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
     CloudFrames frames(device, *sky, options.cancel);
     const CloudParticles all = frames.particles_at(scene.start_s);

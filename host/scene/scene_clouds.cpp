@@ -248,6 +248,7 @@ std::optional<world::CloudSkyParameters> prepare_clouds(const OceanScene& scene,
       sky.clouds.push_back(std::move(parameters));
     }
   }
+  if (sky.clouds.empty()) return std::nullopt;  // layers that cover nothing
   return sky;
 }
 

@@ -55,6 +55,11 @@ TEST_F(SceneClouds, NoneWithoutSections) {
   EXPECT_FALSE(prepare_clouds(scene_of("[clouds]\nseed = 3\n")));
 }
 
+// Fails if a clear sky is refused because a layer that covers nothing makes it.
+TEST_F(SceneClouds, NoneOfEmptyLayers) {
+  EXPECT_FALSE(prepare_clouds(scene_of("[[cloud_layer]]\ncoverage = 0\n")));
+}
+
 // Fails if what a scene does not say is not the genus', or what it says is lost.
 TEST_F(SceneClouds, GenusFillsInWhatIsNotSaid) {
   const clouds::CloudParameters usual = clouds::preset(clouds::Genus::stratus);
