@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,21 +55,25 @@ void OffingProgram::send_signal(int number) const {
   if (process_ > 0) kill(process_, number);  // -1, one that has ended, would mean every process there is
 }
 
-bool OffingProgram::is_running() {
-  if (process_ > 0 && waitpid(process_, &status_, WNOHANG) == process_) {
+bool OffingProgram::has_ended(int options) {
+  rusage usage{};
+  if (process_ > 0 && wait4(process_, &status_, options, &usage) == process_) {
     process_ = -1;
+    peak_bytes_ = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   }
-  return process_ > 0;
+  return process_ <= 0;
+}
+
+bool OffingProgram::is_running() {
+  return !has_ended(WNOHANG);
 }
 
 ProgramResult OffingProgram::wait() {
-  if (process_ > 0) {
-    waitpid(process_, &status_, 0);
-    process_ = -1;
-  }
+  has_ended(0);
   return {.exit_code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_),
           .output = text_of(folder_.path() / "output"),
-          .errors = text_of(folder_.path() / "errors")};
+          .errors = text_of(folder_.path() / "errors"),
+          .peak_bytes = peak_bytes_};
 }
 
 ProgramResult run_offing(const std::vector<std::string>& arguments) {

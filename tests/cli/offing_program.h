@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct ProgramResult {
   int exit_code = 0;  ///< 128 + the signal's number if one ended it
   std::string output;
   std::string errors;
+  std::size_t peak_bytes = 0;  ///< the most memory that it had resident
 };
 
 /// The program `offing`, or another one, running beside the test, with the test's environment.
@@ -31,9 +33,13 @@ class OffingProgram {
   ProgramResult wait();
 
  private:
+  /// Whether it has ended, after waiting as waitpid() does with these options.
+  bool has_ended(int options);
+
   TemporaryFolder folder_;
   pid_t process_ = -1;
   int status_ = 0;
+  std::size_t peak_bytes_ = 0;
 };
 
 /// Runs the program to its end.
