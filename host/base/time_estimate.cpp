@@ -33,17 +33,21 @@ double limit_s() {
 
 }  // namespace
 
-void require_short_wait(std::int64_t done, std::int64_t steps, double elapsed_s, const std::string& what,
-                        const std::string& hint) {
-  const double needed_s = elapsed_s * static_cast<double>(steps) / static_cast<double>(done);
+void require_short_wait(double needed_s, const std::string& what, const std::string& hint) {
   const double longest_s = limit_s();
-  // What is half done was begun in good faith: a machine that gets slower is no reason to throw it away.
-  if (elapsed_s < least_elapsed_s || needed_s <= longest_s || 2 * done > steps) return;
+  if (needed_s <= longest_s) return;
   constexpr double margin = 1.5;
   throw Error(ErrorKind::bad_input,
               fmt::format("{} would take about {} here, expected at most {}", what, duration_text(needed_s),
                           duration_text(longest_s)),
               fmt::format("{}; or wait: set {}={:.0f}", hint, limit_name, std::ceil(margin * needed_s)));
+}
+
+void require_short_wait(std::int64_t done, std::int64_t steps, double elapsed_s, const std::string& what,
+                        const std::string& hint) {
+  // What is half done was begun in good faith: a machine that gets slower is no reason to throw it away.
+  if (elapsed_s < least_elapsed_s || 2 * done > steps) return;
+  require_short_wait(elapsed_s * static_cast<double>(steps) / static_cast<double>(done), what, hint);
 }
 
 TimeEstimate::TimeEstimate(std::int64_t steps, std::string what, std::string hint, Steps size)

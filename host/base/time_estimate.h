@@ -35,8 +35,10 @@ class TimeEstimate {
   std::int64_t done_ = 0, next_look_;
 };
 
-/// The check of TimeEstimate: throws if `steps` would take too long, given that `done` took `elapsed_s`,
-/// unless they are more than half of them.
+/// Throws Error(bad_input) with the time needed if that is too long. `what` and `hint` are as above.
+void require_short_wait(double needed_s, const std::string& what, const std::string& hint);
+/// The check of TimeEstimate: the same for `steps` of which `done` took `elapsed_s`, unless that is too short
+/// to say, or they are more than half of them.
 void require_short_wait(std::int64_t done, std::int64_t steps, double elapsed_s, const std::string& what,
                         const std::string& hint);
 

@@ -1,12 +1,14 @@
 #include "host/clouds/cloud_model.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/time_estimate.h"
 #include "host/clouds/cloud_density.h"
 #include "host/clouds/cloud_particle.h"
 #include "host/clouds/hierarchy.h"
@@ -97,6 +99,27 @@ std::vector<CloudParticle> sampled(const ocl::Device& device, const CloudParamet
   return particles;
 }
 
+/// Before minutes are spent on them where nobody can stop them: some particles are sampled, which costs a
+/// second or two, to know what all take. Cells are sorted by their costs, so that they take n log n.
+void require_short_sampling(const ocl::Device& device, const CloudParameters& parameters) {
+  constexpr int tried = 4000, few = 10 * tried;
+  const bool takes_cells = parameters.shape && parameters.takes_cells_of_shape;
+  if (parameters.target_particles <= few || takes_cells) return;
+  CloudParameters part = parameters;
+  part.target_particles = tried;
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start;
+  for (int round = 0; round < 2; ++round) {  // the first one compiles kernels
+    start = Clock::now();
+    sampled(device, part, {});
+  }
+  const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
+  const auto work_of = [](double particles) { return particles * std::log(particles); };
+  require_short_wait(elapsed_s * work_of(parameters.target_particles) / work_of(tried),
+                     fmt::format("cloud.target_particles: {} particles", parameters.target_particles),
+                     "ask for fewer, or lower clouds.quality");
+}
+
 std::vector<CloudParticle> hierarchical(const CloudParameters& parameters, const Work& work) {
   const std::vector<HierarchyParticle> grown =
       grown_hierarchy(parameters.balls, parameters.levels, parameters.seed, work);
@@ -122,6 +145,24 @@ std::vector<CloudParticle> hierarchical(const CloudParameters& parameters, const
   return particles;
 }
 
+bool grows(const CloudParameters& parameters) {
+  return parameters.modelling == Modelling::hierarchical && !parameters.shape;
+}
+
+/// Where it is would round the places of its particles.
+CloudParameters at_origin(CloudParameters parameters) {
+  parameters.position_m = glm::dvec3(0.0);
+  parameters.motion = {};
+  return parameters;
+}
+
+/// Those that nobody waits for with a way to stop them.
+std::vector<CloudParticle> soon_at_rest(const ocl::Device& device, const CloudParameters& parameters) {
+  require_valid(parameters);
+  if (!grows(parameters)) require_short_sampling(device, at_origin(parameters));
+  return particles_at_rest(device, parameters);
+}
+
 ocl::Buffer<CloudParticle> uploaded(const ocl::Device& device, std::span<const CloudParticle> particles) {
   const CloudParticle none{};
   return {device, particles.empty() ? std::span(&none, 1) : particles, "cloud particles at rest"};
@@ -132,17 +173,11 @@ ocl::Buffer<CloudParticle> uploaded(const ocl::Device& device, std::span<const C
 std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const CloudParameters& parameters,
                                              const Work& work) {
   require_valid(parameters);
-  const bool grows = parameters.modelling == Modelling::hierarchical && !parameters.shape;
-  if (grows) return hierarchical(parameters, work);
-  // Where it is would round its places.
-  CloudParameters here = parameters;
-  here.position_m = glm::dvec3(0.0);
-  here.motion = {};
-  return sampled(device, here, work);
+  return grows(parameters) ? hierarchical(parameters, work) : sampled(device, at_origin(parameters), work);
 }
 
 CloudModel::CloudModel(const ocl::Device& device, const CloudParameters& parameters, std::uint32_t cloud)
-    : CloudModel(device, parameters, particles_at_rest(device, parameters), cloud) {}
+    : CloudModel(device, parameters, soon_at_rest(device, parameters), cloud) {}
 
 CloudModel::CloudModel(const ocl::Device& device, const CloudParameters& parameters,
                        std::span<const CloudParticle> at_rest, std::uint32_t cloud)

@@ -27,7 +27,8 @@ std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const Cl
 /// is reached at once, whatever time was asked for before.
 class CloudModel {
  public:
-  /// Throws what particles_at_rest() throws. cloud: the number that its particles get.
+  /// Throws what particles_at_rest() throws, and Error(bad_input) if sampling would take longer than a first
+  /// picture may (base/time_estimate.h). cloud: the number that its particles get.
   CloudModel(const ocl::Device& device, const CloudParameters& parameters, std::uint32_t cloud = 0);
   /// With particles in place of those that the parameters give: at rest, in the cloud's axes, before its
   /// edits.

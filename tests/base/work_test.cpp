@@ -75,6 +75,8 @@ TEST(TimeEstimate, RefusesMinutes) {
     EXPECT_NO_THROW(require_short_wait(10, 80, 5.0, "", ""));
     EXPECT_NO_THROW(require_short_wait(1, 1'000'000, 0.5, "", "")) << "too early to know";
     EXPECT_NO_THROW(require_short_wait(6, 10, 40.0, "", "")) << "half done";
+    EXPECT_NO_THROW(require_short_wait(44.0, "", ""));
+    EXPECT_THROW(require_short_wait(46.0, "", ""), Error);
   }
   const LongestWait longer("7500");
   EXPECT_NO_THROW(require_short_wait(10, 10'000, 5.0, "", ""));

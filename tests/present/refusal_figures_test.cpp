@@ -1,5 +1,6 @@
 // Whether the time and the memory that refusals name are what the work takes: each scene is refused under a
 // small limit, then drawn without one and measured.
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -90,6 +91,27 @@ std::string wake(double history_s) {
 
 std::string made_ground(int posts) {
   return fmt::format("[terrain]\nposts = {}\n", posts);
+}
+
+std::string sampled_cloud(int particles) {
+  return fmt::format(
+      "[[cloud]]\ngenus = \"stratus\"\nmodelling = \"sampled\"\ntarget_particles = "
+      "{}\n[[cloud.ball]]\nradius_m = "
+      "100\n",
+      particles);
+}
+
+// Foam of 14 past instants, each of which takes a second or so on a core.
+std::string wide_sea(int size) {
+  return fmt::format("[ocean]\nsize = {}\nfoam.decay_s = 3.5\nfoam.step_s = 1\n", size);
+}
+
+TEST_F(RefusalFigures, TimeOfSampledCloudsIsRight) {
+  expect_right_time(sampled_cloud(1000), sampled_cloud(60'000));
+}
+
+TEST_F(RefusalFigures, TimeOfFoamIsRight) {
+  expect_right_time(wide_sea(16), wide_sea(2048));
 }
 
 TEST_F(RefusalFigures, TimeOfWakesIsRight) {
