@@ -126,7 +126,7 @@ TEST_F(RefusalFigures, TimeOfMadeGroundIsRight) {
 // quarter: that of a device that keeps its memory in the machine's.
 TEST_F(RefusalFigures, MemoryOfMadeGroundIsRight) {
   setenv("OFFING_LONGEST_WAIT_S", "3600", 1);
-  constexpr int limit_kb = 300'000, posts = 6144;
+  constexpr int limit_kb = 340'000, posts = 6144;
   const ProgramResult refused = draw(made_ground(posts), limit_kb);
   EXPECT_EQ(refused.exit_code, 1);
   const double named = named_bytes(refused);
