@@ -30,6 +30,8 @@ class Foam {
   /// Whether foam() is already that of this time: foam changes only from one instant to the next.
   bool holds(double time_s) const;
   /// Enqueues the foam at this time. Uses `surface` for past instants: afterwards it holds one of them.
+  /// Throws Error(bad_input) if more than two instants would take longer than a first picture may
+  /// (base/time_estimate.h).
   void at(const WaveModes& modes, SurfaceMaps& surface, double time_s);
   /// Forgets foam and coverages: the waves have changed.
   void reset();

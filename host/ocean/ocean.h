@@ -121,7 +121,8 @@ class Ocean {
   SurfaceFields read_surface(int cascade) const;
   /// Foam of one cascade, [n][n], 0 ... 1, at the time of the last at(). The first question of a time
   /// computes all cascades: it evaluates the past instants it needs and keeps them for the next frame, 2
-  /// bytes a texel and instant. Throws Error(out_of_memory) if that is more than half of the device's memory.
+  /// bytes a texel and instant. Throws Error(out_of_memory) if that is more than half of the device's memory,
+  /// and Error(bad_input) if it would take too long.
   std::vector<float> read_foam(int cascade);
   /// Particle velocity at the time of the last at(), `depth_m` below the instantaneous surface (vertical
   /// coordinate measured from the surface: Wheeler stretching of linear theory); 0 is the surface itself. The

@@ -59,8 +59,8 @@ class WakeWindow {
   /// by bit.
   void scroll_to(const WaterPoint& centre);
   /// Enqueues the steps up to time_s, none for an earlier one. Throws Error(bad_input) for a time beyond 1e8
-  /// s, a centre beyond farthest_point_m, a hull out of range, or steps that would take too long:
-  /// the state is that of the last whole step then.
+  /// s, a centre beyond farthest_point_m, a hull out of range, or steps that would take longer than
+  /// a first picture may (base/time_estimate.h): the state is that of the last whole step then.
   void advance_to(double time_s, const ForcingAt& forcing_at, const AddDisplaced& add_displaced = {});
 
   /// Enqueues the map of time_s, which is to be within a step of the state: [n][n] float4 from texel `first`
