@@ -116,7 +116,7 @@ void run(const CurvatureArguments& arguments, const Options& program_options) {
   if (std::filesystem::path(arguments.output).extension() != ".ply") {
     throw bad_argument("--output", "a name that ends in .ply", arguments.output, "out.ply");
   }
-  require_new(arguments.output, arguments.overwriting, {{arguments.input}, arguments.trust});
+  require_new(arguments.output, arguments.existing, {{arguments.input}, arguments.trust});
   const bool has_colour = !arguments.colour.empty();
   const CurvatureColour colour = has_colour ? curvature_colour(arguments.colour) : CurvatureColour::mean;
 

@@ -23,7 +23,7 @@ void MeshJob::add_to(CLI::App& command) {
 
 void MeshJob::require_output() const {
   require_mesh_extension(output);
-  require_new(output, overwriting, {{input}, trust});
+  require_new(output, existing, {{input}, trust});
 }
 
 TriangleMesh MeshJob::read() const {

@@ -253,27 +253,23 @@ GivenInputs inputs_of(const Written& written, const scene::OceanScene& scene) {
   return inputs;
 }
 
-/// The picture of a recording that has this name, if there is one.
+/// The picture of a recording that has this name, if there is one. Of recordings with a folder a frame none is
+/// looked for: there may be billions.
 std::filesystem::path recorded_as(const Recording& recording, const std::filesystem::path& output) {
-  if (!recording.name || output.empty()) return {};
+  if (!recording.name || output.empty() || !recording.name->is_one_folder()) return {};
+  const std::optional<int> frame = recording.name->frame_of(output.filename().string());
+  if (!frame || *frame < recording.frames.first || *frame > recording.frames.last) return {};
+  const std::filesystem::path picture = recording.name->of(*frame);
   std::error_code ignored;
-  const std::filesystem::path wanted = std::filesystem::weakly_canonical(output, ignored);
-  int first = recording.frames.first, last = recording.frames.last;
-  if (recording.name->is_one_folder()) {
-    first = std::max(first, recording.name->frame_of(output.filename().string()).value_or(last + 1));
-    last = std::min(last, first);
-  }
-  for (int frame = first; frame <= last; ++frame) {
-    const std::filesystem::path picture = recording.name->of(frame);
-    if (std::filesystem::weakly_canonical(picture, ignored) == wanted) return picture;
-  }
-  return {};
+  const bool is_same = std::filesystem::weakly_canonical(picture, ignored) ==
+                       std::filesystem::weakly_canonical(output, ignored);
+  return is_same ? picture : std::filesystem::path();
 }
 
 /// Throws for what may not or cannot be written, before any work is done.
 void require_outputs(const Written& written, const ViewOptions& options) {
   const GivenInputs inputs = inputs_of(written, options.scene);
-  if (!options.comparison) require_new(options.output.string(), written.overwriting, inputs);
+  if (!options.comparison) require_new(options.output.string(), written.existing, inputs);
   if (!options.recording) return;
   const Recording& recording = *options.recording;
   require_distinct({{"-o", options.output}, {"--record", recorded_as(recording, options.output)}});

@@ -128,7 +128,7 @@ bool holds(const std::string& file, const std::string& text) {
 }
 
 /// A bake that resumes finds what it has exported: an equal file is left alone.
-void export_spectrum(const std::string& file, const scene::Sea& sea, Overwriting overwriting,
+void export_spectrum(const std::string& file, const scene::Sea& sea, Existing existing,
                      const GivenInputs& inputs) {
   const WaveSpectrum exported = scene::sampled_spectrum(sea);
   const std::string text = ww3_text(file, std::span(&exported, 1));
@@ -154,6 +154,9 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings));
   const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), hash);
   const GivenInputs inputs = arguments.parameters.inputs(scene);
+  if (const std::filesystem::path exported = arguments.export_file; files.will_write(exported)) {
+    require_distinct({{"-o", settings.folder / exported.filename()}, {"--export-spectrum", exported}});
+  }
   files.prepare_folder(inputs);
   if (!arguments.export_file.empty()) {  // after the folder: it may lie there
     export_spectrum(arguments.export_file, sea, settings.existing, inputs);

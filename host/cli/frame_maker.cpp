@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "host/base/host_memory.h"
+#include "host/ocean/foam_instants.h"
 
 namespace offing::cli {
 namespace {
@@ -13,13 +14,12 @@ namespace {
 // Beside the one that each device makes: one waits and one is written.
 constexpr std::size_t frames_behind = 2;
 
-void require_room(const BakeSettings& settings, int size, std::size_t cascades) {
-  const std::size_t frames = std::min<std::size_t>(
-      frames_at_once, static_cast<std::size_t>(settings.frames.last - settings.frames.first + 1));
-  require_host_memory(static_cast<double>(frames * frame_bytes(settings, size, cascades)),
-                      fmt::format("{}: {} frames at once, of {} cascades of {} x {} samples,",
-                                  settings.folder.string(), frames, cascades, size, size),
-                      "use a smaller --size or fewer --cascades");
+bool shows_foam(const BakeSettings& settings) {
+  return settings.has(ChannelGroup::foam) || settings.preview == PreviewUse::pictures;
+}
+
+bool shares_host_memory(const ocl::DeviceInfo& device) {
+  return device.type == ocl::DeviceType::cpu || device.has_host_unified_memory;
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ void require_host_room(const BakeSettings& settings, const scene::Sea& sea,
                             static_cast<std::size_t>(settings.frames.last - settings.frames.first + 1));
   const auto seas =
       static_cast<std::size_t>(std::count_if(devices.begin(), devices.end(), shares_host_memory));
-  ocl::require_host_memory(
+  require_host_memory(
       static_cast<double>(frames) * static_cast<double>(frame_bytes(settings, size, cascades)) +
           static_cast<double>(seas) * static_cast<double>(sea_bytes(settings, sea)),
       fmt::format(

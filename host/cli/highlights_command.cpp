@@ -74,7 +74,7 @@ void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
   scene::OceanScene scene = scene::load_scene(arguments.scene, arguments.trust);
   GivenInputs inputs{scene::files_of(scene), arguments.trust};
   inputs.names.push_back(arguments.scene);
-  require_new(arguments.output, arguments.overwriting, inputs);
+  require_new(arguments.output, arguments.existing, inputs);
   if (!arguments.frames_per_second.empty())
     scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "30");
   const FrameRange frames = arguments.frames.empty()

@@ -96,8 +96,8 @@ class AnswerSink {
       : depth_m_(depth_m), style_(style_of(arguments, times)) {
     if (arguments.writes_file()) {
       inputs.names.push_back(arguments.points_file);
-      require_new(arguments.output_file, arguments.overwriting, inputs);
-      file_.emplace(arguments.output_file);
+      require_new(arguments.output_file, arguments.existing, inputs);
+      file_.emplace(arguments.output_file, arguments.existing);
     }
     if (style_ == Style::csv) {
       text_ = csv_header();

@@ -124,7 +124,7 @@ void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
   require_distinct({{"--plot", arguments.plot}, {"--export-spectrum", arguments.export_file}});
   for (const std::string* output : {&arguments.plot, &arguments.export_file}) {
     if (output == &arguments.export_file && is_standard_output(*output)) continue;  // text
-    require_new(*output, arguments.overwriting, {{arguments.file}, arguments.trust});
+    require_new(*output, arguments.existing, {{arguments.file}, arguments.trust});
   }
   if (!arguments.plot.empty()) {
     const WaveSpectrum& drawn = records[chosen.value_or(0)];

@@ -41,7 +41,7 @@ void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::s
 
 void TerrainBatch::require_question(const std::string& single, const TerrainInput& ground) const {
   if (!is_standard_output(output_))
-    require_new(output_, overwriting_, {{ground.file(), points_}, ground.trust()});
+    require_new(output_, existing_, {{ground.file(), points_}, ground.trust()});
   if (is_asked() || !single.empty()) return;
   throw Error(ErrorKind::bad_usage, fmt::format("expected {} or --points, found neither", single_),
               "give one question, or a file of them");

@@ -168,7 +168,8 @@ class Flying {
           "name a folder where you may write with -o");
     }
     const GivenInputs inputs{{arguments_.store, arguments_.compared}, arguments_.trust};
-    require_new_frames(picture_name(), {0, settings_.frames - 1}, arguments_.overwriting, inputs);
+    require_new_frames(picture_name(), {0, settings_.frames - 1}, arguments_.existing, inputs,
+                       settings_.every);
   }
 
   void keep(int frame, const Camera& camera, FlightRecorder& recorder) {

@@ -31,7 +31,7 @@ void run(const TerrainProfileArguments& arguments) {
   const auto to = read_numbers("--to", arguments.to, 2, "X,Z", "1200,350");
   const bool prints = arguments.output.empty() || is_standard_output(arguments.output);
   if (!prints)
-    require_new(arguments.output, arguments.overwriting, {{arguments.input.file()}, arguments.input.trust()});
+    require_new(arguments.output, arguments.existing, {{arguments.input.file()}, arguments.input.trust()});
   const terrain::EarthCurve curve = arguments.curve.read();
   const bool is_curved = arguments.curve.are_given();
   const TerrainGround of(arguments.input, {});

@@ -139,7 +139,7 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
   require_extension(arguments.output, {".png"});
   if (!arguments.depth.empty()) require_extension(arguments.depth, {".exr"});
   for (const std::string& file : {arguments.output, arguments.depth}) {
-    require_new(file, arguments.overwriting,
+    require_new(file, arguments.existing,
                 {{arguments.input.file(), arguments.colour}, arguments.input.trust()});
   }
   const auto [camera, picture] = is_tile_store(arguments.input.file())

@@ -86,7 +86,7 @@ SeenMap read_store(const TerrainViewshedArguments& arguments, const terrain::Vie
 void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options) {
   terrain::ViewshedParameters parameters = read_parameters(arguments);
   require_extension(arguments.output, {".tif", ".tiff"});
-  require_new(arguments.output, arguments.overwriting, {{arguments.input.file()}, arguments.input.trust()});
+  require_new(arguments.output, arguments.existing, {{arguments.input.file()}, arguments.input.trust()});
   require_flags_of(arguments.input, arguments.cache);
   const SeenMap seen_map = is_tile_store(arguments.input.file()) ? read_store(arguments, parameters)
                                                                  : SeenMap{arguments.input.read().map};

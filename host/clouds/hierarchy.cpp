@@ -275,9 +275,9 @@ void require_countable(std::span<const HierarchyParticle> parents, const Hierarc
     count += 4.0 * fewest_share * std::pow(parent.radius_m / child_m, 2);
   }
   if (count <= static_cast<double>(most_particles)) {
-    ocl::require_host_memory(bytes_a_particle * count,
-                             fmt::format("cloud: at least {:.0e} particles of level {}", count, level),
-                             "use larger ratios or repulsions, or fewer levels or balls");
+    require_host_memory(bytes_a_particle * count,
+                        fmt::format("cloud: at least {:.0e} particles of level {}", count, level),
+                        "use larger ratios or repulsions, or fewer levels or balls");
     return;
   }
   throw Error(ErrorKind::bad_input,

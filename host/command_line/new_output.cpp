@@ -25,7 +25,7 @@ bool is_same_name(const fs::path& a, const fs::path& b) {
 }
 
 /// For files that exist.
-void check(std::span<const fs::path> outputs, Overwriting overwriting, const GivenInputs& inputs) {
+void check(std::span<const fs::path> outputs, Existing existing, const GivenInputs& inputs) {
   if (outputs.empty()) return;
   require_not_read(outputs, inputs);
   if (existing == Existing::replace) return;
@@ -59,7 +59,7 @@ void require_not_read(std::span<const fs::path> outputs, const GivenInputs& inpu
   }
 }
 
-void require_new(const std::string& output, Overwriting overwriting, const GivenInputs& inputs) {
+void require_new(const std::string& output, Existing existing, const GivenInputs& inputs) {
   if (output.empty()) return;
   require_file_name(output);
   const fs::path file = output;
@@ -72,8 +72,8 @@ void require_new(const std::string& output, Overwriting overwriting, const Given
   require_writable(file);
 }
 
-void require_new_frames(const FrameName& names, FrameRange frames, Overwriting overwriting,
-                        const GivenInputs& inputs) {
+void require_new_frames(const FrameName& names, FrameRange frames, Existing existing,
+                        const GivenInputs& inputs, int step) {
   std::vector<fs::path> outputs;
   std::error_code failure;
   const fs::path folder = folder_of(names.of(frames.first));

@@ -31,11 +31,23 @@ void require_file_name(const std::string& output);
 
 /// For one file; an empty name is no output. Removes what killed runs left of it. Throws Error(file) for a
 /// file that cannot be written.
-void require_new(const std::string& output, Overwriting overwriting, const GivenInputs& inputs = {});
+void require_new(const std::string& output, Existing existing, const GivenInputs& inputs = {});
 
-/// The same for a file a frame. The folder is listed, so that the number of frames does not matter.
-void require_new_frames(const FrameName& names, FrameRange frames, Overwriting overwriting,
-                        const GivenInputs& inputs);
+/// The same for a file a frame, or for every `step`-th alone. The folder is listed, so that the number of
+/// frames does not matter.
+void require_new_frames(const FrameName& names, FrameRange frames, Existing existing, const GivenInputs& inputs,
+                        int step = 1);
+
+/// A file, and the flag that names it.
+struct NamedOutput {
+  std::string_view flag;
+  std::filesystem::path file;
+};
+/// Two flags that name one file: the last one written would replace the other. Empty names are no outputs.
+void require_distinct(std::span<const NamedOutput> outputs);
+inline void require_distinct(std::initializer_list<NamedOutput> outputs) {
+  require_distinct(std::span(outputs.begin(), outputs.size()));
+}
 
 /// For files that may be replaced, such as those of a bake that resumes, but not if they are read.
 void require_not_read(std::span<const std::filesystem::path> outputs, const GivenInputs& inputs);

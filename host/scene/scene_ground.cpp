@@ -42,9 +42,9 @@ Heights made_heights(const TerrainScene& terrain) {
   const std::string what = fmt::format("terrain.posts: {0} x {0} posts", parameters.posts);
   // The map, its copy on a device that keeps its memory in the machine's, and the lids over that.
   constexpr double bytes_a_post = (2.0 + 1.0 / 3.0) * sizeof(float);
-  ocl::require_host_memory(bytes_a_post * parameters.posts * parameters.posts, what,
-                           "use fewer, or make a file with `offing terrain generate` and tile it with "
-                           "`offing terrain tile`");
+  require_host_memory(bytes_a_post * parameters.posts * parameters.posts, what,
+                      "use fewer, or make a file with `offing terrain generate` and tile it with "
+                      "`offing terrain tile`");
   terrain::RowMakers makers(parameters);
   HeightMap map;
   map.columns = map.rows = parameters.posts;

@@ -60,7 +60,6 @@ TEST_F(NewOutput, LooksForFramesInTheFolder) {
   test::expect_error(ErrorKind::bad_usage, "out_0007.png: expected a new file", [&] {
     require_new_frames(names, {1, 7}, Existing::keep, {}, 2);
   });
-  require_new_frames(names, {0, 7}, Overwriting::allowed, {});
   const GivenInputs inputs{{path("out_0007.png")}};
   test::expect_error(ErrorKind::bad_usage, "an input of this command", [&] {
     require_new_frames(names, {0, 7}, Existing::replace, inputs);
@@ -87,9 +86,37 @@ TEST_F(NewOutput, KeepsFilesOfFoldersThatAreRead) {
   fs::create_directories(path("maps/west"));
   leave("maps/a.tif");
   leave("maps/west/a.tif");
-  test::expect_error(ErrorKind::bad_usage, "an input of this command",
-                     [&] { require_new(path("maps/west/a.tif"), Overwriting::allowed, {{path("maps")}}); });
-  require_new(path("maps/b.tif"), Overwriting::allowed, {{path("maps")}});
+  const auto expect_input = [&](const char* name) {
+    test::expect_error(ErrorKind::bad_usage, "an input of this command",
+                       [&] { require_new(path(name), Existing::replace, {{path("maps")}}); });
+  };
+  expect_input("maps/a.tif");
+  require_new(path("maps/west/a.tif"), Existing::replace, {{path("maps")}});
+  require_new(path("maps/b.tif"), Existing::replace, {{path("maps")}});
+  leave("maps/store.toml");
+  expect_input("maps/west/a.tif");
+}
+
+// Fails if a link that leads nowhere is replaced without --force: it is somebody's, as a file is.
+TEST_F(NewOutput, KeepsLinksThatLeadNowhere) {
+  fs::create_symlink("gone", path("out.csv"));
+  test::expect_error(ErrorKind::bad_usage, "out.csv: expected a new file",
+                     [&] { require_new(path("out.csv"), Existing::keep); });
+  require_new(path("out.csv"), Existing::replace);
+  fs::create_symlink("gone", path("out_0003.png"));
+  test::expect_error(ErrorKind::bad_usage, "out_0003.png: expected a new file", [&] {
+    require_new_frames({"--record", path("out_%04d.png"), ""}, {0, 9}, Existing::keep, {});
+  });
+}
+
+// Fails if two flags may name one file, by whatever way, or may not name two.
+TEST_F(NewOutput, RefusesOneFileForTwoFlags) {
+  fs::create_directories(path("folder"));
+  fs::create_directory_symlink("folder", path("link"));
+  test::expect_error(ErrorKind::bad_usage, "--b: expected another file than that of --a, found ", [&] {
+    require_distinct({{"--a", path("folder/x.png")}, {"--b", path("link/../link/x.png")}});
+  });
+  require_distinct({{"--a", path("x.png")}, {"--b", path("folder/x.png")}, {"--c", ""}, {"--d", ""}});
 }
 
 // A glTF whose first buffer is missing, as JSON and as a .glb whose JSON follows another chunk. Fails if the
@@ -110,7 +137,7 @@ TEST_F(NewOutput, KeepsFilesOfGltfsThatAreDamaged) {
   for (const char* input : {"a.gltf", "a.glb"}) {
     for (const char* name : {"b.bin", "a b.png"}) {
       test::expect_error(ErrorKind::bad_usage, "an input of this command",
-                         [&] { require_new(leave(name), Overwriting::allowed, {{path(input)}}); });
+                         [&] { require_new(leave(name), Existing::replace, {{path(input)}}); });
     }
   }
 }
@@ -120,7 +147,7 @@ TEST_F(NewOutput, KeepsCompanionsOfPackedSpectra) {
   const std::string spectrum = leave("46042w2020.txt.gz");
   for (const char* name : {"46042d2020.txt", "46042k2020.txt.gz"}) {
     test::expect_error(ErrorKind::bad_usage, "an input of this command",
-                       [&] { require_new(leave(name), Overwriting::allowed, {{spectrum}}); });
+                       [&] { require_new(leave(name), Existing::replace, {{spectrum}}); });
   }
 }
 

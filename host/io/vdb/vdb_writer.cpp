@@ -182,7 +182,7 @@ void write_vdb(const std::filesystem::path& path, const VdbCloud& cloud, VdbPrec
   if (!cloud.albedo.empty() && cloud.albedo.size() != volume.density.size()) {
     throw vdb::bad_vdb(path, "color", "one albedo a density", "others", "make them anew");
   }
-  AtomicFile file(path);
+  AtomicFile file(path, existing);
   vdb::initialize();
   const std::vector<float>& density = volume.density;
   const std::vector<KeptBrick> bricks = kept_bricks(volume);
