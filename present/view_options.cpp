@@ -253,8 +253,8 @@ GivenInputs inputs_of(const Written& written, const scene::OceanScene& scene) {
   return inputs;
 }
 
-/// The picture of a recording that has this name, if there is one. Of recordings with a folder a frame none is
-/// looked for: there may be billions.
+/// The picture of a recording that has this name, if there is one. Of recordings with a folder a frame none
+/// is looked for: there may be billions.
 std::filesystem::path recorded_as(const Recording& recording, const std::filesystem::path& output) {
   if (!recording.name || output.empty() || !recording.name->is_one_folder()) return {};
   const std::optional<int> frame = recording.name->frame_of(output.filename().string());

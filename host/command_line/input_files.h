@@ -23,9 +23,9 @@ struct GivenInputs {
 class InputFiles {
  public:
   /// With each come the files that are read along with it: those in a folder, all below a tile store (a store
-  /// may lie in the folder of maps that it is made of), the directional files of an NDBC spectrum, buffers and
-  /// images of a glTF, what GDAL reads beside a raster (.aux.xml, .tfw, the sources of a VRT). What an untrusted
-  /// raster may not lead to is not opened.
+  /// may lie in the folder of maps that it is made of), the directional files of an NDBC spectrum, buffers
+  /// and images of a glTF, what GDAL reads beside a raster (.aux.xml, .tfw, the sources of a VRT). What an
+  /// untrusted raster may not lead to is not opened.
   explicit InputFiles(const GivenInputs& inputs);
 
   bool contains(const std::filesystem::path& path) const;

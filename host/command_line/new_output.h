@@ -35,8 +35,8 @@ void require_new(const std::string& output, Existing existing, const GivenInputs
 
 /// The same for a file a frame, or for every `step`-th alone. The folder is listed, so that the number of
 /// frames does not matter.
-void require_new_frames(const FrameName& names, FrameRange frames, Existing existing, const GivenInputs& inputs,
-                        int step = 1);
+void require_new_frames(const FrameName& names, FrameRange frames, Existing existing,
+                        const GivenInputs& inputs, int step = 1);
 
 /// A file, and the flag that names it.
 struct NamedOutput {

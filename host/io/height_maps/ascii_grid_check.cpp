@@ -100,7 +100,7 @@ void check_ascii_grid(const std::filesystem::path& path, std::size_t heights, As
     if (!is_height(words.word(), AsciiNumbers::real))
       refuse(fmt::format("\"{}\" after {} of them", printable(words.word()), i));
     throw Error(ErrorKind::bad_input,
-                fmt::format("{}:{}: expected whole heights, as the first ones are, found \"{}\"",
+                fmt::format("{}:{}: expected whole heights, as the others are, found \"{}\"",
                             one_line(path.string()), words.line(), printable(words.word())),
                 "convert it: gdal_translate -oo DATATYPE=Float64 MAP.asc MAP.tif");
   }

@@ -100,7 +100,7 @@ bool is_of_integers(GDALDatasetH raster) {
   return GDALGetRasterCount(raster) == 1 && GDALGetRasterDataType(GDALGetRasterBand(raster, 1)) == GDT_Int32;
 }
 
-/// An ASCII grid in whose first part GDAL finds no decimal point has integers: "1.5" would be 1, "nan" 0.
+/// GDAL reads an ASCII grid in which it finds no decimal point as integers: "nan" and "inf" would be 0.
 enum class IntegerGrids {
   as_real,     ///< read as real numbers
   of_integers  ///< refused if they hold anything else: GDAL itself opens the sources of a VRT

@@ -74,8 +74,8 @@ TEST_F(StreamHeightMap, IsTheMap) {
   EXPECT_EQ(streamed.source.highest_m, whole.source.highest_m);
 }
 
-// Fails if ASCII grids of a folder are read as GDAL takes them: 0 m for what is missing or "nan", 1 m for 1.5
-// in a grid whose first part has integers alone.
+// Fails if ASCII grids of a folder are read as GDAL takes them, with 0 m for what is missing or "nan", or if
+// one may not have decimals where another has none.
 TEST_F(StreamHeightMap, ChecksTheAsciiGridsOfAFolder) {
   std::filesystem::create_directory(path("grids"));
   HeightMapOptions options;

@@ -300,8 +300,7 @@ class CompressedVdb : public VdbVolume {
 
 // Fails if the check of lengths takes what compression writes for damage.
 TEST_F(CompressedVdb, GivesTheSameVolume) {
-  for (const char* options : {"codec=none", "codec=zip", "codec=blosc", "codec=active", "codec=zip bits=16",
-                              "codec=blosc bits=16"}) {
+  for (const char* options : {"codec=none", "codec=blosc", "codec=active", "codec=blosc bits=16"}) {
     SCOPED_TRACE(options);
     if (!make("packed.vdb", options)) GTEST_SKIP() << "no vdb_tool (libopenvdb-tools)";
     EXPECT_LE(difference(example_volume(), read_vdb(in_folder("packed.vdb")).volume), std::ldexp(1.0, -10));
@@ -313,9 +312,16 @@ TEST_F(CompressedVdb, GivesTheSameVolume) {
 TEST_F(CompressedVdb, RefusesBlocksOfAnotherSize) {
   if (!make("packed.vdb", "codec=blosc")) GTEST_SKIP() << "no vdb_tool (libopenvdb-tools)";
   const std::string whole = bytes_of(in_folder("packed.vdb"));
-  // Blosc's version 2, its format 1, flags, 4 bytes a value, then the size.
-  const std::size_t at = whole.find(std::string("\2\1", 2), whole.find("Tree_float_5_4_3"));
-  ASSERT_NE(at, std::string::npos);
+  // Blosc's version 2 and its format 1, where what comes before says how long the block is, as does its
+  // header.
+  std::size_t at = 0;
+  std::int64_t length = 0;
+  for (std::uint32_t packed = 1; length != packed;) {
+    at = whole.find(std::string("\2\1", 2), at + 1);
+    ASSERT_LT(at, whole.size() - 16);
+    std::memcpy(&length, whole.data() + at - sizeof length, sizeof length);
+    std::memcpy(&packed, whole.data() + at + 12, sizeof packed);
+  }
   for (const std::int64_t size : {std::int64_t{-4000}, std::int64_t{1} << 40, std::int64_t{3}}) {
     std::string bytes = whole;
     std::memcpy(bytes.data() + at - 8, &size, sizeof size);
