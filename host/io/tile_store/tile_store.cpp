@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -57,12 +58,17 @@ class HeaderReader {
 
   template <class T>
   T value(const char* name) const {
-    if (const auto found = table_[name].value<T>()) return *found;
+    if (const auto found = optional<T>(name)) return *found;
     refuse_header(path_, fmt::format("expected a value for {}, found none", name));
   }
   template <class T>
   std::optional<T> optional(const char* name) const {
-    return table_[name].value<T>();
+    // toml++ would convert 2e56 to a whole number, which C++ leaves undefined.
+    if constexpr (std::is_same_v<T, std::int64_t>) {
+      return table_[name].value_exact<T>();
+    } else {
+      return table_[name].value<T>();
+    }
   }
   int whole(const char* name, std::int64_t low, std::int64_t high) const {
     const auto number = value<std::int64_t>(name);
