@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <regex>
 #include <string>
@@ -24,13 +25,26 @@ class RefusalFigures : public testing::Test {
   }
 
   /// Under a limit in kB of the memory that the program itself asks for; 0: none.
+  static ProgramResult run(const std::vector<std::string>& words, int limit_kb = 0) {
+    const std::string limit = limit_kb > 0 ? fmt::format("ulimit -d {}; ", limit_kb) : "";
+    std::vector<std::string> arguments{"-c", limit + "exec \"$@\"", "sh"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    return OffingProgram(arguments, "/bin/sh").wait();
+  }
+
   ProgramResult draw(const std::string& scene, int limit_kb = 0) const {
     std::ofstream(scene_) << "version = 1\n" << scene;
-    const std::string limit = limit_kb > 0 ? fmt::format("ulimit -d {}; ", limit_kb) : "";
-    OffingProgram program({"-c", limit + "exec \"$@\"", "sh", OFFING_VIEW_PROGRAM, scene_, "--headless",
-                           "--size", "48x27", "--detail", "low", "--quiet", "--force", "-o", picture_},
-                          "/bin/sh");
-    return program.wait();
+    return run({OFFING_VIEW_PROGRAM, scene_, "--headless", "--size", "48x27", "--detail", "low", "--quiet",
+                "--force", "-o", picture_},
+               limit_kb);
+  }
+
+  ProgramResult bake(const std::string& frames, int limit_kb = 0) const {
+    const std::string folder = (folder_.path() / "frames").string();
+    std::filesystem::remove_all(folder);
+    return run({OFFING_MAIN_PROGRAM, "ocean", "bake", "--size", "1024", "--foam-decay-s", "1",
+                "--foam-step-s", "1", "-o", folder, "--frames", frames, "--quiet"},
+               limit_kb);
   }
 
   struct Drawn {
@@ -134,6 +148,22 @@ TEST_F(RefusalFigures, MemoryOfMadeGroundIsRight) {
   fmt::print("named {:.3g} GB, taken {:.3g} GB\n", named / 1e9, taken / 1e9);
   EXPECT_LT(named, 1.25 * taken);
   EXPECT_GT(named, 0.8 * taken);
+}
+
+// Fails if frames of a bake take more than a half more or less than is named: three of them at once take what
+// two frames add to one, and half as much again.
+TEST_F(RefusalFigures, MemoryOfBakedFramesIsRight) {
+  setenv("OFFING_LONGEST_WAIT_S", "3600", 1);
+  const ProgramResult refused = bake("0:2", 1'000'000);
+  EXPECT_EQ(refused.exit_code, 1);
+  const double named = named_bytes(refused);
+  const ProgramResult one = bake("0:0"), three = bake("0:2");
+  ASSERT_EQ(one.exit_code, 0) << one.errors;
+  ASSERT_EQ(three.exit_code, 0) << three.errors;
+  const double taken = 1.5 * (static_cast<double>(three.peak_bytes) - static_cast<double>(one.peak_bytes));
+  fmt::print("named {:.3g} GB, taken {:.3g} GB\n", named / 1e9, taken / 1e9);
+  EXPECT_LT(named, 1.5 * taken);
+  EXPECT_GT(named, taken / 1.5);
 }
 
 }  // namespace
