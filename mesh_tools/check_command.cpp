@@ -42,7 +42,7 @@ void run(const CheckArguments& arguments, const Options& options) {
 
 void add_check_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<CheckArguments>();
-  CLI::App* command = program.add_subcommand("check", "what is to know about a mesh before it is used");
+  CLI::App* command = program.add_subcommand("check", "report faults and figures of a mesh before it is used");
   command->add_option("FILE", arguments->input, "mesh: .obj, .ply, .off, .stl, .gltf, .glb")->required();
   command->add_flag("--json", arguments->json, "results for scripts");
   add_trust_flag(*command, arguments->trust);

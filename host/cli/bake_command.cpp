@@ -226,7 +226,7 @@ void add_bake_command(CLI::App& ocean, GlobalOptions& options) {
   using enum scene::ParameterGroup;
   const auto arguments = std::make_shared<BakeArguments>();
   CLI::App* command =
-      ocean.add_subcommand("bake", "write frames of the sea's maps as OpenEXR; goes on where it was stopped");
+      ocean.add_subcommand("bake", "write frames of the sea's maps as OpenEXR; resumes an interrupted bake");
   add_output_options(*command, arguments);
   arguments->parameters.add_to(*command, {world, time, sea, grid, foam});
   add_global_options(*command, options, DeviceUse::any_number);

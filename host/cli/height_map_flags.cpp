@@ -70,7 +70,7 @@ void HeightMapFlags::add_to(CLI::App& command) {
   add(heights, "--band", band_, "N", "band that holds heights, counted from 1 (default 1)");
   add(heights, "--channel", channel_, "NAME",
       "channel of an EXR (default: the only one, or height, Y, Z, R)");
-  add(heights, "--nodata", nodata_, "V", "value of the file's that marks voids too; may be nan");
+  add(heights, "--nodata", nodata_, "V", "another value that marks voids in the file; may be nan");
   add(heights, "--void-height-m", void_height_, "H", "height of voids (default: from the posts around them)");
   constexpr const char* place = "Spacing";
   CLI::Option* both = add(place, "--spacing-m", spacing_, "S", "distance of posts, m");

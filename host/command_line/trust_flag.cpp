@@ -10,7 +10,7 @@ void add_trust_flag(CLI::App& command, Trust& trust) {
   command
       .add_flag_callback(
           "--untrusted", [&trust] { trust = Trust::untrusted; },
-          "for files by other people: read what they name only from their folder and below")
+          "for other people's files: they may read only files in their own folder and below")
       ->group(general_group);
 }
 

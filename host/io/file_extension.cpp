@@ -20,7 +20,7 @@ void require_extension(const std::filesystem::path& path,
                        std::initializer_list<std::string_view> extensions) {
   const std::string found = path.extension().string();
   if (std::find(extensions.begin(), extensions.end(), found) != extensions.end()) return;
-  std::filesystem::path mended = path;
+  std::filesystem::path mended = path == "-" ? "out" : path;
   mended.replace_extension(*extensions.begin());
   throw Error(
       ErrorKind::bad_usage,

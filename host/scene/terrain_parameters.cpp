@@ -116,7 +116,7 @@ std::vector<Parameter> file_rows() {
        .storage = &member<ground, reading, &HeightMapOptions::nodata>,
        .low = -1e38,
        .high = 1e38,
-       .help = "value of the file's that marks voids too, before any scale",
+       .help = "another value that marks voids in the file, before any scale",
        .example = "-9999",
        .absent = "those that the file marks",
        .use = use},

@@ -120,12 +120,12 @@ TEST_F(OutputTest, ADamagedMapIsNoFrame) {
 TEST_F(OutputTest, TooFewOpenFilesAreToldAsThat) {
   rlimit usual{};
   ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &usual), 0);
-  const rlimit few{16, usual.rlim_max};
+  const rlimit few{4, usual.rlim_max};
   ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &few), 0);
   const ProgramResult result = run_offing({"devices"});
   setrlimit(RLIMIT_NOFILE, &usual);
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.errors, HasSubstr("this process may have 16"));
+  EXPECT_THAT(result.errors, HasSubstr("this process may have 4"));
   EXPECT_THAT(result.errors, HasSubstr("hint: raise the limit with ulimit -n 1024"));
 }
 

@@ -23,6 +23,16 @@ TEST(FileExtension, IsThatOfTheFormat) {
   }
 }
 
+// Fails if the hint for standard output is a file named -.png.
+TEST(FileExtension, OfPicturesOnStandardOutput) {
+  try {
+    require_extension("-", {".png"});
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.hint(), "name it out.png");
+  }
+}
+
 TEST(FileExtension, InLowerCase) {
   EXPECT_EQ(lower_extension("A.B/c.D.PnG"), ".png");
   EXPECT_EQ(lower_extension("A.B/.Hidden"), "");
