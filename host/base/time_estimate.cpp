@@ -35,7 +35,7 @@ double limit_s() {
 
 void require_short_wait(double needed_s, const std::string& what, const std::string& hint) {
   const double longest_s = limit_s();
-  if (needed_s <= longest_s) return;
+  if (std::round(needed_s) <= longest_s) return;  // as it would be shown
   constexpr double margin = 1.5;
   throw Error(ErrorKind::bad_input,
               fmt::format("{} would take about {} here, expected at most {}", what, duration_text(needed_s),

@@ -100,7 +100,7 @@ class RefusalFigures : public testing::Test {
 
 std::string wake(double history_s) {
   return fmt::format(
-      "[ocean]\nsize = 16\n[[ocean.wake]]\ncells = 512\nhistory_s = {}\n[[ocean.wake.hull]]\nspeed_mps = 3\n",
+      "[ocean]\nsize = 16\n[[ocean.wake]]\ncells = 1024\nhistory_s = {}\n[[ocean.wake.hull]]\nspeed_mps = 3\n",
       history_s);
 }
 
@@ -130,7 +130,7 @@ TEST_F(RefusalFigures, TimeOfFoamIsRight) {
 }
 
 TEST_F(RefusalFigures, TimeOfWakesIsRight) {
-  expect_right_time(wake(0.1), wake(5.0));
+  expect_right_time(wake(0.1), wake(20.0));
 }
 
 TEST_F(RefusalFigures, TimeOfMadeGroundIsRight) {
