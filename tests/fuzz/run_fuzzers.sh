@@ -66,6 +66,7 @@ for reader in "${readers[@]}"; do
   esac
   log="$build/$reader.log"
   if ! OFFING_CACHE_DIR="$build/kernel_cache" UBSAN_OPTIONS=print_stacktrace=1 \
+    LSAN_OPTIONS="suppressions=$root/tests/house/leaks_of_drivers.txt:print_suppressions=0" \
     "$build/fuzz/${reader}_fuzzer" "${corpora[@]}" \
     -max_total_time="$seconds_each" -runs="$most_executions" -max_len="$longest" -timeout=20 \
     -rss_limit_mb="$memory_mb" -malloc_limit_mb="$block_mb" \
