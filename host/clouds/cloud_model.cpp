@@ -99,27 +99,6 @@ std::vector<CloudParticle> sampled(const ocl::Device& device, const CloudParamet
   return particles;
 }
 
-/// Before minutes are spent on them where nobody can stop them: some particles are sampled, which costs a
-/// second or two, to know what all take. Cells are sorted by their costs, so that they take n log n.
-void require_short_sampling(const ocl::Device& device, const CloudParameters& parameters) {
-  constexpr int tried = 4000, few = 10 * tried;
-  const bool takes_cells = parameters.shape && parameters.takes_cells_of_shape;
-  if (parameters.target_particles <= few || takes_cells) return;
-  CloudParameters part = parameters;
-  part.target_particles = tried;
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start;
-  for (int round = 0; round < 2; ++round) {  // the first one compiles kernels
-    start = Clock::now();
-    sampled(device, part, {});
-  }
-  const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
-  const auto work_of = [](double particles) { return particles * std::log(particles); };
-  require_short_wait(elapsed_s * work_of(parameters.target_particles) / work_of(tried),
-                     fmt::format("cloud.target_particles: {} particles", parameters.target_particles),
-                     "ask for fewer, or lower clouds.quality");
-}
-
 std::vector<CloudParticle> hierarchical(const CloudParameters& parameters, const Work& work) {
   const std::vector<HierarchyParticle> grown =
       grown_hierarchy(parameters.balls, parameters.levels, parameters.seed, work);
@@ -156,13 +135,6 @@ CloudParameters at_origin(CloudParameters parameters) {
   return parameters;
 }
 
-/// Those that nobody waits for with a way to stop them.
-std::vector<CloudParticle> soon_at_rest(const ocl::Device& device, const CloudParameters& parameters) {
-  require_valid(parameters);
-  if (!grows(parameters)) require_short_sampling(device, at_origin(parameters));
-  return particles_at_rest(device, parameters);
-}
-
 ocl::Buffer<CloudParticle> uploaded(const ocl::Device& device, std::span<const CloudParticle> particles) {
   const CloudParticle none{};
   return {device, particles.empty() ? std::span(&none, 1) : particles, "cloud particles at rest"};
@@ -176,8 +148,28 @@ std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const Cl
   return grows(parameters) ? hierarchical(parameters, work) : sampled(device, at_origin(parameters), work);
 }
 
+void require_short_sampling(const ocl::Device& device, const CloudParameters& parameters) {
+  constexpr int tried = 4000, few = 10 * tried;
+  const bool takes_cells = parameters.shape && parameters.takes_cells_of_shape;
+  if (grows(parameters) || takes_cells || parameters.target_particles <= few) return;
+  CloudParameters part = parameters;
+  part.target_particles = tried;
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start;
+  for (int round = 0; round < 2; ++round) {  // the first one compiles kernels
+    start = Clock::now();
+    particles_at_rest(device, part);
+  }
+  const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
+  // Cells are sorted by their costs.
+  const auto work_of = [](double particles) { return particles * std::log(particles); };
+  require_short_wait(elapsed_s * work_of(parameters.target_particles) / work_of(tried),
+                     fmt::format("cloud.target_particles: {} particles", parameters.target_particles),
+                     "ask for fewer, or lower clouds.quality");
+}
+
 CloudModel::CloudModel(const ocl::Device& device, const CloudParameters& parameters, std::uint32_t cloud)
-    : CloudModel(device, parameters, soon_at_rest(device, parameters), cloud) {}
+    : CloudModel(device, parameters, particles_at_rest(device, parameters), cloud) {}
 
 CloudModel::CloudModel(const ocl::Device& device, const CloudParameters& parameters,
                        std::span<const CloudParticle> at_rest, std::uint32_t cloud)

@@ -23,12 +23,15 @@ namespace offing::clouds {
 std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const CloudParameters& parameters,
                                              const Work& work = {});
 
+/// Throws Error(bad_input) with the time needed if sampling this cloud would take longer than a first picture
+/// may (base/time_estimate.h). Of many particles some are sampled to know, which costs a second or two.
+void require_short_sampling(const ocl::Device& device, const CloudParameters& parameters);
+
 /// A cloud of particles that moves. The same parameters give the same particles with the same ids; any time
 /// is reached at once, whatever time was asked for before.
 class CloudModel {
  public:
-  /// Throws what particles_at_rest() throws, and Error(bad_input) if sampling would take longer than a first
-  /// picture may (base/time_estimate.h). cloud: the number that its particles get.
+  /// Throws what particles_at_rest() throws. cloud: the number that its particles get.
   CloudModel(const ocl::Device& device, const CloudParameters& parameters, std::uint32_t cloud = 0);
   /// With particles in place of those that the parameters give: at rest, in the cloud's axes, before its
   /// edits.

@@ -41,6 +41,7 @@ CloudSkyParameters CloudGrower::grown(CloudSkyParameters sky, const CancelToken&
       particles = known->particles;
     } else {
       try {
+        if (!progress) clouds::require_short_sampling(device_, form);
         particles = std::make_shared<const std::vector<CloudParticle>>(
             clouds::particles_at_rest(device_, form, Work(cancel, tell)));
       } catch (const Error& error) {

@@ -25,7 +25,8 @@ class CloudGrower {
 
   /// The sky with `particles` for each of its clouds. Those whose form the last sky had, wherever it was, are
   /// the same object. `progress` is told before each cloud, while it is made, and at the end. Throws what
-  /// clouds::particles_at_rest() throws, with the number of the cloud, from 1; Error(cancelled).
+  /// clouds::particles_at_rest() throws, with the number of the cloud, from 1; Error(cancelled); where nobody
+  /// sees the progress what clouds::require_short_sampling() throws.
   CloudSkyParameters grown(CloudSkyParameters sky, const CancelToken& cancel,
                            const std::function<void(CloudProgress)>& progress = {});
 
