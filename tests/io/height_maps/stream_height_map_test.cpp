@@ -92,7 +92,7 @@ TEST_F(StreamHeightMap, ChecksTheAsciiGridsOfAFolder) {
   EXPECT_EQ(stream("grids", options).map.heights_m.back(), 1.5f);
   EXPECT_EQ(stream("grids", options).map.columns, 600);
   write("b.asc", 10'000, "");
-  test::expect_error(ErrorKind::bad_input, "b.asc:1006: expected 300000 heights, found 299999",
+  test::expect_error(ErrorKind::bad_input, "b.asc:1005: expected 300000 heights, found 299999",
                      [&] { stream("grids", options); });
   write("b.asc", 10'000, "nan");
   test::expect_error(ErrorKind::bad_input, "row 999, column 599: expected a finite height, found nan",
