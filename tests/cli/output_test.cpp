@@ -8,7 +8,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include "tests/cli/offing_program.h"
@@ -118,12 +117,8 @@ TEST_F(OutputTest, ADamagedMapIsNoFrame) {
 
 // Fails if too few open files are taken for a fault of a driver: with 4 there was "no OpenCL platform".
 TEST_F(OutputTest, TooFewOpenFilesAreToldAsThat) {
-  rlimit usual{};
-  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &usual), 0);
-  const rlimit few{4, usual.rlim_max};
-  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &few), 0);
-  const ProgramResult result = run_offing({"devices"});
-  setrlimit(RLIMIT_NOFILE, &usual);
+  const ProgramResult result =
+      OffingProgram({"-c", "ulimit -n 4; exec \"$0\" devices", OFFING_PROGRAM}, "/bin/sh").wait();
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.errors, HasSubstr("this process may have 4"));
   EXPECT_THAT(result.errors, HasSubstr("hint: raise the limit with ulimit -n 1024"));
