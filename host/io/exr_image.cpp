@@ -256,7 +256,7 @@ auto with_input(const std::filesystem::path& path, Read read) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    refuse(path, fmt::format("not a whole EXR file: {}", error.what()), hint_of_damage);
+    refuse(path, fmt::format("not a whole EXR file: {}", one_line(error.what())), hint_of_damage);
   }
 }
 

@@ -61,7 +61,8 @@ for reader in "${readers[@]}"; do
   mkdir -p "$grown"
   longest=8192 memory_mb=2048 block_mb=1536
   case "$reader" in
-    exr | raster) block_mb=65536 ;;  # OpenEXR and maps reserve memory that they do not touch before they read
+    exr) block_mb=65536 ;;  # OpenEXR reserves memory that it does not touch before it reads
+    raster) memory_mb=4096 block_mb=65536 ;;  # the largest map has 2 GB
     vdb) longest=32768 ;;  # the smallest volume has 10 kB
   esac
   log="$build/$reader.log"

@@ -19,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -193,6 +194,25 @@ TEST_F(ExrImageTest, HeadersThatPromiseTooMuchAreRefused) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("found a header for"));
+  }
+}
+
+// Fails if OpenEXR's message, which has the name of a channel in it, is passed on with its line breaks.
+TEST_F(ExrImageTest, NamesOfChannelsKeepMessagesInOneLine) {
+  const fs::path path = folder_.path() / "a.exr";
+  write_exr(path, image_, PixelType::float_32, ExrCompression::zip);
+  std::string bytes = content(path);
+  const std::size_t name = bytes.find("c0.displacement.Y");
+  ASSERT_NE(name, std::string::npos);
+  bytes[name + 16] = '\n';
+  bytes[name + 17 + 1 + 8] = 2;  // its subsampling along x, behind type and linearity: 37 columns have no half
+  std::ofstream(path, std::ios::binary) << bytes;
+  try {
+    read_exr(path);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("not a whole EXR file"));
+    EXPECT_THAT(error.what(), Not(HasSubstr("\n")));
   }
 }
 
