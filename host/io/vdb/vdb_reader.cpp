@@ -14,6 +14,7 @@
 #include <openvdb/io/GridDescriptor.h>
 #include <openvdb/openvdb.h>
 
+#include "host/base/host_memory.h"
 #include "host/io/vdb/vdb_check.h"
 #include "host/io/vdb/vdb_values.h"
 #include "host/io/vdb/vdb_volume.h"
@@ -166,7 +167,8 @@ class VdbFile : private openvdb::io::Archive {
 /// Makes volumes of grids, brick by brick.
 class GridReader {
  public:
-  GridReader(const std::filesystem::path& path, std::string_view name) : path_(path), name_(name) {}
+  GridReader(const std::filesystem::path& path, std::string_view name, const VdbLimits& limits)
+      : path_(path), name_(name), limits_(limits) {}
 
   template <typename Grid>
   CloudVolume read(const Grid& grid) {
@@ -192,6 +194,7 @@ class GridReader {
                                             const openvdb::math::Transform& density_transform,
                                             const CloudVolume& volume) const {
     if (grid.transform() != density_transform) return {};
+    require_memory(sizeof(std::array<float, 3>) * static_cast<double>(volume.density.size()));
     std::vector<std::array<float, 3>> albedo(volume.density.size());
     openvdb::Vec3SGrid::ConstAccessor accessor = grid.getConstAccessor();
     for (std::size_t i = 0; i < albedo.size(); ++i) {
@@ -207,6 +210,11 @@ class GridReader {
  private:
   [[noreturn]] void fail(std::string_view expected, std::string_view got, std::string hint) const {
     throw bad_vdb(path_, name_, expected, got, std::move(hint));
+  }
+
+  void require_memory(double bytes) const {
+    require_host_memory(bytes, fmt::format("{}: {}: its bricks", one_line(path_.string()), name_),
+                        "resample it to larger cells, or cut it");
   }
 
   void require_fog(const openvdb::GridBase& grid) const {
@@ -225,7 +233,7 @@ class GridReader {
       if (tile.getValue() == typename Tree::ValueType(0)) continue;
       const CoordBBox box = tile.getBoundingBox();
       const std::size_t bricks = static_cast<std::size_t>(box.volume()) / cells;
-      if (box_.empty() || bricks + bricks_.size() <= most_vdb_bricks)
+      if (bricks + bricks_.size() <= limits_.bricks)
         add_tile(box);
       else
         refuse_size(bricks + bricks_.size());
@@ -243,13 +251,13 @@ class GridReader {
   }
 
   void add_brick(const Coord& brick) {
-    if (bricks_.size() == most_vdb_bricks) refuse_size(bricks_.size() + 1);
+    if (bricks_.size() == limits_.bricks) refuse_size(bricks_.size() + 1);
     bricks_.push_back(brick);
     box_.expand(brick);
   }
 
   [[noreturn]] void refuse_size(std::size_t bricks) const {
-    fail(fmt::format("at most {} bricks of 8^3 cells with a value", most_vdb_bricks),
+    fail(fmt::format("at most {} bricks of 8^3 cells with a value", limits_.bricks),
          fmt::format("{} or more", bricks), "resample it to larger cells, or cut it");
   }
 
@@ -277,11 +285,13 @@ class GridReader {
     volume.origin_m = glm::dvec3(first.x(), first.y(), first.z()) - 0.5 * scale;
     const std::array<double, 3> bricks{box_.extents().x() + 0.0, box_.extents().y() + 0.0,
                                        box_.extents().z() + 0.0};
-    if (bricks[0] * bricks[1] * bricks[2] > static_cast<double>(most_vdb_places)) {
-      fail(fmt::format("values within a box of at most {} bricks of 8^3 cells", most_vdb_places),
+    if (bricks[0] * bricks[1] * bricks[2] > static_cast<double>(limits_.places)) {
+      fail(fmt::format("values within a box of at most {} bricks of 8^3 cells", limits_.places),
            fmt::format("{:.0f} x {:.0f} x {:.0f}", bricks[0], bricks[1], bricks[2]),
            "resample it to larger cells, or cut off what lies far away");
     }
+    require_memory(sizeof(std::int32_t) * bricks[0] * bricks[1] * bricks[2] +
+                   sizeof(float) * static_cast<double>(cells * bricks_.size()));
     volume.bricks = {box_.extents().x(), box_.extents().y(), box_.extents().z()};
     volume.extinction_per_m = extinction_of(grid);
     const auto [nx, ny, nz] = volume.bricks;
@@ -353,13 +363,14 @@ class GridReader {
 
   const std::filesystem::path& path_;
   std::string name_;
+  VdbLimits limits_;
   std::vector<Coord> bricks_;  // leaves in the order of their tree, then those of tiles
   CoordBBox box_;
 };
 
 }  // namespace
 
-VdbCloud read_vdb(const std::filesystem::path& path, std::string_view grid) {
+VdbCloud read_vdb(const std::filesystem::path& path, std::string_view grid, const VdbLimits& limits) {
   vdb::initialize();
   VdbFile file(path);
   const std::string name(grid);
@@ -372,7 +383,7 @@ VdbCloud read_vdb(const std::filesystem::path& path, std::string_view grid) {
                   names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
                   "name one of its grids");
   }
-  GridReader reader(path, name);
+  GridReader reader(path, name, limits);
   VdbCloud cloud;
   cloud.tells_extinction = bool(found->second->getMetadata<openvdb::DoubleMetadata>(vdb::extinction_name));
   if (const auto floats = openvdb::gridPtrCast<openvdb::FloatGrid>(found->second)) {

@@ -33,6 +33,12 @@ enum class VdbPrecision { single, half };
 void write_vdb(const std::filesystem::path& path, const VdbCloud& cloud,
                VdbPrecision precision = VdbPrecision::single, Existing existing = Existing::replace);
 
+/// The largest volume that is read: a small file may hold large boxes of one value.
+struct VdbLimits {
+  std::size_t bricks = std::size_t{1} << 20;  ///< with density: 2 GiB
+  std::size_t places = std::size_t{1} << 26;  ///< in the box around them
+};
+
 /// Reads the grid `grid` of an OpenVDB file, of float or double, and `color` or `Cd` where it has the same
 /// cells. A file of write_vdb() gives the same volume again, but for bricks without density; of others the
 /// volume begins at the first cell that has a value, rounded down to whole bricks of theirs, and its
@@ -40,14 +46,11 @@ void write_vdb(const std::filesystem::path& path, const VdbCloud& cloud,
 ///
 /// Throws Error(bad_input) that names the file and the place in it for what is no OpenVDB file or ends early,
 /// for a grid that is missing, a level set, not of cubes along the axes, has values that are not finite,
-/// clearly negative or everywhere, or is larger than most_vdb_bricks or most_vdb_places; Error(file) where it
-/// must not be read.
-VdbCloud read_vdb(const std::filesystem::path& path, std::string_view grid = "density");
+/// clearly negative or everywhere, or is larger than the limits; Error(out_of_memory) for one that does not
+/// fit into memory; Error(file) where it must not be read.
+VdbCloud read_vdb(const std::filesystem::path& path, std::string_view grid = "density",
+                  const VdbLimits& limits = {});
 
-/// Bricks with density that are read: 2^20 are 2 GiB.
-inline constexpr std::size_t most_vdb_bricks = std::size_t{1} << 20;
-/// Bricks in the box around them.
-inline constexpr std::size_t most_vdb_places = std::size_t{1} << 26;
 /// Values below 0 by less than this share of the largest are taken for rounding of sums of floats.
 inline constexpr double vdb_rounding = 1e-3;
 

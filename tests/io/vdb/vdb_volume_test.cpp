@@ -284,6 +284,14 @@ TEST_F(VdbVolume, AllocatesNoMoreThanTheFileHas) {
   }
 }
 
+// 16 bricks in a box of 24. Fails if a small file can take more memory than the limits say.
+TEST_F(VdbVolume, RefusesLargeVolumes) {
+  write_vdb(in_folder("a.vdb"), {example_volume()});
+  EXPECT_NO_THROW(read_vdb(in_folder("a.vdb"), "density", {.bricks = 16, .places = 24}));
+  for (const VdbLimits& limits : {VdbLimits{.bricks = 15}, VdbLimits{.places = 23}})
+    EXPECT_THROW(read_vdb(in_folder("a.vdb"), "density", limits), Error);
+}
+
 class CompressedVdb : public VdbVolume {
  protected:
   /// The example as an independent program writes it: OpenVDB's own. False where it is missing.
