@@ -152,6 +152,7 @@ void require_short_sampling(const ocl::Device& device, const CloudParameters& pa
   constexpr int tried = 4000, few = 10 * tried;
   const bool takes_cells = parameters.shape && parameters.takes_cells_of_shape;
   if (grows(parameters) || takes_cells || parameters.target_particles <= few) return;
+  require_room(device, parameters);
   CloudParameters part = parameters;
   part.target_particles = tried;
   using Clock = std::chrono::steady_clock;

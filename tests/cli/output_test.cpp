@@ -118,9 +118,9 @@ TEST_F(OutputTest, ADamagedMapIsNoFrame) {
 // Fails if too few open files are taken for a fault of a driver: with 4 there was "no OpenCL platform".
 TEST_F(OutputTest, TooFewOpenFilesAreToldAsThat) {
   const ProgramResult result =
-      OffingProgram({"-c", "ulimit -n 4; exec \"$0\" devices", OFFING_PROGRAM}, "/bin/sh").wait();
+      OffingProgram({"-c", "ulimit -n 8; exec \"$0\" devices", OFFING_PROGRAM}, "/bin/sh").wait();
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.errors, HasSubstr("this process may have 4"));
+  EXPECT_THAT(result.errors, HasSubstr("this process may have 8"));
   EXPECT_THAT(result.errors, HasSubstr("hint: raise the limit with ulimit -n 1024"));
 }
 

@@ -306,20 +306,26 @@ class GridReader {
   double cube_edge_m(const openvdb::GridBase& grid) const {
     const char* hint = "resample it to cubes along x, y and z";
     if (!grid.transform().isLinear()) fail("cells that are cubes", "a perspective", hint);
-    const openvdb::Mat4R matrix = grid.transform().baseMap()->getAffineMap()->getMat4();
-    const double scale = matrix[0][0];
+    // Not its affine map: the making of one whose cells are too small to have an inverse ends the process.
+    const openvdb::math::MapBase& map = *grid.transform().baseMap();
+    const double scale = map.applyJacobian(openvdb::Vec3d(1.0, 0.0, 0.0)).x();
     constexpr double tolerance = 1e-5;  // of transforms that were written as floats
     if (!(scale > 0.0) || !std::isfinite(scale))
       fail("cells of a size above 0", fmt::format("{:g}", scale), hint);
     for (int row = 0; row < 3; ++row) {
+      openvdb::Vec3d axis(0.0);
+      axis[row] = 1.0;
+      const openvdb::Vec3d along = map.applyJacobian(axis);
       for (int column = 0; column < 3; ++column) {
         const double due = row == column ? scale : 0.0;
-        if (!(std::abs(matrix[row][column] - due) <= tolerance * scale)) {
+        if (!(std::abs(along[column] - due) <= tolerance * scale)) {
           fail("cells that are cubes along the axes", "others", hint);
         }
       }
-      if (!std::isfinite(matrix[3][row])) fail("a finite place", "another", hint);
     }
+    const openvdb::Vec3d origin = map.applyMap(openvdb::Vec3d(0.0));
+    if (!std::isfinite(origin.x()) || !std::isfinite(origin.y()) || !std::isfinite(origin.z()))
+      fail("a finite place", "another", hint);
     return scale;
   }
 
