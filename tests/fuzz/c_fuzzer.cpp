@@ -106,8 +106,9 @@ void read(FuzzedDataProvider& bytes, OffingWorld* world) {
   for (std::size_t i = 0; i < count; ++i) expect(std::isfinite(values[i]));
 }
 
-/// The scene of a small sea; where a byte says so, as the input has it. A world takes a hundred times as long as
-/// any other call, so that only one in two hundred is made; the first one always, so that a finding can be repeated.
+/// The scene of a small sea; where a byte says so, as the input has it. A world takes a hundred times as long
+/// as any other call, so that only one in two hundred is made; the first one always, so that a finding can be
+/// repeated.
 void make_other_world(FuzzedDataProvider& bytes) {
   static int asked = 0;
   if (asked++ % 200 != 0) return;

@@ -104,9 +104,6 @@ class HouseChecks(unittest.TestCase):
     def test_folder_without_arrow(self):
         self.assert_finds(include_arrows, "host/weather/rain.h", "", "no row for its folder")
 
-    def test_long_file(self):
-        self.assert_finds(file_limits, "host/ocean/ocean.cpp", "\n" * 401, "401 lines")
-
     def test_large_file(self):
         self.assert_finds(file_limits, "docs/picture.png", "x" * 1_000_001, "1000001 bytes")
 

@@ -3,6 +3,7 @@
 
 #include "host/io/vdb/vdb_volume.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -282,6 +283,22 @@ TEST_F(VdbVolume, AllocatesNoMoreThanTheFileHas) {
     ASSERT_TRUE(error) << at;
     EXPECT_THAT(error->what(), HasSubstr("4294967280 bytes where")) << at;
   }
+}
+
+// Fails if cells that are too small to have an inverse end the reading by an error of OpenVDB, which also
+// ends the process where it is thrown.
+TEST_F(VdbVolume, RefusesCellsWithoutAnInverse) {
+  write_vdb(in_folder("a.vdb"), {example_volume()});
+  std::string bytes = bytes_of(in_folder("a.vdb"));
+  const std::string map("UniformScaleTranslateMap");
+  const std::size_t scale = bytes.find(map) + map.size() + 3 * sizeof(double);  // behind the translation
+  ASSERT_LT(scale, bytes.size());
+  const std::array<double, 3> tiny{1e-120, 1e-120, 1e-110};
+  std::memcpy(bytes.data() + scale, tiny.data(), sizeof tiny);
+  write_bytes(in_folder("tiny.vdb"), bytes);
+  const std::optional<Error> error = error_of(in_folder("tiny.vdb"));
+  ASSERT_TRUE(error);
+  EXPECT_THAT(error->what(), HasSubstr("cubes along the axes"));
 }
 
 // 16 bricks in a box of 24. Fails if a small file can take more memory than the limits say.
