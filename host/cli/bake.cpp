@@ -109,7 +109,7 @@ class Bake {
   void write_frames() noexcept {
     try {
       while (const std::optional<BakedFrame> frame = queue_.pop()) {
-        writer_.write(*frame, cancel_);
+        writer_.write(*frame);
         ++written_;
         progress_.advance();
       }

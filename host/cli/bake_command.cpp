@@ -203,7 +203,7 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
   add("--compression", arguments->compression, "NAME", "zip, zips, piz or none (default zip)");
   add("--mesh", arguments->mesh, "FORMAT",
       "obj or ply: the displaced surface of all cascades, over the longest patch");
-  add_switch("--preview", "a shaded picture a frame, which takes seconds each, and a contact sheet",
+  add_switch("--preview", "a shaded map of each frame from above, and a contact sheet",
              [&settings] { settings.preview = PreviewUse::pictures; });
   add_switch("--include-gerstner",
              "add Gerstner waves, swells and raindrops to cascade c0 and its mesh\nc0 does not tile then, "

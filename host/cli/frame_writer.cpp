@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "host/cli/pictures/sea_preview.h"
+#include "host/cli/pictures/sea_map.h"
 #include "host/ocean/trochoid_instant.h"
 #include "host/scene/version.h"
 
@@ -32,15 +32,13 @@ FrameWriter::FrameWriter(const scene::Sea& sea, const BakeSettings& settings, co
       scene_hash_(std::move(scene_hash)),
       spectrum_name_(std::move(spectrum_name)),
       trochoids_(scene::trochoids_of(sea, sea.parameters.seed)) {
-  const ocean::SeaState state = ocean::integrate_sea_state(sea.spectrum);
-  mean_direction_rad_ = state.mean_direction_rad;
-  hs_m_ = state.hs_m;
+  hs_m_ = ocean::integrate_sea_state(sea.spectrum).hs_m;
 }
 
-void FrameWriter::write(const BakedFrame& frame, const CancelToken& cancel) const {
+void FrameWriter::write(const BakedFrame& frame) const {
   files_.remove_foreign_files(frame.number);
   std::optional<RgbImage> preview;
-  if (settings_.preview == PreviewUse::pictures) preview = draw_preview(frame, cancel);
+  if (settings_.preview == PreviewUse::pictures) preview = draw_preview(frame);
   // A frame is done when all its files are there. The EXR files come first: they tell whose the folder is.
   files_.remove_products(frame.number);
   write_fields(frame);
@@ -74,20 +72,13 @@ void FrameWriter::write_fields(const BakedFrame& frame) const {
   }
 }
 
-/// Seen from a ship's bridge, the same for every sea that does not reach it, so that a calm and a storm
-/// differ as their heights do; looking against the waves and a little aside.
-RgbImage FrameWriter::draw_preview(const BakedFrame& frame, const CancelToken& cancel) const {
-  std::vector<PreviewCascade> cascades;
+RgbImage FrameWriter::draw_preview(const BakedFrame& frame) const {
+  std::vector<SeaMapCascade> cascades;
   for (std::size_t i = 0; i < frame.cascades.size(); ++i) {
     cascades.push_back(
         {sea_.parameters.cascades[i].patch_length_m, &frame.cascades[i].surface, frame.cascades[i].foam});
   }
-  PreviewView view;
-  view.camera_height_m = std::max(10.0, 1.3 * hs_m_);
-  view.yaw_rad = mean_direction_rad_ + 2.6;
-  view.sun_azimuth_rad = view.yaw_rad + 0.7;
-  const PreviewSurface surface(cascades, sea_.parameters.foam, {trochoids_, frame.time_s});
-  return render_sea_preview(surface, view, cancel);
+  return draw_sea_map(cascades, {trochoids_, frame.time_s}, hs_m_);
 }
 
 ExrImage FrameWriter::image_of(const BakedFrame& frame) const {

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "host/base/cancel_token.h"
 #include "host/cli/bake_settings.h"
 #include "host/cli/baked_frame.h"
 #include "host/cli/frame_files.h"
@@ -18,11 +17,10 @@ class FrameWriter {
   FrameWriter(const scene::Sea& sea, const BakeSettings& settings, const FrameFiles& files,
               std::string scene_hash, std::string spectrum_name);
 
-  /// Throws Error(cancelled), with nothing written, when asked to stop while it draws the preview.
-  void write(const BakedFrame& frame, const CancelToken& cancel) const;
+  void write(const BakedFrame& frame) const;
 
  private:
-  RgbImage draw_preview(const BakedFrame& frame, const CancelToken& cancel) const;
+  RgbImage draw_preview(const BakedFrame& frame) const;
   void write_fields(const BakedFrame& frame) const;
   ExrImage image_of(const BakedFrame& frame) const;
   void add_gerstner_attributes(ExrImage& image, double time_s) const;
@@ -35,7 +33,6 @@ class FrameWriter {
   std::string scene_hash_;
   std::string spectrum_name_;
   ocean::TrochoidSea trochoids_;
-  double mean_direction_rad_;
   double hs_m_;
 };
 

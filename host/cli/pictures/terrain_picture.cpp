@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "host/cli/pictures/preview_light.h"
+#include "host/cli/pictures/vector3.h"
 #include "host/sky/sun_position.h"
 #include "host/terrain/step_colours.h"
 
@@ -20,6 +20,16 @@ namespace {
 constexpr double key = 0.3;
 constexpr double mean_albedo = 0.18;
 constexpr double least_klx = 1e-4;
+
+/// Display value 0 ... 1 of a radiance: a film-like curve (Narkowicz 2015, "ACES filmic tone mapping curve"),
+/// still linear light.
+Vec3 tone_mapped(Vec3 radiance) {
+  const auto curve = [](float x) {
+    x *= 0.6f;  // exposure: the horizon sky lands at about 0.8 of display white
+    return std::clamp(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f), 0.0f, 1.0f);
+  };
+  return {curve(radiance.x), curve(radiance.y), curve(radiance.z)};
+}
 
 void store(RgbImage& image, std::size_t pixel, Vec3 linear, float noise) {
   image.rgb[3 * pixel] = dithered_srgb(linear.x, noise);
