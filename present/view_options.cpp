@@ -253,17 +253,13 @@ GivenInputs inputs_of(const Written& written, const scene::OceanScene& scene) {
   return inputs;
 }
 
-/// The picture of a recording that has this name, if there is one. Of recordings with a folder a frame none
-/// is looked for: there may be billions.
+/// The picture of a recording that may have this name, if there is one. Of recordings with a folder a frame
+/// none is looked for: there may be billions.
 std::filesystem::path recorded_as(const Recording& recording, const std::filesystem::path& output) {
   if (!recording.name || output.empty() || !recording.name->is_one_folder()) return {};
   const std::optional<int> frame = recording.name->frame_of(output.filename().string());
   if (!frame || *frame < recording.frames.first || *frame > recording.frames.last) return {};
-  const std::filesystem::path picture = recording.name->of(*frame);
-  std::error_code ignored;
-  const bool is_same = std::filesystem::weakly_canonical(picture, ignored) ==
-                       std::filesystem::weakly_canonical(output, ignored);
-  return is_same ? picture : std::filesystem::path();
+  return recording.name->of(*frame);
 }
 
 /// Throws for what may not or cannot be written, before any work is done.

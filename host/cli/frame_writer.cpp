@@ -31,9 +31,8 @@ FrameWriter::FrameWriter(const scene::Sea& sea, const BakeSettings& settings, co
       files_(files),
       scene_hash_(std::move(scene_hash)),
       spectrum_name_(std::move(spectrum_name)),
-      trochoids_(scene::trochoids_of(sea, sea.parameters.seed)) {
-  hs_m_ = ocean::integrate_sea_state(sea.spectrum).hs_m;
-}
+      trochoids_(scene::trochoids_of(sea, sea.parameters.seed)),
+      hs_m_(ocean::integrate_sea_state(sea.spectrum).hs_m) {}
 
 void FrameWriter::write(const BakedFrame& frame) const {
   files_.remove_foreign_files(frame.number);

@@ -20,12 +20,12 @@ void require_extension(const std::filesystem::path& path,
                        std::initializer_list<std::string_view> extensions) {
   const std::string found = path.extension().string();
   if (std::find(extensions.begin(), extensions.end(), found) != extensions.end()) return;
-  std::filesystem::path mended = path == "-" ? "out" : path;
-  mended.replace_extension(*extensions.begin());
+  std::filesystem::path fitting = path == "-" ? "out" : path;
+  fitting.replace_extension(*extensions.begin());
   throw Error(
       ErrorKind::bad_usage,
       fmt::format("{}: expected a name that ends in {}", path.string(), fmt::join(extensions, " or ")),
-      fmt::format("name it {}", mended.filename().string()));
+      fmt::format("name it {}", fitting.filename().string()));
 }
 
 }  // namespace offing

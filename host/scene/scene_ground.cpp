@@ -40,7 +40,7 @@ struct Heights {
 Heights made_heights(const TerrainScene& terrain) {
   const terrain::FractalParameters& parameters = terrain.fractal;
   const std::string what = fmt::format("terrain.posts: {0} x {0} posts", parameters.posts);
-  // The map, its copy on a device that keeps its memory in the machine's, and the lids over that.
+  // The map, its copy on a device that keeps its memory in the machine's, and the node maxima over that.
   constexpr double bytes_a_post = (2.0 + 1.0 / 3.0) * sizeof(float);
   require_host_memory(bytes_a_post * parameters.posts * parameters.posts, what,
                       "use fewer, or make a file with `offing terrain generate` and tile it with "

@@ -12,7 +12,7 @@
 namespace offing::cli {
 namespace {
 
-void set_colour(cairo_t* context, Vec3 colour) {
+void set_colour(cairo_t* context, glm::vec3 colour) {
   cairo_set_source_rgb(context, colour.x, colour.y, colour.z);
 }
 
@@ -63,20 +63,20 @@ PlotCanvas::PlotCanvas(int width, int height) : state_(std::make_unique<State>(w
   cairo_set_line_join(state_->context, CAIRO_LINE_JOIN_ROUND);
 }
 
-void PlotCanvas::line(const std::vector<Point>& points, Vec3 colour, double width_px) {
+void PlotCanvas::line(const std::vector<Point>& points, glm::vec3 colour, double width_px) {
   trace(state_->context, points);
   set_colour(state_->context, colour);
   cairo_set_line_width(state_->context, width_px);
   cairo_stroke(state_->context);
 }
 
-void PlotCanvas::polygon(const std::vector<Point>& points, Vec3 colour) {
+void PlotCanvas::polygon(const std::vector<Point>& points, glm::vec3 colour) {
   trace(state_->context, points);
   set_colour(state_->context, colour);
   cairo_fill(state_->context);
 }
 
-void PlotCanvas::circle(Point center, double radius_px, Vec3 colour, double width_px) {
+void PlotCanvas::circle(Point center, double radius_px, glm::vec3 colour, double width_px) {
   cairo_new_path(state_->context);
   cairo_arc(state_->context, center.x, center.y, radius_px, 0.0, 2.0 * std::numbers::pi);
   set_colour(state_->context, colour);
@@ -84,13 +84,13 @@ void PlotCanvas::circle(Point center, double radius_px, Vec3 colour, double widt
   cairo_stroke(state_->context);
 }
 
-void PlotCanvas::pixel(int column, int row, Vec3 colour) {
+void PlotCanvas::pixel(int column, int row, glm::vec3 colour) {
   set_colour(state_->context, colour);
   cairo_rectangle(state_->context, column, row, 1, 1);
   cairo_fill(state_->context);
 }
 
-void PlotCanvas::text(Point anchor, const std::string& words, double size_px, Align align, Vec3 colour) {
+void PlotCanvas::text(Point anchor, const std::string& words, double size_px, Align align, glm::vec3 colour) {
   cairo_save(state_->context);
   set_colour(state_->context, colour);
   cairo_translate(state_->context, anchor.x, anchor.y);

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "host/cli/pictures/vector3.h"
+#include <glm/vec3.hpp>
+
 #include "host/io/png_image.h"
 
 namespace offing::cli {
@@ -23,13 +24,13 @@ class PlotCanvas {
   PlotCanvas(int width, int height);
   ~PlotCanvas();
 
-  void line(const std::vector<Point>& points, Vec3 colour, double width_px);
-  void polygon(const std::vector<Point>& points, Vec3 colour);
-  void circle(Point center, double radius_px, Vec3 colour, double width_px);
-  void pixel(int column, int row, Vec3 colour);
+  void line(const std::vector<Point>& points, glm::vec3 colour, double width_px);
+  void polygon(const std::vector<Point>& points, glm::vec3 colour);
+  void circle(Point center, double radius_px, glm::vec3 colour, double width_px);
+  void pixel(int column, int row, glm::vec3 colour);
   /// Text with its vertical middle at `anchor`.
   void text(Point anchor, const std::string& words, double size_px, Align align,
-            Vec3 colour = {0.15f, 0.15f, 0.15f});
+            glm::vec3 colour = {0.15f, 0.15f, 0.15f});
   /// The same, reading upward.
   void upward_text(Point anchor, const std::string& words, double size_px);
 

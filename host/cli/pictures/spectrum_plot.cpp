@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "host/base/error.h"
 #include "host/cli/pictures/plot_canvas.h"
@@ -23,26 +24,26 @@ constexpr double rose_radius_px = 215;
 constexpr double bar_left_px = 1150, bar_width_px = 18;
 constexpr double text_px = 14, title_px = 19;
 
-constexpr Vec3 grid_colour{0.88f, 0.88f, 0.88f};
-constexpr Vec3 frame_colour{0.35f, 0.35f, 0.35f};
-constexpr Vec3 curve_colour{0.05f, 0.32f, 0.55f};
-constexpr Vec3 area_colour{0.78f, 0.88f, 0.94f};
+constexpr glm::vec3 grid_colour{0.88f, 0.88f, 0.88f};
+constexpr glm::vec3 frame_colour{0.35f, 0.35f, 0.35f};
+constexpr glm::vec3 curve_colour{0.05f, 0.32f, 0.55f};
+constexpr glm::vec3 area_colour{0.78f, 0.88f, 0.94f};
 /// From no energy to the most; each step is darker than the one before, so that the order survives without
 /// colour.
-constexpr std::array<Vec3, 6> density_colours{{{1.00f, 1.00f, 1.00f},
-                                               {0.78f, 0.91f, 0.88f},
-                                               {0.36f, 0.72f, 0.78f},
-                                               {0.13f, 0.45f, 0.67f},
-                                               {0.20f, 0.18f, 0.47f},
-                                               {0.16f, 0.02f, 0.16f}}};
+constexpr std::array<glm::vec3, 6> density_colours{{{1.00f, 1.00f, 1.00f},
+                                                    {0.78f, 0.91f, 0.88f},
+                                                    {0.36f, 0.72f, 0.78f},
+                                                    {0.13f, 0.45f, 0.67f},
+                                                    {0.20f, 0.18f, 0.47f},
+                                                    {0.16f, 0.02f, 0.16f}}};
 
 /// Colour of this share of the largest density. The scale is a square root, so that a weak sea beside a
 /// strong one shows.
-Vec3 density_colour(double share) {
+glm::vec3 density_colour(double share) {
   const double place = std::sqrt(std::clamp(share, 0.0, 1.0)) * (density_colours.size() - 1);
   const std::size_t index = std::min(static_cast<std::size_t>(place), density_colours.size() - 2);
-  return mix(density_colours[index], density_colours[index + 1],
-             static_cast<float>(place - static_cast<double>(index)));
+  return glm::mix(density_colours[index], density_colours[index + 1],
+                  static_cast<float>(place - static_cast<double>(index)));
 }
 
 /// Frequency up to which the plots reach: the last that still has 1 % of the largest energy, and a fifth
@@ -165,7 +166,7 @@ void draw_colour_bar(PlotCanvas& canvas, double largest) {
   const double top = rose.y - rose_radius_px, bottom = rose.y + rose_radius_px;
   for (int row = static_cast<int>(top); row < static_cast<int>(bottom); ++row) {
     const double height = (bottom - row) / (bottom - top);
-    const Vec3 colour = density_colour(height * height);
+    const glm::vec3 colour = density_colour(height * height);
     canvas.line({{bar_left_px, row + 0.5}, {bar_left_px + bar_width_px, row + 0.5}}, colour, 1.0);
   }
   for (const double value : round_ticks(largest, 5)) {

@@ -9,7 +9,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "host/cli/pictures/vector3.h"
 #include "host/sky/sun_position.h"
 #include "host/terrain/step_colours.h"
 
@@ -23,7 +22,7 @@ constexpr double least_klx = 1e-4;
 
 /// Display value 0 ... 1 of a radiance: a film-like curve (Narkowicz 2015, "ACES filmic tone mapping curve"),
 /// still linear light.
-Vec3 tone_mapped(Vec3 radiance) {
+glm::vec3 tone_mapped(glm::vec3 radiance) {
   const auto curve = [](float x) {
     x *= 0.6f;  // exposure: the horizon sky lands at about 0.8 of display white
     return std::clamp(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f), 0.0f, 1.0f);
@@ -31,7 +30,7 @@ Vec3 tone_mapped(Vec3 radiance) {
   return {curve(radiance.x), curve(radiance.y), curve(radiance.z)};
 }
 
-void store(RgbImage& image, std::size_t pixel, Vec3 linear, float noise) {
+void store(RgbImage& image, std::size_t pixel, glm::vec3 linear, float noise) {
   image.rgb[3 * pixel] = dithered_srgb(linear.x, noise);
   image.rgb[3 * pixel + 1] = dithered_srgb(linear.y, noise);
   image.rgb[3 * pixel + 2] = dithered_srgb(linear.z, noise);
@@ -88,8 +87,9 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
       }
       ++next_open;
     }
-    const Vec3 exposed{static_cast<float>(exposure * colour[0]), static_cast<float>(exposure * colour[1]),
-                       static_cast<float>(exposure * colour[2])};
+    const glm::vec3 exposed{static_cast<float>(exposure * colour[0]),
+                            static_cast<float>(exposure * colour[1]),
+                            static_cast<float>(exposure * colour[2])};
     const std::size_t width = static_cast<std::size_t>(camera.width_px);
     const float noise = dither_noise(static_cast<int>(pixel % width), static_cast<int>(pixel / width));
     store(picture.image, pixel, tone_mapped(exposed), noise);
