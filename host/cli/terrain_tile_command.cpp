@@ -50,7 +50,8 @@ class Tiling {
     header_.georeference = about.map.georeference;
     header_.centre_latitude_deg = about.source.centre_latitude_deg;
     header_.centre_longitude_deg = about.source.centre_longitude_deg;
-    store_.emplace(arguments_.output, header_.shape, arguments_.existing);
+    require_storable(arguments_.input.file(), header_.shape);
+    store_.emplace(arguments_.output, arguments_.existing);
     progress_.emplace(static_cast<int>(header_.shape.tile_count()), "tiles", options_.verbosity);
     writers_.emplace(*store_, *progress_);
     builder_.emplace(header_.shape, [this](HeightTile tile) { writers_->add(std::move(tile)); });

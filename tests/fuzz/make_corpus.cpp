@@ -138,7 +138,7 @@ void make_tiles(const fs::path& folder) {
 
 void make_store(const fs::path& folder, const fs::path& work) {
   const TileSetShape shape = TileSetShape::of(600, 300);
-  TileStoreWriter(work, shape, Existing::keep)
+  TileStoreWriter(work, Existing::keep)
       .finish({.shape = shape,
                .highest_m = 10.0f,
                .georeference = {"LOCAL_CS[\"a\"]", 0.0, 0.0, 30.0, -30.0},

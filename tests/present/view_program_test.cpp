@@ -147,7 +147,7 @@ TEST_F(ViewProgramTest, ShowsGround) {
 TEST_F(ViewProgramTest, ShowsTileStores) {
   const int side = 300;
   const TileSetShape shape = TileSetShape::of(side, side);
-  const TileStoreWriter writer(path("hills.tiles"), shape, Existing::keep);
+  const TileStoreWriter writer(path("hills.tiles"), Existing::keep);
   terrain::TileBuilder builder(shape, [&](const HeightTile& tile) { writer.write(tile); });
   std::vector<float> all_m, row_m(side);
   for (int row = 0; row < side; ++row) {
@@ -215,6 +215,8 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
   refused({scene(), "--keep-fps", "20", "-o", path("refused.png")}, "--keep-fps: expected a window");
   refused({scene(), "--keep-fps", "many"}, "--keep-fps: expected a number");
   refused({scene(), "--record", path("a_%d.jpg")}, "name it a_%d.png");
+  refused({scene(), "--record", path("a_%d.png"), "--frames", "0:5", "-o", path("./a_3.png")},
+          "--record: expected another file than that of -o");
   refused({scene(), "--hedless"}, "did you mean --headless?");
   refused({scene(), "--size"}, "offing-view: --size: expected a value, found none");
   refused({scene(), "--time", "noon", "-o", path("refused.png")}, "--time: expected a number in s");

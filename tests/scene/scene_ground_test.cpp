@@ -155,7 +155,7 @@ TEST_F(SceneGroundTest, ReadsPicturesOfTheGround) {
 // Fails if a tile store is not read as one, or keys that say how to read a map are passed over for it.
 TEST_F(SceneGroundTest, TakesTileStores) {
   const TileSetShape shape = TileSetShape::of(300, 200);
-  const TileStoreWriter writer(folder_.path() / "hills.tiles", shape, Existing::keep);
+  const TileStoreWriter writer(folder_.path() / "hills.tiles", Existing::keep);
   terrain::TileBuilder builder(shape, [&](const HeightTile& tile) { writer.write(tile); });
   std::vector<float> heights_m(300);
   for (int row = 0; row < 200; ++row) {

@@ -295,14 +295,16 @@ HeightTile TileStore::read(const TileKey& key) const {
               "make the store again with `offing terrain tile`: tiles that are whole are kept");
 }
 
-TileStoreWriter::TileStoreWriter(fs::path folder, const TileSetShape& shape, Existing existing)
+void require_storable(const std::string& map, const TileSetShape& shape) {
+  if (shape.columns <= most_stored_posts && shape.rows <= most_stored_posts) return;
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected at most {} posts a side, found {} x {}", map, most_stored_posts,
+                          shape.columns, shape.rows),
+              "cut the map with gdal_translate -srcwin, or make it coarser with gdal_translate -outsize");
+}
+
+TileStoreWriter::TileStoreWriter(fs::path folder, Existing existing)
     : folder_(std::move(folder)), existing_(existing), is_replacement_(is_tile_store(folder_)) {
-  if (shape.columns > most_stored_posts || shape.rows > most_stored_posts) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected a map of at most {} posts a side, found {} x {}", folder_.string(),
-                            most_stored_posts, shape.columns, shape.rows),
-                "cut the map with gdal_translate -srcwin, or make it coarser with gdal_translate -outsize");
-  }
   if (is_replacement_ && existing == Existing::keep) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("{}: expected a new folder, found a finished tile store", folder_.string()),

@@ -26,6 +26,9 @@ struct TileStoreHeader {
   std::uint64_t heights_checksum = 0;  ///< XXH3 of the map's heights, row by row
 };
 
+/// Throws Error(bad_input) that names the file of a map that is too large for a store.
+void require_storable(const std::string& map, const TileSetShape& shape);
+
 /// Whether a path is a folder that a store's header lies in.
 bool is_tile_store(const std::filesystem::path& path);
 
@@ -55,10 +58,9 @@ class TileStore {
 /// differ wait in the subfolder `.new`.
 class TileStoreWriter {
  public:
-  /// Makes the folder. Throws Error(bad_input) for a map that is too large, before anything is made;
-  /// Error(bad_usage) if the folder holds something else, or a finished store that
-  /// may not be replaced; Error(file) if it cannot be made or read.
-  TileStoreWriter(std::filesystem::path folder, const TileSetShape& shape, Existing existing);
+  /// Makes the folder. Throws Error(bad_usage) if it holds something else, or a finished store that may not
+  /// be replaced; Error(file) if it cannot be made or read.
+  TileStoreWriter(std::filesystem::path folder, Existing existing);
 
   /// Writes a tile unless it is there; returns whether it was written. Throws Error(bad_usage) for a whole
   /// tile of another map that may not be replaced. Safe to use from several threads at once.

@@ -60,7 +60,7 @@ class TileStoreTest : public ::testing::Test {
   int write(const fs::path& folder, int most, Existing existing = Existing::keep,
             double raised_m = 0.0) const {
     const TileSetShape shape = TileSetShape::of(600, 300);
-    const TileStoreWriter writer(folder, shape, existing);
+    const TileStoreWriter writer(folder, existing);
     int written = 0;
     for (int level = 0; level < shape.levels; ++level) {
       for (int row = 0; row < shape.tiles_z(level); ++row) {
@@ -215,8 +215,7 @@ TEST_F(TileStoreTest, KeepsAFinishedStoreUntilItIsReplaced) {
 
 // Fails if folders are made before there are tiles for them.
 TEST_F(TileStoreTest, MakesFoldersAsTilesCome) {
-  const TileSetShape shape = TileSetShape::of(most_stored_posts, most_stored_posts);
-  const TileStoreWriter writer(folder(), shape, Existing::keep);
+  const TileStoreWriter writer(folder(), Existing::keep);
   EXPECT_TRUE(fs::is_empty(folder()));
 }
 
