@@ -1,6 +1,7 @@
 """summary.py JUNIT_FILE: after a CTest run, prints each skipped test with its reason and one closing line."""
 
 import itertools
+import pathlib
 import sys
 import xml.etree.ElementTree as ElementTree
 
@@ -16,6 +17,8 @@ def skip_reason(output):
 
 
 def main(path):
+    if not pathlib.Path(path).exists():
+        sys.exit("error: CTest ran no test and left no results\nhint: see its messages above")
     passed, failed, skipped = 0, 0, []
     for case in ElementTree.parse(path).getroot().iter("testcase"):
         if case.find("skipped") is not None:
