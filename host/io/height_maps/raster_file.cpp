@@ -100,6 +100,23 @@ bool is_of_integers(GDALDatasetH raster) {
   return GDALGetRasterCount(raster) == 1 && GDALGetRasterDataType(GDALGetRasterBand(raster, 1)) == GDT_Int32;
 }
 
+/// GDAL reads a block of all bands at once where they lie pixel by pixel: a file of 300 bytes can ask for 4
+/// GB.
+void require_readable_blocks(GDALDatasetH raster, const fs::path& path) {
+  constexpr double most_bytes = 1 << 30;
+  const int bands = GDALGetRasterCount(raster);
+  if (bands < 2) return;  // GDAL itself refuses blocks of one band above 2 GB
+  const GDALRasterBandH band = GDALGetRasterBand(raster, 1);
+  int columns = 0, rows = 0;
+  GDALGetBlockSize(band, &columns, &rows);
+  const double bytes = 1.0 * columns * rows * bands * GDALGetDataTypeSizeBytes(GDALGetRasterDataType(band));
+  if (bytes <= most_bytes) return;
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected blocks of at most 1 GB, found {} x {} pixels of {} bands: {:.1f} GB",
+                          one_line(path.string()), columns, rows, bands, bytes / most_bytes),
+              "keep one band: gdal_translate -b 1 MAP.tif NEW.tif");
+}
+
 /// GDAL reads an ASCII grid in which it finds no decimal point as integers: "nan" and "inf" would be 0.
 enum class IntegerGrids {
   as_real,     ///< read as real numbers
@@ -117,6 +134,7 @@ Dataset open_plain(const fs::path& path, const FileTrust& trust, IntegerGrids in
   check_beside(path, trust.trust);
   Dataset raster = open_as(path, plain_formats());
   if (!raster) return raster;
+  require_readable_blocks(raster.get(), path);
   if (integer_grids == IntegerGrids::as_real && is_of_driver(raster.get(), "AAIGrid") &&
       is_of_integers(raster.get())) {
     constexpr std::array<const char*, 2> as_real{"DATATYPE=Float64", nullptr};

@@ -1,5 +1,7 @@
 // Rasters that lead elsewhere: to servers, to any bytes of the machine, out of their folder.
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -77,6 +79,31 @@ class HostileRaster : public ::testing::Test {
   TemporaryFolder folder_;
   test::LocalServer server_;
 };
+
+// Fails if a tile of a small file may take gigabytes of memory: all bands of a pixel lie together.
+TEST_F(HostileRaster, OfManyBandsIsRefused) {
+  const auto tiff_of = [](std::uint16_t bands) {
+    const std::vector<std::array<std::uint16_t, 2>> tags{{256, 6},   {257, 5},     {258, 8}, {259, 1},
+                                                         {262, 1},   {277, bands}, {284, 1}, {322, 256},
+                                                         {323, 256}, {324, 0},     {325, 0}, {339, 1}};
+    std::string text("II*\0\10\0\0\0", 8);
+    const auto add = [&text](std::uint32_t value, int bytes) {
+      for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i) & 255);
+    };
+    add(static_cast<std::uint32_t>(tags.size()), 2);
+    for (const auto& [tag, value] : tags) {
+      add(tag, 2);
+      add(3, 2);  // the type: 16 bits
+      add(1, 4);
+      add(value, 4);
+    }
+    add(0, 4);
+    return text;
+  };
+  EXPECT_THAT(outcome(write("bands.tif", tiff_of(65532))),
+              HasSubstr("expected blocks of at most 1 GB, found 256 x 256 pixels of 65532 bands: 4.0 GB"));
+  EXPECT_THAT(outcome(write("few.tif", tiff_of(3))), testing::Not(HasSubstr("blocks")));
+}
 
 // Fails if GDAL is asked for an address, or opens a description of a server whatever its file is called.
 TEST_F(HostileRaster, ReachesNoServer) {
