@@ -49,8 +49,8 @@ set(OFFING_COMMON_HEADERS <algorithm> <array> <cmath> <filesystem> <fstream> <fu
     <string> <variant> <vector> <fmt/format.h> <glm/geometric.hpp>)
 
 # offing_library(<name> SOURCES <files...> LINKS <public libraries...> [PRIVATE_LINKS <libraries...>])
-# makes offing_<name> with the alias offing::<name>, and installs it with the headers of its folder (and of
-# shared/ below it) under include/offing/ in the same tree. A library outside Offing that it links needs a row in
+# makes offing_<name> with the alias offing::<name>, and installs it with the headers of its folder and of its sources'
+# folders (for kernels, of shared/) under include/offing/ in the same tree. A library outside Offing that it links needs a row in
 # host/install/dependencies.cmake. Declare a library after those it links: offing.pc lists them in that order.
 function(offing_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
@@ -65,7 +65,16 @@ function(offing_library name)
     offing_precompile(offing_${name} LIKE offing_base)
   endif()
 
-  file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h ${CMAKE_CURRENT_SOURCE_DIR}/shared/*.h)
+  set(header_files *.h shared/*.h)
+  foreach(source IN LISTS ARG_SOURCES)
+    get_filename_component(folder ${source} DIRECTORY)
+    if(folder AND NOT IS_ABSOLUTE ${folder})
+      list(APPEND header_files ${folder}/*.h)
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES header_files)
+  list(TRANSFORM header_files PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  file(GLOB headers CONFIGURE_DEPENDS ${header_files})
   target_sources(offing_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
   set_property(GLOBAL APPEND PROPERTY OFFING_LIBRARIES offing_${name})
 endfunction()

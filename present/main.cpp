@@ -4,10 +4,10 @@
 #include "host/base/error.h"
 #include "host/base/log.h"
 #include "host/base/process.h"
-#include "present/headless.h"
-#include "present/reference_comparison.h"
+#include "present/output/headless.h"
+#include "present/output/reference_comparison.h"
 #include "present/view_options.h"
-#include "present/viewer.h"
+#include "present/window/viewer.h"
 
 namespace {
 

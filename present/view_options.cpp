@@ -18,18 +18,18 @@
 #include "host/command_line/parse_arguments.h"
 #include "host/command_line/trust_flag.h"
 #include "host/io/atomic_file.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/scene_files.h"
-#include "host/scene/scene_frames.h"
-#include "host/scene/version.h"
-#include "present/picture_file.h"
-#include "present/scene_sources.h"
-#include "present/video_pipe.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/file/scene_files.h"
+#include "host/scene/file/version.h"
+#include "host/scene/prepare/scene_frames.h"
+#include "present/output/picture_file.h"
+#include "present/output/video_pipe.h"
+#include "present/window/scene_sources.h"
 
 namespace offing::present {
 namespace {
 
-constexpr const char *kernel_folder = "kernels", *shader_folder = "present/shaders";
+constexpr const char *kernel_folder = "kernels", *shader_folder = "present/passes";
 
 constexpr const char* footer = R"(
 Examples:

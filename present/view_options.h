@@ -7,10 +7,10 @@
 #include "host/base/cancel_token.h"
 #include "host/base/existing.h"
 #include "host/base/log.h"
-#include "host/scene/ocean_scene.h"
-#include "present/frame.h"
-#include "present/recording.h"
-#include "present/transfer.h"
+#include "host/scene/model/ocean_scene.h"
+#include "present/gl/transfer.h"
+#include "present/output/recording.h"
+#include "present/passes/frame.h"
 
 namespace offing::present {
 

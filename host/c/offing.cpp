@@ -14,9 +14,9 @@
 #include "host/base/error.h"
 #include "host/base/log.h"
 #include "host/ocl/device.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/version.h"
-#include "host/scene/world_scene.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/file/version.h"
+#include "host/scene/prepare/world_scene.h"
 #include "host/world/world.h"
 
 struct OffingDevice {

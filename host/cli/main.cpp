@@ -3,15 +3,15 @@
 #include <CLI/App.hpp>
 
 #include "host/base/process.h"
-#include "host/cli/clouds_command.h"
-#include "host/cli/devices_command.h"
-#include "host/cli/global_options.h"
-#include "host/cli/highlights_command.h"
-#include "host/cli/ocean_command.h"
-#include "host/cli/terrain_command.h"
+#include "host/cli/clouds/clouds_command.h"
+#include "host/cli/common/devices_command.h"
+#include "host/cli/common/global_options.h"
+#include "host/cli/highlights/highlights_command.h"
+#include "host/cli/ocean/ocean_command.h"
+#include "host/cli/terrain/terrain_command.h"
 #include "host/command_line/help_format.h"
 #include "host/command_line/parse_arguments.h"
-#include "host/scene/version.h"
+#include "host/scene/file/version.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/scene/nearest_name.h"
+#include "host/scene/file/nearest_name.h"
 
 namespace offing {
 

@@ -160,7 +160,7 @@ PassPlan strip_rows(const PlanRequest& request) {
   const std::size_t result_bytes = sizeof(float) * 2 * static_cast<std::size_t>(request.result_fields) *
                                    static_cast<std::size_t>(request.size) *
                                    static_cast<std::size_t>(request.size);
-  if (result_bytes >= smallest_streamed_result_bytes) pass.defines.set_flag("FFT_STREAM_RESULT");
+  if (result_bytes >= smallest_streamed_result_bytes) pass.defines.set_flag("STREAM_RESULT");
   pass.shape = {{static_cast<std::size_t>(request.size / rows_per_item), 1, 1}, {1, 1, 1}};
   return pass;
 }

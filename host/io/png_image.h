@@ -20,7 +20,7 @@ struct RgbImage {
 std::uint8_t srgb_from_linear(float linear);
 
 /// Fixed noise of a pixel, at least -0.5 and below 0.5, whose mean over a few pixels is 0: interleaved
-/// gradient noise (Jimenez 2014), as present/shaders/tone.frag has it.
+/// gradient noise (Jimenez 2014), as present/passes/tone.frag has it.
 float dither_noise(int column, int row);
 
 /// The same byte with less than one step of this noise added before it is rounded, which hides the steps of 8

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "host/ocean/dispersion.h"
+#include "host/ocean/spectrum/dispersion.h"
 
 namespace offing::ocean {
 

@@ -9,10 +9,10 @@
 #include "host/bodies/floating_bodies.h"
 #include "host/bodies/hull_map.h"
 #include "host/bodies/hull_press.h"
-#include "host/highlights/lighting.h"
-#include "host/ocean/ocean.h"
-#include "host/ocean/sea_spectrum.h"
-#include "host/ocean/trochoids.h"
+#include "host/highlights/search/lighting.h"
+#include "host/ocean/spectrum/sea_spectrum.h"
+#include "host/ocean/surface/ocean.h"
+#include "host/ocean/surface/trochoids.h"
 #include "host/world/body_path.h"
 
 namespace offing::world {

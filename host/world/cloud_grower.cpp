@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/clouds/cloud_model.h"
+#include "host/clouds/particles/cloud_model.h"
 
 namespace offing::world {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "host/clouds/cloud_parameters.h"
+#include "host/clouds/shape/cloud_parameters.h"
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
 #include "host/world/mesh_parameters.h"

@@ -10,11 +10,11 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
-#include "host/clouds/cloud_model.h"
-#include "host/clouds/particle_light.h"
-#include "host/clouds/particle_motion.h"
-#include "host/clouds/particle_order.h"
-#include "host/clouds/particle_thinning.h"
+#include "host/clouds/light/particle_light.h"
+#include "host/clouds/particles/cloud_model.h"
+#include "host/clouds/particles/particle_motion.h"
+#include "host/clouds/particles/particle_order.h"
+#include "host/clouds/particles/particle_thinning.h"
 
 namespace offing::world {
 namespace {

@@ -8,8 +8,8 @@
 #include <glm/vec3.hpp>
 
 #include "host/base/camera.h"
-#include "host/clouds/cloud_parameters.h"
-#include "host/clouds/cloud_shadow_map.h"
+#include "host/clouds/light/cloud_shadow_map.h"
+#include "host/clouds/shape/cloud_parameters.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 #include "host/world/light_lag.h"

@@ -1,6 +1,6 @@
 #include "host/world/ground_picture.h"
 
-#include "host/terrain/picture.h"
+#include "host/terrain/cast/picture.h"
 
 namespace offing::world {
 

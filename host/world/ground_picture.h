@@ -3,8 +3,8 @@
 #include "host/base/camera.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
-#include "host/terrain/hit_planes.h"
-#include "host/terrain/terrain_shade.h"
+#include "host/terrain/cast/hit_planes.h"
+#include "host/terrain/shading/terrain_shade.h"
 #include "kernels/shared/terrain.h"
 
 namespace offing::world {

@@ -4,8 +4,8 @@
 #include <span>
 #include <utility>
 
-#include "host/terrain/picture.h"
-#include "host/terrain/tile_posts.h"
+#include "host/terrain/cast/picture.h"
+#include "host/terrain/tiles/tile_posts.h"
 
 namespace offing::world {
 namespace {

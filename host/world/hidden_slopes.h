@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "host/ocean/ocean.h"
-#include "host/ocean/slope_covariance.h"
-#include "host/ocean/trochoids.h"
+#include "host/ocean/spectrum/slope_covariance.h"
+#include "host/ocean/surface/ocean.h"
+#include "host/ocean/surface/trochoids.h"
 
 namespace offing::world {
 

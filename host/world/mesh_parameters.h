@@ -8,10 +8,10 @@
 #include <glm/vec3.hpp>
 
 #include "host/base/triangle_mesh.h"
-#include "host/highlights/highlight_rule.h"
-#include "host/highlights/highlight_surface.h"
-#include "host/highlights/highlight_track.h"
-#include "host/highlights/lighting.h"
+#include "host/highlights/projectors/highlight_rule.h"
+#include "host/highlights/search/highlight_surface.h"
+#include "host/highlights/search/lighting.h"
+#include "host/highlights/tracks/highlight_track.h"
 
 namespace offing::world {
 

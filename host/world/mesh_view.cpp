@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "host/highlights/diffused_curvature.h"
-#include "host/highlights/nearest_place.h"
+#include "host/highlights/curvature/diffused_curvature.h"
+#include "host/highlights/tracks/nearest_place.h"
 
 namespace offing::world {
 namespace {

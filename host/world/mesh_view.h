@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "host/highlights/drawn_highlights.h"
-#include "host/highlights/highlight_surface.h"
-#include "host/highlights/highlight_tracks.h"
-#include "host/highlights/lighting.h"
+#include "host/highlights/projectors/drawn_highlights.h"
+#include "host/highlights/search/highlight_surface.h"
+#include "host/highlights/search/lighting.h"
+#include "host/highlights/tracks/highlight_tracks.h"
 #include "host/ocl/device.h"
 #include "host/world/mesh_parameters.h"
 

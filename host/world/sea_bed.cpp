@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "host/terrain/tile_posts.h"
+#include "host/terrain/tiles/tile_posts.h"
 #include "kernels/shared/shoals.h"
 
 namespace offing::world {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/ocean/depth_map.h"
+#include "host/ocean/query/depth_map.h"
 #include "host/world/ground_view.h"
 
 namespace offing::world {

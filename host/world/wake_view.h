@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "host/ocean/wake_maps.h"
-#include "host/ocean/wake_window.h"
+#include "host/ocean/wakes/wake_maps.h"
+#include "host/ocean/wakes/wake_window.h"
 #include "host/world/body_view.h"
 
 namespace offing::world {

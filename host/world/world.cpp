@@ -8,14 +8,14 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/clouds/particle_motion.h"
-#include "host/clouds/particle_thinning.h"
+#include "host/clouds/particles/particle_motion.h"
+#include "host/clouds/particles/particle_thinning.h"
 #include "host/world/cloud_light.h"
 
 namespace offing::world {
 namespace {
 
-constexpr double sea_radius_m = 6.36e6;  // as the water is drawn: present/shaders/water.glsl
+constexpr double sea_radius_m = 6.36e6;  // as the water is drawn: present/passes/water/water.glsl
 
 /// First one motion, then another.
 highlights::RigidMotion after(const highlights::RigidMotion& first, const highlights::RigidMotion& then) {

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "host/base/rgba_image.h"
-#include "host/ocean/ocean.h"
-#include "host/ocean/projected_grid.h"
-#include "host/ocean/sea_spectrum.h"
-#include "host/ocean/slope_covariance.h"
-#include "host/ocean/trochoids.h"
-#include "host/ocean/water_optics.h"
+#include "host/ocean/spectrum/sea_spectrum.h"
+#include "host/ocean/spectrum/slope_covariance.h"
+#include "host/ocean/surface/ocean.h"
+#include "host/ocean/surface/projected_grid.h"
+#include "host/ocean/surface/trochoids.h"
+#include "host/ocean/surface/water_optics.h"
 #include "host/ocl/device.h"
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"

@@ -6,7 +6,7 @@
 //      clouds.
 // Out: beams [clouds][suns][channels][CELLS].
 // One work-group of GROUP_SIZE a sun and channel (dimension 0) and cloud (1).
-#include "clouds/lane_exponents.clh"
+#include "simd/lane_exponents.clh"
 #include "clouds/light_entry.clh"
 
 // Cells of the largest plane, and a rim around them where the light has met nothing yet.

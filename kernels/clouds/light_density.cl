@@ -5,7 +5,7 @@
 // Out: medium [clouds][MEDIUM_CELLS], absorption [clouds][channels][MEDIUM_CELLS], 1/m: of one channel by the look's
 //      albedo, of three by each particle's.
 #include "clouds/light_grid.clh"
-#include "terrain/lane_masks.clh"
+#include "simd/lane_masks.clh"
 
 // Half width of a tent of variance 0.1041: sqrt(6 * 0.1041).
 #define TENT_RADII 0.79f
@@ -21,7 +21,7 @@ static inline float tent_height(float at, float half_width, int cell) {
   return fmax(0.0f, half_width - fabs((float)cell + 0.5f - at));
 }
 
-FFT_INLINE Tent tent_at(float at, float half_width, int size) {
+INLINE Tent tent_at(float at, float half_width, int size) {
   Tent tent = {max((int)floor(at - half_width + 0.5f), 0), min((int)ceil(at + half_width - 0.5f), size), at, half_width,
                1.0f};
   // Heights a cell apart of a tent that is two cells wide sum up to 1; the grid is a cell wider than what it holds.

@@ -7,7 +7,7 @@
 
 // By P1 it is 3, as deep inside, or where light that was scattered once is soon absorbed. Of the surface of what scatters
 // all, which the eye sees, that makes the side away from the sun too bright and the side toward it too dark: half of it,
-// fitted (host/clouds/particle_light.cpp); between these by the albedo of the scaled medium.
+// fitted (host/clouds/light/particle_light.cpp); between these by the albedo of the scaled medium.
 #define LEAN_OF_ONCE 3.0f
 #define LEAN_LOST 1.5f
 

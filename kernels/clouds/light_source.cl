@@ -3,7 +3,7 @@
 // In:  grids, looks, lights, medium, absorption, beams. Global size: items that share the cells, clouds.
 // Out: of the finest level of each cloud, faces [clouds][channels][4][LEVEL_CELLS] and sources [clouds][3][LEVEL_CELLS].
 #include "clouds/diffusion.clh"
-#include "clouds/lane_exponents.clh"
+#include "simd/lane_exponents.clh"
 
 // A channel of a cloud's medium, from its first cell on.
 typedef struct {

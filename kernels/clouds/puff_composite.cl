@@ -1,7 +1,7 @@
 // The picture of the puffs of clouds (C9): what they send toward the eye and let through.
 // In:  puffs of kernels/clouds/puff_project.cl, list, first and seen of kernels/clouds/puff_tiles.cl,
 // textures of
-//      host/clouds/puff_textures.h, scene_depth [height][width] near_m over the distance along the line of
+//      host/clouds/image/puff_textures.h, scene_depth [height][width] near_m over the distance along the line of
 //      sight to what hides the clouds behind it, 0 where nothing does.
 // Out: image [height][width] RGBA, kcd/m^2, premultiplied; distance_m [height][width], mean distance of that
 // light, 0
@@ -36,7 +36,7 @@ typedef struct {
 } Sight;
 
 // Puts a layer behind what is seen so far, and empties it.
-FFT_INLINE void close_layer(Layer* layer, float distance_m, Sight* sight) {
+INLINE void close_layer(Layer* layer, float distance_m, Sight* sight) {
   const lanes through = sight->through * exp_of(-layer->depth);
   const lanes opacity = sight->through - through;
   const lanes mean = opacity / most(layer->depth, (lanes)1e-20f);
@@ -48,7 +48,7 @@ FFT_INLINE void close_layer(Layer* layer, float distance_m, Sight* sight) {
   layer->depth = layer->red = layer->green = layer->blue = 0.0f;
 }
 
-FFT_INLINE void add_to(Layer* layer, const CloudPuff* puff, PuffSeen seen, float share) {
+INLINE void add_to(Layer* layer, const CloudPuff* puff, PuffSeen seen, float share) {
   const lanes depth = share * seen.depth, light = depth * seen.light;
   layer->depth += depth;
   layer->red = fma(light, (lanes)puff->red, layer->red);
@@ -57,12 +57,12 @@ FFT_INLINE void add_to(Layer* layer, const CloudPuff* puff, PuffSeen seen, float
 }
 
 // Where the layer behind one begins: layers grow by e^CLOUD_LAYER_GROWTH.
-FFT_INLINE float behind(float layer_m) {
+INLINE float behind(float layer_m) {
   return fma(layer_m, CLOUD_LAYER_RATIO, CLOUD_LAYER_M / CLOUD_LAYER_GROWTH * (CLOUD_LAYER_RATIO - 1.0f));
 }
 
 // What is seen of pixels that are nearly full already.
-FFT_INLINE void fill(Sight* sight) {
+INLINE void fill(Sight* sight) {
   const lanes scale = 1.0f / (1.0f - sight->through);
   sight->red *= scale;
   sight->green *= scale;
@@ -71,7 +71,7 @@ FFT_INLINE void fill(Sight* sight) {
   sight->through = 0.0f;
 }
 
-FFT_INLINE Sight sight_of(__global const CloudPuff* puffs, __global const uint* list, int seen_count,
+INLINE Sight sight_of(__global const CloudPuff* puffs, __global const uint* list, int seen_count,
                           __global const uint* textures, PuffRays rays, float farthest_m) {
   Sight sight = {0.0f, 0.0f, 0.0f, 0.0f, 1.0f};
   Layer here = {0.0f, 0.0f, 0.0f, 0.0f}, next = {0.0f, 0.0f, 0.0f, 0.0f};
@@ -108,7 +108,7 @@ FFT_INLINE Sight sight_of(__global const CloudPuff* puffs, __global const uint* 
   return sight;
 }
 
-FFT_INLINE float farthest_of(lanes scene_m) {
+INLINE float farthest_of(lanes scene_m) {
 #if LANES == 1
   return scene_m;
 #else
@@ -119,7 +119,7 @@ FFT_INLINE float farthest_of(lanes scene_m) {
 #endif
 }
 
-FFT_INLINE PuffRays rays_of(CloudPictureParams params, lanes column, lanes row, lanes scene_depth) {
+INLINE PuffRays rays_of(CloudPictureParams params, lanes column, lanes row, lanes scene_depth) {
   const lanes across = ((column + 0.5f) * (2.0f / (float)params.width_px) - 1.0f) * params.half_width;
   const lanes above = ((row + 0.5f) * (2.0f / (float)params.height_px) - 1.0f) * params.half_height;
   const lanes scale = 1.0f / sqrt(fma(across, across, fma(above, above, (lanes)1.0f)));
@@ -132,7 +132,7 @@ FFT_INLINE PuffRays rays_of(CloudPictureParams params, lanes column, lanes row, 
 }
 
 // Puts the pixels of a block whose corner this is where they belong, those within the picture.
-FFT_INLINE void write_block(Sight sight, int column, int row, CloudPictureParams params,
+INLINE void write_block(Sight sight, int column, int row, CloudPictureParams params,
                             __global float* restrict image, __global float* restrict distance_m) {
   const lanes opacity = 1.0f - sight.through;
   const lanes mean_m = sight.distance_m / most(opacity, (lanes)1e-20f);

@@ -4,7 +4,7 @@
 //      first; list [capacity] places of puffs. inout used: how many entries all tiles need, from 0, and MOST_USED if that
 //      is more; what does not fit into the list is not written.
 #include "shared/cloud_picture.h"
-#include "terrain/lane_masks.clh"
+#include "simd/lane_masks.clh"
 
 // Places that a tile keeps of its first look at the boxes.
 #define KEPT 512
@@ -37,7 +37,7 @@ static inline uint lane_of(uint_lanes values, int lane) {
 }
 
 // Not 0 in the lanes whose boxes reach into the tile.
-FFT_INLINE uint_lanes boxes_that_meet(__global const float* box, int pitch, float left, float right,
+INLINE uint_lanes boxes_that_meet(__global const float* box, int pitch, float left, float right,
                                       float bottom, float top) {
   return as_uint_lanes(mask_of(load_lanes(box) < right) & mask_of(load_lanes(box + pitch) > left) &
                        mask_of(load_lanes(box + 2 * pitch) < top) &

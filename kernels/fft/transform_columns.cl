@@ -2,7 +2,7 @@
 // In:  input [batch][N][N][2] float, row-major.
 // Out: intermediate [batch][N][2][FFT_PITCH], columns transformed along z.
 // -DFFT_FORWARD exchanges real and imaginary parts at both ends: a forward transform (e^{-i}).
-#include "fft/lanes.clh"
+#include "simd/lanes.clh"
 
 #if LANES == 1
 #define TRANSFORM_SPLIT(source, first, second) \

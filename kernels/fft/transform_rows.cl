@@ -1,7 +1,7 @@
 // Second pass of the plain batched transform.
 // In:  intermediate [batch][N][2][FFT_PITCH] of fft/transform_columns.cl.
 // Out: output [batch][N][N][2] float, row-major, interleaved complex.
-#include "fft/lanes.clh"
+#include "simd/lanes.clh"
 
 #if LANES == 1
 #define TRANSFORM_JOIN(first, second, target) \

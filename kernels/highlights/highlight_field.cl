@@ -8,15 +8,15 @@
 // exactly those of [n0 n1 n2] b ~ H (H3); else they differ by less than N itself does between vertices.
 #include "highlights/half_vector.clh"
 
-FFT_INLINE Vectors load_vectors(__global const float *first, int pitch) {
+INLINE Vectors load_vectors(__global const float *first, int pitch) {
   const Vectors v = {load_lanes(first), load_lanes(first + pitch), load_lanes(first + 2 * pitch)};
   return v;
 }
 
-FFT_INLINE lanes dot_constant(Vectors v, float x, float y, float z) { return v.x * x + v.y * y + v.z * z; }
+INLINE lanes dot_constant(Vectors v, float x, float y, float z) { return v.x * x + v.y * y + v.z * z; }
 
 // Bits where a < 0.
-FFT_INLINE uint_lanes bit_where_negative(lanes a, uint bit) {
+INLINE uint_lanes bit_where_negative(lanes a, uint bit) {
 #if LANES == 1
   return a < 0.0f ? bit : 0u;
 #else
@@ -56,7 +56,7 @@ __kernel void highlight_field(__global const float *restrict vertices, int pitch
 #if LANES == 1
     masks[vertex] = mask;
 #else
-    FFT_PASTE(vstore, LANES)(mask, 0, masks + vertex);
+    PASTE(vstore, LANES)(mask, 0, masks + vertex);
 #endif
   }
 }

@@ -37,17 +37,17 @@ typedef struct {
 } Cells;
 
 // The fractions of turns in 2^-32 of one. The factor is 2^32 - 2^8: half a turn is an int.
-FFT_INLINE uint_lanes fraction_of(lanes turns) {
+INLINE uint_lanes fraction_of(lanes turns) {
   return as_uint_lanes(convert_int_lanes((turns - rint(turns)) * 4294967040.0f));
 }
 
 // tile * step / 2^32 modulo 2^32, of a signed tile and a step in 2^-64.
-FFT_INLINE uint_lanes tile_place(int_lanes tile, uint high, uint low) {
+INLINE uint_lanes tile_place(int_lanes tile, uint high, uint low) {
   const uint_lanes whole = as_uint_lanes(tile);
   return whole * high + mul_hi(whole, (uint_lanes)low) - (as_uint_lanes(tile >> 31) & low);
 }
 
-FFT_INLINE void set_tile(__global const SurfaceQueryParams *params, __global const SurfaceQueryWave *waves, int_lanes tile_x,
+INLINE void set_tile(__global const SurfaceQueryParams *params, __global const SurfaceQueryWave *waves, int_lanes tile_x,
                          int_lanes tile_z, uint ticks, float tick_fraction, Tile *tile) {
   for (int cascade = 0; cascade < params->cascade_count; ++cascade) {
     const uint high = as_uint(params->tile_step_high[cascade]), low = as_uint(params->tile_step_low[cascade]);
@@ -66,7 +66,7 @@ FFT_INLINE void set_tile(__global const SurfaceQueryParams *params, __global con
 }
 
 // Of a place in 2^-32 of the patch the high bits are the texel, the others what lies beyond it.
-FFT_INLINE void set_cells(__global const SurfaceQueryParams *params, const Tile *tile, lanes x_m, lanes z_m, Cells *cells) {
+INLINE void set_cells(__global const SurfaceQueryParams *params, const Tile *tile, lanes x_m, lanes z_m, Cells *cells) {
   const uint size = (uint)params->size, mask = size - 1u, below_texel = clz(mask), texel = 32u - below_texel;
   const float per_unit = 2.3283064365386963e-10f;  // 2^-32
   for (int cascade = 0; cascade < params->cascade_count; ++cascade) {
@@ -87,7 +87,7 @@ FFT_INLINE void set_cells(__global const SurfaceQueryParams *params, const Tile 
 }
 
 // Asks for what a map has there, so that it is on its way while the trochoids are summed.
-FFT_INLINE void fetch_cells(__global const float4 *map, int cascade_count, const Cells *cells) {
+INLINE void fetch_cells(__global const float4 *map, int cascade_count, const Cells *cells) {
   for (int i = 0; i < cascade_count * LANES; ++i) {
     prefetch_line(map + cells->near_left[i]);
     prefetch_line(map + cells->near_right[i]);
@@ -96,7 +96,7 @@ FFT_INLINE void fetch_cells(__global const float4 *map, int cascade_count, const
   }
 }
 
-FFT_INLINE void wave_at(__global const SurfaceQueryWave *wave, uint_lanes tile, const Shares *shares, lanes x_m, lanes z_m,
+INLINE void wave_at(__global const SurfaceQueryWave *wave, uint_lanes tile, const Shares *shares, lanes x_m, lanes z_m,
                         lanes *cosine, lanes *sine) {
   cosine_sine_of_turns(tile + fraction_of(x_m * wave->turns_x_perm + z_m * wave->turns_z_perm), cosine, sine);
   const lanes share = trochoid_share(shares, wave->band);
@@ -105,12 +105,12 @@ FFT_INLINE void wave_at(__global const SurfaceQueryWave *wave, uint_lanes tile, 
 }
 
 // Four fields of LANES points out of a float4 a point.
-FFT_INLINE void split_fields(const float4 *points, lanes *a, lanes *b, lanes *c, lanes *d) {
+INLINE void split_fields(const float4 *points, lanes *a, lanes *b, lanes *c, lanes *d) {
 #if LANES == 1
   *a = points[0].x, *b = points[0].y, *c = points[0].z, *d = points[0].w;
 #else
   float fields[4][LANES];
-  FFT_UNROLL for (int lane = 0; lane < LANES; ++lane) {
+  UNROLL for (int lane = 0; lane < LANES; ++lane) {
     fields[0][lane] = points[lane].x, fields[1][lane] = points[lane].y;
     fields[2][lane] = points[lane].z, fields[3][lane] = points[lane].w;
   }
@@ -119,7 +119,7 @@ FFT_INLINE void split_fields(const float4 *points, lanes *a, lanes *b, lanes *c,
 }
 
 // Adds a map's fields of all cascades.
-FFT_INLINE void add_map(__global const float4 *map, int cascade_count, const Cells *cells, const Shares *shares, lanes *a,
+INLINE void add_map(__global const float4 *map, int cascade_count, const Cells *cells, const Shares *shares, lanes *a,
                         lanes *b, lanes *c, lanes *d) {
   float4 sums[LANES];
   for (int lane = 0; lane < LANES; ++lane) {
@@ -145,7 +145,7 @@ typedef struct {
 } Moved;
 
 // Adds the displacement of all cascades and its derivative by differences across the cell: what a step needs exactly.
-FFT_INLINE void add_displacement(__global const float4 *map, __global const SurfaceQueryParams *params, const Cells *cells,
+INLINE void add_displacement(__global const float4 *map, __global const SurfaceQueryParams *params, const Cells *cells,
                                  const Shares *shares, Moved *moved) {
   float4 sums[LANES], derivatives[LANES];
   for (int lane = 0; lane < LANES; ++lane) {
@@ -176,7 +176,7 @@ FFT_INLINE void add_displacement(__global const float4 *map, __global const Surf
 
 // The label, relative to the tile, under points relative to it, and what shoals leave of the waves there. That shares
 // differ from label to label is no part of the derivative: they do slowly.
-FFT_INLINE void find_labels(__global const float4 *displacement, __global const SurfaceQueryParams *params,
+INLINE void find_labels(__global const float4 *displacement, __global const SurfaceQueryParams *params,
                             __global const SurfaceQueryWave *waves, const Tile *tile, int_lanes tile_x, int_lanes tile_z,
                             lanes x_m, lanes z_m, lanes *label_x_m, lanes *label_z_m, Shares *shares) {
   lanes at_x = x_m, at_z = z_m;
@@ -217,7 +217,7 @@ FFT_INLINE void find_labels(__global const float4 *displacement, __global const 
 }
 
 // Adds the wakes: height, slopes, and, as they fade with depth, the rate at which the surface rises and the head.
-FFT_INLINE void add_wakes(__global const float4 *maps, __global const WakeLayer *wakes, int wake_count, float depth_m,
+INLINE void add_wakes(__global const float4 *maps, __global const WakeLayer *wakes, int wake_count, float depth_m,
                           int_lanes tile_x, int_lanes tile_z, lanes label_x_m, lanes label_z_m, lanes *height,
                           lanes *slope_x, lanes *slope_z, lanes *velocity_y, lanes *head) {
   for (int i = 0; i < wake_count; ++i) {
@@ -240,7 +240,7 @@ FFT_INLINE void add_wakes(__global const float4 *maps, __global const WakeLayer 
 }
 
 // All that there is at LANES labels, for the points above them.
-FFT_INLINE void sample_labels(__global const float4 *displacement, __global const float4 *gradient,
+INLINE void sample_labels(__global const float4 *displacement, __global const float4 *gradient,
                               __global const float4 *flow, __global const SurfaceQueryWave *waves,
                               __global const TrochoidRingInTile *rings, __global const float4 *wake_maps,
                               __global const WakeLayer *wakes, int wake_count,

@@ -13,7 +13,7 @@ typedef struct {
 } Sums;
 
 // Adds the rings to LANES samples and stores them.
-FFT_INLINE void finish_samples(__global const TrochoidRing *rings, const TrochoidGrid *grid, int row, int column, Sums *sums,
+INLINE void finish_samples(__global const TrochoidRing *rings, const TrochoidGrid *grid, int row, int column, Sums *sums,
                                __global float *displacement, __global float *gradient) {
   const lanes x_m = ((float)column + LANE_INDEX) * grid->spacing_x_m;
   const lanes z_m = (lanes)((float)row * grid->spacing_z_m);
@@ -30,7 +30,7 @@ FFT_INLINE void finish_samples(__global const TrochoidRing *rings, const Trochoi
 }
 
 // Phase at the first sample of a row, of LANES waves from `wave` on.
-FFT_INLINE uint_lanes row_phase(__global const uint *turns, const TrochoidGrid *grid, int wave, int row, uint ticks,
+INLINE uint_lanes row_phase(__global const uint *turns, const TrochoidGrid *grid, int wave, int row, uint ticks,
                                 float tick_fraction) {
   __global const uint *first = turns + wave;
   const uint_lanes rate = load_uint_lanes(first + TROCHOID_RATE * grid->wave_pitch);
@@ -60,11 +60,11 @@ typedef struct {
   float even[TROCHOID_FIELDS * TROCHOID_WAVES], odd[TROCHOID_FIELDS * TROCHOID_WAVES];
 } Middle;
 
-FFT_INLINE void compute_offsets(__global const uint *turns, const TrochoidGrid *grid, Offsets *offsets) {
+INLINE void compute_offsets(__global const uint *turns, const TrochoidGrid *grid, Offsets *offsets) {
   for (int wave = 0; wave < grid->wave_count; ++wave) {
     const uint step = turns[TROCHOID_COLUMN_STEP * grid->wave_pitch + wave];
     const uint half_step = as_uint(as_int(step) >> 1);
-    FFT_UNROLL for (int v = 0; v < HALF_VECTORS; ++v) {
+    UNROLL for (int v = 0; v < HALF_VECTORS; ++v) {
       const uint_lanes columns = convert_uint_lanes(LANE_INDEX) + (uint)(v * LANES);
       const int place = wave * HALF_VECTORS + v;
       cosine_sine_of_turns(columns * step + half_step, offsets->cosine + place, offsets->sine + place);
@@ -73,7 +73,7 @@ FFT_INLINE void compute_offsets(__global const uint *turns, const TrochoidGrid *
 }
 
 // LANES waves at a time.
-FFT_INLINE void compute_middle(__global const uint *turns, __global const float *amplitudes, const TrochoidGrid *grid,
+INLINE void compute_middle(__global const uint *turns, __global const float *amplitudes, const TrochoidGrid *grid,
                                int row, int first_column, uint ticks, float tick_fraction, Middle *middle) {
   for (int wave = 0; wave < grid->wave_count; wave += LANES) {
     const uint_lanes step = load_uint_lanes(turns + TROCHOID_COLUMN_STEP * grid->wave_pitch + wave);
@@ -82,7 +82,7 @@ FFT_INLINE void compute_middle(__global const uint *turns, __global const float 
     cosine_sine_of_turns(row_phase(turns, grid, wave, row, ticks, tick_fraction) +
                              (uint)(first_column + BLOCK_COLUMNS / 2) * step - half_step,
                          &cosine, &sine);
-    FFT_UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) {
+    UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) {
       const lanes amplitude = load_lanes(amplitudes + f * grid->wave_pitch + wave);
       const bool of_cosine = f < TROCHOID_COSINE_FIELDS;
       store_lanes(amplitude * (of_cosine ? cosine : sine), middle->even + f * TROCHOID_WAVES + wave);
@@ -92,17 +92,17 @@ FFT_INLINE void compute_middle(__global const uint *turns, __global const float 
 }
 
 // Vector `v` to the right of the middle, and its mirror image to the left.
-FFT_INLINE void sum_waves(const Offsets *offsets, const Middle *middle, int wave_count, int v, Sums *right, Sums *left) {
+INLINE void sum_waves(const Offsets *offsets, const Middle *middle, int wave_count, int v, Sums *right, Sums *left) {
   lanes even[TROCHOID_FIELDS], odd[TROCHOID_FIELDS];
-  FFT_UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) even[f] = odd[f] = (lanes)0.0f;
+  UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) even[f] = odd[f] = (lanes)0.0f;
   for (int wave = 0; wave < wave_count; ++wave) {
     const lanes cosine = offsets->cosine[wave * HALF_VECTORS + v], sine = offsets->sine[wave * HALF_VECTORS + v];
-    FFT_UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) {
+    UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) {
       even[f] += middle->even[f * TROCHOID_WAVES + wave] * cosine;
       odd[f] += middle->odd[f * TROCHOID_WAVES + wave] * sine;
     }
   }
-  FFT_UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) {
+  UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) {
     right->field[f] = even[f] + odd[f];
     left->field[f] = reverse_lanes(even[f] - odd[f]);
   }
@@ -117,12 +117,12 @@ __kernel void trochoid_surface(__global const uint *restrict turns, __global con
 #if LANES == 1
   const int row = (int)get_global_id(1), column = (int)get_global_id(0);
   Sums sums;
-  FFT_UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) sums.field[f] = 0.0f;
+  UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) sums.field[f] = 0.0f;
   for (int wave = 0; wave < grid.wave_count; ++wave) {
     const uint step = turns[TROCHOID_COLUMN_STEP * grid.wave_pitch + wave];
     float cosine, sine;
     cosine_sine_of_turns(row_phase(turns, &grid, wave, row, ticks, tick_fraction) + (uint)column * step, &cosine, &sine);
-    FFT_UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) {
+    UNROLL for (int f = 0; f < TROCHOID_FIELDS; ++f) {
       sums.field[f] += amplitudes[f * grid.wave_pitch + wave] * (f < TROCHOID_COSINE_FIELDS ? cosine : sine);
     }
   }

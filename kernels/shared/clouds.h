@@ -9,7 +9,7 @@
 // Puff textures of a set (C8); a particle's texture is one of two sets' worth.
 #define CLOUD_TEXTURES 16
 
-// Texels along an edge of a puff texture (host/clouds/puff_textures.h), its mip levels and all their texels.
+// Texels along an edge of a puff texture (host/clouds/image/puff_textures.h), its mip levels and all their texels.
 #define CLOUD_TEXTURE_SIZE 256
 #define CLOUD_TEXTURE_LEVELS 7
 #define CLOUD_TEXTURE_TEXELS 87376

@@ -4,7 +4,7 @@
 #define LANES 1
 #include "terrain/colour_texel.clh"
 
-FFT_INLINE float linear_of(float srgb) {
+INLINE float linear_of(float srgb) {
   return srgb <= 0.04045f ? srgb / 12.92f : pow((srgb + 0.055f) / 1.055f, 2.4f);
 }
 

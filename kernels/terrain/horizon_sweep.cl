@@ -32,7 +32,7 @@ typedef struct {
   float bend_m;            // at a cell's distance
 } Axis;
 
-FFT_INLINE Axis axis_of(int cell, float fraction, int cells, float bend_m, bool goes_up) {
+INLINE Axis axis_of(int cell, float fraction, int cells, float bend_m, bool goes_up) {
   const bool is_at_end = cell == cells;
   const int first = is_at_end ? cell - 1 : cell;
   const float share = is_at_end ? 1.0f : fraction;
@@ -40,11 +40,11 @@ FFT_INLINE Axis axis_of(int cell, float fraction, int cells, float bend_m, bool 
   return goes_up ? up : down;
 }
 
-FFT_INLINE lanes above_eye(TerrainSight sight, lanes height_m) { return (height_m - sight.eye_m) - sight.eye_rest_m; }
+INLINE lanes above_eye(TerrainSight sight, lanes height_m) { return (height_m - sight.eye_m) - sight.eye_rest_m; }
 
 // Ground along rays between two crossings: from `from_m` at `from` cells to `to_m` at `to`, `bulge` s^2 among its terms.
 // The highest that it is in the eye's picture, if that is at neither of them; from an eye on the ground on, its slope.
-FFT_INLINE lanes highest_between(lanes from, lanes from_m, lanes to, lanes to_m, lanes bulge) {
+INLINE lanes highest_between(lanes from, lanes from_m, lanes to, lanes to_m, lanes bulge) {
   const lanes length = to - from, rise_m = to_m - from_m, arch_m = bulge * length * length;
   const int_lanes at_eye = mask_of(from == 0.0f) & mask_of(from_m == 0.0f);
   // Still rises in the picture where it begins, and falls where it ends.
@@ -59,7 +59,7 @@ FFT_INLINE lanes highest_between(lanes from, lanes from_m, lanes to, lanes to_m,
 }
 
 // The least of h + f1 s + f2 s^2, s from 0 to `length`; of (f1 s + f2 s^2) / s where h is 0.
-FFT_INLINE lanes least_clearance(float h, lanes f1, lanes f2, float length) {
+INLINE lanes least_clearance(float h, lanes f1, lanes f2, float length) {
   const lanes at_end = f1 + length * f2;
   if (h == 0.0f) return least(f1, at_end);
   const lanes turn = clamp(-0.5f * f1 / most(f2, (lanes)1e-30f), (lanes)0.0f, (lanes)length);

@@ -14,7 +14,7 @@
 
 // Light on a slope from one direction's share of a sky that is 1 everywhere: the integral of the cosine to its normal from
 // the horizon to the zenith. `slope` is the ground's own rise that way, `up` the cosine of its normal.
-FFT_INLINE lanes light_above(lanes horizon, lanes slope, lanes up) {
+INLINE lanes light_above(lanes horizon, lanes slope, lanes up) {
   const lanes angle = atan(horizon), cosine2 = 1.0f / (1.0f + horizon * horizon), sine_cosine = horizon * cosine2;
   return up * 0.5f * (cosine2 - slope * (0.5f * PI - angle - sine_cosine));
 }

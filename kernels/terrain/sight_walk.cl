@@ -8,13 +8,13 @@
 #include "terrain/traversal.clh"
 
 // Cells from the eye to a post, and what that loses as a float.
-FFT_INLINE lanes cells_to(int_lanes post, int cell, float fraction, lanes *rest) {
+INLINE lanes cells_to(int_lanes post, int cell, float fraction, lanes *rest) {
   const lanes whole = convert_lanes(post - cell), cells = whole - fraction;
   *rest = (whole - cells) - fraction;
   return cells;
 }
 
-FFT_INLINE int_lanes is_seen(Ground ground, TerrainSight sight, int_lanes first_level, int_lanes column, int row) {
+INLINE int_lanes is_seen(Ground ground, TerrainSight sight, int_lanes first_level, int_lanes column, int row) {
   const TerrainField field = ground.field;
   lanes rest_x, rest_z;
   const lanes x = cells_to(column, sight.cell_x, sight.fraction_x, &rest_x);

@@ -9,7 +9,7 @@
 
 // In [0, 1): the bits of a number mirrored at the point. In floats, because compilers make of whole numbers a bit reversal
 // that Oclgrind 21.10 does not know.
-FFT_INLINE float radical_inverse(int number) {
+INLINE float radical_inverse(int number) {
   float inverse = 0.0f, part = 0.5f;
   for (int bits = number; bits > 0; bits >>= 1) {
     inverse += (bits & 1) != 0 ? part : 0.0f;
@@ -20,7 +20,7 @@ FFT_INLINE float radical_inverse(int number) {
 
 // The light of LANES pixels, (r, g, b, coverage). All pixels have the same pattern of rays, so that what stands still does
 // not flicker: the points of Hammersley, one in each of `samples` columns of a pixel and, where they are a power of 2, rows.
-FFT_INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first_level, lanes column, lanes row,
+INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first_level, lanes column, lanes row,
                            int samples, float4 *lights) {
   const TerrainField field = scenery->ground.field;
   const float sample_rad = pixel_rad(view) / sqrt((float)samples);

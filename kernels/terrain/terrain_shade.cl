@@ -9,7 +9,7 @@
 #include "terrain/ground_light.clh"
 #include "terrain/picture_rays.clh"
 
-FFT_INLINE GroundHits ground_hits(__global const TerrainHit *hits, TerrainView view, int column, int row) {
+INLINE GroundHits ground_hits(__global const TerrainHit *hits, TerrainView view, int column, int row) {
   int numbers[3][LANES];
   float places[3][LANES];
   for (int lane = 0; lane < LANES; ++lane) {
@@ -31,7 +31,7 @@ FFT_INLINE GroundHits ground_hits(__global const TerrainHit *hits, TerrainView v
 
 #if MAP_EDGE == TERRAIN_EDGE_MIRRORS
 // Of places so far from the eye on one axis, in cells: -1 in copies of the map that go back.
-FFT_INLINE lanes turned(int cell, float fraction, lanes way, int cells) {
+INLINE lanes turned(int cell, float fraction, lanes way, int cells) {
   const lanes copy = floor(((float)cell + fraction + way) / (float)cells);
   return 1.0f - 2.0f * (copy - 2.0f * floor(0.5f * copy));
 }

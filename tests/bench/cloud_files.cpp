@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "host/clouds/cloud_density.h"
+#include "host/clouds/shape/cloud_density.h"
 #include "host/io/vdb/vdb_volume.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/measure.h"

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "host/clouds/cloud_picture.h"
-#include "host/scene/scene_clouds.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/world_scene.h"
+#include "host/clouds/image/cloud_picture.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/scene_clouds.h"
+#include "host/scene/prepare/world_scene.h"
 #include "tests/bench/cloud_counts.h"
 #include "tests/bench/renderer.h"
 

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "host/base/camera.h"
-#include "host/clouds/cloud_model.h"
-#include "host/clouds/cloud_picture.h"
-#include "host/clouds/genera.h"
-#include "host/clouds/particle_light.h"
-#include "host/clouds/particle_order.h"
+#include "host/clouds/image/cloud_picture.h"
+#include "host/clouds/light/particle_light.h"
+#include "host/clouds/particles/cloud_model.h"
+#include "host/clouds/particles/particle_order.h"
+#include "host/clouds/shape/genera.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/cloud_counts.h"
 #include "tests/clouds/example_clouds.h"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/highlights/diffused_curvature.h"
+#include "host/highlights/curvature/diffused_curvature.h"
 #include "host/mesh_shapes/shape.h"
 #include "mesh_tools/curvature/curvature.h"
 #include "tests/bench/benches.h"

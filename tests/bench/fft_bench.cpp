@@ -4,8 +4,8 @@
 #include "host/fft/fft2d.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/difference.h"
-#include "tests/bench/fftw_plan.h"
 #include "tests/bench/huge_array.h"
+#include "tests/bench/peers/fftw_plan.h"
 
 namespace offing::bench {
 namespace {

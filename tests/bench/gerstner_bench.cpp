@@ -3,10 +3,10 @@
 #include <numbers>
 
 #include "host/base/error.h"
-#include "host/ocean/trochoid_surface.h"
+#include "host/ocean/surface/trochoid_surface.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/difference.h"
-#include "tests/bench/gerstner_peer.h"
+#include "tests/bench/peers/gerstner_peer.h"
 
 namespace offing::bench {
 namespace {

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
-#include "host/highlights/highlight_frame.h"
-#include "host/highlights/highlight_tracks.h"
+#include "host/highlights/projectors/highlight_frame.h"
+#include "host/highlights/tracks/highlight_tracks.h"
 #include "host/io/meshes/read_mesh.h"
 #include "host/mesh_shapes/shape.h"
 #include "mesh_tools/curvature/curvature.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later (offing-bench links FFTW)
 #include <deque>
 
-#include "host/ocean/cascades.h"
-#include "host/ocean/ocean.h"
-#include "host/ocean/spectrum_parameters.h"
-#include "host/ocean/surface_maps.h"
-#include "host/ocean/wave_modes.h"
+#include "host/ocean/spectrum/spectrum_parameters.h"
+#include "host/ocean/surface/cascades.h"
+#include "host/ocean/surface/ocean.h"
+#include "host/ocean/surface/surface_maps.h"
+#include "host/ocean/surface/wave_modes.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/difference.h"
-#include "tests/bench/ocean_peer.h"
+#include "tests/bench/peers/ocean_peer.h"
 
 namespace offing::bench {
 namespace {

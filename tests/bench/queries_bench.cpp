@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/ocean/cascades.h"
-#include "host/ocean/ocean.h"
-#include "host/ocean/spectrum_parameters.h"
-#include "host/ocean/trochoid_choice.h"
+#include "host/ocean/spectrum/spectrum_parameters.h"
+#include "host/ocean/surface/cascades.h"
+#include "host/ocean/surface/ocean.h"
+#include "host/ocean/surface/trochoid_choice.h"
 #include "tests/bench/benches.h"
-#include "tests/bench/queries_peer_kernels.h"
+#include "tests/bench/peers/queries_peer_kernels.h"
 
 namespace offing::bench {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "host/ocean/cascades.h"
-#include "host/ocean/trochoid_choice.h"
-#include "host/scene/moving_view.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/world_scene.h"
+#include "host/ocean/surface/cascades.h"
+#include "host/ocean/surface/trochoid_choice.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/moving_view.h"
+#include "host/scene/prepare/world_scene.h"
 #include "tests/bench/renderer.h"
 
 namespace offing::bench {

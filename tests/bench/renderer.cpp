@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later (offing-bench links FFTW)
 #include "tests/bench/renderer.h"
 
-#include "host/scene/scene_ground.h"
+#include "host/scene/prepare/scene_ground.h"
 
 namespace offing::bench {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "host/scene/view_scene.h"
-#include "present/frame.h"
-#include "present/gl_context.h"
-#include "present/light_meter.h"
+#include "host/scene/model/view_scene.h"
+#include "present/gl/gl_context.h"
+#include "present/passes/frame.h"
+#include "present/passes/sky/light_meter.h"
 #include "present/view_options.h"
 #include "tests/bench/benches.h"
 

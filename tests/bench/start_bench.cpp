@@ -14,9 +14,9 @@
 #include <unistd.h>
 
 #include "host/base/error.h"
-#include "host/ocean/cascades.h"
-#include "host/ocean/ocean.h"
-#include "host/ocean/spectrum_parameters.h"
+#include "host/ocean/spectrum/spectrum_parameters.h"
+#include "host/ocean/surface/cascades.h"
+#include "host/ocean/surface/ocean.h"
 #include "tests/bench/benches.h"
 
 namespace offing::bench {

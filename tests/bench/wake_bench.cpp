@@ -3,11 +3,11 @@
 #include <numbers>
 #include <random>
 
-#include "host/ocean/wake_window.h"
+#include "host/ocean/wakes/wake_window.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/difference.h"
-#include "tests/bench/fftw_plan.h"
 #include "tests/bench/huge_array.h"
+#include "tests/bench/peers/fftw_plan.h"
 
 namespace offing::bench {
 namespace {

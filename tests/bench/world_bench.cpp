@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "host/scene/moving_view.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/world_scene.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/moving_view.h"
+#include "host/scene/prepare/world_scene.h"
 #include "tests/bench/renderer.h"
 
 namespace offing::bench {

@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "host/base/log.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/world_scene.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/world_scene.h"
 
 namespace offing {
 namespace {

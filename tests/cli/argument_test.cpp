@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/cli/bake_settings.h"
+#include "host/cli/ocean/bake_settings.h"
 #include "tests/ocl/expect_error.h"
 
 namespace offing::cli {

@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "host/base/error.h"
-#include "host/cli/frame_files.h"
+#include "host/cli/ocean/frame_files.h"
 #include "tests/cli/offing_program.h"
 #include "tests/ocl/scoped_environment.h"
 

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "host/base/error.h"
-#include "host/cli/bake.h"
+#include "host/cli/ocean/bake.h"
 #include "tests/io/temporary_folder.h"
 
 namespace offing::cli {

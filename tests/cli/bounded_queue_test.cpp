@@ -1,4 +1,4 @@
-#include "host/cli/bounded_queue.h"
+#include "host/cli/ocean/bounded_queue.h"
 
 #include <atomic>
 #include <memory>

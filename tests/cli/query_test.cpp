@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "host/cli/query_settings.h"
+#include "host/cli/ocean/query_settings.h"
 #include "tests/cli/offing_program.h"
 
 // `offing ocean query`: probes of the water, as people and scripts read them.

@@ -1,4 +1,4 @@
-#include "host/cli/query_text.h"
+#include "host/cli/ocean/query_text.h"
 
 #include <array>
 #include <cfloat>

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "host/scene/scene_file.h"
+#include "host/scene/file/scene_file.h"
 #include "tests/cli/offing_program.h"
 
 // The sea-state certificate and the listing of spectra, as scripts read them.

@@ -4,7 +4,7 @@
 
 #include "host/base/error_report.h"
 #include "host/base/progress.h"
-#include "host/cli/direction_text.h"
+#include "host/cli/common/direction_text.h"
 
 namespace offing::cli {
 namespace {

@@ -1,5 +1,5 @@
 // The density of clouds on the device against closed forms and a double-precision reference (C1 ... C3).
-#include "host/clouds/cloud_density.h"
+#include "host/clouds/shape/cloud_density.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/clouds/metaball.h"
+#include "host/clouds/shape/metaball.h"
 #include "tests/clouds/reference_density.h"
 #include "tests/clouds/volume_cells.h"
 #include "tests/ocl/expect_error.h"

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <vector>
 
-#include "host/clouds/cloud_shadow_map.h"
-#include "host/clouds/particle_light.h"
+#include "host/clouds/light/cloud_shadow_map.h"
+#include "host/clouds/light/particle_light.h"
 #include "tests/clouds/example_clouds.h"
 #include "tests/ocl/dump_program.h"
 

@@ -3,8 +3,8 @@
 // particles that move in every way.
 #include <fstream>
 
-#include "host/clouds/cloud_density.h"
-#include "host/clouds/cloud_model.h"
+#include "host/clouds/particles/cloud_model.h"
+#include "host/clouds/shape/cloud_density.h"
 #include "tests/ocl/dump_program.h"
 
 namespace {

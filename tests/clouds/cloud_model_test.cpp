@@ -1,13 +1,13 @@
 // Clouds of particles as a whole: what others take from them.
-#include "host/clouds/cloud_model.h"
+#include "host/clouds/particles/cloud_model.h"
 
 #include <cstring>
 
 #include <gtest/gtest.h>
 
-#include "host/clouds/cloud_density.h"
-#include "host/clouds/density_volume.h"
-#include "host/clouds/genera.h"
+#include "host/clouds/shape/cloud_density.h"
+#include "host/clouds/shape/density_volume.h"
+#include "host/clouds/shape/genera.h"
 
 namespace offing::clouds {
 namespace {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "host/clouds/cloud_picture.h"
+#include "host/clouds/image/cloud_picture.h"
 #include "kernels/shared/random.h"
 #include "tests/ocl/dump_program.h"
 

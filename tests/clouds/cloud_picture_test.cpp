@@ -1,4 +1,4 @@
-#include "host/clouds/cloud_picture.h"
+#include "host/clouds/image/cloud_picture.h"
 
 #include <algorithm>
 #include <cmath>

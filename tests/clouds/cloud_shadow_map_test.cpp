@@ -1,4 +1,4 @@
-#include "host/clouds/cloud_shadow_map.h"
+#include "host/clouds/light/cloud_shadow_map.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/clouds/scattering_medium.h"
+#include "host/clouds/reference/scattering_medium.h"
 #include "tests/clouds/example_clouds.h"
 
 namespace offing::clouds {

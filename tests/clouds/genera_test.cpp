@@ -1,11 +1,11 @@
 // Presets of the genera: where they are, how thick, how many particles.
-#include "host/clouds/genera.h"
+#include "host/clouds/shape/genera.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-#include "host/clouds/cloud_model.h"
+#include "host/clouds/particles/cloud_model.h"
 #include "tests/ocl/expect_error.h"
 
 namespace offing::clouds {

@@ -1,5 +1,5 @@
 // The hash with hexagonal cells (C7): fails if a place within an edge's length is not found.
-#include "host/clouds/hexagon_hash.h"
+#include "host/clouds/shape/hexagon_hash.h"
 
 #include <random>
 #include <vector>

@@ -1,5 +1,5 @@
 // Hierarchies of particles (C7): children lie on their parents, apart from one another, and leave no gap.
-#include "host/clouds/hierarchy.h"
+#include "host/clouds/particles/hierarchy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/clouds/genera.h"
+#include "host/clouds/shape/genera.h"
 #include "tests/ocl/expect_error.h"
 
 namespace offing::clouds {

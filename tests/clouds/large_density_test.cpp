@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include "host/clouds/cloud_density.h"
+#include "host/clouds/shape/cloud_density.h"
 
 namespace offing::clouds {
 namespace {

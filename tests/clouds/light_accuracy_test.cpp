@@ -13,13 +13,13 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/clouds/cloud_model.h"
-#include "host/clouds/genera.h"
-#include "host/clouds/particle_light.h"
-#include "host/clouds/phase_function.h"
-#include "host/clouds/photon_tracer.h"
-#include "host/scene/scene_clouds.h"
-#include "host/scene/scene_file.h"
+#include "host/clouds/light/particle_light.h"
+#include "host/clouds/light/phase_function.h"
+#include "host/clouds/particles/cloud_model.h"
+#include "host/clouds/reference/photon_tracer.h"
+#include "host/clouds/shape/genera.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/scene_clouds.h"
 #include "tests/clouds/example_clouds.h"
 
 namespace offing::clouds {

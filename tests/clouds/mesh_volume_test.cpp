@@ -1,5 +1,5 @@
 // Clouds in the shape of meshes (C14): inside where the surface winds around, whatever faults it has.
-#include "host/clouds/mesh_volume.h"
+#include "host/clouds/shape/mesh_volume.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/clouds/mesh_inside.h"
+#include "host/clouds/shape/mesh_inside.h"
 #include "host/mesh_shapes/shape.h"
 #include "tests/clouds/volume_cells.h"
 #include "tests/ocl/expect_error.h"

@@ -1,5 +1,5 @@
 // Closed forms of a metaball (C1): each test fails if a coefficient is wrong.
-#include "host/clouds/metaball.h"
+#include "host/clouds/shape/metaball.h"
 
 #include <cmath>
 #include <numbers>

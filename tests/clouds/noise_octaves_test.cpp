@@ -1,5 +1,5 @@
 // The noise of clouds (C2): in (0, 1), continuous, the same in all directions, evolving in time.
-#include "host/clouds/noise_octaves.h"
+#include "host/clouds/shape/noise_octaves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/clouds/cloud_density.h"
+#include "host/clouds/shape/cloud_density.h"
 #include "tests/clouds/volume_cells.h"
 
 namespace offing::clouds {

@@ -1,5 +1,5 @@
 // Edits of particles by hand: what a box on a screen selects, and what is left after the cloud is made again.
-#include "host/clouds/particle_edit.h"
+#include "host/clouds/particles/particle_edit.h"
 
 #include <cmath>
 #include <random>
@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "host/base/camera.h"
-#include "host/clouds/cloud_model.h"
-#include "host/clouds/genera.h"
+#include "host/clouds/particles/cloud_model.h"
+#include "host/clouds/shape/genera.h"
 
 namespace offing::clouds {
 namespace {

@@ -1,4 +1,4 @@
-#include "host/clouds/particle_light.h"
+#include "host/clouds/light/particle_light.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Motion of clouds (C4, C15): closed forms, streamlines, and no history.
-#include "host/clouds/particle_motion.h"
+#include "host/clouds/particles/particle_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/clouds/cloud_model.h"
+#include "host/clouds/particles/cloud_model.h"
 #include "tests/clouds/reference_density.h"
 
 namespace offing::clouds {

@@ -1,5 +1,5 @@
 // Clouds of fewer particles beside whole ones: what is kept of their mass, form, shade and light.
-#include "host/clouds/particle_thinning.h"
+#include "host/clouds/particles/particle_thinning.h"
 
 #include <algorithm>
 #include <array>
@@ -19,10 +19,10 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/clouds/cloud_model.h"
-#include "host/clouds/genera.h"
-#include "host/clouds/metaball.h"
-#include "host/clouds/particle_light.h"
+#include "host/clouds/light/particle_light.h"
+#include "host/clouds/particles/cloud_model.h"
+#include "host/clouds/shape/genera.h"
+#include "host/clouds/shape/metaball.h"
 #include "tests/clouds/example_clouds.h"
 
 namespace offing::clouds {

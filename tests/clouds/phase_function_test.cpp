@@ -1,4 +1,4 @@
-#include "host/clouds/phase_function.h"
+#include "host/clouds/light/phase_function.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/clouds/genera.h"
+#include "host/clouds/shape/genera.h"
 #include "kernels/shared/random.h"
 #include "tests/ocl/expect_error.h"
 

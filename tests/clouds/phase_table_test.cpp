@@ -1,11 +1,11 @@
-#include "host/clouds/phase_table.h"
+#include "host/clouds/light/phase_table.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "host/clouds/reference_tracer.h"
+#include "host/clouds/reference/reference_tracer.h"
 #include "kernels/shared/cloud_light.h"
 
 namespace offing::clouds {

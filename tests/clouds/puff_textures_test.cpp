@@ -1,4 +1,4 @@
-#include "host/clouds/puff_textures.h"
+#include "host/clouds/image/puff_textures.h"
 
 #include <algorithm>
 #include <array>

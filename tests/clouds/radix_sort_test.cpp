@@ -1,4 +1,4 @@
-#include "host/clouds/radix_sort.h"
+#include "host/clouds/particles/radix_sort.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/clouds/particle_order.h"
+#include "host/clouds/particles/particle_order.h"
 #include "kernels/shared/random.h"
 #include "tests/ocl/scoped_environment.h"
 

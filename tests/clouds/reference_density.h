@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "host/clouds/cloud_parameters.h"
+#include "host/clouds/shape/cloud_parameters.h"
 
 namespace offing::clouds {
 

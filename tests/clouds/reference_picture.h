@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "host/base/camera.h"
-#include "host/clouds/puff_textures.h"
+#include "host/clouds/image/puff_textures.h"
 #include "kernels/shared/clouds.h"
 
 namespace offing::test {

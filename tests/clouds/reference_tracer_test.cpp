@@ -1,4 +1,4 @@
-#include "host/clouds/reference_tracer.h"
+#include "host/clouds/reference/reference_tracer.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/clouds/photon_tracer.h"
+#include "host/clouds/reference/photon_tracer.h"
 
 namespace offing::clouds {
 namespace {

@@ -1,6 +1,6 @@
 // Sampling (C5): mass is kept, the count is the target's, what is even becomes large particles and what
 // changes small ones.
-#include "host/clouds/sampled_particles.h"
+#include "host/clouds/particles/sampled_particles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,10 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/clouds/cloud_density.h"
-#include "host/clouds/metaball.h"
-#include "host/clouds/random_draws.h"
-#include "host/clouds/sample_merging.h"
+#include "host/clouds/particles/random_draws.h"
+#include "host/clouds/particles/sample_merging.h"
+#include "host/clouds/shape/cloud_density.h"
+#include "host/clouds/shape/metaball.h"
 #include "tests/ocl/expect_error.h"
 
 namespace offing::clouds {

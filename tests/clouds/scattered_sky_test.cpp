@@ -1,5 +1,5 @@
 // Skies of many clouds: as much cover as asked for, the same each time.
-#include "host/clouds/scattered_sky.h"
+#include "host/clouds/light/scattered_sky.h"
 
 #include <cmath>
 

@@ -5,9 +5,9 @@
 
 #include "host/base/error.h"
 #include "host/io/spectra/read_spectra.h"
-#include "host/ocean/ocean.h"
+#include "host/ocean/surface/ocean.h"
 #include "host/ocl/device.h"
-#include "host/scene/sea.h"
+#include "host/scene/prepare/sea.h"
 
 namespace {
 

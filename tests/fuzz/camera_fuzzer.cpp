@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "host/base/argument.h"
-#include "host/cli/terrain_camera.h"
+#include "host/cli/terrain/terrain_camera.h"
 #include "tests/fuzz/expect.h"
 
 namespace {

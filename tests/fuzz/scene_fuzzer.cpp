@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "host/scene/moving_view.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/scene_meshes.h"
-#include "host/scene/scene_writer.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/file/scene_writer.h"
+#include "host/scene/prepare/moving_view.h"
+#include "host/scene/prepare/scene_meshes.h"
 #include "tests/fuzz/expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

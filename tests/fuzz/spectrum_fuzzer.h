@@ -7,8 +7,8 @@
 
 #include "host/base/error.h"
 #include "host/base/wave_spectrum.h"
-#include "host/ocean/spectrum_parameters.h"
-#include "host/ocean/spectrum_table.h"
+#include "host/ocean/spectrum/spectrum_parameters.h"
+#include "host/ocean/spectrum/spectrum_table.h"
 #include "tests/fuzz/expect.h"
 
 namespace offing::fuzz {

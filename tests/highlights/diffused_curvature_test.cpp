@@ -1,5 +1,5 @@
 // Curvatures on the device against those of the same method in double precision on the host.
-#include "host/highlights/diffused_curvature.h"
+#include "host/highlights/curvature/diffused_curvature.h"
 
 #include <algorithm>
 #include <cmath>

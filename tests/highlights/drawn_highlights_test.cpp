@@ -1,4 +1,4 @@
-#include "host/highlights/drawn_highlights.h"
+#include "host/highlights/projectors/drawn_highlights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,9 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/highlights/highlight_frame.h"
-#include "host/highlights/highlight_tracks.h"
-#include "host/highlights/nearest_place.h"
+#include "host/highlights/projectors/highlight_frame.h"
+#include "host/highlights/tracks/highlight_tracks.h"
+#include "host/highlights/tracks/nearest_place.h"
 #include "tests/highlights/example_surfaces.h"
 
 namespace offing::highlights {

@@ -1,5 +1,5 @@
 // Rays against the faces of meshes: the same hits as by trying every face.
-#include "host/highlights/face_tree.h"
+#include "host/highlights/search/face_tree.h"
 
 #include <cmath>
 #include <limits>

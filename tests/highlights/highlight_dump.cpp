@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "host/highlights/highlight_points.h"
+#include "host/highlights/search/highlight_points.h"
 #include "tests/highlights/example_surfaces.h"
 #include "tests/ocl/dump_program.h"
 

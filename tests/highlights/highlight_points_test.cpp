@@ -1,4 +1,4 @@
-#include "host/highlights/highlight_points.h"
+#include "host/highlights/search/highlight_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/highlights/highlight_points.h"
+#include "host/highlights/search/highlight_points.h"
 #include "tests/highlights/example_surfaces.h"
 
 namespace offing::highlights {

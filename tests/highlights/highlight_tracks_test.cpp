@@ -1,4 +1,4 @@
-#include "host/highlights/highlight_tracks.h"
+#include "host/highlights/tracks/highlight_tracks.h"
 
 #include <cmath>
 #include <limits>
@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/highlights/nearest_face.h"
-#include "host/highlights/triangle_point.h"
+#include "host/highlights/search/nearest_face.h"
+#include "host/highlights/search/triangle_point.h"
 #include "tests/highlights/example_surfaces.h"
 
 namespace offing::highlights {

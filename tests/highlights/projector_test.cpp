@@ -1,4 +1,4 @@
-#include "host/highlights/projector.h"
+#include "host/highlights/projectors/projector.h"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "host/base/triangle_mesh.h"
-#include "host/highlights/highlight_points.h"
+#include "host/highlights/search/highlight_points.h"
 
 namespace offing::test {
 

@@ -1,4 +1,4 @@
-#include "host/highlights/region.h"
+#include "host/highlights/projectors/region.h"
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,4 @@
-#include "host/highlights/surface_walk.h"
+#include "host/highlights/search/surface_walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/highlights/tangent_axes.h"
+#include "host/highlights/search/tangent_axes.h"
 #include "tests/highlights/example_surfaces.h"
 
 namespace offing::highlights {

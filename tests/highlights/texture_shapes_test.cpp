@@ -1,4 +1,4 @@
-#include "host/highlights/texture_shapes.h"
+#include "host/highlights/projectors/texture_shapes.h"
 
 #include <cmath>
 #include <numbers>

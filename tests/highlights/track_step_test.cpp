@@ -1,4 +1,4 @@
-#include "host/highlights/track_step.h"
+#include "host/highlights/tracks/track_step.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "host/highlights/triangle_point.h"
+#include "host/highlights/search/triangle_point.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "host/highlights/highlight_frame.h"
-#include "host/highlights/highlight_surface.h"
-#include "host/highlights/highlight_tracks.h"
+#include "host/highlights/projectors/highlight_frame.h"
+#include "host/highlights/search/highlight_surface.h"
+#include "host/highlights/tracks/highlight_tracks.h"
 #include "host/world/mesh_view.h"
 
 namespace offing::test {

@@ -13,19 +13,19 @@ import stems
 from repository import Repository
 
 SOUND = {
-    "kernels/README.md": "| `ocean/advance.cl` | `host/ocean/ocean.cpp` | `tests/ocean/advance_test.cpp` |\n",
+    "kernels/README.md": "| `ocean/advance.cl` | `host/ocean/surface/ocean.cpp` | `tests/ocean/advance_test.cpp` |\n",
     "kernels/ocean/advance.cl": '#include "ocean/phase.clh"\n__kernel void advance(__global float *h) {}\n',
     "kernels/ocean/phase.clh": "#define PHASE 1\n",
     "kernels/shared/params.h": "#ifndef A\n#define A\ntypedef struct {\n  float depth_m;  // bool\n} Params;\n"
     'static_assert(sizeof(Params) == 4, "packed");\n#endif\n',
     "host/base/error.h": "#pragma once\n#include <string>\n",
     "host/ocean/CMakeLists.txt": "offing_library(ocean SOURCES ocean.cpp)\n",
-    "host/ocean/ocean.cpp": '#include "host/base/error.h"\n#include "kernels/shared/params.h"\n'
+    "host/ocean/surface/ocean.cpp": '#include "host/base/error.h"\n#include "kernels/shared/params.h"\n'
     'const char* name = "ocean/advance.cl";\nvoid set(bool foam, int size);\n',
     "host/ocl/CMakeLists.txt": "offing_library(ocl SOURCES quirks.cpp)\n",
     "host/ocl/quirks.cpp": '#include <CL/cl.h>\nbool is_pocl() { return name == "PoCL"; }\n',
     "tests/ocean/CMakeLists.txt": "offing_test(ocean_test SOURCES advance_test.cpp)\n",
-    "tests/ocean/advance_test.cpp": '#include "host/ocean/ocean.cpp"\nauto s = R"(#include "nowhere.h")";\n',
+    "tests/ocean/advance_test.cpp": '#include "host/ocean/surface/ocean.cpp"\nauto s = R"(#include "nowhere.h")";\n',
     "docs/guide.md": "[index](../kernels/README.md), [web](https://example.org), `host/ocean`\n",
 }
 
@@ -53,7 +53,7 @@ class HouseChecks(unittest.TestCase):
         self.assert_finds(
             include_arrows,
             "host/base/error.h",
-            '#include "host/ocean/ocean.cpp"\n',
+            '#include "host/ocean/surface/ocean.cpp"\n',
             "host/base/error.h:1: host/base must not include host/ocean",
         )
 
@@ -61,7 +61,7 @@ class HouseChecks(unittest.TestCase):
         self.write("host/terrain/height.h", "")
         self.assert_finds(
             include_arrows,
-            "host/ocean/ocean.cpp",
+            "host/ocean/surface/ocean.cpp",
             '#include "host/terrain/height.h"\n',
             "host/ocean must not include host/terrain",
         )
@@ -76,7 +76,7 @@ class HouseChecks(unittest.TestCase):
 
     def test_opencl_header_outside_its_folder(self):
         self.assert_finds(
-            include_arrows, "host/ocean/ocean.cpp", "#include <CL/cl.h>\n", "reserved for host/ocl"
+            include_arrows, "host/ocean/surface/ocean.cpp", "#include <CL/cl.h>\n", "reserved for host/ocl"
         )
 
     def test_gpl_header_without_its_licence(self):
@@ -88,17 +88,17 @@ class HouseChecks(unittest.TestCase):
         )
 
     def test_mesh_tools_include_the_other_command_line(self):
-        self.write("host/cli/bake.h", "#pragma once\n")
+        self.write("host/cli/ocean/bake.h", "#pragma once\n")
         self.assert_finds(
             include_arrows,
             "mesh_tools/repair.h",
-            '#include "host/cli/bake.h"\n',
+            '#include "host/cli/ocean/bake.h"\n',
             "mesh_tools must not include host/cli",
         )
 
     def test_include_not_from_the_root(self):
         self.assert_finds(
-            include_arrows, "host/ocean/ocean.cpp", '#include "error.h"\n', 'no file "error.h"'
+            include_arrows, "host/ocean/surface/ocean.cpp", '#include "error.h"\n', 'no file "error.h"'
         )
 
     def test_folder_without_arrow(self):
@@ -125,11 +125,11 @@ class HouseChecks(unittest.TestCase):
         self.assert_finds(stems, "kernels/ocean/advance.cl", "#define ROW_KERNEL evolve\n", "found evolve")
 
     def test_kernel_that_nobody_launches(self):
-        self.assert_finds(stems, "host/ocean/ocean.cpp", "", 'holds the literal "ocean/advance.cl"')
+        self.assert_finds(stems, "host/ocean/surface/ocean.cpp", "", 'holds the literal "ocean/advance.cl"')
 
     def test_kernel_missing_from_the_index(self):
         self.assert_finds(
-            stems, "kernels/README.md", "`ocean/advance.cl` `host/ocean/ocean.cpp`\n", "has no row"
+            stems, "kernels/README.md", "`ocean/advance.cl` `host/ocean/surface/ocean.cpp`\n", "has no row"
         )
 
     def test_name_not_snake_case(self):
@@ -141,22 +141,22 @@ class HouseChecks(unittest.TestCase):
     def test_foreign_exception(self):
         self.assert_finds(
             code_rules,
-            "host/ocean/ocean.cpp",
+            "host/ocean/surface/ocean.cpp",
             "\nthrow  std::runtime_error(x);\n",
             "ocean.cpp:2: throw offing::Error",
         )
 
     def test_exit_outside_main(self):
-        self.assert_finds(code_rules, "host/ocean/ocean.cpp", "std::exit(1);  // exit(2)\n", "only main")
+        self.assert_finds(code_rules, "host/ocean/surface/ocean.cpp", "std::exit(1);  // exit(2)\n", "only main")
 
     def test_two_bools_in_a_row(self):
         self.assert_finds(
-            code_rules, "host/ocean/ocean.cpp", "void set(bool foam = false,\n  bool spray);\n", "two bools"
+            code_rules, "host/ocean/surface/ocean.cpp", "void set(bool foam = false,\n  bool spray);\n", "two bools"
         )
 
     def test_vendor_test_outside_quirks(self):
         self.assert_finds(
-            code_rules, "host/ocean/ocean.cpp", 'if (name.starts_with("NVIDIA CUDA")) {}\n', "quirks"
+            code_rules, "host/ocean/surface/ocean.cpp", 'if (name.starts_with("NVIDIA CUDA")) {}\n', "quirks"
         )
 
     def test_shared_member_of_another_size(self):

@@ -10,7 +10,13 @@ from repository import run
 SIMULATIONS = ("ocean", "terrain", "clouds", "highlights", "bodies", "sky")
 ARROWS = {
     "kernels": (),
-    "host/base": ("kernels",),
+    "kernels/shared": (),
+    "kernels/simd": (),
+    "kernels/fft": ("kernels/simd", "kernels/shared"),
+    **{f"kernels/{name}": ("kernels/fft",) for name in SIMULATIONS},
+    "kernels/clouds": ("kernels/fft", "kernels/sky"),
+    "kernels/terrain": ("kernels/fft", "kernels/sky"),
+    "host/base": ("kernels", "kernels/shared"),
     "host/io": ("host/base",),
     "host/ocl": ("host/base",),
     "host/fft": ("host/ocl",),

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "host/ocean/spectrum_parameters.h"
+#include "host/ocean/spectrum/spectrum_parameters.h"
 
 namespace offing::ocean {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "host/ocean/sea_spectrum.h"
+#include "host/ocean/spectrum/sea_spectrum.h"
 
 namespace offing::ocean {
 

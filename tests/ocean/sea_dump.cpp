@@ -9,10 +9,10 @@
 
 #include "host/base/error.h"
 #include "host/fft/fft2d.h"
-#include "host/ocean/cascades.h"
-#include "host/ocean/ocean.h"
-#include "host/ocean/spectrum_parameters.h"
-#include "tests/ocean/field_statistics.h"
+#include "host/ocean/spectrum/spectrum_parameters.h"
+#include "host/ocean/surface/cascades.h"
+#include "host/ocean/surface/ocean.h"
+#include "tests/ocean/surface/field_statistics.h"
 
 namespace {
 

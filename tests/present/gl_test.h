@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "present/gl_context.h"
+#include "present/gl/gl_context.h"
 
 namespace offing::test {
 

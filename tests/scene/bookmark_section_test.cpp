@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/scene/parameter_table.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/scene_writer.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/file/scene_writer.h"
+#include "host/scene/schema/parameter_table.h"
 
 namespace offing::scene {
 namespace {

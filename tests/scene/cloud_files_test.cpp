@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/clouds/cloud_model.h"
+#include "host/clouds/particles/cloud_model.h"
 #include "host/io/vdb/vdb_volume.h"
-#include "host/scene/scene_clouds.h"
-#include "host/scene/scene_file.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/scene_clouds.h"
 #include "tests/io/temporary_folder.h"
 
 namespace offing::scene {

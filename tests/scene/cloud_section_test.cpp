@@ -5,10 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/scene/parameter_table.h"
-#include "host/scene/scene_elements.h"
-#include "host/scene/scene_writer.h"
-#include "host/scene/unused_parameters.h"
+#include "host/scene/file/scene_writer.h"
+#include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/scene_elements.h"
+#include "host/scene/schema/unused_parameters.h"
 #include "tests/scene/section_text.h"
 
 namespace offing::scene {

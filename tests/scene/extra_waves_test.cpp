@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/scene_hash.h"
-#include "host/scene/sea.h"
-#include "host/scene/world_scene.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/file/scene_hash.h"
+#include "host/scene/prepare/sea.h"
+#include "host/scene/prepare/world_scene.h"
 
 namespace offing::scene {
 namespace {

@@ -13,13 +13,13 @@
 
 #include "host/base/error.h"
 #include "host/base/error_list.h"
-#include "host/scene/moving_view.h"
-#include "host/scene/own_puffs.h"
-#include "host/scene/parameter_table.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/scene_ground.h"
-#include "host/scene/scene_meshes.h"
-#include "host/scene/sea.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/moving_view.h"
+#include "host/scene/prepare/own_puffs.h"
+#include "host/scene/prepare/scene_ground.h"
+#include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/prepare/sea.h"
+#include "host/scene/schema/parameter_table.h"
 #include "tests/io/temporary_folder.h"
 
 namespace offing::scene {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "host/mesh_shapes/shape_table.h"
-#include "host/scene/parameter_table.h"
-#include "host/scene/scene_elements.h"
-#include "host/scene/scene_writer.h"
+#include "host/scene/file/scene_writer.h"
+#include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/scene_elements.h"
 #include "tests/scene/section_text.h"
 
 namespace offing::scene {

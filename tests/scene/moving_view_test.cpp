@@ -1,5 +1,5 @@
 // What a scene shows at a time: keyframes, and a sun with a date.
-#include "host/scene/moving_view.h"
+#include "host/scene/prepare/moving_view.h"
 
 #include <cmath>
 #include <numbers>
@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/scene/parameter_table.h"
-#include "host/scene/scene_file.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/schema/parameter_table.h"
 #include "host/sky/sun_position.h"
 
 namespace offing::scene {

@@ -1,4 +1,4 @@
-#include "host/scene/nearest_name.h"
+#include "host/scene/file/nearest_name.h"
 
 #include <array>
 #include <string>

@@ -1,5 +1,5 @@
 // Puff textures of clouds from folders of pictures.
-#include "host/scene/own_puffs.h"
+#include "host/scene/prepare/own_puffs.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 #include "host/base/error.h"
 #include "host/io/png_image.h"
-#include "host/scene/scene_file.h"
+#include "host/scene/file/scene_file.h"
 #include "tests/io/temporary_folder.h"
 
 namespace offing::scene {

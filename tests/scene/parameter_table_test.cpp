@@ -1,4 +1,4 @@
-#include "host/scene/parameter_table.h"
+#include "host/scene/schema/parameter_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/scene/scene_elements.h"
+#include "host/scene/schema/scene_elements.h"
 
 namespace offing::scene {
 namespace {

@@ -1,5 +1,5 @@
 // Bodies of a scene, as a world gets them.
-#include "host/scene/scene_bodies.h"
+#include "host/scene/prepare/scene_bodies.h"
 
 #include <optional>
 #include <string>
@@ -8,8 +8,8 @@
 
 #include "host/bodies/hull.h"
 #include "host/bodies/hydrostatics.h"
-#include "host/scene/scene_meshes.h"
-#include "host/scene/scene_wakes.h"
+#include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/prepare/scene_wakes.h"
 #include "tests/scene/section_text.h"
 
 namespace offing::scene {

@@ -1,6 +1,6 @@
 // From the sections of a scene to the clouds of a world.
 
-#include "host/scene/scene_clouds.h"
+#include "host/scene/prepare/scene_clouds.h"
 
 #include <algorithm>
 #include <array>
@@ -13,14 +13,14 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/clouds/cloud_density.h"
-#include "host/clouds/cloud_model.h"
-#include "host/clouds/genera.h"
-#include "host/clouds/sampled_particles.h"
+#include "host/clouds/particles/cloud_model.h"
+#include "host/clouds/particles/sampled_particles.h"
+#include "host/clouds/shape/cloud_density.h"
+#include "host/clouds/shape/genera.h"
 #include "host/io/clouds/cloud_particles.h"
 #include "host/io/vdb/vdb_volume.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/unused_parameters.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/schema/unused_parameters.h"
 #include "tests/io/temporary_folder.h"
 
 namespace offing::scene {

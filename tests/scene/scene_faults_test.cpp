@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error_list.h"
-#include "host/scene/scene_file.h"
+#include "host/scene/file/scene_file.h"
 
 namespace offing::scene {
 namespace {

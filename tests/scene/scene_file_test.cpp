@@ -1,4 +1,4 @@
-#include "host/scene/scene_file.h"
+#include "host/scene/file/scene_file.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // The ground of scenes: what [terrain] says, with its faults, and what an edit makes anew.
-#include "host/scene/scene_ground.h"
+#include "host/scene/prepare/scene_ground.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +14,12 @@
 #include "host/base/error.h"
 #include "host/io/png_image.h"
 #include "host/io/tile_store/tile_store.h"
-#include "host/scene/moving_view.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/scene_writer.h"
-#include "host/scene/sea.h"
-#include "host/scene/world_scene.h"
-#include "host/terrain/tile_builder.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/file/scene_writer.h"
+#include "host/scene/prepare/moving_view.h"
+#include "host/scene/prepare/sea.h"
+#include "host/scene/prepare/world_scene.h"
+#include "host/terrain/tiles/tile_builder.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/ocl/log_capture.h"
 

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "host/scene/parameter_table.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/scene_meshes.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/schema/parameter_table.h"
 
 namespace offing::scene {
 namespace {

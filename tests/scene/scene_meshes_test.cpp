@@ -1,5 +1,5 @@
 // From a scene to the meshes, lamps and rules of its world.
-#include "host/scene/scene_meshes.h"
+#include "host/scene/prepare/scene_meshes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +16,9 @@
 #include "host/io/meshes/write_mesh.h"
 #include "host/io/png_image.h"
 #include "host/mesh_shapes/shape.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/unused_parameters.h"
-#include "host/scene/world_scene.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/world_scene.h"
+#include "host/scene/schema/unused_parameters.h"
 #include "tests/io/temporary_folder.h"
 
 namespace offing::scene {

@@ -1,5 +1,5 @@
 // Wakes of a scene, as a world gets them.
-#include "host/scene/scene_wakes.h"
+#include "host/scene/prepare/scene_wakes.h"
 
 #include <string>
 
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/scene/scene_file.h"
+#include "host/scene/file/scene_file.h"
 
 namespace offing::scene {
 namespace {

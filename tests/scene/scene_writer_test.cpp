@@ -1,4 +1,4 @@
-#include "host/scene/scene_writer.h"
+#include "host/scene/file/scene_writer.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/scene/parameter_table.h"
-#include "host/scene/scene_file.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/schema/parameter_table.h"
 #include "tests/io/temporary_folder.h"
 
 namespace offing::scene {

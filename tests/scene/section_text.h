@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/scene/scene_file.h"
+#include "host/scene/file/scene_file.h"
 
 namespace offing::scene::test {
 

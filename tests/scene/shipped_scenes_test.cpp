@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include "host/ocean/ocean.h"
-#include "host/scene/scene_file.h"
-#include "host/scene/scene_meshes.h"
-#include "host/scene/sea.h"
-#include "host/scene/unused_parameters.h"
-#include "tests/ocean/tile_correlation.h"
+#include "host/ocean/surface/ocean.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/prepare/sea.h"
+#include "host/scene/schema/unused_parameters.h"
+#include "tests/ocean/surface/tile_correlation.h"
 
 namespace offing::scene {
 namespace {

@@ -1,10 +1,10 @@
-#include "host/scene/spectrum_tail.h"
+#include "host/scene/prepare/spectrum_tail.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "host/ocean/spectrum_parameters.h"
+#include "host/ocean/spectrum/spectrum_parameters.h"
 
 namespace offing::scene {
 namespace {

@@ -1,4 +1,4 @@
-#include "host/scene/unused_parameters.h"
+#include "host/scene/schema/unused_parameters.h"
 
 #include <limits>
 #include <string>
@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/scene/parameter_table.h"
-#include "host/scene/scene_file.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/schema/parameter_table.h"
 
 namespace offing::scene {
 namespace {

@@ -1,5 +1,5 @@
 // A running world that follows an edited scene.
-#include "host/scene/world_scene.h"
+#include "host/scene/prepare/world_scene.h"
 
 #include <string>
 #include <tuple>
@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/scene/moving_view.h"
-#include "host/scene/scene_file.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/moving_view.h"
 
 namespace offing::scene {
 namespace {

@@ -1,5 +1,5 @@
 // Colours of maps on the ground, by the light that comes from them, against their linear means.
-#include "host/terrain/colour_layer.h"
+#include "host/terrain/shading/colour_layer.h"
 
 #include <cmath>
 #include <functional>

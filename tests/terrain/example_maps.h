@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host/terrain/ray.h"
+#include "host/terrain/cast/ray.h"
 
 namespace offing::test {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "host/terrain/tile_builder.h"
+#include "host/terrain/tiles/tile_builder.h"
 
 namespace offing::test {
 

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "host/terrain/tiled_field.h"
+#include "host/terrain/tiles/tiled_field.h"
 #include "tests/terrain/example_maps.h"
 
 namespace offing::test {

@@ -1,5 +1,5 @@
 // Rays over tiles that are loaded as rays ask for them, against rays over the whole map.
-#include "host/terrain/fine_cast.h"
+#include "host/terrain/cast/fine_cast.h"
 
 #include <atomic>
 #include <set>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/terrain/height_field.h"
-#include "host/terrain/tiled_field.h"
+#include "host/terrain/field/height_field.h"
+#include "host/terrain/tiles/tiled_field.h"
 #include "tests/ocl/expect_error.h"
 #include "tests/terrain/example_tiles.h"
 #include "tests/terrain/ray_comparison.h"

@@ -1,4 +1,4 @@
-#include "host/terrain/fractal_ground.h"
+#include "host/terrain/generate/fractal_ground.h"
 
 #include <algorithm>
 #include <cmath>

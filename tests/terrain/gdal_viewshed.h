@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host/base/height_map.h"
-#include "host/terrain/viewshed.h"
+#include "host/terrain/analysis/viewshed.h"
 
 namespace offing::test {
 

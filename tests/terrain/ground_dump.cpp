@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "host/terrain/terrain_shade.h"
-#include "host/terrain/viewshed.h"
+#include "host/terrain/analysis/viewshed.h"
+#include "host/terrain/shading/terrain_shade.h"
 #include "tests/ocl/dump_program.h"
 #include "tests/terrain/example_tiles.h"
 

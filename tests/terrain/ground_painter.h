@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "host/ocl/buffer.h"
-#include "host/terrain/height_field.h"
-#include "host/terrain/terrain_shade.h"
+#include "host/terrain/field/height_field.h"
+#include "host/terrain/shading/terrain_shade.h"
 #include "tests/terrain/example_maps.h"
 
 namespace offing::test {

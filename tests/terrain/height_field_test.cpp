@@ -1,5 +1,5 @@
 // What a HeightField refuses, and pictures of it.
-#include "host/terrain/height_field.h"
+#include "host/terrain/field/height_field.h"
 
 #include <algorithm>
 #include <cmath>

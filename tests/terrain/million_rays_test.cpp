@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "host/io/height_maps/read_height_map.h"
-#include "host/terrain/height_field.h"
+#include "host/terrain/field/height_field.h"
 #include "tests/terrain/ray_comparison.h"
 
 namespace offing {

@@ -1,5 +1,5 @@
 // What level water mirrors of ground, against rays in double precision (tests/terrain/reference_walk.h).
-#include "host/terrain/mirrored_cast.h"
+#include "host/terrain/cast/mirrored_cast.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "host/terrain/nodes_on_ray.h"
+#include "host/terrain/cast/nodes_on_ray.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/terrain/row_makers.h"
+#include "host/terrain/generate/row_makers.h"
 
 namespace offing::terrain {
 namespace {

@@ -1,5 +1,5 @@
 // Shares of the sky's light that posts get, against closed forms and against horizons found by brute force.
-#include "host/terrain/open_sky.h"
+#include "host/terrain/shading/open_sky.h"
 
 #include <algorithm>
 #include <cmath>

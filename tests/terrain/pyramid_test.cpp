@@ -1,4 +1,4 @@
-#include "host/terrain/pyramid.h"
+#include "host/terrain/field/pyramid.h"
 
 #include <algorithm>
 #include <limits>

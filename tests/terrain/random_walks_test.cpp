@@ -13,9 +13,9 @@
 #include <gtest/gtest.h>
 
 #include "host/io/height_maps/read_height_map.h"
-#include "host/terrain/fractal_ground.h"
-#include "host/terrain/ground.h"
-#include "host/terrain/walker.h"
+#include "host/terrain/field/ground.h"
+#include "host/terrain/generate/fractal_ground.h"
+#include "host/terrain/walk/walker.h"
 
 namespace offing {
 namespace {

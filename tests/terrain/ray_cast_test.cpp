@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/terrain/height_field.h"
+#include "host/terrain/field/height_field.h"
 #include "tests/terrain/example_maps.h"
 #include "tests/terrain/ray_comparison.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/terrain/viewshed.h"
+#include "host/terrain/analysis/viewshed.h"
 #include "tests/terrain/example_maps.h"
 
 namespace offing::test {

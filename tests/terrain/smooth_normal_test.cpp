@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/terrain/ground.h"
-#include "host/terrain/height_field.h"
+#include "host/terrain/field/ground.h"
+#include "host/terrain/field/height_field.h"
 #include "tests/terrain/example_maps.h"
 
 namespace offing {

@@ -1,5 +1,5 @@
 // Tiles of all levels against the map that they were cut from.
-#include "host/terrain/tile_builder.h"
+#include "host/terrain/tiles/tile_builder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "host/terrain/tile_cut.h"
+#include "host/terrain/tiles/tile_cut.h"
 
 #include <cmath>
 #include <set>

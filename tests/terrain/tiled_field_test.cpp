@@ -1,5 +1,5 @@
 // Rays over tiles against rays over the whole map.
-#include "host/terrain/tiled_field.h"
+#include "host/terrain/tiles/tiled_field.h"
 
 #include <algorithm>
 #include <atomic>
@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/terrain/height_field.h"
+#include "host/terrain/field/height_field.h"
 #include "tests/ocl/expect_error.h"
 #include "tests/terrain/example_tiles.h"
 #include "tests/terrain/ray_comparison.h"

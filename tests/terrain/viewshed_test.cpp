@@ -1,4 +1,4 @@
-#include "host/terrain/viewshed.h"
+#include "host/terrain/analysis/viewshed.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "host/terrain/walker.h"
+#include "host/terrain/walk/walker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/terrain/ground.h"
+#include "host/terrain/field/ground.h"
 #include "tests/ocl/expect_error.h"
 
 namespace offing {

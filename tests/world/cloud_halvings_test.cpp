@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/clouds/cloud_model.h"
-#include "host/clouds/particle_thinning.h"
+#include "host/clouds/particles/cloud_model.h"
+#include "host/clouds/particles/particle_thinning.h"
 #include "host/world/world.h"
 #include "tests/world/example_clouds.h"
 

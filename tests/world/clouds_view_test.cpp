@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/clouds/cloud_model.h"
-#include "host/clouds/genera.h"
+#include "host/clouds/particles/cloud_model.h"
+#include "host/clouds/shape/genera.h"
 #include "host/world/world.h"
 #include "tests/world/example_clouds.h"
 

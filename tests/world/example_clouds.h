@@ -3,7 +3,7 @@
 #include <glm/vec3.hpp>
 
 #include "host/base/camera.h"
-#include "host/clouds/genera.h"
+#include "host/clouds/shape/genera.h"
 #include "host/world/clouds_view.h"
 
 namespace offing::world {

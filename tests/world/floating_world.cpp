@@ -8,7 +8,7 @@
 #include "host/bodies/path_drive.h"
 #include "host/bodies/pressed_hull.h"
 #include "host/mesh_shapes/shape.h"
-#include "host/ocean/spectrum_parameters.h"
+#include "host/ocean/spectrum/spectrum_parameters.h"
 
 namespace offing::test {
 namespace {

@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/ocean/spectrum_parameters.h"
-#include "host/terrain/ground.h"
+#include "host/ocean/spectrum/spectrum_parameters.h"
+#include "host/terrain/field/ground.h"
 #include "host/world/world.h"
 #include "kernels/shared/shoals.h"
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/ocean/spectrum_parameters.h"
+#include "host/ocean/spectrum/spectrum_parameters.h"
 #include "host/world/world.h"
 
 namespace offing::world {

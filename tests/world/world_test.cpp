@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/ocean/spectrum_parameters.h"
-#include "host/ocean/trochoid_choice.h"
+#include "host/ocean/spectrum/spectrum_parameters.h"
+#include "host/ocean/surface/trochoid_choice.h"
 #include "host/sky/sun_position.h"
 
 namespace offing::world {
@@ -100,7 +100,8 @@ TEST_F(WorldTest, ShowsTheSeaInFewerSamples) {
   EXPECT_EQ(surface().first, alone.displacement_map().read());
   EXPECT_EQ(height_m, world_.sample(std::array{ocean::WaterPoint{3.0, -40.0}}).front().height_m)
       << "it had another time";
-  // Where waves along one axis have more slope than the wind makes, ripples cannot have less than none: 0.8 %.
+  // Where waves along one axis have more slope than the wind makes, ripples cannot have less than none: 0.8
+  // %.
   EXPECT_NEAR(all_slopes(), slopes, 0.02 * slopes);
   EXPECT_LT(world_.hidden_slopes().cascades.front().back().xx, drawn - 0.04 * slopes);
   world_.reseed(9, parameters().trochoids);

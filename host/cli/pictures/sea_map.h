@@ -3,8 +3,8 @@
 #include <span>
 
 #include "host/io/png_image.h"
-#include "host/ocean/ocean.h"
-#include "host/ocean/trochoid_instant.h"
+#include "host/ocean/query/trochoid_instant.h"
+#include "host/ocean/surface/ocean.h"
 
 namespace offing::cli {
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "host/base/wave_spectrum.h"
-#include "host/cli/direction_text.h"
+#include "host/cli/common/direction_text.h"
 #include "host/io/png_image.h"
-#include "host/ocean/sea_spectrum.h"
+#include "host/ocean/spectrum/sea_spectrum.h"
 
 namespace offing::cli {
 

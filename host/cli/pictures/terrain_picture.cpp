@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/sky/sun_position.h"
-#include "host/terrain/step_colours.h"
+#include "host/terrain/cast/step_colours.h"
 
 namespace offing::cli {
 namespace {

@@ -8,9 +8,9 @@
 #include "host/base/colour_map.h"
 #include "host/io/png_image.h"
 #include "host/sky/clear_sky.h"
-#include "host/terrain/height_field.h"
-#include "host/terrain/terrain_shade.h"
-#include "host/terrain/tiled_field.h"
+#include "host/terrain/field/height_field.h"
+#include "host/terrain/shading/terrain_shade.h"
+#include "host/terrain/tiles/tiled_field.h"
 #include "host/world/terrain_light.h"
 
 namespace offing::cli {

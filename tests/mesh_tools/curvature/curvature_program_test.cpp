@@ -16,9 +16,9 @@
 
 #include "host/io/meshes/prepared_mesh.h"
 #include "host/io/meshes/read_mesh.h"
-#include "host/scene/mesh_data.h"
-#include "host/scene/parameter_table.h"
-#include "host/scene/scene_file.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/mesh_data.h"
+#include "host/scene/schema/parameter_table.h"
 #include "mesh_tools/curvature/curvature_colours.h"
 #include "tests/cli/offing_program.h"
 #include "tests/io/temporary_folder.h"

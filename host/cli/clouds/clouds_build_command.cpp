@@ -1,0 +1,227 @@
+#include "host/cli/clouds/clouds_build_command.h"
+
+#include <filesystem>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include "host/base/argument.h"
+#include "host/base/error_report.h"
+#include "host/base/frame_name.h"
+#include "host/base/progress.h"
+#include "host/cli/clouds/cloud_frame.h"
+#include "host/cli/common/device_choice.h"
+#include "host/clouds/shape/cloud_density.h"
+#include "host/command_line/new_output.h"
+#include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
+#include "host/command_line/trust_flag.h"
+#include "host/io/file_extension.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/file/scene_files.h"
+#include "host/scene/prepare/scene_clouds.h"
+#include "host/scene/prepare/scene_frames.h"
+#include "host/scene/schema/unused_cloud_parameters.h"
+
+namespace offing::cli {
+namespace {
+
+struct BuildArguments {
+  std::string scene, output, cell_m, time_s, frames, frames_per_second;
+  bool half = false;
+  bool json = false;
+  Existing existing = Existing::keep;
+  Trust trust = Trust::trusted;
+};
+
+/// A file to write and the time that it shows.
+struct TimedFile {
+  std::string name;
+  double time_s = 0.0;
+};
+
+bool is_sequence(const BuildArguments& arguments) {
+  return arguments.output.find('%') != std::string::npos;
+}
+
+FrameName frame_name(const BuildArguments& arguments) {
+  return {"-o", arguments.output, "cloud.%04d.vdb"};
+}
+
+FrameRange frames_of(const BuildArguments& arguments, const scene::OceanScene& scene) {
+  return arguments.frames.empty() ? scene::frames_in_time_span(scene, scene.frames_per_second)
+                                  : read_frame_range("--frames", arguments.frames);
+}
+
+std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::OceanScene& scene) {
+  if (!is_sequence(arguments)) {
+    if (!arguments.frames.empty() || !arguments.frames_per_second.empty()) {
+      throw Error(ErrorKind::bad_usage,
+                  "--frames: expected a name with a place for the frame's number, found none",
+                  "write -o cloud.%04d.vdb");
+    }
+    const double time_s = arguments.time_s.empty()
+                              ? scene.start_s
+                              : read_number("--time", arguments.time_s, "s", -1e8, 1e8, "12.5");
+    return {{arguments.output, time_s}};
+  }
+  if (!arguments.time_s.empty()) {
+    throw Error(ErrorKind::bad_usage, "--time: expected one file, found a name for many", "use --frames");
+  }
+  const FrameName name = frame_name(arguments);
+  const FrameRange frames = frames_of(arguments, scene);
+  std::vector<TimedFile> files;
+  for (int frame = frames.first; frame <= frames.last; ++frame) {
+    files.push_back({name.of(frame).string(), frame / scene.frames_per_second});
+  }
+  return files;
+}
+
+void require_outputs(const BuildArguments& arguments, const scene::OceanScene& scene) {
+  GivenInputs inputs{scene::files_of(scene), arguments.trust};
+  inputs.names.push_back(arguments.scene);
+  if (is_sequence(arguments)) {
+    require_new_frames(frame_name(arguments), frames_of(arguments, scene), arguments.existing, inputs);
+  } else {
+    require_new(arguments.output, arguments.existing, inputs);
+  }
+}
+
+bool is_volume(const BuildArguments& arguments) {
+  return arguments.output.ends_with(".vdb");
+}
+
+/// What is told of the last file.
+nlohmann::ordered_json facts_of(const VdbCloud& cloud) {
+  const std::vector<float>& density = cloud.volume.density;
+  return {{"cell_m", cloud.volume.cell_m},
+          {"bricks", density.size() / CloudVolume::cells_of_brick},
+          {"density_sum", std::accumulate(density.begin(), density.end(), 0.0)},
+          {"extinction_per_m", cloud.volume.extinction_per_m},
+          {"optical_mass_m2", clouds::optical_mass(cloud.volume)}};
+}
+
+nlohmann::ordered_json facts_of(const CloudParticles& cloud) {
+  double optical_mass_m2 = 0.0;
+  for (const CloudParticle& particle : cloud.particles) optical_mass_m2 += particle.optical_mass;
+  return {{"particles", cloud.particles.size()}, {"optical_mass_m2", optical_mass_m2}};
+}
+
+/// Files of nothing cannot be read.
+void require_some(std::size_t count, const TimedFile& file) {
+  if (count > 0) return;
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected density at {:g} s, found none", one_line(file.name), file.time_s),
+              "give balls a weight and a size, or choose a time at which there is cloud");
+}
+
+nlohmann::ordered_json write_frame(const BuildArguments& arguments, CloudFrames& frames,
+                                   const TimedFile& file, std::optional<double>& cell_m) {
+  if (!is_volume(arguments)) {
+    const CloudParticles cloud = frames.particles_at(file.time_s);
+    require_some(cloud.particles.size(), file);
+    write_cloud_particles(file.name, cloud, arguments.existing);
+    return facts_of(cloud);
+  }
+  if (!cell_m) cell_m = usual_cell_m(frames.particles_at(file.time_s));
+  const VdbCloud cloud = frames.volume_at(file.time_s, *cell_m);
+  require_some(cloud.volume.density.size(), file);
+  write_vdb(file.name, cloud, arguments.half ? VdbPrecision::half : VdbPrecision::single, arguments.existing);
+  return facts_of(cloud);
+}
+
+void tell(const BuildArguments& arguments, const std::vector<TimedFile>& files, std::size_t clouds,
+          const nlohmann::ordered_json& facts) {
+  std::uintmax_t bytes = 0;
+  for (const TimedFile& file : files) bytes += std::filesystem::file_size(file.name);
+  if (arguments.json) {
+    nlohmann::ordered_json json = {{"file", arguments.output}, {"frames", files.size()}, {"clouds", clouds}};
+    json.update(facts);
+    json["bytes"] = bytes;
+    print_json(json);
+    return;
+  }
+  const std::string content =
+      is_volume(arguments) ? fmt::format("{} bricks of cells of {:g} m", facts["bricks"].get<std::size_t>(),
+                                         facts["cell_m"].get<double>())
+                           : fmt::format("{} particles", facts["particles"].get<std::size_t>());
+  print_summary("{}: {} file{}, {} cloud{}, {}, {} bytes\n", one_line(arguments.output), files.size(),
+                files.size() == 1 ? "" : "s", clouds, clouds == 1 ? "" : "s", content, bytes);
+}
+
+void run(const BuildArguments& arguments, const GlobalOptions& options) {
+  require_extension(arguments.output, {".vdb", ".ply"});
+  if (!is_volume(arguments) && (arguments.half || !arguments.cell_m.empty())) {
+    throw Error(ErrorKind::bad_usage, "--half, --cell-m: expected a .vdb, found particles", "leave them out");
+  }
+  std::optional<double> cell_m;
+  if (!arguments.cell_m.empty())
+    cell_m = read_number("--cell-m", arguments.cell_m, "m", least_cell_m, largest_cell_m, "20");
+  scene::OceanScene scene = scene::load_scene(arguments.scene, arguments.trust);
+  if (!arguments.frames_per_second.empty()) {
+    scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "24");
+  }
+  const std::vector<TimedFile> files = files_of(arguments, scene);
+  require_outputs(arguments, scene);
+  for (const std::string& line : scene::unused_cloud_parameters(scene)) spdlog::warn("{}", line);
+  const std::optional<world::CloudSkyParameters> sky = scene::prepare_clouds(scene);
+  if (!sky) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected clouds, found none", one_line(arguments.scene)),
+                "add a [[cloud]] section to the scene");
+  }
+  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
+  CloudFrames frames(device, *sky, options.cancel);
+  nlohmann::ordered_json facts;
+  {
+    Progress progress(static_cast<int>(files.size()), "frames", options.verbosity);
+    for (const TimedFile& file : files) {
+      options.cancel.throw_if_cancelled(
+          "run the same command again with --force, which replaces the files that are done");
+      facts = write_frame(arguments, frames, file, cell_m);
+      progress.advance();
+    }
+  }
+  tell(arguments, files, sky->clouds.size(), facts);
+}
+
+}  // namespace
+
+void add_clouds_build_command(CLI::App& parent, GlobalOptions& options) {
+  const auto arguments = std::make_shared<BuildArguments>();
+  CLI::App* command = parent.add_subcommand("build", "the clouds of a scene as a volume or as particles");
+  command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[cloud]] or [[cloud_layer]]")
+      ->required();
+  const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
+    return command->add_option(names, target, help)->type_name(placeholder)->group("Output");
+  };
+  add("-o,--output", arguments->output, "FILE",
+      "of .vdb: density, fog volume in metres of the world, +y up; of .ply: particles; cloud.%04d.vdb: a "
+      "file a "
+      "frame")
+      ->required();
+  add("--cell-m", arguments->cell_m, "M", "edge of a cell of a volume (default: 128 along the longest side)");
+  command->add_flag("--half", arguments->half, "values of 16 bits in place of 32")->group("Output");
+  add("--time", arguments->time_s, "S", "time that is shown (default: the scene's start)");
+  add("--frames", arguments->frames, "A:B",
+      "frames to write, A to B or A alone; time = frame / fps (default: the scene's)");
+  add("--fps", arguments->frames_per_second, "F", "frames a second (default: the scene's)");
+  add_force_flag(*command, arguments->existing);
+  command->add_flag("--json", arguments->json, "a summary for scripts");
+  add_trust_flag(*command, arguments->trust);
+  add_global_options(*command, options, DeviceUse::one);
+  command->footer(R"(
+Examples:
+  offing clouds build scenes/cumulus.toml -o cumulus.vdb --cell-m 10 --half
+  offing clouds build scenes/cumulus.toml -o cumulus.ply
+  offing clouds build scenes/sky.toml -o sky.%04d.vdb --frames 0:47 --fps 24)");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

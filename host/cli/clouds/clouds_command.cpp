@@ -1,0 +1,15 @@
+#include "host/cli/clouds/clouds_command.h"
+
+#include "host/cli/clouds/clouds_build_command.h"
+#include "host/cli/clouds/clouds_info_command.h"
+
+namespace offing::cli {
+
+void add_clouds_command(CLI::App& app, GlobalOptions& options) {
+  CLI::App* command = app.add_subcommand("clouds", "clouds of scenes as volumes and particles");
+  command->require_subcommand(1);
+  add_clouds_build_command(*command, options);
+  add_clouds_info_command(*command, options);
+}
+
+}  // namespace offing::cli

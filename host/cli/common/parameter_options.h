@@ -1,0 +1,48 @@
+#pragma once
+
+#include <deque>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "host/cli/common/direction_text.h"
+#include "host/command_line/input_files.h"
+#include "host/io/file_trust.h"
+#include "host/scene/schema/parameter.h"
+
+namespace offing::cli {
+
+/// The scene parameters of a command: an optional SCENE file and the flags of the parameter table, which
+/// override it.
+class ParameterOptions {
+ public:
+  /// Adds SCENE, --untrusted, the flags of these groups and --compass to `command`, which this object must
+  /// outlive.
+  void add_to(CLI::App& command, std::initializer_list<scene::ParameterGroup> groups);
+
+  /// The scene as file and flags say. Throws Error(bad_input).
+  scene::OceanScene read() const;
+
+  /// The files that this scene is read from: its own and those that it names.
+  GivenInputs inputs(const scene::OceanScene& scene) const;
+
+  /// How flags give directions, and results are to show them.
+  DirectionStyle directions() const { return directions_; }
+
+ private:
+  struct Flag {
+    const scene::Parameter* parameter;
+    std::vector<std::string> values;
+  };
+
+  void read_flag(scene::OceanScene& scene, const Flag& flag) const;
+
+  std::string scene_file_;
+  Trust trust_ = Trust::trusted;
+  DirectionStyle directions_ = DirectionStyle::travel;
+  std::deque<Flag> flags_;  // a deque: CLI11 keeps references to the values
+};
+
+}  // namespace offing::cli

@@ -1,0 +1,241 @@
+#include "host/cli/ocean/bake_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#include <CLI/Option.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/base/error.h"
+#include "host/base/world_limits.h"
+#include "host/cli/common/device_choice.h"
+#include "host/cli/common/parameter_options.h"
+#include "host/cli/ocean/bake.h"
+#include "host/cli/ocean/certificate_text.h"
+#include "host/cli/ocean/water_left_out.h"
+#include "host/cli/pictures/contact_sheet.h"
+#include "host/command_line/new_output.h"
+#include "host/command_line/print_summary.h"
+#include "host/io/atomic_file.h"
+#include "host/io/spectra/write_ww3_spectra.h"
+#include "host/scene/file/scene_hash.h"
+#include "host/scene/prepare/sampled_spectrum.h"
+#include "host/scene/prepare/scene_frames.h"
+
+namespace offing::cli {
+
+namespace {
+
+struct BakeArguments {
+  ParameterOptions parameters;
+  std::string frames;
+  std::string folder;
+  std::string chunk = "1/1";
+  std::string compression = "zip";
+  std::string channels = "displacement,slope,gradient,jacobian,foam";
+  std::string velocity_depth;
+  std::string mesh;
+  std::string export_file;
+  bool json = false;
+  BakeSettings settings;
+};
+
+BakeSettings read_settings(const BakeArguments& arguments, const scene::OceanScene& scene,
+                           double water_depth_m) {
+  BakeSettings settings = arguments.settings;
+  require_file_name(arguments.folder);
+  settings.folder = arguments.folder;
+  settings.frames_per_second = scene.frames_per_second;
+  settings.frames = arguments.frames.empty() ? scene::frames_in_time_span(scene, scene.frames_per_second)
+                                             : read_frame_range("--frames", arguments.frames);
+  settings.share = read_share("--chunk", arguments.chunk);
+  settings.compression = read_compression("--compression", arguments.compression);
+  settings.channels |= read_channels("--channels", arguments.channels);
+  if (!arguments.velocity_depth.empty()) {
+    settings.channels.set(static_cast<std::size_t>(ChannelGroup::velocity));
+    settings.velocity_depth_m = read_number("--velocity-depth-m", arguments.velocity_depth, "m", 0.0,
+                                            std::min(deepest_m, water_depth_m), "2.5");
+  }
+  settings.mesh = read_mesh_format("--mesh", arguments.mesh);
+  return settings;
+}
+
+void warn_of_broken_loop(const scene::Sea& sea, double frames_per_second) {
+  if (!sea.parameters.loop_period_s) {
+    return;
+  }
+  const double frames = *sea.parameters.loop_period_s * frames_per_second;
+  if (std::abs(frames - std::round(frames)) > 1e-6 * frames) {
+    spdlog::warn("the loop of {:g} s is {:g} frames at {:g} a second: no frame equals the first one again",
+                 *sea.parameters.loop_period_s, frames, frames_per_second);
+  }
+}
+
+/// The pictures of all frames, once all shares are done: the last process to end finds them complete.
+void write_contact_sheet(const BakeSettings& settings, const FrameFiles& files) {
+  std::vector<ContactFrame> frames;
+  for (int frame = settings.frames.first; frame <= settings.frames.last; ++frame) {
+    if (!files.has_preview(frame)) {
+      return;
+    }
+    frames.push_back({files.preview(frame), frame});
+  }
+  write_png(files.contact_sheet(), make_contact_sheet(frames));
+}
+
+nlohmann::json summary_json(const BakeSettings& settings, const scene::Sea& sea, const EnergyShares& energy,
+                            const BakeSummary& summary, const std::string& hash) {
+  nlohmann::json json = {{"folder", settings.folder.string()},
+                         {"frames_written", summary.written},
+                         {"frames_kept", summary.kept},
+                         {"scene_hash", hash},
+                         {"m0_m2", energy.m0_m2},
+                         {"out_of_band_m2", energy.out_of_band_m2}};
+  json["cascades"] = nlohmann::json::array();
+  for (std::size_t i = 0; i < sea.parameters.cascades.size(); ++i) {
+    json["cascades"].push_back(
+        {{"patch_m", sea.parameters.cascades[i].patch_length_m}, {"m0_m2", energy.cascade_m0_m2[i]}});
+  }
+  return json;
+}
+
+/// What is asked for and cannot be done, and what is in the scene and not in the frames.
+void warn_of_waves_beside(const scene::Sea& sea, GerstnerUse use) {
+  if (use == GerstnerUse::included && !sea.has_trochoids()) {
+    spdlog::warn("--include-gerstner: not used: there are no Gerstner waves, swells or raindrops");
+  }
+  if (use == GerstnerUse::included && sea.parameters.loop_period_s && !sea.raindrops.empty()) {
+    spdlog::warn("the raindrops fall once: frames that have them do not loop");
+  }
+  if (use != GerstnerUse::included && !sea.raindrops.empty()) {
+    spdlog::warn("the raindrops of the scene are not in the frames: --include-gerstner adds them");
+  }
+}
+
+/// Whether a regular file holds this text and nothing else.
+bool holds(const std::string& file, const std::string& text) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored) ||
+      std::filesystem::file_size(file, ignored) != text.size())
+    return false;
+  std::ifstream found(file, std::ios::binary);
+  return found && std::string(std::istreambuf_iterator<char>(found), {}) == text;
+}
+
+/// A bake that resumes finds what it has exported: an equal file is left alone.
+void export_spectrum(const std::string& file, const scene::Sea& sea, Existing existing,
+                     const GivenInputs& inputs) {
+  const WaveSpectrum exported = scene::sampled_spectrum(sea);
+  const std::string text = ww3_text(file, std::span(&exported, 1));
+  if (holds(file, text)) return;
+  require_new(file, existing, inputs);
+  write_file_atomically(file, text, existing);
+}
+
+void run(const BakeArguments& arguments, const GlobalOptions& options) {
+  const scene::OceanScene scene = arguments.parameters.read();
+  const scene::Sea sea = scene::prepare_sea(scene);
+  const BakeSettings settings = read_settings(arguments, scene, sea.spectrum.dispersion.depth_m);
+  const std::vector<ocl::DeviceInfo> devices = choose_devices(options.device);
+  const EnergyShares energy = energy_shares(sea.spectrum, sea.parameters.cascades);
+  if (!arguments.json) {
+    print_summary("{}", cascade_text(sea, energy));
+    std::fflush(stdout);
+  }
+  warn_of_broken_loop(sea, settings.frames_per_second);
+  warn_of_waves_beside(sea, settings.gerstner);
+  warn_of_water_left_out(scene, "frames");
+
+  const std::string hash = scene::scene_hash(scene, sea, canonical_text(settings));
+  const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), hash);
+  const GivenInputs inputs = arguments.parameters.inputs(scene);
+  if (const std::filesystem::path exported = arguments.export_file; files.will_write(exported)) {
+    require_distinct({{"-o", settings.folder / exported.filename()}, {"--export-spectrum", exported}});
+  }
+  files.prepare_folder(inputs);
+  if (!arguments.export_file.empty()) {  // after the folder: it may lie there
+    export_spectrum(arguments.export_file, sea, settings.existing, inputs);
+  }
+  const FrameWriter writer(sea, settings, files, hash, scene::spectrum_name(scene, sea));
+  const BakeSummary summary = [&] {
+    const std::size_t count = frames_in_share(settings.frames, settings.share).size();
+    Progress progress(static_cast<int>(count), "frames", options.verbosity);
+    return bake(devices, sea, settings, files, writer, progress, options.cancel);
+  }();
+  if (settings.preview == PreviewUse::pictures) {
+    write_contact_sheet(settings, files);
+  }
+  if (arguments.json) {
+    fmt::print("{}\n", summary_json(settings, sea, energy, summary, hash).dump(2));
+  } else {
+    print_summary("{} frame{} written, {} there already: {}\n", summary.written,
+                  summary.written == 1 ? "" : "s", summary.kept, settings.folder.string());
+  }
+}
+
+void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>& arguments) {
+  constexpr const char* group = "Output";
+  BakeSettings& settings = arguments->settings;
+  const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
+    return command.add_option(names, target, help)->type_name(placeholder)->group(group);
+  };
+  const auto add_switch = [&](const char* name, const char* help, auto set) {
+    command.add_flag_callback(name, set, help)->group(group);
+  };
+  add("-o,--output", arguments->folder, "DIR", "folder for the frames; made if it is not there")->required();
+  add("--frames", arguments->frames, "A:B",
+      "frames to make, A to B or A alone; time = frame / fps (default: the scene's)");
+  add("--channels", arguments->channels, "LIST",
+      "of displacement, slope, gradient, jacobian, foam, velocity (default: all but velocity)");
+  add_switch("--velocity", "particle velocity at the surface too",
+             [&settings] { settings.channels.set(static_cast<std::size_t>(ChannelGroup::velocity)); });
+  add("--velocity-depth-m", arguments->velocity_depth, "D",
+      "particle velocity D m below the moving surface instead, down to the bed (default 0)");
+  add_switch("--combined", "one file a frame with layers c0, c1, ... (default: one file a cascade)",
+             [&settings] { settings.layout = FileLayout::combined; });
+  add_switch("--half", "16-bit floats (default: 32-bit)",
+             [&settings] { settings.pixel_type = PixelType::half_16; });
+  add("--compression", arguments->compression, "NAME", "zip, zips, piz or none (default zip)");
+  add("--mesh", arguments->mesh, "FORMAT",
+      "obj or ply: the displaced surface of all cascades, over the longest patch");
+  add_switch("--preview", "a shaded map of each frame from above, and a contact sheet",
+             [&settings] { settings.preview = PreviewUse::pictures; });
+  add_switch("--include-gerstner",
+             "add Gerstner waves, swells and raindrops to cascade c0 and its mesh\nc0 does not tile then, "
+             "and has the "
+             "Jacobian and foam of the whole sea\n(default: listed in the header, without raindrops)",
+             [&settings] { settings.gerstner = GerstnerUse::included; });
+  add("--export-spectrum", arguments->export_file, "FILE",
+      "write the spectrum as WAVEWATCH III text (.spec)");
+  add("--chunk", arguments->chunk, "i/n",
+      "make share i of n, for n processes that share a folder (default 1/1)");
+  add_force_flag(command, settings.existing)
+      ->description("replace existing files, also frames of another scene with everything made from them")
+      ->group(group);
+  command.add_flag("--json", arguments->json, "a summary for scripts")->group(group);
+}
+
+}  // namespace
+
+void add_bake_command(CLI::App& ocean, GlobalOptions& options) {
+  using enum scene::ParameterGroup;
+  const auto arguments = std::make_shared<BakeArguments>();
+  CLI::App* command =
+      ocean.add_subcommand("bake", "write frames of the sea's maps as OpenEXR; resumes an interrupted bake");
+  add_output_options(*command, arguments);
+  arguments->parameters.add_to(*command, {world, time, sea, grid, foam});
+  add_global_options(*command, options, DeviceUse::any_number);
+  command->footer(R"(
+Examples:
+  offing ocean bake --wind-speed-mps 15 --size 512 --frames 0:47 --fps 24 --preview -o out
+  offing ocean bake --spectrum-file 41010.data_spec --record 0 --frames 0:9 --combined -o out
+  offing ocean bake scenes/storm.toml --chunk 2/8 -o out     (the second of eight machines))");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,20 @@
+#include "host/cli/ocean/ocean_command.h"
+
+#include "host/cli/ocean/bake_command.h"
+#include "host/cli/ocean/query_command.h"
+#include "host/cli/ocean/spectrum_command.h"
+#include "host/cli/ocean/stats_command.h"
+
+namespace offing::cli {
+
+void add_ocean_command(CLI::App& app, GlobalOptions& options) {
+  CLI::App* ocean =
+      app.add_subcommand("ocean", "a sea: bake its maps, certify it, ask for its water, look at spectra");
+  ocean->require_subcommand(1);
+  add_bake_command(*ocean, options);
+  add_stats_command(*ocean, options);
+  add_query_command(*ocean, options);
+  add_spectrum_command(*ocean, options);
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,304 @@
+#include "host/cli/ocean/query_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <CLI/Option.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/base/argument.h"
+#include "host/base/error.h"
+#include "host/base/progress.h"
+#include "host/base/world_limits.h"
+#include "host/cli/common/device_choice.h"
+#include "host/cli/common/parameter_options.h"
+#include "host/cli/ocean/query_settings.h"
+#include "host/cli/ocean/query_text.h"
+#include "host/cli/ocean/water_left_out.h"
+#include "host/command_line/new_output.h"
+#include "host/command_line/print_summary.h"
+#include "host/io/atomic_file.h"
+#include "host/io/number_table.h"
+#include "host/scene/file/scene_hash.h"
+#include "host/scene/prepare/sea.h"
+
+namespace offing::cli {
+
+namespace {
+
+/// Points that are asked for at once.
+constexpr std::size_t block_points = 65536;
+
+struct QueryArguments {
+  ParameterOptions parameters;
+  std::string at, points_file, time, times, depth, min_wavelength, output_file;
+  bool json = false;
+  Existing existing = Existing::keep;
+
+  bool writes_file() const { return !output_file.empty() && !is_standard_output(output_file); }
+};
+
+/// The points of the command: one, or those of a file, in blocks.
+class PointSource {
+ public:
+  PointSource(const QueryArguments& arguments, const TimeRange& times) {
+    if (arguments.points_file.empty()) {
+      single_ = read_point("--at", arguments.at);
+      return;
+    }
+    file_.emplace(arguments.points_file, NumberColumns{.names = {"x_m", "z_m"},
+                                                       .meaning = "for each point, its x and z in m",
+                                                       .example = "12.5,-40"});
+    if (times.count > 1 && !file_->can_rewind()) {
+      throw Error(ErrorKind::bad_usage,
+                  fmt::format("--points: expected a file that can be read once for each of {} times, found "
+                              "one that can be read only once: {}",
+                              times.count, arguments.points_file),
+                  "write the points to a file first, or ask for one time");
+    }
+  }
+
+  /// Back to the first point. What was not read yet is not rewound: a pipe cannot be.
+  void rewind() {
+    if (file_ && !is_at_start_) {
+      file_->rewind();
+    }
+    is_at_start_ = true;
+  }
+
+  /// None at the end.
+  std::vector<ocean::WaterPoint> next() {
+    std::vector<ocean::WaterPoint> points;
+    if (file_) {
+      const std::vector<double> numbers = file_->next(block_points);
+      for (std::size_t i = 0; i < numbers.size(); i += 2) points.push_back({numbers[i], numbers[i + 1]});
+    } else if (is_at_start_) {
+      points.push_back(single_);
+    }
+    is_at_start_ = false;
+    return points;
+  }
+
+ private:
+  ocean::WaterPoint single_;
+  std::optional<NumberTable> file_;
+  bool is_at_start_ = true;
+};
+
+/// Where answers go: a file that appears when all are there, or standard output; as CSV, as JSON or in words.
+class AnswerSink {
+ public:
+  AnswerSink(const QueryArguments& arguments, const TimeRange& times, double depth_m, GivenInputs inputs)
+      : depth_m_(depth_m), style_(style_of(arguments, times)) {
+    if (arguments.writes_file()) {
+      inputs.names.push_back(arguments.points_file);
+      require_new(arguments.output_file, arguments.existing, inputs);
+      file_.emplace(arguments.output_file, arguments.existing);
+    }
+    if (style_ == Style::csv) {
+      text_ = csv_header();
+    } else if (style_ == Style::json_array) {
+      text_ = "[";
+    }
+  }
+
+  void add(const QueryAnswer& answer) {
+    ++count_;
+    largest_residual_m_ = std::max(largest_residual_m_, answer.sample.residual_m);
+    missed_ += answer.sample.residual_m <= ocean::WaterQuery{}.tolerance_m * 1.1 ? 0 : 1;
+    if (style_ == Style::csv) {
+      append_csv(answer, text_);
+    } else if (style_ == Style::json_object) {
+      text_ += to_json(answer).dump(2) + '\n';
+    } else if (style_ == Style::json_array) {
+      text_ += (count_ > 1 ? ",\n " : "\n ") + to_json(answer).dump();
+    } else {
+      text_ += query_text(answer, depth_m_);
+    }
+  }
+
+  /// Passes on what was added.
+  void flush() {
+    if (file_) {
+      file_->write(text_);
+    } else {
+      fmt::print("{}", text_);
+    }
+    text_.clear();
+  }
+
+  void finish() {
+    if (style_ == Style::json_array) {
+      text_ += "\n]\n";
+    }
+    flush();
+    if (file_) {
+      file_->commit();
+    }
+  }
+
+  std::size_t count() const { return count_; }
+  std::size_t missed() const { return missed_; }
+  float largest_residual_m() const { return largest_residual_m_; }
+
+ private:
+  enum class Style { words, csv, json_object, json_array };
+
+  static Style style_of(const QueryArguments& arguments, const TimeRange& times) {
+    if (arguments.writes_file()) {
+      return Style::csv;
+    }
+    const bool is_single = arguments.points_file.empty() && times.count == 1;
+    if (arguments.json) {
+      return is_single ? Style::json_object : Style::json_array;
+    }
+    return is_single && arguments.output_file.empty() ? Style::words : Style::csv;
+  }
+
+  double depth_m_;
+  Style style_;
+  std::optional<AtomicFile> file_;
+  std::string text_;
+  std::size_t count_ = 0, missed_ = 0;
+  float largest_residual_m_ = 0.0f;
+};
+
+TimeRange read_times(const QueryArguments& arguments) {
+  if (!arguments.times.empty()) {
+    return read_time_range("--times", arguments.times);
+  }
+  return {.first_s = arguments.time.empty() ? 0.0 : read_time_s("--time", arguments.time)};
+}
+
+ocean::WaterQuery read_query(const QueryArguments& arguments, double water_depth_m) {
+  ocean::WaterQuery query;
+  if (!arguments.depth.empty()) {
+    query.depth_m = read_number("--velocity-depth-m", arguments.depth, "m", 0.0,
+                                std::min(deepest_m, water_depth_m), "2.5");
+  }
+  if (!arguments.min_wavelength.empty()) {
+    query.min_wavelength_m =
+        read_number("--min-wavelength-m", arguments.min_wavelength, "m", 0.0, ocean::longest_filter_m, "30");
+  }
+  return query;
+}
+
+void answer(ocean::Ocean& sea, const ocean::TrochoidSea& trochoids, const ocean::WaterQuery& query,
+            const TimeRange& times, PointSource& points, AnswerSink& sink, const GlobalOptions& options) {
+  Progress progress(static_cast<int>(times.count), "times",
+                    times.count > 1 ? options.verbosity : Verbosity::quiet);
+  for (std::int64_t i = 0; i < times.count; ++i) {
+    const double time_s = times.time_s(i);
+    sea.at(time_s);
+    points.rewind();
+    for (auto block = points.next(); !block.empty(); block = points.next()) {
+      options.cancel.throw_if_cancelled();
+      const std::vector<ocean::WaterSample> samples = sea.sample(block, trochoids, query);
+      for (std::size_t point = 0; point < block.size(); ++point) {
+        sink.add({time_s, block[point], samples[point]});
+      }
+      sink.flush();
+    }
+    progress.advance();
+  }
+  sink.finish();
+}
+
+nlohmann::ordered_json summary_json(const QueryArguments& arguments, const ocean::WaterQuery& query,
+                                    const TimeRange& times, const AnswerSink& sink, const std::string& hash) {
+  return {{"file", arguments.output_file},
+          {"times", times.count},
+          {"samples", sink.count()},
+          {"depth_m", query.depth_m},
+          {"min_wavelength_m", query.min_wavelength_m},
+          {"largest_residual_m", shortest_decimals(sink.largest_residual_m())},
+          {"scene_hash", hash}};
+}
+
+void run(const QueryArguments& arguments, const GlobalOptions& options) {
+  if (arguments.at.empty() == arguments.points_file.empty()) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("offing ocean query: expected --at or --points, found {}",
+                            arguments.at.empty() ? "neither" : "both"),
+                "write --at 12.5,-40 for one point, or --points FILE for many");
+  }
+  if (arguments.existing == Existing::replace && arguments.output_file.empty()) {
+    throw Error(ErrorKind::bad_usage, "--force: expected -o, whose file it replaces, found none",
+                "add -o FILE, or leave --force out");
+  }
+  const TimeRange times = read_times(arguments);
+  const scene::OceanScene scene = arguments.parameters.read();
+  const scene::Sea sea = scene::prepare_sea(scene);
+  warn_of_water_left_out(scene, "answers");
+  const ocean::WaterQuery query = read_query(arguments, sea.spectrum.dispersion.depth_m);
+  PointSource points(arguments, times);
+  AnswerSink sink(arguments, times, query.depth_m, arguments.parameters.inputs(scene));
+  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
+  ocean::Ocean ocean(device, sea.spectrum, sea.parameters);
+  answer(ocean, scene::trochoids_of(sea, sea.parameters.seed), query, times, points, sink, options);
+  if (sink.missed() > 0) {
+    spdlog::warn(
+        "{} of {} samples miss their point by more than {:g} m, under crests that fold: see residual_m",
+        sink.missed(), sink.count(), query.tolerance_m);
+  }
+  if (!arguments.writes_file()) {
+    return;
+  }
+  if (arguments.json) {
+    const std::string hash = scene::scene_hash(
+        scene, sea, fmt::format("query depth {:.17g} from {:.17g}", query.depth_m, query.min_wavelength_m));
+    fmt::print("{}\n", summary_json(arguments, query, times, sink, hash).dump(2));
+  } else {
+    print_summary("{} samples written: {}\n", sink.count(), arguments.output_file);
+  }
+}
+
+}  // namespace
+
+void add_query_command(CLI::App& ocean, GlobalOptions& options) {
+  using enum scene::ParameterGroup;
+  const auto arguments = std::make_shared<QueryArguments>();
+  CLI::App* command = ocean.add_subcommand(
+      "query", "the water at points: height, normal, velocity and pressure; wave probes");
+  constexpr const char* group = "Query";
+  const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
+    return command->add_option(names, target, help)->type_name(placeholder)->group(group);
+  };
+  add("--at", arguments->at, "X,Z", "one point, m, x east and z south");
+  add("--points", arguments->points_file, "FILE",
+      "many: CSV with the columns x_m and z_m, or with these two numbers a line");
+  CLI::Option* one_time = add("--time", arguments->time, "T", "one time, s (default 0)");
+  add("--times", arguments->times, "A:B:DT", "instead of --time: A, A + DT, ... to B, s")->excludes(one_time);
+  add("--velocity-depth-m", arguments->depth, "D",
+      "velocity and pressure D m below the moving surface, down to the bed (default 0)\nby linear theory "
+      "with "
+      "Wheeler stretching");
+  add("--min-wavelength-m", arguments->min_wavelength, "L",
+      "leave shorter waves out, as a hull longer than they are does not feel them (default 0: none)");
+  add("-o,--output", arguments->output_file, "FILE",
+      "CSV to write, whole or not at all (default or -: standard output)");
+  add_force_flag(*command, arguments->existing)->group(group);
+  command
+      ->add_flag("--json", arguments->json,
+                 "results for scripts: an object for one point and time, else an array\nwith -o a summary")
+      ->group(group);
+  arguments->parameters.add_to(*command, {world, sea, grid});
+  add_global_options(*command, options, DeviceUse::one);
+  command->footer(R"(
+Each sample is of the surface as it is displaced: the label under the point is searched until it misses by
+residual_m, 0.0001 m at most but under folding crests. The pressure is above that of the air, in sea water of
+1025 kg/m^3. Rings of raindrops count for height and pressure, and not for velocity. Samples come time by
+time, points in the order of the file.
+
+Examples:
+  offing ocean query scenes/storm.toml --at 120,-35 --time 12.5 --velocity-depth-m 3
+  offing ocean query scenes/storm.toml --points probes.csv --times 0:600:0.1 -o probes_out.csv
+  offing ocean query --wind-speed-mps 15 --at 0,0 --times 0:60:0.5 --min-wavelength-m 40 --json)");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "host/ocean/query/water_point.h"
+
+namespace offing::cli {
+
+/// Times first, first + step, ... `count` of them.
+struct TimeRange {
+  double first_s = 0.0, step_s = 0.0;
+  std::int64_t count = 1;
+
+  double time_s(std::int64_t index) const { return first_s + static_cast<double>(index) * step_s; }
+};
+
+/// "A:B:DT" in s: from A to B, both included where DT meets it. Throws Error(bad_usage) unless A <= B, DT >
+/// 0, |A| and |B| are within largest_time_s and there are at most 1e7 of them.
+TimeRange read_time_range(std::string_view flag, std::string_view text);
+
+/// One time in s within largest_time_s. Throws Error(bad_usage).
+double read_time_s(std::string_view flag, std::string_view text);
+
+/// "X,Z" in m. Throws Error(bad_usage) unless both are within farthest_point_m.
+ocean::WaterPoint read_point(std::string_view flag, std::string_view text);
+
+}  // namespace offing::cli

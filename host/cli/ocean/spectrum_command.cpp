@@ -1,0 +1,196 @@
+#include "host/cli/ocean/spectrum_command.h"
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <CLI/Option.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/base/argument.h"
+#include "host/base/error.h"
+#include "host/base/progress.h"
+#include "host/base/wave_spectrum.h"
+#include "host/cli/common/direction_text.h"
+#include "host/cli/ocean/spectrum_text.h"
+#include "host/cli/pictures/spectrum_plot.h"
+#include "host/command_line/new_output.h"
+#include "host/command_line/trust_flag.h"
+#include "host/io/file_extension.h"
+#include "host/io/spectra/read_spectra.h"
+#include "host/io/spectra/write_ww3_spectra.h"
+#include "host/ocean/spectrum/spectrum_parameters.h"
+
+namespace offing::cli {
+
+namespace {
+
+struct SpectrumArguments {
+  std::string file;
+  std::string record;
+  std::string plot;
+  std::string export_file;
+  bool json = false;
+  Existing existing = Existing::keep;
+  DirectionStyle directions = DirectionStyle::travel;
+  Trust trust = Trust::trusted;
+};
+
+/// The sea state of a record, in deep water unless the file says otherwise; all 0 for a record without
+/// energy.
+ocean::SeaState state_of(const WaveSpectrum& record) {
+  if (variance_m2(record) <= 0.0) {
+    return {};
+  }
+  ocean::Dispersion dispersion;
+  if (record.depth_m) {
+    dispersion.depth_m = *record.depth_m;
+  }
+  return ocean::integrate_sea_state(ocean::from_measured(record, {}, dispersion));
+}
+
+/// A record of the file with what it comes to.
+struct Listed {
+  std::size_t index;
+  const WaveSpectrum& record;
+  ocean::SeaState state;
+};
+
+/// The chosen record, or all. Thousands take half a minute: tells how far it is, and stops when asked to.
+std::vector<Listed> integrate(const std::vector<WaveSpectrum>& records, std::optional<std::size_t> chosen,
+                              const GlobalOptions& options) {
+  const std::size_t first = chosen.value_or(0), count = chosen ? 1 : records.size();
+  constexpr std::size_t done_in_a_blink = 100;
+  Progress progress(static_cast<int>(count), "records",
+                    count <= done_in_a_blink ? Verbosity::quiet : options.verbosity);
+  std::vector<Listed> listed;
+  for (std::size_t i = first; i < first + count; ++i) {
+    options.cancel.throw_if_cancelled();
+    listed.push_back({i, records[i], state_of(records[i])});
+    progress.advance();
+  }
+  return listed;
+}
+
+nlohmann::json to_json(const Listed& listed, DirectionStyle style) {
+  const auto& [index, record, state] = listed;
+  nlohmann::json json = {{"record", index},           {"time_utc", record.time_utc},
+                         {"station", record.station}, {"directional", record.is_directional()},
+                         {"hs_m", state.hs_m},        {"tp_s", state.tp_s},
+                         {"tm01_s", state.tm01_s},    {"tm02_s", state.tm02_s}};
+  json["mean_direction_deg"] = nullptr;
+  if (record.is_directional()) {
+    json["mean_direction_deg"] = direction_deg(state.mean_direction_rad, style);
+  }
+  json["depth_m"] = record.depth_m ? nlohmann::json(*record.depth_m) : nlohmann::json();
+  return json;
+}
+
+void print_list(const std::string& file, const std::vector<Listed>& records, DirectionStyle style) {
+  const WaveSpectrum& first = records.front().record;
+  fmt::print("{}: {} record{}, {} frequencies {:.4g} ... {:.4g} Hz{}\n", file, records.size(),
+             records.size() == 1 ? "" : "s", first.frequencies_hz.size(), first.frequencies_hz.front(),
+             first.frequencies_hz.back(), first.is_directional() ? ", directional" : ", without directions");
+  fmt::print("{:>6}  {:<20}  {:>7}  {:>6}  {:>6}  {:>15}\n", "record", "time", "Hs m", "Tp s", "Tm02 s",
+             direction_unit(style));
+  for (const auto& [index, record, state] : records) {
+    const std::string direction = record.is_directional() && state.m0_m2 > 0.0
+                                      ? fmt::format("{:.1f}", direction_deg(state.mean_direction_rad, style))
+                                      : "-";
+    fmt::print("{:>6}  {:<20}  {:>7.3f}  {:>6.2f}  {:>6.2f}  {:>15}\n", index, record.time_utc, state.hs_m,
+               state.tp_s, state.tm02_s, direction);
+  }
+}
+
+/// A plot is of one record: of many, it must be said which.
+void require_one_record(const SpectrumArguments& arguments, std::size_t count) {
+  if (arguments.plot.empty() || !arguments.record.empty() || count == 1) return;
+  throw Error(ErrorKind::bad_usage,
+              fmt::format("--plot: expected --record, which of the {} records to draw, found none", count),
+              fmt::format("write --record N with N within [0, {}]", count - 1));
+}
+
+void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
+  if (!arguments.plot.empty()) require_extension(arguments.plot, {".png"});
+  const std::vector<WaveSpectrum> records = read_spectra(arguments.file, arguments.trust);
+  std::optional<std::size_t> chosen;
+  if (!arguments.record.empty()) {
+    chosen = static_cast<std::size_t>(
+        read_whole("--record", arguments.record, 0, static_cast<std::int64_t>(records.size()) - 1, "0"));
+  }
+  require_one_record(arguments, records.size());
+  require_distinct({{"--plot", arguments.plot}, {"--export-spectrum", arguments.export_file}});
+  for (const std::string* output : {&arguments.plot, &arguments.export_file}) {
+    if (output == &arguments.export_file && is_standard_output(*output)) continue;  // text
+    require_new(*output, arguments.existing, {{arguments.file}, arguments.trust});
+  }
+  if (!arguments.plot.empty()) {
+    const WaveSpectrum& drawn = records[chosen.value_or(0)];
+    write_spectrum_plot(arguments.plot, drawn, state_of(drawn), arguments.directions, arguments.existing);
+  }
+  if (!arguments.export_file.empty()) {
+    const std::span<const WaveSpectrum> all(records);
+    const std::span<const WaveSpectrum> exported = chosen ? all.subspan(*chosen, 1) : all;
+    if (is_standard_output(arguments.export_file)) {
+      fmt::print("{}", ww3_text(arguments.file, exported));
+      return;
+    }
+    write_ww3_spectra(arguments.export_file, exported, arguments.existing);
+  }
+
+  const std::vector<Listed> listed = integrate(records, chosen, options);
+  if (arguments.json) {
+    nlohmann::json json = {{"file", arguments.file}, {"records", nlohmann::json::array()}};
+    for (const Listed& one : listed) {
+      json["records"].push_back(to_json(one, arguments.directions));
+    }
+    if (chosen) {
+      json["records"][0]["frequencies_hz"] = records[*chosen].frequencies_hz;
+      json["records"][0]["energy_m2_per_hz"] = records[*chosen].energy;
+    }
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    return;
+  }
+  if (chosen) {
+    fmt::print("{}", spectrum_text(listed.front().record, listed.front().state, arguments.directions));
+  } else {
+    print_list(arguments.file, listed, arguments.directions);
+  }
+}
+
+}  // namespace
+
+void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
+  const auto arguments = std::make_shared<SpectrumArguments>();
+  CLI::App* command = ocean.add_subcommand("spectrum", "list, draw and convert measured wave spectra");
+  command->add_option("FILE", arguments->file, "NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF spectra")
+      ->required()
+      ->type_name("");
+  command->add_option("--record", arguments->record, "draw this record, counted from 0 (default: list all)")
+      ->type_name("N");
+  command
+      ->add_option("--plot", arguments->plot, "write a picture (.png): energy against frequency, and polar")
+      ->type_name("FILE");
+  command
+      ->add_option("--export-spectrum", arguments->export_file,
+                   "write the record, or all records, as WAVEWATCH III text (.spec); -: to standard output, "
+                   "without other text")
+      ->type_name("FILE");
+  add_force_flag(*command, arguments->existing);
+  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag_callback(
+      "--compass", [arguments] { arguments->directions = DirectionStyle::from_bearing; },
+      "print directions that the sea comes from, clockwise from north (default: of travel, from east toward "
+      "south); files keep their own");
+  add_trust_flag(*command, arguments->trust);
+  add_global_options(*command, options, DeviceUse::none);
+  command->footer(R"(
+Examples:
+  offing ocean spectrum 41010.data_spec
+  offing ocean spectrum 41010.data_spec --record 0 --plot sea.png)");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

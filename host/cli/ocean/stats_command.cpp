@@ -1,0 +1,59 @@
+#include "host/cli/ocean/stats_command.h"
+
+#include <memory>
+
+#include <CLI/Option.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/base/argument.h"
+#include "host/base/progress.h"
+#include "host/cli/common/device_choice.h"
+#include "host/cli/common/parameter_options.h"
+#include "host/cli/ocean/certificate.h"
+#include "host/cli/ocean/certificate_text.h"
+
+namespace offing::cli {
+
+namespace {
+
+struct StatsArguments {
+  ParameterOptions parameters;
+  std::string seeds = "8";
+  bool json = false;
+};
+
+void run(const StatsArguments& arguments, const GlobalOptions& options) {
+  const int seeds = static_cast<int>(read_whole("--seeds", arguments.seeds, 1, 100000, "20"));
+  const scene::Sea sea = scene::prepare_sea(arguments.parameters.read());
+  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
+  const Certificate certificate = [&] {
+    Progress progress(seeds, "seeds", options.verbosity);
+    return certify(device, sea, seeds, progress, options.cancel);
+  }();
+  if (arguments.json) {
+    fmt::print("{}\n", certificate_json(certificate, sea, arguments.parameters.directions()).dump(2));
+  } else {
+    fmt::print("{}", certificate_text(certificate, sea, arguments.parameters.directions()));
+  }
+}
+
+}  // namespace
+
+void add_stats_command(CLI::App& ocean, GlobalOptions& options) {
+  using enum scene::ParameterGroup;
+  const auto arguments = std::make_shared<StatsArguments>();
+  CLI::App* command =
+      ocean.add_subcommand("stats", "certify a sea: what was asked against what the surface has");
+  arguments->parameters.add_to(*command, {world, sea, grid});
+  command->add_option("--seeds", arguments->seeds, "seas to average over (default 8)")->type_name("K");
+  command->add_flag("--json", arguments->json, "results for scripts");
+  add_global_options(*command, options, DeviceUse::one);
+  command->footer(R"(
+Examples:
+  offing ocean stats --spectrum pm --wind-speed-mps 10 --seeds 20
+  offing ocean stats --spectrum-file 41010.data_spec --record 0 --json)");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,152 @@
+#include "host/cli/ocean/surface_meter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <numeric>
+
+#include "host/ocean/query/trochoid_instant.h"
+#include "host/ocean/spectrum/sea_statistics.h"
+
+namespace offing::cli {
+
+namespace {
+
+/// Labels at which the composed surface is looked at: the standard error of skewness, sqrt(6 / count) for
+/// independent samples, is then 0.005, far below the scatter from sea to sea.
+constexpr int sample_count = 1 << 18;
+
+/// Side of the square that the labels cover, in lengths of the longest patch: wide enough that every
+/// combination of places within the patches occurs.
+constexpr double square_patches = 64.0;
+
+/// Label `index` of a low-discrepancy sequence over the unit square (Roberts 2018, R2: the plastic number's
+/// powers).
+std::pair<double, double> label(int index) {
+  constexpr double plastic = 1.32471795724474602596;
+  const double u = 0.5 + index / plastic;
+  const double v = 0.5 + index / (plastic * plastic);
+  return {u - std::floor(u), v - std::floor(v)};
+}
+
+int texel(double position_m, double patch_length_m, int size) {
+  const double turns = position_m / patch_length_m;
+  return std::min(static_cast<int>((turns - std::floor(turns)) * size), size - 1);
+}
+
+/// Moments of the elevation and the folded share, of all cascades and trochoids together.
+void measure_shape(const std::vector<ocean::SurfaceFields>& surfaces,
+                   const std::vector<ocean::Cascade>& cascades, const ocean::TrochoidInstant& trochoids,
+                   SurfaceMeasurement& measurement) {
+  double square_m_longest = 0.0;
+  for (const ocean::Cascade& cascade : cascades) {
+    square_m_longest = std::max(square_m_longest, cascade.patch_length_m);
+  }
+  double m2 = 0.0, m3 = 0.0, m4 = 0.0;
+  int folded = 0;
+  for (int i = 0; i < sample_count; ++i) {
+    const auto [u, v] = label(i);
+    const double square_m = square_patches * square_m_longest;
+    const ocean::TrochoidValues values = trochoids.at(u * square_m, v * square_m);
+    double height_m = values.displacement_y_m;
+    double xx = 1.0 + values.gradient_xx, xz = values.gradient_xz, zz = 1.0 + values.gradient_zz;
+    for (std::size_t c = 0; c < cascades.size(); ++c) {
+      const ocean::SurfaceFields& surface = surfaces[c];
+      const int row = texel(v * square_m, cascades[c].patch_length_m, surface.size);
+      const int column = texel(u * square_m, cascades[c].patch_length_m, surface.size);
+      const std::size_t at = static_cast<std::size_t>(row) * surface.size + column;
+      height_m += surface.displacement_y[at];
+      xx += surface.gradient_xx[at];
+      xz += surface.gradient_xz[at];
+      zz += surface.gradient_zz[at];
+    }
+    const double square = height_m * height_m;  // the mean level is 0: no wave has K = 0
+    m2 += square;
+    m3 += square * height_m;
+    m4 += square * square;
+    folded += xx * zz - xz * xz <= 0.0 ? 1 : 0;
+  }
+  m2 /= sample_count;
+  if (m2 > 0.0) {
+    measurement.skewness = m3 / sample_count / std::pow(m2, 1.5);
+    measurement.kurtosis = m4 / sample_count / (m2 * m2);
+  }
+  measurement.folded_share = static_cast<double>(folded) / sample_count;
+}
+
+}  // namespace
+
+SurfaceMeter::SurfaceMeter(const ocl::Device& device, int size)
+    : forward_(device, size, 1, fft::Direction::forward),
+      packed_(device, forward_.float_count(), "measured surface"),
+      transformed_(device, forward_.float_count(), "transformed surface") {}
+
+SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea, const ocean::TrochoidSea& trochoids) {
+  const ocean::Dispersion& dispersion = trochoids.dispersion;
+  const std::vector<ocean::Cascade>& cascades = sea.parameters().cascades;
+  SurfaceMeasurement measurement;
+  std::vector<ocean::SurfaceFields> surfaces;
+  std::vector<std::vector<float>> energies;
+  std::vector<ocean::ModeEnergies> modes;
+  for (std::size_t i = 0; i < cascades.size(); ++i) {
+    const int cascade = static_cast<int>(i);
+    surfaces.push_back(sea.read_surface(cascade));
+    const ocean::VelocityFields velocity = sea.read_velocity(cascade);
+    energies.push_back(
+        travelling_energies(surfaces.back(), velocity.y, cascades[i].patch_length_m, dispersion));
+    measurement.cascade_m0_m2.push_back(std::accumulate(energies.back().begin(), energies.back().end(), 0.0));
+    modes.push_back({cascades[i].patch_length_m, surfaces.back().size, energies.back()});
+  }
+  measurement.state = ocean::sea_state_of(modes, dispersion, trochoids.waves);
+  measurement.cascade_mss = ocean::sea_state_of(modes, dispersion).mss;
+  measure_shape(surfaces, cascades, ocean::TrochoidInstant(trochoids, 0.0), measurement);
+  return measurement;
+}
+
+/// Splits the surface into waves that travel toward +K, one a cell. With h(K) = h0(K) e^(-i w t) +
+/// conj(h0(-K)) e^(i w t) its rate of change is h'(K) = -i w (h0(K) e^(-i w t) - conj(h0(-K)) e^(i w t)), so
+/// that (h + i h' / w) / 2 is h0(K) e^(-i w t) alone: a wave of variance 2 |h0(K)|^2. In linear theory the
+/// vertical velocity of the particles at the surface is h'.
+std::vector<float> SurfaceMeter::travelling_energies(const ocean::SurfaceFields& surface,
+                                                     const std::vector<float>& rise_mps,
+                                                     double patch_length_m,
+                                                     const ocean::Dispersion& dispersion) {
+  const int n = surface.size;
+  const std::size_t count = surface.displacement_y.size();
+  std::vector<float> values(2 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    values[2 * i] = surface.displacement_y[i];
+    values[2 * i + 1] = rise_mps[i];
+  }
+  packed_.write(values);
+  forward_.transform(packed_, transformed_);
+  transformed_.read(values);
+
+  const auto packed_at = [&](int row, int column) {
+    const std::size_t at = 2 * (static_cast<std::size_t>(row) * n + column);
+    return std::complex<double>(values[at], values[at + 1]) / static_cast<double>(count);
+  };
+  std::vector<float> energies(count, 0.0f);
+  const double step_radpm = 2.0 * std::numbers::pi / patch_length_m;
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column < n; ++column) {
+      if ((row == 0 && column == 0) || row == n / 2 || column == n / 2) {
+        continue;  // no wave there: the mean, and the Nyquist lines, which have no partner
+      }
+      const int z = row < n / 2 ? row : row - n;
+      const int x = column < n / 2 ? column : column - n;
+      const double omega_radps = dispersion.omega_radps(step_radpm * std::hypot(x, z));
+      // Two real fields in one transform: the even part is h, the odd part i h'.
+      const std::complex<double> here = packed_at(row, column);
+      const std::complex<double> opposite = std::conj(packed_at((n - row) % n, (n - column) % n));
+      const std::complex<double> height = 0.5 * (here + opposite);
+      const std::complex<double> i_rise = 0.5 * (here - opposite);
+      energies[static_cast<std::size_t>(row) * n + column] =
+          static_cast<float>(2.0 * std::norm(0.5 * (height + i_rise / omega_radps)));
+    }
+  }
+  return energies;
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,69 @@
+#include "host/cli/terrain/terrain_batch.h"
+
+#include <optional>
+#include <utility>
+
+#include <CLI/Option.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/base/error.h"
+#include "host/io/atomic_file.h"
+
+namespace offing::cli {
+
+namespace {
+
+constexpr std::size_t block_rows = 65536;
+constexpr const char* group = "Many at once";
+
+}  // namespace
+
+void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::string& single) {
+  columns_ = std::move(columns);
+  single_ = single;
+  CLI::Option* points = command
+                            .add_option("--points", points_,
+                                        fmt::format("CSV with columns {},\nin any order under a header line, "
+                                                    "alone and in this order without",
+                                                    fmt::join(columns_.names, ",")))
+                            ->type_name("FILE")
+                            ->group(group)
+                            ->excludes(command.get_option(single))
+                            ->excludes(command.get_option("--json"));
+  command
+      .add_option("-o,--output", output_, "CSV to write, whole or not at all (default or -: standard output)")
+      ->type_name("FILE")
+      ->group(group)
+      ->needs(points);
+  add_force_flag(command, existing_)->group(group)->needs(points);
+}
+
+void TerrainBatch::require_question(const std::string& single, const TerrainInput& ground) const {
+  if (!is_standard_output(output_))
+    require_new(output_, existing_, {{ground.file(), points_}, ground.trust()});
+  if (is_asked() || !single.empty()) return;
+  throw Error(ErrorKind::bad_usage, fmt::format("expected {} or --points, found neither", single_),
+              "give one question, or a file of them");
+}
+
+void TerrainBatch::answer(std::string_view heading, const Answer& answer,
+                          const GlobalOptions& options) const {
+  NumberTable table(points_, columns_);
+  std::optional<AtomicFile> file;
+  if (!output_.empty() && !is_standard_output(output_)) file.emplace(output_, existing_);
+  std::string text = fmt::format("{}\n", heading);
+  for (auto rows = table.next(block_rows); !rows.empty(); rows = table.next(block_rows)) {
+    options.cancel.throw_if_cancelled();
+    answer(rows, table, text);
+    if (file) {
+      file->write(text);
+    } else {
+      fmt::print("{}", text);
+    }
+    text.clear();
+  }
+  if (file) file->commit();
+}
+
+}  // namespace offing::cli

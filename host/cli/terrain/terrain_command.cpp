@@ -1,0 +1,31 @@
+#include "host/cli/terrain/terrain_command.h"
+
+#include "host/cli/terrain/terrain_fly_command.h"
+#include "host/cli/terrain/terrain_generate_command.h"
+#include "host/cli/terrain/terrain_height_command.h"
+#include "host/cli/terrain/terrain_info_command.h"
+#include "host/cli/terrain/terrain_los_command.h"
+#include "host/cli/terrain/terrain_profile_command.h"
+#include "host/cli/terrain/terrain_ray_command.h"
+#include "host/cli/terrain/terrain_render_command.h"
+#include "host/cli/terrain/terrain_tile_command.h"
+#include "host/cli/terrain/terrain_viewshed_command.h"
+
+namespace offing::cli {
+
+void add_terrain_command(CLI::App& app, GlobalOptions& options) {
+  CLI::App* terrain = app.add_subcommand("terrain", "height maps: inspect, make, draw and query them");
+  terrain->require_subcommand(1);
+  add_terrain_info_command(*terrain, options);
+  add_terrain_generate_command(*terrain, options);
+  add_terrain_render_command(*terrain, options);
+  add_terrain_tile_command(*terrain, options);
+  add_terrain_fly_command(*terrain, options);
+  add_terrain_height_command(*terrain, options);
+  add_terrain_profile_command(*terrain, options);
+  add_terrain_ray_command(*terrain, options);
+  add_terrain_los_command(*terrain, options);
+  add_terrain_viewshed_command(*terrain, options);
+}
+
+}  // namespace offing::cli

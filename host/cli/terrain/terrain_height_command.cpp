@@ -1,0 +1,98 @@
+#include "host/cli/terrain/terrain_height_command.h"
+
+#include <iterator>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "host/base/argument.h"
+#include "host/cli/terrain/terrain_batch.h"
+#include "host/cli/terrain/terrain_ground.h"
+#include "host/cli/terrain/terrain_place.h"
+#include "host/command_line/print_json.h"
+
+namespace offing::cli {
+
+namespace {
+
+struct TerrainHeightArguments {
+  TerrainInput input;
+  TerrainBatch batch;
+  bool smooth_normals = false;
+  std::string at;
+  bool json = false;
+};
+
+struct Answer {
+  terrain::GroundPoint ground;
+  bool is_measured;
+};
+
+/// `place` names where the question comes from.
+Answer answer_to(const TerrainHeightArguments& arguments, const std::string& place,
+                 const terrain::GroundPosts& posts, double x_m, double z_m) {
+  terrain::GroundPoint ground = ground_under(place, posts, x_m, z_m);
+  if (arguments.smooth_normals) ground.normal = *terrain::smooth_normal_at(posts, x_m, z_m);
+  return {ground, *terrain::is_measured_at(posts, x_m, z_m)};
+}
+
+void answer_one(const TerrainHeightArguments& arguments, const terrain::GroundPosts& posts,
+                const std::vector<double>& place) {
+  const auto [ground, is_measured] = answer_to(arguments, "--at", posts, place[0], place[1]);
+  if (arguments.json) {
+    print_json({{"height_m", ground.height_m},
+                {"normal", to_json(ground.normal)},
+                {"slope_deg", slope_deg(ground.normal)},
+                {"measured", is_measured}});
+  } else {
+    fmt::print("height {:.3f} m, slope {:.2f} degrees, normal ({:.4f}, {:.4f}, {:.4f}){}\n", ground.height_m,
+               slope_deg(ground.normal), ground.normal.x, ground.normal.y, ground.normal.z,
+               is_measured ? "" : "; not measured: the map has a void here, which was filled in");
+  }
+}
+
+void run(const TerrainHeightArguments& arguments, const GlobalOptions& options) {
+  arguments.batch.require_question(arguments.at, arguments.input);
+  std::vector<double> place;
+  if (!arguments.batch.is_asked()) place = read_numbers("--at", arguments.at, 2, "X,Z", "1200,350.5");
+  const TerrainGround of(arguments.input, {});
+  if (!arguments.batch.is_asked()) return answer_one(arguments, of.posts(), place);
+  arguments.batch.answer(
+      "x_m,z_m,height_m,normal_x,normal_y,normal_z,slope_deg,measured",
+      [&](const std::vector<double>& rows, const NumberTable& table, std::string& text) {
+        for (std::size_t i = 0; i < rows.size(); i += 2) {
+          const double x_m = rows[i], z_m = rows[i + 1];
+          const auto [ground, is_measured] =
+              answer_to(arguments, table.place_of(i / 2), of.posts(), x_m, z_m);
+          fmt::format_to(std::back_inserter(text), "{:.12g},{:.12g},{:.9g},{:.7g},{:.7g},{:.7g},{:.7g},{}\n",
+                         x_m, z_m, ground.height_m, ground.normal.x, ground.normal.y, ground.normal.z,
+                         slope_deg(ground.normal), is_measured ? 1 : 0);
+        }
+      },
+      options);
+}
+
+}  // namespace
+
+void add_terrain_height_command(CLI::App& terrain, GlobalOptions& options) {
+  const auto arguments = std::make_shared<TerrainHeightArguments>();
+  CLI::App* command = terrain.add_subcommand("height", "height, normal and slope of the ground at a point");
+  arguments->input.add_to(*command);
+  command->add_option("--at", arguments->at, "where, m")->type_name("X,Z");
+  command->add_flag("--smooth-normals", arguments->smooth_normals,
+                    "normal and slope without creases, from posts around the patch; default its own");
+  command->add_flag("--json", arguments->json, "results for scripts");
+  arguments->batch.add_to(
+      *command,
+      {.names = {"x_m", "z_m"}, .meaning = "for each point, its x and z in m", .example = "1200,350.5"},
+      "--at");
+  add_global_options(*command, options, DeviceUse::none);
+  command->footer(
+      fmt::format("\n{}\nGround is measured where the map has no void; voids are filled in.\n\nExample:\n  "
+                  "offing terrain height S33W071.tif --at 47000,55000 --json\n"
+                  "  offing terrain height S33W071.tif --points wells.csv -o heights.csv",
+                  place_footer));
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,170 @@
+#include "host/cli/terrain/terrain_info_command.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/base/error_report.h"
+#include "host/cli/terrain/store_info.h"
+#include "host/cli/terrain/terrain_input.h"
+#include "host/cli/terrain/terrain_place.h"
+#include "host/command_line/print_json.h"
+#include "host/io/tile_store/tile_store.h"
+
+namespace offing::cli {
+
+namespace {
+
+struct TerrainInfoArguments {
+  TerrainInput input;
+  bool json = false;
+};
+
+const char* name_of(SpacingSource source) {
+  switch (source) {
+    case SpacingSource::file:
+      return "file";
+    case SpacingSource::latitude:
+      return "latitude";
+    case SpacingSource::mercator:
+      return "mercator";
+    case SpacingSource::reprojected:
+      return "reprojected";
+    case SpacingSource::options:
+      return "options";
+    case SpacingSource::assumed:
+      return "assumed";
+  }
+  return "";
+}
+
+std::string explanation(const HeightMapSource& source) {
+  switch (source.spacing_source) {
+    case SpacingSource::file:
+      return "as the file says";
+    case SpacingSource::latitude:
+      return "degrees, in metres at the latitude of the middle row";
+    case SpacingSource::mercator:
+      return fmt::format("as the file says, divided by the Mercator scale {:.5g} at the middle row",
+                         source.projection_scale);
+    case SpacingSource::reprojected:
+      return "resampled to metres";
+    case SpacingSource::options:
+      return "as asked";
+    case SpacingSource::assumed:
+      return "assumed: the file does not say; state it with --spacing-m";
+  }
+  return "";
+}
+
+const char* name_of(SampleExtent extent) {
+  return extent == SampleExtent::area ? "area" : extent == SampleExtent::point ? "point" : "unknown";
+}
+
+const char* name_of(const HeightMapOptions& options) {
+  return options.void_height_m ? "constant" : "pull-push";
+}
+
+nlohmann::ordered_json to_json(const TerrainInfoArguments& arguments, const HeightMapOptions& options,
+                               const HeightMapFile& file) {
+  const auto& [map, source] = file;
+  const auto or_null = [](const std::optional<double>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+  };
+  nlohmann::ordered_json json = {{"file", arguments.input.file()},
+                                 {"format", source.format},
+                                 {"sample_type", source.sample_type},
+                                 {"sample_extent", name_of(source.sample_extent)},
+                                 {"columns", map.columns},
+                                 {"rows", map.rows},
+                                 {"spacing_x_m", map.spacing_x_m},
+                                 {"spacing_z_m", map.spacing_z_m},
+                                 {"spacing_source", name_of(source.spacing_source)},
+                                 {"projection_scale", source.projection_scale},
+                                 {"extent_x_m", map.spacing_x_m * (map.columns - 1)},
+                                 {"extent_z_m", map.spacing_z_m * (map.rows - 1)},
+                                 {"lowest_m", source.lowest_m},
+                                 {"highest_m", source.highest_m},
+                                 {"void_posts", source.void_posts},
+                                 {"void_area_m2", source.void_area_m2}};
+  json["void_fill"] =
+      source.void_posts > 0 ? nlohmann::ordered_json(name_of(options)) : nlohmann::ordered_json();
+  json["coordinate_system"] = source.coordinate_system.empty()
+                                  ? nlohmann::ordered_json()
+                                  : nlohmann::ordered_json(source.coordinate_system);
+  json["first_post"] = map.georeference.step_x == 0.0
+                           ? nlohmann::ordered_json()
+                           : nlohmann::ordered_json{map.georeference.origin_x, map.georeference.origin_y};
+  json["centre_latitude_deg"] = or_null(source.centre_latitude_deg);
+  json["centre_longitude_deg"] = or_null(source.centre_longitude_deg);
+  return json;
+}
+
+void print_text(const TerrainInfoArguments& arguments, const HeightMapOptions& options,
+                const HeightMapFile& file) {
+  const auto& [map, source] = file;
+  constexpr double m2_a_km2 = 1e6;
+  const auto line = [](const char* label, const std::string& text) {
+    fmt::print("  {:<10} {}\n", label, text);
+  };
+  fmt::print("{}: {}, {}\n", one_line(arguments.input.file()), source.format, source.sample_type);
+  line("posts", fmt::format("{} x {}", map.columns, map.rows));
+  line("spacing", fmt::format("{:.6g} m along x, {:.6g} m along z ({})", map.spacing_x_m, map.spacing_z_m,
+                              explanation(source)));
+  line("extent", fmt::format("{:.6g} m x {:.6g} m", map.spacing_x_m * (map.columns - 1),
+                             map.spacing_z_m * (map.rows - 1)));
+  line("heights", fmt::format("{:g} ... {:g} m", source.lowest_m, source.highest_m));
+  line("voids", source.void_posts == 0
+                    ? "none"
+                    : fmt::format("{} post{}, {:.4g} km^2, {}", source.void_posts,
+                                  source.void_posts == 1 ? "" : "s", source.void_area_m2 / m2_a_km2,
+                                  options.void_height_m ? fmt::format("set to {:g} m", *options.void_height_m)
+                                                        : "filled from the posts around them (pull-push)"));
+  if (map.georeference.step_x != 0.0) {
+    line("place", fmt::format("first post at {:.10g}, {:.10g} in {}", map.georeference.origin_x,
+                              map.georeference.origin_y,
+                              source.coordinate_system.empty() ? "a system without name"
+                                                               : one_line(source.coordinate_system)));
+  }
+  if (source.centre_latitude_deg) {
+    line("centre",
+         fmt::format("{:.6f} N, {:.6f} E", *source.centre_latitude_deg, *source.centre_longitude_deg));
+  }
+}
+
+void run(const TerrainInfoArguments& arguments) {
+  if (is_tile_store(arguments.input.file())) {
+    print_store_info(arguments.input.file(), arguments.json ? InfoStyle::json : InfoStyle::text);
+    return;
+  }
+  const HeightMapOptions options = arguments.input.options();
+  const HeightMapFile file = arguments.input.read();
+  if (arguments.json) {
+    print_json(to_json(arguments, options, file));
+  } else {
+    print_text(arguments, options, file);
+  }
+}
+
+}  // namespace
+
+void add_terrain_info_command(CLI::App& terrain, GlobalOptions& options) {
+  const auto arguments = std::make_shared<TerrainInfoArguments>();
+  CLI::App* command = terrain.add_subcommand("info", "size, spacing, range, voids and place of a height map");
+  arguments->input.add_to(*command);
+  command->add_flag("--json", arguments->json, "results for scripts");
+  add_global_options(*command, options, DeviceUse::none);
+  command->footer(R"(
+FILE may also be a tile store of `offing terrain tile`.
+
+Voids are places without a height. They are filled from the posts around them and stay marked.
+
+Examples:
+  offing terrain info N42E001.hgt.zip
+  offing terrain info tile.png --encoding terrarium --spacing-m 75 --json
+  offing terrain info heights.r16 --raw-size 1025x1025 --scale 0.1 --spacing-m 75)");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,194 @@
+#include "host/cli/terrain/terrain_ray_command.h"
+
+#include <cmath>
+#include <iterator>
+#include <memory>
+
+#include <CLI/Option.hpp>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "host/base/argument.h"
+#include "host/cli/common/device_choice.h"
+#include "host/cli/terrain/earth_curve_flags.h"
+#include "host/cli/terrain/terrain_batch.h"
+#include "host/cli/terrain/terrain_ground.h"
+#include "host/cli/terrain/terrain_place.h"
+#include "host/command_line/print_json.h"
+
+namespace offing::cli {
+
+namespace {
+
+struct TerrainRayArguments {
+  TerrainInput input;
+  CacheFlags cache;
+  TerrainBatch batch;
+  EarthCurveFlags curve;
+  bool smooth_normals = false;
+  std::string from, to, direction;
+  bool json = false;
+};
+
+glm::dvec3 read_vector(const char* flag, const std::string& text, const char* example) {
+  const auto numbers = read_numbers(flag, text, 3, "X,Y,Z", example);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+terrain::Ray read_ray(const TerrainRayArguments& arguments) {
+  const glm::dvec3 from = read_vector("--from", arguments.from, "100,2500,100");
+  const bool has_target = !arguments.to.empty();
+  if (has_target == !arguments.direction.empty()) {
+    throw Error(ErrorKind::bad_usage, "terrain ray: expected one of --to and --direction",
+                "write --to X,Y,Z for a point, or --direction X,Y,Z for a way");
+  }
+  const glm::dvec3 way = has_target ? read_vector("--to", arguments.to, "900,1200,400") - from
+                                    : read_vector("--direction", arguments.direction, "1,-0.2,0");
+  const double length_m = glm::length(way);
+  if (length_m == 0.0) {
+    throw bad_argument(has_target ? "--to" : "--direction",
+                       has_target ? "another point than --from" : "a way",
+                       has_target ? arguments.to : arguments.direction, "1,-0.2,0");
+  }
+  terrain::Ray ray{.origin_m = from, .direction = way / length_m};
+  if (has_target) ray.limit_m = length_m;
+  return ray;
+}
+
+const char* name_of(int kind) {
+  switch (kind) {
+    case TERRAIN_SURFACE:
+      return "surface";
+    case TERRAIN_SIDE:
+      return "side";
+    case TERRAIN_INSIDE:
+      return "inside";
+    default:
+      return "miss";
+  }
+}
+
+terrain::HitNormals normals_of(const TerrainRayArguments& arguments) {
+  return arguments.smooth_normals ? terrain::HitNormals::smooth : terrain::HitNormals::patch;
+}
+
+/// As terrain::require_valid(); errors name the place that the ray comes from.
+void require_valid(const terrain::Ray& ray, const terrain::PostGrid& grid, const std::string& place) {
+  try {
+    terrain::require_valid(ray, grid);
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("{}: {}", place, error.what()), error.hint());
+  }
+}
+
+/// Where the ray hit, with the decimals that its distance has; as the map has heights: the ground falls away
+/// by a curve.
+glm::dvec3 point_of(const terrain::Ray& ray, const terrain::RayHit& hit, const terrain::EarthCurve& curve) {
+  const glm::dvec3 way_m = hit.distance_m * ray.direction;
+  const double plan_m = std::hypot(way_m.x, way_m.z);
+  return hit.rounded_m(ray.origin_m + way_m + glm::dvec3(0.0, curve.bend_perm() * plan_m * plan_m, 0.0));
+}
+
+void answer_one(const terrain::RayHit& hit, const glm::dvec3& point_m, bool is_json) {
+  const glm::dvec3 normal(hit.normal_x, hit.normal_y, hit.normal_z);
+  const bool is_hit = hit.kind != TERRAIN_MISS;
+  if (is_json) {
+    nlohmann::ordered_json json = {{"hit", name_of(hit.kind)}};
+    if (is_hit) {
+      json["distance_m"] = hit.rounded_m(hit.distance_m);
+      json["point_m"] = to_json(point_m);
+      json["normal"] = to_json(normal);
+      json["cell"] = {hit.cell_x, hit.cell_z};
+      json["place_in_cell"] = {hit.u, hit.v};
+    }
+    json["steps"] = hit.steps;
+    print_json(json);
+  } else if (is_hit) {
+    fmt::print("{} at {} m: ({}, {}, {}), normal ({:.4f}, {:.4f}, {:.4f}), {} steps\n", name_of(hit.kind),
+               hit.rounded_m(hit.distance_m), point_m.x, point_m.y, point_m.z, normal.x, normal.y, normal.z,
+               hit.steps);
+  } else {
+    fmt::print("miss, {} steps\n", hit.steps);
+  }
+}
+
+void answer_all(const TerrainRayArguments& arguments, TerrainGround& ground, const GlobalOptions& options) {
+  const terrain::EarthCurve curve = arguments.curve.read();
+  arguments.batch.answer(
+      "x_m,y_m,z_m,direction_x,direction_y,direction_z,hit,distance_m,hit_x_m,hit_y_m,hit_z_m,"
+      "normal_x,normal_y,normal_z",
+      [&](const std::vector<double>& rows, const NumberTable& table, std::string& text) {
+        std::vector<terrain::Ray> rays;
+        for (std::size_t i = 0; i < rows.size(); i += 6) {
+          const glm::dvec3 way(rows[i + 3], rows[i + 4], rows[i + 5]);
+          const double length = glm::length(way);
+          if (length == 0.0) {
+            throw Error(ErrorKind::bad_input,
+                        fmt::format("{}: expected a direction, found 0,0,0", table.place_of(i / 6)),
+                        "give a way of any length above 0");
+          }
+          rays.push_back({.origin_m = {rows[i], rows[i + 1], rows[i + 2]}, .direction = way / length});
+          require_valid(rays.back(), ground.grid(), table.place_of(i / 6));
+        }
+        const std::vector<terrain::RayHit> hits = ground.cast(rays, curve, normals_of(arguments));
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+          const auto out = std::back_inserter(text);
+          const terrain::RayHit& hit = hits[i];
+          for (std::size_t column = 0; column < 6; ++column)
+            fmt::format_to(out, "{:.12g},", rows[6 * i + column]);
+          if (hit.kind == TERRAIN_MISS) {
+            fmt::format_to(out, "{},,,,,,,\n", name_of(hit.kind));
+            continue;
+          }
+          const glm::dvec3 point_m = point_of(rays[i], hit, curve);
+          fmt::format_to(out, "{},{},{},{},{},{:.7g},{:.7g},{:.7g}\n", name_of(hit.kind),
+                         hit.rounded_m(hit.distance_m), point_m.x, point_m.y, point_m.z, hit.normal_x,
+                         hit.normal_y, hit.normal_z);
+        }
+      },
+      options);
+}
+
+void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
+  arguments.batch.require_question(arguments.from, arguments.input);
+  const bool is_single = !arguments.batch.is_asked();
+  const terrain::Ray ray = is_single ? read_ray(arguments) : terrain::Ray{};
+  TerrainGround ground(arguments.input, arguments.cache);
+  ground.open(ocl::Device::open(choose_one_device(options.device)));
+  if (!is_single) return answer_all(arguments, ground, options);
+  const terrain::EarthCurve curve = arguments.curve.read();
+  const terrain::RayHit hit = ground.cast(std::span(&ray, 1), curve, normals_of(arguments))[0];
+  answer_one(hit, point_of(ray, hit, curve), arguments.json);
+}
+
+}  // namespace
+
+void add_terrain_ray_command(CLI::App& terrain, GlobalOptions& options) {
+  const auto arguments = std::make_shared<TerrainRayArguments>();
+  CLI::App* command = terrain.add_subcommand("ray", "what a ray hits first");
+  arguments->input.add_to(*command);
+  arguments->cache.add_to(*command);
+  command->add_option("--from", arguments->from, "where it starts, m")->type_name("X,Y,Z");
+  command->add_option("--to", arguments->to, "where it ends, m")->type_name("X,Y,Z")->needs("--from");
+  command->add_option("--direction", arguments->direction, "its way without end, of any length")
+      ->type_name("X,Y,Z")
+      ->needs("--from");
+  arguments->curve.add_to(*command);
+  command->add_flag("--smooth-normals", arguments->smooth_normals,
+                    "normals without creases, from posts around the hit's patch; default its own");
+  command->add_flag("--json", arguments->json, "results for scripts");
+  arguments->batch.add_to(*command,
+                          {.names = {"x_m", "y_m", "z_m", "direction_x", "direction_y", "direction_z"},
+                           .meaning = "for each ray, where it starts in m and its way, of any length",
+                           .example = "47000,6000,80000,0.1,-0.3,-1"},
+                          "--from");
+  add_global_options(*command, options, DeviceUse::one);
+  command->footer(fmt::format(
+      "\n{}\nHits are of the surface, of the map's side (ground is solid), or inside: it starts below.\n\n"
+      "Example:\n  offing terrain ray S33W071.tif --from 47000,6000,80000 --direction 0.1,-0.3,-1\n"
+      "  offing terrain ray S33W071.tif --points beams.csv -o hits.csv",
+      place_footer));
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,219 @@
+#include "host/cli/terrain/terrain_render_command.h"
+
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/base/argument.h"
+#include "host/base/error.h"
+#include "host/base/error_report.h"
+#include "host/cli/common/device_choice.h"
+#include "host/cli/pictures/terrain_picture.h"
+#include "host/cli/terrain/store_field.h"
+#include "host/cli/terrain/terrain_camera.h"
+#include "host/cli/terrain/terrain_ground.h"
+#include "host/cli/terrain/terrain_place.h"
+#include "host/command_line/new_output.h"
+#include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
+#include "host/io/exr_image.h"
+#include "host/io/file_extension.h"
+#include "host/io/height_maps/read_colour_map.h"
+#include "host/scene/prepare/stored_ground.h"
+
+namespace offing::cli {
+
+namespace {
+
+constexpr double radians = std::numbers::pi / 180.0;
+constexpr double highest_line_m = 20'000.0;
+
+struct TerrainRenderArguments {
+  TerrainInput input;
+  CacheFlags cache;
+  std::string camera = "fly", size = "1280x720", output, depth, show = "light";
+  std::string field_of_view, sun, exposure, sea_level, tree_line, snow_line, samples = "auto", colour;
+  std::string sky_visibility = "on";
+  bool json = false;
+  Existing existing = Existing::keep;
+};
+
+Camera read_camera(const TerrainRenderArguments& arguments, const CameraGround& ground) {
+  Camera camera = read_terrain_camera(arguments.camera, ground);
+  keep_above_ground(camera, ground);
+  read_picture_size(arguments.size, camera);
+  const double degrees = arguments.field_of_view.empty()
+                             ? 60.0
+                             : read_number("--fov-deg", arguments.field_of_view, "degrees", 1.0, 170.0, "60");
+  camera.vertical_field_of_view_rad = degrees * radians;
+  return camera;
+}
+
+bool read_switch(const char* flag, const std::string& text) {
+  if (text == "on" || text == "off") return text == "on";
+  throw bad_argument(flag, "on or off", text, "on");
+}
+
+TerrainScenery read_scenery(const TerrainRenderArguments& arguments, std::optional<double> latitude_deg) {
+  TerrainScenery scenery;
+  if (!arguments.sun.empty()) {
+    const auto sun = read_numbers("--sun", arguments.sun, 2, "AZIMUTH_DEG,ELEVATION_DEG", "225,30");
+    scenery.sun_azimuth_rad = sun[0] * radians;
+    scenery.sun_elevation_rad =
+        read_number("--sun", fmt::format("{}", sun[1]), "degrees", -90.0, 90.0, "225,30") * radians;
+  }
+  scenery.sees_horizons = read_switch("--sky-visibility", arguments.sky_visibility);
+  if (latitude_deg) scenery.lines = world::cover_lines(*latitude_deg);
+  const auto line = [](const char* flag, const std::string& text, double& height_m) {
+    if (!text.empty()) height_m = read_number(flag, text, "m", -highest_line_m, highest_line_m, "2500");
+  };
+  line("--sea-level-m", arguments.sea_level, scenery.lines.sea_level_m);
+  line("--tree-line-m", arguments.tree_line, scenery.lines.tree_line_m);
+  line("--snow-line-m", arguments.snow_line, scenery.lines.snow_line_m);
+  if (arguments.samples != "auto") {
+    scenery.sampling = {.rays = static_cast<int>(read_whole("--samples", arguments.samples, 1, 4096, "auto")),
+                        .least_contrast = -1.0};
+  }
+  if (!arguments.exposure.empty()) {
+    scenery.exposure_ev = read_number("--exposure-ev", arguments.exposure, "stops", -20.0, 20.0, "1");
+  }
+  return scenery;
+}
+
+TerrainShow read_show(const std::string& text) {
+  if (text == "light") return TerrainShow::light;
+  if (text == "steps") return TerrainShow::steps;
+  throw bad_argument("--show", "light or steps", text, "steps");
+}
+
+void write_depth(const std::string& file, const Camera& camera, const std::vector<float>& distances_m,
+                 Existing existing) {
+  const ExrImage image{
+      .width = camera.width_px,
+      .height = camera.height_px,
+      .channels = {{"Z", distances_m}},
+      .attributes = {{"meaning", "metres along each pixel's ray; infinite where it is sky"}}};
+  write_exr(file, image, PixelType::float_32, ExrCompression::zip, existing);
+}
+
+struct Rendered {
+  Camera camera;
+  TerrainPicture picture;
+};
+
+Rendered render_map(const TerrainRenderArguments& arguments, const GlobalOptions& options, TerrainShow show) {
+  const HeightMapFile file = arguments.input.read();
+  const Camera camera = read_camera(arguments, camera_ground(file.map));
+  TerrainScenery scenery = read_scenery(arguments, file.source.centre_latitude_deg);
+  if (!arguments.colour.empty())
+    scenery.colours = read_colour_map(arguments.colour, file.map, {.trust = arguments.input.trust()});
+  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
+  terrain::HeightField field = make_field(file.map, device);
+  options.cancel.throw_if_cancelled();
+  return {camera, draw_terrain(device, field, camera, scenery, show)};
+}
+
+Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptions& options,
+                      TerrainShow show) {
+  const TileStore store(arguments.input.file(), arguments.input.trust());
+  const TileStoreHeader& header = store.header();
+  TerrainScenery scenery = read_scenery(arguments, header.centre_latitude_deg);
+  if (!arguments.colour.empty()) {
+    scenery.colours =
+        read_colour_map(arguments.colour, scene::place_of(header), {.trust = arguments.input.trust()});
+  }
+  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
+  terrain::TiledField field = make_field(store, device, arguments.cache);
+  const Camera camera = read_camera(arguments, camera_ground(field));
+  field.look_and_wait(camera);
+  options.cancel.throw_if_cancelled();
+  return {camera, draw_terrain(device, field, camera, scenery, show)};
+}
+
+void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) {
+  const TerrainShow show = read_show(arguments.show);
+  require_flags_of(arguments.input, arguments.cache);
+  require_extension(arguments.output, {".png"});
+  if (!arguments.depth.empty()) require_extension(arguments.depth, {".exr"});
+  for (const std::string& file : {arguments.output, arguments.depth}) {
+    require_new(file, arguments.existing,
+                {{arguments.input.file(), arguments.colour}, arguments.input.trust()});
+  }
+  const auto [camera, picture] = is_tile_store(arguments.input.file())
+                                     ? render_store(arguments, options, show)
+                                     : render_map(arguments, options, show);
+  options.cancel.throw_if_cancelled();
+  write_png(arguments.output, picture.image, arguments.existing);
+  if (!arguments.depth.empty()) {
+    write_depth(arguments.depth, camera, picture.distances_m, arguments.existing);
+  }
+
+  const double ground_share =
+      static_cast<double>(picture.ground_pixels) / static_cast<double>(picture.distances_m.size());
+  if (arguments.json) {
+    const nlohmann::ordered_json json = {
+        {"picture", arguments.output},           {"eye_m", {camera.eye_m.x, camera.eye_m.y, camera.eye_m.z}},
+        {"yaw_deg", camera.yaw_rad / radians},   {"pitch_deg", camera.pitch_rad / radians},
+        {"ground_share", ground_share},          {"mean_steps", picture.mean_steps},
+        {"refined_share", picture.refined_share}};
+    print_json(json);
+  } else {
+    print_summary("{}: from ({:.1f}, {:.1f}, {:.1f}) m, {:.1f} % ground, {:.1f} steps a ray\n",
+                  one_line(arguments.output), camera.eye_m.x, camera.eye_m.y, camera.eye_m.z,
+                  100.0 * ground_share, picture.mean_steps);
+  }
+}
+
+}  // namespace
+
+void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
+  const auto arguments = std::make_shared<TerrainRenderArguments>();
+  CLI::App* command = terrain.add_subcommand("render", "a picture of a height map under a clear sky");
+  arguments->input.add_to(*command);
+  arguments->cache.add_to(*command);
+  arguments->cache.add_edge_to(*command);
+  const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
+    return command->add_option(names, target, help)->type_name(placeholder)->group("Picture");
+  };
+  add("-o,--output", arguments->output, "FILE", "PNG to write")->required();
+  add("--depth", arguments->depth, "FILE", "EXR of the distance along each pixel's ray, m, channel Z");
+  add("--camera", arguments->camera, "CAMERA",
+      "fly, walk, or X,Y,Z,YAW_DEG,PITCH_DEG: metres east of, above and south of the map's north-west post "
+      "at height 0; yaw clockwise from north (default fly)");
+  add("--fov-deg", arguments->field_of_view, "V", "vertical angle of view, degrees (default 60)");
+  add("--size", arguments->size, "WxH", "pixels (default 1280x720)");
+  add("--sun", arguments->sun, "AZIMUTH_DEG,ELEVATION_DEG",
+      "where the sun stands, azimuth clockwise from north (default 225,30)");
+  add("--exposure-ev", arguments->exposure, "EV", "stops brighter than the light asks for (default 0)");
+  add("--sea-level-m", arguments->sea_level, "H", "ground at or below is water (default 0)");
+  add("--tree-line-m", arguments->tree_line, "H", "where trees end (default by latitude, else 2000)");
+  add("--snow-line-m", arguments->snow_line, "H", "where snow begins (default by latitude, else 2800)");
+  add("--colour", arguments->colour, "FILE",
+      "picture of the ground from above (GeoTIFF, PNG ...), by its georeference or else stretched over the "
+      "map");
+  add("--sky-visibility", arguments->sky_visibility, "SWITCH",
+      "on or off: whether ground around a place hides the sky's light from it (default on; off of tile "
+      "stores)");
+  add("--samples", arguments->samples, "N",
+      "rays a pixel, 1 to 4096; or auto: 4 or 16 where light or coverage change from pixel to pixel (default "
+      "auto)");
+  add("--show", arguments->show, "WHAT",
+      "light, or steps: how far each ray walked, blue 0, green 16, yellow 40, red 80 and more");
+  add_force_flag(*command, arguments->existing);
+  command->add_flag("--json", arguments->json, "results for scripts");
+  add_global_options(*command, options, DeviceUse::one);
+  command->footer(R"(
+FILE may also be a tile store of `offing terrain tile`.
+
+Examples:
+  offing terrain render S33W071.tif -o andes.png
+  offing terrain render S33W071.tif --camera walk --sun 300,12 --size 1920x1080 -o dusk.png --depth dusk.exr
+  offing terrain render dem.tif --colour orthophoto.tif --camera 4000,2500,9000,20,-15 -o valley.png
+  offing terrain render heights.r16 --raw-size 1025x1025 --spacing-m 75 --show steps -o steps.png)");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

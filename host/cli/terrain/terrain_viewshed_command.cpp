@@ -1,0 +1,168 @@
+#include "host/cli/terrain/terrain_viewshed_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "host/base/argument.h"
+#include "host/base/error_report.h"
+#include "host/cli/common/device_choice.h"
+#include "host/cli/terrain/earth_curve_flags.h"
+#include "host/cli/terrain/terrain_ground.h"
+#include "host/cli/terrain/terrain_place.h"
+#include "host/command_line/new_output.h"
+#include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
+#include "host/io/file_extension.h"
+#include "host/io/height_maps/byte_raster.h"
+#include "host/scene/prepare/stored_ground.h"
+#include "host/terrain/analysis/viewshed.h"
+
+namespace offing::cli {
+
+namespace {
+
+constexpr double highest_m = 1e6, farthest_m = 1e9;
+constexpr std::uint8_t visible = 255, of_void = 128;
+
+struct TerrainViewshedArguments {
+  TerrainInput input;
+  CacheFlags cache;
+  EarthCurveFlags curve;
+  std::string observer, observer_height, target_height, radius, output;
+  bool json = false;
+  Existing existing = Existing::keep;
+};
+
+terrain::ViewshedParameters read_parameters(const TerrainViewshedArguments& arguments) {
+  const auto place = read_numbers("--observer", arguments.observer, 2, "X,Z", "1200,350");
+  terrain::ViewshedParameters parameters{.observer_x_m = place[0], .observer_z_m = place[1]};
+  const auto number = [](const char* flag, const std::string& text, double& value, double low, double high,
+                         const char* example) {
+    if (!text.empty()) value = read_number(flag, text, "m", low, high, example);
+  };
+  number("--observer-height-m", arguments.observer_height, parameters.observer_height_m, 0.0, highest_m,
+         "1.7");
+  number("--target-height-m", arguments.target_height, parameters.target_height_m, 0.0, highest_m, "10");
+  number("--radius-m", arguments.radius, parameters.radius_m, 1e-3, farthest_m, "20000");
+  parameters.curve = arguments.curve.read();
+  return parameters;
+}
+
+/// A map, or the part of a store that is near enough, and where its first post is.
+struct SeenMap {
+  HeightMap map;
+  double first_x_m = 0.0, first_z_m = 0.0;
+};
+
+// Of a post: heights here and on the device, lids, voids, and what is seen.
+constexpr double bytes_a_post = 12.0;
+
+SeenMap read_store(const TerrainViewshedArguments& arguments, const terrain::ViewshedParameters& parameters) {
+  const TileStore store(arguments.input.file(), arguments.input.trust());
+  const TileStoreHeader& header = store.header();
+  const double x_m = parameters.observer_x_m, z_m = parameters.observer_z_m;
+  const terrain::TiledMap of = scene::tiled_map(header);
+  require_within("--observer", of.width_m(), of.depth_m(), x_m, z_m);
+  const scene::PostWindow window = scene::window_around(header, x_m, z_m, parameters.radius_m);
+  constexpr double mebibyte = 1 << 20;
+  const double needed_mb = std::ceil(bytes_a_post * window.columns * window.rows / mebibyte);
+  const double found_mb = static_cast<double>(arguments.cache.bytes()) / mebibyte;
+  if (needed_mb > found_mb) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format(
+            "{}: expected a viewshed for which {:.0f} MiB are enough, found one of {} x {} posts, which "
+            "takes {:.0f} MiB",
+            one_line(arguments.input.file()), found_mb, window.columns, window.rows, needed_mb),
+        fmt::format("give a smaller --radius-m, or --cache-mb {:.0f}", needed_mb));
+  }
+  return {scene::read_window(store, window), window.first_column * header.spacing_x_m,
+          window.first_row * header.spacing_z_m};
+}
+
+void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options) {
+  terrain::ViewshedParameters parameters = read_parameters(arguments);
+  require_extension(arguments.output, {".tif", ".tiff"});
+  require_new(arguments.output, arguments.existing, {{arguments.input.file()}, arguments.input.trust()});
+  require_flags_of(arguments.input, arguments.cache);
+  const SeenMap seen_map = is_tile_store(arguments.input.file()) ? read_store(arguments, parameters)
+                                                                 : SeenMap{arguments.input.read().map};
+  const HeightMap& map = seen_map.map;
+  parameters.observer_x_m -= seen_map.first_x_m;
+  parameters.observer_z_m -= seen_map.first_z_m;
+  const terrain::GroundPoint ground =
+      ground_under("--observer", terrain::posts_of(map), parameters.observer_x_m, parameters.observer_z_m);
+  const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
+  const terrain::HeightField field = make_field(map, device);
+  options.cancel.throw_if_cancelled();
+  ocl::Buffer<std::uint8_t> buffer(device, map.heights_m.size(), "viewshed");
+  terrain::Viewshed(device).at(field, parameters, buffer);
+  std::vector<std::uint8_t> seen = buffer.read();
+  options.cancel.throw_if_cancelled();
+  for (std::size_t i = 0; i < map.is_void.size(); ++i) {
+    if (map.is_void[i] != 0) seen[i] = of_void;
+  }
+  write_byte_raster(arguments.output,
+                    {.columns = map.columns,
+                     .rows = map.rows,
+                     .values = seen,
+                     .georeference = map.georeference,
+                     .nodata = map.is_void.empty() ? std::nullopt : std::optional(of_void)},
+                    arguments.existing);
+
+  const auto seen_posts = std::count(seen.begin(), seen.end(), visible);
+  const double area_m2 = static_cast<double>(seen_posts) * map.spacing_x_m * map.spacing_z_m;
+  const double eye_m = ground.height_m + parameters.observer_height_m;
+  if (arguments.json) {
+    print_json({{"file", arguments.output},
+                {"columns", map.columns},
+                {"rows", map.rows},
+                {"eye_m", eye_m},
+                {"seen_posts", seen_posts},
+                {"seen_area_m2", area_m2},
+                {"void_posts", std::count(map.is_void.begin(), map.is_void.end(), 1)}});
+  } else {
+    print_summary("{}: from {:.1f} m up, {} of {} posts are seen, {:.4g} km^2\n", one_line(arguments.output),
+                  eye_m, seen_posts, seen.size(), 1e-6 * area_m2);
+  }
+}
+
+}  // namespace
+
+void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
+  const auto arguments = std::make_shared<TerrainViewshedArguments>();
+  CLI::App* command = terrain.add_subcommand("viewshed", "which ground is seen from a point, as a GeoTIFF");
+  arguments->input.add_to(*command);
+  arguments->cache.add_to(*command);
+  const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
+    return command->add_option(names, target, help)->type_name(placeholder);
+  };
+  add("--observer", arguments->observer, "X,Z", "where the observer stands, m")->required();
+  add("--observer-height-m", arguments->observer_height, "H", "of the eye above ground (default 1.7)");
+  add("--target-height-m", arguments->target_height, "H",
+      "above ground, of what is to be seen (default 0: the ground itself)");
+  add("--radius-m", arguments->radius, "R", "what is farther, in plan, is not seen (default: no limit)");
+  arguments->curve.add_to(*command);
+  add("-o,--output", arguments->output, "FILE", "GeoTIFF to write, .tif, whole or not at all")->required();
+  add_force_flag(*command, arguments->existing);
+  command->add_flag("--json", arguments->json, "results for scripts");
+  add_global_options(*command, options, DeviceUse::one);
+  command->footer(fmt::format(R"(
+{}
+The raster has a byte for each post of the map, with its georeference: 255 seen, 0 not, and 128, its nodata value,
+where the map has a void. Ground hides what is behind it by the surface between its posts, which is exact, not by
+steps from post to post. Of a tile store the raster covers the square that --radius-m reaches, in full detail;
+--cache-mb has to be enough for it, 12 bytes a post.
+
+Examples:
+  offing terrain viewshed S33W071.tif --observer 47000,55000 -o seen.tif
+  offing terrain viewshed S33W071.tif --observer 47000,55000 --observer-height-m 30 --target-height-m 2 \
+    --radius-m 40000 --curvature -o mast.tif)",
+                              place_footer));
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::cli

@@ -1,0 +1,283 @@
+#include "host/clouds/light/particle_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "host/base/error.h"
+#include "host/clouds/light/phase_table.h"
+#include "host/ocl/program.h"
+#include "host/ocl/tuning.h"
+
+namespace offing::clouds {
+namespace {
+
+// EMPTY_DEPTH 1.7, how far light leans (LEAN_LOST 1.5) and where a dense particle shows from
+// (FRONT_RADII 1.4, FRONT_DEPTH 3) were fitted to the reference over the genera and the shapes of scenes,
+// whose light is within 15 % then (tests/clouds/light_accuracy_test.cpp), and to slabs
+// (particle_light_test.cpp).
+
+// Room for the cells of a cloud's grid; heaps have a quarter of them (kernels/clouds/light_bounds.cl).
+constexpr int cells = 16384;
+// A plane of zeros, all levels (each at most a quarter of the one before, but for short rows), and what is
+// read beyond.
+constexpr std::size_t level_cells = cells / 16 + cells / 3 * 4 + 1024;
+constexpr std::size_t medium_cells = cells + cells / 8;  // MEDIUM_CELLS of kernels/clouds/light_grid.clh
+constexpr std::size_t beam_margin = 16;                  // FIRST_BEAM of kernels/clouds/light_grid.clh
+
+// CPU: one work-item a group. Work of a cloud is shared by a few items, which keeps cores busy; of a GPU by
+// as many as there may be rows or cells.
+constexpr std::size_t strip_items = 2, group_row_items = cells / 16, group_cell_items = cells / 4;
+constexpr int strip_lanes = 16, strip_particles = 128;
+constexpr int group_size = 256;
+constexpr std::size_t entry_texels = CLOUD_ENTRY_SIZE * CLOUD_ENTRY_SIZE;
+// HARRIS_SIZE of kernels/clouds/light_recurrence.cl, squared.
+constexpr std::size_t recurrence_texels = 128 * 128;
+
+ocl::Kernel built(const ocl::Device& device, const char* source, const char* kernel, bool is_strip) {
+  ocl::Defines defines;
+  defines.set("CELLS", cells).set("LEVEL_CELLS", static_cast<long long>(level_cells));
+  defines.set("GROUP_SIZE", is_strip ? 1 : group_size).set("LANES", is_strip ? strip_lanes : 1);
+  return ocl::Program::build(device, source, defines).kernel(kernel);
+}
+
+bool is_finite(const glm::dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void require_light(const char* name, const glm::dvec3& value) {
+  if (is_finite(value) && std::min({value.x, value.y, value.z}) >= 0.0) return;
+  throw Error(ErrorKind::bad_input, fmt::format("{}: expected finite numbers of 0 or more, got ({}, {}, {})",
+                                                name, value.x, value.y, value.z));
+}
+
+/// With as many suns as asked for: beyond its own, suns that do not shine.
+CloudLightParams packed(const CloudIllumination& light, int suns) {
+  require_light("sky_kcdpm2", light.sky_kcdpm2);
+  require_light("ground_kcdpm2", light.ground_kcdpm2);
+  CloudLightParams params{};
+  for (const CloudSun& sun : light.suns) {
+    require_light("illuminance_klx", sun.illuminance_klx);
+    if (!is_finite(sun.direction) || std::abs(glm::length(sun.direction) - 1.0) > 1e-3) {
+      throw Error(ErrorKind::bad_input, fmt::format("sun.direction: expected a unit vector, got ({}, {}, {})",
+                                                    sun.direction.x, sun.direction.y, sun.direction.z));
+    }
+    const glm::vec3 direction(sun.direction), colour(sun.illuminance_klx);
+    params.suns[params.sun_count++] = {direction.x, direction.y, direction.z, colour.r, colour.g, colour.b};
+  }
+  for (; params.sun_count < suns; ++params.sun_count) params.suns[params.sun_count].y = 1.0f;
+  const glm::vec3 sky(light.sky_kcdpm2), ground(light.ground_kcdpm2);
+  params.sky_red = sky.r, params.sky_green = sky.g, params.sky_blue = sky.b;
+  params.ground_red = ground.r, params.ground_green = ground.g, params.ground_blue = ground.b;
+  return params;
+}
+
+}  // namespace
+
+ParticleLight::ParticleLight(const ocl::Device& device)
+    : device_(device),
+      is_strip_(ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip),
+      bounds_kernel_(built(device, "clouds/light_bounds.cl", "light_bounds", is_strip_)),
+      density_kernel_(built(device, "clouds/light_density.cl", "light_density", is_strip_)),
+      entry_kernel_(built(device, "clouds/light_entry.cl", "light_entry", is_strip_)),
+      beam_kernel_(built(device, "clouds/light_beam.cl", "light_beam", is_strip_)),
+      source_kernel_(built(device, "clouds/light_source.cl", "light_source", is_strip_)),
+      coarsen_kernel_(built(device, "clouds/light_coarsen.cl", "light_coarsen", is_strip_)),
+      diffuse_kernel_(built(device, "clouds/light_diffuse.cl", "light_diffuse", is_strip_)),
+      glow_kernel_(built(device, "clouds/light_glow.cl", "light_glow", is_strip_)),
+      scatter_kernel_(built(device, "clouds/particle_scatter.cl", "particle_scatter", is_strip_)),
+      recurrence_kernel_(built(device, "clouds/light_recurrence.cl", "light_recurrence", is_strip_)),
+      first_order_kernel_(built(device, "clouds/particle_first_order.cl", "particle_first_order", is_strip_)),
+      order_(device),
+      recurrence_map_(device, recurrence_texels, "light along the order of particles") {}
+
+void ParticleLight::set_lights(std::span<const CloudIllumination> lights, std::size_t clouds) {
+  std::size_t suns = 0;
+  for (const CloudIllumination& light : lights) suns = std::max(suns, light.suns.size());
+  if (suns > CLOUD_SUNS) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("light of clouds: expected at most {} suns, got {}", CLOUD_SUNS, suns));
+  }
+  suns_ = static_cast<int>(suns);
+  std::vector<CloudLightParams> all;
+  for (std::size_t cloud = 0; cloud < clouds; ++cloud)
+    all.push_back(packed(lights[lights.size() == 1 ? 0 : cloud], suns_));
+  const bool is_known = all.size() == packed_lights_.size() &&
+                        std::memcmp(all.data(), packed_lights_.data(), all.size() * sizeof(all[0])) == 0;
+  if (is_known) return;  // a write waits for the device
+  if (lights_.size() < clouds) lights_ = ocl::Buffer<CloudLightParams>(device_, clouds, "light on clouds");
+  lights_.write(all);
+  packed_lights_ = std::move(all);
+}
+
+void ParticleLight::set_looks(std::span<const CloudLook> looks) {
+  if (std::equal(looks.begin(), looks.end(), known_looks_.begin(), known_looks_.end())) return;
+  std::vector<CloudScattering> scattering;
+  std::vector<CloudLook> tabled;
+  std::vector<float> phases;
+  for (const CloudLook& look : looks) {
+    const PhaseFunction phase(look);
+    const auto known = std::find(tabled.begin(), tabled.end(), look);
+    const auto table = static_cast<std::uint32_t>(known - tabled.begin());
+    if (known == tabled.end()) {
+      tabled.push_back(look);
+      const std::vector<float> values = phase_table(phase);
+      phases.insert(phases.end(), values.begin(), values.end());
+    }
+    const DeltaScaling scaling = delta_scaling(phase);
+    scattering.push_back({static_cast<float>(1.0 - look.albedo.x), static_cast<float>(scaling.forward_share),
+                          static_cast<float>(scaling.scaled_mean_cosine), table});
+  }
+  looks_ = ocl::Buffer<CloudScattering>(device_, scattering, "looks of clouds");
+  phases_ = ocl::Buffer<float>(device_, phases, "phase tables of clouds");
+  known_looks_.assign(looks.begin(), looks.end());
+}
+
+void ParticleLight::reserve(std::size_t clouds) {
+  if (clouds > grids_.size()) grids_ = ocl::Buffer<CloudGrid>(device_, clouds, "grids of clouds");
+  const std::size_t channels = clouds * static_cast<std::size_t>(channels_),
+                    beams = channels * static_cast<std::size_t>(suns_);
+  const std::tuple<ocl::Buffer<float>*, std::size_t, const char*> arrays[] = {
+      {&medium_, clouds * medium_cells, "extinction in clouds"},
+      {&absorption_, channels * medium_cells, "absorption in clouds"},
+      {&faces_, channels * level_cells * 4, "levels of clouds"},
+      {&sources_, clouds * level_cells * 3, "sources of light in clouds"},
+      {&fluence_, clouds * level_cells * 3, "fluence in clouds"},
+      {&beams_, beams * cells + 2 * beam_margin, "sunlight in clouds"},
+      {&entries_, std::max<std::size_t>(beams, 1) * entry_texels, "sunlight between clouds"}};
+  for (const auto& [buffer, size, name] : arrays) {
+    if (size <= buffer->size()) continue;
+    *buffer = ocl::Buffer<float>(device_, size, name);
+    buffer->fill(0.0f);  // what stands for neighbours outside must be numbers
+  }
+  if (clouds * cells > glow_.size())
+    glow_ = ocl::Buffer<Float4>(device_, clouds * cells, "scattered light in clouds");
+  if (channels * cells > drift_.size())
+    drift_ = ocl::Buffer<Float4>(device_, channels * cells, "drift of light in clouds");
+}
+
+void ParticleLight::relight(const ocl::Buffer<CloudParticle>& particles, std::uint32_t count,
+                            std::span<const CloudIllumination> lights, std::span<const CloudLook> looks,
+                            LightModel model, ParticleAlbedo albedo) {
+  if (count > particles.size() || looks.empty() || (lights.size() != 1 && lights.size() != looks.size())) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("light of clouds: expected at most {} particles, a look, and a light for each or "
+                            "for all, got {}, {} and {}",
+                            particles.size(), count, looks.size(), lights.size()));
+  }
+  const auto is_grey = [](const CloudLook& look) {
+    return look.albedo.x == look.albedo.y && look.albedo.y == look.albedo.z;
+  };
+  const bool has_colours = albedo == ParticleAlbedo::own || !std::all_of(looks.begin(), looks.end(), is_grey);
+  channels_ = has_colours ? 3 : 1;
+  set_lights(lights, looks.size());
+  set_looks(looks);
+  reserve(looks.size());
+  particles_ = &particles;
+  count_ = count;
+  if (count == 0) return;
+
+  model_ = model;
+  const std::size_t clouds = looks.size(), group = is_strip_ ? 1 : group_size;
+  bounds_kernel_.launch({{clouds * group}, {group}}, particles, static_cast<int>(count), grids_);
+  if (model == LightModel::calibrated) {
+    diffuse(clouds);
+  } else {
+    carry_along(lights, clouds);
+  }
+}
+
+void ParticleLight::diffuse(std::size_t clouds) {
+  const std::size_t group = is_strip_ ? 1 : group_size, channels = static_cast<std::size_t>(channels_);
+  const auto shared = [&](std::size_t group_items) -> ocl::LaunchShape {
+    if (is_strip_) return {{strip_items, clouds}, {1, 1}};
+    return {{group_items, clouds}};
+  };
+  const auto groups = [&](std::size_t number) -> ocl::LaunchShape {
+    return {{number * group, clouds}, {group, 1}};
+  };
+  const ocl::LaunchShape rows = shared(group_row_items), each_cell = shared(group_cell_items);
+  density_kernel_.launch(rows, *particles_, grids_, looks_, channels_, medium_, absorption_);
+  if (suns_ > 0) {
+    const ocl::LaunchShape each_beam = groups(static_cast<std::size_t>(suns_) * channels);
+    const auto number = static_cast<int>(clouds);
+    if (clouds > 1)
+      entry_kernel_.launch(each_beam, grids_, looks_, lights_, medium_, absorption_, number, channels_,
+                           entries_);
+    beam_kernel_.launch(each_beam, grids_, looks_, lights_, medium_, absorption_, entries_, number, channels_,
+                        beams_);
+  }
+  source_kernel_.launch(each_cell, grids_, looks_, lights_, medium_, absorption_, beams_, channels_, faces_,
+                        sources_);
+  coarsen_kernel_.launch(groups(channels), grids_, faces_);
+  diffuse_kernel_.launch(groups(3), grids_, faces_, channels_, sources_, fluence_);
+  glow_kernel_.launch(each_cell, grids_, looks_, lights_, medium_, absorption_, beams_, faces_, fluence_,
+                      channels_, glow_, drift_);
+}
+
+void ParticleLight::carry_along(std::span<const CloudIllumination> lights, std::size_t clouds) {
+  if (suns_ > 1) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("light of clouds: harris: expected at most 1 sun, got {}", suns_),
+                "use the calibrated model");
+  }
+  const std::size_t group = is_strip_ ? 1 : group_size;
+  if (reached_.size() < count_) reached_ = ocl::Buffer<float>(device_, count_, "sunlight on particles");
+  const auto lit =
+      std::find_if(lights.begin(), lights.end(), [](const auto& light) { return !light.suns.empty(); });
+  if (lit == lights.end()) return;
+  // Clouds differ in how bright it is.
+  const glm::vec3 way(lit->suns.front().direction);
+  order_.along_light(*particles_, count_, way);
+  recurrence_kernel_.launch({{group}, {group}}, *particles_, static_cast<int>(count_), order_.order(), grids_,
+                            static_cast<int>(clouds), looks_, phases_, way.x, way.y, way.z, recurrence_map_,
+                            reached_);
+}
+
+std::optional<CloudBox> ParticleLight::box() const {
+  if (count_ == 0) return std::nullopt;
+  std::optional<CloudBox> box;
+  const std::vector<CloudGrid> grids = grids_.read();
+  for (std::size_t cloud = 0; cloud < known_looks_.size(); ++cloud) {
+    const CloudGrid& grid = grids[cloud];
+    if (grid.first == grid.end) continue;
+    const glm::vec3 low_m(grid.low_x, grid.low_y, grid.low_z);
+    const glm::vec3 high_m = low_m + glm::vec3(grid.size_x, grid.size_y, grid.size_z) *
+                                         glm::vec3(grid.cell_x, grid.cell_y, grid.cell_z);
+    box =
+        box ? CloudBox{glm::min(box->low_m, low_m), glm::max(box->high_m, high_m)} : CloudBox{low_m, high_m};
+  }
+  return box;
+}
+
+void ParticleLight::see(const glm::vec3& eye_m, ocl::Buffer<CloudSprite>& sprites, Part part) {
+  if (count_ > sprites.size()) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("light of clouds: expected at least {} sprites, got {}", count_, sprites.size()));
+  }
+  const auto bound = [&](std::uint32_t index) {
+    return static_cast<std::uint32_t>(std::uint64_t{count_} * index / part.of);
+  };
+  const std::uint32_t first = bound(part.index), end = bound(part.index + 1);
+  if (first == end) return;
+  const std::uint32_t per_item = is_strip_ ? strip_particles : 1;
+  ocl::LaunchShape shape{{(end - first + per_item - 1) / per_item}};
+  if (is_strip_) shape.local = {1};
+  if (model_ == LightModel::harris) {
+    first_order_kernel_.launch(shape, *particles_, static_cast<int>(first), static_cast<int>(end),
+                               static_cast<int>(per_item), looks_, lights_, phases_, reached_, eye_m.x,
+                               eye_m.y, eye_m.z, sprites);
+    return;
+  }
+  scatter_kernel_.launch(shape, *particles_, static_cast<int>(first), static_cast<int>(end),
+                         static_cast<int>(per_item), grids_, looks_, lights_, phases_, absorption_, beams_,
+                         glow_, drift_, channels_, eye_m.x, eye_m.y, eye_m.z, sprites);
+}
+
+}  // namespace offing::clouds

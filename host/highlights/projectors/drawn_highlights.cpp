@@ -1,0 +1,137 @@
+#include "host/highlights/projectors/drawn_highlights.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "host/highlights/projectors/pinned_point.h"
+#include "host/highlights/tracks/nearest_place.h"
+#include "host/highlights/tracks/track_motion.h"
+
+namespace offing::highlights {
+namespace {
+
+/// [tracks] How much of each a rule for the nearest is for: as the state has it, or as it is now.
+std::vector<double> shares_of(const NearestPlace& place, const TrackState& state, double diagonal_m) {
+  const auto known = std::find(state.places.begin(), state.places.end(), place);
+  if (known == state.places.end()) return shares_nearest(place, state.tracks, diagonal_m);
+  const auto index = static_cast<std::size_t>(known - state.places.begin());
+  std::vector<double> shares;
+  for (const HighlightTrack& track : state.tracks) shares.push_back(track.nearest[index]);
+  return shares;
+}
+
+const HighlightRule as_found;
+
+}  // namespace
+
+DrawnHighlights::DrawnHighlights(const HighlightSurface& surface, const HighlightSize& size)
+    : surface_(&surface), size_(size), regions_(surface) {
+  projector_at({}, size);
+}
+
+void DrawnHighlights::update(const TrackState& state, const std::vector<HighlightRule>& rules,
+                             int lamp_count) {
+  for (const HighlightRule& rule : rules) require_valid(rule);
+  highlights_.clear();
+  faces_.clear();
+  nearest_.clear();
+  for (const HighlightRule& rule : rules) {
+    nearest_.emplace_back();
+    if (rule.nearest_m && !rule.pin_m)
+      nearest_.back() = shares_of({*rule.nearest_m, rule.lamp}, state, surface_->diagonal_m());
+  }
+  for (std::size_t i = 0; i < state.tracks.size(); ++i) {
+    const HighlightTrack& track = state.tracks[i];
+    if (!(track.opacity > 0.0)) continue;
+    set_looks(track, i, rules);
+    for (const Look& look : looks_) {
+      const HighlightRule& rule = look.rule < 0 ? as_found : rules[static_cast<std::size_t>(look.rule)];
+      add({.id = track.id,
+           .rule = look.rule,
+           .lamp = track.point.lamp,
+           .opacity = track.opacity * look.weight,
+           .projector = track.projector,
+           .place = place_of_face_near(*surface_, track.seed_face, track.projector.centre_m),
+           .controls = rule.controls},
+          rule);
+    }
+  }
+  pins_.resize(rules.size());
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    const int lamp = rules[i].lamp.value_or(0);
+    if (rules[i].pin_m && lamp >= 0 && lamp < lamp_count) add_pin(rules[i], static_cast<int>(i));
+  }
+}
+
+void DrawnHighlights::set_looks(const HighlightTrack& track, std::size_t index,
+                                const std::vector<HighlightRule>& rules) {
+  looks_.assign(1, {-1, 1.0});
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    if (rules[i].pin_m || (rules[i].lamp && *rules[i].lamp != track.point.lamp)) continue;
+    const double share = rules[i].nearest_m ? nearest_[i][index] : 1.0;
+    if (share == 0.0) continue;
+    for (Look& look : looks_) look.weight *= 1.0 - share;
+    std::erase_if(looks_, [](const Look& look) { return look.weight <= 0.0; });
+    looks_.push_back({static_cast<int>(i), share});
+  }
+}
+
+void DrawnHighlights::add_pin(const HighlightRule& rule, int index) {
+  std::optional<Pin>& pin = pins_[static_cast<std::size_t>(index)];
+  if (!pin || pin->pin_m != *rule.pin_m) pin = Pin{*rule.pin_m, nearest_place(*surface_, *rule.pin_m)};
+  add({.id = first_pin_id + static_cast<std::uint64_t>(index),
+       .rule = index,
+       .lamp = rule.lamp.value_or(0),
+       .opacity = 1.0,
+       .projector = first_projector(pinned_point(*surface_, pin->place), size_),
+       .place = pin->place,
+       .controls = rule.controls},
+      rule);
+}
+
+void DrawnHighlights::add(const DrawnHighlight& highlight, const HighlightRule& rule) {
+  const HighlightControls& controls = rule.controls;
+  DrawnHighlight drawn = highlight;
+  drawn.opacity *= controls.opacity;
+  if (!(drawn.opacity > 0.0)) return;
+  const Projector& box = highlight.projector;
+  const glm::dvec2 half_widths_m = 0.5 * glm::dvec2(box.width_m, box.height_m);
+  PlacedProjector placed =
+      moved(*surface_, {highlight.projector, highlight.place}, controls.offset * half_widths_m);
+  placed.projector = reshaped(placed.projector, controls);
+  drawn.found = highlight.projector;
+  drawn.whole = placed.projector;
+  for (drawn.copy = 0; drawn.copy < controls.split; ++drawn.copy) {
+    const CopyPlace share = copy_place(controls, drawn.copy);
+    PlacedProjector copy = moved(*surface_, placed, {share.middle * placed.projector.width_m, 0.0});
+    copy.projector.width_m *= share.width;
+    drawn.projector = copy.projector;
+    drawn.place = copy.place;
+    add_copy(drawn, rule);
+  }
+}
+
+void DrawnHighlights::add_copy(const DrawnHighlight& highlight, const HighlightRule& rule) {
+  const std::size_t first = faces_.size();
+  regions_.find(highlight.projector, highlight.place.face, faces_);
+  keep_masked(rule, first);
+  highlights_.push_back(highlight);
+  highlights_.back().first_face = first;
+  highlights_.back().face_count = faces_.size() - first;
+}
+
+void DrawnHighlights::keep_masked(const HighlightRule& rule, std::size_t first_face) {
+  if (!rule.mask_m) return;
+  const TriangleMesh& mesh = surface_->mesh();
+  const auto is_beyond = [&](std::uint32_t face) {
+    const TriangleIndices& corners = mesh.faces[face];
+    return std::none_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
+      return glm::distance(mesh.positions_m[corner], *rule.mask_m) <= rule.mask_radius_m;
+    });
+  };
+  const auto first = faces_.begin() + static_cast<std::ptrdiff_t>(first_face);
+  faces_.erase(std::remove_if(first, faces_.end(), is_beyond), faces_.end());
+}
+
+}  // namespace offing::highlights

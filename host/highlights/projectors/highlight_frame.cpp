@@ -1,0 +1,21 @@
+#include "host/highlights/projectors/highlight_frame.h"
+
+namespace offing::highlights {
+
+void make_frame(const std::vector<HighlightTrack>& tracks, RegionSearch& regions, HighlightFrame& frame) {
+  frame.highlights.clear();
+  frame.faces.clear();
+  for (const HighlightTrack& track : tracks) {
+    if (!(track.opacity > 0.0)) continue;
+    const std::size_t first = frame.faces.size();
+    regions.find(track.projector, track.seed_face, frame.faces);
+    frame.highlights.push_back({.id = track.id,
+                                .lamp = track.point.lamp,
+                                .opacity = track.opacity,
+                                .projector = track.projector,
+                                .first_face = first,
+                                .face_count = frame.faces.size() - first});
+  }
+}
+
+}  // namespace offing::highlights

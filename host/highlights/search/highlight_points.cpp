@@ -1,0 +1,136 @@
+#include "host/highlights/search/highlight_points.h"
+
+#include <algorithm>
+#include <span>
+#include <tuple>
+
+#include <glm/geometric.hpp>
+
+#include "host/highlights/search/merged_points.h"
+#include "host/ocl/program.h"
+#include "host/ocl/tuning.h"
+
+namespace offing::highlights {
+namespace {
+
+constexpr int strip_lanes = 16;
+// Enough work for an item of the strip shape that its launch counts little.
+constexpr int strip_vectors = 32, strip_faces = 1024;
+constexpr std::size_t first_capacity = 256;
+// Of the printed method: how far outside a face a point may be, in weights, and how near N must be to H
+// there.
+constexpr float least_squares_tolerance = 1e-4f, least_squares_n_dot_h = 0.9999f;
+
+std::size_t items(int work, int work_per_item) {
+  return static_cast<std::size_t>((work + work_per_item - 1) / work_per_item);
+}
+
+HighlightPoint point_of(const HighlightSurface& surface, const HighlightRecord& record) {
+  HighlightPoint point;
+  point.face = static_cast<std::uint32_t>(record.face);
+  point.lamp = record.light;
+  point.orientation = record.orientation;
+  point.weights = {record.weight_0, record.weight_1, record.weight_2};
+  point.weights /= point.weights.x + point.weights.y + point.weights.z;
+  point.position_m = place_on(surface, point.face, point.weights);
+  point.normal = glm::normalize(glm::dvec3(record.normal_x, record.normal_y, record.normal_z));
+  const glm::dvec3 e_max(record.e_max_x, record.e_max_y, record.e_max_z);
+  point.e_max = glm::normalize(e_max - glm::dot(e_max, point.normal) * point.normal);
+  point.k_max_per_m = record.k_max_perm;
+  point.k_min_per_m = record.k_min_perm;
+  point.n_dot_h = record.n_dot_h;
+  return point;
+}
+
+}  // namespace
+
+glm::dvec3 place_on(const HighlightSurface& surface, std::uint32_t face, const glm::dvec3& weights) {
+  const TriangleIndices& corners = surface.mesh().faces[face];
+  const std::vector<glm::dvec3>& positions_m = surface.mesh().positions_m;
+  return weights.x * positions_m[corners[0]] + weights.y * positions_m[corners[1]] +
+         weights.z * positions_m[corners[2]];
+}
+
+HighlightPoints::HighlightPoints(const ocl::Device& device)
+    : device_(device),
+      lanes_(ocl::tuning_for(device.info(), "highlights").shape == ocl::KernelShape::strip ? strip_lanes : 1),
+      field_kernel_(
+          ocl::Program::build(device, "highlights/highlight_field.cl", ocl::Defines().set("LANES", lanes_))
+              .kernel("highlight_field")),
+      points_kernel_(
+          ocl::Program::build(device, "highlights/highlight_points.cl").kernel("highlight_points")),
+      least_squares_kernel_(
+          ocl::Program::build(device, "highlights/least_squares_points.cl").kernel("least_squares_points")),
+      lights_(device, HIGHLIGHT_LIGHTS, "highlight lights"),
+      count_(device, 1, "highlight count"),
+      records_(device, first_capacity, "highlight points") {}
+
+void HighlightPoints::launch_zeros(const HighlightSurface& surface, int first_lamp, int lamp_count) {
+  const int pitch = surface.pitch();
+  const std::size_t floats = 2 * static_cast<std::size_t>(lamp_count) * static_cast<std::size_t>(pitch);
+  if (field_.size() < floats) field_ = ocl::Buffer<float>(device_, floats, "highlight field");
+  if (masks_.size() < static_cast<std::size_t>(pitch))
+    masks_ = ocl::Buffer<std::uint32_t>(device_, static_cast<std::size_t>(pitch), "highlight masks");
+  const int vectors = lanes_ > 1 ? strip_vectors : 1;
+  field_kernel_.launch({{items(pitch, lanes_ * vectors)}}, surface.vertex_rows(), pitch, lights_, lamp_count,
+                       vectors, first_lamp == 0 ? 1 : 0, field_, masks_, count_);
+  const int face_count = static_cast<int>(surface.mesh().faces.size());
+  const int faces = lanes_ > 1 ? strip_faces : 1;
+  if (face_count == 0) return;
+  points_kernel_.launch({{items(face_count, faces)}}, surface.vertex_rows(), pitch, surface.face_rows(),
+                        face_count, faces, lights_, first_lamp, field_, masks_, records_,
+                        static_cast<int>(records_.size()), count_);
+}
+
+void HighlightPoints::launch_least_squares(const HighlightSurface& surface, int first_lamp, int lamp_count) {
+  if (first_lamp == 0) count_.fill(0);
+  const int face_count = static_cast<int>(surface.mesh().faces.size());
+  if (face_count == 0) return;
+  least_squares_kernel_.launch({{static_cast<std::size_t>(face_count)}}, surface.vertex_rows(),
+                               surface.pitch(), surface.face_rows(), face_count, lights_, lamp_count,
+                               first_lamp, least_squares_tolerance, least_squares_n_dot_h, records_,
+                               static_cast<int>(records_.size()), count_);
+}
+
+int HighlightPoints::search(const HighlightSurface& surface, const Lighting& lighting, SearchMethod method) {
+  const int all = static_cast<int>(lighting.lamps.size());
+  for (int first = 0; first < all; first += HIGHLIGHT_LIGHTS) {
+    std::vector<HighlightLight> lights;
+    for (int lamp = first; lamp < std::min(all, first + HIGHLIGHT_LIGHTS); ++lamp) {
+      lights.push_back(
+          packed_light(lighting.eye, lighting.lamps[static_cast<std::size_t>(lamp)], surface.middle_m()));
+    }
+    lights_.write(lights);
+    const int count = static_cast<int>(lights.size());
+    if (method == SearchMethod::zeros) {
+      launch_zeros(surface, first, count);
+    } else {
+      launch_least_squares(surface, first, count);
+    }
+  }
+  return count_.map()[0];
+}
+
+std::vector<HighlightPoint> HighlightPoints::find(const HighlightSurface& surface, const Lighting& lighting,
+                                                  SearchMethod method) {
+  if (lighting.lamps.empty()) return {};
+  auto count = static_cast<std::size_t>(search(surface, lighting, method));
+  if (count > records_.size()) {
+    records_ = ocl::Buffer<HighlightRecord>(device_, 2 * count, "highlight points");
+    count = static_cast<std::size_t>(search(surface, lighting, method));
+  }
+  std::vector<HighlightPoint> points;
+  if (count == 0) return points;
+  {
+    const auto records = records_.map();
+    for (const HighlightRecord& record : records.span().first(count))
+      points.push_back(point_of(surface, record));
+  }
+  // Work-items append in any order.
+  std::sort(points.begin(), points.end(), [](const HighlightPoint& a, const HighlightPoint& b) {
+    return std::tie(a.lamp, a.face) < std::tie(b.lamp, b.face);
+  });
+  return method == SearchMethod::zeros ? points : merged_points(surface, points);
+}
+
+}  // namespace offing::highlights

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "host/highlights/projectors/projector.h"
+#include "host/highlights/search/highlight_points.h"
+
+namespace offing::highlights {
+
+/// How fast what is shown may change. Thirty frames a second move a highlight by 1.5 % of the mesh's diagonal
+/// at most, scale it by 8 %, turn it by 4 degrees and fade it by 0.13.
+struct TrackLimits {
+  double move_per_s = 0.45;   ///< diagonals of the mesh's box
+  double scale_per_s = 2.4;   ///< of the natural logarithm of a width
+  double turn_radps = 2.094;  ///< of all three axes together
+  double fade_per_s = 4.0;    ///< of the opacity
+};
+
+struct TrackOptions {
+  double step_s = 1.0 / 60.0;  ///< time between searches
+  HighlightSize size{};        ///< a cap of 0 stands for that of default_size()
+  TrackLimits limits{};
+  /// How far from where it is expected a highlight may appear and still be the same, and how far behind what
+  /// is shown may fall, before it fades out and a new one fades in: shares of the diagonal.
+  double jump_share = 0.05, lag_share = 0.08;
+  int key_steps = 60;        ///< from one key state to the next
+  bool has_shadows = false;  ///< whether the surface keeps highlights from their lamps (LampShadow)
+};
+
+/// Checks ranges: throws Error(bad_input) that names the option.
+void require_valid(const TrackOptions& options);
+
+/// A place of the mesh, for whose nearest highlight a rule is; with a lamp, of those of this lamp.
+struct NearestPlace {
+  glm::dvec3 place_m{0.0};
+  std::optional<int> lamp = {};
+
+  bool operator==(const NearestPlace&) const = default;
+};
+
+/// One highlight through time.
+struct HighlightTrack {
+  std::uint64_t id = 0;  ///< counts births since reset()
+  enum class State { alive, fading };
+  State state = State::alive;
+  HighlightPoint point;         ///< where N = H, or was
+  glm::dvec3 way_m{0.0};        ///< of the point in the last step
+  Projector projector;          ///< as shown: follows the point within the limits
+  std::uint32_t seed_face = 0;  ///< that the projector's middle lies on
+  double presence = 0.0;        ///< 0 ... 1: fades in from birth on, out from the end on
+  double share = 1.0;           ///< 0 ... 1: what an older one of the same region leaves to it
+  double lit = 1.0;             ///< 0 ... 1: how much of it its lamp reaches, as looked at last
+  double opacity = 0.0;         ///< 0 ... 1, as shown: follows presence * share * lit within the limits
+  std::vector<double> nearest;  ///< [TrackState::places], 0 ... 1: how much of it is the nearest to each
+};
+
+/// All highlights at one step: what a replay can start from.
+struct TrackState {
+  std::int64_t step = 0;  ///< since reset()
+  std::uint64_t next_id = 0;
+  std::vector<HighlightTrack> tracks;  ///< by id
+  std::vector<NearestPlace> places;    ///< that tracks share out among them
+};
+
+}  // namespace offing::highlights

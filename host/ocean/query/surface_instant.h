@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/ocean/query/shoals.h"
+#include "host/ocean/query/trochoid_instant.h"
+#include "host/ocean/query/water_point.h"
+#include "host/ocean/surface/cascades.h"
+#include "host/ocean/wakes/wake_maps.h"
+
+namespace offing::ocean {
+
+/// A composed sea at one time in host memory, for single points: what ocean/surface_query.cl answers, in
+/// double precision and without a device.
+class SurfaceInstant {
+ public:
+  /// One cascade's maps, [n][n][4]: those of SurfaceMaps, and VelocityMap's at the query's depth or nothing.
+  struct Maps {
+    double patch_length_m = 0.0;
+    std::vector<float> displacement, gradient, flow;
+  };
+
+  /// Throws Error(bad_input) for trochoids, time or query out of range.
+  SurfaceInstant(std::vector<Maps> cascades, int size, const TrochoidSea& trochoids, double time_s,
+                 const WaterQuery& query, const Dispersion& dispersion,
+                 std::vector<WakeMaps::Instant> wakes = {}, std::optional<ShoalsInstant> shoals = {});
+
+  /// The water on this point's vertical. Throws Error(bad_input) for a point beyond farthest_point_m.
+  WaterSample at(const WaterPoint& point) const;
+  /// All cascades, trochoids and wakes at a label, summed, with what shoals leave of them.
+  TrochoidValues at_label(const WaterPoint& label) const { return sums_at(label).values; }
+
+  const std::vector<Maps>& cascades() const { return cascades_; }
+  const TrochoidInstant& trochoids() const { return trochoids_; }
+
+ private:
+  struct Sums {
+    TrochoidValues values;
+    // Of the displacement as it is interpolated: what steps toward a label follow.
+    double x_by_x = 0.0, z_by_x = 0.0, x_by_z = 0.0, z_by_z = 0.0;
+  };
+
+  /// What is left of waves at a label: of each cascade, and of each trochoid.
+  struct Shares {
+    std::array<double, SHOAL_FIRST_TROCHOIDS> cascades;
+    std::vector<double> trochoids;
+  };
+
+  Shares shares_at(const WaterPoint& label) const;
+  Sums sums_at(const WaterPoint& label) const;
+  WaterPoint label_under(const WaterPoint& point) const;
+
+  std::vector<Maps> cascades_;
+  int size_;
+  TrochoidInstant trochoids_;
+  std::vector<WakeMaps::Instant> wakes_;
+  std::optional<ShoalsInstant> shoals_;
+  std::vector<std::size_t> bands_;  // of each trochoid, over shoals
+  WaterQuery query_;
+  double weight_papm_;
+};
+
+}  // namespace offing::ocean

@@ -1,0 +1,243 @@
+#include "host/ocean/query/surface_query.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "host/ocean/surface/device_trochoids.h"
+#include "host/ocean/surface/wave_clock.h"
+#include "host/ocl/program.h"
+#include "host/ocl/tuning.h"
+
+namespace offing::ocean {
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+constexpr double tile_m = SURFACE_QUERY_TILE_M;
+// A work-item of the strip shape takes vectors of this many points, so many of them.
+constexpr int strip_lanes = 16;
+constexpr std::size_t vectors_an_item = 8;
+// Points that are on the device at a time: 48 MB with their samples.
+constexpr std::size_t most_points = std::size_t{1} << 20;
+
+std::int32_t device_phase(double turns) {
+  return std::bit_cast<std::int32_t>(device_turns(turns));
+}
+
+/// A wave's turns from tile to tile in 2^-32 of one, modulo a whole one.
+struct TileStep {
+  std::int32_t whole;
+  float rest;
+};
+
+TileStep tile_step(double turns_perm) {
+  const double steps = turns_perm * tile_m * 0x1p32;
+  const std::int64_t whole = std::llround(steps);
+  return {.whole = std::bit_cast<std::int32_t>(static_cast<std::uint32_t>(whole)),
+          .rest = static_cast<float>(steps - static_cast<double>(whole))};
+}
+
+/// What a wave of unit phase does at a depth, as TrochoidInstant has it.
+struct Flow {
+  double along_mps, up_mps, head_m;
+};
+
+Flow flow_of(const Trochoid& wave, double omega_radps, double depth_m, double water_depth_m) {
+  const double k = wave.wavenumber_radpm;
+  const double above_bed = std::exp(-2.0 * k * (water_depth_m - depth_m));
+  const double at_bed = std::exp(-2.0 * k * water_depth_m);
+  const double attenuated_m = wave.amplitude_m * std::exp(-k * depth_m);
+  const double speed_mps = omega_radps * attenuated_m / (1.0 - at_bed);
+  return {.along_mps = speed_mps * (1.0 + above_bed),
+          .up_mps = speed_mps * (1.0 - above_bed),
+          .head_m = attenuated_m * (1.0 + above_bed) / (1.0 + at_bed)};
+}
+
+/// `bands`: of waves that shoal; none where they do not.
+std::vector<SurfaceQueryWave> pack_waves(const TrochoidSea& sea, const WaterQuery& query,
+                                         const WaveClock& clock, const ShoalingBands* bands) {
+  const double scale = horizontal_scale(sea).scale;
+  std::vector<SurfaceQueryWave> packed;
+  for (const Trochoid& wave : sea.waves) {
+    if (wave.wavenumber_radpm > largest_wavenumber_radpm(query.min_wavelength_m)) continue;
+    const double cosine = std::cos(wave.direction_rad), sine = std::sin(wave.direction_rad);
+    const double k = wave.wavenumber_radpm, a = wave.amplitude_m, qa = scale * a;
+    const double turns_x_perm = k * cosine / two_pi, turns_z_perm = k * sine / two_pi;
+    const std::uint32_t rate = clock.rate(wave.omega_radps);
+    const TileStep step_x = tile_step(turns_x_perm), step_z = tile_step(turns_z_perm);
+    const Flow flow = flow_of(wave, rate * clock.radps_per_rate(), query.depth_m, sea.dispersion.depth_m);
+    packed.push_back({.phase = device_phase(wave.phase_rad / two_pi),
+                      .tile_step_x = step_x.whole,
+                      .tile_step_z = step_z.whole,
+                      .tile_rest_x = step_x.rest,
+                      .tile_rest_z = step_z.rest,
+                      .rate = std::bit_cast<std::int32_t>(rate),
+                      .turns_x_perm = static_cast<float>(turns_x_perm),
+                      .turns_z_perm = static_cast<float>(turns_z_perm),
+                      .height_m = static_cast<float>(a),
+                      .gradient_xx = static_cast<float>(-qa * k * cosine * cosine),
+                      .gradient_xz = static_cast<float>(-qa * k * cosine * sine),
+                      .gradient_zz = static_cast<float>(-qa * k * sine * sine),
+                      .shift_x_m = static_cast<float>(-qa * cosine),
+                      .shift_z_m = static_cast<float>(-qa * sine),
+                      .slope_x = static_cast<float>(-a * k * cosine),
+                      .slope_z = static_cast<float>(-a * k * sine),
+                      .velocity_x_mps = static_cast<float>(flow.along_mps * cosine),
+                      .velocity_z_mps = static_cast<float>(flow.along_mps * sine),
+                      .head_m = static_cast<float>(flow.head_m),
+                      .velocity_y_mps = static_cast<float>(flow.up_mps),
+                      .band = bands ? bands->trochoid_band(k) : 0});
+  }
+  return packed;
+}
+
+std::vector<TrochoidRingInTile> pack_rings(const TrochoidSea& sea, const WaterQuery& query, double time_s) {
+  std::vector<TrochoidRingInTile> packed;
+  for (const Raindrop& drop : sea.raindrops) {
+    if (drop.wavelength_m < query.min_wavelength_m) continue;
+    const double tile_x = std::nearbyint(drop.x_m / tile_m), tile_z = std::nearbyint(drop.z_m / tile_m);
+    const TrochoidRing ring =
+        device_ring(drop, time_s, sea.dispersion, {.x_m = tile_x * tile_m, .z_m = tile_z * tile_m});
+    if (!is_visible(ring)) continue;
+    packed.push_back({.tile_x = static_cast<int>(tile_x), .tile_z = static_cast<int>(tile_z), .ring = ring});
+  }
+  return packed;
+}
+
+SurfaceQueryParams pack_params(const QueriedSea& sea, const WaterQuery& query) {
+  SurfaceQueryParams params{};
+  for (const Cascade& cascade : sea.cascades) {
+    // Cascades go from long waves to short ones: those that hold none of the waves asked for come last.
+    if (cascade.k_min_radpm > largest_wavenumber_radpm(query.min_wavelength_m)) break;
+    const int i = params.cascade_count++;
+    const double length_m = cascade.patch_length_m;
+    const double step = std::fmod(tile_m, length_m) / length_m * 0x1p32, high = std::floor(step);
+    params.tile_step_high[i] = std::bit_cast<std::int32_t>(static_cast<std::uint32_t>(high));
+    params.tile_step_low[i] = std::bit_cast<std::int32_t>(static_cast<std::uint32_t>((step - high) * 0x1p32));
+    params.patches_per_m[i] = static_cast<float>(1.0 / length_m);
+    params.texels_per_m[i] = static_cast<float>(sea.size / length_m);
+  }
+  params.size = sea.size;
+  params.has_flow = sea.flow ? 1 : 0;
+  params.depth_m = static_cast<float>(query.depth_m);
+  params.weight_papm = static_cast<float>(query.density_kgpm3 * sea.dispersion.gravity_mps2);
+  params.tolerance_m = static_cast<float>(query.tolerance_m);
+  return params;
+}
+
+/// Writes values that differ from those that were written before.
+template <class T>
+void write_changed(const ocl::Device& device, std::vector<T>&& values, std::vector<T>& held,
+                   ocl::Buffer<T>& buffer, const char* name) {
+  if (buffer.size() < std::max<std::size_t>(values.size(), 1)) {
+    buffer = ocl::Buffer<T>(device, std::max<std::size_t>(values.size(), 1), name);
+    held.clear();
+  }
+  const bool is_same =
+      values.size() == held.size() &&
+      (values.empty() || std::memcmp(values.data(), held.data(), values.size() * sizeof(T)) == 0);
+  if (is_same) return;
+  held.clear();
+  if (!values.empty()) buffer.write(values);
+  held = std::move(values);
+}
+
+}  // namespace
+
+SurfaceInstant read_instant(const QueriedSea& sea, const WaterQuery& query) {
+  std::vector<SurfaceInstant::Maps> cascades;
+  const std::size_t floats = 4 * static_cast<std::size_t>(sea.size) * static_cast<std::size_t>(sea.size);
+  for (std::size_t i = 0; i < sea.cascades.size(); ++i) {
+    const auto read = [&](const ocl::Buffer<float>& map) {
+      std::vector<float> values(floats);
+      map.read(values, i * floats);
+      return values;
+    };
+    cascades.push_back({.patch_length_m = sea.cascades[i].patch_length_m,
+                        .displacement = read(sea.displacement),
+                        .gradient = read(sea.gradient),
+                        .flow = sea.flow ? read(*sea.flow) : std::vector<float>{}});
+  }
+  return {std::move(cascades),
+          sea.size,
+          sea.trochoids,
+          sea.time_s,
+          query,
+          sea.dispersion,
+          sea.wakes.read(),
+          sea.shoals ? std::optional(sea.shoals->instant()) : std::nullopt};
+}
+
+SurfaceQuery::SurfaceQuery(const ocl::Device& device)
+    : device_(device),
+      lanes_(ocl::tuning_for(device.info(), "trochoids").shape == ocl::KernelShape::strip ? strip_lanes : 1),
+      kernel_(make_kernel(Depths::none)) {}
+
+ocl::Kernel SurfaceQuery::make_kernel(Depths depths) const {
+  ocl::Defines defines;
+  defines.set("LANES", lanes_);
+  if (depths == Depths::shoals) defines.set("SHOALS", 1);
+  return ocl::Program::build(device_, "ocean/surface_query.cl", defines).kernel("surface_query");
+}
+
+void SurfaceQuery::upload(const QueriedSea& sea, const WaterQuery& query) {
+  const WaveClock clock(largest_omega_radps / two_pi, sea.trochoids.loop_period_s);
+  std::vector<SurfaceQueryWave> waves =
+      pack_waves(sea.trochoids, query, clock, sea.shoals ? &sea.shoals->instant().table.bands() : nullptr);
+  std::vector<TrochoidRingInTile> rings = pack_rings(sea.trochoids, query, sea.time_s);
+  SurfaceQueryParams params = pack_params(sea, query);
+  params.wave_count = static_cast<int>(waves.size());
+  params.ring_count = static_cast<int>(rings.size());
+  write_changed(device_, std::move(waves), waves_, waves_buffer_, "queried waves");
+  write_changed(device_, std::move(rings), rings_, rings_buffer_, "queried rings");
+  write_changed(device_, std::vector{params}, params_, params_buffer_, "query");
+}
+
+void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query,
+                          const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+                          ocl::Buffer<WaterSample>& samples) {
+  if (count == 0) return;
+  upload(sea, query);
+  const WaveClock clock(largest_omega_radps / two_pi, sea.trochoids.loop_period_s);
+  const WaveTime time = clock.at(sea.time_s);
+  const std::size_t points_an_item = vectors_an_item * static_cast<std::size_t>(lanes_);
+  // A work-item of the strip shape has a group of its own: what it keeps would fill the stack for many at
+  // once.
+  ocl::LaunchShape shape{{(count + points_an_item - 1) / points_an_item}};
+  if (lanes_ > 1) shape.local = {1};
+  // Without flow a map that is there stands in for it, unread.
+  const auto launch = [&](const ocl::Kernel& kernel, const auto&... shoals) {
+    kernel.launch(shape, points, sea.displacement, sea.gradient, sea.flow ? *sea.flow : sea.gradient,
+                  waves_buffer_, rings_buffer_, sea.wakes.maps(), sea.wakes.layers(),
+                  static_cast<int>(sea.wakes.count()), shoals..., params_buffer_, static_cast<int>(count),
+                  time.ticks, time.tick_fraction, samples);
+  };
+  if (sea.shoals == nullptr) {
+    launch(kernel_);
+    return;
+  }
+  if (!over_shoals_) over_shoals_ = make_kernel(Depths::shoals);
+  launch(*over_shoals_, sea.shoals->map(), sea.shoals->depths_m(), sea.shoals->shares());
+}
+
+void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query, std::span<const WaterPoint> points,
+                          std::span<WaterSample> samples) {
+  const std::size_t most = std::min(points.size(), most_points);
+  if (points_.size() < most) {
+    points_ = ocl::Buffer<SurfaceQueryPoint>(device_, most, "queried points");
+    samples_ = ocl::Buffer<WaterSample>(device_, most, "queried samples");
+  }
+  for (std::size_t first = 0; first < points.size(); first += most_points) {
+    const std::span<const WaterPoint> part =
+        points.subspan(first, std::min(most_points, points.size() - first));
+    packed_points_.resize(part.size());
+    std::transform(part.begin(), part.end(), packed_points_.begin(), device_point);
+    points_.write(packed_points_);
+    sample(sea, query, points_, part.size(), samples_);
+    samples_.read(samples.subspan(first, part.size()));
+  }
+}
+
+}  // namespace offing::ocean

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host/ocean/query/shoals.h"
+#include "host/ocean/query/surface_instant.h"
+#include "host/ocean/query/water_point.h"
+#include "host/ocean/surface/cascades.h"
+#include "host/ocean/surface/trochoids.h"
+#include "host/ocean/wakes/wake_maps.h"
+#include "host/ocl/buffer.h"
+#include "host/ocl/kernel.h"
+#include "kernels/shared/trochoids.h"
+
+namespace offing::ocean {
+
+/// A sea on a device at one time, as a query reads it.
+struct QueriedSea {
+  const ocl::Buffer<float>& displacement;  ///< [cascades][n][n] float4 of SurfaceMaps
+  const ocl::Buffer<float>& gradient;
+  const ocl::Buffer<float>* flow =
+      nullptr;  ///< that of VelocityMap at the query's depth; none: not asked for
+  std::span<const Cascade> cascades;
+  int size = 0;  ///< n
+  const TrochoidSea& trochoids;
+  const WakeMaps& wakes;
+  const Shoals* shoals = nullptr;  ///< none: the sea is open everywhere
+  Dispersion dispersion = {};
+  double time_s = 0.0;
+};
+
+/// That sea in host memory.
+SurfaceInstant read_instant(const QueriedSea& sea, const WaterQuery& query);
+
+/// Answers for points of the world on a device (ocean/surface_query.cl).
+class SurfaceQuery {
+ public:
+  explicit SurfaceQuery(const ocl::Device& device);
+
+  /// Enqueues the samples of the first `count` points. Waits for the query before where the waves have
+  /// changed since, or rings run; otherwise time alone is passed on.
+  void sample(const QueriedSea& sea, const WaterQuery& query, const ocl::Buffer<SurfaceQueryPoint>& points,
+              std::size_t count, ocl::Buffer<WaterSample>& samples);
+
+  /// The same from and to host memory; waits.
+  void sample(const QueriedSea& sea, const WaterQuery& query, std::span<const WaterPoint> points,
+              std::span<WaterSample> samples);
+
+ private:
+  enum class Depths { none, shoals };
+
+  void upload(const QueriedSea& sea, const WaterQuery& query);
+  ocl::Kernel make_kernel(Depths depths) const;
+
+  ocl::Device device_;
+  int lanes_;
+  ocl::Kernel kernel_;
+  std::optional<ocl::Kernel> over_shoals_;  // made at first use
+  // As they are on the device.
+  std::vector<SurfaceQueryWave> waves_;
+  std::vector<TrochoidRingInTile> rings_;
+  std::vector<SurfaceQueryParams> params_;
+  ocl::Buffer<SurfaceQueryWave> waves_buffer_;
+  ocl::Buffer<TrochoidRingInTile> rings_buffer_;
+  ocl::Buffer<SurfaceQueryParams> params_buffer_;
+  std::vector<SurfaceQueryPoint> packed_points_;
+  ocl::Buffer<SurfaceQueryPoint> points_;
+  ocl::Buffer<WaterSample> samples_;
+};
+
+}  // namespace offing::ocean

@@ -1,0 +1,179 @@
+#include "host/ocean/spectrum/sea_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+
+namespace offing::ocean {
+namespace {
+
+using std::numbers::pi;
+
+struct Wave {
+  double energy_m2, k_radpm, frequency_hz, cosine, sine;
+};
+
+void require_valid(const ModeEnergies& modes) {
+  if (modes.size < 1 || modes.energy.size() != static_cast<std::size_t>(modes.size) * modes.size ||
+      !(modes.patch_length_m > 0.0)) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("ocean statistics: expected size x size energies of a patch with a length, found {} "
+                    "energies for size {} and {:g} m",
+                    modes.energy.size(), modes.size, modes.patch_length_m),
+        "pass one energy for each mode, K = 0 first");
+  }
+}
+
+/// Calls visit(Wave) for every mode that carries energy.
+template <typename Visit>
+void for_each_mode(std::span<const ModeEnergies> cascades, const Dispersion& dispersion, Visit&& visit) {
+  for (const ModeEnergies& modes : cascades) {
+    require_valid(modes);
+    const int size = modes.size;
+    const double step_radpm = 2.0 * pi / modes.patch_length_m;
+    const auto wrapped = [size](int index) { return index < size / 2 ? index : index - size; };
+    for (int row = 0; row < size; ++row) {
+      for (int column = 0; column < size; ++column) {
+        const double energy_m2 = modes.energy[static_cast<std::size_t>(row) * size + column];
+        const double index = std::hypot(wrapped(column), wrapped(row));
+        if (energy_m2 > 0.0 && index > 0.0) {
+          const double k_radpm = step_radpm * index;
+          visit(Wave{energy_m2, k_radpm, dispersion.omega_radps(k_radpm) / (2.0 * pi),
+                     wrapped(column) / index, wrapped(row) / index});
+        }
+      }
+    }
+  }
+}
+
+/// Calls visit(Wave) for every mode or trochoid that carries energy.
+template <typename Visit>
+void for_each_wave(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
+                   std::span<const Trochoid> trochoids, Visit&& visit) {
+  for_each_mode(cascades, dispersion, visit);
+  for (const Trochoid& wave : trochoids) {
+    if (wave.amplitude_m > 0.0) {
+      visit(Wave{0.5 * wave.amplitude_m * wave.amplitude_m, wave.wavenumber_radpm,
+                 wave.omega_radps / (2.0 * pi), std::cos(wave.direction_rad), std::sin(wave.direction_rad)});
+    }
+  }
+}
+
+struct Sums {
+  double m0 = 0.0, m1 = 0.0, m2 = 0.0, cosine = 0.0, sine = 0.0, slope = 0.0;
+  double lowest_hz = INFINITY, highest_hz = 0.0;
+};
+
+Sums sum_waves(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
+               std::span<const Trochoid> trochoids) {
+  Sums sums;
+  for_each_wave(cascades, dispersion, trochoids, [&](const Wave& wave) {
+    sums.m0 += wave.energy_m2;
+    sums.m1 += wave.energy_m2 * wave.frequency_hz;
+    sums.m2 += wave.energy_m2 * wave.frequency_hz * wave.frequency_hz;
+    sums.cosine += wave.energy_m2 * wave.cosine;
+    sums.sine += wave.energy_m2 * wave.sine;
+    sums.slope += wave.energy_m2 * wave.k_radpm * wave.k_radpm;
+    sums.lowest_hz = std::min(sums.lowest_hz, wave.frequency_hz);
+    sums.highest_hz = std::max(sums.highest_hz, wave.frequency_hz);
+  });
+  return sums;
+}
+
+/// Edges of frequency bins from below the lowest wave to above the highest.
+std::vector<double> frequency_bins(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
+                                   const Sums& sums) {
+  double longest_m = 0.0;
+  for (const ModeEnergies& modes : cascades) {
+    longest_m = std::max(longest_m, modes.patch_length_m);
+  }
+  const double octave_share = std::exp2(1.0 / 16.0) - 1.0;
+  std::vector<double> edges_hz = {sums.lowest_hz * (1.0 - 1e-9)};
+  while (edges_hz.back() <= sums.highest_hz) {
+    const double k_radpm = dispersion.wavenumber_radpm(2.0 * pi * edges_hz.back());
+    const double lattice_hz = dispersion.group_speed_mps(k_radpm) / longest_m;
+    edges_hz.push_back(edges_hz.back() + std::max(octave_share * edges_hz.back(), lattice_hz));
+  }
+  return edges_hz;
+}
+
+struct Bin {
+  double energy_m2 = 0.0;
+  double frequency_sum = 0.0;  // of energy times frequency
+};
+
+double peak_period_s(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
+                     std::span<const Trochoid> trochoids, const Sums& sums) {
+  const std::vector<double> edges_hz = frequency_bins(cascades, dispersion, sums);
+  std::vector<Bin> bins(edges_hz.size() - 1);
+  for_each_wave(cascades, dispersion, trochoids, [&](const Wave& wave) {
+    const auto above = std::upper_bound(edges_hz.begin(), edges_hz.end(), wave.frequency_hz);
+    Bin& bin = bins[above - edges_hz.begin() - 1];
+    bin.energy_m2 += wave.energy_m2;
+    bin.frequency_sum += wave.energy_m2 * wave.frequency_hz;
+  });
+  double energy4 = 0.0, frequency_energy4 = 0.0;
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    if (bins[i].energy_m2 > 0.0) {
+      const double width_hz = edges_hz[i + 1] - edges_hz[i];
+      const double weight = std::pow(bins[i].energy_m2 / (sums.m0 * width_hz), 4.0) * width_hz;
+      energy4 += weight;
+      frequency_energy4 += weight * bins[i].frequency_sum / bins[i].energy_m2;
+    }
+  }
+  return energy4 / frequency_energy4;
+}
+
+}  // namespace
+
+SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
+                      std::span<const Trochoid> trochoids) {
+  const Sums sums = sum_waves(cascades, dispersion, trochoids);
+  SeaState state;
+  if (sums.m0 <= 0.0) {
+    return state;
+  }
+  state.m0_m2 = sums.m0;
+  state.hs_m = 4.0 * std::sqrt(sums.m0);
+  state.tp_s = peak_period_s(cascades, dispersion, trochoids, sums);
+  state.tm01_s = sums.m0 / sums.m1;
+  state.tm02_s = std::sqrt(sums.m0 / sums.m2);
+  state.mean_direction_rad = direction_of_moment(sums.cosine, sums.sine, sums.m0);
+  state.mss = sums.slope;
+  return state;
+}
+
+SeaStateError standard_error_of(std::span<const ModeEnergies> expected, const Dispersion& dispersion,
+                                int seeds, std::span<const Trochoid> trochoids) {
+  if (seeds < 1) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("ocean statistics: expected at least 1 seed, found {}", seeds),
+                "average over 1 or more seeds");
+  }
+  const Sums sums = sum_waves(expected, dispersion, trochoids);
+  SeaStateError error;
+  if (sums.m0 <= 0.0) {
+    return error;
+  }
+  const double resultant2 = sums.cosine * sums.cosine + sums.sine * sums.sine;
+  double height = 0.0, period = 0.0, direction = 0.0;
+  for_each_mode(expected, dispersion, [&](const Wave& wave) {
+    const double variance = wave.energy_m2 * wave.energy_m2;
+    const double tilt = 1.0 / sums.m0 - wave.frequency_hz * wave.frequency_hz / sums.m2;
+    const double turn = sums.cosine * wave.sine - sums.sine * wave.cosine;
+    height += variance;
+    period += variance * tilt * tilt;
+    direction += variance * turn * turn;
+  });
+  error.hs_m = 2.0 * std::sqrt(height / (sums.m0 * seeds));
+  error.tm02_s = 0.5 * std::sqrt(sums.m0 / sums.m2) * std::sqrt(period / seeds);
+  error.mean_direction_rad = resultant2 > 0.0 ? std::sqrt(direction / seeds) / resultant2 : pi;
+  return error;
+}
+
+}  // namespace offing::ocean

@@ -1,0 +1,356 @@
+#include "host/ocean/surface/ocean.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/world_limits.h"
+#include "host/ocean/parameter_check.h"
+#include "host/ocean/query/surface_query.h"
+#include "host/ocean/surface/foam.h"
+#include "host/ocean/surface/long_waves.h"
+#include "host/ocean/surface/surface_maps.h"
+#include "host/ocean/surface/trochoid_surface.h"
+#include "host/ocean/surface/velocity_map.h"
+#include "host/ocean/surface/wave_modes.h"
+#include "host/ocl/program.h"
+#include "kernels/shared/ocean_params.h"
+
+namespace offing::ocean {
+namespace {
+
+OceanParameters checked(const OceanParameters& parameters) {
+  require_valid_size(parameters.size);
+  require_within("cascade count", static_cast<double>(parameters.cascades.size()), 1, 4);
+  for (const Cascade& cascade : parameters.cascades) {
+    require_within("patch_length_m", cascade.patch_length_m, 0.01, 1e6);
+    require_within("k_min_radpm", cascade.k_min_radpm, 0.0, cascade.k_max_radpm);
+  }
+  require_within("choppiness", parameters.choppiness, 0.0, 10.0);
+  if (parameters.loop_period_s) require_within("loop_period_s", *parameters.loop_period_s, 0.1, 1e5);
+  require_valid_foam(parameters.foam);
+  return parameters;
+}
+
+}  // namespace
+
+struct Ocean::State {
+  State(const ocl::Device& opened, const SeaSpectrum& spectrum, const OceanParameters& requested)
+      : device(opened),
+        parameters(checked(requested)),
+        dispersion(spectrum.dispersion),
+        modes(device, spectrum, parameters.cascades, parameters.size, parameters.loop_period_s),
+        surface(device, modes, parameters.choppiness),
+        wakes(std::make_shared<const WakeMaps>(device)) {
+    modes.draw(parameters.seed);
+  }
+
+  std::size_t texels() const {
+    return static_cast<std::size_t>(parameters.size) * static_cast<std::size_t>(parameters.size);
+  }
+
+  std::size_t first_texel(int cascade) const {
+    require_within("cascade index", cascade, 0, static_cast<double>(parameters.cascades.size()) - 1);
+    return static_cast<std::size_t>(cascade) * texels();
+  }
+
+  /// The surface at time_s, computed anew where foam left one of its past instants in the maps, or failed
+  /// there.
+  const SurfaceMaps& current_surface() {
+    if (!surface_is_current) {
+      surface.at(modes, time_s);
+      surface_is_current = true;
+    }
+    return surface;
+  }
+
+  /// Particle velocity at time_s of all waves.
+  const ocl::Buffer<float>& velocity_at(double depth_m) {
+    if (!velocity) velocity.emplace(device, modes, dispersion.depth_m);
+    velocity->at(modes, modes.amplitude(), time_s, depth_m);
+    return velocity->velocity();
+  }
+
+  QueriedSea queried(const TrochoidSea& sea_trochoids, const WaterQuery& query);
+
+  ocl::Device device;
+  OceanParameters parameters;
+  Dispersion dispersion;
+  double time_s = 0.0;
+  WaveModes modes;
+  SurfaceMaps surface;
+  std::shared_ptr<const WakeMaps> wakes;  // never none
+  std::shared_ptr<const Shoals> shoals;   // none: the open sea
+  bool surface_is_current = false;        // whether `surface` is that of time_s
+  // Made at first use: many callers want the surface alone.
+  std::optional<VelocityMap> velocity;
+  std::optional<Foam> foam;
+  std::optional<ocl::Kernel> jacobian;
+  std::optional<ocl::Kernel> compose;
+  std::optional<TrochoidSurface> trochoids;
+  std::optional<LongWaves> long_waves;
+  std::optional<SurfaceQuery> query;
+};
+
+/// The maps of the waves that a query counts, at time_s.
+QueriedSea Ocean::State::queried(const TrochoidSea& sea_trochoids, const WaterQuery& wanted) {
+  require_valid_trochoids(sea_trochoids);
+  require_valid_query(wanted, std::min(dispersion.depth_m, sea_trochoids.dispersion.depth_m));
+  const bool wants_flow = wanted.fields == WaterQuery::Fields::surface_and_flow;
+  const bool counts_all =
+      parameters.cascades.back().k_max_radpm <= largest_wavenumber_radpm(wanted.min_wavelength_m);
+  const ocl::Buffer<float>* flow = nullptr;
+  if (counts_all) {
+    if (wants_flow) flow = &velocity_at(wanted.depth_m);
+    current_surface();
+  } else {
+    if (!long_waves) long_waves.emplace(device, modes, parameters.choppiness, dispersion.depth_m);
+    long_waves->at(modes, wanted.min_wavelength_m, time_s);
+    if (wants_flow) {
+      long_waves->velocity_at(modes, wanted.depth_m);
+      flow = &long_waves->velocity();
+    }
+  }
+  const SurfaceMaps& maps = counts_all ? surface : long_waves->surface();
+  return {.displacement = maps.displacement(),
+          .gradient = maps.gradient(),
+          .flow = flow,
+          .cascades = parameters.cascades,
+          .size = parameters.size,
+          .trochoids = sea_trochoids,
+          .wakes = *wakes,
+          .shoals = shoals.get(),
+          .dispersion = dispersion,
+          .time_s = time_s};
+}
+
+Ocean::Ocean(const ocl::Device& device, const SeaSpectrum& spectrum, const OceanParameters& parameters)
+    : state_(std::make_unique<State>(device, spectrum, parameters)) {}
+Ocean::Ocean(Ocean&&) noexcept = default;
+Ocean& Ocean::operator=(Ocean&&) noexcept = default;
+Ocean::~Ocean() = default;
+
+const OceanParameters& Ocean::parameters() const {
+  return state_->parameters;
+}
+
+void Ocean::at(double time_s) {
+  require_within("time_s", time_s, -largest_time_s, largest_time_s);
+  state_->time_s = time_s;
+  state_->surface_is_current = false;
+  state_->current_surface();
+}
+
+void Ocean::set_wakes(std::shared_ptr<const WakeMaps> wakes) {
+  state_->wakes = wakes ? std::move(wakes) : std::make_shared<const WakeMaps>(state_->device);
+}
+
+void Ocean::set_shoals(std::shared_ptr<const Shoals> shoals) {
+  state_->shoals = std::move(shoals);
+}
+
+SurfaceFields Ocean::read_surface(int cascade) const {
+  State& state = *state_;
+  const std::size_t count = state.texels(), first = state.first_texel(cascade);
+  const SurfaceMaps& surface = state.current_surface();
+  if (!state.jacobian) {
+    state.jacobian =
+        ocl::Program::build(state.device, "ocean/surface_jacobian.cl").kernel("surface_jacobian");
+  }
+  ocl::Buffer<float> jacobian(state.device, 2 * count, "jacobian");
+  state.jacobian->launch({{count, 1, 1}}, surface.displacement(), surface.gradient(), static_cast<int>(first),
+                         jacobian);
+  SurfaceFields fields;
+  fields.size = state.parameters.size;
+  for (std::vector<float>* field :
+       {&fields.displacement_x, &fields.displacement_y, &fields.displacement_z, &fields.slope_x,
+        &fields.slope_z, &fields.gradient_xx, &fields.gradient_xz, &fields.gradient_zz, &fields.jacobian,
+        &fields.jacobian_min_eigenvalue}) {
+    field->resize(count);
+  }
+  const auto displacement = surface.displacement().map();
+  const auto gradient = surface.gradient().map();
+  const auto eigenvalues = jacobian.map();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t texel = 4 * (first + i);
+    fields.displacement_x[i] = displacement[texel];
+    fields.displacement_y[i] = displacement[texel + 1];
+    fields.displacement_z[i] = displacement[texel + 2];
+    fields.gradient_xz[i] = displacement[texel + 3];
+    fields.slope_x[i] = gradient[texel];
+    fields.slope_z[i] = gradient[texel + 1];
+    fields.gradient_xx[i] = gradient[texel + 2];
+    fields.gradient_zz[i] = gradient[texel + 3];
+    fields.jacobian[i] = eigenvalues[2 * i];
+    fields.jacobian_min_eigenvalue[i] = eigenvalues[2 * i + 1];
+  }
+  return fields;
+}
+
+const ocl::Buffer<float>& Ocean::displacement_map() const {
+  return state_->current_surface().displacement();
+}
+
+const ocl::Buffer<float>& Ocean::gradient_map() const {
+  return state_->current_surface().gradient();
+}
+
+const ocl::Buffer<float>& Ocean::foam_map() {
+  State& state = *state_;
+  if (!state.foam)
+    state.foam.emplace(state.device, state.modes, state.parameters.foam, state.parameters.loop_period_s);
+  if (!state.foam->holds(state.time_s)) {
+    state.surface_is_current = false;
+    state.foam->at(state.modes, state.surface, state.time_s);
+  }
+  return state.foam->foam();
+}
+
+std::vector<float> Ocean::read_foam(int cascade) {
+  const std::size_t first = state_->first_texel(cascade);
+  std::vector<float> foam(state_->texels());
+  foam_map().read(foam, first);
+  return foam;
+}
+
+VelocityFields Ocean::read_velocity(int cascade, double depth_m) {
+  State& state = *state_;
+  const std::size_t count = state.texels(), first = state.first_texel(cascade);
+  require_within("depth_m", depth_m, 0.0, std::min(deepest_m, state.dispersion.depth_m));
+  const ocl::Buffer<float>& velocity_map = state.velocity_at(depth_m);
+  VelocityFields fields;
+  fields.size = state.parameters.size;
+  for (std::vector<float>* field : {&fields.x, &fields.y, &fields.z}) field->resize(count);
+  const auto velocity = velocity_map.map();
+  for (std::size_t i = 0; i < count; ++i) {
+    fields.x[i] = velocity[4 * (first + i)];
+    fields.y[i] = velocity[4 * (first + i) + 1];
+    fields.z[i] = velocity[4 * (first + i) + 2];
+  }
+  return fields;
+}
+
+ComposedFields Ocean::read_composed(const SampleGrid& grid, const Composition& composition) {
+  State& state = *state_;
+  require_valid_grid(grid);
+  const bool has_trochoids = !composition.trochoids.waves.empty() || !composition.trochoids.raindrops.empty();
+  if (has_trochoids) {
+    if (!state.trochoids) state.trochoids.emplace(state.device);
+    state.trochoids->at(composition.trochoids, grid, state.time_s);
+  }
+  if (!state.compose) {
+    state.compose = ocl::Program::build(state.device, "ocean/surface_compose.cl").kernel("surface_compose");
+  }
+  OceanComposeParams params{};
+  params.cascade_count = static_cast<int>(state.parameters.cascades.size());
+  params.columns = grid.columns;
+  params.rows = grid.rows;
+  params.trochoid_pitch = has_trochoids ? state.trochoids->pitch() : 0;
+  params.adds_slopes = composition.slopes == SlopeRule::added ? 1 : 0;
+  for (std::size_t i = 0; i < state.parameters.cascades.size(); ++i) {
+    const double length_m = state.parameters.cascades[i].patch_length_m;
+    // In 2^-32 of the patch, as the kernel adds them up. fmod() is exact, so that a grid far from the origin
+    // loses nothing; a step's rounding comes to columns * 2^-33 of the patch at the far end, 0.008 texels at
+    // most.
+    const auto fraction = [&](double distance_m) {
+      return static_cast<int>(std::llround(std::fmod(distance_m, length_m) / length_m * 0x1p32));
+    };
+    params.origin_column[i] = fraction(grid.origin_x_m);
+    params.origin_row[i] = fraction(grid.origin_z_m);
+    params.column_step[i] = fraction(grid.spacing_x_m);
+    params.row_step[i] = fraction(grid.spacing_z_m);
+  }
+  const SurfaceMaps& surface = state.current_surface();
+  const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
+  const std::size_t count = columns * rows;
+  const ocl::Buffer<OceanComposeParams> params_buffer(state.device, std::span(&params, 1), "sample grid");
+  std::vector<WakeSamples> wake_samples = state.wakes->samples_of(grid);
+  wake_samples.resize(std::max<std::size_t>(wake_samples.size(), 1));
+  const ocl::Buffer<WakeSamples> samples_buffer(state.device, wake_samples, "samples in wakes");
+  ocl::Buffer<float> position(state.device, 4 * count, "composed positions");
+  ocl::Buffer<float> shape(state.device, 4 * count, "composed slopes");
+  // Without trochoids the cascades' own maps stand in for theirs, unread.
+  state.compose->launch({{columns, rows, 1}}, surface.displacement(), surface.gradient(),
+                        has_trochoids ? state.trochoids->displacement() : surface.displacement(),
+                        has_trochoids ? state.trochoids->gradient() : surface.gradient(), state.wakes->maps(),
+                        state.wakes->layers(), samples_buffer, static_cast<int>(state.wakes->count()),
+                        params_buffer, state.parameters.size, position, shape);
+  ComposedFields fields;
+  fields.columns = grid.columns;
+  fields.rows = grid.rows;
+  for (std::vector<float>* field :
+       {&fields.displacement_x, &fields.displacement_y, &fields.displacement_z, &fields.slope_x,
+        &fields.slope_z, &fields.jacobian, &fields.jacobian_min_eigenvalue}) {
+    field->resize(count);
+  }
+  const auto positions = position.map();
+  const auto shapes = shape.map();
+  for (std::size_t i = 0; i < count; ++i) {
+    fields.displacement_x[i] = positions[4 * i];
+    fields.displacement_y[i] = positions[4 * i + 1];
+    fields.displacement_z[i] = positions[4 * i + 2];
+    fields.jacobian[i] = positions[4 * i + 3];
+    fields.slope_x[i] = shapes[4 * i];
+    fields.slope_z[i] = shapes[4 * i + 1];
+    fields.jacobian_min_eigenvalue[i] = shapes[4 * i + 2];
+  }
+  return fields;
+}
+
+void Ocean::sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+                   ocl::Buffer<WaterSample>& samples, const TrochoidSea& trochoids, const WaterQuery& query) {
+  State& state = *state_;
+  if (points.size() < count || samples.size() < count) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("sample: expected buffers of {} points and samples, found {} and {}", count,
+                            points.size(), samples.size()),
+                "make both buffers as large as the number of points");
+  }
+  const QueriedSea sea = state.queried(trochoids, query);
+  if (!state.query) state.query.emplace(state.device);
+  state.query->sample(sea, query, points, count, samples);
+}
+
+void Ocean::sample(std::span<const WaterPoint> points, std::span<WaterSample> samples,
+                   const TrochoidSea& trochoids, const WaterQuery& query) {
+  State& state = *state_;
+  if (points.size() != samples.size()) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("sample: expected a sample for each of {} points, found {}", points.size(),
+                            samples.size()),
+                "pass as many samples as points");
+  }
+  const QueriedSea sea = state.queried(trochoids, query);
+  if (!state.query) state.query.emplace(state.device);
+  state.query->sample(sea, query, points, samples);
+}
+
+std::vector<WaterSample> Ocean::sample(std::span<const WaterPoint> points, const TrochoidSea& trochoids,
+                                       const WaterQuery& query) {
+  std::vector<WaterSample> samples(points.size());
+  sample(points, samples, trochoids, query);
+  return samples;
+}
+
+SurfaceInstant Ocean::instant(const TrochoidSea& trochoids, const WaterQuery& query) {
+  return read_instant(state_->queried(trochoids, query), query);
+}
+
+std::vector<float> Ocean::mode_variance(int cascade) const {
+  state_->first_texel(cascade);
+  return state_->modes.variance(cascade);
+}
+
+void Ocean::reseed(std::uint64_t seed) {
+  State& state = *state_;
+  state.surface_is_current = false;
+  if (state.foam) state.foam->reset();
+  if (state.velocity) state.velocity->reset();
+  if (state.long_waves) state.long_waves->reset();
+  state.parameters.seed = seed;
+  state.modes.draw(seed);
+}
+
+}  // namespace offing::ocean

@@ -1,0 +1,347 @@
+#include "host/ocean/wakes/wake_window.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/time_estimate.h"
+#include "host/base/world_limits.h"
+#include "host/ocean/parameter_check.h"
+#include "host/ocean/wakes/wake_border.h"
+#include "host/ocl/program.h"
+
+namespace offing::ocean {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+// Verlet's scheme is stable up to a Courant number of sqrt(3 / 8) = 0.61 with these differences, whose
+// largest eigenvalue is 16/3 along either axis.
+constexpr double largest_courant = 0.55;
+// Every wave fades at this rate, so that rounding adds no energy: 2e-7 of a height in a step of 1/120 s gains
+// less than half as much. Waves keep 99 % of their height for 100 s.
+constexpr double fade_per_s = 1e-4;
+constexpr std::size_t most_hulls = 1024;
+
+int parts_of(const WakeParameters& parameters) {
+  if (parameters.method == WakeMethod::dispersive) return 1;
+  const double courant = parameters.speed_mps * parameters.step_s / parameters.cell_m();
+  return std::max(1, static_cast<int>(std::ceil(courant / largest_courant)));
+}
+
+/// What a drop presses for a step, so that the hollow it leaves is as deep as asked: waves as long as it is
+/// wide turn by omega dt in that time.
+double drop_depth_m(const WakeParameters& parameters) {
+  if (parameters.rain.drops_per_m2s <= 0.0) return 0.0;
+  const double radius_m = WAKE_DROP_RADIUS * parameters.cell_m();
+  const double omega_radps = parameters.method == WakeMethod::verlet
+                                 ? parameters.speed_mps / radius_m
+                                 : parameters.dispersion.omega_radps(1.0 / radius_m);
+  return parameters.rain.hollow_m / (omega_radps * parameters.step_s);
+}
+
+struct ModeTables {
+  std::vector<float> turn, omega;
+};
+
+/// e^(-i omega dt) / n^2 of each mode, with what it loses in a step: the shortest waves of the window, two
+/// cells long, which it shows badly, fade to 1/e in a period, others by the fourth power of their wavenumber
+/// more slowly. The mean level, K = 0, loses nothing.
+ModeTables mode_tables(const WakeParameters& parameters) {
+  const int n = parameters.cells;
+  const double k_step = 2.0 * pi / parameters.length_m, shortest = 0.5 * n * k_step;
+  const double shortest_fade_per_s = parameters.dispersion.omega_radps(shortest) / (2.0 * pi);
+  const double scale = 1.0 / (static_cast<double>(n) * n);
+  // omega of |K| for one octant: the others follow by symmetry.
+  const int half = n / 2;
+  ModeTables tables;
+  const auto count = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+  tables.turn.resize(2 * count);
+  tables.omega.resize(count);
+  for (int i = 0; i <= half; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      const double k = k_step * std::hypot(i, j), omega = parameters.dispersion.omega_radps(k);
+      const double ratio = k / shortest;
+      const double rate = fade_per_s + shortest_fade_per_s * ratio * ratio * ratio * ratio;
+      const double kept = i == 0 ? scale : scale * std::exp(-rate * parameters.step_s);
+      const auto cosine = static_cast<float>(kept * std::cos(omega * parameters.step_s));
+      const auto sine = static_cast<float>(-kept * std::sin(omega * parameters.step_s));
+      for (const auto& [a, b] : {std::pair{i, j}, {j, i}}) {
+        for (const int row : {a, (n - a) % n}) {
+          for (const int column : {b, (n - b) % n}) {
+            const std::size_t place = static_cast<std::size_t>(row) * static_cast<std::size_t>(n) +
+                                      static_cast<std::size_t>(column);
+            tables.turn[2 * place] = cosine;
+            tables.turn[2 * place + 1] = sine;
+            tables.omega[place] = static_cast<float>(omega);
+          }
+        }
+      }
+    }
+  }
+  return tables;
+}
+
+void require_valid_hull(const WakeHull& hull) {
+  require_within("wake hull x_m", hull.x_m, -farthest_point_m, farthest_point_m);
+  require_within("wake hull z_m", hull.z_m, -farthest_point_m, farthest_point_m);
+  require_within("wake hull length_m", hull.length_m, 0.01, 1e4);
+  require_within("wake hull beam_m", hull.beam_m, 0.01, 1e4);
+  require_within("wake hull draught_m", hull.draught_m, 0.0, 100.0);
+  require_within("wake hull heading_rad", hull.heading_rad, -1e6, 1e6);
+}
+
+WakeHullShape device_hull(const WakeHull& hull, const WakeGrid& grid, double cell_m) {
+  return {.x_m = static_cast<float>(hull.x_m - grid.first_column * cell_m),
+          .z_m = static_cast<float>(hull.z_m - grid.first_row * cell_m),
+          .cosine = static_cast<float>(std::cos(hull.heading_rad)),
+          .sine = static_cast<float>(std::sin(hull.heading_rad)),
+          .half_length_m = static_cast<float>(0.5 * hull.length_m),
+          .half_beam_m = static_cast<float>(0.5 * hull.beam_m),
+          .draught_m = static_cast<float>(hull.draught_m),
+          .shape = hull.shape == WakeHull::Shape::gaussian ? WAKE_SHAPE_GAUSSIAN : WAKE_SHAPE_ELLIPSOID};
+}
+
+}  // namespace
+
+WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& parameters)
+    : device_(device),
+      parameters_((require_valid_wake(parameters), parameters)),
+      parts_(parts_of(parameters)),
+      drop_m_(static_cast<float>(drop_depth_m(parameters))) {
+  const auto kernel = [&](const char* source, const char* name) {
+    return ocl::Program::build(device, source).kernel(name);
+  };
+  scroll_ = kernel("ocean/wake_scroll.cl", "wake_scroll");
+  rain_ = kernel("ocean/wake_rain.cl", "wake_rain");
+  displace_ = kernel("ocean/wake_displace.cl", "wake_displace");
+  map_ = kernel("ocean/wake_map.cl", "wake_map");
+  const WakeBorder border = make_wake_border(parameters_, parameters_.step_s / parts_);
+  kept_ = ocl::Buffer<float>(device, border.kept, "wake border");
+  blend_ = ocl::Buffer<float>(device, border.blend, "wake blend");
+  state_ = ocl::Buffer<float>(device, 2 * texels(), "wake state");
+  next_ = ocl::Buffer<float>(device, 2 * texels(), "wake step");
+  displaced_ = ocl::Buffer<float>(device, texels(), "displaced depth");
+  fields_ = ocl::Buffer<float>(device, 4 * texels(), "wake fields");
+  drops_ = ocl::Buffer<float>(device, 2 * texels() / (WAKE_RAIN_SQUARE * WAKE_RAIN_SQUARE), "wake rain");
+  hulls_buffer_ = ocl::Buffer<WakeHullShape>(device, 1, "wake hulls");
+  if (parameters_.method == WakeMethod::verlet) {
+    verlet_ = kernel("ocean/wake_verlet.cl", "wake_verlet");
+    differences_ = kernel("ocean/wake_differences.cl", "wake_differences");
+  } else {
+    press_ = kernel("ocean/wake_press.cl", "wake_press");
+    turn_ = kernel("ocean/wake_turn.cl", "wake_turn");
+    settle_ = kernel("ocean/wake_settle.cl", "wake_settle");
+    spectrum_ = kernel("ocean/wake_spectrum.cl", "wake_spectrum");
+    forward_.emplace(device, parameters_.cells, 1, fft::Direction::forward);
+    inverse_.emplace(device, parameters_.cells, 1, fft::Direction::inverse);
+    fields_inverse_.emplace(device, parameters_.cells, 2, fft::Direction::inverse);
+    const ModeTables tables = mode_tables(parameters_);
+    turn_table_ = ocl::Buffer<float>(device, tables.turn, "turns of modes");
+    omega_ = ocl::Buffer<float>(device, tables.omega, "frequencies of modes");
+  }
+  reset(0.0, {});
+}
+
+std::size_t WakeWindow::texels() const {
+  return static_cast<std::size_t>(parameters_.cells) * static_cast<std::size_t>(parameters_.cells);
+}
+
+ocl::LaunchShape WakeWindow::whole() const {
+  const auto side = static_cast<std::size_t>(parameters_.cells);
+  return {{side, side, 1}};
+}
+
+void WakeWindow::scroll_to(const WaterPoint& centre) {
+  require_within("wake centre x_m", centre.x_m, -farthest_point_m, farthest_point_m);
+  require_within("wake centre z_m", centre.z_m, -farthest_point_m, farthest_point_m);
+  const auto first = [&](double place_m) {
+    return static_cast<int>(std::llround(place_m / parameters_.cell_m())) - parameters_.cells / 2;
+  };
+  WakeGrid moved{.size = parameters_.cells,
+                 .first_column = first(centre.x_m),
+                 .first_row = first(centre.z_m),
+                 .cell_m = static_cast<float>(parameters_.cell_m())};
+  const int columns = moved.first_column - grid_.first_column, rows = moved.first_row - grid_.first_row;
+  grid_ = moved;
+  if (columns == 0 && rows == 0) return;
+  scroll_.launch(whole(), grid_, columns, rows, state_);
+}
+
+void WakeWindow::reset(double time_s, const WaterPoint& centre) {
+  require_within("time_s", time_s, -largest_time_s, largest_time_s);
+  step_ = static_cast<std::int64_t>(std::floor(time_s / parameters_.step_s));
+  scroll_to(centre);
+  state_.fill(0.0f);
+}
+
+void WakeWindow::advance_to(double time_s, const ForcingAt& forcing_at, const AddDisplaced& add_displaced) {
+  require_within("time_s", time_s, -largest_time_s, largest_time_s);
+  // A time that is a multiple of the step but for rounding is taken as that multiple.
+  const auto last = static_cast<std::int64_t>(std::floor(time_s / parameters_.step_s + 1e-6));
+  TimeEstimate estimate(
+      last - step_,
+      fmt::format("ocean.wake: {} steps of {:g} s on {} x {} cells", last - step_, parameters_.step_s,
+                  parameters_.cells, parameters_.cells),
+      "use a shorter ocean.wake.history_s, a longer ocean.wake.step_s, or fewer ocean.wake.cells");
+  while (step_ < last) {
+    const double middle_s = (static_cast<double>(step_) + 0.5) * parameters_.step_s;
+    step(forcing_at(middle_s), middle_s, add_displaced);
+    ++step_;
+    estimate.step_done([&] { device_.finish(); });
+  }
+}
+
+void WakeWindow::upload_hulls(const std::vector<WakeHull>& hulls) {
+  require_within("wake hull count", static_cast<double>(hulls.size()), 0.0, most_hulls);
+  hulls_.clear();
+  for (const WakeHull& hull : hulls) {
+    require_valid_hull(hull);
+    hulls_.push_back(device_hull(hull, grid_, parameters_.cell_m()));
+  }
+  if (hulls_buffer_.size() < hulls_.size()) {
+    hulls_buffer_ = ocl::Buffer<WakeHullShape>(device_, hulls_.size(), "wake hulls");
+  }
+  if (!hulls_.empty()) hulls_buffer_.write(hulls_);
+}
+
+void WakeWindow::rain() {
+  if (drop_m_ == 0.0f) return;
+  struct Seed {
+    std::uint32_t low, high;
+  };
+  const std::uint64_t seed = parameters_.rain.seed;
+  const double square_m = WAKE_RAIN_SQUARE * parameters_.cell_m();
+  const auto squares = static_cast<std::size_t>(parameters_.cells / WAKE_RAIN_SQUARE);
+  rain_.launch({{squares, squares, 1}}, grid_,
+               Seed{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)},
+               static_cast<std::uint32_t>(step_),
+               static_cast<float>(parameters_.rain.drops_per_m2s * square_m * square_m * parameters_.step_s),
+               drops_);
+}
+
+void WakeWindow::step(const WakeForcing& forcing, double middle_s, const AddDisplaced& add_displaced) {
+  scroll_to(forcing.centre);
+  upload_hulls(forcing.hulls);
+  rain();
+  if (hulls_.empty() && drop_m_ == 0.0f) {
+    displaced_.fill(0.0f);
+  } else {
+    displace_.launch(whole(), grid_, hulls_buffer_, static_cast<int>(hulls_.size()), drops_, drop_m_,
+                     displaced_);
+  }
+  if (add_displaced) add_displaced(middle_s, grid_, displaced_);
+  if (parameters_.method == WakeMethod::verlet) {
+    advance_verlet();
+  } else {
+    advance_dispersive();
+  }
+}
+
+void WakeWindow::advance_dispersive() {
+  press_.launch({{texels()}}, state_, displaced_, next_);
+  forward_->transform(next_, next_);
+  turn_.launch({{texels()}}, turn_table_, next_);
+  inverse_->transform(next_, next_);
+  settle_.launch(whole(), grid_, next_, displaced_, kept_, state_);
+}
+
+void WakeWindow::advance_verlet() {
+  const double part_s = parameters_.step_s / parts_;
+  const auto courant = static_cast<float>(parameters_.speed_mps * part_s / parameters_.cell_m());
+  for (int part = 0; part < parts_; ++part) {
+    verlet_.launch(whole(), grid_, state_, displaced_, kept_, courant, next_);
+    std::swap(state_, next_);
+  }
+}
+
+void WakeWindow::draw(double time_s, ocl::Buffer<float>& map, std::size_t first,
+                      const AddDisplaced& add_displaced) {
+  const auto since_s = static_cast<float>(std::clamp(time_s - this->time_s(), 0.0, parameters_.step_s));
+  if (parameters_.method == WakeMethod::verlet) {
+    const double part_s = parameters_.step_s / parts_;
+    differences_.launch(whole(), state_, parameters_.cells, grid_.cell_m,
+                        static_cast<float>(parameters_.speed_mps * part_s / parameters_.cell_m()),
+                        static_cast<float>(part_s), since_s, fields_);
+  } else {
+    if (add_displaced) {
+      displaced_.fill(0.0f);
+      add_displaced(this->time_s(), grid_, displaced_);
+      press_.launch({{texels()}}, state_, displaced_, next_);
+      forward_->transform(next_, next_);
+    } else {
+      forward_->transform(state_, next_);
+    }
+    spectrum_.launch(whole(), next_, omega_, parameters_.cells, since_s,
+                     static_cast<float>(2.0 * pi / parameters_.length_m), fields_);
+    fields_inverse_->transform(fields_, fields_);
+  }
+  map_.launch(whole(), grid_, fields_, blend_, static_cast<int>(first), map);
+}
+
+WakeFields WakeWindow::read(double time_s) {
+  ocl::Buffer<float> map(device_, 4 * texels(), "wake map");
+  draw(time_s, map);
+  WakeFields fields;
+  fields.cell_m = parameters_.cell_m();
+  fields.origin_x_m = grid_.first_column * fields.cell_m;
+  fields.origin_z_m = grid_.first_row * fields.cell_m;
+  const auto texels_of = map.map();
+  const int mask = parameters_.cells - 1;
+  for (int row = 0; row < parameters_.cells; ++row) {
+    for (int column = 0; column < parameters_.cells; ++column) {
+      const auto texel = 4 * (static_cast<std::size_t>((grid_.first_row + row) & mask) *
+                                  static_cast<std::size_t>(parameters_.cells) +
+                              static_cast<std::size_t>((grid_.first_column + column) & mask));
+      fields.height_m.push_back(texels_of[texel]);
+      fields.slope_x.push_back(texels_of[texel + 1]);
+      fields.slope_z.push_back(texels_of[texel + 2]);
+      fields.rise_mps.push_back(texels_of[texel + 3]);
+    }
+  }
+  return fields;
+}
+
+WakeState WakeWindow::read_state() const {
+  WakeState state;
+  const auto values = state_.map();
+  const int mask = parameters_.cells - 1;
+  for (int row = 0; row < parameters_.cells; ++row) {
+    for (int column = 0; column < parameters_.cells; ++column) {
+      const auto place = 2 * (static_cast<std::size_t>((grid_.first_row + row) & mask) *
+                                  static_cast<std::size_t>(parameters_.cells) +
+                              static_cast<std::size_t>((grid_.first_column + column) & mask));
+      state.height_m.push_back(values[place]);
+      state.second_m.push_back(values[place + 1]);
+    }
+  }
+  return state;
+}
+
+void WakeWindow::write_state(const WakeState& state) {
+  if (state.height_m.size() != texels() || state.second_m.size() != texels()) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("wake state: expected {} values, found {} and {}", texels(),
+                            state.height_m.size(), state.second_m.size()),
+                "give both fields a value for each cell");
+  }
+  std::vector<float> values(2 * texels());
+  const int mask = parameters_.cells - 1;
+  std::size_t source = 0;
+  for (int row = 0; row < parameters_.cells; ++row) {
+    for (int column = 0; column < parameters_.cells; ++column, ++source) {
+      const auto place = 2 * (static_cast<std::size_t>((grid_.first_row + row) & mask) *
+                                  static_cast<std::size_t>(parameters_.cells) +
+                              static_cast<std::size_t>((grid_.first_column + column) & mask));
+      values[place] = state.height_m[source];
+      values[place + 1] = state.second_m[source];
+    }
+  }
+  state_.write(values);
+}
+
+}  // namespace offing::ocean

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "host/fft/fft2d.h"
+#include "host/ocean/wakes/wake_parameters.h"
+#include "host/ocl/buffer.h"
+#include "host/ocl/kernel.h"
+#include "kernels/shared/wake.h"
+
+namespace offing::ocean {
+
+/// A wake window in host memory, each field [n][n] row-major, row = z, column = x from the window's corner.
+struct WakeFields {
+  double origin_x_m = 0.0, origin_z_m = 0.0;  ///< of the first sample
+  double cell_m = 0.0;
+  std::vector<float> height_m, slope_x, slope_z, rise_mps;
+};
+
+/// Its state, laid out alike: height, m, and the second field of its method, m. The sum of both squares is
+/// twice the energy over density, gravity and a cell's area (of `dispersive`).
+struct WakeState {
+  std::vector<float> height_m, second_m;
+};
+
+/// A square of water that bodies and rain disturb, and that moves with them in whole cells (O14 of
+/// docs/sources.md, and linear water waves).
+///
+/// What disturbs it presses on the water as deep as it displaces it: a pressure of density, gravity and that
+/// depth. The water's volume in the window stays as it is, but for what the border absorbs. Waves are linear:
+/// they do not break, and do not mind the other waves of the sea. At the border they die away
+/// (wake_border.h); what is shown is faded to nothing there.
+///
+/// State is history: it is known at multiples of step_s, and advance_to() takes it from one to the next. The
+/// same steps give the same state, bit by bit, whatever times are asked for in between.
+class WakeWindow {
+ public:
+  /// The centre and the hulls of any time.
+  using ForcingAt = std::function<WakeForcing(double time_s)>;
+  /// Enqueues what adds to `displaced_m`, [n][n] laid out as WakeGrid says (kernels/shared/wake.h), in a
+  /// step: hulls of other shapes. `time_s` is the middle of the step.
+  using AddDisplaced =
+      std::function<void(double time_s, const WakeGrid& grid, ocl::Buffer<float>& displaced_m)>;
+
+  /// Throws what require_valid_wake() throws, Error(out_of_memory) if it does not fit.
+  WakeWindow(const ocl::Device& device, const WakeParameters& parameters);
+
+  const WakeParameters& parameters() const { return parameters_; }
+  /// Of the state: a multiple of step_s.
+  double time_s() const { return static_cast<double>(step_) * parameters_.step_s; }
+  WakeGrid grid() const { return grid_; }
+
+  /// Calm water around this centre at the last multiple of step_s up to time_s.
+  void reset(double time_s, const WaterPoint& centre);
+  /// Scrolls by whole cells to where this centre asks for; what comes in is calm, what stays is the same bit
+  /// by bit.
+  void scroll_to(const WaterPoint& centre);
+  /// Enqueues the steps up to time_s, none for an earlier one. Throws Error(bad_input) for a time beyond 1e8
+  /// s, a centre beyond farthest_point_m, a hull out of range, or steps that would take longer than
+  /// a first picture may (base/time_estimate.h): the state is that of the last whole step then.
+  void advance_to(double time_s, const ForcingAt& forcing_at, const AddDisplaced& add_displaced = {});
+
+  /// Enqueues the map of time_s, which is to be within a step of the state: [n][n] float4 from texel `first`
+  /// on (height m, dh/dx, dh/dz, dh/dt m/s), laid out as WakeGrid says. Of `dispersive` the hollows under
+  /// hulls that `add_displaced` adds at the time of the state are filled: the water stands there as its
+  /// pressure says, so that it meets their sides where it meets those around.
+  void draw(double time_s, ocl::Buffer<float>& map, std::size_t first = 0,
+            const AddDisplaced& add_displaced = {});
+
+  /// The map of time_s in host memory.
+  WakeFields read(double time_s);
+  WakeState read_state() const;
+  /// Puts another state in its place; throws Error(bad_usage) unless it has n * n values.
+  void write_state(const WakeState& state);
+
+ private:
+  void step(const WakeForcing& forcing, double middle_s, const AddDisplaced& add_displaced);
+  void upload_hulls(const std::vector<WakeHull>& hulls);
+  void rain();
+  void advance_dispersive();
+  void advance_verlet();
+  ocl::LaunchShape whole() const;
+  std::size_t texels() const;
+
+  ocl::Device device_;
+  WakeParameters parameters_;
+  int parts_;     // of a step, for the wave equation
+  float drop_m_;  // that a drop presses, while a step lasts
+  WakeGrid grid_{};
+  std::int64_t step_ = 0;
+  std::optional<fft::Fft2d> forward_, inverse_, fields_inverse_;
+  ocl::Kernel scroll_, rain_, displace_, press_, turn_, settle_, verlet_, spectrum_, differences_, map_;
+  ocl::Buffer<float> kept_, blend_, turn_table_, omega_;
+  ocl::Buffer<float> state_, next_, displaced_, fields_, drops_;
+  std::vector<WakeHullShape> hulls_;
+  ocl::Buffer<WakeHullShape> hulls_buffer_;
+};
+
+}  // namespace offing::ocean

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "host/base/keyframes.h"
+#include "host/scene/schema/parameter.h"
+
+namespace offing::scene {
+
+/// One keyframe of a value as it was written.
+struct WrittenKeyframe {
+  WrittenValue time, value;
+  Place time_place, value_place;
+};
+
+/// Checks keyframes and stores them for a row that can have them, of the last element of a repeated section;
+/// its constant value becomes that of the first one. At most 10,000 keys, times within +-1e8 s. Throws
+/// Error(bad_input) for a row that cannot have any, no keys or too many, times that do not increase, and
+/// values as store() does.
+void store_track(OceanScene& scene, const Parameter& parameter, const std::vector<WrittenKeyframe>& written,
+                 Interpolation interpolation, const Place& place);
+
+/// Whether a row has the same keyframes in all elements of two scenes.
+bool has_same_keyframes(const OceanScene& before, const OceanScene& after, const Parameter& row);
+
+}  // namespace offing::scene

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host/io/height_maps/height_map_options.h"
+#include "host/terrain/generate/fractal_ground.h"
+
+namespace offing::scene {
+
+/// Whether ground around a place hides the sky's light from it.
+enum class SkyVisibility { off, on };
+
+/// What a scene says about its ground: a file of heights or, without one, made ground.
+struct TerrainScene {
+  bool is_given = false;  ///< the scene has a [terrain] section
+  std::string file;       ///< height map or tile store; empty: made ground
+  HeightMapOptions reading;
+  int cache_mb = 256;  ///< for the tiles of a store, MiB
+  terrain::FractalParameters fractal;
+  std::optional<double> origin_x_m, origin_z_m;  ///< of the first post; absent: the map's middle is at 0
+  double water_line_m = 0.0;                     ///< ground at or below is water, where there is no sea
+  std::optional<double> tree_line_m, snow_line_m;
+  std::string colour;  ///< picture of the ground from above; empty: cover by height
+  SkyVisibility sky_visibility = SkyVisibility::off;
+};
+
+}  // namespace offing::scene

@@ -1,0 +1,239 @@
+#include "host/scene/prepare/scene_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/base/error.h"
+#include "host/bodies/hull.h"
+#include "host/bodies/path_drive.h"
+#include "host/bodies/pressed_hull.h"
+#include "host/scene/file/nearest_name.h"
+#include "host/scene/file/parameter_track.h"
+#include "host/scene/model/moving_number.h"
+#include "host/scene/model/named_file.h"
+#include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/schema/parameter_table.h"
+
+namespace offing::scene {
+
+namespace {
+
+using bodies::FloatingBody;
+
+constexpr double water_kgpm3 = bodies::BodyWaterParameters{}.density_kgpm3;
+constexpr double least_run_up_s = 10.0;
+// Of a path's speed before its time 0: short against any manoeuvre.
+constexpr double speed_step_s = 0.01;
+
+/// Drives of a body at any time, and where it is in its run-up. Its own copy of what it needs: the scene may
+/// go.
+class BodyCourse {
+ public:
+  BodyCourse(const OceanScene& scene, std::size_t index)
+      : body_(scene.bodies[index]),
+        x_m_(scene, {"body.x_m", {index, 0}}, body_.x_m),
+        z_m_(scene, {"body.z_m", {index, 0}}, body_.z_m),
+        heading_rad_(scene, {"body.heading_deg", {index, 0}}, body_.heading_rad),
+        thrust_n_(scene, {"body.thrust_n", {index, 0}}, body_.thrust_n),
+        rudder_rad_(scene, {"body.rudder_deg", {index, 0}}, body_.rudder_rad) {}
+
+  /// Before time 0 it goes straight ahead, as fast as it does then.
+  bodies::PathPlace place_at(double time_s) const {
+    if (time_s >= 0.0) return on_path(time_s);
+    const bodies::PathPlace start = on_path(0.0), next = on_path(speed_step_s);
+    const double steps = time_s / speed_step_s;
+    return {start.x_m + steps * (next.x_m - start.x_m), start.z_m + steps * (next.z_m - start.z_m),
+            start.heading_rad};
+  }
+
+  BodyDrive drive_at(double time_s, double start_s) const {
+    const bool is_led = body_.motion == BodyMotion::path;
+    if (is_led) return bodies::drive_along([&](double at_s) { return place_at(at_s); }, time_s);
+    // A sub-step belongs to the run-up if its middle does.
+    if (time_s + 0.5 / bodies::FloatingBodies::steps_per_s < start_s) {
+      return bodies::drive_along([&](double at_s) { return place_at(std::min(at_s - start_s, 0.0)); },
+                                 time_s);
+    }
+    BodyDrive drive{};
+    drive.thrust_n = static_cast<float>(thrust_n_.at(time_s));
+    drive.rudder_rad = static_cast<float>(rudder_rad_.at(time_s));
+    return drive;
+  }
+
+ private:
+  bodies::PathPlace on_path(double time_s) const {
+    const double heading_rad = heading_rad_.at(time_s), way_m = body_.speed_mps * time_s;
+    return {x_m_.at(time_s) + way_m * std::cos(heading_rad), z_m_.at(time_s) + way_m * std::sin(heading_rad),
+            heading_rad};
+  }
+
+  BodyScene body_;
+  MovingNumber x_m_, z_m_, heading_rad_, thrust_n_, rudder_rad_;
+};
+
+std::vector<std::string> names_of_bodies(const OceanScene& scene) {
+  std::vector<std::string> names;
+  for (const BodyScene& body : scene.bodies) {
+    if (!body.name.empty()) names.push_back(body.name);
+  }
+  return names;
+}
+
+std::size_t mesh_of(const OceanScene& scene, std::size_t index) {
+  const std::string& name = scene.bodies[index].mesh;
+  const auto mesh =
+      name.empty() ? scene.meshes.begin() : std::ranges::find(scene.meshes, name, &MeshScene::name);
+  if (mesh != scene.meshes.end()) return static_cast<std::size_t>(mesh - scene.meshes.begin());
+  std::vector<std::string> names;
+  for (const MeshScene& each : scene.meshes) {
+    if (!each.name.empty()) names.push_back(each.name);
+  }
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected the name of a [[mesh]], got \"{}\"",
+                          place_of_name(scene, {"body.mesh", {index, 0}}), name),
+              hint_of_names(name, names,
+                            scene.meshes.empty() ? "add a [[mesh]] of this name"
+                                                 : "no [[mesh]] has a name: give one this name"));
+}
+
+void require_other_mesh(const OceanScene& scene, const std::vector<world::BodySettings>& known,
+                        std::size_t mesh) {
+  if (std::ranges::find(known, mesh, &world::BodySettings::mesh) == known.end()) return;
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected a mesh that no other body moves, got \"{}\"",
+                          place_of_name(scene, {"body.mesh", {known.size(), 0}}), scene.meshes[mesh].name),
+              "give each body a [[mesh]] of its own");
+}
+
+/// Puts the meshes that are carried aboard the bodies that carry them.
+void board(const OceanScene& scene, std::vector<world::BodySettings>& bodies) {
+  for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
+    const std::string& name = scene.meshes[mesh].aboard;
+    if (name.empty()) continue;
+    const auto body = std::ranges::find(scene.bodies, name, &BodyScene::name);
+    const bool is_body = std::ranges::find(bodies, mesh, &world::BodySettings::mesh) != bodies.end();
+    if (body == scene.bodies.end() || is_body) {
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}: expected the name of a [[body]] that carries it, got \"{}\"",
+                              place_of_name(scene, {"mesh.aboard", {mesh, 0}}), name),
+                  is_body ? "remove aboard: a mesh with a [[body]] of its own is not carried"
+                          : hint_of_names(name, names_of_bodies(scene), "give the [[body]] this name"));
+    }
+    bodies[static_cast<std::size_t>(body - scene.bodies.begin())].aboard.push_back(mesh);
+  }
+}
+
+TriangleMesh in_hull_axes(const TriangleMesh& mesh, const highlights::RigidMotion& motion) {
+  TriangleMesh moved;
+  moved.faces = mesh.faces;
+  for (const glm::dvec3& place_m : mesh.positions_m) {
+    moved.positions_m.push_back(motion.rotation * place_m + motion.translation_m);
+  }
+  return moved;
+}
+
+FloatingBody loaded(const BodyScene& scene, const std::string& name, TriangleMesh hull) {
+  FloatingBody body;
+  if (scene.draught_m) {
+    const double level_m = bodies::extent_of(hull).low_m.y + *scene.draught_m;
+    body = bodies::load_to_level(name, std::move(hull), level_m, water_kgpm3);
+  } else {
+    const double mass_kg = scene.mass_kg.value_or(scene.density_kgpm3 * bodies::enclosed_by(hull).volume_m3);
+    body = bodies::load_to_mass(name, std::move(hull), mass_kg, water_kgpm3);
+  }
+  body.mass_centre_m = scene.mass_centre_m.value_or(body.mass_centre_m);
+  body.drive.propeller_diameter_m = scene.propeller_m.value_or(body.drive.propeller_diameter_m);
+  body.drive.rudder_area_m2 = scene.rudder_m2.value_or(body.drive.rudder_area_m2);
+  return body;
+}
+
+world::BodySettings settings_of(const OceanScene& scene, std::size_t index, std::size_t mesh,
+                                const world::MeshParameters& drawn) {
+  const BodyScene& body = scene.bodies[index];
+  const std::string name = body.name.empty() ? fmt::format("body {}", index + 1) : body.name;
+  // A mesh of a body stands still within it.
+  const highlights::RigidMotion in_hull = drawn.motion(0.0);
+  const TriangleMesh whole = in_hull_axes(*drawn.mesh, in_hull);
+  bodies::require_hull(whole, name.c_str());
+  world::BodySettings settings;
+  settings.mesh = mesh;
+  settings.mesh_in_hull = in_hull;
+  settings.map = std::make_shared<const bodies::HullMap>(bodies::map_of_hull(whole));
+  settings.body = loaded(
+      body, name, bodies::pressed_hull(whole, *settings.map, static_cast<std::size_t>(body.hull_faces)));
+  const auto course = std::make_shared<const BodyCourse>(scene, index);
+  const bodies::PathPlace start = course->place_at(-run_up_s(scene));
+  settings.body.start = bodies::at_rest(settings.body, water_kgpm3, start.x_m, start.z_m, start.heading_rad);
+  bodies::require_valid(settings.body);
+  settings.drive = [course](double time_s, double start_s) { return course->drive_at(time_s, start_s); };
+  return settings;
+}
+
+bool are_other_bodies(const OceanScene& before, const OceanScene& after) {
+  if (are_other_meshes(before, after)) return true;
+  const auto table = parameter_table();
+  return std::any_of(table.begin(), table.end(), [&](const Parameter& row) {
+    return row.group == ParameterGroup::body &&
+           (value_text(before, row, Digits::exact) != value_text(after, row, Digits::exact) ||
+            !has_same_keyframes(before, after, row));
+  });
+}
+
+}  // namespace
+
+double run_up_s(const OceanScene& scene) {
+  double longest_s = least_run_up_s;
+  for (const WakeScene& wake : scene.wakes) longest_s = std::max(longest_s, wake.history_s);
+  return longest_s;
+}
+
+std::vector<world::BodySettings> prepare_bodies(const OceanScene& scene,
+                                                const std::vector<world::MeshParameters>& meshes) {
+  std::vector<world::BodySettings> prepared;
+  if (!scene.bodies.empty() && !scene.has_sea()) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a sea for the body, found none",
+                            place_of_name(scene, {"body.mesh", {0, 0}})),
+                "add an [ocean] section to the scene");
+  }
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const std::size_t mesh = mesh_of(scene, i);
+    require_other_mesh(scene, prepared, mesh);
+    try {
+      prepared.push_back(settings_of(scene, i, mesh, meshes.at(mesh)));
+    } catch (const Error& error) {
+      throw Error(error.kind(),
+                  fmt::format("{}: {}", place_of_name(scene, {"body.mesh", {i, 0}}), error.what()),
+                  error.hint());
+    }
+  }
+  board(scene, prepared);
+  return prepared;
+}
+
+std::size_t followed_body(const OceanScene& scene, std::size_t wake) {
+  const std::string& name = scene.wakes[wake].body;
+  const auto body =
+      name.empty() ? scene.bodies.begin() : std::ranges::find(scene.bodies, name, &BodyScene::name);
+  if (body != scene.bodies.end()) return static_cast<std::size_t>(body - scene.bodies.begin());
+  const char* key = name.empty() ? "ocean.wake.centre" : "ocean.wake.body";
+  throw Error(
+      ErrorKind::bad_input,
+      fmt::format("{}: expected the name of a [[body]], got \"{}\"", place_of_name(scene, {key, {wake, 0}}),
+                  name),
+      hint_of_names(name, names_of_bodies(scene), "add a [[body]] of that name, or choose another centre"));
+}
+
+void edit_bodies(world::World& world, const OceanScene& before, const OceanScene& after) {
+  const bool is_same = !are_other_bodies(before, after) && run_up_s(before) == run_up_s(after) &&
+                       before.has_sea() == after.has_sea();
+  if (is_same) return;
+  world.set_bodies(prepare_bodies(after, world.parameters().meshes), run_up_s(after));
+}
+
+}  // namespace offing::scene

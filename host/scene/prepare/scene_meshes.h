@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "host/base/rgba_image.h"
+#include "host/highlights/tracks/highlight_tracks.h"
+#include "host/scene/model/ocean_scene.h"
+#include "host/world/world.h"
+
+namespace offing::scene {
+
+/// The meshes of a scene, as they are at its start: their files are read, their shapes made. Throws what
+/// mesh_data() and mesh_rules_at() throw.
+std::vector<world::MeshParameters> prepare_meshes(const OceanScene& scene);
+
+/// What the texture of highlights is made of, each file once. Throws Error(bad_input) that names the place in
+/// the scene for a file that is missing or no PNG, and for a texture that needs one and has none.
+std::vector<std::shared_ptr<const RgbaImage>> prepare_pictures(const OceanScene& scene);
+
+// At one time, whatever was asked before. All throw Error(bad_input) for a time beyond 1e8 s.
+
+/// One a mesh.
+std::vector<world::MeshMaterial> mesh_materials_at(const OceanScene& scene, double time_s);
+/// Those of each mesh, with their lamps and pictures by index. The sun is the lamp behind all lights. Throws
+/// Error(bad_input) that names the place in the scene for a light that it does not have.
+std::vector<std::vector<highlights::HighlightRule>> mesh_rules_at(const OceanScene& scene, double time_s);
+/// The lights beside the sun.
+std::vector<world::Lamp> lamps_at(const OceanScene& scene, double time_s);
+
+/// Gives a world the lamps, materials and rules that its scene has at a time.
+void set_meshes_at(world::World& world, const OceanScene& scene, double time_s);
+
+/// Eye, lamps and, while it is up, the sun of a scene at any time, in the world's axes, in the order of
+/// World::lighting(). Its own copy of what it needs: the scene may go; a ground, on which an eye on foot
+/// stands, must stay.
+highlights::LightingAt lighting_of(const OceanScene& scene, const world::GroundView* ground = nullptr);
+
+/// Whether meshes differ in more than their looks.
+bool are_other_meshes(const OceanScene& before, const OceanScene& after);
+
+/// Makes the meshes of a world, which are those of `before`, those of `after`: anew only where more than
+/// their looks and their rules have changed. Throws what prepare_meshes() throws, and has changed nothing
+/// then.
+void edit_meshes(world::World& world, const OceanScene& before, const OceanScene& after);
+
+/// Puts a camera south of the meshes, where it sees all of them as they are at a time.
+void look_at_meshes(const std::vector<world::MeshParameters>& meshes, double time_s, Camera& camera);
+
+}  // namespace offing::scene

@@ -1,0 +1,202 @@
+#include "host/scene/prepare/sea.h"
+
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/log.h"
+#include "host/io/file_presence.h"
+#include "host/io/spectra/read_spectra.h"
+#include "host/scene/prepare/spectrum_tail.h"
+#include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/unused_parameters.h"
+
+namespace offing::scene {
+
+namespace {
+
+/// A file that is missing is told where it is named.
+void require_spectrum_file(const OceanScene& scene) {
+  const auto place = scene.set_at.find("ocean.spectrum_file");
+  if (place == scene.set_at.end() || is_there(scene.spectrum_file)) return;
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected a wave spectrum file, got no such file, {}", place->second,
+                          scene.spectrum_file),
+              "check the path; in a scene it is relative to the scene file");
+}
+
+WaveSpectrum read_record(const OceanScene& scene) {
+  require_spectrum_file(scene);
+  std::vector<WaveSpectrum> records = read_spectra(scene.spectrum_file, scene.trust);
+  const auto index = static_cast<std::size_t>(scene.record);
+  if (index >= records.size()) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a record within [0, {}], got {}", scene.spectrum_file,
+                            records.size() - 1, scene.record),
+                "`offing ocean spectrum FILE` lists the records");
+  }
+  return std::move(records[index]);
+}
+
+/// The waves longer than a third of the peak's carry most of a sea: of a Pierson-Moskowitz spectrum
+/// exp(-1.25 / 9) = 87 %.
+constexpr double peak_lengths_of_split = 1.0 / 3.0;
+
+std::optional<ocean::TrochoidChoice> choose_gerstner_waves(const OceanScene& scene,
+                                                           const ocean::SeaSpectrum& spectrum) {
+  if (scene.gerstner_count == 0) {
+    return std::nullopt;
+  }
+  const double peak_m =
+      2.0 * std::numbers::pi / spectrum.dispersion.wavenumber_radpm(spectrum.omega_peak_radps);
+  const double split_m = scene.gerstner_split_m.value_or(peak_lengths_of_split * peak_m);
+  return ocean::TrochoidChoice{.split_radpm = ocean::split_at_wavelength_radpm(split_m),
+                               .count = scene.gerstner_count,
+                               .seed = scene.ocean.seed};
+}
+
+std::string choppiness_warning(const OceanScene& scene, const ocean::TrochoidSea& trochoids) {
+  const ocean::HorizontalScale horizontal = ocean::horizontal_scale(trochoids);
+  if (!horizontal.is_limited) return {};
+  const char* waves = scene.swells.empty()        ? "Gerstner waves"
+                      : scene.gerstner_count != 0 ? "Gerstner waves and swells"
+                                                  : "swells";
+  return fmt::format(
+      "the {} have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to {:.3g}, with more "
+      "they would fold",
+      waves, horizontal.scale, trochoids.choppiness, horizontal.steepness);
+}
+
+/// The steepest wave of deep water is 0.1412 of its length high: k A = pi 0.1412 (Michell 1893).
+constexpr double breaking_steepness = std::numbers::pi * 0.1412;
+
+/// Rings are drawn at any height, since they do not move sideways; so they do not fold, but look wrong.
+std::string raindrop_warning(std::span<const ocean::Raindrop> drops) {
+  const auto steepness = [](const ocean::Raindrop& drop) {
+    return 2.0 * std::numbers::pi * std::abs(drop.amplitude_m) / drop.wavelength_m;
+  };
+  std::size_t count = 0;
+  const ocean::Raindrop* steepest = nullptr;
+  for (const ocean::Raindrop& drop : drops) {
+    if (steepness(drop) <= breaking_steepness) continue;
+    ++count;
+    if (steepest == nullptr || steepness(drop) > steepness(*steepest)) steepest = &drop;
+  }
+  if (steepest == nullptr) return {};
+  return fmt::format(
+      "{} of {} raindrops begin steeper than water stays whole: a ring of amplitude_m = {:g} and "
+      "wavelength_m = {:g} has k A = {:.3g}, waves break at {:.2f}",
+      count, drops.size(), steepest->amplitude_m, steepest->wavelength_m, steepness(*steepest),
+      breaking_steepness);
+}
+
+void log_warnings(const OceanScene& scene, const Sea& sea) {
+  const std::string too_steep = steepness_warning(scene, trochoids_of(sea, sea.parameters.seed));
+  if (!too_steep.empty()) spdlog::warn("{}", too_steep);
+  for (const std::string& line : unused_parameters(scene, sea)) {
+    spdlog::warn("{}", line);
+  }
+}
+
+}  // namespace
+
+std::string steepness_warning(const OceanScene& scene, const ocean::TrochoidSea& trochoids) {
+  const std::string waves = choppiness_warning(scene, trochoids);
+  const std::string rings = raindrop_warning(trochoids.raindrops);
+  return waves.empty() || rings.empty() ? waves + rings : waves + "; " + rings;
+}
+
+std::vector<ocean::Trochoid> swells_of(const OceanScene& scene, const ocean::Dispersion& dispersion) {
+  std::vector<ocean::Trochoid> waves;
+  for (const SwellScene& asked : scene.swells) {
+    ocean::Swell swell{
+        .amplitude_m = asked.amplitude_m, .direction_rad = asked.direction_rad, .phase_rad = asked.phase_rad};
+    if (asked.wavelength_m) {
+      swell.wavelength_m = *asked.wavelength_m;
+    } else if (asked.period_s) {
+      const double omega_radps = 2.0 * std::numbers::pi / *asked.period_s;
+      swell.wavelength_m = 2.0 * std::numbers::pi / dispersion.wavenumber_radpm(omega_radps);
+    }
+    waves.push_back(ocean::make_swell(swell, dispersion));
+  }
+  return waves;
+}
+
+ocean::TrochoidSea trochoids_of(const Sea& sea, std::uint64_t seed) {
+  ocean::TrochoidSea trochoids{.choppiness = sea.parameters.choppiness,
+                               .loop_period_s = sea.parameters.loop_period_s,
+                               .dispersion = sea.spectrum.dispersion};
+  if (sea.trochoid_choice) {
+    ocean::TrochoidChoice choice = *sea.trochoid_choice;
+    choice.seed = seed;
+    trochoids.waves = ocean::choose_trochoids(sea.spectrum, choice);
+  }
+  trochoids.waves.insert(trochoids.waves.end(), sea.swells.begin(), sea.swells.end());
+  trochoids.raindrops = sea.raindrops;
+  return trochoids;
+}
+
+OceanScene with_resolved_wind(OceanScene scene) {
+  scene.wind_speed_mps = scene.ocean_wind_speed_mps.value_or(scene.wind_speed_mps);
+  scene.wind_direction_rad = scene.ocean_wind_direction_rad.value_or(scene.wind_direction_rad);
+  return scene;
+}
+
+Sea prepare_sea(const OceanScene& scene, Warnings warnings) {
+  if (!scene.has_sea()) {
+    throw Error(ErrorKind::bad_input, "scene: expected a sea, found none",
+                "add an [ocean] section to the scene");
+  }
+  Sea sea;
+  const OceanScene resolved = with_resolved_wind(scene);
+  ocean::SpectrumParameters spectrum = scene.spectrum;
+  spectrum.wind_speed_mps = resolved.wind_speed_mps;
+  spectrum.spreading.direction_rad = resolved.wind_direction_rad;
+  if (scene.depth_m) {
+    spectrum.dispersion.depth_m = *scene.depth_m;
+  }
+  if (scene.spectrum_file.empty()) {
+    sea.spectrum = ocean::make_sea_spectrum(spectrum);
+  } else {
+    sea.measured = read_record(scene);
+    if (!scene.depth_m && sea.measured->depth_m) {
+      spectrum.dispersion.depth_m = *sea.measured->depth_m;
+    }
+    if (scene.tail_hz) {
+      sea.measured = with_tail(std::move(*sea.measured), *scene.tail_hz);
+    }
+    // Only a wind that was asked for: the default would be a guess, where the record's own peak tells the
+    // wave age.
+    spectrum.spreading.wind_speed_mps = scene.ocean_wind_speed_mps;
+    sea.spectrum = ocean::from_measured(*sea.measured, spectrum.spreading, spectrum.dispersion);
+  }
+
+  sea.parameters = scene.ocean;
+  sea.trochoid_choice = choose_gerstner_waves(scene, sea.spectrum);
+  const double split_radpm = sea.trochoid_choice ? sea.trochoid_choice->split_radpm : 0.0;
+  sea.parameters.cascades =
+      scene.patch_lengths_m.empty()
+          ? ocean::choose_cascades(sea.spectrum, scene.ocean.size, scene.cascade_count, split_radpm)
+          : ocean::cascades_from_patches(scene.patch_lengths_m, scene.ocean.size, split_radpm);
+  sea.swells = swells_of(scene, sea.spectrum.dispersion);
+  sea.raindrops = scene.raindrops;
+  if (warnings == Warnings::logged) log_warnings(scene, sea);
+  return sea;
+}
+
+std::string spectrum_name(const OceanScene& scene, const Sea& sea) {
+  if (!sea.measured) {
+    return fmt::format("{}, wind {:g} m/s", value_text(scene, *find_parameter("ocean.spectrum")),
+                       with_resolved_wind(scene).wind_speed_mps);
+  }
+  std::string name = "measured";
+  for (const std::string* part : {&sea.measured->station, &sea.measured->time_utc}) {
+    name += part->empty() ? "" : ", " + *part;
+  }
+  return name;
+}
+
+}  // namespace offing::scene

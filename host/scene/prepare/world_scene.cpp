@@ -1,0 +1,194 @@
+#include "host/scene/prepare/world_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "host/base/log.h"
+#include "host/scene/prepare/moving_view.h"
+#include "host/scene/prepare/scene_bodies.h"
+#include "host/scene/prepare/scene_clouds.h"
+#include "host/scene/prepare/scene_ground.h"
+#include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/prepare/scene_wakes.h"
+#include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/unused_parameters.h"
+#include "host/sky/sun_position.h"
+
+namespace offing::scene {
+
+namespace {
+
+/// What of a sea two scenes differ in, from the least work to the most.
+enum class SeaChange { none, waves_beside, wakes, seed, all };
+
+SeaChange change_of(const Parameter& row) {
+  switch (row.group) {
+    case ParameterGroup::camera:
+    case ParameterGroup::bookmark:
+    case ParameterGroup::sun:
+    case ParameterGroup::sky:
+    case ParameterGroup::render:
+    case ParameterGroup::terrain:
+    case ParameterGroup::height_map:
+    case ParameterGroup::walk:
+    case ParameterGroup::light:
+    case ParameterGroup::mesh:
+    case ParameterGroup::highlight:
+    case ParameterGroup::body:
+    case ParameterGroup::clouds:
+    case ParameterGroup::cloud_layer:
+    case ParameterGroup::cloud:
+    case ParameterGroup::cloud_ball:
+    case ParameterGroup::cloud_level:
+    case ParameterGroup::particle_edit:
+      return SeaChange::none;
+    case ParameterGroup::swell:
+    case ParameterGroup::raindrop:
+      return SeaChange::waves_beside;
+    case ParameterGroup::wake:
+    case ParameterGroup::wake_hull:
+      return SeaChange::wakes;
+    case ParameterGroup::world:
+      return row.key == "world.seed" ? SeaChange::seed : SeaChange::none;
+    case ParameterGroup::time:
+      return row.key == "time.loop_period_s" ? SeaChange::all : SeaChange::none;
+    case ParameterGroup::sea:
+      return row.key == "ocean.water" ? SeaChange::none : SeaChange::all;
+    case ParameterGroup::wind:
+    case ParameterGroup::grid:
+    case ParameterGroup::foam:
+      return SeaChange::all;
+  }
+  return SeaChange::all;
+}
+
+SeaChange sea_change(const OceanScene& before, const OceanScene& after) {
+  if (before.has_sea() != after.has_sea()) return SeaChange::all;
+  if (!after.has_sea()) return SeaChange::none;
+  SeaChange change = SeaChange::none;
+  for (const Parameter& row : parameter_table()) {
+    if (change_of(row) > change &&
+        value_text(before, row, Digits::exact) != value_text(after, row, Digits::exact)) {
+      change = change_of(row);
+    }
+  }
+  return change;
+}
+
+/// The trochoids of a world whose scene has other swells and raindrops now.
+ocean::TrochoidSea with_waves_beside(ocean::TrochoidSea trochoids, const OceanScene& before,
+                                     const OceanScene& after) {
+  trochoids.waves.resize(trochoids.waves.size() - before.swells.size());
+  const std::vector<ocean::Trochoid> swells = swells_of(after, trochoids.dispersion);
+  trochoids.waves.insert(trochoids.waves.end(), swells.begin(), swells.end());
+  trochoids.raindrops = after.raindrops;
+  return trochoids;
+}
+
+/// All that a world needs of a scene but its ground.
+world::WorldParameters prepare_sea_and_sky(const OceanScene& scene, Warnings warnings) {
+  const ViewScene view = view_at(scene, scene.start_s);
+  world::WorldParameters parameters{
+      .has_sea = scene.has_sea(),
+      .atmosphere = atmosphere_of(view),
+      .sun_direction = sky::direction_of(view.sun_azimuth_rad, view.sun_elevation_rad),
+      .sun_distance_au = view.sun_distance_au};
+  if (!parameters.has_sea) {
+    if (warnings == Warnings::left_out) return parameters;
+    for (const std::string& line : unused_parameters(scene)) spdlog::warn("{}", line);
+    return parameters;
+  }
+  const OceanScene resolved = with_resolved_wind(scene);
+  Sea sea = prepare_sea(scene, warnings);
+  parameters.trochoids = trochoids_of(sea, sea.parameters.seed);
+  parameters.wakes = prepare_wakes(scene, sea.spectrum.dispersion);
+  parameters.spectrum = std::move(sea.spectrum);
+  parameters.ocean = std::move(sea.parameters);
+  parameters.wind_speed_mps = resolved.wind_speed_mps;
+  parameters.wind_direction_rad = resolved.wind_direction_rad;
+  parameters.water = scene.water;
+  parameters.has_shoals = scene.shoaling == Shoaling::on;
+  return parameters;
+}
+
+}  // namespace
+
+world::WorldParameters prepare_world(const OceanScene& scene, Warnings warnings) {
+  world::WorldParameters parameters = prepare_sea_and_sky(scene, warnings);
+  parameters.ground = prepare_ground(scene);
+  parameters.clouds = prepare_clouds(scene);
+  parameters.pictures = prepare_pictures(scene);
+  parameters.meshes = prepare_meshes(scene);
+  parameters.bodies = prepare_bodies(scene, parameters.meshes);
+  parameters.run_up_s = run_up_s(scene);
+  parameters.lamps = lamps_at(scene, scene.start_s);
+  return parameters;
+}
+
+world::WorldParameters prepare_shown_world(OceanScene& scene) {
+  world::WorldParameters parameters = prepare_world(scene);
+  place_camera(scene, parameters.ground);
+  const bool has_meshes_alone = !parameters.has_sea && !parameters.ground && !parameters.meshes.empty();
+  if (has_meshes_alone && !places_its_camera(scene)) {
+    look_at_meshes(parameters.meshes, scene.start_s, scene.view.camera);
+  }
+  return parameters;
+}
+
+void set_view(world::World& world, const ViewScene& view) {
+  const world::WorldParameters& now = world.parameters();
+  const sky::Atmosphere atmosphere = atmosphere_of(view);
+  if (atmosphere != now.atmosphere) world.set_atmosphere(atmosphere);
+  const std::array<double, 3> sun = sky::direction_of(view.sun_azimuth_rad, view.sun_elevation_rad);
+  if (sun != now.sun_direction || view.sun_distance_au != now.sun_distance_au) {
+    world.set_sun(sun, view.sun_distance_au);
+  }
+}
+
+ViewScene show_at(world::World& world, const OceanScene& scene, double time_s) {
+  ViewScene view = view_at(scene, time_s);
+  if (world.ground()) stand_on_ground(*world.ground(), view);
+  set_view(world, view);
+  set_meshes_at(world, scene, time_s);
+  world.set_eye({view.camera.eye_m.x, view.camera.eye_m.z});
+  world.at(time_s, view.camera.eye_m.y);
+  return view;
+}
+
+void edit_world_below(world::World& world, const OceanScene& before, const OceanScene& after) {
+  const ViewScene view = view_at(after, after.start_s);
+  const std::optional<world::GroundParameters> ground =
+      edited_ground(world.parameters().ground, before, after);
+  switch (sea_change(before, after)) {
+    case SeaChange::none:
+      break;
+    case SeaChange::waves_beside:
+      world.set_trochoids(with_waves_beside(world.parameters().trochoids, before, after));
+      break;
+    case SeaChange::wakes:
+      world.set_trochoids(with_waves_beside(world.parameters().trochoids, before, after));
+      world.set_wakes(prepare_wakes(after, world.parameters().spectrum.dispersion));
+      break;
+    case SeaChange::seed: {
+      const Sea sea = prepare_sea(after, Warnings::left_out);
+      world.reseed(sea.parameters.seed, trochoids_of(sea, sea.parameters.seed));
+      world.set_wakes(prepare_wakes(after, sea.spectrum.dispersion));
+      break;
+    }
+    case SeaChange::all:
+      world.set_sea(prepare_sea_and_sky(after, Warnings::left_out));
+      break;
+  }
+  world.set_water(after.water);
+  world.set_ground(ground);
+  edit_meshes(world, before, after);
+  edit_bodies(world, before, after);
+  set_view(world, view);
+}
+
+void edit_world(world::World& world, const OceanScene& before, const OceanScene& after) {
+  edit_world_below(world, before, after);
+  edit_clouds(world, before, after);
+}
+
+}  // namespace offing::scene

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/scene/prepare/sea.h"
+
+namespace offing::scene {
+
+/// A line for each parameter that a scene file or flag set and that this sea does not depend on: where it was
+/// set, and why it does not matter. `sea` is what prepare_sea() made of the scene, up to its spectrum.
+///
+/// A value that another one overrides on purpose, a flag the scene file's or [ocean] that of [wind], is none.
+std::vector<std::string> unused_parameters(const OceanScene& scene, const Sea& sea);
+/// The same for a scene without a sea.
+std::vector<std::string> unused_parameters(const OceanScene& scene);
+
+}  // namespace offing::scene

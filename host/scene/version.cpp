@@ -1,9 +1,0 @@
-#include "host/scene/version.h"
-
-namespace offing::scene {
-
-std::string_view version() {
-  return OFFING_VERSION;
-}
-
-}  // namespace offing::scene

@@ -1,0 +1,113 @@
+#include "host/terrain/shading/terrain_shade.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/ocl/program.h"
+#include "host/terrain/cast/picture.h"
+
+namespace offing::terrain {
+namespace {
+
+constexpr int most_rays = 4096;
+
+void require_valid(const Sampling& sampling) {
+  if (sampling.rays < 1 || sampling.rays > most_rays) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("terrain sampling: rays: expected 1 ... {}, found {}", most_rays, sampling.rays),
+                "16 rays a pixel are enough for smooth edges");
+  }
+  if (!std::isfinite(sampling.least_contrast)) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("terrain sampling: least_contrast: expected a finite share, found {}",
+                            sampling.least_contrast),
+                "0.2 is a fifth of a pixel's luminance");
+  }
+}
+
+}  // namespace
+
+TerrainShade::TerrainShade(const ocl::Device& device)
+    : device_(device),
+      lanes_(lanes_of(device)),
+      contrast_kernel_(ocl::Program::build(device, "terrain/terrain_contrast.cl").kernel("terrain_contrast")),
+      no_colours_(device, 1, "colour map"),
+      no_shares_(device, 1, "shares of the sky"),
+      no_shadow_(device, 1, "shadow of clouds") {}
+
+TerrainShade::Kernels TerrainShade::build(const ocl::Defines& defines) const {
+  return {ocl::Program::build(device_, "terrain/terrain_shade.cl", defines).kernel("terrain_shade"),
+          ocl::Program::build(device_, "terrain/terrain_refine.cl", defines).kernel("terrain_refine")};
+}
+
+void TerrainShade::at(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
+                      const GroundLight& light, ocl::Buffer<Texel>& image, const GroundLook& look) {
+  if (!map_kernels_) {
+    map_kernels_ = build(ocl::Defines().set("LANES", lanes_).set("UP_RULE", TERRAIN_UP_WITH_PARENT));
+  }
+  paint(*map_kernels_,
+        {field.heights_m(), field.pyramid().lids_m(), field.device_field(CastMethod::parity),
+         device_view(camera, field.grid())},
+        camera, hits, light, image, look);
+}
+
+void TerrainShade::at(const TiledField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
+                      const GroundLight& light, ocl::Buffer<Texel>& image, const GroundLook& look) {
+  if (look.open_sky != nullptr) {
+    throw Error(ErrorKind::bad_usage, "terrain shade: shares of the sky are not those of tiles",
+                "leave open_sky out");
+  }
+  std::optional<Kernels>& kernels = tile_kernels_[static_cast<std::size_t>(field.map().edge)];
+  if (!kernels) kernels = build(tiles_defines(lanes_, field.map().edge));
+  paint(*kernels, {field.pool(), field.pages(), field.device_field(), field.device_view(camera)}, camera,
+        hits, light, image, look);
+}
+
+void TerrainShade::paint(const Kernels& kernels, const SeenGround& ground, const Camera& camera,
+                         const ocl::Buffer<TerrainHit>& hits, const GroundLight& light,
+                         ocl::Buffer<Texel>& image, const GroundLook& look) {
+  const Sampling& sampling = look.sampling;
+  require_valid(sampling);
+  const std::size_t pixels = pixel_count(camera);
+  require_room("hits", pixels, hits.size());
+  require_room("image", pixels, image.size());
+  pixels_ = pixels;
+  if (needs_.size() < pixels) needs_ = ocl::Buffer<std::uint8_t>(device_, pixels, "terrain needs");
+  TerrainLook device_look{};
+  device_look.hidden_below_m = static_cast<float>(look.sea.below_m);
+  device_look.hidden_bend_perm = static_cast<float>(look.sea.bend_perm);
+  device_look.hidden_above_m = static_cast<float>(look.sea.above_m);
+  if (look.colours != nullptr) look.colours->describe(device_look);
+  if (look.open_sky != nullptr) look.open_sky->describe(device_look);
+  const auto& colours = look.colours != nullptr ? look.colours->colours() : no_colours_;
+  const auto& shares = look.open_sky != nullptr ? look.open_sky->shares() : no_shares_;
+  const CloudShadowParams shadow = light.clouds != nullptr ? light.clouds->params : CloudShadowParams{};
+  const auto& shadow_map = light.clouds != nullptr ? light.clouds->map : no_shadow_;
+  const bool refines_all = sampling.rays > 1 && sampling.least_contrast < 0.0;
+  if (refines_all || sampling.rays == 1) needs_.fill(refines_all ? TERRAIN_MANY_RAYS : TERRAIN_ONE_RAY);
+  if (!refines_all) {
+    kernels.shade.launch(picture_shape(camera, lanes_), ground.heights_m, ground.lids_m, ground.field,
+                         ground.view, hits, light.light, light.sky, light.view_table, device_look, colours,
+                         shares, shadow, shadow_map, image);
+    if (sampling.rays == 1) return;
+    contrast_kernel_.launch(
+        {{static_cast<std::size_t>(camera.width_px), static_cast<std::size_t>(camera.height_px)}}, image,
+        camera.width_px, camera.height_px, static_cast<float>(sampling.least_contrast), needs_);
+  }
+  kernels.refine.launch(picture_shape(camera, lanes_), ground.heights_m, ground.lids_m, ground.field,
+                        ground.view, light.light, light.sky, light.view_table, device_look, colours, shares,
+                        shadow, shadow_map, needs_, sampling.rays, image);
+}
+
+double TerrainShade::refined_share() const {
+  if (pixels_ == 0) return 0.0;
+  const auto needs = needs_.map();
+  const auto begin = needs.span().begin(), end = begin + static_cast<std::ptrdiff_t>(pixels_);
+  const auto left = std::count(begin, end, TERRAIN_ONE_RAY);
+  return 1.0 - static_cast<double>(left) / static_cast<double>(pixels_);
+}
+
+}  // namespace offing::terrain

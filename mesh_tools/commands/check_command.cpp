@@ -1,0 +1,71 @@
+#include "mesh_tools/commands/check_command.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "host/base/error_report.h"
+#include "host/command_line/print_json.h"
+#include "host/command_line/trust_flag.h"
+#include "host/command_line/verbosity_flags.h"
+#include "host/io/meshes/read_mesh.h"
+#include "mesh_tools/defects_text.h"
+#include "mesh_tools/mesh_defects.h"
+
+namespace offing::mesh_tools {
+
+namespace {
+
+struct CheckArguments {
+  std::string input;
+  bool json = false;
+  Trust trust = Trust::trusted;
+};
+
+void run(const CheckArguments& arguments, const Options& options) {
+  const MeshFile file = read_mesh_file(arguments.input, arguments.trust);
+  const MeshDefects defects = find_defects(file.mesh, options.cancel);
+  if (arguments.json) {
+    warn_of_left_out(arguments.input, file.report);
+    nlohmann::ordered_json json = to_json(defects);
+    json.update(to_json(file.report));
+    print_json(json);
+    return;
+  }
+  fmt::print("{}: {}\n{}{}", one_line(arguments.input), file.report.format, text_of(file.report),
+             text_of(defects));
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& program, Options& options) {
+  const auto arguments = std::make_shared<CheckArguments>();
+  CLI::App* command =
+      program.add_subcommand("check", "report faults and figures of a mesh before it is used");
+  command->add_option("FILE", arguments->input, "mesh: .obj, .ply, .off, .stl, .gltf, .glb")->required();
+  command->add_flag("--json", arguments->json, "results for scripts");
+  add_trust_flag(*command, arguments->trust);
+  add_verbosity_flags(*command, options.verbosity);
+  command->footer(R"(
+Everything is counted by index and nothing is changed: an edge may have any number of faces, a vertex any
+number of fans. Defects are results, not errors: the exit code is 0.
+
+  components             sets of faces joined by vertices
+  boundary loops         sets of edges of one face, joined by vertices
+  non-manifold edges     of three faces or more
+  non-manifold vertices  whose faces are two fans or more, joined by no edge
+  degenerate faces       without an area: corners at one place or on one line, exactly
+  duplicate faces        of the same three vertices as an earlier face
+  isolated vertices      of no face
+  orientable             whether faces can be turned so that neighbours agree
+  self-intersections     pairs of faces that meet elsewhere than in what they share, exactly
+
+Examples:
+  offing-mesh check scan.ply
+  offing-mesh check scan.ply --json)");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::mesh_tools

@@ -1,0 +1,219 @@
+#include "mesh_tools/commands/curvature_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "host/base/argument.h"
+#include "host/base/error.h"
+#include "host/base/error_report.h"
+#include "host/command_line/new_output.h"
+#include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
+#include "host/command_line/trust_flag.h"
+#include "host/command_line/verbosity_flags.h"
+#include "host/io/meshes/prepared_mesh.h"
+#include "host/io/meshes/read_mesh.h"
+#include "mesh_tools/curvature/curvature.h"
+#include "mesh_tools/curvature/curvature_colours.h"
+#include "mesh_tools/curvature/curvature_statistics.h"
+
+namespace offing::mesh_tools {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CurvatureArguments {
+  std::string input, output;
+  std::string method = "fit", radius_edges, radius_m, rounds, threads, colour;
+  bool is_unsigned = false;
+  bool stats = false;
+  bool json = false;
+  Trust trust = Trust::trusted;
+  Existing existing = Existing::keep;
+};
+
+/// What a method has no use for must not look as if it had been heeded.
+void require_unused(const std::string& flag, bool is_given, const std::string& methods,
+                    const std::string& method) {
+  if (!is_given) return;
+  throw Error(ErrorKind::bad_usage, fmt::format("{}: expected --method {}, got {}", flag, methods, method),
+              fmt::format("leave {} out, or choose that method", flag));
+}
+
+CurvatureOptions options_of(const CurvatureArguments& arguments) {
+  CurvatureOptions options{.method = curvature_method(arguments.method)};
+  const bool is_ball = options.method == CurvatureMethod::fit || options.method == CurvatureMethod::tensor ||
+                       options.method == CurvatureMethod::tensor_exact ||
+                       options.method == CurvatureMethod::paper;
+  const char* balls = "fit, tensor, tensor-exact or paper";
+  require_unused("--radius-edges", !is_ball && !arguments.radius_edges.empty(), balls, arguments.method);
+  require_unused("--radius-m", !is_ball && !arguments.radius_m.empty(), balls, arguments.method);
+  require_unused("--rounds", options.method != CurvatureMethod::diffused && !arguments.rounds.empty(),
+                 "diffused", arguments.method);
+  require_unused("--unsigned", options.method != CurvatureMethod::paper && arguments.is_unsigned, "paper",
+                 arguments.method);
+  if (!arguments.radius_edges.empty()) {
+    options.radius_edges = read_number("--radius-edges", arguments.radius_edges, "", 0.01, 100.0, "3");
+  }
+  if (!arguments.radius_m.empty()) {
+    options.radius_m = read_number("--radius-m", arguments.radius_m, "m", 1e-9, 1e9, "0.05");
+  }
+  if (!arguments.rounds.empty()) {
+    options.rounds = static_cast<int>(read_whole("--rounds", arguments.rounds, 0, 1000, "3"));
+  }
+  if (!arguments.threads.empty()) {
+    options.threads = static_cast<int>(read_whole("--threads", arguments.threads, 1, 4096, "4"));
+  }
+  if (arguments.is_unsigned) options.angles = EdgeAngles::unsigned_as_printed;
+  return options;
+}
+
+Json to_json(const ValueRange& range) {
+  return {{"min", range.least}, {"mean", range.mean}, {"max", range.largest}};
+}
+
+Json to_json(const CurvatureStatistics& statistics) {
+  const GaussBonnet& check = statistics.gauss_bonnet;
+  return {{"k_max_per_m", to_json(statistics.k_max_per_m)},
+          {"k_min_per_m", to_json(statistics.k_min_per_m)},
+          {"area_m2", statistics.area_m2},
+          {"border_vertices", statistics.border_vertices},
+          {"is_manifold", statistics.is_manifold},
+          {"gauss_bonnet",
+           {{"integral", check.integral},
+            {"absolute_integral", check.absolute},
+            {"border_turning", check.border_turning},
+            {"expected", check.expected},
+            {"difference_share", check.difference_share}}}};
+}
+
+std::string text_of(const CurvatureStatistics& statistics) {
+  const auto range = [](const char* name, const ValueRange& values) {
+    return fmt::format("  {}  {:.6g} ... {:.6g} 1/m, mean {:.6g}\n", name, values.least, values.largest,
+                       values.mean);
+  };
+  const GaussBonnet& check = statistics.gauss_bonnet;
+  const std::string_view remark =
+      statistics.is_manifold ? "" : "  (edges of three faces or more: there is nothing to expect)\n";
+  return range("k_max", statistics.k_max_per_m) + range("k_min", statistics.k_min_per_m) +
+         fmt::format(
+             "  area   {:.6g} m2\n  Gauss-Bonnet  {:.6g} over the surface + {:.6g} along borders, expected "
+             "{:.6g} "
+             "({:+.2f} %)\n",
+             statistics.area_m2, check.integral, check.border_turning, check.expected,
+             100.0 * check.difference_share) +
+         std::string(remark);
+}
+
+void run(const CurvatureArguments& arguments, const Options& program_options) {
+  const CurvatureOptions options = options_of(arguments);
+  if (std::filesystem::path(arguments.output).extension() != ".ply") {
+    throw bad_argument("--output", "a name that ends in .ply", arguments.output, "out.ply");
+  }
+  require_new(arguments.output, arguments.existing, {{arguments.input}, arguments.trust});
+  const bool has_colour = !arguments.colour.empty();
+  const CurvatureColour colour = has_colour ? curvature_colour(arguments.colour) : CurvatureColour::mean;
+
+  PreparedMesh prepared{read_mesh(arguments.input, arguments.trust), {}};
+  program_options.cancel.throw_if_cancelled();
+  const UnitMesh unit = unit_mesh(prepared.mesh);
+  program_options.cancel.throw_if_cancelled();
+  const auto start = std::chrono::steady_clock::now();
+  CurvatureResult result = vertex_curvatures(unit, options);
+  const std::chrono::duration<double, std::micro> taken_us = std::chrono::steady_clock::now() - start;
+  program_options.cancel.throw_if_cancelled();
+  prepared.mesh.normals = std::move(result.normals);
+  prepared.curvatures = std::move(result.curvatures);
+
+  VertexAttributes attributes;
+  attributes.comments.push_back("curvature method " + arguments.method);
+  ColouredVertices coloured;
+  if (has_colour) {
+    coloured = colour_vertices(prepared.curvatures, colour);
+    attributes.colours = coloured.colours;
+    attributes.comments.push_back(fmt::format("colour {}, full at {:.6g}", arguments.colour, coloured.limit));
+  }
+  write_prepared(arguments.output, prepared, attributes, arguments.existing);
+
+  const CurvatureStatistics statistics = curvature_statistics(unit, prepared.curvatures);
+  const double us_a_vertex =
+      taken_us.count() / static_cast<double>(std::max<std::size_t>(1, unit.vertex_count()));
+  if (arguments.json) {
+    Json json{{"file", arguments.output},
+              {"method", arguments.method},
+              {"vertices", unit.vertex_count()},
+              {"faces", prepared.mesh.faces.size()},
+              {"mean_edge_m", unit.mean_edge * unit.scale_m},
+              {"us_per_vertex", us_a_vertex}};
+    if (has_colour) json["colour_limit"] = coloured.limit;
+    json.update(to_json(statistics));
+    print_json(json);
+    return;
+  }
+  print_summary("{}: {} vertices, {} faces, {}, {:.2f} us a vertex\n", one_line(arguments.output),
+                unit.vertex_count(), prepared.mesh.faces.size(), arguments.method, us_a_vertex);
+  if (arguments.stats) fmt::print("{}", text_of(statistics));
+}
+
+}  // namespace
+
+void add_curvature_command(CLI::App& program, Options& options) {
+  const auto arguments = std::make_shared<CurvatureArguments>();
+  CLI::App* command =
+      program.add_subcommand("curvature", "how a mesh bends at its vertices, as highlights need it");
+  command->add_option("FILE", arguments->input, "mesh: .obj, .ply, .off, .stl, .gltf, .glb")->required();
+  command->add_option("-o,--output", arguments->output, "PLY with curvatures")
+      ->required()
+      ->type_name("OUT.ply");
+  command->add_option("--method", arguments->method, "fit, tensor, tensor-exact, diffused, paper or jet")
+      ->type_name("M")
+      ->capture_default_str();
+  CLI::Option* edges =
+      command
+          ->add_option("--radius-edges", arguments->radius_edges,
+                       "radius of the ball in mean edge lengths [fit 3.5, tensor, tensor-exact and paper 3]")
+          ->type_name("R");
+  command->add_option("--radius-m,--radius", arguments->radius_m, "the same in metres")
+      ->type_name("R")
+      ->excludes(edges);
+  command->add_option("--rounds", arguments->rounds, "rounds of averaging (diffused) [3]")->type_name("K");
+  command->add_flag("--unsigned", arguments->is_unsigned,
+                    "angles of edges without a sign, as printed (paper)");
+  command
+      ->add_option("--colour,--color", arguments->colour,
+                   "colour vertices: mean, gauss, kmax, kmin or shape-index")
+      ->type_name("BY");
+  command->add_option("--threads", arguments->threads, "threads [all processors]; changes no result")
+      ->type_name("N");
+  command->add_flag("--stats", arguments->stats, "print ranges and the check by Gauss and Bonnet");
+  command->add_flag("--json", arguments->json, "all of these for scripts");
+  add_force_flag(*command, arguments->existing);
+  add_trust_flag(*command, arguments->trust);
+  add_verbosity_flags(*command, options.verbosity);
+  command->footer(R"(
+Vertices keep their order; those at exactly one position are one of the surface. Written for each: normal; k_max, k_min in
+1/m, positive where the surface is convex (a ball of radius r has 1/r); e_max, e_min, the directions of both, e_max x e_min
+being the normal; area in m2; confidence 0 ... 1, how far directions can be trusted: 0 where all bend alike, half on
+borders.
+
+  fit           a quadric fitted to the vertices within a ball; the most accurate
+  tensor        angles of edges within a ball, rim edges by half
+  tensor-exact  the same, clipped to the ball; slower
+  diffused      angles of the edges around each vertex, averaged with neighbours; the fastest
+  paper         as printed, for comparison: some 8 % too large however fine the mesh
+  jet           a quadratic fitted by CGAL: accurate on clean meshes, not on noisy ones
+
+Examples:
+  offing-mesh curvature knot.obj -o knot.ply
+  offing-mesh curvature scan.ply --method diffused --rounds 10 --colour mean -o smooth.ply
+  offing-mesh curvature scan.ply --radius-m 0.02 --stats -o scan_curvature.ply)");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::mesh_tools

@@ -1,0 +1,122 @@
+#include "mesh_tools/commands/repair_command.h"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "host/base/argument.h"
+#include "host/command_line/print_json.h"
+#include "host/command_line/print_summary.h"
+#include "host/command_line/verbosity_flags.h"
+#include "mesh_tools/commands/mesh_job.h"
+#include "mesh_tools/defects_text.h"
+#include "mesh_tools/mesh_defects.h"
+#include "mesh_tools/repair.h"
+
+namespace offing::mesh_tools {
+
+namespace {
+
+struct RepairArguments {
+  MeshJob job;
+  std::string fill;
+  bool outward = false;
+};
+
+RepairSettings settings_of(const RepairArguments& arguments) {
+  RepairSettings settings;
+  if (arguments.fill == "all") {
+    settings.most_hole_edges = std::numeric_limits<std::size_t>::max();
+  } else if (!arguments.fill.empty()) {
+    constexpr std::int64_t most = 1'000'000'000;
+    settings.most_hole_edges =
+        static_cast<std::size_t>(read_whole("--fill-edges", arguments.fill, 0, most, "30, or all"));
+  }
+  if (arguments.outward) settings.facing = Facing::outward;
+  return settings;
+}
+
+struct NamedChange {
+  const char* key;
+  const char* label;
+  std::size_t count;
+};
+
+std::vector<NamedChange> named(const RepairChanges& changes) {
+  return {
+      {"merged_vertices", "merged vertices", changes.merged_vertices},
+      {"removed_repeating_faces", "removed faces that named a vertex twice", changes.removed_repeating_faces},
+      {"removed_duplicate_faces", "removed duplicate faces", changes.removed_duplicate_faces},
+      {"turned_faces", "turned faces", changes.turned_faces},
+      {"split_vertices", "vertices added by taking edges and fans apart", changes.split_vertices},
+      {"removed_degenerate_faces", "removed faces without an area", changes.removed_degenerate_faces},
+      {"collapsed_vertices", "vertices that went with them", changes.collapsed_vertices},
+      {"filled_holes", "filled holes", changes.filled_holes},
+      {"added_faces", "faces added in holes", changes.added_faces},
+      {"open_loops", "boundary loops left open", changes.open_loops},
+      {"removed_vertices", "removed vertices of no face", changes.removed_vertices}};
+}
+
+void run(const RepairArguments& arguments, const Options& options) {
+  const RepairSettings settings = settings_of(arguments);
+  arguments.job.require_output();
+  TriangleMesh mesh = arguments.job.read();
+  const MeshDefects before = find_defects(mesh, options.cancel);
+  const RepairChanges changes = repair(mesh, settings, options.cancel);
+  const MeshDefects after = find_defects(mesh, options.cancel);
+  arguments.job.write(mesh);
+  if (arguments.job.json) {
+    nlohmann::ordered_json changed;
+    for (const NamedChange& change : named(changes)) changed[change.key] = change.count;
+    print_json({{"file", arguments.job.output},
+                {"changed", std::move(changed)},
+                {"before", to_json(before)},
+                {"after", to_json(after)}});
+    return;
+  }
+  print_summary("{}\n", arguments.job.told(mesh));
+  bool has_changed = false;
+  for (const NamedChange& change : named(changes)) {
+    if (change.count == 0) continue;
+    print_summary("  {:<46} {}\n", change.label, change.count);
+    has_changed = true;
+  }
+  if (!has_changed) print_summary("  nothing to repair\n");
+  for (const auto& [label, count] : {std::pair("faces without an area that are left", after.degenerate_faces),
+                                     {"self-intersections that are left", after.self_intersections}}) {
+    if (count > 0) print_summary("  {:<46} {}\n", label, count);
+  }
+}
+
+}  // namespace
+
+void add_repair_command(CLI::App& program, Options& options) {
+  const auto arguments = std::make_shared<RepairArguments>();
+  CLI::App* command = program.add_subcommand("repair", "an oriented manifold of any triangles");
+  arguments->job.add_to(*command);
+  command
+      ->add_option("--fill-edges", arguments->fill,
+                   "holes of up to so many edges are filled (default 16); 0 none, or all")
+      ->type_name("N");
+  command->add_flag("--outward", arguments->outward, "closed components face outward in the end");
+  add_verbosity_flags(*command, options.verbosity);
+  command->footer(R"(
+In this order: vertices of borders at exactly one place become one (seams close), faces that name a vertex
+twice or repeat another are removed, faces are turned so that neighbours agree and most of each component keep
+their side, edges of three faces and vertices of two fans are taken apart, faces without an area are removed,
+small holes filled, vertices of no face removed. Other vertices keep place and order; normals are dropped.
+Self-intersections stay: `check` counts them.
+
+Examples:
+  offing-mesh repair scan.obj -o scan.ply
+  offing-mesh repair scan.obj -o scan.ply --fill-edges 200 --outward --json)");
+  command->callback([arguments, &options] { run(*arguments, options); });
+}
+
+}  // namespace offing::mesh_tools

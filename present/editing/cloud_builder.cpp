@@ -1,0 +1,116 @@
+#include "present/editing/cloud_builder.h"
+
+#include <exception>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "host/scene/prepare/own_puffs.h"
+#include "host/scene/prepare/scene_clouds.h"
+
+namespace offing::present {
+namespace {
+
+std::pair<std::string, std::string> folders_of(const scene::OceanScene& scene) {
+  return {scene.cloud_settings.crisp_puffs, scene.cloud_settings.soft_puffs};
+}
+
+}  // namespace
+
+CloudBuilder::CloudBuilder(const ocl::DeviceInfo& device, const scene::OceanScene& shown)
+    : grower_(ocl::Device::open(device)), puff_folders_(folders_of(shown)), thread_([this] { work(); }) {}
+
+CloudBuilder::~CloudBuilder() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_closing_ = true;
+    waiting_.reset();
+    if (running_ != nullptr) running_->cancel();
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+world::CloudSkyParameters CloudBuilder::grow(world::CloudSkyParameters sky, const CancelToken& cancel) {
+  return grower_.grown(std::move(sky), cancel);
+}
+
+void CloudBuilder::begin(const scene::OceanScene& scene, Haste haste) {
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_ = scene;
+    if (haste == Haste::interrupt && running_ != nullptr) running_->cancel();
+  }
+  changed_.notify_all();
+}
+
+std::optional<std::variant<BuiltClouds, Error>> CloudBuilder::take() {
+  const std::lock_guard lock(mutex_);
+  if (ready_ && std::holds_alternative<BuiltClouds>(*ready_)) {
+    std::get<BuiltClouds>(*ready_).puffs = std::exchange(ready_puffs_, std::nullopt);
+  }
+  return std::exchange(ready_, std::nullopt);
+}
+
+void CloudBuilder::wait() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return !waiting_ && running_ == nullptr; });
+}
+
+std::optional<world::CloudProgress> CloudBuilder::progress() const {
+  const std::lock_guard lock(mutex_);
+  if (!waiting_ && running_ == nullptr) return {};
+  return progress_;
+}
+
+std::variant<BuiltClouds, Error> CloudBuilder::built(const scene::OceanScene& scene,
+                                                     std::optional<clouds::PuffTextures>& puffs) {
+  try {
+    BuiltClouds result{.scene = scene, .sky = {}, .puffs = {}};
+    if (folders_of(scene) != puff_folders_) {
+      puffs = scene::own_puffs(scene);
+      if (!puffs) puffs = clouds::puff_textures();
+      puff_folders_ = folders_of(scene);
+    }
+    result.sky = scene::prepare_clouds(scene, shapes_);
+    if (result.sky) {
+      result.sky = grower_.grown(std::move(*result.sky), *running_, [this](world::CloudProgress progress) {
+        const std::lock_guard lock(mutex_);
+        progress_ = progress;
+      });
+    }
+    return result;
+  } catch (const Error& error) {
+    return error;
+  } catch (const std::bad_alloc&) {
+    return Error(ErrorKind::out_of_memory, "clouds: too many particles for this machine's memory",
+                 "lower cloud.target_particles or clouds.quality");
+  } catch (const std::exception& error) {
+    // On a thread of its own it would end the program.
+    return Error(ErrorKind::device, fmt::format("clouds: unexpected fault: {}", error.what()),
+                 "take back the last edit, and report what this says");
+  }
+}
+
+void CloudBuilder::work() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [&] { return waiting_ || is_closing_; });
+    if (is_closing_) return;
+    const scene::OceanScene scene = *std::exchange(waiting_, std::nullopt);
+    CancelToken cancel;
+    running_ = &cancel;
+    progress_ = world::CloudProgress{};
+    std::optional<clouds::PuffTextures> puffs;
+    lock.unlock();
+    std::variant<BuiltClouds, Error> result = built(scene, puffs);
+    lock.lock();
+    running_ = nullptr;
+    // Where a newer scene waits, nobody needs what was given up.
+    if (!cancel.cancelled()) ready_ = std::move(result);
+    if (puffs) ready_puffs_ = std::move(puffs);
+    changed_.notify_all();
+  }
+}
+
+}  // namespace offing::present

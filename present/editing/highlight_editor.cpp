@@ -1,0 +1,150 @@
+#include "present/editing/highlight_editor.h"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <imgui.h>
+
+#include "present/editing/highlight_edits.h"
+
+namespace offing::present {
+namespace {
+
+using highlights::DrawnHighlight;
+
+constexpr double click_px = 4.0;  // a press that moves further is no click
+// A push goes no further than this a frame: where the surface bends the next ones mend the way.
+constexpr double most_half_widths = 1.0;
+
+constexpr ImU32 line_colour = IM_COL32(255, 255, 255, 220), shade_colour = IM_COL32(0, 0, 0, 160),
+                move_colour = IM_COL32(255, 200, 40, 255), turn_colour = IM_COL32(90, 200, 255, 255),
+                size_colour = IM_COL32(120, 230, 120, 255);
+
+highlights::Projector box_in_world(const std::vector<world::MeshView>& meshes, const HighlightName& name,
+                                   const DrawnHighlight& highlight) {
+  return in_world(highlight.whole, meshes[name.mesh].motion());
+}
+
+ImVec2 point(glm::dvec2 place_px) {
+  return {static_cast<float>(place_px.x), static_cast<float>(place_px.y)};
+}
+
+void draw_handle(ImDrawList& list, const HandlePlace& place) {
+  const ImVec2 middle = point(place.place_px);
+  if (place.handle == Handle::move || place.handle == Handle::rotate) {
+    list.AddCircleFilled(middle, 6.0f, place.handle == Handle::move ? move_colour : turn_colour);
+    list.AddCircle(middle, 6.0f, shade_colour);
+    return;
+  }
+  constexpr float half = 5.0f;
+  const ImVec2 low(middle.x - half, middle.y - half), high(middle.x + half, middle.y + half);
+  list.AddRectFilled(low, high, size_colour);
+  list.AddRect(low, high, shade_colour);
+}
+
+}  // namespace
+
+void HighlightEditor::press(ViewState& state, const std::vector<world::MeshView>& meshes,
+                            const Screen& screen, glm::dvec2 clip) {
+  pressed_ = clip;
+  const DrawnHighlight* highlight = picked_highlight(state.scene, meshes, state.picked);
+  if (highlight == nullptr) return;
+  const highlights::Projector box = box_in_world(meshes, *state.picked, *highlight);
+  const std::optional<Handle> handle = handle_at(handle_places(screen, box), pixel_of_clip(screen, clip));
+  if (!handle) return;
+  const std::optional<glm::dvec2> from_m = place_on_plane(screen, box, clip);
+  if (!from_m) return;
+  grab_ = Grab{*handle, highlight->controls, highlight->whole, *from_m};
+  pressed_.reset();
+  // Keyframes are set at one time, not all along the way.
+  const bool moves = highlight->rule >= 0 &&
+                     has_keys(state.scene, {state.picked->mesh, static_cast<std::size_t>(highlight->rule)});
+  if (moves && !state.clock.is_paused()) state.clock.toggle_pause();
+}
+
+void HighlightEditor::pull(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
+                           glm::dvec2 clip) {
+  const DrawnHighlight* highlight = picked_highlight(state.scene, meshes, state.picked);
+  if (highlight == nullptr) return;
+  const highlights::RigidMotion& motion = meshes[state.picked->mesh].motion();
+  highlights::HighlightControls controls = highlight->controls;
+  if (grab_->handle == Handle::move) {
+    // Toward the mouse from where the highlight has got to: the way there is over the surface.
+    const std::optional<glm::dvec2> to_m = place_on_plane(screen, in_world(highlight->whole, motion), clip);
+    if (!to_m) return;
+    const glm::dvec2 most_m =
+        0.5 * most_half_widths * glm::dvec2(std::min(highlight->found.width_m, highlight->found.height_m));
+    controls = pushed(controls, highlight->found, glm::clamp(*to_m - grab_->from_m, -most_m, most_m));
+  } else {
+    const std::optional<glm::dvec2> to_m = place_on_plane(screen, in_world(grab_->box, motion), clip);
+    if (!to_m) return;
+    controls = pulled(grab_->controls, grab_->handle, grab_->from_m, *to_m);
+  }
+  store_controls(state.scene, controls_of(state.scene, *state.picked, *highlight), controls,
+                 state.clock.time_s());
+}
+
+Edit HighlightEditor::turn(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
+                           const std::vector<PointerEvent>& events, glm::dvec2 pointer) {
+  Edit edit = Edit::none;
+  for (const PointerEvent& event : events) {
+    if (event.kind == PointerEvent::Kind::pressed) {
+      press(state, meshes, screen, event.clip);
+      continue;
+    }
+    if (grab_) {
+      pull(state, meshes, screen, event.clip);
+      grab_.reset();
+      edit = Edit::done;
+    } else if (pressed_ && glm::distance(pixel_of_clip(screen, *pressed_),
+                                         pixel_of_clip(screen, event.clip)) <= click_px) {
+      state.picked = picker_.pick(meshes, screen.camera, event.clip);
+    }
+    pressed_.reset();
+  }
+  if (!grab_) return edit;
+  pull(state, meshes, screen, pointer);
+  return Edit::going_on;
+}
+
+Edit HighlightEditor::set_keys(ViewState& state, const std::vector<world::MeshView>& meshes) const {
+  const DrawnHighlight* highlight = picked_highlight(state.scene, meshes, state.picked);
+  if (highlight == nullptr) {
+    state.message = {.text = "no highlight is picked: click on one first"};
+    return Edit::none;
+  }
+  store_keys(state.scene, controls_of(state.scene, *state.picked, *highlight), highlight->controls,
+             state.clock.time_s());
+  return Edit::done;
+}
+
+void draw_highlight_handles(const HighlightName& picked, const std::vector<world::MeshView>& meshes,
+                            const Camera& camera) {
+  const DrawnHighlight* highlight = find_highlight(meshes, picked);
+  if (highlight == nullptr) return;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const Screen screen{camera, {static_cast<double>(size.x), static_cast<double>(size.y)}};
+  const highlights::Projector box = box_in_world(meshes, picked, *highlight);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  std::vector<ImVec2> outline;
+  for (const glm::dvec3& corner : corners_of(box)) {
+    const std::optional<glm::dvec2> place_px = pixel_of(screen, corner);
+    if (!place_px) return;
+    outline.push_back(point(*place_px));
+  }
+  const std::vector<HandlePlace> places = handle_places(screen, box);
+  const auto place_of = [&](Handle handle) {
+    return std::find_if(places.begin(), places.end(),
+                        [&](const HandlePlace& place) { return place.handle == handle; });
+  };
+  const auto knob = place_of(Handle::rotate), stem = place_of(Handle::height);
+  for (const auto& [colour, width_px] : {std::pair(shade_colour, 3.0f), {line_colour, 1.0f}}) {
+    list.AddPolyline(outline.data(), static_cast<int>(outline.size()), colour, ImDrawFlags_Closed, width_px);
+    if (knob != places.end() && stem != places.end())
+      list.AddLine(point(knob->place_px), point(stem->place_px), colour, width_px);
+  }
+  for (const HandlePlace& place : places) draw_handle(list, place);
+}
+
+}  // namespace offing::present

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "host/world/mesh_view.h"
+#include "present/editing/highlight_handles.h"
+#include "present/editing/mesh_picker.h"
+#include "present/panels/panels.h"
+#include "present/window/window_input.h"
+
+namespace offing::present {
+
+/// Picks highlights with the mouse and changes them by handles that are drawn over the picture. All edits go
+/// into the scene of the state; the world shows them once the scene is applied.
+class HighlightEditor {
+ public:
+  /// Takes in what the left button did. A press on a handle holds it until the button is let go; a click
+  /// elsewhere picks the highlight there, or none. Time stops where a handle of what has keyframes is held.
+  /// Says how far an edit has come.
+  Edit turn(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
+            const std::vector<PointerEvent>& events, glm::dvec2 pointer);
+  /// Whether a handle is held: the mouse does not move the camera then.
+  bool holds() const { return grab_.has_value(); }
+
+  /// Sets keyframes of the picked highlight's controls at the state's time, as it is shown.
+  Edit set_keys(ViewState& state, const std::vector<world::MeshView>& meshes) const;
+
+ private:
+  /// What a hand found when it took hold.
+  struct Grab {
+    Handle handle;
+    highlights::HighlightControls controls;
+    highlights::Projector box;  // in the mesh's axes
+    glm::dvec2 from_m;          // in the box's plane
+  };
+
+  void press(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
+             glm::dvec2 clip);
+  void pull(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
+            glm::dvec2 clip);
+
+  MeshPicker picker_;
+  std::optional<Grab> grab_;
+  std::optional<glm::dvec2> pressed_;  // where, in clip coordinates, beside handles
+};
+
+/// Draws the box and the handles of the picked highlight behind ImGui's windows.
+void draw_highlight_handles(const HighlightName& picked, const std::vector<world::MeshView>& meshes,
+                            const Camera& camera);
+
+}  // namespace offing::present

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "host/base/camera.h"
+#include "host/highlights/search/face_tree.h"
+#include "host/world/mesh_view.h"
+
+namespace offing::present {
+
+/// A highlight of a world, from frame to frame.
+struct HighlightName {
+  std::size_t mesh = 0;  ///< in the world's order
+  std::uint64_t id = 0;
+
+  bool operator==(const HighlightName&) const = default;
+};
+
+/// The one that this is the name of, of several looks the most opaque; nullptr where it is gone.
+const highlights::DrawnHighlight* find_highlight(const std::vector<world::MeshView>& meshes,
+                                                 const HighlightName& name);
+
+/// Finds what a ray through a point of the picture meets, among meshes as they were shown last.
+class MeshPicker {
+ public:
+  /// The highlight whose box is nearest to where the ray first meets a mesh, by its own half widths; nothing
+  /// where that is more than two of them away, or no mesh is there. `clip` are clip coordinates.
+  std::optional<HighlightName> pick(const std::vector<world::MeshView>& meshes, const Camera& camera,
+                                    glm::dvec2 clip);
+
+ private:
+  struct Tree {
+    std::uint64_t revision;  // of the view that it was made of
+    highlights::FaceTree tree;
+  };
+
+  void prepare(const std::vector<world::MeshView>& meshes);
+
+  std::vector<Tree> trees_;  // in the order of the world's meshes
+};
+
+}  // namespace offing::present

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "present/editing/cloud_editor.h"
+#include "present/editing/highlight_editor.h"
+#include "present/editing/scene_history.h"
+#include "present/panels/panels.h"
+#include "present/passes/live_sea.h"
+#include "present/window/window_input.h"
+
+namespace offing::present {
+
+/// Edits of a window's scene: what handles do to it, what any edit means for the world, undo, and clouds that
+/// are made in the background. Faults go into the state's message; the scene is then the last good one.
+class SceneEditing {
+ public:
+  SceneEditing(LiveSea& sea, ViewState& state) : sea_(sea), state_(state), history_(state.scene) {}
+
+  /// The state's scene is another file's, with edits of its own.
+  void begin_anew(SceneHistory history);
+  /// Of the state's scene, which is its last edit.
+  SceneHistory history() const;
+  /// Takes in what the mouse did beside panels. True while it holds something: then it does not move the
+  /// camera.
+  bool turn(const Screen& screen, const std::vector<PointerEvent>& events, const PointerNow& pointer);
+  /// Shows clouds that have been made since the last frame.
+  void take_clouds();
+  /// An edit that `deed` makes of a scene and says something of, which the message then tells, or its fault.
+  void make(const std::function<std::string(scene::OceanScene&)>& deed);
+  /// What an edit of the state's scene means for the world and for undo. Handles are let go of.
+  void finish(Edit edit);
+  bool can_undo() const { return history_.can_undo(); }
+  bool can_redo() const { return history_.can_redo(); }
+  void undo();
+  void redo();
+  void set_keyframes() { finish(highlights_.set_keys(state_, sea_.meshes())); }
+  /// Deselects everything and puts the tool away; false if nothing was selected and there was no tool. What
+  /// the mouse holds stays selected.
+  bool deselect();
+  void next_cloud_pick();
+  /// Takes the tool, or lays it down.
+  void toggle_tool(CloudTool tool);
+  void remove_picked();
+  void duplicate_picked();
+
+  /// Draws handles behind the panels.
+  void draw(glm::dvec2 pointer) const;
+
+ private:
+  void apply(Edit edit);
+  bool edit_sea(Edit edit);
+  void go_back(std::optional<scene::OceanScene> scene, const char* none);
+  /// The scene is another one from here on; its camera stays the user's.
+  void take_scene(scene::OceanScene scene);
+  void work(const std::function<Edit()>& deed);
+
+  LiveSea& sea_;
+  ViewState& state_;
+  HighlightEditor highlights_;
+  CloudEditor clouds_;
+  SceneHistory history_;
+  bool is_last_noted_ = true;  // of what was begun last
+};
+
+}  // namespace offing::present

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+
+#include "present/gl/gl_objects.h"
+
+namespace offing::present {
+
+/// A texture array that takes its texels from a simulation: [layers][height][width] texels of 1 or 4 floats.
+class TextureArray {
+ public:
+  struct Shape {
+    int width = 0, height = 0, layers = 0, channels = 0;
+    bool operator==(const Shape&) const = default;
+  };
+
+  TextureArray() = default;
+  /// As large as a picture whose texels are read one by one: no mip levels, no filter.
+  explicit TextureArray(const Shape& shape) : TextureArray(shape, 1) {}
+
+  const Shape& shape() const { return shape_; }
+  /// Floats of all layers.
+  std::size_t count() const;
+
+  /// Replaces the finest level: `texels` are floats in memory, or an offset into the buffer bound to
+  /// GL_PIXEL_UNPACK_BUFFER.
+  void specify(const void* texels) const;
+  void bind(int unit) const;
+
+ protected:
+  /// Leaves the texture bound.
+  TextureArray(const Shape& shape, int levels);
+  GLuint name() const { return texture_.name(); }
+
+ private:
+  Shape shape_;
+  GlTexture texture_;
+};
+
+}  // namespace offing::present

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string_view>
+
+#include "present/panels/panel_fonts.h"
+
+struct GLFWwindow;
+
+namespace offing::present {
+
+/// ImGui in a window or, without one, on the bound framebuffer: begin, any panels, end. One at a time.
+class PanelLayer {
+ public:
+  /// With a window, events reach the panels after the callbacks that it has already; nullptr: no events but
+  /// those that a test feeds. No file remembers where panels were.
+  explicit PanelLayer(GLFWwindow* window);
+  PanelLayer(const PanelLayer&) = delete;
+  PanelLayer& operator=(const PanelLayer&) = delete;
+  ~PanelLayer();
+
+  /// A text of the next frame that may have letters of any language, UTF-8.
+  void need(std::string_view text) { fonts_.need(text); }
+  /// Closes lists, menus and dialogs that have popped up; false if there were none.
+  bool close_popups();
+  void begin();
+  /// Draws the panels onto the bound framebuffer.
+  void end();
+
+ private:
+  GLFWwindow* window_;
+  PanelFonts fonts_;
+};
+
+}  // namespace offing::present

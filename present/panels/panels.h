@@ -1,0 +1,103 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "host/base/error.h"
+#include "host/ocl/device.h"
+#include "host/scene/file/scene_writer.h"
+#include "host/scene/model/ocean_scene.h"
+#include "host/scene/schema/parameter.h"
+#include "present/editing/cloud_editing.h"
+#include "present/editing/ground_pick.h"
+#include "present/editing/mesh_picker.h"
+#include "present/gl/gl_context.h"
+#include "present/gl/stage_times.h"
+#include "present/gl/transfer.h"
+#include "present/panels/mini_map.h"
+#include "present/panels/parameter_widget.h"
+#include "present/passes/frame_request.h"
+#include "present/passes/quality.h"
+#include "present/window/free_camera.h"
+#include "present/window/scene_clock.h"
+#include "present/window/scene_list.h"
+
+namespace offing::present {
+
+/// The last fault or news.
+struct Message {
+  std::string text = {};
+  bool is_fault = false;
+};
+/// The error's line, with the compiler's words if there were any, and its mend.
+Message fault_message(const Error& error);
+
+/// The panel of a group of the parameter table.
+struct GroupPanel {
+  scene::ParameterGroup group;
+  const char* title;
+};
+std::span<const GroupPanel> group_panels();
+
+/// For how many of the picture's pixels rays are cast at the ground at most.
+enum class RayChoice { all, three_quarters, half, quarter };
+inline constexpr std::array<double, 4> ray_shares{1.0, 0.75, 0.5, 0.25};
+
+/// Everything that keys and panels change, and the window shows.
+struct ViewState {
+  scene::OceanScene scene;  ///< as edited; its view's camera is the one that flies
+  FreeCamera camera;
+  SceneClock clock;
+  DebugView debug = DebugView::none;
+  Fill fill = Fill::solid;
+  GroundShow ground = GroundShow::light;
+  MeshShow meshes = MeshShow::light;
+  RayChoice rays = RayChoice::all;
+  std::optional<GroundPick> pick = {};
+  std::optional<HighlightName> picked = {};
+  CloudEditing clouds = {};
+  float frame_limit_hz = 60.0f;  ///< 0: none
+  float kept_hz = 0.0f;          ///< frames a second that quality gives way to; 0: quality stays
+  float render_scale = 1.0f;     ///< pixels that are drawn a pixel of the window, along a side
+  bool shows_panels = true;
+  bool shows_help = false;
+  bool shows_map = false;
+  TimeSource shown_times = TimeSource::cpu;
+  std::string save_name = {};  ///< file that the edited scene is to be saved as
+  Existing existing = Existing::keep;
+  EditInProgress edit = {};
+  Message message = {};
+};
+
+/// What the panels only show.
+struct ViewFacts {
+  const StageTimes& times;
+  const GlCapabilities& capabilities;
+  const ocl::DeviceInfo& device;
+  TransferRung transfer;
+  int width_px, height_px;  ///< of the picture that is drawn
+  bool has_meshes = false;
+  const world::GroundView* ground = nullptr;
+  const MiniMap* map = nullptr;
+  Quality quality = {};         ///< of the picture
+  SceneList* scenes = nullptr;  ///< nullptr: no list is drawn
+  ListedScene open_scene = {};
+};
+
+/// What the user asked for in one frame, and panels cannot do by themselves.
+struct PanelEdits {
+  Edit scene = Edit::none;  ///< of all but the camera
+  bool is_camera_moved = false;
+  bool wants_save = false;
+  bool wants_original = false;                   ///< the scene as it was when the window opened
+  std::optional<ListedScene> wanted_scene = {};  ///< to be opened
+  std::optional<glm::dvec2> wanted_place = {};   ///< of the camera, east and south: a click on the map
+};
+
+/// Draws all panels between PanelLayer::begin() and end().
+PanelEdits draw_panels(ViewState& state, const ViewFacts& facts);
+
+}  // namespace offing::present

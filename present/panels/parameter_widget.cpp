@@ -1,0 +1,246 @@
+#include "present/panels/parameter_widget.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <sstream>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "host/base/error.h"
+
+namespace offing::present {
+namespace {
+
+using scene::OceanScene;
+using scene::Parameter;
+using scene::WrittenValue;
+
+/// "%.6g m/s", as ImGui formats a value.
+std::string format_of(const Parameter& row) {
+  return row.unit.empty() ? "%.6g" : fmt::format("%.6g {}", row.unit);
+}
+
+/// A slider where the range is short, on a logarithmic scale where it spans decades, a field to drag where it
+/// is both long and signed. Numbers that are typed are checked by the table.
+bool number_slider(const char* label, const Parameter& row, double& value) {
+  constexpr double long_range = 1e5, decades = 1e3;
+  constexpr float drag_speed = 0.5f;  // units a pixel
+  const auto [low, high] = row.slider.value_or(scene::SliderRange{row.low, row.high});
+  const std::string format = format_of(row);
+  const bool is_logarithmic = low > 0.0 && high / low >= decades;
+  if (!is_logarithmic && high - low > long_range) {
+    return ImGui::DragScalar(label, ImGuiDataType_Double, &value, drag_speed, &low, &high, format.c_str());
+  }
+  return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &low, &high, format.c_str(),
+                             is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+}
+
+/// One kind of widget for each alternative of scene::Storage.
+class Widget {
+ public:
+  Widget(OceanScene& scene, const Parameter& row, EditInProgress& edit, scene::ElementIndex element)
+      : scene_(scene), row_(row), edit_(edit), element_(element), label_(parameter_label(row)) {}
+
+  Edit operator()(scene::ValueAt<double> at) { return number(at(scene_, element_)); }
+
+  Edit operator()(scene::ValueAt<std::optional<double>> at) {
+    return optional_value(at(scene_, element_), [&](double& value) { return number(value); });
+  }
+
+  Edit operator()(scene::ValueAt<glm::dvec3> at) { return triple(at(scene_, element_)); }
+
+  Edit operator()(scene::ValueAt<std::optional<glm::dvec3>> at) {
+    return optional_value(at(scene_, element_), [&](glm::dvec3& value) { return triple(value); });
+  }
+
+  Edit operator()(scene::ValueAt<int> at) {
+    if (row_.rule == scene::ParameterRule::power_of_two) return power_of_two(at(scene_, element_));
+    constexpr float drag_speed = 0.1f;
+    int value = at(scene_, element_);
+    const bool is_changed = ImGui::DragInt(label_.c_str(), &value, drag_speed, static_cast<int>(row_.low),
+                                           static_cast<int>(row_.high));
+    return stored(is_changed, {.value = std::int64_t{value}, .shown = fmt::format("{}", value)});
+  }
+
+  Edit operator()(scene::ValueAt<std::uint64_t> at) {
+    std::uint64_t value = at(scene_, element_);
+    const bool is_changed = ImGui::InputScalar(label_.c_str(), ImGuiDataType_U64, &value);
+    return stored(is_changed, scene::read_flag_value(row_, fmt::format("{}", value)));
+  }
+
+  Edit operator()(scene::ValueAt<std::string> at) {
+    std::string text = at(scene_, element_);
+    if (!is_entered(text)) return Edit::none;
+    if (text.empty()) {
+      at(scene_, element_).clear();
+      return Edit::done;
+    }
+    return is_taken({.value = text, .shown = text}) ? Edit::done : Edit::refused;
+  }
+
+  Edit operator()(scene::ValueAt<std::optional<UtcTime>> at) {
+    std::string text =
+        at(scene_, element_) ? scene::value_text(scene_, row_, element_, scene::Digits::readable) : "";
+    if (!is_entered(text)) return Edit::none;
+    if (text.empty()) {
+      at(scene_, element_).reset();
+      return Edit::done;
+    }
+    return is_taken({.value = text, .shown = text}) ? Edit::done : Edit::refused;
+  }
+
+  /// Numbers between commas; nothing for the default.
+  Edit operator()(scene::ValueAt<std::vector<double>> at) {
+    std::string text = at(scene_, element_).empty()
+                           ? ""
+                           : scene::value_text(scene_, row_, element_, scene::Digits::readable);
+    if (!is_entered(text)) return Edit::none;
+    const std::vector<double> before = at(scene_, element_);
+    at(scene_, element_).clear();
+    std::istringstream parts(text);
+    for (std::string part; std::getline(parts, part, ',');) {
+      part.erase(0, part.find_first_not_of(' '));
+      if (is_taken(scene::read_flag_value(row_, part))) continue;
+      at(scene_, element_) = before;
+      return Edit::refused;
+    }
+    return Edit::done;
+  }
+
+  Edit operator()(const scene::ChoiceStorage& choice) {
+    const std::size_t chosen = choice.get(scene_, element_);
+    Edit edit = Edit::none;
+    if (!ImGui::BeginCombo(label_.c_str(), std::string(choice.names[chosen]).c_str())) return edit;
+    for (std::size_t i = 0; i < choice.names.size(); ++i) {
+      if (ImGui::Selectable(std::string(choice.names[i]).c_str(), i == chosen)) {
+        choice.set(scene_, element_, i);
+        edit = Edit::done;
+      }
+    }
+    ImGui::EndCombo();
+    return edit;
+  }
+
+ private:
+  /// Through the table's own checks, as a scene file's values go.
+  bool is_taken(const WrittenValue& written) {
+    try {
+      const scene::Place place{.subject = std::string(row_.key), .assignment = ""};
+      scene::store(scene_, row_, written, place, element_);
+      edit_.fault.clear();
+      return true;
+    } catch (const Error& error) {
+      edit_.fault = error.what();
+      return false;
+    }
+  }
+
+  template <class Value, class Draw>
+  Edit optional_value(std::optional<Value>& at, Draw draw) {
+    const bool was_set = at.has_value();
+    bool is_set = was_set;
+    ImGui::Checkbox(fmt::format("##set {}", row_.key).c_str(), &is_set);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("without: %s", std::string(row_.absent).c_str());
+    ImGui::SameLine();
+    if (is_set && !was_set) {
+      return is_taken(scene::read_flag_value(row_, row_.example)) ? Edit::done : Edit::refused;
+    }
+    if (is_set) return draw(*at);
+    at.reset();
+    ImGui::TextDisabled("%s", std::string(scene::name_of(row_.key)).c_str());
+    return was_set ? Edit::done : Edit::none;
+  }
+
+  Edit number(double& at) {
+    double value = at / row_.scale;
+    const bool is_changed = number_slider(label_.c_str(), row_, value);
+    return stored(is_changed, {.value = value, .shown = fmt::format("{:g}", value)});
+  }
+
+  Edit triple(const glm::dvec3& at) {
+    glm::dvec3 value = at / row_.scale;
+    constexpr double finest = 0.01, share = 1e-3;
+    const double across = row_.high - row_.low;
+    // Units a pixel; what has a slider's range is dragged across it in a thousand.
+    const double speed =
+        row_.slider ? share * (row_.slider->high - row_.slider->low) : std::min(finest, share * across);
+    const bool is_changed =
+        ImGui::DragScalarN(label_.c_str(), ImGuiDataType_Double, &value.x, 3, static_cast<float>(speed),
+                           &row_.low, &row_.high, format_of(row_).c_str());
+    return stored(is_changed, {.value = std::vector<double>{value.x, value.y, value.z},
+                               .shown = fmt::format("[{:g}, {:g}, {:g}]", value.x, value.y, value.z)});
+  }
+
+  /// Stores the value of the last item, if it changed.
+  Edit stored(bool is_changed, const WrittenValue& value) {
+    if (ImGui::IsItemActivated()) {
+      edit_.before = scene_;
+      edit_.fault.clear();
+    }
+    Edit edit = Edit::none;
+    if (is_changed) edit = is_taken(value) ? Edit::going_on : Edit::refused;
+    if (!ImGui::IsItemDeactivatedAfterEdit()) return edit;
+    if (edit_.fault.empty()) return Edit::done;
+    scene_ = edit_.before;
+    return Edit::refused;
+  }
+
+  /// Whether another text was entered: the old one may show fewer digits than there are.
+  bool is_entered(std::string& text) {
+    const std::string shown = text;
+    return ImGui::InputText(label_.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue) && text != shown;
+  }
+
+  Edit power_of_two(int& at) {
+    Edit edit = Edit::none;
+    if (!ImGui::BeginCombo(label_.c_str(), fmt::format("{}", at).c_str())) return edit;
+    for (int value = static_cast<int>(row_.low); value <= static_cast<int>(row_.high); value *= 2) {
+      if (ImGui::Selectable(fmt::format("{}", value).c_str(), value == at)) {
+        at = value;
+        edit = Edit::done;
+      }
+    }
+    ImGui::EndCombo();
+    return edit;
+  }
+
+  OceanScene& scene_;
+  const Parameter& row_;
+  EditInProgress& edit_;
+  scene::ElementIndex element_;
+  std::string label_;
+};
+
+/// Whether text is typed and taken with Enter.
+bool is_text(const Parameter& row) {
+  return std::holds_alternative<scene::ValueAt<std::string>>(row.storage) ||
+         std::holds_alternative<scene::ValueAt<std::optional<UtcTime>>>(row.storage) ||
+         std::holds_alternative<scene::ValueAt<std::vector<double>>>(row.storage);
+}
+
+}  // namespace
+
+std::string parameter_label(const Parameter& row) {
+  return fmt::format("{}##{}", scene::name_of(row.key), row.key);
+}
+
+Edit parameter_widget(OceanScene& scene, const Parameter& row, EditInProgress& edit,
+                      scene::ElementIndex element) {
+  const Edit state = std::visit(Widget(scene, row, edit, element), row.storage);
+  if (ImGui::IsItemHovered()) {
+    std::string text(row.help);
+    if (!row.absent.empty()) text += fmt::format("\nwithout: {}", row.absent);
+    if (scene.tracks.contains({row.key, element})) text += "\nmoves by keyframes, which an edit ends";
+    if (is_text(row)) text += "\nEnter takes what is typed";
+    if (row.slider) text += "\nbeyond its slider Ctrl and a click type " + scene::expected_text(row);
+    ImGui::SetTooltip("%s", text.c_str());
+  }
+  return state;
+}
+
+}  // namespace offing::present

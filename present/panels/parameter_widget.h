@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "host/scene/model/ocean_scene.h"
+#include "host/scene/schema/parameter.h"
+
+namespace offing::present {
+
+/// How far an edit of a value has come.
+enum class Edit {
+  none,
+  refused,   ///< the table does not take the value, or the world did not while it was held
+  going_on,  ///< a slider is held, a number is typed
+  done,
+};
+
+/// What is kept while a value is edited: one at a time.
+struct EditInProgress {
+  scene::OceanScene before = {};
+  std::string fault = {};  ///< why the last value was refused; empty if it was taken
+};
+
+/// The text beside a row's widget, which ImGui knows it by: its key, without the section where it is shown.
+std::string parameter_label(const scene::Parameter& row);
+
+/// Draws a widget for one row of the parameter table, of the kind, range and unit that the row says, and
+/// stores what the user enters if the table takes it. When an edit ends with a value that it does not take,
+/// the scene is as it was before the edit. `element` is that of a repeated section.
+Edit parameter_widget(scene::OceanScene& scene, const scene::Parameter& row, EditInProgress& edit,
+                      scene::ElementIndex element = {});
+
+}  // namespace offing::present

@@ -1,0 +1,109 @@
+#include "present/panels/sun_dial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <imgui.h>
+
+namespace offing::present {
+namespace {
+
+constexpr double right_angle_rad = 0.5 * std::numbers::pi;
+constexpr int seconds_of_day = 86'400;
+// The day of a sun that had none: the longest one of the north.
+constexpr UtcTime usual_day{.year = 2020, .month = 6, .day = 21, .hour = 12, .minute = 0, .second = 0};
+
+constexpr ImU32 sky_colour = IM_COL32(60, 110, 170, 255), night_colour = IM_COL32(25, 30, 60, 255),
+                line_colour = IM_COL32(255, 255, 255, 90), sun_colour = IM_COL32(255, 220, 90, 255);
+
+ImVec2 at(ImVec2 middle, float radius, glm::dvec2 place) {
+  return {middle.x + radius * static_cast<float>(place.x), middle.y + radius * static_cast<float>(place.y)};
+}
+
+void draw_map(ImVec2 middle, float radius, const SunPlace& now) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddCircleFilled(middle, radius * static_cast<float>(dial_reach), night_colour);
+  list.AddCircleFilled(middle, radius, sky_colour);
+  for (const float share : {1.0f / 3.0f, 2.0f / 3.0f}) list.AddCircle(middle, share * radius, line_colour);
+  list.AddLine(at(middle, radius, {0.0, -1.0}), at(middle, radius, {0.0, 1.0}), line_colour);
+  list.AddLine(at(middle, radius, {-1.0, 0.0}), at(middle, radius, {1.0, 0.0}), line_colour);
+  list.AddText({middle.x + 2.0f, middle.y - radius}, line_colour, "N");
+  glm::dvec2 place = place_on_dial(now);
+  if (const double length = glm::length(place); length > dial_reach) place *= dial_reach / length;
+  list.AddCircleFilled(at(middle, radius, place), 6.0f, sun_colour);
+  list.AddCircle(at(middle, radius, place), 6.0f, IM_COL32(0, 0, 0, 200));
+}
+
+void end_keyframes(scene::OceanScene& scene) {
+  scene.tracks.erase("sun.azimuth_deg");
+  scene.tracks.erase("sun.elevation_deg");
+}
+
+Edit draw_hour(scene::OceanScene& scene) {
+  const bool is_dated = scene.view.sun_time_utc.has_value();
+  const UtcTime time = scene.view.sun_time_utc.value_or(usual_day);
+  float hour = static_cast<float>(time.hour) + static_cast<float>(time.minute) / 60.0f +
+               static_cast<float>(time.second) / 3600.0f;
+  const bool is_moved = ImGui::SliderFloat("hour of the day", &hour, 0.0f, 24.0f,
+                                           is_dated ? "%.2f h UTC" : "any", ImGuiSliderFlags_AlwaysClamp);
+  if (is_moved) set_hour(scene, static_cast<double>(hour));
+  if (ImGui::IsItemDeactivatedAfterEdit()) return Edit::done;
+  return is_moved ? Edit::going_on : Edit::none;
+}
+
+}  // namespace
+
+glm::dvec2 place_on_dial(const SunPlace& sun) {
+  const double distance = 1.0 - sun.elevation_rad / right_angle_rad;
+  return distance * glm::dvec2(std::sin(sun.azimuth_rad), -std::cos(sun.azimuth_rad));
+}
+
+SunPlace sun_of_dial(glm::dvec2 place) {
+  const double distance = std::min(glm::length(place), dial_reach);
+  double azimuth_rad = std::atan2(place.x, -place.y);
+  if (azimuth_rad < 0.0) azimuth_rad += 2.0 * std::numbers::pi;
+  return {azimuth_rad, (1.0 - distance) * right_angle_rad};
+}
+
+void place_sun(scene::OceanScene& scene, const SunPlace& sun) {
+  end_keyframes(scene);
+  scene.view.sun_azimuth_rad = sun.azimuth_rad;
+  scene.view.sun_elevation_rad = sun.elevation_rad;
+  scene.view.sun_time_utc.reset();
+}
+
+void set_hour(scene::OceanScene& scene, double hour) {
+  end_keyframes(scene);
+  UtcTime midnight = scene.view.sun_time_utc.value_or(usual_day);
+  midnight.hour = midnight.minute = midnight.second = 0;
+  const int second = std::clamp(static_cast<int>(std::lround(3600.0 * hour)), 0, seconds_of_day - 1);
+  scene.view.sun_time_utc = from_unix_seconds(unix_seconds(midnight) + second);
+}
+
+Edit draw_sun_dial(scene::OceanScene& scene, const SunPlace& now) {
+  const float radius = 4.0f * ImGui::GetFontSize(), side = 2.0f * radius * static_cast<float>(dial_reach);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 middle(corner.x + 0.5f * side, corner.y + 0.5f * side);
+  ImGui::InvisibleButton("sun dial", {side, side});
+  Edit edit = Edit::none;
+  if (ImGui::IsItemActive()) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const SunPlace wanted =
+        sun_of_dial(glm::dvec2(mouse.x - middle.x, mouse.y - middle.y) / static_cast<double>(radius));
+    if (place_on_dial(wanted) != place_on_dial(now)) {
+      place_sun(scene, wanted);
+      edit = Edit::going_on;
+    }
+  }
+  // A click alone has moved the sun too.
+  if (ImGui::IsItemDeactivated()) edit = Edit::done;
+  draw_map(middle, radius, now);
+  ImGui::SameLine();
+  ImGui::Text("sun at %.0f deg,\n%.1f deg high", now.azimuth_rad * 180.0 / std::numbers::pi,
+              now.elevation_rad * 180.0 / std::numbers::pi);
+  return std::max(edit, draw_hour(scene));
+}
+
+}  // namespace offing::present

@@ -1,0 +1,95 @@
+#include "present/passes/clouds/cloud_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "present/gl/sampler.h"
+#include "present/passes/view_depth.h"
+#include "present/passes/view_ray.h"
+
+namespace offing::present {
+namespace {
+
+constexpr int environment_unit = 0, image_unit = 1, distance_unit = 2;
+
+ShaderProgram cloud_program() {
+  return ShaderProgram({.vertex = {shader_file("screen.vert")},
+                        .fragment = {shader_file("sky/environment.glsl"), shader_file("air.glsl"),
+                                     shader_file("view_ray.glsl"), shader_file("clouds/clouds.frag")}});
+}
+
+void fit_texture(TextureArray& texture, const TextureArray::Shape& shape) {
+  if (texture.shape() != shape) texture = TextureArray(shape);
+}
+
+}  // namespace
+
+CloudPass::CloudPass() : program_(cloud_program()), no_vertices_(GlVertexArray::make()) {}
+
+void CloudPass::set_textures(const ocl::Device& device, const clouds::PuffTextures& textures) {
+  if (picture_) {
+    picture_->set_textures(textures);
+  } else {
+    picture_.emplace(device, textures);
+  }
+}
+
+void CloudPass::fit(const ocl::Device& device, int width_px, int height_px) {
+  if (!picture_) picture_.emplace(device, clouds::puff_textures());
+  picture_->fit(width_px, height_px);
+}
+
+void CloudPass::prepare(const ocl::Device& device, const clouds::DrawnParticles& drawn, const Camera& camera,
+                        const RenderTarget& target, TransferLadder& transfer) {
+  const int width = target.width(), height = target.height();
+  fit(device, width, height);
+  depth_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  target.bind();
+  glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth_.data());
+  picture_->scene_depth().write(depth_);
+  make(drawn, camera, transfer);
+}
+
+void CloudPass::prepare_open(const ocl::Device& device, const clouds::DrawnParticles& drawn,
+                             const Camera& camera, TransferLadder& transfer) {
+  fit(device, camera.width_px, camera.height_px);
+  picture_->scene_depth().fill(0.0f);
+  make(drawn, camera, transfer);
+}
+
+void CloudPass::make(const clouds::DrawnParticles& drawn, const Camera& camera, TransferLadder& transfer) {
+  picture_->draw(drawn, camera);
+  glActiveTexture(GL_TEXTURE0);
+  const int width = picture_->width_px(), height = picture_->height_px();
+  fit_texture(image_, {.width = width, .height = height, .layers = 1, .channels = 4});
+  fit_texture(distance_, {.width = width, .height = height, .layers = 1, .channels = 1});
+  const std::array<Upload, 2> uploads{{{picture_->image(), &image_}, {picture_->distance_m(), &distance_}}};
+  transfer.upload(uploads);
+}
+
+void CloudPass::draw(const Camera& camera, const sky::Atmosphere& air, GLuint environment,
+                     AirFrom air_from) const {
+  program_.use();
+  set_view_rays(program_, camera);
+  bind_sampler(program_, "environment", environment_unit, environment);
+  image_.bind(image_unit);
+  distance_.bind(distance_unit);
+  program_.set("cloud_image", image_unit);
+  program_.set("cloud_distance", distance_unit);
+  const sky::Spectrum& depth = air.rayleigh_optical_depth;
+  program_.set("rayleigh_depth", glm::vec3(depth[0], 0.5 * (depth[1] + depth[2]), depth[3]));
+  program_.set("aerosol_depth", static_cast<float>(air.aerosol_optical_depth));
+  program_.set("scale_heights_m", glm::vec2(air.rayleigh_scale_height_m, air.aerosol_scale_height_m));
+  program_.set("eye_altitude_m", static_cast<float>(camera.eye_m.y));
+  program_.set("airless_m",
+               static_cast<float>(air_from == AirFrom::sea ? std::max(-camera.eye_m.y, 0.0) : 0.0));
+  glBindVertexArray(no_vertices_.name());
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // light is premultiplied
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace offing::present

@@ -1,0 +1,156 @@
+#include "present/passes/frame.h"
+
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "present/gl/device_stage.h"
+#include "present/passes/clouds/drawn_clouds.h"
+#include "present/passes/scaled_camera.h"
+
+namespace offing::present {
+namespace {
+
+/// The camera whose rays see the ground.
+Camera ground_camera(const FrameRequest& request) {
+  return scaled_camera(request.camera, request.quality.ray_scale());
+}
+
+/// Whether one picture shows about the sky that another did: flight and time lapse do, bookmarks do not.
+bool goes_on_from(const SkySight& before, const SkySight& now) {
+  constexpr double farthest_m = 100.0, longest_s = 2.0, least_sun_cosine = 0.9998;  // 1.1 degrees
+  return glm::distance(before.eye_m, now.eye_m) < farthest_m &&
+         std::abs(now.time_s - before.time_s) < longest_s &&
+         glm::dot(before.sun_direction, now.sun_direction) > least_sun_cosine;
+}
+
+}  // namespace
+
+Frame::Frame(const GlContext& context, const ocl::Device& device, const FrameSettings& settings)
+    : capabilities_(context.capabilities()),
+      ground_sampling_(settings.ground),
+      transfer_(context, device, settings.transfer),
+      sky_(settings.sky_step_px),
+      water_(context.capabilities(), settings.water),
+      meshes_(context.capabilities()) {}
+
+void Frame::fit(int width, int height) {
+  if (light_.width() == width && light_.height() == height) return;
+  light_ = RenderTarget(width, height, GL_RGBA16F, RenderTarget::Depth::single_precision);
+  under_ = RenderTarget(width, height, GL_RGBA16F, RenderTarget::Depth::none);
+  screen_ = RenderTarget(width, height, GL_RGBA8, RenderTarget::Depth::none);
+}
+
+void Frame::draw_light(world::World& world, const FrameRequest& request, bool sees_ground) {
+  light_.bind();
+  glClearDepth(0.0);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  if (sees_ground) {
+    const StageTimes::Scope stage(times_, Stage::terrain);
+    terrain_.draw(request.camera, TerrainPass::Part::covered);
+  }
+  if (world.has_sea() && !is_under_) {
+    const StageTimes::Scope stage(times_, Stage::water);
+    water_.draw(world, request,
+                {.meshes = meshes_,
+                 .shadows = shadows_,
+                 .environment = sky_.environment(),
+                 .cloudy_sky = cloudy_sky_},
+                light_, transfer_);
+  }
+  {
+    // Where nothing else is.
+    const StageTimes::Scope stage(times_, Stage::sky);
+    sky_.draw(request.camera, light_);
+  }
+  if (!world.meshes().empty()) {
+    const StageTimes::Scope stage(times_, Stage::meshes);
+    meshes_.draw(world, request, sky_.environment(), shadows_, light_);
+    light_.bind();
+  }
+  if (sees_ground) {
+    const StageTimes::Scope stage(times_, Stage::terrain);
+    terrain_.draw(request.camera, TerrainPass::Part::edges);
+  }
+}
+
+void Frame::draw_clouds(world::World& world, const FrameRequest& request) {
+  run_stage(times_, Stage::clouds, world.device(), [&] { world.see_clouds(request.camera); });
+  const StageTimes::Scope stage(times_, Stage::clouds);
+  clouds_.prepare(world.device(), drawn_clouds(world), request.camera, light_, transfer_);
+  light_.bind();
+  clouds_.draw(request.camera, world.parameters().atmosphere, sky_.environment());
+}
+
+void Frame::draw_cloudy_sky(world::World& world, const FrameRequest& request) {
+  if (world.clouds() == nullptr || !world.has_sea()) {
+    cloudy_sky_.forget();
+    return;
+  }
+  const auto& [x, y, z] = world.parameters().sun_direction;
+  const SkySight sight{request.camera.eye_m, {x, y, z}, world.time_s()};
+  const SkySight before = std::exchange(sky_sight_, sight);
+  const bool keeps = request.sky == SkyRefresh::slice && cloudy_sky_.has_map() && goes_on_from(before, sight);
+  if (keeps && ++frames_of_slice_ < slice_frames) return;
+  frames_of_slice_ = 0;
+  // Level water mirrors what the eye's mirror image sees.
+  const bool is_below = request.camera.eye_m.y < 0.0;
+  const Camera from_below = is_below ? request.camera : mirrored(request.camera, 0.0);
+  run_stage(times_, Stage::clouds, world.device(),
+            [&] { is_below ? world.see_clouds(from_below) : world.see_mirrored_clouds(from_below); });
+  const StageTimes::Scope stage(times_, Stage::clouds);
+  cloudy_sky_.draw(
+      world.device(),
+      {.drawn = drawn_clouds(world), .air = world.parameters().atmosphere, .clear_sky = sky_.environment()},
+      from_below.eye_m, keeps ? SkyRefresh::slice : SkyRefresh::whole, transfer_);
+}
+
+void Frame::draw(world::World& world, const FrameRequest& request) {
+  fit(request.camera.width_px, request.camera.height_px);
+  // Depth is 1 at the near plane and 0 at infinity.
+  if (capabilities_.has_clip_control) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  if (world.ground()) {
+    run_stage(times_, Stage::terrain, world.device(),
+              [&] { world.see_ground(ground_camera(request), ground_sampling_, request.tiles); });
+  }
+  if (!world.meshes().empty()) {
+    run_stage(times_, Stage::meshes, world.device(),
+              [&] { world.see_meshes(request.camera.eye_m, request.lighting_at, request.first_s); });
+  }
+  const bool sees_ground = world.ground() && world.ground()->is_in_reach();
+  const bool shows_steps = sees_ground && request.ground == GroundShow::steps;
+  is_under_ = !shows_steps && UnderwaterPass::is_under(world, request.camera);
+  {
+    const StageTimes::Scope stage(times_, Stage::transfer);
+    if (world.has_sea() && !is_under_ && !shows_steps) water_.prepare(world, transfer_);
+    sky_.prepare(world.sky());
+    if (world.has_sea() || !world.meshes().empty()) shadows_.prepare(world, request.camera.eye_m);
+    meshes_.prepare(world);
+    if (sees_ground) terrain_.prepare(world.ground()->picture(), transfer_);
+  }
+  if (shows_steps) {
+    const StageTimes::Scope stage(times_, Stage::terrain);
+    light_.bind();
+    terrain_.draw_steps();
+  } else {
+    draw_cloudy_sky(world, request);
+    draw_light(world, request, sees_ground);
+    if (world.clouds() != nullptr) draw_clouds(world, request);
+    if (is_under_) {
+      const StageTimes::Scope stage(times_, Stage::water);
+      underwater_.draw(world, request.camera,
+                       {.light = light_, .environment = sky_.environment(), .cloudy_sky = cloudy_sky_},
+                       under_);
+    }
+  }
+  {
+    const StageTimes::Scope stage(times_, Stage::tone);
+    screen_.bind();
+    tone_.draw(light(), shows_steps ? 1.0 : request.exposure,
+               shows_steps ? TonePass::Curve::none : TonePass::Curve::filmic);
+  }
+  require_no_gl_error("frame");
+}
+
+}  // namespace offing::present

@@ -1,0 +1,18 @@
+#include "present/passes/frame_request.h"
+
+namespace offing::present {
+
+std::string_view to_string(DebugView view) {
+  constexpr std::array<std::string_view, all_debug_views.size()> names{
+      "none", "height",    "slope",     "jacobian",  "foam",     "footprint",
+      "grid", "cascade 0", "cascade 1", "cascade 2", "cascade 3"};
+  return names[static_cast<std::size_t>(view)];
+}
+
+std::string_view to_string(MeshShow show) {
+  constexpr std::array<std::string_view, all_mesh_shows.size()> names{"light",      "curvature", "directions",
+                                                                      "projectors", "regions",   "ids"};
+  return names[static_cast<std::size_t>(show)];
+}
+
+}  // namespace offing::present

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "host/base/camera.h"
+#include "host/highlights/tracks/highlight_tracks.h"
+#include "host/world/ground_view.h"
+#include "present/passes/quality.h"
+
+namespace offing::present {
+
+enum class Fill { solid, wireframe };
+
+/// What the water shows instead of light.
+enum class DebugView {
+  none,
+  height,
+  slope,
+  jacobian,
+  foam,
+  footprint,
+  grid,
+  cascade_0,
+  cascade_1,
+  cascade_2,
+  cascade_3
+};
+inline constexpr std::array all_debug_views{DebugView::none,      DebugView::height,    DebugView::slope,
+                                            DebugView::jacobian,  DebugView::foam,      DebugView::footprint,
+                                            DebugView::grid,      DebugView::cascade_0, DebugView::cascade_1,
+                                            DebugView::cascade_2, DebugView::cascade_3};
+std::string_view to_string(DebugView view);
+
+/// What the ground shows.
+enum class GroundShow {
+  light,
+  steps,  ///< how many steps each ray took, over the whole picture (terrain::step_colours)
+};
+
+/// What meshes show.
+enum class MeshShow {
+  light,
+  curvature,   ///< red: convex, blue: hollow, green: saddles
+  directions,  ///< strokes along e_max, red, and e_min, blue
+  projectors,  ///< the boxes of highlights
+  regions,     ///< the faces of highlights
+  ids,         ///< what is within highlights' boxes, a colour for each
+};
+inline constexpr std::array all_mesh_shows{MeshShow::light,      MeshShow::curvature, MeshShow::directions,
+                                           MeshShow::projectors, MeshShow::regions,   MeshShow::ids};
+std::string_view to_string(MeshShow show);
+
+/// How much of the round map of a cloudy sky a picture draws anew.
+enum class SkyRefresh {
+  whole,  ///< a picture is the same whatever was drawn before it
+  slice,  ///< now and then a fifth: the map lags some pictures behind
+};
+
+/// What to draw: the world as this camera sees it.
+struct FrameRequest {
+  Camera camera;
+  double exposure = 1.0;  ///< 1 / (kcd/m2), of LightMeter
+  DebugView debug = DebugView::none;
+  Fill fill = Fill::solid;
+  GroundShow ground = GroundShow::light;
+  MeshShow meshes = MeshShow::light;
+  world::TileWait tiles = world::TileWait::all;
+  SkyRefresh sky = SkyRefresh::whole;
+  Quality quality = {};  ///< the camera has the side's share already
+  /// For highlights that depend on the time alone (World::see_meshes()); none: they follow the camera.
+  highlights::LightingAt lighting_at = {};
+  std::optional<double> first_s =
+      {};  ///< with a lighting: of the sequence that this picture is of; none: alone
+};
+
+}  // namespace offing::present

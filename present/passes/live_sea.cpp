@@ -1,0 +1,212 @@
+#include "present/passes/live_sea.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "host/base/error.h"
+#include "host/base/freed_memory.h"
+#include "host/base/log.h"
+#include "host/scene/prepare/moving_view.h"
+#include "host/scene/prepare/own_puffs.h"
+#include "host/scene/prepare/scene_clouds.h"
+#include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/prepare/world_scene.h"
+#include "present/gl/device_stage.h"
+#include "present/output/picture_file.h"
+
+namespace offing::present {
+namespace {
+
+constexpr int fewest_samples = 32;  // along a patch of the sea, unless a scene asks for fewer
+
+world::WorldParameters with_particles(CloudBuilder& builder, world::WorldParameters parameters,
+                                      const CancelToken* cancel) {
+  const CancelToken none;
+  if (parameters.clouds) {
+    parameters.clouds = builder.grow(std::move(*parameters.clouds), cancel != nullptr ? *cancel : none);
+  }
+  return parameters;
+}
+
+FrameRequest request_of(const SeaView& view, double exposure) {
+  return {.camera = view.camera,
+          .exposure = exposure,
+          .debug = view.debug,
+          .fill = view.fill,
+          .ground = view.ground,
+          .meshes = view.meshes,
+          .tiles = view.tiles,
+          .sky = view.sky,
+          .quality = view.quality,
+          .lighting_at = view.lighting_at,
+          .first_s = view.first_s};
+}
+
+}  // namespace
+
+LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, const scene::OceanScene& scene)
+    : context_(context),
+      settings_(settings.frame),
+      cancel_(settings.cancel),
+      device_(ocl::Device::open_shared(ocl::select_device(settings.device), ocl::Profiling::on,
+                                       context.share_properties())),
+      scene_(scene),
+      builder_(std::make_unique<CloudBuilder>(device_.info(), scene_)),
+      world_(std::make_unique<world::World>(
+          device_, with_particles(*builder_, scene::prepare_shown_world(scene_), settings.cancel))),
+      frame_(new_frame(scene_)) {
+  take_scene(std::move(scene_));
+}
+
+std::unique_ptr<Frame> LiveSea::new_frame(const scene::OceanScene& scene) {
+  auto frame = std::make_unique<Frame>(context_, device_, settings_);
+  if (const auto puffs = scene::own_puffs(scene)) frame->set_puffs(device_, *puffs);
+  return frame;
+}
+
+void LiveSea::take_scene(scene::OceanScene scene) {
+  warning_ = scene::steepness_warning(scene, world_->parameters().trochoids);
+  scene.set_at.clear();
+  wanted_ = scene_ = std::move(scene);
+}
+
+void LiveSea::open(const scene::OceanScene& scene) {
+  scene::OceanScene opened = scene;
+  auto builder = std::make_unique<CloudBuilder>(device_.info(), opened);
+  auto world = std::make_unique<world::World>(
+      device_, with_particles(*builder, scene::prepare_shown_world(opened), cancel_));
+  auto frame = new_frame(opened);
+  const SeaView view{.time_s = opened.start_s, .camera = opened.view.camera};
+  try_out(*world, view);
+  builder_ = std::move(builder);
+  world_ = std::move(world);
+  frame_ = std::move(frame);
+  light_meter_ = {};
+  view_ = view;
+  take_scene(std::move(opened));
+  is_drawn_ = false;
+}
+
+void LiveSea::try_out(world::World& world, const SeaView& view) const {
+  world.set_eye({view.camera.eye_m.x, view.camera.eye_m.z});
+  world.at(view.time_s, view.camera.eye_m.y);
+  world.see_clouds(view.camera);
+  device_.finish();
+}
+
+void LiveSea::change(const std::function<void()>& work) {
+  const world::WorldParameters before = world_->parameters();
+  try {
+    work();
+    try_out(*world_, view_);
+    frame_->forget();
+  } catch (const Error&) {
+    // Any part may have changed; what it was made of needs no file again.
+    world_ = std::make_unique<world::World>(device_, before);
+    throw;
+  }
+}
+
+void LiveSea::warn() {
+  std::string warning = scene::steepness_warning(scene_, world_->parameters().trochoids);
+  if (warning_.empty() && !warning.empty()) spdlog::warn("{}", warning);
+  warning_ = std::move(warning);
+}
+
+void LiveSea::begin_edit(const scene::OceanScene& scene, Haste haste) {
+  const auto start = std::chrono::steady_clock::now();
+  scene::OceanScene edited = scene;
+  edited.set_at.clear();
+  // All but the clouds is shown at once.
+  scene::OceanScene now = edited;
+  scene::copy_clouds(scene_, now);
+  change([&] { scene::edit_world_below(*world_, scene_, now); });
+  scene_ = std::move(now);
+  if (scene::are_other_clouds(wanted_, edited)) builder_->begin(edited, haste);
+  wanted_ = std::move(edited);
+  warn();
+  edit_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void LiveSea::show_clouds(BuiltClouds built) {
+  scene::OceanScene now = scene_;
+  scene::copy_clouds(built.scene, now);
+  change([&] {
+    // With the first cloud, or without the last one, the sea may come or go.
+    scene::edit_world_below(*world_, scene_, now);
+    world_->set_clouds(built.sky);
+  });
+  if (built.puffs) frame_->set_puffs(device_, *built.puffs);
+  scene_ = std::move(now);
+  warn();
+}
+
+bool LiveSea::take_clouds() {
+  auto made = builder_->take();
+  if (!made) return false;
+  if (const Error* fault = std::get_if<Error>(&*made)) throw *fault;
+  show_clouds(std::get<BuiltClouds>(std::move(*made)));
+  return true;
+}
+
+void LiveSea::edit(const scene::OceanScene& scene) {
+  begin_edit(scene, Haste::interrupt);
+  builder_->wait();
+  take_clouds();
+}
+
+void LiveSea::reload() {
+  auto frame = new_frame(scene_);
+  auto builder = std::make_unique<CloudBuilder>(device_.info(), scene_);
+  auto world = std::make_unique<world::World>(
+      device_, with_particles(*builder, scene::prepare_world(scene_, scene::Warnings::left_out), nullptr));
+  try_out(*world, view_);
+  frame->draw(*world, request_of(view_, exposure_));  // some shaders are compiled where they are needed first
+  world_ = std::move(world);
+  frame_ = std::move(frame);
+  builder_ = std::move(builder);
+  if (scene::are_other_clouds(scene_, wanted_)) builder_->begin(wanted_, Haste::let_finish);
+  give_back_freed_memory();
+}
+
+double LiveSea::surface_height_m(double x_m, double z_m) {
+  double height_m = -std::numeric_limits<double>::infinity();
+  if (world_->has_sea()) {
+    const std::array<ocean::WaterPoint, 1> point{{{x_m, z_m}}};
+    height_m = world_->sample(point, {.fields = ocean::WaterQuery::Fields::surface}).front().height_m;
+  }
+  if (ground() == nullptr) return height_m;
+  const std::optional<terrain::GroundPoint> below = ground()->ground_at(x_m, z_m);
+  return below ? std::max(height_m, below->height_m) : height_m;
+}
+
+void LiveSea::simulate(const SeaView& view) {
+  world_->set_eye({view.camera.eye_m.x, view.camera.eye_m.z});
+  world_->set_light_lag(view.quality.light_lag);
+  world_->set_sea_samples(
+      std::max(fewest_samples, world_->parameters().ocean.size >> view.quality.sea_halvings));
+  world_->set_cloud_halvings(view.quality.cloud_halvings);
+  run_stage(frame_->times(), Stage::simulate, device_, [&] { world_->at(view.time_s, view.camera.eye_m.y); });
+}
+
+void LiveSea::draw(const SeaView& view) {
+  const scene::ViewScene now = scene::view_at(scene_, view.time_s);
+  view_ = view;
+  scene::set_view(*world_, now);
+  scene::set_meshes_at(*world_, scene_, view.time_s);
+  simulate(view);
+  exposure_ = light_meter_.exposure(*world_, view.camera, now.exposure_ev);
+  frame_->draw(*world_, request_of(view, exposure_));
+  // What the scene before held, and what the compilers of shaders took for the first picture.
+  if (!std::exchange(is_drawn_, true)) give_back_freed_memory();
+}
+
+void LiveSea::write(const std::filesystem::path& path, Existing existing) const {
+  write_picture(path, *frame_, view_.time_s, exposure_, existing);
+}
+
+}  // namespace offing::present

@@ -1,0 +1,97 @@
+#include "present/passes/meshes/highlight_pass.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
+
+#include "host/highlights/projectors/texture_shapes.h"
+#include "present/gl/sampler.h"
+#include "present/passes/air.h"
+
+namespace offing::present {
+namespace {
+
+constexpr int environment_unit = 0, picture_unit = 1;
+
+ShaderProgram highlight_program(highlights::HighlightTexture texture) {
+  const ShaderPart compiled_for{"features of highlights",
+                                fmt::format("#define TEXTURE_KIND {:d}\n", static_cast<int>(texture))};
+  return ShaderProgram(
+      {.vertex = {shader_file("meshes/mesh_place.glsl"), shader_file("meshes/highlight.vert")},
+       .fragment = {compiled_for, CloudShadows::glsl(), shader_file("sky/environment.glsl"),
+                    shader_file("air.glsl"), shader_file("meshes/mesh_light.glsl"),
+                    shader_file("meshes/highlight_shapes.glsl"), shader_file("meshes/highlight.frag")}});
+}
+
+int box_show(MeshShow show) {
+  return show == MeshShow::ids ? 1 : show == MeshShow::regions ? 2 : 0;
+}
+
+}  // namespace
+
+glm::vec3 id_colour(std::uint64_t id) {
+  // Steps by the golden section around the colours' circle never come back to a place.
+  const double turn = 0.618033988749895 * static_cast<double>(id % 1'000'003);
+  const glm::dvec3 place = glm::fract(turn + glm::dvec3(0.0, 1.0 / 3.0, 2.0 / 3.0));
+  return glm::vec3(glm::clamp(glm::abs(6.0 * place - 3.0) - 1.0, 0.02, 1.0));
+}
+
+HighlightPass::HighlightPass() : programs_(highlight_program) {}
+
+void HighlightPass::set_one(const ShaderProgram& program, const world::MeshView& mesh,
+                            const highlights::DrawnHighlight& highlight, const Scenery& scenery) {
+  const highlights::HighlightControls& controls = highlight.controls;
+  const glm::dmat4 to_box = highlights::projection_of(highlight.projector) *
+                            glm::translate(glm::dmat4(1.0), mesh.surface().middle_m());
+  const PictureUse use = controls.texture == highlights::HighlightTexture::normal_map ? PictureUse::normals
+                                                                                      : PictureUse::colours;
+  const int picture = is_picture(controls.texture) ? controls.picture : -1;
+  bind_sampler(program, "picture", picture_unit,
+               scenery.pictures.texture(scenery.world.parameters().pictures, picture, use));
+  program.set("to_box", glm::mat4(to_box));
+  program.set("colour", glm::vec3(controls.colour));
+  program.set("lamp_kcdpm2", scenery.lights.highlight_kcdpm2(highlight.lamp));
+  program.set("opacity",
+              static_cast<float>(highlight.opacity * scenery.lights.highlight_share(highlight.lamp)));
+  program.set("softness", static_cast<float>(controls.softness));
+  program.set("shape_depth", static_cast<float>(highlights::depth_of(controls.texture)));
+  program.set("box_right", glm::vec3(mesh.motion().rotation * highlight.projector.right));
+}
+
+void HighlightPass::draw(const world::MeshView& mesh, const MeshGeometry& geometry,
+                         const MeshViewMatrices& matrices, const FrameRequest& request,
+                         const Scenery& scenery) {
+  if (mesh.highlights().empty()) return;
+  corners_.clear();
+  for (const std::uint32_t face : mesh.highlight_faces()) {
+    const TriangleIndices& corners = mesh.surface().mesh().faces[face];
+    corners_.insert(corners_.end(), corners.begin(), corners.end());
+  }
+  geometry.set_drawn_faces(corners_);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthFunc(GL_GEQUAL);
+  glDepthMask(GL_FALSE);
+  const ShaderProgram* used = nullptr;
+  for (const highlights::DrawnHighlight& highlight : mesh.highlights()) {
+    const ShaderProgram& program = programs_.with(highlight.controls.texture);
+    if (&program != used) {
+      program.use();
+      matrices.set(program);
+      scenery.lights.bind(program);
+      set_air(program, scenery.world.parameters().atmosphere, scenery.environment, environment_unit);
+      program.set("shows_box", box_show(request.meshes));
+      used = &program;
+    }
+    set_one(program, mesh, highlight, scenery);
+    program.set("box_light", id_colour(highlight.id) / static_cast<float>(request.exposure));
+    geometry.draw(static_cast<GLsizei>(3 * highlight.first_face),
+                  static_cast<GLsizei>(3 * highlight.face_count));
+  }
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace offing::present

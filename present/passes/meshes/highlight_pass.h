@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "host/world/world.h"
+#include "present/gl/picture_textures.h"
+#include "present/gl/shader_variants.h"
+#include "present/passes/frame_request.h"
+#include "present/passes/meshes/mesh_geometry.h"
+#include "present/passes/meshes/mesh_lights.h"
+#include "present/passes/meshes/mesh_view_matrices.h"
+
+namespace offing::present {
+
+/// Draws the highlights of a mesh over its base (H7, H9 of docs/sources.md): the faces of each one's region
+/// once more, clipped to its projector's box.
+class HighlightPass {
+ public:
+  HighlightPass();
+
+  /// What all meshes of a picture share.
+  struct Scenery {
+    const world::World& world;
+    const MeshLights& lights;
+    PictureTextures& pictures;
+    GLuint environment;
+  };
+  /// Onto the bound target, in which the mesh has been drawn with these matrices.
+  void draw(const world::MeshView& mesh, const MeshGeometry& geometry, const MeshViewMatrices& matrices,
+            const FrameRequest& request, const Scenery& scenery);
+
+ private:
+  void set_one(const ShaderProgram& program, const world::MeshView& mesh,
+               const highlights::DrawnHighlight& highlight, const Scenery& scenery);
+
+  ShaderVariants<highlights::HighlightTexture> programs_;
+  std::vector<std::uint32_t> corners_;
+};
+
+/// A bright colour for each highlight, unlike those of its neighbours: linear Rec.709.
+glm::vec3 id_colour(std::uint64_t id);
+
+}  // namespace offing::present

@@ -1,0 +1,187 @@
+#include "present/passes/meshes/mesh_pass.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "present/gl/sampler.h"
+#include "present/passes/air.h"
+
+namespace offing::present {
+namespace {
+
+constexpr int environment_unit = 0, faces_unit = 1, ramp_unit = 2;
+constexpr int depth_behind_unit = 0, light_behind_unit = 1;
+constexpr int light_samples_unit = 0, depth_samples_unit = 1;
+// Samples at steps of 8 cannot be told from a smooth edge; where the CPU draws, each one costs.
+constexpr int samples_of_gpu = 8, samples_of_cpu = 4;
+
+ShaderProgram screen_program(const char* fragment) {
+  return ShaderProgram({.vertex = {shader_file("screen.vert")}, .fragment = {shader_file(fragment)}});
+}
+
+ShaderProgram outline_program() {
+  return ShaderProgram(
+      {.vertex = {shader_file("meshes/mesh_place.glsl"), shader_file("meshes/mesh_outline.vert")},
+       .fragment = {shader_file("meshes/mesh_plain.frag")}});
+}
+
+void draw_screen(const GlVertexArray& no_vertices) {
+  glBindVertexArray(no_vertices.name());
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_ALWAYS);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace
+
+MeshPass::MeshPass(const GlCapabilities& capabilities)
+    : capabilities_(capabilities),
+      begin_(screen_program("meshes/mesh_begin.frag")),
+      outline_(outline_program()),
+      end_(screen_program("meshes/mesh_end.frag")),
+      bases_(base_program),
+      no_vertices_(GlVertexArray::make()) {}
+
+ShaderProgram MeshPass::base_program(const BaseFeatures& features) {
+  const ShaderPart compiled_for{"features of meshes",
+                                fmt::format("#define SHADING {:d}\n#define SHOWS_CURVATURE {:d}\n",
+                                            static_cast<int>(features.shading), features.shows_curvature)};
+  return ShaderProgram({.vertex = {compiled_for, CloudShadows::glsl(), shader_file("meshes/mesh_place.glsl"),
+                                   shader_file("meshes/mesh_light.glsl"), shader_file("meshes/mesh.vert")},
+                        .fragment = {compiled_for, CloudShadows::glsl(), shader_file("sky/environment.glsl"),
+                                     shader_file("air.glsl"), shader_file("meshes/mesh_light.glsl"),
+                                     shader_file("meshes/mesh.frag")}});
+}
+
+void MeshPass::prepare(const world::World& world) {
+  const std::vector<world::MeshView>& views = world.meshes();
+  const bool are_same = std::equal(views.begin(), views.end(), meshes_.begin(), meshes_.end(),
+                                   [](const auto& a, const Mesh& b) { return a.revision() == b.revision; });
+  if (are_same) return;
+  meshes_.clear();
+  for (const world::MeshView& view : views) {
+    meshes_.push_back({view.revision(), MeshGeometry(view.surface())});
+  }
+}
+
+PixelBox MeshPass::pixels(const world::World& world, const Camera& camera) const {
+  PixelBox box;
+  for (std::size_t i = 0; i < meshes_.size(); ++i) {
+    const world::MeshView& view = world.meshes()[i];
+    const MeshViewMatrices matrices(view, camera, capabilities_);
+    box = around(box, pixels_of(meshes_[i].geometry.low_m(), meshes_[i].geometry.high_m(), matrices, camera,
+                                1.0 + view.parameters().material.outline_px));
+  }
+  return box;
+}
+
+void MeshPass::begin(const RenderTarget& target) {
+  if (samples_.width() != target.width() || samples_.height() != target.height()) {
+    samples_ = MultisampleTarget(target.width(), target.height(),
+                                 capabilities_.is_software ? samples_of_cpu : samples_of_gpu);
+  }
+  samples_.bind();
+  begin_.use();
+  bind_sampler(begin_, "depth_behind", depth_behind_unit, target.depth_texture());
+  bind_sampler(begin_, "light_behind", light_behind_unit, target.texture());
+  draw_screen(no_vertices_);
+}
+
+void MeshPass::draw_base(const world::World& world, std::size_t index, const MeshViewMatrices& matrices,
+                         const FrameRequest& request, GLuint environment) {
+  const world::MeshView& view = world.meshes()[index];
+  const world::MeshMaterial& material = view.parameters().material;
+  const ShaderProgram& base =
+      bases_.with({.shading = material.shading, .shows_curvature = request.meshes == MeshShow::curvature});
+  base.use();
+  matrices.set(base);
+  lights_.bind(base);
+  set_air(base, world.parameters().atmosphere, environment, environment_unit);
+  meshes_[index].geometry.bind_faces(faces_unit);
+  base.set("faces", faces_unit);
+  const bool is_grey = request.meshes == MeshShow::directions;
+  base.set("colour", is_grey ? glm::vec3(0.3f) : glm::vec3(material.colour));
+  base.set("specular", static_cast<float>(material.specular));
+  base.set("shininess", static_cast<float>(material.shininess));
+  base.set("cartoon_steps", material.cartoon_steps);
+  base.set("has_ramp", material.cartoon_ramp >= 0 ? 1 : 0);
+  bind_sampler(base, "ramp_picture", ramp_unit,
+               pictures_.texture(world.parameters().pictures, material.cartoon_ramp, PictureUse::ramp));
+  base.set("length_of_mesh_m", static_cast<float>(view.surface().diagonal_m()));
+  base.set("debug_white", static_cast<float>(1.0 / request.exposure));
+  glDepthFunc(GL_GREATER);
+  glPolygonMode(GL_FRONT_AND_BACK, request.fill == Fill::wireframe ? GL_LINE : GL_FILL);
+  meshes_[index].geometry.draw();
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+void MeshPass::draw_outline(std::size_t index, const MeshViewMatrices& matrices, const FrameRequest& request,
+                            const world::MeshMaterial& material) const {
+  outline_.use();
+  matrices.set(outline_);
+  outline_.set("half_picture_px", 0.5f * glm::vec2(request.camera.width_px, request.camera.height_px));
+  outline_.set("outline_px", static_cast<float>(material.outline_px));
+  outline_.set("plain_light", glm::vec4(glm::vec3(material.outline_colour / request.exposure), 1.0f));
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_FRONT);
+  meshes_[index].geometry.draw();
+  glDisable(GL_CULL_FACE);
+  meshes_[index].geometry.draw_borders();
+}
+
+void MeshPass::draw_mesh(const world::World& world, std::size_t index, const FrameRequest& request,
+                         GLuint environment, MeshPart part) {
+  const world::MeshView& view = world.meshes()[index];
+  const MeshViewMatrices matrices(view, request.camera, capabilities_, part);
+  draw_base(world, index, matrices, request, environment);
+  if (view.parameters().material.outline_px > 0.0 && request.fill == Fill::solid) {
+    draw_outline(index, matrices, request, view.parameters().material);
+  }
+  if (request.meshes == MeshShow::directions) lines_.draw_directions(view, matrices, request);
+  if (request.meshes == MeshShow::curvature || request.meshes == MeshShow::directions) return;
+  highlights_.draw(view, meshes_[index].geometry, matrices, request,
+                   {.world = world, .lights = lights_, .pictures = pictures_, .environment = environment});
+  if (request.meshes == MeshShow::projectors) lines_.draw_projectors(view, matrices, request);
+}
+
+void MeshPass::end(const RenderTarget& target, const FrameRequest& request) const {
+  target.bind();
+  end_.use();
+  samples_.bind_samples(light_samples_unit, depth_samples_unit);
+  end_.set("samples_of", light_samples_unit);
+  end_.set("depth_of", depth_samples_unit);
+  end_.set("sample_count", samples_.samples());
+  end_.set("exposure", static_cast<float>(request.exposure));
+  draw_screen(no_vertices_);
+}
+
+void MeshPass::draw(const world::World& world, const FrameRequest& request, GLuint environment,
+                    const CloudShadows& shadows, const RenderTarget& target) {
+  const PixelBox box = pixels(world, request.camera);
+  if (box.width <= 0 || box.height <= 0) return;
+  lights_.prepare(world, request.camera.eye_m, shadows);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(box.left, box.bottom, box.width, box.height);
+  begin(target);
+  for (std::size_t i = 0; i < meshes_.size(); ++i) draw_mesh(world, i, request, environment, MeshPart::all);
+  end(target, request);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void MeshPass::draw_plainly(const world::World& world, const FrameRequest& request, GLuint environment,
+                            const CloudShadows& shadows, MeshPart part, const RenderTarget& target) {
+  if (meshes_.empty()) return;
+  lights_.prepare(world, request.camera.eye_m, shadows);
+  target.bind();
+  glEnable(GL_DEPTH_TEST);
+  // Some drivers clip all the same where it is not enabled: what is not cut has no distance to be clipped at.
+  if (part == MeshPart::above_sea) glEnable(GL_CLIP_DISTANCE0);
+  for (std::size_t i = 0; i < meshes_.size(); ++i) draw_mesh(world, i, request, environment, part);
+  glDisable(GL_CLIP_DISTANCE0);
+  glDisable(GL_DEPTH_TEST);
+}
+
+}  // namespace offing::present

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+
+#include "host/base/camera.h"
+#include "host/world/mesh_view.h"
+#include "present/gl/gl_context.h"
+#include "present/gl/shader_program.h"
+
+namespace offing::present {
+
+enum class MeshPart {
+  all,
+  above_sea,  ///< above the level sea
+};
+
+/// How places of MeshGeometry, relative to the mesh's middle, come to the screen. Made in double precision.
+struct MeshViewMatrices {
+  glm::dmat4 to_eye;   ///< relative to the eye, in the world's axes
+  glm::dmat4 to_clip;  ///< of the screen
+  double cut_m;        ///< height over the eye's below which nothing is drawn
+
+  MeshViewMatrices(const world::MeshView& mesh, const Camera& camera, const GlCapabilities& capabilities,
+                   MeshPart part = MeshPart::all);
+
+  /// Gives them to a program in use (mesh_place.glsl).
+  void set(const ShaderProgram& program) const;
+};
+
+/// Pixels, from the picture's lower left corner.
+struct PixelBox {
+  int left = 0, bottom = 0, width = 0, height = 0;
+};
+
+/// The pixels that a box around a mesh's vertices may be seen on, with a margin; all of them where it reaches
+/// behind the eye.
+PixelBox pixels_of(const glm::dvec3& low_m, const glm::dvec3& high_m, const MeshViewMatrices& matrices,
+                   const Camera& camera, double margin_px);
+
+/// The smallest box around both; a box without pixels adds nothing.
+PixelBox around(const PixelBox& a, const PixelBox& b);
+
+}  // namespace offing::present

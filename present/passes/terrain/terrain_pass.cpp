@@ -1,0 +1,91 @@
+#include "present/passes/terrain/terrain_pass.h"
+
+#include <array>
+#include <vector>
+
+#include "host/terrain/cast/step_colours.h"
+#include "present/passes/view_depth.h"
+#include "present/passes/view_ray.h"
+
+namespace offing::present {
+namespace {
+
+constexpr int image_unit = 0, planes_unit = 1;
+
+ShaderProgram light_program(const char* ground_here) {
+  return ShaderProgram({.vertex = {shader_file("screen.vert")},
+                        .fragment = {shader_file("view_ray.glsl"), shader_file("terrain/ground_texels.glsl"),
+                                     shader_file(ground_here), shader_file("terrain/terrain.frag")}});
+}
+
+ShaderProgram steps_program() {
+  return ShaderProgram({.vertex = {shader_file("screen.vert")},
+                        .fragment = {shader_file("view_ray.glsl"), shader_file("terrain/ground_texels.glsl"),
+                                     shader_file("terrain/terrain_steps.frag")}});
+}
+
+void fit(TextureArray& texture, const TextureArray::Shape& shape) {
+  if (texture.shape() != shape) texture = TextureArray(shape);
+}
+
+}  // namespace
+
+TerrainPass::TerrainPass()
+    : exact_(light_program("terrain/ground_exact.glsl")),
+      enlarged_(light_program("terrain/ground_enlarged.glsl")),
+      steps_(steps_program()),
+      no_vertices_(GlVertexArray::make()) {}
+
+void TerrainPass::prepare(const world::GroundPicture& ground, TransferLadder& transfer) {
+  glActiveTexture(GL_TEXTURE0);
+  const int width = ground.width_px, height = ground.height_px;
+  fit(image_, {.width = width, .height = height, .layers = 1, .channels = 4});
+  fit(planes_, {.width = width, .height = height, .layers = terrain::HitPlanes::plane_count, .channels = 1});
+  const std::array<Upload, 2> uploads{{{ground.image, &image_}, {ground.planes, &planes_}}};
+  transfer.upload(uploads);
+  sea_ = ground.sea;
+}
+
+void TerrainPass::bind(const ShaderProgram& program) const {
+  program.use();
+  image_.bind(image_unit);
+  planes_.bind(planes_unit);
+  program.set("ground_image", image_unit);
+  program.set("ground_planes", planes_unit);
+  glBindVertexArray(no_vertices_.name());
+}
+
+void TerrainPass::draw(const Camera& camera, Part part) const {
+  const TextureArray::Shape& seen = image_.shape();
+  const bool is_exact = seen.width == camera.width_px && seen.height == camera.height_px;
+  const ShaderProgram& program = is_exact ? exact_ : enlarged_;
+  bind(program);
+  set_view_rays(program, camera);
+  program.set("near_m", static_cast<float>(near_m));
+  program.set("eye_height_m", static_cast<float>(camera.eye_m.y));
+  program.set("hidden_below_m", static_cast<float>(sea_.below_m));
+  program.set("hidden_bend_perm", static_cast<float>(sea_.bend_perm));
+  program.set("draws_edges", part == Part::edges ? 1 : 0);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GEQUAL);
+  if (part == Part::edges) {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // light is premultiplied
+  }
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void TerrainPass::draw_steps() const {
+  bind(steps_);
+  std::vector<glm::vec4> marks;
+  for (const terrain::StepColour& mark : terrain::step_colours) {
+    marks.emplace_back(mark.rgb[0], mark.rgb[1], mark.rgb[2], mark.steps);
+  }
+  steps_.set("marks", marks);
+  glDisable(GL_DEPTH_TEST);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace offing::present

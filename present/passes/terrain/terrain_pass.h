@@ -1,0 +1,38 @@
+#pragma once
+
+#include "host/base/camera.h"
+#include "host/world/ground_picture.h"
+#include "present/gl/gl_objects.h"
+#include "present/gl/shader_program.h"
+#include "present/gl/texture_array.h"
+#include "present/gl/transfer.h"
+
+namespace offing::present {
+
+/// Lays the ground that OpenCL saw over the picture, pixel by pixel where it was seen as finely as the
+/// picture is drawn; coarser views are enlarged without mixing what is near with what is far.
+class TerrainPass {
+ public:
+  TerrainPass();
+
+  /// Copies what was seen into textures by way of the ladder.
+  void prepare(const world::GroundPicture& ground, TransferLadder& transfer);
+
+  /// Pixels that ground covers, which may be drawn before what lies behind; and those that it covers in part,
+  /// at its edges, which go over what lies behind.
+  enum class Part { covered, edges };
+  /// Draws onto the bound target, whose depth is reversed, as this camera sees it.
+  void draw(const Camera& camera, Part part) const;
+  /// Fills the bound target with the steps that rays took (terrain::step_colours), linear Rec.709.
+  void draw_steps() const;
+
+ private:
+  void bind(const ShaderProgram& program) const;
+
+  ShaderProgram exact_, enlarged_, steps_;
+  GlVertexArray no_vertices_;
+  TextureArray image_, planes_;
+  terrain::SeaOverGround sea_;
+};
+
+}  // namespace offing::present

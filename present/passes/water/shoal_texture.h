@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include <glm/vec2.hpp>
+
+#include "host/ocean/query/shoals.h"
+#include "present/gl/gl_objects.h"
+#include "present/gl/shader_program.h"
+#include "present/gl/uniform_block.h"
+
+namespace offing::present {
+
+/// OpenGL's copies of a sea's depths and of what shoals leave of its waves, which shoals.glsl reads.
+class ShoalTexture {
+ public:
+  ShoalTexture();
+
+  /// Copies them where they are others than those of the last call; none: the open sea.
+  void prepare(const std::shared_ptr<const ocean::Shoals>& shoals);
+  /// Gives them, if there are any, to a program in use that HAS_SHOALS, for an eye at this label; the texture
+  /// on this unit.
+  void bind(const ShaderProgram& program, glm::dvec2 eye_m, int unit) const;
+
+ private:
+  std::shared_ptr<const ocean::Shoals> shoals_;
+  GlTexture depths_;
+  UniformBlock shares_;
+};
+
+}  // namespace offing::present

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <compare>
+
+#include "host/base/camera.h"
+#include "host/world/world.h"
+#include "present/gl/gl_context.h"
+#include "present/gl/gl_objects.h"
+#include "present/gl/render_target.h"
+#include "present/gl/shader_variants.h"
+#include "present/gl/transfer.h"
+#include "present/passes/clouds/cloud_shadows.h"
+#include "present/passes/frame_request.h"
+#include "present/passes/water/ring_waves.h"
+#include "present/passes/water/water_maps.h"
+#include "present/passes/water/water_surface.h"
+#include "present/passes/water/water_views.h"
+#include "present/passes/water/wave_features.h"
+
+namespace offing::present {
+
+/// How finely the water is drawn.
+struct WaterDetail {
+  GridCells cells;
+  /// Samples along a pixel's footprint, which is long where water is seen at a grazing angle.
+  int taps = 1;
+  /// Pixels along the longer side of the pictures of what water mirrors and shows beneath it (O13); 0: it
+  /// mirrors the sky alone, and is deep.
+  int views_px = 256;
+};
+
+/// Draws the ocean: its shape (WaterSurface), then its light on the pixels that show it.
+class WaterPass {
+ public:
+  WaterPass(const GlCapabilities& capabilities, WaterDetail detail);
+
+  /// Copies the world's maps into textures by way of the ladder.
+  void prepare(world::World& world, TransferLadder& transfer) { maps_.prepare(world, transfer); }
+  /// Draws onto a target whose depth is reversed, with what is not water mirrored in it and seen through it.
+  void draw(world::World& world, const FrameRequest& request, const DryPasses& dry,
+            const RenderTarget& target, TransferLadder& transfer);
+
+ private:
+  /// What the shader is compiled for.
+  struct Features {
+    WaveFeatures waves;
+    int taps = 1;
+    DebugView debug = DebugView::none;
+    bool mirrors = false;
+    bool mirrors_things = false;
+    bool shows_beneath = false;
+    bool has_clouds = false;  // in the sky that it mirrors
+
+    auto operator<=>(const Features&) const = default;
+  };
+  static ShaderProgram program_for(const Features& features);
+
+  void set_waves(const ShaderProgram& program, const world::World& world, const Camera& camera) const;
+  void bind_surface(const ShaderProgram& program) const;
+
+  WaterDetail detail_;
+  WaterMaps maps_;
+  WaterSurface surface_;
+  WaterViews views_;
+  ShaderVariants<Features> programs_;
+  GlVertexArray no_vertices_;
+  GlTexture foam_pattern_;
+};
+
+}  // namespace offing::present

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <compare>
+#include <vector>
+
+#include "host/world/world.h"
+#include "present/gl/shader_program.h"
+#include "present/passes/water/ring_waves.h"
+
+namespace offing::present {
+
+/// The waves that a shader of the water is compiled for (ShaderVariants).
+struct WaveFeatures {
+  int cascades = 0;
+  int wakes = 0;
+  bool has_rings = false;
+  bool has_shoals = false;
+
+  auto operator<=>(const WaveFeatures&) const = default;
+};
+
+/// Those of a world with a sea, whose rings are these.
+WaveFeatures wave_features(const world::World& world, const RingWaves& rings);
+
+/// The shaders of waves, compiled for them: water.glsl, rings.glsl, wakes.glsl, shoals.glsl.
+std::vector<ShaderPart> wave_shaders(const WaveFeatures& features);
+
+}  // namespace offing::present

@@ -1,0 +1,57 @@
+#include "present/window/camera_pilot.h"
+
+#include <optional>
+
+#include "present/editing/ground_pick.h"
+
+namespace offing::present {
+
+using scene::CameraMode;
+
+void CameraPilot::move(ViewState& state, LiveSea& sea, const CameraInput& input, double seconds) {
+  FreeCamera& camera = state.camera;
+  const auto surface_m = [&sea](double x_m, double z_m) { return sea.surface_height_m(x_m, z_m); };
+  scene::ViewScene& view = state.scene.view;
+  if (view.mode == CameraMode::walk && sea.ground()) {
+    camera.look(input);
+    if (walking_.advance(sea.ground()->parameters(), view, input, seconds, camera.camera())) {
+      const glm::dvec3& eye_m = camera.camera().eye_m;
+      if (sea.scene().has_sea()) camera.rise_above(surface_m(eye_m.x, eye_m.z));
+      return;
+    }
+    view.mode = CameraMode::fly;
+    state.message = {.text = "there is no ground here to walk on"};
+  }
+  camera.advance(input, seconds, surface_m);
+  if (!sea.ground()) return;
+  const glm::dvec3& eye_m = camera.camera().eye_m;
+  const std::optional<terrain::GroundPoint> below = sea.ground()->ground_at(eye_m.x, eye_m.z);
+  if (below && below->height_m > eye_m.y) camera.rise_above(below->height_m);
+}
+
+bool CameraPilot::toggle_walk(ViewState& state, LiveSea& sea) const {
+  if (!sea.ground()) {
+    state.message = {.text = "there is no ground in this scene to walk on"};
+    return false;
+  }
+  CameraMode& mode = state.scene.view.mode;
+  mode = mode == CameraMode::walk ? CameraMode::fly : CameraMode::walk;
+  return true;
+}
+
+bool CameraPilot::go_to(ViewState& state, LiveSea& sea, glm::dvec2 place_m) const {
+  if (!sea.ground()) return false;
+  const std::optional<terrain::GroundPoint> ground = sea.ground()->ground_at(place_m.x, place_m.y);
+  if (!ground) return false;
+  state.camera.camera().eye_m = {place_m.x, ground->height_m + state.scene.view.walker.eye_height_m,
+                                 place_m.y};
+  return true;
+}
+
+bool CameraPilot::go_through(ViewState& state, LiveSea& sea, glm::dvec2 clip) const {
+  if (!sea.ground() || !sea.ground()->is_in_reach()) return false;
+  const std::optional<GroundPick> pick = pick_ground(*sea.ground(), state.camera.camera(), clip);
+  return pick && go_to(state, sea, {pick->place_m.x, pick->place_m.z});
+}
+
+}  // namespace offing::present

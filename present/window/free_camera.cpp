@@ -1,0 +1,72 @@
+#include "present/window/free_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "host/scene/schema/parameter_table.h"
+
+namespace offing::present {
+namespace {
+
+constexpr double start_speed_mps = 10.0;
+// Not in the water, which begins at height 0 for pictures, where a trough lies before the eye.
+constexpr double lowest_m = 0.001;
+constexpr double slowest_mps = 0.1, fastest_mps = 1000.0;
+constexpr double wheel_factor = 1.25;
+constexpr double fast_factor = 5.0, slow_factor = 0.2;
+constexpr double clearance_m = 0.2;  // above water and ground
+constexpr double steepest_rad = 0.5 * std::numbers::pi;
+
+/// As the scene file allows them.
+double within_range(std::string_view key, double value) {
+  const scene::Parameter& row = *scene::find_parameter(key);
+  return std::clamp(value, row.low, row.high);
+}
+
+}  // namespace
+
+FreeCamera::FreeCamera(const Camera& start) : start_(start), camera_(start), speed_mps_(start_speed_mps) {}
+
+void FreeCamera::look(const CameraInput& input) {
+  // The picture follows the mouse: a pixel of it turns by the angle of a pixel.
+  const double pixel_rad = camera_.vertical_field_of_view_rad / camera_.height_px;
+  camera_.yaw_rad = std::remainder(camera_.yaw_rad + input.turn_px.x * pixel_rad, 2.0 * std::numbers::pi);
+  camera_.pitch_rad =
+      std::clamp(camera_.pitch_rad - input.turn_px.y * pixel_rad, -steepest_rad, steepest_rad);
+}
+
+void FreeCamera::rise_above(double surface_m) {
+  double& height_m = camera_.eye_m.y;
+  height_m = within_range("camera.y_m", std::max({height_m, surface_m + clearance_m, lowest_m}));
+}
+
+void FreeCamera::advance(const CameraInput& input, double seconds, const SurfaceHeight& surface_m) {
+  speed_mps_ = std::clamp(speed_mps_ * std::pow(wheel_factor, input.wheel), slowest_mps, fastest_mps);
+  look(input);
+  if (input.move == glm::dvec3(0.0)) return;
+  const double factor = (input.is_fast ? fast_factor : 1.0) * (input.is_slow ? slow_factor : 1.0);
+  const CameraBasis axes = basis(camera_);
+  const glm::dvec3 velocity =
+      input.move.x * axes.right + glm::dvec3(0.0, input.move.y, 0.0) + input.move.z * axes.forward;
+  glm::dvec3& eye_m = camera_.eye_m;
+  eye_m += velocity * (speed_mps_ * factor * seconds);
+  eye_m.x = within_range("camera.x_m", eye_m.x);
+  eye_m.z = within_range("camera.z_m", eye_m.z);
+  rise_above(surface_m(eye_m.x, eye_m.z));
+}
+
+void FreeCamera::reset() {
+  place(start_);
+  speed_mps_ = start_speed_mps;
+}
+
+void FreeCamera::place(const Camera& other) {
+  const int width = camera_.width_px, height = camera_.height_px;
+  camera_ = other;
+  camera_.width_px = width;
+  camera_.height_px = height;
+}
+
+}  // namespace offing::present

@@ -1,0 +1,80 @@
+#include "present/window/key_bindings.h"
+
+#include <array>
+
+#include <epoxy/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace offing::present {
+
+std::span<const KeyBinding> key_bindings() {
+  using enum ViewAction;
+  static constexpr std::array<KeyBinding, 32> bindings{{
+      {GLFW_KEY_H, "H", toggle_help, "this help"},
+      {GLFW_KEY_TAB, "Tab", toggle_panels, "panels"},
+      {GLFW_KEY_SPACE, "Space", toggle_pause, "pause"},
+      {GLFW_KEY_PERIOD, ".", step_forward, "one frame forward, and pause"},
+      {GLFW_KEY_COMMA, ",", step_back, "one frame back, and pause"},
+      {GLFW_KEY_LEFT_BRACKET, "[", slower, "half the speed of time"},
+      {GLFW_KEY_RIGHT_BRACKET, "]", faster, "twice the speed of time"},
+      {GLFW_KEY_BACKSPACE, "Backspace", real_time, "real time"},
+      {GLFW_KEY_G, "G", toggle_wireframe, "wireframe of the grid"},
+      {GLFW_KEY_V, "V", next_debug_view, "next debug view"},
+      {GLFW_KEY_N, "N", next_mesh_show, "next view of meshes: curvatures, directions, projectors ..."},
+      {GLFW_KEY_F, "F", toggle_walk, "on foot, or flying again"},
+      {GLFW_KEY_M, "M", toggle_map, "map of the ground; a click on it goes there"},
+      {GLFW_KEY_T, "T", toggle_steps, "steps that rays take to the ground"},
+      {GLFW_KEY_P, "P", pick_ray, "nodes that the ray under the mouse meets; into the sky: none"},
+      {GLFW_KEY_F12, "F12", take_screenshot, "picture without panels, in the folder of the start"},
+      {GLFW_KEY_F5, "F5", reload, "read kernels and shaders again"},
+      {GLFW_KEY_F11, "F11", toggle_fullscreen, "full screen"},
+      {GLFW_KEY_HOME, "Home", reset_camera, "camera of the scene"},
+      {GLFW_KEY_K, "K", set_keyframes, "keyframes of the picked highlight at this time"},
+      {GLFW_KEY_O, "O", next_cloud_pick, "what clicks on clouds pick: balls, clouds, particles, nothing"},
+      {GLFW_KEY_B, "B", place_ball, "clicks place balls of clouds, or pick again"},
+      {GLFW_KEY_C, "C", place_cloud, "clicks place clouds, or pick again"},
+      {GLFW_KEY_J, "J", duplicate_picked, "the picked balls or clouds again, beside them"},
+      {GLFW_KEY_DELETE, "Delete", remove_picked, "takes picked balls, clouds or particles away"},
+      {GLFW_KEY_Z, "Ctrl Z", undo, "undo the last edit", GLFW_MOD_CONTROL},
+      {GLFW_KEY_Z, "Ctrl Shift Z", redo, "redo it", GLFW_MOD_CONTROL | GLFW_MOD_SHIFT},
+      {GLFW_KEY_1, "1 ... 9", go_to_bookmark, "to that bookmark of the scene", 0, 9},
+      {GLFW_KEY_1, "Ctrl 1 ... 9", set_bookmark, "makes this view that bookmark, or a new one",
+       GLFW_MOD_CONTROL, 9},
+      {GLFW_KEY_S, "Ctrl S", save, "save the scene", GLFW_MOD_CONTROL},
+      {GLFW_KEY_ESCAPE, "Esc", deselect, "close lists and dialogs; else deselect"},
+      {GLFW_KEY_Q, "Ctrl Q", quit, "quit; asks first if there are unsaved edits", GLFW_MOD_CONTROL},
+  }};
+  return bindings;
+}
+
+std::optional<KeyPress> press_of(int key, int modifiers) {
+  const int held = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+  std::optional<KeyPress> press;
+  for (const KeyBinding& binding : key_bindings()) {
+    const int number = key - binding.key + 1;
+    if (number < 1 || number > binding.keys) continue;
+    if (binding.modifiers == held && held != 0) return KeyPress{binding.action, number};
+    if (binding.modifiers == 0 && (held & GLFW_MOD_CONTROL) == 0) press = {binding.action, number};
+  }
+  return press;
+}
+
+std::span<const CameraControl> camera_controls() {
+  static constexpr std::array<CameraControl, 11> controls{{
+      {"W S", "forward, back"},
+      {"A D", "left, right"},
+      {"E Q", "up, down"},
+      {"Shift, Alt", "five times faster (on foot: running), slower"},
+      {"Mouse drag", "look around"},
+      {"Wheel", "speed"},
+      {"Click", "picks a highlight or, after O, of clouds: handles move, turn and resize it"},
+      {"Shift click", "picks beside what is picked of clouds"},
+      {"Shift drag", "picks what is in the box, of clouds"},
+      {"Ctrl", "held on a handle of clouds: to multiples of the step"},
+      {"Middle click", "to that point of the ground"},
+  }};
+  return controls;
+}
+
+}  // namespace offing::present

@@ -1,0 +1,204 @@
+#include "present/window/scene_switch.h"
+
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/io/file_presence.h"
+#include "host/io/whole_file.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/file/scene_writer.h"
+#include "present/output/camera_path.h"
+#include "present/window/scene_sources.h"
+#include "present/window/viewer_start.h"
+
+namespace offing::present {
+namespace {
+
+constexpr std::size_t most_left = 16;
+
+/// All that edits are kept of: the camera is moved without an edit.
+std::string text_without_camera(scene::OceanScene scene) {
+  take_camera_path({}, scene);
+  scene.view.camera = {};
+  scene.view.mode = {};
+  return scene::scene_text(scene, "");
+}
+
+std::string shown_name(const std::string& name) {
+  return name.empty() ? "the scene before" : name;
+}
+
+std::string scene_file_text(const std::filesystem::path& file) {
+  return read_whole_file(file, {.kind = "a scene file", .most_bytes = scene::most_scene_bytes});
+}
+
+}  // namespace
+
+OpenedScene open_scene(const std::filesystem::path& file, Trust trust) {
+  return {.scene = scene::load_scene(file, trust), .name = file.stem().string(), .file = file};
+}
+
+OpenedScene shipped_scene(std::string_view name) {
+  const EmbeddedFile& source = shipped_source(name);
+  return {.scene = scene::parse_scene(source.text, source.name, ""),
+          .name = std::filesystem::path(source.name).stem().string(),
+          .file = {}};
+}
+
+SavedScene::SavedScene(const std::filesystem::path& file, scene::OceanScene scene)
+    : scene_(std::move(scene)) {
+  std::error_code ignored;
+  if (file.empty() || std::filesystem::is_symlink(file, ignored)) return;
+  try {
+    text_ = scene_file_text(file);
+    file_ = file;
+    has_comments_ = text_.find('#') != std::string::npos;
+  } catch (const Error&) {  // it has gone since it was opened
+  }
+}
+
+bool SavedScene::differs_from(const scene::OceanScene& scene) const {
+  try {
+    return text_without_camera(scene) != text_without_camera(scene_);
+  } catch (const Error&) {  // what no file can have is in none
+    return true;
+  }
+}
+
+std::filesystem::path SavedScene::save(const scene::OceanScene& scene, const std::filesystem::path& name,
+                                       Existing existing) {
+  if (file_.empty() || has_comments_) return save_as(scene, name, existing);
+  if (is_there(file_) && scene_file_text(file_) != text_) {
+    throw Error(ErrorKind::file, fmt::format("{}: another program has changed it", file_.string()),
+                "save under another name, in the panel \"Scene file\"");
+  }
+  return save_as(scene, file_, Existing::replace);
+}
+
+std::filesystem::path SavedScene::save_as(const scene::OceanScene& scene, const std::filesystem::path& name,
+                                          Existing existing) {
+  scene::save_scene(scene, name, existing);
+  scene_ = scene;
+  file_ = name;
+  text_ = scene_file_text(name);
+  has_comments_ = false;  // of a person: names may hold the sign
+  return file_;
+}
+
+SceneSwitch::Left SceneSwitch::leave() const {
+  return {.opened = {options_.scene, options_.scene_name, options_.scene_file},
+          .shown = state_.scene,
+          .saved = saved_,
+          .time_s = state_.clock.time_s(),
+          .history = editing_.history()};
+}
+
+void SceneSwitch::show(const OpenedScene& opened, const scene::OceanScene& shown, double time_s) {
+  sea_.open(shown);
+  options_.scene = opened.scene;
+  options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
+  options_.scene_name = opened.name;
+  options_.scene_file = opened.file;
+  const bool is_paused = state_.clock.is_paused();
+  options_.time_s = time_s;
+  const ViewState start = start_state(options_, sea_);
+  state_.scene = shown;
+  state_.scene.view.camera = options_.scene.view.camera;
+  state_.camera = start.camera;
+  state_.clock = start.clock;
+  if (is_paused) state_.clock.toggle_pause();
+  state_.pick.reset();
+  state_.picked.reset();
+  state_.clouds = {};
+  state_.save_name = start.save_name;
+  state_.existing = start.existing;
+  state_.edit = {};
+}
+
+void SceneSwitch::open(OpenedScene opened) {
+  opened.scene.trust = options_.trust;  // of shipped ones too: files may be dropped on them
+  Left left = leave();
+  const bool is_unsaved = saved_.differs_from(state_.scene);
+  show(opened, opened.scene, opened.scene.start_s);
+  editing_.begin_anew(SceneHistory(options_.scene));
+  saved_ = SavedScene(options_.scene_file, state_.scene);
+  const std::string before = shown_name(left.opened.name);
+  state_.message = {
+      .text = is_unsaved ? fmt::format("opened {}; edits of {} are not saved: Ctrl Z goes back to them",
+                                       opened.name, before)
+                         : fmt::format("opened {}; Ctrl Z goes back to {}", opened.name, before)};
+  if (!sea_.warning().empty()) state_.message.text += '\n' + sea_.warning();
+  // Scenes that undo() has left may have edits that are not saved: they come before this one too.
+  before_.insert(before_.end(), std::make_move_iterator(after_.begin()),
+                 std::make_move_iterator(after_.end()));
+  after_.clear();
+  before_.push_back(std::move(left));
+  if (before_.size() > most_left) before_.erase(before_.begin(), before_.end() - most_left);
+}
+
+void SceneSwitch::go(std::vector<Left>& from, std::vector<Left>& to) {
+  const Left next = from.back();
+  Left left = leave();
+  show(next.opened, next.shown, next.time_s);
+  editing_.begin_anew(next.history);
+  // The eye as it was left; Home is that of the file.
+  options_.scene.view.camera = next.opened.scene.view.camera;
+  state_.camera = FreeCamera(next.opened.scene.view.camera);
+  state_.camera.place(next.shown.view.camera);
+  state_.scene.view.camera = state_.camera.camera();
+  saved_ = next.saved;
+  from.pop_back();
+  to.push_back(std::move(left));
+}
+
+std::vector<std::string> SceneSwitch::unsaved() const {
+  std::vector<std::string> names;
+  const auto look = [&](const SavedScene& saved, const scene::OceanScene& scene, const std::string& name) {
+    if (saved.differs_from(scene)) names.push_back(name.empty() ? "the scene" : name);
+  };
+  look(saved_, state_.scene, options_.scene_name);
+  for (const std::vector<Left>* scenes : {&before_, &after_}) {
+    for (const Left& left : *scenes) look(left.saved, left.shown, left.opened.name);
+  }
+  return names;
+}
+
+void SceneSwitch::save_all() {
+  if (saved_.differs_from(state_.scene)) save();
+  for (std::vector<Left>* scenes : {&before_, &after_}) {
+    for (Left& left : *scenes) {
+      if (!left.saved.differs_from(left.shown)) continue;
+      left.saved.save(left.shown, first_save_name(left.opened.name), Existing::keep);
+    }
+  }
+}
+
+bool SceneSwitch::undo() {
+  if (editing_.can_undo() || before_.empty()) {
+    editing_.undo();
+    return false;
+  }
+  go(before_, after_);
+  state_.message = {.text =
+                        fmt::format("back in {}, as it was left; Ctrl Shift Z goes on to {}",
+                                    shown_name(options_.scene_name), shown_name(after_.back().opened.name))};
+  return true;
+}
+
+bool SceneSwitch::redo() {
+  if (editing_.can_redo() || after_.empty()) {
+    editing_.redo();
+    return false;
+  }
+  go(after_, before_);
+  state_.message = {.text =
+                        fmt::format("on in {}, as it was left; Ctrl Z goes back to {}",
+                                    shown_name(options_.scene_name), shown_name(before_.back().opened.name))};
+  return true;
+}
+
+}  // namespace offing::present

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "present/editing/scene_editing.h"
+#include "present/panels/panels.h"
+#include "present/passes/live_sea.h"
+#include "present/view_options.h"
+
+namespace offing::present {
+
+/// A scene as its file has it.
+struct OpenedScene {
+  scene::OceanScene scene;
+  std::string name;            ///< for titles and names of files
+  std::filesystem::path file;  ///< empty: none
+};
+/// Throws what load_scene() throws.
+OpenedScene open_scene(const std::filesystem::path& file, Trust trust);
+/// One of scene_sources(). Throws Error(bad_input) for another name.
+OpenedScene shipped_scene(std::string_view name);
+
+/// A scene as it stands in a file, and the file that the next save overwrites.
+class SavedScene {
+ public:
+  /// Just opened from a file. If the name is empty, or the file is a link or cannot be read, saving writes
+  /// another file.
+  SavedScene(const std::filesystem::path& file, scene::OceanScene scene);
+
+  /// Whether anything but the camera differs.
+  bool differs_from(const scene::OceanScene& scene) const;
+  /// Writes it into the file that it was opened from or saved to last. A first save makes `name` of it, which
+  /// must not be there, and so does that of a file with comments, which would be lost. Returns what was
+  /// written. Throws Error(file) where another program has changed the file, and what scene::save_scene()
+  /// throws.
+  std::filesystem::path save(const scene::OceanScene& scene, const std::filesystem::path& name,
+                             Existing existing);
+  std::filesystem::path save_as(const scene::OceanScene& scene, const std::filesystem::path& name,
+                                Existing existing);
+
+ private:
+  scene::OceanScene scene_;
+  std::filesystem::path file_;
+  std::string text_;  // of the file, when it was opened or saved
+  bool has_comments_ = false;
+};
+
+/// Takes a window from one scene to another, as if the program had been started with it, in the same window
+/// and on the same device, and back again: scenes that were left are kept with their edits.
+class SceneSwitch {
+ public:
+  /// What is shown first is the scene of the options; they follow what is opened.
+  SceneSwitch(ViewOptions& options, LiveSea& sea, ViewState& state, SceneEditing& editing)
+      : options_(options),
+        sea_(sea),
+        state_(state),
+        editing_(editing),
+        saved_(options.scene_file, state.scene) {}
+
+  /// The message then says what has been left. Throws what LiveSea::open() throws, and has changed nothing
+  /// then.
+  void open(OpenedScene scene);
+  /// Takes back the last edit, or where none is left goes to the scene that was left last, as it was left;
+  /// true if another scene is shown from here on. Throws as open() does.
+  bool undo();
+  /// The same the other way: redoes an edit, or goes on to the scene that undo() has left.
+  bool redo();
+  /// Saves the state's scene, and saves it under the name that the panel has. Both return what was written.
+  std::filesystem::path save() { return saved_.save(state_.scene, state_.save_name, state_.existing); }
+  std::filesystem::path save_as() { return saved_.save_as(state_.scene, state_.save_name, state_.existing); }
+  /// Names of all scenes with edits that no file has: the one that is shown and those that were left.
+  std::vector<std::string> unsaved() const;
+  /// Saves them all.
+  void save_all();
+
+ private:
+  struct Left {
+    OpenedScene opened;
+    scene::OceanScene shown;
+    SavedScene saved;
+    double time_s;
+    SceneHistory history;
+  };
+
+  Left leave() const;
+  void show(const OpenedScene& opened, const scene::OceanScene& shown, double time_s);
+  /// To the last one of `from`; the scene that is left becomes the last one of `to`.
+  void go(std::vector<Left>& from, std::vector<Left>& to);
+
+  ViewOptions& options_;
+  LiveSea& sea_;
+  ViewState& state_;
+  SceneEditing& editing_;
+  SavedScene saved_;
+  // The next one last: before the scene that is shown, and those that undo() has left.
+  std::vector<Left> before_, after_;
+};
+
+}  // namespace offing::present

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "present/editing/scene_editing.h"
+#include "present/panels/panels.h"
+#include "present/window/key_bindings.h"
+
+namespace offing::present {
+
+/// Does what a key asks of the view alone: panels, time and what is shown. False for all other actions.
+bool change_view(ViewAction action, ViewState& state);
+
+/// Does what a key asks of highlights and clouds that are picked, or of the tool that edits them. False for
+/// all other actions.
+bool change_edits(ViewAction action, SceneEditing& editing);
+
+}  // namespace offing::present

@@ -1,0 +1,398 @@
+#include "present/window/viewer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/freed_memory.h"
+#include "host/base/log.h"
+#include "host/scene/prepare/moving_view.h"
+#include "host/scene/prepare/scene_ground.h"
+#include "present/gl/window_copy.h"
+#include "present/output/camera_path.h"
+#include "present/output/picture_file.h"
+#include "present/output/video_pipe.h"
+#include "present/panels/cloud_panel.h"
+#include "present/panels/highlight_panel.h"
+#include "present/panels/shown_names.h"
+#include "present/window/bookmarks.h"
+#include "present/window/view_actions.h"
+#include "present/window/viewer_start.h"
+
+namespace offing::present {
+namespace {
+
+// Where the CPU draws, more pixels than these make frames too slow; the window shows them enlarged.
+constexpr double software_pixels = 640.0 * 360.0;
+
+std::string whole_name(const std::filesystem::path& path) {
+  std::error_code failure;
+  const std::filesystem::path whole = std::filesystem::absolute(path, failure);
+  return (failure ? path : whole).string();
+}
+
+}  // namespace
+
+Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
+    : options_(options),
+      context_(GlContext::window({.title = title(options),
+                                  .width = options.size.value_or(PictureSize{}).width,
+                                  .height = options.size.value_or(PictureSize{}).height})),
+      sea_(context_, sea_settings(options, context_.capabilities(), cancel), options.scene),
+      state_(start_state(options, sea_)),
+      input_(window()),
+      panels_(window()),
+      editing_(sea_, state_),
+      scenes_(options_, sea_, state_, editing_),
+      intake_(options_, sea_, state_, editing_, scenes_),
+      quit_(scenes_, state_),
+      last_turn_s_(glfwGetTime()),
+      drawn_s_(options.time_s),
+      is_on_path_(has_camera_path(options.scene)) {
+  options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
+  scene_list_.follow(options_.scene_file);
+  state_.kept_hz = start_kept_hz(options, context_.capabilities());
+  if (options.starts_paused) state_.clock.toggle_pause();
+  if (options.recording) recorder_.emplace(*options.recording);
+  spdlog::info("OpenGL {} ({}); OpenCL {}; transfer {}", context_.capabilities().version,
+               context_.capabilities().renderer, sea_.device().name, to_string(sea_.frame().transfer_rung()));
+}
+
+bool Viewer::turn() {
+  glfwPollEvents();
+  const double now_s = glfwGetTime(), wall_s = now_s - std::exchange(last_turn_s_, now_s);
+  for (const KeyPress press : input_.take_presses()) act(press);
+  if (glfwWindowShouldClose(window()) == GLFW_TRUE) {
+    glfwSetWindowShouldClose(window(), GLFW_FALSE);
+    request_quit();
+  }
+  const bool asks = quit_.is_open();
+  if (!asks && intake_.turn(input_.take_dropped_files(), screen(), input_.pointer())) begin_scene();
+  state_.clock.advance(wall_s);
+  if (options_.recording) {
+    const Recording& recording = *options_.recording;
+    state_.clock.set_time((recording.frames.first + recorder_->count()) / recording.frames_per_second);
+  }
+  editing_.take_clouds();
+  if (editing_.turn(screen(), input_.take_pointer_events(), input_.pointer_now())) input_.hold_camera();
+  move_camera(wall_s);
+  if (show()) {
+    if (state_.kept_hz > 0.0f) {
+      const double shown_s = glfwGetTime();
+      ladder_.note(1e3 * (shown_s - now_s), 1e3 / state_.kept_hz, shown_s);
+    }
+    if (recorder_) record_frame();
+    limiter_.wait(most_frames_hz());
+  }
+  return !quit_.has_quit() && !is_recorded_;
+}
+
+void Viewer::act(KeyPress press) {
+  if (quit_.is_open()) {  // the dialog takes two keys, and keeps all others from the scene
+    if (press.action != ViewAction::deselect && press.action != ViewAction::save) return;
+    panels_.close_popups();
+    return press.action == ViewAction::save ? quit_.save() : quit_.cancel();
+  }
+  if (change_view(press.action, state_) || change_edits(press.action, editing_)) return;
+  const auto number = static_cast<std::size_t>(press.number);
+  switch (press.action) {
+    case ViewAction::toggle_walk:
+      if (pilot_.toggle_walk(state_, sea_)) leave_path();
+      break;
+    case ViewAction::pick_ray:
+      pick_ray();
+      break;
+    case ViewAction::take_screenshot:
+      take_screenshot();
+      break;
+    case ViewAction::reload:
+      report([&] {
+        sea_.reload();
+        return std::string("kernels and shaders were read and compiled again");
+      });
+      break;
+    case ViewAction::toggle_fullscreen:
+      full_screen_.toggle(window());
+      break;
+    case ViewAction::reset_camera:
+      reset_camera();
+      break;
+    case ViewAction::undo:
+    case ViewAction::redo:
+      attempt([&] {
+        if (press.action == ViewAction::undo ? scenes_.undo() : scenes_.redo()) begin_scene();
+      });
+      break;
+    case ViewAction::go_to_bookmark:
+      go_to_bookmark(number);
+      break;
+    case ViewAction::set_bookmark:
+      editing_.make([&](scene::OceanScene& scene) {
+        return present::set_bookmark(scene, state_.camera.camera(), number);
+      });
+      break;
+    case ViewAction::save:
+      save_scene(false);
+      break;
+    case ViewAction::deselect:
+      escape();
+      break;
+    case ViewAction::quit:
+      request_quit();
+      break;
+    default:  // of the view
+      break;
+  }
+}
+
+void Viewer::escape() {
+  if (!panels_.close_popups() && !editing_.deselect())
+    state_.message = {.text = "nothing is picked; Ctrl Q quits"};
+}
+
+void Viewer::request_quit() {
+  quit_.open();
+  // A minimised window cannot ask.
+  const bool is_minimised = glfwGetWindowAttrib(window(), GLFW_ICONIFIED) == GLFW_TRUE;
+  if (quit_.is_open() && is_minimised) glfwRestoreWindow(window());
+}
+
+void Viewer::go_to_bookmark(std::size_t number) {
+  report([&] {
+    std::string news = present::go_to_bookmark(state_.scene, number, state_.camera.camera());
+    leave_path();
+    return news;
+  });
+}
+
+void Viewer::begin_scene() {
+  glfwSetWindowTitle(window(), title(options_).c_str());
+  drawn_s_ = state_.clock.time_s();
+  is_on_path_ = has_camera_path(state_.scene);
+  last_turn_s_ = glfwGetTime();
+  scene_list_.follow(options_.scene_file);
+  ladder_ = {};
+}
+
+/// Of the window, whose size is that of the mouse's places.
+Screen Viewer::screen() const {
+  int width = 1, height = 1;
+  glfwGetWindowSize(window(), &width, &height);
+  return {state_.camera.camera(), {std::max(width, 1), std::max(height, 1)}};
+}
+
+void Viewer::move_camera(double wall_s) {
+  CameraInput input = input_.take_camera_input();
+  if (quit_.is_open()) input = {};
+  if (is_on_path_ && input.moves()) leave_path();
+  for (const glm::dvec2 clip : input_.take_clicks()) {
+    if (pilot_.go_through(state_, sea_, clip)) leave_path();
+  }
+  if (!is_on_path_) pilot_.move(state_, sea_, input, wall_s);
+}
+
+void Viewer::pick_ray() {
+  state_.pick.reset();
+  if (!sea_.ground() || !sea_.ground()->is_in_reach()) return;
+  state_.pick = pick_ground(*sea_.ground(), state_.camera.camera(), input_.pointer());
+}
+
+Quality Viewer::quality() const {
+  Quality quality = state_.kept_hz > 0.0f && !options_.recording ? ladder_.quality() : Quality{};
+  quality.ray_share = std::min(quality.ray_share, ray_shares.at(static_cast<std::size_t>(state_.rays)));
+  return quality;
+}
+
+/// While quality gives way to a rate, more frames than that would come unevenly and leave it for nothing.
+double Viewer::most_frames_hz() const {
+  const double limit_hz = state_.frame_limit_hz, kept_hz = state_.kept_hz;
+  if (kept_hz == 0.0 || options_.recording || ladder_.rung() == 0) return limit_hz;
+  return limit_hz > 0.0 ? std::min(limit_hz, kept_hz) : kept_hz;
+}
+
+/// From here on the camera is the user's.
+void Viewer::leave_path() {
+  is_on_path_ = false;
+  take_camera_path({}, state_.scene);
+}
+
+void Viewer::reset_camera() {
+  state_.camera.reset();
+  is_on_path_ = has_camera_path(options_.scene);
+  take_camera_path(options_.scene, state_.scene);
+}
+
+bool Viewer::show() {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window(), &width, &height);
+  if (width == 0 || height == 0 || glfwGetWindowAttrib(window(), GLFW_ICONIFIED) == GLFW_TRUE) {
+    glfwWaitEventsTimeout(0.1);
+    return false;
+  }
+  draw_sea(width, height);
+  PanelEdits edits;
+  {
+    const StageTimes::Scope stage(sea_.frame().times(), Stage::panels);
+    copy_to_window(sea_.frame().screen(), width, height);
+    edits = draw_panels();
+  }
+  require_no_gl_error("window");
+  // Where no limit is wanted the display's is none either; and a ladder must not take waiting for slow
+  // frames.
+  const int swap_interval = state_.frame_limit_hz > 0.0f && state_.kept_hz == 0.0f ? 1 : 0;
+  if (std::exchange(swap_interval_, swap_interval) != swap_interval) glfwSwapInterval(swap_interval);
+  glfwSwapBuffers(window());
+  sea_.frame().times().end_frame();
+  apply(edits);
+  return true;
+}
+
+/// Of a recording, whose highlights depend on the time alone; else none.
+highlights::LightingAt Viewer::lighting_at() {
+  if (!options_.recording) return {};
+  const std::optional<glm::dvec3> stands_m =
+      is_on_path_ ? std::nullopt : std::optional(state_.camera.camera().eye_m);
+  return recorded_lighting(options_.scene, sea_.ground(), stands_m);
+}
+
+void Viewer::draw_sea(int width, int height) {
+  const double pixels = static_cast<double>(width) * height;
+  const bool is_enlarged = context_.capabilities().is_software && !options_.size;
+  const double scale = quality().side_share * state_.render_scale *
+                       (is_enlarged ? std::min(1.0, std::sqrt(software_pixels / pixels)) : 1.0);
+  Camera& camera = state_.camera.camera();
+  camera.width_px = std::max(1, static_cast<int>(std::lround(width * scale)));
+  camera.height_px = std::max(1, static_cast<int>(std::lround(height * scale)));
+  if (options_.recording) {
+    camera.width_px = fitting_side(options_.recording->video, camera.width_px);
+    camera.height_px = fitting_side(options_.recording->video, camera.height_px);
+  }
+  try {
+    if (is_on_path_) {
+      scene::ViewScene now = scene::view_at(options_.scene, state_.clock.time_s());
+      if (sea_.ground()) scene::stand_on_ground(*sea_.ground(), now);
+      state_.camera.place(now.camera);
+    }
+    sea_.draw({.time_s = state_.clock.time_s(),
+               .camera = camera,
+               .debug = state_.debug,
+               .fill = state_.fill,
+               .ground = state_.ground,
+               .meshes = state_.meshes,
+               .tiles = options_.recording ? world::TileWait::all : world::TileWait::none,
+               .sky = options_.recording ? SkyRefresh::whole : SkyRefresh::slice,
+               .quality = quality(),
+               .lighting_at = lighting_at(),
+               .first_s = options_.recording ? std::optional(options_.recording->first_s()) : std::nullopt});
+    drawn_s_ = state_.clock.time_s();
+  } catch (const Error& error) {
+    // A time that the scene does not have, such as one beyond the sun's calendar: a recording ends there, the
+    // window stays where it was.
+    if (options_.recording || error.kind() != ErrorKind::bad_input || state_.clock.time_s() == drawn_s_) {
+      throw;
+    }
+    state_.message = fault_message(error);
+    state_.clock.set_time(drawn_s_);
+    state_.clock.step(0.0);
+  }
+}
+
+PanelEdits Viewer::draw_panels() {
+  Frame& frame = sea_.frame();
+  if (sea_.ground() && state_.shows_map) map_.show(sea_.ground()->parameters());
+  for_shown_names(state_, scene_list_, [&](std::string_view text) { panels_.need(text); });
+  panels_.begin();
+  editing_.draw(input_.pointer());
+  PanelEdits edits = present::draw_panels(state_, {.times = frame.times(),
+                                                   .capabilities = context_.capabilities(),
+                                                   .device = sea_.device(),
+                                                   .transfer = frame.transfer_rung(),
+                                                   .width_px = frame.screen().width(),
+                                                   .height_px = frame.screen().height(),
+                                                   .has_meshes = !sea_.meshes().empty(),
+                                                   .ground = sea_.ground(),
+                                                   .map = &map_,
+                                                   .quality = quality(),
+                                                   .scenes = &scene_list_,
+                                                   .open_scene = listed(options_)});
+  if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_highlight_panel(state_, sea_.meshes()));
+  if (state_.shows_panels) edits.scene = std::max(edits.scene, draw_cloud_panel(state_, sea_));
+  quit_.draw();
+  panels_.end();
+  return edits;
+}
+
+void Viewer::apply(const PanelEdits& edits) {
+  if (edits.is_camera_moved && is_on_path_) leave_path();
+  if (edits.wanted_place && pilot_.go_to(state_, sea_, *edits.wanted_place)) leave_path();
+  // The sea follows a slider while it is held, unless that would hold up the slider.
+  constexpr double quick_s = 0.1;
+  const bool follows = edits.scene == Edit::going_on && sea_.edit_s() < quick_s;
+  if (edits.scene == Edit::done || edits.scene == Edit::refused || follows) editing_.finish(edits.scene);
+  if (edits.wanted_scene) intake_.open(*edits.wanted_scene);
+  if (edits.wants_save) save_scene(true);
+  if (edits.wants_original) {
+    state_.scene = options_.scene;
+    reset_camera();
+    editing_.finish(Edit::done);
+  }
+}
+
+void Viewer::report(const std::function<std::string()>& work) {
+  attempt([&] { state_.message = {.text = work()}; });
+}
+
+void Viewer::attempt(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    state_.message = fault_message(error);
+  }
+}
+
+void Viewer::take_screenshot() {
+  report([&] {
+    const auto path = unused_picture_name(options_.scene_name.empty() ? "offing" : options_.scene_name);
+    sea_.write(path, Existing::keep);
+    return fmt::format("wrote {}", whole_name(path));
+  });
+}
+
+void Viewer::save_scene(bool under_new_name) {
+  report([&] {
+    const std::filesystem::path file = under_new_name ? scenes_.save_as() : scenes_.save();
+    scene_list_.look();
+    return fmt::format("wrote {}", whole_name(file));
+  });
+}
+
+void Viewer::record_frame() {
+  sea_.record(*recorder_);
+  if (!recorder_->is_complete()) return;
+  recorder_->finish();
+  is_recorded_ = true;
+}
+
+void show_window(const ViewOptions& options, const CancelToken& cancel) {
+  keep_large_arrays_apart();  // scenes come and go, and a window stays open for hours
+  Viewer viewer(options, cancel);
+  while (!cancel.cancelled() && viewer.turn()) {
+  }
+  const bool has_video = options.recording && !options.recording->video.empty();
+  const bool lacks_video = has_video && viewer.recorded() < options.recording->count();
+  if (!cancel.cancelled() && !lacks_video) return;
+  if (options.recording) throw stopped_recording(*options.recording, viewer.recorded());
+  throw Error(ErrorKind::cancelled, "offing-view: the window was closed by a signal",
+              "Ctrl Q or the window's own button closes it without an error");
+}
+
+}  // namespace offing::present

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "host/base/cancel_token.h"
+#include "present/editing/scene_editing.h"
+#include "present/gl/gl_context.h"
+#include "present/panels/mini_map.h"
+#include "present/panels/panel_layer.h"
+#include "present/panels/panels.h"
+#include "present/panels/quit_dialog.h"
+#include "present/passes/live_sea.h"
+#include "present/view_options.h"
+#include "present/window/camera_pilot.h"
+#include "present/window/file_intake.h"
+#include "present/window/frame_limiter.h"
+#include "present/window/full_screen.h"
+#include "present/window/quality_ladder.h"
+#include "present/window/scene_switch.h"
+#include "present/window/window_input.h"
+
+namespace offing::present {
+
+/// The window: keys and mouse to what they do, panels, and the sea behind them.
+class Viewer {
+ public:
+  /// Opens a window on the scene of the options. Throws Error(no_device) where no window can be had.
+  Viewer(const ViewOptions& options, const CancelToken& cancel);
+
+  /// Input, time, picture, panels: one frame. False once the user has quit, or the last frame of a
+  /// recording is written.
+  bool turn();
+
+  const ViewState& state() const { return state_; }
+  /// Of the next picture. What is recorded has all of it.
+  Quality quality() const;
+  /// Frames of the recording that are written.
+  int recorded() const { return recorder_ ? recorder_->count() : 0; }
+  LiveSea& sea() { return sea_; }
+  GLFWwindow* window() const { return context_.window_handle(); }
+
+ private:
+  void act(KeyPress press);
+  void go_to_bookmark(std::size_t number);
+  /// What follows from another scene's being shown.
+  void begin_scene();
+  void move_camera(double wall_s);
+  void leave_path();
+  void pick_ray();
+  void reset_camera();
+  void take_screenshot();
+  double most_frames_hz() const;
+  bool show();
+  highlights::LightingAt lighting_at();
+  void draw_sea(int width, int height);
+  PanelEdits draw_panels();
+  void apply(const PanelEdits& edits);
+  Screen screen() const;
+  void save_scene(bool under_new_name);
+  /// Deselects, or closes what has popped up.
+  void escape();
+  void request_quit();
+  void record_frame();
+  /// Does something; the message says what came of it, or the fault.
+  void report(const std::function<std::string()>& work);
+  /// Does something; the message tells its fault.
+  void attempt(const std::function<void()>& work);
+
+  ViewOptions options_;
+  GlContext context_;
+  LiveSea sea_;
+  ViewState state_;
+  WindowInput input_;
+  PanelLayer panels_;
+  CameraPilot pilot_;
+  SceneEditing editing_;
+  SceneSwitch scenes_;
+  FileIntake intake_;
+  QuitDialog quit_;
+  SceneList scene_list_;
+  MiniMap map_;
+  QualityLadder ladder_;
+  FrameLimiter limiter_;
+  double last_turn_s_;
+  double drawn_s_;   // time of the last picture; before the first one, of that
+  bool is_on_path_;  // the camera follows the scene's keyframes until the user moves it
+  std::optional<Recorder> recorder_;
+  std::optional<int> swap_interval_;
+  bool is_recorded_ = false;  // the whole recording is
+  FullScreen full_screen_;
+};
+
+/// Shows the scene of the options in a window until the user quits or the token is cancelled; with a
+/// recording, until its last frame is written. Throws what Viewer throws, Error(cancelled) where the token
+/// ended it.
+void show_window(const ViewOptions& options, const CancelToken& cancel);
+
+}  // namespace offing::present

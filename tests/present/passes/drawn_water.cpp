@@ -1,0 +1,49 @@
+#include "tests/present/passes/drawn_water.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+namespace offing::test {
+namespace {
+
+constexpr double earth_radius_m = 6.36e6;
+
+}  // namespace
+
+DrawnWater drawn_beside_queried(world::World& world, const present::WaterSurface& surface,
+                                const Camera& camera) {
+  const std::vector<float> facets = surface.target().read(1);
+  std::vector<ocean::WaterPoint> points;
+  std::vector<double> heights_m;
+  for (int row = 0; row < camera.height_px; ++row) {
+    for (int column = 0; column < camera.width_px; ++column) {
+      const double distance_m = facets[4 * static_cast<std::size_t>(row * camera.width_px + column) + 2];
+      if (distance_m <= 0.0) continue;
+      const glm::dvec3 drawn_m =
+          distance_m * glm::normalize(ray_direction(camera, {(2.0 * column + 1.0) / camera.width_px - 1.0,
+                                                             (2.0 * row + 1.0) / camera.height_px - 1.0}));
+      const double drop_m = (drawn_m.x * drawn_m.x + drawn_m.z * drawn_m.z) / (2.0 * earth_radius_m);
+      points.push_back({camera.eye_m.x + drawn_m.x, camera.eye_m.z + drawn_m.z});
+      heights_m.push_back(camera.eye_m.y + drawn_m.y + drop_m);
+    }
+  }
+  DrawnWater drawn{.count = points.size()};
+  if (points.empty()) return drawn;
+  const std::vector<ocean::WaterSample> samples = world.sample(points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    drawn.height_squares_m2 += heights_m[i] * heights_m[i];
+    drawn.off_squares_m2 += (samples[i].height_m - heights_m[i]) * (samples[i].height_m - heights_m[i]);
+  }
+  if (world.ground() == nullptr) return drawn;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto ground = world.ground()->ground_at(points[i].x_m, points[i].z_m);
+    if (!ground || ground->height_m <= 0.0) continue;
+    drawn.over_land_m = std::max(drawn.over_land_m, heights_m[i]);
+    ++drawn.land_count;
+  }
+  return drawn;
+}
+
+}  // namespace offing::test

@@ -1,0 +1,106 @@
+// A sea that is edited while it is shown, without a window.
+#include "present/passes/live_sea.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "host/scene/file/scene_file.h"
+#include "tests/ocl/log_capture.h"
+#include "tests/present/gl_test.h"
+
+namespace offing::present {
+namespace {
+
+class LiveSeaTest : public test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (IsSkipped()) return;
+    scene_ = scene::parse_scene("version = 1\n[ocean]\nsize = 32\n", "a.toml", "");
+    sea_ = std::make_unique<LiveSea>(
+        *context_,
+        LiveSeaSettings{.device = "", .frame = {.water = {.cells = {32, 32}, .taps = 1}, .transfer = {}}},
+        scene_);
+  }
+  void TearDown() override {
+    sea_.reset();
+    GlTest::TearDown();
+  }
+
+  std::vector<unsigned char> picture() {
+    sea_->draw({.time_s = 3.0,
+                .camera = {.eye_m = {0.0, 5.0, 0.0}, .pitch_rad = -0.3, .width_px = 64, .height_px = 48}});
+    return sea_->frame().screen().read_bytes();
+  }
+
+  scene::OceanScene scene_;
+  std::unique_ptr<LiveSea> sea_;
+};
+
+// Fails if an edit that is refused leaves a part of it behind: a sun whose clock runs beyond its calendar,
+// a spectrum that cannot be read.
+TEST_F(LiveSeaTest, RefusedEditsChangeNothing) {
+  const std::vector<unsigned char> before = picture();
+  for (const char* part :
+       {"[sun]\ntime_utc = 2100-12-31T23:59:59Z\ntime_scale = 1\n[time]\nstart_s = 100\nend_s = 101\n",
+        "[ocean]\nspectrum_file = \"nowhere.data_spec\"\n"}) {
+    scene::OceanScene edited = scene::parse_scene(std::string("version = 1\n") + part, "b.toml", "");
+    edited.ocean.size = 32;
+    edited.wind_speed_mps = 20.0;
+    edited.view.atmosphere.aerosol_optical_depth = 0.9;
+    EXPECT_THROW(sea_->edit(edited), Error) << part;
+    EXPECT_EQ(sea_->scene().wind_speed_mps, scene_.wind_speed_mps);
+    EXPECT_TRUE(picture() == before) << part;
+  }
+  scene::OceanScene edited = scene_;
+  edited.wind_speed_mps = 20.0;
+  sea_->edit(edited);
+  EXPECT_FALSE(picture() == before) << "an edit that is taken cannot be seen";
+}
+
+// Fails if waves that are too steep are not told of, or again and again while a slider moves.
+TEST_F(LiveSeaTest, WarnsOnceOfSteepWaves) {
+  EXPECT_EQ(sea_->warning(), "");
+  const test::LogCapture log;
+  scene::OceanScene edited = scene_;
+  for (const double amplitude_m : {2.0, 2.1, 2.2}) {
+    edited.swells = {{.amplitude_m = amplitude_m, .wavelength_m = 8.0}};
+    edited.wind_speed_mps += 0.1;
+    sea_->edit(edited);
+    EXPECT_NE(sea_->warning().find("the swells have a choppiness of "), std::string::npos);
+  }
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = log.text().find("have a choppiness of", at)) != std::string::npos; ++at) {
+    ++count;
+  }
+  EXPECT_EQ(count, 1u) << log.text();
+  edited.swells.clear();
+  sea_->edit(edited);
+  EXPECT_EQ(sea_->warning(), "");
+}
+
+// Fails if the height is not that of the water that is shown there.
+TEST_F(LiveSeaTest, KnowsTheWaterBelowAPoint) {
+  scene::OceanScene edited = scene_;
+  edited.swells = {{.amplitude_m = 3.0, .wavelength_m = 900.0}};
+  edited.wind_speed_mps = 0.5;
+  sea_->edit(edited);
+  picture();
+  double lowest_m = 0.0, highest_m = 0.0;
+  for (int i = 0; i < 30; ++i) {
+    const double height_m = sea_->surface_height_m(30.0 * i, 0.0);
+    lowest_m = std::min(lowest_m, height_m);
+    highest_m = std::max(highest_m, height_m);
+  }
+  EXPECT_NEAR(lowest_m, -3.0, 0.3);
+  EXPECT_NEAR(highest_m, 3.0, 0.3);
+}
+
+}  // namespace
+}  // namespace offing::present

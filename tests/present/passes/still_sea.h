@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/world_scene.h"
+#include "present/passes/frame.h"
+#include "tests/present/gl_test.h"
+
+namespace offing::test {
+
+/// Pictures of scenes by small square cameras.
+class StillSea : public GlTest {
+ protected:
+  static constexpr int side_px = 96;
+  /// Waves of millimetres; the text of a scene from [wind] to [ocean].
+  static constexpr const char* still_sea = "[wind]\nspeed_mps = 0.1\n[ocean]\nsize = 32\nfetch_m = 100\n";
+
+  void SetUp() override {
+    GlTest::SetUp();
+    if (!IsSkipped()) device_ = std::make_unique<ocl::Device>(ocl::Device::open());
+  }
+
+  static Camera square_camera(const glm::dvec3& eye_m) {
+    return {.eye_m = eye_m, .width_px = side_px, .height_px = side_px};
+  }
+
+  /// Light [height][width] of 4 floats, kcd/m2, row 0 at the bottom; WaterDetail::views_px as given.
+  std::vector<float> light(const std::string& text, const Camera& camera, int views_px,
+                           const present::Quality& quality = {}) {
+    return light_of_last(text, {camera}, views_px, quality, present::SkyRefresh::whole);
+  }
+
+  /// The same of the last of several pictures in a row.
+  std::vector<float> light_of_last(const std::string& text, const std::vector<Camera>& cameras, int views_px,
+                                   const present::Quality& quality, present::SkyRefresh sky) {
+    const scene::OceanScene scene = scene::parse_scene("version = 1\n" + text, "a.toml", "");
+    world::World world(*device_, scene::prepare_world(scene, scene::Warnings::left_out));
+    present::Frame frame(*context_, *device_, {.water = {{64, 64}, 1, views_px}, .transfer = {}});
+    for (const Camera& camera : cameras) {
+      world.at(0.0, camera.eye_m.y);
+      frame.draw(world, {.camera = camera, .exposure = 0.1, .sky = sky, .quality = quality});
+    }
+    return frame.light().read();
+  }
+
+  static const float* pixel(const std::vector<float>& light, int column, int row) {
+    return &light[static_cast<std::size_t>(4 * (row * side_px + column))];
+  }
+
+ private:
+  std::unique_ptr<ocl::Device> device_;
+};
+
+}  // namespace offing::test

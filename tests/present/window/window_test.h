@@ -1,0 +1,91 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host/base/cancel_token.h"
+#include "host/scene/schema/parameter.h"
+#include "present/window/viewer.h"
+#include "tests/io/temporary_folder.h"
+#include "tests/present/virtual_display.h"
+#include "tests/present/window/hands.h"
+
+struct ImGuiWindow;
+
+namespace offing::test {
+
+/// A window of the presenter on a display server of its own, with the hands of a user. Cases skip, with the
+/// reason, where there is no Xvfb.
+class WindowTest : public testing::Test {
+ protected:
+  struct Spot {
+    int x = 0, y = 0;
+  };
+
+  void SetUp() override;
+  void TearDown() override;
+
+  /// A small sea, seen by a camera that looks at the sky: frames are quick to draw.
+  static present::ViewOptions quick_options();
+  /// Opens the window, paused, as large as the display allows.
+  void open(const present::ViewOptions& options);
+  void turn(int count = 1);
+  void press(const char* key);
+  void press_with_control(const char* key);
+  void click(Spot spot);
+  /// Presses, moves and releases, a frame each.
+  void drag(Spot from, Spot to);
+  void enter(Spot spot, const std::string& text);
+  /// Into a slider: Ctrl and a click.
+  void enter_into_slider(Spot spot, const std::string& text);
+  /// Ctrl Z so many times, and Ctrl Shift Z.
+  void undo(int count = 1);
+  void redo(int count = 1);
+  /// As the window's system tells of files that are dropped on it.
+  void drop(const std::vector<std::filesystem::path>& files);
+
+  const present::ViewState& state() const { return viewer_->state(); }
+  std::string message() const { return state().message.text; }
+  /// The scene but for its camera, whose moves are no edits.
+  std::string edited_text() const;
+  /// Looks down at the sea by dragging the mouse, beside the panels.
+  void look_at_sea();
+  /// The picture without panels, sRGB.
+  std::vector<unsigned char> picture() const;
+  int width() const;
+  int height() const;
+
+  /// The main panel, or the list that a combo box has opened.
+  static ImGuiWindow* main_panel();
+  static ImGuiWindow* open_list();
+  /// Moves the mouse over a window, `x_px` right of its edge, until it hovers the item of this label,
+  /// scrolling as far as needed; a failure if it is not there. Items of
+  /// repeated sections have the number of their element.
+  Spot find(ImGuiWindow* window, const std::string& label, int x_px = 60, std::optional<int> element = {});
+  /// The first field of three.
+  Spot find_triple(ImGuiWindow* window, const std::string& label, std::optional<int> element = {});
+  void toggle_header(const std::string& title) { click(find(main_panel(), title)); }
+  void choose(const std::string& combo, const std::string& name, std::optional<int> element = {});
+  /// Frames go by until all clouds are made.
+  void wait_for_clouds();
+
+  TemporaryFolder folder_;
+  std::unique_ptr<VirtualDisplay> display_;
+  std::unique_ptr<Hands> hands_;
+  CancelToken cancel_;  // of nobody
+  std::unique_ptr<present::Viewer> viewer_;
+
+ private:
+  bool is_hovered(unsigned id) const;
+  Spot find_item(ImGuiWindow* window, const std::string& label, unsigned id, int x_px);
+
+  int last_y_ = 0;  // of the last item found
+};
+
+}  // namespace offing::test
