@@ -19,7 +19,7 @@ void require_manifold(const TriangleMesh& mesh, std::string_view file_name) {
                   "one fan, {} edges at which faces disagree, {} faces that repeat a vertex",
                   one_line(file_name), defects.non_manifold_edges, defects.non_manifold_vertices,
                   defects.turned_edges, defects.repeating_faces),
-      "mend it with `offing-mesh repair`");
+      "repair it with `offing-mesh repair`");
 }
 
 }  // namespace offing::mesh_tools

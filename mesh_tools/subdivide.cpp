@@ -46,7 +46,7 @@ Mesh to_open_mesh(const TriangleMesh& mesh, std::string_view file_name) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected {} faces that OpenMesh can join, got {}", one_line(file_name),
                             mesh.faces.size(), result.n_faces()),
-                "mend it with `offing-mesh repair`");
+                "repair it with `offing-mesh repair`");
   }
   return result;
 }

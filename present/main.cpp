@@ -22,7 +22,7 @@ int run(int argc, char** argv, const offing::CancelToken& cancel) {
     } else if (options->opens_window) {
       present::show_window(*options, cancel);
     } else {
-      present::make_pictures(*options, cancel);
+      present::make_images(*options, cancel);
     }
   }
   offing::finish_output();

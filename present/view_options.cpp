@@ -22,7 +22,7 @@
 #include "host/scene/file/scene_files.h"
 #include "host/scene/file/version.h"
 #include "host/scene/prepare/scene_frames.h"
-#include "present/output/picture_file.h"
+#include "present/output/image_file.h"
 #include "present/output/video_pipe.h"
 #include "present/window/scene_sources.h"
 
@@ -129,7 +129,7 @@ void add_options(CLI::App& app, Written& written) {
   app.add_option("--transfer", written.transfer,
                  "how maps get from OpenCL to OpenGL (default the best that works)\none of gl-sharing, "
                  "mapped-pointer, pbo-ring, orphaned-pbo, blocking-read")
-      ->type_name("RUNG")
+      ->type_name("TRANSFER")
       ->group(general);
   app.add_option("--sources", written.sources,
                  "checkout of Offing whose kernels and shaders are used, again with F5\n(default: those "
@@ -150,7 +150,7 @@ Detail read_detail(const std::string& text) {
   throw bad_argument("--detail", "low or high", text, "high");
 }
 
-Recording read_recording(const Written& written, const scene::OceanScene& scene) {
+Recording read_recording(const Written& written, const scene::Scene& scene) {
   const double fps =
       written.fps.empty() ? scene.frames_per_second : read_number("--fps", written.fps, "", 0.001, 1e6, "24");
   Recording recording{.video = written.video,
@@ -167,7 +167,7 @@ Recording read_recording(const Written& written, const scene::OceanScene& scene)
     recording.video = written.record;
   } else if (!written.record.empty()) {
     recording.name.emplace("--record", written.record, "out_%04d.png");
-    require_picture_name(written.record);
+    require_image_name(written.record);
   }
   return recording;
 }
@@ -213,8 +213,8 @@ ReferenceComparison read_comparison(const Written& written, const GivenInputs& i
 
 /// Throws at the first flag that the others leave without effect.
 void refuse_unused(const Written& written, const ViewOptions& options) {
-  const auto refuse = [](const char* what, const char* mend) {
-    throw Error(ErrorKind::bad_usage, what, mend);
+  const auto refuse = [](const char* what, const char* hint) {
+    throw Error(ErrorKind::bad_usage, what, hint);
   };
   if (!written.frames.empty() && !options.recording) {
     refuse("--frames: expected --record or --video, whose frames these are, found neither",
@@ -247,7 +247,7 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
 }
 
 /// What the scene is made of: no picture takes its place.
-GivenInputs inputs_of(const Written& written, const scene::OceanScene& scene) {
+GivenInputs inputs_of(const Written& written, const scene::Scene& scene) {
   GivenInputs inputs{scene::files_of(scene), written.trust};
   inputs.names.push_back(written.scene);
   return inputs;
@@ -274,7 +274,7 @@ void require_outputs(const Written& written, const ViewOptions& options) {
   require_video(recording.video);
   require_new(recording.video.string(), written.existing, inputs);
   // A window has as many pixels as its display gives it; its pictures are made to fit.
-  const PictureSize size = options.size.value_or(PictureSize{});
+  const ImageSize size = options.size.value_or(ImageSize{});
   if (!options.opens_window) require_video_size(recording.video, size.width, size.height);
 }
 
@@ -310,15 +310,15 @@ ViewOptions checked(const Written& written) {
   if (written.compares_reference) {
     options.comparison = read_comparison(written, inputs_of(written, options.scene));
   }
-  if (!written.output.empty() && !options.comparison) require_picture_name(options.output);
+  if (!written.output.empty() && !options.comparison) require_image_name(options.output);
   if (!written.record.empty() || !written.video.empty()) {
     options.recording = read_recording(written, options.scene);
   }
-  if (!written.transfer.empty()) options.transfer = transfer_rung(written.transfer);
+  if (!written.transfer.empty()) options.transfer = transfer_path(written.transfer);
   options.device = written.device;
   options.sources = written.sources;
   if (!written.sources.empty()) require_sources(options.sources);
-  const bool makes_pictures = options.recording || !options.output.empty();
+  const bool makes_images = options.recording || !options.output.empty();
   if (written.is_window && written.is_headless) {
     throw Error(ErrorKind::bad_usage, "offing-view: expected --headless or --window, found both",
                 "leave one of them out");
@@ -327,8 +327,8 @@ ViewOptions checked(const Written& written) {
     throw Error(ErrorKind::bad_usage, "--window: expected no -o, which a window does not write",
                 "leave --window out, write a recording with --record or --video, or press F12 in the window");
   }
-  options.opens_window = written.is_window || (!written.is_headless && !makes_pictures);
-  if (!options.opens_window && !makes_pictures) {
+  options.opens_window = written.is_window || (!written.is_headless && !makes_images);
+  if (!options.opens_window && !makes_images) {
     throw Error(ErrorKind::bad_usage,
                 "--headless: expected a picture to make, found neither -o nor --record nor --video",
                 "add -o out.png");
@@ -345,9 +345,9 @@ void use_sources(const std::filesystem::path& folder) {
   setenv("OFFING_SHADER_PATH", (folder / shader_folder).c_str(), 1);
 }
 
-PictureSize read_size(std::string_view flag, std::string_view text) {
+ImageSize read_size(std::string_view flag, std::string_view text) {
   constexpr int largest = 16384;
-  PictureSize size;
+  ImageSize size;
   const char* end = text.data() + text.size();
   const auto [cross, width_error] = std::from_chars(text.data(), end, size.width);
   if (width_error == std::errc{} && cross != end && *cross == 'x') {
@@ -358,16 +358,16 @@ PictureSize read_size(std::string_view flag, std::string_view text) {
   throw bad_argument(flag, fmt::format("WxH, each within [1, {}]", largest), text, "1280x720");
 }
 
-FrameSettings frame_settings(Detail detail, std::optional<TransferRung> transfer) {
+FrameSettings frame_settings(Detail detail, std::optional<TransferPath> transfer) {
   if (detail == Detail::low) {
     return {.water = {.cells = {128, 128}, .taps = 1},
             .transfer = transfer,
-            .ground = {.rays = 1},
+            .terrain = {.rays = 1},
             .sky_step_px = 2};
   }
   return {.water = {.cells = {384, 384}, .taps = 4, .views_px = 1024},
           .transfer = transfer,
-          .ground = {.rays = 16}};
+          .terrain = {.rays = 16}};
 }
 
 std::optional<ViewOptions> read_view_options(int argc, const char* const* argv) {

@@ -7,26 +7,26 @@
 #include "host/base/cancel_token.h"
 #include "host/base/existing.h"
 #include "host/base/log.h"
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 #include "present/gl/transfer.h"
 #include "present/output/recording.h"
 #include "present/passes/frame.h"
 
 namespace offing::present {
 
-struct PictureSize {
+struct ImageSize {
   int width = 1280, height = 720;
 };
 
 /// "1280x720", each side within 1 ... 16384. Throws Error(bad_usage).
-PictureSize read_size(std::string_view flag, std::string_view text);
+ImageSize read_size(std::string_view flag, std::string_view text);
 
 /// How finely pictures are drawn.
 enum class Detail {
   low,   ///< for a window where the CPU draws
   high,  ///< for pictures in files, and where a GPU draws
 };
-FrameSettings frame_settings(Detail detail, std::optional<TransferRung> transfer = {});
+FrameSettings frame_settings(Detail detail, std::optional<TransferPath> transfer = {});
 
 /// What --compare-reference asks for.
 struct ReferenceComparison {
@@ -41,11 +41,11 @@ struct ReferenceComparison {
 
 /// What the command line asks for, checked.
 struct ViewOptions {
-  scene::OceanScene scene;
+  scene::Scene scene;
   std::string scene_name;            ///< for titles; empty without a file
   std::filesystem::path scene_file;  ///< empty: none
   bool opens_window = true;
-  std::optional<PictureSize> size;  ///< absent: what suits the machine
+  std::optional<ImageSize> size;  ///< absent: what suits the machine
   std::optional<Detail> detail;
   std::optional<double> kept_hz;  ///< frames a second that a window keeps; absent: what suits the machine
   double time_s = 0.0;
@@ -54,7 +54,7 @@ struct ViewOptions {
   Existing existing = Existing::keep;
   std::optional<Recording> recording;
   std::optional<ReferenceComparison> comparison;
-  std::optional<TransferRung> transfer;
+  std::optional<TransferPath> transfer;
   std::string device;  ///< selector of ocl::select_device
   /// Checkout whose kernels and shaders are read instead of those built in; empty: none.
   std::filesystem::path sources;

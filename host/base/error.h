@@ -18,7 +18,7 @@ enum class ErrorKind {
 };
 
 /// The one exception type. what() is one line: what and where, found and expected; hint() is one line with
-/// the mend, or empty.
+/// the fix, or empty.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& what, std::string hint = {});

@@ -6,7 +6,7 @@
 
 #include "host/base/parameter_check.h"
 #include "host/base/world_limits.h"
-#include "kernels/shared/surface_query.h"
+#include "kernels/shared/query_params.h"
 
 namespace offing::bodies {
 namespace {

@@ -12,7 +12,7 @@
 #include "host/ocl/event.h"
 #include "host/ocl/kernel.h"
 #include "kernels/shared/bodies.h"
-#include "kernels/shared/surface_query.h"
+#include "kernels/shared/query_params.h"
 
 namespace offing::bodies {
 

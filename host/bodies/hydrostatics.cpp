@@ -35,9 +35,9 @@ Polygon part_below(const std::array<glm::dvec3, 3>& triangle, double level_m) {
 }  // namespace
 
 Submerged submerged_below(const TriangleMesh& hull, double level_m) {
-  // The part below with its lid, as tetrahedra from a point of the lid's plane: the lid itself adds nothing
-  // to the volume. The lid is what the part's shadow on the plane leaves: its integrals are the negative sum
-  // of those of the projected faces.
+  // The part below with its maximum, as tetrahedra from a point of the maximum's plane: the maximum itself
+  // adds nothing to the volume. The maximum is what the part's shadow on the plane leaves: its integrals are
+  // the negative sum of those of the projected faces.
   glm::dvec3 origin(0.0);
   for (const glm::dvec3& place : hull.positions_m)
     origin += place / static_cast<double>(hull.positions_m.size());

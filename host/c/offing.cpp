@@ -24,11 +24,11 @@ struct OffingDevice {
 };
 
 struct OffingScene {
-  offing::scene::OceanScene scene;
+  offing::scene::Scene scene;
 };
 
 struct OffingWorld {
-  offing::scene::OceanScene scene;
+  offing::scene::Scene scene;
   offing::world::World world;
 };
 

@@ -1,10 +1,11 @@
-/* Offing for programs in C and whatever can call C: a device, a scene, the world that it describes at any time,
- * the water at points of it, and its maps.
+/* Offing for programs in C and whatever can call C: a device, a scene, the world that it describes at any
+ * time, the water at points of it, and its maps.
  *
- * Axes: x east, y up, z south, right-handed; metres, seconds, radians. Handles belong to the thread that made them.
- * Every call that can fail returns an OffingStatus; when it is OFFING_BAD_INPUT nothing was changed, and after any
- * failure offing_last_error() says what was wrong and offing_last_hint() how to mend it. No exception leaves a call.
- * What a scene asks for and does not get, such as more choppiness than Gerstner waves bear, is told on stderr. */
+ * Axes: x east, y up, z south, right-handed; metres, seconds, radians. Handles belong to the thread that made
+ * them. Every call that can fail returns an OffingStatus; when it is OFFING_BAD_INPUT nothing was changed,
+ * and after any failure offing_last_error() says what was wrong and offing_last_hint() how to fix it. No
+ * exception leaves a call. What a scene asks for and does not get, such as more choppiness than Gerstner
+ * waves bear, is told on stderr. */
 #ifndef OFFING_H
 #define OFFING_H
 
@@ -29,56 +30,58 @@ typedef struct OffingScene OffingScene;
 typedef struct OffingWorld OffingWorld;
 
 /* "1.2.3". */
-const char *offing_version(void);
+const char* offing_version(void);
 /* OFFING_INTERFACE of the library: a program checks that it is its own. */
 int offing_interface(void);
 
-/* One line each on the last call of this thread that failed, until the next one fails; "" where there is none. */
-const char *offing_last_error(void);
-const char *offing_last_hint(void);
+/* One line each on the last call of this thread that failed, until the next one fails; "" where there is
+ * none. */
+const char* offing_last_error(void);
+const char* offing_last_hint(void);
 
-/* An OpenCL device by index, "cpu", "gpu" or a part of its name, as `offing devices` lists them; NULL or "" for
- * $OFFING_DEVICE, else the first GPU, else the CPU. */
-OffingStatus offing_open_device(const char *selector, OffingDevice **device);
-const char *offing_device_name(const OffingDevice *device);
+/* An OpenCL device by index, "cpu", "gpu" or a part of its name, as `offing devices` lists them; NULL or ""
+ * for $OFFING_DEVICE, else the first GPU, else the CPU. */
+OffingStatus offing_open_device(const char* selector, OffingDevice** device);
+const char* offing_device_name(const OffingDevice* device);
 /* Worlds made on it stay whole. NULL does nothing, here and below. */
-void offing_close_device(OffingDevice *device);
+void offing_close_device(OffingDevice* device);
 
 /* A scene file (docs/scenes.md), or the text of one; file names in the text are relative to `folder`. */
-OffingStatus offing_load_scene(const char *file, OffingScene **scene);
-OffingStatus offing_parse_scene(const char *text, const char *folder, OffingScene **scene);
-void offing_free_scene(OffingScene *scene);
+OffingStatus offing_load_scene(const char* file, OffingScene** scene);
+OffingStatus offing_parse_scene(const char* text, const char* folder, OffingScene** scene);
+void offing_free_scene(OffingScene* scene);
 
 /* The world of a scene, at the scene's start; it keeps nothing of the handles. */
-OffingStatus offing_make_world(const OffingDevice *device, const OffingScene *scene, OffingWorld **world);
-void offing_free_world(OffingWorld *world);
+OffingStatus offing_make_world(const OffingDevice* device, const OffingScene* scene, OffingWorld** world);
+void offing_free_world(OffingWorld* world);
 
-/* One frame: brings the world to this time, -1e8 to 1e8 s, any order of times. What is sampled and read below is of
- * the last frame. */
-OffingStatus offing_frame(OffingWorld *world, double time_s);
+/* One frame: brings the world to this time, -1e8 to 1e8 s, any order of times. What is sampled and read below
+ * is of the last frame. */
+OffingStatus offing_frame(OffingWorld* world, double time_s);
 
 /* A vertical of the world. */
 typedef struct OffingPoint {
   double x_m, z_m; /* within 2e7 m of the origin */
 } OffingPoint;
 
-/* What is asked at points. NULL stands for all zeros: velocity and pressure at the surface, every wave counts. */
+/* What is asked at points. NULL stands for all zeros: velocity and pressure at the surface, every wave
+ * counts. */
 typedef struct OffingQuery {
   double depth_m;          /* of velocity and pressure, below the moving surface */
   double min_wavelength_m; /* shorter waves do not count, as for a large hull */
 } OffingQuery;
 
 typedef struct OffingSample {
-  float height_m;                            /* of the surface */
-  float normal[3];                           /* of the surface, unit, upward */
+  float height_m;        /* of the surface */
+  float normal[3];       /* of the surface, unit, upward */
   float velocity_mps[3]; /* of the water at the query's depth; rings of raindrops add nothing */
-  float pressure_pa;                         /* there, above that of the air */
-  float residual_m; /* by how much the point was missed sideways; large where the surface folds */
+  float pressure_pa;     /* there, above that of the air */
+  float residual_m;      /* by how much the point was missed sideways; large where the surface folds */
 } OffingSample;
 
 /* The water at `count` points, the composed sea of all cascades and Gerstner waves. */
-OffingStatus offing_sample(OffingWorld *world, const OffingQuery *query, const OffingPoint *points, size_t count,
-                           OffingSample *samples);
+OffingStatus offing_sample(OffingWorld* world, const OffingQuery* query, const OffingPoint* points,
+                           size_t count, OffingSample* samples);
 
 /* Maps of one cascade: a periodic patch of sea with the waves that its scene's Gerstner waves leave to it. */
 typedef enum OffingField {
@@ -91,13 +94,14 @@ typedef enum OffingField {
   OFFING_FOAM      /* 0 to 1 */
 } OffingField;
 
-int offing_cascade_count(const OffingWorld *world);
+int offing_cascade_count(const OffingWorld* world);
 /* n: a map has n x n values. */
-int offing_map_size(const OffingWorld *world);
+int offing_map_size(const OffingWorld* world);
 /* Length of a cascade's patch, m; 0 for a cascade that there is not. */
-double offing_patch_length_m(const OffingWorld *world, int cascade);
-/* Values [n][n], row-major, row = z, column = x, the first one at label (0, 0). `count` is n * n, to be sure. */
-OffingStatus offing_read(OffingWorld *world, int cascade, OffingField field, float *values, size_t count);
+double offing_patch_length_m(const OffingWorld* world, int cascade);
+/* Values [n][n], row-major, row = z, column = x, the first one at label (0, 0). `count` is n * n, to be sure.
+ */
+OffingStatus offing_read(OffingWorld* world, int cascade, OffingField field, float* values, size_t count);
 
 #ifdef __cplusplus
 }

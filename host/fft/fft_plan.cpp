@@ -14,10 +14,10 @@ namespace {
 
 constexpr int smallest_size = 16;
 constexpr int largest_size = 4096;
-constexpr int smallest_strip_size = 64;  // a row is a square of narrow lanes
-constexpr int strip_lanes = 16;          // a float16: the widest vector that OpenCL has
-constexpr int narrow_lanes = 8;          // a square of them stays in registers
-constexpr int thread_values = 8;         // FFT_THREAD_VALUES
+constexpr int smallest_simd_size = 64;  // a row is a square of narrow lanes
+constexpr int simd_lanes = 16;          // a float16: the widest vector that OpenCL has
+constexpr int narrow_lanes = 8;         // a square of them stays in registers
+constexpr int thread_values = 8;        // FFT_THREAD_VALUES
 
 // Enough work-items for many cores, few enough that each is worth its launch.
 constexpr int rows_per_item = 8;
@@ -31,7 +31,7 @@ struct Radices {
 };
 
 // Stages of a strip. The first streams from memory, so it is wide; the last stays small enough for registers.
-Radices strip_radices(int size) {
+Radices simd_radices(int size) {
   switch (size) {
     case 64:
       return {8, 1, 8};
@@ -87,7 +87,7 @@ void append_rotations(std::vector<float>& table, int count, Factors factors, int
   }
 }
 
-std::vector<float> strip_table(int size, const Radices& radices) {
+std::vector<float> simd_table(int size, const Radices& radices) {
   std::vector<float> table;
   append_rotations(table, size / radices.first, {0, radices.first}, size);
   append_rotations(table, radices.third, {0, radices.second}, size / radices.first);
@@ -111,12 +111,12 @@ std::vector<float> row_table(int size, int lanes, std::pair<int, int> radices) {
 
 // Columns of the intermediate array that the first pass writes: whole strips.
 int padded_columns(const PlanRequest& request) {
-  return std::max(request.columns, strip_lanes);
+  return std::max(request.columns, simd_lanes);
 }
 
 // A row's length in the intermediate array. A caller that reads past the columns zeroes the padding itself.
 int pitch(const PlanRequest& request) {
-  return padded_columns(request) + strip_lanes;
+  return padded_columns(request) + simd_lanes;
 }
 
 void set_common_defines(ocl::Defines& defines, const PlanRequest& request, int lanes) {
@@ -125,32 +125,32 @@ void set_common_defines(ocl::Defines& defines, const PlanRequest& request, int l
   defines.set("LANES", lanes);
 }
 
-PassPlan strip_pass(const PlanRequest& request, int lanes) {
+PassPlan simd_pass(const PlanRequest& request, int lanes) {
   PassPlan pass;
-  const Radices radices = strip_radices(request.size);
+  const Radices radices = simd_radices(request.size);
   set_common_defines(pass.defines, request, lanes);
   pass.defines.set("FFT_RADIX_1", radices.first);
   pass.defines.set("FFT_RADIX_2", radices.second);
   pass.defines.set("FFT_RADIX_3", radices.third);
-  pass.twiddles = strip_table(request.size, radices);
+  pass.twiddles = simd_table(request.size, radices);
   return pass;
 }
 
-std::size_t strip_scratch_bytes(const PlanRequest& request, int lanes) {
+std::size_t simd_scratch_bytes(const PlanRequest& request, int lanes) {
   return sizeof(float) * 2 * static_cast<std::size_t>(lanes * request.size);
 }
 
-PassPlan strip_columns(const PlanRequest& request, int lanes) {
-  PassPlan pass = strip_pass(request, lanes);
+PassPlan simd_columns(const PlanRequest& request, int lanes) {
+  PassPlan pass = simd_pass(request, lanes);
   if (request.size >= smallest_streamed_intermediate) pass.defines.set_flag("FFT_STREAM_INTERMEDIATE");
   pass.shape = {{static_cast<std::size_t>(padded_columns(request) / lanes), 1, 1}, {1, 1, 1}};
-  pass.scratch_bytes = strip_scratch_bytes(request, lanes);
+  pass.scratch_bytes = simd_scratch_bytes(request, lanes);
   return pass;
 }
 
-PassPlan strip_rows(const PlanRequest& request) {
+PassPlan simd_rows(const PlanRequest& request) {
   PassPlan pass;
-  const int lanes = request.size / narrow_lanes > most_row_vectors ? strip_lanes : narrow_lanes;
+  const int lanes = request.size / narrow_lanes > most_row_vectors ? simd_lanes : narrow_lanes;
   set_common_defines(pass.defines, request, lanes);
   const auto radices = row_radices(request.size / lanes);
   pass.defines.set("FFT_ROW_RADIX_A", radices.first);
@@ -165,7 +165,7 @@ PassPlan strip_rows(const PlanRequest& request) {
   return pass;
 }
 
-PassPlan group_pass(const PlanRequest& request, int width) {
+PassPlan workgroup_pass(const PlanRequest& request, int width) {
   PassPlan pass;
   const int odd_factors[] = {1, 2, 4};  // of sizes 8^m, 2 * 8^m, 4 * 8^m
   set_common_defines(pass.defines, request, 1);
@@ -176,16 +176,16 @@ PassPlan group_pass(const PlanRequest& request, int width) {
   return pass;
 }
 
-PassPlan group_columns(const ocl::DeviceInfo& device, const PlanRequest& request) {
+PassPlan workgroup_columns(const ocl::DeviceInfo& device, const PlanRequest& request) {
   const int threads = request.size / thread_values;
   const auto bytes_per_column = sizeof(float) * static_cast<std::size_t>(request.size);
   // Up to 16 neighbouring columns for coalesced access, as long as a work-group stays near 256 work-items.
-  int width = std::clamp(256 / threads, 1, strip_lanes);
+  int width = std::clamp(256 / threads, 1, simd_lanes);
   while (width > 1 && (static_cast<std::size_t>(width * threads) > device.max_work_group_size ||
                        static_cast<std::size_t>(width) * bytes_per_column > device.local_memory_bytes)) {
     width /= 2;
   }
-  PassPlan pass = group_pass(request, width);
+  PassPlan pass = workgroup_pass(request, width);
   const auto thread_count = static_cast<std::size_t>(threads), column_count = static_cast<std::size_t>(width);
   pass.shape = {{static_cast<std::size_t>(padded_columns(request)), thread_count, 1},
                 {column_count, thread_count, 1}};
@@ -193,13 +193,13 @@ PassPlan group_columns(const ocl::DeviceInfo& device, const PlanRequest& request
   return pass;
 }
 
-PassPlan group_rows(const ocl::DeviceInfo& device, const PlanRequest& request) {
+PassPlan workgroup_rows(const ocl::DeviceInfo& device, const PlanRequest& request) {
   const int threads = request.size / thread_values;
   // Short rows share a work-group, so that it has at least 64 work-items.
   const int wanted = std::clamp(64 / threads, 1, request.size);
   const int width =
       std::min<int>(wanted, std::max<int>(1, static_cast<int>(device.max_work_group_size) / threads));
-  PassPlan pass = group_pass(request, width);
+  PassPlan pass = workgroup_pass(request, width);
   const auto thread_count = static_cast<std::size_t>(threads), row_count = static_cast<std::size_t>(width);
   pass.shape = {{thread_count, static_cast<std::size_t>(request.size), 1}, {thread_count, row_count, 1}};
   return pass;
@@ -222,13 +222,13 @@ std::vector<ocl::KernelShape> possible_families(const ocl::DeviceInfo& device, c
                 "use 256, 512 or 1024");
   }
   const int threads = request.size / thread_values;
-  const bool can_strip = request.size >= smallest_strip_size &&
-                         strip_scratch_bytes(request, narrow_lanes) <= device.local_memory_bytes;
-  const bool can_group = static_cast<std::size_t>(threads) <= device.max_work_group_size;
+  const bool can_simd = request.size >= smallest_simd_size &&
+                        simd_scratch_bytes(request, narrow_lanes) <= device.local_memory_bytes;
+  const bool can_workgroup = static_cast<std::size_t>(threads) <= device.max_work_group_size;
   const ocl::KernelShape wanted = ocl::tuning_for(device, "fft").shape;
   std::vector<ocl::KernelShape> families;
-  if (can_strip) families.push_back(ocl::KernelShape::strip);
-  if (can_group) families.push_back(ocl::KernelShape::group);
+  if (can_simd) families.push_back(ocl::KernelShape::strip);
+  if (can_workgroup) families.push_back(ocl::KernelShape::group);
   if (families.empty()) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("transform size {}: needs work-groups of {}, {} allows {}", request.size, threads,
@@ -242,12 +242,12 @@ std::vector<ocl::KernelShape> possible_families(const ocl::DeviceInfo& device, c
 
 FftPlan::FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request, ocl::KernelShape family) {
   if (family == ocl::KernelShape::strip) {
-    const bool has_room = strip_scratch_bytes(request, strip_lanes) <= device.local_memory_bytes;
-    columns_ = strip_columns(request, has_room ? strip_lanes : narrow_lanes);
-    rows_ = strip_rows(request);
+    const bool has_room = simd_scratch_bytes(request, simd_lanes) <= device.local_memory_bytes;
+    columns_ = simd_columns(request, has_room ? simd_lanes : narrow_lanes);
+    rows_ = simd_rows(request);
   } else {
-    columns_ = group_columns(device, request);
-    rows_ = group_rows(device, request);
+    columns_ = workgroup_columns(device, request);
+    rows_ = workgroup_rows(device, request);
   }
   intermediate_floats_ =
       2 * static_cast<std::size_t>(request.size) * static_cast<std::size_t>(pitch(request));

@@ -99,10 +99,10 @@ bool NumberTable::read_line(std::string_view& line) {
   throw Error(ErrorKind::bad_input,
               fmt::format("{}:{}: expected a line of at most {} characters, found a longer one",
                           path_.string(), line_number_ + 1, longest_line),
-              mend());
+              hint());
 }
 
-std::string NumberTable::mend() const {
+std::string NumberTable::hint() const {
   return fmt::format("write a line {}, such as {}; a first line {} may name them", columns_.meaning,
                      columns_.example, fmt::join(columns_.names, ","));
 }
@@ -135,7 +135,7 @@ void NumberTable::read_row(std::string_view line, std::vector<double>& numbers) 
       fmt::format("{}:{}: expected {} as {} numbers within [{:g}, {:g}], found \"{}\"", path_.string(),
                   line_number_, fmt::join(columns_.names, ","), count_text(fields_.size()), -farthest_point_m,
                   farthest_point_m, line.substr(0, shown_characters)),
-      mend());
+      hint());
 }
 
 std::vector<double> NumberTable::next(std::size_t most) {
@@ -149,7 +149,7 @@ std::vector<double> NumberTable::next(std::size_t most) {
     ++rows_;
   }
   if (rows_ == 0) {
-    throw Error(ErrorKind::bad_input, fmt::format("{}: expected points, found none", path_.string()), mend());
+    throw Error(ErrorKind::bad_input, fmt::format("{}: expected points, found none", path_.string()), hint());
   }
   return numbers;
 }

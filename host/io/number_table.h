@@ -38,7 +38,7 @@ class NumberTable {
   bool read_line(std::string_view& line);
   bool read_header(std::string_view line);
   void read_row(std::string_view line, std::vector<double>& numbers) const;
-  std::string mend() const;
+  std::string hint() const;
 
   std::filesystem::path path_;
   NumberColumns columns_;

@@ -38,7 +38,7 @@ std::string read_whole_file(const std::filesystem::path& path, const FileExpecta
   if (size > expectation.most_bytes) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected at most {} bytes, got {}", shown, expectation.most_bytes, size),
-                std::string(expectation.mend_of_size));
+                std::string(expectation.hint_of_size));
   }
   std::string bytes(static_cast<std::size_t>(size), '\0');
   bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));

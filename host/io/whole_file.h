@@ -11,7 +11,7 @@ namespace offing {
 struct FileExpectation {
   std::string_view kind;                                      ///< "a wave spectrum file"
   std::size_t most_bytes;                                     ///< larger ones are refused
-  std::string_view mend_of_size = "cut the file into parts";  ///< what to do about them
+  std::string_view hint_of_size = "cut the file into parts";  ///< what to do about them
 };
 
 /// All bytes of a file. Throws Error(bad_input) if there is no such file, it cannot be read, is a folder or a

@@ -61,13 +61,13 @@ class Memory {
 
 /// A read-only view of a buffer's content in host memory, unmapped at the end of its life.
 template <class T>
-class MappedView {
+class MappedSpan {
  public:
-  MappedView(const detail::Memory& memory, std::size_t count)
+  MappedSpan(const detail::Memory& memory, std::size_t count)
       : memory_(&memory), data_(static_cast<const T*>(memory.map_read())), count_(count) {}
-  MappedView(const MappedView&) = delete;
-  MappedView& operator=(const MappedView&) = delete;
-  ~MappedView() { memory_->unmap(data_); }
+  MappedSpan(const MappedSpan&) = delete;
+  MappedSpan& operator=(const MappedSpan&) = delete;
+  ~MappedSpan() { memory_->unmap(data_); }
 
   std::span<const T> span() const { return {data_, count_}; }
   const T& operator[](std::size_t i) const { return data_[i]; }
@@ -119,7 +119,7 @@ class Buffer {
     static_assert((sizeof(T) & (sizeof(T) - 1)) == 0 && sizeof(T) <= 128, "what OpenCL can fill with");
     memory_.fill(&value, sizeof(T));
   }
-  MappedView<T> map() const { return MappedView<T>(memory_, count_); }
+  MappedSpan<T> map() const { return MappedSpan<T>(memory_, count_); }
   const detail::Memory& memory() const { return memory_; }
 
  private:

@@ -37,7 +37,7 @@ ImportedBuffer::~ImportedBuffer() {
   if (memory_ != nullptr) clReleaseMemObject(memory_);
 }
 
-void ImportedBuffer::copy_from(const FloatView& source) {
+void ImportedBuffer::copy_from(const FloatSpan& source) {
   const std::size_t bytes = source.size() * sizeof(float);
   const std::string& where = device_->info.name;
   const cl_command_queue queue = device_->queue.get();

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "host/ocl/device.h"
-#include "host/ocl/float_view.h"
+#include "host/ocl/float_span.h"
 
 namespace offing::ocl {
 
@@ -19,7 +19,7 @@ class ImportedBuffer {
   ~ImportedBuffer();
 
   /// Copies all floats to the start of the OpenGL buffer and waits; OpenGL must be done with the buffer.
-  void copy_from(const FloatView& source);
+  void copy_from(const FloatSpan& source);
 
  private:
   std::shared_ptr<detail::DeviceState> device_;

@@ -74,7 +74,7 @@ constexpr std::array named_statuses{
 };
 #undef OFFING_STATUS
 
-std::string_view mend(int status) {
+std::string_view hint(int status) {
   switch (status) {
     case CL_INVALID_WORK_GROUP_SIZE:
     case CL_INVALID_WORK_ITEM_SIZE:
@@ -109,7 +109,7 @@ bool is_out_of_memory(int status) {
 void throw_status(int status, std::string_view call, std::string_view where) {
   std::string what = fmt::format("{} failed with {}: {}", call, status_name(status), where);
   if (is_out_of_memory(status)) throw Error(ErrorKind::out_of_memory, what, out_of_memory_hint);
-  throw Error(ErrorKind::device, what, std::string(mend(status)));
+  throw Error(ErrorKind::device, what, std::string(hint(status)));
 }
 
 }  // namespace offing::ocl

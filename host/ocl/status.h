@@ -22,7 +22,7 @@ inline void check(int status, std::string_view call, std::string_view where) {
 /// True if the status says that memory did not suffice.
 bool is_out_of_memory(int status);
 
-/// The mend for errors of kind out_of_memory.
+/// The fix for errors of kind out_of_memory.
 extern const char* const out_of_memory_hint;
 
 }  // namespace offing::ocl

@@ -28,7 +28,7 @@ constexpr KernelTuning strip{KernelShape::strip};
 constexpr KernelTuning group{KernelShape::group};
 constexpr std::array rows{
     TuningRow{"fft", DeviceClass::vector_cpu, strip},
-    TuningRow{"trochoids", DeviceClass::vector_cpu, strip},
+    TuningRow{"gerstner", DeviceClass::vector_cpu, strip},
     TuningRow{"terrain", DeviceClass::vector_cpu, strip},
     TuningRow{"highlights", DeviceClass::vector_cpu, strip},
     TuningRow{"clouds", DeviceClass::vector_cpu, strip},

@@ -16,7 +16,7 @@ struct KernelTuning {
   KernelShape shape = KernelShape::group;
 };
 
-/// What suits the kernels of `family` ("fft": the transforms and all that joins them; "trochoids": sums of
+/// What suits the kernels of `family` ("fft": the transforms and all that joins them; "gerstner": sums of
 /// Gerstner waves; "terrain": rays; "highlights": their search; "clouds": order, light and pictures of
 /// particles) on this device: a row of the table in tuning.cpp, else its default row. OFFING_SHAPE=strip or
 /// group overrides the shape, for tests; any other value throws Error(bad_usage).

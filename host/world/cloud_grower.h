@@ -6,7 +6,7 @@
 
 #include "host/base/cancel_token.h"
 #include "host/ocl/device.h"
-#include "host/world/clouds_view.h"
+#include "host/world/world_clouds.h"
 
 namespace offing::world {
 
@@ -16,9 +16,9 @@ struct CloudProgress {
   double share = 0.0;  ///< of the next one, 0 ... 1
 };
 
-/// Gives clouds their particles ahead of a CloudsView, which takes most of the time that clouds take: on
+/// Gives clouds their particles ahead of a WorldClouds, which takes most of the time that clouds take: on
 /// another thread with a device of its own, or with what is known from the last sky. Particles are those that
-/// CloudsView makes of the same parameters.
+/// WorldClouds makes of the same parameters.
 class CloudGrower {
  public:
   explicit CloudGrower(const ocl::Device& device) : device_(device) {}

@@ -25,7 +25,7 @@ glm::dvec3 albedo_of(const sky::Atmosphere& atmosphere) {
   return {albedo[0], 0.5 * (albedo[1] + albedo[2]), albedo[3]};
 }
 
-sky::Illuminance light_at(sky::ClearSky& sky, const CloudSunlight& sun, double altitude_m) {
+sky::Illuminance light_at(sky::ClearSky& sky, const SunOverClouds& sun, double altitude_m) {
   sky.at({.sun_direction = sun.direction, .sun_distance_au = sun.distance_au, .eye_altitude_m = altitude_m});
   return sky.read_illuminance();
 }
@@ -34,7 +34,7 @@ sky::Illuminance light_at(sky::ClearSky& sky, const CloudSunlight& sun, double a
 
 std::vector<clouds::CloudIllumination> cloud_illumination(sky::ClearSky& sky,
                                                           const sky::Atmosphere& atmosphere,
-                                                          const CloudSunlight& sun,
+                                                          const SunOverClouds& sun,
                                                           std::span<const double> altitudes_m) {
   // Between two steps the light is mixed.
   const auto steps_up = [](double altitude_m) {
@@ -68,16 +68,16 @@ std::vector<clouds::CloudIllumination> cloud_illumination(sky::ClearSky& sky,
 }
 
 std::vector<clouds::CloudIllumination> with_lights(std::vector<clouds::CloudIllumination> illumination,
-                                                   std::span<const Lamp> lights,
+                                                   std::span<const Light> lights,
                                                    std::span<const glm::dvec3> places_m) {
-  for (const Lamp& light : lights.first(std::min(lights.size(), most_lights_on_clouds))) {
+  for (const Light& light : lights.first(std::min(lights.size(), most_lights_on_clouds))) {
     const glm::dvec3 klx = light.illuminance_klx * light.colour;
     if (klx == glm::dvec3(0.0)) continue;
     for (std::size_t cloud = 0; cloud < illumination.size(); ++cloud) {
       const bool is_place = light.source.kind == highlights::Source::Kind::place;
       const glm::dvec3 way = is_place ? light.source.vector - places_m[cloud] : light.source.vector;
       const double length = glm::length(way);
-      std::vector<clouds::CloudSun>& suns = illumination[cloud].suns;
+      std::vector<clouds::CloudLight>& suns = illumination[cloud].suns;
       if (suns.empty()) suns.emplace_back();
       // One in a cloud's very middle stands above it.
       suns.push_back(

@@ -13,9 +13,9 @@ void add(ocean::SlopeCovariance& sum, const ocean::SlopeCovariance& slopes) {
   sum.zz += slopes.zz;
 }
 
-ocean::SlopeCovariance slopes_of(const std::vector<ocean::Trochoid>& waves) {
+ocean::SlopeCovariance slopes_of(const std::vector<ocean::GerstnerWave>& waves) {
   ocean::SlopeCovariance sum;
-  for (const ocean::Trochoid& wave : waves) {
+  for (const ocean::GerstnerWave& wave : waves) {
     const double steepness = wave.wavenumber_radpm * wave.amplitude_m;
     const double mean_square = 0.5 * steepness * steepness;
     const double x = std::cos(wave.direction_rad), z = std::sin(wave.direction_rad);
@@ -36,9 +36,10 @@ std::vector<std::vector<ocean::SlopeCovariance>> hidden_by_levels(
 }
 
 HiddenSlopes shared_out(std::vector<std::vector<ocean::SlopeCovariance>> cascades,
-                        const std::vector<ocean::Trochoid>& trochoids, const RippleWind& wind) {
-  HiddenSlopes hidden{.cascades = std::move(cascades), .trochoids = slopes_of(trochoids), .ripples = {}};
-  ocean::SlopeCovariance drawn = hidden.trochoids;
+                        const std::vector<ocean::GerstnerWave>& gerstner_waves, const RippleWind& wind) {
+  HiddenSlopes hidden{
+      .cascades = std::move(cascades), .gerstner_waves = slopes_of(gerstner_waves), .ripples = {}};
+  ocean::SlopeCovariance drawn = hidden.gerstner_waves;
   for (const std::vector<ocean::SlopeCovariance>& levels : hidden.cascades) add(drawn, levels.back());
   hidden.ripples = ocean::remaining_slopes(ocean::measured_slopes(wind.speed_mps, wind.direction_rad), drawn);
   return hidden;

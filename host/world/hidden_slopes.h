@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "host/ocean/spectrum/slope_covariance.h"
+#include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocean/surface/ocean.h"
-#include "host/ocean/surface/trochoids.h"
 
 namespace offing::world {
 
@@ -12,9 +12,9 @@ namespace offing::world {
 struct HiddenSlopes {
   /// [cascade][level]: what the mip levels of its slope map hide.
   std::vector<std::vector<ocean::SlopeCovariance>> cascades;
-  /// All slopes of the trochoids, for grids too coarse to draw them.
-  ocean::SlopeCovariance trochoids;
-  /// Of ripples that neither cascades nor trochoids have.
+  /// All slopes of the Gerstner waves, for grids too coarse to draw them.
+  ocean::SlopeCovariance gerstner_waves;
+  /// Of ripples that neither cascades nor Gerstner waves have.
   ocean::SlopeCovariance ripples;
 };
 
@@ -28,8 +28,8 @@ struct RippleWind {
 std::vector<std::vector<ocean::SlopeCovariance>> hidden_by_levels(
     const ocean::OceanParameters& ocean, const std::vector<std::vector<float>>& variances);
 
-/// Of the slopes that the wind makes, what trochoids and cascades leave is the ripples'.
+/// Of the slopes that the wind makes, what Gerstner waves and cascades leave is the ripples'.
 HiddenSlopes shared_out(std::vector<std::vector<ocean::SlopeCovariance>> cascades,
-                        const std::vector<ocean::Trochoid>& trochoids, const RippleWind& wind);
+                        const std::vector<ocean::GerstnerWave>& gerstner_waves, const RippleWind& wind);
 
 }  // namespace offing::world

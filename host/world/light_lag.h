@@ -12,7 +12,7 @@ struct LightLag {
   int cloud_steps = 1;
   /// Clouds send an eye the light that they sent to one at most so far aside, rad as seen from any of them.
   double cloud_rad = 0.0;
-  /// An eye farther aside has theirs anew part by part, all of it after so many CloudsView::see() or
+  /// An eye farther aside has theirs anew part by part, all of it after so many WorldClouds::see() or
   /// see_mirrored(), 1 or more.
   int cloud_parts = 1;
 

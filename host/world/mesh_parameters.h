@@ -30,8 +30,8 @@ struct MeshMaterial {
   glm::dvec3 outline_colour{0.0};
 };
 
-/// A lamp beside the sun.
-struct Lamp {
+/// A light beside the sun.
+struct Light {
   highlights::Source source;      ///< in the world's axes
   glm::dvec3 colour{1.0};         ///< linear Rec.709
   double illuminance_klx = 50.0;  ///< at the meshes and clouds, whatever the distance

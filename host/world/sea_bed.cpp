@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "host/terrain/tiles/tile_posts.h"
-#include "kernels/shared/shoals.h"
+#include "kernels/shared/shoal_params.h"
 
 namespace offing::world {
 namespace {
@@ -56,10 +56,10 @@ ocean::DepthMap bed_of(const HeightMap& map, double origin_x_m, double origin_z_
 
 }  // namespace
 
-ocean::DepthMap sea_bed(const GroundParameters& ground) {
-  if (ground.map) return bed_of(*ground.map, ground.origin_x_m, ground.origin_z_m);
-  const HeightMap overview = terrain::overview_of(ground.tiles->map, ground.tiles->read);
-  return bed_of(overview, ground.origin_x_m, ground.origin_z_m);
+ocean::DepthMap sea_bed(const TerrainParameters& terrain) {
+  if (terrain.map) return bed_of(*terrain.map, terrain.origin_x_m, terrain.origin_z_m);
+  const HeightMap overview = terrain::overview_of(terrain.tiles->map, terrain.tiles->read);
+  return bed_of(overview, terrain.origin_x_m, terrain.origin_z_m);
 }
 
 }  // namespace offing::world

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/ocean/query/depth_map.h"
-#include "host/world/ground_view.h"
+#include "host/world/world_terrain.h"
 
 namespace offing::world {
 
@@ -10,6 +10,6 @@ namespace offing::world {
 /// it is; of a map in tiles, the whole map as coarsely as its coarsest tiles have it. Land is no higher than
 /// the steepest bed falls between two posts; then slopes are limited (ocean::limit_slopes()). Throws what
 /// reading tiles throws.
-ocean::DepthMap sea_bed(const GroundParameters& ground);
+ocean::DepthMap sea_bed(const TerrainParameters& terrain);
 
 }  // namespace offing::world

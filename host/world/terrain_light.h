@@ -2,7 +2,7 @@
 
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
-#include "kernels/shared/terrain_light.h"
+#include "kernels/shared/terrain_light_params.h"
 
 namespace offing::world {
 

@@ -29,12 +29,12 @@ World::World(const ocl::Device& device, const WorldParameters& parameters)
     : device_(device), parameters_(parameters), sky_(device, parameters.atmosphere) {
   make_sea(parameters);
   set_wakes(parameters.wakes);
-  if (parameters.ground) ground_.emplace(device, *parameters.ground);
+  if (parameters.terrain) terrain_.emplace(device, *parameters.terrain);
   make_shoals();
   set_clouds(parameters.clouds);
   set_meshes(parameters.meshes);
   set_bodies(parameters.bodies, parameters.run_up_s);
-  set_lamps(parameters.lamps);
+  set_lights(parameters.lights);
 }
 
 ocean::Ocean& World::ocean() {
@@ -58,20 +58,20 @@ void World::set_atmosphere(const sky::Atmosphere& atmosphere) {
   cloud_illumination_.clear();
 }
 
-void World::set_ground(const std::optional<GroundParameters>& ground) {
-  if (ground == parameters_.ground) return;
-  const bool is_same_shape = ground && ground_ && ground->map == ground_->parameters().map &&
-                             ground->tiles == ground_->parameters().tiles &&
-                             ground->origin_x_m == ground_->parameters().origin_x_m &&
-                             ground->origin_z_m == ground_->parameters().origin_z_m;
+void World::set_terrain(const std::optional<TerrainParameters>& terrain) {
+  if (terrain == parameters_.terrain) return;
+  const bool is_same_shape = terrain && terrain_ && terrain->map == terrain_->parameters().map &&
+                             terrain->tiles == terrain_->parameters().tiles &&
+                             terrain->origin_x_m == terrain_->parameters().origin_x_m &&
+                             terrain->origin_z_m == terrain_->parameters().origin_z_m;
   if (is_same_shape) {
-    ground_->set_cover(*ground);
-  } else if (ground) {
-    ground_ = GroundView(device_, *ground);
+    terrain_->set_cover(*terrain);
+  } else if (terrain) {
+    terrain_ = WorldTerrain(device_, *terrain);
   } else {
-    ground_.reset();
+    terrain_.reset();
   }
-  parameters_.ground = ground;
+  parameters_.terrain = terrain;
   if (!is_same_shape) {
     bed_.reset();
     make_shoals();
@@ -83,7 +83,7 @@ void World::set_clouds(const std::optional<CloudSkyParameters>& clouds) {
   if (clouds && clouds_) {
     clouds_->set(*clouds);
   } else if (clouds) {
-    CloudsView made(device_, *clouds);
+    WorldClouds made(device_, *clouds);
     made.set_light_lag(lag_);
     made.set_particle_halvings(cloud_halvings_);
     clouds_ = std::move(made);
@@ -96,7 +96,7 @@ void World::set_clouds(const std::optional<CloudSkyParameters>& clouds) {
 }
 
 void World::set_meshes(const std::vector<MeshParameters>& meshes) {
-  std::vector<MeshView> views;
+  std::vector<WorldMesh> views;
   for (const MeshParameters& mesh : meshes) views.emplace_back(device_, mesh);
   meshes_ = std::move(views);
   parameters_.meshes = meshes;
@@ -104,9 +104,9 @@ void World::set_meshes(const std::vector<MeshParameters>& meshes) {
 }
 
 void World::set_bodies(const std::vector<BodySettings>& bodies, double run_up_s) {
-  std::unique_ptr<BodyView> made;
+  std::unique_ptr<WorldBodies> made;
   if (ocean_ && !bodies.empty()) {
-    made = std::make_unique<BodyView>(device_, bodies, body_sea(), run_up_s, time_s_);
+    made = std::make_unique<WorldBodies>(device_, bodies, body_sea(), run_up_s, time_s_);
   }
   const bool has_other_wakes = made || bodies_;
   bodies_ = std::move(made);
@@ -131,27 +131,27 @@ void World::move_meshes_with_bodies() {
   }
 }
 
-void World::set_lamps(const std::vector<Lamp>& lamps) {
-  if (lamps.size() > most_lamps) {
+void World::set_lights(const std::vector<Light>& lights) {
+  if (lights.size() > most_lights) {
     throw Error(ErrorKind::bad_usage,
-                fmt::format("lamps: expected at most {}, found {}", most_lamps, lamps.size()),
+                fmt::format("lights: expected at most {}, found {}", most_lights, lights.size()),
                 "take some away");
   }
-  parameters_.lamps = lamps;
+  parameters_.lights = lights;
 }
 
 highlights::Lighting World::lighting(const glm::dvec3& eye_m) const {
   highlights::Lighting lighting{.eye = {.kind = highlights::Source::Kind::place, .vector = eye_m},
-                                .lamps = {}};
-  for (const Lamp& lamp : parameters_.lamps) lighting.lamps.push_back(lamp.source);
+                                .lights = {}};
+  for (const Light& light : parameters_.lights) lighting.lights.push_back(light.source);
   const auto& [x, y, z] = parameters_.sun_direction;
-  if (y > 0.0) lighting.lamps.push_back({.vector = {x, y, z}});
+  if (y > 0.0) lighting.lights.push_back({.vector = {x, y, z}});
   return lighting;
 }
 
 void World::see_meshes(const glm::dvec3& eye_m, const highlights::LightingAt& lighting_at,
                        std::optional<double> first_s) {
-  for (MeshView& mesh : meshes_) {
+  for (WorldMesh& mesh : meshes_) {
     if (lighting_at) {
       mesh.at(time_s_, lighting_at, first_s);
     } else {
@@ -169,8 +169,8 @@ void World::look_at_sky(double eye_altitude_m) {
            .sun_distance_au = parameters_.sun_distance_au,
            .eye_altitude_m = altitude_m});
   illuminance_ = sky_.read_illuminance();
-  if (ground_) {
-    ground_light_ = terrain_light(illuminance_, parameters_.atmosphere, ground_->parameters().lines);
+  if (terrain_) {
+    terrain_light_ = terrain_light(illuminance_, parameters_.atmosphere, terrain_->parameters().lines);
   }
   sky_altitude_m_ = altitude_m;
 }
@@ -203,11 +203,11 @@ void World::light_clouds(double time_s) {
     std::vector<glm::dvec3> places_m;
     for (const clouds::CloudParameters& cloud : all)
       places_m.push_back(clouds::cloud_origin_m(cloud, clouds_->lit_at_s()));
-    clouds_->light(with_lights(cloud_illumination_, parameters_.lamps, places_m));
+    clouds_->light(with_lights(cloud_illumination_, parameters_.lights, places_m));
   } else {
     clouds_->light(cloud_illumination_);  // Harris has one sun (clouds::ParticleLight)
   }
-  if (parameters_.clouds->throws_shadows && (ocean_ || ground_ || !meshes_.empty())) clouds_->cast_shadow();
+  if (parameters_.clouds->throws_shadows && (ocean_ || terrain_ || !meshes_.empty())) clouds_->cast_shadow();
 }
 
 void World::set_light_lag(const LightLag& lag) {
@@ -229,32 +229,32 @@ void World::see_mirrored_clouds(const Camera& mirrored) {
   if (clouds_) clouds_->see_mirrored(mirrored);
 }
 
-void World::see_ground(const Camera& camera, const terrain::Sampling& sampling, TileWait wait) {
-  if (!ground_) return;
-  terrain::SeaOverGround sea;
+void World::see_terrain(const Camera& camera, const terrain::Sampling& sampling, TileWait wait) {
+  if (!terrain_) return;
+  terrain::SeaOverTerrain sea;
   const double waves_m = reach().vertical_m;
   // From above the crests, what is deeper than the troughs is behind water, which falls away as the Earth
   // bends.
   if (ocean_ && camera.eye_m.y > waves_m) sea = {.below_m = -waves_m, .bend_perm = 0.5 / sea_radius_m};
   const std::optional<terrain::CloudShade> shade = shade_of_clouds(camera);
-  ground_->at(camera, sky_, {ground_light_, shade ? &*shade : nullptr}, sampling, wait, sea);
+  terrain_->at(camera, sky_, {terrain_light_, shade ? &*shade : nullptr}, sampling, wait, sea);
 }
 
-void World::see_mirrored_ground(const Camera& mirrored) {
-  if (!ground_ || !ocean_) return;
+void World::see_mirrored_terrain(const Camera& mirrored) {
+  if (!terrain_ || !ocean_) return;
   const std::optional<terrain::CloudShade> shade = shade_of_clouds(mirrored);
-  ground_->mirror_at(mirrored, sky_, {ground_light_, shade ? &*shade : nullptr});
+  terrain_->mirror_at(mirrored, sky_, {terrain_light_, shade ? &*shade : nullptr});
 }
 
-void World::see_ground_beneath(const Camera& camera) {
-  if (!ground_ || !ocean_) return;
+void World::see_terrain_beneath(const Camera& camera) {
+  if (!terrain_ || !ocean_) return;
   const std::optional<terrain::CloudShade> shade = shade_of_clouds(camera);
   const double seen_m = ocean::visible_depth_m(ocean::water_optics(parameters_.water));
-  ground_->beneath_at(camera, sky_, {ground_light_, shade ? &*shade : nullptr},
-                      {.below_m = -reach().vertical_m - seen_m,
-                       .bend_perm = 0.5 / sea_radius_m,
-                       // Far above what a wave's foot shows of a beach: pixels there are coarse.
-                       .above_m = reach().vertical_m + seen_m});
+  terrain_->beneath_at(camera, sky_, {terrain_light_, shade ? &*shade : nullptr},
+                       {.below_m = -reach().vertical_m - seen_m,
+                        .bend_perm = 0.5 / sea_radius_m,
+                        // Far above what a wave's foot shows of a beach: pixels there are coarse.
+                        .above_m = reach().vertical_m + seen_m});
 }
 
 std::optional<terrain::CloudShade> World::shade_of_clouds(const Camera& camera) const {

@@ -12,21 +12,21 @@
 #include "host/base/rgba_image.h"
 #include "host/ocean/spectrum/sea_spectrum.h"
 #include "host/ocean/spectrum/slope_covariance.h"
+#include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocean/surface/ocean.h"
 #include "host/ocean/surface/projected_grid.h"
-#include "host/ocean/surface/trochoids.h"
 #include "host/ocean/surface/water_optics.h"
 #include "host/ocl/device.h"
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
-#include "host/world/body_view.h"
-#include "host/world/clouds_view.h"
-#include "host/world/ground_view.h"
 #include "host/world/hidden_slopes.h"
 #include "host/world/light_lag.h"
 #include "host/world/mesh_parameters.h"
-#include "host/world/mesh_view.h"
-#include "host/world/wake_view.h"
+#include "host/world/world_bodies.h"
+#include "host/world/world_clouds.h"
+#include "host/world/world_mesh.h"
+#include "host/world/world_terrain.h"
+#include "host/world/world_wakes.h"
 
 namespace offing::world {
 
@@ -35,8 +35,8 @@ struct WorldParameters {
   bool has_sea = true;  ///< without one, all down to the wind says nothing
   ocean::SeaSpectrum spectrum = {};
   ocean::OceanParameters ocean = {};
-  ocean::TrochoidSea trochoids = {};  ///< those of the spectrum below the cascades' k_split, and swells
-  bool has_shoals = true;             ///< whether waves shoal over the ground, if there is any
+  ocean::GerstnerSea gerstner_waves = {};  ///< those of the spectrum below the cascades' k_split, and swells
+  bool has_shoals = true;                  ///< whether waves shoal over the ground, if there is any
   std::vector<WakeSettings> wakes = {};
   /// Wind over the ripples that the spectrum or its maps leave out.
   double wind_speed_mps = 10.0;
@@ -45,17 +45,17 @@ struct WorldParameters {
   sky::Atmosphere atmosphere = {};
   std::array<double, 3> sun_direction{0.0, 1.0, 0.0};  ///< unit, toward the sun
   double sun_distance_au = 1.0;
-  std::optional<GroundParameters> ground = {};
+  std::optional<TerrainParameters> terrain = {};
   std::optional<CloudSkyParameters> clouds = {};
   std::vector<MeshParameters> meshes = {};
   std::vector<BodySettings> bodies =
-      {};                        ///< in a world with a sea; they move meshes in place of their motion
-  double run_up_s = 10.0;        ///< of bodies
-  std::vector<Lamp> lamps = {};  ///< beside the sun, at the time that is shown
+      {};                          ///< in a world with a sea; they move meshes in place of their motion
+  double run_up_s = 10.0;          ///< of bodies
+  std::vector<Light> lights = {};  ///< beside the sun, at the time that is shown
   std::vector<std::shared_ptr<const RgbaImage>> pictures = {};  ///< of the highlights of meshes
 };
 
-inline constexpr std::size_t most_lamps = 63;
+inline constexpr std::size_t most_lights = 63;
 
 /// All simulations of a scene on one device with one queue, and the time that they share. What they make
 /// stays on the device until somebody asks. Objects are confined to the thread that made them.
@@ -73,39 +73,39 @@ class World {
   /// Where the eye is at the next at(): wakes may be about it.
   void set_eye(const ocean::WaterPoint& eye) { eye_ = eye; }
   /// Enqueues what a camera sees of the ground, if there is any, in the light of the last at(). An eye that
-  /// is farther from the map than rays reach sees nothing of it. Throws what GroundView::at() throws.
-  void see_ground(const Camera& camera, const terrain::Sampling& sampling = {},
-                  TileWait wait = TileWait::all);
+  /// is farther from the map than rays reach sees nothing of it. Throws what WorldTerrain::at() throws.
+  void see_terrain(const Camera& camera, const terrain::Sampling& sampling = {},
+                   TileWait wait = TileWait::all);
   /// Enqueues what the sea, as if it were level, mirrors of the ground, as the mirrored camera sees it
   /// (offing::mirrored()), in the light of the last at(). Does nothing in a world without either.
-  void see_mirrored_ground(const Camera& mirrored);
-  /// Enqueues what this camera, with the eye of the last see_ground(), would see of the ground if there were
+  void see_mirrored_terrain(const Camera& mirrored);
+  /// Enqueues what this camera, with the eye of the last see_terrain(), would see of the ground if there were
   /// no water before it, as deep as water lets light through. Does nothing in a world without either.
-  void see_ground_beneath(const Camera& camera);
+  void see_terrain_beneath(const Camera& camera);
   /// From now on the sea has at most so many samples a side, a power of two from 16 on: of waves too short
   /// for them the ripples have the slopes. Bodies float on the whole sea still. Throws what Ocean throws.
   void set_sea_samples(int most);
-  /// See CloudsView::set_particle_halvings(); of clouds that are yet to come too. Throws
+  /// See WorldClouds::set_particle_halvings(); of clouds that are yet to come too. Throws
   /// Error(bad_usage) for halvings out of range.
   void set_cloud_halvings(int halvings);
   /// Takes effect with the next at().
   void set_light_lag(const LightLag& lag);
-  /// Enqueues what a camera sees of the clouds of the last at(), if there are any: CloudsView::see().
+  /// Enqueues what a camera sees of the clouds of the last at(), if there are any: WorldClouds::see().
   void see_clouds(const Camera& camera);
-  /// The same for what the sea mirrors: CloudsView::see_mirrored().
+  /// The same for what the sea mirrors: WorldClouds::see_mirrored().
   void see_mirrored_clouds(const Camera& mirrored);
   /// Takes the meshes to the time of the last at(), with the highlights that they have for this eye. With a
   /// lighting, of the world's axes at any time, these depend on the time and on that of the sequence's first
-  /// picture alone (MeshView::at()); without one they follow the eye and the lamps as they are
-  /// (MeshView::follow()).
+  /// picture alone (WorldMesh::at()); without one they follow the eye and the lights as they are
+  /// (WorldMesh::follow()).
   void see_meshes(const glm::dvec3& eye_m, const highlights::LightingAt& lighting_at = {},
                   std::optional<double> first_s = {});
 
-  /// The water at points of the world by the last at(): Ocean::sample() with this world's trochoids. Throws
-  /// what ocean() throws.
+  /// The water at points of the world by the last at(): Ocean::sample() with this world's Gerstner waves.
+  /// Throws what ocean() throws.
   std::vector<ocean::WaterSample> sample(std::span<const ocean::WaterPoint> points,
                                          const ocean::WaterQuery& query = {}) {
-    return ocean().sample(points, parameters_.trochoids, query);
+    return ocean().sample(points, parameters_.gerstner_waves, query);
   }
 
   // Changes while it runs. All take effect with the next at(), which then gives what a world made with the
@@ -116,53 +116,53 @@ class World {
   void set_sun(const std::array<double, 3>& direction, double distance_au);
   /// Changes the air: its tables are made anew.
   void set_atmosphere(const sky::Atmosphere& atmosphere);
-  /// Changes trochoids, swells and raindrops; costs nothing but over shoals, a millisecond. Throws what
-  /// require_valid_trochoids() throws.
-  void set_trochoids(const ocean::TrochoidSea& trochoids);
-  /// Makes the wakes anew, without a history. Throws what WakeView throws.
+  /// Changes Gerstner waves, swells and raindrops; costs nothing but over shoals, a millisecond. Throws what
+  /// require_valid_gerstner_waves() throws.
+  void set_gerstner_waves(const ocean::GerstnerSea& gerstner_waves);
+  /// Makes the wakes anew, without a history. Throws what WorldWakes throws.
   void set_wakes(const std::vector<WakeSettings>& wakes);
-  /// Draws another sea of the same spectrum. Trochoids are drawn from it by the same seed: give those of the
-  /// new one.
-  void reseed(std::uint64_t seed, const ocean::TrochoidSea& trochoids);
-  /// Changes spectrum, grid, foam, wind and trochoids to these parameters' own: the sea is made anew, or
+  /// Draws another sea of the same spectrum. Gerstner waves are drawn from it by the same seed: give those of
+  /// the new one.
+  void reseed(std::uint64_t seed, const ocean::GerstnerSea& gerstner_waves);
+  /// Changes spectrum, grid, foam, wind and Gerstner waves to these parameters' own: the sea is made anew, or
   /// taken away. Leaves sun, air and ground.
   void set_sea(const WorldParameters& parameters);
   /// Changes the colour and the clearness of the water.
   void set_water(ocean::WaterType water) { parameters_.water = water; }
-  /// Changes the ground; other heights or another place make it anew. Throws what GroundView throws.
-  void set_ground(const std::optional<GroundParameters>& ground);
-  /// Changes the clouds: those whose parameters stay are kept. Throws what CloudsView throws.
+  /// Changes the ground; other heights or another place make it anew. Throws what WorldTerrain throws.
+  void set_terrain(const std::optional<TerrainParameters>& terrain);
+  /// Changes the clouds: those whose parameters stay are kept. Throws what WorldClouds throws.
   void set_clouds(const std::optional<CloudSkyParameters>& clouds);
-  /// Puts other meshes in their place, made anew. Throws what MeshView throws.
+  /// Puts other meshes in their place, made anew. Throws what WorldMesh throws.
   void set_meshes(const std::vector<MeshParameters>& meshes);
-  /// Puts other bodies on the water, at their start at the time of the last at(). Throws what BodyView
+  /// Puts other bodies on the water, at their start at the time of the last at(). Throws what WorldBodies
   /// throws.
   void set_bodies(const std::vector<BodySettings>& bodies, double run_up_s);
-  /// Throws Error(bad_usage) for more than most_lamps.
-  void set_lamps(const std::vector<Lamp>& lamps);
+  /// Throws Error(bad_usage) for more than most_lights.
+  void set_lights(const std::vector<Light>& lights);
   /// Changes what the textures of highlights are made of.
-  void set_pictures(std::vector<std::shared_ptr<const RgbaImage>> pictures) {
+  void set_images(std::vector<std::shared_ptr<const RgbaImage>> pictures) {
     parameters_.pictures = std::move(pictures);
   }
 
   /// nullptr in a world without bodies.
-  const BodyView* bodies() const { return bodies_.get(); }
+  const WorldBodies* bodies() const { return bodies_.get(); }
   /// nullptr in a world without wakes.
-  const WakeView* wakes() const { return wakes_ ? &*wakes_ : nullptr; }
+  const WorldWakes* wakes() const { return wakes_ ? &*wakes_ : nullptr; }
   bool has_sea() const { return ocean_.has_value(); }
   /// Samples along a patch of the sea that there is, 0 without one.
   int sea_samples() const { return ocean_ ? ocean_->parameters().size : 0; }
   /// Throws Error(bad_usage) in a world without a sea.
   ocean::Ocean& ocean();
   /// nullptr in a world without ground.
-  const GroundView* ground() const { return ground_ ? &*ground_ : nullptr; }
-  GroundView* ground() { return ground_ ? &*ground_ : nullptr; }
+  const WorldTerrain* terrain() const { return terrain_ ? &*terrain_ : nullptr; }
+  WorldTerrain* terrain() { return terrain_ ? &*terrain_ : nullptr; }
   /// nullptr in a world without clouds.
-  const CloudsView* clouds() const { return clouds_ ? &*clouds_ : nullptr; }
-  const std::vector<MeshView>& meshes() const { return meshes_; }
+  const WorldClouds* clouds() const { return clouds_ ? &*clouds_ : nullptr; }
+  const std::vector<WorldMesh>& meshes() const { return meshes_; }
   /// In the order of the parameters.
-  std::vector<MeshView>& meshes() { return meshes_; }
-  /// What lights the meshes for this eye: the lamps in their order and, while it is up, the sun.
+  std::vector<WorldMesh>& meshes() { return meshes_; }
+  /// What lights the meshes for this eye: the lights in their order and, while it is up, the sun.
   highlights::Lighting lighting(const glm::dvec3& eye_m) const;
   const sky::ClearSky& sky() const { return sky_; }
   /// Light at the eye, by the last at().
@@ -174,7 +174,7 @@ class World {
   const std::shared_ptr<const ocean::Shoals>& shoals() const { return shoals_; }
 
   /// The farthest that waves move the surface at the time of the last at(), 0 without a sea: six standard
-  /// deviations of the cascades, which one sample in 10^8 exceeds, all trochoids at once, and the eight
+  /// deviations of the cascades, which one sample in 10^8 exceeds, all Gerstner waves at once, and the eight
   /// tallest rings; over shoals, as high as the highest of them make waves.
   ocean::SurfaceReach reach() const;
 
@@ -184,7 +184,7 @@ class World {
   void fit_sea(const WorldParameters& parameters);
   void make_shoals();
   BodySea body_sea() const {
-    return {parameters_.spectrum, parameters_.ocean, parameters_.trochoids, shoals_};
+    return {parameters_.spectrum, parameters_.ocean, parameters_.gerstner_waves, shoals_};
   }
   void move_meshes_with_bodies();
   void look_at_sky(double eye_altitude_m);
@@ -196,20 +196,20 @@ class World {
   int most_samples_ = std::numeric_limits<int>::max();
   std::optional<ocean::Ocean> ocean_, spare_ocean_;  // as it is, and as it was before of other samples
   std::vector<ocean::ShoalingBand> cascade_bands_;   // of ocean_
-  std::shared_ptr<const ocean::DepthMap> bed_;       // of ground_; none: not made yet
+  std::shared_ptr<const ocean::DepthMap> bed_;       // of terrain_; none: not made yet
   std::shared_ptr<const ocean::Shoals> shoals_;
-  std::unique_ptr<BodyView> bodies_;
-  std::optional<WakeView> wakes_;
+  std::unique_ptr<WorldBodies> bodies_;
+  std::optional<WorldWakes> wakes_;
   ocean::WaterPoint eye_;
   sky::ClearSky sky_;
-  std::optional<GroundView> ground_;
+  std::optional<WorldTerrain> terrain_;
   LightLag lag_;
   int cloud_halvings_ = 0;
-  std::optional<CloudsView> clouds_;
+  std::optional<WorldClouds> clouds_;
   std::optional<sky::ClearSky> cloud_sky_;                     // as clouds see it, not the eye
   std::vector<clouds::CloudIllumination> cloud_illumination_;  // one a cloud; none: it is out of date
-  std::vector<MeshView> meshes_;
-  TerrainLight ground_light_{};  // of the sky's tables
+  std::vector<WorldMesh> meshes_;
+  TerrainLight terrain_light_{};  // of the sky's tables
   double time_s_ = 0.0;
   std::optional<double> sky_altitude_m_;  // of the sky's tables; none: they are out of date
   sky::Illuminance illuminance_;

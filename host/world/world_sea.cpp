@@ -67,10 +67,10 @@ void World::make_sea(const WorldParameters& parameters) {
     deviation_m_ = 0.0;
     return;
   }
-  ocean::require_valid_trochoids(parameters.trochoids);
+  ocean::require_valid_gerstner_waves(parameters.gerstner_waves);
   ocean::Ocean made(device_, parameters.spectrum, parameters.ocean);
   const std::vector<std::vector<float>> variances = variances_of(made);
-  hidden_slopes_ = shared_out(hidden_by_levels(parameters.ocean, variances), parameters.trochoids.waves,
+  hidden_slopes_ = shared_out(hidden_by_levels(parameters.ocean, variances), parameters.gerstner_waves.waves,
                               ripple_wind(parameters));
   deviation_m_ = deviation_m(variances);
   cascade_bands_ = bands_of(variances, parameters.ocean);
@@ -86,8 +86,8 @@ void World::fit_sea(const WorldParameters& parameters) {
   if (!spare_ocean_ || spare_ocean_->parameters().size != wanted.size)
     spare_ocean_.emplace(device_, parameters.spectrum, wanted);
   std::swap(ocean_, spare_ocean_);
-  hidden_slopes_ = shared_out(hidden_by_levels(wanted, variances_of(*ocean_)), parameters.trochoids.waves,
-                              ripple_wind(parameters));
+  hidden_slopes_ = shared_out(hidden_by_levels(wanted, variances_of(*ocean_)),
+                              parameters.gerstner_waves.waves, ripple_wind(parameters));
 }
 
 void World::set_sea_samples(int most) {
@@ -101,10 +101,10 @@ void World::set_sea_samples(int most) {
 
 void World::make_shoals() {
   std::shared_ptr<const ocean::Shoals> made;
-  if (ocean_ && ground_ && parameters_.has_shoals) {
-    if (!bed_) bed_ = std::make_shared<const ocean::DepthMap>(sea_bed(ground_->parameters()));
+  if (ocean_ && terrain_ && parameters_.has_shoals) {
+    if (!bed_) bed_ = std::make_shared<const ocean::DepthMap>(sea_bed(terrain_->parameters()));
     const ocean::ShoalTable table(parameters_.spectrum.dispersion,
-                                  ocean::shoaling_bands(cascade_bands_, parameters_.trochoids.waves));
+                                  ocean::shoaling_bands(cascade_bands_, parameters_.gerstner_waves.waves));
     if (bed_->shallowest_m() < table.deepest_m()) {
       made = std::make_shared<const ocean::Shoals>(device_, bed_, table);
     }
@@ -114,31 +114,31 @@ void World::make_shoals() {
   if (bodies_) bodies_->set_shoals(shoals_);
 }
 
-void World::set_trochoids(const ocean::TrochoidSea& trochoids) {
-  ocean::require_valid_trochoids(trochoids);
-  parameters_.trochoids = trochoids;
-  hidden_slopes_ =
-      shared_out(std::move(hidden_slopes_.cascades), parameters_.trochoids.waves, ripple_wind(parameters_));
+void World::set_gerstner_waves(const ocean::GerstnerSea& gerstner_waves) {
+  ocean::require_valid_gerstner_waves(gerstner_waves);
+  parameters_.gerstner_waves = gerstner_waves;
+  hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_.gerstner_waves.waves,
+                              ripple_wind(parameters_));
   make_shoals();
   if (bodies_) bodies_->set_sea(body_sea());
 }
 
 void World::set_wakes(const std::vector<WakeSettings>& wakes) {
-  std::optional<WakeView> made;
+  std::optional<WorldWakes> made;
   if (ocean_ && !wakes.empty()) made.emplace(device_, wakes, time_s_);
   wakes_ = std::move(made);
   if (ocean_) ocean_->set_wakes(wakes_ ? wakes_->maps() : nullptr);
   parameters_.wakes = wakes;
 }
 
-void World::reseed(std::uint64_t seed, const ocean::TrochoidSea& trochoids) {
-  ocean::require_valid_trochoids(trochoids);
+void World::reseed(std::uint64_t seed, const ocean::GerstnerSea& gerstner_waves) {
+  ocean::require_valid_gerstner_waves(gerstner_waves);
   ocean().reseed(seed);
   spare_ocean_.reset();
   parameters_.ocean.seed = seed;
-  parameters_.trochoids = trochoids;
-  hidden_slopes_ =
-      shared_out(std::move(hidden_slopes_.cascades), parameters_.trochoids.waves, ripple_wind(parameters_));
+  parameters_.gerstner_waves = gerstner_waves;
+  hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_.gerstner_waves.waves,
+                              ripple_wind(parameters_));
   make_shoals();
   if (bodies_) bodies_->set_sea(body_sea());
 }
@@ -148,7 +148,7 @@ void World::set_sea(const WorldParameters& parameters) {
   parameters_.has_sea = parameters.has_sea;
   parameters_.spectrum = parameters.spectrum;
   parameters_.ocean = parameters.ocean;
-  parameters_.trochoids = parameters.trochoids;
+  parameters_.gerstner_waves = parameters.gerstner_waves;
   parameters_.wind_speed_mps = parameters.wind_speed_mps;
   parameters_.wind_direction_rad = parameters.wind_direction_rad;
   parameters_.has_shoals = parameters.has_shoals;
@@ -165,13 +165,14 @@ ocean::SurfaceReach World::reach() const {
   if (!ocean_) return {};
   const double growth = shoals_ ? shoals_->instant().table.largest_share() : 1.0;
   const double waves_m = growth * reach_deviations * deviation_m_;
-  double trochoids_m = 0.0;
-  for (const ocean::Trochoid& wave : parameters_.trochoids.waves) trochoids_m += growth * wave.amplitude_m;
+  double gerstner_waves_m = 0.0;
+  for (const ocean::GerstnerWave& wave : parameters_.gerstner_waves.waves)
+    gerstner_waves_m += growth * wave.amplitude_m;
   return {.horizontal_m = parameters_.ocean.choppiness * waves_m +
-                          ocean::horizontal_scale(parameters_.trochoids).scale * trochoids_m,
-          .vertical_m = waves_m + trochoids_m + height_of_rings_m(parameters_.trochoids.raindrops, time_s_) +
-                        (wakes_ ? wakes_->reach_m(time_s_) : 0.0) +
-                        (wakes_ && bodies_ ? bodies_->draught_m() : 0.0)};
+                          ocean::horizontal_scale(parameters_.gerstner_waves).scale * gerstner_waves_m,
+          .vertical_m =
+              waves_m + gerstner_waves_m + height_of_rings_m(parameters_.gerstner_waves.raindrops, time_s_) +
+              (wakes_ ? wakes_->reach_m(time_s_) : 0.0) + (wakes_ && bodies_ ? bodies_->draught_m() : 0.0)};
 }
 
 }  // namespace offing::world

@@ -15,7 +15,7 @@
 #include "bodies/turn.clh"
 #include "bodies/wetted_part.clh"
 #include "shared/bodies.h"
-#include "shared/surface_query.h"
+#include "shared/query_params.h"
 
 #ifndef GROUP
 #define GROUP 64  // work-items of a body, a power of two

@@ -3,7 +3,7 @@
 // Out: points [vertices] of ocean/surface_query.cl.
 #include "bodies/turn.clh"
 #include "shared/bodies.h"
-#include "shared/surface_query.h"
+#include "shared/query_params.h"
 
 __kernel void hull_points(__global const BodyState* restrict states, __global const float* restrict vertices,
                           __global const uint* restrict owners, __global SurfaceQueryPoint* restrict points) {

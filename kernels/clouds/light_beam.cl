@@ -26,7 +26,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_beam
   const int sun = (int)get_group_id(0) / channels, channel = (int)get_group_id(0) % channels;
   const CloudGrid grid = grids[cloud];
   const CloudScattering look = looks[cloud];
-  const CloudSunLight source = lights[cloud].suns[sun];
+  const CloudLightSource source = lights[cloud].suns[sun];
   const size_t number = (size_t)cloud * get_num_groups(0) + get_group_id(0);
   __global const float *extinction = medium + (size_t)cloud * MEDIUM_CELLS + FIRST_LEVEL;
   __global const float *absorbing = absorption + ((size_t)cloud * channels + channel) * MEDIUM_CELLS + FIRST_LEVEL;

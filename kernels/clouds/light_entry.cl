@@ -38,7 +38,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_entr
   const int cloud = (int)get_group_id(1), item = (int)get_local_id(0);
   const int sun = (int)get_group_id(0) / channels, channel = (int)get_group_id(0) % channels;
   const CloudGrid grid = grids[cloud];
-  const CloudSunLight source = lights[cloud].suns[sun];
+  const CloudLightSource source = lights[cloud].suns[sun];
   const float3 way = (float3)(source.x, source.y, source.z);
   const EntrySquare square = entry_square(grid, way);
   float depths[TEXELS_OF_ITEM];

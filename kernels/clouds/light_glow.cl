@@ -58,7 +58,7 @@ __kernel void light_glow(__global const CloudGrid *restrict grids, __global cons
       const lanes scattered = (1.0f - look.forward_share) * (extinction - absorbed);
       const lanes beside = look.scaled_mean_cosine * scattered / transport_extinction(look, empty, extinction, absorbed);
       for (int sun = 0; sun < light.sun_count; ++sun) {
-        const CloudSunLight from = light.suns[sun];
+        const CloudLightSource from = light.suns[sun];
         const float rgb[3] = {from.red, from.green, from.blue};
         const lanes strength = (channels == 1 ? from.red + from.green + from.blue : rgb[channel]) * beside *
                                load_lanes(beams + (sun * channels + channel) * CELLS + cell);

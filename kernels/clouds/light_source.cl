@@ -24,7 +24,7 @@ static inline lanes leaning(const Medium medium, const CloudScattering look, __g
 
 // What comes of a sun: its light where it is scattered, and how its lean grows across the cell. Reads beyond a row are of
 // numbers that do not count.
-static inline lanes lit_by(const CloudGrid grid, const CloudScattering look, const CloudSunLight from,
+static inline lanes lit_by(const CloudGrid grid, const CloudScattering look, const CloudLightSource from,
                            const Medium medium, __global const float *beam, const Piece piece) {
   const int at = piece.at - FIRST_LEVEL, row = grid.size_x, plane = grid.size_x * grid.size_y;
   const float speed =
@@ -102,7 +102,7 @@ __kernel void light_source(__global const CloudGrid *restrict grids, __global co
     lanes green = light.sky_green * of_sky + light.ground_green * of_ground;
     lanes blue = light.sky_blue * of_sky + light.ground_blue * of_ground;
     for (int sun = 0; sun < light.sun_count; ++sun) {
-      const CloudSunLight from = light.suns[sun];
+      const CloudLightSource from = light.suns[sun];
       const lanes amount = lit_by(grid, look, from, of_channel, beams + (sun * channels + channel) * CELLS, piece);
       red += from.red * amount;
       green += from.green * amount;

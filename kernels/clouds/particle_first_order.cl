@@ -19,7 +19,7 @@ __kernel void particle_first_order(__global const CloudParticle *restrict partic
     float3 seen = 0.5f * (float3)(light.sky_red + light.ground_red, light.sky_green + light.ground_green,
                                   light.sky_blue + light.ground_blue);
     for (int sun = 0; sun < light.sun_count; ++sun) {
-      const CloudSunLight from = light.suns[sun];
+      const CloudLightSource from = light.suns[sun];
       const float place = phase_angle_place(-(from.x * view.x + from.y * view.y + from.z * view.z));
       seen += phase_at(phases, looks[particle.cloud].phase_table, place, 0.0f) * reached[i] *
               (float3)(from.red, from.green, from.blue);

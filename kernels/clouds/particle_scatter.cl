@@ -72,7 +72,7 @@ __kernel void particle_scatter(__global const CloudParticle *restrict particles,
 
     float angle_places[CLOUD_SUNS];
     for (int sun = 0; sun < light->sun_count; ++sun) {
-      const CloudSunLight from = light->suns[sun];
+      const CloudLightSource from = light->suns[sun];
       angle_places[sun] = phase_angle_place(-(from.x * view.x + from.y * view.y + from.z * view.z));
     }
     float before = 0.0f;
@@ -100,7 +100,7 @@ __kernel void particle_scatter(__global const CloudParticle *restrict particles,
       float3 shown = found.xyz * of_colours(toward_eye, channels);
       const float depth_of_eye = depth_before + 0.5f * piece * found.w;
       for (int sun = 0; sun < light->sun_count; ++sun) {
-        const CloudSunLight from = light->suns[sun];
+        const CloudLightSource from = light->suns[sun];
         float direct[3];
         for (int channel = 0; channel < channels; ++channel) {
           const float lit = sample_scalar(beam + (sun * channels + channel) * CELLS, sample);

@@ -1,11 +1,11 @@
 // The composed sea on a rectangle of rest labels.
-// In:  displacement, gradient [cascades][n][n] float4 of ocean/surface_assemble.cl; trochoid_displacement,
-//      trochoid_gradient [rows][pitch] float4 of ocean/trochoid_surface.cl, at these samples, unless the pitch is 0;
+// In:  displacement, gradient [cascades][n][n] float4 of ocean/surface_assemble.cl; gerstner_displacement,
+//      gerstner_gradient [rows][pitch] float4 of ocean/gerstner_surface.cl, at these samples, unless the pitch is 0;
 //      where the samples lie;
 //      wake_maps of ocean/wake_map.cl, wakes and wake_samples (shared/wake.h) of wake_count windows.
 // Out: position [rows][columns] float4 (dx, h, dz m, J); shape [rows][columns] float4 (slope x, slope z of the displaced
 //      surface, smaller eigenvalue of F, 0). Cascades are bilinear between texels and periodic.
-// Displacements, slopes and gradients add over cascades, trochoids and wakes; then F = I + sum grad, slope = F^-T sum s, with |det F| kept
+// Displacements, slopes and gradients add over cascades, Gerstner waves and wakes; then F = I + sum grad, slope = F^-T sum s, with |det F| kept
 // above 0.05 where the surface is about to fold; or, as in the paper, slope = sum s. Lee & Lee 2007, eq. 7 and section 2.3 (O7, O9).
 // The grid is in memory, not an argument by value: Mesa 22.3 crashes on arguments that are indexed by a variable.
 #include "ocean/deformation.clh"
@@ -24,8 +24,8 @@ static float4 bilinear(__global const float4 *map, int size, uint column, uint r
 }
 
 __kernel void surface_compose(__global const float4 *restrict displacement, __global const float4 *restrict gradient,
-                              __global const float4 *restrict trochoid_displacement,
-                              __global const float4 *restrict trochoid_gradient,
+                              __global const float4 *restrict gerstner_displacement,
+                              __global const float4 *restrict gerstner_gradient,
                               __global const float4 *restrict wake_maps, __global const WakeLayer *restrict wakes,
                               __global const WakeSamples *restrict wake_samples, int wake_count,
                               __global const OceanComposeParams *restrict grid, int size,
@@ -39,10 +39,10 @@ __kernel void surface_compose(__global const float4 *restrict displacement, __gl
     moved += bilinear(displacement + first, size, place_x, place_z);
     slopes += bilinear(gradient + first, size, place_x, place_z);
   }
-  if (grid->trochoid_pitch > 0) {
-    const size_t sample = (size_t)row * grid->trochoid_pitch + column;
-    moved += trochoid_displacement[sample];
-    slopes += trochoid_gradient[sample];
+  if (grid->gerstner_pitch > 0) {
+    const size_t sample = (size_t)row * grid->gerstner_pitch + column;
+    moved += gerstner_displacement[sample];
+    slopes += gerstner_gradient[sample];
   }
   for (int i = 0; i < wake_count; ++i) {
     const float4 wake = wake_layer_at(wake_maps, wakes + i, wake_samples[i].column + (float)column * wake_samples[i].column_step,

@@ -1,7 +1,7 @@
 // The composed sea at points of the world: the label under each point is found first, as the surface moves sideways.
 // In:  points; displacement, gradient, flow [cascades][n][n] float4 of ocean/surface_assemble.cl and
 //      ocean/velocity_assemble.cl (flow is not read unless has_flow); waves, params (shared/surface_query.h), rings
-//      (TrochoidRingInTile of shared/trochoids.h); wake_maps of ocean/wake_map.cl, wakes (shared/wake.h); time as ocean/wave_phase.clh has it;
+//      (GerstnerRingInTile of shared/Gerstner waves.h); wake_maps of ocean/wake_map.cl, wakes (shared/wake.h); time as ocean/wave_phase.clh has it;
 //      with SHOALS shoals, depths_m [rows][columns], shoal_shares (shared/shoals.h).
 // Out: samples (shared/surface_query.h), the surface of ocean/surface_compose.cl where it meets the point's vertical.
 // The label X solves X + d(X) = x. Steps X <- X - B (X + d(X) - x) end where the residual is small; the first is that
@@ -10,9 +10,9 @@
 // found. Points that are not finite get a residual that is not either.
 #include "ocean/deformation.clh"
 #include "ocean/shoals.clh"
-#include "ocean/trochoid_ring.clh"
+#include "ocean/gerstner_ring.clh"
 #include "ocean/wake_layer.clh"
-#include "shared/surface_query.h"
+#include "shared/query_params.h"
 
 #if LANES == 1
 #define mask_of(condition) ((condition) ? -1 : 0)
@@ -27,7 +27,7 @@
 // Where a point's tile lies in each patch, in 2^-32 of it, and in each wave.
 typedef struct {
   uint_lanes patch_x[CASCADES], patch_z[CASCADES];
-  uint_lanes wave[TROCHOID_WAVES];
+  uint_lanes wave[GERSTNER_WAVES];
 } Tile;
 
 // The four texels of each cascade around LANES labels, and how far the labels are on the way to the right and to the far side.
@@ -86,7 +86,7 @@ INLINE void set_cells(__global const SurfaceQueryParams *params, const Tile *til
   }
 }
 
-// Asks for what a map has there, so that it is on its way while the trochoids are summed.
+// Asks for what a map has there, so that it is on its way while the Gerstner waves are summed.
 INLINE void fetch_cells(__global const float4 *map, int cascade_count, const Cells *cells) {
   for (int i = 0; i < cascade_count * LANES; ++i) {
     prefetch_line(map + cells->near_left[i]);
@@ -99,7 +99,7 @@ INLINE void fetch_cells(__global const float4 *map, int cascade_count, const Cel
 INLINE void wave_at(__global const SurfaceQueryWave *wave, uint_lanes tile, const Shares *shares, lanes x_m, lanes z_m,
                         lanes *cosine, lanes *sine) {
   cosine_sine_of_turns(tile + fraction_of(x_m * wave->turns_x_perm + z_m * wave->turns_z_perm), cosine, sine);
-  const lanes share = trochoid_share(shares, wave->band);
+  const lanes share = gerstner_share(shares, wave->band);
   *cosine *= share;
   *sine *= share;
 }
@@ -181,7 +181,7 @@ INLINE void find_labels(__global const float4 *displacement, __global const Surf
                             lanes x_m, lanes z_m, lanes *label_x_m, lanes *label_z_m, Shares *shares) {
   lanes at_x = x_m, at_z = z_m;
   for (int step = 0; step < SURFACE_QUERY_MOST_STEPS; ++step) {
-    // The trochoids are the long waves and move the label farthest: the first step takes them alone.
+    // The Gerstner waves are the long waves and move the label farthest: the first step takes them alone.
     const bool takes_all = step > 0 || params->wave_count == 0;
     Cells cells;
     Moved moved = {(lanes)0.0f, (lanes)0.0f, (lanes)0.0f, (lanes)0.0f, (lanes)0.0f, (lanes)0.0f};
@@ -242,7 +242,7 @@ INLINE void add_wakes(__global const float4 *maps, __global const WakeLayer *wak
 // All that there is at LANES labels, for the points above them.
 INLINE void sample_labels(__global const float4 *displacement, __global const float4 *gradient,
                               __global const float4 *flow, __global const SurfaceQueryWave *waves,
-                              __global const TrochoidRingInTile *rings, __global const float4 *wake_maps,
+                              __global const GerstnerRingInTile *rings, __global const float4 *wake_maps,
                               __global const WakeLayer *wakes, int wake_count,
                               __global const SurfaceQueryParams *params, const Tile *tile, const Shares *shares,
                               int_lanes tile_x, int_lanes tile_z, lanes x_m, lanes z_m, lanes label_x_m, lanes label_z_m,
@@ -305,7 +305,7 @@ INLINE void sample_labels(__global const float4 *displacement, __global const fl
 __kernel void surface_query(__global const SurfaceQueryPoint *restrict points, __global const float4 *restrict displacement,
                             __global const float4 *restrict gradient, __global const float4 *restrict flow,
                             __global const SurfaceQueryWave *restrict waves,
-                            __global const TrochoidRingInTile *restrict rings,
+                            __global const GerstnerRingInTile *restrict rings,
                             __global const float4 *restrict wake_maps, __global const WakeLayer *restrict wakes,
                             int wake_count,
 #if SHOALS

@@ -6,10 +6,11 @@
 // Cells along an edge of a brick of a volume (host/base/cloud_volume.h).
 #define CLOUD_BRICK_CELLS 8
 
-// Puff textures of a set (C8); a particle's texture is one of two sets' worth.
+// Billboard textures of a set (C8); a particle's texture is one of two sets' worth.
 #define CLOUD_TEXTURES 16
 
-// Texels along an edge of a puff texture (host/clouds/image/puff_textures.h), its mip levels and all their texels.
+// Texels along an edge of a billboard texture (host/clouds/image/billboard_textures.h), its mip levels and
+// all their texels.
 #define CLOUD_TEXTURE_SIZE 256
 #define CLOUD_TEXTURE_LEVELS 7
 #define CLOUD_TEXTURE_TEXELS 87376
@@ -21,8 +22,8 @@ typedef struct {
   float weight;   // dimensionless
 } CloudBall;
 
-// A particle: a ball of density h(distance / radius), whose extinction sums up to its optical mass. Drawn as one
-// billboard.
+// A particle: a ball of density h(distance / radius), whose extinction sums up to its optical mass. Drawn as
+// one billboard.
 typedef struct {
   float x, y, z;           // m
   float radius;            // m, above 0

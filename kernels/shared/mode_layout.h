@@ -11,12 +11,12 @@
 #define OFFING_LAYOUT_INLINE inline
 #endif
 
-#define MODE_STRIP_COLUMNS 16
+#define MODE_BLOCK_COLUMNS 16
 
 // Place in a plane of mode (row, column), of `size` rows.
 OFFING_LAYOUT_INLINE size_t mode_place(int row, int column, int size) {
-  const size_t strip = column / MODE_STRIP_COLUMNS;
-  return (strip * size + row) * MODE_STRIP_COLUMNS + column % MODE_STRIP_COLUMNS;
+  const size_t strip = column / MODE_BLOCK_COLUMNS;
+  return (strip * size + row) * MODE_BLOCK_COLUMNS + column % MODE_BLOCK_COLUMNS;
 }
 
 // Values in a plane of `columns` columns, a multiple of 16.

@@ -24,7 +24,7 @@ typedef struct {
   int cascade_count;
   int columns;
   int rows;
-  int trochoid_pitch;  // samples from row to row of the trochoids' maps; 0 without trochoids
+  int gerstner_pitch;  // samples from row to row of the Gerstner waves' maps; 0 without Gerstner waves
   int adds_slopes;     // 1: slopes at labels, as they add up; 0: of the displaced surface
 } OceanComposeParams;
 

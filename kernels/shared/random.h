@@ -21,7 +21,7 @@ typedef std::uint64_t offing_uint64;
 // Streams: one for each consumer, so that adding a consumer changes no other's numbers.
 // Ocean cascade i uses OFFING_STREAM_OCEAN_CASCADE + i, i < 4.
 #define OFFING_STREAM_OCEAN_CASCADE 0x0cea0000u
-#define OFFING_STREAM_OCEAN_TROCHOIDS 0x0cea0100u
+#define OFFING_STREAM_OCEAN_GERSTNER 0x0cea0100u
 // Rain on a wake window: n and m are a square of the world, index the step.
 #define OFFING_STREAM_WAKE_RAIN 0x0cea0101u
 // Terrain: n and m are a lattice point, index its octave.
@@ -30,10 +30,10 @@ typedef std::uint64_t offing_uint64;
 #define OFFING_STREAM_TERRAIN_GULLIES 0x7e110001u
 // Made shapes: n is a vertex or a cell, m what is drawn for it.
 #define OFFING_STREAM_SHAPES 0x5a9e0000u
-// Puff textures of clouds: n and m are a lattice point, index the octave of a texture.
-#define OFFING_STREAM_CLOUD_PUFFS 0xb2000000u
-// Noise of clouds: n, m and index are a lattice point; bits 24 ... 27 are the octave, those below the layer of
-// the fourth dimension (kernels/clouds/noise_lattice.clh). All from 0xc0000000u to 0xcfffffffu are taken.
+// Billboard textures of clouds: n and m are a lattice point, index the octave of a texture.
+#define OFFING_STREAM_CLOUD_BILLBOARDS 0xb2000000u
+// Noise of clouds: n, m and index are a lattice point; bits 24 ... 27 are the octave, those below the layer
+// of the fourth dimension (kernels/clouds/noise_lattice.clh). All from 0xc0000000u to 0xcfffffffu are taken.
 #define OFFING_STREAM_CLOUD_NOISE 0xc0000000u
 // Shifts of the noise's octaves: n is the octave.
 #define OFFING_STREAM_CLOUD_OCTAVES 0xb1000000u

@@ -21,7 +21,7 @@ typedef struct {
   int padded_x, padded_z;  // cells, up to whole nodes of the top level
   int top_level;           // levels 1 ... top_level are stored; level L has nodes of 2^L x 2^L cells
   int first_level;         // of rays that come from outside; of all, where starts_at_origin is 0
-  int starts_at_origin;    // 1: other rays start at the lowest level whose lid is above their origin
+  int starts_at_origin;    // 1: other rays start at the lowest level whose maximum is above their origin
   float highest_m;         // of all heights
   float largest_m;         // of their magnitudes
   float cells_per_m_x, cells_per_m_z;

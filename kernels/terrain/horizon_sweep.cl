@@ -13,7 +13,7 @@
 // inout: seen [rows][columns], SIGHT_UNDECIDED -> SIGHT_HIDDEN or SIGHT_VISIBLE, or as it was.
 // A work-item takes LANES - 1 wedges of the octant get_global_id(1).
 #include "shared/terrain_sight.h"
-#include "terrain/course.clh"
+#include "terrain/ray_setup.clh"
 
 #if LANES == 16
 #define next_lane(a) ((a).s123456789abcdeff)
@@ -23,7 +23,7 @@
 
 // 16 roundings.
 #define ROUNDING 1e-6f
-#define NO_GROUND -1e30f
+#define NO_TERRAIN -1e30f
 
 // An axis of the map from the eye on: line 0 is behind the eye by `fraction` cells.
 typedef struct {
@@ -50,12 +50,12 @@ INLINE lanes highest_between(lanes from, lanes from_m, lanes to, lanes to_m, lan
   // Still rises in the picture where it begins, and falls where it ends.
   const int_lanes turns = mask_of(bulge < 0.0f) & mask_of((rise_m - arch_m) * from > from_m * length) &
                           mask_of((rise_m + arch_m) * to < to_m * length);
-  if (!any_lane(turns | at_eye)) return (lanes)NO_GROUND;
+  if (!any_lane(turns | at_eye)) return (lanes)NO_TERRAIN;
   const lanes slope = (rise_m - arch_m) / most(length, (lanes)1e-6f);
   const lanes r = most(slope * from - from_m, (lanes)0.0f) / select((lanes)1.0f, -bulge, turns);
   const lanes way = least(r / (from + sqrt(from * from + r)), length);
   const lanes at_turn = (from_m + way * (slope + way * bulge)) / (from + way);
-  return select(select((lanes)NO_GROUND, slope, at_eye), at_turn, turns);
+  return select(select((lanes)NO_TERRAIN, slope, at_eye), at_turn, turns);
 }
 
 // The least of h + f1 s + f2 s^2, s from 0 to `length`; of (f1 s + f2 s^2) / s where h is 0.
@@ -100,9 +100,9 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
   const int before = base + (first_line - 1) * major_step + start_column * minor_step;
   lanes before_low_m = (lanes)heights_m[before], before_high_m = (lanes)heights_m[before + minor_step];
   // Heights above the eye, less what the Earth falls away.
-  lanes ground_m = (lanes)(-sight.eye_above_m), last_ahead = (lanes)0.0f;
-  lanes upper_left = (lanes)NO_GROUND, upper_right = (lanes)NO_GROUND;
-  lanes lower_left = (lanes)NO_GROUND, lower_right = (lanes)NO_GROUND;
+  lanes terrain_m = (lanes)(-sight.eye_above_m), last_ahead = (lanes)0.0f;
+  lanes upper_left = (lanes)NO_TERRAIN, upper_right = (lanes)NO_TERRAIN;
+  lanes lower_left = (lanes)NO_TERRAIN, lower_right = (lanes)NO_TERRAIN;
 
   for (int line = first_line; line <= last_line; ++line) {
     const float ahead = (float)line - major.fraction;
@@ -181,7 +181,7 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
     const lanes at_line = line_m * per_cell;
     const lanes last_twist_m = (last_high_m - last_low_m) - (before_high_m - before_low_m);
     const lanes last_bulge = last_twist_m * slope - bend_m;
-    lanes border = (lanes)NO_GROUND, highest;
+    lanes border = (lanes)NO_TERRAIN, highest;
     lanes rough = fabs(high_m - low_m) + bend_m * (ahead * ahead);
     if (any_lane(crosses)) {
       const lanes step = clamp((1.0f - last_place) / most(slope, (lanes)1e-9f), (lanes)0.0f, ahead - last_ahead);
@@ -193,10 +193,10 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
       border = select(border, border_m / border_ahead, crosses);
       const lanes end = select((lanes)ahead, border_ahead, crosses), end_m = select(line_m, border_m, crosses);
       const lanes second = highest_between(border_ahead, border_m, (lanes)ahead, line_m, twist_m * slope - bend_m);
-      highest = most(highest_between(last_ahead, ground_m, end, end_m, last_bulge), select(border, second, crosses));
+      highest = most(highest_between(last_ahead, terrain_m, end, end_m, last_bulge), select(border, second, crosses));
       rough += fabs(low_m - behind_low_m);
     } else {
-      highest = highest_between(last_ahead, ground_m, (lanes)ahead, line_m, last_bulge);
+      highest = highest_between(last_ahead, terrain_m, (lanes)ahead, line_m, last_bulge);
     }
     const lanes noise = ROUNDING * (fabs(at_line) + rough * per_cell);
     // Between rays the Earth's curve arches above straight lines.
@@ -216,8 +216,8 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
     const lanes dent = least(post_height - (at_line + share * (next_at_line - at_line)), (lanes)0.0f);
     const lanes lowered = select((lanes)0.0f, dent, is_between) - most(noise, next_lane(noise));
     const int_lanes is_whole = is_between | mask_of(cell == next_lane(cell));
-    lanes left = select((lanes)NO_GROUND, at_line + lowered, is_whole);
-    lanes right = select((lanes)NO_GROUND, next_at_line + lowered, is_whole);
+    lanes left = select((lanes)NO_TERRAIN, at_line + lowered, is_whole);
+    lanes right = select((lanes)NO_TERRAIN, next_at_line + lowered, is_whole);
     int_lanes is_better = mask_of(left + right > lower_left + lower_right);
     lower_left = select(lower_left, left, is_better);
     lower_right = select(lower_right, right, is_better);
@@ -232,7 +232,7 @@ __kernel void horizon_sweep(__global const float *restrict heights_m, TerrainFie
 
     before_low_m = low_m;
     before_high_m = high_m;
-    ground_m = line_m;
+    terrain_m = line_m;
     last_ahead = (lanes)ahead;
   }
 }

@@ -2,7 +2,7 @@
 // horizon of each post, in eight directions, is found by walks through the pyramid; between them, and from the horizon up,
 // the sky is alike, and its light on the slope is integrated in closed form. Directions of neighbouring posts lie between
 // each other, so that what is interpolated between four posts has seen 32.
-// In:  heights [rows][columns] m, lids, field (shared/terrain.h); stride, posts from one share to the next.
+// In:  heights [rows][columns] m, maxima, field (shared/terrain.h); stride, posts from one share to the next.
 // Out: shares [share_rows][share_columns] of posts at multiples of the stride and of the last ones, 255 for all the light.
 #include "terrain/mean_slope.clh"
 #include "terrain/traversal.clh"
@@ -19,9 +19,9 @@ INLINE lanes light_above(lanes horizon, lanes slope, lanes up) {
   return up * 0.5f * (cosine2 - slope * (0.5f * PI - angle - sine_cosine));
 }
 
-__kernel void open_sky(__global const float *restrict heights_m, __global const float *restrict lids_m, TerrainField field,
+__kernel void open_sky(__global const float *restrict heights_m, __global const float *restrict maxima_m, TerrainField field,
                        int stride, int share_columns, __global uchar *restrict shares) {
-  const Ground ground = {heights_m, lids_m, field};
+  const Terrain terrain = {heights_m, maxima_m, field};
   const int first = (int)get_global_id(0) * LANES, share_row = (int)get_global_id(1);
   const int_lanes share_column = first + convert_int_lanes((lanes)LANE_INDEX);
   const int_lanes post_x = up_to(share_column * stride, field.cells_x);
@@ -30,7 +30,7 @@ __kernel void open_sky(__global const float *restrict heights_m, __global const 
   const Slopes slopes = slopes_of_post(heights_m, field, post_x, post_z, (int_lanes)stride, (int_lanes)-1);
   const lanes up = rsqrt(1.0f + slopes.x * slopes.x + slopes.z * slopes.z);
   const lanes origin_m = height_m + HORIZON_LIFT / max(field.cells_per_m_x, field.cells_per_m_z);
-  const int_lanes level = level_at_origin(ground, post_x, post_z, origin_m);
+  const int_lanes level = level_at_origin(terrain, post_x, post_z, origin_m);
   const lanes turn = convert_lanes((share_column & 1) + 2 * (share_row & 1)) * 0.25f;
   lanes sum = (lanes)0.0f, whole = (lanes)0.0f;
   for (int i = 0; i < DIRECTIONS; ++i) {
@@ -51,8 +51,8 @@ __kernel void open_sky(__global const float *restrict heights_m, __global const 
                        (lanes)0.0f,
                        least_rise,
                        (lanes)FARTHEST_M};
-    const Course course = course_of(field, rays);
-    const lanes horizon = horizon_of(ground, course, level_at_start(field, course, level));
+    const RaySetup ray_setup = ray_setup_of(field, rays);
+    const lanes horizon = horizon_of(terrain, ray_setup, level_at_start(field, ray_setup, level));
     sum += light_above(horizon, slope, up);
     whole += light_above(fmax(slope, (lanes)0.0f), slope, up);
   }

@@ -1,11 +1,11 @@
 // What a camera's rays hit first: Park, Oh & Cho 2007, section 3 (T3, T9 of docs/sources.md).
-// In:  heights [rows][columns] m, lids of terrain/pyramid_base.cl and pyramid_reduce.cl, or with TILED the pool and pages
+// In:  heights [rows][columns] m, maxima of terrain/pyramid_base.cl and pyramid_reduce.cl, or with TILED the pool and pages
 //      of shared/terrain_tiles.h; field, view (shared/terrain.h).
 // Out: records [height_px][width_px], row 0 at the top: distances in metres along the unit ray, +inf for misses; with
 //      WRITES_HITS, TerrainHit.
 #include "terrain/endless.clh"
 #include "terrain/hit_record.clh"
-#include "terrain/picture_rays.clh"
+#include "terrain/image_rays.clh"
 #include "terrain/traversal.clh"
 
 // By the default rule, the strip shape casts pixels whose rays go the same way as packets; not over tiles, whose leaves
@@ -21,15 +21,15 @@
 #define CAST_BLOCKS (CAST_COLUMNS * CAST_ROWS / LANES)
 #define BLOCKS_A_ROW (CAST_COLUMNS / BLOCK_COLUMNS)
 
-__kernel void quadtree_cast(__global const float *restrict heights_m, __global const float *restrict lids_m,
+__kernel void quadtree_cast(__global const float *restrict heights_m, __global const float *restrict maxima_m,
                             TerrainField field, TerrainView view, __global HitRecord *restrict records) {
-  const Ground ground = {heights_m, lids_m, field};
+  const Terrain terrain = {heights_m, maxima_m, field};
   int_lanes first_level = (int_lanes)field.first_level;
   if (field.starts_at_origin) {
-    first_level = level_at_origin(ground, (int_lanes)view.cell_x, (int_lanes)view.cell_z, (lanes)view.height_m);
+    first_level = level_at_origin(terrain, (int_lanes)view.cell_x, (int_lanes)view.cell_z, (lanes)view.height_m);
   }
 #ifdef PACKET_RAYS
-  // From above all lids, or from beside the map, everything is ahead.
+  // From above all maxima, or from beside the map, everything is ahead.
   const bool is_within = view.height_m <= field.highest_m && view.cell_x >= 0 && view.cell_x < field.cells_x &&
                          view.cell_z >= 0 && view.cell_z < field.cells_z;
   int first_levels[LANES];
@@ -39,25 +39,25 @@ __kernel void quadtree_cast(__global const float *restrict heights_m, __global c
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   for (int row = top; row < min(top + TILE_ROWS, view.height_px); row += CAST_ROWS) {
     for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); column += CAST_COLUMNS) {
-      Course courses[CAST_BLOCKS];
+      RaySetup ray_setups[CAST_BLOCKS];
       Hits hits[CAST_BLOCKS];
       for (int i = 0; i < CAST_BLOCKS; ++i) {
         const int x = column + i % BLOCKS_A_ROW * BLOCK_COLUMNS, y = row + i / BLOCKS_A_ROW * BLOCK_ROWS;
-        courses[i] = course_of(field, rays_of(field, view, x + (int_lanes)lane_column, y + (int_lanes)lane_row));
+        ray_setups[i] = ray_setup_of(field, rays_of(field, view, x + (int_lanes)lane_column, y + (int_lanes)lane_row));
         hits[i] = no_hits();
       }
       bool is_cast = false;
 #ifdef PACKET_RAYS
-      const Frustum frustum = frustum_of(courses);
+      const Frustum frustum = frustum_of(ray_setups);
       is_cast = frustum.is_empty || frustum.is_one_way;
       if (is_cast && !frustum.is_empty) {
-        packet_walk(ground, view, courses, frustum, home_level, hits);
+        packet_walk(terrain, view, ray_setups, frustum, home_level, hits);
       }
 #endif
       for (int i = 0; i < CAST_BLOCKS; ++i) {
-        if (!is_cast) hits[i] = first_hits(ground, first_level, &courses[i]);
+        if (!is_cast) hits[i] = first_hits(terrain, first_level, &ray_setups[i]);
         HitRecord block[LANES];
-        record_hits(ground, courses[i].ray, hits[i], block);
+        record_hits(terrain, ray_setups[i].ray, hits[i], block);
         const int x = column + i % BLOCKS_A_ROW * BLOCK_COLUMNS, y = row + i / BLOCKS_A_ROW * BLOCK_ROWS;
         for (int down = 0; down < min(BLOCK_ROWS, view.height_px - y); ++down) {
           for (int across = 0; across < min(BLOCK_COLUMNS, view.width_px - x); ++across) {

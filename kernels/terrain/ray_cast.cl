@@ -1,5 +1,5 @@
 // What any rays hit first, by the walk of terrain/quadtree_cast.cl.
-// In:  heights [rows][columns] m, lids of terrain/pyramid_base.cl and pyramid_reduce.cl, or with TILED the pool and pages
+// In:  heights [rows][columns] m, maxima of terrain/pyramid_base.cl and pyramid_reduce.cl, or with TILED the pool and pages
 //      of shared/terrain_tiles.h; field, rays [count] (shared/terrain.h).
 //      With IS_CURVED (not with endless maps), bend_x_m and bend_z_m: how far the ground falls away at a cell's distance
 //      from the origin along x, along z.
@@ -8,14 +8,14 @@
 #include "terrain/endless.clh"
 #include "terrain/hit_record.clh"
 
-__kernel void ray_cast(__global const float *restrict heights_m, __global const float *restrict lids_m,
+__kernel void ray_cast(__global const float *restrict heights_m, __global const float *restrict maxima_m,
                        TerrainField field, __global const TerrainRay *restrict rays, int count,
                        __global TerrainHit *restrict hits
 #ifdef IS_CURVED
                        , float bend_x_m, float bend_z_m
 #endif
 ) {
-  const Ground ground = {heights_m, lids_m, field};
+  const Terrain terrain = {heights_m, maxima_m, field};
   const int first = (int)get_global_id(0) * LANES;
   int cells[2][LANES];
   float numbers[10][LANES];
@@ -40,14 +40,14 @@ __kernel void ray_cast(__global const float *restrict heights_m, __global const 
                          load_lanes(numbers[6]), load_lanes(numbers[7]), load_lanes(numbers[8]), load_lanes(numbers[9])};
   int_lanes first_level = (int_lanes)field.first_level;
   if (field.starts_at_origin) {
-    first_level = level_at_origin(ground, of_lanes.cell_x, of_lanes.cell_z, of_lanes.height_m);
+    first_level = level_at_origin(terrain, of_lanes.cell_x, of_lanes.cell_z, of_lanes.height_m);
   }
   TerrainHit records[LANES];
-  Course course = course_of(field, of_lanes);
+  RaySetup ray_setup = ray_setup_of(field, of_lanes);
 #ifdef IS_CURVED
-  course.bend = bend_x_m * (of_lanes.along_x * of_lanes.along_x) + bend_z_m * (of_lanes.along_z * of_lanes.along_z);
+  ray_setup.bend = bend_x_m * (of_lanes.along_x * of_lanes.along_x) + bend_z_m * (of_lanes.along_z * of_lanes.along_z);
 #endif
-  const Hits found = first_hits(ground, first_level, &course);
-  record_hits(ground, course.ray, found, records);
+  const Hits found = first_hits(terrain, first_level, &ray_setup);
+  record_hits(terrain, ray_setup.ray, found, records);
   for (int lane = 0; lane < min(LANES, count - first); ++lane) hits[first + lane] = records[lane];
 }

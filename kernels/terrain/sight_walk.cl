@@ -1,5 +1,5 @@
 // Which posts are seen from a point, line by line: those that are undecided.
-// In:    heights [rows][columns] m, lids of terrain/pyramid_base.cl and pyramid_reduce.cl, field (shared/terrain.h),
+// In:    heights [rows][columns] m, maxima of terrain/pyramid_base.cl and pyramid_reduce.cl, field (shared/terrain.h),
 //        sight (shared/terrain_sight.h).
 // inout: seen [rows][columns], SIGHT_UNDECIDED -> SIGHT_HIDDEN or SIGHT_VISIBLE.
 // A work-item takes columns_each posts of a row.
@@ -14,13 +14,13 @@ INLINE lanes cells_to(int_lanes post, int cell, float fraction, lanes *rest) {
   return cells;
 }
 
-INLINE int_lanes is_seen(Ground ground, TerrainSight sight, int_lanes first_level, int_lanes column, int row) {
-  const TerrainField field = ground.field;
+INLINE int_lanes is_seen(Terrain terrain, TerrainSight sight, int_lanes first_level, int_lanes column, int row) {
+  const TerrainField field = terrain.field;
   lanes rest_x, rest_z;
   const lanes x = cells_to(column, sight.cell_x, sight.fraction_x, &rest_x);
   const lanes z = cells_to((int_lanes)row, sight.cell_z, sight.fraction_z, &rest_z);
   const lanes bend = sight.bend_x_m * (x * x) + sight.bend_z_m * (z * z);
-  const lanes target_m = gathered(ground.heights_m, row * field.columns + column);
+  const lanes target_m = gathered(terrain.heights_m, row * field.columns + column);
   const lanes rise = (target_m - sight.eye_m) + (sight.target_above_m - sight.eye_rest_m) - bend;
   const Rays rays = {(int_lanes)sight.cell_x,
                      (int_lanes)sight.cell_z,
@@ -34,19 +34,19 @@ INLINE int_lanes is_seen(Ground ground, TerrainSight sight, int_lanes first_leve
                      rest_z,
                      rise,
                      (lanes)1.0f};
-  Course course = course_of(field, rays);
-  course.bend = bend;
+  RaySetup ray_setup = ray_setup_of(field, rays);
+  ray_setup.bend = bend;
   const SightEnds ends = {column, (int_lanes)row, sight.eye_above_m, sight.target_above_m};
-  return is_in_sight(ground, course, level_at_start(field, course, first_level), ends);
+  return is_in_sight(terrain, ray_setup, level_at_start(field, ray_setup, first_level), ends);
 }
 
-__kernel void sight_walk(__global const float *restrict heights_m, __global const float *restrict lids_m,
+__kernel void sight_walk(__global const float *restrict heights_m, __global const float *restrict maxima_m,
                          TerrainField field, TerrainSight sight, int columns_each, __global uchar *seen) {
-  const Ground ground = {heights_m, lids_m, field};
+  const Terrain terrain = {heights_m, maxima_m, field};
   const int row = (int)get_global_id(1), first = (int)get_global_id(0) * columns_each;
   const int end = min(first + columns_each, field.columns);
   const float z = (float)(row - sight.cell_z) - sight.fraction_z, far_z = sight.radius_share_z * (z * z);
-  const int_lanes first_level = level_at_origin(ground, (int_lanes)sight.cell_x, (int_lanes)sight.cell_z,
+  const int_lanes first_level = level_at_origin(terrain, (int_lanes)sight.cell_x, (int_lanes)sight.cell_z,
                                                 (lanes)sight.eye_m);
   __global uchar *of_row = seen + (size_t)row * field.columns;
   int columns[LANES];
@@ -63,7 +63,7 @@ __kernel void sight_walk(__global const float *restrict heights_m, __global cons
     if (count == LANES || (count > 0 && column == end - 1)) {
       for (int lane = count; lane < LANES; ++lane) columns[lane] = columns[0];
       int answers[LANES];
-      store_lanes(is_seen(ground, sight, first_level, load_lanes(columns), row), answers);
+      store_lanes(is_seen(terrain, sight, first_level, load_lanes(columns), row), answers);
       for (int lane = 0; lane < count; ++lane) {
         of_row[columns[lane]] = answers[lane] != 0 ? SIGHT_VISIBLE : SIGHT_HIDDEN;
       }

@@ -3,7 +3,7 @@
 // In:  image [height_px][width_px] (r, g, b, coverage) of terrain/terrain_shade.cl; least_contrast.
 // Out: needs [height_px][width_px] of shared/terrain_light.h: many where coverage changes or the contrast is four times
 //      the least or more, few where it is more than the least.
-#include "shared/terrain_light.h"
+#include "shared/terrain_light_params.h"
 
 __kernel void terrain_contrast(__global const float4 *restrict image, int width_px, int height_px, float least_contrast,
                                __global uchar *restrict needs) {

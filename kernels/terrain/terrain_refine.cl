@@ -1,11 +1,11 @@
-// The light of pixels that need more rays than one, as the mean over rays of their own, spread evenly over each: terrain/ground_light.clh.
-// In:  heights, lids, field, view, light, sky, view_table, look, colours, sky_shares as of terrain/terrain_shade.cl; needs [height_px][width_px]
+// The light of pixels that need more rays than one, as the mean over rays of their own, spread evenly over each: terrain/terrain_light.clh.
+// In:  heights, maxima, field, view, light, sky, view_table, look, colours, sky_shares as of terrain/terrain_shade.cl; needs [height_px][width_px]
 //      of terrain/terrain_contrast.cl; samples, rays of a pixel that needs many.
 // Inout: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709, times the coverage.
 #include "terrain/endless.clh"
-#include "terrain/ground_light.clh"
+#include "terrain/terrain_light.clh"
 #include "terrain/hit_places.clh"
-#include "terrain/picture_rays.clh"
+#include "terrain/image_rays.clh"
 
 // In [0, 1): the bits of a number mirrored at the point. In floats, because compilers make of whole numbers a bit reversal
 // that Oclgrind 21.10 does not know.
@@ -22,26 +22,26 @@ INLINE float radical_inverse(int number) {
 // not flicker: the points of Hammersley, one in each of `samples` columns of a pixel and, where they are a power of 2, rows.
 INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first_level, lanes column, lanes row,
                            int samples, float4 *lights) {
-  const TerrainField field = scenery->ground.field;
+  const TerrainField field = scenery->terrain.field;
   const float sample_rad = pixel_rad(view) / sqrt((float)samples);
   Colours sum = plain_colour(0.0f, 0.0f, 0.0f);
   lanes covered = (lanes)0.0f;
   for (int i = 0; i < samples; ++i) {
     const Rays rays = rays_through(field, view, column + ((float)i + 0.5f) / (float)samples,
                                    row + radical_inverse(i) + 0.5f / (float)samples);
-    Course course = course_of(field, rays);
-    const Hits hits = first_hits(scenery->ground, first_level, &course);
-    const HitPlaces places = places_of_hits(scenery->ground, course.ray, hits);
+    RaySetup ray_setup = ray_setup_of(field, rays);
+    const Hits hits = first_hits(scenery->terrain, first_level, &ray_setup);
+    const HitPlaces places = places_of_hits(scenery->terrain, ray_setup.ray, hits);
     const int_lanes is_met = mask_of(hits.kind != TERRAIN_MISS);
     const lanes t_m = select((lanes)1.0f, hits.t_m + hits.rest_m, is_met);
-    const int_lanes is_hit = is_met & shown_by_height(scenery->look, course.ray, t_m);
-    GroundHits on_ground = {is_hit, places.cell_x, places.cell_z, t_m, places.u, places.v, t_m * sample_rad,
+    const int_lanes is_hit = is_met & shown_by_height(scenery->look, ray_setup.ray, t_m);
+    TerrainHits on_ground = {is_hit, places.cell_x, places.cell_z, t_m, places.u, places.v, t_m * sample_rad,
                          (lanes)1.0f, (lanes)1.0f};
 #if MAP_EDGE == TERRAIN_EDGE_MIRRORS
     on_ground.way_x = select((lanes)1.0f, (lanes)-1.0f, hits.flips_x);
     on_ground.way_z = select((lanes)1.0f, (lanes)-1.0f, hits.flips_z);
 #endif
-    const Colours seen = ground_light(scenery, rays, on_ground);
+    const Colours seen = terrain_light(scenery, rays, on_ground);
     sum.red += seen.red;
     sum.green += seen.green;
     sum.blue += seen.blue;
@@ -57,17 +57,17 @@ INLINE void mean_light(const Scenery *scenery, TerrainView view, int_lanes first
   }
 }
 
-__kernel void terrain_refine(__global const float *restrict heights_m, __global const float *restrict lids_m,
+__kernel void terrain_refine(__global const float *restrict heights_m, __global const float *restrict maxima_m,
                              TerrainField field, TerrainView view, TerrainLight light, SkyParams sky,
                              __global const float4 *restrict view_table, TerrainLook look,
                              __global const uint *restrict colours, __global const uchar *restrict sky_shares,
                              const CloudShadowParams shadow, __global const float4 *restrict shadow_map,
                              __global const uchar *restrict needs, int samples, __global float4 *restrict image) {
-  const Scenery scenery = {{heights_m, lids_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map};
+  const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map};
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   int_lanes first_level = (int_lanes)field.first_level;
   if (field.starts_at_origin) {
-    first_level = level_at_origin(scenery.ground, (int_lanes)view.cell_x, (int_lanes)view.cell_z, (lanes)view.height_m);
+    first_level = level_at_origin(scenery.terrain, (int_lanes)view.cell_x, (int_lanes)view.cell_z, (lanes)view.height_m);
   }
   for (int need = TERRAIN_FEW_RAYS; need <= TERRAIN_MANY_RAYS; ++need) {
     // The tile's pixels of this need, LANES at a time.

@@ -1,15 +1,15 @@
-// The light that a camera sees of the ground its rays hit, one ray a pixel: terrain/ground_light.clh.
-// In:  heights [rows][columns] m, lids of terrain/pyramid_base.cl and pyramid_reduce.cl, or with TILED the pool and pages
+// The light that a camera sees of the ground its rays hit, one ray a pixel: terrain/terrain_light.clh.
+// In:  heights [rows][columns] m, maxima of terrain/pyramid_base.cl and pyramid_reduce.cl, or with TILED the pool and pages
 //      of shared/terrain_tiles.h; field, view (shared/terrain.h); hits [height_px][width_px] of
 //      terrain/quadtree_cast.cl for the same view; light; sky and view_table of sky/view_table.cl for the same eye;
 //      look (shared/terrain_look.h), colours of terrain/colour_base.cl and colour_reduce.cl, sky_shares of
 //      terrain/open_sky.cl: of none of these, anything.
 // Out: image [height_px][width_px] (r, g, b, coverage), kcd/m2, linear Rec.709; (0, 0, 0, 0) where rays miss,
 //      or what they hit is under water.
-#include "terrain/ground_light.clh"
-#include "terrain/picture_rays.clh"
+#include "terrain/terrain_light.clh"
+#include "terrain/image_rays.clh"
 
-INLINE GroundHits ground_hits(__global const TerrainHit *hits, TerrainView view, int column, int row) {
+INLINE TerrainHits terrain_hits(__global const TerrainHit *hits, TerrainView view, int column, int row) {
   int numbers[3][LANES];
   float places[3][LANES];
   for (int lane = 0; lane < LANES; ++lane) {
@@ -24,9 +24,9 @@ INLINE GroundHits ground_hits(__global const TerrainHit *hits, TerrainView view,
     places[2][lane] = hit.v;
   }
   const lanes t_m = load_lanes(places[0]);
-  const GroundHits ground = {load_lanes(numbers[0]), load_lanes(numbers[1]), load_lanes(numbers[2]), t_m,
+  const TerrainHits terrain = {load_lanes(numbers[0]), load_lanes(numbers[1]), load_lanes(numbers[2]), t_m,
                              load_lanes(places[1]),  load_lanes(places[2]),  t_m * pixel_rad(view), (lanes)1.0f, (lanes)1.0f};
-  return ground;
+  return terrain;
 }
 
 #if MAP_EDGE == TERRAIN_EDGE_MIRRORS
@@ -37,29 +37,29 @@ INLINE lanes turned(int cell, float fraction, lanes way, int cells) {
 }
 #endif
 
-__kernel void terrain_shade(__global const float *restrict heights_m, __global const float *restrict lids_m,
+__kernel void terrain_shade(__global const float *restrict heights_m, __global const float *restrict maxima_m,
                             TerrainField field, TerrainView view, __global const TerrainHit *restrict hits,
                             TerrainLight light, SkyParams sky, __global const float4 *restrict view_table,
                             TerrainLook look, __global const uint *restrict colours, __global const uchar *restrict sky_shares,
                             const CloudShadowParams shadow, __global const float4 *restrict shadow_map,
                             __global float4 *restrict image) {
-  const Scenery scenery = {{heights_m, lids_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map};
+  const Scenery scenery = {{heights_m, maxima_m, field}, light, sky, view_table, look, colours, sky_shares, shadow, shadow_map};
   const int left = (int)get_global_id(0) * TILE_COLUMNS, top = (int)get_global_id(1) * TILE_ROWS;
   for (int row = top; row < min(top + TILE_ROWS, view.height_px); row += BLOCK_ROWS) {
     for (int column = left; column < min(left + TILE_COLUMNS, view.width_px); column += BLOCK_COLUMNS) {
       const Rays rays = rays_of(field, view, column + (int_lanes)lane_column, row + (int_lanes)lane_row);
-      GroundHits ground = ground_hits(hits, view, column, row);
-      ground.is_hit &= shown_by_height(look, rays, ground.t_m);
+      TerrainHits terrain = terrain_hits(hits, view, column, row);
+      terrain.is_hit &= shown_by_height(look, rays, terrain.t_m);
 #if MAP_EDGE == TERRAIN_EDGE_MIRRORS
-      ground.way_x = turned(view.cell_x, view.fraction_x, ground.t_m * rays.along_x, field.cells_x);
-      ground.way_z = turned(view.cell_z, view.fraction_z, ground.t_m * rays.along_z, field.cells_z);
+      terrain.way_x = turned(view.cell_x, view.fraction_x, terrain.t_m * rays.along_x, field.cells_x);
+      terrain.way_z = turned(view.cell_z, view.fraction_z, terrain.t_m * rays.along_z, field.cells_z);
 #endif
-      const Colours seen = ground_light(&scenery, rays, ground);
+      const Colours seen = terrain_light(&scenery, rays, terrain);
       float values[4][LANES];
       store_lanes(seen.red, values[0]);
       store_lanes(seen.green, values[1]);
       store_lanes(seen.blue, values[2]);
-      store_lanes(select((lanes)0.0f, (lanes)1.0f, ground.is_hit), values[3]);
+      store_lanes(select((lanes)0.0f, (lanes)1.0f, terrain.is_hit), values[3]);
       for (int lane = 0; lane < LANES; ++lane) {
         const int x = column + lane % BLOCK_COLUMNS, y = row + lane / BLOCK_COLUMNS;
         if (x >= view.width_px || y >= view.height_px) continue;

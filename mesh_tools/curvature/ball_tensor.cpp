@@ -1,6 +1,6 @@
 #include "host/base/parallel_chunks.h"
 #include "mesh_tools/curvature/methods.h"
-#include "mesh_tools/curvature/region.h"
+#include "mesh_tools/curvature/vertex_region.h"
 
 namespace offing::mesh_tools {
 namespace {

@@ -5,20 +5,22 @@
 
 #include <fmt/format.h>
 
-#include "host/scene/prepare/own_puffs.h"
+#include "host/scene/prepare/own_billboards.h"
 #include "host/scene/prepare/scene_clouds.h"
 
 namespace offing::present {
 namespace {
 
-std::pair<std::string, std::string> folders_of(const scene::OceanScene& scene) {
-  return {scene.cloud_settings.crisp_puffs, scene.cloud_settings.soft_puffs};
+std::pair<std::string, std::string> folders_of(const scene::Scene& scene) {
+  return {scene.cloud_settings.crisp_billboards, scene.cloud_settings.soft_billboards};
 }
 
 }  // namespace
 
-CloudBuilder::CloudBuilder(const ocl::DeviceInfo& device, const scene::OceanScene& shown)
-    : grower_(ocl::Device::open(device)), puff_folders_(folders_of(shown)), thread_([this] { work(); }) {}
+CloudBuilder::CloudBuilder(const ocl::DeviceInfo& device, const scene::Scene& shown)
+    : grower_(ocl::Device::open(device)),
+      billboard_folders_(folders_of(shown)),
+      thread_([this] { work(); }) {}
 
 CloudBuilder::~CloudBuilder() {
   {
@@ -35,7 +37,7 @@ world::CloudSkyParameters CloudBuilder::grow(world::CloudSkyParameters sky, cons
   return grower_.grown(std::move(sky), cancel);
 }
 
-void CloudBuilder::begin(const scene::OceanScene& scene, Haste haste) {
+void CloudBuilder::begin(const scene::Scene& scene, Haste haste) {
   {
     const std::lock_guard lock(mutex_);
     waiting_ = scene;
@@ -47,7 +49,7 @@ void CloudBuilder::begin(const scene::OceanScene& scene, Haste haste) {
 std::optional<std::variant<BuiltClouds, Error>> CloudBuilder::take() {
   const std::lock_guard lock(mutex_);
   if (ready_ && std::holds_alternative<BuiltClouds>(*ready_)) {
-    std::get<BuiltClouds>(*ready_).puffs = std::exchange(ready_puffs_, std::nullopt);
+    std::get<BuiltClouds>(*ready_).billboards = std::exchange(ready_billboards_, std::nullopt);
   }
   return std::exchange(ready_, std::nullopt);
 }
@@ -63,14 +65,14 @@ std::optional<world::CloudProgress> CloudBuilder::progress() const {
   return progress_;
 }
 
-std::variant<BuiltClouds, Error> CloudBuilder::built(const scene::OceanScene& scene,
-                                                     std::optional<clouds::PuffTextures>& puffs) {
+std::variant<BuiltClouds, Error> CloudBuilder::built(const scene::Scene& scene,
+                                                     std::optional<clouds::BillboardTextures>& billboards) {
   try {
-    BuiltClouds result{.scene = scene, .sky = {}, .puffs = {}};
-    if (folders_of(scene) != puff_folders_) {
-      puffs = scene::own_puffs(scene);
-      if (!puffs) puffs = clouds::puff_textures();
-      puff_folders_ = folders_of(scene);
+    BuiltClouds result{.scene = scene, .sky = {}, .billboards = {}};
+    if (folders_of(scene) != billboard_folders_) {
+      billboards = scene::own_billboards(scene);
+      if (!billboards) billboards = clouds::billboard_textures();
+      billboard_folders_ = folders_of(scene);
     }
     result.sky = scene::prepare_clouds(scene, shapes_);
     if (result.sky) {
@@ -97,18 +99,18 @@ void CloudBuilder::work() {
   while (true) {
     changed_.wait(lock, [&] { return waiting_ || is_closing_; });
     if (is_closing_) return;
-    const scene::OceanScene scene = *std::exchange(waiting_, std::nullopt);
+    const scene::Scene scene = *std::exchange(waiting_, std::nullopt);
     CancelToken cancel;
     running_ = &cancel;
     progress_ = world::CloudProgress{};
-    std::optional<clouds::PuffTextures> puffs;
+    std::optional<clouds::BillboardTextures> billboards;
     lock.unlock();
-    std::variant<BuiltClouds, Error> result = built(scene, puffs);
+    std::variant<BuiltClouds, Error> result = built(scene, billboards);
     lock.lock();
     running_ = nullptr;
     // Where a newer scene waits, nobody needs what was given up.
     if (!cancel.cancelled()) ready_ = std::move(result);
-    if (puffs) ready_puffs_ = std::move(puffs);
+    if (billboards) ready_billboards_ = std::move(billboards);
     changed_.notify_all();
   }
 }

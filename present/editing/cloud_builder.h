@@ -11,9 +11,9 @@
 
 #include "host/base/cancel_token.h"
 #include "host/base/error.h"
-#include "host/clouds/image/puff_textures.h"
+#include "host/clouds/image/billboard_textures.h"
 #include "host/ocl/device.h"
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 #include "host/scene/prepare/cloud_shapes.h"
 #include "host/world/cloud_grower.h"
 
@@ -21,10 +21,10 @@ namespace offing::present {
 
 /// The clouds of an edited scene, ready for a world.
 struct BuiltClouds {
-  scene::OceanScene scene;
+  scene::Scene scene;
   std::optional<world::CloudSkyParameters> sky;  ///< with particles; none: the scene has no clouds
   /// Where the scene names other pictures than the one that was taken before.
-  std::optional<clouds::PuffTextures> puffs;
+  std::optional<clouds::BillboardTextures> billboards;
 };
 
 /// What becomes of clouds that are being made when a newer edit comes.
@@ -38,7 +38,7 @@ enum class Haste {
 class CloudBuilder {
  public:
   /// Opens the device. `shown` is the scene that is shown already. Throws what ocl::Device::open() throws.
-  CloudBuilder(const ocl::DeviceInfo& device, const scene::OceanScene& shown);
+  CloudBuilder(const ocl::DeviceInfo& device, const scene::Scene& shown);
   CloudBuilder(const CloudBuilder&) = delete;
   CloudBuilder& operator=(const CloudBuilder&) = delete;
   /// Gives up what is being made and waits until it has noticed.
@@ -48,7 +48,7 @@ class CloudBuilder {
   /// world::CloudGrower::grown() throws.
   world::CloudSkyParameters grow(world::CloudSkyParameters sky, const CancelToken& cancel);
 
-  void begin(const scene::OceanScene& scene, Haste haste);
+  void begin(const scene::Scene& scene, Haste haste);
   /// What is ready since the last call, if anything; the fault of a scene whose clouds could not be made.
   std::optional<std::variant<BuiltClouds, Error>> take();
   /// Waits until all that was begun has come to an end.
@@ -59,17 +59,17 @@ class CloudBuilder {
 
  private:
   void work();
-  std::variant<BuiltClouds, Error> built(const scene::OceanScene& scene,
-                                         std::optional<clouds::PuffTextures>& puffs);
+  std::variant<BuiltClouds, Error> built(const scene::Scene& scene,
+                                         std::optional<clouds::BillboardTextures>& billboards);
 
   world::CloudGrower grower_;
   scene::CloudShapes shapes_;
-  std::pair<std::string, std::string> puff_folders_;  // whose pictures were read last
-  mutable std::mutex mutex_;                          // for what follows
+  std::pair<std::string, std::string> billboard_folders_;  // whose pictures were read last
+  mutable std::mutex mutex_;                               // for what follows
   std::condition_variable changed_;
-  std::optional<scene::OceanScene> waiting_;
+  std::optional<scene::Scene> waiting_;
   std::optional<std::variant<BuiltClouds, Error>> ready_;
-  std::optional<clouds::PuffTextures> ready_puffs_;
+  std::optional<clouds::BillboardTextures> ready_billboards_;
   world::CloudProgress progress_;
   CancelToken* running_ = nullptr;
   bool is_closing_ = false;

@@ -160,7 +160,7 @@ Edit CloudEditor::release(ViewState& state, const ShownClouds& shown, const Scre
   return Edit::none;
 }
 
-Edit CloudEditor::turn(ViewState& state, const world::CloudsView* view, const Screen& screen,
+Edit CloudEditor::turn(ViewState& state, const world::WorldClouds* view, const Screen& screen,
                        const std::vector<PointerEvent>& events, const PointerNow& pointer) {
   forget_lost_picks(state);
   const ShownClouds shown{state.scene, view, state.clock.time_s()};
@@ -203,7 +203,7 @@ Edit CloudEditor::remove(ViewState& state) {
   return Edit::done;
 }
 
-Edit CloudEditor::duplicate(ViewState& state, const world::CloudsView* view) {
+Edit CloudEditor::duplicate(ViewState& state, const world::WorldClouds* view) {
   let_go();
   forget_lost_picks(state);
   CloudEditing& editing = state.clouds;

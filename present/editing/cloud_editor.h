@@ -18,7 +18,7 @@ class CloudEditor {
   /// Takes in what the left button did. A press on a handle holds it until the button is let go; a click
   /// elsewhere picks, with Shift beside what is picked; a drag with Shift picks what is in its box. Says how
   /// far an edit has come. Throws Error(bad_usage) for what cannot be done.
-  Edit turn(ViewState& state, const world::CloudsView* view, const Screen& screen,
+  Edit turn(ViewState& state, const world::WorldClouds* view, const Screen& screen,
             const std::vector<PointerEvent>& events, const PointerNow& pointer);
   /// Whether a handle or a box is held: the mouse does not move the camera then.
   bool holds() const { return grab_ || (pressed_ && is_boxing()); }
@@ -31,7 +31,7 @@ class CloudEditor {
   // What keys do. Throw as turn() does.
 
   Edit remove(ViewState& state);
-  Edit duplicate(ViewState& state, const world::CloudsView* view);
+  Edit duplicate(ViewState& state, const world::WorldClouds* view);
 
  private:
   /// What a hand found when it took hold.
@@ -39,7 +39,7 @@ class CloudEditor {
     CloudHandle handle;
     Sphere sphere;
     glm::dvec2 from{0.0};  // in clip coordinates
-    scene::OceanScene before;
+    scene::Scene before;
     PickedParticles particles;
     glm::dvec2 at{0.0};  // that the scene has been pulled to
     bool has_pulled = false;

@@ -15,7 +15,7 @@ namespace offing::present {
 namespace {
 
 using scene::CloudScene;
-using scene::OceanScene;
+using scene::Scene;
 
 /// Within the range of a row, in its stored unit.
 double within(const char* key, double value) {
@@ -24,14 +24,14 @@ double within(const char* key, double value) {
 }
 
 /// A value of a cloud, with its keyframes.
-void move_value(OceanScene& scene, std::size_t cloud, const char* key, double& value, double way) {
+void move_value(Scene& scene, std::size_t cloud, const char* key, double& value, double way) {
   value = within(key, value + way);
   const auto track = scene.tracks.find({key, {cloud, 0}});
   if (track == scene.tracks.end()) return;
   for (Keyframe& at : track->second.keys) at.value = within(key, at.value + way);
 }
 
-void move_cloud(OceanScene& scene, std::size_t index, const glm::dvec3& way_m) {
+void move_cloud(Scene& scene, std::size_t index, const glm::dvec3& way_m) {
   const double altitude_m = scene::cloud_parameters_of(scene, index).position_m.y;
   CloudScene& cloud = scene.clouds[index];
   if (way_m.y != 0.0 && !cloud.altitude_m) cloud.altitude_m = altitude_m;
@@ -49,7 +49,7 @@ void require_room(const char* key, std::size_t count) {
               "remove some first");
 }
 
-void copy_keys(OceanScene& scene, std::size_t from, std::size_t to) {
+void copy_keys(Scene& scene, std::size_t from, std::size_t to) {
   std::vector<std::pair<scene::ValueKey, KeyframeTrack>> copies;
   for (const auto& [key, track] : scene.tracks) {
     if (scene::find_parameter(key.key)->group != scene::ParameterGroup::cloud || key.element.outer != from)
@@ -63,7 +63,7 @@ void copy_keys(OceanScene& scene, std::size_t from, std::size_t to) {
 
 }  // namespace
 
-bool has_part(const OceanScene& scene, const CloudPart& part) {
+bool has_part(const Scene& scene, const CloudPart& part) {
   if (part.cloud >= scene.clouds.size()) return false;
   if (!part.ball) return true;
   const CloudScene& cloud = scene.clouds[part.cloud];
@@ -73,11 +73,11 @@ bool has_part(const OceanScene& scene, const CloudPart& part) {
   return *part.ball < count;
 }
 
-glm::dvec3 origin_of_cloud(const OceanScene& scene, std::size_t cloud, double time_s) {
+glm::dvec3 origin_of_cloud(const Scene& scene, std::size_t cloud, double time_s) {
   return clouds::cloud_origin_m(scene::cloud_parameters_of(scene, cloud), time_s);
 }
 
-std::vector<Sphere> balls_of(const OceanScene& scene, std::size_t cloud, double time_s) {
+std::vector<Sphere> balls_of(const Scene& scene, std::size_t cloud, double time_s) {
   if (scene.clouds[cloud].shape.is_given()) return {};
   const clouds::CloudParameters parameters = scene::cloud_parameters_of(scene, cloud);
   const glm::dvec3 origin_m = clouds::cloud_origin_m(parameters, time_s);
@@ -88,7 +88,7 @@ std::vector<Sphere> balls_of(const OceanScene& scene, std::size_t cloud, double 
   return spheres;
 }
 
-std::vector<clouds::Metaball>& own_balls(OceanScene& scene, std::size_t index) {
+std::vector<clouds::Metaball>& own_balls(Scene& scene, std::size_t index) {
   CloudScene& cloud = scene.clouds[index];
   if (!cloud.balls.empty()) return cloud.balls;
   const clouds::CloudParameters parameters = scene::cloud_parameters_of(scene, index);
@@ -102,7 +102,7 @@ std::vector<clouds::Metaball>& own_balls(OceanScene& scene, std::size_t index) {
   return cloud.balls;
 }
 
-void move_part(OceanScene& scene, const CloudPart& part, const glm::dvec3& way_m) {
+void move_part(Scene& scene, const CloudPart& part, const glm::dvec3& way_m) {
   if (!part.ball) {
     move_cloud(scene, part.cloud, way_m);
     return;
@@ -113,7 +113,7 @@ void move_part(OceanScene& scene, const CloudPart& part, const glm::dvec3& way_m
               within("cloud.ball.z_m", centre_m.z)};
 }
 
-void resize_part(OceanScene& scene, const CloudPart& part, double ratio) {
+void resize_part(Scene& scene, const CloudPart& part, double ratio) {
   if (part.ball) {
     double& radius_m = own_balls(scene, part.cloud)[*part.ball].radius_m;
     radius_m = within("cloud.ball.radius_m", ratio * radius_m);
@@ -123,7 +123,7 @@ void resize_part(OceanScene& scene, const CloudPart& part, double ratio) {
   }
 }
 
-void remove_parts(OceanScene& scene, std::vector<CloudPart> parts) {
+void remove_parts(Scene& scene, std::vector<CloudPart> parts) {
   // The last ones first, so that those before them keep their numbers; a cloud goes after its balls.
   std::sort(parts.begin(), parts.end(), [](const CloudPart& a, const CloudPart& b) {
     if (a.cloud != b.cloud) return a.cloud > b.cloud;
@@ -147,9 +147,9 @@ void remove_parts(OceanScene& scene, std::vector<CloudPart> parts) {
   }
 }
 
-std::vector<CloudPart> duplicate_parts(OceanScene& scene, const std::vector<CloudPart>& parts,
+std::vector<CloudPart> duplicate_parts(Scene& scene, const std::vector<CloudPart>& parts,
                                        const glm::dvec3& way_m) {
-  OceanScene changed = scene;  // where there is no room for all nothing has changed
+  Scene changed = scene;  // where there is no room for all nothing has changed
   std::vector<CloudPart> copies;
   for (const CloudPart& part : parts) {
     if (part.ball) {
@@ -169,10 +169,10 @@ std::vector<CloudPart> duplicate_parts(OceanScene& scene, const std::vector<Clou
   return copies;
 }
 
-CloudPart add_ball(OceanScene& scene, std::optional<std::size_t> cloud, clouds::Genus genus,
-                   const Sphere& ball, double time_s) {
+CloudPart add_ball(Scene& scene, std::optional<std::size_t> cloud, clouds::Genus genus, const Sphere& ball,
+                   double time_s) {
   const bool is_first = !cloud;
-  OceanScene changed = scene;  // where there is no room nothing has changed
+  Scene changed = scene;  // where there is no room nothing has changed
   const std::size_t index = is_first ? add_cloud(changed, genus, ball.centre_m).cloud : *cloud;
   if (changed.clouds[index].shape.is_given()) {
     throw Error(ErrorKind::bad_usage, "cloud.ball: expected a cloud of balls, found one with a shape",
@@ -189,7 +189,7 @@ CloudPart add_ball(OceanScene& scene, std::optional<std::size_t> cloud, clouds::
   return {index, last};
 }
 
-CloudPart add_cloud(OceanScene& scene, clouds::Genus genus, const glm::dvec3& place_m) {
+CloudPart add_cloud(Scene& scene, clouds::Genus genus, const glm::dvec3& place_m) {
   require_room("cloud.name", scene.clouds.size());
   // A first cloud does not take the sea away.
   scene.names_sea = scene.has_sea();
@@ -202,7 +202,7 @@ CloudPart add_cloud(OceanScene& scene, clouds::Genus genus, const glm::dvec3& pl
   return {scene.clouds.size() - 1, {}};
 }
 
-void apply_genus(OceanScene& scene, std::size_t index, clouds::Genus genus) {
+void apply_genus(Scene& scene, std::size_t index, clouds::Genus genus) {
   CloudScene& cloud = scene.clouds[index];
   CloudScene plain;
   plain.name = std::move(cloud.name);

@@ -27,7 +27,7 @@ ImVec2 point(glm::dvec2 place_px) {
 
 class Overlay {
  public:
-  Overlay(const ViewState& state, const world::CloudsView* view)
+  Overlay(const ViewState& state, const world::WorldClouds* view)
       : state_(state),
         shown_{state.scene, view, state.clock.time_s()},
         screen_{state.camera.camera(), {ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y}},
@@ -117,7 +117,7 @@ class Overlay {
 
 }  // namespace
 
-void draw_cloud_overlay(const ViewState& state, const world::CloudsView* view,
+void draw_cloud_overlay(const ViewState& state, const world::WorldClouds* view,
                         const std::optional<ClipBox>& box) {
   const Overlay overlay(state, view);
   if (state.clouds.pick == CloudPick::balls) overlay.draw_balls();

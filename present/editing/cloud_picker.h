@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "host/world/clouds_view.h"
+#include "host/world/world_clouds.h"
 #include "present/editing/cloud_edits.h"
 #include "present/editing/particle_picks.h"
 
@@ -11,8 +11,8 @@ namespace offing::present {
 
 /// The clouds of a scene as they are shown at a time. `view` may lag behind the scene, and be none.
 struct ShownClouds {
-  const scene::OceanScene& scene;
-  const world::CloudsView* view = nullptr;
+  const scene::Scene& scene;
+  const world::WorldClouds* view = nullptr;
   double time_s = 0.0;
 };
 

@@ -14,14 +14,14 @@ namespace {
 using highlights::DrawnHighlight;
 
 constexpr double click_px = 4.0;  // a press that moves further is no click
-// A push goes no further than this a frame: where the surface bends the next ones mend the way.
+// A push goes no further than this a frame: where the surface bends the next ones fix the way.
 constexpr double most_half_widths = 1.0;
 
 constexpr ImU32 line_colour = IM_COL32(255, 255, 255, 220), shade_colour = IM_COL32(0, 0, 0, 160),
                 move_colour = IM_COL32(255, 200, 40, 255), turn_colour = IM_COL32(90, 200, 255, 255),
                 size_colour = IM_COL32(120, 230, 120, 255);
 
-highlights::Projector box_in_world(const std::vector<world::MeshView>& meshes, const HighlightName& name,
+highlights::Projector box_in_world(const std::vector<world::WorldMesh>& meshes, const HighlightName& name,
                                    const DrawnHighlight& highlight) {
   return in_world(highlight.whole, meshes[name.mesh].motion());
 }
@@ -45,7 +45,7 @@ void draw_handle(ImDrawList& list, const HandlePlace& place) {
 
 }  // namespace
 
-void HighlightEditor::press(ViewState& state, const std::vector<world::MeshView>& meshes,
+void HighlightEditor::press(ViewState& state, const std::vector<world::WorldMesh>& meshes,
                             const Screen& screen, glm::dvec2 clip) {
   pressed_ = clip;
   const DrawnHighlight* highlight = picked_highlight(state.scene, meshes, state.picked);
@@ -63,8 +63,8 @@ void HighlightEditor::press(ViewState& state, const std::vector<world::MeshView>
   if (moves && !state.clock.is_paused()) state.clock.toggle_pause();
 }
 
-void HighlightEditor::pull(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
-                           glm::dvec2 clip) {
+void HighlightEditor::pull(ViewState& state, const std::vector<world::WorldMesh>& meshes,
+                           const Screen& screen, glm::dvec2 clip) {
   const DrawnHighlight* highlight = picked_highlight(state.scene, meshes, state.picked);
   if (highlight == nullptr) return;
   const highlights::RigidMotion& motion = meshes[state.picked->mesh].motion();
@@ -85,8 +85,9 @@ void HighlightEditor::pull(ViewState& state, const std::vector<world::MeshView>&
                  state.clock.time_s());
 }
 
-Edit HighlightEditor::turn(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
-                           const std::vector<PointerEvent>& events, glm::dvec2 pointer) {
+Edit HighlightEditor::turn(ViewState& state, const std::vector<world::WorldMesh>& meshes,
+                           const Screen& screen, const std::vector<PointerEvent>& events,
+                           glm::dvec2 pointer) {
   Edit edit = Edit::none;
   for (const PointerEvent& event : events) {
     if (event.kind == PointerEvent::Kind::pressed) {
@@ -108,7 +109,7 @@ Edit HighlightEditor::turn(ViewState& state, const std::vector<world::MeshView>&
   return Edit::going_on;
 }
 
-Edit HighlightEditor::set_keys(ViewState& state, const std::vector<world::MeshView>& meshes) const {
+Edit HighlightEditor::set_keys(ViewState& state, const std::vector<world::WorldMesh>& meshes) const {
   const DrawnHighlight* highlight = picked_highlight(state.scene, meshes, state.picked);
   if (highlight == nullptr) {
     state.message = {.text = "no highlight is picked: click on one first"};
@@ -119,7 +120,7 @@ Edit HighlightEditor::set_keys(ViewState& state, const std::vector<world::MeshVi
   return Edit::done;
 }
 
-void draw_highlight_handles(const HighlightName& picked, const std::vector<world::MeshView>& meshes,
+void draw_highlight_handles(const HighlightName& picked, const std::vector<world::WorldMesh>& meshes,
                             const Camera& camera) {
   const DrawnHighlight* highlight = find_highlight(meshes, picked);
   if (highlight == nullptr) return;

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "host/world/mesh_view.h"
+#include "host/world/world_mesh.h"
 #include "present/editing/highlight_handles.h"
 #include "present/editing/mesh_picker.h"
 #include "present/panels/panels.h"
@@ -18,13 +18,13 @@ class HighlightEditor {
   /// Takes in what the left button did. A press on a handle holds it until the button is let go; a click
   /// elsewhere picks the highlight there, or none. Time stops where a handle of what has keyframes is held.
   /// Says how far an edit has come.
-  Edit turn(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
+  Edit turn(ViewState& state, const std::vector<world::WorldMesh>& meshes, const Screen& screen,
             const std::vector<PointerEvent>& events, glm::dvec2 pointer);
   /// Whether a handle is held: the mouse does not move the camera then.
   bool holds() const { return grab_.has_value(); }
 
   /// Sets keyframes of the picked highlight's controls at the state's time, as it is shown.
-  Edit set_keys(ViewState& state, const std::vector<world::MeshView>& meshes) const;
+  Edit set_keys(ViewState& state, const std::vector<world::WorldMesh>& meshes) const;
 
  private:
   /// What a hand found when it took hold.
@@ -35,9 +35,9 @@ class HighlightEditor {
     glm::dvec2 from_m;          // in the box's plane
   };
 
-  void press(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
+  void press(ViewState& state, const std::vector<world::WorldMesh>& meshes, const Screen& screen,
              glm::dvec2 clip);
-  void pull(ViewState& state, const std::vector<world::MeshView>& meshes, const Screen& screen,
+  void pull(ViewState& state, const std::vector<world::WorldMesh>& meshes, const Screen& screen,
             glm::dvec2 clip);
 
   MeshPicker picker_;
@@ -46,7 +46,7 @@ class HighlightEditor {
 };
 
 /// Draws the box and the handles of the picked highlight behind ImGui's windows.
-void draw_highlight_handles(const HighlightName& picked, const std::vector<world::MeshView>& meshes,
+void draw_highlight_handles(const HighlightName& picked, const std::vector<world::WorldMesh>& meshes,
                             const Camera& camera);
 
 }  // namespace offing::present

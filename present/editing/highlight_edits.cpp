@@ -11,8 +11,8 @@ namespace offing::present {
 namespace {
 
 using scene::ElementIndex;
-using scene::OceanScene;
 using scene::Parameter;
+using scene::Scene;
 
 enum class Keys { existing, all };
 
@@ -29,9 +29,10 @@ void set_key(KeyframeTrack& track, double time_s, double value) {
   }
 }
 
-/// The name of a lamp, as rules have it. One that has none gets one: a rule without a name is for all lamps.
-std::string name_of_lamp(OceanScene& scene, int lamp) {
-  const auto index = static_cast<std::size_t>(lamp);
+/// The name of a light, as rules have it. One that has none gets one: a rule without a name is for all
+/// lights.
+std::string name_of_light(Scene& scene, int light) {
+  const auto index = static_cast<std::size_t>(light);
   if (index >= scene.lights.size()) return "sun";
   std::string& name = scene.lights[index].name;
   for (std::size_t number = index + 1; name.empty(); ++number) {
@@ -42,7 +43,7 @@ std::string name_of_lamp(OceanScene& scene, int lamp) {
 }
 
 /// The constant of a value that moves is that of its first key, as the reader of scenes has it.
-void store_tracks(OceanScene& scene, ElementIndex element, double time_s, Keys keys) {
+void store_tracks(Scene& scene, ElementIndex element, double time_s, Keys keys) {
   for (const Parameter& row : scene::parameter_table()) {
     if (row.group != scene::ParameterGroup::highlight || row.motion == scene::ParameterMotion::constant)
       continue;
@@ -58,8 +59,8 @@ void store_tracks(OceanScene& scene, ElementIndex element, double time_s, Keys k
   }
 }
 
-void store(OceanScene& scene, ElementIndex element, const highlights::HighlightControls& controls,
-           double time_s, Keys keys) {
+void store(Scene& scene, ElementIndex element, const highlights::HighlightControls& controls, double time_s,
+           Keys keys) {
   highlights::HighlightControls& stored = scene.meshes[element.outer].highlights[element.inner].rule.controls;
   const int picture = stored.picture;  // which the scene knows by its name
   stored = controls;
@@ -69,42 +70,42 @@ void store(OceanScene& scene, ElementIndex element, const highlights::HighlightC
 
 }  // namespace
 
-ElementIndex controls_of(OceanScene& scene, const HighlightName& name,
+ElementIndex controls_of(Scene& scene, const HighlightName& name,
                          const highlights::DrawnHighlight& highlight) {
   std::vector<scene::HighlightScene>& all = scene.meshes[name.mesh].highlights;
   if (highlight.rule >= 0) return {name.mesh, static_cast<std::size_t>(highlight.rule)};
   scene::HighlightScene own;
   own.rule.nearest_m = highlight.found.centre_m;
-  own.light = name_of_lamp(scene, highlight.lamp);
+  own.light = name_of_light(scene, highlight.light);
   own.rule.controls = highlight.controls;
   all.push_back(std::move(own));
   return {name.mesh, all.size() - 1};
 }
 
-void store_controls(OceanScene& scene, ElementIndex element, const highlights::HighlightControls& controls,
+void store_controls(Scene& scene, ElementIndex element, const highlights::HighlightControls& controls,
                     double time_s) {
   store(scene, element, controls, time_s, Keys::existing);
 }
 
-void store_keys(OceanScene& scene, ElementIndex element, const highlights::HighlightControls& controls,
+void store_keys(Scene& scene, ElementIndex element, const highlights::HighlightControls& controls,
                 double time_s) {
   store(scene, element, controls, time_s, Keys::all);
 }
 
-const highlights::DrawnHighlight* picked_highlight(const OceanScene& scene,
-                                                   const std::vector<world::MeshView>& meshes,
+const highlights::DrawnHighlight* picked_highlight(const Scene& scene,
+                                                   const std::vector<world::WorldMesh>& meshes,
                                                    const std::optional<HighlightName>& picked) {
   return picked && picked->mesh < scene.meshes.size() ? find_highlight(meshes, *picked) : nullptr;
 }
 
-bool has_keys(const OceanScene& scene, ElementIndex element) {
+bool has_keys(const Scene& scene, ElementIndex element) {
   return std::any_of(scene.tracks.begin(), scene.tracks.end(), [&](const auto& track) {
     return scene::find_parameter(track.first.key)->group == scene::ParameterGroup::highlight &&
            track.first.element == element;
   });
 }
 
-void remove_keys(OceanScene& scene, ElementIndex element, const highlights::HighlightControls& controls) {
+void remove_keys(Scene& scene, ElementIndex element, const highlights::HighlightControls& controls) {
   std::erase_if(scene.tracks, [&](const auto& track) {
     const Parameter& row = *scene::find_parameter(track.first.key);
     return row.group == scene::ParameterGroup::highlight && track.first.element == element;

@@ -12,7 +12,7 @@ namespace {
 constexpr double reach = 2.0;  // half widths
 
 /// The one of a mesh that a place of it, in its axes, belongs to.
-const highlights::DrawnHighlight* nearest_highlight(const world::MeshView& mesh, const glm::dvec3& place_m,
+const highlights::DrawnHighlight* nearest_highlight(const world::WorldMesh& mesh, const glm::dvec3& place_m,
                                                     const glm::dvec3& face_normal) {
   const highlights::DrawnHighlight* nearest = nullptr;
   double least = reach;
@@ -30,7 +30,7 @@ const highlights::DrawnHighlight* nearest_highlight(const world::MeshView& mesh,
 
 }  // namespace
 
-const highlights::DrawnHighlight* find_highlight(const std::vector<world::MeshView>& meshes,
+const highlights::DrawnHighlight* find_highlight(const std::vector<world::WorldMesh>& meshes,
                                                  const HighlightName& name) {
   if (name.mesh >= meshes.size()) return nullptr;
   const highlights::DrawnHighlight* found = nullptr;
@@ -41,7 +41,7 @@ const highlights::DrawnHighlight* find_highlight(const std::vector<world::MeshVi
   return found;
 }
 
-void MeshPicker::prepare(const std::vector<world::MeshView>& meshes) {
+void MeshPicker::prepare(const std::vector<world::WorldMesh>& meshes) {
   if (trees_.size() > meshes.size())
     trees_.erase(trees_.begin() + static_cast<std::ptrdiff_t>(meshes.size()), trees_.end());
   for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -55,7 +55,7 @@ void MeshPicker::prepare(const std::vector<world::MeshView>& meshes) {
   }
 }
 
-std::optional<HighlightName> MeshPicker::pick(const std::vector<world::MeshView>& meshes,
+std::optional<HighlightName> MeshPicker::pick(const std::vector<world::WorldMesh>& meshes,
                                               const Camera& camera, glm::dvec2 clip) {
   prepare(meshes);
   std::optional<HighlightName> picked;

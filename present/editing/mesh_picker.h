@@ -10,7 +10,7 @@
 
 #include "host/base/camera.h"
 #include "host/highlights/search/face_tree.h"
-#include "host/world/mesh_view.h"
+#include "host/world/world_mesh.h"
 
 namespace offing::present {
 
@@ -23,7 +23,7 @@ struct HighlightName {
 };
 
 /// The one that this is the name of, of several looks the most opaque; nullptr where it is gone.
-const highlights::DrawnHighlight* find_highlight(const std::vector<world::MeshView>& meshes,
+const highlights::DrawnHighlight* find_highlight(const std::vector<world::WorldMesh>& meshes,
                                                  const HighlightName& name);
 
 /// Finds what a ray through a point of the picture meets, among meshes as they were shown last.
@@ -31,7 +31,7 @@ class MeshPicker {
  public:
   /// The highlight whose box is nearest to where the ray first meets a mesh, by its own half widths; nothing
   /// where that is more than two of them away, or no mesh is there. `clip` are clip coordinates.
-  std::optional<HighlightName> pick(const std::vector<world::MeshView>& meshes, const Camera& camera,
+  std::optional<HighlightName> pick(const std::vector<world::WorldMesh>& meshes, const Camera& camera,
                                     glm::dvec2 clip);
 
  private:
@@ -40,7 +40,7 @@ class MeshPicker {
     highlights::FaceTree tree;
   };
 
-  void prepare(const std::vector<world::MeshView>& meshes);
+  void prepare(const std::vector<world::WorldMesh>& meshes);
 
   std::vector<Tree> trees_;  // in the order of the world's meshes
 };

@@ -13,7 +13,7 @@ namespace offing::present {
 namespace {
 
 /// The edit of what is picked in a cloud, which is made at first use.
-clouds::ParticleEdit& edit_of(scene::OceanScene& scene, PickedParticles::InCloud& picked) {
+clouds::ParticleEdit& edit_of(scene::Scene& scene, PickedParticles::InCloud& picked) {
   std::vector<clouds::ParticleEdit>& edits = scene.clouds[picked.cloud].edits;
   if (!picked.edit) {
     const std::size_t most = scene::find_parameter("cloud.particle_edit.fate")->max_count;
@@ -39,14 +39,14 @@ glm::dvec3 PickedParticles::middle_m() const {
   return sum_m / static_cast<double>(std::max<std::size_t>(places_m.size(), 1)) + push_m;
 }
 
-std::vector<CloudParticle> shown_particles(const world::CloudsView& view, std::size_t cloud) {
+std::vector<CloudParticle> shown_particles(const world::WorldClouds& view, std::size_t cloud) {
   const world::CloudSkyParameters& sky = view.parameters();
   if (cloud >= sky.particles.size() || !sky.particles[cloud]) return {};
   return clouds::edited_particles(*sky.particles[cloud], sky.clouds[cloud].edits);
 }
 
-PickedParticles particles_in(const scene::OceanScene& scene, const world::CloudsView& view,
-                             const Camera& camera, const ClipBox& box, double time_s) {
+PickedParticles particles_in(const scene::Scene& scene, const world::WorldClouds& view, const Camera& camera,
+                             const ClipBox& box, double time_s) {
   if (camera.roll_rad != 0.0) {
     throw Error(ErrorKind::bad_usage, "particles: expected a camera without a roll",
                 "set camera.roll_deg = 0");
@@ -73,18 +73,18 @@ PickedParticles particles_in(const scene::OceanScene& scene, const world::Clouds
   return picked;
 }
 
-void push_particles(scene::OceanScene& scene, PickedParticles& picked, const glm::dvec3& way_m) {
+void push_particles(scene::Scene& scene, PickedParticles& picked, const glm::dvec3& way_m) {
   for (PickedParticles::InCloud& in_cloud : picked.clouds) {
     edit_of(scene, in_cloud).push_m += way_m / scene.clouds[in_cloud.cloud].scale;
   }
   picked.push_m += way_m;
 }
 
-void colour_particles(scene::OceanScene& scene, PickedParticles& picked, const glm::dvec3& albedo) {
+void colour_particles(scene::Scene& scene, PickedParticles& picked, const glm::dvec3& albedo) {
   for (PickedParticles::InCloud& in_cloud : picked.clouds) edit_of(scene, in_cloud).albedo = albedo;
 }
 
-void remove_particles(scene::OceanScene& scene, PickedParticles& picked) {
+void remove_particles(scene::Scene& scene, PickedParticles& picked) {
   for (PickedParticles::InCloud& in_cloud : picked.clouds) {
     edit_of(scene, in_cloud).fate = clouds::ParticleFate::removed;
   }

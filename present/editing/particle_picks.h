@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "host/clouds/particles/particle_edit.h"
-#include "host/scene/model/ocean_scene.h"
-#include "host/world/clouds_view.h"
+#include "host/scene/model/scene.h"
+#include "host/world/world_clouds.h"
 #include "present/editing/handle_geometry.h"
 
 namespace offing::present {
@@ -35,17 +35,17 @@ struct PickedParticles {
 
 /// The particles of a cloud of a scene in the world at a time: at rest in its axes, as edits have left them.
 /// What is shown of clouds may be older than the scene: none for one that is not shown yet.
-std::vector<CloudParticle> shown_particles(const world::CloudsView& view, std::size_t cloud);
+std::vector<CloudParticle> shown_particles(const world::WorldClouds& view, std::size_t cloud);
 
 /// Those of all [[cloud]] that the box shows, shear and sway left aside. Throws Error(bad_usage) for a camera
 /// with a roll.
-PickedParticles particles_in(const scene::OceanScene& scene, const world::CloudsView& view,
-                             const Camera& camera, const ClipBox& box, double time_s);
+PickedParticles particles_in(const scene::Scene& scene, const world::WorldClouds& view, const Camera& camera,
+                             const ClipBox& box, double time_s);
 
 // Edits of what is picked: all go into one [[cloud.particle_edit]] a cloud.
 
-void push_particles(scene::OceanScene& scene, PickedParticles& picked, const glm::dvec3& way_m);
-void colour_particles(scene::OceanScene& scene, PickedParticles& picked, const glm::dvec3& albedo);
-void remove_particles(scene::OceanScene& scene, PickedParticles& picked);
+void push_particles(scene::Scene& scene, PickedParticles& picked, const glm::dvec3& way_m);
+void colour_particles(scene::Scene& scene, PickedParticles& picked, const glm::dvec3& albedo);
+void remove_particles(scene::Scene& scene, PickedParticles& picked);
 
 }  // namespace offing::present

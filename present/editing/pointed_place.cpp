@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "present/editing/ground_pick.h"
+#include "present/editing/terrain_pick.h"
 
 namespace offing::present {
 namespace {
@@ -15,12 +15,12 @@ constexpr double farthest_m = 1000.0, before_eye_m = 30.0;
 std::optional<glm::dvec3> surface_at(LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
   std::optional<glm::dvec3> place_m;
   if (sea.scene().has_sea()) place_m = on_plane(ray_at(screen, clip), {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
-  if (sea.ground() != nullptr && sea.ground()->is_in_reach()) {
+  if (sea.terrain() != nullptr && sea.terrain()->is_in_reach()) {
     const glm::dvec3& eye_m = screen.camera.eye_m;
-    const std::optional<GroundPick> ground = pick_ground(*sea.ground(), screen.camera, clip);
+    const std::optional<TerrainPick> terrain = pick_terrain(*sea.terrain(), screen.camera, clip);
     const bool is_before =
-        ground && (!place_m || glm::distance(ground->place_m, eye_m) < glm::distance(*place_m, eye_m));
-    if (is_before) place_m = ground->place_m;
+        terrain && (!place_m || glm::distance(terrain->place_m, eye_m) < glm::distance(*place_m, eye_m));
+    if (is_before) place_m = terrain->place_m;
   }
   return place_m;
 }
@@ -28,16 +28,16 @@ std::optional<glm::dvec3> surface_at(LiveSea& sea, const Screen& screen, glm::dv
 }  // namespace
 
 glm::dvec3 pointed_place(LiveSea& sea, const Screen& screen, glm::dvec2 clip) {
-  if (!sea.scene().has_sea() && sea.ground() == nullptr) return glm::dvec3(0.0);
+  if (!sea.scene().has_sea() && sea.terrain() == nullptr) return glm::dvec3(0.0);
   const glm::dvec3& eye_m = screen.camera.eye_m;
   const std::optional<glm::dvec3> pointed_m = surface_at(sea, screen, clip);
   if (pointed_m && glm::distance(*pointed_m, eye_m) < farthest_m) return *pointed_m;
   const double yaw_rad = screen.camera.yaw_rad;
   const glm::dvec3 before_m = eye_m + before_eye_m * glm::dvec3(std::sin(yaw_rad), 0.0, -std::cos(yaw_rad));
-  const auto ground =
-      sea.ground() != nullptr ? sea.ground()->ground_at(before_m.x, before_m.z) : std::nullopt;
+  const auto terrain =
+      sea.terrain() != nullptr ? sea.terrain()->terrain_at(before_m.x, before_m.z) : std::nullopt;
   const double water_m = sea.scene().has_sea() ? 0.0 : -std::numeric_limits<double>::infinity();
-  const double height_m = std::max(ground ? ground->height_m : water_m, water_m);
+  const double height_m = std::max(terrain ? terrain->height_m : water_m, water_m);
   return {before_m.x, std::isfinite(height_m) ? height_m : 0.0, before_m.z};
 }
 

@@ -61,15 +61,15 @@ class Pen {
   ImDrawList& list_;
 };
 
-/// A corner of a node: on its lid or, of a cell, on the ground.
-glm::dvec3 corner_m(const terrain::RayNode& node, const world::GroundView& ground, int right, int down) {
-  const HeightMap& map = *ground.parameters().map;
+/// A corner of a node: on its maximum or, of a cell, on the ground.
+glm::dvec3 corner_m(const terrain::RayNode& node, const world::WorldTerrain& terrain, int right, int down) {
+  const HeightMap& map = *terrain.parameters().map;
   const int column = std::min(node.first_x + right * node.side_cells, map.columns - 1),
             row = std::min(node.first_z + down * node.side_cells, map.rows - 1);
   const double height_m =
-      node.level == 0 ? static_cast<double>(map.heights_m[map.index(column, row)]) : node.lid_m;
-  return {ground.parameters().origin_x_m + column * map.spacing_x_m, height_m,
-          ground.parameters().origin_z_m + row * map.spacing_z_m};
+      node.level == 0 ? static_cast<double>(map.heights_m[map.index(column, row)]) : node.maximum_m;
+  return {terrain.parameters().origin_x_m + column * map.spacing_x_m, height_m,
+          terrain.parameters().origin_z_m + row * map.spacing_z_m};
 }
 
 ImU32 colour_of(int level) {
@@ -87,13 +87,13 @@ ImVec4 screen_colour(float steps) {
 
 }  // namespace
 
-void draw_ray_overlay(const GroundPick& pick, const world::GroundView& ground, const Camera& camera) {
+void draw_ray_overlay(const TerrainPick& pick, const world::WorldTerrain& terrain, const Camera& camera) {
   Pen pen(camera);
   for (const terrain::RayNode& node : pick.nodes) {
     const ImU32 colour = colour_of(node.level);
     const float width_px = node.is_passed_over ? 1.0f : 2.0f;
-    const std::array<glm::dvec3, 4> corners{corner_m(node, ground, 0, 0), corner_m(node, ground, 1, 0),
-                                            corner_m(node, ground, 1, 1), corner_m(node, ground, 0, 1)};
+    const std::array<glm::dvec3, 4> corners{corner_m(node, terrain, 0, 0), corner_m(node, terrain, 1, 0),
+                                            corner_m(node, terrain, 1, 1), corner_m(node, terrain, 0, 1)};
     for (std::size_t i = 0; i < corners.size(); ++i) {
       pen.line(corners[i], corners[(i + 1) % corners.size()], colour, width_px);
     }

@@ -39,9 +39,9 @@ void SceneEditing::work(const std::function<Edit()>& deed) {
   }
 }
 
-void SceneEditing::make(const std::function<std::string(scene::OceanScene&)>& deed) {
+void SceneEditing::make(const std::function<std::string(scene::Scene&)>& deed) {
   work([&] {
-    scene::OceanScene edited = state_.scene;
+    scene::Scene edited = state_.scene;
     std::string news = deed(edited);
     state_.scene = std::move(edited);
     finish(Edit::done);
@@ -79,7 +79,7 @@ bool SceneEditing::edit_sea(Edit edit) {
   }
 }
 
-void SceneEditing::take_scene(scene::OceanScene scene) {
+void SceneEditing::take_scene(scene::Scene scene) {
   clouds_.let_go();  // of what it held there may be nothing any more
   take_camera_path(state_.scene, scene);
   scene.view.camera = state_.scene.view.camera;
@@ -104,7 +104,7 @@ void SceneEditing::take_clouds() {
   }
 }
 
-void SceneEditing::go_back(std::optional<scene::OceanScene> scene, const char* none) {
+void SceneEditing::go_back(std::optional<scene::Scene> scene, const char* none) {
   if (!scene) {
     state_.message = {.text = none};
     return;

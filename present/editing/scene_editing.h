@@ -30,7 +30,7 @@ class SceneEditing {
   /// Shows clouds that have been made since the last frame.
   void take_clouds();
   /// An edit that `deed` makes of a scene and says something of, which the message then tells, or its fault.
-  void make(const std::function<std::string(scene::OceanScene&)>& deed);
+  void make(const std::function<std::string(scene::Scene&)>& deed);
   /// What an edit of the state's scene means for the world and for undo. Handles are let go of.
   void finish(Edit edit);
   bool can_undo() const { return history_.can_undo(); }
@@ -53,9 +53,9 @@ class SceneEditing {
  private:
   void apply(Edit edit);
   bool edit_sea(Edit edit);
-  void go_back(std::optional<scene::OceanScene> scene, const char* none);
+  void go_back(std::optional<scene::Scene> scene, const char* none);
   /// The scene is another one from here on; its camera stays the user's.
-  void take_scene(scene::OceanScene scene);
+  void take_scene(scene::Scene scene);
   void work(const std::function<Edit()>& deed);
 
   LiveSea& sea_;

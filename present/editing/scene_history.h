@@ -4,32 +4,32 @@
 #include <optional>
 #include <vector>
 
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 
 namespace offing::present {
 
 /// Scenes before and after edits, for undo and redo: a hundred steps back.
 class SceneHistory {
  public:
-  explicit SceneHistory(scene::OceanScene scene) : now_(std::move(scene)) {}
+  explicit SceneHistory(scene::Scene scene) : now_(std::move(scene)) {}
 
   /// An edit has ended with this scene: what was undone before is gone.
-  void note(scene::OceanScene scene);
+  void note(scene::Scene scene);
   /// The last edit that was noted was none: nothing is left of it, not even to redo.
   void take_back();
   /// The scene of the last edit that stands.
-  const scene::OceanScene& now() const { return now_; }
+  const scene::Scene& now() const { return now_; }
   bool can_undo() const { return !before_.empty(); }
   bool can_redo() const { return !after_.empty(); }
   /// The scene before the last edit that still stands; nothing if there is none.
-  std::optional<scene::OceanScene> undo();
+  std::optional<scene::Scene> undo();
   /// That of the last undo() taken back; nothing if there is none.
-  std::optional<scene::OceanScene> redo();
+  std::optional<scene::Scene> redo();
 
  private:
-  scene::OceanScene now_;
-  std::deque<scene::OceanScene> before_;
-  std::vector<scene::OceanScene> after_;
+  scene::Scene now_;
+  std::deque<scene::Scene> before_;
+  std::vector<scene::Scene> after_;
 };
 
 }  // namespace offing::present

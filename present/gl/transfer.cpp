@@ -15,7 +15,7 @@
 
 namespace offing::present {
 
-class TransferLadder::Way {
+class Transfer::Way {
  public:
   Way() = default;
   Way(const Way&) = delete;
@@ -39,7 +39,7 @@ std::size_t bytes_of(const Upload& upload) {
   return upload.source.size() * sizeof(float);
 }
 
-class MappedPointer : public TransferLadder::Way {
+class MappedPointer : public Transfer::Way {
  public:
   void upload(std::span<const Upload> uploads) override {
     for (const Upload& upload : uploads) {
@@ -49,7 +49,7 @@ class MappedPointer : public TransferLadder::Way {
   }
 };
 
-class BlockingRead : public TransferLadder::Way {
+class BlockingRead : public Transfer::Way {
  public:
   void upload(std::span<const Upload> uploads) override {
     for (const Upload& upload : uploads) {
@@ -63,7 +63,7 @@ class BlockingRead : public TransferLadder::Way {
   std::vector<float> staging_;
 };
 
-class OrphanedPbo : public TransferLadder::Way {
+class OrphanedPbo : public Transfer::Way {
  public:
   void upload(std::span<const Upload> uploads) override {
     const UnpackBinding binding(buffer_);
@@ -141,7 +141,7 @@ class SharedPbo : public FencedPbo {
  public:
   SharedPbo(const ocl::Device& device, std::size_t bytes) : FencedPbo(bytes), imported_(imported(device)) {}
 
-  void copy_from(const ocl::FloatView& source) { imported_.copy_from(source); }
+  void copy_from(const ocl::FloatSpan& source) { imported_.copy_from(source); }
 
  private:
   ocl::ImportedBuffer imported(const ocl::Device& device) {
@@ -180,7 +180,7 @@ class Ring {
   std::size_t next_ = 0;
 };
 
-class PboRing : public TransferLadder::Way {
+class PboRing : public Transfer::Way {
  public:
   explicit PboRing(const ocl::Device& device) : ring_(device) {}
 
@@ -201,7 +201,7 @@ class PboRing : public TransferLadder::Way {
   Ring<PersistentPbo> ring_;
 };
 
-class GlSharing : public TransferLadder::Way {
+class GlSharing : public Transfer::Way {
  public:
   explicit GlSharing(const ocl::Device& device) : ring_(device) {}
 
@@ -217,30 +217,30 @@ class GlSharing : public TransferLadder::Way {
   Ring<SharedPbo> ring_;
 };
 
-/// Why a rung cannot be used; empty if it can.
-std::string obstacle(TransferRung rung, const GlCapabilities& capabilities, const ocl::Device& device) {
-  switch (rung) {
-    case TransferRung::gl_sharing:
+/// Why a transfer path cannot be used; empty if it can.
+std::string obstacle(TransferPath path, const GlCapabilities& capabilities, const ocl::Device& device) {
+  switch (path) {
+    case TransferPath::gl_sharing:
       return device.shares_gl() ? "" : "the OpenCL device does not share buffers with OpenGL";
-    case TransferRung::mapped_pointer:
+    case TransferPath::mapped_pointer:
       return device.info().type == ocl::DeviceType::cpu ? ""
                                                         : "the OpenCL device does not compute in host memory";
-    case TransferRung::pbo_ring:
+    case TransferPath::pbo_ring:
       return capabilities.has_persistent_mapping ? "" : "OpenGL has no persistent mapping";
     default:
       return "";
   }
 }
 
-std::unique_ptr<TransferLadder::Way> make_way(TransferRung rung, const ocl::Device& device) {
-  switch (rung) {
-    case TransferRung::gl_sharing:
+std::unique_ptr<Transfer::Way> make_way(TransferPath path, const ocl::Device& device) {
+  switch (path) {
+    case TransferPath::gl_sharing:
       return std::make_unique<GlSharing>(device);
-    case TransferRung::mapped_pointer:
+    case TransferPath::mapped_pointer:
       return std::make_unique<MappedPointer>();
-    case TransferRung::pbo_ring:
+    case TransferPath::pbo_ring:
       return std::make_unique<PboRing>(device);
-    case TransferRung::orphaned_pbo:
+    case TransferPath::orphaned_pbo:
       return std::make_unique<OrphanedPbo>();
     default:
       return std::make_unique<BlockingRead>();
@@ -257,26 +257,26 @@ void require_equal_sizes(std::span<const Upload> uploads) {
 
 }  // namespace
 
-std::string_view to_string(TransferRung rung) {
-  switch (rung) {
-    case TransferRung::gl_sharing:
+std::string_view to_string(TransferPath path) {
+  switch (path) {
+    case TransferPath::gl_sharing:
       return "gl-sharing";
-    case TransferRung::mapped_pointer:
+    case TransferPath::mapped_pointer:
       return "mapped-pointer";
-    case TransferRung::pbo_ring:
+    case TransferPath::pbo_ring:
       return "pbo-ring";
-    case TransferRung::orphaned_pbo:
+    case TransferPath::orphaned_pbo:
       return "orphaned-pbo";
     default:
       return "blocking-read";
   }
 }
 
-TransferRung transfer_rung(std::string_view name) {
+TransferPath transfer_path(std::string_view name) {
   std::vector<std::string_view> names;
-  for (const TransferRung rung : all_transfer_rungs) {
-    if (to_string(rung) == name) return rung;
-    names.push_back(to_string(rung));
+  for (const TransferPath path : all_transfer_paths) {
+    if (to_string(path) == name) return path;
+    names.push_back(to_string(path));
   }
   throw Error(
       ErrorKind::bad_usage,
@@ -284,40 +284,39 @@ TransferRung transfer_rung(std::string_view name) {
       "leave it out for the best one");
 }
 
-TransferLadder::TransferLadder(const GlContext& context, const ocl::Device& device,
-                               std::optional<TransferRung> forced)
+Transfer::Transfer(const GlContext& context, const ocl::Device& device, std::optional<TransferPath> forced)
     : is_forced_(forced.has_value()),
       capabilities_(context.capabilities()),
       device_(device),
-      rung_(forced.value_or(all_transfer_rungs.front())) {
-  if (const std::string reason = obstacle(rung_, capabilities_, device_); !reason.empty()) {
+      path_(forced.value_or(all_transfer_paths.front())) {
+  if (const std::string reason = obstacle(path_, capabilities_, device_); !reason.empty()) {
     if (is_forced_) {
-      throw Error(ErrorKind::bad_usage, fmt::format("--transfer {}: {}", to_string(rung_), reason),
+      throw Error(ErrorKind::bad_usage, fmt::format("--transfer {}: {}", to_string(path_), reason),
                   "leave it out for the best one");
     }
-    climb_down(rung_);
+    climb_down(path_);
   } else {
-    way_ = make_way(rung_, device_);
+    way_ = make_way(path_, device_);
   }
 }
 
-TransferLadder::TransferLadder(TransferLadder&&) noexcept = default;
-TransferLadder& TransferLadder::operator=(TransferLadder&&) noexcept = default;
-TransferLadder::~TransferLadder() = default;
+Transfer::Transfer(Transfer&&) noexcept = default;
+Transfer& Transfer::operator=(Transfer&&) noexcept = default;
+Transfer::~Transfer() = default;
 
-TransferRung TransferLadder::rung() const {
-  return rung_;
+TransferPath Transfer::path() const {
+  return path_;
 }
 
-void TransferLadder::climb_down(TransferRung from) {
+void Transfer::climb_down(TransferPath from) {
   device_.finish();  // reads into buffers that go now
   auto next = static_cast<std::size_t>(from) + 1;
-  while (!obstacle(all_transfer_rungs[next], capabilities_, device_).empty()) ++next;
-  rung_ = all_transfer_rungs[next];
-  way_ = make_way(rung_, device_);
+  while (!obstacle(all_transfer_paths[next], capabilities_, device_).empty()) ++next;
+  path_ = all_transfer_paths[next];
+  way_ = make_way(path_, device_);
 }
 
-void TransferLadder::upload(std::span<const Upload> uploads) {
+void Transfer::upload(std::span<const Upload> uploads) {
   require_equal_sizes(uploads);
   while (true) {
     try {
@@ -325,10 +324,10 @@ void TransferLadder::upload(std::span<const Upload> uploads) {
       require_no_gl_error("texture upload");
       return;
     } catch (const Error& error) {
-      if (is_forced_ || rung_ == all_transfer_rungs.back()) throw;
-      const TransferRung failed = rung_;
+      if (is_forced_ || path_ == all_transfer_paths.back()) throw;
+      const TransferPath failed = path_;
       climb_down(failed);
-      spdlog::warn("transfer {} failed, going on with {}: {}", to_string(failed), to_string(rung_),
+      spdlog::warn("transfer {} failed, going on with {}: {}", to_string(failed), to_string(path_),
                    error.what());
     }
   }

@@ -8,13 +8,13 @@
 #include "host/base/progress.h"
 #include "host/command_line/print_summary.h"
 #include "host/scene/prepare/moving_view.h"
-#include "host/scene/prepare/own_puffs.h"
-#include "host/scene/prepare/scene_ground.h"
+#include "host/scene/prepare/own_billboards.h"
 #include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/prepare/scene_terrain.h"
 #include "host/scene/prepare/world_scene.h"
 #include "host/world/cloud_grower.h"
 #include "present/gl/gl_context.h"
-#include "present/output/picture_file.h"
+#include "present/output/image_file.h"
 #include "present/output/recorder.h"
 #include "present/passes/frame.h"
 #include "present/passes/sky/light_meter.h"
@@ -30,21 +30,21 @@ world::WorldParameters with_particles(const ocl::Device& device, world::WorldPar
   return parameters;
 }
 
-class PictureMaker {
+class ImageMaker {
  public:
-  PictureMaker(const ViewOptions& options, const CancelToken& cancel)
+  ImageMaker(const ViewOptions& options, const CancelToken& cancel)
       : context_(GlContext::headless()),
         device_(ocl::Device::open_shared(ocl::select_device(options.device), ocl::Profiling::off,
                                          context_.share_properties())),
         scene_(options.scene),
         world_(device_, with_particles(device_, scene::prepare_shown_world(scene_), cancel)),
-        lighting_at_(scene::lighting_of(scene_, world_.ground())),
+        lighting_at_(scene::lighting_of(scene_, world_.terrain())),
         frame_(context_, device_, frame_settings(options.detail.value_or(Detail::high), options.transfer)),
-        size_(options.size.value_or(PictureSize{})) {
-    if (const auto puffs = scene::own_puffs(scene_)) frame_.set_puffs(device_, *puffs);
+        size_(options.size.value_or(ImageSize{})) {
+    if (const auto billboards = scene::own_billboards(scene_)) frame_.set_billboards(device_, *billboards);
     spdlog::info("OpenGL {} ({}, {}); OpenCL {}; transfer {}", context_.capabilities().version,
                  context_.capabilities().renderer, context_.capabilities().platform, device_.info().name,
-                 to_string(frame_.transfer_rung()));
+                 to_string(frame_.transfer_path()));
   }
 
   /// Puts the picture that was made, at an exposure, where it belongs.
@@ -70,9 +70,9 @@ class PictureMaker {
  private:
   /// Warns once, for the first picture whose eye needs it.
   void warn_of_eye(double time_s) {
-    if (has_warned_ || !world_.ground()) return;
+    if (has_warned_ || !world_.terrain()) return;
     const auto warning =
-        scene::eye_warning(*world_.ground(), scene::view_at(scene_, time_s), scene_.has_sea());
+        scene::eye_warning(*world_.terrain(), scene::view_at(scene_, time_s), scene_.has_sea());
     if (!warning) return;
     spdlog::warn("at {:g} s: {}", time_s, *warning);
     has_warned_ = true;
@@ -80,23 +80,23 @@ class PictureMaker {
 
   GlContext context_;
   ocl::Device device_;
-  scene::OceanScene scene_;
+  scene::Scene scene_;
   world::World world_;
   highlights::LightingAt lighting_at_;
   Frame frame_;
   LightMeter light_meter_;
-  PictureSize size_;
+  ImageSize size_;
   bool has_warned_ = false;
 };
 
 }  // namespace
 
-void make_pictures(const ViewOptions& options, const CancelToken& cancel) {
-  PictureMaker maker(options, cancel);
+void make_images(const ViewOptions& options, const CancelToken& cancel) {
+  ImageMaker maker(options, cancel);
   if (!options.output.empty()) {
     const bool is_made =
         maker.make(options.time_s, options.time_s, cancel, [&](const Frame& frame, double exposure) {
-          write_picture(options.output, frame, options.time_s, exposure, options.existing);
+          write_image(options.output, frame, options.time_s, exposure, options.existing);
         });
     if (!is_made) cancel.throw_if_cancelled();
     print_summary("{}\n", options.output.string());

@@ -8,6 +8,6 @@ namespace offing::present {
 /// Makes the pictures that the options ask for, without a window. The same options give the same bytes on the
 /// same machine. Throws Error(no_device) where there is no OpenGL or OpenCL, Error(cancelled) when asked to
 /// stop: what is not whole by then is not written.
-void make_pictures(const ViewOptions& options, const CancelToken& cancel);
+void make_images(const ViewOptions& options, const CancelToken& cancel);
 
 }  // namespace offing::present

@@ -1,6 +1,6 @@
 #include "present/output/recorder.h"
 
-#include "present/output/picture_file.h"
+#include "present/output/image_file.h"
 
 namespace offing::present {
 
@@ -13,7 +13,7 @@ Recorder::Recorder(const Recording& recording) : recording_(recording) {
 void Recorder::write(const Frame& drawn, double time_s, double exposure) {
   const int frame = recording_.frames.first + count_;
   if (recording_.name) {
-    write_picture(recording_.name->of(frame), drawn, time_s, exposure, recording_.existing);
+    write_image(recording_.name->of(frame), drawn, time_s, exposure, recording_.existing);
   }
   if (video_) video_->write(shown_image(drawn));
   ++count_;

@@ -15,7 +15,7 @@
 
 #include "host/base/error.h"
 #include "host/base/progress.h"
-#include "host/clouds/image/cloud_picture.h"
+#include "host/clouds/image/cloud_image.h"
 #include "host/clouds/light/field_albedo.h"
 #include "host/clouds/reference/reference_tracer.h"
 #include "host/clouds/shape/cloud_density.h"
@@ -23,7 +23,7 @@
 #include "host/io/exr_image.h"
 #include "host/io/png_image.h"
 #include "host/ocl/device_selection.h"
-#include "host/scene/prepare/own_puffs.h"
+#include "host/scene/prepare/own_billboards.h"
 #include "host/scene/prepare/world_scene.h"
 #include "present/passes/sky/light_meter.h"
 
@@ -41,7 +41,7 @@ constexpr double full_error = 0.5;
 
 struct Compared {
   LightImage drawn;  ///< [height][width], row 0 at the top
-  clouds::TracedPicture reference;
+  clouds::TracedImage reference;
   double exposure = 1.0;
 };
 
@@ -73,7 +73,7 @@ clouds::CloudIllumination mean_illumination(std::span<const clouds::CloudIllumin
     mean.ground_kcdpm2 += share * light.ground_kcdpm2;
     if (mean.suns.size() < light.suns.size()) mean.suns.resize(light.suns.size());
     for (std::size_t i = 0; i < light.suns.size(); ++i) {
-      clouds::CloudSun& sun = mean.suns[i];
+      clouds::CloudLight& sun = mean.suns[i];
       if (sun.illuminance_klx == glm::dvec3(0.0)) sun.direction = light.suns[i].direction;
       sun.illuminance_klx += share * light.suns[i].illuminance_klx;
     }
@@ -99,11 +99,11 @@ clouds::VolumeMedium medium_of(const ocl::Device& device, const std::vector<Clou
   return clouds::VolumeMedium(volume);
 }
 
-LightImage drawn_clouds(const ocl::Device& device, const scene::OceanScene& scene, const world::World& world,
+LightImage drawn_clouds(const ocl::Device& device, const scene::Scene& scene, const world::World& world,
                         const Camera& camera) {
-  const world::CloudsView& view = *world.clouds();
-  const auto own = scene::own_puffs(scene);
-  clouds::CloudPicture picture(device, own ? *own : clouds::puff_textures());
+  const world::WorldClouds& view = *world.clouds();
+  const auto own = scene::own_billboards(scene);
+  clouds::CloudImage picture(device, own ? *own : clouds::billboard_textures());
   picture.fit(camera.width_px, camera.height_px);
   const auto& [x, y, z] = world.parameters().sun_direction;
   picture.draw({.particles = view.particles(),
@@ -131,15 +131,15 @@ void add(LightImage& sum, const LightImage& image, float share) {
   for (std::size_t i = 0; i < image.size(); ++i) sum[i] += share * image[i];
 }
 
-clouds::TracedPicture traced_picture(const clouds::ReferenceTracer& tracer, const Camera& camera,
-                                     const ViewOptions& options, const CancelToken& cancel) {
+clouds::TracedImage traced_image(const clouds::ReferenceTracer& tracer, const Camera& camera,
+                                 const ViewOptions& options, const CancelToken& cancel) {
   const int samples = options.comparison->samples, passes = std::min(samples, most_passes);
-  clouds::TracedPicture sum;
+  clouds::TracedImage sum;
   Progress progress(passes, "passes", options.verbosity);
   for (int pass = 0; pass < passes; ++pass) {
     cancel.throw_if_cancelled();
     const int of_pass = (pass + 1) * samples / passes - pass * samples / passes;
-    const clouds::TracedPicture traced =
+    const clouds::TracedImage traced =
         tracer.picture(camera, {.samples = of_pass, .seed = static_cast<std::uint64_t>(pass) + 1});
     const float share = static_cast<float>(of_pass) / static_cast<float>(samples);
     add(sum.image, traced.image, share);
@@ -154,7 +154,7 @@ clouds::TracedPicture traced_picture(const clouds::ReferenceTracer& tracer, cons
 
 Compared compare(const ViewOptions& options, const CancelToken& cancel) {
   const ocl::Device device = ocl::Device::open(ocl::select_device(options.device));
-  scene::OceanScene scene = options.scene;  // the ground may place its eye
+  scene::Scene scene = options.scene;  // the ground may place its eye
   world::World world(device, scene::prepare_shown_world(scene));
   if (world.clouds() == nullptr) {
     throw Error(ErrorKind::bad_input, "--compare-reference: expected a scene with clouds, found none",
@@ -162,7 +162,7 @@ Compared compare(const ViewOptions& options, const CancelToken& cancel) {
   }
   clouds::CloudLook look = look_of(world.clouds()->parameters());
   scene::ViewScene view = scene::show_at(world, scene, options.time_s);
-  const PictureSize size = options.size.value_or(PictureSize{160, 90});
+  const ImageSize size = options.size.value_or(ImageSize{160, 90});
   view.camera.width_px = size.width;
   view.camera.height_px = size.height;
   world.see_clouds(view.camera);
@@ -170,7 +170,7 @@ Compared compare(const ViewOptions& options, const CancelToken& cancel) {
   compared.exposure = LightMeter().exposure(world, view.camera, view.exposure_ev);
   compared.drawn = drawn_clouds(device, scene, world, view.camera);
 
-  const world::CloudsView& clouds = *world.clouds();
+  const world::WorldClouds& clouds = *world.clouds();
   std::vector<CloudParticle> particles = clouds.particles().read();
   particles.resize(clouds.count());
   // Of particles of one grey, whatever the look says; coloured ones have the medium's.
@@ -179,7 +179,7 @@ Compared compare(const ViewOptions& options, const CancelToken& cancel) {
   const clouds::ReferenceTracer tracer(medium, look, mean_illumination(clouds.illumination()));
   Camera camera = view.camera;
   camera.eye_m -= clouds.sky_origin_m();
-  compared.reference = traced_picture(tracer, camera, options, cancel);
+  compared.reference = traced_image(tracer, camera, options, cancel);
   return compared;
 }
 
@@ -190,7 +190,7 @@ double mean_light(const LightImage& image) {
   return sum / static_cast<double>(image.size());
 }
 
-RgbImage screen_image(const LightImage& light, PictureSize size, double exposure) {
+RgbImage screen_image(const LightImage& light, ImageSize size, double exposure) {
   RgbImage image{.width = size.width, .height = size.height, .rgb = {}};
   for (const glm::vec4& texel : light)
     for (int channel = 0; channel < 3; ++channel)
@@ -199,7 +199,7 @@ RgbImage screen_image(const LightImage& light, PictureSize size, double exposure
 }
 
 /// Red where too much light is drawn, blue where too little, white where it is right.
-RgbImage error_image(const Compared& compared, PictureSize size, double full_kcdpm2) {
+RgbImage error_image(const Compared& compared, ImageSize size, double full_kcdpm2) {
   RgbImage image{.width = size.width, .height = size.height, .rgb = {}};
   for (std::size_t i = 0; i < compared.drawn.size(); ++i) {
     const double error = luminance(glm::dvec3(compared.drawn[i] - compared.reference.image[i]));
@@ -211,7 +211,7 @@ RgbImage error_image(const Compared& compared, PictureSize size, double full_kcd
   return image;
 }
 
-void write_light(const std::filesystem::path& path, const Compared& compared, PictureSize size,
+void write_light(const std::filesystem::path& path, const Compared& compared, ImageSize size,
                  Existing existing) {
   std::vector<std::pair<std::string, const LightImage*>> layers{{"drawn", &compared.drawn},
                                                                 {"reference", &compared.reference.image}};
@@ -291,7 +291,7 @@ void print(const Compared& compared, const Errors& errors, const ReferenceCompar
 void compare_with_reference(const ViewOptions& options, const CancelToken& cancel) {
   const ReferenceComparison& asked = *options.comparison;
   const Compared compared = compare(options, cancel);
-  const PictureSize size = options.size.value_or(PictureSize{160, 90});
+  const ImageSize size = options.size.value_or(ImageSize{160, 90});
   const Errors errors = errors_of(compared);
   write_png(asked.file("drawn.png"), screen_image(compared.drawn, size, compared.exposure), asked.existing);
   write_png(asked.file("reference.png"), screen_image(compared.reference.image, size, compared.exposure),

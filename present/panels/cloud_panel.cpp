@@ -68,7 +68,7 @@ void draw_tools(CloudEditing& editing) {
 /// genus gives.
 Edit draw_values(ViewState& state, const CloudPart& part, scene::ParameterGroup group,
                  std::initializer_list<std::string_view> keys) {
-  scene::OceanScene copy = state.scene;
+  scene::Scene copy = state.scene;
   if (part.ball) own_balls(copy, part.cloud);
   Edit edit = Edit::none;
   for (const scene::Parameter& row : scene::parameter_table()) {

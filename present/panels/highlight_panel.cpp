@@ -15,8 +15,8 @@ namespace {
 using highlights::DrawnHighlight;
 
 /// A scene of this highlight alone, at this time: what the widgets change.
-scene::OceanScene moment_of(const ViewState& state, const DrawnHighlight& drawn) {
-  scene::OceanScene copy;
+scene::Scene moment_of(const ViewState& state, const DrawnHighlight& drawn) {
+  scene::Scene copy;
   copy.lights = state.scene.lights;
   copy.meshes = {state.scene.meshes[state.picked->mesh]};
   const scene::ElementIndex element = controls_of(copy, {}, drawn);
@@ -37,7 +37,7 @@ void store_moment(ViewState& state, const DrawnHighlight& drawn, scene::Highligh
 }
 
 Edit draw_rows(ViewState& state, const DrawnHighlight& drawn) {
-  scene::OceanScene moment = moment_of(state, drawn);
+  scene::Scene moment = moment_of(state, drawn);
   Edit edit = Edit::none;
   for (const scene::Parameter& row : scene::parameter_table()) {
     if (row.group == scene::ParameterGroup::highlight)
@@ -68,7 +68,7 @@ Edit draw_key_buttons(ViewState& state, const DrawnHighlight& drawn) {
 
 }  // namespace
 
-Edit draw_highlight_panel(ViewState& state, const std::vector<world::MeshView>& meshes) {
+Edit draw_highlight_panel(ViewState& state, const std::vector<world::WorldMesh>& meshes) {
   const DrawnHighlight* drawn = picked_highlight(state.scene, meshes, state.picked);
   if (drawn == nullptr) return Edit::none;
   constexpr float margin = 8.0f;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "host/world/mesh_view.h"
+#include "host/world/world_mesh.h"
 #include "present/panels/panels.h"
 
 namespace offing::present {
@@ -10,6 +10,6 @@ namespace offing::present {
 /// Draws the panel of the picked highlight, if there is one: all its controls, as they are at the state's
 /// time. Those with keyframes get one there when they are changed. Says how far an edit of the scene has
 /// come.
-Edit draw_highlight_panel(ViewState& state, const std::vector<world::MeshView>& meshes);
+Edit draw_highlight_panel(ViewState& state, const std::vector<world::WorldMesh>& meshes);
 
 }  // namespace offing::present

@@ -62,12 +62,12 @@ std::vector<unsigned char> MiniMap::shaded(const HeightMap& map, int width, int 
   return pixels;
 }
 
-void MiniMap::show(const world::GroundParameters& ground) {
-  origin_m_ = {ground.origin_x_m, ground.origin_z_m};
-  if (width_px_ > 0 && map_ == ground.map && tiles_ == ground.tiles) return;
-  map_ = ground.map;
-  tiles_ = ground.tiles;
-  const terrain::GroundExtent extent = ground.extent();
+void MiniMap::show(const world::TerrainParameters& terrain) {
+  origin_m_ = {terrain.origin_x_m, terrain.origin_z_m};
+  if (width_px_ > 0 && map_ == terrain.map && tiles_ == terrain.tiles) return;
+  map_ = terrain.map;
+  tiles_ = terrain.tiles;
+  const terrain::TerrainExtent extent = terrain.extent();
   size_m_ = {extent.width_m, extent.depth_m};
   const double scale = longest_side_px / std::max(size_m_.x, size_m_.y);
   width_px_ = std::max(8, static_cast<int>(std::lround(size_m_.x * scale)));

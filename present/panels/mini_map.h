@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "host/base/camera.h"
-#include "host/world/ground_view.h"
+#include "host/world/world_terrain.h"
 #include "present/gl/gl_objects.h"
 
 namespace offing::present {
@@ -16,7 +16,7 @@ namespace offing::present {
 class MiniMap {
  public:
   /// The picture of a ground, unless it is there. At most 256 pixels a side, north up.
-  void show(const world::GroundParameters& ground);
+  void show(const world::TerrainParameters& terrain);
   /// Draws it as an ImGui window at the bottom right, with the camera; where on the ground it was clicked,
   /// east and south of the origin, if it was.
   std::optional<glm::dvec2> draw(const Camera& camera) const;
@@ -26,7 +26,7 @@ class MiniMap {
 
  private:
   std::shared_ptr<const HeightMap> map_;  ///< of the picture
-  std::shared_ptr<const world::GroundTiles> tiles_;
+  std::shared_ptr<const world::TerrainTiles> tiles_;
   glm::dvec2 origin_m_{0.0}, size_m_{1.0};
   int width_px_ = 0, height_px_ = 0;
   GlTexture texture_;

@@ -101,7 +101,7 @@ void draw_group(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
 }
 
 /// Whether a scene has what a group says something about.
-bool is_in(const scene::OceanScene& scene, ParameterGroup group) {
+bool is_in(const scene::Scene& scene, ParameterGroup group) {
   switch (group) {
     case ParameterGroup::wind:
     case ParameterGroup::sea:
@@ -149,10 +149,10 @@ void draw_clock(ViewState& state) {
   }
 }
 
-void draw_ground_view(ViewState& state) {
-  bool shows_steps = state.ground == GroundShow::steps;
+void draw_terrain_view(ViewState& state) {
+  bool shows_steps = state.terrain == TerrainShow::steps;
   if (ImGui::Checkbox("steps of rays", &shows_steps)) {
-    state.ground = shows_steps ? GroundShow::steps : GroundShow::light;
+    state.terrain = shows_steps ? TerrainShow::steps : TerrainShow::light;
   }
   ImGui::SameLine();
   ImGui::Checkbox("map", &state.shows_map);
@@ -179,7 +179,7 @@ void choose(const char* label, const std::array<Show, count>& all, Show& shown) 
 
 void draw_view(ViewState& state, const ViewFacts& facts) {
   if (!ImGui::CollapsingHeader("View")) return;
-  if (facts.ground) draw_ground_view(state);
+  if (facts.terrain) draw_terrain_view(state);
   choose("show", all_debug_views, state.debug);
   if (facts.has_meshes) choose("meshes show", all_mesh_shows, state.meshes);
   bool is_wireframe = state.fill == Fill::wireframe;
@@ -275,9 +275,9 @@ void draw_help() {
   ImGui::End();
 }
 
-void draw_ground_layers(const ViewState& state, const ViewFacts& facts, PanelEdits& edits) {
-  if (state.pick) draw_ray_overlay(*state.pick, *facts.ground, state.camera.camera());
-  if (state.ground == GroundShow::steps) draw_step_legend();
+void draw_terrain_layers(const ViewState& state, const ViewFacts& facts, PanelEdits& edits) {
+  if (state.pick) draw_ray_overlay(*state.pick, *facts.terrain, state.camera.camera());
+  if (state.terrain == TerrainShow::steps) draw_step_legend();
   if (state.shows_map && facts.map) edits.wanted_place = facts.map->draw(state.camera.camera());
 }
 
@@ -341,7 +341,7 @@ PanelEdits draw_panels(ViewState& state, const ViewFacts& facts) {
   PanelEdits edits;
   if (state.shows_panels) draw_main_panel(state, facts, edits);
   if (state.shows_help) draw_help();
-  if (facts.ground) draw_ground_layers(state, facts, edits);
+  if (facts.terrain) draw_terrain_layers(state, facts, edits);
   if (!state.message.text.empty()) draw_message(state.message);
   return edits;
 }

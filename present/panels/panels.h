@@ -9,11 +9,11 @@
 #include "host/base/error.h"
 #include "host/ocl/device.h"
 #include "host/scene/file/scene_writer.h"
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 #include "host/scene/schema/parameter.h"
 #include "present/editing/cloud_editing.h"
-#include "present/editing/ground_pick.h"
 #include "present/editing/mesh_picker.h"
+#include "present/editing/terrain_pick.h"
 #include "present/gl/gl_context.h"
 #include "present/gl/stage_times.h"
 #include "present/gl/transfer.h"
@@ -32,7 +32,7 @@ struct Message {
   std::string text = {};
   bool is_fault = false;
 };
-/// The error's line, with the compiler's words if there were any, and its mend.
+/// The error's line, with the compiler's words if there were any, and its fix.
 Message fault_message(const Error& error);
 
 /// The panel of a group of the parameter table.
@@ -48,15 +48,15 @@ inline constexpr std::array<double, 4> ray_shares{1.0, 0.75, 0.5, 0.25};
 
 /// Everything that keys and panels change, and the window shows.
 struct ViewState {
-  scene::OceanScene scene;  ///< as edited; its view's camera is the one that flies
+  scene::Scene scene;  ///< as edited; its view's camera is the one that flies
   FreeCamera camera;
   SceneClock clock;
   DebugView debug = DebugView::none;
   Fill fill = Fill::solid;
-  GroundShow ground = GroundShow::light;
+  TerrainShow terrain = TerrainShow::light;
   MeshShow meshes = MeshShow::light;
   RayChoice rays = RayChoice::all;
-  std::optional<GroundPick> pick = {};
+  std::optional<TerrainPick> pick = {};
   std::optional<HighlightName> picked = {};
   CloudEditing clouds = {};
   float frame_limit_hz = 60.0f;  ///< 0: none
@@ -77,10 +77,10 @@ struct ViewFacts {
   const StageTimes& times;
   const GlCapabilities& capabilities;
   const ocl::DeviceInfo& device;
-  TransferRung transfer;
+  TransferPath transfer;
   int width_px, height_px;  ///< of the picture that is drawn
   bool has_meshes = false;
-  const world::GroundView* ground = nullptr;
+  const world::WorldTerrain* terrain = nullptr;
   const MiniMap* map = nullptr;
   Quality quality = {};         ///< of the picture
   SceneList* scenes = nullptr;  ///< nullptr: no list is drawn

@@ -16,8 +16,8 @@
 namespace offing::present {
 namespace {
 
-using scene::OceanScene;
 using scene::Parameter;
+using scene::Scene;
 using scene::WrittenValue;
 
 /// "%.6g m/s", as ImGui formats a value.
@@ -43,7 +43,7 @@ bool number_slider(const char* label, const Parameter& row, double& value) {
 /// One kind of widget for each alternative of scene::Storage.
 class Widget {
  public:
-  Widget(OceanScene& scene, const Parameter& row, EditInProgress& edit, scene::ElementIndex element)
+  Widget(Scene& scene, const Parameter& row, EditInProgress& edit, scene::ElementIndex element)
       : scene_(scene), row_(row), edit_(edit), element_(element), label_(parameter_label(row)) {}
 
   Edit operator()(scene::ValueAt<double> at) { return number(at(scene_, element_)); }
@@ -209,7 +209,7 @@ class Widget {
     return edit;
   }
 
-  OceanScene& scene_;
+  Scene& scene_;
   const Parameter& row_;
   EditInProgress& edit_;
   scene::ElementIndex element_;
@@ -229,8 +229,7 @@ std::string parameter_label(const Parameter& row) {
   return fmt::format("{}##{}", scene::name_of(row.key), row.key);
 }
 
-Edit parameter_widget(OceanScene& scene, const Parameter& row, EditInProgress& edit,
-                      scene::ElementIndex element) {
+Edit parameter_widget(Scene& scene, const Parameter& row, EditInProgress& edit, scene::ElementIndex element) {
   const Edit state = std::visit(Widget(scene, row, edit, element), row.storage);
   if (ImGui::IsItemHovered()) {
     std::string text(row.help);

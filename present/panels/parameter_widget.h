@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 #include "host/scene/schema/parameter.h"
 
 namespace offing::present {
@@ -17,7 +17,7 @@ enum class Edit {
 
 /// What is kept while a value is edited: one at a time.
 struct EditInProgress {
-  scene::OceanScene before = {};
+  scene::Scene before = {};
   std::string fault = {};  ///< why the last value was refused; empty if it was taken
 };
 
@@ -27,7 +27,7 @@ std::string parameter_label(const scene::Parameter& row);
 /// Draws a widget for one row of the parameter table, of the kind, range and unit that the row says, and
 /// stores what the user enters if the table takes it. When an edit ends with a value that it does not take,
 /// the scene is as it was before the edit. `element` is that of a repeated section.
-Edit parameter_widget(scene::OceanScene& scene, const scene::Parameter& row, EditInProgress& edit,
+Edit parameter_widget(scene::Scene& scene, const scene::Parameter& row, EditInProgress& edit,
                       scene::ElementIndex element = {});
 
 }  // namespace offing::present

@@ -36,12 +36,12 @@ void draw_map(ImVec2 middle, float radius, const SunPlace& now) {
   list.AddCircle(at(middle, radius, place), 6.0f, IM_COL32(0, 0, 0, 200));
 }
 
-void end_keyframes(scene::OceanScene& scene) {
+void end_keyframes(scene::Scene& scene) {
   scene.tracks.erase("sun.azimuth_deg");
   scene.tracks.erase("sun.elevation_deg");
 }
 
-Edit draw_hour(scene::OceanScene& scene) {
+Edit draw_hour(scene::Scene& scene) {
   const bool is_dated = scene.view.sun_time_utc.has_value();
   const UtcTime time = scene.view.sun_time_utc.value_or(usual_day);
   float hour = static_cast<float>(time.hour) + static_cast<float>(time.minute) / 60.0f +
@@ -67,14 +67,14 @@ SunPlace sun_of_dial(glm::dvec2 place) {
   return {azimuth_rad, (1.0 - distance) * right_angle_rad};
 }
 
-void place_sun(scene::OceanScene& scene, const SunPlace& sun) {
+void place_sun(scene::Scene& scene, const SunPlace& sun) {
   end_keyframes(scene);
   scene.view.sun_azimuth_rad = sun.azimuth_rad;
   scene.view.sun_elevation_rad = sun.elevation_rad;
   scene.view.sun_time_utc.reset();
 }
 
-void set_hour(scene::OceanScene& scene, double hour) {
+void set_hour(scene::Scene& scene, double hour) {
   end_keyframes(scene);
   UtcTime midnight = scene.view.sun_time_utc.value_or(usual_day);
   midnight.hour = midnight.minute = midnight.second = 0;
@@ -82,7 +82,7 @@ void set_hour(scene::OceanScene& scene, double hour) {
   scene.view.sun_time_utc = from_unix_seconds(unix_seconds(midnight) + second);
 }
 
-Edit draw_sun_dial(scene::OceanScene& scene, const SunPlace& now) {
+Edit draw_sun_dial(scene::Scene& scene, const SunPlace& now) {
   const float radius = 4.0f * ImGui::GetFontSize(), side = 2.0f * radius * static_cast<float>(dial_reach);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 middle(corner.x + 0.5f * side, corner.y + 0.5f * side);

@@ -2,7 +2,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 #include "present/panels/parameter_widget.h"
 
 namespace offing::present {
@@ -21,14 +21,14 @@ SunPlace sun_of_dial(glm::dvec2 place);
 inline constexpr double dial_reach = 1.2;  // of its rim: 18 degrees below the horizon, where night begins
 
 /// Puts the sun there, in the stead of its keyframes and its time.
-void place_sun(scene::OceanScene& scene, const SunPlace& sun);
+void place_sun(scene::Scene& scene, const SunPlace& sun);
 
 /// Puts the sun where it stands at an hour (UTC, 0 ... 24) of its day, of a sun without one of a 21 June; in
 /// the stead of its keyframes.
-void set_hour(scene::OceanScene& scene, double hour);
+void set_hour(scene::Scene& scene, double hour);
 
 /// Draws the dial, whose knob the mouse drags, and a slider for the hour of the day, which moves the sun as
 /// the Earth turns, seen from the scene's latitude. `now` is where it stands.
-Edit draw_sun_dial(scene::OceanScene& scene, const SunPlace& now);
+Edit draw_sun_dial(scene::Scene& scene, const SunPlace& now);
 
 }  // namespace offing::present

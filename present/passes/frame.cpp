@@ -13,7 +13,7 @@ namespace offing::present {
 namespace {
 
 /// The camera whose rays see the ground.
-Camera ground_camera(const FrameRequest& request) {
+Camera terrain_camera(const FrameRequest& request) {
   return scaled_camera(request.camera, request.quality.ray_scale());
 }
 
@@ -29,7 +29,7 @@ bool goes_on_from(const SkySight& before, const SkySight& now) {
 
 Frame::Frame(const GlContext& context, const ocl::Device& device, const FrameSettings& settings)
     : capabilities_(context.capabilities()),
-      ground_sampling_(settings.ground),
+      terrain_sampling_(settings.terrain),
       transfer_(context, device, settings.transfer),
       sky_(settings.sky_step_px),
       water_(context.capabilities(), settings.water),
@@ -42,11 +42,11 @@ void Frame::fit(int width, int height) {
   screen_ = RenderTarget(width, height, GL_RGBA8, RenderTarget::Depth::none);
 }
 
-void Frame::draw_light(world::World& world, const FrameRequest& request, bool sees_ground) {
+void Frame::draw_light(world::World& world, const FrameRequest& request, bool sees_terrain) {
   light_.bind();
   glClearDepth(0.0);
   glClear(GL_DEPTH_BUFFER_BIT);
-  if (sees_ground) {
+  if (sees_terrain) {
     const StageTimes::Scope stage(times_, Stage::terrain);
     terrain_.draw(request.camera, TerrainPass::Part::covered);
   }
@@ -69,7 +69,7 @@ void Frame::draw_light(world::World& world, const FrameRequest& request, bool se
     meshes_.draw(world, request, sky_.environment(), shadows_, light_);
     light_.bind();
   }
-  if (sees_ground) {
+  if (sees_terrain) {
     const StageTimes::Scope stage(times_, Stage::terrain);
     terrain_.draw(request.camera, TerrainPass::Part::edges);
   }
@@ -110,16 +110,16 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
   fit(request.camera.width_px, request.camera.height_px);
   // Depth is 1 at the near plane and 0 at infinity.
   if (capabilities_.has_clip_control) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  if (world.ground()) {
+  if (world.terrain()) {
     run_stage(times_, Stage::terrain, world.device(),
-              [&] { world.see_ground(ground_camera(request), ground_sampling_, request.tiles); });
+              [&] { world.see_terrain(terrain_camera(request), terrain_sampling_, request.tiles); });
   }
   if (!world.meshes().empty()) {
     run_stage(times_, Stage::meshes, world.device(),
               [&] { world.see_meshes(request.camera.eye_m, request.lighting_at, request.first_s); });
   }
-  const bool sees_ground = world.ground() && world.ground()->is_in_reach();
-  const bool shows_steps = sees_ground && request.ground == GroundShow::steps;
+  const bool sees_terrain = world.terrain() && world.terrain()->is_in_reach();
+  const bool shows_steps = sees_terrain && request.terrain == TerrainShow::steps;
   is_under_ = !shows_steps && UnderwaterPass::is_under(world, request.camera);
   {
     const StageTimes::Scope stage(times_, Stage::transfer);
@@ -127,7 +127,7 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
     sky_.prepare(world.sky());
     if (world.has_sea() || !world.meshes().empty()) shadows_.prepare(world, request.camera.eye_m);
     meshes_.prepare(world);
-    if (sees_ground) terrain_.prepare(world.ground()->picture(), transfer_);
+    if (sees_terrain) terrain_.prepare(world.terrain()->picture(), transfer_);
   }
   if (shows_steps) {
     const StageTimes::Scope stage(times_, Stage::terrain);
@@ -135,7 +135,7 @@ void Frame::draw(world::World& world, const FrameRequest& request) {
     terrain_.draw_steps();
   } else {
     draw_cloudy_sky(world, request);
-    draw_light(world, request, sees_ground);
+    draw_light(world, request, sees_terrain);
     if (world.clouds() != nullptr) draw_clouds(world, request);
     if (is_under_) {
       const StageTimes::Scope stage(times_, Stage::water);

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "host/base/camera.h"
-#include "host/clouds/image/puff_textures.h"
+#include "host/clouds/image/billboard_textures.h"
 #include "host/world/world.h"
 #include "present/gl/gl_context.h"
 #include "present/gl/render_target.h"
@@ -25,8 +25,8 @@ namespace offing::present {
 
 struct FrameSettings {
   WaterDetail water;
-  std::optional<TransferRung> transfer = {};  ///< the best one where absent
-  terrain::Sampling ground = {};
+  std::optional<TransferPath> transfer = {};  ///< the best one where absent
+  terrain::Sampling terrain = {};
   int sky_step_px = 1;  ///< between pixels of whose sky the light is worked out (SkyPass)
 };
 
@@ -50,7 +50,7 @@ class Frame {
   void draw(world::World& world, const FrameRequest& request);
 
   /// Puts other textures of clouds in the place of Offing's own.
-  void set_puffs(const ocl::Device& device, const clouds::PuffTextures& textures) {
+  void set_billboards(const ocl::Device& device, const clouds::BillboardTextures& textures) {
     clouds_.set_textures(device, textures);
     cloudy_sky_.set_textures(device, textures);
   }
@@ -64,17 +64,17 @@ class Frame {
   const RenderTarget& screen() const { return screen_; }
   /// Times of the stages, for callers to add their own and to end the frame.
   StageTimes& times() { return times_; }
-  TransferRung transfer_rung() const { return transfer_.rung(); }
+  TransferPath transfer_path() const { return transfer_.path(); }
 
  private:
   void fit(int width, int height);
-  void draw_light(world::World& world, const FrameRequest& request, bool sees_ground);
+  void draw_light(world::World& world, const FrameRequest& request, bool sees_terrain);
   void draw_clouds(world::World& world, const FrameRequest& request);
   void draw_cloudy_sky(world::World& world, const FrameRequest& request);
 
   GlCapabilities capabilities_;
-  terrain::Sampling ground_sampling_;
-  TransferLadder transfer_;
+  terrain::Sampling terrain_sampling_;
+  Transfer transfer_;
   SkyPass sky_;
   WaterPass water_;
   TerrainPass terrain_;

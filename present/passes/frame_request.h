@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "host/base/camera.h"
-#include "host/highlights/tracks/highlight_tracks.h"
-#include "host/world/ground_view.h"
+#include "host/highlights/tracks/highlight_tracker.h"
+#include "host/world/world_terrain.h"
 #include "present/passes/quality.h"
 
 namespace offing::present {
@@ -34,7 +34,7 @@ inline constexpr std::array all_debug_views{DebugView::none,      DebugView::hei
 std::string_view to_string(DebugView view);
 
 /// What the ground shows.
-enum class GroundShow {
+enum class TerrainShow {
   light,
   steps,  ///< how many steps each ray took, over the whole picture (terrain::step_colours)
 };
@@ -64,7 +64,7 @@ struct FrameRequest {
   double exposure = 1.0;  ///< 1 / (kcd/m2), of LightMeter
   DebugView debug = DebugView::none;
   Fill fill = Fill::solid;
-  GroundShow ground = GroundShow::light;
+  TerrainShow terrain = TerrainShow::light;
   MeshShow meshes = MeshShow::light;
   world::TileWait tiles = world::TileWait::all;
   SkyRefresh sky = SkyRefresh::whole;

@@ -11,12 +11,12 @@
 #include "host/base/freed_memory.h"
 #include "host/base/log.h"
 #include "host/scene/prepare/moving_view.h"
-#include "host/scene/prepare/own_puffs.h"
+#include "host/scene/prepare/own_billboards.h"
 #include "host/scene/prepare/scene_clouds.h"
 #include "host/scene/prepare/scene_meshes.h"
 #include "host/scene/prepare/world_scene.h"
 #include "present/gl/device_stage.h"
-#include "present/output/picture_file.h"
+#include "present/output/image_file.h"
 
 namespace offing::present {
 namespace {
@@ -32,12 +32,12 @@ world::WorldParameters with_particles(CloudBuilder& builder, world::WorldParamet
   return parameters;
 }
 
-FrameRequest request_of(const SeaView& view, double exposure) {
+FrameRequest request_of(const SceneView& view, double exposure) {
   return {.camera = view.camera,
           .exposure = exposure,
           .debug = view.debug,
           .fill = view.fill,
-          .ground = view.ground,
+          .terrain = view.terrain,
           .meshes = view.meshes,
           .tiles = view.tiles,
           .sky = view.sky,
@@ -48,7 +48,7 @@ FrameRequest request_of(const SeaView& view, double exposure) {
 
 }  // namespace
 
-LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, const scene::OceanScene& scene)
+LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, const scene::Scene& scene)
     : context_(context),
       settings_(settings.frame),
       cancel_(settings.cancel),
@@ -62,25 +62,25 @@ LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, cons
   take_scene(std::move(scene_));
 }
 
-std::unique_ptr<Frame> LiveSea::new_frame(const scene::OceanScene& scene) {
+std::unique_ptr<Frame> LiveSea::new_frame(const scene::Scene& scene) {
   auto frame = std::make_unique<Frame>(context_, device_, settings_);
-  if (const auto puffs = scene::own_puffs(scene)) frame->set_puffs(device_, *puffs);
+  if (const auto billboards = scene::own_billboards(scene)) frame->set_billboards(device_, *billboards);
   return frame;
 }
 
-void LiveSea::take_scene(scene::OceanScene scene) {
-  warning_ = scene::steepness_warning(scene, world_->parameters().trochoids);
+void LiveSea::take_scene(scene::Scene scene) {
+  warning_ = scene::steepness_warning(scene, world_->parameters().gerstner_waves);
   scene.set_at.clear();
   wanted_ = scene_ = std::move(scene);
 }
 
-void LiveSea::open(const scene::OceanScene& scene) {
-  scene::OceanScene opened = scene;
+void LiveSea::open(const scene::Scene& scene) {
+  scene::Scene opened = scene;
   auto builder = std::make_unique<CloudBuilder>(device_.info(), opened);
   auto world = std::make_unique<world::World>(
       device_, with_particles(*builder, scene::prepare_shown_world(opened), cancel_));
   auto frame = new_frame(opened);
-  const SeaView view{.time_s = opened.start_s, .camera = opened.view.camera};
+  const SceneView view{.time_s = opened.start_s, .camera = opened.view.camera};
   try_out(*world, view);
   builder_ = std::move(builder);
   world_ = std::move(world);
@@ -91,7 +91,7 @@ void LiveSea::open(const scene::OceanScene& scene) {
   is_drawn_ = false;
 }
 
-void LiveSea::try_out(world::World& world, const SeaView& view) const {
+void LiveSea::try_out(world::World& world, const SceneView& view) const {
   world.set_eye({view.camera.eye_m.x, view.camera.eye_m.z});
   world.at(view.time_s, view.camera.eye_m.y);
   world.see_clouds(view.camera);
@@ -112,17 +112,17 @@ void LiveSea::change(const std::function<void()>& work) {
 }
 
 void LiveSea::warn() {
-  std::string warning = scene::steepness_warning(scene_, world_->parameters().trochoids);
+  std::string warning = scene::steepness_warning(scene_, world_->parameters().gerstner_waves);
   if (warning_.empty() && !warning.empty()) spdlog::warn("{}", warning);
   warning_ = std::move(warning);
 }
 
-void LiveSea::begin_edit(const scene::OceanScene& scene, Haste haste) {
+void LiveSea::begin_edit(const scene::Scene& scene, Haste haste) {
   const auto start = std::chrono::steady_clock::now();
-  scene::OceanScene edited = scene;
+  scene::Scene edited = scene;
   edited.set_at.clear();
   // All but the clouds is shown at once.
-  scene::OceanScene now = edited;
+  scene::Scene now = edited;
   scene::copy_clouds(scene_, now);
   change([&] { scene::edit_world_below(*world_, scene_, now); });
   scene_ = std::move(now);
@@ -133,14 +133,14 @@ void LiveSea::begin_edit(const scene::OceanScene& scene, Haste haste) {
 }
 
 void LiveSea::show_clouds(BuiltClouds built) {
-  scene::OceanScene now = scene_;
+  scene::Scene now = scene_;
   scene::copy_clouds(built.scene, now);
   change([&] {
     // With the first cloud, or without the last one, the sea may come or go.
     scene::edit_world_below(*world_, scene_, now);
     world_->set_clouds(built.sky);
   });
-  if (built.puffs) frame_->set_puffs(device_, *built.puffs);
+  if (built.billboards) frame_->set_billboards(device_, *built.billboards);
   scene_ = std::move(now);
   warn();
 }
@@ -153,7 +153,7 @@ bool LiveSea::take_clouds() {
   return true;
 }
 
-void LiveSea::edit(const scene::OceanScene& scene) {
+void LiveSea::edit(const scene::Scene& scene) {
   begin_edit(scene, Haste::interrupt);
   builder_->wait();
   take_clouds();
@@ -179,12 +179,12 @@ double LiveSea::surface_height_m(double x_m, double z_m) {
     const std::array<ocean::WaterPoint, 1> point{{{x_m, z_m}}};
     height_m = world_->sample(point, {.fields = ocean::WaterQuery::Fields::surface}).front().height_m;
   }
-  if (ground() == nullptr) return height_m;
-  const std::optional<terrain::GroundPoint> below = ground()->ground_at(x_m, z_m);
+  if (terrain() == nullptr) return height_m;
+  const std::optional<terrain::TerrainPoint> below = terrain()->terrain_at(x_m, z_m);
   return below ? std::max(height_m, below->height_m) : height_m;
 }
 
-void LiveSea::simulate(const SeaView& view) {
+void LiveSea::simulate(const SceneView& view) {
   world_->set_eye({view.camera.eye_m.x, view.camera.eye_m.z});
   world_->set_light_lag(view.quality.light_lag);
   world_->set_sea_samples(
@@ -193,7 +193,7 @@ void LiveSea::simulate(const SeaView& view) {
   run_stage(frame_->times(), Stage::simulate, device_, [&] { world_->at(view.time_s, view.camera.eye_m.y); });
 }
 
-void LiveSea::draw(const SeaView& view) {
+void LiveSea::draw(const SceneView& view) {
   const scene::ViewScene now = scene::view_at(scene_, view.time_s);
   view_ = view;
   scene::set_view(*world_, now);
@@ -206,7 +206,7 @@ void LiveSea::draw(const SeaView& view) {
 }
 
 void LiveSea::write(const std::filesystem::path& path, Existing existing) const {
-  write_picture(path, *frame_, view_.time_s, exposure_, existing);
+  write_image(path, *frame_, view_.time_s, exposure_, existing);
 }
 
 }  // namespace offing::present

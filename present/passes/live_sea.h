@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 #include "host/world/world.h"
 #include "present/editing/cloud_builder.h"
 #include "present/gl/gl_context.h"
@@ -25,12 +25,12 @@ struct LiveSeaSettings {
 };
 
 /// What to show of a sea: when, from where, and how.
-struct SeaView {
+struct SceneView {
   double time_s = 0.0;
   Camera camera;
   DebugView debug = DebugView::none;
   Fill fill = Fill::solid;
-  GroundShow ground = GroundShow::light;
+  TerrainShow terrain = TerrainShow::light;
   MeshShow meshes = MeshShow::light;
   world::TileWait tiles = world::TileWait::all;
   SkyRefresh sky = SkyRefresh::whole;
@@ -44,18 +44,18 @@ struct SeaView {
 class LiveSea {
  public:
   /// Throws what making a world and its pictures throws.
-  LiveSea(const GlContext& context, const LiveSeaSettings& settings, const scene::OceanScene& scene);
+  LiveSea(const GlContext& context, const LiveSeaSettings& settings, const scene::Scene& scene);
 
   /// Shows another scene as a fresh start with it would, on the same device: nothing of the one before goes
   /// on. Throws what making a world throws, Error(cancelled) where the token says so.
-  void open(const scene::OceanScene& scene);
+  void open(const scene::Scene& scene);
   /// Changes the scene, making anew only what differs; clouds that differ are made in the background.
-  void begin_edit(const scene::OceanScene& scene, Haste haste);
+  void begin_edit(const scene::Scene& scene, Haste haste);
   /// Shows clouds that have been made since; whether there were any. Throws what making them has thrown: the
   /// world and its scene are as they were, but wanted() is not shown then.
   bool take_clouds();
   /// begin_edit() and take_clouds() once they are made.
-  void edit(const scene::OceanScene& scene);
+  void edit(const scene::Scene& scene);
   /// How far clouds are that are being made; nothing when none are.
   std::optional<world::CloudProgress> clouds_progress() const { return builder_->progress(); }
   /// How long the last edit took.
@@ -63,9 +63,9 @@ class LiveSea {
   /// What there is to say about the scene, scene::steepness_warning(); logged when it comes up.
   const std::string& warning() const { return warning_; }
   /// What is shown.
-  const scene::OceanScene& scene() const { return scene_; }
+  const scene::Scene& scene() const { return scene_; }
   /// That of the last edit that began: with clouds that are still being made.
-  const scene::OceanScene& wanted() const { return wanted_; }
+  const scene::Scene& wanted() const { return wanted_; }
   /// Compiles kernels and shaders again, from where they come from (ocl::Program, shader_file()).
   void reload();
 
@@ -74,17 +74,17 @@ class LiveSea {
   /// (farthest_point_m).
   double surface_height_m(double x_m, double z_m);
   /// nullptr without ground.
-  world::GroundView* ground() { return world_->ground(); }
+  world::WorldTerrain* terrain() { return world_->terrain(); }
   /// nullptr without clouds.
-  const world::CloudsView* clouds() const { return std::as_const(*world_).clouds(); }
+  const world::WorldClouds* clouds() const { return std::as_const(*world_).clouds(); }
   /// As the last picture shows them.
-  const std::vector<world::MeshView>& meshes() const { return std::as_const(*world_).meshes(); }
+  const std::vector<world::WorldMesh>& meshes() const { return std::as_const(*world_).meshes(); }
 
   /// Sun, air and exposure are those of the scene at that time. Throws what scene::view_at() throws.
-  void draw(const SeaView& view);
+  void draw(const SceneView& view);
   /// The last picture is the next frame of a recording.
   void record(Recorder& recorder) const { recorder.write(*frame_, view_.time_s, exposure_); }
-  /// The last picture, into a file (picture_file.h).
+  /// The last picture, into a file (image_file.h).
   void write(const std::filesystem::path& path, Existing existing) const;
 
   Frame& frame() { return *frame_; }
@@ -92,27 +92,27 @@ class LiveSea {
 
  private:
   /// What is compiled or allocated at first use.
-  void try_out(world::World& world, const SeaView& view) const;
-  void simulate(const SeaView& view);
+  void try_out(world::World& world, const SceneView& view) const;
+  void simulate(const SceneView& view);
   /// Changes the world, or leaves it as it was.
   void change(const std::function<void()>& work);
   void show_clouds(BuiltClouds built);
-  std::unique_ptr<Frame> new_frame(const scene::OceanScene& scene);
+  std::unique_ptr<Frame> new_frame(const scene::Scene& scene);
   /// What was written where has been checked: edits are not to be warned of as if they were in the file.
-  void take_scene(scene::OceanScene scene);
+  void take_scene(scene::Scene scene);
   void warn();
 
   const GlContext& context_;
   FrameSettings settings_;
   const CancelToken* cancel_;
   ocl::Device device_;
-  scene::OceanScene scene_, wanted_;
+  scene::Scene scene_, wanted_;
   std::unique_ptr<CloudBuilder> builder_;
   std::string warning_;
   std::unique_ptr<world::World> world_;
   std::unique_ptr<Frame> frame_;
   LightMeter light_meter_;
-  SeaView view_;  // of the last picture
+  SceneView view_;  // of the last picture
   double exposure_ = 1.0, edit_s_ = 0.0;
   bool is_drawn_ = false;  // since the scene was opened
 };

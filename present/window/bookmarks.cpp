@@ -16,7 +16,7 @@ std::string name_of(const scene::BookmarkScene& bookmark, std::size_t number) {
 
 }  // namespace
 
-std::string set_bookmark(scene::OceanScene& scene, const Camera& camera, std::size_t number) {
+std::string set_bookmark(scene::Scene& scene, const Camera& camera, std::size_t number) {
   const std::size_t count = scene.bookmarks.size();
   if (number <= count) {
     scene.bookmarks[number - 1].camera = camera;
@@ -27,7 +27,7 @@ std::string set_bookmark(scene::OceanScene& scene, const Camera& camera, std::si
   return name_of(scene.bookmarks.back(), count + 1) + " is this view";
 }
 
-std::string go_to_bookmark(const scene::OceanScene& scene, std::size_t number, Camera& camera) {
+std::string go_to_bookmark(const scene::Scene& scene, std::size_t number, Camera& camera) {
   if (number == 0 || number > scene.bookmarks.size()) {
     throw Error(ErrorKind::bad_usage, fmt::format("there is no bookmark {} in this scene", number),
                 "Ctrl with the key sets it");

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "present/editing/ground_pick.h"
+#include "present/editing/terrain_pick.h"
 
 namespace offing::present {
 
@@ -12,9 +12,9 @@ void CameraPilot::move(ViewState& state, LiveSea& sea, const CameraInput& input,
   FreeCamera& camera = state.camera;
   const auto surface_m = [&sea](double x_m, double z_m) { return sea.surface_height_m(x_m, z_m); };
   scene::ViewScene& view = state.scene.view;
-  if (view.mode == CameraMode::walk && sea.ground()) {
+  if (view.mode == CameraMode::walk && sea.terrain()) {
     camera.look(input);
-    if (walking_.advance(sea.ground()->parameters(), view, input, seconds, camera.camera())) {
+    if (walking_.advance(sea.terrain()->parameters(), view, input, seconds, camera.camera())) {
       const glm::dvec3& eye_m = camera.camera().eye_m;
       if (sea.scene().has_sea()) camera.rise_above(surface_m(eye_m.x, eye_m.z));
       return;
@@ -23,14 +23,14 @@ void CameraPilot::move(ViewState& state, LiveSea& sea, const CameraInput& input,
     state.message = {.text = "there is no ground here to walk on"};
   }
   camera.advance(input, seconds, surface_m);
-  if (!sea.ground()) return;
+  if (!sea.terrain()) return;
   const glm::dvec3& eye_m = camera.camera().eye_m;
-  const std::optional<terrain::GroundPoint> below = sea.ground()->ground_at(eye_m.x, eye_m.z);
+  const std::optional<terrain::TerrainPoint> below = sea.terrain()->terrain_at(eye_m.x, eye_m.z);
   if (below && below->height_m > eye_m.y) camera.rise_above(below->height_m);
 }
 
 bool CameraPilot::toggle_walk(ViewState& state, LiveSea& sea) const {
-  if (!sea.ground()) {
+  if (!sea.terrain()) {
     state.message = {.text = "there is no ground in this scene to walk on"};
     return false;
   }
@@ -40,17 +40,17 @@ bool CameraPilot::toggle_walk(ViewState& state, LiveSea& sea) const {
 }
 
 bool CameraPilot::go_to(ViewState& state, LiveSea& sea, glm::dvec2 place_m) const {
-  if (!sea.ground()) return false;
-  const std::optional<terrain::GroundPoint> ground = sea.ground()->ground_at(place_m.x, place_m.y);
-  if (!ground) return false;
-  state.camera.camera().eye_m = {place_m.x, ground->height_m + state.scene.view.walker.eye_height_m,
+  if (!sea.terrain()) return false;
+  const std::optional<terrain::TerrainPoint> terrain = sea.terrain()->terrain_at(place_m.x, place_m.y);
+  if (!terrain) return false;
+  state.camera.camera().eye_m = {place_m.x, terrain->height_m + state.scene.view.walker.eye_height_m,
                                  place_m.y};
   return true;
 }
 
 bool CameraPilot::go_through(ViewState& state, LiveSea& sea, glm::dvec2 clip) const {
-  if (!sea.ground() || !sea.ground()->is_in_reach()) return false;
-  const std::optional<GroundPick> pick = pick_ground(*sea.ground(), state.camera.camera(), clip);
+  if (!sea.terrain() || !sea.terrain()->is_in_reach()) return false;
+  const std::optional<TerrainPick> pick = pick_terrain(*sea.terrain(), state.camera.camera(), clip);
   return pick && go_to(state, sea, {pick->place_m.x, pick->place_m.z});
 }
 

@@ -54,13 +54,13 @@ DroppedKind kind_of_ply(const std::filesystem::path& file) {
 }
 
 /// Stores text as if the scene's file had it.
-void store_text(scene::OceanScene& scene, const char* key, const std::string& text,
+void store_text(scene::Scene& scene, const char* key, const std::string& text,
                 scene::ElementIndex element = {}) {
   scene::store(scene, *scene::find_parameter(key), {.value = text, .shown = one_line(text)}, {.subject = key},
                element);
 }
 
-scene::ElementIndex add_element(scene::OceanScene& scene, const char* key) {
+scene::ElementIndex add_element(scene::Scene& scene, const char* key) {
   const scene::Parameter& row = *scene::find_parameter(key);
   scene::append_element(scene, row, {.subject = std::string(scene::section_of(key))});
   return scene::last_element(scene, row.elements);
@@ -77,7 +77,7 @@ std::string unused_name(const List& list, const std::string& stem) {
   return name;
 }
 
-std::string add_mesh(scene::OceanScene& scene, const std::filesystem::path& file, const glm::dvec3& place_m) {
+std::string add_mesh(scene::Scene& scene, const std::filesystem::path& file, const glm::dvec3& place_m) {
   const std::string name = unused_name(scene.meshes, file.stem().string());
   const scene::ElementIndex element = add_element(scene, "mesh.file");
   store_text(scene, "mesh.file", file.string(), element);
@@ -86,7 +86,7 @@ std::string add_mesh(scene::OceanScene& scene, const std::filesystem::path& file
   return fmt::format("added the mesh {}: its place and scale are in the panel Meshes", name);
 }
 
-std::string add_cloud(scene::OceanScene& scene, const std::filesystem::path& file) {
+std::string add_cloud(scene::Scene& scene, const std::filesystem::path& file) {
   const std::string name = unused_name(scene.clouds, file.stem().string());
   const scene::ElementIndex element = add_element(scene, "cloud.file");
   store_text(scene, "cloud.file", file.string(), element);
@@ -94,7 +94,7 @@ std::string add_cloud(scene::OceanScene& scene, const std::filesystem::path& fil
   return fmt::format("added the cloud {}: its place and look are in the panel Clouds", name);
 }
 
-std::string take_heights(scene::OceanScene& scene, const std::filesystem::path& file) {
+std::string take_heights(scene::Scene& scene, const std::filesystem::path& file) {
   scene.terrain.is_given = true;
   // How the last file was read, and where it lay, says nothing about this one.
   scene.terrain.reading = {};
@@ -105,7 +105,7 @@ std::string take_heights(scene::OceanScene& scene, const std::filesystem::path& 
   return fmt::format("the ground is that of {}", file.filename().string());
 }
 
-std::string take_spectrum(scene::OceanScene& scene, const std::filesystem::path& file) {
+std::string take_spectrum(scene::Scene& scene, const std::filesystem::path& file) {
   scene.names_sea = true;
   scene.record = 0;
   store_text(scene, "ocean.spectrum_file", file.string());
@@ -134,7 +134,7 @@ DroppedKind kind_of_dropped(const std::filesystem::path& file) {
       "stores; .data_spec .spec .spc .spt .txt .nc and these as .gz; .vdb and .ply of particles");
 }
 
-std::string add_dropped(scene::OceanScene& scene, const std::filesystem::path& file, DroppedKind kind,
+std::string add_dropped(scene::Scene& scene, const std::filesystem::path& file, DroppedKind kind,
                         const glm::dvec3& place_m) {
   // Beside what stands alone a sea has to be named.
   scene.names_sea = scene.has_sea();

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 
 namespace offing::present {
 
@@ -20,7 +20,7 @@ DroppedKind kind_of_dropped(const std::filesystem::path& file);
 /// that there is: a mesh stands at `place_m` (world, +y up), heights are the ground in the stead of those
 /// before, a spectrum makes the sea, a cloud is where its file has it. Returns what is to be said of it.
 /// Throws Error(bad_input) where the scene takes no more of them, or not such a name.
-std::string add_dropped(scene::OceanScene& scene, const std::filesystem::path& file, DroppedKind kind,
+std::string add_dropped(scene::Scene& scene, const std::filesystem::path& file, DroppedKind kind,
                         const glm::dvec3& place_m);
 
 }  // namespace offing::present

@@ -46,7 +46,7 @@ bool FileIntake::take_in(const WaitingFile& waiting, const Screen& screen, glm::
   }
   const bool has_place = kind == DroppedKind::mesh;
   const glm::dvec3 place_m = has_place ? pointed_place(sea_, screen, pointer) : glm::dvec3(0.0);
-  editing_.make([&](scene::OceanScene& scene) { return add_dropped(scene, file, kind, place_m); });
+  editing_.make([&](scene::Scene& scene) { return add_dropped(scene, file, kind, place_m); });
   return false;
 }
 

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t most_left = 16;
 
 /// All that edits are kept of: the camera is moved without an edit.
-std::string text_without_camera(scene::OceanScene scene) {
+std::string text_without_camera(scene::Scene scene) {
   take_camera_path({}, scene);
   scene.view.camera = {};
   scene.view.mode = {};
@@ -49,8 +49,7 @@ OpenedScene shipped_scene(std::string_view name) {
           .file = {}};
 }
 
-SavedScene::SavedScene(const std::filesystem::path& file, scene::OceanScene scene)
-    : scene_(std::move(scene)) {
+SavedScene::SavedScene(const std::filesystem::path& file, scene::Scene scene) : scene_(std::move(scene)) {
   std::error_code ignored;
   if (file.empty() || std::filesystem::is_symlink(file, ignored)) return;
   try {
@@ -61,7 +60,7 @@ SavedScene::SavedScene(const std::filesystem::path& file, scene::OceanScene scen
   }
 }
 
-bool SavedScene::differs_from(const scene::OceanScene& scene) const {
+bool SavedScene::differs_from(const scene::Scene& scene) const {
   try {
     return text_without_camera(scene) != text_without_camera(scene_);
   } catch (const Error&) {  // what no file can have is in none
@@ -69,7 +68,7 @@ bool SavedScene::differs_from(const scene::OceanScene& scene) const {
   }
 }
 
-std::filesystem::path SavedScene::save(const scene::OceanScene& scene, const std::filesystem::path& name,
+std::filesystem::path SavedScene::save(const scene::Scene& scene, const std::filesystem::path& name,
                                        Existing existing) {
   if (file_.empty() || has_comments_) return save_as(scene, name, existing);
   if (is_there(file_) && scene_file_text(file_) != text_) {
@@ -79,7 +78,7 @@ std::filesystem::path SavedScene::save(const scene::OceanScene& scene, const std
   return save_as(scene, file_, Existing::replace);
 }
 
-std::filesystem::path SavedScene::save_as(const scene::OceanScene& scene, const std::filesystem::path& name,
+std::filesystem::path SavedScene::save_as(const scene::Scene& scene, const std::filesystem::path& name,
                                           Existing existing) {
   scene::save_scene(scene, name, existing);
   scene_ = scene;
@@ -97,7 +96,7 @@ SceneSwitch::Left SceneSwitch::leave() const {
           .history = editing_.history()};
 }
 
-void SceneSwitch::show(const OpenedScene& opened, const scene::OceanScene& shown, double time_s) {
+void SceneSwitch::show(const OpenedScene& opened, const scene::Scene& shown, double time_s) {
   sea_.open(shown);
   options_.scene = opened.scene;
   options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
@@ -157,7 +156,7 @@ void SceneSwitch::go(std::vector<Left>& from, std::vector<Left>& to) {
 
 std::vector<std::string> SceneSwitch::unsaved() const {
   std::vector<std::string> names;
-  const auto look = [&](const SavedScene& saved, const scene::OceanScene& scene, const std::string& name) {
+  const auto look = [&](const SavedScene& saved, const scene::Scene& scene, const std::string& name) {
     if (saved.differs_from(scene)) names.push_back(name.empty() ? "the scene" : name);
   };
   look(saved_, state_.scene, options_.scene_name);

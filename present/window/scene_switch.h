@@ -14,7 +14,7 @@ namespace offing::present {
 
 /// A scene as its file has it.
 struct OpenedScene {
-  scene::OceanScene scene;
+  scene::Scene scene;
   std::string name;            ///< for titles and names of files
   std::filesystem::path file;  ///< empty: none
 };
@@ -28,21 +28,20 @@ class SavedScene {
  public:
   /// Just opened from a file. If the name is empty, or the file is a link or cannot be read, saving writes
   /// another file.
-  SavedScene(const std::filesystem::path& file, scene::OceanScene scene);
+  SavedScene(const std::filesystem::path& file, scene::Scene scene);
 
   /// Whether anything but the camera differs.
-  bool differs_from(const scene::OceanScene& scene) const;
+  bool differs_from(const scene::Scene& scene) const;
   /// Writes it into the file that it was opened from or saved to last. A first save makes `name` of it, which
   /// must not be there, and so does that of a file with comments, which would be lost. Returns what was
   /// written. Throws Error(file) where another program has changed the file, and what scene::save_scene()
   /// throws.
-  std::filesystem::path save(const scene::OceanScene& scene, const std::filesystem::path& name,
-                             Existing existing);
-  std::filesystem::path save_as(const scene::OceanScene& scene, const std::filesystem::path& name,
+  std::filesystem::path save(const scene::Scene& scene, const std::filesystem::path& name, Existing existing);
+  std::filesystem::path save_as(const scene::Scene& scene, const std::filesystem::path& name,
                                 Existing existing);
 
  private:
-  scene::OceanScene scene_;
+  scene::Scene scene_;
   std::filesystem::path file_;
   std::string text_;  // of the file, when it was opened or saved
   bool has_comments_ = false;
@@ -79,14 +78,14 @@ class SceneSwitch {
  private:
   struct Left {
     OpenedScene opened;
-    scene::OceanScene shown;
+    scene::Scene shown;
     SavedScene saved;
     double time_s;
     SceneHistory history;
   };
 
   Left leave() const;
-  void show(const OpenedScene& opened, const scene::OceanScene& shown, double time_s);
+  void show(const OpenedScene& opened, const scene::Scene& shown, double time_s);
   /// To the last one of `from`; the scene that is left becomes the last one of `to`.
   void go(std::vector<Left>& from, std::vector<Left>& to);
 

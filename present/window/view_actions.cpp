@@ -51,7 +51,7 @@ bool change_view(ViewAction action, ViewState& state) {
       state.meshes = next_of(all_mesh_shows, state.meshes);
       return true;
     case ViewAction::toggle_steps:
-      state.ground = state.ground == GroundShow::light ? GroundShow::steps : GroundShow::light;
+      state.terrain = state.terrain == TerrainShow::light ? TerrainShow::steps : TerrainShow::light;
       return true;
     case ViewAction::toggle_map:
       state.shows_map = !state.shows_map;

@@ -16,10 +16,10 @@
 #include "host/base/freed_memory.h"
 #include "host/base/log.h"
 #include "host/scene/prepare/moving_view.h"
-#include "host/scene/prepare/scene_ground.h"
+#include "host/scene/prepare/scene_terrain.h"
 #include "present/gl/window_copy.h"
 #include "present/output/camera_path.h"
-#include "present/output/picture_file.h"
+#include "present/output/image_file.h"
 #include "present/output/video_pipe.h"
 #include "present/panels/cloud_panel.h"
 #include "present/panels/highlight_panel.h"
@@ -45,8 +45,8 @@ std::string whole_name(const std::filesystem::path& path) {
 Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
     : options_(options),
       context_(GlContext::window({.title = title(options),
-                                  .width = options.size.value_or(PictureSize{}).width,
-                                  .height = options.size.value_or(PictureSize{}).height})),
+                                  .width = options.size.value_or(ImageSize{}).width,
+                                  .height = options.size.value_or(ImageSize{}).height})),
       sea_(context_, sea_settings(options, context_.capabilities(), cancel), options.scene),
       state_(start_state(options, sea_)),
       input_(window()),
@@ -64,7 +64,7 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
   if (options.starts_paused) state_.clock.toggle_pause();
   if (options.recording) recorder_.emplace(*options.recording);
   spdlog::info("OpenGL {} ({}); OpenCL {}; transfer {}", context_.capabilities().version,
-               context_.capabilities().renderer, sea_.device().name, to_string(sea_.frame().transfer_rung()));
+               context_.capabilities().renderer, sea_.device().name, to_string(sea_.frame().transfer_path()));
 }
 
 bool Viewer::turn() {
@@ -88,7 +88,7 @@ bool Viewer::turn() {
   if (show()) {
     if (state_.kept_hz > 0.0f) {
       const double shown_s = glfwGetTime();
-      ladder_.note(1e3 * (shown_s - now_s), 1e3 / state_.kept_hz, shown_s);
+      control_.note(1e3 * (shown_s - now_s), 1e3 / state_.kept_hz, shown_s);
     }
     if (recorder_) record_frame();
     limiter_.wait(most_frames_hz());
@@ -136,9 +136,8 @@ void Viewer::act(KeyPress press) {
       go_to_bookmark(number);
       break;
     case ViewAction::set_bookmark:
-      editing_.make([&](scene::OceanScene& scene) {
-        return present::set_bookmark(scene, state_.camera.camera(), number);
-      });
+      editing_.make(
+          [&](scene::Scene& scene) { return present::set_bookmark(scene, state_.camera.camera(), number); });
       break;
     case ViewAction::save:
       save_scene(false);
@@ -180,7 +179,7 @@ void Viewer::begin_scene() {
   is_on_path_ = has_camera_path(state_.scene);
   last_turn_s_ = glfwGetTime();
   scene_list_.follow(options_.scene_file);
-  ladder_ = {};
+  control_ = {};
 }
 
 /// Of the window, whose size is that of the mouse's places.
@@ -202,12 +201,12 @@ void Viewer::move_camera(double wall_s) {
 
 void Viewer::pick_ray() {
   state_.pick.reset();
-  if (!sea_.ground() || !sea_.ground()->is_in_reach()) return;
-  state_.pick = pick_ground(*sea_.ground(), state_.camera.camera(), input_.pointer());
+  if (!sea_.terrain() || !sea_.terrain()->is_in_reach()) return;
+  state_.pick = pick_terrain(*sea_.terrain(), state_.camera.camera(), input_.pointer());
 }
 
 Quality Viewer::quality() const {
-  Quality quality = state_.kept_hz > 0.0f && !options_.recording ? ladder_.quality() : Quality{};
+  Quality quality = state_.kept_hz > 0.0f && !options_.recording ? control_.quality() : Quality{};
   quality.ray_share = std::min(quality.ray_share, ray_shares.at(static_cast<std::size_t>(state_.rays)));
   return quality;
 }
@@ -215,7 +214,7 @@ Quality Viewer::quality() const {
 /// While quality gives way to a rate, more frames than that would come unevenly and leave it for nothing.
 double Viewer::most_frames_hz() const {
   const double limit_hz = state_.frame_limit_hz, kept_hz = state_.kept_hz;
-  if (kept_hz == 0.0 || options_.recording || ladder_.rung() == 0) return limit_hz;
+  if (kept_hz == 0.0 || options_.recording || control_.level() == 0) return limit_hz;
   return limit_hz > 0.0 ? std::min(limit_hz, kept_hz) : kept_hz;
 }
 
@@ -246,8 +245,8 @@ bool Viewer::show() {
     edits = draw_panels();
   }
   require_no_gl_error("window");
-  // Where no limit is wanted the display's is none either; and a ladder must not take waiting for slow
-  // frames.
+  // Where no limit is wanted the display's is none either; and a quality control must not take waiting for
+  // slow frames.
   const int swap_interval = state_.frame_limit_hz > 0.0f && state_.kept_hz == 0.0f ? 1 : 0;
   if (std::exchange(swap_interval_, swap_interval) != swap_interval) glfwSwapInterval(swap_interval);
   glfwSwapBuffers(window());
@@ -261,7 +260,7 @@ highlights::LightingAt Viewer::lighting_at() {
   if (!options_.recording) return {};
   const std::optional<glm::dvec3> stands_m =
       is_on_path_ ? std::nullopt : std::optional(state_.camera.camera().eye_m);
-  return recorded_lighting(options_.scene, sea_.ground(), stands_m);
+  return recorded_lighting(options_.scene, sea_.terrain(), stands_m);
 }
 
 void Viewer::draw_sea(int width, int height) {
@@ -279,14 +278,14 @@ void Viewer::draw_sea(int width, int height) {
   try {
     if (is_on_path_) {
       scene::ViewScene now = scene::view_at(options_.scene, state_.clock.time_s());
-      if (sea_.ground()) scene::stand_on_ground(*sea_.ground(), now);
+      if (sea_.terrain()) scene::stand_on_ground(*sea_.terrain(), now);
       state_.camera.place(now.camera);
     }
     sea_.draw({.time_s = state_.clock.time_s(),
                .camera = camera,
                .debug = state_.debug,
                .fill = state_.fill,
-               .ground = state_.ground,
+               .terrain = state_.terrain,
                .meshes = state_.meshes,
                .tiles = options_.recording ? world::TileWait::all : world::TileWait::none,
                .sky = options_.recording ? SkyRefresh::whole : SkyRefresh::slice,
@@ -308,18 +307,18 @@ void Viewer::draw_sea(int width, int height) {
 
 PanelEdits Viewer::draw_panels() {
   Frame& frame = sea_.frame();
-  if (sea_.ground() && state_.shows_map) map_.show(sea_.ground()->parameters());
+  if (sea_.terrain() && state_.shows_map) map_.show(sea_.terrain()->parameters());
   for_shown_names(state_, scene_list_, [&](std::string_view text) { panels_.need(text); });
   panels_.begin();
   editing_.draw(input_.pointer());
   PanelEdits edits = present::draw_panels(state_, {.times = frame.times(),
                                                    .capabilities = context_.capabilities(),
                                                    .device = sea_.device(),
-                                                   .transfer = frame.transfer_rung(),
+                                                   .transfer = frame.transfer_path(),
                                                    .width_px = frame.screen().width(),
                                                    .height_px = frame.screen().height(),
                                                    .has_meshes = !sea_.meshes().empty(),
-                                                   .ground = sea_.ground(),
+                                                   .terrain = sea_.terrain(),
                                                    .map = &map_,
                                                    .quality = quality(),
                                                    .scenes = &scene_list_,
@@ -361,7 +360,7 @@ void Viewer::attempt(const std::function<void()>& work) {
 
 void Viewer::take_screenshot() {
   report([&] {
-    const auto path = unused_picture_name(options_.scene_name.empty() ? "offing" : options_.scene_name);
+    const auto path = unused_image_name(options_.scene_name.empty() ? "offing" : options_.scene_name);
     sea_.write(path, Existing::keep);
     return fmt::format("wrote {}", whole_name(path));
   });

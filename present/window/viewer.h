@@ -18,7 +18,7 @@
 #include "present/window/file_intake.h"
 #include "present/window/frame_limiter.h"
 #include "present/window/full_screen.h"
-#include "present/window/quality_ladder.h"
+#include "present/window/quality_control.h"
 #include "present/window/scene_switch.h"
 #include "present/window/window_input.h"
 
@@ -82,7 +82,7 @@ class Viewer {
   QuitDialog quit_;
   SceneList scene_list_;
   MiniMap map_;
-  QualityLadder ladder_;
+  QualityControl control_;
   FrameLimiter limiter_;
   double last_turn_s_;
   double drawn_s_;   // time of the last picture; before the first one, of that

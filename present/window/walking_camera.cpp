@@ -31,24 +31,24 @@ bool are_equal(const terrain::WalkerParameters& a, const terrain::WalkerParamete
 
 }  // namespace
 
-void WalkingCamera::begin(const world::GroundParameters& ground, const terrain::WalkerParameters& parameters,
-                          glm::dvec2 place_m) {
-  map_ = ground.map;
-  tiles_ = ground.tiles;
-  origin_m_ = {ground.origin_x_m, ground.origin_z_m};
-  walker_.emplace(ground.posts(), parameters);
+void WalkingCamera::begin(const world::TerrainParameters& terrain,
+                          const terrain::WalkerParameters& parameters, glm::dvec2 place_m) {
+  map_ = terrain.map;
+  tiles_ = terrain.tiles;
+  origin_m_ = {terrain.origin_x_m, terrain.origin_z_m};
+  walker_.emplace(terrain.posts(), parameters);
   walker_->reset(place_m.x, place_m.y);
 }
 
-bool WalkingCamera::advance(const world::GroundParameters& ground, const scene::ViewScene& how,
+bool WalkingCamera::advance(const world::TerrainParameters& terrain, const scene::ViewScene& how,
                             const CameraInput& input, double seconds, Camera& camera) {
-  const glm::dvec2 origin_m(ground.origin_x_m, ground.origin_z_m);
-  const bool goes_on = walker_ && map_ == ground.map && tiles_ == ground.tiles && origin_m_ == origin_m &&
+  const glm::dvec2 origin_m(terrain.origin_x_m, terrain.origin_z_m);
+  const bool goes_on = walker_ && map_ == terrain.map && tiles_ == terrain.tiles && origin_m_ == origin_m &&
                        eye_m_ == camera.eye_m && are_equal(walker_->parameters(), how.walker);
   if (!goes_on) {
     const glm::dvec2 place_m = glm::dvec2(camera.eye_m.x, camera.eye_m.z) - origin_m;
-    if (!terrain::ground_at(ground.posts(), place_m.x, place_m.y)) return false;
-    begin(ground, how.walker, place_m);
+    if (!terrain::terrain_at(terrain.posts(), place_m.x, place_m.y)) return false;
+    begin(terrain, how.walker, place_m);
   }
   walker_->advance_to(walker_->time_s() + std::min(seconds, longest_frame_s),
                       wanted_velocity(camera, how, input));

@@ -37,7 +37,7 @@ TEST(ErrorTest, KeepsItsPartsWhenThrownOn) {
   }
 }
 
-// Fails if an error without a mend prints something as its hint.
+// Fails if an error without a fix prints something as its hint.
 TEST(ErrorTest, NeedsNoHint) {
   EXPECT_EQ(Error(ErrorKind::file, "cannot write").hint(), "");
 }

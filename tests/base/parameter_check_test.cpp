@@ -12,7 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Fails if a bound is refused, a number beyond it or NaN is taken, or the error lacks name, range or mend.
+// Fails if a bound is refused, a number beyond it or NaN is taken, or the error lacks name, range or fix.
 TEST(ParameterCheck, HoldsItsRange) {
   for (const double value : {-1.0, 0.0, 2.5}) {
     EXPECT_NO_THROW(require_within("sea.depth_m", value, -1.0, 2.5));

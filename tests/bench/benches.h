@@ -34,23 +34,23 @@ void bench_fft(const ocl::Device& device, const Settings& settings, const Sinks&
 /// Throws Error(device) where results differ.
 void bench_ocean(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
-/// The surface of 16 trochoids on a grid of each size from 64 on, against the same in C++: a loop with the
-/// compiler's vector mathematics, and the best by hand. Throws Error(device) where results differ,
+/// The surface of 16 Gerstner waves on a grid of each size from 64 on, against the same in C++: a loop with
+/// the compiler's vector mathematics, and the best by hand. Throws Error(device) where results differ,
 /// Error(bad_usage) for a smaller size.
 void bench_gerstner(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
 /// Frames of the presenter on a framebuffer, and their stages: the shipped rough sea as its window draws it,
-/// and for each size the paper's frame (O15 of docs/sources.md): one patch, 16 trochoids, 1280 x 1024 pixels.
-/// Only in builds with the presenter.
+/// and for each size the paper's frame (O15 of docs/sources.md): one patch, 16 Gerstner waves, 1280 x 1024
+/// pixels. Only in builds with the presenter.
 void bench_render(const Settings& settings, const Sinks& sinks);
 
 /// Frames of the shipped world of 640 x 360 pixels, its stages, and what its parts take alone: the sea with
 /// its ship, the island, the clouds. Sizes of the settings do not matter. Only in builds with the presenter.
 void bench_world(const Settings& settings, const Sinks& sinks);
 
-/// A call for the water at 1e5 points from and to host memory, with 16 trochoids and two cascades of each
-/// size whose maps are made before, against a loop in C++ on all cores. Throws Error(device) where results
-/// differ.
+/// A call for the water at 1e5 points from and to host memory, with 16 Gerstner waves and two cascades of
+/// each size whose maps are made before, against a loop in C++ on all cores. Throws Error(device) where
+/// results differ.
 void bench_queries(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
 /// Primary rays of cameras that fly and walk over height maps, 1280 x 720, against the best of all ways to

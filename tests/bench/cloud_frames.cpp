@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "host/clouds/image/cloud_picture.h"
+#include "host/clouds/image/cloud_image.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/prepare/scene_clouds.h"
 #include "host/scene/prepare/world_scene.h"
@@ -16,7 +16,7 @@
 namespace offing::bench {
 namespace {
 
-using present::PictureSize;
+using present::ImageSize;
 using present::Stage;
 
 constexpr int stage_frames = 40;
@@ -25,8 +25,8 @@ constexpr int stage_frames = 40;
 double covered_share(world::World& world, const Camera& camera) {
   world.at(0.0, camera.eye_m.y);
   world.see_clouds(camera);
-  const world::CloudsView& clouds = *world.clouds();
-  clouds::CloudPicture picture(world.device(), clouds::puff_textures());
+  const world::WorldClouds& clouds = *world.clouds();
+  clouds::CloudImage picture(world.device(), clouds::billboard_textures());
   picture.fit(camera.width_px, camera.height_px);
   picture.draw({.particles = clouds.particles(),
                 .sprites = clouds.sprites(),
@@ -43,7 +43,7 @@ double covered_share(world::World& world, const Camera& camera) {
 /// Frames of an eye that moves from one to the next, so that particles are sorted and lit toward it in each.
 class CloudFrames {
  public:
-  CloudFrames(const scene::OceanScene& scene, PictureSize size, const Settings& settings, const Sinks& sinks)
+  CloudFrames(const scene::Scene& scene, ImageSize size, const Settings& settings, const Sinks& sinks)
       : renderer_(settings.device, scene::prepare_world(scene), scene.view, size),
         blocks_(settings.blocks),
         sinks_(sinks) {
@@ -51,7 +51,7 @@ class CloudFrames {
   }
 
   /// Puts the clouds of another scene into the sky, seen by the same eye.
-  void show(const scene::OceanScene& scene) {
+  void show(const scene::Scene& scene) {
     renderer_.world().set_clouds(scene::prepare_clouds(scene));
     count();
   }
@@ -101,7 +101,7 @@ class CloudFrames {
 };
 
 /// A cumulus in a sky without a sea, from so near that it covers half of the picture.
-scene::OceanScene cumulus(double distance_m, const std::string& how) {
+scene::Scene cumulus(double distance_m, const std::string& how) {
   return scene::parse_scene(fmt::format("version = 1\n[sun]\nazimuth_deg = 75\nelevation_deg = 35\n"
                                         "[camera]\ny_m = 550\nz_m = {}\npitch_deg = 17\n{}",
                                         distance_m, how),
@@ -109,12 +109,12 @@ scene::OceanScene cumulus(double distance_m, const std::string& how) {
 }
 
 /// About 1,000 particles, grown.
-scene::OceanScene grown_cumulus() {
+scene::Scene grown_cumulus() {
   return cumulus(1200.0, "[clouds]\nquality = 1.08\n[[cloud]]\ngenus = \"cumulus\"\ny_m = 650\n");
 }
 
 /// Of so many particles, sampled.
-scene::OceanScene cumulus_of(int count) {
+scene::Scene cumulus_of(int count) {
   return cumulus(1040.0, fmt::format("[[cloud]]\ngenus = \"cumulus\"\ny_m = 650\nmodelling = \"sampled\"\n"
                                      "target_particles = {}\n",
                                      count));
@@ -124,7 +124,7 @@ scene::OceanScene cumulus_of(int count) {
 
 void bench_cloud_frames(const Settings& settings, const Sinks& sinks) {
   // The shipped cumulus over its sea, from so near that it covers half of the picture.
-  scene::OceanScene shipped = scene::load_scene(std::filesystem::path(OFFING_SCENES) / "cumulus.toml");
+  scene::Scene shipped = scene::load_scene(std::filesystem::path(OFFING_SCENES) / "cumulus.toml");
   shipped.view.camera.eye_m = {0.0, 500.0, 1250.0};
   CloudFrames frames(shipped, {640, 360}, settings, sinks);
   frames.measure("clouds_frame_cumulus");
@@ -134,7 +134,7 @@ void bench_cloud_frames(const Settings& settings, const Sinks& sinks) {
     alone.measure("clouds_frame_alone");
     alone.measure_stages("clouds_frame_alone");
   }
-  const auto measure_all = [&](const std::string& name, PictureSize size, std::span<const int> counts) {
+  const auto measure_all = [&](const std::string& name, ImageSize size, std::span<const int> counts) {
     CloudFrames sampled(cumulus_of(counts.front()), size, settings, sinks);
     for (const int count : counts) {
       if (count > most_drawn_particles) continue;

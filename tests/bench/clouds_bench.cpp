@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "host/base/camera.h"
-#include "host/clouds/image/cloud_picture.h"
+#include "host/clouds/image/cloud_image.h"
 #include "host/clouds/light/particle_light.h"
 #include "host/clouds/particles/cloud_model.h"
 #include "host/clouds/particles/particle_order.h"
@@ -91,7 +91,7 @@ void bench_clouds(const ocl::Device& device, const Settings& settings, const Sin
   const glm::vec3 eye_m(camera.eye_m);
   ParticleLight lit(device);
   ViewOrder order(device);
-  CloudPicture picture(device, puff_textures());
+  CloudImage picture(device, billboard_textures());
   picture.fit(camera.width_px, camera.height_px);
   for (const int count : cloud_counts) {
     add_model_rows(device, count, sinks);

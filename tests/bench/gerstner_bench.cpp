@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "host/base/error.h"
-#include "host/ocean/surface/trochoid_surface.h"
+#include "host/ocean/surface/gerstner_surface.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/difference.h"
 #include "tests/bench/peers/gerstner_peer.h"
@@ -20,8 +20,8 @@ constexpr int least_size = 64;  // a block of the peers
 constexpr double side_m = 128.0;
 
 /// Waves of 10 ... 100 m, all drawn in full.
-ocean::TrochoidSea sea() {
-  ocean::TrochoidSea sea;
+ocean::GerstnerSea sea() {
+  ocean::GerstnerSea sea;
   for (int i = 0; i < wave_count; ++i) {
     const double k = 2.0 * std::numbers::pi / (10.0 + 6.0 * i);
     sea.waves.push_back({.amplitude_m = 0.05 / k,
@@ -34,7 +34,7 @@ ocean::TrochoidSea sea() {
 }
 
 /// The eight fields, at a time when phases have gone round often.
-void require_equal_maps(const ocl::Device& device, ocean::TrochoidSurface& ours, GerstnerPeer& peer, Way way,
+void require_equal_maps(const ocl::Device& device, ocean::GerstnerSurface& ours, GerstnerPeer& peer, Way way,
                         const ocean::SampleGrid& grid) {
   constexpr double time_s = 123.4;
   constexpr const char* names[] = {"dx", "h", "dz", "d dx/dz", "dh/dx", "dh/dz", "d dx/dx", "d dz/dz"};
@@ -60,8 +60,8 @@ void bench_size(const ocl::Device& device, int size, int blocks, const Sinks& si
   const double spacing_m = side_m / size;
   const ocean::SampleGrid grid{
       .spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = size, .rows = size};
-  const ocean::TrochoidSea waves = sea();
-  ocean::TrochoidSurface ours(device);
+  const ocean::GerstnerSea waves = sea();
+  ocean::GerstnerSurface ours(device);
   GerstnerPeer peer(waves, grid);
   double ours_time_s = 0.0, peers_time_s = 0.0;
   const Work enqueue_ours = [&] { ours.at(waves, grid, ours_time_s += frame_s); };

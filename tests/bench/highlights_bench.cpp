@@ -9,7 +9,7 @@
 
 #include "host/base/error.h"
 #include "host/highlights/projectors/highlight_frame.h"
-#include "host/highlights/tracks/highlight_tracks.h"
+#include "host/highlights/tracks/highlight_tracker.h"
 #include "host/io/meshes/read_mesh.h"
 #include "host/mesh_shapes/shape.h"
 #include "mesh_tools/curvature/curvature.h"
@@ -25,7 +25,7 @@ constexpr double frames_per_s = 60.0;
 struct NamedMesh {
   std::string name;
   TriangleMesh mesh;
-  int lamps = 1;
+  int lights = 1;
 };
 
 /// Of the sizes of H12, and for the search one as large as a scan.
@@ -40,15 +40,15 @@ std::vector<NamedMesh> meshes() {
   return result;
 }
 
-/// The mesh turns half a degree in a thirtieth of a second before an eye nearby and lamps far away: what it
+/// The mesh turns half a degree in a thirtieth of a second before an eye nearby and lights far away: what it
 /// sees.
-Lighting turning(const HighlightSurface& surface, int lamps, double time_s) {
+Lighting turning(const HighlightSurface& surface, int lights, double time_s) {
   const double angle = 15.0 * time_s * std::numbers::pi / 180.0, c = std::cos(angle), s = std::sin(angle);
   const RigidMotion motion{glm::dmat3({c, 0.0, -s}, {0.0, 1.0, 0.0}, {s, 0.0, c}), glm::dvec3(0.0)};
   Lighting world{{Source::Kind::place, surface.middle_m() + surface.diagonal_m() * glm::dvec3(0.1, 0.3, 2.0)},
                  {}};
-  for (int lamp = 0; lamp < lamps; ++lamp) {
-    world.lamps.push_back({Source::Kind::direction, {lamp == 0 ? 0.5 : -0.7, 0.8, 0.6}});
+  for (int light = 0; light < lights; ++light) {
+    world.lights.push_back({Source::Kind::direction, {light == 0 ? 0.5 : -0.7, 0.8, 0.6}});
   }
   return in_mesh_axes(world, motion);
 }
@@ -59,9 +59,9 @@ std::size_t loop_over_faces(const HighlightSurface& surface, const Lighting& lig
   const TriangleMesh& mesh = surface.mesh();
   std::vector<glm::vec3> half(mesh.positions_m.size());
   std::size_t found = 0;
-  for (const Source& lamp : lighting.lamps) {
+  for (const Source& light : lighting.lights) {
     for (std::size_t vertex = 0; vertex < half.size(); ++vertex) {
-      half[vertex] = glm::vec3(half_vector(lighting.eye, lamp, mesh.positions_m[vertex]));
+      half[vertex] = glm::vec3(half_vector(lighting.eye, light, mesh.positions_m[vertex]));
     }
     for (const TriangleIndices& face : mesh.faces) {
       const glm::vec3 h = half[face[0]] + half[face[1]] + half[face[2]];
@@ -79,8 +79,8 @@ void bench_mesh(const ocl::Device& device, const NamedMesh& named, const Setting
                 const Sinks& sinks) {
   const int faces = static_cast<int>(named.mesh.faces.size());
   const HighlightSurface surface(device, named.mesh, mesh_tools::vertex_curvatures(named.mesh).curvatures);
-  HighlightPoints search(device);
-  const Lighting lighting = turning(surface, named.lamps, 0.0);
+  HighlightFinder search(device);
+  const Lighting lighting = turning(surface, named.lights, 0.0);
   const std::size_t ours = search.find(surface, lighting).size(), peers = loop_over_faces(surface, lighting);
   if (ours + 4 < peers || peers + 4 < ours) {
     throw Error(ErrorKind::device,
@@ -92,8 +92,8 @@ void bench_mesh(const ocl::Device& device, const NamedMesh& named, const Setting
                    compare([&] { search.find(surface, lighting); },
                            [&] { loop_over_faces(surface, lighting); }, settings.blocks)));
 
-  HighlightTracks tracks(surface, [&](double time_s) { return turning(surface, named.lamps, time_s); },
-                         {.step_s = 1.0 / frames_per_s});
+  HighlightTracker tracks(surface, [&](double time_s) { return turning(surface, named.lights, time_s); },
+                          {.step_s = 1.0 / frames_per_s});
   RegionSearch regions(surface);
   HighlightFrame frame;
   std::int64_t number = 0;

@@ -10,8 +10,8 @@
 #include "host/base/error.h"
 #include "host/ocean/spectrum/spectrum_parameters.h"
 #include "host/ocean/surface/cascades.h"
+#include "host/ocean/surface/gerstner_choice.h"
 #include "host/ocean/surface/ocean.h"
-#include "host/ocean/surface/trochoid_choice.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/peers/queries_peer_kernels.h"
 
@@ -41,22 +41,23 @@ ocean::SeaSpectrum wind_sea() {
   return ocean::make_sea_spectrum(wind);
 }
 
-/// Long waves as trochoids, the others in two cascades.
+/// Long waves as Gerstner waves, the others in two cascades.
 struct OurSea {
-  OurSea(const ocl::Device& device, const ocean::SeaSpectrum& spectrum, const ocean::TrochoidChoice& choice,
+  OurSea(const ocl::Device& device, const ocean::SeaSpectrum& spectrum, const ocean::GerstnerChoice& choice,
          int size)
       : sea(device, spectrum,
             {.size = size,
              .cascades = ocean::choose_cascades(spectrum, size, cascade_count, choice.split_radpm)}),
-        trochoids{.waves = ocean::choose_trochoids(spectrum, choice), .dispersion = spectrum.dispersion} {
+        gerstner_waves{.waves = ocean::choose_gerstner_waves(spectrum, choice),
+                       .dispersion = spectrum.dispersion} {
     sea.at(time_s);
   }
 
   ocean::Ocean sea;
-  ocean::TrochoidSea trochoids;
+  ocean::GerstnerSea gerstner_waves;
 };
 
-ocean::TrochoidChoice choice_for(const ocean::SeaSpectrum& spectrum) {
+ocean::GerstnerChoice choice_for(const ocean::SeaSpectrum& spectrum) {
   const double peak_m =
       2.0 * std::numbers::pi / spectrum.dispersion.wavenumber_radpm(spectrum.omega_peak_radps);
   return {.split_radpm = ocean::split_at_wavelength_radpm(peak_m / 3.0), .count = wave_count, .seed = 1};
@@ -68,9 +69,9 @@ class QueriesPeer {
   QueriesPeer(const OurSea& ours, const ocean::SurfaceInstant& instant, double gravity_mps2,
               const ocean::WaterQuery& query)
       : samples_(tile_count * peer::query_tile) {
-    const ocean::TrochoidInstant& trochoids = instant.trochoids();
-    const double q = trochoids.horizontal_scale();
-    for (const ocean::TrochoidInstant::Wave& wave : trochoids.waves()) {
+    const ocean::GerstnerInstant& gerstner_waves = instant.gerstner_waves();
+    const double q = gerstner_waves.horizontal_scale();
+    for (const ocean::GerstnerInstant::Wave& wave : gerstner_waves.waves()) {
       const double k = std::hypot(wave.kx_radpm, wave.kz_radpm), a = wave.amplitude_m, qa = q * a;
       const double cx = wave.kx_radpm / k, cz = wave.kz_radpm / k, speed_mps = wave.omega_radps * a;
       const auto floats = [](auto... values) { return std::array{static_cast<float>(values)...}; };
@@ -147,10 +148,10 @@ void bench_queries(const ocl::Device& device, const Settings& settings, const Si
     OurSea ours(device, spectrum, choice_for(spectrum), size);
     for (const Fields fields : {Fields::surface, Fields::surface_and_flow}) {
       const ocean::WaterQuery query{.fields = fields};
-      const ocean::SurfaceInstant instant = ours.sea.instant(ours.trochoids, query);
+      const ocean::SurfaceInstant instant = ours.sea.instant(ours.gerstner_waves, query);
       QueriesPeer peer(ours, instant, spectrum.dispersion.gravity_mps2, query);
       std::vector<ocean::WaterSample> samples(point_count);
-      const Work run_ours = [&] { ours.sea.sample(asked, samples, ours.trochoids, query); };
+      const Work run_ours = [&] { ours.sea.sample(asked, samples, ours.gerstner_waves, query); };
       const Work run_peer = [&] { peer.sample(points); };
       run_ours();
       run_peer();

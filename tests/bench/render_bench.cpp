@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "host/ocean/surface/cascades.h"
-#include "host/ocean/surface/trochoid_choice.h"
+#include "host/ocean/surface/gerstner_choice.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/prepare/moving_view.h"
 #include "host/scene/prepare/world_scene.h"
@@ -50,17 +50,15 @@ void measure(Renderer& renderer, const std::string& name, int size, int blocks, 
 }  // namespace
 
 void bench_render(const Settings& settings, const Sinks& sinks) {
-  const scene::OceanScene rough = scene::load_scene(std::filesystem::path(OFFING_SCENES) / "rough.toml");
+  const scene::Scene rough = scene::load_scene(std::filesystem::path(OFFING_SCENES) / "rough.toml");
   {
     Renderer renderer(settings.device, scene::prepare_world(rough), rough.view, {640, 360});
     measure(renderer, "render_rough", rough.ocean.size, settings.blocks, sinks);
   }
   for (const std::string name : {"valley_fly", "valley_walk"}) {
-    const scene::OceanScene valley =
-        scene::load_scene(std::filesystem::path(OFFING_SCENES) / (name + ".toml"));
+    const scene::Scene valley = scene::load_scene(std::filesystem::path(OFFING_SCENES) / (name + ".toml"));
     const world::WorldParameters parameters = scene::prepare_world(valley);
-    for (const present::PictureSize size :
-         {present::PictureSize{640, 360}, present::PictureSize{1280, 720}}) {
+    for (const present::ImageSize size : {present::ImageSize{640, 360}, present::ImageSize{1280, 720}}) {
       Renderer renderer(settings.device, parameters, scene::view_at(valley, 0.0), size);
       measure(renderer, fmt::format("render_{}_{}", name, size.height), valley.terrain.fractal.posts,
               settings.blocks, sinks);
@@ -68,7 +66,7 @@ void bench_render(const Settings& settings, const Sinks& sinks) {
   }
   for (const int size : settings.sizes) {
     // The paper's frame: one patch, 16 Gerstner waves on 128 x 128 points, 1280 x 1024 pixels.
-    scene::OceanScene paper = rough;
+    scene::Scene paper = rough;
     paper.ocean.size = size;
     paper.patch_lengths_m = {rough.patch_lengths_m.front() / 2.0};
     paper.gerstner_count = 16;

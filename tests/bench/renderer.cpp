@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later (offing-bench links FFTW)
 #include "tests/bench/renderer.h"
 
-#include "host/scene/prepare/scene_ground.h"
+#include "host/scene/prepare/scene_terrain.h"
 
 namespace offing::bench {
 
 Renderer::Renderer(const std::string& selector, const world::WorldParameters& parameters,
-                   const scene::ViewScene& view, present::PictureSize size)
+                   const scene::ViewScene& view, present::ImageSize size)
     : context_(present::GlContext::headless()),
       device_(ocl::Device::open_shared(ocl::select_device(selector), ocl::Profiling::off,
                                        context_.share_properties())),
@@ -15,7 +15,7 @@ Renderer::Renderer(const std::string& selector, const world::WorldParameters& pa
       view_(view) {
   view_.camera.width_px = size.width;
   view_.camera.height_px = size.height;
-  if (world_.ground()) scene::stand_on_ground(*world_.ground(), view_);
+  if (world_.terrain()) scene::stand_on_ground(*world_.terrain(), view_);
 }
 
 void Renderer::draw_next(const glm::dvec3& moved_m) {

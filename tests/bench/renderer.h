@@ -18,7 +18,7 @@ class Renderer {
  public:
   /// `selector` is of ocl::select_device(). Throws what the presenter throws.
   Renderer(const std::string& selector, const world::WorldParameters& parameters,
-           const scene::ViewScene& view, present::PictureSize size);
+           const scene::ViewScene& view, present::ImageSize size);
 
   const std::string& gl_renderer() const { return context_.capabilities().renderer; }
   const scene::ViewScene& view() const { return view_; }

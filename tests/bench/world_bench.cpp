@@ -14,25 +14,25 @@ namespace offing::bench {
 namespace {
 
 using present::Stage;
-using scene::OceanScene;
+using scene::Scene;
 
 constexpr int stage_blocks = 12;
 // A block has so many frames, one of them with a slice of the cloudy sky's map.
 constexpr int slice_frames = present::Frame::slice_frames;
 
-OceanScene without_ground(OceanScene scene) {
+Scene without_terrain(Scene scene) {
   scene.terrain = {};
   return scene;
 }
 
-OceanScene without_clouds(OceanScene scene) {
+Scene without_clouds(Scene scene) {
   scene.clouds.clear();
   scene.cloud_layers.clear();
   return scene;
 }
 
 /// And without what floats on it.
-OceanScene without_sea(OceanScene scene) {
+Scene without_sea(Scene scene) {
   scene.names_sea = false;
   scene.wakes.clear();
   scene.bodies.clear();
@@ -44,7 +44,7 @@ OceanScene without_sea(OceanScene scene) {
 /// Frames of an eye that moves.
 class WorldFrames {
  public:
-  WorldFrames(const OceanScene& scene, const Settings& settings)
+  WorldFrames(const Scene& scene, const Settings& settings)
       : renderer_(settings.device, scene::prepare_world(scene), scene::view_at(scene, 0.0), {640, 360}) {}
 
   std::vector<double> frames_ms(int blocks) {
@@ -87,11 +87,11 @@ class WorldFrames {
 }  // namespace
 
 void bench_world(const Settings& settings, const Sinks& sinks) {
-  const OceanScene world = scene::load_scene(std::filesystem::path(OFFING_SCENES) / "world.toml");
-  const std::array<std::pair<const char*, OceanScene>, 3> parts{
-      {{"world_sea_and_ship", without_clouds(without_ground(world))},
+  const Scene world = scene::load_scene(std::filesystem::path(OFFING_SCENES) / "world.toml");
+  const std::array<std::pair<const char*, Scene>, 3> parts{
+      {{"world_sea_and_ship", without_clouds(without_terrain(world))},
        {"world_island", without_clouds(without_sea(world))},
-       {"world_clouds", without_ground(without_sea(world))}}};
+       {"world_clouds", without_terrain(without_sea(world))}}};
   double sum_ms = 0.0;
   for (const auto& [name, scene] : parts) {
     WorldFrames frames(scene, settings);

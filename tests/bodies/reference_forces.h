@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "host/bodies/floating_body.h"
-#include "kernels/shared/surface_query.h"
+#include "kernels/shared/query_params.h"
 
 namespace offing::test {
 

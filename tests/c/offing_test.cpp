@@ -56,12 +56,12 @@ TEST_F(OffingInterfaceTest, SamplesTheWorldOfItsTime) {
   ASSERT_EQ(offing_frame(world_, 3.25), OFFING_OK);
   ASSERT_EQ(offing_sample(world_, &query, points.data(), points.size(), found.data()), OFFING_OK);
 
-  const scene::OceanScene scene = scene::parse_scene(scene_text, "scene", "");
+  const scene::Scene scene = scene::parse_scene(scene_text, "scene", "");
   world::World world(ocl::Device::open(), scene::prepare_world(scene));
   world.at(3.25, 5.0);
   const std::vector<ocean::WaterPoint> places{{0.0, 0.0}, {31.5, -12.25}, {1e5, 2e5}};
-  const auto expected =
-      world.ocean().sample(places, world.parameters().trochoids, {.depth_m = 1.5, .min_wavelength_m = 4.0});
+  const auto expected = world.ocean().sample(places, world.parameters().gerstner_waves,
+                                             {.depth_m = 1.5, .min_wavelength_m = 4.0});
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_EQ(found[i].height_m, expected[i].height_m);
     EXPECT_EQ(found[i].velocity_mps[1], expected[i].velocity_y_mps);

@@ -53,7 +53,7 @@ void bake_other_scene(const std::filesystem::path& folder) {
 }
 
 /// The picture of another share's frame.
-void link_picture_to_itself(const std::filesystem::path& folder) {
+void link_image_to_itself(const std::filesystem::path& folder) {
   std::filesystem::create_directory(folder / "out");
   std::filesystem::create_symlink("ocean.0001.png", folder / "out" / "ocean.0001.png");
 }
@@ -227,7 +227,7 @@ const std::vector<BadInput> bad_inputs = {
     {"folder_name_too_long", nothing, bake({"-o", "@/" + std::string(300, 'o')}), 1,
      ".*/o+: cannot write frames there: .*[Nn]ame too long"},
     {"picture_links_to_itself",
-     link_picture_to_itself,
+     link_image_to_itself,
      {"ocean", "bake", "--size", "16", "--frames", "1:1", "--chunk", "2/2", "--preview", "-o", "@/out"},
      1,
      ".*/out/ocean.0001.png: cannot be looked up: .*"},
@@ -239,7 +239,7 @@ const std::vector<BadInput> bad_inputs = {
 
 class BadInputs : public testing::TestWithParam<BadInput> {};
 
-// Each fails if the fault is accepted, crashes the program, or is told without its place or mend.
+// Each fails if the fault is accepted, crashes the program, or is told without its place or fix.
 TEST_P(BadInputs, EndInTwoLinesAndACode) {
   const TemporaryFolder folder;
   GetParam().prepare(folder.path());

@@ -25,7 +25,7 @@ namespace offing::cli {
 namespace {
 
 scene::Sea small_sea() {
-  scene::OceanScene scene;
+  scene::Scene scene;
   scene.ocean.size = 32;
   scene.patch_lengths_m = {200.0};
   return scene::prepare_sea(scene);
@@ -76,7 +76,7 @@ std::size_t bytes_of(const BakedFrame& frame) {
 
 // Fails if the memory that a bake is refused for is not what its frames take.
 TEST(BakeMakers, KnowWhatAFrameTakes) {
-  scene::OceanScene scene;
+  scene::Scene scene;
   scene.ocean.size = 32;
   scene.patch_lengths_m = {200.0, 30.0};
   scene.gerstner_count = 8;
@@ -103,7 +103,7 @@ double resident_bytes() {
 // Fails if the memory that seas are counted with is not what they take. Bound: drivers and programs take some
 // megabytes beside them. Gate a tenth.
 TEST(BakeMakers, KnowWhatASeaTakes) {
-  scene::OceanScene scene;
+  scene::Scene scene;
   scene.ocean.size = 1024;
   scene.patch_lengths_m = {200.0, 30.0};
   const scene::Sea sea = scene::prepare_sea(scene);
@@ -123,7 +123,7 @@ TEST(BakeMakers, KnowWhatASeaTakes) {
 // Fails if the room is looked for as if each device were alone: 2^18 of them fit one by one, but not
 // together.
 TEST(BakeMakers, NeedRoomForAllDevices) {
-  scene::OceanScene scene;
+  scene::Scene scene;
   scene.ocean.size = 256;
   scene.patch_lengths_m = {200.0};
   const scene::Sea sea = scene::prepare_sea(scene);

@@ -254,7 +254,7 @@ texture = ")" << texture << "\"\n";
   }
 }
 
-// Fails if a wrong call costs a file, leaves a part of one, or does not say the mend.
+// Fails if a wrong call costs a file, leaves a part of one, or does not say the fix.
 TEST_F(Highlights, RefusesWithAHint) {
   std::ofstream(path("dry.toml")) << "version = 1\n";
   std::ofstream(path("there.json")) << "mine";

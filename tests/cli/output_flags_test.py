@@ -16,7 +16,7 @@ import zlib
 # What stands behind a flag in the help and is no path.
 NO_PATHS = set(
     "0 A A:B A:B:DT AZIMUTH_DEG,ELEVATION_DEG B BY C CAMERA CRS D DEG DEVICE DT E EV F FLOAT FORMAT FPS H INT INT,... K "
-    "L LEVEL LIST M MB METHOD N NAME ORDER P R RUNG S SWITCH SYSTEM T TYPE UINT UNIT V W WHAT WxH X X,Y,Z X,Z X,Z,H "
+    "L LEVEL LIST M MB METHOD N NAME ORDER P R S SWITCH SYSTEM T TRANSFER TYPE UINT UNIT V W WHAT WxH X X,Y,Z X,Z X,Z,H "
     "i/n X,...".split()
 )
 TEXT_COLUMN = 34  # of the help: what begins there tells what a flag does

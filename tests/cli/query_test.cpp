@@ -209,8 +209,8 @@ TEST_F(Query, ManyPointsAreReadBlockByBlock) {
   for (std::size_t i = 0; i < table.size(); ++i) ASSERT_EQ(table[i][1], static_cast<double>(i % count));
 }
 
-// Each fails if its fault passes, or is told without its place and its mend.
-TEST_F(Query, BadQuestionsGetOneLineAndItsMend) {
+// Each fails if its fault passes, or is told without its place and its fix.
+TEST_F(Query, BadQuestionsGetOneLineAndAHint) {
   struct Fault {
     std::vector<std::string> arguments;
     int exit_code;

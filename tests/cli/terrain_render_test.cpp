@@ -117,7 +117,7 @@ TEST_F(TerrainRender, ShowsSteps) {
 
 // A picture of one colour, stretched over the map: the ground is red, and greener without it. Fails if the
 // flag is read and dropped.
-TEST_F(TerrainRender, ColoursTheGround) {
+TEST_F(TerrainRender, ColoursTheTerrain) {
   const RgbImage red{2, 2, {200, 10, 10, 200, 10, 10, 200, 10, 10, 200, 10, 10}};
   write_png(path("red.png"), red);
   const std::vector<std::string> view{"--camera", "500,140,500,0,-90", "--size", "9x9", "--force"};

@@ -29,22 +29,22 @@ class TerrainTile : public ::testing::Test {
  protected:
   std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
   /// Generated ground of that many posts a side, 10 m apart, and the flags that read it.
-  std::vector<std::string> make_ground(int posts) const {
+  std::vector<std::string> make_terrain(int posts) const {
     const std::string side_m = std::to_string(10 * (posts - 1)), size = std::to_string(posts);
     const ProgramResult made =
         run_offing({"terrain", "generate", "--posts", size, "--side-m", side_m, "-o", path("ground.r32")});
     EXPECT_EQ(made.exit_code, 0) << made.errors;
     return {path("ground.r32"), "--raw-size", size + "x" + size, "--spacing-m", "10"};
   }
-  std::vector<std::string> tile_command(const std::vector<std::string>& ground,
+  std::vector<std::string> tile_command(const std::vector<std::string>& terrain,
                                         const std::string& store) const {
     std::vector<std::string> command{"terrain", "tile"};
-    command.insert(command.end(), ground.begin(), ground.end());
+    command.insert(command.end(), terrain.begin(), terrain.end());
     command.insert(command.end(), {"-o", path(store), "--json"});
     return command;
   }
-  ProgramResult tile(const std::vector<std::string>& ground, const std::string& store) const {
-    return run_offing(tile_command(ground, store));
+  ProgramResult tile(const std::vector<std::string>& terrain, const std::string& store) const {
+    return run_offing(tile_command(terrain, store));
   }
   std::map<std::string, std::string> content_of(const std::string& store) const {
     std::map<std::string, std::string> content;
@@ -63,8 +63,8 @@ class TerrainTile : public ::testing::Test {
 // the same but for rounding (1e-5 of themselves), and colours to 0.1 of 255 on the mean: slopes are kept in
 // 512ths.
 TEST_F(TerrainTile, AStoreLooksAsItsMap) {
-  const std::vector<std::string> ground = make_ground(600);
-  const ProgramResult tiled = tile(ground, "store");
+  const std::vector<std::string> terrain = make_terrain(600);
+  const ProgramResult tiled = tile(terrain, "store");
   ASSERT_EQ(tiled.exit_code, 0) << tiled.errors;
   const auto json = nlohmann::json::parse(tiled.output);
   EXPECT_EQ(json["levels"], 3);
@@ -77,7 +77,7 @@ TEST_F(TerrainTile, AStoreLooksAsItsMap) {
     const ProgramResult result = run_offing(command);
     EXPECT_EQ(result.exit_code, 0) << result.errors;
   };
-  render(ground, "map");
+  render(terrain, "map");
   render({path("store")}, "tiles");
   const std::vector<float> map_m = read_exr(path("map.exr")).channel("Z"),
                            tiles_m = read_exr(path("tiles.exr")).channel("Z");
@@ -95,19 +95,19 @@ TEST_F(TerrainTile, AStoreLooksAsItsMap) {
   EXPECT_LT(difference, 0.1);
 }
 
-// Fails if a run that was killed leaves something that the next run does not mend: the store must have the
+// Fails if a run that was killed leaves something that the next run does not fix: the store must have the
 // bytes of one that was made at once.
 TEST_F(TerrainTile, GoesOnAfterAKill) {
-  const std::vector<std::string> ground = make_ground(2049);
-  ASSERT_EQ(tile(ground, "once").exit_code, 0);
+  const std::vector<std::string> terrain = make_terrain(2049);
+  ASSERT_EQ(tile(terrain, "once").exit_code, 0);
   for (int kill = 0; kill < 3; ++kill) {
-    OffingProgram program(tile_command(ground, "killed"));
+    OffingProgram program(tile_command(terrain, "killed"));
     std::this_thread::sleep_for(std::chrono::milliseconds(40 + 60 * kill));
     program.send_signal(SIGKILL);
     program.wait();
   }
   const ProgramResult last = run_offing([&] {
-    std::vector<std::string> command = tile_command(ground, "killed");
+    std::vector<std::string> command = tile_command(terrain, "killed");
     command.push_back("--force");  // a quick machine may have finished it
     return command;
   }());
@@ -118,7 +118,7 @@ TEST_F(TerrainTile, GoesOnAfterAKill) {
 // Fails if info tells another map than that of the store, or flags that say how to read a map are passed
 // over.
 TEST_F(TerrainTile, TellsOfStores) {
-  ASSERT_EQ(tile(make_ground(300), "store").exit_code, 0);
+  ASSERT_EQ(tile(make_terrain(300), "store").exit_code, 0);
   const ProgramResult info = run_offing({"terrain", "info", path("store"), "--json"});
   ASSERT_EQ(info.exit_code, 0) << info.errors;
   const auto json = nlohmann::json::parse(info.output);
@@ -135,8 +135,8 @@ TEST_F(TerrainTile, TellsOfStores) {
 // Fails if a store is asked and answers otherwise than its map, to the last digit where heights are read, to
 // 1e-3 cells where rays are cast: the tiles that an answer needs are loaded, whatever their level.
 TEST_F(TerrainTile, AStoreAnswersAsItsMap) {
-  const std::vector<std::string> ground = make_ground(1100);
-  ASSERT_EQ(tile(ground, "store").exit_code, 0);
+  const std::vector<std::string> terrain = make_terrain(1100);
+  ASSERT_EQ(tile(terrain, "store").exit_code, 0);
   const auto ask = [&](const std::string& command, const std::vector<std::string>& input,
                        const std::vector<std::string>& question) {
     std::vector<std::string> arguments{"terrain", command};
@@ -153,11 +153,11 @@ TEST_F(TerrainTile, AStoreAnswersAsItsMap) {
            {"profile", {"--from", "0,0", "--to", "10990,9000", "--step-m", "40"}},
            {"los", {"--from", "100,100,2", "--to", "10000,9000,20", "--json"}},
            {"los", {"--from", "100,100,2000", "--to", "10000,9000,20", "--curvature", "--json"}}}) {
-    EXPECT_EQ(ask(command, store, question), ask(command, ground, question)) << command;
+    EXPECT_EQ(ask(command, store, question), ask(command, terrain, question)) << command;
   }
   const std::vector<std::string> down{"--from",     "500,3000,500",     "--direction",
                                       "1,-0.3,0.7", "--smooth-normals", "--json"};
-  const auto expected = nlohmann::json::parse(ask("ray", ground, down)),
+  const auto expected = nlohmann::json::parse(ask("ray", terrain, down)),
              found = nlohmann::json::parse(ask("ray", store, down));
   EXPECT_EQ(found["cell"], expected["cell"]);
   EXPECT_NEAR(found["distance_m"].get<double>(), expected["distance_m"].get<double>(), 0.01);
@@ -202,7 +202,7 @@ TEST_F(TerrainTile, AStoreHasTheViewshedOfItsMap) {
     }
   }
   EXPECT_GT(visible, 1000.0);
-  ASSERT_EQ(tile(make_ground(2049), "large").exit_code, 0);
+  ASSERT_EQ(tile(make_terrain(2049), "large").exit_code, 0);
   const ProgramResult refused = look("large", "large.tif", {"--cache-mb", "40"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors, ::testing::HasSubstr("--radius-m, or --cache-mb 49"));
@@ -213,14 +213,14 @@ TEST_F(TerrainTile, AStoreHasTheViewshedOfItsMap) {
 // read from then on, no hole, and the flight goes on to its end. Fails if a reader keeps what it has once
 // seen, or ends.
 TEST_F(TerrainTile, FliesOnWhenTilesBreakUnderWay) {
-  const std::vector<std::string> ground = make_ground(2049);
-  ASSERT_EQ(tile(ground, "store").exit_code, 0);
+  const std::vector<std::string> terrain = make_terrain(2049);
+  ASSERT_EQ(tile(terrain, "store").exit_code, 0);
   // So small a cache, and so far a way, that tiles are read to the last frame.
   std::vector<std::string> command{"terrain",      "fly",        path("store"), "--frames", "60",
                                    "--every",      "6",          "--size",      "160x90",   "--speed-mps",
                                    "9000",         "--cache-mb", "40",          "--json",   "-o",
                                    path("frames"), "--compare"};
-  command.insert(command.end(), ground.begin(), ground.end());
+  command.insert(command.end(), terrain.begin(), terrain.end());
   OffingProgram flight(command);
   while (!fs::exists(path("frames/frame.000006.png")) && flight.is_running()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -253,12 +253,12 @@ TEST_F(TerrainTile, FliesOnWhenTilesBreakUnderWay) {
 }
 
 TEST_F(TerrainTile, KeepsWhatIsThere) {
-  const std::vector<std::string> ground = make_ground(300);
-  ASSERT_EQ(tile(ground, "store").exit_code, 0);
-  const ProgramResult again = tile(ground, "store");
+  const std::vector<std::string> terrain = make_terrain(300);
+  ASSERT_EQ(tile(terrain, "store").exit_code, 0);
+  const ProgramResult again = tile(terrain, "store");
   EXPECT_EQ(again.exit_code, 2);
   EXPECT_THAT(again.errors, ::testing::HasSubstr("--force"));
-  std::vector<std::string> forced = tile_command(ground, "store");
+  std::vector<std::string> forced = tile_command(terrain, "store");
   forced.push_back("--force");
   const ProgramResult third = run_offing(forced);
   EXPECT_EQ(third.exit_code, 0) << third.errors;
@@ -316,8 +316,8 @@ TEST_F(TerrainTile, RefusesBadInput) {
 
 // Fails if somebody's pictures are replaced unasked, or a flight is compared with other ground.
 TEST_F(TerrainTile, FlightsKeepPicturesAndKnowTheirMap) {
-  const std::vector<std::string> ground = make_ground(300);
-  ASSERT_EQ(tile(ground, "store").exit_code, 0);
+  const std::vector<std::string> terrain = make_terrain(300);
+  ASSERT_EQ(tile(terrain, "store").exit_code, 0);
   const auto fly = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"terrain", "fly", path("store"), "--frames", "2", "--every", "1", "--size",
                                "16x9", "-o", path("frames")});
@@ -346,13 +346,13 @@ TEST_F(TerrainTile, FlightsKeepPicturesAndKnowTheirMap) {
 // Fails if a flight shows sky where the map has ground, takes more memory for tiles than it may, or writes
 // other pictures than it says.
 TEST_F(TerrainTile, FliesOverAStore) {
-  const std::vector<std::string> ground = make_ground(1500);
-  ASSERT_EQ(tile(ground, "store").exit_code, 0);
+  const std::vector<std::string> terrain = make_terrain(1500);
+  ASSERT_EQ(tile(terrain, "store").exit_code, 0);
   std::vector<std::string> command{"terrain",      "fly",        path("store"), "--frames", "12",
                                    "--every",      "4",          "--size",      "160x90",   "--speed-mps",
                                    "3000",         "--cache-mb", "40",          "--json",   "-o",
                                    path("frames"), "--compare"};
-  command.insert(command.end(), ground.begin(), ground.end());
+  command.insert(command.end(), terrain.begin(), terrain.end());
   const ProgramResult flown = run_offing(command);
   ASSERT_EQ(flown.exit_code, 0) << flown.errors;
   const auto json = nlohmann::json::parse(flown.output);
@@ -369,13 +369,13 @@ TEST_F(TerrainTile, FliesOverAStore) {
 // A tile that is broken and one that is gone: one warning each, which names the file, and the flight goes on
 // without holes.
 TEST_F(TerrainTile, FliesOnOverBrokenTiles) {
-  const std::vector<std::string> ground = make_ground(600);
-  ASSERT_EQ(tile(ground, "store").exit_code, 0);
+  const std::vector<std::string> terrain = make_terrain(600);
+  ASSERT_EQ(tile(terrain, "store").exit_code, 0);
   fs::remove(path("store/0/0001/0001.tile"));
   fs::resize_file(path("store/0/0001/0002.tile"), 5000);
   std::vector<std::string> command{"terrain", "fly",     path("store"), "--frames", "4",      "--every",  "2",
                                    "--size",  "640x360", "--speed-mps", "100",      "--json", "--compare"};
-  command.insert(command.end(), ground.begin(), ground.end());
+  command.insert(command.end(), terrain.begin(), terrain.end());
   const ProgramResult flown = run_offing(command);
   ASSERT_EQ(flown.exit_code, 0) << flown.errors;
   const auto json = nlohmann::json::parse(flown.output);

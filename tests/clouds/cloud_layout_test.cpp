@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "kernels/shared/cloud_field.h"
-#include "kernels/shared/cloud_light.h"
+#include "kernels/shared/cloud_image_params.h"
+#include "kernels/shared/cloud_light_params.h"
 #include "kernels/shared/cloud_motion.h"
-#include "kernels/shared/cloud_picture.h"
 #include "kernels/shared/cloud_shadow.h"
 #include "kernels/shared/clouds.h"
 #include "tests/ocl/shared_layout.h"
@@ -44,17 +44,17 @@ TEST(CloudLayoutTest, CloudParticle) {
                     offsetof(S, turn)}));
 }
 
-TEST(CloudLayoutTest, CloudPictureParams) {
-  using S = CloudPictureParams;
-  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_picture.h", "CloudPictureParams",
+TEST(CloudLayoutTest, CloudImageParams) {
+  using S = CloudImageParams;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_image_params.h", "CloudImageParams",
                                 {"forward_x", "half_width", "count", "sun_x", "relief"}),
             (Layout{sizeof(S), offsetof(S, forward_x), offsetof(S, half_width), offsetof(S, count),
                     offsetof(S, sun_x), offsetof(S, relief)}));
 }
 
-TEST(CloudLayoutTest, CloudPuff) {
-  using S = CloudPuff;
-  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_picture.h", "CloudPuff",
+TEST(CloudLayoutTest, CloudBillboard) {
+  using S = CloudBillboard;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_image_params.h", "CloudBillboard",
                                 {"radius_m", "right_x", "relief_x", "texels", "distance_m"}),
             (Layout{sizeof(S), offsetof(S, radius_m), offsetof(S, right_x), offsetof(S, relief_x),
                     offsetof(S, texels), offsetof(S, distance_m)}));
@@ -62,7 +62,7 @@ TEST(CloudLayoutTest, CloudPuff) {
 
 TEST(CloudLayoutTest, CloudGrid) {
   using S = CloudGrid;
-  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_light.h", "CloudGrid",
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_light_params.h", "CloudGrid",
                                 {"cell_x", "first", "size_x", "padding"}),
             (Layout{sizeof(S), offsetof(S, cell_x), offsetof(S, first), offsetof(S, size_x),
                     offsetof(S, padding)}));
@@ -71,14 +71,14 @@ TEST(CloudLayoutTest, CloudGrid) {
 TEST(CloudLayoutTest, CloudScattering) {
   using S = CloudScattering;
   EXPECT_EQ(
-      test::device_layout(ocl::Device::open(), "shared/cloud_light.h", "CloudScattering",
+      test::device_layout(ocl::Device::open(), "shared/cloud_light_params.h", "CloudScattering",
                           {"absorbed_share", "forward_share", "phase_table"}),
       (Layout{sizeof(S), offsetof(S, absorbed_share), offsetof(S, forward_share), offsetof(S, phase_table)}));
 }
 
 TEST(CloudLayoutTest, CloudLightParams) {
   using S = CloudLightParams;
-  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_light.h", "CloudLightParams",
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/cloud_light_params.h", "CloudLightParams",
                                 {"suns", "sun_count", "sky_red", "ground_blue"}),
             (Layout{sizeof(S), offsetof(S, suns), offsetof(S, sun_count), offsetof(S, sky_red),
                     offsetof(S, ground_blue)}));

@@ -53,8 +53,8 @@ CloudLook conservative(double g) {
 }
 
 // Fails if light is made or lost: the same light from everywhere upon what only scatters is that light again.
-// Multigrid leaves some of it out where thick puffs and gaps lie side by side. Measured 0.7 % (thick) and 2 %
-// at worst.
+// Multigrid leaves some of it out where thick billboards and gaps lie side by side. Measured 0.7 % (thick)
+// and 2 % at worst.
 TEST(ParticleLightTest, WhiteFurnaceIsWhite) {
   CloudIllumination light;
   light.sky_kcdpm2 = light.ground_kcdpm2 = glm::dvec3(1.0, 2.0, 3.0);

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/clouds/reference/reference_tracer.h"
-#include "kernels/shared/cloud_light.h"
+#include "kernels/shared/cloud_light_params.h"
 
 namespace offing::clouds {
 namespace {

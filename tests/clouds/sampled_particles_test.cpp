@@ -55,7 +55,7 @@ TEST_F(SampledParticlesTest, MassIsKeptAndTheCountIsTheTargets) {
 // Fails if merging moves mass: the middle of all mass stays where it was when cells are merged, and the
 // particles together reach as far as the volume.
 TEST_F(SampledParticlesTest, MergingKeepsMiddleAndSpread) {
-  const VolumeSamples samples = volume_samples(volume_, 1'000'000);
+  const VolumeBlocks samples = volume_samples(volume_, 1'000'000);
   const auto together = [](const std::vector<VolumeSample>& parts) {
     VolumeSample sum = parts.front();
     for (std::size_t i = 1; i < parts.size(); ++i) sum = merged(sum, parts[i]);
@@ -71,7 +71,7 @@ TEST_F(SampledParticlesTest, MergingKeepsMiddleAndSpread) {
 // fewer, and what is left once more to the same count, where there is nothing left to do. Accepted: 0.1 %;
 // doubles keep 1e-12.
 TEST_F(SampledParticlesTest, MergingEndsAtAFixedPoint) {
-  const VolumeSamples cells = volume_samples(volume_, 1'000'000);
+  const VolumeBlocks cells = volume_samples(volume_, 1'000'000);
   const auto mass_of_samples = [](const std::vector<VolumeSample>& parts) {
     double sum = 0.0;
     for (const VolumeSample& part : parts) sum += part.mass;
@@ -79,7 +79,7 @@ TEST_F(SampledParticlesTest, MergingEndsAtAFixedPoint) {
   };
   for (const std::size_t count : {std::size_t{2000}, std::size_t{400}, std::size_t{57}}) {
     ASSERT_GT(cells.samples.size(), 2 * count);
-    VolumeSamples left = cells;
+    VolumeBlocks left = cells;
     left.samples = merged_samples(cells, count, 3);
     ASSERT_EQ(left.samples.size(), count);
     EXPECT_NEAR(mass_of_samples(left.samples) / mass_of_samples(cells.samples), 1.0, 1e-12);
@@ -229,7 +229,7 @@ TEST_F(SampledParticlesTest, BlocksAreTheSmallestThatAreFewEnough) {
     return masses;
   };
   for (const std::size_t most : {std::size_t{1}, std::size_t{7}, std::size_t{300}, std::size_t{2000}}) {
-    const VolumeSamples found = volume_samples(volume_, most);
+    const VolumeBlocks found = volume_samples(volume_, most);
     const int factor = static_cast<int>(std::round(found.edge_m / volume_.cell_m));
     const auto expected = blocks_of(factor);
     ASSERT_LE(expected.size(), most);

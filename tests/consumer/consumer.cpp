@@ -26,7 +26,7 @@ double measured_hs_m(const offing::scene::Sea& sea) {
 }  // namespace
 
 int main() try {
-  offing::scene::OceanScene scene;
+  offing::scene::Scene scene;
   scene.ocean.size = 64;
   const offing::scene::Sea sea = offing::scene::prepare_sea(scene);
   const double asked_m = offing::ocean::integrate_sea_state(sea.spectrum).hs_m;

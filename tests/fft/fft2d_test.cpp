@@ -218,9 +218,9 @@ TEST_P(Fft2dTest, KeepsEnergyAndInverts) {
   EXPECT_LT(relative_error(back, input), 2 * gate(size()));
 }
 
-std::vector<Case> cases_up_to(int largest_strip, int largest_group) {
+std::vector<Case> cases_up_to(int largest_simd, int largest_group) {
   std::vector<Case> cases;
-  for (int size = 16; size <= largest_strip; size *= 2) cases.push_back({"strip", size});
+  for (int size = 16; size <= largest_simd; size *= 2) cases.push_back({"strip", size});
   for (int size = 16; size <= largest_group; size *= 2) cases.push_back({"group", size});
   return cases;
 }

@@ -20,14 +20,14 @@ using offing::fuzz::expect;
 constexpr double highest_m = 900.0;
 
 /// Ground of 1 km that rises to the east.
-const offing::cli::CameraGround ground{
+const offing::cli::CameraTerrain terrain{
     .extent = {.width_m = 1000.0, .depth_m = 1000.0, .highest_m = highest_m},
     .under = [](double x_m, double) {
-      return offing::terrain::GroundPoint{0.9 * x_m, {-0.67, 0.74, 0.0}};
+      return offing::terrain::TerrainPoint{0.9 * x_m, {-0.67, 0.74, 0.0}};
     }};
 
 void expect_camera(std::string_view text) {
-  const Camera camera = offing::cli::read_terrain_camera(text, ground);
+  const Camera camera = offing::cli::read_terrain_camera(text, terrain);
   for (int axis = 0; axis < 3; ++axis) expect(std::isfinite(camera.eye_m[axis]));
   expect(std::abs(camera.yaw_rad) <= std::numbers::pi &&
          std::abs(camera.pitch_rad) <= std::numbers::pi / 2.0);
@@ -35,7 +35,7 @@ void expect_camera(std::string_view text) {
 
 void expect_size(std::string_view text) {
   Camera camera;
-  offing::cli::read_picture_size(text, camera);
+  offing::cli::read_image_size(text, camera);
   expect(camera.width_px >= 1 && camera.width_px <= 16384 && camera.height_px >= 1 &&
          camera.height_px <= 16384);
 }

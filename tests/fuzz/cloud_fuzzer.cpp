@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const offing::fuzz::InputFile file("cloud.ply");
   file.hold({data, size});
   return offing::fuzz::check_reading([] {
-    const offing::CloudParticles cloud = offing::read_cloud_particles(file.path());
+    const offing::ParticleCloud cloud = offing::read_cloud_particles(file.path());
     expect(!cloud.particles.empty());
     for (const CloudParticle& particle : cloud.particles) {
       for (const float place_m : {particle.x, particle.y, particle.z}) expect(std::isfinite(place_m));

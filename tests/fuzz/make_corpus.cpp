@@ -95,7 +95,7 @@ void make_vdb(const fs::path& folder) {
 }
 
 void make_clouds(const fs::path& folder) {
-  CloudParticles cloud;
+  ParticleCloud cloud;
   cloud.particles = {
       {.x = 1, .y = 2, .z = 3, .radius = 4, .optical_mass = 5, .red = 1, .green = 1, .blue = 1},
       {.x = -1,

@@ -1,5 +1,5 @@
 // Classic NetCDF only: NetCDF-4 files are taken apart by libhdf5, which leaks memory on damaged ones; that
-// would be reported here within seconds and cannot be mended here.
+// would be reported here within seconds and cannot be fixed here.
 
 #include <cstddef>
 #include <cstdint>

@@ -31,9 +31,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   file.hold({data, size});
   offing::fuzz::check_reading([] { expect_contract(offing::read_height_map(file.path()).map); });
   return offing::fuzz::check_reading([] {
-    const HeightMap ground{
+    const HeightMap terrain{
         .columns = 4, .rows = 3, .heights_m = std::vector<float>(12), .is_void = {}, .georeference = {}};
-    const offing::ColourMap colours = offing::read_colour_map(file.path(), ground);
+    const offing::ColourMap colours = offing::read_colour_map(file.path(), terrain);
     expect(colours.columns > 0 && colours.rows > 0);
     expect(colours.rgba.size() ==
            std::size_t{4} * static_cast<unsigned>(colours.columns) * static_cast<unsigned>(colours.rows));

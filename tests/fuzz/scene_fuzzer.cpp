@@ -16,9 +16,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   namespace scene = offing::scene;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   return offing::fuzz::check_reading([&] {
-    const scene::OceanScene read = scene::parse_scene(text, "fuzz.toml", "/nowhere");
+    const scene::Scene read = scene::parse_scene(text, "fuzz.toml", "/nowhere");
     scene::view_at(read, 1.0);
-    scene::lamps_at(read, 1.0);
+    scene::lights_at(read, 1.0);
     scene::mesh_materials_at(read, 1.0);
     scene::mesh_rules_at(read, 1.0);
     const std::string written = scene::scene_text(read, "/nowhere");

@@ -30,7 +30,7 @@ class CoherenceTest : public testing::Test {
   // highlights as they are drawn, with the shadows of the mesh.
   void expect_coherent(const HighlightSurface& shape) const {
     const test::TurningMesh turning;
-    world::MeshView view = test::view_of(shape, turning);
+    world::WorldMesh view = test::view_of(shape, turning);
     const test::Coherence found = turn(view, turning);
     RecordProperty("move_share", fmt::format("{:.4f}", found.changes.move_share));
     RecordProperty("scale", fmt::format("{:.4f}", found.changes.scale));
@@ -55,12 +55,12 @@ class CoherenceTest : public testing::Test {
     }
     // From a state in the middle, and back by key states: the same.
     const TrackState end = view.tracks()->state();
-    HighlightTracks other(shape, turning.lighting_at(shape), view.tracks()->options());
+    HighlightTracker other(shape, turning.lighting_at(shape), view.tracks()->options());
     show(view, turning, 12.345);
     other.restore(view.tracks()->state());
     show(view, turning, end_s);
     other.advance_to(end_s);
-    for (const HighlightTracks* replayed : {view.tracks(), &std::as_const(other)}) {
+    for (const HighlightTracker* replayed : {view.tracks(), &std::as_const(other)}) {
       ASSERT_EQ(replayed->tracks().size(), end.tracks.size());
       EXPECT_EQ(replayed->state().next_id, end.next_id);
       for (std::size_t i = 0; i < end.tracks.size(); ++i) {

@@ -15,7 +15,7 @@ class HighlightCrossDeviceTest : public testing::Test {
  protected:
   // Roots and arc tangents of two implementations differ by ulps, 6e-8 each; the field between them is
   // divided by its change over a face, 0.1 or more, and curvatures turn by some 10 a face. Least squares lose
-  // digits in a determinant. Measured 1.1e-4; gate 5e-4. Faces, lamps and orientations are the same.
+  // digits in a determinant. Measured 1.1e-4; gate 5e-4. Faces, lights and orientations are the same.
   static void expect_same(const std::vector<float>& found, const std::vector<float>& expected) {
     ASSERT_EQ(found.size(), expected.size());
     ASSERT_GE(expected.size(), 500u);

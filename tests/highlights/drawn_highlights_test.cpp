@@ -14,7 +14,7 @@
 
 #include "host/base/error.h"
 #include "host/highlights/projectors/highlight_frame.h"
-#include "host/highlights/tracks/highlight_tracks.h"
+#include "host/highlights/tracks/highlight_tracker.h"
 #include "host/highlights/tracks/nearest_place.h"
 #include "tests/highlights/example_surfaces.h"
 
@@ -63,8 +63,8 @@ class Scene {
 
  private:
   const HighlightSurface& surface_;
-  HighlightTracks tracks_;
-  DrawnHighlights drawn_;
+  HighlightTracker tracks_;
+  HighlightDrawing drawn_;
 };
 
 HighlightRule rule_of(const HighlightControls& controls) {
@@ -87,7 +87,7 @@ TEST_F(DrawnHighlightsTest, NoRulesAndRulesThatChangeNothingDrawWhatWasFound) {
       ASSERT_GT(drawn.size(), 2u);
       for (std::size_t i = 0; i < drawn.size(); ++i) {
         EXPECT_EQ(drawn[i].id, frame.highlights[i].id);
-        EXPECT_EQ(drawn[i].lamp, frame.highlights[i].lamp);
+        EXPECT_EQ(drawn[i].light, frame.highlights[i].light);
         EXPECT_EQ(drawn[i].opacity, frame.highlights[i].opacity);
         EXPECT_EQ(drawn[i].projector, frame.highlights[i].projector);
         EXPECT_THAT(scene.faces_of(drawn[i]), testing::ElementsAreArray(frame.faces_of(frame.highlights[i])));
@@ -205,8 +205,8 @@ TEST_F(DrawnHighlightsTest, MasksLeaveFacesWithACornerInReach) {
   EXPECT_LT(expected.size(), all);
 }
 
-// Fails if a pin wanders with the lamp, is off the surface, or has another size than a highlight there.
-TEST_F(DrawnHighlightsTest, PinsStandWhereverTheLampIs) {
+// Fails if a pin wanders with the light, is off the surface, or has another size than a highlight there.
+TEST_F(DrawnHighlightsTest, PinsStandWhereverTheLightIs) {
   const HighlightSurface shape = surface(test::ellipsoid(5, {1.0, 0.6, 0.8}));
   Scene scene(shape, lighting);
   const HighlightTrack found = scene.tracks().at(0);
@@ -228,19 +228,19 @@ TEST_F(DrawnHighlightsTest, PinsStandWhereverTheLampIs) {
   EXPECT_EQ(drawn.opacity, 1.0);
 }
 
-// Of two lamps' highlights the rule reaches its own; rules for lamps that are not there, and pins in their
+// Of two lights' highlights the rule reaches its own; rules for lights that are not there, and pins in their
 // light, do nothing, and nothing breaks.
-TEST_F(DrawnHighlightsTest, RulesOfALampAreForItsHighlightsOnly) {
+TEST_F(DrawnHighlightsTest, RulesOfALightAreForItsHighlightsOnly) {
   const HighlightSurface shape = surface(test::ellipsoid(5, {1.0, 0.6, 0.8}));
   Scene scene(shape, lighting);
   HighlightRule rule = rule_of({.scale = 2.0});
-  rule.lamp = 1;
+  rule.light = 1;
   const std::vector<DrawnHighlight> plain = scene.under({}), scaled = scene.under({rule});
   ASSERT_EQ(plain.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i)
-    EXPECT_EQ(scaled[i].projector.width_m, (plain[i].lamp == 1 ? 2.0 : 1.0) * plain[i].projector.width_m);
-  for (const int lamp : {2, 7, -1}) {
-    rule.lamp = lamp;
+    EXPECT_EQ(scaled[i].projector.width_m, (plain[i].light == 1 ? 2.0 : 1.0) * plain[i].projector.width_m);
+  for (const int light : {2, 7, -1}) {
+    rule.light = light;
     HighlightRule pin = rule;
     pin.pin_m = glm::dvec3(1.0, 0.0, 0.0);
     const std::vector<DrawnHighlight> drawn = scene.under({rule, pin});
@@ -299,26 +299,26 @@ TEST_F(DrawnHighlightsTest, RulesForTheNearestGoOverByDegrees) {
   EXPECT_EQ(before, 0.0);
 }
 
-// A lamp leaps beside a rule's place: its highlight ends far from there and another one begins at the place.
+// A light leaps beside a rule's place: its highlight ends far from there and another one begins at the place.
 // What is drawn by the rule, and what is drawn without it, changes by no more than 4 a second; in the end the
 // rule is at the new one. Fails if the rule leaps.
 TEST_F(DrawnHighlightsTest, RulesForTheNearestGoOverToWhatAppearsByDegrees) {
   const HighlightSurface shape = surface(test::ellipsoid(5, {1.0, 0.6, 0.8}));
   constexpr double leap_s = 0.5, frame_s = 1.0 / 30.0, limit = 4.0 / 30.0 + 1e-9;
-  HighlightTracks tracks(shape, [](double time_s) {
+  HighlightTracker tracks(shape, [](double time_s) {
     const double side = time_s < leap_s ? -1.0 : 1.0;
     return Lighting{
         {Source::Kind::direction, {0.0, 0.3, 1.0}},
         {{Source::Kind::direction, {-1.0, 0.4, 0.3}}, {Source::Kind::direction, {side, 0.9, 0.2}}}};
   });
-  HighlightTracks after(shape, [](double) {
+  HighlightTracker after(shape, [](double) {
     return Lighting{{Source::Kind::direction, {0.0, 0.3, 1.0}}, {{Source::Kind::direction, {1.0, 0.9, 0.2}}}};
   });
   HighlightRule rule = rule_of({.scale = 2.0});
   rule.nearest_m = after.tracks().at(0).projector.centre_m;
   const std::vector<HighlightRule> rules{rule};
   tracks.set_places(nearest_places(rules));
-  DrawnHighlights drawn(shape, tracks.options().size);
+  HighlightDrawing drawn(shape, tracks.options().size);
   std::map<std::pair<std::uint64_t, int>, double> before;
   std::size_t partly = 0;
   for (int frame = 0; frame <= 60; ++frame) {
@@ -343,7 +343,7 @@ TEST_F(DrawnHighlightsTest, RulesForTheNearestGoOverToWhatAppearsByDegrees) {
   tracks.advance_to(leap_s + 0.2);
   const TrackState middle = tracks.state();
   tracks.advance_to(leap_s);
-  HighlightTracks other(shape, [](double) { return lighting(0.0); });
+  HighlightTracker other(shape, [](double) { return lighting(0.0); });
   other.set_places(nearest_places(rules));
   other.restore(middle);
   tracks.advance_to(leap_s + 0.2);

@@ -1,5 +1,5 @@
 // highlight_dump FILE: highlight points of small surfaces by both searches, on the device that the
-// environment names. FILE: of each point, in their order, face, lamp, orientation, weights, normal,
+// environment names. FILE: of each point, in their order, face, light, orientation, weights, normal,
 // curvatures and where e_max points, its sign apart.
 #include <cmath>
 #include <fstream>
@@ -15,13 +15,13 @@ using namespace offing::highlights;
 
 void write_dump(const char* path) {
   const ocl::Device device = ocl::Device::open();
-  HighlightPoints search(device);
+  HighlightFinder search(device);
   test::RandomVectors random(21);
   Lighting far{{Source::Kind::direction, random.direction()}, {}};
   Lighting near{{Source::Kind::place, 3.0 * random.direction()}, {}};
   for (int i = 0; i < 5; ++i) {
-    far.lamps.push_back({Source::Kind::direction, random.direction()});
-    near.lamps.push_back({Source::Kind::place, 4.0 * random.direction()});
+    far.lights.push_back({Source::Kind::direction, random.direction()});
+    near.lights.push_back({Source::Kind::place, 4.0 * random.direction()});
   }
   std::ofstream file(path, std::ios::binary);
   const auto add = [&](double value) {
@@ -34,7 +34,7 @@ void write_dump(const char* path) {
       for (const SearchMethod method : {SearchMethod::zeros, SearchMethod::least_squares}) {
         for (const HighlightPoint& point : search.find(surface, lighting, method)) {
           add(point.face);
-          add(point.lamp);
+          add(point.light);
           add(point.orientation);
           for (int axis = 0; axis < 3; ++axis) {
             add(point.weights[axis]);

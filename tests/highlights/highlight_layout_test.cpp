@@ -13,8 +13,8 @@ using Layout = std::vector<std::size_t>;
 TEST(HighlightLayoutTest, HighlightLight) {
   using S = HighlightLight;
   EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/highlights.h", "HighlightLight",
-                                {"eye", "lamp.nearness", "axis_x", "up_z", "is_constant"}),
-            (Layout{sizeof(S), offsetof(S, eye), offsetof(S, lamp) + offsetof(HighlightSource, nearness),
+                                {"eye", "source.nearness", "axis_x", "up_z", "is_constant"}),
+            (Layout{sizeof(S), offsetof(S, eye), offsetof(S, source) + offsetof(HighlightSource, nearness),
                     offsetof(S, axis_x), offsetof(S, up_z), offsetof(S, is_constant)}));
 }
 

@@ -36,7 +36,7 @@ TEST_F(HighlightPointsTest, SphereHasOneHighlightInTenThousandSetUps) {
       const Lighting lighting{direction(random.direction()), {direction(random.direction())}};
       const std::vector<HighlightPoint> points = search_.find(sphere, lighting);
       ASSERT_EQ(points.size(), 1u) << "mesh " << mesh << ", set-up " << i;
-      const glm::dvec3 h = half_vector(lighting.eye, lighting.lamps[0], middle_m);
+      const glm::dvec3 h = half_vector(lighting.eye, lighting.lights[0], middle_m);
       ASSERT_EQ(points[0].orientation, 1);
       worst_rad = std::max(
           {worst_rad, angle_rad(points[0].normal, h), angle_rad(points[0].position_m - middle_m, h)});
@@ -72,7 +72,7 @@ TEST_F(HighlightPointsTest, EllipsoidHasItsHighlightWhereTheClosedFormIs) {
   double worst_m = 0.0, worst_curvature = 0.0, worst_rad = 0.0;
   for (int i = 0; i < 500; ++i) {
     const Lighting lighting{direction(random.direction()), {direction(random.direction())}};
-    const glm::dvec3 h = half_vector(lighting.eye, lighting.lamps[0], {});
+    const glm::dvec3 h = half_vector(lighting.eye, lighting.lights[0], {});
     const std::vector<HighlightPoint> points = search_.find(shape, lighting);
     ASSERT_EQ(points.size(), 1u);
     const glm::dvec3 expected_m = axes_m * axes_m * h / glm::length(axes_m * h);
@@ -109,7 +109,7 @@ TEST_F(HighlightPointsTest, TorusHasAHumpAndASaddle) {
   double worst_m = 0.0;
   for (int i = 0; i < 300; ++i) {
     const Lighting lighting{direction(random.direction()), {direction(random.direction())}};
-    const glm::dvec3 h = half_vector(lighting.eye, lighting.lamps[0], {});
+    const glm::dvec3 h = half_vector(lighting.eye, lighting.lights[0], {});
     if (std::abs(h.z) > 0.98) continue;  // near the poles of the Gauss map both circles are highlights
     std::vector<HighlightPoint> points = search_.find(shape, lighting);
     ASSERT_EQ(points.size(), 2u);
@@ -124,10 +124,10 @@ TEST_F(HighlightPointsTest, TorusHasAHumpAndASaddle) {
   EXPECT_LE(worst_m, 0.004);
 }
 
-// The orientations of all points of a lamp sum up to the degree of the map p -> N(p), which is half the Euler
-// characteristic, 1 - genus (Gauss-Bonnet), as long as H leaves some direction out: then H can be contracted
-// to a constant without changing that sum. So their number is odd on spheres and even on tori. Fails if any
-// point is lost or found twice, whatever the shape of the facets.
+// The orientations of all points of a light sum up to the degree of the map p -> N(p), which is half the
+// Euler characteristic, 1 - genus (Gauss-Bonnet), as long as H leaves some direction out: then H can be
+// contracted to a constant without changing that sum. So their number is odd on spheres and even on tori.
+// Fails if any point is lost or found twice, whatever the shape of the facets.
 TEST_F(HighlightPointsTest, OrientationsSumToOneMinusTheGenus) {
   RandomVectors random(4);
   std::size_t most = 0;
@@ -136,10 +136,10 @@ TEST_F(HighlightPointsTest, OrientationsSumToOneMinusTheGenus) {
     const HighlightSurface shape = surface(example);
     for (int i = 0; i < 300; ++i) {
       const Source far_eye = direction(random.direction()), near_eye = place(3.0 * random.direction());
-      const Source far_lamp = direction(random.direction()), near_lamp = place(4.0 * random.direction());
-      for (const Lighting& lighting : {Lighting{far_eye, {far_lamp}}, Lighting{near_eye, {near_lamp}}}) {
+      const Source far_light = direction(random.direction()), near_light = place(4.0 * random.direction());
+      for (const Lighting& lighting : {Lighting{far_eye, {far_light}}, Lighting{near_eye, {near_light}}}) {
         // Nearly opposite, H takes all directions.
-        if (glm::dot(glm::normalize(lighting.eye.vector), glm::normalize(lighting.lamps[0].vector)) < -0.5)
+        if (glm::dot(glm::normalize(lighting.eye.vector), glm::normalize(lighting.lights[0].vector)) < -0.5)
           continue;
         int sum = 0;
         const std::vector<HighlightPoint> points = search_.find(shape, lighting);
@@ -166,12 +166,12 @@ TEST_F(HighlightPointsTest, PointsAreThoseOfTheReference) {
   for (int i = 0; i < 60; ++i) {
     const bool is_near = i % 2 == 1;
     const Source eye = is_near ? place(4.0 * random.direction()) : direction(random.direction());
-    const Source lamp = is_near ? place(5.0 * random.direction()) : direction(random.direction());
-    // Between eye and lamp H turns faster than any facet can follow.
-    if (is_near && glm::dot(glm::normalize(eye.vector), glm::normalize(lamp.vector)) < -0.7) continue;
-    const std::vector<HighlightPoint> points = search_.find(shape, {eye, {lamp}});
+    const Source light = is_near ? place(5.0 * random.direction()) : direction(random.direction());
+    // Between eye and light H turns faster than any facet can follow.
+    if (is_near && glm::dot(glm::normalize(eye.vector), glm::normalize(light.vector)) < -0.7) continue;
+    const std::vector<HighlightPoint> points = search_.find(shape, {eye, {light}});
     const std::vector<HighlightPoint> expected =
-        test::reference_points(shape.mesh(), eye, lamp, is_near ? 0.5 : 0.0);
+        test::reference_points(shape.mesh(), eye, light, is_near ? 0.5 : 0.0);
     // Where a hump and a saddle are about to meet, positions are not certain.
     const auto is_flat = [](const HighlightPoint& p) {
       const double k_max = std::abs(p.k_max_per_m), k_min = std::abs(p.k_min_per_m);
@@ -196,26 +196,26 @@ TEST_F(HighlightPointsTest, PointsAreThoseOfTheReference) {
   EXPECT_LE(worst[1], 0.05);
 }
 
-// Fails if lamps are mixed up, in one launch or from one to the next (32 lamps each), or if points are lost
+// Fails if lights are mixed up, in one launch or from one to the next (32 lights each), or if points are lost
 // where there are more than the first buffer holds.
-TEST_F(HighlightPointsTest, ManyLampsAreFoundAsOneByOne) {
+TEST_F(HighlightPointsTest, ManyLightsAreFoundAsOneByOne) {
   const HighlightSurface shape = surface(test::bumpy_sphere(4));
   RandomVectors random(6);
   Lighting all{place(3.0 * random.direction()), {}};
   std::vector<HighlightPoint> expected;
-  for (int lamp = 0; lamp < 70; ++lamp) {
-    all.lamps.push_back(lamp % 3 == 0 ? place(2.0 * random.direction()) : direction(random.direction()));
-    for (HighlightPoint point : search_.find(shape, {all.eye, {all.lamps.back()}})) {
-      point.lamp = lamp;
+  for (int light = 0; light < 70; ++light) {
+    all.lights.push_back(light % 3 == 0 ? place(2.0 * random.direction()) : direction(random.direction()));
+    for (HighlightPoint point : search_.find(shape, {all.eye, {all.lights.back()}})) {
+      point.light = light;
       expected.push_back(point);
     }
   }
-  HighlightPoints other(device_);
+  HighlightFinder other(device_);
   const std::vector<HighlightPoint> points = other.find(shape, all);
   ASSERT_GT(expected.size(), 256u) << "too few for this test";
   ASSERT_EQ(points.size(), expected.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    EXPECT_EQ(points[i].lamp, expected[i].lamp);
+    EXPECT_EQ(points[i].light, expected[i].light);
     EXPECT_EQ(points[i].face, expected[i].face);
     EXPECT_EQ(points[i].weights, expected[i].weights);
     EXPECT_EQ(points[i].k_max_per_m, expected[i].k_max_per_m);

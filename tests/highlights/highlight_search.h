@@ -22,7 +22,7 @@ class HighlightSearch : public testing::Test {
   }
 
   ocl::Device device_ = ocl::Device::open();
-  HighlightPoints search_{device_};
+  HighlightFinder search_{device_};
 };
 
 }  // namespace offing::highlights

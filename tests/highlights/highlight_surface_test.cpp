@@ -40,8 +40,8 @@ TEST_F(HighlightSurfaceTest, NormalsThatCancelAreThoseOfTheLargestFace) {
   EXPECT_EQ(surface(sheet).mesh().normals[3], glm::dvec3(0.0, 0.0, 1.0));
 }
 
-// Rigid motion of mesh, eye and lamps together must change nothing but the axes: weights within 1e-4,
-// curvatures (so sizes) within 1e-4. Here the mesh stands elsewhere and eye and lamps are brought into its
+// Rigid motion of mesh, eye and lights together must change nothing but the axes: weights within 1e-4,
+// curvatures (so sizes) within 1e-4. Here the mesh stands elsewhere and eye and lights are brought into its
 // axes.
 TEST_F(HighlightSurfaceTest, RigidMotionLeavesWeightsAndCurvaturesAlone) {
   const ExampleSurface example = test::bumpy_sphere(4);
@@ -52,7 +52,7 @@ TEST_F(HighlightSurfaceTest, RigidMotionLeavesWeightsAndCurvaturesAlone) {
                             {place(5.0 * random.direction()), direction(random.direction())}};
     const RigidMotion motion{random.rotation(), 100.0 * random.direction()};
     Lighting moved = lighting;
-    for (Source* source : {&moved.eye, &moved.lamps[0], &moved.lamps[1]}) {
+    for (Source* source : {&moved.eye, &moved.lights[0], &moved.lights[1]}) {
       source->vector = motion.rotation * source->vector;
       if (source->kind == Source::Kind::place) source->vector += motion.translation_m;
     }

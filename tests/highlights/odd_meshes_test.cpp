@@ -26,7 +26,7 @@ std::size_t expect_sound(const TriangleMesh& mesh, int smoothing_rounds) {
   const HighlightSurface surface(device, mesh, mesh_tools::vertex_curvatures(mesh).curvatures,
                                  {.smoothing_rounds = smoothing_rounds});
   const test::TurningMesh turning{.degrees_per_frame = 3.0, .moving_frames = 30};
-  HighlightTracks tracks(surface, turning.lighting_at(surface));
+  HighlightTracker tracks(surface, turning.lighting_at(surface));
   RegionSearch regions(surface);
   HighlightFrame frame;
   std::size_t shown_in_all = 0;
@@ -77,7 +77,7 @@ TEST(OddMeshesTest, NormalsOfAnyLengthAreNormals) {
   mesh.positions_m = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 1.0, 1.0}};
   mesh.faces = {{0, 1, 2}, {1, 0, 3}};
   const ocl::Device device = ocl::Device::open();
-  HighlightPoints search(device);
+  HighlightFinder search(device);
   const Lighting lighting{{Source::Kind::direction, {0.5, 0.6, 0.7}},
                           {{Source::Kind::direction, {0.5, 0.6, 0.7}}}};
   const auto points = [&](double length) {

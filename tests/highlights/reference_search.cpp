@@ -19,7 +19,7 @@ glm::dvec3 mix(const std::vector<glm::dvec3>& values, const TriangleIndices& fac
 
 }  // namespace
 
-std::vector<HighlightPoint> reference_points(const TriangleMesh& mesh, const Source& eye, const Source& lamp,
+std::vector<HighlightPoint> reference_points(const TriangleMesh& mesh, const Source& eye, const Source& light,
                                              double slack) {
   std::vector<HighlightPoint> points;
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
@@ -31,7 +31,7 @@ std::vector<HighlightPoint> reference_points(const TriangleMesh& mesh, const Sou
     glm::dvec3 weights(1.0 / 3.0);
     bool is_usable = true;
     for (int step = 0; step < 40 && is_usable; ++step) {
-      const glm::dvec3 h = half_vector(eye, lamp, mix(mesh.positions_m, face, weights));
+      const glm::dvec3 h = half_vector(eye, light, mix(mesh.positions_m, face, weights));
       const glm::dvec3 solution = glm::inverse(normals) * h;
       const double total = solution.x + solution.y + solution.z;
       // N = lambda H with lambda = 1 / total, which must be above 0.

@@ -62,7 +62,7 @@ struct AgedPoint {
 };
 
 std::vector<AgedPoint> aged(const std::vector<HighlightPoint>& points, const std::vector<AgedPoint>& before,
-                            double reach_m, const LampShadow& shadow, const Source& lamp,
+                            double reach_m, const LightShadow& shadow, const Source& light,
                             const HighlightSize& size) {
   std::vector<AgedPoint> result;
   for (const HighlightPoint& point : points) {
@@ -74,7 +74,7 @@ std::vector<AgedPoint> aged(const std::vector<HighlightPoint>& points, const std
       least_m = distance_m;
       nearest = &old;
     }
-    const bool is_lit = shadow.lit_share(projector_at(point, size), lamp) > 0.5;
+    const bool is_lit = shadow.lit_share(projector_at(point, size), light) > 0.5;
     result.push_back({point, nearest == nullptr || !is_lit ? 0 : nearest->frames + 1, is_lit});
   }
   return result;
@@ -92,7 +92,7 @@ bool is_covered(const HighlightPoint& point, const std::vector<HighlightTrack>& 
 }
 
 /// The tracks of a mesh, each as opaque as it is drawn.
-std::vector<HighlightTrack> as_drawn(const world::MeshView& view) {
+std::vector<HighlightTrack> as_drawn(const world::WorldMesh& view) {
   std::vector<HighlightTrack> tracks = view.tracks()->tracks();
   for (HighlightTrack& track : tracks) track.opacity = 0.0;
   for (const DrawnHighlight& drawn : view.highlights()) {
@@ -125,7 +125,7 @@ LightingAt TurningMesh::lighting_at(const HighlightSurface& surface) const {
   return [this, &surface](double time_s) { return lighting(surface, time_s); };
 }
 
-world::MeshView view_of(const HighlightSurface& surface, const TurningMesh& turning) {
+world::WorldMesh view_of(const HighlightSurface& surface, const TurningMesh& turning) {
   world::MeshParameters parameters;
   parameters.name = "turning";
   parameters.mesh = std::make_shared<TriangleMesh>(surface.mesh());
@@ -134,16 +134,16 @@ world::MeshView view_of(const HighlightSurface& surface, const TurningMesh& turn
   return {surface.device(), parameters};
 }
 
-void show(world::MeshView& view, const TurningMesh& turning, double time_s) {
+void show(world::WorldMesh& view, const TurningMesh& turning, double time_s) {
   view.at(
       time_s, [&](double) { return turning.world_lighting(view.surface()); }, 0.0);
 }
 
-Coherence turn(world::MeshView& view, const TurningMesh& turning) {
+Coherence turn(world::WorldMesh& view, const TurningMesh& turning) {
   Coherence result;
   const HighlightSurface& surface = view.surface();
-  const LampShadow shadow(surface);
-  HighlightPoints search(surface.device());
+  const LightShadow shadow(surface);
+  HighlightFinder search(surface.device());
   const double diagonal_m = surface.diagonal_m();
   std::map<std::uint64_t, HighlightTrack> before;
   std::vector<AgedPoint> points;
@@ -156,7 +156,7 @@ Coherence turn(world::MeshView& view, const TurningMesh& turning) {
     const std::vector<HighlightTrack> tracks = as_drawn(view);
     const RigidMotion motion = turning.motion(surface, time_s);
     const Lighting lighting = turning.lighting(surface, time_s);
-    points = aged(search.find(surface, lighting), points, 0.03 * diagonal_m, shadow, lighting.lamps[0],
+    points = aged(search.find(surface, lighting), points, 0.03 * diagonal_m, shadow, lighting.lights[0],
                   view.tracks()->options().size);
     for (const AgedPoint& point : points) {
       result.in_shadow += point.is_lit ? 0 : 1;

@@ -2,12 +2,12 @@
 
 #include "host/highlights/projectors/highlight_frame.h"
 #include "host/highlights/search/highlight_surface.h"
-#include "host/highlights/tracks/highlight_tracks.h"
-#include "host/world/mesh_view.h"
+#include "host/highlights/tracks/highlight_tracker.h"
+#include "host/world/world_mesh.h"
 
 namespace offing::test {
 
-/// A mesh that turns about a line through its middle before an eye and a lamp at rest, for `moving_frames`
+/// A mesh that turns about a line through its middle before an eye and a light at rest, for `moving_frames`
 /// frames, and then stands.
 struct TurningMesh {
   double degrees_per_frame = 0.5, frames_per_s = 30.0;
@@ -35,16 +35,16 @@ struct Coherence {
   double median_lag_frames = 0.0;  ///< distance behind the point over its way in a frame
   double mean_points = 0.0, mean_shown = 0.0;
   std::size_t births = 0;
-  std::size_t in_shadow = 0;  ///< points of all frames that their lamp does not reach
+  std::size_t in_shadow = 0;  ///< points of all frames that their light does not reach
 };
 
 /// The mesh of a surface, turning. Both must outlive it.
-world::MeshView view_of(const highlights::HighlightSurface& surface, const TurningMesh& turning);
+world::WorldMesh view_of(const highlights::HighlightSurface& surface, const TurningMesh& turning);
 
 /// Shows it at a time, as one picture of a sequence that begins at 0.
-void show(world::MeshView& view, const TurningMesh& turning, double time_s);
+void show(world::WorldMesh& view, const TurningMesh& turning, double time_s);
 
 /// Turns a mesh for all its frames.
-Coherence turn(world::MeshView& view, const TurningMesh& turning);
+Coherence turn(world::WorldMesh& view, const TurningMesh& turning);
 
 }  // namespace offing::test

@@ -7,25 +7,27 @@ import unittest
 import code_rules
 import file_limits
 import include_arrows
+import layout
 import links
 import shared_headers
 import stems
+import words
 from repository import Repository
 
 SOUND = {
-    "kernels/README.md": "| `ocean/advance.cl` | `host/ocean/surface/ocean.cpp` | `tests/ocean/advance_test.cpp` |\n",
+    "kernels/README.md": "| `ocean/advance.cl` | `host/ocean/ocean.cpp` | `tests/ocean/advance_test.cpp` |\n",
     "kernels/ocean/advance.cl": '#include "ocean/phase.clh"\n__kernel void advance(__global float *h) {}\n',
     "kernels/ocean/phase.clh": "#define PHASE 1\n",
     "kernels/shared/params.h": "#ifndef A\n#define A\ntypedef struct {\n  float depth_m;  // bool\n} Params;\n"
     'static_assert(sizeof(Params) == 4, "packed");\n#endif\n',
     "host/base/error.h": "#pragma once\n#include <string>\n",
     "host/ocean/CMakeLists.txt": "offing_library(ocean SOURCES ocean.cpp)\n",
-    "host/ocean/surface/ocean.cpp": '#include "host/base/error.h"\n#include "kernels/shared/params.h"\n'
+    "host/ocean/ocean.cpp": '#include "host/base/error.h"\n#include "kernels/shared/params.h"\n'
     'const char* name = "ocean/advance.cl";\nvoid set(bool foam, int size);\n',
     "host/ocl/CMakeLists.txt": "offing_library(ocl SOURCES quirks.cpp)\n",
     "host/ocl/quirks.cpp": '#include <CL/cl.h>\nbool is_pocl() { return name == "PoCL"; }\n',
     "tests/ocean/CMakeLists.txt": "offing_test(ocean_test SOURCES advance_test.cpp)\n",
-    "tests/ocean/advance_test.cpp": '#include "host/ocean/surface/ocean.cpp"\nauto s = R"(#include "nowhere.h")";\n',
+    "tests/ocean/advance_test.cpp": '#include "host/ocean/ocean.cpp"\nauto s = R"(#include "nowhere.h")";\n',
     "docs/guide.md": "[index](../kernels/README.md), [web](https://example.org), `host/ocean`\n",
 }
 
@@ -53,7 +55,7 @@ class HouseChecks(unittest.TestCase):
         self.assert_finds(
             include_arrows,
             "host/base/error.h",
-            '#include "host/ocean/surface/ocean.cpp"\n',
+            '#include "host/ocean/ocean.cpp"\n',
             "host/base/error.h:1: host/base must not include host/ocean",
         )
 
@@ -61,7 +63,7 @@ class HouseChecks(unittest.TestCase):
         self.write("host/terrain/height.h", "")
         self.assert_finds(
             include_arrows,
-            "host/ocean/surface/ocean.cpp",
+            "host/ocean/ocean.cpp",
             '#include "host/terrain/height.h"\n',
             "host/ocean must not include host/terrain",
         )
@@ -76,7 +78,7 @@ class HouseChecks(unittest.TestCase):
 
     def test_opencl_header_outside_its_folder(self):
         self.assert_finds(
-            include_arrows, "host/ocean/surface/ocean.cpp", "#include <CL/cl.h>\n", "reserved for host/ocl"
+            include_arrows, "host/ocean/ocean.cpp", "#include <CL/cl.h>\n", "reserved for host/ocl"
         )
 
     def test_gpl_header_without_its_licence(self):
@@ -88,21 +90,53 @@ class HouseChecks(unittest.TestCase):
         )
 
     def test_mesh_tools_include_the_other_command_line(self):
-        self.write("host/cli/ocean/bake.h", "#pragma once\n")
+        self.write("host/cli/bake.h", "#pragma once\n")
         self.assert_finds(
             include_arrows,
             "mesh_tools/repair.h",
-            '#include "host/cli/ocean/bake.h"\n',
+            '#include "host/cli/bake.h"\n',
             "mesh_tools must not include host/cli",
         )
 
     def test_include_not_from_the_root(self):
         self.assert_finds(
-            include_arrows, "host/ocean/surface/ocean.cpp", '#include "error.h"\n', 'no file "error.h"'
+            include_arrows, "host/ocean/ocean.cpp", '#include "error.h"\n', 'no file "error.h"'
         )
 
     def test_folder_without_arrow(self):
         self.assert_finds(include_arrows, "host/weather/rain.h", "", "no row for its folder")
+
+    def test_kernel_includes_another_simulation(self):
+        self.write("kernels/terrain/patch.clh", "")
+        self.assert_finds(
+            include_arrows,
+            "kernels/ocean/phase.clh",
+            '#include "terrain/patch.clh"\n',
+            "kernels/ocean must not include kernels/terrain",
+        )
+
+    def test_retired_word_in_a_name(self):
+        self.assert_finds(words, "host/base/error.h", "int lidCount;\n", 'retired word "lid" in lidCount')
+        self.assertEqual(words.retired_in("solid clouds.crisp_puffs"), [])
+
+    def test_retired_word_in_a_text(self):
+        self.assert_finds(words, "host/base/error.h", 'auto s = "a lamp";\n', 'retired word "lamp"')
+
+    def test_retired_word_in_a_page(self):
+        self.assert_finds(words, "docs/guide.md", "Mend it.\n", 'docs/guide.md:1: retired word "mend"')
+
+    def test_types_that_differ_by_a_plural(self):
+        self.assert_finds(
+            words, "host/base/error.h", "struct Wave {\n};\nclass Waves {\n};\n", "Wave in host/base/error.h, Waves"
+        )
+
+    def test_crowded_folder(self):
+        for i in range(layout.MOST_FILES - 1):
+            self.write(f"host/base/part_{i}.cpp", "")
+        self.assert_finds(layout, "host/base/one_more.cpp", "", "host/base: 41 files")
+
+    def test_headers_of_the_same_name(self):
+        self.assert_finds(layout, "host/ocean/error.h", "", "headers of the same name: host/base/error.h, host/ocean")
 
     def test_large_file(self):
         self.assert_finds(file_limits, "docs/picture.png", "x" * 1_000_001, "1000001 bytes")
@@ -125,11 +159,11 @@ class HouseChecks(unittest.TestCase):
         self.assert_finds(stems, "kernels/ocean/advance.cl", "#define ROW_KERNEL evolve\n", "found evolve")
 
     def test_kernel_that_nobody_launches(self):
-        self.assert_finds(stems, "host/ocean/surface/ocean.cpp", "", 'holds the literal "ocean/advance.cl"')
+        self.assert_finds(stems, "host/ocean/ocean.cpp", "", 'holds the literal "ocean/advance.cl"')
 
     def test_kernel_missing_from_the_index(self):
         self.assert_finds(
-            stems, "kernels/README.md", "`ocean/advance.cl` `host/ocean/surface/ocean.cpp`\n", "has no row"
+            stems, "kernels/README.md", "`ocean/advance.cl` `host/ocean/ocean.cpp`\n", "has no row"
         )
 
     def test_name_not_snake_case(self):
@@ -141,22 +175,22 @@ class HouseChecks(unittest.TestCase):
     def test_foreign_exception(self):
         self.assert_finds(
             code_rules,
-            "host/ocean/surface/ocean.cpp",
+            "host/ocean/ocean.cpp",
             "\nthrow  std::runtime_error(x);\n",
             "ocean.cpp:2: throw offing::Error",
         )
 
     def test_exit_outside_main(self):
-        self.assert_finds(code_rules, "host/ocean/surface/ocean.cpp", "std::exit(1);  // exit(2)\n", "only main")
+        self.assert_finds(code_rules, "host/ocean/ocean.cpp", "std::exit(1);  // exit(2)\n", "only main")
 
     def test_two_bools_in_a_row(self):
         self.assert_finds(
-            code_rules, "host/ocean/surface/ocean.cpp", "void set(bool foam = false,\n  bool spray);\n", "two bools"
+            code_rules, "host/ocean/ocean.cpp", "void set(bool foam = false,\n  bool spray);\n", "two bools"
         )
 
     def test_vendor_test_outside_quirks(self):
         self.assert_finds(
-            code_rules, "host/ocean/surface/ocean.cpp", 'if (name.starts_with("NVIDIA CUDA")) {}\n', "quirks"
+            code_rules, "host/ocean/ocean.cpp", 'if (name.starts_with("NVIDIA CUDA")) {}\n', "quirks"
         )
 
     def test_shared_member_of_another_size(self):

@@ -205,7 +205,8 @@ TEST_F(ExrImageTest, NamesOfChannelsKeepMessagesInOneLine) {
   const std::size_t name = bytes.find("c0.displacement.Y");
   ASSERT_NE(name, std::string::npos);
   bytes[name + 16] = '\n';
-  bytes[name + 17 + 1 + 8] = 2;  // its subsampling along x, behind type and linearity: 37 columns have no half
+  bytes[name + 17 + 1 + 8] =
+      2;  // its subsampling along x, behind type and linearity: 37 columns have no half
   std::ofstream(path, std::ios::binary) << bytes;
   try {
     read_exr(path);

@@ -7,7 +7,7 @@
 namespace offing {
 namespace {
 
-// Fails if a picture may be given a name that promises another format, or the mend is not the name that fits.
+// Fails if a picture may be given a name that promises another format, or the fix is not the name that fits.
 TEST(FileExtension, IsThatOfTheFormat) {
   EXPECT_NO_THROW(require_extension("a/b.png", {".png"}));
   EXPECT_NO_THROW(require_extension("a/b.exr", {".png", ".exr"}));

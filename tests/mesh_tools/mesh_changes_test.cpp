@@ -20,8 +20,8 @@
 namespace offing::mesh_tools {
 namespace {
 
-TriangleMesh mended(TriangleMesh mesh, RepairChanges* changes = nullptr,
-                    const RepairSettings& settings = {}) {
+TriangleMesh repaired(TriangleMesh mesh, RepairChanges* changes = nullptr,
+                      const RepairSettings& settings = {}) {
   const RepairChanges made = repair(mesh, settings, CancelToken());
   if (changes != nullptr) *changes = made;
   return mesh;
@@ -59,7 +59,7 @@ TEST(Repair, AnySoupBecomesAManifold) {
                             static_cast<std::uint32_t>(random() % 12)});
     }
     RepairChanges changes;
-    const TriangleMesh result = mended(mesh, &changes);
+    const TriangleMesh result = repaired(mesh, &changes);
     const MeshDefects defects = find_defects(result, CancelToken());
     EXPECT_EQ(defects.non_manifold_edges + defects.non_manifold_vertices + defects.turned_edges, 0u) << seed;
     EXPECT_EQ(defects.repeating_faces + defects.isolated_vertices, 0u) << seed;
@@ -78,7 +78,7 @@ TEST(Repair, AnySoupBecomesAManifold) {
 TEST(Repair, LeavesSoundMeshesAlone) {
   const TriangleMesh mesh = test::random_mesh(4);
   RepairChanges changes;
-  const TriangleMesh result = mended(mesh, &changes);
+  const TriangleMesh result = repaired(mesh, &changes);
   EXPECT_EQ(result.positions_m, mesh.positions_m);
   EXPECT_EQ(find_index_defects(result).turned_edges, 0u);
   EXPECT_EQ(result.faces.size(), mesh.faces.size());
@@ -97,7 +97,7 @@ TEST(Repair, UndoesWhatWasBroken) {
   mesh.faces.push_back({1, 1, 2});
   mesh.positions_m.emplace_back(7, 7, 7);  // of no face
   RepairChanges changes;
-  const TriangleMesh result = mended(mesh, &changes);
+  const TriangleMesh result = repaired(mesh, &changes);
   EXPECT_EQ(changes.filled_holes, 1u);
   EXPECT_EQ(changes.added_faces, 1u);
   EXPECT_EQ(changes.turned_faces, 1u);
@@ -112,10 +112,10 @@ TEST(Repair, UndoesWhatWasBroken) {
 // Fails if a face that is turned twice counts twice: a closed mesh inside out but for one face has all others
 // turned in the end.
 TEST(Repair, CountsFacesThatLieTheOtherWay) {
-  TriangleMesh mesh = mended(test::random_mesh(5), nullptr, {.facing = Facing::outward});
+  TriangleMesh mesh = repaired(test::random_mesh(5), nullptr, {.facing = Facing::outward});
   for (std::size_t i = 1; i < mesh.faces.size(); ++i) std::swap(mesh.faces[i][0], mesh.faces[i][1]);
   RepairChanges changes;
-  const TriangleMesh result = mended(mesh, &changes, {.facing = Facing::outward});
+  const TriangleMesh result = repaired(mesh, &changes, {.facing = Facing::outward});
   EXPECT_EQ(changes.turned_faces, mesh.faces.size() - 1);
   EXPECT_GT(volume_m3(result), 0.0);
 }
@@ -130,7 +130,7 @@ TEST(Repair, ClosesSeams) {
     mesh.faces.push_back({first, first + 1, first + 2});
   }
   RepairChanges changes;
-  const TriangleMesh result = mended(mesh, &changes);
+  const TriangleMesh result = repaired(mesh, &changes);
   EXPECT_EQ(result.positions_m.size(), whole.positions_m.size());
   EXPECT_EQ(changes.merged_vertices, mesh.positions_m.size() - whole.positions_m.size());
   EXPECT_EQ(find_index_defects(result).boundary_edges, 0u);
@@ -158,7 +158,7 @@ TEST(Repair, CutsAMoebiusStripAcross) {
   }
   EXPECT_FALSE(find_index_defects(mesh).orientable);
   RepairChanges changes;
-  const TriangleMesh result = mended(mesh, &changes);
+  const TriangleMesh result = repaired(mesh, &changes);
   EXPECT_EQ(changes.split_vertices, 2u);
   EXPECT_EQ(find_index_defects(result).boundary_loops, 1u);
   EXPECT_EQ(find_index_defects(result).turned_edges, 0u);
@@ -190,7 +190,7 @@ TEST(Repair, TouchingSolidsStayClosed) {
   }
   EXPECT_GT(find_index_defects(mesh).non_manifold_edges, 3u);
   RepairChanges changes;
-  const MeshDefects after = find_index_defects(mended(mesh, &changes, {.most_hole_edges = 0}));
+  const MeshDefects after = find_index_defects(repaired(mesh, &changes, {.most_hole_edges = 0}));
   EXPECT_EQ(after.components, boxes.size());
   EXPECT_EQ(after.boundary_edges, 0u);
   EXPECT_EQ(after.vertices, 8 * boxes.size());
@@ -202,7 +202,7 @@ TEST(Repair, LeavesPatchesOpen) {
   TriangleMesh mesh;
   mesh.positions_m = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   mesh.faces = {{0, 1, 2}, {0, 2, 3}};
-  EXPECT_EQ(mended(mesh).faces.size(), 2u);
+  EXPECT_EQ(repaired(mesh).faces.size(), 2u);
 }
 
 // Fails if --outward leaves a closed component inside out, or turns one that is not.
@@ -210,7 +210,7 @@ TEST(Repair, FacesOutwardWhenAsked) {
   TriangleMesh mesh = test::random_mesh(7);
   const double volume = std::abs(volume_m3(mesh));
   for (int turn = 0; turn < 2; ++turn) {
-    const TriangleMesh result = mended(mesh, nullptr, {.facing = Facing::outward});
+    const TriangleMesh result = repaired(mesh, nullptr, {.facing = Facing::outward});
     EXPECT_NEAR(volume_m3(result), volume, 1e-13);
     for (TriangleIndices& face : mesh.faces) std::swap(face[0], face[1]);
   }

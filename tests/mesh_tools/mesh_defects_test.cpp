@@ -171,7 +171,7 @@ TEST(MeshDefects, MeasuredFiles) {
     EXPECT_EQ(found.orientable, expected.orientable) << expected.name;
     EXPECT_EQ(found.isolated_vertices + found.duplicate_faces, 0u) << expected.name;
 
-    // Each can be mended, and then holds in half-edges.
+    // Each can be fixed, and then holds in half-edges.
     repair(mesh, {.most_hole_edges = 0}, CancelToken());
     const MeshDefects after = find_index_defects(mesh);
     EXPECT_EQ(after.faces, expected.faces) << expected.name;

@@ -121,7 +121,7 @@ TEST_F(CrossDeviceTest, OclgrindWouldReportARace) {
   for (std::size_t at = source.find(barrier); at != std::string::npos; at = source.find(barrier))
     source.erase(at, barrier.size());
   std::filesystem::create_directories(folder_.path() / "kernels" / "fft");
-  std::ofstream(path("kernels/fft/group_stages.clh")) << source;
+  std::ofstream(path("kernels/fft/workgroup_stages.clh")) << source;
   run(dump_command("OFFING_KERNEL_PATH=" + path("kernels") +
                        " OFFING_SHAPE=group oclgrind --data-races --log " + path("log"),
                    16, "dump") +

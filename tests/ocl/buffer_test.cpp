@@ -73,7 +73,7 @@ TEST_P(BufferTest, FillsEachElement) {
 TEST_P(BufferTest, MapsItsContent) {
   Buffer<int> buffer(device_, counted(5000), "values");
   {
-    const MappedView<int> view = buffer.map();
+    const MappedSpan<int> view = buffer.map();
     EXPECT_EQ(view.span().size(), 5000u);
     EXPECT_EQ(view[0], 1);
     EXPECT_EQ(view[4999], 5000);
@@ -133,7 +133,7 @@ TEST_P(BufferTest, RejectsTransfersOutsideIt) {
   test::expect_error(ErrorKind::bad_usage, "is outside buffer", [&] { buffer.write(none, 5); });
 }
 
-// Fails if the error loses what the user needs: which buffer, how large, on which device, and the mend.
+// Fails if the error loses what the user needs: which buffer, how large, on which device, and the fix.
 TEST_P(BufferTest, NamesWhatDoesNotFit) {
   const std::size_t count = device_.info().max_allocation_bytes / sizeof(float) + 2048;
   const std::string hint =

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "kernels/shared/atmosphere_params.h"
+#include "kernels/shared/gerstner_params.h"
 #include "kernels/shared/ocean_params.h"
+#include "kernels/shared/query_params.h"
 #include "kernels/shared/random.h"
-#include "kernels/shared/shoals.h"
+#include "kernels/shared/shoal_params.h"
 #include "kernels/shared/sky_params.h"
-#include "kernels/shared/surface_query.h"
-#include "kernels/shared/trochoids.h"
 #include "kernels/shared/wake.h"
 
 namespace offing {
@@ -36,10 +36,10 @@ TEST(SharedLayoutTest, OceanComposeParams) {
   using S = OceanComposeParams;
   EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/ocean_params.h", "OceanComposeParams",
                                 {"origin_column", "origin_row", "column_step", "row_step", "cascade_count",
-                                 "columns", "rows", "trochoid_pitch", "adds_slopes"}),
+                                 "columns", "rows", "gerstner_pitch", "adds_slopes"}),
             (Layout{sizeof(S), offsetof(S, origin_column), offsetof(S, origin_row), offsetof(S, column_step),
                     offsetof(S, row_step), offsetof(S, cascade_count), offsetof(S, columns),
-                    offsetof(S, rows), offsetof(S, trochoid_pitch), offsetof(S, adds_slopes)}));
+                    offsetof(S, rows), offsetof(S, gerstner_pitch), offsetof(S, adds_slopes)}));
 }
 
 // Members of the two below are all floats: the first, some and the last.
@@ -63,18 +63,18 @@ TEST(SharedLayoutTest, SkyParams) {
                     offsetof(S, blue_0_klx), offsetof(S, blue_3_klx)}));
 }
 
-TEST(SharedLayoutTest, TrochoidRing) {
-  using S = TrochoidRing;
+TEST(SharedLayoutTest, GerstnerRing) {
+  using S = GerstnerRing;
   EXPECT_EQ(test::device_layout(
-                ocl::Device::open(), "shared/trochoids.h", "TrochoidRing",
+                ocl::Device::open(), "shared/gerstner_params.h", "GerstnerRing",
                 {"centre_x_m", "centre_z_m", "wavelength_m", "ring_radius_m", "amplitude_m", "phase"}),
             (Layout{sizeof(S), offsetof(S, centre_x_m), offsetof(S, centre_z_m), offsetof(S, wavelength_m),
                     offsetof(S, ring_radius_m), offsetof(S, amplitude_m), offsetof(S, phase)}));
 }
 
-TEST(SharedLayoutTest, TrochoidRingInTile) {
-  using S = TrochoidRingInTile;
-  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/trochoids.h", "TrochoidRingInTile",
+TEST(SharedLayoutTest, GerstnerRingInTile) {
+  using S = GerstnerRingInTile;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/gerstner_params.h", "GerstnerRingInTile",
                                 {"tile_x", "tile_z", "ring"}),
             (Layout{sizeof(S), offsetof(S, tile_x), offsetof(S, tile_z), offsetof(S, ring)}));
 }
@@ -82,11 +82,11 @@ TEST(SharedLayoutTest, TrochoidRingInTile) {
 TEST(SharedLayoutTest, SurfaceQueryPointAndSample) {
   using P = SurfaceQueryPoint;
   EXPECT_EQ(
-      test::device_layout(ocl::Device::open(), "shared/surface_query.h", "SurfaceQueryPoint",
+      test::device_layout(ocl::Device::open(), "shared/query_params.h", "SurfaceQueryPoint",
                           {"tile_x", "tile_z", "x_m", "z_m"}),
       (Layout{sizeof(P), offsetof(P, tile_x), offsetof(P, tile_z), offsetof(P, x_m), offsetof(P, z_m)}));
   using S = SurfaceQuerySample;
-  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/surface_query.h", "SurfaceQuerySample",
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/query_params.h", "SurfaceQuerySample",
                                 {"height_m", "slope_x", "slope_z", "residual_m", "velocity_x_mps",
                                  "velocity_y_mps", "velocity_z_mps", "pressure_pa"}),
             (Layout{sizeof(S), offsetof(S, height_m), offsetof(S, slope_x), offsetof(S, slope_z),
@@ -97,14 +97,14 @@ TEST(SharedLayoutTest, SurfaceQueryPointAndSample) {
 // Of the waves the first members, some and the last.
 TEST(SharedLayoutTest, SurfaceQueryWaveAndParams) {
   using W = SurfaceQueryWave;
-  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/surface_query.h", "SurfaceQueryWave",
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/query_params.h", "SurfaceQueryWave",
                                 {"phase", "tile_rest_x", "rate", "turns_x_perm", "height_m", "shift_x_m",
                                  "slope_z", "velocity_y_mps", "band"}),
             (Layout{sizeof(W), offsetof(W, phase), offsetof(W, tile_rest_x), offsetof(W, rate),
                     offsetof(W, turns_x_perm), offsetof(W, height_m), offsetof(W, shift_x_m),
                     offsetof(W, slope_z), offsetof(W, velocity_y_mps), offsetof(W, band)}));
   using S = SurfaceQueryParams;
-  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/surface_query.h", "SurfaceQueryParams",
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/query_params.h", "SurfaceQueryParams",
                                 {"tile_step_high", "tile_step_low", "patches_per_m", "texels_per_m",
                                  "cascade_count", "ring_count", "has_flow", "tolerance_m"}),
             (Layout{sizeof(S), offsetof(S, tile_step_high), offsetof(S, tile_step_low),
@@ -114,7 +114,7 @@ TEST(SharedLayoutTest, SurfaceQueryWaveAndParams) {
 
 TEST(SharedLayoutTest, ShoalMap) {
   using S = ShoalMap;
-  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/shoals.h", "ShoalMap",
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/shoal_params.h", "ShoalMap",
                                 {"tile_x", "origin_x_m", "columns_per_m", "columns", "rows", "deepest_m"}),
             (Layout{sizeof(S), offsetof(S, tile_x), offsetof(S, origin_x_m), offsetof(S, columns_per_m),
                     offsetof(S, columns), offsetof(S, rows), offsetof(S, deepest_m)}));
@@ -145,9 +145,9 @@ TEST(SharedLayoutTest, Wakes) {
                     offsetof(S, row_step)}));
 }
 
-TEST(SharedLayoutTest, TrochoidGrid) {
-  using S = TrochoidGrid;
-  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/trochoids.h", "TrochoidGrid",
+TEST(SharedLayoutTest, GerstnerGrid) {
+  using S = GerstnerGrid;
+  EXPECT_EQ(test::device_layout(ocl::Device::open(), "shared/gerstner_params.h", "GerstnerGrid",
                                 {"spacing_x_m", "spacing_z_m", "rows", "pitch", "wave_count", "wave_pitch",
                                  "ring_count", "padding"}),
             (Layout{sizeof(S), offsetof(S, spacing_x_m), offsetof(S, spacing_z_m), offsetof(S, rows),

@@ -24,14 +24,14 @@ class TuningTest : public ::testing::Test {
   test::ScopedEnvironment no_override_{"OFFING_SHAPE", ""};
 };
 
-TEST_F(TuningTest, GivesStripsToVectorCpus) {
+TEST_F(TuningTest, GivesSimdToVectorCpus) {
   for (std::uint32_t width : {4u, 8u, 16u}) {
     expect_tuning(device(DeviceType::cpu, width), "fft", KernelShape::strip);
   }
 }
 
 // Fails if a device without wide vectors gets kernels that its compiler takes minutes for.
-TEST_F(TuningTest, GivesGroupsToAllOthers) {
+TEST_F(TuningTest, GivesWorkgroupsToAllOthers) {
   expect_tuning(device(DeviceType::cpu, 1), "fft", KernelShape::group);
   expect_tuning(device(DeviceType::gpu, 1), "fft", KernelShape::group);
   expect_tuning(device(DeviceType::gpu, 4), "fft", KernelShape::group);

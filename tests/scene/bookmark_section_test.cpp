@@ -29,7 +29,7 @@ fov_deg = 30
 
 // Fails if a bookmark is read as another view, or one without a word is not the camera's usual one.
 TEST(BookmarkSection, IsRead) {
-  const OceanScene scene = parse_scene(two, "a.toml", "");
+  const Scene scene = parse_scene(two, "a.toml", "");
   ASSERT_EQ(scene.bookmarks.size(), 2u);
   const BookmarkScene& bow = scene.bookmarks[0];
   EXPECT_EQ(bow.name, "Bug, 뱃머리");
@@ -38,7 +38,7 @@ TEST(BookmarkSection, IsRead) {
   EXPECT_NEAR(bow.camera.pitch_rad, -0.17453292519943295, 1e-16);
   EXPECT_NEAR(bow.camera.roll_rad, 0.08726646259971647, 1e-16);
   EXPECT_NEAR(bow.camera.vertical_field_of_view_rad, 0.5235987755982988, 1e-15);
-  const Camera usual = OceanScene{}.view.camera, other = scene.bookmarks[1].camera;
+  const Camera usual = Scene{}.view.camera, other = scene.bookmarks[1].camera;
   EXPECT_EQ(other.eye_m, usual.eye_m);
   EXPECT_EQ(other.pitch_rad, usual.pitch_rad);
   EXPECT_EQ(other.vertical_field_of_view_rad, usual.vertical_field_of_view_rad);

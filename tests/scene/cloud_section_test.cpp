@@ -62,7 +62,7 @@ z_m = 3
 
 // Fails if a value goes to another element than the one it was written in, or nowhere.
 TEST(CloudSection, ValuesAreThoseOfTheirElement) {
-  const OceanScene scene = scene_of(two_clouds, "scenes");
+  const Scene scene = scene_of(two_clouds, "scenes");
   EXPECT_EQ(scene.cloud_settings.light, clouds::LightModel::harris);
   EXPECT_EQ(scene.cloud_settings.seed, 7u);
   ASSERT_EQ(scene.cloud_layers.size(), 1u);
@@ -98,10 +98,10 @@ TEST(CloudSection, ValuesAreThoseOfTheirElement) {
 
 // Fails if writing and reading changes a value, or adds one that was left to the genus.
 TEST(CloudSection, ComesBackAsItWas) {
-  const OceanScene scene = scene_of(two_clouds, "scenes");
+  const Scene scene = scene_of(two_clouds, "scenes");
   const std::string text = scene_text(scene, "scenes");
   EXPECT_EQ(scene_text(parse_scene(text, "b.toml", "scenes"), "scenes"), text);
-  const OceanScene back = parse_scene(text, "b.toml", "scenes");
+  const Scene back = parse_scene(text, "b.toml", "scenes");
   EXPECT_EQ(back.tracks, scene.tracks);
   for (const Parameter& row : parameter_table()) {
     EXPECT_EQ(value_text(back, row, Digits::exact), value_text(scene, row, Digits::exact)) << row.key;
@@ -112,7 +112,7 @@ TEST(CloudSection, ComesBackAsItWas) {
 TEST(CloudSection, CloudsAloneHaveNoSea) {
   EXPECT_FALSE(scene_of("[[cloud]]\n").has_sea());
   EXPECT_FALSE(scene_of("[[cloud_layer]]\n").has_sea());
-  const OceanScene both = scene_of("[ocean]\n[[cloud]]\n");
+  const Scene both = scene_of("[ocean]\n[[cloud]]\n");
   EXPECT_TRUE(both.has_sea());
   EXPECT_TRUE(parse_scene(scene_text(both, ""), "b.toml", "").has_sea());
 }
@@ -129,7 +129,7 @@ TEST(CloudSection, RefusesWhatNoCloudHas) {
 
 // Fails if a value that does nothing goes unsaid.
 TEST(CloudSection, TellsOfValuesThatDoNothing) {
-  const OceanScene scene = scene_of("[[cloud]]\nheat_spread = 0.5\nfluff_m = 3\ngrid = \"smoke\"\n");
+  const Scene scene = scene_of("[[cloud]]\nheat_spread = 0.5\nfluff_m = 3\ngrid = \"smoke\"\n");
   EXPECT_THAT(unused_parameters(scene),
               ElementsAre(HasSubstr("cloud.file is not given"),
                           HasSubstr("none of cloud.mesh, cloud.text and cloud.shape is given"),

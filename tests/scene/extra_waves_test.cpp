@@ -16,12 +16,12 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
-OceanScene scene_with(const std::string& more) {
+Scene scene_with(const std::string& more) {
   return parse_scene("version = 1\n[ocean]\nsize = 32\n" + more, "a.toml", "");
 }
 
 std::string hash_with(const std::string& more) {
-  const OceanScene scene = scene_with(more);
+  const Scene scene = scene_with(more);
   return scene_hash(scene, prepare_sea(scene), "");
 }
 
@@ -45,33 +45,33 @@ TEST(ExtraWaves, SwellsHaveThePeriodThatWasAsked) {
   EXPECT_NEAR(two_pi / shallow.swells[0].wavenumber_radpm / (32.0 * std::sqrt(9.81 * 0.1)), 1.0, 1e-4);
 }
 
-// Fails if swells replace the spectrum's trochoids, change with the seed, or if they or raindrops do not
+// Fails if swells replace the spectrum's Gerstner waves, change with the seed, or if they or raindrops do not
 // reach the world.
-TEST(ExtraWaves, ComeBesideTheSpectrumsTrochoids) {
-  const OceanScene scene = scene_with(
+TEST(ExtraWaves, ComeBesideTheSpectrumsGerstnerWaves) {
+  const Scene scene = scene_with(
       "[ocean.gerstner]\ncount = 4\n[[ocean.swell]]\namplitude_m = 0.25\n[[ocean.raindrop]]\nx_m = 7\n");
   const Sea sea = prepare_sea(scene);
-  EXPECT_TRUE(sea.has_trochoids());
-  const ocean::TrochoidSea first = trochoids_of(sea, 1), second = trochoids_of(sea, 2);
+  EXPECT_TRUE(sea.has_gerstner_waves());
+  const ocean::GerstnerSea first = gerstner_waves_of(sea, 1), second = gerstner_waves_of(sea, 2);
   ASSERT_EQ(first.waves.size(), 5u);
   EXPECT_NE(first.waves.front().phase_rad, second.waves.front().phase_rad);
-  for (const ocean::TrochoidSea& trochoids : {first, second, prepare_world(scene).trochoids}) {
-    EXPECT_EQ(trochoids.waves.back().amplitude_m, 0.25);
-    EXPECT_EQ(trochoids.waves.back().phase_rad, 0.0);
-    ASSERT_EQ(trochoids.raindrops.size(), 1u);
-    EXPECT_EQ(trochoids.raindrops[0].x_m, 7.0);
+  for (const ocean::GerstnerSea& gerstner_waves : {first, second, prepare_world(scene).gerstner_waves}) {
+    EXPECT_EQ(gerstner_waves.waves.back().amplitude_m, 0.25);
+    EXPECT_EQ(gerstner_waves.waves.back().phase_rad, 0.0);
+    ASSERT_EQ(gerstner_waves.raindrops.size(), 1u);
+    EXPECT_EQ(gerstner_waves.raindrops[0].x_m, 7.0);
   }
-  EXPECT_TRUE(prepare_sea(scene_with("[[ocean.swell]]\n")).has_trochoids());
-  EXPECT_TRUE(prepare_sea(scene_with("[[ocean.raindrop]]\n")).has_trochoids());
-  EXPECT_FALSE(prepare_sea(scene_with("")).has_trochoids());
+  EXPECT_TRUE(prepare_sea(scene_with("[[ocean.swell]]\n")).has_gerstner_waves());
+  EXPECT_TRUE(prepare_sea(scene_with("[[ocean.raindrop]]\n")).has_gerstner_waves());
+  EXPECT_FALSE(prepare_sea(scene_with("")).has_gerstner_waves());
 }
 
 // Fails if a ring that water cannot form is passed over in silence, or one that it can is not: k A = 0.44 is
 // the steepest wave; or if rings hide that swells are too steep.
 TEST(ExtraWaves, TooSteepRingsAreTold) {
   const auto warning = [](const std::string& more) {
-    const OceanScene scene = scene_with(more);
-    return steepness_warning(scene, trochoids_of(prepare_sea(scene, Warnings::left_out), 1));
+    const Scene scene = scene_with(more);
+    return steepness_warning(scene, gerstner_waves_of(prepare_sea(scene, Warnings::left_out), 1));
   };
   const std::string gentle = "[[ocean.raindrop]]\namplitude_m = -0.07\nwavelength_m = 1\n";
   const std::string steep = "[[ocean.raindrop]]\namplitude_m = -0.0708\nwavelength_m = 1\n";
@@ -89,7 +89,7 @@ TEST(ExtraWaves, TheMostOfBothFit) {
   std::string text = "[ocean.gerstner]\ncount = 64\n";
   for (int i = 0; i < 64; ++i) text += "[[ocean.swell]]\namplitude_m = 0.01\n";
   const Sea sea = prepare_sea(scene_with(text));
-  EXPECT_NO_THROW(ocean::require_valid_trochoids(trochoids_of(sea, 1)));
+  EXPECT_NO_THROW(ocean::require_valid_gerstner_waves(gerstner_waves_of(sea, 1)));
 }
 
 // Fails if a bake goes on with the frames of other swells or raindrops: any value, their number, and which

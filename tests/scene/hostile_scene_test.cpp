@@ -15,9 +15,9 @@
 #include "host/base/error_list.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/prepare/moving_view.h"
-#include "host/scene/prepare/own_puffs.h"
-#include "host/scene/prepare/scene_ground.h"
+#include "host/scene/prepare/own_billboards.h"
 #include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/prepare/scene_terrain.h"
 #include "host/scene/prepare/sea.h"
 #include "host/scene/schema/parameter_table.h"
 #include "tests/io/temporary_folder.h"
@@ -73,9 +73,9 @@ texture = "star"
 // What comes of a text: "" for a scene that can be shown, else the message. Anything but Error fails.
 std::string outcome(const std::string& text) {
   try {
-    const OceanScene scene = parse_scene(text, "a.toml", "");
+    const Scene scene = parse_scene(text, "a.toml", "");
     view_at(scene, 1.0);
-    lamps_at(scene, 1.0);
+    lights_at(scene, 1.0);
     mesh_materials_at(scene, 1.0);
     mesh_rules_at(scene, 1.0);
     return "";
@@ -299,7 +299,7 @@ TEST(HostileScene, IsNotLedAwayByItsFiles) {
   }
   EXPECT_THAT(
       said([&] {
-        own_puffs(parse_scene(naming("clouds.crisp_puffs", "puffs"), "a.toml", own, Trust::untrusted));
+        own_billboards(parse_scene(naming("clouds.crisp_puffs", "puffs"), "a.toml", own, Trust::untrusted));
       }),
       ::testing::HasSubstr("found one outside"));
 
@@ -331,17 +331,17 @@ TEST(HostileScene, NamesNoVrt) {
       << R"(<VRTDataset rasterXSize="2" rasterYSize="2"><GeoTransform>0,30,0,0,0,-30</GeoTransform>)"
          R"(<VRTRasterBand dataType="Float32" band="1"><SimpleSource><SourceFilename relativeToVRT="1">map.asc)"
          R"(</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>)";
-  OceanScene scene = parse_scene("version = 1\n[terrain]\nfile = 'map.tif'\nhorizontal_unit = 'metre'\n",
-                                 "a.toml", folder.path());
+  Scene scene = parse_scene("version = 1\n[terrain]\nfile = 'map.tif'\nhorizontal_unit = 'metre'\n", "a.toml",
+                            folder.path());
   try {
-    prepare_ground(scene);
+    prepare_terrain(scene);
     ADD_FAILURE() << "a VRT was read";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("a.toml:3:8: terrain.file: "));
     EXPECT_THAT(error.what(), ::testing::HasSubstr("found a VRT"));
   }
   scene.named_files.clear();  // as if a flag had named it
-  EXPECT_TRUE(prepare_ground(scene));
+  EXPECT_TRUE(prepare_terrain(scene));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ offset_right.keys = [{ t = 1, value = -2 }, { t = 3, value = 2.5 }]
 
 // Fails if a value of any kind goes to another element than the one it was written in, or nowhere.
 TEST(MeshSection, ValuesAreThoseOfTheirElement) {
-  const OceanScene scene = scene_of(two_meshes, "scenes");
+  const Scene scene = scene_of(two_meshes, "scenes");
   ASSERT_EQ(scene.lights.size(), 2u);
   EXPECT_EQ(scene.lights[0].name, "lamp");
   EXPECT_EQ(scene.lights[0].kind, LightKind::place);
@@ -67,7 +67,7 @@ TEST(MeshSection, ValuesAreThoseOfTheirElement) {
 // Fails if keyframes of an element go to another one, if a colour loses a channel, or if the constant is not
 // that of the first key.
 TEST(MeshSection, KeyframesAreThoseOfTheirElement) {
-  const OceanScene scene = scene_of(two_meshes);
+  const Scene scene = scene_of(two_meshes);
   ASSERT_EQ(scene.tracks.size(), 5u);  // three of a colour, two of numbers
   const KeyframeTrack& green = scene.tracks.at({"mesh.colour", {0, 0}, 1});
   EXPECT_EQ(green.keys.back().value, 0.5);
@@ -80,9 +80,9 @@ TEST(MeshSection, KeyframesAreThoseOfTheirElement) {
 
 // Fails if an element, a value, keyframes or their order are lost in writing, or defaults are written.
 TEST(MeshSection, ComesBackFromItsText) {
-  const OceanScene scene = scene_of(two_meshes);
+  const Scene scene = scene_of(two_meshes);
   const std::string text = scene_text(scene, "");
-  const OceanScene again = scene_of(text.substr(text.find('\n') + 1));
+  const Scene again = scene_of(text.substr(text.find('\n') + 1));
   for (const Parameter& row : parameter_table()) {
     EXPECT_EQ(value_text(again, row, Digits::exact), value_text(scene, row, Digits::exact)) << row.key;
   }
@@ -94,7 +94,7 @@ TEST(MeshSection, ComesBackFromItsText) {
 
 // Fails if meshes bring a sea, or one that the scene has is lost in writing.
 TEST(MeshSection, StandsAloneWithoutASea) {
-  const OceanScene dry = scene_of("[[mesh]]\n"), wet = scene_of("[[mesh]]\n[ocean]\n");
+  const Scene dry = scene_of("[[mesh]]\n"), wet = scene_of("[[mesh]]\n[ocean]\n");
   EXPECT_FALSE(dry.has_sea());
   EXPECT_TRUE(wet.has_sea());
   const std::string text = scene_text(wet, "");
@@ -103,7 +103,7 @@ TEST(MeshSection, StandsAloneWithoutASea) {
 
 // Fails if elements behind one that is taken away lose their keyframes, or get those of another.
 TEST(MeshSection, RemovedElementsTakeTheirKeyframes) {
-  OceanScene scene = scene_of(two_meshes);
+  Scene scene = scene_of(two_meshes);
   const RepeatedSection& meshes = *find_parameter("mesh.name")->elements;
   const RepeatedSection& highlights = *find_parameter("mesh.highlight.light")->elements;
   remove_element(scene, meshes, {0, 0});

@@ -17,13 +17,13 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-OceanScene scene_of(const std::string& text) {
+Scene scene_of(const std::string& text) {
   return parse_scene("version = 1\n" + text, "a.toml", "");
 }
 
 // Fails if a track goes to another value, is lost, is not in the stored unit, or takes the long way round.
 TEST(MovingView, FollowsKeyframes) {
-  const OceanScene scene = scene_of(R"([camera]
+  const Scene scene = scene_of(R"([camera]
 x_m = { keys = [{ t = 0, value = 0 }, { t = 10, value = 100 }], interpolation = "linear" }
 y_m = { keys = [{ t = 0, value = 5 }, { t = 1, value = 6 }, { t = 3, value = 7 }, { t = 4, value = 10 }] }
 z_m = 8
@@ -53,7 +53,7 @@ exposure_ev.keys = [{ t = 5, value = -1 }]
 
 // Fails if a view depends on those that were asked before it.
 TEST(MovingView, HasNoHistory) {
-  const OceanScene scene = scene_of(
+  const Scene scene = scene_of(
       "[camera]\nx_m.keys = [{ t = 0, value = 0 }, { t = 10, value = 100 }]\n"
       "[sun]\ntime_utc = 2024-03-20T09:00:00Z\ntime_scale = 600\n");
   const ViewScene first = view_at(scene, 7.25);
@@ -67,7 +67,7 @@ TEST(MovingView, HasNoHistory) {
 
 // Fails if a value that is written later, as a flag or a panel does, still moves.
 TEST(MovingView, AConstantReplacesKeyframes) {
-  OceanScene scene = scene_of("[camera]\nx_m.keys = [{ t = 0, value = 3 }, { t = 10, value = 100 }]\n");
+  Scene scene = scene_of("[camera]\nx_m.keys = [{ t = 0, value = 3 }, { t = 10, value = 100 }]\n");
   const Parameter& row = *find_parameter("camera.x_m");
   EXPECT_EQ(value_text(scene, row), "3");  // that of the first key
   store(scene, row, {.value = 42.0, .shown = "42"}, {.subject = "panel"});
@@ -80,7 +80,7 @@ TEST(MovingView, AConstantReplacesKeyframes) {
 // refraction (0.016 degrees) by 0.3 %.
 TEST(MovingView, SunStandsWhereTheAlmanacSays) {
   for (const char* time : {"2003-10-17T19:30:30Z", "2003-10-17T12:30:30-07:00", "\"2003-10-17T19:30:30Z\""}) {
-    const OceanScene scene =
+    const Scene scene =
         scene_of(std::string("[world]\nlatitude_deg = 39.742476\nlongitude_deg = -105.1786\n") +
                  "[sky]\npressure_pa = 82000\n[sun]\ntime_utc = " + time + "\n");
     const ViewScene view = view_at(scene, 0.0);
@@ -95,8 +95,8 @@ TEST(MovingView, SunStandsWhereTheAlmanacSays) {
 // of the sun; in between it moves evenly: by a quarter of 15 seconds of arc in a quarter of a second, less
 // than 1e-3 seconds of arc off.
 TEST(MovingView, SunMovesWithTheScene) {
-  const OceanScene moving = scene_of("[sun]\ntime_utc = 2024-03-20T09:00:00Z\ntime_scale = 10\n");
-  const OceanScene later = scene_of("[sun]\ntime_utc = 2024-03-20T09:10:00Z\n");
+  const Scene moving = scene_of("[sun]\ntime_utc = 2024-03-20T09:00:00Z\ntime_scale = 10\n");
+  const Scene later = scene_of("[sun]\ntime_utc = 2024-03-20T09:10:00Z\n");
   EXPECT_NEAR(view_at(moving, 60.0).sun_elevation_rad, view_at(later, 0.0).sun_elevation_rad, 1e-12);
   EXPECT_NEAR(view_at(moving, 60.0).sun_azimuth_rad, view_at(later, 0.0).sun_azimuth_rad, 1e-12);
   const double start = view_at(moving, 0.0).sun_elevation_rad, end = view_at(moving, 0.1).sun_elevation_rad;
@@ -107,7 +107,7 @@ TEST(MovingView, SunMovesWithTheScene) {
 
 // Fails if the sun's clock runs out of its almanac without a word.
 TEST(MovingView, SunsClockEnds) {
-  const OceanScene scene = scene_of("[sun]\ntime_utc = 2100-12-30T00:00:00Z\ntime_scale = 3600\n");
+  const Scene scene = scene_of("[sun]\ntime_utc = 2100-12-30T00:00:00Z\ntime_scale = 3600\n");
   EXPECT_NO_THROW(view_at(scene, 24.0));
   EXPECT_THROW(view_at(scene, 1000.0), Error);
 }
@@ -137,7 +137,7 @@ TEST(MovingView, TheSkyTakesWhatTheSceneTakes) {
   for (const Parameter& row : parameter_table()) {
     if (row.group != ParameterGroup::sky) continue;
     for (const double value : {row.low, row.high}) {
-      OceanScene scene;
+      Scene scene;
       store(scene, row, {.value = value, .shown = "x"}, {.subject = "here"});
       EXPECT_NO_THROW(sky::require_valid(atmosphere_of(scene.view))) << row.key << " = " << value;
     }

@@ -26,8 +26,8 @@ using Seed = ValueAt<std::uint64_t>;
 using Text = ValueAt<std::string>;
 
 /// A default scene with one element in each repeated section, so that all values show.
-OceanScene scene_with_elements() {
-  OceanScene scene;
+Scene scene_with_elements() {
+  Scene scene;
   for (const Parameter& row : parameter_table()) {
     if (elements_of(scene, row.elements).empty()) append_element(scene, row, {});
   }
@@ -50,12 +50,12 @@ bool is_whole(const Parameter& row) {
 }
 
 void try_number(const Parameter& row, double value) {
-  OceanScene scene;
+  Scene scene;
   store(scene, row, {.value = value, .shown = "x"}, place);
 }
 
 void try_whole(const Parameter& row, std::int64_t value) {
-  OceanScene scene;
+  Scene scene;
   store(scene, row, {.value = value, .shown = "x"}, place);
 }
 
@@ -102,7 +102,7 @@ TEST_P(EachParameter, AcceptsItsOwnDefault) {
   if (text == row.absent) {
     return;
   }
-  OceanScene scene;
+  Scene scene;
   store(scene, row, read_flag_value(row, text), place);
   EXPECT_EQ(value_text(scene, row), text);
 }
@@ -111,7 +111,7 @@ TEST_P(EachParameter, AcceptsItsOwnDefault) {
 TEST_P(EachParameter, AcceptsItsOwnExample) {
   const Parameter& row = GetParam();
   if (!row.example.empty()) {
-    OceanScene scene;
+    Scene scene;
     store(scene, row, read_flag_value(row, row.example), place);
     EXPECT_EQ(value_text(scene, row), row.example);
   }
@@ -123,7 +123,7 @@ TEST_P(EachParameter, HoldsItsRange) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (is_triple(row)) {
     const auto attempt = [&](double second) {
-      OceanScene scene;
+      Scene scene;
       store(scene, row, {.value = std::vector<double>{row.low, second, row.high}, .shown = "x"}, place);
     };
     EXPECT_NO_THROW(attempt(row.low));
@@ -157,7 +157,7 @@ TEST_P(EachParameter, RefusesWhatIsNotFinite) {
   }
   if (is_number(row)) {
     for (const char* text : {"nan", "inf", "-inf", "1e999"}) {
-      OceanScene scene;
+      Scene scene;
       EXPECT_THROW(store(scene, row, read_flag_value(row, text), place), Error) << text;
     }
   }
@@ -166,7 +166,7 @@ TEST_P(EachParameter, RefusesWhatIsNotFinite) {
 // Fails if a value of another type is taken, or if the message does not say what was due and what was found.
 TEST_P(EachParameter, RefusesOtherTypes) {
   const Parameter& row = GetParam();
-  OceanScene scene;
+  Scene scene;
   const std::string other = refusal([&] { store(scene, row, {.value = {}, .shown = "true"}, place); });
   EXPECT_EQ(other, "here: expected " + expected_text(row) + ", got true");
   if (is_number(row) || is_whole(row)) {
@@ -205,8 +205,8 @@ TEST(ParameterTable, KeysAndFlagsAreUnique) {
 // Fails if two rows write the same member: setting one would show in the other.
 TEST(ParameterTable, NoTwoRowsShareStorage) {
   for (const Parameter& row : parameter_table()) {
-    OceanScene scene = scene_with_elements();
-    const OceanScene before = scene;
+    Scene scene = scene_with_elements();
+    const Scene before = scene;
     const std::string text = [&]() -> std::string {
       if (const auto* choice = std::get_if<ChoiceStorage>(&row.storage)) {
         return std::string(choice->names[choice->get(scene, {}) == 0 ? 1 : 0]);
@@ -242,7 +242,7 @@ TEST(ParameterTable, NoTwoRowsShareStorage) {
 TEST(ParameterTable, ElementsHoldTheirOwnValues) {
   const Parameter& amplitude = *find_parameter("ocean.swell.amplitude_m");
   const Parameter& period = *find_parameter("ocean.swell.period_s");
-  OceanScene scene;
+  Scene scene;
   store(scene, amplitude, {.value = 2.0, .shown = "2"}, place);
   append_element(scene, period, place);
   store(scene, period, {.value = 9.0, .shown = "9"}, place);
@@ -278,7 +278,7 @@ TEST(ParameterTable, OnlyValuesOfPicturesMove) {
 
 // Fails if degrees are stored as radians or the other way round.
 TEST(ParameterTable, DegreesBecomeRadians) {
-  OceanScene scene;
+  Scene scene;
   store(scene, *find_parameter("wind.direction_deg"), {.value = 90.0, .shown = "90"}, place);
   EXPECT_NEAR(scene.wind_direction_rad, 1.5707963267948966, 1e-15);
 }

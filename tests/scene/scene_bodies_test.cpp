@@ -19,7 +19,7 @@ const std::string sea = "[ocean]\nsize = 32\n";
 const std::string hull = "[[mesh]]\nname = \"hull\"\nshape = \"ship\"\nsize_m = 24\n";
 
 std::vector<world::BodySettings> bodies_of(const std::string& text) {
-  const OceanScene scene = test::scene_of(text);
+  const Scene scene = test::scene_of(text);
   return prepare_bodies(scene, prepare_meshes(scene));
 }
 

@@ -30,7 +30,7 @@ using ::testing::HasSubstr;
 
 class SceneClouds : public ::testing::Test {
  protected:
-  OceanScene scene_of(const std::string& text) const {
+  Scene scene_of(const std::string& text) const {
     return parse_scene("version = 1\n" + text, "a.toml", folder_.path());
   }
   world::CloudSkyParameters sky_of(const std::string& text) const {
@@ -153,19 +153,19 @@ TEST_F(SceneClouds, AVolumeBecomesTheSameParticles) {
 }
 
 TEST_F(SceneClouds, ParticlesOfAFileAreTaken) {
-  const CloudParticles file{.origin_m = {0.0, 1024.0, 0.0},
-                            .particles = {{.x = 3.0f,
-                                           .y = 4.0f,
-                                           .z = 5.0f,
-                                           .radius = 60.0f,
-                                           .optical_mass = 99.0f,
-                                           .red = 1.0f,
-                                           .green = 1.0f,
-                                           .blue = 1.0f,
-                                           .texture = 1,
-                                           .cloud = 0,
-                                           .id = 5,
-                                           .turn = 0.0f}}};
+  const ParticleCloud file{.origin_m = {0.0, 1024.0, 0.0},
+                           .particles = {{.x = 3.0f,
+                                          .y = 4.0f,
+                                          .z = 5.0f,
+                                          .radius = 60.0f,
+                                          .optical_mass = 99.0f,
+                                          .red = 1.0f,
+                                          .green = 1.0f,
+                                          .blue = 1.0f,
+                                          .texture = 1,
+                                          .cloud = 0,
+                                          .id = 5,
+                                          .turn = 0.0f}}};
   write_cloud_particles(folder_.path() / "a.ply", file);
   const world::CloudSkyParameters sky = sky_of("[[cloud]]\nfile = \"a.ply\"\nx_m = 10\n");
   ASSERT_EQ(sky.particles.at(0)->size(), 1u);
@@ -267,7 +267,7 @@ TEST_F(SceneClouds, ShapesAreKeptUntilTheyChange) {
   EXPECT_NE(next_sky(file).clouds[0].shape, first);
 }
 
-// Fails if an error names a value that nobody gave, in no place, or with a mend that is no key.
+// Fails if an error names a value that nobody gave, in no place, or with a fix that is no key.
 TEST_F(SceneClouds, FaultsOfFormSayWhereAndWhatToChange) {
   const auto hint = [&](const std::string& text) {
     try {
@@ -325,9 +325,9 @@ TEST_F(SceneClouds, TellsKeysWithoutAPart) {
 
 // Clouds go from one scene to another with their keyframes, and nothing else does.
 TEST_F(SceneClouds, CloudsOfAnotherScene) {
-  const OceanScene from = scene_of(
+  const Scene from = scene_of(
       "[clouds]\nseed = 3\n[[cloud]]\nx_m = { keys = [{ t = 0, value = 1 }, { t = 9, value = 5 }] }\n");
-  OceanScene to = scene_of(
+  Scene to = scene_of(
       "[sun]\nelevation_deg = { keys = [{ t = 0, value = 1 }, { t = 9, value = 5 }] "
       "}\n[[cloud]]\n[[cloud]]\nz_m = "
       "{ keys = [{ t = 0, value = 1 }, { t = 9, value = 5 }] }\n");

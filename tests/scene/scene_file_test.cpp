@@ -29,7 +29,7 @@ Refusal refusal_of(const std::string& text) {
 
 // Fails if a documented key is not read, or goes to the wrong place.
 TEST(SceneFile, ReadsEveryKindOfValue) {
-  const OceanScene scene = parse_scene(R"(version = 1
+  const Scene scene = parse_scene(R"(version = 1
 [world]
 seed = 42
 [time]
@@ -54,7 +54,7 @@ decay_s = 3.5
 count = 16
 split_wavelength_m = 45
 )",
-                                       "storm.toml", "scenes");
+                                  "storm.toml", "scenes");
   EXPECT_EQ(scene.ocean.seed, 42u);
   EXPECT_EQ(scene.frames_per_second, 30.0);
   EXPECT_EQ(scene.ocean.loop_period_s, 20.0);
@@ -73,7 +73,7 @@ split_wavelength_m = 45
 
 // Fails if swells or raindrops are not read, run into each other, or lose their defaults.
 TEST(SceneFile, ReadsWavesBesideTheSpectrum) {
-  const OceanScene scene = parse_scene(R"(version = 1
+  const Scene scene = parse_scene(R"(version = 1
 [[ocean.swell]]
 amplitude_m = 1.5
 period_s = 12
@@ -90,7 +90,7 @@ wavelength_m = 0.3
 decay_s = 2
 [[ocean.raindrop]]
 )",
-                                       "storm.toml", "");
+                                  "storm.toml", "");
   ASSERT_EQ(scene.swells.size(), 2u);
   EXPECT_EQ(scene.swells[0].amplitude_m, 1.5);
   EXPECT_EQ(scene.swells[0].period_s, 12.0);
@@ -113,15 +113,15 @@ decay_s = 2
 
 // Fails if an absolute file name is bent to the scene's folder.
 TEST(SceneFile, KeepsAbsoluteNames) {
-  const OceanScene scene =
+  const Scene scene =
       parse_scene("version = 1\n[ocean]\nspectrum_file = \"/data/buoy.spec\"\n", "a.toml", "scenes");
   EXPECT_EQ(scene.spectrum_file, "/data/buoy.spec");
 }
 
 // Fails if an empty scene is not the default sea.
 TEST(SceneFile, DefaultsNeedNoKeys) {
-  const OceanScene scene = parse_scene("version = 1", "a.toml", "");
-  EXPECT_EQ(scene.ocean.size, OceanScene{}.ocean.size);
+  const Scene scene = parse_scene("version = 1", "a.toml", "");
+  EXPECT_EQ(scene.ocean.size, Scene{}.ocean.size);
   EXPECT_TRUE(scene.patch_lengths_m.empty());
 }
 
@@ -134,8 +134,8 @@ struct BadScene {
 
 class BadScenes : public testing::TestWithParam<BadScene> {};
 
-// Each fails if the fault is accepted, or its place, key, expectation or mend is not told.
-TEST_P(BadScenes, AreRefusedWithPlaceAndMend) {
+// Each fails if the fault is accepted, or its place, key, expectation or fix is not told.
+TEST_P(BadScenes, AreRefusedWithPlaceAndHint) {
   const Refusal refusal = refusal_of(GetParam().text);
   if (GetParam().what != nullptr) {
     EXPECT_EQ(refusal.what, GetParam().what);
@@ -377,7 +377,7 @@ TEST(SceneFile, RefusesWhatCannotBeRead) {
 
 // Fails if what benchmarks read from a scene is refused, or passed over where it is no section of its own.
 TEST(SceneFile, LeavesBenchmarksToThemselves) {
-  const OceanScene scene = parse_scene(
+  const Scene scene = parse_scene(
       "version = 1\n[terrain]\nposts = 9\n[bench.walk]\ncount = 4\n[[bench.fly]]\nx = 1\n", "a.toml", "");
   EXPECT_EQ(scene.terrain.fractal.posts, 9);
   EXPECT_TRUE(scene.set_at.contains("terrain.posts"));

@@ -70,7 +70,7 @@ TEST(SceneGuide, ListsEveryKey) {
 }
 
 /// The example between two headings.
-OceanScene example_between(const std::string& heading, const std::string& next) {
+Scene example_between(const std::string& heading, const std::string& next) {
   const std::string guide = read_guide();
   const std::size_t start = guide.find("    version = 1\n", guide.find(heading)), end = guide.find(next);
   return parse_scene(guide.substr(start, end - start), "scenes.md", "");
@@ -78,18 +78,18 @@ OceanScene example_between(const std::string& heading, const std::string& next) 
 
 // Fails if the guide's examples are no scenes.
 TEST(SceneGuide, ItsExamplesAreScenes) {
-  const OceanScene scene = example_between("# Scenes", "\n## Keyframes");
+  const Scene scene = example_between("# Scenes", "\n## Keyframes");
   EXPECT_EQ(scene.swells.size(), 1u);
   EXPECT_EQ(scene.raindrops.size(), 1u);
   EXPECT_EQ(scene.tracks.size(), 2u);
   EXPECT_TRUE(scene.view.sun_time_utc);
   EXPECT_TRUE(example_between("## The ground", "\n## Meshes").terrain.is_given);
-  const OceanScene head = example_between("## Meshes", "\n## Clouds");
+  const Scene head = example_between("## Meshes", "\n## Clouds");
   ASSERT_EQ(head.meshes.size(), 2u);
   EXPECT_EQ(head.meshes[0].highlights.size(), 2u);
   EXPECT_EQ(head.tracks.size(), 5u);
-  EXPECT_EQ(mesh_rules_at(head, 0.0)[0][1].lamp, 0);
-  const OceanScene sky = example_between("## Clouds", "\n## Scenes from strangers");
+  EXPECT_EQ(mesh_rules_at(head, 0.0)[0][1].light, 0);
+  const Scene sky = example_between("## Clouds", "\n## Scenes from strangers");
   EXPECT_EQ(sky.cloud_layers.size(), 1u);
   ASSERT_EQ(sky.clouds.size(), 1u);
   EXPECT_EQ(sky.clouds[0].balls.size(), 2u);

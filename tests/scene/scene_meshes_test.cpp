@@ -1,4 +1,4 @@
-// From a scene to the meshes, lamps and rules of its world.
+// From a scene to the meshes, lights and rules of its world.
 #include "host/scene/prepare/scene_meshes.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-OceanScene scene_of(const std::string& text, const std::filesystem::path& folder = "") {
+Scene scene_of(const std::string& text, const std::filesystem::path& folder = "") {
   return parse_scene("version = 1\n" + text, "a.toml", folder);
 }
 
@@ -80,7 +80,7 @@ TEST(SceneMeshes, EachShapeCanBeMade) {
   for (const char* shape :
        {"knot", "sphere", "ellipsoid", "torus", "saddle", "head", "ship", "bird", "boat", "box"}) {
     for (const char* detail : {"0", "3"}) {
-      const OceanScene scene =
+      const Scene scene =
           scene_of(std::string("[[mesh]]\nshape = \"") + shape + "\"\ndetail = " + detail + "\n");
       const auto meshes = prepare_meshes(scene);
       EXPECT_GT(meshes[0].mesh->faces.size(), std::string(shape) == "box" ? 10u : 100u) << shape;
@@ -92,7 +92,7 @@ TEST(SceneMeshes, EachShapeCanBeMade) {
 // looked north (-z) looks east (+x) after 90 degrees; a spin of 45 degrees a second adds 90 in two seconds;
 // the -z side goes up by pitch, the +x side down by roll.
 TEST(SceneMeshes, MeshesMoveAsTheSceneSays) {
-  const OceanScene scene = scene_of(R"([[mesh]]
+  const Scene scene = scene_of(R"([[mesh]]
 x_m = 1
 y_m = 2
 z_m = { keys = [{ t = 0, value = 0 }, { t = 4, value = 8 }], interpolation = "linear" }
@@ -158,8 +158,8 @@ TEST(SceneMeshes, FaultsOfFilesAreToldWithTheirPlace) {
 }
 
 // Fails if a light stands elsewhere than the scene says, or does not move. Azimuth 90 is east (+x).
-TEST(SceneMeshes, LightsBecomeLamps) {
-  const OceanScene scene = scene_of(R"([[light]]
+TEST(SceneMeshes, SectionsBecomeLights) {
+  const Scene scene = scene_of(R"([[light]]
 azimuth_deg = { keys = [{ t = 0, value = 90 }, { t = 1, value = 180 }] }
 elevation_deg = 0
 illuminance_klx = 7
@@ -170,20 +170,20 @@ y_m = -4
 z_m = 5
 colour = { keys = [{ t = 0, value = [1, 0, 0] }, { t = 2, value = [0, 1, 0.5] }], interpolation = "linear" }
 )");
-  const auto lamps = lamps_at(scene, 0.0), later = lamps_at(scene, 1.0);
-  ASSERT_EQ(lamps.size(), 2u);
-  EXPECT_EQ(lamps[0].source.kind, highlights::Source::Kind::direction);
-  expect_near(lamps[0].source.vector, {1.0, 0.0, 0.0});
+  const auto lights = lights_at(scene, 0.0), later = lights_at(scene, 1.0);
+  ASSERT_EQ(lights.size(), 2u);
+  EXPECT_EQ(lights[0].source.kind, highlights::Source::Kind::direction);
+  expect_near(lights[0].source.vector, {1.0, 0.0, 0.0});
   expect_near(later[0].source.vector, {0.0, 0.0, 1.0});
-  EXPECT_EQ(lamps[0].illuminance_klx, 7.0);
-  EXPECT_EQ(lamps[1].source.kind, highlights::Source::Kind::place);
-  expect_near(lamps[1].source.vector, {3.0, -4.0, 5.0});
+  EXPECT_EQ(lights[0].illuminance_klx, 7.0);
+  EXPECT_EQ(lights[1].source.kind, highlights::Source::Kind::place);
+  expect_near(lights[1].source.vector, {3.0, -4.0, 5.0});
   expect_near(later[1].colour, {0.5, 0.5, 0.25});
 }
 
-// Fails if a rule is for another mesh or lamp than the scene says; the sun is the lamp behind all lights.
-TEST(SceneMeshes, RulesNameTheirLamps) {
-  const OceanScene scene = scene_of(R"([[light]]
+// Fails if a rule is for another mesh or light than the scene says; the sun is the light behind all lights.
+TEST(SceneMeshes, RulesNameTheirLights) {
+  const Scene scene = scene_of(R"([[light]]
 [[light]]
 name = "lamp"
 [[mesh]]
@@ -201,30 +201,30 @@ light = "sun"
   ASSERT_EQ(rules.size(), 2u);
   EXPECT_TRUE(rules[0].empty());
   ASSERT_EQ(rules[1].size(), 3u);
-  EXPECT_EQ(rules[1][0].lamp, 1);
+  EXPECT_EQ(rules[1][0].light, 1);
   EXPECT_EQ(rules[1][0].pin_m, glm::dvec3(1.0, 2.0, 3.0));
   EXPECT_NEAR(rules[1][0].controls.opacity, 0.5, 1e-12);
-  EXPECT_EQ(rules[1][1].lamp, 2);
-  EXPECT_FALSE(rules[1][2].lamp);
+  EXPECT_EQ(rules[1][1].light, 2);
+  EXPECT_FALSE(rules[1][2].light);
   EXPECT_NEAR(mesh_materials_at(scene, 0.25)[1].specular, 0.25, 1e-12);
   EXPECT_EQ(refusal([] {
               mesh_rules_at(
                   scene_of("[[light]]\nname = \"a\"\n[[mesh]]\n[[mesh.highlight]]\nlight = \"b\"\n"), 0.0);
             }),
             "a.toml:6:9: mesh.highlight.light: expected the name of a [[light]] or sun, got \"b\"");
-  EXPECT_THROW(lamps_at(scene, 1e9), Error);
+  EXPECT_THROW(lights_at(scene, 1e9), Error);
   for (const std::string twice : {"a", "sun"}) {
     EXPECT_EQ(refusal([&] {
-                lamps_at(scene_of("[[light]]\nname = \"a\"\n[[light]]\nname = \"" + twice + "\"\n"), 0.0);
+                lights_at(scene_of("[[light]]\nname = \"a\"\n[[light]]\nname = \"" + twice + "\"\n"), 0.0);
               }),
               "a.toml:5:8: light.name: expected a name that no other light has, got \"" + twice + '"');
   }
 }
 
-// Fails if a world's own lamps and those of a scene's lighting are others, by day or by night.
+// Fails if a world's own lights and those of a scene's lighting are others, by day or by night.
 TEST(SceneMeshes, LightingIsThatOfTheWorld) {
   for (const char* elevation : {"20", "-20"}) {
-    const OceanScene scene =
+    const Scene scene =
         scene_of(std::string("[[mesh]]\nshape = \"sphere\"\n[[light]]\nazimuth_deg = 40\n[camera]\nx_m = 3\n"
                              "[sun]\nelevation_deg = ") +
                  elevation + "\n");
@@ -232,10 +232,10 @@ TEST(SceneMeshes, LightingIsThatOfTheWorld) {
     const ViewScene view = show_at(world, scene, 1.5);
     const highlights::Lighting expected = world.lighting(view.camera.eye_m), found = lighting_of(scene)(1.5);
     expect_near(found.eye.vector, expected.eye.vector);
-    ASSERT_EQ(found.lamps.size(), expected.lamps.size());
-    for (std::size_t i = 0; i < found.lamps.size(); ++i) {
-      EXPECT_EQ(found.lamps[i].kind, expected.lamps[i].kind);
-      expect_near(found.lamps[i].vector, expected.lamps[i].vector);
+    ASSERT_EQ(found.lights.size(), expected.lights.size());
+    for (std::size_t i = 0; i < found.lights.size(); ++i) {
+      EXPECT_EQ(found.lights[i].kind, expected.lights[i].kind);
+      expect_near(found.lights[i].vector, expected.lights[i].vector);
     }
   }
 }
@@ -244,10 +244,10 @@ TEST(SceneMeshes, LightingIsThatOfTheWorld) {
 // start.
 TEST(SceneMeshes, EditsReachTheWorld) {
   const std::string text = "[[mesh]]\nshape = \"sphere\"\n";
-  OceanScene before = scene_of(text);
+  Scene before = scene_of(text);
   world::World world(ocl::Device::open(), prepare_world(before));
   const auto edit = [&](const std::string& more) {
-    const OceanScene after = scene_of(text + more);
+    const Scene after = scene_of(text + more);
     edit_world(world, before, after);
     before = after;
     return world.meshes()[0].revision();
@@ -258,7 +258,7 @@ TEST(SceneMeshes, EditsReachTheWorld) {
   EXPECT_EQ(edit("[[mesh.highlight]]\nscale = 2\n[[light]]\n"), first);
   ASSERT_EQ(world.meshes()[0].parameters().rules.size(), 1u);
   EXPECT_EQ(world.meshes()[0].parameters().rules[0].controls.scale, 2.0);
-  EXPECT_EQ(world.parameters().lamps.size(), 1u);
+  EXPECT_EQ(world.parameters().lights.size(), 1u);
   const TemporaryFolder folder;
   const std::filesystem::path picture = folder.path() / "white.png";
   write_png(picture, {2, 1, {255, 255, 255, 255, 255, 255}});
@@ -278,8 +278,7 @@ TEST(SceneMeshes, EditsReachTheWorld) {
 // Fails if a scene of meshes alone shows something else, if one of them leaves the picture, or if a camera
 // that the scene has is moved.
 TEST(SceneMeshes, AreLookedAt) {
-  OceanScene scene =
-      scene_of("[[mesh]]\nx_m = 40\ny_m = 3\n[[mesh]]\nshape = \"ship\"\nsize_m = 12\nx_m = 60\n");
+  Scene scene = scene_of("[[mesh]]\nx_m = 40\ny_m = 3\n[[mesh]]\nshape = \"ship\"\nsize_m = 12\nx_m = 60\n");
   const world::WorldParameters parameters = prepare_shown_world(scene);
   const Camera& camera = scene.view.camera;
   const glm::dmat4 view = projection(camera, 0.1) * glm::dmat4(view_rotation(camera));
@@ -295,8 +294,7 @@ TEST(SceneMeshes, AreLookedAt) {
   }
   EXPECT_LT(widest, 1.0);
   EXPECT_GT(widest, 0.3);
-  OceanScene placed = scene_of("[[mesh]]\n[camera]\nx_m = 3\n"),
-             wet = scene_of("[[mesh]]\n[ocean]\nsize = 32\n");
+  Scene placed = scene_of("[[mesh]]\n[camera]\nx_m = 3\n"), wet = scene_of("[[mesh]]\n[ocean]\nsize = 32\n");
   prepare_shown_world(placed);
   prepare_shown_world(wet);
   EXPECT_EQ(placed.view.camera.eye_m, glm::dvec3(3.0, 5.0, 0.0));

@@ -12,14 +12,14 @@
 namespace offing::scene {
 namespace {
 
-OceanScene scene_with(const std::string& more) {
+Scene scene_with(const std::string& more) {
   return parse_scene("version = 1\n[world]\nseed = 7\n[ocean]\nsize = 32\n" + more, "a.toml", "");
 }
 
 // Fails if a hull does not move as its scene says: straight ahead, by keyframes; or the window does not
 // follow it.
 TEST(SceneWakes, HullsMoveAndWindowsFollow) {
-  const OceanScene scene = scene_with(
+  const Scene scene = scene_with(
       "[[ocean.wake]]\nlength_m = 50\nbehind_m = 10\nmethod = \"verlet\"\nspeed_mps = 3\n"
       "[[ocean.wake.hull]]\nx_m = 5\nspeed_mps = 4\nheading_deg = 90\n"
       "[[ocean.wake.hull]]\nx_m = { keys = [{ t = 0, value = 1 }, { t = 2, value = 3 }], interpolation = "
@@ -42,7 +42,7 @@ TEST(SceneWakes, HullsMoveAndWindowsFollow) {
 
 // Fails if windows that cannot share a texture come through, or it is not told which one differs.
 TEST(SceneWakes, WindowsHaveTheSameCells) {
-  const OceanScene scene = scene_with("[[ocean.wake]]\n[[ocean.wake]]\ncells = 128\n");
+  const Scene scene = scene_with("[[ocean.wake]]\n[[ocean.wake]]\ncells = 128\n");
   EXPECT_THAT([&] { prepare_wakes(scene, {}); },
               testing::ThrowsMessage<Error>(
                   testing::AllOf(testing::StartsWith("a.toml:8:"), testing::EndsWith("256, got 128"))));

@@ -17,7 +17,7 @@ namespace offing::scene {
 namespace {
 
 // Every value of the table, to the last bit.
-void expect_same_values(const OceanScene& found, const OceanScene& expected) {
+void expect_same_values(const Scene& found, const Scene& expected) {
   for (const Parameter& row : parameter_table()) {
     EXPECT_EQ(value_text(found, row, Digits::exact), value_text(expected, row, Digits::exact)) << row.key;
   }
@@ -25,8 +25,8 @@ void expect_same_values(const OceanScene& found, const OceanScene& expected) {
 
 // A scene with every row set to something that is not its default: the example where there is one, else a
 // place in the range that no short decimal hits, else the last choice.
-OceanScene unusual_scene() {
-  OceanScene scene;
+Scene unusual_scene() {
+  Scene scene;
   for (const Parameter& row : parameter_table()) {
     const Place place{.subject = std::string(row.key), .assignment = ""};
     WrittenValue written{.value = row.low + (row.high - row.low) / 3.0, .shown = ""};
@@ -53,7 +53,7 @@ OceanScene unusual_scene() {
 
 // Fails if a kind of value is not written, or not so that it reads back.
 TEST(SceneWriter, EveryValueComesBack) {
-  const OceanScene scene = unusual_scene();
+  const Scene scene = unusual_scene();
   expect_same_values(parse_scene(scene_text(scene, ""), "again.toml", ""), scene);
 }
 
@@ -62,14 +62,14 @@ TEST(SceneWriter, KeepsElementsApart) {
   const std::string text =
       "version = 1\n[[ocean.swell]]\namplitude_m = 0.8\nperiod_s = 11\n"
       "[[ocean.swell]]\n[[ocean.swell]]\nwavelength_m = 250\ndirection_deg = 30\n";
-  const OceanScene scene = parse_scene(text, "a.toml", "");
+  const Scene scene = parse_scene(text, "a.toml", "");
   ASSERT_EQ(scene.swells.size(), 3u);
   expect_same_values(parse_scene(scene_text(scene, ""), "again.toml", ""), scene);
 }
 
 // Fails if more sections are written than can be read back.
 TEST(SceneWriter, RefusesMoreThanCanBeReadBack) {
-  OceanScene scene;
+  Scene scene;
   scene.clouds.emplace_back().balls.resize(find_parameter("cloud.ball.radius_m")->max_count);
   EXPECT_EQ(parse_scene(scene_text(scene, ""), "again.toml", "").clouds[0].balls.size(),
             scene.clouds[0].balls.size());
@@ -85,7 +85,7 @@ TEST(SceneWriter, RefusesMoreThanCanBeReadBack) {
 
 // Fails if keyframes are lost, moved, or go another way.
 TEST(SceneWriter, KeyframesComeBack) {
-  const OceanScene scene = parse_scene(
+  const Scene scene = parse_scene(
       "version = 1\n[camera]\nx_m = { keys = [{ t = -0.1, value = 3 }, { t = 1e7, value = 4.7 }] }\n"
       "yaw_deg = { keys = [{ t = 0, value = 350 }, { t = 1, value = -20.3 }], interpolation = \"linear\" }\n"
       "[sun]\nelevation_deg.keys = [{ t = 3, value = 30 }]\n",
@@ -94,7 +94,7 @@ TEST(SceneWriter, KeyframesComeBack) {
   EXPECT_NE(text.find("x_m = { keys = [{ t = -0.1, value = 3 }, { t = 10000000, value = 4.7 }] }"),
             std::string::npos)
       << text;
-  const OceanScene again = parse_scene(text, "again.toml", "");
+  const Scene again = parse_scene(text, "again.toml", "");
   ASSERT_EQ(again.tracks.size(), scene.tracks.size());
   for (const auto& [key, track] : scene.tracks) {
     const KeyframeTrack& found = again.tracks.at(key);
@@ -112,12 +112,12 @@ TEST(SceneWriter, KeyframesComeBack) {
 // Fails if a scene in which a program has set what says the same twice cannot be read back, or means another
 // sun or swell then: the date counts, and the wavelength.
 TEST(SceneWriter, WritesWhatCounts) {
-  OceanScene scene = parse_scene("version = 1\n[sun]\ntime_utc = 2024-06-21T12:30:05+01:00\n", "a.toml", "");
+  Scene scene = parse_scene("version = 1\n[sun]\ntime_utc = 2024-06-21T12:30:05+01:00\n", "a.toml", "");
   scene.view.sun_azimuth_rad = 2.0;
   scene.swells = {{.wavelength_m = 50.0, .period_s = 4.0}, {.period_s = 5.0}};
-  const OceanScene again = parse_scene(scene_text(scene, ""), "again.toml", "");
+  const Scene again = parse_scene(scene_text(scene, ""), "again.toml", "");
   EXPECT_EQ(again.view.sun_time_utc, (UtcTime{2024, 6, 21, 11, 30, 5}));
-  EXPECT_EQ(again.view.sun_azimuth_rad, OceanScene{}.view.sun_azimuth_rad);
+  EXPECT_EQ(again.view.sun_azimuth_rad, Scene{}.view.sun_azimuth_rad);
   EXPECT_EQ(again.swells[0].wavelength_m, 50.0);
   EXPECT_FALSE(again.swells[0].period_s);
   EXPECT_EQ(again.swells[1].period_s, 5.0);
@@ -125,12 +125,12 @@ TEST(SceneWriter, WritesWhatCounts) {
 
 // Fails if defaults are written out, which would keep a scene from following better ones.
 TEST(SceneWriter, LeavesDefaultsOut) {
-  EXPECT_EQ(scene_text(OceanScene{}, ""), "version = 1\n");
+  EXPECT_EQ(scene_text(Scene{}, ""), "version = 1\n");
 }
 
 // Fails if numbers are not written as people do where that is exact: degrees are kept as radians.
 TEST(SceneWriter, WritesNumbersAsPeopleDo) {
-  const OceanScene scene = parse_scene(
+  const Scene scene = parse_scene(
       "version = 1\n[wind]\nspeed_mps = 8.7\ndirection_deg = 30\n[[ocean.cascade]]\npatch_m = 250.1\n",
       "a.toml", "");
   EXPECT_EQ(
@@ -140,11 +140,11 @@ TEST(SceneWriter, WritesNumbersAsPeopleDo) {
 
 // Fails if a file name is not found from the new file's folder, or breaks its quotes.
 TEST(SceneWriter, NamesFilesFromItsFolder) {
-  OceanScene scene;
+  Scene scene;
   scene.spectrum_file = "/data/buoys/odd \"name\\.data_spec";
   const std::string text = scene_text(scene, "/data/scenes");
   EXPECT_NE(text.find("../buoys/"), std::string::npos) << text;
-  const OceanScene again = parse_scene(text, "a.toml", "/data/scenes");
+  const Scene again = parse_scene(text, "a.toml", "/data/scenes");
   EXPECT_EQ(std::filesystem::path(again.spectrum_file).lexically_normal(), scene.spectrum_file);
 }
 
@@ -155,7 +155,7 @@ TEST(SceneWriter, NamesFilesFromTheCurrentFolder) {
   std::filesystem::current_path(folder.path());
   std::filesystem::create_directory("buoys");
   std::ofstream("buoys/a.data_spec") << "a";
-  OceanScene scene;
+  Scene scene;
   for (const std::filesystem::path& file :
        {std::filesystem::path("buoys/a.data_spec"), std::filesystem::absolute("buoys/a.data_spec")}) {
     scene.spectrum_file = file.string();
@@ -184,11 +184,11 @@ TEST(SceneWriter, ReplacesOnlyWhatItMay) {
     std::ifstream stream(file);
     return std::string(std::istreambuf_iterator<char>(stream), {});
   };
-  OceanScene scene;
+  Scene scene;
   save_scene(scene, file, Existing::keep);
   scene.wind_speed_mps = 20.0;
   EXPECT_THROW(save_scene(scene, file, Existing::keep), Error);
-  EXPECT_EQ(bytes(), scene_text(OceanScene{}, folder.path()));
+  EXPECT_EQ(bytes(), scene_text(Scene{}, folder.path()));
   save_scene(scene, file, Existing::replace);
   EXPECT_EQ(bytes(), scene_text(scene, folder.path()));
   EXPECT_THROW(save_scene(scene, folder.path() / "sea.png", Existing::keep), Error);

@@ -10,7 +10,7 @@
 namespace offing::scene::test {
 
 /// A scene of these sections, in a file a.toml.
-inline OceanScene scene_of(const std::string& text, const std::string& folder = "") {
+inline Scene scene_of(const std::string& text, const std::string& folder = "") {
   return parse_scene("version = 1\n" + text, "a.toml", folder);
 }
 

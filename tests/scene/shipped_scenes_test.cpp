@@ -21,20 +21,20 @@ struct ShippedSea {
   explicit ShippedSea(const std::string& name)
       : sea(prepare_sea(load_scene(std::filesystem::path(OFFING_SCENES) / (name + ".toml")))),
         ocean(ocl::Device::open(), sea.spectrum, sea.parameters),
-        trochoids(trochoids_of(sea, sea.parameters.seed)) {}
+        gerstner_waves(gerstner_waves_of(sea, sea.parameters.seed)) {}
 
   double k_max_radpm() const { return sea.parameters.cascades.back().k_max_radpm; }
 
-  // Of strips: trochoids are drawn in full from 4 samples a wavelength.
+  // Of strips: Gerstner waves are drawn in full from 4 samples a wavelength.
   double spacing_m() const {
     const double shortest_m =
-        sea.trochoid_choice ? 2.0 * std::numbers::pi / sea.trochoid_choice->split_radpm : 20.0;
+        sea.gerstner_choice ? 2.0 * std::numbers::pi / sea.gerstner_choice->split_radpm : 20.0;
     return shortest_m / 4.5;
   }
 
   Sea sea;
   ocean::Ocean ocean;
-  ocean::TrochoidSea trochoids;
+  ocean::GerstnerSea gerstner_waves;
 };
 
 /// How much more than its spectrum a sea agrees with itself, at the worst of all lags of its patches.
@@ -48,9 +48,9 @@ Excess excess_of(ShippedSea& shipped) {
   for (const ocean::Lag& lag : ocean::tile_lags(shipped.sea.parameters.cascades)) {
     const ocean::Correlation asked =
         correlation_of_spectrum(shipped.sea.spectrum, shipped.k_max_radpm(), lag);
-    const ocean::Correlation found = correlation_of_modes(shipped.ocean, shipped.trochoids, lag);
+    const ocean::Correlation found = correlation_of_modes(shipped.ocean, shipped.gerstner_waves, lag);
     const ocean::Correlation strip =
-        correlation_of_strips(shipped.ocean, shipped.trochoids, lag, shipped.spacing_m());
+        correlation_of_strips(shipped.ocean, shipped.gerstner_waves, lag, shipped.spacing_m());
     worst.height = std::max(worst.height, found.height - asked.height);
     worst.slope = std::max(worst.slope, found.slope - asked.slope);
     worst.strip_height = std::max(worst.strip_height, strip.height - asked.height);
@@ -64,10 +64,10 @@ Excess excess_of(ShippedSea& shipped) {
 }
 
 // Fails if a hybrid sea shows its patches. A patch repeats in full, so that height agrees with itself a patch
-// further on by the patch's share of the energy; the trochoids, 64 waves that never repeat, add what their
-// phases happen to have in common there, 0.09 of their share on average (1 / sqrt(2 * 64)), 0.13 to 0.33 at
-// the worst of some twenty lags, as the seed has it. Gates are those promised: nobody sees a fifth in height,
-// or half in the slopes, of which each cascade has its share. Of the strips some hundred waves are
+// further on by the patch's share of the energy; the Gerstner waves, 64 waves that never repeat, add what
+// their phases happen to have in common there, 0.09 of their share on average (1 / sqrt(2 * 64)), 0.13 to
+// 0.33 at the worst of some twenty lags, as the seed has it. Gates are those promised: nobody sees a fifth in
+// height, or half in the slopes, of which each cascade has its share. Of the strips some hundred waves are
 // independent.
 class HybridSceneTest : public testing::TestWithParam<const char*> {};
 
@@ -99,7 +99,7 @@ TEST(ShippedScenes, HavePatchesWithoutSimpleRatios) {
   int pairs = 0;
   for (const auto& entry : std::filesystem::directory_iterator(OFFING_SCENES)) {
     if (entry.path().extension() != ".toml") continue;
-    const OceanScene scene = load_scene(entry.path());
+    const Scene scene = load_scene(entry.path());
     if (!scene.has_sea()) continue;
     const Sea sea = prepare_sea(scene);
     const auto& cascades = sea.parameters.cascades;
@@ -121,10 +121,10 @@ TEST(ShippedScenes, HaveMeshesThatCanBeShown) {
   int meshes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(OFFING_SCENES)) {
     if (entry.path().extension() != ".toml") continue;
-    const OceanScene scene = load_scene(entry.path());
+    const Scene scene = load_scene(entry.path());
     if (scene.meshes.empty()) continue;
     meshes += static_cast<int>(prepare_meshes(scene).size());
-    EXPECT_NO_THROW(prepare_pictures(scene)) << entry.path();
+    EXPECT_NO_THROW(prepare_images(scene)) << entry.path();
     const std::vector<std::string> unused =
         scene.has_sea() ? unused_parameters(scene, prepare_sea(scene, Warnings::left_out))
                         : unused_parameters(scene);

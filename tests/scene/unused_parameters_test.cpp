@@ -27,7 +27,7 @@ struct Case {
 };
 
 std::vector<std::string> unused(const Case& asked) {
-  OceanScene scene;
+  Scene scene;
   for (const auto& [key, value] : asked.settings) {
     const Parameter& row = *find_parameter(key);
     store(scene, row, read_flag_value(row, value), Place{"a.toml:1:2: " + std::string(key), ""});

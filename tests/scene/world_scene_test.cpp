@@ -13,22 +13,23 @@
 namespace offing::scene {
 namespace {
 
-OceanScene scene_of(const std::string& text) {
+Scene scene_of(const std::string& text) {
   return parse_scene("version = 1\n" + text, "a.toml", "");
 }
 
 // Everything that a picture is made from, at one time.
 auto everything(world::World& world) {
   world.at(3.0, 10.0);
-  std::vector<double> trochoids;
-  for (const ocean::Trochoid& wave : world.parameters().trochoids.waves) {
-    trochoids.insert(trochoids.end(), {wave.amplitude_m, wave.wavenumber_radpm, wave.phase_rad});
+  std::vector<double> gerstner_waves;
+  for (const ocean::GerstnerWave& wave : world.parameters().gerstner_waves.waves) {
+    gerstner_waves.insert(gerstner_waves.end(), {wave.amplitude_m, wave.wavenumber_radpm, wave.phase_rad});
   }
-  for (const ocean::Raindrop& drop : world.parameters().trochoids.raindrops) trochoids.push_back(drop.x_m);
+  for (const ocean::Raindrop& drop : world.parameters().gerstner_waves.raindrops)
+    gerstner_waves.push_back(drop.x_m);
   return std::tuple(world.ocean().displacement_map().read(), world.ocean().gradient_map().read(),
                     world.ocean().foam_map().read(), world.sky().view_table().read(),
                     world.illuminance().sky_klx, world.reach().vertical_m, world.hidden_slopes().ripples.xx,
-                    trochoids);
+                    gerstner_waves);
 }
 
 // Fails if a live edit differs from a fresh start with the edited scene, whichever value is edited and
@@ -49,11 +50,11 @@ TEST(WorldScene, EditEqualsAFreshStart) {
       sea + "fetch_m = 9e3\n[sky]\npressure_pa.keys = [{ t = 0, value = 9e4 }]\n",
   };
   const ocl::Device device = ocl::Device::open();
-  OceanScene scene = scene_of(texts[0]);
+  Scene scene = scene_of(texts[0]);
   world::World world(device, prepare_world(scene));
   auto before = everything(world);
   for (const std::string& text : texts) {
-    const OceanScene edited = scene_of(text);
+    const Scene edited = scene_of(text);
     edit_world(world, scene, edited);
     scene = edited;
     world::World fresh(device, prepare_world(scene));
@@ -68,7 +69,7 @@ TEST(WorldScene, EditEqualsAFreshStart) {
 
 // Fails if sun and air do not move with the view, or if they move the sea.
 TEST(WorldScene, FollowsTheView) {
-  const OceanScene scene = scene_of(
+  const Scene scene = scene_of(
       "[ocean]\nsize = 32\ncascade_count = 1\n[sun]\nelevation_deg.keys = [{ t = 0, value = 60 }, { t = 9, "
       "value = "
       "1 }]\n[sky]\naerosol_optical_depth.keys = [{ t = 0, value = 0 }, { t = 9, value = 1 }]\n");
@@ -87,7 +88,7 @@ TEST(WorldScene, FollowsTheView) {
 
 // Fails if a scene that cannot be made leaves half of it behind.
 TEST(WorldScene, RefusedEditChangesNothing) {
-  const OceanScene scene = scene_of("[ocean]\nsize = 32\ncascade_count = 1\n");
+  const Scene scene = scene_of("[ocean]\nsize = 32\ncascade_count = 1\n");
   world::World world(ocl::Device::open(), prepare_world(scene));
   const auto before = everything(world);
   for (const char* more : {"spectrum_file = \"/nonexistent\"\n",

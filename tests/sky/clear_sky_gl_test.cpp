@@ -12,7 +12,7 @@
 #include "host/sky/clear_sky.h"
 #include "host/sky/clear_sky_glsl.h"
 #include "host/sky/sun_position.h"
-#include "tests/sky/gl_picture.h"
+#include "tests/sky/gl_image.h"
 
 namespace offing::sky {
 namespace {
@@ -52,7 +52,7 @@ class ClearSkyGlTest : public testing::Test {
 
   void SetUp() override {
     try {
-      picture_ = std::make_unique<test::GlPicture>(columns, rows);
+      picture_ = std::make_unique<test::GlImage>(columns, rows);
     } catch (const std::runtime_error& error) {
       GTEST_SKIP() << "no OpenGL here: " << error.what();
     }
@@ -68,7 +68,7 @@ class ClearSkyGlTest : public testing::Test {
 
   ocl::Device device_ = ocl::Device::open();
   ClearSky sky_{device_, Atmosphere{}};
-  std::unique_ptr<test::GlPicture> picture_;
+  std::unique_ptr<test::GlImage> picture_;
 };
 
 // Fails if GLSL reads the tables or the parameters otherwise than OpenCL C, or does not compile. Of the

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "tests/terrain/ground_painter.h"
+#include "tests/terrain/terrain_painter.h"
 
 namespace offing {
 namespace {
@@ -28,8 +28,8 @@ test::HeightMap flat() {
 }
 
 /// Light of the same strength in all colours; beside colours the ground is water.
-test::GroundScene grey_light() {
-  test::GroundScene scene;
+test::PaintedTerrain grey_light() {
+  test::PaintedTerrain scene;
   TerrainLight& light = scene.light;
   light.sun_green_klx = light.sun_blue_klx = light.sun_red_klx;
   light.sky_green_klx = light.sky_blue_klx = light.sky_red_klx;
@@ -57,8 +57,8 @@ Camera looking_down(double height_m, double width_m) {
 
 /// Albedos of the pixels: their light over that of a white surface.
 std::vector<Texel> albedos(const ColourMap& colours, const Camera& camera) {
-  const test::GroundScene scene = grey_light();
-  test::GroundPainter painter(flat(), scene);
+  const test::PaintedTerrain scene = grey_light();
+  test::TerrainPainter painter(flat(), scene);
   const terrain::ColourLayer layer(painter.device(), colours);
   std::vector<Texel> image = painter.draw(camera, {.sampling = {.rays = 1}, .colours = &layer});
   const double white = (100.0 * std::sin(scene.sun_elevation_rad) + 10.0) / pi;
@@ -139,7 +139,7 @@ TEST(ColourLayerTest, LiesWhereItIsPlaced) {
       EXPECT_NEAR(found[2], linear_of(20 + 25 * (column + row)), 0.01) << column << ", " << row;
     }
   }
-  constexpr double water_red = 0.042;  // of kernels/terrain/ground_cover.clh
+  constexpr double water_red = 0.042;  // of kernels/terrain/terrain_cover.clh
   EXPECT_NEAR(at(68.0, 48.0)[0], water_red, 1e-4);
   EXPECT_NEAR(at(48.0, 60.0)[0], water_red, 1e-4);
 }

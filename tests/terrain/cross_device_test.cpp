@@ -26,7 +26,7 @@ class TerrainCrossDeviceTest : public testing::Test {
     EXPECT_LE(unlike, 3u) << "of " << expected.size();
   }
 
-  test::DeviceDump dump_{OFFING_GROUND_DUMP};
+  test::DeviceDump dump_{OFFING_TERRAIN_DUMP};
 };
 
 // Fails if a kernel relies on what one driver does, such as its mathematics, its rounding or its vectors.

@@ -120,7 +120,7 @@ TEST_F(FineCastTest, RefusesMapsWithoutEnd) {
 class Staircase {
  public:
   explicit Staircase(std::size_t most_tiles) : most_tiles_(most_tiles) {}
-  terrain::CoarseGround ground() {
+  terrain::CoarseTerrain terrain() {
     return {.most_tiles = most_tiles_,
             .lay =
                 [this](const std::vector<TileKey>& keys) {
@@ -157,12 +157,12 @@ class Staircase {
 TEST(FineGroupsTest, TakeRaysInGroupsForWhichThereIsRoom) {
   std::vector<Ray> rays;
   for (const double last : {3.0, 0.0, 7.0, 5.0, 7.0, 2.0}) rays.push_back({.origin_m = {last, 0.0, 0.0}});
-  const std::vector<terrain::RayHit> hits = cast_until_fine(rays, Staircase(8).ground());
+  const std::vector<terrain::RayHit> hits = cast_until_fine(rays, Staircase(8).terrain());
   ASSERT_EQ(hits.size(), rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) EXPECT_EQ(hits[i].cell_x, rays[i].origin_m.x + 1.0) << i;
   test::expect_error(ErrorKind::bad_input, "at most 7 tiles",
-                     [&] { cast_until_fine(rays, Staircase(7).ground()); });
-  EXPECT_TRUE(cast_until_fine({}, Staircase(8).ground()).empty());
+                     [&] { cast_until_fine(rays, Staircase(7).terrain()); });
+  EXPECT_TRUE(cast_until_fine({}, Staircase(8).terrain()).empty());
 }
 
 }  // namespace

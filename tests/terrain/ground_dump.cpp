@@ -48,7 +48,7 @@ ColourMap coloured_squares() {
 }
 
 template <class Field>
-void dump_picture(const ocl::Device& device, Field& field, const Camera& camera, Dump& dump) {
+void dump_image(const ocl::Device& device, Field& field, const Camera& camera, Dump& dump) {
   const auto pixels = static_cast<std::size_t>(camera.width_px) * static_cast<std::size_t>(camera.height_px);
   ocl::Buffer<TerrainHit> hits(device, pixels, "hits");
   ocl::Buffer<float> distances_m(device, pixels, "distances");
@@ -77,9 +77,9 @@ void dump_picture(const ocl::Device& device, Field& field, const Camera& camera,
   terrain::TerrainShade shade(device);
   const terrain::ColourLayer colours(device, coloured_squares());
   std::optional<terrain::OpenSky> open_sky;
-  terrain::GroundLook rich{.sampling = {}, .colours = &colours};
+  terrain::TerrainAppearance rich{.sampling = {}, .colours = &colours};
   if constexpr (std::is_same_v<Field, terrain::HeightField>) rich.open_sky = &open_sky.emplace(device, field);
-  for (const terrain::GroundLook& look : {terrain::GroundLook{.sampling = {.rays = 1}}, rich}) {
+  for (const terrain::TerrainAppearance& look : {terrain::TerrainAppearance{.sampling = {.rays = 1}}, rich}) {
     shade.at(field, camera, hits, {light, sky, view_table}, image, look);
     for (const Texel& texel : image.read()) {
       std::for_each(texel.begin(), texel.end(), [&](float v) { dump.add(v); });
@@ -111,7 +111,7 @@ void dump_tiles(const ocl::Device& device, Dump& dump) {
     const Camera camera{
         .eye_m = {250.0, 90.0, 250.0}, .yaw_rad = 0.5, .pitch_rad = -0.3, .width_px = 18, .height_px = 7};
     field.look_and_wait(camera);
-    dump_picture(device, field, camera, dump);
+    dump_image(device, field, camera, dump);
     for (const terrain::RayHit& hit : field.cast(test::example_rays(example.map(), 40, 52))) {
       dump.add_distance(hit.distance_m);
     }
@@ -131,10 +131,10 @@ void write_dump(const char* path) {
     for (const terrain::RayHit& hit : field.cast(rays, method)) dump.add_distance(hit.distance_m);
   }
   // From above, whose rays go one way in part of the blocks, and from within.
-  dump_picture(device, field,
-               {.eye_m = {200.0, 130.0, 440.0}, .pitch_rad = -0.4, .width_px = 21, .height_px = 11}, dump);
-  dump_picture(device, field, {.eye_m = {100.0, 40.0, 300.0}, .yaw_rad = 0.8, .width_px = 18, .height_px = 6},
-               dump);
+  dump_image(device, field,
+             {.eye_m = {200.0, 130.0, 440.0}, .pitch_rad = -0.4, .width_px = 21, .height_px = 11}, dump);
+  dump_image(device, field, {.eye_m = {100.0, 40.0, 300.0}, .yaw_rad = 0.8, .width_px = 18, .height_px = 6},
+             dump);
   dump_viewshed(device, field, dump);
   dump_tiles(device, dump);
   dump.finish();

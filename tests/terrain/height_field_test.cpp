@@ -48,7 +48,7 @@ TEST(HeightFieldTest, RefusesBadRays) {
 
 // A picture of an odd size, so that blocks are cut, against its pixels' rays one by one. Directions of a
 // camera's pixels are floats: at most 2e3 m away, 3e-7 of that across steep patches; gate 1e-2 m.
-TEST(HeightFieldTest, APictureIsTheRaysOfItsPixels) {
+TEST(HeightFieldTest, AImageIsTheRaysOfItsPixels) {
   const ocl::Device device = ocl::Device::open();
   const test::HeightMap map = test::example_maps().back();
   HeightField field(device, map.grid, map.heights_m);
@@ -68,16 +68,16 @@ TEST(HeightFieldTest, APictureIsTheRaysOfItsPixels) {
   const std::vector<terrain::RayHit> expected = field.cast(rays);
   const std::vector<TerrainHit> found = hits.read();
   const std::vector<float> found_m = distances.read();
-  std::size_t differing = 0, ground = 0;
+  std::size_t differing = 0, terrain = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     EXPECT_EQ(found_m[i], found[i].distance_m) << i;
     const bool is_same = found[i].kind == expected[i].kind &&
                          (found[i].kind == TERRAIN_MISS ||
                           std::abs(static_cast<double>(found_m[i]) - expected[i].distance_m) < 1e-2);
     differing += is_same ? 0 : 1;
-    ground += found[i].kind == TERRAIN_SURFACE ? 1 : 0;
+    terrain += found[i].kind == TERRAIN_SURFACE ? 1 : 0;
   }
-  EXPECT_GT(ground, rays.size() / 2);
+  EXPECT_GT(terrain, rays.size() / 2);
   EXPECT_LE(differing, 2u) << "more than rays that graze a ridge";
 }
 
@@ -89,7 +89,7 @@ TEST(HeightFieldTest, PicturesFindWhatSingleRaysFind) {
   for (const test::HeightMap& map : test::example_maps()) {
     HeightField field(device, map.grid, map.heights_m);
     ocl::Buffer<TerrainHit> together(device, 75 * 45, "together"), alone(device, 75 * 45, "alone");
-    std::size_t differing = 0, ground = 0;
+    std::size_t differing = 0, terrain = 0;
     for (const Ray& ray : test::example_rays(map, 48, 41)) {
       const Camera camera{.eye_m = ray.origin_m,
                           .yaw_rad = std::atan2(ray.direction.x, -ray.direction.z),
@@ -105,10 +105,10 @@ TEST(HeightFieldTest, PicturesFindWhatSingleRaysFind) {
             found[i].kind == TERRAIN_MISS || std::abs(found[i].distance_m - expected[i].distance_m) <=
                                                  1e-5 * std::max(1.0f, expected[i].distance_m);
         differing += found[i].kind == expected[i].kind && is_near ? 0 : 1;
-        ground += found[i].kind == TERRAIN_SURFACE ? 1 : 0;
+        terrain += found[i].kind == TERRAIN_SURFACE ? 1 : 0;
       }
     }
-    EXPECT_GT(ground, 10'000u) << map.name;
+    EXPECT_GT(terrain, 10'000u) << map.name;
     EXPECT_LE(differing, 48u * 75u * 45u / 10'000u) << map.name;
   }
 }
@@ -121,7 +121,7 @@ TEST(HeightFieldTest, FarPicturesFindWhatSingleRaysFind) {
   HeightField field(device, map.grid, map.heights_m);
   ASSERT_LT(field.pyramid().layout().top_level, 7);
   ocl::Buffer<TerrainHit> together(device, 64 * 36, "together"), alone(device, 64 * 36, "alone");
-  std::size_t ground = 0, differing = 0;
+  std::size_t terrain = 0, differing = 0;
   for (const double away_m : {3e3, 1e4, 3e4, 1e5}) {
     const Camera camera{.eye_m = {-away_m, 0.8 * away_m, -away_m},
                         .yaw_rad = 0.75 * std::numbers::pi,
@@ -134,10 +134,10 @@ TEST(HeightFieldTest, FarPicturesFindWhatSingleRaysFind) {
     const std::vector<TerrainHit> found = together.read(), expected = alone.read();
     for (std::size_t i = 0; i < found.size(); ++i) {
       differing += found[i].kind == expected[i].kind ? 0 : 1;
-      ground += found[i].kind == TERRAIN_SURFACE ? 1 : 0;
+      terrain += found[i].kind == TERRAIN_SURFACE ? 1 : 0;
     }
   }
-  EXPECT_GT(ground, 100u);
+  EXPECT_GT(terrain, 100u);
   EXPECT_EQ(differing, 0u);
 }
 

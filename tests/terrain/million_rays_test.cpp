@@ -72,13 +72,13 @@ void check(const ocl::Device& device, const test::HeightMap& map, std::size_t co
 
 // Fails if any of 900,000 rays over made ground is off by more than 1e-3 cells across the surface, hits what
 // it should miss, or misses what it should hit.
-TEST(MillionRaysTest, OverMadeGround) {
+TEST(MillionRaysTest, OverMadeTerrain) {
   const ocl::Device device = ocl::Device::open();
   for (const test::HeightMap& map : test::example_maps()) check(device, map, rays_a_made_map);
 }
 
 // The same over real ground: 100,000 rays.
-TEST(MillionRaysTest, OverRealGround) {
+TEST(MillionRaysTest, OverRealTerrain) {
   const char* folder = std::getenv("OFFING_TEST_DATA");
   if (folder == nullptr) GTEST_SKIP() << "OFFING_TEST_DATA is not set";
   const ocl::Device device = ocl::Device::open();

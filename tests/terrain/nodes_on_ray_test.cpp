@@ -16,27 +16,27 @@ namespace {
 
 constexpr int posts = 100;  // not a power of two, and padded
 
-struct Ground {
+struct Terrain {
   std::vector<float> heights_m;
   PostGrid grid{
       .columns = posts, .rows = posts, .spacing_x_m = 20.0, .spacing_z_m = 20.0, .origin_x_m = 50.0};
 };
 
-Ground made_ground() {
-  Ground ground;
+Terrain made_terrain() {
+  Terrain terrain;
   RowMakers makers({.posts = posts, .side_m = 20.0 * (posts - 1), .relief_m = 300.0, .longest_m = 800.0});
   for (int first = 0; first < posts; first += makers.rows_at_once()) {
     const auto rows = makers.make(first);
-    ground.heights_m.insert(ground.heights_m.end(), rows.begin(), rows.end());
+    terrain.heights_m.insert(terrain.heights_m.end(), rows.begin(), rows.end());
   }
-  return ground;
+  return terrain;
 }
 
-// Fails if a node is missing or out of order, a lid is not that of its posts, one is passed over that the ray
-// dips into, or the last cell is not the one that the ray hits.
+// Fails if a node is missing or out of order, a maximum is not that of its posts, one is passed over that the
+// ray dips into, or the last cell is not the one that the ray hits.
 TEST(NodesOnRayTest, LeadToTheHit) {
-  const Ground ground = made_ground();
-  HeightField field(ocl::Device::open(), ground.grid, ground.heights_m);
+  const Terrain terrain = made_terrain();
+  HeightField field(ocl::Device::open(), terrain.grid, terrain.heights_m);
   for (const auto& toward :
        std::array<glm::dvec3, 4>{{{1.0, -0.25, 0.3}, {0.4, -0.5, 0.9}, {0.0, -1.0, 0.0}, {1.0, -0.1, 0.0}}}) {
     const Ray ray{.origin_m = {300.0, field.highest_m() + 40.0, 420.0}, .direction = glm::normalize(toward)};
@@ -49,8 +49,8 @@ TEST(NodesOnRayTest, LeadToTheHit) {
       float highest_m = -1e9f;
       for (int z = node.first_z; z <= std::min(node.first_z + node.side_cells, posts - 1); ++z)
         for (int x = node.first_x; x <= std::min(node.first_x + node.side_cells, posts - 1); ++x)
-          highest_m = std::max(highest_m, ground.heights_m[static_cast<std::size_t>(z * posts + x)]);
-      EXPECT_EQ(node.lid_m, highest_m) << node.level;
+          highest_m = std::max(highest_m, terrain.heights_m[static_cast<std::size_t>(z * posts + x)]);
+      EXPECT_EQ(node.maximum_m, highest_m) << node.level;
     }
     // Of the cells none is met twice, and the last one is that of the hit, or its neighbour where it is hit
     // at their border.
@@ -71,8 +71,8 @@ TEST(NodesOnRayTest, LeadToTheHit) {
 
 // Fails if a ray high above the ground looks into a node.
 TEST(NodesOnRayTest, PassOverWhatIsFarBelow) {
-  const Ground ground = made_ground();
-  HeightField field(ocl::Device::open(), ground.grid, ground.heights_m);
+  const Terrain terrain = made_terrain();
+  HeightField field(ocl::Device::open(), terrain.grid, terrain.heights_m);
   const Ray ray{.origin_m = {60.0, field.highest_m() + 1.0, 500.0}, .direction = {1.0, 0.0, 0.0}};
   const std::vector<RayNode> nodes = nodes_on_ray(field, ray, 5000.0);
   ASSERT_FALSE(nodes.empty());

@@ -24,22 +24,22 @@ float highest_post(const test::HeightMap& map, int level, int x, int z) {
   return highest_m;
 }
 
-// Every node of every level against all of its posts, borders included. Fails if a lid is lower, which makes
-// holes, or higher, which costs steps; by a single bit.
-TEST(PyramidTest, LidsAreTheHighestPostsOfTheirPatches) {
+// Every node of every level against all of its posts, borders included. Fails if a maximum is lower, which
+// makes holes, or higher, which costs steps; by a single bit.
+TEST(PyramidTest, MaximaAreTheHighestPostsOfTheirPatches) {
   const ocl::Device device = ocl::Device::open();
   for (const test::HeightMap& map : test::example_maps()) {
     const ocl::Buffer<float> heights_m(device, map.heights_m, "heights");
     const Pyramid pyramid(device, map.grid, heights_m);
     const PyramidLayout& layout = pyramid.layout();
-    const std::vector<float> lids_m = pyramid.lids_m().read();
+    const std::vector<float> maxima_m = pyramid.maxima_m().read();
     for (int level = 1; level <= layout.top_level; ++level) {
       for (int z = 0; z < layout.nodes_z(level); ++z) {
         for (int x = 0; x < layout.nodes_x(level); ++x) {
           const bool is_on_map = x << level < map.grid.columns - 1 && z << level < map.grid.rows - 1;
           const float expected_m =
               is_on_map ? highest_post(map, level, x, z) : -std::numeric_limits<float>::max();
-          ASSERT_EQ(lids_m[layout.begin(level) + static_cast<std::size_t>(z * layout.nodes_x(level) + x)],
+          ASSERT_EQ(maxima_m[layout.begin(level) + static_cast<std::size_t>(z * layout.nodes_x(level) + x)],
                     expected_m)
               << map.name << ", level " << level << ", node (" << x << ", " << z << ")";
         }

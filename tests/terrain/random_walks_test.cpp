@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "host/io/height_maps/read_height_map.h"
-#include "host/terrain/field/ground.h"
-#include "host/terrain/generate/fractal_ground.h"
+#include "host/terrain/field/terrain_posts.h"
+#include "host/terrain/generate/fractal_terrain.h"
 #include "host/terrain/walk/walker.h"
 
 namespace offing {
@@ -53,12 +53,12 @@ void walk_over(const std::string& name, const HeightMap& map) {
       }
       walker.advance_to(time_s += frame_s, wanted_mps);
       const WalkerState& state = walker.state();
-      const auto ground = terrain::ground_at(map, state.eye_m.x, state.eye_m.z);
-      ASSERT_TRUE(ground) << name << ": beyond the edge";
-      const double expected_m = ground->height_m + eye_height_m, above_m = state.eye_m.y - expected_m;
+      const auto terrain = terrain::terrain_at(map, state.eye_m.x, state.eye_m.z);
+      ASSERT_TRUE(terrain) << name << ": beyond the edge";
+      const double expected_m = terrain->height_m + eye_height_m, above_m = state.eye_m.y - expected_m;
       lowest_m = std::min(lowest_m, above_m);
       if (state.is_falling) fallen_s += frame_s;
-      if (!state.is_falling && ground->normal.y >= slope_limit) {
+      if (!state.is_falling && terrain->normal.y >= slope_limit) {
         worst_m = std::max(worst_m, std::abs(above_m));
         ASSERT_LE(std::abs(above_m), std::max(1e-3, 4.0 * ulp(expected_m))) << name;
       }
@@ -76,25 +76,25 @@ void walk_over(const std::string& name, const HeightMap& map) {
 }
 
 // Fails if feet leave ground that holds them by more than a millimetre, go below any, or go nowhere.
-TEST(RandomWalksTest, OverMadeGround) {
+TEST(RandomWalksTest, OverMadeTerrain) {
   for (const double relief_m : {400.0, 1500.0}) {
     const terrain::FractalParameters parameters{
         .posts = 513, .side_m = 5120.0, .relief_m = relief_m, .longest_m = 2500.0, .seed = 3};
-    terrain::FractalGround ground(parameters);
+    terrain::FractalTerrain terrain(parameters);
     HeightMap map;
     map.columns = map.rows = parameters.posts;
     map.spacing_x_m = map.spacing_z_m = parameters.side_m / (parameters.posts - 1);
     const auto posts = static_cast<std::size_t>(parameters.posts);
     map.heights_m.resize(posts * posts);
     for (int row = 0; row < map.rows; ++row) {
-      ground.fill_row(row, std::span(map.heights_m).subspan(map.index(0, row), posts));
+      terrain.fill_row(row, std::span(map.heights_m).subspan(map.index(0, row), posts));
     }
     walk_over("relief of " + std::to_string(static_cast<int>(relief_m)) + " m", map);
   }
 }
 
 // The same on measured ground.
-TEST(RandomWalksTest, OverRealGround) {
+TEST(RandomWalksTest, OverRealTerrain) {
   const char* folder = std::getenv("OFFING_TEST_DATA");
   if (folder == nullptr) GTEST_SKIP() << "OFFING_TEST_DATA is not set";
   for (const char* name : {"S33W071.tif", "N48W125.hgt.zip", "N42E001.hgt.zip", "SainteHelens.dem"}) {

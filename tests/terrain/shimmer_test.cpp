@@ -15,9 +15,9 @@
 #include <gtest/gtest.h>
 
 #include "host/io/height_maps/read_height_map.h"
-#include "host/terrain/field/ground.h"
-#include "host/terrain/generate/fractal_ground.h"
-#include "tests/terrain/ground_painter.h"
+#include "host/terrain/field/terrain_posts.h"
+#include "host/terrain/generate/fractal_terrain.h"
+#include "tests/terrain/terrain_painter.h"
 
 namespace offing {
 namespace {
@@ -51,7 +51,7 @@ std::vector<Camera> walk_over(const HeightMap& map) {
     camera.yaw_rad = std::atan2(way.x, -way.y);
     camera.pitch_rad = -4.0 / 180.0 * std::numbers::pi;
     const double east_m = x_m + 0.05 * frame * way.x, south_m = z_m + 0.05 * frame * way.y;
-    camera.eye_m = {east_m, terrain::ground_at(map, east_m, south_m)->height_m + 1.7, south_m};
+    camera.eye_m = {east_m, terrain::terrain_at(map, east_m, south_m)->height_m + 1.7, south_m};
     cameras.push_back(camera);
   }
   return cameras;
@@ -77,20 +77,20 @@ struct Stability {
   double change = 0.0, flicker = 0.0;
 };
 
-using Pictures = std::vector<std::vector<Texel>>;
+using Images = std::vector<std::vector<Texel>>;
 
-Pictures draw(test::GroundPainter& painter, const std::vector<Camera>& cameras, const Sampling& sampling) {
-  Pictures pictures;
+Images draw(test::TerrainPainter& painter, const std::vector<Camera>& cameras, const Sampling& sampling) {
+  Images pictures;
   for (const Camera& camera : cameras) pictures.push_back(painter.draw(camera, {sampling}));
   return pictures;
 }
 
-Stability stability_of(const Pictures& pictures, const Pictures& reference) {
+Stability stability_of(const Images& pictures, const Images& reference) {
   double light = 0.0, changes = 0.0, differences = 0.0;
   std::size_t count = 0;
   for (std::size_t frame = 1; frame < pictures.size(); ++frame) {
     for (std::size_t i = 0; i < pictures[frame].size(); ++i, ++count) {
-      const auto step = [&](const Pictures& of) {
+      const auto step = [&](const Images& of) {
         return static_cast<double>(of[frame][i][1]) - static_cast<double>(of[frame - 1][i][1]);
       };
       const double change = step(pictures), difference = change - step(reference);
@@ -110,9 +110,9 @@ void expect_stillness(const std::string& name, const HeightMap& map) {
                                  .spacing_x_m = map.spacing_x_m,
                                  .spacing_z_m = map.spacing_z_m},
                                 map.heights_m};
-  test::GroundPainter painter(painted, test::GroundScene::covered(painted));
+  test::TerrainPainter painter(painted, test::PaintedTerrain::covered(painted));
   for (const auto& [way, cameras] : {std::pair("walk", walk_over(map)), std::pair("fly", flight_over(map))}) {
-    const Pictures reference = draw(painter, cameras, many_rays);
+    const Images reference = draw(painter, cameras, many_rays);
     const Stability of_many = stability_of(reference, reference),
                     of_one = stability_of(draw(painter, cameras, one_ray), reference),
                     found = stability_of(draw(painter, cameras, automatic), reference);
@@ -127,13 +127,13 @@ void expect_stillness(const std::string& name, const HeightMap& map) {
 
 HeightMap made_valleys() {
   const terrain::FractalParameters parameters{.posts = 1025, .side_m = 20'480.0};
-  terrain::FractalGround ground(parameters);
+  terrain::FractalTerrain terrain(parameters);
   HeightMap map;
   map.columns = map.rows = parameters.posts;
   map.spacing_x_m = map.spacing_z_m = 20.0;
   map.heights_m.resize(std::size_t{1025} * 1025);
   for (int row = 0; row < parameters.posts; ++row)
-    ground.fill_row(row, std::span(map.heights_m).subspan(map.index(0, row), 1025));
+    terrain.fill_row(row, std::span(map.heights_m).subspan(map.index(0, row), 1025));
   return map;
 }
 

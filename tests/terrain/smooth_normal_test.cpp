@@ -7,17 +7,17 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/terrain/field/ground.h"
 #include "host/terrain/field/height_field.h"
+#include "host/terrain/field/terrain_posts.h"
 #include "tests/terrain/example_maps.h"
 
 namespace offing {
 namespace {
 
 using terrain::CastMethod;
-using terrain::ground_at;
 using terrain::HitNormals;
 using terrain::smooth_normal_at;
+using terrain::terrain_at;
 
 HeightMap host_map(const test::HeightMap& map) {
   HeightMap result;
@@ -89,8 +89,8 @@ TEST(SmoothNormalTest, HasNoCreases) {
     const glm::dvec3 west = *smooth_normal_at(map, x_m - 1e-6, z_m),
                      east = *smooth_normal_at(map, x_m + 1e-6, z_m);
     EXPECT_LE(glm::length(west - east), 1e-5) << column;
-    jump = std::max(
-        jump, glm::length(ground_at(map, x_m - 1e-6, z_m)->normal - ground_at(map, x_m + 1e-6, z_m)->normal));
+    jump = std::max(jump, glm::length(terrain_at(map, x_m - 1e-6, z_m)->normal -
+                                      terrain_at(map, x_m + 1e-6, z_m)->normal));
   }
   EXPECT_GT(jump, 0.05);
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "kernels/shared/terrain.h"
-#include "kernels/shared/terrain_light.h"
+#include "kernels/shared/terrain_light_params.h"
 #include "kernels/shared/terrain_look.h"
 #include "kernels/shared/terrain_sight.h"
 #include "tests/ocl/shared_layout.h"
@@ -48,7 +48,7 @@ TEST(TerrainLayoutTest, TerrainHit) {
 
 TEST(TerrainLayoutTest, TerrainLight) {
   using S = TerrainLight;
-  EXPECT_EQ(layout_of("shared/terrain_light.h", "TerrainLight",
+  EXPECT_EQ(layout_of("shared/terrain_light_params.h", "TerrainLight",
                       {"sun_red_klx", "rayleigh_red_perm", "aerosol_perm", "snow_line_m"}),
             (Layout{sizeof(S), offsetof(S, sun_red_klx), offsetof(S, rayleigh_red_perm),
                     offsetof(S, aerosol_perm), offsetof(S, snow_line_m)}));

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "tests/terrain/ground_painter.h"
+#include "tests/terrain/terrain_painter.h"
 
 namespace offing {
 namespace {
@@ -48,7 +48,7 @@ TEST(TerrainSamplingTest, CoversPixelsByTheirShareOfGround) {
                       .vertical_field_of_view_rad = 0.9,
                       .width_px = side_px,
                       .height_px = side_px};
-  const std::vector<Texel> image = test::GroundPainter(map, {}).draw(camera, {});
+  const std::vector<Texel> image = test::TerrainPainter(map, {}).draw(camera, {});
   const double pixel_m = 2.0 * height_m * std::tan(0.45) / side_px;
   double error_sum = 0.0;
   int edges = 0;
@@ -84,7 +84,7 @@ TEST(TerrainSamplingTest, CoversPixelsByTheirShareOfGround) {
 // deviations. Fails if refined pixels are brighter or darker than others, or if edges are missed.
 TEST(TerrainSamplingTest, AgreesWithManyRaysAPixel) {
   const test::HeightMap map = hills();
-  test::GroundPainter painter(map, test::GroundScene::covered(map));
+  test::TerrainPainter painter(map, test::PaintedTerrain::covered(map));
   const std::vector<Texel> reference = painter.draw(among_hills(), {many_rays});
   const auto difference = [&](const Sampling& sampling, double& mean) {
     const std::vector<Texel> image = painter.draw(among_hills(), {sampling});
@@ -112,7 +112,7 @@ TEST(TerrainSamplingTest, AgreesWithManyRaysAPixel) {
 
 /// Root mean square of what pixels change from frame to frame beyond what those of many rays do, over their
 /// mean light: eight frames of an eye that moves by `step_m` and turns by a tenth of a pixel a frame.
-double flicker(test::GroundPainter& painter, const Sampling& sampling, const glm::dvec3& step_m) {
+double flicker(test::TerrainPainter& painter, const Sampling& sampling, const glm::dvec3& step_m) {
   Camera camera = among_hills();
   std::vector<Texel> last;
   std::vector<Texel> last_reference;
@@ -143,11 +143,11 @@ double flicker(test::GroundPainter& painter, const Sampling& sampling, const glm
 // pixels change how many rays they get and their light with it.
 TEST(TerrainSamplingTest, StandsStillUnderSlowMotion) {
   const test::HeightMap map = hills();
-  const test::GroundScene covered = test::GroundScene::covered(map);
-  test::GroundScene plain = covered;
+  const test::PaintedTerrain covered = test::PaintedTerrain::covered(map);
+  test::PaintedTerrain plain = covered;
   plain.light.sea_level_m = 1e4f;
-  for (const test::GroundScene& scene : {plain, covered}) {
-    test::GroundPainter painter(map, scene);
+  for (const test::PaintedTerrain& scene : {plain, covered}) {
+    test::TerrainPainter painter(map, scene);
     for (const glm::dvec3& step_m : {glm::dvec3(0.0, 0.0, -0.7), glm::dvec3(0.3, 0.02, -0.1)}) {
       const double of_one = flicker(painter, one_ray, step_m), of_many = flicker(painter, {}, step_m);
       std::printf("flicker: one ray %.4f, automatic %.4f of the mean light\n", of_one, of_many);
@@ -158,7 +158,7 @@ TEST(TerrainSamplingTest, StandsStillUnderSlowMotion) {
 
 TEST(TerrainSamplingTest, RefusesSamplingOutOfRange) {
   const test::HeightMap map = hills();
-  test::GroundPainter painter(map, {});
+  test::TerrainPainter painter(map, {});
   for (const Sampling& sampling :
        {Sampling{.rays = 0}, Sampling{.rays = 5000}, Sampling{.least_contrast = std::nan("")}}) {
     EXPECT_THROW(painter.draw(among_hills(), {sampling}), Error);

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/terrain/ground_painter.h"
+#include "tests/terrain/terrain_painter.h"
 
 namespace offing {
 namespace {
@@ -15,11 +15,11 @@ namespace {
 using terrain::Texel;
 
 constexpr double pi = std::numbers::pi;
-constexpr double water_red = 0.042;  // of kernels/terrain/ground_cover.clh
+constexpr double water_red = 0.042;  // of kernels/terrain/terrain_cover.clh
 constexpr std::size_t columns_px = 41, rows_px = 33;
 
 /// A picture straight down from 80 m above the middle of a map under water, one ray a pixel.
-struct Scene : test::GroundScene {
+struct Scene : test::PaintedTerrain {
   Camera camera{.eye_m = {64.0, 80.0, 64.0},
                 .pitch_rad = -0.5 * pi,
                 .vertical_field_of_view_rad = 0.9,
@@ -27,7 +27,7 @@ struct Scene : test::GroundScene {
                 .height_px = rows_px};
 
   std::vector<Texel> draw(const std::function<double(int, int)>& height_m,
-                          const terrain::SeaOverGround& sea = {}) const {
+                          const terrain::SeaOverTerrain& sea = {}) const {
     test::HeightMap map{.name = "made",
                         .grid = {.columns = 65, .rows = 65, .spacing_x_m = 2.0, .spacing_z_m = 2.0},
                         .heights_m = {}};
@@ -36,7 +36,7 @@ struct Scene : test::GroundScene {
         map.heights_m.push_back(static_cast<float>(height_m(column, row)));
       }
     }
-    return test::GroundPainter(map, *this).draw(camera, {.sampling = {.rays = 1}, .sea = sea});
+    return test::TerrainPainter(map, *this).draw(camera, {.sampling = {.rays = 1}, .sea = sea});
   }
 };
 
@@ -121,7 +121,7 @@ TEST(TerrainShadeTest, HidesWhatIsTooDeepOrTooHigh) {
   constexpr double slope = 0.125, eye_m = 80.0, middle_x_m = 64.0;
   // Heights of rays are sums of floats of 80 m, some ten roundings of 4e-6 m; limits so near are left out.
   constexpr double rounding_m = 1e-3;
-  const terrain::SeaOverGround sea{.below_m = 6.0, .bend_perm = 2e-4, .above_m = 11.0};
+  const terrain::SeaOverTerrain sea{.below_m = 6.0, .bend_perm = 2e-4, .above_m = 11.0};
   const std::vector<Texel> image = scene.draw([](int column, int) { return slope * 2.0 * column; }, sea);
   const double pixel = 2.0 * std::tan(0.5 * scene.camera.vertical_field_of_view_rad) / rows_px;
   int shown = 0, deep = 0, high = 0;
@@ -158,13 +158,13 @@ TEST(TerrainShadeTest, AveragesSlopesThatAPixelDoesNotResolve) {
   const std::vector<Texel> image =
       scene.draw([](int column, int row) { return 0.4 * ((column * 7919 + row * 104729) % 5); });
   const double expected = water_light(level_sun, 1.0, level_sun, 1.0);
-  int ground = 0;
+  int terrain = 0;
   for (const Texel& texel : image) {
     if (texel[3] == 0.0f) continue;
-    ++ground;
+    ++terrain;
     EXPECT_NEAR(texel[0], expected, 0.01 * expected);
   }
-  EXPECT_GE(ground, 9);
+  EXPECT_GE(terrain, 9);
 }
 
 }  // namespace

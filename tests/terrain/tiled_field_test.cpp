@@ -107,7 +107,7 @@ TEST_F(TiledFieldTest, CoarseTilesAreNowhereBelowTheMap) {
 
 // A picture is the rays of its pixels, also across borders of levels. Directions of pixels are floats: 3e-7
 // of 7e3 m across slopes, gate 0.05 m; a ray that grazes a ridge may differ.
-TEST_F(TiledFieldTest, APictureIsTheRaysOfItsPixels) {
+TEST_F(TiledFieldTest, AImageIsTheRaysOfItsPixels) {
   const Camera camera = coarse_camera();
   field_.look_and_wait(camera);
   ocl::Buffer<TerrainHit> hits(device_, 64 * 48, "hits");
@@ -124,16 +124,16 @@ TEST_F(TiledFieldTest, APictureIsTheRaysOfItsPixels) {
   const std::vector<terrain::RayHit> expected = field_.cast(rays);
   const std::vector<TerrainHit> found = hits.read();
   const std::vector<float> found_m = distances.read();
-  std::size_t differing = 0, ground = 0;
+  std::size_t differing = 0, terrain = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     EXPECT_EQ(found_m[i], found[i].distance_m);
     const bool is_same = found[i].kind == expected[i].kind &&
                          (found[i].kind == TERRAIN_MISS ||
                           std::abs(static_cast<double>(found_m[i]) - expected[i].distance_m) < 0.05);
     differing += is_same ? 0 : 1;
-    ground += found[i].kind == TERRAIN_SURFACE ? 1 : 0;
+    terrain += found[i].kind == TERRAIN_SURFACE ? 1 : 0;
   }
-  EXPECT_GT(ground, rays.size() / 3);
+  EXPECT_GT(terrain, rays.size() / 3);
   EXPECT_LE(differing, 3u);
 }
 

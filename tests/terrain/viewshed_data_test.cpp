@@ -90,7 +90,7 @@ TEST_P(ViewshedDataTest, AgreesWithGdal) {
   EXPECT_LE(share, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(RealGround, ViewshedDataTest, testing::ValuesIn(cases));
+INSTANTIATE_TEST_SUITE_P(RealTerrain, ViewshedDataTest, testing::ValuesIn(cases));
 
 }  // namespace
 }  // namespace offing

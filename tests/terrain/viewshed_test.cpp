@@ -105,9 +105,9 @@ TEST(ViewshedTest, WallsCastShadows) {
   EXPECT_EQ(at(52), visible);  // 2 + 0.08 * 220 = 19.6 m
   EXPECT_EQ(at(53), hidden);   // 20.4 m
   parameters.target_height_m = 0.0;
-  const std::vector<std::uint8_t> ground = seen_from(wall(), parameters);
-  EXPECT_EQ(ground[40 * 101 + 40], visible);
-  EXPECT_EQ(ground[40 * 101 + 41], hidden);
+  const std::vector<std::uint8_t> terrain = seen_from(wall(), parameters);
+  EXPECT_EQ(terrain[40 * 101 + 40], visible);
+  EXPECT_EQ(terrain[40 * 101 + 41], hidden);
 }
 
 // Beyond the wall only what is within the radius counts: a post at exactly that distance does.

@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/terrain/field/ground.h"
+#include "host/terrain/field/terrain_posts.h"
 #include "tests/ocl/expect_error.h"
 
 namespace offing {
@@ -34,7 +34,7 @@ HeightMap made(const std::function<double(double, double)>& height_m) {
 }
 
 double above_ground_m(const HeightMap& map, const WalkerState& state) {
-  return state.eye_m.y - terrain::ground_at(map, state.eye_m.x, state.eye_m.z)->height_m;
+  return state.eye_m.y - terrain::terrain_at(map, state.eye_m.x, state.eye_m.z)->height_m;
 }
 
 // Fails if velocity in plan depends on the slope, or feet leave gentle ground.
@@ -155,8 +155,8 @@ TEST(WalkerTest, StopsAtEdgesThatAreRounded) {
     map.spacing_x_m = map.spacing_z_m = spacing_m;
     map.heights_m.assign(2 * static_cast<std::size_t>(columns), 4.0f);
     const double edge_m = spacing_m * (columns - 1);
-    ASSERT_TRUE(terrain::ground_at(map, edge_m, spacing_m));
-    EXPECT_FALSE(terrain::ground_at(map, edge_m * (1.0 + 1e-12), spacing_m));
+    ASSERT_TRUE(terrain::terrain_at(map, edge_m, spacing_m));
+    EXPECT_FALSE(terrain::terrain_at(map, edge_m * (1.0 + 1e-12), spacing_m));
     Walker walker(posts_of(map));
     walker.reset(edge_m - 1e-3, 0.5 * spacing_m);
     walker.advance_to(1.0, {50.0, 50.0});

@@ -37,7 +37,7 @@ class Hash {
 /// Bodies and wakes alone: the rest of a world has no history.
 struct Histories {
   explicit Histories(const WorldParameters& parameters)
-      : bodies(device, parameters.bodies, {parameters.spectrum, parameters.ocean, parameters.trochoids},
+      : bodies(device, parameters.bodies, {parameters.spectrum, parameters.ocean, parameters.gerstner_waves},
                parameters.run_up_s, 0.0),
         wakes(device, parameters.wakes) {}
 
@@ -59,8 +59,8 @@ struct Histories {
   }
 
   ocl::Device device = ocl::Device::open();
-  BodyView bodies;
-  WakeView wakes;
+  WorldBodies bodies;
+  WorldWakes wakes;
 };
 
 /// The hash of each minute; each frame is followed by that of `next_s`.

@@ -11,7 +11,7 @@
 #include "host/clouds/particles/cloud_model.h"
 #include "host/clouds/particles/particle_thinning.h"
 #include "host/world/world.h"
-#include "tests/world/example_clouds.h"
+#include "tests/world/example_skies.h"
 
 namespace offing::world {
 namespace {
@@ -24,7 +24,7 @@ struct Shown {
   std::vector<clouds::CloudShadowMap::Texel> shadow;
 };
 
-Shown shown_at(CloudsView& view, double time_s) {
+Shown shown_at(WorldClouds& view, double time_s) {
   view.at(time_s);
   view.light(daylight());
   view.cast_shadow();
@@ -63,16 +63,16 @@ CloudSkyParameters drifting_clouds() {
 void expect_nothing_of_before(const LightLag& lag) {
   const CloudSkyParameters sky = drifting_clouds();
   const auto opened = [&] {
-    CloudsView view(device(), sky);
+    WorldClouds view(device(), sky);
     view.set_light_lag(lag);
     return view;
   };
-  CloudsView view = opened();
+  WorldClouds view = opened();
   const Shown whole = shown_at(view, 3.2);
   EXPECT_EQ(view.whole_count(), view.count());
   for (const int halvings : {1, 2, 1, 0, 2, 0}) {
     view.set_particle_halvings(halvings);
-    CloudsView fresh = opened();
+    WorldClouds fresh = opened();
     fresh.set_particle_halvings(halvings);
     const Shown due = shown_at(fresh, 3.2);
     expect_same(shown_at(view, 3.2), due);
@@ -87,15 +87,15 @@ void expect_nothing_of_before(const LightLag& lag) {
 
 // Fails if particles, light, order or shadow of clouds depend on what was shown before, in all of their
 // particles or in fewer, of clouds that lag behind too.
-TEST(CloudsView, ShowsFewerParticlesAndAllAgain) {
+TEST(WorldClouds, ShowsFewerParticlesAndAllAgain) {
   expect_nothing_of_before({});
   expect_nothing_of_before({.cloud_steps = 4, .cloud_rad = 0.01, .cloud_parts = 8});
 }
 
 // Fails if halved clouds that move are not the halves of those at rest moved, each under its number.
-TEST(CloudsView, MovesItsHalves) {
+TEST(WorldClouds, MovesItsHalves) {
   const CloudSkyParameters sky = drifting_clouds();
-  CloudsView view(device(), sky);
+  WorldClouds view(device(), sky);
   view.set_particle_halvings(1);
   const Shown shown = shown_at(view, 2.0);
   std::size_t next = 0;
@@ -111,14 +111,14 @@ TEST(CloudsView, MovesItsHalves) {
 }
 
 // Fails if an edit of halved clouds gives others than a fresh start, or one that cannot be made changes them.
-TEST(CloudsView, EditsHalvedClouds) {
+TEST(WorldClouds, EditsHalvedClouds) {
   CloudSkyParameters sky = drifting_clouds();
-  CloudsView view(device(), sky);
+  WorldClouds view(device(), sky);
   view.set_particle_halvings(2);
   shown_at(view, 1.0);
   sky.clouds[1].balls.push_back({{0.0, 120.0, 0.0}, 90.0});
   view.set(sky);
-  CloudsView fresh(device(), sky);
+  WorldClouds fresh(device(), sky);
   fresh.set_particle_halvings(2);
   const Shown due = shown_at(fresh, 1.0);
   expect_same(shown_at(view, 1.0), due);

@@ -23,7 +23,7 @@ const ocl::Device& device() {
 TEST(CloudLight, IsThatOfItsAltitude) {
   const sky::Atmosphere air;
   sky::ClearSky sky(device(), air);
-  const CloudSunlight sun{.direction = {0.8, 0.6, 0.0}};
+  const SunOverClouds sun{.direction = {0.8, 0.6, 0.0}};
   const double altitudes_m[] = {10.0, 9000.0};
   const auto lights = cloud_illumination(sky, air, sun, altitudes_m);
   const clouds::CloudIllumination &low = lights.at(0), &high = lights.at(1);
@@ -63,25 +63,25 @@ TEST(CloudLight, IsMixedBetweenStepsOfAltitude) {
 // them are taken than kernels have room for.
 TEST(CloudLight, HasTheLightsBesideTheSun) {
   const std::vector<glm::dvec3> places_m{{0.0, 1000.0, 0.0}, {300.0, 1000.0, 0.0}};
-  const clouds::CloudSun sun{.direction = {0.8, 0.6, 0.0}, .illuminance_klx = glm::dvec3(90.0)};
+  const clouds::CloudLight sun{.direction = {0.8, 0.6, 0.0}, .illuminance_klx = glm::dvec3(90.0)};
   const std::vector<clouds::CloudIllumination> sunlit{{.suns = {sun}},
                                                       {.suns = {}}};  // one of them in the dark
   using Kind = highlights::Source::Kind;
-  const std::vector<Lamp> lights{
+  const std::vector<Light> lights{
       {.source = {Kind::place, {300.0, 600.0, 0.0}}, .colour = {1.0, 0.5, 0.0}, .illuminance_klx = 40.0},
       {.source = {Kind::direction, {0.0, 0.0, -2.0}}, .illuminance_klx = 8.0},
       {.source = {Kind::direction, {1.0, 0.0, 0.0}}, .illuminance_klx = 0.0},
       {.source = {Kind::direction, {1.0, 0.0, 0.0}}, .illuminance_klx = 30.0}};
   const auto lit = with_lights(sunlit, lights, places_m);
-  const clouds::CloudSun near_first{.direction = {0.6, -0.8, 0.0}, .illuminance_klx = {40.0, 20.0, 0.0}};
-  const clouds::CloudSun near_second{.direction = {0.0, -1.0, 0.0}, .illuminance_klx = {40.0, 20.0, 0.0}};
-  const clouds::CloudSun far{.direction = {0.0, 0.0, -1.0}, .illuminance_klx = glm::dvec3(8.0)};
+  const clouds::CloudLight near_first{.direction = {0.6, -0.8, 0.0}, .illuminance_klx = {40.0, 20.0, 0.0}};
+  const clouds::CloudLight near_second{.direction = {0.0, -1.0, 0.0}, .illuminance_klx = {40.0, 20.0, 0.0}};
+  const clouds::CloudLight far{.direction = {0.0, 0.0, -1.0}, .illuminance_klx = glm::dvec3(8.0)};
   ASSERT_EQ(lit.at(0).suns.size(), 3u);
   EXPECT_EQ(lit[0].suns[0], sun);
   EXPECT_LT(glm::length(lit[0].suns[1].direction - near_first.direction), 1e-12);
   EXPECT_EQ(lit[0].suns[1].illuminance_klx, near_first.illuminance_klx);
   EXPECT_EQ(lit[0].suns[2], far);
-  EXPECT_EQ(lit.at(1).suns, (std::vector{clouds::CloudSun{}, near_second, far}));
+  EXPECT_EQ(lit.at(1).suns, (std::vector{clouds::CloudLight{}, near_second, far}));
   EXPECT_EQ(with_lights(sunlit, {}, places_m), sunlit);
 }
 

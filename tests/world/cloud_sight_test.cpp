@@ -9,15 +9,15 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "tests/world/example_clouds.h"
+#include "tests/world/example_skies.h"
 
 namespace offing::world {
 namespace {
 
 // Fails if an eye that takes turns with its mirror image is shown what that one sees, or what it saw in other
 // light.
-TEST(CloudsView, KeepsWhatTwoEyesSee) {
-  CloudsView view(device(), two_clouds());
+TEST(WorldClouds, KeepsWhatTwoEyesSee) {
+  WorldClouds view(device(), two_clouds());
   view.at(0.0);
   const Camera above = camera_at({29'000.0, 1200.0, 100.0}), below = camera_at({29'000.0, -1200.0, 100.0});
   const auto seen_from = [&](const Camera& eye) {
@@ -55,7 +55,7 @@ struct Seen {
 };
 
 Seen seen_at(const CloudSkyParameters& sky, double time_s) {
-  CloudsView view(device(), sky);
+  WorldClouds view(device(), sky);
   view.at(time_s);
   view.light(daylight());
   view.see(camera_at({30'000.0, 1450.0, 150.0}));
@@ -76,7 +76,7 @@ double largest_difference(const Seen& a, const Seen& b) {
 // its steps is not seen from where the eye then is: 6 m in 250 m change what particles send to it by
 // percents. The gate is what floats within 1 km of their origin leave, 6e-5 m of distances of 100 m, in a
 // phase function that changes by a factor of 1e3 over a radian.
-TEST(CloudsView, CarriesTheLightOfDriftingClouds) {
+TEST(WorldClouds, CarriesTheLightOfDriftingClouds) {
   const double time_s = 0.49;
   const Seen exact = seen_at(windy_clouds(0.0), time_s), carried = seen_at(windy_clouds(0.5), time_s);
   ASSERT_EQ(exact.sprites.size(), carried.sprites.size());
@@ -87,8 +87,8 @@ TEST(CloudsView, CarriesTheLightOfDriftingClouds) {
 }
 
 // Fails if light and shadow are worked out between their steps, or a shadow does not go with its clouds.
-TEST(CloudsView, WorksOutLightInSteps) {
-  CloudsView view(device(), windy_clouds(0.5));
+TEST(WorldClouds, WorksOutLightInSteps) {
+  WorldClouds view(device(), windy_clouds(0.5));
   const auto shadow_at = [&](double time_s) {
     view.at(time_s);
     view.light(daylight());
@@ -111,8 +111,8 @@ TEST(CloudsView, WorksOutLightInSteps) {
 
 // Fails if an eye that is shown light that was sent to another is farther aside than it allows, if that light
 // is worked out anew where it need not be, or if it is kept when the sun has moved.
-TEST(CloudsView, SendsAlikeEyesTheSameLight) {
-  CloudsView view(device(), two_clouds());
+TEST(WorldClouds, SendsAlikeEyesTheSameLight) {
+  WorldClouds view(device(), two_clouds());
   view.at(0.0);
   view.light(daylight());
   const auto light_to = [&](const glm::dvec3& eye_m, double tolerance_rad) {
@@ -139,9 +139,9 @@ TEST(CloudsView, SendsAlikeEyesTheSameLight) {
 
 // Fails if an eye's light that comes in parts is not all there after them, or if all of it is worked out at
 // once, or if the light of another sun comes in parts.
-TEST(CloudsView, SendsLightInParts) {
+TEST(WorldClouds, SendsLightInParts) {
   const glm::dvec3 first_m(30'000.0, 1000.0, 300.0), then_m(29'000.0, 1500.0, 300.0);
-  const auto light_of = [](CloudsView& view, const glm::dvec3& eye_m) {
+  const auto light_of = [](WorldClouds& view, const glm::dvec3& eye_m) {
     view.see(camera_at(eye_m));
     std::vector<float> light;
     for (const CloudSprite& sprite : view.sprites().read()) light.push_back(sprite.green);
@@ -149,12 +149,12 @@ TEST(CloudsView, SendsLightInParts) {
     return light;
   };
   const auto viewed = [&] {
-    CloudsView view(device(), two_clouds());
+    WorldClouds view(device(), two_clouds());
     view.at(0.0);
     view.light(daylight());
     return view;
   };
-  CloudsView exact = viewed(), view = viewed();
+  WorldClouds exact = viewed(), view = viewed();
   view.set_light_lag({.cloud_rad = 1e-9, .cloud_parts = 3});
   const auto from_first = light_of(exact, first_m), from_then = light_of(exact, then_m);
   EXPECT_EQ(light_of(view, first_m), from_first);
@@ -176,13 +176,13 @@ TEST(CloudsView, SendsLightInParts) {
 
 // Clouds that lag keep their shape between steps of light and go on with the wind. Fails if they stand still,
 // if they change, or if they are seen from elsewhere than the eye.
-TEST(CloudsView, CarriesClouds) {
+TEST(WorldClouds, CarriesClouds) {
   CloudSkyParameters sky = windy_clouds(0.5);
   for (clouds::CloudParameters& cloud : sky.clouds) cloud.motion.sway_m = 20.0;
   sky.clouds[0].turbulence.change_per_s = sky.clouds[1].turbulence.change_per_s = 0.2;
-  CloudsView view(device(), sky), exact(device(), sky);
+  WorldClouds view(device(), sky), exact(device(), sky);
   view.set_light_lag({.cloud_steps = 4});
-  const auto places_at = [](CloudsView& of, double time_s) {
+  const auto places_at = [](WorldClouds& of, double time_s) {
     of.at(time_s);
     of.light(daylight());
     of.see(camera_at({30'000.0, 1450.0, 150.0}));

@@ -11,16 +11,16 @@
 #include <gtest/gtest.h>
 
 #include "host/ocean/spectrum/spectrum_parameters.h"
-#include "host/terrain/field/ground.h"
+#include "host/terrain/field/terrain_posts.h"
 #include "host/world/world.h"
-#include "kernels/shared/shoals.h"
+#include "kernels/shared/shoal_params.h"
 
 namespace offing::world {
 namespace {
 
 /// Heights by a function of the place from the first post.
 template <class Height>
-GroundParameters ground_of(int posts, double spacing_m, Height height_m) {
+TerrainParameters terrain_of(int posts, double spacing_m, Height height_m) {
   HeightMap map;
   map.columns = map.rows = posts;
   map.spacing_x_m = map.spacing_z_m = spacing_m;
@@ -29,11 +29,11 @@ GroundParameters ground_of(int posts, double spacing_m, Height height_m) {
       map.heights_m.push_back(static_cast<float>(height_m(spacing_m * column, spacing_m * row)));
     }
   }
-  GroundParameters ground;
-  ground.map = std::make_shared<const HeightMap>(std::move(map));
-  ground.origin_x_m = -300.0;
-  ground.origin_z_m = 50.0;
-  return ground;
+  TerrainParameters terrain;
+  terrain.map = std::make_shared<const HeightMap>(std::move(map));
+  terrain.origin_x_m = -300.0;
+  terrain.origin_z_m = 50.0;
+  return terrain;
 }
 
 /// Hills and troughs between 25 m above and 35 m below the water, nowhere steeper than 1 : 3.
@@ -43,12 +43,12 @@ double hills_m(double x_m, double z_m) {
 
 // Fails if a gentle bed is felt at another depth or place than it has: all posts are kept.
 TEST(SeaBed, IsTheGroundWhereItIsGentle) {
-  const GroundParameters ground = ground_of(200, 5.0, hills_m);
-  const ocean::DepthMap bed = sea_bed(ground);
+  const TerrainParameters terrain = terrain_of(200, 5.0, hills_m);
+  const ocean::DepthMap bed = sea_bed(terrain);
   EXPECT_EQ(bed.columns, 200);
   int compared = 0;
   for (double x_m = -299.0; x_m < 600.0; x_m += 7.3) {
-    const auto below = terrain::ground_at(*ground.map, x_m + 300.0, 201.7);
+    const auto below = terrain::terrain_at(*terrain.map, x_m + 300.0, 201.7);
     if (below->height_m > -4.0) continue;
     EXPECT_NEAR(bed.depth_m(x_m, 251.7), -below->height_m, 1e-4);
     ++compared;
@@ -60,8 +60,8 @@ TEST(SeaBed, IsTheGroundWhereItIsGentle) {
 // that waves would run through it.
 TEST(SeaBed, IsNowhereDeeperThanTheGround) {
   const auto steep_m = [](double x_m, double z_m) { return 3.0 * hills_m(7.0 * x_m, 5.0 * z_m); };
-  const GroundParameters ground = ground_of(2100, 1.0, steep_m);
-  const ocean::DepthMap bed = sea_bed(ground);
+  const TerrainParameters terrain = terrain_of(2100, 1.0, steep_m);
+  const ocean::DepthMap bed = sea_bed(terrain);
   EXPECT_EQ(bed.columns, 701);
   EXPECT_DOUBLE_EQ(bed.spacing_x_m, 3.0);
   std::mt19937_64 generator(4);
@@ -69,7 +69,7 @@ TEST(SeaBed, IsNowhereDeeperThanTheGround) {
     const double x_m = static_cast<double>(generator() >> 11) * 0x1p-53 * 2098.0;
     const double z_m = static_cast<double>(generator() >> 11) * 0x1p-53 * 2098.0;
     const double depth_m = bed.depth_m(x_m - 300.0, z_m + 50.0);
-    const double height_m = terrain::ground_at(*ground.map, x_m, z_m)->height_m;
+    const double height_m = terrain::terrain_at(*terrain.map, x_m, z_m)->height_m;
     ASSERT_LE(depth_m, std::max(-height_m, 0.0) + 1e-4) << x_m << " " << z_m;
   }
 }
@@ -77,7 +77,7 @@ TEST(SeaBed, IsNowhereDeeperThanTheGround) {
 // Fails if a mountain keeps the sea calm for as far as it is high.
 TEST(SeaBed, MindsNoHeightOfLand) {
   const ocean::DepthMap bed =
-      sea_bed(ground_of(50, 10.0, [](double x_m, double) { return x_m < 100.0 ? 900.0 : -80.0; }));
+      sea_bed(terrain_of(50, 10.0, [](double x_m, double) { return x_m < 100.0 ? 900.0 : -80.0; }));
   EXPECT_NEAR(bed.depth_m(-300.0 + 105.0, 100.0), 2.5, 1e-4);
   EXPECT_NEAR(bed.depth_m(-300.0 + 200.0, 100.0), SHOAL_STEEPEST * 100.0, 5.1);
   EXPECT_LE(bed.depth_m(-300.0 + 89.0, 100.0), 0.0);
@@ -92,7 +92,7 @@ WorldParameters sea() {
   result.ocean.size = 32;
   const std::array lengths{120.0};
   result.ocean.cascades = ocean::cascades_from_patches(lengths, result.ocean.size);
-  result.trochoids.waves = {
+  result.gerstner_waves.waves = {
       ocean::make_swell({.amplitude_m = 0.4, .wavelength_m = 70.0}, result.spectrum.dispersion)};
   return result;
 }
@@ -119,14 +119,14 @@ TEST(SeaBed, WavesOfAWorldFeelIt) {
     EXPECT_EQ(heights_of(world), heights_of(fresh)) << what;
   };
 
-  parameters.ground = ground_of(200, 5.0, hills_m);
-  world.set_ground(parameters.ground);
+  parameters.terrain = terrain_of(200, 5.0, hills_m);
+  world.set_terrain(parameters.terrain);
   const std::vector<float> shoaled = heights_of(world);
   EXPECT_NE(shoaled, open);
   int dry = 0;
   for (std::size_t i = 0; i < shoaled.size(); ++i) {
-    const auto below = world.ground()->ground_at(-290.0 + 16.0 * static_cast<double>(i),
-                                                 300.0 + 3.0 * static_cast<double>(i));
+    const auto below = world.terrain()->terrain_at(-290.0 + 16.0 * static_cast<double>(i),
+                                                   300.0 + 3.0 * static_cast<double>(i));
     if (below && below->height_m > 0.0) {
       EXPECT_EQ(shoaled[i], 0.0f);
       ++dry;
@@ -134,14 +134,14 @@ TEST(SeaBed, WavesOfAWorldFeelIt) {
   }
   EXPECT_GT(dry, 10);
   expect_as_new("ground");
-  parameters.trochoids.waves[0].amplitude_m = 1.5;
-  world.set_trochoids(parameters.trochoids);
+  parameters.gerstner_waves.waves[0].amplitude_m = 1.5;
+  world.set_gerstner_waves(parameters.gerstner_waves);
   expect_as_new("swell");
   parameters.ocean.choppiness = 0.3;
   world.set_sea(parameters);
   expect_as_new("sea");
-  parameters.ground->origin_x_m += 40.0;
-  world.set_ground(parameters.ground);
+  parameters.terrain->origin_x_m += 40.0;
+  world.set_terrain(parameters.terrain);
   expect_as_new("place of the ground");
   parameters.has_shoals = false;
   world.set_sea(parameters);
@@ -150,8 +150,8 @@ TEST(SeaBed, WavesOfAWorldFeelIt) {
   parameters.has_shoals = true;
   world.set_sea(parameters);
   EXPECT_NE(world.shoals(), nullptr);
-  parameters.ground = std::nullopt;
-  world.set_ground({});
+  parameters.terrain = std::nullopt;
+  world.set_terrain({});
   EXPECT_EQ(world.shoals(), nullptr);
   expect_as_new("no ground");
 }
@@ -162,12 +162,12 @@ TEST(SeaBed, ReachGrowsWithSwell) {
   const ocl::Device device = ocl::Device::open();
   WorldParameters parameters = sea();
   parameters.ocean.cascades = {{.patch_length_m = 10.0, .k_min_radpm = 8.0, .k_max_radpm = 9.0}};
-  parameters.trochoids.waves = {
+  parameters.gerstner_waves.waves = {
       ocean::make_swell({.amplitude_m = 0.1, .wavelength_m = 150.0}, parameters.spectrum.dispersion)};
   World world(device, parameters);
   const double open_m = world.reach().vertical_m;
-  parameters.ground = ground_of(200, 5.0, hills_m);
-  world.set_ground(parameters.ground);
+  parameters.terrain = terrain_of(200, 5.0, hills_m);
+  world.set_terrain(parameters.terrain);
   const double reach_m = world.reach().vertical_m;
   EXPECT_GT(reach_m, 1.3 * open_m);
   double highest_m = 0.0;
@@ -186,7 +186,7 @@ TEST(SeaBed, ReachGrowsWithSwell) {
 // Fails if ground that no wave feels costs anything.
 TEST(SeaBed, OfTheDeepSeaIsNone) {
   WorldParameters parameters = sea();
-  parameters.ground = ground_of(20, 50.0, [](double, double) { return -500.0; });
+  parameters.terrain = terrain_of(20, 50.0, [](double, double) { return -500.0; });
   EXPECT_EQ(World(ocl::Device::open(), parameters).shoals(), nullptr);
 }
 

@@ -12,7 +12,7 @@
 
 #include "host/base/error.h"
 #include "host/ocean/spectrum/spectrum_parameters.h"
-#include "host/ocean/surface/trochoid_choice.h"
+#include "host/ocean/surface/gerstner_choice.h"
 #include "host/sky/sun_position.h"
 
 namespace offing::world {
@@ -30,7 +30,8 @@ WorldParameters parameters() {
   result.ocean.size = 64;
   const std::array lengths{170.0};
   result.ocean.cascades = ocean::cascades_from_patches(lengths, result.ocean.size, split_radpm);
-  result.trochoids.waves = ocean::choose_trochoids(result.spectrum, {.split_radpm = split_radpm, .count = 8});
+  result.gerstner_waves.waves =
+      ocean::choose_gerstner_waves(result.spectrum, {.split_radpm = split_radpm, .count = 8});
   result.wind_speed_mps = 11.0;
   result.sun_direction = sky::direction_of(1.0, 0.5);
   return result;
@@ -55,14 +56,14 @@ TEST_F(WorldTest, DependsOnTimeAndEyeAlone) {
   EXPECT_EQ(world_.time_s(), 4.0);
 }
 
-// Fails if a world's water is asked of another time, or without its trochoids.
+// Fails if a world's water is asked of another time, or without its Gerstner waves.
 TEST_F(WorldTest, AnswersForItsWater) {
   world_.at(12.3, 5.0);
   const std::array points{ocean::WaterPoint{3.0, -40.0}, ocean::WaterPoint{1e5, 7.0}};
   const auto samples = world_.sample(points);
   ocean::Ocean alone(device_, parameters().spectrum, parameters().ocean);
   alone.at(12.3);
-  const auto expected = alone.sample(points, parameters().trochoids);
+  const auto expected = alone.sample(points, parameters().gerstner_waves);
   ASSERT_EQ(samples.size(), 2u);
   for (const std::size_t i : {0u, 1u}) EXPECT_EQ(samples[i].height_m, expected[i].height_m);
   EXPECT_NE(samples[0].height_m, alone.sample(points)[0].height_m);
@@ -85,7 +86,7 @@ TEST_F(WorldTest, ShowsTheSeaInFewerSamples) {
   };
   const auto all_slopes = [&] {
     const HiddenSlopes& hidden = world_.hidden_slopes();
-    return hidden.cascades.front().back().xx + hidden.trochoids.xx + hidden.ripples.xx;
+    return hidden.cascades.front().back().xx + hidden.gerstner_waves.xx + hidden.ripples.xx;
   };
   const auto whole = surface();
   const double slopes = all_slopes();
@@ -104,10 +105,10 @@ TEST_F(WorldTest, ShowsTheSeaInFewerSamples) {
   // %.
   EXPECT_NEAR(all_slopes(), slopes, 0.02 * slopes);
   EXPECT_LT(world_.hidden_slopes().cascades.front().back().xx, drawn - 0.04 * slopes);
-  world_.reseed(9, parameters().trochoids);
+  world_.reseed(9, parameters().gerstner_waves);
   EXPECT_NE(surface().first, alone.displacement_map().read());
   world_.set_sea_samples(1024);
-  world_.reseed(parameters().ocean.seed, parameters().trochoids);
+  world_.reseed(parameters().ocean.seed, parameters().gerstner_waves);
   EXPECT_EQ(surface(), whole);
   EXPECT_EQ(all_slopes(), slopes);
 }
@@ -125,10 +126,11 @@ TEST_F(WorldTest, TurnsTheSun) {
 }
 
 // Fails if waves reach farther than the grid's margins: the largest displacement of the cascades over 20
-// instants, and all trochoids in phase.
+// instants, and all Gerstner waves in phase.
 TEST_F(WorldTest, ReachesAsFarAsItsWaves) {
-  double trochoids_m = 0.0;
-  for (const ocean::Trochoid& wave : world_.parameters().trochoids.waves) trochoids_m += wave.amplitude_m;
+  double gerstner_waves_m = 0.0;
+  for (const ocean::GerstnerWave& wave : world_.parameters().gerstner_waves.waves)
+    gerstner_waves_m += wave.amplitude_m;
   double highest_m = 0.0, farthest_m = 0.0;
   for (int i = 0; i < 20; ++i) {
     world_.at(7.0 * i, 5.0);
@@ -139,26 +141,26 @@ TEST_F(WorldTest, ReachesAsFarAsItsWaves) {
                                                    static_cast<double>(fields.displacement_z[j])));
     }
   }
-  EXPECT_GT(world_.reach().vertical_m, highest_m + trochoids_m);
-  EXPECT_GT(world_.reach().horizontal_m, farthest_m + trochoids_m);
-  EXPECT_LT(world_.reach().vertical_m, 3.0 * (highest_m + trochoids_m)) << "wider than it need be";
+  EXPECT_GT(world_.reach().vertical_m, highest_m + gerstner_waves_m);
+  EXPECT_GT(world_.reach().horizontal_m, farthest_m + gerstner_waves_m);
+  EXPECT_LT(world_.reach().vertical_m, 3.0 * (highest_m + gerstner_waves_m)) << "wider than it need be";
 }
 
-// Fails if slopes are counted twice or left out: those of the maps, the trochoids and the ripples add up to
-// the measured ones, also when the trochoids change.
+// Fails if slopes are counted twice or left out: those of the maps, the Gerstner waves and the ripples add up
+// to the measured ones, also when the Gerstner waves change.
 TEST_F(WorldTest, SharesTheSlopesOut) {
   const HiddenSlopes& hidden = world_.hidden_slopes();
   ASSERT_EQ(hidden.cascades.size(), 1u);
   const double resolved = hidden.cascades[0].back().mean_square();
   const double all = ocean::measured_slopes(11.0, 0.0).mean_square();
   ASSERT_LT(resolved, 0.9 * all);
-  EXPECT_NEAR(resolved + hidden.trochoids.mean_square() + hidden.ripples.mean_square(), all, 1e-9);
-  ocean::TrochoidSea trochoids = world_.parameters().trochoids;
-  trochoids.waves = {ocean::make_swell({.amplitude_m = 1.0, .wavelength_m = 80.0}, {})};
-  world_.set_trochoids(trochoids);
+  EXPECT_NEAR(resolved + hidden.gerstner_waves.mean_square() + hidden.ripples.mean_square(), all, 1e-9);
+  ocean::GerstnerSea gerstner_waves = world_.parameters().gerstner_waves;
+  gerstner_waves.waves = {ocean::make_swell({.amplitude_m = 1.0, .wavelength_m = 80.0}, {})};
+  world_.set_gerstner_waves(gerstner_waves);
   // A sine's mean square slope: (k A)^2 / 2.
-  EXPECT_NEAR(hidden.trochoids.mean_square(), 0.5 * std::pow(2.0 * std::numbers::pi / 80.0, 2), 1e-12);
-  EXPECT_NEAR(resolved + hidden.trochoids.mean_square() + hidden.ripples.mean_square(), all, 1e-9);
+  EXPECT_NEAR(hidden.gerstner_waves.mean_square(), 0.5 * std::pow(2.0 * std::numbers::pi / 80.0, 2), 1e-12);
+  EXPECT_NEAR(resolved + hidden.gerstner_waves.mean_square() + hidden.ripples.mean_square(), all, 1e-9);
 }
 
 // Everything that a picture is made from, at one time.
@@ -167,7 +169,7 @@ auto everything(World& world) {
   return std::tuple(world.ocean().displacement_map().read(), world.ocean().gradient_map().read(),
                     world.ocean().foam_map().read(), world.sky().view_table().read(),
                     world.illuminance().sky_klx, world.reach().vertical_m, world.reach().horizontal_m,
-                    world.hidden_slopes().ripples.xx, world.parameters().trochoids.waves.size());
+                    world.hidden_slopes().ripples.xx, world.parameters().gerstner_waves.waves.size());
 }
 
 // Fails if a world that was changed while it ran differs in anything from one that was made so: maps, foam
@@ -181,10 +183,11 @@ TEST_F(WorldTest, ChangedEqualsMadeSo) {
     EXPECT_NE(now, before) << what;
     EXPECT_EQ(now, everything(fresh)) << what;
   };
-  changed.trochoids.waves.push_back(ocean::make_swell({.amplitude_m = 2.0}, changed.spectrum.dispersion));
-  changed.trochoids.raindrops.push_back({.time_s = 2.0, .amplitude_m = -0.1});
-  world_.set_trochoids(changed.trochoids);
-  expect_as_new("trochoids");
+  changed.gerstner_waves.waves.push_back(
+      ocean::make_swell({.amplitude_m = 2.0}, changed.spectrum.dispersion));
+  changed.gerstner_waves.raindrops.push_back({.time_s = 2.0, .amplitude_m = -0.1});
+  world_.set_gerstner_waves(changed.gerstner_waves);
+  expect_as_new("gerstner waves");
   changed.atmosphere.aerosol_optical_depth = 0.5;
   world_.set_atmosphere(changed.atmosphere);
   expect_as_new("atmosphere");
@@ -192,13 +195,13 @@ TEST_F(WorldTest, ChangedEqualsMadeSo) {
   world_.set_sun(changed.sun_direction, changed.sun_distance_au);
   expect_as_new("sun");
   changed.ocean.seed = 9;
-  changed.trochoids.waves[0].phase_rad += 1.0;
-  world_.reseed(9, changed.trochoids);
+  changed.gerstner_waves.waves[0].phase_rad += 1.0;
+  world_.reseed(9, changed.gerstner_waves);
   expect_as_new("seed");
   changed.ocean.size = 32;
   changed.ocean.choppiness = 0.5;
   changed.wind_speed_mps = 15.0;
-  changed.trochoids.waves.clear();
+  changed.gerstner_waves.waves.clear();
   world_.set_sea(changed);
   expect_as_new("sea");
 }
@@ -207,9 +210,9 @@ TEST_F(WorldTest, ChangedEqualsMadeSo) {
 TEST_F(WorldTest, RefusedChangesChangeNothing) {
   const auto before = everything(world_);
   WorldParameters bad = parameters();
-  bad.trochoids.choppiness = -1.0;
-  EXPECT_THROW(world_.set_trochoids(bad.trochoids), Error);
-  EXPECT_THROW(world_.reseed(9, bad.trochoids), Error);
+  bad.gerstner_waves.choppiness = -1.0;
+  EXPECT_THROW(world_.set_gerstner_waves(bad.gerstner_waves), Error);
+  EXPECT_THROW(world_.reseed(9, bad.gerstner_waves), Error);
   EXPECT_THROW(world_.set_sea(bad), Error);
   EXPECT_THROW(World(device_, bad), Error);
   WorldParameters windy = parameters();
@@ -226,9 +229,9 @@ TEST_F(WorldTest, RefusedChangesChangeNothing) {
 TEST_F(WorldTest, ReachFollowsTheRings) {
   world_.at(0.0, 5.0);
   const double without_m = world_.reach().vertical_m;
-  ocean::TrochoidSea trochoids = parameters().trochoids;
-  trochoids.raindrops = {{.time_s = 1.0, .amplitude_m = -0.5, .decay_s = 2.0}};
-  world_.set_trochoids(trochoids);
+  ocean::GerstnerSea gerstner_waves = parameters().gerstner_waves;
+  gerstner_waves.raindrops = {{.time_s = 1.0, .amplitude_m = -0.5, .decay_s = 2.0}};
+  world_.set_gerstner_waves(gerstner_waves);
   EXPECT_EQ(world_.reach().vertical_m, without_m);
   world_.at(3.0, 5.0);
   EXPECT_NEAR(world_.reach().vertical_m, without_m + 0.5 * std::exp(-1.0), 1e-12);

@@ -36,14 +36,14 @@ bool keeps_its_form(const clouds::CloudMotion& motion) {
 CloudFrames::CloudFrames(const ocl::Device& device, world::CloudSkyParameters sky, const CancelToken& cancel)
     : device_(device), cancel_(cancel), sky_(std::move(sky)) {}
 
-world::CloudsView& CloudFrames::view() {
+world::WorldClouds& CloudFrames::view() {
   if (!view_) view_.emplace(device_, world::CloudGrower(device_).grown(sky_, cancel_));
   return *view_;
 }
 
-CloudParticles CloudFrames::particles_at(double time_s) {
+ParticleCloud CloudFrames::particles_at(double time_s) {
   view().at(time_s);
-  CloudParticles cloud{.origin_m = view().sky_origin_m(), .particles = view().particles().read()};
+  ParticleCloud cloud{.origin_m = view().sky_origin_m(), .particles = view().particles().read()};
   cloud.particles.resize(view().count());
   return cloud;
 }
@@ -71,7 +71,7 @@ VdbCloud CloudFrames::volume_at(double time_s, double cell_m) {
 }
 
 VdbCloud CloudFrames::rasterised_at(double time_s, double cell_m) {
-  const CloudParticles cloud = particles_at(time_s);
+  const ParticleCloud cloud = particles_at(time_s);
   const double extinction_per_m = sky_.clouds.front().look.extinction_per_m;
   VdbCloud result{.volume = clouds::rasterised(device_, cloud.particles, cell_m, extinction_per_m)};
   result.albedo = clouds::rasterised_albedo(device_, cloud.particles, result.volume);
@@ -79,7 +79,7 @@ VdbCloud CloudFrames::rasterised_at(double time_s, double cell_m) {
   return result;
 }
 
-double usual_cell_m(const CloudParticles& cloud) {
+double usual_cell_m(const ParticleCloud& cloud) {
   glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
   for (const CloudParticle& particle : cloud.particles) {
     const glm::dvec3 place_m(particle.x, particle.y, particle.z);

@@ -54,12 +54,12 @@ FrameName frame_name(const BuildArguments& arguments) {
   return {"-o", arguments.output, "cloud.%04d.vdb"};
 }
 
-FrameRange frames_of(const BuildArguments& arguments, const scene::OceanScene& scene) {
+FrameRange frames_of(const BuildArguments& arguments, const scene::Scene& scene) {
   return arguments.frames.empty() ? scene::frames_in_time_span(scene, scene.frames_per_second)
                                   : read_frame_range("--frames", arguments.frames);
 }
 
-std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::OceanScene& scene) {
+std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::Scene& scene) {
   if (!is_sequence(arguments)) {
     if (!arguments.frames.empty() || !arguments.frames_per_second.empty()) {
       throw Error(ErrorKind::bad_usage,
@@ -83,7 +83,7 @@ std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::Oc
   return files;
 }
 
-void require_outputs(const BuildArguments& arguments, const scene::OceanScene& scene) {
+void require_outputs(const BuildArguments& arguments, const scene::Scene& scene) {
   GivenInputs inputs{scene::files_of(scene), arguments.trust};
   inputs.names.push_back(arguments.scene);
   if (is_sequence(arguments)) {
@@ -107,7 +107,7 @@ nlohmann::ordered_json facts_of(const VdbCloud& cloud) {
           {"optical_mass_m2", clouds::optical_mass(cloud.volume)}};
 }
 
-nlohmann::ordered_json facts_of(const CloudParticles& cloud) {
+nlohmann::ordered_json facts_of(const ParticleCloud& cloud) {
   double optical_mass_m2 = 0.0;
   for (const CloudParticle& particle : cloud.particles) optical_mass_m2 += particle.optical_mass;
   return {{"particles", cloud.particles.size()}, {"optical_mass_m2", optical_mass_m2}};
@@ -124,7 +124,7 @@ void require_some(std::size_t count, const TimedFile& file) {
 nlohmann::ordered_json write_frame(const BuildArguments& arguments, CloudFrames& frames,
                                    const TimedFile& file, std::optional<double>& cell_m) {
   if (!is_volume(arguments)) {
-    const CloudParticles cloud = frames.particles_at(file.time_s);
+    const ParticleCloud cloud = frames.particles_at(file.time_s);
     require_some(cloud.particles.size(), file);
     write_cloud_particles(file.name, cloud, arguments.existing);
     return facts_of(cloud);
@@ -163,7 +163,7 @@ void run(const BuildArguments& arguments, const GlobalOptions& options) {
   std::optional<double> cell_m;
   if (!arguments.cell_m.empty())
     cell_m = read_number("--cell-m", arguments.cell_m, "m", least_cell_m, largest_cell_m, "20");
-  scene::OceanScene scene = scene::load_scene(arguments.scene, arguments.trust);
+  scene::Scene scene = scene::load_scene(arguments.scene, arguments.trust);
   if (!arguments.frames_per_second.empty()) {
     scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "24");
   }

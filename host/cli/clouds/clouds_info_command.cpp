@@ -70,7 +70,7 @@ Json volume_facts(const InfoArguments& arguments) {
 }
 
 Json particle_facts(const InfoArguments& arguments) {
-  const CloudParticles cloud = read_cloud_particles(arguments.file);
+  const ParticleCloud cloud = read_cloud_particles(arguments.file);
   Box box;
   std::set<std::uint32_t> clouds;
   double optical_mass_m2 = 0.0;
@@ -88,14 +88,14 @@ Json particle_facts(const InfoArguments& arguments) {
 }
 
 Json scene_facts(const InfoArguments& arguments, const GlobalOptions& options) {
-  const scene::OceanScene scene = scene::load_scene(arguments.file, arguments.trust);
+  const scene::Scene scene = scene::load_scene(arguments.file, arguments.trust);
   const std::optional<world::CloudSkyParameters> sky = scene::prepare_clouds(scene);
   Json list = Json::array();
   std::size_t particles = 0;
   if (sky) {
     const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
     CloudFrames frames(device, *sky, options.cancel);
-    const CloudParticles all = frames.particles_at(scene.start_s);
+    const ParticleCloud all = frames.particles_at(scene.start_s);
     std::vector<std::size_t> counts(sky->clouds.size());
     std::vector<Box> boxes(sky->clouds.size());
     for (const CloudParticle& particle : all.particles) {

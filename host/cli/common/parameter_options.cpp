@@ -125,8 +125,8 @@ void ParameterOptions::add_to(CLI::App& command, std::initializer_list<Parameter
   }
 }
 
-scene::OceanScene ParameterOptions::read() const {
-  scene::OceanScene scene;
+scene::Scene ParameterOptions::read() const {
+  scene::Scene scene;
   if (!scene_file_.empty()) scene = scene::load_scene(scene_file_, trust_);
   scene.trust = trust_;
   for (const Flag& flag : flags_) {
@@ -135,13 +135,13 @@ scene::OceanScene ParameterOptions::read() const {
   return scene;
 }
 
-GivenInputs ParameterOptions::inputs(const scene::OceanScene& scene) const {
+GivenInputs ParameterOptions::inputs(const scene::Scene& scene) const {
   GivenInputs inputs{scene::files_of(scene), trust_};
   inputs.names.push_back(scene_file_);
   return inputs;
 }
 
-void ParameterOptions::read_flag(scene::OceanScene& scene, const Flag& flag) const {
+void ParameterOptions::read_flag(scene::Scene& scene, const Flag& flag) const {
   const Parameter& parameter = *flag.parameter;
   if (!flag.values.empty()) {
     scene::clear_list(scene, parameter);

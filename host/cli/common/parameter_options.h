@@ -23,10 +23,10 @@ class ParameterOptions {
   void add_to(CLI::App& command, std::initializer_list<scene::ParameterGroup> groups);
 
   /// The scene as file and flags say. Throws Error(bad_input).
-  scene::OceanScene read() const;
+  scene::Scene read() const;
 
   /// The files that this scene is read from: its own and those that it names.
-  GivenInputs inputs(const scene::OceanScene& scene) const;
+  GivenInputs inputs(const scene::Scene& scene) const;
 
   /// How flags give directions, and results are to show them.
   DirectionStyle directions() const { return directions_; }
@@ -37,7 +37,7 @@ class ParameterOptions {
     std::vector<std::string> values;
   };
 
-  void read_flag(scene::OceanScene& scene, const Flag& flag) const;
+  void read_flag(scene::Scene& scene, const Flag& flag) const;
 
   std::string scene_file_;
   Trust trust_ = Trust::trusted;

@@ -21,16 +21,16 @@ namespace {
 using highlights::DrawnHighlight;
 using highlights::HighlightTexture;
 
-constexpr int picture_px = 128;
+constexpr int image_px = 128;
 // Pictures of shapes are made in steps of softness that no eye tells apart.
 constexpr double softness_steps = 32.0;
 
 /// A shape as a white picture with its opacity.
-RgbaImage picture_of(HighlightTexture shape, double softness) {
-  RgbaImage image{picture_px, picture_px, {}};
-  const double pixel = 2.0 / picture_px;
-  for (int row = 0; row < picture_px; ++row) {
-    for (int column = 0; column < picture_px; ++column) {
+RgbaImage image_of(HighlightTexture shape, double softness) {
+  RgbaImage image{image_px, image_px, {}};
+  const double pixel = 2.0 / image_px;
+  for (int row = 0; row < image_px; ++row) {
+    for (int column = 0; column < image_px; ++column) {
       const glm::dvec2 q((column + 0.5) * pixel - 1.0, 1.0 - (row + 0.5) * pixel);
       const double opacity = highlights::shape_opacity(shape, q, softness, pixel);
       image.rgba.insert(image.rgba.end(),
@@ -47,14 +47,14 @@ class Textures {
 
   /// `file` is that of a picture.
   std::size_t index_of(const highlights::HighlightControls& controls, const std::string& file) {
-    const bool has_file = is_picture(controls.texture);
+    const bool has_file = is_image(controls.texture);
     const double softness = has_file ? 0.0 : std::round(controls.softness * softness_steps) / softness_steps;
     const auto [place, is_new] = known_.try_emplace(
         std::tuple(controls.texture, softness, has_file ? file : std::string()), all_.size());
     if (is_new) {
       all_.push_back({.name = std::string(highlights::name_of(controls.texture)),
                       .file = has_file ? file : std::string(),
-                      .image = has_file ? RgbaImage{} : picture_of(controls.texture, softness)});
+                      .image = has_file ? RgbaImage{} : image_of(controls.texture, softness)});
     }
     return place->second;
   }
@@ -69,7 +69,7 @@ animations::ProjectorSample sample_of(const DrawnHighlight& drawn, std::size_t t
   return {.id = drawn.id,
           .rule = drawn.rule,
           .copy = drawn.copy,
-          .lamp = drawn.id >= highlights::first_pin_id ? -1 : drawn.lamp,
+          .light = drawn.id >= highlights::first_pin_id ? -1 : drawn.light,
           .position_m = box.centre_m,
           .right = box.right,
           .up = box.up,
@@ -82,7 +82,7 @@ animations::ProjectorSample sample_of(const DrawnHighlight& drawn, std::size_t t
           .colour = drawn.controls.colour};
 }
 
-animations::MeshFrame frame_of(const world::MeshView& view, const scene::MeshScene& mesh,
+animations::MeshFrame frame_of(const world::WorldMesh& view, const scene::MeshScene& mesh,
                                Textures& textures) {
   animations::MeshFrame frame{view.motion().rotation, view.motion().translation_m, {}};
   for (const DrawnHighlight& drawn : view.highlights()) {
@@ -102,7 +102,7 @@ world::WorldParameters with_what_moves_meshes(world::WorldParameters parameters)
   return parameters;
 }
 
-void require_highlights(const scene::OceanScene& scene) {
+void require_highlights(const scene::Scene& scene) {
   for (const scene::MeshScene& mesh : scene.meshes) {
     if (mesh.shown == scene::MeshHighlights::on) return;
   }
@@ -113,7 +113,7 @@ void require_highlights(const scene::OceanScene& scene) {
 
 }  // namespace
 
-animations::HighlightAnimation record_highlights(const ocl::Device& device, scene::OceanScene scene,
+animations::HighlightAnimation record_highlights(const ocl::Device& device, scene::Scene scene,
                                                  const FrameRange& frames, Progress& progress,
                                                  const CancelToken& cancel) {
   require_highlights(scene);
@@ -123,18 +123,18 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, scen
   animations::HighlightAnimation animation{.generator = fmt::format("Offing {}", scene::version()),
                                            .frames_per_s = scene.frames_per_second,
                                            .first_frame = frames.first,
-                                           .lamps = {},
+                                           .lights = {},
                                            .textures = {},
                                            .meshes = {}};
-  for (const scene::LightScene& light : scene.lights) animation.lamps.push_back(light.name);
-  animation.lamps.emplace_back("sun");
+  for (const scene::LightScene& light : scene.lights) animation.lights.push_back(light.name);
+  animation.lights.emplace_back("sun");
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     animation.meshes.push_back({.name = world.meshes()[i].parameters().name,
                                 .file = scene.meshes[i].file,
                                 .scale = scene.meshes[i].scale,
                                 .frames = {}});
   }
-  const highlights::LightingAt lighting = scene::lighting_of(scene, world.ground());
+  const highlights::LightingAt lighting = scene::lighting_of(scene, world.terrain());
   const double first_s = frames.first / scene.frames_per_second;
   Textures textures(animation.textures);
   for (int frame = frames.first; frame <= frames.last; ++frame) {

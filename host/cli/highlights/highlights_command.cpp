@@ -71,7 +71,7 @@ Counts counts_of(const animations::HighlightAnimation& animation) {
 void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
   const std::filesystem::path output = arguments.output;
   animations::require_animation_name(output);
-  scene::OceanScene scene = scene::load_scene(arguments.scene, arguments.trust);
+  scene::Scene scene = scene::load_scene(arguments.scene, arguments.trust);
   GivenInputs inputs{scene::files_of(scene), arguments.trust};
   inputs.names.push_back(arguments.scene);
   require_new(arguments.output, arguments.existing, inputs);

@@ -45,8 +45,7 @@ struct BakeArguments {
   BakeSettings settings;
 };
 
-BakeSettings read_settings(const BakeArguments& arguments, const scene::OceanScene& scene,
-                           double water_depth_m) {
+BakeSettings read_settings(const BakeArguments& arguments, const scene::Scene& scene, double water_depth_m) {
   BakeSettings settings = arguments.settings;
   require_file_name(arguments.folder);
   settings.folder = arguments.folder;
@@ -106,7 +105,7 @@ nlohmann::json summary_json(const BakeSettings& settings, const scene::Sea& sea,
 
 /// What is asked for and cannot be done, and what is in the scene and not in the frames.
 void warn_of_waves_beside(const scene::Sea& sea, GerstnerUse use) {
-  if (use == GerstnerUse::included && !sea.has_trochoids()) {
+  if (use == GerstnerUse::included && !sea.has_gerstner_waves()) {
     spdlog::warn("--include-gerstner: not used: there are no Gerstner waves, swells or raindrops");
   }
   if (use == GerstnerUse::included && sea.parameters.loop_period_s && !sea.raindrops.empty()) {
@@ -138,7 +137,7 @@ void export_spectrum(const std::string& file, const scene::Sea& sea, Existing ex
 }
 
 void run(const BakeArguments& arguments, const GlobalOptions& options) {
-  const scene::OceanScene scene = arguments.parameters.read();
+  const scene::Scene scene = arguments.parameters.read();
   const scene::Sea sea = scene::prepare_sea(scene);
   const BakeSettings settings = read_settings(arguments, scene, sea.spectrum.dispersion.depth_m);
   const std::vector<ocl::DeviceInfo> devices = choose_devices(options.device);

@@ -67,15 +67,16 @@ void summarise(const std::vector<SurfaceMeasurement>& all, Certificate& certific
   }
 }
 
-/// What trochoids are expected to be: those of many seeds, each with its share of the energy, and the swells.
-std::vector<ocean::Trochoid> expected_trochoids(const scene::Sea& sea) {
-  std::vector<ocean::Trochoid> waves = sea.swells;
-  if (!sea.trochoid_choice) return waves;
+/// What Gerstner waves are expected to be: those of many seeds, each with its share of the energy, and the
+/// swells.
+std::vector<ocean::GerstnerWave> expected_gerstner_waves(const scene::Sea& sea) {
+  std::vector<ocean::GerstnerWave> waves = sea.swells;
+  if (!sea.gerstner_choice) return waves;
   constexpr int seeds = 16;
-  ocean::TrochoidChoice choice = *sea.trochoid_choice;
+  ocean::GerstnerChoice choice = *sea.gerstner_choice;
   choice.count = 64;
   for (choice.seed = 1; choice.seed <= seeds; ++choice.seed) {
-    for (ocean::Trochoid wave : ocean::choose_trochoids(sea.spectrum, choice)) {
+    for (ocean::GerstnerWave wave : ocean::choose_gerstner_waves(sea.spectrum, choice)) {
       wave.amplitude_m /= std::sqrt(seeds);
       waves.push_back(wave);
     }
@@ -84,7 +85,7 @@ std::vector<ocean::Trochoid> expected_trochoids(const scene::Sea& sea) {
 }
 
 void expect(const ocean::Ocean& sea, const ocean::Dispersion& dispersion,
-            const std::vector<ocean::Trochoid>& trochoids, Certificate& certificate) {
+            const std::vector<ocean::GerstnerWave>& gerstner_waves, Certificate& certificate) {
   const std::vector<ocean::Cascade>& cascades = sea.parameters().cascades;
   std::vector<std::vector<float>> variances;
   std::vector<ocean::ModeEnergies> modes;
@@ -94,8 +95,8 @@ void expect(const ocean::Ocean& sea, const ocean::Dispersion& dispersion,
     certificate.expected_cascade_m0_m2.push_back(
         std::accumulate(variances.back().begin(), variances.back().end(), 0.0));
   }
-  certificate.resolved = ocean::sea_state_of(modes, dispersion, trochoids);
-  certificate.standard_error = ocean::standard_error_of(modes, dispersion, certificate.seeds, trochoids);
+  certificate.resolved = ocean::sea_state_of(modes, dispersion, gerstner_waves);
+  certificate.standard_error = ocean::standard_error_of(modes, dispersion, certificate.seeds, gerstner_waves);
 }
 
 }  // namespace
@@ -108,7 +109,7 @@ EnergyShares energy_shares(const ocean::SeaSpectrum& spectrum, const std::vector
         ocean::integrate_sea_state(spectrum, cascade.k_min_radpm, cascade.k_max_radpm).m0_m2);
   }
   const double split_radpm = cascades.front().k_min_radpm;
-  shares.trochoid_m0_m2 = ocean::integrate_sea_state(spectrum, 0.0, split_radpm).m0_m2;
+  shares.gerstner_m0_m2 = ocean::integrate_sea_state(spectrum, 0.0, split_radpm).m0_m2;
   // Waves longer than the first patch fall into its K = 0, which moves nothing.
   const double too_long_m2 =
       ocean::still_cell_variance_m2(spectrum, cascades.front().patch_length_m, split_radpm);
@@ -124,7 +125,7 @@ Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds,
   Certificate certificate;
   certificate.seeds = seeds;
   certificate.asked = ocean::integrate_sea_state(sea.spectrum);
-  for (const ocean::Trochoid& swell : sea.swells) {
+  for (const ocean::GerstnerWave& swell : sea.swells) {
     certificate.swell_m0_m2 += 0.5 * swell.amplitude_m * swell.amplitude_m;
   }
   certificate.energy = energy_shares(sea.spectrum, sea.parameters.cascades);
@@ -132,30 +133,30 @@ Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds,
   ocean::OceanParameters parameters = sea.parameters;
   parameters.loop_period_s.reset();
   ocean::Ocean ocean(device, sea.spectrum, parameters);
-  expect(ocean, dispersion, expected_trochoids(sea), certificate);
+  expect(ocean, dispersion, expected_gerstner_waves(sea), certificate);
   SurfaceMeter meter(device, parameters.size);
   std::vector<SurfaceMeasurement> measurements;
-  double steepness = 0.0;  // of the trochoids, sum over the seeds
+  double steepness = 0.0;  // of the Gerstner waves, sum over the seeds
   for (int i = 0; i < seeds; ++i) {
     cancel.throw_if_cancelled();
     const std::uint64_t seed = parameters.seed + static_cast<std::uint64_t>(i);
     if (i > 0) {
       ocean.reseed(seed);
     }
-    ocean::TrochoidSea trochoids = scene::trochoids_of(sea, seed);
-    trochoids.loop_period_s.reset();
-    trochoids.raindrops.clear();
+    ocean::GerstnerSea gerstner_waves = scene::gerstner_waves_of(sea, seed);
+    gerstner_waves.loop_period_s.reset();
+    gerstner_waves.raindrops.clear();
     ocean.at(0.0);
-    measurements.push_back(meter.measure(ocean, trochoids));
-    steepness += ocean::horizontal_scale(trochoids).steepness;
+    measurements.push_back(meter.measure(ocean, gerstner_waves));
+    steepness += ocean::horizontal_scale(gerstner_waves).steepness;
     progress.advance();
   }
   summarise(measurements, certificate);
   const double cascade_mss =
       mean_and_spread(each(measurements, [](const SurfaceMeasurement& m) { return m.cascade_mss; })).mean;
   certificate.max_ka = steepness / seeds + 3.0 * std::sqrt(cascade_mss);
-  if (sea.trochoid_choice && seeds > 1) {
-    // Trochoids' frequencies and directions scatter besides, which theory leaves out.
+  if (sea.gerstner_choice && seeds > 1) {
+    // Gerstner waves' frequencies and directions scatter besides, which theory leaves out.
     certificate.standard_error.tm02_s = certificate.tm02_s.spread / std::sqrt(seeds);
     certificate.standard_error.mean_direction_rad = certificate.mean_direction_rad.spread / std::sqrt(seeds);
   }

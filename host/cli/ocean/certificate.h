@@ -13,7 +13,7 @@ namespace offing::cli {
 /// How the energy of a sea lies in its cascades, from the spectrum alone.
 struct EnergyShares {
   double m0_m2 = 0.0;                 ///< of the whole spectrum
-  double trochoid_m0_m2 = 0.0;        ///< longer than the first band, where that begins at a split
+  double gerstner_m0_m2 = 0.0;        ///< longer than the first band, where that begins at a split
   std::vector<double> cascade_m0_m2;  ///< within each cascade's band
   double out_of_band_m2 = 0.0;        ///< of neither
 };
@@ -38,8 +38,8 @@ struct Certificate {
   std::vector<double> measured_cascade_m0_m2;  ///< means over the seeds
   Measured hs_m, tp_s, tm01_s, tm02_s, mean_direction_rad, mss;
   Measured skewness, kurtosis, folded_share;
-  /// Sum of k A of the trochoids, and of the cascades 3 sqrt(mss), the steepness that one wave in 90 exceeds:
-  /// (ka)^2 is 2 mss on average, so that of Rayleigh's waves (Longuet-Higgins 1952) exp(-9 / 2) do.
+  /// Sum of k A of the Gerstner waves, and of the cascades 3 sqrt(mss), the steepness that one wave in 90
+  /// exceeds: (ka)^2 is 2 mss on average, so that of Rayleigh's waves (Longuet-Higgins 1952) exp(-9 / 2) do.
   double max_ka = 0.0;
 };
 

@@ -58,11 +58,11 @@ std::string cascade_text(const scene::Sea& sea, const EnergyShares& energy) {
   const auto out = std::back_inserter(text);
   const auto percent = [&](double m2) { return energy.m0_m2 > 0.0 ? 100.0 * m2 / energy.m0_m2 : 0.0; };
   fmt::format_to(out, "cascade  patch m  spacing m    wavelengths m        energy m^2   share\n");
-  if (sea.trochoid_choice) {
+  if (sea.gerstner_choice) {
     fmt::format_to(out, "{:<7}  {:>18}  {:>8.4g} ... {:<8}  {:>10.4g}  {:>5.2f} %\n", "gerstner",
-                   fmt::format("{} waves", sea.trochoid_choice->count),
-                   2.0 * std::numbers::pi / sea.trochoid_choice->split_radpm, "", energy.trochoid_m0_m2,
-                   percent(energy.trochoid_m0_m2));
+                   fmt::format("{} waves", sea.gerstner_choice->count),
+                   2.0 * std::numbers::pi / sea.gerstner_choice->split_radpm, "", energy.gerstner_m0_m2,
+                   percent(energy.gerstner_m0_m2));
   }
   for (std::size_t i = 0; i < sea.parameters.cascades.size(); ++i) {
     const ocean::Cascade& cascade = sea.parameters.cascades[i];
@@ -143,10 +143,10 @@ nlohmann::json certificate_json(const Certificate& c, const scene::Sea& sea, Dir
   json["seeds"] = c.seeds;
   json["m0_m2"] = c.energy.m0_m2;
   json["out_of_band_m2"] = c.energy.out_of_band_m2;
-  if (sea.trochoid_choice) {
-    json["gerstner"] = {{"count", sea.trochoid_choice->count},
-                        {"k_split_radpm", sea.trochoid_choice->split_radpm},
-                        {"spectrum_m0_m2", c.energy.trochoid_m0_m2}};
+  if (sea.gerstner_choice) {
+    json["gerstner"] = {{"count", sea.gerstner_choice->count},
+                        {"k_split_radpm", sea.gerstner_choice->split_radpm},
+                        {"spectrum_m0_m2", c.energy.gerstner_m0_m2}};
   }
   if (!sea.swells.empty()) {
     json["swells"] = {{"count", sea.swells.size()}, {"m0_m2", c.swell_m0_m2}};

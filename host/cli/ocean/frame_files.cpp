@@ -53,8 +53,8 @@ void remove_file(const fs::path& file) {
 }
 
 [[noreturn]] void refuse_folder(const fs::path& folder, const std::string& why,
-                                const char* mend = "name another folder with -o") {
-  throw Error(ErrorKind::file, fmt::format("{}: cannot write frames there: {}", folder.string(), why), mend);
+                                const char* hint = "name another folder with -o") {
+  throw Error(ErrorKind::file, fmt::format("{}: cannot write frames there: {}", folder.string(), why), hint);
 }
 
 }  // namespace

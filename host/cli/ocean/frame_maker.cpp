@@ -70,7 +70,7 @@ void require_host_room(const BakeSettings& settings, const scene::Sea& sea,
 
 FrameMaker::FrameMaker(const ocl::Device& device, const scene::Sea& sea, const BakeSettings& settings)
     : settings_(settings), ocean_(device, sea.spectrum, sea.parameters) {
-  if (settings.gerstner == GerstnerUse::included && sea.has_trochoids()) {
+  if (settings.gerstner == GerstnerUse::included && sea.has_gerstner_waves()) {
     gerstner_.emplace(device, sea);
   }
 }
@@ -104,9 +104,9 @@ BakedFrame FrameMaker::make(int frame) {
 GridMesh FrameMaker::make_mesh() {
   const int n = ocean_.parameters().size;
   const double spacing_m = ocean_.parameters().cascades.front().patch_length_m / n;
-  const ocean::ComposedFields sea =
-      ocean_.read_composed({.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = n, .rows = n},
-                           {.trochoids = gerstner_ ? gerstner_->trochoids() : ocean::TrochoidSea{}});
+  const ocean::ComposedFields sea = ocean_.read_composed(
+      {.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = n, .rows = n},
+      {.gerstner_waves = gerstner_ ? gerstner_->gerstner_waves() : ocean::GerstnerSea{}});
   GridMesh mesh;
   mesh.columns = n;
   mesh.rows = n;

@@ -32,7 +32,7 @@ class FrameWriter {
   const FrameFiles& files_;
   std::string scene_hash_;
   std::string spectrum_name_;
-  ocean::TrochoidSea trochoids_;
+  ocean::GerstnerSea gerstner_waves_;
   double hs_m_;
 };
 

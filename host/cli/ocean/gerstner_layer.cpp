@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "host/ocean/query/trochoid_instant.h"
+#include "host/ocean/query/gerstner_instant.h"
 
 namespace offing::cli {
 
@@ -18,7 +18,7 @@ void add(std::vector<float>& values, const std::vector<float>& more) {
 }  // namespace
 
 GerstnerLayer::GerstnerLayer(const ocl::Device& device, const scene::Sea& sea)
-    : trochoids_(scene::trochoids_of(sea, sea.parameters.seed)),
+    : gerstner_waves_(scene::gerstner_waves_of(sea, sea.parameters.seed)),
       foam_(sea.parameters.foam),
       instants_(sea.parameters.foam, sea.parameters.loop_period_s),
       surface_(device) {
@@ -33,8 +33,8 @@ BakedFrame::CascadeFields GerstnerLayer::with_waves(const BakedFrame::CascadeFie
                                                     ocean::Ocean& sea, double time_s,
                                                     double velocity_depth_m) {
   BakedFrame::CascadeFields fields = spectral;
-  surface_.at(trochoids_, labels_, time_s);
-  const ocean::TrochoidFields waves = surface_.read();
+  surface_.at(gerstner_waves_, labels_, time_s);
+  const ocean::GerstnerFields waves = surface_.read();
   ocean::SurfaceFields& surface = fields.surface;
   add(surface.displacement_x, waves.displacement_x);
   add(surface.displacement_y, waves.displacement_y);
@@ -44,7 +44,7 @@ BakedFrame::CascadeFields GerstnerLayer::with_waves(const BakedFrame::CascadeFie
   add(surface.gradient_xx, waves.gradient_xx);
   add(surface.gradient_xz, waves.gradient_xz);
   add(surface.gradient_zz, waves.gradient_zz);
-  ocean::ComposedFields composed = sea.read_composed(labels_, {.trochoids = trochoids_});
+  ocean::ComposedFields composed = sea.read_composed(labels_, {.gerstner_waves = gerstner_waves_});
   surface.jacobian = std::move(composed.jacobian);
   surface.jacobian_min_eigenvalue = std::move(composed.jacobian_min_eigenvalue);
   if (!fields.foam.empty()) {
@@ -83,7 +83,7 @@ const std::vector<float>& GerstnerLayer::coverage_at(ocean::Ocean& sea, std::int
     return found->second;
   }
   sea.at(static_cast<double>(key) * instants_.step_s());
-  std::vector<float> coverage = sea.read_composed(labels_, {.trochoids = trochoids_}).jacobian;
+  std::vector<float> coverage = sea.read_composed(labels_, {.gerstner_waves = gerstner_waves_}).jacobian;
   for (float& value : coverage) {
     value = static_cast<float>(std::clamp((foam_.onset_jacobian - value) / foam_.width, 0.0, 1.0));
   }
@@ -91,7 +91,7 @@ const std::vector<float>& GerstnerLayer::coverage_at(ocean::Ocean& sea, std::int
 }
 
 void GerstnerLayer::add_velocity(ocean::VelocityFields& velocity, double time_s, double depth_m) const {
-  const ocean::TrochoidInstant instant(trochoids_, time_s);
+  const ocean::GerstnerInstant instant(gerstner_waves_, time_s);
   for (std::size_t i = 0; i < velocity.x.size(); ++i) {
     const auto columns = static_cast<std::size_t>(labels_.columns);
     const ocean::ParticleVelocity more =

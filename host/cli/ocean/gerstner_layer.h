@@ -6,7 +6,7 @@
 
 #include "host/cli/ocean/baked_frame.h"
 #include "host/ocean/surface/foam_instants.h"
-#include "host/ocean/surface/trochoid_surface.h"
+#include "host/ocean/surface/gerstner_surface.h"
 #include "host/scene/prepare/sea.h"
 
 namespace offing::cli {
@@ -16,7 +16,7 @@ class GerstnerLayer {
  public:
   GerstnerLayer(const ocl::Device& device, const scene::Sea& sea);
 
-  const ocean::TrochoidSea& trochoids() const { return trochoids_; }
+  const ocean::GerstnerSea& gerstner_waves() const { return gerstner_waves_; }
 
   /// The cascade's fields and the waves added up; Jacobian, eigenvalue and foam are those of all cascades and
   /// waves together, at the labels of this one. Foam and velocity where `spectral` has them. `sea` is at
@@ -29,11 +29,11 @@ class GerstnerLayer {
   const std::vector<float>& coverage_at(ocean::Ocean& sea, std::int64_t instant);
   void add_velocity(ocean::VelocityFields& velocity, double time_s, double depth_m) const;
 
-  ocean::TrochoidSea trochoids_;
+  ocean::GerstnerSea gerstner_waves_;
   ocean::FoamParameters foam_;
   ocean::FoamInstants instants_;
   ocean::SampleGrid labels_;  // those of the cascade
-  ocean::TrochoidSurface surface_;
+  ocean::GerstnerSurface surface_;
   std::map<std::int64_t, std::vector<float>>
       coverages_;  // by key of the instant, as the next frame needs them
 };

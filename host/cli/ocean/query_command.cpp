@@ -187,7 +187,7 @@ ocean::WaterQuery read_query(const QueryArguments& arguments, double water_depth
   return query;
 }
 
-void answer(ocean::Ocean& sea, const ocean::TrochoidSea& trochoids, const ocean::WaterQuery& query,
+void answer(ocean::Ocean& sea, const ocean::GerstnerSea& gerstner_waves, const ocean::WaterQuery& query,
             const TimeRange& times, PointSource& points, AnswerSink& sink, const GlobalOptions& options) {
   Progress progress(static_cast<int>(times.count), "times",
                     times.count > 1 ? options.verbosity : Verbosity::quiet);
@@ -197,7 +197,7 @@ void answer(ocean::Ocean& sea, const ocean::TrochoidSea& trochoids, const ocean:
     points.rewind();
     for (auto block = points.next(); !block.empty(); block = points.next()) {
       options.cancel.throw_if_cancelled();
-      const std::vector<ocean::WaterSample> samples = sea.sample(block, trochoids, query);
+      const std::vector<ocean::WaterSample> samples = sea.sample(block, gerstner_waves, query);
       for (std::size_t point = 0; point < block.size(); ++point) {
         sink.add({time_s, block[point], samples[point]});
       }
@@ -231,7 +231,7 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
                 "add -o FILE, or leave --force out");
   }
   const TimeRange times = read_times(arguments);
-  const scene::OceanScene scene = arguments.parameters.read();
+  const scene::Scene scene = arguments.parameters.read();
   const scene::Sea sea = scene::prepare_sea(scene);
   warn_of_water_left_out(scene, "answers");
   const ocean::WaterQuery query = read_query(arguments, sea.spectrum.dispersion.depth_m);
@@ -239,7 +239,7 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
   AnswerSink sink(arguments, times, query.depth_m, arguments.parameters.inputs(scene));
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   ocean::Ocean ocean(device, sea.spectrum, sea.parameters);
-  answer(ocean, scene::trochoids_of(sea, sea.parameters.seed), query, times, points, sink, options);
+  answer(ocean, scene::gerstner_waves_of(sea, sea.parameters.seed), query, times, points, sink, options);
   if (sink.missed() > 0) {
     spdlog::warn(
         "{} of {} samples miss their point by more than {:g} m, under crests that fold: see residual_m",

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "host/ocean/query/trochoid_instant.h"
+#include "host/ocean/query/gerstner_instant.h"
 #include "host/ocean/spectrum/sea_statistics.h"
 
 namespace offing::cli {
@@ -35,9 +35,9 @@ int texel(double position_m, double patch_length_m, int size) {
   return std::min(static_cast<int>((turns - std::floor(turns)) * size), size - 1);
 }
 
-/// Moments of the elevation and the folded share, of all cascades and trochoids together.
+/// Moments of the elevation and the folded share, of all cascades and Gerstner waves together.
 void measure_shape(const std::vector<ocean::SurfaceFields>& surfaces,
-                   const std::vector<ocean::Cascade>& cascades, const ocean::TrochoidInstant& trochoids,
+                   const std::vector<ocean::Cascade>& cascades, const ocean::GerstnerInstant& gerstner_waves,
                    SurfaceMeasurement& measurement) {
   double square_m_longest = 0.0;
   for (const ocean::Cascade& cascade : cascades) {
@@ -48,7 +48,7 @@ void measure_shape(const std::vector<ocean::SurfaceFields>& surfaces,
   for (int i = 0; i < sample_count; ++i) {
     const auto [u, v] = label(i);
     const double square_m = square_patches * square_m_longest;
-    const ocean::TrochoidValues values = trochoids.at(u * square_m, v * square_m);
+    const ocean::GerstnerValues values = gerstner_waves.at(u * square_m, v * square_m);
     double height_m = values.displacement_y_m;
     double xx = 1.0 + values.gradient_xx, xz = values.gradient_xz, zz = 1.0 + values.gradient_zz;
     for (std::size_t c = 0; c < cascades.size(); ++c) {
@@ -82,8 +82,8 @@ SurfaceMeter::SurfaceMeter(const ocl::Device& device, int size)
       packed_(device, forward_.float_count(), "measured surface"),
       transformed_(device, forward_.float_count(), "transformed surface") {}
 
-SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea, const ocean::TrochoidSea& trochoids) {
-  const ocean::Dispersion& dispersion = trochoids.dispersion;
+SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea, const ocean::GerstnerSea& gerstner_waves) {
+  const ocean::Dispersion& dispersion = gerstner_waves.dispersion;
   const std::vector<ocean::Cascade>& cascades = sea.parameters().cascades;
   SurfaceMeasurement measurement;
   std::vector<ocean::SurfaceFields> surfaces;
@@ -98,9 +98,9 @@ SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea, const ocean::Trochoi
     measurement.cascade_m0_m2.push_back(std::accumulate(energies.back().begin(), energies.back().end(), 0.0));
     modes.push_back({cascades[i].patch_length_m, surfaces.back().size, energies.back()});
   }
-  measurement.state = ocean::sea_state_of(modes, dispersion, trochoids.waves);
+  measurement.state = ocean::sea_state_of(modes, dispersion, gerstner_waves.waves);
   measurement.cascade_mss = ocean::sea_state_of(modes, dispersion).mss;
-  measure_shape(surfaces, cascades, ocean::TrochoidInstant(trochoids, 0.0), measurement);
+  measure_shape(surfaces, cascades, ocean::GerstnerInstant(gerstner_waves, 0.0), measurement);
   return measurement;
 }
 

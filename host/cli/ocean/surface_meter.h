@@ -21,14 +21,14 @@ struct SurfaceMeasurement {
 };
 
 /// Measures a sea from its surface alone: the cascades' elevation and its rate of change, not the amplitudes
-/// they were made from. Trochoids are the surface that they are.
+/// they were made from. Gerstner waves are the surface that they are.
 class SurfaceMeter {
  public:
   /// `size` samples along a patch, as the seas to be measured have.
   SurfaceMeter(const ocl::Device& device, int size);
 
-  /// The sea, which stands at time 0, with these trochoids, which follow the same dispersion.
-  SurfaceMeasurement measure(ocean::Ocean& sea, const ocean::TrochoidSea& trochoids);
+  /// The sea, which stands at time 0, with these Gerstner waves, which follow the same dispersion.
+  SurfaceMeasurement measure(ocean::Ocean& sea, const ocean::GerstnerSea& gerstner_waves);
 
  private:
   std::vector<float> travelling_energies(const ocean::SurfaceFields& surface,

@@ -6,7 +6,7 @@
 
 namespace offing::cli {
 
-void warn_of_water_left_out(const scene::OceanScene& scene, const char* results) {
+void warn_of_water_left_out(const scene::Scene& scene, const char* results) {
   const auto warn = [&](const std::string& part, const char* what) {
     spdlog::warn("{}: {} leave out {}; offing-view and worlds of the C interface include it", part, results,
                  what);

@@ -94,7 +94,7 @@ class SeaMap {
     }
   }
 
-  void fill_row(int row, const ocean::TrochoidInstant& long_waves) {
+  void fill_row(int row, const ocean::GerstnerInstant& long_waves) {
     float* const heights = &heights_m_[at(0, row, side_)];
     float* const foam = &foam_[at(0, row, side_)];
     for (std::size_t i = 0; i < layers_.size(); ++i) {
@@ -107,7 +107,7 @@ class SeaMap {
           foam[column] += (1.0f - foam[column]) * std::clamp(mixed(layer.foam, layer.side, x, z), 0.0f, 1.0f);
       }
     }
-    for (const ocean::TrochoidInstant::Wave& wave : long_waves.waves()) add_wave(wave, row, heights);
+    for (const ocean::GerstnerInstant::Wave& wave : long_waves.waves()) add_wave(wave, row, heights);
   }
 
   void shade_row(int row, double hs_m, RgbImage& image) const {
@@ -136,7 +136,7 @@ class SeaMap {
   float height_m(int column, int row) const { return heights_m_[at(column, row, side_)]; }
 
   /// A phase is turned from pixel to pixel, which takes no cosine.
-  void add_wave(const ocean::TrochoidInstant::Wave& wave, int row, float* heights) const {
+  void add_wave(const ocean::GerstnerInstant::Wave& wave, int row, float* heights) const {
     std::complex<double> now = std::polar(
         wave.amplitude_m, wave.kx_radpm * place_m(0) + wave.kz_radpm * place_m(row) + wave.phase_rad);
     const std::complex<double> turn = std::polar(1.0, wave.kx_radpm * pixel_m_);
@@ -156,7 +156,7 @@ class SeaMap {
 
 }  // namespace
 
-RgbImage draw_sea_map(std::span<const SeaMapCascade> cascades, const ocean::TrochoidInstant& long_waves,
+RgbImage draw_sea_map(std::span<const SeaMapCascade> cascades, const ocean::GerstnerInstant& long_waves,
                       double hs_m) {
   if (cascades.empty()) throw Error(ErrorKind::bad_input, "preview: no cascade", "give at least one");
   const int side = std::clamp(cascades[0].surface->size, smallest_side, largest_side);

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "host/io/png_image.h"
-#include "host/ocean/query/trochoid_instant.h"
+#include "host/ocean/query/gerstner_instant.h"
 #include "host/ocean/surface/ocean.h"
 
 namespace offing::cli {
@@ -21,7 +21,7 @@ struct SeaMapCascade {
 /// Slopes are drawn three times as steep as they are. A side has 256 to 1024 pixels, the samples of a cascade
 /// where it can; waves shorter than a pixel are averaged away. Points stand at their rest labels: horizontal
 /// displacement is left out. Throws Error(bad_input) without a cascade.
-RgbImage draw_sea_map(std::span<const SeaMapCascade> cascades, const ocean::TrochoidInstant& long_waves,
+RgbImage draw_sea_map(std::span<const SeaMapCascade> cascades, const ocean::GerstnerInstant& long_waves,
                       double hs_m);
 
 }  // namespace offing::cli

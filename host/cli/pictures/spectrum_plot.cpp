@@ -17,7 +17,7 @@
 namespace offing::cli {
 namespace {
 
-constexpr int picture_width = 1240, picture_height = 620;
+constexpr int image_width = 1240, image_height = 620;
 constexpr double left_px = 85, right_px = 610, top_px = 120, bottom_px = 555;  // frame of the frequency plot
 constexpr Point rose{895, 335};
 constexpr double rose_radius_px = 215;
@@ -224,7 +224,7 @@ RgbImage draw_spectrum_plot(const WaveSpectrum& record, const ocean::SeaState& s
                 "plot: the record's energies and spreading do not match its frequencies",
                 "pass a record as the readers return it");
   }
-  PlotCanvas canvas(picture_width, picture_height);
+  PlotCanvas canvas(image_width, image_height);
   draw_heading(canvas, record, state);
   draw_frequency_plot(canvas, record);
   draw_rose(canvas, record, style);

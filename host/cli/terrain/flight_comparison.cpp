@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/terrain/cast/picture.h"
+#include "host/terrain/cast/image_rays.h"
 
 namespace offing::cli {
 

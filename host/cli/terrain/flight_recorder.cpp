@@ -6,9 +6,9 @@
 
 #include <sys/resource.h>
 
-#include "host/cli/pictures/terrain_picture.h"
+#include "host/cli/pictures/terrain_render.h"
 #include "host/sky/sun_position.h"
-#include "host/terrain/cast/picture.h"
+#include "host/terrain/cast/image_rays.h"
 
 namespace offing::cli {
 

@@ -5,7 +5,7 @@
 #include <CLI/Option.hpp>
 
 #include "host/base/argument.h"
-#include "host/scene/prepare/stored_ground.h"
+#include "host/scene/prepare/stored_terrain.h"
 
 namespace offing::cli {
 

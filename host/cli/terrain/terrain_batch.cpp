@@ -39,9 +39,9 @@ void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::s
   add_force_flag(command, existing_)->group(group)->needs(points);
 }
 
-void TerrainBatch::require_question(const std::string& single, const TerrainInput& ground) const {
+void TerrainBatch::require_question(const std::string& single, const TerrainInput& terrain) const {
   if (!is_standard_output(output_))
-    require_new(output_, existing_, {{ground.file(), points_}, ground.trust()});
+    require_new(output_, existing_, {{terrain.file(), points_}, terrain.trust()});
   if (is_asked() || !single.empty()) return;
   throw Error(ErrorKind::bad_usage, fmt::format("expected {} or --points, found neither", single_),
               "give one question, or a file of them");

@@ -27,7 +27,7 @@ class TerrainBatch {
   bool is_asked() const { return !points_.empty(); }
   /// Throws Error(bad_usage) unless there is a batch or what the flag of a single question says, and what
   /// require_new() throws; `ground` is the file that is asked.
-  void require_question(const std::string& single, const TerrainInput& ground) const;
+  void require_question(const std::string& single, const TerrainInput& terrain) const;
 
   /// Answers block by block, under a heading, to the file of -o, whole or not at all, or to standard output.
   /// Throws what NumberTable, AtomicFile and `answer` throw.

@@ -8,7 +8,7 @@
 #include <spdlog/spdlog.h>
 
 #include "host/base/argument.h"
-#include "host/terrain/field/ground.h"
+#include "host/terrain/field/terrain_posts.h"
 #include "host/terrain/walk/eye_place.h"
 #include "host/terrain/walk/flying_camera.h"
 
@@ -20,34 +20,34 @@ constexpr double eye_height_m = 1.7;
 
 }  // namespace
 
-CameraGround camera_ground(const HeightMap& map) {
+CameraTerrain camera_terrain(const HeightMap& map) {
   return {.extent = terrain::extent_of(map),
-          .under = [&map](double x_m, double z_m) { return *terrain::ground_at(map, x_m, z_m); }};
+          .under = [&map](double x_m, double z_m) { return *terrain::terrain_at(map, x_m, z_m); }};
 }
 
-CameraGround camera_ground(terrain::TiledField& field) {
+CameraTerrain camera_terrain(terrain::TiledField& field) {
   const terrain::TiledMap& map = field.map();
-  return {
-      .extent = {.width_m = map.width_m(), .depth_m = map.depth_m(), .highest_m = map.highest_m},
-      .under =
-          [&field](double x_m, double z_m) {
-            // With the eye there, the tile is of the finest level.
-            const double above_m = field.map().highest_m + 1.0;
-            field.look_and_wait({.eye_m = {x_m, field.map().lowest_m, z_m}});
-            const terrain::RayHit hit =
-                field.cast(std::vector{terrain::Ray{.origin_m = {x_m, above_m, z_m}}}).front();
-            return terrain::GroundPoint{above_m - hit.distance_m, {hit.normal_x, hit.normal_y, hit.normal_z}};
-          },
-      .ends = map.edge == terrain::MapEdge::ends};
+  return {.extent = {.width_m = map.width_m(), .depth_m = map.depth_m(), .highest_m = map.highest_m},
+          .under =
+              [&field](double x_m, double z_m) {
+                // With the eye there, the tile is of the finest level.
+                const double above_m = field.map().highest_m + 1.0;
+                field.look_and_wait({.eye_m = {x_m, field.map().lowest_m, z_m}});
+                const terrain::RayHit hit =
+                    field.cast(std::vector{terrain::Ray{.origin_m = {x_m, above_m, z_m}}}).front();
+                return terrain::TerrainPoint{above_m - hit.distance_m,
+                                             {hit.normal_x, hit.normal_y, hit.normal_z}};
+              },
+          .ends = map.edge == terrain::MapEdge::ends};
 }
 
-Camera read_terrain_camera(std::string_view text, const CameraGround& ground) {
+Camera read_terrain_camera(std::string_view text, const CameraTerrain& terrain) {
   Camera camera;
   if (text == "fly") {
-    camera = terrain::flying_camera(ground.extent);
+    camera = terrain::flying_camera(terrain.extent);
   } else if (text == "walk") {
-    const double x_m = 0.5 * ground.extent.width_m, z_m = 0.5 * ground.extent.depth_m;
-    const terrain::GroundPoint below = ground.under(x_m, z_m);
+    const double x_m = 0.5 * terrain.extent.width_m, z_m = 0.5 * terrain.extent.depth_m;
+    const terrain::TerrainPoint below = terrain.under(x_m, z_m);
     camera.eye_m = {x_m, below.height_m + eye_height_m, z_m};
     // Level ground has no way down: north.
     camera.yaw_rad = std::atan2(below.normal.x, -below.normal.z);
@@ -64,26 +64,26 @@ Camera read_terrain_camera(std::string_view text, const CameraGround& ground) {
   return camera;
 }
 
-void keep_above_ground(Camera& camera, const CameraGround& ground) {
-  if (ground.ends) {
-    if (const auto warning = terrain::warning_off_map(camera.eye_m, ground.extent)) {
+void keep_above_ground(Camera& camera, const CameraTerrain& terrain) {
+  if (terrain.ends) {
+    if (const auto warning = terrain::warning_off_map(camera.eye_m, terrain.extent)) {
       spdlog::warn("{}", *warning);
       return;
     }
   }
-  if (camera.eye_m.y > ground.extent.highest_m) return;
+  if (camera.eye_m.y > terrain.extent.highest_m) return;
   double x_m = camera.eye_m.x, z_m = camera.eye_m.z;
-  if (ground.ends) {
+  if (terrain.ends) {
     // An eye on the edge may be beyond it by rounding.
-    x_m = std::clamp(x_m, 0.0, ground.extent.width_m);
-    z_m = std::clamp(z_m, 0.0, ground.extent.depth_m);
+    x_m = std::clamp(x_m, 0.0, terrain.extent.width_m);
+    z_m = std::clamp(z_m, 0.0, terrain.extent.depth_m);
   }
-  const double ground_m = ground.under(x_m, z_m).height_m;
-  const auto warning = terrain::lift_out_of_ground(camera.eye_m, ground_m, eye_height_m);
+  const double terrain_m = terrain.under(x_m, z_m).height_m;
+  const auto warning = terrain::lift_out_of_terrain(camera.eye_m, terrain_m, eye_height_m);
   if (warning) spdlog::warn("{}", *warning);
 }
 
-void read_picture_size(std::string_view text, Camera& camera) {
+void read_image_size(std::string_view text, Camera& camera) {
   constexpr int most_px = 16384;
   const std::size_t cross = text.find('x');
   if (cross == std::string_view::npos) throw bad_argument("--size", "WIDTHxHEIGHT", text, "1280x720");

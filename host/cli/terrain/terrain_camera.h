@@ -5,32 +5,32 @@
 
 #include "host/base/camera.h"
 #include "host/base/height_map.h"
-#include "host/terrain/field/ground.h"
+#include "host/terrain/field/terrain_posts.h"
 #include "host/terrain/tiles/tiled_field.h"
 #include "host/terrain/walk/flying_camera.h"
 
 namespace offing::cli {
 
 /// What a camera needs to know of the ground that it stands on, whose first post is at x = z = 0.
-struct CameraGround {
-  terrain::GroundExtent extent;
-  std::function<terrain::GroundPoint(double x_m, double z_m)> under;
+struct CameraTerrain {
+  terrain::TerrainExtent extent;
+  std::function<terrain::TerrainPoint(double x_m, double z_m)> under;
   bool ends = true;  ///< at its edges
 };
 
 /// Those of a map and of a field, which must live as long.
-CameraGround camera_ground(const HeightMap& map);
-CameraGround camera_ground(terrain::TiledField& field);
+CameraTerrain camera_terrain(const HeightMap& map);
+CameraTerrain camera_terrain(terrain::TiledField& field);
 
 /// Where a camera of `--camera` stands: "fly" (over the middle of the southern edge, 300 m above the highest
 /// post, looking north and 15 degrees down), "walk" (on the ground in the middle of the map, 1.7 m high,
 /// looking where it falls) or "X,Y,Z,YAW_DEG,PITCH_DEG". Throws Error(bad_usage) for anything else.
-Camera read_terrain_camera(std::string_view text, const CameraGround& ground);
+Camera read_terrain_camera(std::string_view text, const CameraTerrain& terrain);
 
 /// Lifts a camera whose eye is in the ground to a walker's height, and warns of that and of one off the map.
-void keep_above_ground(Camera& camera, const CameraGround& ground);
+void keep_above_ground(Camera& camera, const CameraTerrain& terrain);
 
 /// `--size WxH`, the pixels of a camera. Throws Error(bad_usage) for anything else.
-void read_picture_size(std::string_view text, Camera& camera);
+void read_image_size(std::string_view text, Camera& camera);
 
 }  // namespace offing::cli

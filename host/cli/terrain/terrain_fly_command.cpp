@@ -15,7 +15,7 @@
 #include "host/base/error_report.h"
 #include "host/base/progress.h"
 #include "host/cli/common/device_choice.h"
-#include "host/cli/pictures/terrain_picture.h"
+#include "host/cli/pictures/terrain_render.h"
 #include "host/cli/terrain/flight_comparison.h"
 #include "host/cli/terrain/flight_path.h"
 #include "host/cli/terrain/flight_recorder.h"
@@ -69,7 +69,7 @@ std::vector<Camera> path_over(const terrain::TiledField& field, const FlightSett
                    .bound_m = [&](double x_m, double z_m) { return field.coarse_height_m(x_m, z_m); }});
   for (Camera& camera : cameras) {
     camera.vertical_field_of_view_rad = 60.0 * radians;
-    read_picture_size(size, camera);
+    read_image_size(size, camera);
   }
   return cameras;
 }
@@ -156,7 +156,7 @@ class Flying {
   }
 
   /// Of every picture that is written.
-  FrameName picture_name() const { return FrameName("-o", "frame.%06d.png", "frames").in(arguments_.output); }
+  FrameName image_name() const { return FrameName("-o", "frame.%06d.png", "frames").in(arguments_.output); }
 
   void make_folder() const {
     std::error_code status;
@@ -168,15 +168,14 @@ class Flying {
           "name a folder where you may write with -o");
     }
     const GivenInputs inputs{{arguments_.store, arguments_.compared}, arguments_.trust};
-    require_new_frames(picture_name(), {0, settings_.frames - 1}, arguments_.existing, inputs,
-                       settings_.every);
+    require_new_frames(image_name(), {0, settings_.frames - 1}, arguments_.existing, inputs, settings_.every);
   }
 
   void keep(int frame, const Camera& camera, FlightRecorder& recorder) {
     if (!arguments_.output.empty()) {
       const TerrainScenery scenery{
           .lines = world::cover_lines(store_.header().centre_latitude_deg.value_or(usual_latitude_deg))};
-      write_png(picture_name().of(frame),
+      write_png(image_name().of(frame),
                 draw_terrain(device_, field_, camera, scenery, TerrainShow::light).image,
                 arguments_.existing);
     }

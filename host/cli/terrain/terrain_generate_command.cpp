@@ -60,9 +60,9 @@ terrain::FractalParameters read_parameters(const TerrainGenerateArguments& argum
 }
 
 /// Floats without a header (.r32), or a GeoTIFF.
-class GroundFile {
+class TerrainFile {
  public:
-  GroundFile(const std::string& name, int posts, double spacing_m, Existing existing) {
+  TerrainFile(const std::string& name, int posts, double spacing_m, Existing existing) {
     if (name.ends_with(".r32")) {
       raw_.emplace(name, existing);
     } else {
@@ -95,7 +95,7 @@ void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options
   const bool is_raw = arguments.output.ends_with(".r32");
   const double spacing_m = parameters.side_m / (parameters.posts - 1);
   require_new(arguments.output, arguments.existing);
-  GroundFile file(arguments.output, parameters.posts, spacing_m, arguments.existing);
+  TerrainFile file(arguments.output, parameters.posts, spacing_m, arguments.existing);
   float lowest_m = 0.0f, highest_m = 0.0f;
   {
     Progress progress(parameters.posts, "rows", options.verbosity);

@@ -7,8 +7,8 @@
 
 #include "host/base/argument.h"
 #include "host/cli/terrain/terrain_batch.h"
-#include "host/cli/terrain/terrain_ground.h"
 #include "host/cli/terrain/terrain_place.h"
+#include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/print_json.h"
 
 namespace offing::cli {
@@ -24,29 +24,29 @@ struct TerrainHeightArguments {
 };
 
 struct Answer {
-  terrain::GroundPoint ground;
+  terrain::TerrainPoint terrain;
   bool is_measured;
 };
 
 /// `place` names where the question comes from.
 Answer answer_to(const TerrainHeightArguments& arguments, const std::string& place,
-                 const terrain::GroundPosts& posts, double x_m, double z_m) {
-  terrain::GroundPoint ground = ground_under(place, posts, x_m, z_m);
-  if (arguments.smooth_normals) ground.normal = *terrain::smooth_normal_at(posts, x_m, z_m);
-  return {ground, *terrain::is_measured_at(posts, x_m, z_m)};
+                 const terrain::TerrainPosts& posts, double x_m, double z_m) {
+  terrain::TerrainPoint terrain = terrain_under(place, posts, x_m, z_m);
+  if (arguments.smooth_normals) terrain.normal = *terrain::smooth_normal_at(posts, x_m, z_m);
+  return {terrain, *terrain::is_measured_at(posts, x_m, z_m)};
 }
 
-void answer_one(const TerrainHeightArguments& arguments, const terrain::GroundPosts& posts,
+void answer_one(const TerrainHeightArguments& arguments, const terrain::TerrainPosts& posts,
                 const std::vector<double>& place) {
-  const auto [ground, is_measured] = answer_to(arguments, "--at", posts, place[0], place[1]);
+  const auto [terrain, is_measured] = answer_to(arguments, "--at", posts, place[0], place[1]);
   if (arguments.json) {
-    print_json({{"height_m", ground.height_m},
-                {"normal", to_json(ground.normal)},
-                {"slope_deg", slope_deg(ground.normal)},
+    print_json({{"height_m", terrain.height_m},
+                {"normal", to_json(terrain.normal)},
+                {"slope_deg", slope_deg(terrain.normal)},
                 {"measured", is_measured}});
   } else {
-    fmt::print("height {:.3f} m, slope {:.2f} degrees, normal ({:.4f}, {:.4f}, {:.4f}){}\n", ground.height_m,
-               slope_deg(ground.normal), ground.normal.x, ground.normal.y, ground.normal.z,
+    fmt::print("height {:.3f} m, slope {:.2f} degrees, normal ({:.4f}, {:.4f}, {:.4f}){}\n", terrain.height_m,
+               slope_deg(terrain.normal), terrain.normal.x, terrain.normal.y, terrain.normal.z,
                is_measured ? "" : "; not measured: the map has a void here, which was filled in");
   }
 }
@@ -55,18 +55,18 @@ void run(const TerrainHeightArguments& arguments, const GlobalOptions& options) 
   arguments.batch.require_question(arguments.at, arguments.input);
   std::vector<double> place;
   if (!arguments.batch.is_asked()) place = read_numbers("--at", arguments.at, 2, "X,Z", "1200,350.5");
-  const TerrainGround of(arguments.input, {});
+  const TerrainSource of(arguments.input, {});
   if (!arguments.batch.is_asked()) return answer_one(arguments, of.posts(), place);
   arguments.batch.answer(
       "x_m,z_m,height_m,normal_x,normal_y,normal_z,slope_deg,measured",
       [&](const std::vector<double>& rows, const NumberTable& table, std::string& text) {
         for (std::size_t i = 0; i < rows.size(); i += 2) {
           const double x_m = rows[i], z_m = rows[i + 1];
-          const auto [ground, is_measured] =
+          const auto [terrain, is_measured] =
               answer_to(arguments, table.place_of(i / 2), of.posts(), x_m, z_m);
           fmt::format_to(std::back_inserter(text), "{:.12g},{:.12g},{:.9g},{:.7g},{:.7g},{:.7g},{:.7g},{}\n",
-                         x_m, z_m, ground.height_m, ground.normal.x, ground.normal.y, ground.normal.z,
-                         slope_deg(ground.normal), is_measured ? 1 : 0);
+                         x_m, z_m, terrain.height_m, terrain.normal.x, terrain.normal.y, terrain.normal.z,
+                         slope_deg(terrain.normal), is_measured ? 1 : 0);
         }
       },
       options);

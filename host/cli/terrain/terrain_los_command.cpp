@@ -13,8 +13,8 @@
 #include "host/cli/common/device_choice.h"
 #include "host/cli/terrain/earth_curve_flags.h"
 #include "host/cli/terrain/terrain_batch.h"
-#include "host/cli/terrain/terrain_ground.h"
 #include "host/cli/terrain/terrain_place.h"
+#include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/print_json.h"
 
 namespace offing::cli {
@@ -59,7 +59,7 @@ struct Sight {
 };
 
 /// Between two points, each as x, z and the height above ground. Errors name the place of a bad one.
-Sight sight_between(const terrain::GroundPosts& posts, const terrain::EarthCurve& curve,
+Sight sight_between(const terrain::TerrainPosts& posts, const terrain::EarthCurve& curve,
                     const std::string& from_place, std::span<const double> from, const std::string& to_place,
                     std::span<const double> to) {
   const auto eye = [&](const std::string& place, std::span<const double> point) {
@@ -69,7 +69,8 @@ Sight sight_between(const terrain::GroundPosts& posts, const terrain::EarthCurve
           fmt::format("{}: expected a height above ground of 0 or more, found {:g} m", place, point[2]),
           "give X,Z,H such as 1200,350,1.7");
     }
-    return glm::dvec3(point[0], ground_under(place, posts, point[0], point[1]).height_m + point[2], point[1]);
+    return glm::dvec3(point[0], terrain_under(place, posts, point[0], point[1]).height_m + point[2],
+                      point[1]);
   };
   const glm::dvec3 from_m = eye(from_place, from);
   glm::dvec3 to_m = eye(to_place, to);
@@ -105,7 +106,7 @@ void answer_one(const Sight& sight, const terrain::RayHit& hit, bool is_json) {
   }
 }
 
-void answer_all(const TerrainLosArguments& arguments, TerrainGround& ground, const GlobalOptions& options) {
+void answer_all(const TerrainLosArguments& arguments, TerrainSource& terrain, const GlobalOptions& options) {
   const terrain::EarthCurve curve = arguments.curve.read();
   arguments.batch.answer(
       "from_x_m,from_z_m,from_height_m,to_x_m,to_z_m,to_height_m,visible,distance_m,hidden_at_m",
@@ -115,10 +116,10 @@ void answer_all(const TerrainLosArguments& arguments, TerrainGround& ground, con
         for (std::size_t i = 0; i < rows.size(); i += 6) {
           const std::string place = table.place_of(i / 6);
           const std::span<const double> row = std::span(rows).subspan(i, 6);
-          sights.push_back(sight_between(ground.posts(), curve, place, row.first(3), place, row.subspan(3)));
+          sights.push_back(sight_between(terrain.posts(), curve, place, row.first(3), place, row.subspan(3)));
           rays.push_back(sights.back().ray());
         }
-        const std::vector<terrain::RayHit> hits = ground.cast(rays, curve);
+        const std::vector<terrain::RayHit> hits = terrain.cast(rays, curve);
         for (std::size_t i = 0; i < hits.size(); ++i) {
           const bool is_visible = hits[i].kind == TERRAIN_MISS;
           for (std::size_t column = 0; column < 6; ++column) {
@@ -134,18 +135,18 @@ void answer_all(const TerrainLosArguments& arguments, TerrainGround& ground, con
 void run(const TerrainLosArguments& arguments, const GlobalOptions& options) {
   arguments.batch.require_question(arguments.from, arguments.input);
   if (arguments.batch.is_asked()) {
-    TerrainGround ground(arguments.input, arguments.cache);
-    ground.open(ocl::Device::open(choose_one_device(options.device)));
-    return answer_all(arguments, ground, options);
+    TerrainSource terrain(arguments.input, arguments.cache);
+    terrain.open(ocl::Device::open(choose_one_device(options.device)));
+    return answer_all(arguments, terrain, options);
   }
   const terrain::EarthCurve curve = arguments.curve.read();
   const auto from = read_numbers("--from", arguments.from, 3, "X,Z,H", "1200,350,1.7");
   const auto to = read_numbers("--to", arguments.to, 3, "X,Z,H", "1200,350,1.7");
-  TerrainGround ground(arguments.input, arguments.cache);
-  const Sight sight = sight_between(ground.posts(), curve, "--from", from, "--to", to);
-  ground.open(ocl::Device::open(choose_one_device(options.device)));
+  TerrainSource terrain(arguments.input, arguments.cache);
+  const Sight sight = sight_between(terrain.posts(), curve, "--from", from, "--to", to);
+  terrain.open(ocl::Device::open(choose_one_device(options.device)));
   const terrain::Ray ray = sight.ray();
-  answer_one(sight, ground.cast(std::span(&ray, 1), curve)[0], arguments.json);
+  answer_one(sight, terrain.cast(std::span(&ray, 1), curve)[0], arguments.json);
 }
 
 }  // namespace

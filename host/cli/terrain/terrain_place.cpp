@@ -27,9 +27,9 @@ void require_within(std::string_view flag, double width_m, double depth_m, doubl
   throw beyond_map(flag, width_m, depth_m, x_m, z_m);
 }
 
-terrain::GroundPoint ground_under(std::string_view flag, const terrain::GroundPosts& posts, double x_m,
-                                  double z_m) {
-  if (const auto ground = terrain::ground_at(posts, x_m, z_m)) return *ground;
+terrain::TerrainPoint terrain_under(std::string_view flag, const terrain::TerrainPosts& posts, double x_m,
+                                    double z_m) {
+  if (const auto terrain = terrain::terrain_at(posts, x_m, z_m)) return *terrain;
   throw beyond_map(flag, posts.width_m(), posts.depth_m(), x_m, z_m);
 }
 

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
-#include "host/terrain/field/ground.h"
+#include "host/terrain/field/terrain_posts.h"
 
 namespace offing::cli {
 
@@ -18,8 +18,8 @@ inline constexpr const char* place_footer =
 void require_within(std::string_view flag, double width_m, double depth_m, double x_m, double z_m);
 
 /// The ground under (x_m, z_m). Throws Error(bad_input) that names the flag beyond the map's edge.
-terrain::GroundPoint ground_under(std::string_view flag, const terrain::GroundPosts& posts, double x_m,
-                                  double z_m);
+terrain::TerrainPoint terrain_under(std::string_view flag, const terrain::TerrainPosts& posts, double x_m,
+                                    double z_m);
 
 /// Degrees from level.
 double slope_deg(const glm::dvec3& normal);

@@ -8,8 +8,8 @@
 
 #include "host/base/argument.h"
 #include "host/cli/terrain/earth_curve_flags.h"
-#include "host/cli/terrain/terrain_ground.h"
 #include "host/cli/terrain/terrain_place.h"
+#include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/new_output.h"
 #include "host/io/atomic_file.h"
 
@@ -34,11 +34,11 @@ void run(const TerrainProfileArguments& arguments) {
     require_new(arguments.output, arguments.existing, {{arguments.input.file()}, arguments.input.trust()});
   const terrain::EarthCurve curve = arguments.curve.read();
   const bool is_curved = arguments.curve.are_given();
-  const TerrainGround of(arguments.input, {});
-  const terrain::GroundPosts& posts = of.posts();
+  const TerrainSource of(arguments.input, {});
+  const terrain::TerrainPosts& posts = of.posts();
   // Both ends are on the map, so that all between them is.
-  ground_under("--from", posts, from[0], from[1]);
-  ground_under("--to", posts, to[0], to[1]);
+  terrain_under("--from", posts, from[0], from[1]);
+  terrain_under("--to", posts, to[0], to[1]);
   const double length_m = std::hypot(to[0] - from[0], to[1] - from[1]);
   const double step_m = arguments.step.empty()
                             ? std::min(posts.spacing_x_m, posts.spacing_z_m)
@@ -53,7 +53,7 @@ void run(const TerrainProfileArguments& arguments) {
   for (double step = 0.0; step <= steps; ++step) {
     const double share = step / steps;
     const double x_m = std::lerp(from[0], to[0], share), z_m = std::lerp(from[1], to[1], share);
-    const double height_m = ground_under("--to", posts, x_m, z_m).height_m;
+    const double height_m = terrain_under("--to", posts, x_m, z_m).height_m;
     const double distance_m = share * length_m;
     text += fmt::format("{:.9g},{:.9g},{:.9g},{:.7g},{}", distance_m, x_m, z_m, height_m,
                         *terrain::is_measured_at(posts, x_m, z_m) ? 1 : 0);

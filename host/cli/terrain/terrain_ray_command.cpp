@@ -12,8 +12,8 @@
 #include "host/cli/common/device_choice.h"
 #include "host/cli/terrain/earth_curve_flags.h"
 #include "host/cli/terrain/terrain_batch.h"
-#include "host/cli/terrain/terrain_ground.h"
 #include "host/cli/terrain/terrain_place.h"
+#include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/print_json.h"
 
 namespace offing::cli {
@@ -112,7 +112,7 @@ void answer_one(const terrain::RayHit& hit, const glm::dvec3& point_m, bool is_j
   }
 }
 
-void answer_all(const TerrainRayArguments& arguments, TerrainGround& ground, const GlobalOptions& options) {
+void answer_all(const TerrainRayArguments& arguments, TerrainSource& terrain, const GlobalOptions& options) {
   const terrain::EarthCurve curve = arguments.curve.read();
   arguments.batch.answer(
       "x_m,y_m,z_m,direction_x,direction_y,direction_z,hit,distance_m,hit_x_m,hit_y_m,hit_z_m,"
@@ -128,9 +128,9 @@ void answer_all(const TerrainRayArguments& arguments, TerrainGround& ground, con
                         "give a way of any length above 0");
           }
           rays.push_back({.origin_m = {rows[i], rows[i + 1], rows[i + 2]}, .direction = way / length});
-          require_valid(rays.back(), ground.grid(), table.place_of(i / 6));
+          require_valid(rays.back(), terrain.grid(), table.place_of(i / 6));
         }
-        const std::vector<terrain::RayHit> hits = ground.cast(rays, curve, normals_of(arguments));
+        const std::vector<terrain::RayHit> hits = terrain.cast(rays, curve, normals_of(arguments));
         for (std::size_t i = 0; i < hits.size(); ++i) {
           const auto out = std::back_inserter(text);
           const terrain::RayHit& hit = hits[i];
@@ -153,11 +153,11 @@ void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
   arguments.batch.require_question(arguments.from, arguments.input);
   const bool is_single = !arguments.batch.is_asked();
   const terrain::Ray ray = is_single ? read_ray(arguments) : terrain::Ray{};
-  TerrainGround ground(arguments.input, arguments.cache);
-  ground.open(ocl::Device::open(choose_one_device(options.device)));
-  if (!is_single) return answer_all(arguments, ground, options);
+  TerrainSource terrain(arguments.input, arguments.cache);
+  terrain.open(ocl::Device::open(choose_one_device(options.device)));
+  if (!is_single) return answer_all(arguments, terrain, options);
   const terrain::EarthCurve curve = arguments.curve.read();
-  const terrain::RayHit hit = ground.cast(std::span(&ray, 1), curve, normals_of(arguments))[0];
+  const terrain::RayHit hit = terrain.cast(std::span(&ray, 1), curve, normals_of(arguments))[0];
   answer_one(hit, point_of(ray, hit, curve), arguments.json);
 }
 

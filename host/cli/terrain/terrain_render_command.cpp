@@ -11,18 +11,18 @@
 #include "host/base/error.h"
 #include "host/base/error_report.h"
 #include "host/cli/common/device_choice.h"
-#include "host/cli/pictures/terrain_picture.h"
+#include "host/cli/pictures/terrain_render.h"
 #include "host/cli/terrain/store_field.h"
 #include "host/cli/terrain/terrain_camera.h"
-#include "host/cli/terrain/terrain_ground.h"
 #include "host/cli/terrain/terrain_place.h"
+#include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/command_line/print_summary.h"
 #include "host/io/exr_image.h"
 #include "host/io/file_extension.h"
 #include "host/io/height_maps/read_colour_map.h"
-#include "host/scene/prepare/stored_ground.h"
+#include "host/scene/prepare/stored_terrain.h"
 
 namespace offing::cli {
 
@@ -41,10 +41,10 @@ struct TerrainRenderArguments {
   Existing existing = Existing::keep;
 };
 
-Camera read_camera(const TerrainRenderArguments& arguments, const CameraGround& ground) {
-  Camera camera = read_terrain_camera(arguments.camera, ground);
-  keep_above_ground(camera, ground);
-  read_picture_size(arguments.size, camera);
+Camera read_camera(const TerrainRenderArguments& arguments, const CameraTerrain& terrain) {
+  Camera camera = read_terrain_camera(arguments.camera, terrain);
+  keep_above_ground(camera, terrain);
+  read_image_size(arguments.size, camera);
   const double degrees = arguments.field_of_view.empty()
                              ? 60.0
                              : read_number("--fov-deg", arguments.field_of_view, "degrees", 1.0, 170.0, "60");
@@ -101,12 +101,12 @@ void write_depth(const std::string& file, const Camera& camera, const std::vecto
 
 struct Rendered {
   Camera camera;
-  TerrainPicture picture;
+  TerrainRender picture;
 };
 
 Rendered render_map(const TerrainRenderArguments& arguments, const GlobalOptions& options, TerrainShow show) {
   const HeightMapFile file = arguments.input.read();
-  const Camera camera = read_camera(arguments, camera_ground(file.map));
+  const Camera camera = read_camera(arguments, camera_terrain(file.map));
   TerrainScenery scenery = read_scenery(arguments, file.source.centre_latitude_deg);
   if (!arguments.colour.empty())
     scenery.colours = read_colour_map(arguments.colour, file.map, {.trust = arguments.input.trust()});
@@ -127,7 +127,7 @@ Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptio
   }
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::TiledField field = make_field(store, device, arguments.cache);
-  const Camera camera = read_camera(arguments, camera_ground(field));
+  const Camera camera = read_camera(arguments, camera_terrain(field));
   field.look_and_wait(camera);
   options.cancel.throw_if_cancelled();
   return {camera, draw_terrain(device, field, camera, scenery, show)};
@@ -152,7 +152,7 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
   }
 
   const double ground_share =
-      static_cast<double>(picture.ground_pixels) / static_cast<double>(picture.distances_m.size());
+      static_cast<double>(picture.terrain_pixels) / static_cast<double>(picture.distances_m.size());
   if (arguments.json) {
     const nlohmann::ordered_json json = {
         {"picture", arguments.output},           {"eye_m", {camera.eye_m.x, camera.eye_m.y, camera.eye_m.z}},

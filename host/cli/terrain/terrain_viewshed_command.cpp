@@ -10,14 +10,14 @@
 #include "host/base/error_report.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/terrain/earth_curve_flags.h"
-#include "host/cli/terrain/terrain_ground.h"
 #include "host/cli/terrain/terrain_place.h"
+#include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/command_line/print_summary.h"
 #include "host/io/file_extension.h"
 #include "host/io/height_maps/byte_raster.h"
-#include "host/scene/prepare/stored_ground.h"
+#include "host/scene/prepare/stored_terrain.h"
 #include "host/terrain/analysis/viewshed.h"
 
 namespace offing::cli {
@@ -57,7 +57,7 @@ struct SeenMap {
   double first_x_m = 0.0, first_z_m = 0.0;
 };
 
-// Of a post: heights here and on the device, lids, voids, and what is seen.
+// Of a post: heights here and on the device, maxima, voids, and what is seen.
 constexpr double bytes_a_post = 12.0;
 
 SeenMap read_store(const TerrainViewshedArguments& arguments, const terrain::ViewshedParameters& parameters) {
@@ -93,8 +93,8 @@ void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options
   const HeightMap& map = seen_map.map;
   parameters.observer_x_m -= seen_map.first_x_m;
   parameters.observer_z_m -= seen_map.first_z_m;
-  const terrain::GroundPoint ground =
-      ground_under("--observer", terrain::posts_of(map), parameters.observer_x_m, parameters.observer_z_m);
+  const terrain::TerrainPoint terrain =
+      terrain_under("--observer", terrain::posts_of(map), parameters.observer_x_m, parameters.observer_z_m);
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   const terrain::HeightField field = make_field(map, device);
   options.cancel.throw_if_cancelled();
@@ -115,7 +115,7 @@ void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options
 
   const auto seen_posts = std::count(seen.begin(), seen.end(), visible);
   const double area_m2 = static_cast<double>(seen_posts) * map.spacing_x_m * map.spacing_z_m;
-  const double eye_m = ground.height_m + parameters.observer_height_m;
+  const double eye_m = terrain.height_m + parameters.observer_height_m;
   if (arguments.json) {
     print_json({{"file", arguments.output},
                 {"columns", map.columns},

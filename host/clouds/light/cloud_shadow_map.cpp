@@ -15,7 +15,7 @@ namespace {
 
 constexpr int texels = CLOUD_SHADOW_SIZE * CLOUD_SHADOW_SIZE;
 // Work of an item of the strip shape: enough that its launch counts little.
-constexpr int strip_particles = 256, strip_texels = 8192, strip_places = 64;
+constexpr int simd_particles = 256, strip_texels = 8192, strip_places = 64;
 
 std::size_t items(std::size_t work, int per_item) {
   const auto each = static_cast<std::size_t>(per_item);
@@ -26,7 +26,7 @@ std::size_t items(std::size_t work, int per_item) {
 
 CloudShadowMap::CloudShadowMap(const ocl::Device& device)
     : device_(device),
-      is_strip_(ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip),
+      is_simd_(ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip),
       crowd_kernel_(ocl::Program::build(device, "clouds/shadow_crowd.cl").kernel("shadow_crowd")),
       splat_kernel_(ocl::Program::build(device, "clouds/shadow_splat.cl").kernel("shadow_splat")),
       resolve_kernel_(ocl::Program::build(device, "clouds/shadow_resolve.cl").kernel("shadow_resolve")),
@@ -74,13 +74,13 @@ void CloudShadowMap::update(const ocl::Buffer<CloudParticle>& particles, std::ui
              0.0f};
   moments_.fill(0);
   if (count > 0) {
-    const int per_item = is_strip_ ? strip_particles : 1;
+    const int per_item = is_simd_ ? simd_particles : 1;
     for (const ocl::Kernel& kernel : {crowd_kernel_, splat_kernel_}) {
       kernel.launch({{items(count, per_item)}}, particles, static_cast<int>(count), per_item, params_,
                     moments_);
     }
   }
-  const int per_item = is_strip_ ? strip_texels : 1;
+  const int per_item = is_simd_ ? strip_texels : 1;
   resolve_kernel_.launch({{items(texels, per_item)}}, moments_, per_item, map_);
   static std::atomic<std::uint64_t> revisions{0};
   revision_ = ++revisions;
@@ -91,7 +91,7 @@ std::vector<float> CloudShadowMap::transmittance(std::span<const glm::vec3> plac
   if (places_m.empty() || count_ == 0) return shares;
   ocl::Buffer<glm::vec3> places(device_, places_m, "places in the shadow of clouds");
   ocl::Buffer<float> found(device_, places_m.size(), "light in the shadow of clouds");
-  const int per_item = is_strip_ ? strip_places : 1;
+  const int per_item = is_simd_ ? strip_places : 1;
   points_kernel_.launch({{items(places_m.size(), per_item)}}, places, static_cast<int>(places_m.size()),
                         per_item, *particles_, static_cast<int>(count_), params_.sun_x, params_.sun_y,
                         params_.sun_z, found);

@@ -15,7 +15,7 @@
 namespace offing::clouds {
 
 /// The shadow of clouds: optical depth toward the sun over a square across its light, on the device, read by
-/// kernels/clouds/cloud_shadow.clh in shaders and kernels/terrain/ground_light.clh on the ground.
+/// kernels/clouds/cloud_shadow.clh in shaders and kernels/terrain/terrain_light.clh on the ground.
 class CloudShadowMap {
  public:
   using Texel = std::array<float, 4>;
@@ -43,7 +43,7 @@ class CloudShadowMap {
 
  private:
   ocl::Device device_;
-  bool is_strip_;
+  bool is_simd_;
   ocl::Kernel crowd_kernel_, splat_kernel_, resolve_kernel_, points_kernel_;
   const ocl::Buffer<CloudParticle>* particles_ = nullptr;
   std::uint32_t count_ = 0;

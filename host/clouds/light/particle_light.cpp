@@ -33,17 +33,17 @@ constexpr std::size_t beam_margin = 16;                  // FIRST_BEAM of kernel
 
 // CPU: one work-item a group. Work of a cloud is shared by a few items, which keeps cores busy; of a GPU by
 // as many as there may be rows or cells.
-constexpr std::size_t strip_items = 2, group_row_items = cells / 16, group_cell_items = cells / 4;
-constexpr int strip_lanes = 16, strip_particles = 128;
+constexpr std::size_t simd_items = 2, group_row_items = cells / 16, group_cell_items = cells / 4;
+constexpr int simd_lanes = 16, simd_particles = 128;
 constexpr int group_size = 256;
 constexpr std::size_t entry_texels = CLOUD_ENTRY_SIZE * CLOUD_ENTRY_SIZE;
 // HARRIS_SIZE of kernels/clouds/light_recurrence.cl, squared.
 constexpr std::size_t recurrence_texels = 128 * 128;
 
-ocl::Kernel built(const ocl::Device& device, const char* source, const char* kernel, bool is_strip) {
+ocl::Kernel built(const ocl::Device& device, const char* source, const char* kernel, bool is_simd) {
   ocl::Defines defines;
   defines.set("CELLS", cells).set("LEVEL_CELLS", static_cast<long long>(level_cells));
-  defines.set("GROUP_SIZE", is_strip ? 1 : group_size).set("LANES", is_strip ? strip_lanes : 1);
+  defines.set("GROUP_SIZE", is_simd ? 1 : group_size).set("LANES", is_simd ? simd_lanes : 1);
   return ocl::Program::build(device, source, defines).kernel(kernel);
 }
 
@@ -62,7 +62,7 @@ CloudLightParams packed(const CloudIllumination& light, int suns) {
   require_light("sky_kcdpm2", light.sky_kcdpm2);
   require_light("ground_kcdpm2", light.ground_kcdpm2);
   CloudLightParams params{};
-  for (const CloudSun& sun : light.suns) {
+  for (const CloudLight& sun : light.suns) {
     require_light("illuminance_klx", sun.illuminance_klx);
     if (!is_finite(sun.direction) || std::abs(glm::length(sun.direction) - 1.0) > 1e-3) {
       throw Error(ErrorKind::bad_input, fmt::format("sun.direction: expected a unit vector, got ({}, {}, {})",
@@ -82,18 +82,18 @@ CloudLightParams packed(const CloudIllumination& light, int suns) {
 
 ParticleLight::ParticleLight(const ocl::Device& device)
     : device_(device),
-      is_strip_(ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip),
-      bounds_kernel_(built(device, "clouds/light_bounds.cl", "light_bounds", is_strip_)),
-      density_kernel_(built(device, "clouds/light_density.cl", "light_density", is_strip_)),
-      entry_kernel_(built(device, "clouds/light_entry.cl", "light_entry", is_strip_)),
-      beam_kernel_(built(device, "clouds/light_beam.cl", "light_beam", is_strip_)),
-      source_kernel_(built(device, "clouds/light_source.cl", "light_source", is_strip_)),
-      coarsen_kernel_(built(device, "clouds/light_coarsen.cl", "light_coarsen", is_strip_)),
-      diffuse_kernel_(built(device, "clouds/light_diffuse.cl", "light_diffuse", is_strip_)),
-      glow_kernel_(built(device, "clouds/light_glow.cl", "light_glow", is_strip_)),
-      scatter_kernel_(built(device, "clouds/particle_scatter.cl", "particle_scatter", is_strip_)),
-      recurrence_kernel_(built(device, "clouds/light_recurrence.cl", "light_recurrence", is_strip_)),
-      first_order_kernel_(built(device, "clouds/particle_first_order.cl", "particle_first_order", is_strip_)),
+      is_simd_(ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip),
+      bounds_kernel_(built(device, "clouds/light_bounds.cl", "light_bounds", is_simd_)),
+      density_kernel_(built(device, "clouds/light_density.cl", "light_density", is_simd_)),
+      entry_kernel_(built(device, "clouds/light_entry.cl", "light_entry", is_simd_)),
+      beam_kernel_(built(device, "clouds/light_beam.cl", "light_beam", is_simd_)),
+      source_kernel_(built(device, "clouds/light_source.cl", "light_source", is_simd_)),
+      coarsen_kernel_(built(device, "clouds/light_coarsen.cl", "light_coarsen", is_simd_)),
+      diffuse_kernel_(built(device, "clouds/light_diffuse.cl", "light_diffuse", is_simd_)),
+      glow_kernel_(built(device, "clouds/light_glow.cl", "light_glow", is_simd_)),
+      scatter_kernel_(built(device, "clouds/particle_scatter.cl", "particle_scatter", is_simd_)),
+      recurrence_kernel_(built(device, "clouds/light_recurrence.cl", "light_recurrence", is_simd_)),
+      first_order_kernel_(built(device, "clouds/particle_first_order.cl", "particle_first_order", is_simd_)),
       order_(device),
       recurrence_map_(device, recurrence_texels, "light along the order of particles") {}
 
@@ -184,7 +184,7 @@ void ParticleLight::relight(const ocl::Buffer<CloudParticle>& particles, std::ui
   if (count == 0) return;
 
   model_ = model;
-  const std::size_t clouds = looks.size(), group = is_strip_ ? 1 : group_size;
+  const std::size_t clouds = looks.size(), group = is_simd_ ? 1 : group_size;
   bounds_kernel_.launch({{clouds * group}, {group}}, particles, static_cast<int>(count), grids_);
   if (model == LightModel::calibrated) {
     diffuse(clouds);
@@ -194,9 +194,9 @@ void ParticleLight::relight(const ocl::Buffer<CloudParticle>& particles, std::ui
 }
 
 void ParticleLight::diffuse(std::size_t clouds) {
-  const std::size_t group = is_strip_ ? 1 : group_size, channels = static_cast<std::size_t>(channels_);
+  const std::size_t group = is_simd_ ? 1 : group_size, channels = static_cast<std::size_t>(channels_);
   const auto shared = [&](std::size_t group_items) -> ocl::LaunchShape {
-    if (is_strip_) return {{strip_items, clouds}, {1, 1}};
+    if (is_simd_) return {{simd_items, clouds}, {1, 1}};
     return {{group_items, clouds}};
   };
   const auto groups = [&](std::size_t number) -> ocl::LaunchShape {
@@ -227,7 +227,7 @@ void ParticleLight::carry_along(std::span<const CloudIllumination> lights, std::
                 fmt::format("light of clouds: harris: expected at most 1 sun, got {}", suns_),
                 "use the calibrated model");
   }
-  const std::size_t group = is_strip_ ? 1 : group_size;
+  const std::size_t group = is_simd_ ? 1 : group_size;
   if (reached_.size() < count_) reached_ = ocl::Buffer<float>(device_, count_, "sunlight on particles");
   const auto lit =
       std::find_if(lights.begin(), lights.end(), [](const auto& light) { return !light.suns.empty(); });
@@ -266,9 +266,9 @@ void ParticleLight::see(const glm::vec3& eye_m, ocl::Buffer<CloudSprite>& sprite
   };
   const std::uint32_t first = bound(part.index), end = bound(part.index + 1);
   if (first == end) return;
-  const std::uint32_t per_item = is_strip_ ? strip_particles : 1;
+  const std::uint32_t per_item = is_simd_ ? simd_particles : 1;
   ocl::LaunchShape shape{{(end - first + per_item - 1) / per_item}};
-  if (is_strip_) shape.local = {1};
+  if (is_simd_) shape.local = {1};
   if (model_ == LightModel::harris) {
     first_order_kernel_.launch(shape, *particles_, static_cast<int>(first), static_cast<int>(end),
                                static_cast<int>(per_item), looks_, lights_, phases_, reached_, eye_m.x,

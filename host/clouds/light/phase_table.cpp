@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernels/shared/cloud_light.h"
+#include "kernels/shared/cloud_light_params.h"
 
 namespace offing::clouds {
 namespace {

@@ -26,7 +26,7 @@ DeltaScaling delta_scaling(const PhaseFunction& phase);
 /// 0) is the phase function itself. Away from the forward direction, where a sum of so few smooth terms would
 /// go below zero, the phase function stays (Nakajima & Tanaka 1988, "Algorithms for radiative intensity
 /// calculations", TMS). Multiplied by e^(-(1 - f) t) it is light that reaches the eye along a way that bends
-/// once. [CLOUD_PHASE_DEPTHS][CLOUD_PHASE_ANGLES] 1/sr, coordinates in kernels/shared/cloud_light.h.
+/// once. [CLOUD_PHASE_DEPTHS][CLOUD_PHASE_ANGLES] 1/sr, coordinates in kernels/shared/cloud_light_params.h.
 std::vector<float> phase_table(const PhaseFunction& phase);
 
 /// Share of light from straight above that a slab of droplets lets through which absorb nothing, in the

@@ -25,7 +25,7 @@ CloudParticle cloud_particle(const glm::dvec3& place_m, double radius_m, double 
   const PhiloxBlock block =
       philox_block(static_cast<std::uint32_t>(key.seed), static_cast<std::uint32_t>(key.seed >> 32),
                    OFFING_STREAM_CLOUD_PARTICLES, 0, 0, key.id);
-  const std::uint32_t first = look.puffs == PuffSet::crisp ? 0 : CLOUD_TEXTURES;
+  const std::uint32_t first = look.billboards == BillboardSet::crisp ? 0 : CLOUD_TEXTURES;
   return {.x = static_cast<float>(place_m.x),
           .y = static_cast<float>(place_m.y),
           .z = static_cast<float>(place_m.z),

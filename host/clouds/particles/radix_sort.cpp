@@ -19,14 +19,14 @@ constexpr int key_bits = 32;
 struct Shape {
   int digit_bits, group_size, scan_size, least_span;
 };
-constexpr Shape strip_shape{11, 1, 1, 8192}, group_shape{4, 64, 256, 16};
+constexpr Shape simd_shape{11, 1, 1, 8192}, workgroup_shape{4, 64, 256, 16};
 
-bool is_strip(const ocl::Device& device) {
+bool is_simd(const ocl::Device& device) {
   return ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip;
 }
 
 ocl::Kernel built(const ocl::Device& device, const char* source, const char* kernel) {
-  const Shape& shape = is_strip(device) ? strip_shape : group_shape;
+  const Shape& shape = is_simd(device) ? simd_shape : workgroup_shape;
   ocl::Defines defines;
   defines.set("GROUP_SIZE", shape.group_size)
       .set("DIGIT_BITS", shape.digit_bits)
@@ -38,7 +38,7 @@ ocl::Kernel built(const ocl::Device& device, const char* source, const char* ker
 
 RadixSort::RadixSort(const ocl::Device& device)
     : device_(device),
-      is_strip_(is_strip(device)),
+      is_simd_(is_simd(device)),
       count_kernel_(built(device, "clouds/radix_count.cl", "radix_count")),
       scan_kernel_(built(device, "clouds/radix_scan.cl", "radix_scan")),
       scatter_kernel_(built(device, "clouds/radix_scatter.cl", "radix_scatter")) {}
@@ -55,11 +55,11 @@ void RadixSort::sort(std::uint32_t count) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("sort: expected at most {} keys, got {}", keys_.size(), count), "reserve() more");
   }
-  const Shape& shape = is_strip_ ? strip_shape : group_shape;
+  const Shape& shape = is_simd_ ? simd_shape : workgroup_shape;
   const auto keys = static_cast<int>(count);
   // On a CPU as many spans as there are cores, if they are long; on a GPU spans are short.
   int span = shape.least_span;
-  if (is_strip_) {
+  if (is_simd_) {
     const int cores = std::max(1, static_cast<int>(device_.info().compute_units));
     span = std::max(span, (keys + cores - 1) / cores);
   }

@@ -25,7 +25,7 @@ class RadixSort {
 
  private:
   ocl::Device device_;
-  bool is_strip_;
+  bool is_simd_;
   ocl::Kernel count_kernel_, scan_kernel_, scatter_kernel_;
   ocl::Buffer<std::uint32_t> keys_, values_, other_keys_, other_values_, counts_, starts_;
 };

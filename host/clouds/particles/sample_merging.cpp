@@ -40,7 +40,7 @@ struct Pair {
 
 class Merging {
  public:
-  Merging(const VolumeSamples& samples, std::uint64_t seed, const Work& work) : work_(work) {
+  Merging(const VolumeBlocks& samples, std::uint64_t seed, const Work& work) : work_(work) {
     clusters_.reserve(samples.samples.size());
     std::array<int, 3> lowest{};
     if (!samples.samples.empty()) lowest = samples.samples.front().block;
@@ -157,7 +157,7 @@ class Merging {
 
 }  // namespace
 
-std::vector<VolumeSample> merged_samples(const VolumeSamples& samples, std::size_t most, std::uint64_t seed,
+std::vector<VolumeSample> merged_samples(const VolumeBlocks& samples, std::size_t most, std::uint64_t seed,
                                          const Work& work) {
   Merging merging(samples, seed, work);
   merging.reduce_to(most);

@@ -17,7 +17,7 @@ namespace offing::clouds {
 ///
 /// samples: ordered as volume_samples() has them; what is left has that order too. Takes about
 /// merging_bytes for each. Throws Error(cancelled).
-std::vector<VolumeSample> merged_samples(const VolumeSamples& samples, std::size_t most, std::uint64_t seed,
+std::vector<VolumeSample> merged_samples(const VolumeBlocks& samples, std::size_t most, std::uint64_t seed,
                                          const Work& work = {});
 
 inline constexpr double merging_bytes = 400.0;

@@ -64,7 +64,7 @@ std::vector<VolumeSample> merged_cells(const CloudVolume& volume, std::size_t co
 /// One place in each of `count` parts of equal mass.
 std::vector<VolumeSample> drawn_samples(const CloudVolume& volume, std::size_t count, std::uint64_t seed,
                                         const Work& work) {
-  VolumeSamples cells = volume_samples(volume, most_cells, work);
+  VolumeBlocks cells = volume_samples(volume, most_cells, work);
   std::vector<VolumeSample>& samples = cells.samples;
   if (samples.size() <= count) return samples;
   std::stable_sort(samples.begin(), samples.end(),

@@ -88,7 +88,7 @@ VolumeSample merged(const VolumeSample& a, const VolumeSample& b) {
       a.albedo + static_cast<float>(share) * (b.albedo - a.albedo)};
 }
 
-VolumeSamples volume_samples(const CloudVolume& volume, std::size_t most, const Work& work) {
+VolumeBlocks volume_samples(const CloudVolume& volume, std::size_t most, const Work& work) {
   const auto count = static_cast<double>(std::count_if(volume.density.begin(), volume.density.end(),
                                                        [](float density) { return density > 0.0f; }));
   // So many cells are never in fewer blocks than this factor cubed holds.

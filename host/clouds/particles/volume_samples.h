@@ -24,13 +24,13 @@ struct VolumeSample {
 VolumeSample merged(const VolumeSample& a, const VolumeSample& b);
 
 /// Blocks of a volume, ordered by z, y, x, with their edges.
-struct VolumeSamples {
+struct VolumeBlocks {
   std::vector<VolumeSample> samples;
   double edge_m = 0.0;
 };
 
 /// The cells of a volume with density, in the smallest blocks that are no more than `most`, one or more.
 /// Takes no more memory than `most` blocks do. Throws Error(cancelled).
-VolumeSamples volume_samples(const CloudVolume& volume, std::size_t most, const Work& work = {});
+VolumeBlocks volume_samples(const CloudVolume& volume, std::size_t most, const Work& work = {});
 
 }  // namespace offing::clouds

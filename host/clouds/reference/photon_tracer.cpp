@@ -26,7 +26,7 @@ struct PhotonSource {
 
 std::vector<PhotonSource> photon_sources(const CloudIllumination& light) {
   std::vector<PhotonSource> sources;
-  for (const CloudSun& sun : light.suns) sources.push_back({sun.direction, false, sun.illuminance_klx});
+  for (const CloudLight& sun : light.suns) sources.push_back({sun.direction, false, sun.illuminance_klx});
   const double hemisphere_sr = 2.0 * std::numbers::pi;
   const glm::dvec3 up(0.0, 1.0, 0.0);
   if (light.sky_kcdpm2 != glm::dvec3(0.0)) sources.push_back({up, true, hemisphere_sr * light.sky_kcdpm2});

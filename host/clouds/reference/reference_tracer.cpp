@@ -35,7 +35,7 @@ void ReferenceTracer::trace(Ray ray, PathRandom& random, std::vector<glm::dvec3>
     }
     ray.origin_m += distance * ray.direction;
     weight *= medium_.albedo(ray.origin_m, albedo_);
-    for (const CloudSun& sun : light_.suns) {
+    for (const CloudLight& sun : light_.suns) {
       // Light goes along -direction of both: the angle between the ways is that between the two.
       const double phase = phase_(glm::dot(ray.direction, sun.direction));
       by_order[std::min(order + 1, by_order.size() - 1)] +=
@@ -73,11 +73,11 @@ TracedView ReferenceTracer::view_of(const glm::dvec3& middle_m, double radius_m,
   return view;
 }
 
-TracedPicture ReferenceTracer::picture(const Camera& camera, const TraceOptions& options) const {
+TracedImage ReferenceTracer::picture(const Camera& camera, const TraceOptions& options) const {
   require_valid(camera);
   require_valid(options);
   const int width = camera.width_px, height = camera.height_px;
-  TracedPicture picture;
+  TracedImage picture;
   picture.image.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   picture.orders.assign(static_cast<std::size_t>(options.orders), picture.image);
   parallel_rows(

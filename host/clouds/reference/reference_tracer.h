@@ -22,7 +22,7 @@ struct TracedView {
 /// Pixels [height][width], row 0 at the top: scattered light, kcd/m2, premultiplied, and opacity.
 using LightImage = std::vector<glm::vec4>;
 
-struct TracedPicture {
+struct TracedImage {
   LightImage image;
   std::vector<LightImage>
       orders;  ///< [orders], scattered once, twice, ...; their light sums up to the image's
@@ -46,7 +46,7 @@ class ReferenceTracer {
                      const TraceOptions& options) const;
 
   /// What the camera sees of the cloud, without what lies behind it.
-  TracedPicture picture(const Camera& camera, const TraceOptions& options) const;
+  TracedImage picture(const Camera& camera, const TraceOptions& options) const;
 
  private:
   void trace(Ray ray, PathRandom& random, std::vector<glm::dvec3>& by_order) const;

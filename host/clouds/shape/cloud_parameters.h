@@ -59,8 +59,8 @@ struct HierarchyLevel {
 /// What a cloud scatters with (C10, C11).
 enum class PhaseKind { rayleigh, henyey_greenstein, double_henyey_greenstein, mie_droplet };
 
-/// Which puff textures particles have (C8): crisp as a cauliflower, or soft and wispy.
-enum class PuffSet { crisp, soft };
+/// Which billboard textures particles have (C8): crisp as a cauliflower, or soft and wispy.
+enum class BillboardSet { crisp, soft };
 
 /// Diameters for which droplet phase functions are known (Jendersie & d'Eon 2023), um.
 inline constexpr double smallest_droplet_um = 5.0, largest_droplet_um = 50.0;
@@ -73,7 +73,7 @@ struct CloudLook {
   double g_back = -0.3;         ///< of the backward lobe of a double one
   double forward_share = 0.95;  ///< of a double one
   double droplet_um = 10.0;     ///< diameter, of mie_droplet
-  PuffSet puffs = PuffSet::crisp;
+  BillboardSet billboards = BillboardSet::crisp;
 
   bool operator==(const CloudLook&) const = default;
 };
@@ -149,15 +149,15 @@ struct CloudParameters {
 void require_valid(const CloudParameters& parameters);
 
 /// What light falls on clouds.
-struct CloudSun {
+struct CloudLight {
   glm::dvec3 direction{0.0, 1.0, 0.0};  ///< unit, toward it
   glm::dvec3 illuminance_klx{0.0};      ///< of a surface that faces it, at the cloud; linear Rec.709
 
-  bool operator==(const CloudSun&) const = default;
+  bool operator==(const CloudLight&) const = default;
 };
 
 struct CloudIllumination {
-  std::vector<CloudSun> suns;
+  std::vector<CloudLight> suns;
   glm::dvec3 sky_kcdpm2{0.0};     ///< mean radiance of the upper hemisphere
   glm::dvec3 ground_kcdpm2{0.0};  ///< of the lower one
 

@@ -23,7 +23,7 @@ struct Preset {
 /// cloud physics).
 const std::array<Preset, 8>& presets() {
   using enum Modelling;
-  using enum PuffSet;
+  using enum BillboardSet;
   // How fast noise changes, 1/s, and the wind of most: they are in motion unless told otherwise.
   constexpr double slowly = 0.005;
   constexpr glm::dvec3 breeze_mps{8.0, 0.0, 0.0};
@@ -33,13 +33,13 @@ const std::array<Preset, 8>& presets() {
        {.modelling = sampled,
         .turbulence = {.wavelength_m = 400.0, .blend = 0.4, .wisp = 1.2, .edge = 0.6, .change_per_s = slowly},
         .target_particles = 2400,
-        .look = {.extinction_per_m = 0.007, .puffs = soft},
+        .look = {.extinction_per_m = 0.007, .billboards = soft},
         .motion = {.wind_mps = {25.0, 0.0, 0.0}, .drag = 6.0}}},
       {{"stratus", 100.0, 900.0, 300.0, 2700.0},
        {.modelling = sampled,
         .turbulence = {.wavelength_m = 500.0, .blend = 0.35, .edge = 0.8, .change_per_s = slowly},
         .target_particles = 1000,
-        .look = {.extinction_per_m = 0.012, .puffs = soft},
+        .look = {.extinction_per_m = 0.012, .billboards = soft},
         .motion = {.wind_mps = breeze_mps}}},
       // Thick, dense, crisp: repulsion radii below the drawn ones, so that particles overlap.
       {{"cumulus", 500.0, 1500.0, 800.0, 1700.0},
@@ -60,7 +60,7 @@ const std::array<Preset, 8>& presets() {
        {.modelling = sampled,
         .turbulence = {.wavelength_m = 150.0, .wisp = 1.3, .change_per_s = slowly},
         .target_particles = 1400,
-        .look = {.extinction_per_m = 0.015, .puffs = soft},
+        .look = {.extinction_per_m = 0.015, .billboards = soft},
         .motion = {.wind_mps = {15.0, 0.0, 0.0}}}},
       // Its particles are so large that denser ones would have a hard edge.
       {{"cumulonimbus", 400.0, 1200.0, 9300.0, 11000.0},
@@ -76,12 +76,12 @@ const std::array<Preset, 8>& presets() {
        {.modelling = sampled,
         .turbulence = {.wavelength_m = 600.0, .octaves = 3, .blend = 0.12, .change_per_s = slowly},
         .target_particles = 900,
-        .look = {.extinction_per_m = 0.01, .puffs = soft}}},
+        .look = {.extinction_per_m = 0.01, .billboards = soft}}},
       {{"funnel", 500.0, 900.0, 900.0, 1000.0},
        {.modelling = sampled,
         .turbulence = {.wavelength_m = 90.0, .blend = 0.4, .change_per_s = 0.05},
         .target_particles = 1300,
-        .look = {.extinction_per_m = 0.05, .puffs = soft},
+        .look = {.extinction_per_m = 0.05, .billboards = soft},
         .motion = {.wind_mps = breeze_mps}}},
   }};
   return rows;

@@ -25,13 +25,13 @@ const HighlightRule as_found;
 
 }  // namespace
 
-DrawnHighlights::DrawnHighlights(const HighlightSurface& surface, const HighlightSize& size)
+HighlightDrawing::HighlightDrawing(const HighlightSurface& surface, const HighlightSize& size)
     : surface_(&surface), size_(size), regions_(surface) {
   projector_at({}, size);
 }
 
-void DrawnHighlights::update(const TrackState& state, const std::vector<HighlightRule>& rules,
-                             int lamp_count) {
+void HighlightDrawing::update(const TrackState& state, const std::vector<HighlightRule>& rules,
+                              int light_count) {
   for (const HighlightRule& rule : rules) require_valid(rule);
   highlights_.clear();
   faces_.clear();
@@ -39,7 +39,7 @@ void DrawnHighlights::update(const TrackState& state, const std::vector<Highligh
   for (const HighlightRule& rule : rules) {
     nearest_.emplace_back();
     if (rule.nearest_m && !rule.pin_m)
-      nearest_.back() = shares_of({*rule.nearest_m, rule.lamp}, state, surface_->diagonal_m());
+      nearest_.back() = shares_of({*rule.nearest_m, rule.light}, state, surface_->diagonal_m());
   }
   for (std::size_t i = 0; i < state.tracks.size(); ++i) {
     const HighlightTrack& track = state.tracks[i];
@@ -49,7 +49,7 @@ void DrawnHighlights::update(const TrackState& state, const std::vector<Highligh
       const HighlightRule& rule = look.rule < 0 ? as_found : rules[static_cast<std::size_t>(look.rule)];
       add({.id = track.id,
            .rule = look.rule,
-           .lamp = track.point.lamp,
+           .light = track.point.light,
            .opacity = track.opacity * look.weight,
            .projector = track.projector,
            .place = place_of_face_near(*surface_, track.seed_face, track.projector.centre_m),
@@ -59,16 +59,16 @@ void DrawnHighlights::update(const TrackState& state, const std::vector<Highligh
   }
   pins_.resize(rules.size());
   for (std::size_t i = 0; i < rules.size(); ++i) {
-    const int lamp = rules[i].lamp.value_or(0);
-    if (rules[i].pin_m && lamp >= 0 && lamp < lamp_count) add_pin(rules[i], static_cast<int>(i));
+    const int light = rules[i].light.value_or(0);
+    if (rules[i].pin_m && light >= 0 && light < light_count) add_pin(rules[i], static_cast<int>(i));
   }
 }
 
-void DrawnHighlights::set_looks(const HighlightTrack& track, std::size_t index,
-                                const std::vector<HighlightRule>& rules) {
+void HighlightDrawing::set_looks(const HighlightTrack& track, std::size_t index,
+                                 const std::vector<HighlightRule>& rules) {
   looks_.assign(1, {-1, 1.0});
   for (std::size_t i = 0; i < rules.size(); ++i) {
-    if (rules[i].pin_m || (rules[i].lamp && *rules[i].lamp != track.point.lamp)) continue;
+    if (rules[i].pin_m || (rules[i].light && *rules[i].light != track.point.light)) continue;
     const double share = rules[i].nearest_m ? nearest_[i][index] : 1.0;
     if (share == 0.0) continue;
     for (Look& look : looks_) look.weight *= 1.0 - share;
@@ -77,12 +77,12 @@ void DrawnHighlights::set_looks(const HighlightTrack& track, std::size_t index,
   }
 }
 
-void DrawnHighlights::add_pin(const HighlightRule& rule, int index) {
+void HighlightDrawing::add_pin(const HighlightRule& rule, int index) {
   std::optional<Pin>& pin = pins_[static_cast<std::size_t>(index)];
   if (!pin || pin->pin_m != *rule.pin_m) pin = Pin{*rule.pin_m, nearest_place(*surface_, *rule.pin_m)};
   add({.id = first_pin_id + static_cast<std::uint64_t>(index),
        .rule = index,
-       .lamp = rule.lamp.value_or(0),
+       .light = rule.light.value_or(0),
        .opacity = 1.0,
        .projector = first_projector(pinned_point(*surface_, pin->place), size_),
        .place = pin->place,
@@ -90,7 +90,7 @@ void DrawnHighlights::add_pin(const HighlightRule& rule, int index) {
       rule);
 }
 
-void DrawnHighlights::add(const DrawnHighlight& highlight, const HighlightRule& rule) {
+void HighlightDrawing::add(const DrawnHighlight& highlight, const HighlightRule& rule) {
   const HighlightControls& controls = rule.controls;
   DrawnHighlight drawn = highlight;
   drawn.opacity *= controls.opacity;
@@ -112,7 +112,7 @@ void DrawnHighlights::add(const DrawnHighlight& highlight, const HighlightRule& 
   }
 }
 
-void DrawnHighlights::add_copy(const DrawnHighlight& highlight, const HighlightRule& rule) {
+void HighlightDrawing::add_copy(const DrawnHighlight& highlight, const HighlightRule& rule) {
   const std::size_t first = faces_.size();
   regions_.find(highlight.projector, highlight.place.face, faces_);
   keep_masked(rule, first);
@@ -121,7 +121,7 @@ void DrawnHighlights::add_copy(const DrawnHighlight& highlight, const HighlightR
   highlights_.back().face_count = faces_.size() - first;
 }
 
-void DrawnHighlights::keep_masked(const HighlightRule& rule, std::size_t first_face) {
+void HighlightDrawing::keep_masked(const HighlightRule& rule, std::size_t first_face) {
   if (!rule.mask_m) return;
   const TriangleMesh& mesh = surface_->mesh();
   const auto is_beyond = [&](std::uint32_t face) {

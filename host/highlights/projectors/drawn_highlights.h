@@ -20,32 +20,32 @@ struct DrawnHighlight {
   std::uint64_t id = 0;  ///< of the track, or first_pin_id + rule
   int rule = -1;         ///< that its controls are from, -1: none
   int copy = 0;          ///< 0 ... controls.split - 1, along right
-  int lamp = 0;          ///< whose light it is
+  int light = 0;         ///< whose light it is
   double opacity = 0.0;  ///< 0 ... 1, in all: that of the controls is in it
   Projector projector;   ///< in all: offset, rotation, sizes and split are in it
   SurfacePlace place;    ///< under its middle
   Projector found = {};  ///< before any control
   Projector whole = {};  ///< before it was split
   HighlightControls controls;
-  std::size_t first_face = 0, face_count = 0;  ///< of DrawnHighlights::faces()
+  std::size_t first_face = 0, face_count = 0;  ///< of HighlightDrawing::faces()
 };
 
 /// What is drawn of a surface's highlights under an artist's rules (H6, H11 of docs/sources.md). Of rules
 /// that change nothing, or none, it is what make_frame() makes. All controls but textures, split and the
 /// mask, which are steps by nature, act continuously; what a rule for the nearest draws goes over from one
 /// highlight to another within TrackLimits. Memory is used again from frame to frame.
-class DrawnHighlights {
+class HighlightDrawing {
  public:
   /// The surface must outlive it. `size` is that of the tracks: pins have it too. Throws Error(bad_input) for
   /// a size out of range.
-  DrawnHighlights(const HighlightSurface& surface, const HighlightSize& size);
+  HighlightDrawing(const HighlightSurface& surface, const HighlightSize& size);
 
   /// Anew: what can be seen (opacity above 0), of each track in their order, then of each pin in the order of
   /// rules. Rules for the nearest go by the state's own shares; one whose place the state does not have
-  /// (HighlightTracks::set_places()) is for what is nearest now. Rules of a lamp beyond `lamp_count` count
-  /// for nothing; without lamps there are no pins. Throws Error(bad_input) for a control out of range, and
+  /// (HighlightTracker::set_places()) is for what is nearest now. Rules of a light beyond `light_count` count
+  /// for nothing; without lights there are no pins. Throws Error(bad_input) for a control out of range, and
   /// for a pin on a surface without faces.
-  void update(const TrackState& state, const std::vector<HighlightRule>& rules, int lamp_count);
+  void update(const TrackState& state, const std::vector<HighlightRule>& rules, int light_count);
 
   const std::vector<DrawnHighlight>& highlights() const { return highlights_; }
   const std::vector<std::uint32_t>& faces() const { return faces_; }

@@ -10,7 +10,7 @@ void make_frame(const std::vector<HighlightTrack>& tracks, RegionSearch& regions
     const std::size_t first = frame.faces.size();
     regions.find(track.projector, track.seed_face, frame.faces);
     frame.highlights.push_back({.id = track.id,
-                                .lamp = track.point.lamp,
+                                .light = track.point.light,
                                 .opacity = track.opacity,
                                 .projector = track.projector,
                                 .first_face = first,

@@ -12,7 +12,7 @@ namespace offing::highlights {
 /// One highlight as it is drawn.
 struct ShownHighlight {
   std::uint64_t id = 0;
-  int lamp = 0;
+  int light = 0;
   double opacity = 0.0;
   Projector projector;
   std::size_t first_face = 0, face_count = 0;  ///< of HighlightFrame::faces

@@ -13,7 +13,7 @@ namespace offing::highlights {
 enum class HighlightTexture { dot, window, star, ring, streak, heart, image, normal_map };
 
 /// Whether a texture is a file's, not a shape.
-constexpr bool is_picture(HighlightTexture texture) {
+constexpr bool is_image(HighlightTexture texture) {
   return texture == HighlightTexture::image || texture == HighlightTexture::normal_map;
 }
 
@@ -32,7 +32,7 @@ struct HighlightControls {
   double split_gap = 0.25;    ///< between copies, in widths of one
   HighlightTexture texture = HighlightTexture::dot;
   int picture = -1;        ///< of image and normal_map: index into the world's pictures
-  glm::dvec3 colour{1.0};  ///< linear Rec.709, times the lamp's
+  glm::dvec3 colour{1.0};  ///< linear Rec.709, times the light's
   double opacity = 1.0;    ///< 0 ... 1, times the highlight's own
   double softness = 0.3;   ///< of a shape's rim, in half widths
 };
@@ -42,9 +42,9 @@ struct HighlightRule {
   /// Only the highlight nearest to this place of the mesh. Where another comes as near (2 % of the diagonal),
   /// the rule goes over to it by degrees, and where it appears or ends there, as fast as highlights fade.
   std::optional<glm::dvec3> nearest_m = {};
-  std::optional<int> lamp = {};  ///< only those of this lamp
-  /// Not what is found: one highlight that stands here on the mesh, wherever the lamps are; in the light of
-  /// `lamp`, or of the first one.
+  std::optional<int> light = {};  ///< only those of this light
+  /// Not what is found: one highlight that stands here on the mesh, wherever the lights are; in the light of
+  /// `light`, or of the first one.
   std::optional<glm::dvec3> pin_m = {};
   /// Highlights are drawn on faces of which a corner is within this distance of the place, only.
   std::optional<glm::dvec3> mask_m = {};

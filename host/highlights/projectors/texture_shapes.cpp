@@ -115,7 +115,7 @@ double depth_of(HighlightTexture shape) {
 }
 
 double shape_opacity(HighlightTexture shape, const glm::dvec2& q, double softness, double pixel) {
-  const double rim = std::max(std::min(is_picture(shape) ? 0.0 : softness, depth_of(shape)), pixel);
+  const double rim = std::max(std::min(is_image(shape) ? 0.0 : softness, depth_of(shape)), pixel);
   const double distance = signed_distance(shape, q);
   if (!(rim > 0.0)) return distance < 0.0 ? 1.0 : 0.0;
   return 1.0 - glm::smoothstep(-rim, 0.0, distance);

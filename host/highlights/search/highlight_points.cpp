@@ -13,9 +13,9 @@
 namespace offing::highlights {
 namespace {
 
-constexpr int strip_lanes = 16;
+constexpr int simd_lanes = 16;
 // Enough work for an item of the strip shape that its launch counts little.
-constexpr int strip_vectors = 32, strip_faces = 1024;
+constexpr int simd_vectors = 32, simd_faces = 1024;
 constexpr std::size_t first_capacity = 256;
 // Of the printed method: how far outside a face a point may be, in weights, and how near N must be to H
 // there.
@@ -28,7 +28,7 @@ std::size_t items(int work, int work_per_item) {
 HighlightPoint point_of(const HighlightSurface& surface, const HighlightRecord& record) {
   HighlightPoint point;
   point.face = static_cast<std::uint32_t>(record.face);
-  point.lamp = record.light;
+  point.light = record.light;
   point.orientation = record.orientation;
   point.weights = {record.weight_0, record.weight_1, record.weight_2};
   point.weights /= point.weights.x + point.weights.y + point.weights.z;
@@ -51,9 +51,9 @@ glm::dvec3 place_on(const HighlightSurface& surface, std::uint32_t face, const g
          weights.z * positions_m[corners[2]];
 }
 
-HighlightPoints::HighlightPoints(const ocl::Device& device)
+HighlightFinder::HighlightFinder(const ocl::Device& device)
     : device_(device),
-      lanes_(ocl::tuning_for(device.info(), "highlights").shape == ocl::KernelShape::strip ? strip_lanes : 1),
+      lanes_(ocl::tuning_for(device.info(), "highlights").shape == ocl::KernelShape::strip ? simd_lanes : 1),
       field_kernel_(
           ocl::Program::build(device, "highlights/highlight_field.cl", ocl::Defines().set("LANES", lanes_))
               .kernel("highlight_field")),
@@ -65,40 +65,41 @@ HighlightPoints::HighlightPoints(const ocl::Device& device)
       count_(device, 1, "highlight count"),
       records_(device, first_capacity, "highlight points") {}
 
-void HighlightPoints::launch_zeros(const HighlightSurface& surface, int first_lamp, int lamp_count) {
+void HighlightFinder::launch_zeros(const HighlightSurface& surface, int first_light, int light_count) {
   const int pitch = surface.pitch();
-  const std::size_t floats = 2 * static_cast<std::size_t>(lamp_count) * static_cast<std::size_t>(pitch);
+  const std::size_t floats = 2 * static_cast<std::size_t>(light_count) * static_cast<std::size_t>(pitch);
   if (field_.size() < floats) field_ = ocl::Buffer<float>(device_, floats, "highlight field");
   if (masks_.size() < static_cast<std::size_t>(pitch))
     masks_ = ocl::Buffer<std::uint32_t>(device_, static_cast<std::size_t>(pitch), "highlight masks");
-  const int vectors = lanes_ > 1 ? strip_vectors : 1;
-  field_kernel_.launch({{items(pitch, lanes_ * vectors)}}, surface.vertex_rows(), pitch, lights_, lamp_count,
-                       vectors, first_lamp == 0 ? 1 : 0, field_, masks_, count_);
+  const int vectors = lanes_ > 1 ? simd_vectors : 1;
+  field_kernel_.launch({{items(pitch, lanes_ * vectors)}}, surface.vertex_rows(), pitch, lights_, light_count,
+                       vectors, first_light == 0 ? 1 : 0, field_, masks_, count_);
   const int face_count = static_cast<int>(surface.mesh().faces.size());
-  const int faces = lanes_ > 1 ? strip_faces : 1;
+  const int faces = lanes_ > 1 ? simd_faces : 1;
   if (face_count == 0) return;
   points_kernel_.launch({{items(face_count, faces)}}, surface.vertex_rows(), pitch, surface.face_rows(),
-                        face_count, faces, lights_, first_lamp, field_, masks_, records_,
+                        face_count, faces, lights_, first_light, field_, masks_, records_,
                         static_cast<int>(records_.size()), count_);
 }
 
-void HighlightPoints::launch_least_squares(const HighlightSurface& surface, int first_lamp, int lamp_count) {
-  if (first_lamp == 0) count_.fill(0);
+void HighlightFinder::launch_least_squares(const HighlightSurface& surface, int first_light,
+                                           int light_count) {
+  if (first_light == 0) count_.fill(0);
   const int face_count = static_cast<int>(surface.mesh().faces.size());
   if (face_count == 0) return;
   least_squares_kernel_.launch({{static_cast<std::size_t>(face_count)}}, surface.vertex_rows(),
-                               surface.pitch(), surface.face_rows(), face_count, lights_, lamp_count,
-                               first_lamp, least_squares_tolerance, least_squares_n_dot_h, records_,
+                               surface.pitch(), surface.face_rows(), face_count, lights_, light_count,
+                               first_light, least_squares_tolerance, least_squares_n_dot_h, records_,
                                static_cast<int>(records_.size()), count_);
 }
 
-int HighlightPoints::search(const HighlightSurface& surface, const Lighting& lighting, SearchMethod method) {
-  const int all = static_cast<int>(lighting.lamps.size());
+int HighlightFinder::search(const HighlightSurface& surface, const Lighting& lighting, SearchMethod method) {
+  const int all = static_cast<int>(lighting.lights.size());
   for (int first = 0; first < all; first += HIGHLIGHT_LIGHTS) {
     std::vector<HighlightLight> lights;
-    for (int lamp = first; lamp < std::min(all, first + HIGHLIGHT_LIGHTS); ++lamp) {
+    for (int light = first; light < std::min(all, first + HIGHLIGHT_LIGHTS); ++light) {
       lights.push_back(
-          packed_light(lighting.eye, lighting.lamps[static_cast<std::size_t>(lamp)], surface.middle_m()));
+          packed_light(lighting.eye, lighting.lights[static_cast<std::size_t>(light)], surface.middle_m()));
     }
     lights_.write(lights);
     const int count = static_cast<int>(lights.size());
@@ -111,9 +112,9 @@ int HighlightPoints::search(const HighlightSurface& surface, const Lighting& lig
   return count_.map()[0];
 }
 
-std::vector<HighlightPoint> HighlightPoints::find(const HighlightSurface& surface, const Lighting& lighting,
+std::vector<HighlightPoint> HighlightFinder::find(const HighlightSurface& surface, const Lighting& lighting,
                                                   SearchMethod method) {
-  if (lighting.lamps.empty()) return {};
+  if (lighting.lights.empty()) return {};
   auto count = static_cast<std::size_t>(search(surface, lighting, method));
   if (count > records_.size()) {
     records_ = ocl::Buffer<HighlightRecord>(device_, 2 * count, "highlight points");
@@ -128,7 +129,7 @@ std::vector<HighlightPoint> HighlightPoints::find(const HighlightSurface& surfac
   }
   // Work-items append in any order.
   std::sort(points.begin(), points.end(), [](const HighlightPoint& a, const HighlightPoint& b) {
-    return std::tie(a.lamp, a.face) < std::tie(b.lamp, b.face);
+    return std::tie(a.light, a.face) < std::tie(b.light, b.face);
   });
   return method == SearchMethod::zeros ? points : merged_points(surface, points);
 }

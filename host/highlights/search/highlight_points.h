@@ -12,12 +12,12 @@
 
 namespace offing::highlights {
 
-/// A point of a surface where the normal is the half vector of a lamp: where Blinn's highlight is brightest.
+/// A point of a surface where the normal is the half vector of a light: where Blinn's highlight is brightest.
 struct HighlightPoint {
   std::uint32_t face = 0;
-  int lamp = 0;  ///< index into Lighting::lamps
+  int light = 0;  ///< index into Lighting::lights
   /// 1 where normals turn as the surface does (humps and hollows, K > 0), -1 on saddles. On a closed surface
-  /// whose normals vanish nowhere their sum is 1 - genus for every lamp while H covers less than all
+  /// whose normals vanish nowhere their sum is 1 - genus for every light while H covers less than all
   /// directions.
   int orientation = 1;
   glm::dvec3 weights{1.0, 0.0, 0.0};  ///< of the face's corners, >= 0, their sum is 1
@@ -37,19 +37,19 @@ enum class SearchMethod {
 };
 
 /// Finds highlight points on the device (H3 of docs/sources.md). Between vertices, normals are interpolated
-/// and normalised; H is that of each vertex. Results are in the order of lamp, then face.
-class HighlightPoints {
+/// and normalised; H is that of each vertex. Results are in the order of light, then face.
+class HighlightFinder {
  public:
-  explicit HighlightPoints(const ocl::Device& device);
+  explicit HighlightFinder(const ocl::Device& device);
 
-  /// All points of a surface of the same device; eye and lamps in the mesh's axes. Waits for the device.
+  /// All points of a surface of the same device; eye and lights in the mesh's axes. Waits for the device.
   /// Throws Error(bad_input) for a source that is not finite or has no direction.
   std::vector<HighlightPoint> find(const HighlightSurface& surface, const Lighting& lighting,
                                    SearchMethod method = SearchMethod::zeros);
 
  private:
-  void launch_zeros(const HighlightSurface& surface, int first_lamp, int lamp_count);
-  void launch_least_squares(const HighlightSurface& surface, int first_lamp, int lamp_count);
+  void launch_zeros(const HighlightSurface& surface, int first_light, int light_count);
+  void launch_least_squares(const HighlightSurface& surface, int first_light, int light_count);
   int search(const HighlightSurface& surface, const Lighting& lighting, SearchMethod method);
 
   ocl::Device device_;

@@ -33,7 +33,8 @@ void require_vectors(const char* name, const std::vector<glm::dvec3>& vectors, s
            "give every vertex one");
   for (std::size_t i = 0; i < count; ++i) {
     if (!is_finite(vectors[i]))
-      refuse(fmt::format("{}: vertex {}: expected finite numbers", name, i), "mend the mesh");
+      refuse(fmt::format("{}: vertex {}: expected finite numbers", name, i),
+             "repair the mesh: offing-mesh repair");
   }
 }
 

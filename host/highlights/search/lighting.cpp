@@ -45,37 +45,37 @@ Lighting in_mesh_axes(const Lighting& world, const RigidMotion& mesh) {
     source.vector = inverse * source.vector;
     return source;
   };
-  Lighting result{.eye = moved(world.eye), .lamps = {}};
-  for (const Source& lamp : world.lamps) result.lamps.push_back(moved(lamp));
+  Lighting result{.eye = moved(world.eye), .lights = {}};
+  for (const Source& light : world.lights) result.lights.push_back(moved(light));
   return result;
 }
 
-glm::dvec3 half_vector(const Source& eye, const Source& lamp, const glm::dvec3& place_m) {
-  return unit_or_zero(toward(eye, place_m) + toward(lamp, place_m));
+glm::dvec3 half_vector(const Source& eye, const Source& light, const glm::dvec3& place_m) {
+  return unit_or_zero(toward(eye, place_m) + toward(light, place_m));
 }
 
-HighlightLight packed_light(const Source& eye, const Source& lamp, const glm::dvec3& middle_m) {
+HighlightLight packed_light(const Source& eye, const Source& light, const glm::dvec3& middle_m) {
   require_usable("eye", eye);
-  require_usable("lamp", lamp);
-  // Where eye and lamp are opposite any direction serves: nothing shines there.
-  glm::dvec3 axis = half_vector(eye, lamp, middle_m);
+  require_usable("light", light);
+  // Where eye and light are opposite any direction serves: nothing shines there.
+  glm::dvec3 axis = half_vector(eye, light, middle_m);
   if (axis == glm::dvec3(0.0)) axis = glm::dvec3(0.0, 1.0, 0.0);
   const TangentAxes axes = tangent_axes(axis);
   const glm::vec3 a(axis), right(axes.right), up(axes.up);
-  HighlightLight light{};
-  light.eye = packed_source(eye, middle_m);
-  light.lamp = packed_source(lamp, middle_m);
-  light.axis_x = a.x;
-  light.axis_y = a.y;
-  light.axis_z = a.z;
-  light.right_x = right.x;
-  light.right_y = right.y;
-  light.right_z = right.z;
-  light.up_x = up.x;
-  light.up_y = up.y;
-  light.up_z = up.z;
-  light.is_constant = eye.kind == Source::Kind::direction && lamp.kind == Source::Kind::direction ? 1 : 0;
-  return light;
+  HighlightLight packed{};
+  packed.eye = packed_source(eye, middle_m);
+  packed.source = packed_source(light, middle_m);
+  packed.axis_x = a.x;
+  packed.axis_y = a.y;
+  packed.axis_z = a.z;
+  packed.right_x = right.x;
+  packed.right_y = right.y;
+  packed.right_z = right.z;
+  packed.up_x = up.x;
+  packed.up_y = up.y;
+  packed.up_z = up.z;
+  packed.is_constant = eye.kind == Source::Kind::direction && light.kind == Source::Kind::direction ? 1 : 0;
+  return packed;
 }
 
 }  // namespace offing::highlights

@@ -9,7 +9,7 @@
 
 namespace offing::highlights {
 
-/// An eye or a lamp: at a place, or so far away that only the direction to it counts.
+/// An eye or a light: at a place, or so far away that only the direction to it counts.
 struct Source {
   enum class Kind { direction, place };
   Kind kind = Kind::direction;
@@ -19,7 +19,7 @@ struct Source {
 /// What highlights depend on besides the surface. A parallel projection is an eye in a direction.
 struct Lighting {
   Source eye;
-  std::vector<Source> lamps;  ///< any number
+  std::vector<Source> lights;  ///< any number
 };
 
 /// Where a mesh is: world = rotation * mesh + translation_m. The rotation is orthonormal.
@@ -28,15 +28,15 @@ struct RigidMotion {
   glm::dvec3 translation_m{0.0};
 };
 
-/// The same eye and lamps, in the axes of a mesh that stands there.
+/// The same eye and lights, in the axes of a mesh that stands there.
 Lighting in_mesh_axes(const Lighting& world, const RigidMotion& mesh);
 
-/// The half vector H = (L + V) / |L + V| of a lamp at a place (Blinn; H3 of docs/sources.md). A zero vector
-/// exactly between eye and lamp.
-glm::dvec3 half_vector(const Source& eye, const Source& lamp, const glm::dvec3& place_m);
+/// The half vector H = (L + V) / |L + V| of a light at a place (Blinn; H3 of docs/sources.md). A zero vector
+/// exactly between eye and light.
+glm::dvec3 half_vector(const Source& eye, const Source& light, const glm::dvec3& place_m);
 
-/// A lamp with the eye as the kernels read it, relative to `middle_m`. Throws Error(bad_input) that names the
-/// source if its vector is not finite, or a direction is zero.
-HighlightLight packed_light(const Source& eye, const Source& lamp, const glm::dvec3& middle_m);
+/// A light with the eye as the kernels read it, relative to `middle_m`. Throws Error(bad_input) that names
+/// the source if its vector is not finite, or a direction is zero.
+HighlightLight packed_light(const Source& eye, const Source& light, const glm::dvec3& middle_m);
 
 }  // namespace offing::highlights

@@ -27,7 +27,7 @@ std::vector<HighlightPoint> merged_points(const HighlightSurface& surface,
   std::vector<HighlightPoint> kept;
   for (const HighlightPoint& point : points) {
     const auto same = std::find_if(kept.begin(), kept.end(), [&](const HighlightPoint& other) {
-      return other.lamp == point.lamp && glm::distance(other.position_m, point.position_m) <= reach_m &&
+      return other.light == point.light && glm::distance(other.position_m, point.position_m) <= reach_m &&
              are_neighbours(surface, other.face, point.face);
     });
     if (same == kept.end()) {

@@ -26,16 +26,16 @@ struct TrackOptions {
   /// is shown may fall, before it fades out and a new one fades in: shares of the diagonal.
   double jump_share = 0.05, lag_share = 0.08;
   int key_steps = 60;        ///< from one key state to the next
-  bool has_shadows = false;  ///< whether the surface keeps highlights from their lamps (LampShadow)
+  bool has_shadows = false;  ///< whether the surface keeps highlights from their lights (LightShadow)
 };
 
 /// Checks ranges: throws Error(bad_input) that names the option.
 void require_valid(const TrackOptions& options);
 
-/// A place of the mesh, for whose nearest highlight a rule is; with a lamp, of those of this lamp.
+/// A place of the mesh, for whose nearest highlight a rule is; with a light, of those of this light.
 struct NearestPlace {
   glm::dvec3 place_m{0.0};
-  std::optional<int> lamp = {};
+  std::optional<int> light = {};
 
   bool operator==(const NearestPlace&) const = default;
 };
@@ -51,7 +51,7 @@ struct HighlightTrack {
   std::uint32_t seed_face = 0;  ///< that the projector's middle lies on
   double presence = 0.0;        ///< 0 ... 1: fades in from birth on, out from the end on
   double share = 1.0;           ///< 0 ... 1: what an older one of the same region leaves to it
-  double lit = 1.0;             ///< 0 ... 1: how much of it its lamp reaches, as looked at last
+  double lit = 1.0;             ///< 0 ... 1: how much of it its light reaches, as looked at last
   double opacity = 0.0;         ///< 0 ... 1, as shown: follows presence * share * lit within the limits
   std::vector<double> nearest;  ///< [TrackState::places], 0 ... 1: how much of it is the nearest to each
 };

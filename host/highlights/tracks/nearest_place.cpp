@@ -13,8 +13,8 @@ namespace {
 // Two highlights that differ by no more than this share of the diagonal in their distances share a place.
 constexpr double nearness_share = 0.02;
 
-bool is_of_lamp(const NearestPlace& place, const HighlightTrack& track) {
-  return !place.lamp || *place.lamp == track.point.lamp;
+bool is_of_light(const NearestPlace& place, const HighlightTrack& track) {
+  return !place.light || *place.light == track.point.light;
 }
 
 /// What is not there, or is part of an older one, is farther than what is, by degrees: else a place would go
@@ -39,7 +39,7 @@ std::vector<NearestPlace> nearest_places(const std::vector<HighlightRule>& rules
   std::vector<NearestPlace> places;
   for (const HighlightRule& rule : rules) {
     if (rule.pin_m || !rule.nearest_m) continue;
-    const NearestPlace place{*rule.nearest_m, rule.lamp};
+    const NearestPlace place{*rule.nearest_m, rule.light};
     if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
   }
   return places;
@@ -51,7 +51,7 @@ std::vector<double> shares_nearest(const NearestPlace& place, const std::vector<
   std::vector<double> distances_m;  // [tracks]
   double least_m = none_m, second_m = none_m;
   for (const HighlightTrack& track : tracks) {
-    const double distance_m = is_of_lamp(place, track) ? distance_to(place, track, diagonal_m) : none_m;
+    const double distance_m = is_of_light(place, track) ? distance_to(place, track, diagonal_m) : none_m;
     distances_m.push_back(distance_m);
     second_m = std::min(second_m, std::max(distance_m, least_m));
     least_m = std::min(least_m, distance_m);

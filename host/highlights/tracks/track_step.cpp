@@ -59,7 +59,7 @@ std::vector<Pair> possible_pairs(const HighlightSurface& surface, const std::vec
     const glm::dvec3 expected_m = track.point.position_m + (is_alive ? track.way_m : glm::dvec3(0.0));
     const double reach_m = is_alive ? jump_m : revival_share * jump_m;
     places.visit_near(expected_m, reach_m, [&](std::size_t p) {
-      if (points[p].lamp != track.point.lamp || points[p].orientation != track.point.orientation) return;
+      if (points[p].light != track.point.light || points[p].orientation != track.point.orientation) return;
       const double distance_m = glm::distance(points[p].position_m, expected_m);
       const bool is_in_sight = glm::distance(points[p].position_m, track.projector.centre_m) <= lag_m;
       if (distance_m <= reach_m && is_in_sight) pairs.push_back({distance_m, t, p});
@@ -105,7 +105,7 @@ double depth_apart(const Projector& a, const Projector& b) {
   return std::min(apart(a), apart(b));
 }
 
-/// What each may show beside older ones of its lamp.
+/// What each may show beside older ones of its light.
 void share_regions(std::vector<HighlightTrack>& tracks) {
   PlacesAlongX places;
   double widest_m = 0.0;
@@ -120,7 +120,7 @@ void share_regions(std::vector<HighlightTrack>& tracks) {
     track.share = 1.0;
     places.visit_near(track.projector.centre_m, 0.5 * parted * widest_m, [&](std::size_t older) {
       const HighlightTrack& other = tracks[older];
-      if (older >= younger || other.point.lamp != track.point.lamp) return;
+      if (older >= younger || other.point.light != track.point.light) return;
       const double overlap =
           1.0 - glm::smoothstep(united, parted, depth_apart(other.projector, track.projector));
       track.share *= 1.0 - overlap * other.presence * other.share;

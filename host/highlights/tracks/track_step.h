@@ -8,7 +8,7 @@
 
 namespace offing::highlights {
 
-/// How much of a highlight its lamp reaches where it is shown: 0 ... 1. It is not asked about one that would
+/// How much of a highlight its light reaches where it is shown: 0 ... 1. It is not asked about one that would
 /// not be seen in the light either. Empty: all of each.
 using LitShare = std::function<double(const HighlightTrack& track)>;
 
@@ -16,11 +16,11 @@ using LitShare = std::function<double(const HighlightTrack& track)>;
 TrackState first_state(const std::vector<HighlightPoint>& points, const TrackOptions& options,
                        const LitShare& lit_share = {});
 
-/// One step on (H10, H11 of docs/sources.md). Points become those of the tracks of their lamp and orientation
-/// that expect them nearest, pair by pair from the nearest on: humps and saddles are born and die in pairs
-/// and are never taken for one another. What is left of tracks fades out where it is, what is left of points
-/// fades in. Of several in one region the oldest is shown; the others blend in as they part. What comes into
-/// a shadow fades.
+/// One step on (H10, H11 of docs/sources.md). Points become those of the tracks of their light and
+/// orientation that expect them nearest, pair by pair from the nearest on: humps and saddles are born and die
+/// in pairs and are never taken for one another. What is left of tracks fades out where it is, what is left
+/// of points fades in. Of several in one region the oldest is shown; the others blend in as they part. What
+/// comes into a shadow fades.
 void advance(const HighlightSurface& surface, const std::vector<HighlightPoint>& points,
              const TrackOptions& options, TrackState& state, const LitShare& lit_share = {});
 

@@ -26,7 +26,7 @@ struct ProjectorSample {
   std::uint64_t id = 0;  ///< the same for the same highlight from frame to frame
   int rule = -1;         ///< of the artist's, -1: none. A highlight between two rules has a projector of each
   int copy = 0;          ///< of a highlight that is split
-  int lamp = 0;          ///< whose light it is, in the order of the scene; -1: a pin, which has none
+  int light = 0;         ///< whose light it is, in the order of the scene; -1: a pin, which has none
   glm::dvec3 position_m{0.0}, right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, normal{0.0, 0.0, 1.0};
   double width_m = 1.0, height_m = 1.0;  ///< full, along right and up
   double opacity = 1.0;                  ///< 0 ... 1
@@ -54,7 +54,7 @@ struct HighlightAnimation {
   std::string generator;  ///< the program that made it, with its version
   double frames_per_s = 30.0;
   int first_frame = 0;
-  std::vector<std::string> lamps;  ///< names, in the order of ProjectorSample::lamp
+  std::vector<std::string> lights;  ///< names, in the order of ProjectorSample::light
   std::vector<AnimatedTexture> textures;
   std::vector<AnimatedMesh> meshes;  ///< as many frames each
 };

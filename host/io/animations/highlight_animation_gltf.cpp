@@ -85,7 +85,7 @@ class Writer {
   Json document() const {
     Json json = {{"asset", {{"version", "2.0"}, {"generator", animation_.generator}}},
                  {"extensionsUsed", {"KHR_materials_unlit", "KHR_animation_pointer"}},
-                 {"extras", {{"lamps", animation_.lamps}}},
+                 {"extras", {{"lights", animation_.lights}, {"lamps", animation_.lights}}},
                  {"scene", 0},
                  {"scenes", {{{"nodes", roots_}}}},
                  {"nodes", nodes_},
@@ -213,7 +213,8 @@ class Writer {
                        {{"id", sample.id},
                         {"rule", sample.rule},
                         {"copy", sample.copy},
-                        {"lamp", sample.lamp < 0 ? Json() : Json(sample.lamp)},
+                        {"light", sample.light < 0 ? Json() : Json(sample.light)},
+                        {"lamp", sample.light < 0 ? Json() : Json(sample.light)},  // its name until 0.2
                         {"texture", animation_.textures[sample.texture].name},
                         {"softness", sample.softness}}}});
     const std::size_t times = buffer_.add(keys.times_s, 1);

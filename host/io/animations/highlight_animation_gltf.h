@@ -17,9 +17,9 @@ enum class GltfForm {
 /// the box lies within -0.5 ... 0.5. Each node carries a unit square with the texture, unlit, so that the
 /// file shows something in any viewer; opacity and colour are animated as the material's baseColorFactor by
 /// KHR_animation_pointer, which viewers that do not know it leave out. `extras` of a projector's node have
-/// id, rule, copy, lamp (of the file's extras.lamps, null for a pin), texture and softness; those of a mesh's
-/// node its file and the scale of the file's places, which the node does not have. Poses lie at each frame,
-/// linear in between.
+/// id, rule, copy, light (of the file's extras.lights, null for a pin), texture and softness; those of a
+/// mesh's node its file and the scale of the file's places, which the node does not have. Poses lie at each
+/// frame, linear in between.
 std::string highlight_animation_gltf(const HighlightAnimation& animation, GltfForm form);
 
 }  // namespace offing::animations

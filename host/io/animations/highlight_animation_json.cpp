@@ -16,7 +16,8 @@ Json projector_json(const MeshFrame& frame, const ProjectorSample& projector) {
   return {{"id", projector.id},
           {"rule", projector.rule},
           {"copy", projector.copy},
-          {"lamp", projector.lamp < 0 ? Json() : Json(projector.lamp)},
+          {"light", projector.light < 0 ? Json() : Json(projector.light)},
+          {"lamp", projector.light < 0 ? Json() : Json(projector.light)},  // its name until 0.2
           {"position_m", list_of(frame.rotation * projector.position_m + frame.translation_m)},
           {"right", list_of(frame.rotation * projector.right)},
           {"up", list_of(frame.rotation * projector.up)},
@@ -68,7 +69,8 @@ std::string highlight_animation_json(const HighlightAnimation& animation) {
                      {"frames_per_s", animation.frames_per_s},
                      {"first_frame", animation.first_frame},
                      {"frame_count", frame_count},
-                     {"lamps", animation.lamps},
+                     {"lights", animation.lights},
+                     {"lamps", animation.lights},  // its name until 0.2
                      {"textures", std::move(textures)},
                      {"meshes", std::move(meshes)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';

@@ -7,11 +7,12 @@
 namespace offing::animations {
 
 /// An animation as JSON: {"generator", "version": 1, "frames_per_s", "first_frame", "frame_count",
-/// "lamps": [name], "textures": [{"name", "file"?}], "meshes": [{"name", "file"?, "scale", "frames":
+/// "lights": [name], "textures": [{"name", "file"?}], "meshes": [{"name", "file"?, "scale", "frames":
 /// [{"frame", "time_s", "mesh": {"translation_m", "rotation": [x, y, z, w]}, "highlights": [{"id", "rule",
-/// "copy", "lamp", "position_m", "right", "up", "normal", "width_m", "height_m", "opacity", "texture",
+/// "copy", "light", "position_m", "right", "up", "normal", "width_m", "height_m", "opacity", "texture",
 /// "softness", "colour"}]}]}]}. Vectors are in the world's axes (right-handed, y up), `texture` is an index,
 /// a rotation is a unit quaternion. Numbers read back to the same doubles.
+/// `lights` and `light` are written under their earlier names, `lamps` and `lamp`, too.
 std::string highlight_animation_json(const HighlightAnimation& animation);
 
 }  // namespace offing::animations

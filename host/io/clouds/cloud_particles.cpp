@@ -205,8 +205,7 @@ glm::dvec3 middle_of(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void write_cloud_particles(const std::filesystem::path& path, const CloudParticles& cloud,
-                           Existing existing) {
+void write_cloud_particles(const std::filesystem::path& path, const ParticleCloud& cloud, Existing existing) {
   std::vector<meshes::PlyColumn> written;
   for (const Column& column : columns) written.push_back({column.type, std::string(column.name)});
   meshes::PlyWriter writer(
@@ -225,10 +224,10 @@ void write_cloud_particles(const std::filesystem::path& path, const CloudParticl
   writer.commit();
 }
 
-CloudParticles read_cloud_particles(const std::filesystem::path& path) {
+ParticleCloud read_cloud_particles(const std::filesystem::path& path) {
   const std::vector<Row> rows = meshes::parse_mesh_file(
       path, [&](std::string_view bytes) { return ParticleParser(bytes, path.string()).parse(); });
-  CloudParticles cloud{.origin_m = middle_of(rows), .particles = {}};
+  ParticleCloud cloud{.origin_m = middle_of(rows), .particles = {}};
   cloud.particles.reserve(rows.size());
   for (const Row& row : rows) cloud.particles.push_back(particle_of(row, cloud.origin_m));
   return cloud;

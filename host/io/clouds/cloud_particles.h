@@ -11,7 +11,7 @@
 namespace offing {
 
 /// Particles of a cloud or of a sky.
-struct CloudParticles {
+struct ParticleCloud {
   glm::dvec3 origin_m{0.0};  ///< in the world: what their places are relative to
   std::vector<CloudParticle> particles;
 };
@@ -19,7 +19,7 @@ struct CloudParticles {
 /// Writes particles as a binary PLY of vertices, atomically and with the same bytes for the same particles: x
 /// y z (double, in the world), radius, optical_mass, red green blue, turn (float), texture cloud id (uint),
 /// as CloudParticle has them. Throws Error(file) if it cannot be written.
-void write_cloud_particles(const std::filesystem::path& path, const CloudParticles& cloud,
+void write_cloud_particles(const std::filesystem::path& path, const ParticleCloud& cloud,
                            Existing existing = Existing::replace);
 
 /// Reads particles of a PLY, text or binary: x y z radius optical_mass must be there; without the others
@@ -29,7 +29,7 @@ void write_cloud_particles(const std::filesystem::path& path, const CloudParticl
 /// Throws Error(bad_input) that names the file and the place in it for what is no PLY, ends early, or has
 /// values that are not finite or break what CloudParticle promises, for none at all and for more than
 /// most_cloud_particles; Error(file) where it must not be read.
-CloudParticles read_cloud_particles(const std::filesystem::path& path);
+ParticleCloud read_cloud_particles(const std::filesystem::path& path);
 
 /// 2^27 particles are 6 GiB.
 inline constexpr std::size_t most_cloud_particles = std::size_t{1} << 27;

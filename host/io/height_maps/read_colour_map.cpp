@@ -47,9 +47,9 @@ void require_size(const std::filesystem::path& path, int columns, int rows) {
          "cut out a part or make it coarser, for example with gdal_translate -srcwin or -outsize");
 }
 
-class Picture {
+class Image {
  public:
-  Picture(const std::filesystem::path& path, const FileTrust& trust) : path_(path) {
+  Image(const std::filesystem::path& path, const FileTrust& trust) : path_(path) {
     height_maps::require_readable_file(path, "a picture");
     dataset_ = height_maps::open_raster(path, trust);
     if (!dataset_) {
@@ -240,7 +240,7 @@ void turn_over(ColourMap& colours) {
 }  // namespace
 
 ColourMap read_colour_map(const std::filesystem::path& path, const HeightMap& map, const FileTrust& trust) {
-  const Picture picture(path, trust);
+  const Image picture(path, trust);
   const Georeference& place = map.georeference;
   Pixels pixels = picture.read();
   if (pixels.corner && place.step_x != 0.0 && !place.coordinate_system.empty()) {

@@ -88,7 +88,7 @@ Error mesh_error(std::string_view file_name, std::size_t line_number, std::strin
   const std::string place = line_number == 0 ? "" : fmt::format(":{}", line_number);
   return {ErrorKind::bad_input,
           fmt::format("{}{}: expected {}, got {}", one_line(file_name), place, expected, got),
-          "export the mesh again, or mend the file there"};
+          "export the mesh again, or correct the file there"};
 }
 
 }  // namespace offing::meshes

@@ -42,7 +42,7 @@ LoadedFile load(const std::filesystem::path& path) {
   LoadedFile file{path.string(),
                   read_whole_file(path, {.kind = "a wave spectrum file",
                                          .most_bytes = std::size_t{1} << 30,
-                                         .mend_of_size = "cut the file into months, or extract "
+                                         .hint_of_size = "cut the file into months, or extract "
                                                          "the records that you need"})};
   if (spectra::is_gzip(file.bytes)) {
     file.bytes = spectra::unpack_gzip(file.bytes, file.name, most_unpacked_bytes);

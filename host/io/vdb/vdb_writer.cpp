@@ -175,9 +175,9 @@ void write_file(const std::filesystem::path& path, const openvdb::GridCPtrVec& g
 void write_vdb(const std::filesystem::path& path, const VdbCloud& cloud, VdbPrecision precision,
                Existing existing) {
   const float most = precision == VdbPrecision::half ? 65504.0f : std::numeric_limits<float>::max();
-  std::optional<CloudVolume> mended;  // few are in need of it
-  if (!is_fit(cloud.volume.density, most)) mended = repaired(path, cloud.volume, most);
-  const CloudVolume& volume = mended ? *mended : cloud.volume;
+  std::optional<CloudVolume> fitted;  // few need it
+  if (!is_fit(cloud.volume.density, most)) fitted = repaired(path, cloud.volume, most);
+  const CloudVolume& volume = fitted ? *fitted : cloud.volume;
   require_valid(volume);
   if (!cloud.albedo.empty() && cloud.albedo.size() != volume.density.size()) {
     throw vdb::bad_vdb(path, "color", "one albedo a density", "others", "make them anew");

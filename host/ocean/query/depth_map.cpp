@@ -8,8 +8,8 @@
 
 #include "host/base/error.h"
 #include "host/base/world_limits.h"
-#include "host/ocean/parameter_check.h"
-#include "kernels/shared/shoals.h"
+#include "host/ocean/ocean_limits.h"
+#include "kernels/shared/shoal_params.h"
 
 namespace offing::ocean {
 namespace {

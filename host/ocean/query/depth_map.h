@@ -5,7 +5,7 @@
 namespace offing::ocean {
 
 /// How deep still water stands over a bed, at the posts of a grid and bilinear between them. Beyond the
-/// grid's edge the bed goes on as it is there, and sinks by SHOAL_STEEPEST (kernels/shared/shoals.h).
+/// grid's edge the bed goes on as it is there, and sinks by SHOAL_STEEPEST (kernels/shared/shoal_params.h).
 struct DepthMap {
   int columns = 0, rows = 0;                    ///< at least 2
   double origin_x_m = 0.0, origin_z_m = 0.0;    ///< of the first post, in the world

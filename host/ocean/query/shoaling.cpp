@@ -5,13 +5,13 @@
 #include <numbers>
 
 #include "host/base/world_limits.h"
-#include "host/ocean/parameter_check.h"
+#include "host/ocean/ocean_limits.h"
 
 namespace offing::ocean {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-constexpr std::size_t trochoid_bands = SHOAL_BANDS - SHOAL_FIRST_TROCHOIDS;
+constexpr std::size_t gerstner_bands = SHOAL_BANDS - SHOAL_FIRST_GERSTNER;
 // How sharply the height turns from shoaling to breaking: the larger, the nearer to the lesser of both.
 constexpr double sharpness = 4.0;
 // Where the depth is a wavelength, heights are those of deep water to 4 pi e^(-4 pi), 4e-5; where it is 10
@@ -55,7 +55,7 @@ std::array<double, SHOAL_BANDS> shares_at(const Dispersion& sea, std::span<const
 
 }  // namespace
 
-int ShoalingBands::trochoid_band(double wavenumber_radpm) const {
+int SeaBands::gerstner_band(double wavenumber_radpm) const {
   int band = 0;
   for (const double edge_radpm : edges_radpm) band += wavenumber_radpm >= edge_radpm ? 1 : 0;
   return band;
@@ -80,31 +80,32 @@ ShoalingBand band_of_modes(std::span<const float> variance_m2, int size, double 
   return band;
 }
 
-ShoalingBands shoaling_bands(std::span<const ShoalingBand> cascades, std::span<const Trochoid> trochoids) {
-  require_within("cascade count", static_cast<double>(cascades.size()), 0.0, SHOAL_FIRST_TROCHOIDS);
-  ShoalingBands result;
+SeaBands shoaling_bands(std::span<const ShoalingBand> cascades,
+                        std::span<const GerstnerWave> gerstner_waves) {
+  require_within("cascade count", static_cast<double>(cascades.size()), 0.0, SHOAL_FIRST_GERSTNER);
+  SeaBands result;
   std::copy(cascades.begin(), cascades.end(), result.bands.begin());
-  if (trochoids.empty()) return result;
+  if (gerstner_waves.empty()) return result;
   std::vector<double> wavenumbers_radpm;
-  for (const Trochoid& wave : trochoids) wavenumbers_radpm.push_back(wave.wavenumber_radpm);
+  for (const GerstnerWave& wave : gerstner_waves) wavenumbers_radpm.push_back(wave.wavenumber_radpm);
   std::sort(wavenumbers_radpm.begin(), wavenumbers_radpm.end());
   const double first = wavenumbers_radpm.front(), last = wavenumbers_radpm.back();
   for (std::size_t i = 0; i < result.edges_radpm.size(); ++i) {
-    const double even = first * std::pow(last / first, static_cast<double>(i + 1) / trochoid_bands);
+    const double even = first * std::pow(last / first, static_cast<double>(i + 1) / gerstner_bands);
     // Between two waves, so that rounding of one does not move it to another band.
     const auto above = std::lower_bound(wavenumbers_radpm.begin(), wavenumbers_radpm.end(), even);
     const bool is_between = above != wavenumbers_radpm.begin() && above != wavenumbers_radpm.end();
     result.edges_radpm[i] = is_between ? std::sqrt(*above * *(above - 1)) : 2.0 * last;
   }
-  std::array<double, trochoid_bands> moments{};
-  for (const Trochoid& wave : trochoids) {
-    const auto index = static_cast<std::size_t>(result.trochoid_band(wave.wavenumber_radpm));
+  std::array<double, gerstner_bands> moments{};
+  for (const GerstnerWave& wave : gerstner_waves) {
+    const auto index = static_cast<std::size_t>(result.gerstner_band(wave.wavenumber_radpm));
     const double variance_m2 = 0.5 * wave.amplitude_m * wave.amplitude_m;
-    result.bands[SHOAL_FIRST_TROCHOIDS + index].variance_m2 += variance_m2;
+    result.bands[SHOAL_FIRST_GERSTNER + index].variance_m2 += variance_m2;
     moments[index] += variance_m2 * wave.wavenumber_radpm;
   }
-  for (std::size_t i = 0; i < trochoid_bands; ++i) {
-    ShoalingBand& band = result.bands[SHOAL_FIRST_TROCHOIDS + i];
+  for (std::size_t i = 0; i < gerstner_bands; ++i) {
+    ShoalingBand& band = result.bands[SHOAL_FIRST_GERSTNER + i];
     if (band.variance_m2 > 0.0) band.wavenumber_radpm = moments[i] / band.variance_m2;
   }
   return result;
@@ -117,7 +118,7 @@ double shoaling_coefficient(const Dispersion& sea, double wavenumber_radpm, doub
   return std::sqrt(sea.group_speed_mps(wavenumber_radpm) / there.group_speed_mps(k_radpm));
 }
 
-ShoalTable::ShoalTable(const Dispersion& sea, const ShoalingBands& bands) : bands_(bands) {
+ShoalTable::ShoalTable(const Dispersion& sea, const SeaBands& bands) : bands_(bands) {
   for (const ShoalingBand& band : bands.bands) {
     require_within("band variance_m2", band.variance_m2, 0.0, 1e6);
     if (band.variance_m2 > 0.0) require_within("band wavenumber_radpm", band.wavenumber_radpm, 1e-6, 1e6);

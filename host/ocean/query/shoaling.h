@@ -6,8 +6,8 @@
 
 #include "host/ocean/spectrum/dispersion.h"
 #include "host/ocean/surface/cascades.h"
-#include "host/ocean/surface/trochoids.h"
-#include "kernels/shared/shoals.h"
+#include "host/ocean/surface/gerstner_waves.h"
+#include "kernels/shared/shoal_params.h"
 
 namespace offing::ocean {
 
@@ -22,23 +22,23 @@ struct ShoalingBand {
   double wavenumber_radpm = 0.0;
 };
 
-/// The bands of a sea: those of its cascades, then of trochoids, from long waves to short.
-struct ShoalingBands {
+/// The bands of a sea: those of its cascades, then of Gerstner waves, from long waves to short.
+struct SeaBands {
   std::array<ShoalingBand, SHOAL_BANDS> bands{};
-  /// Trochoids with a wavenumber from edge i on are of band i + 1 or beyond, rad/m.
-  std::array<double, SHOAL_BANDS - SHOAL_FIRST_TROCHOIDS - 1> edges_radpm{};
+  /// Gerstner waves with a wavenumber from edge i on are of band i + 1 or beyond, rad/m.
+  std::array<double, SHOAL_BANDS - SHOAL_FIRST_GERSTNER - 1> edges_radpm{};
 
-  /// The band of a trochoid, 0 ... 3, from the first of trochoids on.
-  int trochoid_band(double wavenumber_radpm) const;
+  /// The band of a Gerstner wave, 0 ... 3, from the first of Gerstner waves on.
+  int gerstner_band(double wavenumber_radpm) const;
 };
 
 /// The band of a cascade whose modes have these expected variances, [size][size] m^2
 /// (Ocean::mode_variance()).
 ShoalingBand band_of_modes(std::span<const float> variance_m2, int size, double patch_length_m);
 
-/// Those of cascades, with bands of trochoids whose edges lie midway, by ratio, between waves: as many wave
-/// by wave as there are bands, else of equal ratio.
-ShoalingBands shoaling_bands(std::span<const ShoalingBand> cascades, std::span<const Trochoid> trochoids);
+/// Those of cascades, with bands of Gerstner waves whose edges lie midway, by ratio, between waves: as many
+/// wave by wave as there are bands, else of equal ratio.
+SeaBands shoaling_bands(std::span<const ShoalingBand> cascades, std::span<const GerstnerWave> gerstner_waves);
 
 /// By how much a wave's height grows from the sea's own depth to another, of conserved energy flux at a
 /// frequency that stays: sqrt(cg(sea) / cg(there)), linear theory (Dean & Dalrymple 1991, chapter 4).
@@ -57,20 +57,20 @@ class ShoalTable {
  public:
   ShoalTable() = default;
   /// `sea` says how deep the open sea is. Throws Error(bad_input) for bands that are not finite.
-  ShoalTable(const Dispersion& sea, const ShoalingBands& bands);
+  ShoalTable(const Dispersion& sea, const SeaBands& bands);
 
   /// At this depth and below the sea is the open sea, m.
   double deepest_m() const { return deepest_m_; }
-  /// [SHOAL_STEPS][SHOAL_BANDS]; kernels/shared/shoals.h has the depths of its rows.
+  /// [SHOAL_STEPS][SHOAL_BANDS]; kernels/shared/shoal_params.h has the depths of its rows.
   const std::vector<float>& shares() const { return shares_; }
-  const ShoalingBands& bands() const { return bands_; }
+  const SeaBands& bands() const { return bands_; }
   /// The largest of all, 1 or more: how much higher than in the open sea waves may stand before they break.
   double largest_share() const { return largest_share_; }
   /// Of each band at this depth: the table, linear between its rows, in double precision.
   std::array<double, SHOAL_BANDS> at(double depth_m) const;
 
  private:
-  ShoalingBands bands_;
+  SeaBands bands_;
   double deepest_m_ = 0.0, largest_share_ = 1.0;
   std::vector<float> shares_;
 };

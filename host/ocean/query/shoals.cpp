@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "host/base/error.h"
-#include "kernels/shared/surface_query.h"
+#include "kernels/shared/query_params.h"
 
 namespace offing::ocean {
 namespace {

@@ -7,7 +7,7 @@
 #include "host/ocean/query/shoaling.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
-#include "kernels/shared/shoals.h"
+#include "kernels/shared/shoal_params.h"
 
 namespace offing::ocean {
 

@@ -63,37 +63,37 @@ class Cell {
 
 }  // namespace
 
-SurfaceInstant::SurfaceInstant(std::vector<Maps> cascades, int size, const TrochoidSea& trochoids,
+SurfaceInstant::SurfaceInstant(std::vector<Maps> cascades, int size, const GerstnerSea& gerstner_waves,
                                double time_s, const WaterQuery& query, const Dispersion& dispersion,
                                std::vector<WakeMaps::Instant> wakes, std::optional<ShoalsInstant> shoals)
     : cascades_(std::move(cascades)),
       size_(size),
-      trochoids_(trochoids, time_s, query.min_wavelength_m),
+      gerstner_waves_(gerstner_waves, time_s, query.min_wavelength_m),
       wakes_(std::move(wakes)),
       shoals_(std::move(shoals)),
       query_(query),
       weight_papm_(query.density_kgpm3 * dispersion.gravity_mps2) {
   require_valid_query(query, dispersion.depth_m);
   if (!shoals_) return;
-  for (const TrochoidInstant::Wave& wave : trochoids_.waves()) {
+  for (const GerstnerInstant::Wave& wave : gerstner_waves_.waves()) {
     const double k_radpm = std::hypot(wave.kx_radpm, wave.kz_radpm);
-    bands_.push_back(static_cast<std::size_t>(shoals_->table.bands().trochoid_band(k_radpm)));
+    bands_.push_back(static_cast<std::size_t>(shoals_->table.bands().gerstner_band(k_radpm)));
   }
 }
 
 SurfaceInstant::Shares SurfaceInstant::shares_at(const WaterPoint& label) const {
-  Shares shares{.cascades = {1.0, 1.0, 1.0, 1.0}, .trochoids = {}};
+  Shares shares{.cascades = {1.0, 1.0, 1.0, 1.0}, .gerstner_waves = {}};
   if (!shoals_) return shares;
   const std::array<double, SHOAL_BANDS> there = shoals_->at(label.x_m, label.z_m);
   std::copy_n(there.begin(), shares.cascades.size(), shares.cascades.begin());
-  for (const std::size_t band : bands_) shares.trochoids.push_back(there[SHOAL_FIRST_TROCHOIDS + band]);
+  for (const std::size_t band : bands_) shares.gerstner_waves.push_back(there[SHOAL_FIRST_GERSTNER + band]);
   return shares;
 }
 
 SurfaceInstant::Sums SurfaceInstant::sums_at(const WaterPoint& label) const {
   const Shares shares = shares_at(label);
-  Sums sums{.values = trochoids_.at(label.x_m, label.z_m, shares.trochoids)};
-  TrochoidValues& values = sums.values;
+  Sums sums{.values = gerstner_waves_.at(label.x_m, label.z_m, shares.gerstner_waves)};
+  GerstnerValues& values = sums.values;
   sums.x_by_x = values.gradient_xx;
   sums.z_by_x = sums.x_by_z = values.gradient_xz;
   sums.z_by_z = values.gradient_zz;
@@ -128,12 +128,12 @@ SurfaceInstant::Sums SurfaceInstant::sums_at(const WaterPoint& label) const {
 /// The steps of ocean/surface_query.cl.
 WaterPoint SurfaceInstant::label_under(const WaterPoint& point) const {
   WaterPoint label = point;
-  const bool has_trochoids = !trochoids_.waves().empty();
-  if (has_trochoids) {
-    const TrochoidValues values = trochoids_.at(point.x_m, point.z_m, shares_at(point).trochoids);
+  const bool has_gerstner_waves = !gerstner_waves_.waves().empty();
+  if (has_gerstner_waves) {
+    const GerstnerValues values = gerstner_waves_.at(point.x_m, point.z_m, shares_at(point).gerstner_waves);
     label = {.x_m = point.x_m - values.displacement_x_m, .z_m = point.z_m - values.displacement_z_m};
   }
-  for (int step = has_trochoids ? 1 : 0; step < SURFACE_QUERY_MOST_STEPS; ++step) {
+  for (int step = has_gerstner_waves ? 1 : 0; step < SURFACE_QUERY_MOST_STEPS; ++step) {
     const Sums sums = sums_at(label);
     const double off_x_m = label.x_m + sums.values.displacement_x_m - point.x_m;
     const double off_z_m = label.z_m + sums.values.displacement_z_m - point.z_m;
@@ -150,7 +150,7 @@ WaterPoint SurfaceInstant::label_under(const WaterPoint& point) const {
 WaterSample SurfaceInstant::at(const WaterPoint& point) const {
   device_point(point);  // throws for those that are too far
   const WaterPoint label = label_under(point);
-  const TrochoidValues sea = at_label(label);
+  const GerstnerValues sea = at_label(label);
   const double xx = 1.0 + sea.gradient_xx, xz = sea.gradient_xz, zz = 1.0 + sea.gradient_zz;
   const double jacobian = xx * zz - xz * xz;
   const double determinant = std::copysign(std::max<double>(std::abs(jacobian), LEAST_DETERMINANT), jacobian);
@@ -162,8 +162,10 @@ WaterSample SurfaceInstant::at(const WaterPoint& point) const {
       std::hypot(label.x_m + sea.displacement_x_m - point.x_m, label.z_m + sea.displacement_z_m - point.z_m));
   if (query_.fields == WaterQuery::Fields::surface) return sample;
   const Shares shares = shares_at(label);
-  ParticleVelocity velocity = trochoids_.velocity(label.x_m, label.z_m, query_.depth_m, shares.trochoids);
-  double head_m = trochoids_.pressure_head_m(label.x_m, label.z_m, query_.depth_m, shares.trochoids);
+  ParticleVelocity velocity =
+      gerstner_waves_.velocity(label.x_m, label.z_m, query_.depth_m, shares.gerstner_waves);
+  double head_m =
+      gerstner_waves_.pressure_head_m(label.x_m, label.z_m, query_.depth_m, shares.gerstner_waves);
   for (std::size_t i = 0; i < cascades_.size(); ++i) {
     const Maps& maps = cascades_[i];
     const Texel flow = Cell(maps.patch_length_m, size_, label).value(maps.flow);

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "host/ocean/query/gerstner_instant.h"
 #include "host/ocean/query/shoals.h"
-#include "host/ocean/query/trochoid_instant.h"
 #include "host/ocean/query/water_point.h"
 #include "host/ocean/surface/cascades.h"
 #include "host/ocean/wakes/wake_maps.h"
@@ -24,30 +24,30 @@ class SurfaceInstant {
     std::vector<float> displacement, gradient, flow;
   };
 
-  /// Throws Error(bad_input) for trochoids, time or query out of range.
-  SurfaceInstant(std::vector<Maps> cascades, int size, const TrochoidSea& trochoids, double time_s,
+  /// Throws Error(bad_input) for Gerstner waves, time or query out of range.
+  SurfaceInstant(std::vector<Maps> cascades, int size, const GerstnerSea& gerstner_waves, double time_s,
                  const WaterQuery& query, const Dispersion& dispersion,
                  std::vector<WakeMaps::Instant> wakes = {}, std::optional<ShoalsInstant> shoals = {});
 
   /// The water on this point's vertical. Throws Error(bad_input) for a point beyond farthest_point_m.
   WaterSample at(const WaterPoint& point) const;
-  /// All cascades, trochoids and wakes at a label, summed, with what shoals leave of them.
-  TrochoidValues at_label(const WaterPoint& label) const { return sums_at(label).values; }
+  /// All cascades, Gerstner waves and wakes at a label, summed, with what shoals leave of them.
+  GerstnerValues at_label(const WaterPoint& label) const { return sums_at(label).values; }
 
   const std::vector<Maps>& cascades() const { return cascades_; }
-  const TrochoidInstant& trochoids() const { return trochoids_; }
+  const GerstnerInstant& gerstner_waves() const { return gerstner_waves_; }
 
  private:
   struct Sums {
-    TrochoidValues values;
+    GerstnerValues values;
     // Of the displacement as it is interpolated: what steps toward a label follow.
     double x_by_x = 0.0, z_by_x = 0.0, x_by_z = 0.0, z_by_z = 0.0;
   };
 
-  /// What is left of waves at a label: of each cascade, and of each trochoid.
+  /// What is left of waves at a label: of each cascade, and of each Gerstner wave.
   struct Shares {
-    std::array<double, SHOAL_FIRST_TROCHOIDS> cascades;
-    std::vector<double> trochoids;
+    std::array<double, SHOAL_FIRST_GERSTNER> cascades;
+    std::vector<double> gerstner_waves;
   };
 
   Shares shares_at(const WaterPoint& label) const;
@@ -56,10 +56,10 @@ class SurfaceInstant {
 
   std::vector<Maps> cascades_;
   int size_;
-  TrochoidInstant trochoids_;
+  GerstnerInstant gerstner_waves_;
   std::vector<WakeMaps::Instant> wakes_;
   std::optional<ShoalsInstant> shoals_;
-  std::vector<std::size_t> bands_;  // of each trochoid, over shoals
+  std::vector<std::size_t> bands_;  // of each Gerstner wave, over shoals
   WaterQuery query_;
   double weight_papm_;
 };

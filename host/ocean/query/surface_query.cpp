@@ -6,7 +6,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "host/ocean/surface/device_trochoids.h"
+#include "host/ocean/surface/device_gerstner_waves.h"
 #include "host/ocean/surface/wave_clock.h"
 #include "host/ocl/program.h"
 #include "host/ocl/tuning.h"
@@ -17,7 +17,7 @@ namespace {
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double tile_m = SURFACE_QUERY_TILE_M;
 // A work-item of the strip shape takes vectors of this many points, so many of them.
-constexpr int strip_lanes = 16;
+constexpr int simd_lanes = 16;
 constexpr std::size_t vectors_an_item = 8;
 // Points that are on the device at a time: 48 MB with their samples.
 constexpr std::size_t most_points = std::size_t{1} << 20;
@@ -39,12 +39,12 @@ TileStep tile_step(double turns_perm) {
           .rest = static_cast<float>(steps - static_cast<double>(whole))};
 }
 
-/// What a wave of unit phase does at a depth, as TrochoidInstant has it.
+/// What a wave of unit phase does at a depth, as GerstnerInstant has it.
 struct Flow {
   double along_mps, up_mps, head_m;
 };
 
-Flow flow_of(const Trochoid& wave, double omega_radps, double depth_m, double water_depth_m) {
+Flow flow_of(const GerstnerWave& wave, double omega_radps, double depth_m, double water_depth_m) {
   const double k = wave.wavenumber_radpm;
   const double above_bed = std::exp(-2.0 * k * (water_depth_m - depth_m));
   const double at_bed = std::exp(-2.0 * k * water_depth_m);
@@ -56,11 +56,11 @@ Flow flow_of(const Trochoid& wave, double omega_radps, double depth_m, double wa
 }
 
 /// `bands`: of waves that shoal; none where they do not.
-std::vector<SurfaceQueryWave> pack_waves(const TrochoidSea& sea, const WaterQuery& query,
-                                         const WaveClock& clock, const ShoalingBands* bands) {
+std::vector<SurfaceQueryWave> pack_waves(const GerstnerSea& sea, const WaterQuery& query,
+                                         const WaveClock& clock, const SeaBands* bands) {
   const double scale = horizontal_scale(sea).scale;
   std::vector<SurfaceQueryWave> packed;
-  for (const Trochoid& wave : sea.waves) {
+  for (const GerstnerWave& wave : sea.waves) {
     if (wave.wavenumber_radpm > largest_wavenumber_radpm(query.min_wavelength_m)) continue;
     const double cosine = std::cos(wave.direction_rad), sine = std::sin(wave.direction_rad);
     const double k = wave.wavenumber_radpm, a = wave.amplitude_m, qa = scale * a;
@@ -88,17 +88,17 @@ std::vector<SurfaceQueryWave> pack_waves(const TrochoidSea& sea, const WaterQuer
                       .velocity_z_mps = static_cast<float>(flow.along_mps * sine),
                       .head_m = static_cast<float>(flow.head_m),
                       .velocity_y_mps = static_cast<float>(flow.up_mps),
-                      .band = bands ? bands->trochoid_band(k) : 0});
+                      .band = bands ? bands->gerstner_band(k) : 0});
   }
   return packed;
 }
 
-std::vector<TrochoidRingInTile> pack_rings(const TrochoidSea& sea, const WaterQuery& query, double time_s) {
-  std::vector<TrochoidRingInTile> packed;
+std::vector<GerstnerRingInTile> pack_rings(const GerstnerSea& sea, const WaterQuery& query, double time_s) {
+  std::vector<GerstnerRingInTile> packed;
   for (const Raindrop& drop : sea.raindrops) {
     if (drop.wavelength_m < query.min_wavelength_m) continue;
     const double tile_x = std::nearbyint(drop.x_m / tile_m), tile_z = std::nearbyint(drop.z_m / tile_m);
-    const TrochoidRing ring =
+    const GerstnerRing ring =
         device_ring(drop, time_s, sea.dispersion, {.x_m = tile_x * tile_m, .z_m = tile_z * tile_m});
     if (!is_visible(ring)) continue;
     packed.push_back({.tile_x = static_cast<int>(tile_x), .tile_z = static_cast<int>(tile_z), .ring = ring});
@@ -162,7 +162,7 @@ SurfaceInstant read_instant(const QueriedSea& sea, const WaterQuery& query) {
   }
   return {std::move(cascades),
           sea.size,
-          sea.trochoids,
+          sea.gerstner_waves,
           sea.time_s,
           query,
           sea.dispersion,
@@ -172,7 +172,7 @@ SurfaceInstant read_instant(const QueriedSea& sea, const WaterQuery& query) {
 
 SurfaceQuery::SurfaceQuery(const ocl::Device& device)
     : device_(device),
-      lanes_(ocl::tuning_for(device.info(), "trochoids").shape == ocl::KernelShape::strip ? strip_lanes : 1),
+      lanes_(ocl::tuning_for(device.info(), "gerstner").shape == ocl::KernelShape::strip ? simd_lanes : 1),
       kernel_(make_kernel(Depths::none)) {}
 
 ocl::Kernel SurfaceQuery::make_kernel(Depths depths) const {
@@ -183,10 +183,10 @@ ocl::Kernel SurfaceQuery::make_kernel(Depths depths) const {
 }
 
 void SurfaceQuery::upload(const QueriedSea& sea, const WaterQuery& query) {
-  const WaveClock clock(largest_omega_radps / two_pi, sea.trochoids.loop_period_s);
-  std::vector<SurfaceQueryWave> waves =
-      pack_waves(sea.trochoids, query, clock, sea.shoals ? &sea.shoals->instant().table.bands() : nullptr);
-  std::vector<TrochoidRingInTile> rings = pack_rings(sea.trochoids, query, sea.time_s);
+  const WaveClock clock(largest_omega_radps / two_pi, sea.gerstner_waves.loop_period_s);
+  std::vector<SurfaceQueryWave> waves = pack_waves(
+      sea.gerstner_waves, query, clock, sea.shoals ? &sea.shoals->instant().table.bands() : nullptr);
+  std::vector<GerstnerRingInTile> rings = pack_rings(sea.gerstner_waves, query, sea.time_s);
   SurfaceQueryParams params = pack_params(sea, query);
   params.wave_count = static_cast<int>(waves.size());
   params.ring_count = static_cast<int>(rings.size());
@@ -200,7 +200,7 @@ void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query,
                           ocl::Buffer<WaterSample>& samples) {
   if (count == 0) return;
   upload(sea, query);
-  const WaveClock clock(largest_omega_radps / two_pi, sea.trochoids.loop_period_s);
+  const WaveClock clock(largest_omega_radps / two_pi, sea.gerstner_waves.loop_period_s);
   const WaveTime time = clock.at(sea.time_s);
   const std::size_t points_an_item = vectors_an_item * static_cast<std::size_t>(lanes_);
   // A work-item of the strip shape has a group of its own: what it keeps would fill the stack for many at

@@ -9,11 +9,11 @@
 #include "host/ocean/query/surface_instant.h"
 #include "host/ocean/query/water_point.h"
 #include "host/ocean/surface/cascades.h"
-#include "host/ocean/surface/trochoids.h"
+#include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocean/wakes/wake_maps.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
-#include "kernels/shared/trochoids.h"
+#include "kernels/shared/gerstner_params.h"
 
 namespace offing::ocean {
 
@@ -25,7 +25,7 @@ struct QueriedSea {
       nullptr;  ///< that of VelocityMap at the query's depth; none: not asked for
   std::span<const Cascade> cascades;
   int size = 0;  ///< n
-  const TrochoidSea& trochoids;
+  const GerstnerSea& gerstner_waves;
   const WakeMaps& wakes;
   const Shoals* shoals = nullptr;  ///< none: the sea is open everywhere
   Dispersion dispersion = {};
@@ -61,10 +61,10 @@ class SurfaceQuery {
   std::optional<ocl::Kernel> over_shoals_;  // made at first use
   // As they are on the device.
   std::vector<SurfaceQueryWave> waves_;
-  std::vector<TrochoidRingInTile> rings_;
+  std::vector<GerstnerRingInTile> rings_;
   std::vector<SurfaceQueryParams> params_;
   ocl::Buffer<SurfaceQueryWave> waves_buffer_;
-  ocl::Buffer<TrochoidRingInTile> rings_buffer_;
+  ocl::Buffer<GerstnerRingInTile> rings_buffer_;
   ocl::Buffer<SurfaceQueryParams> params_buffer_;
   std::vector<SurfaceQueryPoint> packed_points_;
   ocl::Buffer<SurfaceQueryPoint> points_;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "host/ocean/parameter_check.h"
+#include "host/ocean/ocean_limits.h"
 
 namespace offing::ocean {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "host/base/world_limits.h"
-#include "kernels/shared/surface_query.h"
+#include "kernels/shared/query_params.h"
 
 namespace offing::ocean {
 
@@ -28,7 +28,7 @@ struct WaterQuery {
   /// Velocity and pressure are those of this depth below the moving surface (Wheeler stretching); 0 is the
   /// surface itself. Rings of raindrops count for height and pressure, and not for velocity.
   double depth_m = 0.0;
-  /// Shorter waves do not count, as for a hull that is longer than they are: trochoids and modes of the
+  /// Shorter waves do not count, as for a hull that is longer than they are: Gerstner waves and modes of the
   /// cascades one by one, rings. 0: all count.
   double min_wavelength_m = 0.0;
   /// What the surface alone answers costs less: velocity and pressure are 0 then.

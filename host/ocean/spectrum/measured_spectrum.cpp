@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/ocean/parameter_check.h"
+#include "host/ocean/ocean_limits.h"
 #include "host/ocean/spectrum/spectrum_parameters.h"
 #include "host/ocean/spectrum/spreading.h"
 

@@ -51,12 +51,12 @@ void for_each_mode(std::span<const ModeEnergies> cascades, const Dispersion& dis
   }
 }
 
-/// Calls visit(Wave) for every mode or trochoid that carries energy.
+/// Calls visit(Wave) for every mode or Gerstner wave that carries energy.
 template <typename Visit>
 void for_each_wave(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
-                   std::span<const Trochoid> trochoids, Visit&& visit) {
+                   std::span<const GerstnerWave> gerstner_waves, Visit&& visit) {
   for_each_mode(cascades, dispersion, visit);
-  for (const Trochoid& wave : trochoids) {
+  for (const GerstnerWave& wave : gerstner_waves) {
     if (wave.amplitude_m > 0.0) {
       visit(Wave{0.5 * wave.amplitude_m * wave.amplitude_m, wave.wavenumber_radpm,
                  wave.omega_radps / (2.0 * pi), std::cos(wave.direction_rad), std::sin(wave.direction_rad)});
@@ -70,9 +70,9 @@ struct Sums {
 };
 
 Sums sum_waves(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
-               std::span<const Trochoid> trochoids) {
+               std::span<const GerstnerWave> gerstner_waves) {
   Sums sums;
-  for_each_wave(cascades, dispersion, trochoids, [&](const Wave& wave) {
+  for_each_wave(cascades, dispersion, gerstner_waves, [&](const Wave& wave) {
     sums.m0 += wave.energy_m2;
     sums.m1 += wave.energy_m2 * wave.frequency_hz;
     sums.m2 += wave.energy_m2 * wave.frequency_hz * wave.frequency_hz;
@@ -108,10 +108,10 @@ struct Bin {
 };
 
 double peak_period_s(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
-                     std::span<const Trochoid> trochoids, const Sums& sums) {
+                     std::span<const GerstnerWave> gerstner_waves, const Sums& sums) {
   const std::vector<double> edges_hz = frequency_bins(cascades, dispersion, sums);
   std::vector<Bin> bins(edges_hz.size() - 1);
-  for_each_wave(cascades, dispersion, trochoids, [&](const Wave& wave) {
+  for_each_wave(cascades, dispersion, gerstner_waves, [&](const Wave& wave) {
     const auto above = std::upper_bound(edges_hz.begin(), edges_hz.end(), wave.frequency_hz);
     Bin& bin = bins[above - edges_hz.begin() - 1];
     bin.energy_m2 += wave.energy_m2;
@@ -132,15 +132,15 @@ double peak_period_s(std::span<const ModeEnergies> cascades, const Dispersion& d
 }  // namespace
 
 SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
-                      std::span<const Trochoid> trochoids) {
-  const Sums sums = sum_waves(cascades, dispersion, trochoids);
+                      std::span<const GerstnerWave> gerstner_waves) {
+  const Sums sums = sum_waves(cascades, dispersion, gerstner_waves);
   SeaState state;
   if (sums.m0 <= 0.0) {
     return state;
   }
   state.m0_m2 = sums.m0;
   state.hs_m = 4.0 * std::sqrt(sums.m0);
-  state.tp_s = peak_period_s(cascades, dispersion, trochoids, sums);
+  state.tp_s = peak_period_s(cascades, dispersion, gerstner_waves, sums);
   state.tm01_s = sums.m0 / sums.m1;
   state.tm02_s = std::sqrt(sums.m0 / sums.m2);
   state.mean_direction_rad = direction_of_moment(sums.cosine, sums.sine, sums.m0);
@@ -149,13 +149,13 @@ SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& 
 }
 
 SeaStateError standard_error_of(std::span<const ModeEnergies> expected, const Dispersion& dispersion,
-                                int seeds, std::span<const Trochoid> trochoids) {
+                                int seeds, std::span<const GerstnerWave> gerstner_waves) {
   if (seeds < 1) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("ocean statistics: expected at least 1 seed, found {}", seeds),
                 "average over 1 or more seeds");
   }
-  const Sums sums = sum_waves(expected, dispersion, trochoids);
+  const Sums sums = sum_waves(expected, dispersion, gerstner_waves);
   SeaStateError error;
   if (sums.m0 <= 0.0) {
     return error;

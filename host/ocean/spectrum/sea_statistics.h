@@ -3,7 +3,7 @@
 #include <span>
 
 #include "host/ocean/spectrum/sea_spectrum.h"
-#include "host/ocean/surface/trochoids.h"
+#include "host/ocean/surface/gerstner_waves.h"
 
 namespace offing::ocean {
 
@@ -27,12 +27,12 @@ struct SeaStateError {
   double mean_direction_rad = 0.0;
 };
 
-/// The sea state of these waves, modes of cascades and trochoids. Moments are sums over waves. tp_s needs a
-/// density: energies are gathered in bins of 1/16 octave of frequency, or of one step of the longest patch's
-/// wavenumbers where that is wider, since narrower ones would see the lattice instead of the sea. Throws
-/// Error(bad_input) when an array is not [size][size] or patch_length_m is not positive.
+/// The sea state of these waves, modes of cascades and Gerstner waves. Moments are sums over waves. tp_s
+/// needs a density: energies are gathered in bins of 1/16 octave of frequency, or of one step of the longest
+/// patch's wavenumbers where that is wider, since narrower ones would see the lattice instead of the sea.
+/// Throws Error(bad_input) when an array is not [size][size] or patch_length_m is not positive.
 SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& dispersion,
-                      std::span<const Trochoid> trochoids = {});
+                      std::span<const GerstnerWave> gerstner_waves = {});
 
 /// Standard errors of the mean over `seeds` >= 1 independent seas with these expected energies V, to first
 /// order in the scatter (delta method). Energies of different waves are independent and exponential, so Var e
@@ -42,10 +42,10 @@ SeaState sea_state_of(std::span<const ModeEnergies> cascades, const Dispersion& 
 ///   theta = atan2(b, a)         dtheta/de = (a sin - b cos) / (a^2 + b^2), a, b = sums of e cos, e sin
 /// This holds for energies of travelling waves. The variance over a patch at one instant contains the product
 /// of the waves along +K and -K besides: it scatters as the sum of (V(K) + V(-K))^2 / 2, which is the same
-/// where one of the two is absent, and twice as much for a sea symmetric in +-K. Trochoids have the same
+/// where one of the two is absent, and twice as much for a sea symmetric in +-K. Gerstner waves have the same
 /// energy for every seed and add no scatter to Hs; how their drawn frequencies and directions scatter is left
 /// out of the others.
 SeaStateError standard_error_of(std::span<const ModeEnergies> expected, const Dispersion& dispersion,
-                                int seeds, std::span<const Trochoid> trochoids = {});
+                                int seeds, std::span<const GerstnerWave> gerstner_waves = {});
 
 }  // namespace offing::ocean

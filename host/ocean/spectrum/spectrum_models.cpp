@@ -3,7 +3,7 @@
 #include <limits>
 #include <numbers>
 
-#include "host/ocean/parameter_check.h"
+#include "host/ocean/ocean_limits.h"
 #include "host/ocean/spectrum/spectrum_parameters.h"
 #include "host/ocean/spectrum/spreading.h"
 

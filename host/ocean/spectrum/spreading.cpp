@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "host/ocean/parameter_check.h"
+#include "host/ocean/ocean_limits.h"
 #include "host/ocean/spectrum/quadrature.h"
 
 namespace offing::ocean {

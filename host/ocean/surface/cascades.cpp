@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/ocean/parameter_check.h"
+#include "host/ocean/ocean_limits.h"
 #include "host/ocean/spectrum/quadrature.h"
 
 namespace offing::ocean {

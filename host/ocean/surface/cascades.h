@@ -24,10 +24,10 @@ double resolved_wavenumber_radpm(double patch_length_m, int size);
 double still_cell_variance_m2(const SeaSpectrum& spectrum, double patch_length_m, double split_radpm = 0.0);
 
 /// Cascades for these patch lengths (1 to 4, any order; sorted from long to short): each band ends where its
-/// patch stops resolving and the next begins there. The first begins at k_split, below which trochoids carry
-/// the sea; without them that is 0, whose mode K = 0 carries nothing. Throws Error(bad_input) for a size,
-/// count or length out of range (0.01 ... 1e6 m), two equal lengths, or a patch that resolves only waves
-/// longer than those of k_split.
+/// patch stops resolving and the next begins there. The first begins at k_split, below which Gerstner waves
+/// carry the sea; without them that is 0, whose mode K = 0 carries nothing. Throws Error(bad_input) for a
+/// size, count or length out of range (0.01 ... 1e6 m), two equal lengths, or a patch that resolves only
+/// waves longer than those of k_split.
 std::vector<Cascade> cascades_from_patches(std::span<const double> patch_lengths_m, int size,
                                            double split_radpm = 0.0);
 
@@ -37,8 +37,8 @@ std::vector<Cascade> cascades_from_patches(std::span<const double> patch_lengths
 /// factors, until 99.9 % of m0 is resolved or `max_count` (1 ... 4) is reached. Where `size` is too small for
 /// both ends, the longest patch shrinks until the bands hold the most energy. Lengths have three significant
 /// digits and no small common multiple, so that the tiles of several cascades do not line up. All of this
-/// holds for the waves from k_split on; the others are left to trochoids. Throws Error(bad_input) for a size
-/// or count out of range, or no waves from k_split on.
+/// holds for the waves from k_split on; the others are left to Gerstner waves. Throws Error(bad_input) for a
+/// size or count out of range, or no waves from k_split on.
 std::vector<Cascade> choose_cascades(const SeaSpectrum& spectrum, int size, int max_count = 3,
                                      double split_radpm = 0.0);
 

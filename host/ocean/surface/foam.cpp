@@ -6,7 +6,7 @@
 
 #include "host/base/error.h"
 #include "host/base/time_estimate.h"
-#include "host/ocean/parameter_check.h"
+#include "host/ocean/ocean_limits.h"
 #include "host/ocl/program.h"
 
 namespace offing::ocean {

@@ -1,6 +1,6 @@
 #include "host/ocean/surface/long_waves.h"
 
-#include "host/ocean/surface/trochoids.h"
+#include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocl/program.h"
 
 namespace offing::ocean {

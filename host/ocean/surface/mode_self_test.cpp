@@ -31,7 +31,7 @@ class RandomModes {
  public:
   explicit RandomModes(int size)
       : size_(size),
-        columns_((size / 2 + MODE_STRIP_COLUMNS - 1) / MODE_STRIP_COLUMNS * MODE_STRIP_COLUMNS),
+        columns_((size / 2 + MODE_BLOCK_COLUMNS - 1) / MODE_BLOCK_COLUMNS * MODE_BLOCK_COLUMNS),
         amplitude_(plane_count * mode_plane_size(columns_, size), 0.0f),
         roots_(static_cast<std::size_t>(size)) {
     for (int j = 0; j < size; ++j)

@@ -7,12 +7,12 @@
 
 #include "host/base/error.h"
 #include "host/base/world_limits.h"
-#include "host/ocean/parameter_check.h"
+#include "host/ocean/ocean_limits.h"
 #include "host/ocean/query/surface_query.h"
 #include "host/ocean/surface/foam.h"
+#include "host/ocean/surface/gerstner_surface.h"
 #include "host/ocean/surface/long_waves.h"
 #include "host/ocean/surface/surface_maps.h"
-#include "host/ocean/surface/trochoid_surface.h"
 #include "host/ocean/surface/velocity_map.h"
 #include "host/ocean/surface/wave_modes.h"
 #include "host/ocl/program.h"
@@ -73,7 +73,7 @@ struct Ocean::State {
     return velocity->velocity();
   }
 
-  QueriedSea queried(const TrochoidSea& sea_trochoids, const WaterQuery& query);
+  QueriedSea queried(const GerstnerSea& sea_gerstner_waves, const WaterQuery& query);
 
   ocl::Device device;
   OceanParameters parameters;
@@ -89,15 +89,15 @@ struct Ocean::State {
   std::optional<Foam> foam;
   std::optional<ocl::Kernel> jacobian;
   std::optional<ocl::Kernel> compose;
-  std::optional<TrochoidSurface> trochoids;
+  std::optional<GerstnerSurface> gerstner_waves;
   std::optional<LongWaves> long_waves;
   std::optional<SurfaceQuery> query;
 };
 
 /// The maps of the waves that a query counts, at time_s.
-QueriedSea Ocean::State::queried(const TrochoidSea& sea_trochoids, const WaterQuery& wanted) {
-  require_valid_trochoids(sea_trochoids);
-  require_valid_query(wanted, std::min(dispersion.depth_m, sea_trochoids.dispersion.depth_m));
+QueriedSea Ocean::State::queried(const GerstnerSea& sea_gerstner_waves, const WaterQuery& wanted) {
+  require_valid_gerstner_waves(sea_gerstner_waves);
+  require_valid_query(wanted, std::min(dispersion.depth_m, sea_gerstner_waves.dispersion.depth_m));
   const bool wants_flow = wanted.fields == WaterQuery::Fields::surface_and_flow;
   const bool counts_all =
       parameters.cascades.back().k_max_radpm <= largest_wavenumber_radpm(wanted.min_wavelength_m);
@@ -119,7 +119,7 @@ QueriedSea Ocean::State::queried(const TrochoidSea& sea_trochoids, const WaterQu
           .flow = flow,
           .cascades = parameters.cascades,
           .size = parameters.size,
-          .trochoids = sea_trochoids,
+          .gerstner_waves = sea_gerstner_waves,
           .wakes = *wakes,
           .shoals = shoals.get(),
           .dispersion = dispersion,
@@ -235,10 +235,11 @@ VelocityFields Ocean::read_velocity(int cascade, double depth_m) {
 ComposedFields Ocean::read_composed(const SampleGrid& grid, const Composition& composition) {
   State& state = *state_;
   require_valid_grid(grid);
-  const bool has_trochoids = !composition.trochoids.waves.empty() || !composition.trochoids.raindrops.empty();
-  if (has_trochoids) {
-    if (!state.trochoids) state.trochoids.emplace(state.device);
-    state.trochoids->at(composition.trochoids, grid, state.time_s);
+  const bool has_gerstner_waves =
+      !composition.gerstner_waves.waves.empty() || !composition.gerstner_waves.raindrops.empty();
+  if (has_gerstner_waves) {
+    if (!state.gerstner_waves) state.gerstner_waves.emplace(state.device);
+    state.gerstner_waves->at(composition.gerstner_waves, grid, state.time_s);
   }
   if (!state.compose) {
     state.compose = ocl::Program::build(state.device, "ocean/surface_compose.cl").kernel("surface_compose");
@@ -247,7 +248,7 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid, const Composition& c
   params.cascade_count = static_cast<int>(state.parameters.cascades.size());
   params.columns = grid.columns;
   params.rows = grid.rows;
-  params.trochoid_pitch = has_trochoids ? state.trochoids->pitch() : 0;
+  params.gerstner_pitch = has_gerstner_waves ? state.gerstner_waves->pitch() : 0;
   params.adds_slopes = composition.slopes == SlopeRule::added ? 1 : 0;
   for (std::size_t i = 0; i < state.parameters.cascades.size(); ++i) {
     const double length_m = state.parameters.cascades[i].patch_length_m;
@@ -271,12 +272,13 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid, const Composition& c
   const ocl::Buffer<WakeSamples> samples_buffer(state.device, wake_samples, "samples in wakes");
   ocl::Buffer<float> position(state.device, 4 * count, "composed positions");
   ocl::Buffer<float> shape(state.device, 4 * count, "composed slopes");
-  // Without trochoids the cascades' own maps stand in for theirs, unread.
+  // Without Gerstner waves the cascades' own maps stand in for theirs, unread.
   state.compose->launch({{columns, rows, 1}}, surface.displacement(), surface.gradient(),
-                        has_trochoids ? state.trochoids->displacement() : surface.displacement(),
-                        has_trochoids ? state.trochoids->gradient() : surface.gradient(), state.wakes->maps(),
-                        state.wakes->layers(), samples_buffer, static_cast<int>(state.wakes->count()),
-                        params_buffer, state.parameters.size, position, shape);
+                        has_gerstner_waves ? state.gerstner_waves->displacement() : surface.displacement(),
+                        has_gerstner_waves ? state.gerstner_waves->gradient() : surface.gradient(),
+                        state.wakes->maps(), state.wakes->layers(), samples_buffer,
+                        static_cast<int>(state.wakes->count()), params_buffer, state.parameters.size,
+                        position, shape);
   ComposedFields fields;
   fields.columns = grid.columns;
   fields.rows = grid.rows;
@@ -300,7 +302,8 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid, const Composition& c
 }
 
 void Ocean::sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
-                   ocl::Buffer<WaterSample>& samples, const TrochoidSea& trochoids, const WaterQuery& query) {
+                   ocl::Buffer<WaterSample>& samples, const GerstnerSea& gerstner_waves,
+                   const WaterQuery& query) {
   State& state = *state_;
   if (points.size() < count || samples.size() < count) {
     throw Error(ErrorKind::bad_usage,
@@ -308,13 +311,13 @@ void Ocean::sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t cou
                             points.size(), samples.size()),
                 "make both buffers as large as the number of points");
   }
-  const QueriedSea sea = state.queried(trochoids, query);
+  const QueriedSea sea = state.queried(gerstner_waves, query);
   if (!state.query) state.query.emplace(state.device);
   state.query->sample(sea, query, points, count, samples);
 }
 
 void Ocean::sample(std::span<const WaterPoint> points, std::span<WaterSample> samples,
-                   const TrochoidSea& trochoids, const WaterQuery& query) {
+                   const GerstnerSea& gerstner_waves, const WaterQuery& query) {
   State& state = *state_;
   if (points.size() != samples.size()) {
     throw Error(ErrorKind::bad_usage,
@@ -322,20 +325,20 @@ void Ocean::sample(std::span<const WaterPoint> points, std::span<WaterSample> sa
                             samples.size()),
                 "pass as many samples as points");
   }
-  const QueriedSea sea = state.queried(trochoids, query);
+  const QueriedSea sea = state.queried(gerstner_waves, query);
   if (!state.query) state.query.emplace(state.device);
   state.query->sample(sea, query, points, samples);
 }
 
-std::vector<WaterSample> Ocean::sample(std::span<const WaterPoint> points, const TrochoidSea& trochoids,
+std::vector<WaterSample> Ocean::sample(std::span<const WaterPoint> points, const GerstnerSea& gerstner_waves,
                                        const WaterQuery& query) {
   std::vector<WaterSample> samples(points.size());
-  sample(points, samples, trochoids, query);
+  sample(points, samples, gerstner_waves, query);
   return samples;
 }
 
-SurfaceInstant Ocean::instant(const TrochoidSea& trochoids, const WaterQuery& query) {
-  return read_instant(state_->queried(trochoids, query), query);
+SurfaceInstant Ocean::instant(const GerstnerSea& gerstner_waves, const WaterQuery& query) {
+  return read_instant(state_->queried(gerstner_waves, query), query);
 }
 
 std::vector<float> Ocean::mode_variance(int cascade) const {

@@ -11,8 +11,8 @@
 #include "host/ocean/query/water_point.h"
 #include "host/ocean/spectrum/sea_spectrum.h"
 #include "host/ocean/surface/cascades.h"
+#include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocean/surface/sample_grid.h"
-#include "host/ocean/surface/trochoids.h"
 #include "host/ocean/wakes/wake_maps.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
@@ -62,12 +62,12 @@ enum class SlopeRule {
 
 /// What a surface is composed of besides the cascades.
 struct Composition {
-  TrochoidSea trochoids = {};  ///< those below the cascades' k_split, swells, raindrops
+  GerstnerSea gerstner_waves = {};  ///< those below the cascades' k_split, swells, raindrops
   SlopeRule slopes = SlopeRule::of_displaced_surface;
 };
 
-/// The composed sea on a SampleGrid, each [rows][columns]: sums of all cascades and trochoids, then F (O7,
-/// O9).
+/// The composed sea on a SampleGrid, each [rows][columns]: sums of all cascades and Gerstner waves, then F
+/// (O7, O9).
 struct ComposedFields {
   int columns = 0, rows = 0;
   std::vector<float> displacement_x, displacement_y, displacement_z;  ///< m
@@ -99,14 +99,15 @@ class Ocean {
   void at(double time_s);
 
   /// The wakes that read_composed(), sample() and instant() add to the sea from now on, as they stand then;
-  /// none for nullptr. Wakes count at labels, as trochoids do, whatever the query's minimum wavelength; below
-  /// the surface they fade as waves of a sixteenth of their window, and move the water up and down only.
+  /// none for nullptr. Wakes count at labels, as Gerstner waves do, whatever the query's minimum wavelength;
+  /// below the surface they fade as waves of a sixteenth of their window, and move the water up and down
+  /// only.
   void set_wakes(std::shared_ptr<const WakeMaps> wakes);
 
-  /// What is left of the waves of cascades and trochoids in sample() and instant() from now on, by the depth
-  /// of the water at their labels; nullptr: the open sea everywhere. Wakes and rings do not shoal; maps, foam
-  /// and read_composed() stay those of the open sea. A query that leaves out short waves goes by the same
-  /// shares.
+  /// What is left of the waves of cascades and Gerstner waves in sample() and instant() from now on, by the
+  /// depth of the water at their labels; nullptr: the open sea everywhere. Wakes and rings do not shoal;
+  /// maps, foam and read_composed() stay those of the open sea. A query that leaves out short waves goes by
+  /// the same shares.
   void set_shoals(std::shared_ptr<const Shoals> shoals);
 
   /// Maps of the last at() on the device, for whoever draws or samples them: [cascades][n][n] float4 (dx m, h
@@ -130,12 +131,12 @@ class Ocean {
   /// Throws Error(bad_input) for a depth below the bed.
   VelocityFields read_velocity(int cascade, double depth_m = 0.0);
   /// The composed surface at the time of the last at(), bilinear between samples of each cascade. Throws
-  /// Error(bad_input) for a grid without samples, of more than 16384 a side, or not finite, and for trochoids
-  /// out of range.
+  /// Error(bad_input) for a grid without samples, of more than 16384 a side, or not finite, and for Gerstner
+  /// waves out of range.
   ComposedFields read_composed(const SampleGrid& grid, const Composition& composition = {});
 
   /// The water at points of the world at the time of the last at(): the surface that read_composed() composes
-  /// with these trochoids, where it meets each point's vertical.
+  /// with these Gerstner waves, where it meets each point's vertical.
   ///
   /// The label X under a point x solves X + d(X) = x; each sample says by how much it is missed, residual_m:
   /// at most the query's tolerance, but where the surface folds (a point has several labels there, one of
@@ -147,21 +148,21 @@ class Ocean {
   ///
   /// The first query of a time with flow, depth or minimum wavelength makes the maps that it needs; those of
   /// one minimum wavelength are kept. Throws Error(bad_input) for points beyond farthest_point_m, a query or
-  /// trochoids out of range.
-  std::vector<WaterSample> sample(std::span<const WaterPoint> points, const TrochoidSea& trochoids = {},
+  /// Gerstner waves out of range.
+  std::vector<WaterSample> sample(std::span<const WaterPoint> points, const GerstnerSea& gerstner_waves = {},
                                   const WaterQuery& query = {});
   /// The same into the caller's memory, as many samples as points; throws Error(bad_usage) for another
   /// number.
   void sample(std::span<const WaterPoint> points, std::span<WaterSample> samples,
-              const TrochoidSea& trochoids = {}, const WaterQuery& query = {});
+              const GerstnerSea& gerstner_waves = {}, const WaterQuery& query = {});
   /// Enqueues the same for the first `count` points that are on the device already, and leaves the samples
   /// there: no transfer, no wait while waves and query stay the same and no rings run. Throws
   /// Error(bad_usage) if a buffer holds fewer. A point that is not finite gets a residual that is not either.
   void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
-              ocl::Buffer<WaterSample>& samples, const TrochoidSea& trochoids = {},
+              ocl::Buffer<WaterSample>& samples, const GerstnerSea& gerstner_waves = {},
               const WaterQuery& query = {});
   /// The same sea at the time of the last at() in host memory, for single points without the device.
-  SurfaceInstant instant(const TrochoidSea& trochoids = {}, const WaterQuery& query = {});
+  SurfaceInstant instant(const GerstnerSea& gerstner_waves = {}, const WaterQuery& query = {});
 
   /// Expected variance of each mode, [n][n] m^2, K = 0 at [0][0]: what the spectrum asks of this cascade.
   std::vector<float> mode_variance(int cascade) const;

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "host/ocean/parameter_check.h"
+#include "host/ocean/ocean_limits.h"
 
 namespace offing::ocean {
 namespace {
@@ -102,7 +102,7 @@ std::optional<ProjectedGrid> ProjectedGrid::for_camera(const Camera& camera, con
   grid.lower_ = glm::dvec2(largest);
   grid.upper_ = glm::dvec2(-largest);
   for (const glm::dvec2 corner : corners) {
-    const glm::dvec2 point = grid.picture_of(corner).value();
+    const glm::dvec2 point = grid.image_of(corner).value();
     grid.lower_ = glm::min(grid.lower_, point);
     grid.upper_ = glm::max(grid.upper_, point);
   }
@@ -123,7 +123,7 @@ std::array<ProjectedGrid::Corner, 4> ProjectedGrid::corners() const {
   return {homogeneous({0.0, 0.0}), homogeneous({1.0, 0.0}), homogeneous({0.0, 1.0}), homogeneous({1.0, 1.0})};
 }
 
-std::optional<glm::dvec2> ProjectedGrid::picture_of(glm::dvec2 label_m) const {
+std::optional<glm::dvec2> ProjectedGrid::image_of(glm::dvec2 label_m) const {
   const double along_m = glm::dot(label_m, along_);
   const double distance_m = along_m * cosine_ + height_m_ * sine_;
   if (distance_m <= 0.0) return std::nullopt;
@@ -131,7 +131,7 @@ std::optional<glm::dvec2> ProjectedGrid::picture_of(glm::dvec2 label_m) const {
 }
 
 std::optional<glm::dvec2> ProjectedGrid::place_of(glm::dvec2 label_m) const {
-  const std::optional<glm::dvec2> point = picture_of(label_m);
+  const std::optional<glm::dvec2> point = image_of(label_m);
   if (!point) return std::nullopt;
   return (*point - lower_) / (upper_ - lower_);
 }

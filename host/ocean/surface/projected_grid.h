@@ -55,7 +55,7 @@ class ProjectedGrid {
 
   Corner homogeneous(glm::dvec2 place) const;
   /// Position on the projector's picture, nothing behind it.
-  std::optional<glm::dvec2> picture_of(glm::dvec2 label_m) const;
+  std::optional<glm::dvec2> image_of(glm::dvec2 label_m) const;
 
   glm::dvec2 along_{0.0}, across_{0.0};  // unit vectors (x, z): horizontal line of sight, and its right
   double sine_ = 0.0, cosine_ = 0.0;     // of the downward pitch

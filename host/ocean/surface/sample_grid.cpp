@@ -1,6 +1,6 @@
 #include "host/ocean/surface/sample_grid.h"
 
-#include "host/ocean/parameter_check.h"
+#include "host/ocean/ocean_limits.h"
 
 namespace offing::ocean {
 

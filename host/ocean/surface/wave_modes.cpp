@@ -50,7 +50,7 @@ WaveModes::WaveModes(const ocl::Device& device, const SeaSpectrum& spectrum,
     : device_(device),
       cascades_(cascades.begin(), cascades.end()),
       size_(size),
-      columns_(std::max(size / 2, MODE_STRIP_COLUMNS)),
+      columns_(std::max(size / 2, MODE_BLOCK_COLUMNS)),
       clock_(fastest_hz(spectrum.dispersion, cascades, size), loop_period_s) {
   if (loop_period_s) require_loop_resolves(*loop_period_s, fastest_hz(spectrum.dispersion, cascades, size));
   const auto n = static_cast<std::size_t>(size);

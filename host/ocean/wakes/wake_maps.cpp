@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernels/shared/surface_query.h"
+#include "kernels/shared/query_params.h"
 
 namespace offing::ocean {
 namespace {

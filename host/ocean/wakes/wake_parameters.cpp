@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "host/ocean/parameter_check.h"
+#include "host/ocean/ocean_limits.h"
 #include "kernels/shared/wake.h"
 
 namespace offing::ocean {

@@ -11,7 +11,7 @@
 #include "host/base/error.h"
 #include "host/base/time_estimate.h"
 #include "host/base/world_limits.h"
-#include "host/ocean/parameter_check.h"
+#include "host/ocean/ocean_limits.h"
 #include "host/ocean/wakes/wake_border.h"
 #include "host/ocl/program.h"
 

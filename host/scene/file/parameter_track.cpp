@@ -56,7 +56,7 @@ double checked_time_s(const WrittenKeyframe& key, const std::vector<Keyframe>& b
 
 }  // namespace
 
-void store_track(OceanScene& scene, const Parameter& parameter, const std::vector<WrittenKeyframe>& written,
+void store_track(Scene& scene, const Parameter& parameter, const std::vector<WrittenKeyframe>& written,
                  Interpolation interpolation, const Place& place) {
   require_movable(parameter, place);
   if (written.empty() || written.size() > max_keys) {
@@ -83,8 +83,8 @@ void store_track(OceanScene& scene, const Parameter& parameter, const std::vecto
   scene.set_at.insert_or_assign({parameter.key, element}, place.subject);
 }
 
-bool has_same_keyframes(const OceanScene& before, const OceanScene& after, const Parameter& row) {
-  const auto tracks_of = [&](const OceanScene& scene) {
+bool has_same_keyframes(const Scene& before, const Scene& after, const Parameter& row) {
+  const auto tracks_of = [&](const Scene& scene) {
     std::vector<std::pair<ValueKey, KeyframeTrack>> tracks;
     for (const auto& track : scene.tracks) {
       if (track.first.key == row.key) tracks.emplace_back(track);

@@ -17,10 +17,10 @@ struct WrittenKeyframe {
 /// its constant value becomes that of the first one. At most 10,000 keys, times within +-1e8 s. Throws
 /// Error(bad_input) for a row that cannot have any, no keys or too many, times that do not increase, and
 /// values as store() does.
-void store_track(OceanScene& scene, const Parameter& parameter, const std::vector<WrittenKeyframe>& written,
+void store_track(Scene& scene, const Parameter& parameter, const std::vector<WrittenKeyframe>& written,
                  Interpolation interpolation, const Place& place);
 
 /// Whether a row has the same keyframes in all elements of two scenes.
-bool has_same_keyframes(const OceanScene& before, const OceanScene& after, const Parameter& row);
+bool has_same_keyframes(const Scene& before, const Scene& after, const Parameter& row);
 
 }  // namespace offing::scene

@@ -46,7 +46,7 @@ class SceneReader {
     scene_.trust = trust;
   }
 
-  OceanScene read(const toml::table& root) {
+  Scene read(const toml::table& root) {
     check_version(root);
     read_table(root, "");
     throw_faults();
@@ -234,12 +234,12 @@ class SceneReader {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: {}: expected a known key, got \"{}\"", place, full_key.substr(0, 60),
                             key.str().substr(0, 60)),
-                mend_of(key.str(), prefix));
+                hint_of(key.str(), prefix));
   }
 
   /// Where a key stands that is unknown below this prefix, or which one was meant: the key's own name
   /// anywhere, else the nearest here, else the nearest anywhere.
-  static std::string mend_of(std::string_view name, std::string_view prefix) {
+  static std::string hint_of(std::string_view name, std::string_view prefix) {
     if (const std::string sections = sections_of(name); !sections.empty()) {
       return fmt::format("{} belongs in {}", name, sections);
     }
@@ -292,7 +292,7 @@ class SceneReader {
 
   std::string name_;
   std::filesystem::path folder_;
-  OceanScene scene_;
+  Scene scene_;
   std::vector<Fault> faults_;
 };
 
@@ -329,12 +329,12 @@ std::string read_text(const std::filesystem::path& file) {
 
 }  // namespace
 
-OceanScene load_scene(const std::filesystem::path& file, Trust trust) {
+Scene load_scene(const std::filesystem::path& file, Trust trust) {
   return parse_scene(read_text(file), file.string(), file.parent_path(), trust);
 }
 
-OceanScene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path& folder,
-                       Trust trust) {
+Scene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path& folder,
+                  Trust trust) {
   if (const std::optional<TomlPlace> place = too_deep_toml(text)) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}:{}:{}: expected at most {} nested names or brackets, found more", name,

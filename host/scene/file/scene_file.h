@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "host/io/file_trust.h"
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 
 namespace offing::scene {
 
@@ -20,10 +20,10 @@ inline constexpr std::size_t most_scene_bytes = std::size_t{4} << 20;
 /// Throws Error(bad_input) as `storm.toml:14:13: ocean.fetch_m: expected ..., got ...` for a file that cannot
 /// be read, is not TOML, or has an unknown key, a wrong type, a value out of range or not finite, or a
 /// section of a system that this version does not have. It is an ErrorList of the first ten such faults.
-OceanScene load_scene(const std::filesystem::path& file, Trust trust = Trust::trusted);
+Scene load_scene(const std::filesystem::path& file, Trust trust = Trust::trusted);
 
 /// The same from text; `name` stands for the file in messages, `folder` is what file names are relative to.
-OceanScene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path& folder,
-                       Trust trust = Trust::trusted);
+Scene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path& folder,
+                  Trust trust = Trust::trusted);
 
 }  // namespace offing::scene

@@ -7,8 +7,8 @@
 
 namespace offing::scene {
 
-std::vector<std::string> files_of(const OceanScene& scene) {
-  OceanScene read = scene;  // rows lead to values that can be written
+std::vector<std::string> files_of(const Scene& scene) {
+  Scene read = scene;  // rows lead to values that can be written
   std::vector<std::string> files;
   for (const Parameter& row : parameter_table()) {
     if (row.rule != ParameterRule::file_name) continue;

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 
 namespace offing::scene {
 
 /// Every file and folder that a scene names, in the order of the parameter table, whether it is there or not.
-std::vector<std::string> files_of(const OceanScene& scene);
+std::vector<std::string> files_of(const Scene& scene);
 
 }  // namespace offing::scene

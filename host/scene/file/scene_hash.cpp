@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 8> indirect_keys = {
     "ocean.spectrum_file", "ocean.record", "ocean.cascade_count",  "ocean.cascade.patch_m"};
 
 /// Rows that only pictures of the presenter depend on: no sea does.
-bool is_of_pictures(const Parameter& row) {
+bool is_of_images(const Parameter& row) {
   using enum ParameterGroup;
   constexpr std::array groups{camera,     bookmark,    sun,   sky,        render,      terrain,
                               height_map, walk,        light, mesh,       highlight,   body,
@@ -40,13 +40,13 @@ void append_numbers(fmt::memory_buffer& text, std::string_view name, const std::
 
 }  // namespace
 
-std::string scene_hash(const OceanScene& scene, const Sea& sea, std::string_view output_settings) {
-  const OceanScene resolved = with_resolved_wind(scene);
+std::string scene_hash(const Scene& scene, const Sea& sea, std::string_view output_settings) {
+  const Scene resolved = with_resolved_wind(scene);
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "offing {}\noutput {}\n", version(), output_settings);
   for (const Parameter& row : parameter_table()) {
-    if (is_of_pictures(row)) continue;
+    if (is_of_images(row)) continue;
     if (std::find(indirect_keys.begin(), indirect_keys.end(), row.key) == indirect_keys.end()) {
       fmt::format_to(out, "{} = {}\n", row.key, value_text(resolved, row, Digits::exact));
     }

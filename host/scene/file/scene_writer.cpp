@@ -38,17 +38,17 @@ std::string toml_text(std::string_view text) {
 }
 
 /// A scene with a value of its own for the row, in an element if it needs one.
-OceanScene scene_of(const Parameter& row) {
-  OceanScene one;
+Scene scene_of(const Parameter& row) {
+  Scene one;
   append_element(one, row, {});
   return one;
 }
 
 /// The value of such a scene as people write it, where that is the same number.
-std::string number_of(const OceanScene& one, const Parameter& row) {
+std::string number_of(const Scene& one, const Parameter& row) {
   const std::string exact = value_text(one, row, {}, Digits::exact);
   std::string readable = value_text(one, row, {}, Digits::readable);
-  OceanScene copy = one;
+  Scene copy = one;
   clear_list(copy, row);
   store(copy, row, read_flag_value(row, readable), {.subject = std::string(row.key), .assignment = ""},
         ElementIndex{});
@@ -56,9 +56,9 @@ std::string number_of(const OceanScene& one, const Parameter& row) {
 }
 
 /// `{ keys = [{ t = 0, value = 5 }, ...] }`, from the tracks of the numbers of a value.
-std::string track_text(const OceanScene& scene, const Parameter& row, ElementIndex element) {
-  OceanScene one = scene_of(row);
-  OceanScene copy = scene;                  // accessors hand out references that can be written through
+std::string track_text(const Scene& scene, const Parameter& row, ElementIndex element) {
+  Scene one = scene_of(row);
+  Scene copy = scene;                       // accessors hand out references that can be written through
   copy_value(copy, element, row, one, {});  // of a number that may be absent: there is one
   const std::vector<double*> numbers = numbers_of(one, row, {});
   const KeyframeTrack& first = scene.tracks.at({row.key, element});
@@ -87,8 +87,7 @@ std::string name_from(const std::filesystem::path& folder, const std::filesystem
 /// What is written of a scene.
 class SceneText {
  public:
-  SceneText(const OceanScene& scene, std::filesystem::path folder)
-      : scene_(scene), folder_(std::move(folder)) {}
+  SceneText(const Scene& scene, std::filesystem::path folder) : scene_(scene), folder_(std::move(folder)) {}
 
   std::string write() {
     std::vector<std::string_view> sections;
@@ -143,7 +142,7 @@ class SceneText {
 
   /// A section for each value.
   void append_list(const Parameter& row, const std::vector<double>& values) {
-    OceanScene one;
+    Scene one;
     for (const double value : values) {
       std::get<ValueAt<std::vector<double>>>(row.storage)(one, {}) = {value};
       append("[[{}]]", section_of(row.key), {{name_of(row.key), number_of(one, row)}});
@@ -189,7 +188,7 @@ class SceneText {
   /// Empty for a value that is as usual.
   std::string text_of(const Parameter& row, ElementIndex element) {
     if (scene_.tracks.contains({row.key, element})) return track_text(scene_, row, element);
-    OceanScene one = scene_of(row);
+    Scene one = scene_of(row);
     const std::string usual = value_text(one, row, {}, Digits::exact);
     copy_value(scene_, element, row, one, {});
     if (value_text(one, row, {}, Digits::exact) == usual) return "";
@@ -211,7 +210,7 @@ class SceneText {
     for (const Line& line : lines) text_ += fmt::format("{} = {}\n", line.name, line.value);
   }
 
-  OceanScene scene_;  // accessors hand out references that can be written through
+  Scene scene_;  // accessors hand out references that can be written through
   std::filesystem::path folder_;
   std::vector<std::string_view> written_;
   std::string text_ = "version = 1\n";
@@ -219,11 +218,11 @@ class SceneText {
 
 }  // namespace
 
-std::string scene_text(const OceanScene& scene, const std::filesystem::path& folder) {
+std::string scene_text(const Scene& scene, const std::filesystem::path& folder) {
   return SceneText(scene, folder).write();
 }
 
-void save_scene(const OceanScene& scene, const std::filesystem::path& file, Existing existing) {
+void save_scene(const Scene& scene, const std::filesystem::path& file, Existing existing) {
   require_extension(file, {".toml"});
   if (existing == Existing::keep && is_taken(file)) {
     throw Error(ErrorKind::bad_usage, fmt::format("{}: is there already", file.string()),

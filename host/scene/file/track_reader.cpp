@@ -20,7 +20,7 @@ class TrackReader {
  public:
   TrackReader(const Parameter& parameter, std::string_view file) : parameter_(parameter), file_(file) {}
 
-  void read(OceanScene& scene, const toml::table& table) const {
+  void read(Scene& scene, const toml::table& table) const {
     require_known(table, std::array<std::string_view, 2>{"keys", "interpolation"});
     store_track(scene, parameter_, keys_of(*table.get("keys")), interpolation_of(table),
                 place_of(table, parameter_.key));
@@ -89,8 +89,7 @@ class TrackReader {
 
 }  // namespace
 
-void read_track(OceanScene& scene, const Parameter& parameter, const toml::table& table,
-                std::string_view file) {
+void read_track(Scene& scene, const Parameter& parameter, const toml::table& table, std::string_view file) {
   TrackReader(parameter, file).read(scene, table);
 }
 

@@ -16,7 +16,7 @@ namespace offing::scene {
 
 enum class CloudModelling { as_genus, sampled, hierarchical };
 enum class CloudSampling { as_genus, uniform, random };
-enum class CloudPuffs { as_genus, crisp, soft };
+enum class BillboardStyle { as_genus, crisp, soft };
 /// Which axis of a file points up.
 enum class CloudUp { y, z };
 enum class CloudPhase { as_genus, rayleigh, henyey_greenstein, double_henyey_greenstein, mie_droplet };
@@ -51,7 +51,7 @@ struct CloudLookScene {
   std::optional<double> extinction_per_m;
   std::optional<glm::dvec3> albedo;
   CloudPhase phase = CloudPhase::as_genus;
-  CloudPuffs puffs = CloudPuffs::as_genus;
+  BillboardStyle billboards = BillboardStyle::as_genus;
   std::optional<double> g, g_back, forward_share, droplet_um;
 
   bool operator==(const CloudLookScene&) const = default;
@@ -108,8 +108,8 @@ struct CloudsScene {
   CloudShadows shadows = CloudShadows::on;
   double quality = 1.0;       ///< particles, in those that clouds ask for
   double light_step_s = 0.5;  ///< of CloudSkyParameters
-  /// Folders of pictures for the two sets of puff textures; empty: Offing's own.
-  std::string crisp_puffs, soft_puffs;
+  /// Folders of pictures for the two sets of billboard textures; empty: Offing's own.
+  std::string crisp_billboards, soft_billboards;
 };
 
 }  // namespace offing::scene

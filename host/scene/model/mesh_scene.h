@@ -27,7 +27,7 @@ struct LightScene {
 
 /// What is drawn of the highlights of a mesh that fit, and which do.
 struct HighlightScene {
-  highlights::HighlightRule rule;  ///< lamp and picture are those of the names below
+  highlights::HighlightRule rule;  ///< light and picture are those of the names below
   std::string light;               ///< of a [[light]], or "sun"; empty: any
   std::string picture;             ///< file of HighlightTexture::image or normal_map
 };

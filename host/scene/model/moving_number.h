@@ -3,14 +3,14 @@
 #include <optional>
 
 #include "host/base/keyframes.h"
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 
 namespace offing::scene {
 
 /// A number that may have keyframes.
 class MovingNumber {
  public:
-  MovingNumber(const OceanScene& scene, const ValueKey& key, double constant) : constant_(constant) {
+  MovingNumber(const Scene& scene, const ValueKey& key, double constant) : constant_(constant) {
     if (const auto track = scene.tracks.find(key); track != scene.tracks.end()) track_ = track->second;
   }
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "host/io/height_maps/height_map_options.h"
-#include "host/terrain/generate/fractal_ground.h"
+#include "host/terrain/generate/fractal_terrain.h"
 
 namespace offing::scene {
 

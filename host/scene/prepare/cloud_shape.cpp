@@ -28,7 +28,7 @@ using clouds::CloudParameters;
 
 /// Tells faults of what `make` makes at the place of a key.
 template <typename Make>
-auto at_key(const OceanScene& scene, const ValueKey& key, const Make& make) {
+auto at_key(const Scene& scene, const ValueKey& key, const Make& make) {
   try {
     return make();
   } catch (const Error& error) {
@@ -54,7 +54,7 @@ struct QuarterTurn {
   bool operator==(const QuarterTurn&) const = default;
 };
 
-QuarterTurn quarter_turn(const OceanScene& scene, std::size_t index) {
+QuarterTurn quarter_turn(const Scene& scene, std::size_t index) {
   const glm::dmat3 turn = turn_of(scene.clouds[index].shape);
   constexpr double tolerance = 1e-9;
   QuarterTurn quarters;
@@ -127,10 +127,10 @@ void turn_volume(const QuarterTurn& turn, VdbCloud& cloud) {
 }
 
 /// The particles of a .ply, all of this cloud, with its colour where the scene gives one.
-RestingParticles particles_of(const OceanScene& scene, std::size_t index) {
+RestingParticles particles_of(const Scene& scene, std::size_t index) {
   const CloudScene& cloud = scene.clouds[index];
-  CloudParticles file = read_named(scene, {"cloud.file", {index, 0}}, "particles of a cloud",
-                                   cloud.shape.file, [&] { return read_cloud_particles(cloud.shape.file); });
+  ParticleCloud file = read_named(scene, {"cloud.file", {index, 0}}, "particles of a cloud", cloud.shape.file,
+                                  [&] { return read_cloud_particles(cloud.shape.file); });
   const glm::dmat3 turn = turn_of(cloud.shape);
   const auto scale = static_cast<float>(cloud.scale);
   for (CloudParticle& particle : file.particles) {
@@ -154,7 +154,7 @@ RestingParticles particles_of(const OceanScene& scene, std::size_t index) {
 }
 
 /// Sampled as a volume of balls is (C5), from the cells of the file.
-void take_volume(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
+void take_volume(const Scene& scene, std::size_t index, CloudParameters& parameters) {
   const CloudScene& cloud = scene.clouds[index];
   VdbCloud file = read_named(scene, {"cloud.file", {index, 0}}, "a volume", cloud.shape.file,
                              [&] { return read_vdb(cloud.shape.file, cloud.shape.grid); });
@@ -229,7 +229,7 @@ void take_solid(const CloudScene& cloud, TriangleMesh mesh, CloudParameters& par
 }
 
 /// What makes a cloud is said once: the rest would be ignored.
-void require_one_source(const OceanScene& scene, std::size_t index) {
+void require_one_source(const Scene& scene, std::size_t index) {
   const CloudShapeScene& shape = scene.clouds[index].shape;
   const std::pair<const char*, bool> sources[]{{"cloud.file", !shape.file.empty()},
                                                {"cloud.mesh", !shape.mesh.empty()},
@@ -251,7 +251,7 @@ void require_one_source(const OceanScene& scene, std::size_t index) {
 
 }  // namespace
 
-RestingParticles take_shape(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
+RestingParticles take_shape(const Scene& scene, std::size_t index, CloudParameters& parameters) {
   const CloudScene& cloud = scene.clouds[index];
   if (!cloud.shape.is_given()) return nullptr;
   require_one_source(scene, index);

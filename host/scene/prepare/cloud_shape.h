@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host/clouds/shape/cloud_parameters.h"
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 #include "kernels/shared/clouds.h"
 
 namespace offing::scene {
@@ -17,6 +17,6 @@ using RestingParticles = std::shared_ptr<const std::vector<CloudParticle>>;
 /// `shape`, of volumes the extinction that their file tells, or the particles that a file of particles has,
 /// which are returned; nullptr for none. Places in files are relative to the cloud's. Throws Error(bad_input)
 /// that names the place in the scene.
-RestingParticles take_shape(const OceanScene& scene, std::size_t index, clouds::CloudParameters& parameters);
+RestingParticles take_shape(const Scene& scene, std::size_t index, clouds::CloudParameters& parameters);
 
 }  // namespace offing::scene

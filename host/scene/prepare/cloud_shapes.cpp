@@ -34,7 +34,7 @@ const CloudShapes::Shape* CloudShapes::known(const Source& source) {
   return &*found;
 }
 
-RestingParticles CloudShapes::take(const OceanScene& scene, std::size_t index,
+RestingParticles CloudShapes::take(const Scene& scene, std::size_t index,
                                    clouds::CloudParameters& parameters) {
   if (!scene.clouds[index].shape.is_given()) return nullptr;
   const Source source(scene.clouds[index], parameters);

@@ -15,7 +15,7 @@ class CloudShapes {
   /// What begins is the next scene: shapes that it does not take are forgotten with the one after it.
   void begin();
   /// take_shape() of a cloud, or what it gave before.
-  RestingParticles take(const OceanScene& scene, std::size_t index, clouds::CloudParameters& parameters);
+  RestingParticles take(const Scene& scene, std::size_t index, clouds::CloudParameters& parameters);
 
  private:
   /// All that a shape depends on.

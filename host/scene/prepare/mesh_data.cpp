@@ -33,7 +33,7 @@ void scale_by(double scale, Surface& surface) {
 
 }  // namespace
 
-MeshData mesh_data(const OceanScene& scene, std::size_t index) {
+MeshData mesh_data(const Scene& scene, std::size_t index) {
   const MeshScene& mesh = scene.meshes.at(index);
   Surface surface;
   if (mesh.file.empty()) {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "host/base/triangle_mesh.h"
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 
 namespace offing::scene {
 
@@ -15,6 +15,6 @@ struct MeshData {
 
 /// Reads or makes it. Throws Error(bad_input) that names the place in the scene for a file that is not there,
 /// and what read_mesh() and read_prepared() throw.
-MeshData mesh_data(const OceanScene& scene, std::size_t mesh);
+MeshData mesh_data(const Scene& scene, std::size_t mesh);
 
 }  // namespace offing::scene

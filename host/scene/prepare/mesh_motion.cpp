@@ -12,7 +12,7 @@ namespace {
 /// A mesh is turned as a head is: its -z axis is where it looks (camera.h).
 class MeshMotion {
  public:
-  MeshMotion(const OceanScene& scene, const MeshScene& mesh, ElementIndex element)
+  MeshMotion(const Scene& scene, const MeshScene& mesh, ElementIndex element)
       : x_m_(scene, {"mesh.x_m", element}, mesh.position_m.x),
         y_m_(scene, {"mesh.y_m", element}, mesh.position_m.y),
         z_m_(scene, {"mesh.z_m", element}, mesh.position_m.z),
@@ -36,7 +36,7 @@ class MeshMotion {
 
 }  // namespace
 
-std::function<highlights::RigidMotion(double)> motion_of(const OceanScene& scene, std::size_t mesh) {
+std::function<highlights::RigidMotion(double)> motion_of(const Scene& scene, std::size_t mesh) {
   // Shared, because functions are copied.
   const auto motion = std::make_shared<const MeshMotion>(scene, scene.meshes.at(mesh), ElementIndex{mesh, 0});
   return [motion](double time_s) { return motion->at(time_s); };

@@ -32,8 +32,7 @@ sky::SunPosition sun_at(double unix_s, const sky::GeoPosition& position, const s
 
 }  // namespace
 
-void move_to(OceanScene& moment, const OceanScene& scene, double time_s,
-             std::initializer_list<ParameterGroup> groups) {
+void move_to(Scene& moment, const Scene& scene, double time_s, std::initializer_list<ParameterGroup> groups) {
   require_within("time_s", time_s, -largest_time_s, largest_time_s);
   for (const auto& [key, track] : scene.tracks) {
     const Parameter& row = *find_parameter(key.key);
@@ -42,9 +41,9 @@ void move_to(OceanScene& moment, const OceanScene& scene, double time_s,
   }
 }
 
-ViewScene view_at(const OceanScene& scene, double time_s) {
+ViewScene view_at(const Scene& scene, double time_s) {
   using enum ParameterGroup;
-  OceanScene moment;  // rows address values of a whole scene
+  Scene moment;  // rows address values of a whole scene
   moment.view = scene.view;
   move_to(moment, scene, time_s, {camera, sun, sky, render});
   ViewScene& view = moment.view;

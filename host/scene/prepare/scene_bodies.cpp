@@ -32,9 +32,9 @@ constexpr double speed_step_s = 0.01;
 
 /// Drives of a body at any time, and where it is in its run-up. Its own copy of what it needs: the scene may
 /// go.
-class BodyCourse {
+class BodyHeading {
  public:
-  BodyCourse(const OceanScene& scene, std::size_t index)
+  BodyHeading(const Scene& scene, std::size_t index)
       : body_(scene.bodies[index]),
         x_m_(scene, {"body.x_m", {index, 0}}, body_.x_m),
         z_m_(scene, {"body.z_m", {index, 0}}, body_.z_m),
@@ -76,7 +76,7 @@ class BodyCourse {
   MovingNumber x_m_, z_m_, heading_rad_, thrust_n_, rudder_rad_;
 };
 
-std::vector<std::string> names_of_bodies(const OceanScene& scene) {
+std::vector<std::string> names_of_bodies(const Scene& scene) {
   std::vector<std::string> names;
   for (const BodyScene& body : scene.bodies) {
     if (!body.name.empty()) names.push_back(body.name);
@@ -84,7 +84,7 @@ std::vector<std::string> names_of_bodies(const OceanScene& scene) {
   return names;
 }
 
-std::size_t mesh_of(const OceanScene& scene, std::size_t index) {
+std::size_t mesh_of(const Scene& scene, std::size_t index) {
   const std::string& name = scene.bodies[index].mesh;
   const auto mesh =
       name.empty() ? scene.meshes.begin() : std::ranges::find(scene.meshes, name, &MeshScene::name);
@@ -101,8 +101,7 @@ std::size_t mesh_of(const OceanScene& scene, std::size_t index) {
                                                  : "no [[mesh]] has a name: give one this name"));
 }
 
-void require_other_mesh(const OceanScene& scene, const std::vector<world::BodySettings>& known,
-                        std::size_t mesh) {
+void require_other_mesh(const Scene& scene, const std::vector<world::BodySettings>& known, std::size_t mesh) {
   if (std::ranges::find(known, mesh, &world::BodySettings::mesh) == known.end()) return;
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a mesh that no other body moves, got \"{}\"",
@@ -111,7 +110,7 @@ void require_other_mesh(const OceanScene& scene, const std::vector<world::BodySe
 }
 
 /// Puts the meshes that are carried aboard the bodies that carry them.
-void board(const OceanScene& scene, std::vector<world::BodySettings>& bodies) {
+void board(const Scene& scene, std::vector<world::BodySettings>& bodies) {
   for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
     const std::string& name = scene.meshes[mesh].aboard;
     if (name.empty()) continue;
@@ -152,7 +151,7 @@ FloatingBody loaded(const BodyScene& scene, const std::string& name, TriangleMes
   return body;
 }
 
-world::BodySettings settings_of(const OceanScene& scene, std::size_t index, std::size_t mesh,
+world::BodySettings settings_of(const Scene& scene, std::size_t index, std::size_t mesh,
                                 const world::MeshParameters& drawn) {
   const BodyScene& body = scene.bodies[index];
   const std::string name = body.name.empty() ? fmt::format("body {}", index + 1) : body.name;
@@ -166,7 +165,7 @@ world::BodySettings settings_of(const OceanScene& scene, std::size_t index, std:
   settings.map = std::make_shared<const bodies::HullMap>(bodies::map_of_hull(whole));
   settings.body = loaded(
       body, name, bodies::pressed_hull(whole, *settings.map, static_cast<std::size_t>(body.hull_faces)));
-  const auto course = std::make_shared<const BodyCourse>(scene, index);
+  const auto course = std::make_shared<const BodyHeading>(scene, index);
   const bodies::PathPlace start = course->place_at(-run_up_s(scene));
   settings.body.start = bodies::at_rest(settings.body, water_kgpm3, start.x_m, start.z_m, start.heading_rad);
   bodies::require_valid(settings.body);
@@ -174,7 +173,7 @@ world::BodySettings settings_of(const OceanScene& scene, std::size_t index, std:
   return settings;
 }
 
-bool are_other_bodies(const OceanScene& before, const OceanScene& after) {
+bool are_other_bodies(const Scene& before, const Scene& after) {
   if (are_other_meshes(before, after)) return true;
   const auto table = parameter_table();
   return std::any_of(table.begin(), table.end(), [&](const Parameter& row) {
@@ -186,13 +185,13 @@ bool are_other_bodies(const OceanScene& before, const OceanScene& after) {
 
 }  // namespace
 
-double run_up_s(const OceanScene& scene) {
+double run_up_s(const Scene& scene) {
   double longest_s = least_run_up_s;
   for (const WakeScene& wake : scene.wakes) longest_s = std::max(longest_s, wake.history_s);
   return longest_s;
 }
 
-std::vector<world::BodySettings> prepare_bodies(const OceanScene& scene,
+std::vector<world::BodySettings> prepare_bodies(const Scene& scene,
                                                 const std::vector<world::MeshParameters>& meshes) {
   std::vector<world::BodySettings> prepared;
   if (!scene.bodies.empty() && !scene.has_sea()) {
@@ -216,7 +215,7 @@ std::vector<world::BodySettings> prepare_bodies(const OceanScene& scene,
   return prepared;
 }
 
-std::size_t followed_body(const OceanScene& scene, std::size_t wake) {
+std::size_t followed_body(const Scene& scene, std::size_t wake) {
   const std::string& name = scene.wakes[wake].body;
   const auto body =
       name.empty() ? scene.bodies.begin() : std::ranges::find(scene.bodies, name, &BodyScene::name);
@@ -229,7 +228,7 @@ std::size_t followed_body(const OceanScene& scene, std::size_t wake) {
       hint_of_names(name, names_of_bodies(scene), "add a [[body]] of that name, or choose another centre"));
 }
 
-void edit_bodies(world::World& world, const OceanScene& before, const OceanScene& after) {
+void edit_bodies(world::World& world, const Scene& before, const Scene& after) {
   const bool is_same = !are_other_bodies(before, after) && run_up_s(before) == run_up_s(after) &&
                        before.has_sea() == after.has_sea();
   if (is_same) return;

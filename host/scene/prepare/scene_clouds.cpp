@@ -21,7 +21,7 @@ namespace {
 using clouds::CloudParameters;
 
 /// Another seed for each of a scene's; the same where the scene's is its default.
-std::uint64_t seed_of(const OceanScene& scene, std::uint64_t own) {
+std::uint64_t seed_of(const Scene& scene, std::uint64_t own) {
   constexpr std::uint64_t golden = 0x9e37'79b9'7f4a'7c15;  // odd: spreads small numbers over all bits
   return own ^ ((scene.cloud_settings.seed - 1) * golden);
 }
@@ -53,13 +53,13 @@ void take_look(const CloudLookScene& scene, clouds::CloudLook& look) {
   if (scene.phase != CloudPhase::as_genus) {
     look.phase = static_cast<clouds::PhaseKind>(static_cast<int>(scene.phase) - 1);
   }
-  if (scene.puffs != CloudPuffs::as_genus) {
-    look.puffs = static_cast<clouds::PuffSet>(static_cast<int>(scene.puffs) - 1);
+  if (scene.billboards != BillboardStyle::as_genus) {
+    look.billboards = static_cast<clouds::BillboardSet>(static_cast<int>(scene.billboards) - 1);
   }
 }
 
 /// Keyframes of the places of a cloud; of numbers without any a single one.
-std::optional<std::array<KeyframeTrack, 3>> path_of(const OceanScene& scene, std::size_t index,
+std::optional<std::array<KeyframeTrack, 3>> path_of(const Scene& scene, std::size_t index,
                                                     const glm::dvec3& position_m) {
   constexpr std::array<const char*, 3> keys{"cloud.x_m", "cloud.y_m", "cloud.z_m"};
   std::array<KeyframeTrack, 3> path;
@@ -77,7 +77,7 @@ std::optional<std::array<KeyframeTrack, 3>> path_of(const OceanScene& scene, std
   return path;
 }
 
-void take_motion(const OceanScene& scene, std::size_t index, CloudParameters& parameters) {
+void take_motion(const Scene& scene, std::size_t index, CloudParameters& parameters) {
   const CloudMotionScene& given = scene.clouds[index].motion;
   clouds::CloudMotion& motion = parameters.motion;
   // A cloud of a scene stands still unless told: eyes are placed where it is at the start.
@@ -127,7 +127,7 @@ void take_edits(const CloudScene& cloud, CloudParameters& parameters) {
 
 }  // namespace
 
-CloudParameters cloud_parameters_of(const OceanScene& scene, std::size_t index) {
+CloudParameters cloud_parameters_of(const Scene& scene, std::size_t index) {
   const CloudScene& cloud = scene.clouds[index];
   CloudParameters parameters = clouds::preset(cloud.genus, seed_of(scene, cloud.seed), cloud.scale);
   const double usual_altitude_m = cloud.shape.file.empty() ? parameters.position_m.y : 0.0;
@@ -150,7 +150,7 @@ CloudParameters cloud_parameters_of(const OceanScene& scene, std::size_t index) 
 
 namespace {
 
-std::vector<CloudParameters> layer_clouds(const OceanScene& scene, std::size_t index) {
+std::vector<CloudParameters> layer_clouds(const Scene& scene, std::size_t index) {
   const CloudLayerScene& layer = scene.cloud_layers[index];
   try {
     return clouds::scattered_sky({.genus = layer.genus,
@@ -178,7 +178,7 @@ void take_quality(double quality, CloudParameters& parameters) {
 }
 
 /// What the ranges of single keys let through: their products with cloud.scale, above all.
-void require_valid_cloud(const OceanScene& scene, std::size_t index, const CloudParameters& parameters) {
+void require_valid_cloud(const Scene& scene, std::size_t index, const CloudParameters& parameters) {
   try {
     clouds::require_valid(parameters);
   } catch (const Error& error) {
@@ -196,7 +196,7 @@ bool is_of_clouds(const std::pair<const ValueKey, KeyframeTrack>& track) {
 
 }  // namespace
 
-void copy_clouds(const OceanScene& from, OceanScene& to) {
+void copy_clouds(const Scene& from, Scene& to) {
   to.cloud_settings = from.cloud_settings;
   to.clouds = from.clouds;
   to.cloud_layers = from.cloud_layers;
@@ -206,8 +206,8 @@ void copy_clouds(const OceanScene& from, OceanScene& to) {
   }
 }
 
-bool are_other_clouds(const OceanScene& before, const OceanScene& after) {
-  const auto tracks_of = [](const OceanScene& scene) {
+bool are_other_clouds(const Scene& before, const Scene& after) {
+  const auto tracks_of = [](const Scene& scene) {
     std::vector<std::pair<ValueKey, KeyframeTrack>> tracks;
     std::copy_if(scene.tracks.begin(), scene.tracks.end(), std::back_inserter(tracks), is_of_clouds);
     return tracks;
@@ -222,12 +222,12 @@ bool are_other_clouds(const OceanScene& before, const OceanScene& after) {
   return std::any_of(table.begin(), table.end(), is_other) || tracks_of(before) != tracks_of(after);
 }
 
-std::optional<world::CloudSkyParameters> prepare_clouds(const OceanScene& scene) {
+std::optional<world::CloudSkyParameters> prepare_clouds(const Scene& scene) {
   CloudShapes shapes;
   return prepare_clouds(scene, shapes);
 }
 
-std::optional<world::CloudSkyParameters> prepare_clouds(const OceanScene& scene, CloudShapes& shapes) {
+std::optional<world::CloudSkyParameters> prepare_clouds(const Scene& scene, CloudShapes& shapes) {
   if (!scene.has_clouds()) return std::nullopt;
   shapes.begin();
   world::CloudSkyParameters sky{.clouds = {},
@@ -252,7 +252,7 @@ std::optional<world::CloudSkyParameters> prepare_clouds(const OceanScene& scene,
   return sky;
 }
 
-void edit_clouds(world::World& world, const OceanScene& before, const OceanScene& after) {
+void edit_clouds(world::World& world, const Scene& before, const Scene& after) {
   if (are_other_clouds(before, after)) world.set_clouds(prepare_clouds(after));
 }
 

@@ -14,7 +14,7 @@ constexpr int last_frame = 9'999'999;
 
 }  // namespace
 
-FrameRange frames_in_time_span(const OceanScene& scene, double frames_per_second) {
+FrameRange frames_in_time_span(const Scene& scene, double frames_per_second) {
   const double first = std::ceil(scene.start_s * frames_per_second - 1e-9) + 0.0;  // + 0: never -0
   const double last = std::ceil(scene.end_s * frames_per_second - 1e-9) - 1.0;
   if (last < first || last > last_frame) {

@@ -23,7 +23,7 @@
 #include "host/scene/prepare/mesh_data.h"
 #include "host/scene/prepare/mesh_motion.h"
 #include "host/scene/prepare/moving_view.h"
-#include "host/scene/prepare/scene_ground.h"
+#include "host/scene/prepare/scene_terrain.h"
 #include "host/scene/schema/parameter_table.h"
 #include "host/sky/sun_position.h"
 
@@ -42,44 +42,44 @@ constexpr std::array<std::string_view, 9> keys_of_looks{
 
 constexpr std::string_view sun_name = "sun";
 
-bool needs_picture(const HighlightScene& highlight) {
-  return is_picture(highlight.rule.controls.texture);
+bool needs_image(const HighlightScene& highlight) {
+  return is_image(highlight.rule.controls.texture);
 }
 
 bool has_ramp(const MeshScene& mesh) {
   return mesh.material.shading == world::BaseShading::cartoon && !mesh.cartoon_ramp.empty();
 }
 
-struct NamedPicture {
+struct NamedImage {
   std::string file;
   ValueKey named_by;
 };
 
 /// Each file once, in the order of the scene.
-std::vector<NamedPicture> named_pictures(const OceanScene& scene) {
-  std::vector<NamedPicture> pictures;
+std::vector<NamedImage> named_images(const Scene& scene) {
+  std::vector<NamedImage> pictures;
   const auto add = [&](const std::string& file, const ValueKey& named_by) {
-    if (std::ranges::find(pictures, file, &NamedPicture::file) == pictures.end())
+    if (std::ranges::find(pictures, file, &NamedImage::file) == pictures.end())
       pictures.push_back({file, named_by});
   };
   for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
     if (has_ramp(scene.meshes[mesh])) add(scene.meshes[mesh].cartoon_ramp, {"mesh.cartoon_ramp", {mesh, 0}});
     for (std::size_t i = 0; i < scene.meshes[mesh].highlights.size(); ++i) {
       const HighlightScene& highlight = scene.meshes[mesh].highlights[i];
-      if (needs_picture(highlight)) add(highlight.picture, {"mesh.highlight.picture", {mesh, i}});
+      if (needs_image(highlight)) add(highlight.picture, {"mesh.highlight.picture", {mesh, i}});
     }
   }
   return pictures;
 }
 
-std::vector<std::string> picture_files(const OceanScene& scene) {
+std::vector<std::string> image_files(const Scene& scene) {
   std::vector<std::string> files;
-  for (const NamedPicture& picture : named_pictures(scene)) files.push_back(picture.file);
+  for (const NamedImage& picture : named_images(scene)) files.push_back(picture.file);
   return files;
 }
 
-/// The index of a highlight's light among the lamps; the sun is behind all of them.
-std::optional<int> lamp_of(const OceanScene& scene, ElementIndex element) {
+/// The index of a highlight's light among the lights; the sun is behind all of them.
+std::optional<int> light_of(const Scene& scene, ElementIndex element) {
   const std::string& name = scene.meshes[element.outer].highlights[element.inner].light;
   if (name.empty()) return std::nullopt;
   const auto light = std::find_if(scene.lights.begin(), scene.lights.end(),
@@ -97,14 +97,14 @@ std::optional<int> lamp_of(const OceanScene& scene, ElementIndex element) {
   return static_cast<int>(light - scene.lights.begin());
 }
 
-/// Index of a picture that named_pictures() has.
-int picture_of(const OceanScene& scene, const std::string& file) {
-  const std::vector<std::string> files = picture_files(scene);
+/// Index of a picture that named_images() has.
+int image_of(const Scene& scene, const std::string& file) {
+  const std::vector<std::string> files = image_files(scene);
   return static_cast<int>(std::find(files.begin(), files.end(), file) - files.begin());
 }
 
 /// Highlights name lights: a name is to mean one.
-void require_distinct_names(const OceanScene& scene) {
+void require_distinct_names(const Scene& scene) {
   std::set<std::string_view> known{sun_name};
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const std::string& name = scene.lights[i].name;
@@ -123,8 +123,8 @@ Source source_of(const LightScene& light) {
 }
 
 /// Meshes or lights of a scene at a time; nothing else of it.
-OceanScene moment_of(const OceanScene& scene, double time_s, ParameterGroup group) {
-  OceanScene moment;
+Scene moment_of(const Scene& scene, double time_s, ParameterGroup group) {
+  Scene moment;
   if (group == ParameterGroup::light) {
     moment.lights = scene.lights;
   } else {
@@ -134,7 +134,7 @@ OceanScene moment_of(const OceanScene& scene, double time_s, ParameterGroup grou
   return moment;
 }
 
-world::MeshParameters parameters_of(const OceanScene& scene, std::size_t index, const MeshData& data) {
+world::MeshParameters parameters_of(const Scene& scene, std::size_t index, const MeshData& data) {
   const MeshScene& mesh = scene.meshes[index];
   world::MeshParameters parameters;
   parameters.name = mesh.name.empty() ? fmt::format("mesh {}", index + 1) : mesh.name;
@@ -148,7 +148,7 @@ world::MeshParameters parameters_of(const OceanScene& scene, std::size_t index, 
 }
 
 std::vector<world::MeshParameters> with_moment(std::vector<world::MeshParameters> meshes,
-                                               const OceanScene& scene) {
+                                               const Scene& scene) {
   const std::vector<world::MeshMaterial> materials = mesh_materials_at(scene, scene.start_s);
   std::vector<std::vector<HighlightRule>> rules = mesh_rules_at(scene, scene.start_s);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -165,7 +165,7 @@ bool is_same_form(const MeshScene& a, const MeshScene& b) {
 
 }  // namespace
 
-bool are_other_meshes(const OceanScene& before, const OceanScene& after) {
+bool are_other_meshes(const Scene& before, const Scene& after) {
   const auto table = parameter_table();
   return std::any_of(table.begin(), table.end(), [&](const Parameter& row) {
     const bool is_beside =
@@ -176,7 +176,7 @@ bool are_other_meshes(const OceanScene& before, const OceanScene& after) {
   });
 }
 
-std::vector<world::MeshParameters> prepare_meshes(const OceanScene& scene) {
+std::vector<world::MeshParameters> prepare_meshes(const Scene& scene) {
   std::vector<world::MeshParameters> meshes;
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     meshes.push_back(parameters_of(scene, i, mesh_data(scene, i)));
@@ -184,9 +184,9 @@ std::vector<world::MeshParameters> prepare_meshes(const OceanScene& scene) {
   return with_moment(std::move(meshes), scene);
 }
 
-std::vector<std::shared_ptr<const RgbaImage>> prepare_pictures(const OceanScene& scene) {
+std::vector<std::shared_ptr<const RgbaImage>> prepare_images(const Scene& scene) {
   std::vector<std::shared_ptr<const RgbaImage>> pictures;
-  for (const NamedPicture& picture : named_pictures(scene)) {
+  for (const NamedImage& picture : named_images(scene)) {
     if (picture.file.empty()) {
       throw Error(ErrorKind::bad_input,
                   fmt::format("{}: expected a mesh.highlight.picture beside it, found none",
@@ -200,54 +200,54 @@ std::vector<std::shared_ptr<const RgbaImage>> prepare_pictures(const OceanScene&
   return pictures;
 }
 
-std::vector<world::MeshMaterial> mesh_materials_at(const OceanScene& scene, double time_s) {
+std::vector<world::MeshMaterial> mesh_materials_at(const Scene& scene, double time_s) {
   std::vector<world::MeshMaterial> materials;
   for (const MeshScene& mesh : moment_of(scene, time_s, ParameterGroup::mesh).meshes) {
     materials.push_back(mesh.material);
-    if (has_ramp(mesh)) materials.back().cartoon_ramp = picture_of(scene, mesh.cartoon_ramp);
+    if (has_ramp(mesh)) materials.back().cartoon_ramp = image_of(scene, mesh.cartoon_ramp);
   }
   return materials;
 }
 
-std::vector<std::vector<HighlightRule>> mesh_rules_at(const OceanScene& scene, double time_s) {
-  const OceanScene moment = moment_of(scene, time_s, ParameterGroup::highlight);
+std::vector<std::vector<HighlightRule>> mesh_rules_at(const Scene& scene, double time_s) {
+  const Scene moment = moment_of(scene, time_s, ParameterGroup::highlight);
   std::vector<std::vector<HighlightRule>> rules(scene.meshes.size());
   for (std::size_t mesh = 0; mesh < rules.size(); ++mesh) {
     for (std::size_t i = 0; i < scene.meshes[mesh].highlights.size(); ++i) {
       const HighlightScene& highlight = moment.meshes[mesh].highlights[i];
       HighlightRule& rule = rules[mesh].emplace_back(highlight.rule);
-      rule.lamp = lamp_of(scene, {mesh, i});
-      rule.controls.picture = needs_picture(highlight) ? picture_of(scene, highlight.picture) : -1;
+      rule.light = light_of(scene, {mesh, i});
+      rule.controls.picture = needs_image(highlight) ? image_of(scene, highlight.picture) : -1;
     }
   }
   return rules;
 }
 
-std::vector<world::Lamp> lamps_at(const OceanScene& scene, double time_s) {
+std::vector<world::Light> lights_at(const Scene& scene, double time_s) {
   require_distinct_names(scene);
-  std::vector<world::Lamp> lamps;
+  std::vector<world::Light> lights;
   for (const LightScene& light : moment_of(scene, time_s, ParameterGroup::light).lights) {
-    lamps.push_back({source_of(light), light.colour, light.illuminance_klx});
+    lights.push_back({source_of(light), light.colour, light.illuminance_klx});
   }
-  return lamps;
+  return lights;
 }
 
 namespace {
 
 /// What meshes look like at one time, and what lights them.
 struct Looks {
-  std::vector<world::Lamp> lamps;
+  std::vector<world::Light> lights;
   std::vector<world::MeshMaterial> materials;
   std::vector<std::vector<HighlightRule>> rules;
 };
 
 /// All that may throw.
-Looks looks_at(const OceanScene& scene, double time_s) {
-  return {lamps_at(scene, time_s), mesh_materials_at(scene, time_s), mesh_rules_at(scene, time_s)};
+Looks looks_at(const Scene& scene, double time_s) {
+  return {lights_at(scene, time_s), mesh_materials_at(scene, time_s), mesh_rules_at(scene, time_s)};
 }
 
 void set_looks(world::World& world, Looks looks) {
-  world.set_lamps(looks.lamps);
+  world.set_lights(looks.lights);
   for (std::size_t i = 0; i < world.meshes().size(); ++i) {
     world.meshes()[i].set_material(looks.materials[i]);
     world.meshes()[i].set_rules(std::move(looks.rules[i]));
@@ -256,27 +256,27 @@ void set_looks(world::World& world, Looks looks) {
 
 }  // namespace
 
-void set_meshes_at(world::World& world, const OceanScene& scene, double time_s) {
+void set_meshes_at(world::World& world, const Scene& scene, double time_s) {
   set_looks(world, looks_at(scene, time_s));
 }
 
-highlights::LightingAt lighting_of(const OceanScene& scene, const world::GroundView* ground) {
-  const auto own = std::make_shared<const OceanScene>(scene);
-  return [own, ground](double time_s) {
+highlights::LightingAt lighting_of(const Scene& scene, const world::WorldTerrain* terrain) {
+  const auto own = std::make_shared<const Scene>(scene);
+  return [own, terrain](double time_s) {
     ViewScene view = view_at(*own, time_s);
-    if (ground != nullptr) stand_on_ground(*ground, view);
-    highlights::Lighting lighting{.eye = {Source::Kind::place, view.camera.eye_m}, .lamps = {}};
-    for (const world::Lamp& lamp : lamps_at(*own, time_s)) lighting.lamps.push_back(lamp.source);
+    if (terrain != nullptr) stand_on_ground(*terrain, view);
+    highlights::Lighting lighting{.eye = {Source::Kind::place, view.camera.eye_m}, .lights = {}};
+    for (const world::Light& light : lights_at(*own, time_s)) lighting.lights.push_back(light.source);
     const auto [x, y, z] = sky::direction_of(view.sun_azimuth_rad, view.sun_elevation_rad);
-    if (y > 0.0) lighting.lamps.push_back({Source::Kind::direction, {x, y, z}});
+    if (y > 0.0) lighting.lights.push_back({Source::Kind::direction, {x, y, z}});
     return lighting;
   };
 }
 
-void edit_meshes(world::World& world, const OceanScene& before, const OceanScene& after) {
+void edit_meshes(world::World& world, const Scene& before, const Scene& after) {
   Looks looks = looks_at(after, after.start_s);
   std::optional<std::vector<std::shared_ptr<const RgbaImage>>> pictures;
-  if (picture_files(before) != picture_files(after)) pictures = prepare_pictures(after);
+  if (image_files(before) != image_files(after)) pictures = prepare_images(after);
   if (are_other_meshes(before, after)) {
     std::vector<world::MeshParameters> meshes;
     for (std::size_t i = 0; i < after.meshes.size(); ++i) {
@@ -287,7 +287,7 @@ void edit_meshes(world::World& world, const OceanScene& before, const OceanScene
     }
     world.set_meshes(with_moment(std::move(meshes), after));
   }
-  if (pictures) world.set_pictures(std::move(*pictures));
+  if (pictures) world.set_images(std::move(*pictures));
   set_looks(world, std::move(looks));
 }
 

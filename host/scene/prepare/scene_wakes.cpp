@@ -16,7 +16,7 @@ namespace {
 
 class HullMotion {
  public:
-  HullMotion(const OceanScene& scene, const WakeHullScene& hull, ElementIndex element)
+  HullMotion(const Scene& scene, const WakeHullScene& hull, ElementIndex element)
       : hull_(hull.hull),
         speed_mps_(hull.speed_mps),
         x_m_(scene, {"ocean.wake.hull.x_m", element}, hull.hull.x_m),
@@ -41,7 +41,7 @@ class HullMotion {
 
 class WakeMotion {
  public:
-  WakeMotion(const OceanScene& scene, std::size_t index)
+  WakeMotion(const Scene& scene, std::size_t index)
       : follows_hull_(scene.wakes[index].centre == WakeCentre::hull && !scene.wakes[index].hulls.empty()),
         behind_m_(scene.wakes[index].behind_m),
         x_m_(scene, {"ocean.wake.x_m", {index, 0}}, scene.wakes[index].x_m),
@@ -71,7 +71,7 @@ class WakeMotion {
 
 }  // namespace
 
-std::vector<world::WakeSettings> prepare_wakes(const OceanScene& scene, const ocean::Dispersion& dispersion) {
+std::vector<world::WakeSettings> prepare_wakes(const Scene& scene, const ocean::Dispersion& dispersion) {
   std::vector<world::WakeSettings> prepared;
   for (std::size_t i = 0; i < scene.wakes.size(); ++i) {
     const WakeScene& wake = scene.wakes[i];

@@ -19,7 +19,7 @@ namespace offing::scene {
 namespace {
 
 /// A file that is missing is told where it is named.
-void require_spectrum_file(const OceanScene& scene) {
+void require_spectrum_file(const Scene& scene) {
   const auto place = scene.set_at.find("ocean.spectrum_file");
   if (place == scene.set_at.end() || is_there(scene.spectrum_file)) return;
   throw Error(ErrorKind::bad_input,
@@ -28,7 +28,7 @@ void require_spectrum_file(const OceanScene& scene) {
               "check the path; in a scene it is relative to the scene file");
 }
 
-WaveSpectrum read_record(const OceanScene& scene) {
+WaveSpectrum read_record(const Scene& scene) {
   require_spectrum_file(scene);
   std::vector<WaveSpectrum> records = read_spectra(scene.spectrum_file, scene.trust);
   const auto index = static_cast<std::size_t>(scene.record);
@@ -45,21 +45,20 @@ WaveSpectrum read_record(const OceanScene& scene) {
 /// exp(-1.25 / 9) = 87 %.
 constexpr double peak_lengths_of_split = 1.0 / 3.0;
 
-std::optional<ocean::TrochoidChoice> choose_gerstner_waves(const OceanScene& scene,
-                                                           const ocean::SeaSpectrum& spectrum) {
+std::optional<ocean::GerstnerChoice> gerstner_choice(const Scene& scene, const ocean::SeaSpectrum& spectrum) {
   if (scene.gerstner_count == 0) {
     return std::nullopt;
   }
   const double peak_m =
       2.0 * std::numbers::pi / spectrum.dispersion.wavenumber_radpm(spectrum.omega_peak_radps);
   const double split_m = scene.gerstner_split_m.value_or(peak_lengths_of_split * peak_m);
-  return ocean::TrochoidChoice{.split_radpm = ocean::split_at_wavelength_radpm(split_m),
+  return ocean::GerstnerChoice{.split_radpm = ocean::split_at_wavelength_radpm(split_m),
                                .count = scene.gerstner_count,
                                .seed = scene.ocean.seed};
 }
 
-std::string choppiness_warning(const OceanScene& scene, const ocean::TrochoidSea& trochoids) {
-  const ocean::HorizontalScale horizontal = ocean::horizontal_scale(trochoids);
+std::string choppiness_warning(const Scene& scene, const ocean::GerstnerSea& gerstner_waves) {
+  const ocean::HorizontalScale horizontal = ocean::horizontal_scale(gerstner_waves);
   if (!horizontal.is_limited) return {};
   const char* waves = scene.swells.empty()        ? "Gerstner waves"
                       : scene.gerstner_count != 0 ? "Gerstner waves and swells"
@@ -67,7 +66,7 @@ std::string choppiness_warning(const OceanScene& scene, const ocean::TrochoidSea
   return fmt::format(
       "the {} have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to {:.3g}, with more "
       "they would fold",
-      waves, horizontal.scale, trochoids.choppiness, horizontal.steepness);
+      waves, horizontal.scale, gerstner_waves.choppiness, horizontal.steepness);
 }
 
 /// The steepest wave of deep water is 0.1412 of its length high: k A = pi 0.1412 (Michell 1893).
@@ -93,8 +92,8 @@ std::string raindrop_warning(std::span<const ocean::Raindrop> drops) {
       breaking_steepness);
 }
 
-void log_warnings(const OceanScene& scene, const Sea& sea) {
-  const std::string too_steep = steepness_warning(scene, trochoids_of(sea, sea.parameters.seed));
+void log_warnings(const Scene& scene, const Sea& sea) {
+  const std::string too_steep = steepness_warning(scene, gerstner_waves_of(sea, sea.parameters.seed));
   if (!too_steep.empty()) spdlog::warn("{}", too_steep);
   for (const std::string& line : unused_parameters(scene, sea)) {
     spdlog::warn("{}", line);
@@ -103,14 +102,14 @@ void log_warnings(const OceanScene& scene, const Sea& sea) {
 
 }  // namespace
 
-std::string steepness_warning(const OceanScene& scene, const ocean::TrochoidSea& trochoids) {
-  const std::string waves = choppiness_warning(scene, trochoids);
-  const std::string rings = raindrop_warning(trochoids.raindrops);
+std::string steepness_warning(const Scene& scene, const ocean::GerstnerSea& gerstner_waves) {
+  const std::string waves = choppiness_warning(scene, gerstner_waves);
+  const std::string rings = raindrop_warning(gerstner_waves.raindrops);
   return waves.empty() || rings.empty() ? waves + rings : waves + "; " + rings;
 }
 
-std::vector<ocean::Trochoid> swells_of(const OceanScene& scene, const ocean::Dispersion& dispersion) {
-  std::vector<ocean::Trochoid> waves;
+std::vector<ocean::GerstnerWave> swells_of(const Scene& scene, const ocean::Dispersion& dispersion) {
+  std::vector<ocean::GerstnerWave> waves;
   for (const SwellScene& asked : scene.swells) {
     ocean::Swell swell{
         .amplitude_m = asked.amplitude_m, .direction_rad = asked.direction_rad, .phase_rad = asked.phase_rad};
@@ -125,33 +124,33 @@ std::vector<ocean::Trochoid> swells_of(const OceanScene& scene, const ocean::Dis
   return waves;
 }
 
-ocean::TrochoidSea trochoids_of(const Sea& sea, std::uint64_t seed) {
-  ocean::TrochoidSea trochoids{.choppiness = sea.parameters.choppiness,
-                               .loop_period_s = sea.parameters.loop_period_s,
-                               .dispersion = sea.spectrum.dispersion};
-  if (sea.trochoid_choice) {
-    ocean::TrochoidChoice choice = *sea.trochoid_choice;
+ocean::GerstnerSea gerstner_waves_of(const Sea& sea, std::uint64_t seed) {
+  ocean::GerstnerSea gerstner_waves{.choppiness = sea.parameters.choppiness,
+                                    .loop_period_s = sea.parameters.loop_period_s,
+                                    .dispersion = sea.spectrum.dispersion};
+  if (sea.gerstner_choice) {
+    ocean::GerstnerChoice choice = *sea.gerstner_choice;
     choice.seed = seed;
-    trochoids.waves = ocean::choose_trochoids(sea.spectrum, choice);
+    gerstner_waves.waves = ocean::choose_gerstner_waves(sea.spectrum, choice);
   }
-  trochoids.waves.insert(trochoids.waves.end(), sea.swells.begin(), sea.swells.end());
-  trochoids.raindrops = sea.raindrops;
-  return trochoids;
+  gerstner_waves.waves.insert(gerstner_waves.waves.end(), sea.swells.begin(), sea.swells.end());
+  gerstner_waves.raindrops = sea.raindrops;
+  return gerstner_waves;
 }
 
-OceanScene with_resolved_wind(OceanScene scene) {
+Scene with_resolved_wind(Scene scene) {
   scene.wind_speed_mps = scene.ocean_wind_speed_mps.value_or(scene.wind_speed_mps);
   scene.wind_direction_rad = scene.ocean_wind_direction_rad.value_or(scene.wind_direction_rad);
   return scene;
 }
 
-Sea prepare_sea(const OceanScene& scene, Warnings warnings) {
+Sea prepare_sea(const Scene& scene, Warnings warnings) {
   if (!scene.has_sea()) {
     throw Error(ErrorKind::bad_input, "scene: expected a sea, found none",
                 "add an [ocean] section to the scene");
   }
   Sea sea;
-  const OceanScene resolved = with_resolved_wind(scene);
+  const Scene resolved = with_resolved_wind(scene);
   ocean::SpectrumParameters spectrum = scene.spectrum;
   spectrum.wind_speed_mps = resolved.wind_speed_mps;
   spectrum.spreading.direction_rad = resolved.wind_direction_rad;
@@ -175,8 +174,8 @@ Sea prepare_sea(const OceanScene& scene, Warnings warnings) {
   }
 
   sea.parameters = scene.ocean;
-  sea.trochoid_choice = choose_gerstner_waves(scene, sea.spectrum);
-  const double split_radpm = sea.trochoid_choice ? sea.trochoid_choice->split_radpm : 0.0;
+  sea.gerstner_choice = gerstner_choice(scene, sea.spectrum);
+  const double split_radpm = sea.gerstner_choice ? sea.gerstner_choice->split_radpm : 0.0;
   sea.parameters.cascades =
       scene.patch_lengths_m.empty()
           ? ocean::choose_cascades(sea.spectrum, scene.ocean.size, scene.cascade_count, split_radpm)
@@ -187,7 +186,7 @@ Sea prepare_sea(const OceanScene& scene, Warnings warnings) {
   return sea;
 }
 
-std::string spectrum_name(const OceanScene& scene, const Sea& sea) {
+std::string spectrum_name(const Scene& scene, const Sea& sea) {
   if (!sea.measured) {
     return fmt::format("{}, wind {:g} m/s", value_text(scene, *find_parameter("ocean.spectrum")),
                        with_resolved_wind(scene).wind_speed_mps);

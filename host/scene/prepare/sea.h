@@ -6,9 +6,9 @@
 
 #include "host/base/wave_spectrum.h"
 #include "host/ocean/spectrum/sea_spectrum.h"
+#include "host/ocean/surface/gerstner_choice.h"
 #include "host/ocean/surface/ocean.h"
-#include "host/ocean/surface/trochoid_choice.h"
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 
 namespace offing::scene {
 
@@ -18,16 +18,16 @@ struct Sea {
   ocean::SeaSpectrum spectrum;
   ocean::OceanParameters parameters;  ///< with its cascades
   /// Which waves are Gerstner waves, of the seed of `parameters`; absent where the cascades carry all.
-  std::optional<ocean::TrochoidChoice> trochoid_choice;
-  std::vector<ocean::Trochoid> swells;     ///< beside the spectrum
-  std::vector<ocean::Raindrop> raindrops;  ///< beside the spectrum
+  std::optional<ocean::GerstnerChoice> gerstner_choice;
+  std::vector<ocean::GerstnerWave> swells;  ///< beside the spectrum
+  std::vector<ocean::Raindrop> raindrops;   ///< beside the spectrum
 
   /// Whether waves are not in the cascades.
-  bool has_trochoids() const { return trochoid_choice || !swells.empty() || !raindrops.empty(); }
+  bool has_gerstner_waves() const { return gerstner_choice || !swells.empty() || !raindrops.empty(); }
 };
 
 /// The scene with [wind] taken over where the ocean names no wind of its own.
-OceanScene with_resolved_wind(OceanScene scene);
+Scene with_resolved_wind(Scene scene);
 
 enum class Warnings { logged, left_out };
 
@@ -40,21 +40,21 @@ enum class Warnings { logged, left_out };
 ///
 /// Water depth is the scene's, else that of the measured record, else infinite. Throws Error(bad_input) for a
 /// spectrum file that cannot be read, a record that it does not have, or values that do not go together.
-Sea prepare_sea(const OceanScene& scene, Warnings warnings = Warnings::logged);
+Sea prepare_sea(const Scene& scene, Warnings warnings = Warnings::logged);
 
 /// One line where the Gerstner waves and swells of a scene are so steep that their choppiness is limited
 /// (horizontal_scale()), or a raindrop's ring is steeper than water stays whole; else empty.
-std::string steepness_warning(const OceanScene& scene, const ocean::TrochoidSea& trochoids);
+std::string steepness_warning(const Scene& scene, const ocean::GerstnerSea& gerstner_waves);
 
 /// The swells of a scene in water of this dispersion. Throws Error(bad_input) for a period whose wave is
 /// longer or shorter than a swell can be.
-std::vector<ocean::Trochoid> swells_of(const OceanScene& scene, const ocean::Dispersion& dispersion);
+std::vector<ocean::GerstnerWave> swells_of(const Scene& scene, const ocean::Dispersion& dispersion);
 
 /// The Gerstner waves of a sea of this seed, with the cascades' choppiness and loop; its swells, which no
 /// seed changes; its raindrops.
-ocean::TrochoidSea trochoids_of(const Sea& sea, std::uint64_t seed);
+ocean::GerstnerSea gerstner_waves_of(const Sea& sea, std::uint64_t seed);
 
 /// One line on where the waves come from: "jonswap, wind 10 m/s" or "measured, 41010, 2020-06-08T03:50Z".
-std::string spectrum_name(const OceanScene& scene, const Sea& sea);
+std::string spectrum_name(const Scene& scene, const Sea& sea);
 
 }  // namespace offing::scene

@@ -7,8 +7,8 @@
 #include "host/scene/prepare/moving_view.h"
 #include "host/scene/prepare/scene_bodies.h"
 #include "host/scene/prepare/scene_clouds.h"
-#include "host/scene/prepare/scene_ground.h"
 #include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/prepare/scene_terrain.h"
 #include "host/scene/prepare/scene_wakes.h"
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/unused_parameters.h"
@@ -62,7 +62,7 @@ SeaChange change_of(const Parameter& row) {
   return SeaChange::all;
 }
 
-SeaChange sea_change(const OceanScene& before, const OceanScene& after) {
+SeaChange sea_change(const Scene& before, const Scene& after) {
   if (before.has_sea() != after.has_sea()) return SeaChange::all;
   if (!after.has_sea()) return SeaChange::none;
   SeaChange change = SeaChange::none;
@@ -75,18 +75,18 @@ SeaChange sea_change(const OceanScene& before, const OceanScene& after) {
   return change;
 }
 
-/// The trochoids of a world whose scene has other swells and raindrops now.
-ocean::TrochoidSea with_waves_beside(ocean::TrochoidSea trochoids, const OceanScene& before,
-                                     const OceanScene& after) {
-  trochoids.waves.resize(trochoids.waves.size() - before.swells.size());
-  const std::vector<ocean::Trochoid> swells = swells_of(after, trochoids.dispersion);
-  trochoids.waves.insert(trochoids.waves.end(), swells.begin(), swells.end());
-  trochoids.raindrops = after.raindrops;
-  return trochoids;
+/// The Gerstner waves of a world whose scene has other swells and raindrops now.
+ocean::GerstnerSea with_waves_beside(ocean::GerstnerSea gerstner_waves, const Scene& before,
+                                     const Scene& after) {
+  gerstner_waves.waves.resize(gerstner_waves.waves.size() - before.swells.size());
+  const std::vector<ocean::GerstnerWave> swells = swells_of(after, gerstner_waves.dispersion);
+  gerstner_waves.waves.insert(gerstner_waves.waves.end(), swells.begin(), swells.end());
+  gerstner_waves.raindrops = after.raindrops;
+  return gerstner_waves;
 }
 
 /// All that a world needs of a scene but its ground.
-world::WorldParameters prepare_sea_and_sky(const OceanScene& scene, Warnings warnings) {
+world::WorldParameters prepare_sea_and_sky(const Scene& scene, Warnings warnings) {
   const ViewScene view = view_at(scene, scene.start_s);
   world::WorldParameters parameters{
       .has_sea = scene.has_sea(),
@@ -98,9 +98,9 @@ world::WorldParameters prepare_sea_and_sky(const OceanScene& scene, Warnings war
     for (const std::string& line : unused_parameters(scene)) spdlog::warn("{}", line);
     return parameters;
   }
-  const OceanScene resolved = with_resolved_wind(scene);
+  const Scene resolved = with_resolved_wind(scene);
   Sea sea = prepare_sea(scene, warnings);
-  parameters.trochoids = trochoids_of(sea, sea.parameters.seed);
+  parameters.gerstner_waves = gerstner_waves_of(sea, sea.parameters.seed);
   parameters.wakes = prepare_wakes(scene, sea.spectrum.dispersion);
   parameters.spectrum = std::move(sea.spectrum);
   parameters.ocean = std::move(sea.parameters);
@@ -113,22 +113,22 @@ world::WorldParameters prepare_sea_and_sky(const OceanScene& scene, Warnings war
 
 }  // namespace
 
-world::WorldParameters prepare_world(const OceanScene& scene, Warnings warnings) {
+world::WorldParameters prepare_world(const Scene& scene, Warnings warnings) {
   world::WorldParameters parameters = prepare_sea_and_sky(scene, warnings);
-  parameters.ground = prepare_ground(scene);
+  parameters.terrain = prepare_terrain(scene);
   parameters.clouds = prepare_clouds(scene);
-  parameters.pictures = prepare_pictures(scene);
+  parameters.pictures = prepare_images(scene);
   parameters.meshes = prepare_meshes(scene);
   parameters.bodies = prepare_bodies(scene, parameters.meshes);
   parameters.run_up_s = run_up_s(scene);
-  parameters.lamps = lamps_at(scene, scene.start_s);
+  parameters.lights = lights_at(scene, scene.start_s);
   return parameters;
 }
 
-world::WorldParameters prepare_shown_world(OceanScene& scene) {
+world::WorldParameters prepare_shown_world(Scene& scene) {
   world::WorldParameters parameters = prepare_world(scene);
-  place_camera(scene, parameters.ground);
-  const bool has_meshes_alone = !parameters.has_sea && !parameters.ground && !parameters.meshes.empty();
+  place_camera(scene, parameters.terrain);
+  const bool has_meshes_alone = !parameters.has_sea && !parameters.terrain && !parameters.meshes.empty();
   if (has_meshes_alone && !places_its_camera(scene)) {
     look_at_meshes(parameters.meshes, scene.start_s, scene.view.camera);
   }
@@ -145,9 +145,9 @@ void set_view(world::World& world, const ViewScene& view) {
   }
 }
 
-ViewScene show_at(world::World& world, const OceanScene& scene, double time_s) {
+ViewScene show_at(world::World& world, const Scene& scene, double time_s) {
   ViewScene view = view_at(scene, time_s);
-  if (world.ground()) stand_on_ground(*world.ground(), view);
+  if (world.terrain()) stand_on_ground(*world.terrain(), view);
   set_view(world, view);
   set_meshes_at(world, scene, time_s);
   world.set_eye({view.camera.eye_m.x, view.camera.eye_m.z});
@@ -155,23 +155,23 @@ ViewScene show_at(world::World& world, const OceanScene& scene, double time_s) {
   return view;
 }
 
-void edit_world_below(world::World& world, const OceanScene& before, const OceanScene& after) {
+void edit_world_below(world::World& world, const Scene& before, const Scene& after) {
   const ViewScene view = view_at(after, after.start_s);
-  const std::optional<world::GroundParameters> ground =
-      edited_ground(world.parameters().ground, before, after);
+  const std::optional<world::TerrainParameters> terrain =
+      edited_terrain(world.parameters().terrain, before, after);
   switch (sea_change(before, after)) {
     case SeaChange::none:
       break;
     case SeaChange::waves_beside:
-      world.set_trochoids(with_waves_beside(world.parameters().trochoids, before, after));
+      world.set_gerstner_waves(with_waves_beside(world.parameters().gerstner_waves, before, after));
       break;
     case SeaChange::wakes:
-      world.set_trochoids(with_waves_beside(world.parameters().trochoids, before, after));
+      world.set_gerstner_waves(with_waves_beside(world.parameters().gerstner_waves, before, after));
       world.set_wakes(prepare_wakes(after, world.parameters().spectrum.dispersion));
       break;
     case SeaChange::seed: {
       const Sea sea = prepare_sea(after, Warnings::left_out);
-      world.reseed(sea.parameters.seed, trochoids_of(sea, sea.parameters.seed));
+      world.reseed(sea.parameters.seed, gerstner_waves_of(sea, sea.parameters.seed));
       world.set_wakes(prepare_wakes(after, sea.spectrum.dispersion));
       break;
     }
@@ -180,13 +180,13 @@ void edit_world_below(world::World& world, const OceanScene& before, const Ocean
       break;
   }
   world.set_water(after.water);
-  world.set_ground(ground);
+  world.set_terrain(terrain);
   edit_meshes(world, before, after);
   edit_bodies(world, before, after);
   set_view(world, view);
 }
 
-void edit_world(world::World& world, const OceanScene& before, const OceanScene& after) {
+void edit_world(world::World& world, const Scene& before, const Scene& after) {
   edit_world_below(world, before, after);
   edit_clouds(world, before, after);
 }

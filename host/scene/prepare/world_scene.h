@@ -1,24 +1,24 @@
 #pragma once
 
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 #include "host/scene/prepare/sea.h"
 #include "host/world/world.h"
 
 namespace offing::scene {
 
 /// What a world needs of a scene, with the view of its start. Throws what prepare_sea() throws.
-world::WorldParameters prepare_world(const OceanScene& scene, Warnings warnings = Warnings::logged);
+world::WorldParameters prepare_world(const Scene& scene, Warnings warnings = Warnings::logged);
 
 /// The same for a scene that is to be shown: its camera is placed where it says nothing (place_camera(),
 /// look_at_meshes()).
-world::WorldParameters prepare_shown_world(OceanScene& scene);
+world::WorldParameters prepare_shown_world(Scene& scene);
 
 /// Gives a world the sun and the air of a view; what has not changed costs nothing.
 void set_view(world::World& world, const ViewScene& view);
 
 /// Takes a world to what its scene shows at this time, seen from the scene's own camera: sun and air, the
 /// water, and the eye's height in the sky. Returns that view. Throws what view_at() and World::at() throw.
-ViewScene show_at(world::World& world, const OceanScene& scene, double time_s);
+ViewScene show_at(world::World& world, const Scene& scene, double time_s);
 
 /// Makes the world that `before` was prepared for that of `after`, with the view of its start: as a fresh
 /// start with it would, but only what the two differ in is made anew. Swells and raindrops cost nothing, the
@@ -27,9 +27,9 @@ ViewScene show_at(world::World& world, const OceanScene& scene, double time_s);
 /// warnings. Throws what
 /// prepare_sea() and view_at() throw, and has changed nothing then; where the device cannot make a part of
 /// it, parts may have changed.
-void edit_world(world::World& world, const OceanScene& before, const OceanScene& after);
+void edit_world(world::World& world, const Scene& before, const Scene& after);
 
 /// The same for all but the clouds, which stay as they are.
-void edit_world_below(world::World& world, const OceanScene& before, const OceanScene& after);
+void edit_world_below(world::World& world, const Scene& before, const Scene& after);
 
 }  // namespace offing::scene

@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "host/base/error.h"
-#include "host/scene/schema/parameter_check.h"
+#include "host/scene/schema/checked_value.h"
 #include "host/scene/schema/scene_elements.h"
 
 namespace offing::scene {
@@ -63,7 +63,7 @@ void append_to_list(std::vector<double>& list, const Parameter& parameter, const
 }
 
 /// `scene` is only read; accessors hand out references that can be written through.
-std::string text_of(OceanScene& scene, const Parameter& parameter, ElementIndex element, Digits digits) {
+std::string text_of(Scene& scene, const Parameter& parameter, ElementIndex element, Digits digits) {
   const auto scaled = [&](double value) { return number_text(value / parameter.scale, digits); };
   const auto triple = [&](const glm::dvec3& value) {
     return fmt::format("[{}, {}, {}]", scaled(value.x), scaled(value.y), scaled(value.z));
@@ -97,7 +97,7 @@ std::string text_of(OceanScene& scene, const Parameter& parameter, ElementIndex 
 
 }  // namespace
 
-void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& written, const Place& place,
+void store(Scene& scene, const Parameter& parameter, const WrittenValue& written, const Place& place,
            std::optional<ElementIndex> element) {
   const ElementIndex index = element ? *element : last_element_or_first(scene, parameter, place);
   std::visit(
@@ -132,7 +132,7 @@ void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& wr
   scene.set_at.insert_or_assign({parameter.key, index}, place.subject);
 }
 
-void clear_list(OceanScene& scene, const Parameter& parameter) {
+void clear_list(Scene& scene, const Parameter& parameter) {
   if (const auto* at = std::get_if<ValueAt<std::vector<double>>>(&parameter.storage)) {
     (*at)(scene, {}).clear();
   }
@@ -187,14 +187,13 @@ std::string expected_text(const Parameter& parameter) {
       parameter.storage);
 }
 
-std::string value_text(const OceanScene& scene, const Parameter& parameter, ElementIndex element,
-                       Digits digits) {
-  OceanScene copy = scene;
+std::string value_text(const Scene& scene, const Parameter& parameter, ElementIndex element, Digits digits) {
+  Scene copy = scene;
   return text_of(copy, parameter, element, digits);
 }
 
-std::string value_text(const OceanScene& scene, const Parameter& parameter, Digits digits) {
-  OceanScene copy = scene;
+std::string value_text(const Scene& scene, const Parameter& parameter, Digits digits) {
+  Scene copy = scene;
   std::string text;
   std::optional<ElementIndex> before;
   for (const ElementIndex element : elements_of(scene, parameter.elements)) {
@@ -206,7 +205,7 @@ std::string value_text(const OceanScene& scene, const Parameter& parameter, Digi
 }
 
 std::string default_text(const Parameter& parameter) {
-  OceanScene scene;
+  Scene scene;
   append_element(scene, parameter, {});
   return value_text(scene, parameter);
 }

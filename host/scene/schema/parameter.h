@@ -11,19 +11,19 @@
 #include <glm/vec3.hpp>
 
 #include "host/base/utc_time.h"
-#include "host/scene/model/ocean_scene.h"
+#include "host/scene/model/scene.h"
 
 namespace offing::scene {
 
 /// Where a value lives in the scene: every value outside of repeated sections is its own only element.
 template <class Value>
-using ValueAt = Value& (*)(OceanScene&, ElementIndex);
+using ValueAt = Value& (*)(Scene&, ElementIndex);
 
 /// One of several named values, stored as an enumeration whose values count from 0 in the order of the names.
 struct ChoiceStorage {
   std::vector<std::string_view> names;
-  std::size_t (*get)(OceanScene&, ElementIndex);
-  void (*set)(OceanScene&, ElementIndex, std::size_t);
+  std::size_t (*get)(Scene&, ElementIndex);
+  void (*set)(Scene&, ElementIndex, std::size_t);
 };
 
 /// Where a row's value lives; the alternative is its type. Triples are written as lists.
@@ -36,9 +36,9 @@ using Storage =
 /// [[mesh.highlight]], counts anew in each of them.
 struct RepeatedSection {
   const RepeatedSection* parent = nullptr;
-  std::size_t (*count)(const OceanScene&, ElementIndex);  ///< within this element of the parent
-  void (*append)(OceanScene&, ElementIndex);              ///< an element of default values
-  void (*remove)(OceanScene&, ElementIndex);
+  std::size_t (*count)(const Scene&, ElementIndex);  ///< within this element of the parent
+  void (*append)(Scene&, ElementIndex);              ///< an element of default values
+  void (*remove)(Scene&, ElementIndex);
 };
 
 enum class ParameterGroup {
@@ -96,9 +96,9 @@ enum class ParameterUse {
   terrain_file,        ///< with ground that is read from a file, but for tile stores
   tile_store,          ///< with ground from a tile store
   whole_map,           ///< with ground that is no tile store
-  made_ground,         ///< with ground that is made
+  made_terrain,        ///< with ground that is made
   dry_scene,           ///< with ground and without a sea
-  sea_over_ground,     ///< with ground
+  sea_over_terrain,    ///< with ground
   far_light,           ///< of a light that is a direction
   near_light,          ///< of a light that stands at a place
   made_mesh,           ///< of a mesh that is no file's
@@ -110,7 +110,7 @@ enum class ParameterUse {
   masked_highlight,    ///< of one that is drawn around a place only
   split_highlight,     ///< of one in several copies
   shape_highlight,     ///< of one that is no picture
-  picture_highlight,   ///< of one that is
+  image_highlight,     ///< of one that is
   body_of_density,     ///< of a body without mass and draught
   driven_body,         ///< of one that forces move
   filed_cloud,         ///< of a cloud that a file makes
@@ -180,11 +180,11 @@ struct Place {
 /// Checks a value and stores it with its place, in the stead of keyframes; appends it to a list. Without an
 /// element it is the last one's of a repeated section, which gets its first one if it has none. Throws
 /// Error(bad_input) that names place, expected and found.
-void store(OceanScene& scene, const Parameter& parameter, const WrittenValue& written, const Place& place,
+void store(Scene& scene, const Parameter& parameter, const WrittenValue& written, const Place& place,
            std::optional<ElementIndex> element = {});
 
 /// Empties a parameter that is a list, so that new values replace the old ones; does nothing to others.
-void clear_list(OceanScene& scene, const Parameter& parameter);
+void clear_list(Scene& scene, const Parameter& parameter);
 
 /// Text of a command line as the parameter's type asks: numbers where numbers are due, else text.
 WrittenValue read_flag_value(const Parameter& parameter, std::string_view text);
@@ -197,12 +197,11 @@ enum class Digits { readable, exact };
 
 /// The value of an element, in the parameter's unit, all values of a list separated by commas; `absent` when
 /// there is none.
-std::string value_text(const OceanScene& scene, const Parameter& parameter, ElementIndex element,
-                       Digits digits);
+std::string value_text(const Scene& scene, const Parameter& parameter, ElementIndex element, Digits digits);
 
 /// The values of all elements, separated by commas, those of one parent from the next by semicolons; "none"
 /// without an element.
-std::string value_text(const OceanScene& scene, const Parameter& parameter, Digits digits = Digits::readable);
+std::string value_text(const Scene& scene, const Parameter& parameter, Digits digits = Digits::readable);
 
 /// The value without a word in the scene; of a repeated section, that of an element.
 std::string default_text(const Parameter& parameter);

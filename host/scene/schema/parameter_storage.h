@@ -13,31 +13,30 @@ namespace offing::scene {
 
 /// The member that a path of member pointers leads to.
 template <auto... path>
-auto& member(OceanScene& scene, ElementIndex) {
+auto& member(Scene& scene, ElementIndex) {
   return (scene.*....*path);
 }
 
 /// That of an element of a list of the scene.
 template <auto list, auto... path>
-auto& element(OceanScene& scene, ElementIndex index) {
+auto& element(Scene& scene, ElementIndex index) {
   return ((scene.*list)[index.outer].*....*path);
 }
 
 /// That of an element of a list in an element of a list.
 template <auto list, auto inner_list, auto... path>
-auto& inner_element(OceanScene& scene, ElementIndex index) {
+auto& inner_element(Scene& scene, ElementIndex index) {
   return (((scene.*list)[index.outer].*inner_list)[index.inner].*....*path);
 }
 
 /// One of several named values at such a place.
 template <auto at>
 ChoiceStorage choice_at(const std::vector<std::string_view>& names) {
-  using Enum = std::remove_reference_t<decltype(at(std::declval<OceanScene&>(), ElementIndex{}))>;
-  return {
-      .names = names,
-      .get = [](OceanScene& scene, ElementIndex index) { return static_cast<std::size_t>(at(scene, index)); },
-      .set = [](OceanScene& scene, ElementIndex index,
-                std::size_t value) { at(scene, index) = static_cast<Enum>(value); }};
+  using Enum = std::remove_reference_t<decltype(at(std::declval<Scene&>(), ElementIndex{}))>;
+  return {.names = names,
+          .get = [](Scene& scene, ElementIndex index) { return static_cast<std::size_t>(at(scene, index)); },
+          .set = [](Scene& scene, ElementIndex index,
+                    std::size_t value) { at(scene, index) = static_cast<Enum>(value); }};
 }
 
 template <auto... path>
@@ -48,10 +47,10 @@ ChoiceStorage choice(const std::vector<std::string_view>& names) {
 /// The section of a list of the scene.
 template <auto list>
 inline constexpr RepeatedSection section_of_list{
-    .count = [](const OceanScene& scene, ElementIndex) { return (scene.*list).size(); },
-    .append = [](OceanScene& scene, ElementIndex) { (scene.*list).emplace_back(); },
+    .count = [](const Scene& scene, ElementIndex) { return (scene.*list).size(); },
+    .append = [](Scene& scene, ElementIndex) { (scene.*list).emplace_back(); },
     .remove =
-        [](OceanScene& scene, ElementIndex index) {
+        [](Scene& scene, ElementIndex index) {
           (scene.*list).erase((scene.*list).begin() + static_cast<std::ptrdiff_t>(index.outer));
         }};
 
@@ -59,12 +58,12 @@ inline constexpr RepeatedSection section_of_list{
 template <auto list, auto inner_list>
 inline constexpr RepeatedSection section_of_inner_list{
     .parent = &section_of_list<list>,
-    .count = [](const OceanScene& scene,
+    .count = [](const Scene& scene,
                 ElementIndex index) { return ((scene.*list)[index.outer].*inner_list).size(); },
-    .append = [](OceanScene& scene,
+    .append = [](Scene& scene,
                  ElementIndex index) { ((scene.*list)[index.outer].*inner_list).emplace_back(); },
     .remove =
-        [](OceanScene& scene, ElementIndex index) {
+        [](Scene& scene, ElementIndex index) {
           auto& inner = (scene.*list)[index.outer].*inner_list;
           inner.erase(inner.begin() + static_cast<std::ptrdiff_t>(index.inner));
         }};

@@ -1,17 +1,17 @@
 #include "host/scene/schema/parameter_table.h"
 
-#include "host/scene/schema/body_parameters.h"
-#include "host/scene/schema/bookmark_parameters.h"
-#include "host/scene/schema/cloud_parameters.h"
-#include "host/scene/schema/extra_wave_parameters.h"
-#include "host/scene/schema/highlight_parameters.h"
-#include "host/scene/schema/light_parameters.h"
-#include "host/scene/schema/mesh_parameters.h"
+#include "host/scene/schema/body_schema.h"
+#include "host/scene/schema/bookmark_schema.h"
+#include "host/scene/schema/cloud_schema.h"
+#include "host/scene/schema/extra_wave_schema.h"
+#include "host/scene/schema/highlight_schema.h"
+#include "host/scene/schema/light_schema.h"
+#include "host/scene/schema/mesh_schema.h"
 #include "host/scene/schema/parameter_storage.h"
-#include "host/scene/schema/sea_parameters.h"
-#include "host/scene/schema/sky_parameters.h"
-#include "host/scene/schema/terrain_parameters.h"
-#include "host/scene/schema/view_parameters.h"
+#include "host/scene/schema/sea_schema.h"
+#include "host/scene/schema/sky_schema.h"
+#include "host/scene/schema/terrain_schema.h"
+#include "host/scene/schema/view_schema.h"
 #include "host/scene/schema/wake_sections.h"
 
 namespace offing::scene {
@@ -20,7 +20,6 @@ namespace {
 
 using ocean::FoamParameters;
 using ocean::OceanParameters;
-using Scene = OceanScene;
 
 std::vector<Parameter> world_rows() {
   using enum ParameterGroup;

@@ -34,7 +34,7 @@ void forget(std::map<ValueKey, Value>& map, const RepeatedSection& section, Elem
 
 }  // namespace
 
-ElementIndex last_element(const OceanScene& scene, const RepeatedSection* section) {
+ElementIndex last_element(const Scene& scene, const RepeatedSection* section) {
   if (!section) return {};
   ElementIndex last = last_element(scene, section->parent);
   if (section->parent && section->parent->count(scene, {}) == 0) return last;
@@ -43,7 +43,7 @@ ElementIndex last_element(const OceanScene& scene, const RepeatedSection* sectio
   return last;
 }
 
-std::vector<ElementIndex> elements_of(const OceanScene& scene, const RepeatedSection* section) {
+std::vector<ElementIndex> elements_of(const Scene& scene, const RepeatedSection* section) {
   if (!section) return {{}};
   std::vector<ElementIndex> elements;
   for (const ElementIndex parent : elements_of(scene, section->parent)) {
@@ -54,7 +54,7 @@ std::vector<ElementIndex> elements_of(const OceanScene& scene, const RepeatedSec
   return elements;
 }
 
-ElementIndex last_element_or_first(OceanScene& scene, const Parameter& parameter, const Place& place) {
+ElementIndex last_element_or_first(Scene& scene, const Parameter& parameter, const Place& place) {
   const RepeatedSection* section = parameter.elements;
   const auto has_none = [&] {
     return (section->parent && section->parent->count(scene, {}) == 0) ||
@@ -64,7 +64,7 @@ ElementIndex last_element_or_first(OceanScene& scene, const Parameter& parameter
   return last_element(scene, section);
 }
 
-void append_element(OceanScene& scene, const Parameter& parameter, const Place& place) {
+void append_element(Scene& scene, const Parameter& parameter, const Place& place) {
   const RepeatedSection* section = parameter.elements;
   if (!section) return;
   if (section->parent && section->parent->count(scene, {}) == 0) section->parent->append(scene, {});
@@ -78,13 +78,13 @@ void append_element(OceanScene& scene, const Parameter& parameter, const Place& 
   section->append(scene, parent);
 }
 
-void remove_element(OceanScene& scene, const RepeatedSection& section, ElementIndex element) {
+void remove_element(Scene& scene, const RepeatedSection& section, ElementIndex element) {
   section.remove(scene, element);
   forget(scene.tracks, section, element);
   forget(scene.set_at, section, element);
 }
 
-std::vector<double*> numbers_of(OceanScene& scene, const Parameter& parameter, ElementIndex element) {
+std::vector<double*> numbers_of(Scene& scene, const Parameter& parameter, ElementIndex element) {
   const auto numbers = [&](const auto& storage) -> std::vector<double*> {
     using Kind = std::remove_cvref_t<decltype(storage)>;
     if constexpr (std::is_same_v<Kind, ValueAt<double>>) {
@@ -103,7 +103,7 @@ std::vector<double*> numbers_of(OceanScene& scene, const Parameter& parameter, E
   return std::visit(numbers, parameter.storage);
 }
 
-void copy_value(OceanScene& from, ElementIndex from_element, const Parameter& parameter, OceanScene& to,
+void copy_value(Scene& from, ElementIndex from_element, const Parameter& parameter, Scene& to,
                 ElementIndex to_element) {
   std::visit(
       [&](const auto& storage) {

@@ -64,7 +64,7 @@ std::string against_cloud(const CloudScene& cloud, ParameterUse use) {
   }
 }
 
-std::vector<std::string> lights_without_clouds(const OceanScene& scene) {
+std::vector<std::string> lights_without_clouds(const Scene& scene) {
   std::vector<std::string> lines;
   if (!scene.has_clouds()) return lines;
   const bool has_sun_alone = scene.cloud_settings.light == clouds::LightModel::harris;
@@ -81,7 +81,7 @@ std::vector<std::string> lights_without_clouds(const OceanScene& scene) {
   return lines;
 }
 
-std::vector<std::string> unused_cloud_parameters(const OceanScene& scene) {
+std::vector<std::string> unused_cloud_parameters(const Scene& scene) {
   std::vector<std::string> lines;
   for (const auto& [key, place] : scene.set_at) {
     const Parameter* row = find_parameter(key.key);

@@ -14,9 +14,9 @@ bool is_of_one_cloud(const Parameter& row);
 std::string against_cloud(const CloudScene& cloud, ParameterUse use);
 
 /// A line for each [[light]] of a scene with clouds that does not light them, with its place and the reason.
-std::vector<std::string> lights_without_clouds(const OceanScene& scene);
+std::vector<std::string> lights_without_clouds(const Scene& scene);
 
 /// The lines of unused_parameters() that are of clouds: for those who take nothing else from a scene.
-std::vector<std::string> unused_cloud_parameters(const OceanScene& scene);
+std::vector<std::string> unused_cloud_parameters(const Scene& scene);
 
 }  // namespace offing::scene

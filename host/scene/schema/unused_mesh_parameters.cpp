@@ -9,7 +9,7 @@ namespace {
 using highlights::HighlightTexture;
 
 /// "the shading is phong".
-std::string is_text(const OceanScene& scene, const char* what, const char* key, ElementIndex element) {
+std::string is_text(const Scene& scene, const char* what, const char* key, ElementIndex element) {
   return std::string("the ") + what + " is " +
          value_text(scene, *find_parameter(key), element, Digits::readable);
 }
@@ -24,7 +24,7 @@ std::string against_light(const LightScene& light, ParameterUse use) {
   return "";
 }
 
-std::string against_mesh(const OceanScene& scene, ElementIndex element, ParameterUse use) {
+std::string against_mesh(const Scene& scene, ElementIndex element, ParameterUse use) {
   const MeshScene& mesh = scene.meshes[element.outer];
   // What moves may be there at another time.
   const auto is_never = [&](const char* key, double value) {
@@ -60,21 +60,21 @@ std::string against_body(const BodyScene& body, ParameterUse use) {
   return "";
 }
 
-std::string against_highlight(const OceanScene& scene, ElementIndex element, ParameterUse use) {
+std::string against_highlight(const Scene& scene, ElementIndex element, ParameterUse use) {
   const highlights::HighlightRule& rule = scene.meshes[element.outer].highlights[element.inner].rule;
   if (std::string reason = against_mesh(scene, element, ParameterUse::found_highlights); !reason.empty()) {
     return reason;
   }
-  const bool has_picture = is_picture(rule.controls.texture);
+  const bool has_image = is_image(rule.controls.texture);
   switch (use) {
     case ParameterUse::masked_highlight:
       return rule.mask_m ? "" : "mesh.highlight.mask_m is not given";
     case ParameterUse::split_highlight:
       return rule.controls.split > 1 ? "" : "mesh.highlight.split is 1";
     case ParameterUse::shape_highlight:
-      return has_picture ? is_text(scene, "texture", "mesh.highlight.texture", element) : "";
-    case ParameterUse::picture_highlight:
-      return has_picture ? "" : is_text(scene, "texture", "mesh.highlight.texture", element);
+      return has_image ? is_text(scene, "texture", "mesh.highlight.texture", element) : "";
+    case ParameterUse::image_highlight:
+      return has_image ? "" : is_text(scene, "texture", "mesh.highlight.texture", element);
     default:
       return "";
   }

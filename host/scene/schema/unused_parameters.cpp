@@ -25,7 +25,7 @@ using ocean::SpreadingModel;
 class Reasons {
  public:
   /// `sea` is nullptr without one.
-  Reasons(const OceanScene& scene, const Sea* sea)
+  Reasons(const Scene& scene, const Sea* sea)
       : scene_(scene),
         has_sea_(sea != nullptr),
         is_measured_(has_sea_ && sea->measured.has_value()),
@@ -95,11 +95,11 @@ class Reasons {
         return is_tile_store(scene_.terrain.file) ? "" : "terrain.file is no tile store";
       case ParameterUse::whole_map:
         return is_tile_store(scene_.terrain.file) ? "the ground is that of a tile store" : "";
-      case ParameterUse::made_ground:
+      case ParameterUse::made_terrain:
         return scene_.terrain.file.empty() ? "" : "the ground is that of " + scene_.terrain.file;
       case ParameterUse::dry_scene:
         return has_sea_ ? "the scene has a sea" : "";
-      case ParameterUse::sea_over_ground:
+      case ParameterUse::sea_over_terrain:
         return scene_.terrain.is_given ? "" : "the scene has no ground";
       default:  // of elements
         return "";
@@ -156,7 +156,7 @@ class Reasons {
     return reason.empty() && !has_wave_age ? spreading_is() : reason;
   }
 
-  const OceanScene& scene_;
+  const Scene& scene_;
   bool has_sea_;
   bool is_measured_;
   bool is_directional_;
@@ -164,7 +164,7 @@ class Reasons {
   double last_hz_;
 };
 
-std::vector<std::string> unused_lines(const OceanScene& scene, const Reasons& reasons) {
+std::vector<std::string> unused_lines(const Scene& scene, const Reasons& reasons) {
   std::vector<std::string> lines;
   for (const Parameter& row : parameter_table()) {
     for (const ElementIndex element : elements_of(scene, row.elements)) {
@@ -180,11 +180,11 @@ std::vector<std::string> unused_lines(const OceanScene& scene, const Reasons& re
 
 }  // namespace
 
-std::vector<std::string> unused_parameters(const OceanScene& scene, const Sea& sea) {
+std::vector<std::string> unused_parameters(const Scene& scene, const Sea& sea) {
   return unused_lines(scene, Reasons(scene, &sea));
 }
 
-std::vector<std::string> unused_parameters(const OceanScene& scene) {
+std::vector<std::string> unused_parameters(const Scene& scene) {
   return unused_lines(scene, Reasons(scene, nullptr));
 }
 

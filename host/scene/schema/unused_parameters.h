@@ -11,8 +11,8 @@ namespace offing::scene {
 /// set, and why it does not matter. `sea` is what prepare_sea() made of the scene, up to its spectrum.
 ///
 /// A value that another one overrides on purpose, a flag the scene file's or [ocean] that of [wind], is none.
-std::vector<std::string> unused_parameters(const OceanScene& scene, const Sea& sea);
+std::vector<std::string> unused_parameters(const Scene& scene, const Sea& sea);
 /// The same for a scene without a sea.
-std::vector<std::string> unused_parameters(const OceanScene& scene);
+std::vector<std::string> unused_parameters(const Scene& scene);
 
 }  // namespace offing::scene

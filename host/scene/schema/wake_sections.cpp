@@ -7,7 +7,7 @@ namespace offing::scene {
 namespace {
 
 using enum ParameterMotion;
-constexpr auto wakes = &OceanScene::wakes;
+constexpr auto wakes = &Scene::wakes;
 constexpr auto hulls = &WakeScene::hulls;
 constexpr auto window = &WakeScene::parameters;
 constexpr auto hull = &WakeHullScene::hull;

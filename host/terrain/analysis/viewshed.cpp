@@ -9,7 +9,7 @@
 
 #include "host/base/error.h"
 #include "host/ocl/program.h"
-#include "host/terrain/cast/picture.h"
+#include "host/terrain/cast/image_rays.h"
 #include "kernels/shared/terrain_sight.h"
 
 namespace offing::terrain {
@@ -31,7 +31,7 @@ double on_lattice(double cells) {
 }
 
 /// The ground under a place in cells.
-double ground_m(const HeightField& field, double x, double z) {
+double terrain_m(const HeightField& field, double x, double z) {
   const PostGrid& grid = field.grid();
   const int column = std::min(static_cast<int>(x), grid.columns - 2);
   const int row = std::min(static_cast<int>(z), grid.rows - 2);
@@ -49,7 +49,7 @@ TerrainSight device_sight(const HeightField& field, const ViewshedParameters& pa
   const PostGrid& grid = field.grid();
   const double x = on_lattice((parameters.observer_x_m - grid.origin_x_m) / grid.spacing_x_m);
   const double z = on_lattice((parameters.observer_z_m - grid.origin_z_m) / grid.spacing_z_m);
-  const double eye_m = ground_m(field, x, z) + parameters.observer_height_m;
+  const double eye_m = terrain_m(field, x, z) + parameters.observer_height_m;
   const auto eye_float_m = static_cast<float>(eye_m);
   const double bend_perm = parameters.curve.bend_perm(), radius_m = parameters.radius_m;
   const auto squared = [](double value) { return static_cast<float>(value * value); };
@@ -115,7 +115,7 @@ void Viewshed::at(const HeightField& field, const ViewshedParameters& parameters
   const std::size_t columns_each = lanes_ > 1 ? columns : 1;
   const ocl::LaunchShape shape =
       lanes_ > 1 ? ocl::LaunchShape{{1, rows}, {1, 1}} : ocl::LaunchShape{{columns, rows}};
-  walk_.launch(shape, field.heights_m(), field.pyramid().lids_m(), field.device_field(CastMethod::parity),
+  walk_.launch(shape, field.heights_m(), field.pyramid().maxima_m(), field.device_field(CastMethod::parity),
                sight, static_cast<int>(columns_each), seen);
 }
 

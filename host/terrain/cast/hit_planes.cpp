@@ -1,7 +1,7 @@
 #include "host/terrain/cast/hit_planes.h"
 
 #include "host/ocl/program.h"
-#include "host/terrain/cast/picture.h"
+#include "host/terrain/cast/image_rays.h"
 
 namespace offing::terrain {
 

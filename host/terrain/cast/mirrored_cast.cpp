@@ -1,7 +1,7 @@
 #include "host/terrain/cast/mirrored_cast.h"
 
 #include "host/ocl/program.h"
-#include "host/terrain/cast/picture.h"
+#include "host/terrain/cast/image_rays.h"
 
 namespace offing::terrain {
 namespace {

@@ -26,7 +26,7 @@ class Descent {
   Descent(const HeightField& field, const Ray& ray, double distance_m)
       : grid_(field.grid()),
         layout_(field.pyramid().layout()),
-        lids_m_(field.pyramid().lids_m().read()),
+        maxima_m_(field.pyramid().maxima_m().read()),
         heights_m_(field.heights_m().read()),
         ray_(ray),
         distance_m_(distance_m) {}
@@ -64,11 +64,11 @@ class Descent {
                       static_cast<std::size_t>(column)];
   }
 
-  float lid_m(int level, int x, int z) const {
+  float maximum_m(int level, int x, int z) const {
     if (level == 0) return std::max({post_m(x, z), post_m(x + 1, z), post_m(x, z + 1), post_m(x + 1, z + 1)});
-    return lids_m_[layout_.begin(level) +
-                   static_cast<std::size_t>(z) * static_cast<std::size_t>(layout_.nodes_x(level)) +
-                   static_cast<std::size_t>(x)];
+    return maxima_m_[layout_.begin(level) +
+                     static_cast<std::size_t>(z) * static_cast<std::size_t>(layout_.nodes_x(level)) +
+                     static_cast<std::size_t>(x)];
   }
 
   void visit(int level, int x, int z) {
@@ -77,9 +77,9 @@ class Descent {
     const Interval part = part_over(first_x, first_z, 1 << level);
     if (part.is_empty()) return;
     const auto height_m = [&](double t_m) { return ray_.origin_m.y + t_m * ray_.direction.y; };
-    const float lid = lid_m(level, x, z);
-    const bool is_passed_over = std::min(height_m(part.begin_m), height_m(part.end_m)) > lid;
-    nodes_.push_back({level, first_x, first_z, 1 << level, lid, is_passed_over});
+    const float maximum = maximum_m(level, x, z);
+    const bool is_passed_over = std::min(height_m(part.begin_m), height_m(part.end_m)) > maximum;
+    nodes_.push_back({level, first_x, first_z, 1 << level, maximum, is_passed_over});
     if (is_passed_over || level == 0) return;
     // Front to back.
     std::array<std::array<int, 2>, 4> children{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
@@ -93,7 +93,7 @@ class Descent {
 
   PostGrid grid_;
   PyramidLayout layout_;
-  std::vector<float> lids_m_, heights_m_;
+  std::vector<float> maxima_m_, heights_m_;
   Ray ray_;
   double distance_m_;
   std::vector<RayNode> nodes_;

@@ -11,7 +11,7 @@
 #include "host/base/error.h"
 #include "host/ocl/program.h"
 #include "host/terrain/cast/host_rays.h"
-#include "host/terrain/cast/picture.h"
+#include "host/terrain/cast/image_rays.h"
 
 namespace offing::terrain {
 namespace {
@@ -102,7 +102,7 @@ struct HeightField::State {
   Pyramid pyramid;
   // Of each up rule, of hits with either kind of normals; built when they are first asked for.
   std::array<std::optional<ocl::Kernel>, up_rules> distance_kernels;
-  std::array<std::array<std::optional<ocl::Kernel>, up_rules>, 2> picture_kernels, ray_kernels;
+  std::array<std::array<std::optional<ocl::Kernel>, up_rules>, 2> image_kernels, ray_kernels;
   std::array<std::optional<ocl::Kernel>, 2> curved_kernels;  ///< by normals
   HostRays host_rays;
 
@@ -141,13 +141,13 @@ struct HeightField::State {
   }
 
   template <class Record>
-  void cast_picture(std::optional<ocl::Kernel>& kernel, const ocl::Defines& definitions, const Camera& camera,
-                    ocl::Buffer<Record>& records, CastMethod method) {
+  void cast_image(std::optional<ocl::Kernel>& kernel, const ocl::Defines& definitions, const Camera& camera,
+                  ocl::Buffer<Record>& records, CastMethod method) {
     const TerrainView view = device_view(camera, grid);
     require_room("picture", pixel_count(camera), records.size());
     if (!kernel)
       kernel = ocl::Program::build(device, "terrain/quadtree_cast.cl", definitions).kernel("quadtree_cast");
-    kernel->launch(picture_shape(camera, lanes), heights_m, pyramid.lids_m(), field(method), view, records);
+    kernel->launch(image_shape(camera, lanes), heights_m, pyramid.maxima_m(), field(method), view, records);
   }
 
   /// `bends` are what the kernel takes with IS_CURVED.
@@ -162,7 +162,7 @@ struct HeightField::State {
     const auto rays_each = static_cast<std::size_t>(lanes);
     ocl::LaunchShape shape{{(count + rays_each - 1) / rays_each}};
     if (lanes > 1) shape.local = {1};
-    kernel->launch(shape, heights_m, pyramid.lids_m(), field(method), from, static_cast<int>(count), to,
+    kernel->launch(shape, heights_m, pyramid.maxima_m(), field(method), from, static_cast<int>(count), to,
                    bends...);
   }
 
@@ -204,16 +204,14 @@ TerrainField HeightField::device_field(CastMethod method) const {
 
 void HeightField::cast(const Camera& camera, ocl::Buffer<float>& distances_m, CastMethod method) {
   auto& kernel = state_->distance_kernels[static_cast<std::size_t>(up_rule_of(method))];
-  state_->cast_picture(kernel, state_->defines(method), camera, distances_m, method);
+  state_->cast_image(kernel, state_->defines(method), camera, distances_m, method);
 }
 
 void HeightField::cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits, CastMethod method,
                        HitNormals normals) {
   auto& kernel =
-      state_
-          ->picture_kernels[static_cast<std::size_t>(normals)][static_cast<std::size_t>(up_rule_of(method))];
-  state_->cast_picture(kernel, state_->defines(method, normals).set_flag("WRITES_HITS"), camera, hits,
-                       method);
+      state_->image_kernels[static_cast<std::size_t>(normals)][static_cast<std::size_t>(up_rule_of(method))];
+  state_->cast_image(kernel, state_->defines(method, normals).set_flag("WRITES_HITS"), camera, hits, method);
 }
 
 void HeightField::cast(const ocl::Buffer<TerrainRay>& rays, std::size_t count, ocl::Buffer<TerrainHit>& hits,

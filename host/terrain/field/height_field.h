@@ -15,8 +15,8 @@ namespace offing::terrain {
 
 /// How rays find their patches. All find the same; they differ in steps, iterations of a ray's walk.
 enum class CastMethod {
-  parity,  ///< starts at the lowest level whose lid is above the eye; goes up with the parent. The fastest;
-           ///< pictures on a CPU visit nodes once for 64 pixels
+  parity,  ///< starts at the lowest level whose maximum is above the eye; goes up with the parent. The
+           ///< fastest; pictures on a CPU visit nodes once for 64 pixels
   paper,   ///< Park, Oh & Cho 2007: starts at the top; goes up a level after every miss (T4, T5)
   pdm,     ///< pyramidal displacement mapping: starts at the top; never goes up
   linear,  ///< from patch to patch, without the pyramid

@@ -41,18 +41,18 @@ std::size_t PyramidLayout::begin(int level) const {
 }
 
 Pyramid::Pyramid(const ocl::Device& device, const PostGrid& grid, const ocl::Buffer<float>& heights_m)
-    : layout_(PyramidLayout::of(grid)), lids_m_(device, layout_.node_count(), "lids") {
+    : layout_(PyramidLayout::of(grid)), maxima_m_(device, layout_.node_count(), "node maxima") {
   const auto shape_of = [&](int level) {
     return ocl::LaunchShape{
         {static_cast<std::size_t>(layout_.nodes_x(level)), static_cast<std::size_t>(layout_.nodes_z(level))}};
   };
   ocl::Program::build(device, "terrain/pyramid_base.cl")
       .kernel("pyramid_base")
-      .launch(shape_of(1), heights_m, grid.columns, grid.rows, layout_.nodes_x(1), lids_m_);
+      .launch(shape_of(1), heights_m, grid.columns, grid.rows, layout_.nodes_x(1), maxima_m_);
   const ocl::Kernel reduce =
       ocl::Program::build(device, "terrain/pyramid_reduce.cl").kernel("pyramid_reduce");
   for (int level = 2; level <= layout_.top_level; ++level) {
-    reduce.launch(shape_of(level), lids_m_, static_cast<int>(layout_.begin(level - 1)),
+    reduce.launch(shape_of(level), maxima_m_, static_cast<int>(layout_.begin(level - 1)),
                   layout_.nodes_x(level), static_cast<int>(layout_.begin(level)));
   }
 }

@@ -24,20 +24,20 @@ struct PyramidLayout {
   std::size_t node_count() const { return begin(top_level + 1); }
 };
 
-/// Lids over 2 x 2 cells and more on a device (T2, T8 of docs/sources.md): the highest post of all patches of
-/// a node, as the very float it is in the map, so that no rounding lowers a lid. Single patches need none in
-/// memory: a walk that reaches one reads its corners anyway.
+/// Maxima over 2 x 2 cells and more on a device (T2, T8 of docs/sources.md): the highest post of all patches
+/// of a node, as the very float it is in the map, so that no rounding lowers a maximum. Single patches need
+/// none in memory: a walk that reaches one reads its corners anyway.
 class Pyramid {
  public:
   /// Enqueues the pyramid's levels. heights_m [rows][columns] is not kept. Throws Error(out_of_memory).
   Pyramid(const ocl::Device& device, const PostGrid& grid, const ocl::Buffer<float>& heights_m);
 
   const PyramidLayout& layout() const { return layout_; }
-  const ocl::Buffer<float>& lids_m() const { return lids_m_; }
+  const ocl::Buffer<float>& maxima_m() const { return maxima_m_; }
 
  private:
   PyramidLayout layout_;
-  ocl::Buffer<float> lids_m_;
+  ocl::Buffer<float> maxima_m_;
 };
 
 }  // namespace offing::terrain

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "host/terrain/generate/fractal_ground.h"
+#include "host/terrain/generate/fractal_terrain.h"
 
 namespace offing::terrain {
 
@@ -22,7 +22,7 @@ class RowMakers {
  private:
   static constexpr int rows_a_maker = 16;
   int posts_;
-  std::vector<FractalGround> makers_;
+  std::vector<FractalTerrain> makers_;
   std::vector<float> heights_m_;
 };
 

@@ -1,7 +1,7 @@
 #include "host/terrain/shading/open_sky.h"
 
 #include "host/ocl/program.h"
-#include "host/terrain/cast/picture.h"
+#include "host/terrain/cast/image_rays.h"
 
 namespace offing::terrain {
 namespace {
@@ -31,7 +31,7 @@ OpenSky::OpenSky(const ocl::Device& device, const HeightField& field) {
   ocl::Program::build(device, "terrain/open_sky.cl",
                       ocl::Defines().set("LANES", lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT))
       .kernel("open_sky")
-      .launch(shape, field.heights_m(), field.pyramid().lids_m(), field.device_field(CastMethod::parity),
+      .launch(shape, field.heights_m(), field.pyramid().maxima_m(), field.device_field(CastMethod::parity),
               stride_, columns_, shares_);
 }
 

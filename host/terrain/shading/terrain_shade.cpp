@@ -7,7 +7,7 @@
 
 #include "host/base/error.h"
 #include "host/ocl/program.h"
-#include "host/terrain/cast/picture.h"
+#include "host/terrain/cast/image_rays.h"
 
 namespace offing::terrain {
 namespace {
@@ -44,18 +44,20 @@ TerrainShade::Kernels TerrainShade::build(const ocl::Defines& defines) const {
 }
 
 void TerrainShade::at(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
-                      const GroundLight& light, ocl::Buffer<Texel>& image, const GroundLook& look) {
+                      const TerrainIllumination& light, ocl::Buffer<Texel>& image,
+                      const TerrainAppearance& look) {
   if (!map_kernels_) {
     map_kernels_ = build(ocl::Defines().set("LANES", lanes_).set("UP_RULE", TERRAIN_UP_WITH_PARENT));
   }
   paint(*map_kernels_,
-        {field.heights_m(), field.pyramid().lids_m(), field.device_field(CastMethod::parity),
+        {field.heights_m(), field.pyramid().maxima_m(), field.device_field(CastMethod::parity),
          device_view(camera, field.grid())},
         camera, hits, light, image, look);
 }
 
 void TerrainShade::at(const TiledField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
-                      const GroundLight& light, ocl::Buffer<Texel>& image, const GroundLook& look) {
+                      const TerrainIllumination& light, ocl::Buffer<Texel>& image,
+                      const TerrainAppearance& look) {
   if (look.open_sky != nullptr) {
     throw Error(ErrorKind::bad_usage, "terrain shade: shares of the sky are not those of tiles",
                 "leave open_sky out");
@@ -66,9 +68,9 @@ void TerrainShade::at(const TiledField& field, const Camera& camera, const ocl::
         hits, light, image, look);
 }
 
-void TerrainShade::paint(const Kernels& kernels, const SeenGround& ground, const Camera& camera,
-                         const ocl::Buffer<TerrainHit>& hits, const GroundLight& light,
-                         ocl::Buffer<Texel>& image, const GroundLook& look) {
+void TerrainShade::paint(const Kernels& kernels, const SeenTerrain& terrain, const Camera& camera,
+                         const ocl::Buffer<TerrainHit>& hits, const TerrainIllumination& light,
+                         ocl::Buffer<Texel>& image, const TerrainAppearance& look) {
   const Sampling& sampling = look.sampling;
   require_valid(sampling);
   const std::size_t pixels = pixel_count(camera);
@@ -89,16 +91,16 @@ void TerrainShade::paint(const Kernels& kernels, const SeenGround& ground, const
   const bool refines_all = sampling.rays > 1 && sampling.least_contrast < 0.0;
   if (refines_all || sampling.rays == 1) needs_.fill(refines_all ? TERRAIN_MANY_RAYS : TERRAIN_ONE_RAY);
   if (!refines_all) {
-    kernels.shade.launch(picture_shape(camera, lanes_), ground.heights_m, ground.lids_m, ground.field,
-                         ground.view, hits, light.light, light.sky, light.view_table, device_look, colours,
+    kernels.shade.launch(image_shape(camera, lanes_), terrain.heights_m, terrain.maxima_m, terrain.field,
+                         terrain.view, hits, light.light, light.sky, light.view_table, device_look, colours,
                          shares, shadow, shadow_map, image);
     if (sampling.rays == 1) return;
     contrast_kernel_.launch(
         {{static_cast<std::size_t>(camera.width_px), static_cast<std::size_t>(camera.height_px)}}, image,
         camera.width_px, camera.height_px, static_cast<float>(sampling.least_contrast), needs_);
   }
-  kernels.refine.launch(picture_shape(camera, lanes_), ground.heights_m, ground.lids_m, ground.field,
-                        ground.view, light.light, light.sky, light.view_table, device_look, colours, shares,
+  kernels.refine.launch(image_shape(camera, lanes_), terrain.heights_m, terrain.maxima_m, terrain.field,
+                        terrain.view, light.light, light.sky, light.view_table, device_look, colours, shares,
                         shadow, shadow_map, needs_, sampling.rays, image);
 }
 

@@ -15,7 +15,7 @@
 #include "host/terrain/tiles/tiled_field.h"
 #include "kernels/shared/cloud_shadow.h"
 #include "kernels/shared/sky_params.h"
-#include "kernels/shared/terrain_light.h"
+#include "kernels/shared/terrain_light_params.h"
 
 namespace offing::terrain {
 
@@ -31,7 +31,7 @@ struct CloudShade {
 
 /// What lights the ground: the sky's parameters and its view table of kernels/sky for the camera's eye, and
 /// what shared/terrain_light.h says of the light.
-struct GroundLight {
+struct TerrainIllumination {
   TerrainLight light;
   SkyParams sky;
   const ocl::Buffer<Texel>& view_table;
@@ -48,18 +48,18 @@ struct Sampling {
 
 /// A sea that is drawn over its bed: pixels do not see ground that lies deeper than this; nor, in a picture
 /// of what is under water, ground that stands out of it.
-struct SeaOverGround {
+struct SeaOverTerrain {
   double below_m = -1e30;
   double bend_perm = 0.0;  ///< the depth grows by this times the square of the distance
   double above_m = 1e30;   ///< highest ground that is seen
 };
 
 /// What lies on the ground, and how finely it is drawn. What is pointed to is not kept.
-struct GroundLook {
+struct TerrainAppearance {
   Sampling sampling = {};
   const ColourLayer* colours = nullptr;  ///< none: cover by height and slope
   const OpenSky* open_sky = nullptr;     ///< none: nothing but its own slope hides the sky from ground
-  SeaOverGround sea = {};
+  SeaOverTerrain sea = {};
 };
 
 /// The light that a camera sees of the ground: its colours, or cover by height and slope, the sun with soft
@@ -75,12 +75,12 @@ class TerrainShade {
   /// Error(bad_usage) for buffers that hold fewer, Error(bad_input) for a sampling out of range, and what
   /// device_view() and programs throw.
   void at(const HeightField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
-          const GroundLight& light, ocl::Buffer<Texel>& image, const GroundLook& look = {});
+          const TerrainIllumination& light, ocl::Buffer<Texel>& image, const TerrainAppearance& look = {});
 
   /// The same for the tiles of the field's last look(). Throws Error(bad_usage) for a look with shares of the
   /// sky, which are those of a HeightField.
   void at(const TiledField& field, const Camera& camera, const ocl::Buffer<TerrainHit>& hits,
-          const GroundLight& light, ocl::Buffer<Texel>& image, const GroundLook& look = {});
+          const TerrainIllumination& light, ocl::Buffer<Texel>& image, const TerrainAppearance& look = {});
 
   /// Waits for the share of pixels of the last at() that got rays of their own.
   double refined_share() const;
@@ -89,16 +89,16 @@ class TerrainShade {
   struct Kernels {
     ocl::Kernel shade, refine;
   };
-  /// As kernels take it: heights and lids, or the pool and pages of tiles.
-  struct SeenGround {
-    const ocl::Buffer<float>&heights_m, &lids_m;
+  /// As kernels take it: heights and maxima, or the pool and pages of tiles.
+  struct SeenTerrain {
+    const ocl::Buffer<float>&heights_m, &maxima_m;
     TerrainField field;
     TerrainView view;
   };
   Kernels build(const ocl::Defines& defines) const;
-  void paint(const Kernels& kernels, const SeenGround& ground, const Camera& camera,
-             const ocl::Buffer<TerrainHit>& hits, const GroundLight& light, ocl::Buffer<Texel>& image,
-             const GroundLook& look);
+  void paint(const Kernels& kernels, const SeenTerrain& terrain, const Camera& camera,
+             const ocl::Buffer<TerrainHit>& hits, const TerrainIllumination& light, ocl::Buffer<Texel>& image,
+             const TerrainAppearance& look);
 
   ocl::Device device_;
   int lanes_;

@@ -105,7 +105,7 @@ void TileCache::put(int slot, TileImage image) {
   Slot& place = slots_[static_cast<std::size_t>(slot)];
   if (place.key) places_.erase(*place.key);
   place.key = image.key;
-  place.square_lids_m = std::move(image.square_lids_m);
+  place.square_maxima_m = std::move(image.square_maxima_m);
   place.last_frame = frame_;
   places_[image.key] = slot;
   pool_.write(image.words, head_floats() + static_cast<std::size_t>(slot) * TERRAIN_SLOT_FLOATS);

@@ -35,10 +35,10 @@ class TileCache {
   bool wait_and_take_in(Unreadable unreadable = Unreadable::stood_in_for);
 
   const ocl::Buffer<float>& pool() const { return pool_; }
-  /// Lids of nodes of whole squares, at the pool's beginning.
-  void write_head(std::span<const float> lids_m) { pool_.write(lids_m); }
-  const std::vector<float>& square_lids_m(int slot) const {
-    return slots_[static_cast<std::size_t>(slot)].square_lids_m;
+  /// Maxima of nodes of whole squares, at the pool's beginning.
+  void write_head(std::span<const float> maxima_m) { pool_.write(maxima_m); }
+  const std::vector<float>& square_maxima_m(int slot) const {
+    return slots_[static_cast<std::size_t>(slot)].square_maxima_m;
   }
   std::size_t slot_count() const { return slots_.size(); }
   /// Of the slots, those that the coarsest level has for ever.
@@ -53,7 +53,7 @@ class TileCache {
   struct Slot {
     std::optional<TileKey> key;
     std::uint64_t last_frame = 0;  ///< that used it
-    std::vector<float> square_lids_m;
+    std::vector<float> square_maxima_m;
   };
 
   std::size_t head_floats() const;

@@ -14,25 +14,25 @@ static_assert(TERRAIN_TILE_CELLS == tile_cells && TERRAIN_TILE_POSTS == tile_pos
 
 using Grid = std::vector<float>;
 
-Grid patch_lids(const Grid& posts) {
-  Grid lids;
-  lids.reserve(tile_cells * tile_cells);
+Grid patch_maxima(const Grid& posts) {
+  Grid maxima;
+  maxima.reserve(tile_cells * tile_cells);
   for (int row = 0; row < tile_cells; ++row) {
     const float* north = posts.data() + row * tile_posts;
     const float* south = north + tile_posts;
     for (int i = 0; i < tile_cells; ++i) {
-      lids.push_back(std::max(std::max(north[i], north[i + 1]), std::max(south[i], south[i + 1])));
+      maxima.push_back(std::max(std::max(north[i], north[i + 1]), std::max(south[i], south[i + 1])));
     }
   }
-  return lids;
+  return maxima;
 }
 
 /// Of 2 x 2 nodes the highest.
-Grid reduced(const Grid& lids, int side) {
+Grid reduced(const Grid& maxima, int side) {
   Grid higher;
   higher.reserve(static_cast<std::size_t>(side / 2) * static_cast<std::size_t>(side / 2));
   for (int row = 0; row < side; row += 2) {
-    const float* north = lids.data() + row * side;
+    const float* north = maxima.data() + row * side;
     const float* south = north + side;
     for (int i = 0; i < side; i += 2) {
       higher.push_back(std::max(std::max(north[i], north[i + 1]), std::max(south[i], south[i + 1])));
@@ -66,12 +66,12 @@ TileImage tile_image(const HeightTile& tile, double spacing_x_m, double spacing_
   TileImage image{tile.key, {}, {}, tile.highest_m};
   image.words.reserve(TERRAIN_SLOT_FLOATS);
   image.words = tile.highest_m;
-  Grid lids = patch_lids(tile.highest_m);
+  Grid maxima = patch_maxima(tile.highest_m);
   for (int level = 0, side = tile_cells; side >= 1; ++level, side /= 2) {
-    if (level > 0) lids = reduced(lids, 2 * side);
-    if (level == TERRAIN_TILE_LOG2 - tile.key.level) image.square_lids_m = lids;
+    if (level > 0) maxima = reduced(maxima, 2 * side);
+    if (level == TERRAIN_TILE_LOG2 - tile.key.level) image.square_maxima_m = maxima;
     if (level >= 1 && level < TERRAIN_TILE_LOG2)
-      image.words.insert(image.words.end(), lids.begin(), lids.end());
+      image.words.insert(image.words.end(), maxima.begin(), maxima.end());
   }
   append_slopes(image.words, tile, spacing_x_m, spacing_z_m);
   return image;

@@ -12,7 +12,7 @@ struct TileImage {
   std::vector<float> words;  ///< [TERRAIN_SLOT_FLOATS]
   /// [2^level][2^level] m: of each square of 256 cells of the map that the tile covers, the highest that the
   /// tile's surface has there.
-  std::vector<float> square_lids_m;
+  std::vector<float> square_maxima_m;
   std::vector<float> highest_m;  ///< [tile_posts][tile_posts], those of the tile
 };
 

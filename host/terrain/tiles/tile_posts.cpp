@@ -73,7 +73,7 @@ bool TilePosts::is_void(int column, int row) {
   return tile.is_void[static_cast<std::size_t>(z * tile_posts + x)] != 0;
 }
 
-GroundPosts posts_of(const TiledMap& map, TileReader read, Unreadable unreadable) {
+TerrainPosts posts_of(const TiledMap& map, TileReader read, Unreadable unreadable) {
   const auto posts = std::make_shared<TilePosts>(map, std::move(read), unreadable);
   return {.columns = map.shape.columns,
           .rows = map.shape.rows,

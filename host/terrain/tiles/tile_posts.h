@@ -4,7 +4,7 @@
 
 #include "host/base/height_map.h"
 #include "host/base/height_tile.h"
-#include "host/terrain/field/ground.h"
+#include "host/terrain/field/terrain_posts.h"
 #include "host/terrain/tiles/tile_cut.h"
 #include "host/terrain/tiles/tile_loader.h"
 
@@ -35,8 +35,8 @@ class TilePosts {
   std::list<Kept> kept_;  ///< the last used first
 };
 
-/// The same as ground.h takes them.
-GroundPosts posts_of(const TiledMap& map, TileReader read, Unreadable unreadable);
+/// The same as terrain_posts.h takes them.
+TerrainPosts posts_of(const TiledMap& map, TileReader read, Unreadable unreadable);
 
 /// The whole map as coarsely as its coarsest tiles have it, of mean heights, on its own extent. Throws what
 /// reading throws.

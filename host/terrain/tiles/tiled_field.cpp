@@ -12,7 +12,7 @@
 #include "host/ocl/program.h"
 #include "host/terrain/cast/fine_cast.h"
 #include "host/terrain/cast/host_rays.h"
-#include "host/terrain/cast/picture.h"
+#include "host/terrain/cast/image_rays.h"
 #include "host/terrain/tiles/page_table.h"
 #include "host/terrain/tiles/tile_cache.h"
 #include "kernels/shared/terrain_tiles.h"
@@ -68,7 +68,7 @@ struct TiledField::State {
   ocl::Buffer<float> pages;
   Statistics statistics;
   std::optional<glm::dvec3> last_eye_m;
-  std::optional<ocl::Kernel> distance_kernel, picture_kernel, ray_kernel, curved_kernel;
+  std::optional<ocl::Kernel> distance_kernel, image_kernel, ray_kernel, curved_kernel;
   HostRays host_rays;
 
   State(const ocl::Device& on, const TiledMap& of, TileReader read, std::size_t cache_bytes)
@@ -99,11 +99,11 @@ struct TiledField::State {
     for (const TileKey& key : keys) {
       const auto [there, slot] = resident(key);
       statistics.stood_in += there == key ? 0 : 1;
-      table.lay(key, there, slot, cache.square_lids_m(slot));
+      table.lay(key, there, slot, cache.square_maxima_m(slot));
     }
-    table.reduce_lids();
+    table.reduce_maxima();
     pages.write(table.pages());
-    cache.write_head(table.lids_m());
+    cache.write_head(table.maxima_m());
     statistics.loaded = cache.loaded();
     statistics.failed = cache.failed();
     statistics.slots = cache.slot_count();
@@ -240,15 +240,15 @@ struct TiledField::State {
   }
 
   template <class Record>
-  void cast_picture(std::optional<ocl::Kernel>& kernel, const ocl::Defines& definitions, const Camera& camera,
-                    ocl::Buffer<Record>& records) {
+  void cast_image(std::optional<ocl::Kernel>& kernel, const ocl::Defines& definitions, const Camera& camera,
+                  ocl::Buffer<Record>& records) {
     require_look();
     const TerrainView view = device_view(camera);
     require_room("picture", pixel_count(camera), records.size());
     if (!kernel) {
       kernel = ocl::Program::build(device, "terrain/quadtree_cast.cl", definitions).kernel("quadtree_cast");
     }
-    kernel->launch(picture_shape(camera, lanes), cache.pool(), pages, field(), view, records);
+    kernel->launch(image_shape(camera, lanes), cache.pool(), pages, field(), view, records);
   }
 };
 
@@ -291,11 +291,11 @@ void TiledField::look_and_wait(const Camera& camera) {
 }
 
 void TiledField::cast(const Camera& camera, ocl::Buffer<float>& distances_m) {
-  state_->cast_picture(state_->distance_kernel, state_->defines(), camera, distances_m);
+  state_->cast_image(state_->distance_kernel, state_->defines(), camera, distances_m);
 }
 
 void TiledField::cast(const Camera& camera, ocl::Buffer<TerrainHit>& hits) {
-  state_->cast_picture(state_->picture_kernel, state_->defines().set_flag("WRITES_HITS"), camera, hits);
+  state_->cast_image(state_->image_kernel, state_->defines().set_flag("WRITES_HITS"), camera, hits);
 }
 
 std::vector<RayHit> TiledField::cast(std::span<const Ray> rays) {

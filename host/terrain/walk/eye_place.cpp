@@ -7,17 +7,17 @@
 
 namespace offing::terrain {
 
-std::optional<std::string> lift_out_of_ground(glm::dvec3& eye_m, double ground_m, double above_m) {
-  if (eye_m.y > ground_m) return std::nullopt;
+std::optional<std::string> lift_out_of_terrain(glm::dvec3& eye_m, double terrain_m, double above_m) {
+  if (eye_m.y > terrain_m) return std::nullopt;
   const glm::dvec3 from_m = eye_m;
-  eye_m.y = ground_m + above_m;
+  eye_m.y = terrain_m + above_m;
   return fmt::format(
       "camera: the eye at ({:.1f}, {:.1f}, {:.1f}) m is {:.1f} m below the ground; raised to y = {:.1f} m, "
       "{:g} m above it",
-      from_m.x, from_m.y, from_m.z, ground_m - from_m.y, eye_m.y, above_m);
+      from_m.x, from_m.y, from_m.z, terrain_m - from_m.y, eye_m.y, above_m);
 }
 
-std::optional<std::string> warning_off_map(const glm::dvec3& eye_m, const GroundExtent& extent,
+std::optional<std::string> warning_off_map(const glm::dvec3& eye_m, const TerrainExtent& extent,
                                            double origin_x_m, double origin_z_m) {
   constexpr double rounding_m = 1e-6;  // an eye on the edge is over the map
   const double x_m = eye_m.x - origin_x_m, z_m = eye_m.z - origin_z_m;

@@ -5,13 +5,13 @@
 
 namespace offing::terrain {
 
-GroundExtent extent_of(const HeightMap& map) {
+TerrainExtent extent_of(const HeightMap& map) {
   return {.width_m = map.spacing_x_m * (map.columns - 1),
           .depth_m = map.spacing_z_m * (map.rows - 1),
           .highest_m = *std::max_element(map.heights_m.begin(), map.heights_m.end())};
 }
 
-Camera flying_camera(const GroundExtent& extent) {
+Camera flying_camera(const TerrainExtent& extent) {
   constexpr double height_m = 300.0, pitch_rad = -15.0 / 180.0 * std::numbers::pi;
   Camera camera;
   camera.eye_m = {0.5 * extent.width_m, extent.highest_m + height_m, extent.depth_m};

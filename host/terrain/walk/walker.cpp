@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
-#include "host/terrain/field/ground.h"
+#include "host/terrain/field/terrain_posts.h"
 
 namespace offing::terrain {
 namespace {
@@ -42,7 +42,7 @@ void require_valid(const WalkerParameters& parameters) {
           gravity_mps2);
 }
 
-Walker::Walker(GroundPosts posts, const WalkerParameters& parameters)
+Walker::Walker(TerrainPosts posts, const WalkerParameters& parameters)
     : posts_(std::move(posts)),
       parameters_(parameters),
       least_normal_y_(std::cos(parameters.slope_limit_rad)),
@@ -52,8 +52,8 @@ Walker::Walker(GroundPosts posts, const WalkerParameters& parameters)
 }
 
 void Walker::reset(double x_m, double z_m, double time_s) {
-  const auto ground = ground_at(posts_, x_m, z_m);
-  if (!ground) {
+  const auto terrain = terrain_at(posts_, x_m, z_m);
+  if (!terrain) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("walker: expected a place within the map, found {:g}, {:g} m", x_m, z_m),
                 fmt::format("it reaches from 0 to {:g} m and {:g} m", posts_.width_m(), posts_.depth_m()));
@@ -61,8 +61,8 @@ void Walker::reset(double x_m, double z_m, double time_s) {
   require(std::isfinite(time_s), "time_s", "a finite time", time_s);
   start_s_ = time_s_ = time_s;
   steps_ = 0;
-  feet_ = {.place_m = {x_m, ground->height_m, z_m}};
-  if (!holds(ground->normal)) begin_fall(feet_);
+  feet_ = {.place_m = {x_m, terrain->height_m, z_m}};
+  if (!holds(terrain->normal)) begin_fall(feet_);
   show(feet_);
 }
 
@@ -114,7 +114,7 @@ void Walker::walk(Feet& feet, double duration_s, glm::dvec2 wanted_mps) const {
     feet.place_m = next_m;
   };
   const glm::dvec2 wanted_m = within_map(from_m + duration_s * wanted_mps);
-  const GroundPoint ahead = *ground_at(posts_, wanted_m.x, wanted_m.y);
+  const TerrainPoint ahead = *terrain_at(posts_, wanted_m.x, wanted_m.y);
   if (wanted_m == from_m || holds(ahead.normal)) return go_to(wanted_m, ahead.height_m);
   if (ahead.height_m < feet.place_m.y) {
     const glm::dvec2 velocity_mps = (wanted_m - from_m) / duration_s;
@@ -128,8 +128,8 @@ void Walker::walk(Feet& feet, double duration_s, glm::dvec2 wanted_mps) const {
   for (const glm::dvec2 along_mps :
        {wanted_mps - against_mps * uphill, glm::dvec2(wanted_mps.x, 0.0), glm::dvec2(0.0, wanted_mps.y)}) {
     const glm::dvec2 place_m = within_map(from_m + duration_s * along_mps);
-    const GroundPoint ground = *ground_at(posts_, place_m.x, place_m.y);
-    if (holds(ground.normal)) return go_to(place_m, ground.height_m);
+    const TerrainPoint terrain = *terrain_at(posts_, place_m.x, place_m.y);
+    if (holds(terrain.normal)) return go_to(place_m, terrain.height_m);
   }
   feet.velocity_mps = glm::dvec3(0.0);
 }
@@ -148,21 +148,21 @@ void Walker::fall(Feet& feet, double duration_s) const {
   const glm::dvec2 place_m = within_map(ahead_m);
   if (place_m.x != ahead_m.x) velocity_mps.x = 0.0;
   if (place_m.y != ahead_m.y) velocity_mps.z = 0.0;
-  const GroundPoint ground = *ground_at(posts_, place_m.x, place_m.y);
+  const TerrainPoint terrain = *terrain_at(posts_, place_m.x, place_m.y);
   const double height_m = feet.place_m.y + duration_s * (velocity_mps.y - 0.5 * gained_mps);
   velocity_mps.y -= gained_mps;
-  feet.place_m = {place_m.x, std::max(height_m, ground.height_m), place_m.y};
+  feet.place_m = {place_m.x, std::max(height_m, terrain.height_m), place_m.y};
   feet.held_s = feet.place_m.y < feet.lowest_m - least_progress_m ? 0.0 : feet.held_s + duration_s;
   if (feet.held_s == 0.0) feet.lowest_m = feet.place_m.y;
-  if (height_m > ground.height_m) return;
-  if (holds(ground.normal) || feet.held_s >= longest_rest_s) {
+  if (height_m > terrain.height_m) return;
+  if (holds(terrain.normal) || feet.held_s >= longest_rest_s) {
     feet.is_falling = false;
     feet.velocity_mps = glm::dvec3(0.0);
     return;
   }
   // The ground takes what goes into it, and of the rest what it rubs off in return (Coulomb).
-  const double into_mps = std::max(0.0, -glm::dot(velocity_mps, ground.normal));
-  const glm::dvec3 along_mps = velocity_mps + into_mps * ground.normal;
+  const double into_mps = std::max(0.0, -glm::dot(velocity_mps, terrain.normal));
+  const glm::dvec3 along_mps = velocity_mps + into_mps * terrain.normal;
   const double speed_mps = glm::length(along_mps);
   velocity_mps =
       speed_mps > 0.0 ? along_mps * std::max(0.0, 1.0 - friction_ * into_mps / speed_mps) : along_mps;

@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "host/terrain/field/ground.h"
+#include "host/terrain/field/terrain_posts.h"
 
 namespace offing::terrain {
 
@@ -43,7 +43,7 @@ class Walker {
 
   /// Stands in the middle of the map. Throws what require_valid() throws, and everywhere what asking for
   /// posts throws.
-  explicit Walker(GroundPosts posts, const WalkerParameters& parameters = {});
+  explicit Walker(TerrainPosts posts, const WalkerParameters& parameters = {});
 
   /// At rest on the ground under (x_m, z_m), at a time. Throws Error(bad_input) beyond the map's edge.
   void reset(double x_m, double z_m, double time_s = 0.0);
@@ -72,7 +72,7 @@ class Walker {
   void step(Feet& feet, double duration_s, glm::dvec2 wanted_mps) const;
   void show(const Feet& feet);
 
-  GroundPosts posts_;
+  TerrainPosts posts_;
   WalkerParameters parameters_;
   double least_normal_y_, friction_;
   double start_s_ = 0.0, time_s_ = 0.0;

@@ -27,7 +27,7 @@ void fit_texture(TextureArray& texture, const TextureArray::Shape& shape) {
 
 CloudPass::CloudPass() : program_(cloud_program()), no_vertices_(GlVertexArray::make()) {}
 
-void CloudPass::set_textures(const ocl::Device& device, const clouds::PuffTextures& textures) {
+void CloudPass::set_textures(const ocl::Device& device, const clouds::BillboardTextures& textures) {
   if (picture_) {
     picture_->set_textures(textures);
   } else {
@@ -36,12 +36,12 @@ void CloudPass::set_textures(const ocl::Device& device, const clouds::PuffTextur
 }
 
 void CloudPass::fit(const ocl::Device& device, int width_px, int height_px) {
-  if (!picture_) picture_.emplace(device, clouds::puff_textures());
+  if (!picture_) picture_.emplace(device, clouds::billboard_textures());
   picture_->fit(width_px, height_px);
 }
 
 void CloudPass::prepare(const ocl::Device& device, const clouds::DrawnParticles& drawn, const Camera& camera,
-                        const RenderTarget& target, TransferLadder& transfer) {
+                        const RenderTarget& target, Transfer& transfer) {
   const int width = target.width(), height = target.height();
   fit(device, width, height);
   depth_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
@@ -52,13 +52,13 @@ void CloudPass::prepare(const ocl::Device& device, const clouds::DrawnParticles&
 }
 
 void CloudPass::prepare_open(const ocl::Device& device, const clouds::DrawnParticles& drawn,
-                             const Camera& camera, TransferLadder& transfer) {
+                             const Camera& camera, Transfer& transfer) {
   fit(device, camera.width_px, camera.height_px);
   picture_->scene_depth().fill(0.0f);
   make(drawn, camera, transfer);
 }
 
-void CloudPass::make(const clouds::DrawnParticles& drawn, const Camera& camera, TransferLadder& transfer) {
+void CloudPass::make(const clouds::DrawnParticles& drawn, const Camera& camera, Transfer& transfer) {
   picture_->draw(drawn, camera);
   glActiveTexture(GL_TEXTURE0);
   const int width = picture_->width_px(), height = picture_->height_px();

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "host/clouds/image/cloud_picture.h"
+#include "host/clouds/image/cloud_image.h"
 #include "host/sky/atmosphere.h"
 #include "present/gl/gl_objects.h"
 #include "present/gl/render_target.h"
@@ -13,7 +13,7 @@
 
 namespace offing::present {
 
-/// Draws clouds over all that is opaque: their picture is made by OpenCL (clouds::CloudPicture), which sees
+/// Draws clouds over all that is opaque: their picture is made by OpenCL (clouds::CloudImage), which sees
 /// each pixel's depth, and laid over the scene here.
 ///
 /// Why not by OpenGL: its billboards cannot stop at what is opaque already, of which clouds have much. 1,000
@@ -23,12 +23,12 @@ class CloudPass {
   CloudPass();
 
   /// Reads the depth of the target and makes the picture for it; textures are made by the first call. Throws
-  /// what CloudPicture and TransferLadder throw.
+  /// what CloudImage and Transfer throw.
   void prepare(const ocl::Device& device, const clouds::DrawnParticles& drawn, const Camera& camera,
-               const RenderTarget& target, TransferLadder& transfer);
+               const RenderTarget& target, Transfer& transfer);
   /// The same where nothing stands before the clouds, without a target to read.
   void prepare_open(const ocl::Device& device, const clouds::DrawnParticles& drawn, const Camera& camera,
-                    TransferLadder& transfer);
+                    Transfer& transfer);
   /// Where the air before clouds begins: at the eye, or, for an eye below the sea, where its rays leave it.
   enum class AirFrom { eye, sea };
   /// Lays the picture of prepare() over the bound target. `environment` is the map of SkyPass.
@@ -36,15 +36,15 @@ class CloudPass {
             AirFrom air_from = AirFrom::eye) const;
 
   /// Puts other textures in the place of Offing's own.
-  void set_textures(const ocl::Device& device, const clouds::PuffTextures& textures);
+  void set_textures(const ocl::Device& device, const clouds::BillboardTextures& textures);
 
  private:
   void fit(const ocl::Device& device, int width_px, int height_px);
-  void make(const clouds::DrawnParticles& drawn, const Camera& camera, TransferLadder& transfer);
+  void make(const clouds::DrawnParticles& drawn, const Camera& camera, Transfer& transfer);
 
   ShaderProgram program_;
   GlVertexArray no_vertices_;
-  std::optional<clouds::CloudPicture> picture_;
+  std::optional<clouds::CloudImage> picture_;
   std::vector<float> depth_;
   TextureArray image_, distance_;
 };

@@ -34,7 +34,7 @@ float cloud_share(vec3 place_m) { return cloud_shadow_share(cloud_shadow, cloud_
 }
 
 void CloudShadows::prepare(const world::World& world, const glm::dvec3& eye_m) {
-  const world::CloudsView* clouds = world.clouds();
+  const world::WorldClouds* clouds = world.clouds();
   const clouds::CloudShadowMap* shadow = clouds != nullptr ? clouds->shadow() : nullptr;
   const CloudShadowParams params = shadow != nullptr ? clouds->shadow_about(eye_m) : CloudShadowParams{};
   glBindBuffer(GL_UNIFORM_BUFFER, block_.name());

@@ -5,7 +5,7 @@
 namespace offing::present {
 
 clouds::DrawnParticles drawn_clouds(const world::World& world) {
-  const world::CloudsView& clouds = *world.clouds();
+  const world::WorldClouds& clouds = *world.clouds();
   const auto& [x, y, z] = world.parameters().sun_direction;
   return {.particles = clouds.particles(),
           .sprites = clouds.sprites(),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/clouds/image/cloud_picture.h"
+#include "host/clouds/image/cloud_image.h"
 #include "host/world/world.h"
 
 namespace offing::present {

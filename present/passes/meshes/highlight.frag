@@ -1,9 +1,9 @@
 // A highlight within its projector's box (highlights::HighlightTexture): a shape, a picture, or a picture of normals
 // that is shaded in the highlight. Compiled for the TEXTURE_KIND.
-const int first_picture = 6, normal_picture = 7;
+const int first_image = 6, normal_image = 7;
 
 uniform vec3 colour;         // of the artist
-uniform vec3 lamp_kcdpm2;    // of a white highlight
+uniform vec3 light_kcdpm2;    // of a white highlight
 uniform float opacity;
 uniform float softness, shape_depth;  // in half widths
 uniform sampler2D picture;   // premultiplied
@@ -29,15 +29,15 @@ void main() {
   vec2 uv = vec2(0.5 + 0.5 * box_place.x, 0.5 - 0.5 * box_place.y);
   vec4 texel = texture(picture, uv);
   float alpha = texel.a;
-  if (TEXTURE_KIND < first_picture) alpha = shape_opacity(TEXTURE_KIND, box_place, softness, shape_depth);
+  if (TEXTURE_KIND < first_image) alpha = shape_opacity(TEXTURE_KIND, box_place, softness, shape_depth);
   bool is_in_box = max(abs(box_place.x), abs(box_place.y)) <= 1.0;
   if (shows_box != 0) {
     light = vec4(box_light, 1.0) * (is_in_box || shows_box == 2 ? 0.75 : 0.0);
     return;
   }
   if (!is_in_box || alpha <= 0.0) discard;
-  vec3 surface = colour * lamp_kcdpm2;
-  if (TEXTURE_KIND == first_picture) surface *= texel.rgb / alpha;
-  if (TEXTURE_KIND == normal_picture) surface = pictured_light(texel);
+  vec3 surface = colour * light_kcdpm2;
+  if (TEXTURE_KIND == first_image) surface *= texel.rgb / alpha;
+  if (TEXTURE_KIND == normal_image) surface = pictured_light(texel);
   light = vec4(through_air(surface, normalize(place_m), length(place_m)), 1.0) * alpha * opacity;
 }

@@ -13,7 +13,7 @@
 namespace offing::present {
 namespace {
 
-constexpr int environment_unit = 0, picture_unit = 1;
+constexpr int environment_unit = 0, image_unit = 1;
 
 ShaderProgram highlight_program(highlights::HighlightTexture texture) {
   const ShaderPart compiled_for{"features of highlights",
@@ -40,27 +40,27 @@ glm::vec3 id_colour(std::uint64_t id) {
 
 HighlightPass::HighlightPass() : programs_(highlight_program) {}
 
-void HighlightPass::set_one(const ShaderProgram& program, const world::MeshView& mesh,
+void HighlightPass::set_one(const ShaderProgram& program, const world::WorldMesh& mesh,
                             const highlights::DrawnHighlight& highlight, const Scenery& scenery) {
   const highlights::HighlightControls& controls = highlight.controls;
   const glm::dmat4 to_box = highlights::projection_of(highlight.projector) *
                             glm::translate(glm::dmat4(1.0), mesh.surface().middle_m());
-  const PictureUse use = controls.texture == highlights::HighlightTexture::normal_map ? PictureUse::normals
-                                                                                      : PictureUse::colours;
-  const int picture = is_picture(controls.texture) ? controls.picture : -1;
-  bind_sampler(program, "picture", picture_unit,
+  const ImageUse use =
+      controls.texture == highlights::HighlightTexture::normal_map ? ImageUse::normals : ImageUse::colours;
+  const int picture = is_image(controls.texture) ? controls.picture : -1;
+  bind_sampler(program, "picture", image_unit,
                scenery.pictures.texture(scenery.world.parameters().pictures, picture, use));
   program.set("to_box", glm::mat4(to_box));
   program.set("colour", glm::vec3(controls.colour));
-  program.set("lamp_kcdpm2", scenery.lights.highlight_kcdpm2(highlight.lamp));
+  program.set("light_kcdpm2", scenery.lights.highlight_kcdpm2(highlight.light));
   program.set("opacity",
-              static_cast<float>(highlight.opacity * scenery.lights.highlight_share(highlight.lamp)));
+              static_cast<float>(highlight.opacity * scenery.lights.highlight_share(highlight.light)));
   program.set("softness", static_cast<float>(controls.softness));
   program.set("shape_depth", static_cast<float>(highlights::depth_of(controls.texture)));
   program.set("box_right", glm::vec3(mesh.motion().rotation * highlight.projector.right));
 }
 
-void HighlightPass::draw(const world::MeshView& mesh, const MeshGeometry& geometry,
+void HighlightPass::draw(const world::WorldMesh& mesh, const MeshGeometry& geometry,
                          const MeshViewMatrices& matrices, const FrameRequest& request,
                          const Scenery& scenery) {
   if (mesh.highlights().empty()) return;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "host/world/world.h"
-#include "present/gl/picture_textures.h"
+#include "present/gl/image_textures.h"
 #include "present/gl/shader_variants.h"
 #include "present/passes/frame_request.h"
 #include "present/passes/meshes/mesh_geometry.h"
@@ -22,15 +22,15 @@ class HighlightPass {
   struct Scenery {
     const world::World& world;
     const MeshLights& lights;
-    PictureTextures& pictures;
+    ImageTextures& pictures;
     GLuint environment;
   };
   /// Onto the bound target, in which the mesh has been drawn with these matrices.
-  void draw(const world::MeshView& mesh, const MeshGeometry& geometry, const MeshViewMatrices& matrices,
+  void draw(const world::WorldMesh& mesh, const MeshGeometry& geometry, const MeshViewMatrices& matrices,
             const FrameRequest& request, const Scenery& scenery);
 
  private:
-  void set_one(const ShaderProgram& program, const world::MeshView& mesh,
+  void set_one(const ShaderProgram& program, const world::WorldMesh& mesh,
                const highlights::DrawnHighlight& highlight, const Scenery& scenery);
 
   ShaderVariants<highlights::HighlightTexture> programs_;

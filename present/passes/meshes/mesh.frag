@@ -4,7 +4,7 @@ uniform vec3 colour;
 uniform float specular, shininess;
 uniform int cartoon_steps;
 uniform int has_ramp;
-uniform sampler2D ramp_picture;  // in place of steps
+uniform sampler2D ramp_image;  // in place of steps
 uniform samplerBuffer faces;  // two a face: unit normal; middle, in the axes of to_eye
 uniform mat4 to_eye;
 uniform float length_of_mesh_m;
@@ -18,7 +18,7 @@ out vec4 light;
 
 // Equal steps from dark to bright, whose edges are as wide as a pixel, or the middle row of a picture.
 vec3 ramp(float facing) {
-  if (has_ramp == 1) return texture(ramp_picture, vec2(facing, 0.5)).rgb;
+  if (has_ramp == 1) return texture(ramp_image, vec2(facing, 0.5)).rgb;
   float place = clamp(facing, 0.0, 1.0) * float(cartoon_steps);
   float width = max(fwidth(place), 1e-6);
   float level = 0.0;

@@ -8,12 +8,12 @@ namespace offing::present {
 namespace {
 
 constexpr std::size_t max_lights = 64;  // mesh_light.glsl
-static_assert(world::most_lamps + 1 == max_lights);
+static_assert(world::most_lights + 1 == max_lights);
 // Of what lies under meshes: dark, as water and woods are.
 constexpr float albedo_below = 0.1f;
 constexpr int shadow_unit = 7;  // beyond those of the programs that meshes are drawn with
 
-// From this share of all light on a lamp has highlights of full opacity.
+// From this share of all light on a light has highlights of full opacity.
 constexpr float full_share = 0.01f;
 constexpr float least_klx = 1e-9f;  // the dark, but for division by it
 
@@ -31,24 +31,24 @@ MeshLights::MeshLights() : block_("Lights", 0, 2 * max_lights) {}
 
 void MeshLights::prepare(const world::World& world, const glm::dvec3& eye_m, const CloudShadows& shadows) {
   shadows_ = &shadows;
-  const sky::Illuminance& light = world.illuminance();
-  const glm::vec3 sun_klx = to_vec3(light.sun_klx);
+  const sky::Illuminance& illuminance = world.illuminance();
+  const glm::vec3 sun_klx = to_vec3(illuminance.sun_klx);
   klx_.clear();
-  for (const world::Lamp& lamp : world.parameters().lamps) {
-    klx_.emplace_back(lamp.colour * lamp.illuminance_klx);
+  for (const world::Light& light : world.parameters().lights) {
+    klx_.emplace_back(light.colour * light.illuminance_klx);
   }
   const highlights::Lighting lighting = world.lighting(eye_m);
-  sun_ = lighting.lamps.size() > klx_.size() ? static_cast<int>(klx_.size()) : -1;
+  sun_ = lighting.lights.size() > klx_.size() ? static_cast<int>(klx_.size()) : -1;
   if (sun_ >= 0) klx_.push_back(sun_klx);
   std::vector<glm::vec4> values;
-  for (std::size_t i = 0; i < lighting.lamps.size(); ++i) {
-    const highlights::Source& lamp = lighting.lamps[i];
-    const bool is_place = lamp.kind == highlights::Source::Kind::place;
-    values.emplace_back(is_place ? lamp.vector - eye_m : lamp.vector, is_place ? 1.0 : 0.0);
+  for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
+    const highlights::Source& light = lighting.lights[i];
+    const bool is_place = light.kind == highlights::Source::Kind::place;
+    values.emplace_back(is_place ? light.vector - eye_m : light.vector, is_place ? 1.0 : 0.0);
     values.emplace_back(klx_[i], 0.0f);
   }
   block_.fill(std::move(values));
-  sky_klx_ = to_vec3(light.sky_klx);
+  sky_klx_ = to_vec3(illuminance.sky_klx);
   white_klx_ = luminance(sky_klx_);
   for (const glm::vec3& klx : klx_) white_klx_ += luminance(klx);
   const float rise = std::max(0.0f, world.sky().params().sun_direction_y);
@@ -64,14 +64,14 @@ void MeshLights::bind(const ShaderProgram& program) const {
   program.set("ground_klx", ground_klx_);
 }
 
-glm::vec3 MeshLights::highlight_kcdpm2(int lamp) const {
-  const auto i = static_cast<std::size_t>(lamp);
+glm::vec3 MeshLights::highlight_kcdpm2(int light) const {
+  const auto i = static_cast<std::size_t>(light);
   if (i >= klx_.size()) return glm::vec3(0.0f);
   return klx_[i] * (white_klx_ / std::numbers::pi_v<float> / std::max(luminance(klx_[i]), least_klx));
 }
 
-double MeshLights::highlight_share(int lamp) const {
-  const auto i = static_cast<std::size_t>(lamp);
+double MeshLights::highlight_share(int light) const {
+  const auto i = static_cast<std::size_t>(light);
   if (i >= klx_.size()) return 0.0;
   return std::min(1.0,
                   static_cast<double>(luminance(klx_[i]) / std::max(full_share * white_klx_, least_klx)));

@@ -10,7 +10,7 @@
 
 namespace offing::present {
 
-/// The lamps of a world, its sun and its sky, as mesh_light.glsl has them.
+/// The lights of a world, its sun and its sky, as mesh_light.glsl has them.
 class MeshLights {
  public:
   MeshLights();
@@ -19,12 +19,12 @@ class MeshLights {
   void prepare(const world::World& world, const glm::dvec3& eye_m, const CloudShadows& shadows);
   /// Gives them to a program in use.
   void bind(const ShaderProgram& program) const;
-  /// Light of a white highlight of a lamp, kcd/m2, in the lamp's colour: as bright as white in all light that
-  /// there is, so that no lamp's highlights are darker than what they lie on.
-  glm::vec3 highlight_kcdpm2(int lamp) const;
-  /// How much a lamp counts for highlights, 0 ... 1: less than all where it sends but a hundredth of the
+  /// Light of a white highlight of a light, kcd/m2, in the light's colour: as bright as white in all light
+  /// that there is, so that no light's highlights are darker than what they lie on.
+  glm::vec3 highlight_kcdpm2(int light) const;
+  /// How much a light counts for highlights, 0 ... 1: less than all where it sends but a hundredth of the
   /// light, none where it is gone.
-  double highlight_share(int lamp) const;
+  double highlight_share(int light) const;
 
  private:
   const CloudShadows* shadows_ = nullptr;  // of the last prepare()

@@ -67,7 +67,7 @@ void MeshLines::draw(const std::vector<glm::vec3>& ends_m, const glm::vec3& colo
   glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(ends_m.size()));
 }
 
-void MeshLines::draw_directions(const world::MeshView& mesh, const MeshViewMatrices& matrices,
+void MeshLines::draw_directions(const world::WorldMesh& mesh, const MeshViewMatrices& matrices,
                                 const FrameRequest& request) {
   const highlights::HighlightSurface& surface = mesh.surface();
   const VertexCurvatures& bends = surface.curvatures();
@@ -87,7 +87,7 @@ void MeshLines::draw_directions(const world::MeshView& mesh, const MeshViewMatri
   strokes(bends.e_min, {0.03f, 0.1f, 0.9f});
 }
 
-void MeshLines::draw_projectors(const world::MeshView& mesh, const MeshViewMatrices& matrices,
+void MeshLines::draw_projectors(const world::WorldMesh& mesh, const MeshViewMatrices& matrices,
                                 const FrameRequest& request) {
   use(matrices);
   for (const highlights::DrawnHighlight& highlight : mesh.highlights()) {

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "host/world/mesh_view.h"
+#include "host/world/world_mesh.h"
 #include "present/gl/gl_objects.h"
 #include "present/gl/shader_program.h"
 #include "present/passes/frame_request.h"
@@ -19,10 +19,10 @@ class MeshLines {
   MeshLines();
 
   /// Strokes along e_max, red, and e_min, blue, at the mesh's vertices, as far as they can be trusted.
-  void draw_directions(const world::MeshView& mesh, const MeshViewMatrices& matrices,
+  void draw_directions(const world::WorldMesh& mesh, const MeshViewMatrices& matrices,
                        const FrameRequest& request);
   /// A box for each highlight, as deep as half its width, with an arrow's tip toward its up.
-  void draw_projectors(const world::MeshView& mesh, const MeshViewMatrices& matrices,
+  void draw_projectors(const world::WorldMesh& mesh, const MeshViewMatrices& matrices,
                        const FrameRequest& request);
 
  private:

@@ -56,12 +56,12 @@ ShaderProgram MeshPass::base_program(const BaseFeatures& features) {
 }
 
 void MeshPass::prepare(const world::World& world) {
-  const std::vector<world::MeshView>& views = world.meshes();
+  const std::vector<world::WorldMesh>& views = world.meshes();
   const bool are_same = std::equal(views.begin(), views.end(), meshes_.begin(), meshes_.end(),
                                    [](const auto& a, const Mesh& b) { return a.revision() == b.revision; });
   if (are_same) return;
   meshes_.clear();
-  for (const world::MeshView& view : views) {
+  for (const world::WorldMesh& view : views) {
     meshes_.push_back({view.revision(), MeshGeometry(view.surface())});
   }
 }
@@ -69,7 +69,7 @@ void MeshPass::prepare(const world::World& world) {
 PixelBox MeshPass::pixels(const world::World& world, const Camera& camera) const {
   PixelBox box;
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
-    const world::MeshView& view = world.meshes()[i];
+    const world::WorldMesh& view = world.meshes()[i];
     const MeshViewMatrices matrices(view, camera, capabilities_);
     box = around(box, pixels_of(meshes_[i].geometry.low_m(), meshes_[i].geometry.high_m(), matrices, camera,
                                 1.0 + view.parameters().material.outline_px));
@@ -91,7 +91,7 @@ void MeshPass::begin(const RenderTarget& target) {
 
 void MeshPass::draw_base(const world::World& world, std::size_t index, const MeshViewMatrices& matrices,
                          const FrameRequest& request, GLuint environment) {
-  const world::MeshView& view = world.meshes()[index];
+  const world::WorldMesh& view = world.meshes()[index];
   const world::MeshMaterial& material = view.parameters().material;
   const ShaderProgram& base =
       bases_.with({.shading = material.shading, .shows_curvature = request.meshes == MeshShow::curvature});
@@ -107,8 +107,8 @@ void MeshPass::draw_base(const world::World& world, std::size_t index, const Mes
   base.set("shininess", static_cast<float>(material.shininess));
   base.set("cartoon_steps", material.cartoon_steps);
   base.set("has_ramp", material.cartoon_ramp >= 0 ? 1 : 0);
-  bind_sampler(base, "ramp_picture", ramp_unit,
-               pictures_.texture(world.parameters().pictures, material.cartoon_ramp, PictureUse::ramp));
+  bind_sampler(base, "ramp_image", ramp_unit,
+               pictures_.texture(world.parameters().pictures, material.cartoon_ramp, ImageUse::ramp));
   base.set("length_of_mesh_m", static_cast<float>(view.surface().diagonal_m()));
   base.set("debug_white", static_cast<float>(1.0 / request.exposure));
   glDepthFunc(GL_GREATER);
@@ -121,7 +121,7 @@ void MeshPass::draw_outline(std::size_t index, const MeshViewMatrices& matrices,
                             const world::MeshMaterial& material) const {
   outline_.use();
   matrices.set(outline_);
-  outline_.set("half_picture_px", 0.5f * glm::vec2(request.camera.width_px, request.camera.height_px));
+  outline_.set("half_image_px", 0.5f * glm::vec2(request.camera.width_px, request.camera.height_px));
   outline_.set("outline_px", static_cast<float>(material.outline_px));
   outline_.set("plain_light", glm::vec4(glm::vec3(material.outline_colour / request.exposure), 1.0f));
   glEnable(GL_CULL_FACE);
@@ -133,7 +133,7 @@ void MeshPass::draw_outline(std::size_t index, const MeshViewMatrices& matrices,
 
 void MeshPass::draw_mesh(const world::World& world, std::size_t index, const FrameRequest& request,
                          GLuint environment, MeshPart part) {
-  const world::MeshView& view = world.meshes()[index];
+  const world::WorldMesh& view = world.meshes()[index];
   const MeshViewMatrices matrices(view, request.camera, capabilities_, part);
   draw_base(world, index, matrices, request, environment);
   if (view.parameters().material.outline_px > 0.0 && request.fill == Fill::solid) {

@@ -65,7 +65,7 @@ class MeshPass {
   ShaderVariants<BaseFeatures> bases_;
   GlVertexArray no_vertices_;
   MeshLights lights_;
-  PictureTextures pictures_;
+  ImageTextures pictures_;
   HighlightPass highlights_;
   MeshLines lines_;
   MultisampleTarget samples_;

@@ -16,7 +16,7 @@ constexpr double nowhere_m = -1e9;  // deeper than anything is drawn
 
 }  // namespace
 
-MeshViewMatrices::MeshViewMatrices(const world::MeshView& mesh, const Camera& camera,
+MeshViewMatrices::MeshViewMatrices(const world::WorldMesh& mesh, const Camera& camera,
                                    const GlCapabilities& capabilities, MeshPart part)
     : to_eye(mesh.motion().rotation), cut_m(part == MeshPart::above_sea ? -camera.eye_m.y : nowhere_m) {
   const highlights::RigidMotion& motion = mesh.motion();

@@ -3,7 +3,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "host/base/camera.h"
-#include "host/world/mesh_view.h"
+#include "host/world/world_mesh.h"
 #include "present/gl/gl_context.h"
 #include "present/gl/shader_program.h"
 
@@ -20,7 +20,7 @@ struct MeshViewMatrices {
   glm::dmat4 to_clip;  ///< of the screen
   double cut_m;        ///< height over the eye's below which nothing is drawn
 
-  MeshViewMatrices(const world::MeshView& mesh, const Camera& camera, const GlCapabilities& capabilities,
+  MeshViewMatrices(const world::WorldMesh& mesh, const Camera& camera, const GlCapabilities& capabilities,
                    MeshPart part = MeshPart::all);
 
   /// Gives them to a program in use (mesh_place.glsl).

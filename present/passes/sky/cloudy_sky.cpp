@@ -81,7 +81,7 @@ void CloudySky::fill_levels() const {
 }
 
 void CloudySky::draw_face(const ocl::Device& device, const Scenery& scenery, const glm::dvec3& eye_m,
-                          int face, TransferLadder& transfer) {
+                          int face, Transfer& transfer) {
   const Camera camera = face_camera(eye_m, face, face_px_);
   clouds_.prepare_open(device, scenery.drawn, camera, transfer);
   face_.bind();
@@ -101,7 +101,7 @@ void CloudySky::draw_face(const ocl::Device& device, const Scenery& scenery, con
 }
 
 void CloudySky::draw(const ocl::Device& device, const Scenery& scenery, const glm::dvec3& eye_m,
-                     SkyRefresh refresh, TransferLadder& transfer) {
+                     SkyRefresh refresh, Transfer& transfer) {
   if (!maps_) make_maps();
   if (refresh == SkyRefresh::slice && has_map_) {
     draw_face(device, scenery, eye_m, due_, transfer);

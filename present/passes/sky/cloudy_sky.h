@@ -4,7 +4,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "host/clouds/image/cloud_picture.h"
+#include "host/clouds/image/cloud_image.h"
 #include "host/sky/atmosphere.h"
 #include "present/gl/gl_objects.h"
 #include "present/gl/render_target.h"
@@ -33,7 +33,7 @@ class CloudySky {
   /// is the mirror image of one above. All of them, or with SkyRefresh::slice one face that is due: all are
   /// after five calls. The first draw() after forget() draws all. Throws what CloudPass throws.
   void draw(const ocl::Device& device, const Scenery& scenery, const glm::dvec3& eye_m, SkyRefresh refresh,
-            TransferLadder& transfer);
+            Transfer& transfer);
   /// There is no map until the next draw().
   void forget() { has_map_ = false; }
 
@@ -47,7 +47,7 @@ class CloudySky {
   int side_px() const { return 4 * face_px_; }  ///< of the map
 
   /// Puts other textures of clouds in the place of Offing's own.
-  void set_textures(const ocl::Device& device, const clouds::PuffTextures& textures) {
+  void set_textures(const ocl::Device& device, const clouds::BillboardTextures& textures) {
     clouds_.set_textures(device, textures);
   }
 
@@ -55,7 +55,7 @@ class CloudySky {
   void make_maps();
   void fill_levels() const;
   void draw_face(const ocl::Device& device, const Scenery& scenery, const glm::dvec3& eye_m, int face,
-                 TransferLadder& transfer);
+                 Transfer& transfer);
 
   int face_px_;
   CloudPass clouds_;

@@ -31,8 +31,8 @@ double level_ground_kcdpm2(const world::World& world) {
 /// Light of a white surface that faces all light there is.
 double white_kcdpm2(const world::World& world) {
   double sum_klx = sky::luminance(world.illuminance().sky_klx) + sky::luminance(world.illuminance().sun_klx);
-  for (const world::Lamp& lamp : world.parameters().lamps) {
-    const glm::dvec3 klx = lamp.illuminance_klx * lamp.colour;
+  for (const world::Light& light : world.parameters().lights) {
+    const glm::dvec3 klx = light.illuminance_klx * light.colour;
     sum_klx += sky::luminance({klx.r, klx.g, klx.b});
   }
   return sum_klx / std::numbers::pi;
@@ -56,11 +56,11 @@ std::vector<std::array<double, 3>> metered_directions(const Camera& camera, bool
 }  // namespace
 
 double LightMeter::exposure(const world::World& world, const Camera& camera, double ev) {
-  if (!world.meshes().empty() && !world.has_sea() && !world.ground()) {
+  if (!world.meshes().empty() && !world.has_sea() && !world.terrain()) {
     return mesh_key * std::exp2(ev) / (white_kcdpm2(world) + least_kcdpm2);
   }
   const sky::ClearSky& sky = world.sky();
-  const bool has_water = world.has_sea() || !world.ground();
+  const bool has_water = world.has_sea() || !world.terrain();
   std::vector<std::array<double, 3>> directions = metered_directions(camera, has_water);
   if (sky.revision() != revision_ || directions != directions_ || has_water != has_water_) {
     const double ground_kcdpm2 = level_ground_kcdpm2(world);

@@ -5,10 +5,10 @@ uniform int draws_edges;  // 0: pixels that ground covers, 1: those that it cove
 out vec4 light;
 
 void main() {
-  Ground ground = ground_here();
-  bool is_covered = ground.light.a >= 1.0;
-  if (ground.light.a <= 0.0 || is_covered == (draws_edges == 1)) discard;
-  light = ground.light;
+  Terrain terrain = terrain_here();
+  bool is_covered = terrain.light.a >= 1.0;
+  if (terrain.light.a <= 0.0 || is_covered == (draws_edges == 1)) discard;
+  light = terrain.light;
   // Distances are along the ray, depth along the line of sight.
-  gl_FragDepth = clamp(near_m * length(view_ray()) / ground.distance_m, 0.0, 1.0);
+  gl_FragDepth = clamp(near_m * length(view_ray()) / terrain.distance_m, 0.0, 1.0);
 }

@@ -12,15 +12,15 @@ namespace {
 
 constexpr int image_unit = 0, planes_unit = 1;
 
-ShaderProgram light_program(const char* ground_here) {
+ShaderProgram light_program(const char* terrain_here) {
   return ShaderProgram({.vertex = {shader_file("screen.vert")},
-                        .fragment = {shader_file("view_ray.glsl"), shader_file("terrain/ground_texels.glsl"),
-                                     shader_file(ground_here), shader_file("terrain/terrain.frag")}});
+                        .fragment = {shader_file("view_ray.glsl"), shader_file("terrain/terrain_texels.glsl"),
+                                     shader_file(terrain_here), shader_file("terrain/terrain.frag")}});
 }
 
 ShaderProgram steps_program() {
   return ShaderProgram({.vertex = {shader_file("screen.vert")},
-                        .fragment = {shader_file("view_ray.glsl"), shader_file("terrain/ground_texels.glsl"),
+                        .fragment = {shader_file("view_ray.glsl"), shader_file("terrain/terrain_texels.glsl"),
                                      shader_file("terrain/terrain_steps.frag")}});
 }
 
@@ -31,27 +31,27 @@ void fit(TextureArray& texture, const TextureArray::Shape& shape) {
 }  // namespace
 
 TerrainPass::TerrainPass()
-    : exact_(light_program("terrain/ground_exact.glsl")),
-      enlarged_(light_program("terrain/ground_enlarged.glsl")),
+    : exact_(light_program("terrain/terrain_exact.glsl")),
+      enlarged_(light_program("terrain/terrain_enlarged.glsl")),
       steps_(steps_program()),
       no_vertices_(GlVertexArray::make()) {}
 
-void TerrainPass::prepare(const world::GroundPicture& ground, TransferLadder& transfer) {
+void TerrainPass::prepare(const world::TerrainImage& terrain, Transfer& transfer) {
   glActiveTexture(GL_TEXTURE0);
-  const int width = ground.width_px, height = ground.height_px;
+  const int width = terrain.width_px, height = terrain.height_px;
   fit(image_, {.width = width, .height = height, .layers = 1, .channels = 4});
   fit(planes_, {.width = width, .height = height, .layers = terrain::HitPlanes::plane_count, .channels = 1});
-  const std::array<Upload, 2> uploads{{{ground.image, &image_}, {ground.planes, &planes_}}};
+  const std::array<Upload, 2> uploads{{{terrain.image, &image_}, {terrain.planes, &planes_}}};
   transfer.upload(uploads);
-  sea_ = ground.sea;
+  sea_ = terrain.sea;
 }
 
 void TerrainPass::bind(const ShaderProgram& program) const {
   program.use();
   image_.bind(image_unit);
   planes_.bind(planes_unit);
-  program.set("ground_image", image_unit);
-  program.set("ground_planes", planes_unit);
+  program.set("terrain_image", image_unit);
+  program.set("terrain_planes", planes_unit);
   glBindVertexArray(no_vertices_.name());
 }
 

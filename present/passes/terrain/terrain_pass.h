@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/base/camera.h"
-#include "host/world/ground_picture.h"
+#include "host/world/terrain_image.h"
 #include "present/gl/gl_objects.h"
 #include "present/gl/shader_program.h"
 #include "present/gl/texture_array.h"
@@ -15,8 +15,8 @@ class TerrainPass {
  public:
   TerrainPass();
 
-  /// Copies what was seen into textures by way of the ladder.
-  void prepare(const world::GroundPicture& ground, TransferLadder& transfer);
+  /// Copies what was seen into textures by way of the quality control.
+  void prepare(const world::TerrainImage& terrain, Transfer& transfer);
 
   /// Pixels that ground covers, which may be drawn before what lies behind; and those that it covers in part,
   /// at its edges, which go over what lies behind.
@@ -32,7 +32,7 @@ class TerrainPass {
   ShaderProgram exact_, enlarged_, steps_;
   GlVertexArray no_vertices_;
   TextureArray image_, planes_;
-  terrain::SeaOverGround sea_;
+  terrain::SeaOverTerrain sea_;
 };
 
 }  // namespace offing::present

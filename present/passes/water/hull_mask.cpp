@@ -25,7 +25,7 @@ std::vector<float> texels_of(const std::vector<std::shared_ptr<const bodies::Hul
 }
 
 /// Columns, rows and metres of a hull's map by the place from the eye.
-std::vector<glm::vec4> planes_of(const world::BodyView& bodies, std::size_t body, double time_s,
+std::vector<glm::vec4> planes_of(const world::WorldBodies& bodies, std::size_t body, double time_s,
                                  const glm::dvec3& eye_m) {
   const world::BodySettings& settings = bodies.settings()[body];
   const bodies::HullMap& map = *settings.map;
@@ -47,7 +47,7 @@ std::vector<glm::vec4> planes_of(const world::BodyView& bodies, std::size_t body
 void HullMask::bind(const ShaderProgram& program, int unit, const world::World& world, const Camera& camera) {
   std::vector<std::shared_ptr<const bodies::HullMap>> maps;
   std::vector<glm::vec4> planes;
-  if (const world::BodyView* bodies = world.bodies()) {
+  if (const world::WorldBodies* bodies = world.bodies()) {
     for (std::size_t body = 0; body < std::min(bodies->size(), most_hulls); ++body) {
       maps.push_back(bodies->settings()[body].map);
       const std::vector<glm::vec4> of_body = planes_of(*bodies, body, world.time_s(), camera.eye_m);

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t max_rings = 64;
 constexpr GLuint rings_binding = 2;
 
-using Ring = ocean::TrochoidInstant::Ring;
+using Ring = ocean::GerstnerInstant::Ring;
 
 double apparent_height(const Ring& ring, glm::dvec2 eye_m) {
   const glm::dvec2 centre_m(ring.centre_x_m, ring.centre_z_m);
@@ -26,8 +26,8 @@ double apparent_height(const Ring& ring, glm::dvec2 eye_m) {
 
 RingWaves::RingWaves() : rings_("Rings", rings_binding, 2 * max_rings) {}
 
-void RingWaves::prepare(const ocean::TrochoidInstant& trochoids, glm::dvec2 eye_m) {
-  std::vector<Ring> rings = trochoids.rings();
+void RingWaves::prepare(const ocean::GerstnerInstant& gerstner_waves, glm::dvec2 eye_m) {
+  std::vector<Ring> rings = gerstner_waves.rings();
   if (rings.size() > max_rings) {
     std::nth_element(
         rings.begin(), rings.begin() + max_rings, rings.end(),

@@ -2,7 +2,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "host/ocean/query/trochoid_instant.h"
+#include "host/ocean/query/gerstner_instant.h"
 #include "present/gl/shader_program.h"
 #include "present/gl/uniform_block.h"
 
@@ -15,7 +15,7 @@ class RingWaves {
 
   /// Takes over the rings for an eye at this label: of more than a shader takes, 64, those that look tallest
   /// from there, by amplitude over distance.
-  void prepare(const ocean::TrochoidInstant& trochoids, glm::dvec2 eye_m);
+  void prepare(const ocean::GerstnerInstant& gerstner_waves, glm::dvec2 eye_m);
   /// Gives them to a program in use.
   void bind(const ShaderProgram& program) const;
   int count() const { return count_; }

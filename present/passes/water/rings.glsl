@@ -1,4 +1,4 @@
-// Rings of waves around points, such as those of raindrops; kernels/ocean/trochoid_surface.cl has their formula.
+// Rings of waves around points, such as those of raindrops; kernels/ocean/gerstner_surface.cl has their formula.
 // Compiled for whether the sea HAS_RINGS.
 #if HAS_RINGS
 const int max_rings = 64;

@@ -2,7 +2,7 @@
 // Compiled with HAS_SHOALS, SHOAL_STEPS rows of the table and SHOAL_STEEPEST, the slope of the bed beyond the map's edge;
 // the open sea is left whole.
 struct Shares {
-  vec4 cascades, trochoids;
+  vec4 cascades, gerstner_waves;
 };
 
 #if HAS_SHOALS
@@ -10,7 +10,7 @@ uniform sampler2D shoal_depths;    // m, of still water at the posts of a map
 uniform vec4 shoal_place;          // the eye's place in posts from the first, column and row; posts a metre
 uniform float shoal_deepest_m;     // below it the sea is open
 layout(std140) uniform Shoals {
-  vec4 shoal_shares[2 * SHOAL_STEPS];  // of each depth: of cascades, of trochoids in four bands from long to short
+  vec4 shoal_shares[2 * SHOAL_STEPS];  // of each depth: of cascades, of Gerstner waves in four bands from long to short
 };
 
 // At a label relative to the eye.

@@ -14,7 +14,7 @@ uniform float breaking[CASCADES];  // 1: the cascade's waves are long enough to 
 uniform vec4 hidden_slopes[CASCADES * 13];  // covariance xx, xz, zz that each mip level of a cascade hides
 uniform int level_count;
 uniform vec3 ripples;  // covariance of the slopes that no map has
-uniform vec3 trochoid_slopes;  // of all trochoids
+uniform vec3 gerstner_slopes;  // of all Gerstner waves
 uniform vec3 sun_direction;
 uniform float sun_radius_rad;
 uniform vec3 sun_klx;   // on a surface that faces the sun
@@ -47,7 +47,7 @@ vec3 hidden_at(int cascade, float level) {
 }
 
 #ifdef CLOUDY_SKY
-uniform float picture_has_clouds;  // 1: the picture of what is mirrored, 0: the sky's map alone
+uniform float image_has_clouds;  // 1: the picture of what is mirrored, 0: the sky's map alone
 #endif
 
 // Light that a facet of this slope sends along v, and facets like it, whose mirrored rays rise or fall by `blur`. A
@@ -63,7 +63,7 @@ FacetLight facet_light(vec2 slope, vec3 surface_m, vec3 v, float blur) {
   vec3 mirrored = mirrors * local.rgb;
 #ifdef CLOUDY_SKY
   // Clouds that the picture shows are in it; else they are behind all that it shows.
-  shown = mix(local.a, shown, picture_has_clouds);
+  shown = mix(local.a, shown, image_has_clouds);
   vec3 sky = mirrors * ((shown - local.a) * environment_light(upward) +
                         (1.0 - shown) * cloudy_sky_light(upward, 4.0 * blur));
 #else
@@ -108,22 +108,22 @@ void main() {
   vec4 place = texelFetch(place_of, pixel, 0);
   vec2 label_m = place.xy, long_m = place.zw;
   float width_m = max(length(long_m) / float(TAPS), facet.w);
-  vec2 trochoid_slope = facet.xy;
+  vec2 gerstner_slope = facet.xy;
   // Rings are mostly shorter than the cells of the grid: their slopes are worked out here.
-  trochoid_slope += ring_waves(label_m, width_m).yz + wake_waves(label_m, width_m).yz;
+  gerstner_slope += ring_waves(label_m, width_m).yz + wake_waves(label_m, width_m).yz;
   vec4 strain = texelFetch(strain_of, pixel, 0);
-  vec3 trochoid_gradient = strain.xyz;
+  vec3 gerstner_gradient = strain.xyz;
 
   Shares shares = shares_at(label_m);
   vec2 slope = vec2(0.0);
   vec3 square = vec3(0.0);
-  vec3 gradient = trochoid_gradient;
-  vec3 breaking_gradient = trochoid_gradient;
+  vec3 gradient = gerstner_gradient;
+  vec3 breaking_gradient = gerstner_gradient;
   float bare = 1.0;
   vec2 aside = ragged(label_m, width_m);
   for (int tap = 0; tap < TAPS; ++tap) {
     vec2 tap_m = label_m + ((float(tap) + 0.5) / float(TAPS) - 0.5) * long_m;
-    vec2 tap_slope = trochoid_slope;
+    vec2 tap_slope = gerstner_slope;
     float tap_bare = 1.0;
     for (int i = 0; i < CASCADES; ++i) {
       vec3 map_point = map_place(i, tap_m);
@@ -144,11 +144,11 @@ void main() {
     square += vec3(tap_slope.x * tap_slope.x, tap_slope.x * tap_slope.y, tap_slope.y * tap_slope.y) / float(TAPS);
     bare -= (1.0 - tap_bare) / float(TAPS);
   }
-  // Hidden are the slopes of ripples, of trochoids that the grid is too coarse for, those between the taps and those
+  // Hidden are the slopes of ripples, of Gerstner waves that the grid is too coarse for, those between the taps and those
   // that differ from tap to tap.
-  // Trochoids that are not drawn are mostly the shortest. The wind makes ripples anew wherever it blows.
-  float trochoid_share = shares.trochoids.w;
-  vec3 hidden = ripples + trochoid_share * trochoid_share * fract(strain.w) * trochoid_slopes + square - vec3(slope.x * slope.x, slope.x * slope.y, slope.y * slope.y);
+  // Gerstner waves that are not drawn are mostly the shortest. The wind makes ripples anew wherever it blows.
+  float gerstner_share = shares.gerstner_waves.w;
+  vec3 hidden = ripples + gerstner_share * gerstner_share * fract(strain.w) * gerstner_slopes + square - vec3(slope.x * slope.x, slope.x * slope.y, slope.y * slope.y);
   for (int i = 0; i < CASCADES; ++i) {
     hidden += shares.cascades[i] * shares.cascades[i] * hidden_at(i, map_level(i, width_m));
   }
@@ -182,7 +182,7 @@ void main() {
 
   // The maps' foam knows of its cascade alone. Long waves gather it where they press the water together, on their
   // crests: it does not repeat as the maps do.
-  float pressed = -(trochoid_gradient.x + trochoid_gradient.z);
+  float pressed = -(gerstner_gradient.x + gerstner_gradient.z);
   float coverage = whitecaps * max(fresh_foam(breaking_gradient), clamp(1.0 + 9.0 * pressed, 0.0, 1.5) * (1.0 - bare));
   float foam = foam_opacity(coverage, label_m, width_m);
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));

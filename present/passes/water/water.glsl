@@ -23,7 +23,7 @@ float map_level(int cascade, float width_m) {
   return max(0.0, log2(width_m * cascades[cascade].w));
 }
 
-// Share of a wave that is drawn on a grid with this many samples a wavelength: host/ocean/surface/trochoid_surface.h.
+// Share of a wave that is drawn on a grid with this many samples a wavelength: host/ocean/surface/gerstner_surface.h.
 float shown_share(float samples) {
   return smoothstep(2.0, 4.0, samples);
 }

@@ -6,9 +6,9 @@ uniform mat4 clip_from_eye;
 
 out vec2 label_m;            // relative to the eye
 out vec3 position_m;         // relative to the eye
-out vec2 trochoid_slope;     // dh/dx, dh/dz at labels
-out vec3 trochoid_gradient;  // d dx/dx, d dx/dz, d dz/dz
-out float trochoid_loss;     // share of the trochoids' mean square slope that the grid is too coarse to draw
+out vec2 gerstner_slope;     // dh/dx, dh/dz at labels
+out vec3 gerstner_gradient;  // d dx/dx, d dx/dz, d dz/dz
+out float gerstner_loss;     // share of the Gerstner waves' mean square slope that the grid is too coarse to draw
 out vec2 grid_place;         // column and row
 
 void main() {
@@ -18,9 +18,9 @@ void main() {
   vec4 facet = texelFetch(facet_of, vertex, 0);
   label_m = vec2(place.w, facet.w);
   position_m = place.xyz;
-  trochoid_slope = facet.xy;
-  trochoid_loss = facet.z;
-  trochoid_gradient = texelFetch(strain_of, vertex, 0).xyz;
+  gerstner_slope = facet.xy;
+  gerstner_loss = facet.z;
+  gerstner_gradient = texelFetch(strain_of, vertex, 0).xyz;
   grid_place = vec2(vertex);
   gl_Position = clip_from_eye * vec4(position_m, 1.0);
 }

@@ -15,7 +15,7 @@ constexpr int displacement_unit = 0, gradient_unit = 1, foam_unit = 2, wake_unit
 
 }  // namespace
 
-void WaterMaps::prepare(world::World& world, TransferLadder& transfer) {
+void WaterMaps::prepare(world::World& world, Transfer& transfer) {
   ocean::Ocean& ocean = world.ocean();
   const int size = ocean.parameters().size;
   const int layers = static_cast<int>(ocean.parameters().cascades.size());
@@ -27,7 +27,7 @@ void WaterMaps::prepare(world::World& world, TransferLadder& transfer) {
   std::vector<Upload> uploads{{ocean.displacement_map(), &displacement_},
                               {ocean.gradient_map(), &gradient_},
                               {ocean.foam_map(), &foam_}};
-  if (const world::WakeView* wakes = world.wakes()) {
+  if (const world::WorldWakes* wakes = world.wakes()) {
     const int cells = wakes->maps()->layer_values().front().size;
     const int windows = static_cast<int>(wakes->maps()->count());
     if (wakes_.size() != cells || wakes_.layers() != windows) wakes_ = MapTexture(cells, windows, 4);
@@ -68,7 +68,7 @@ void WaterMaps::bind(const ShaderProgram& program, const world::World& world, gl
 
 void WaterMaps::bind_wakes(const ShaderProgram& program, const world::World& world, glm::dvec2 eye_m) const {
   program.set("wake_map", wake_unit);
-  const world::WakeView* view = world.wakes();
+  const world::WorldWakes* view = world.wakes();
   if (!view) return;
   std::vector<glm::vec4> wakes;
   std::vector<glm::vec4> first;

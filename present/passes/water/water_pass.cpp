@@ -94,7 +94,7 @@ void WaterPass::set_waves(const ShaderProgram& program, const world::World& worl
   program.set("hidden_slopes", hidden);
   program.set("level_count", static_cast<int>(hidden.size() / sea.cascades.size()));
   program.set("ripples", to_vec3(world.hidden_slopes().ripples));
-  program.set("trochoid_slopes", to_vec3(world.hidden_slopes().trochoids));
+  program.set("gerstner_slopes", to_vec3(world.hidden_slopes().gerstner_waves));
   program.set("breaking", breaking);
   program.set("whitecaps", static_cast<float>(whitecap_share(world.parameters().wind_speed_mps)));
   program.set("foam_onset", glm::vec2(sea.foam.onset_jacobian, sea.foam.width));
@@ -116,7 +116,7 @@ void WaterPass::bind_surface(const ShaderProgram& program) const {
 }
 
 void WaterPass::draw(world::World& world, const FrameRequest& request, const DryPasses& dry,
-                     const RenderTarget& target, TransferLadder& transfer) {
+                     const RenderTarget& target, Transfer& transfer) {
   constexpr int least_cells = 16, least_views_px = 32;
   const Quality& quality = request.quality;
   surface_.fit({share_of(detail_.cells.columns, quality.grid_share, least_cells),

@@ -34,11 +34,11 @@ class WaterPass {
  public:
   WaterPass(const GlCapabilities& capabilities, WaterDetail detail);
 
-  /// Copies the world's maps into textures by way of the ladder.
-  void prepare(world::World& world, TransferLadder& transfer) { maps_.prepare(world, transfer); }
+  /// Copies the world's maps into textures by way of the quality control.
+  void prepare(world::World& world, Transfer& transfer) { maps_.prepare(world, transfer); }
   /// Draws onto a target whose depth is reversed, with what is not water mirrored in it and seen through it.
   void draw(world::World& world, const FrameRequest& request, const DryPasses& dry,
-            const RenderTarget& target, TransferLadder& transfer);
+            const RenderTarget& target, Transfer& transfer);
 
  private:
   /// What the shader is compiled for.

@@ -1,5 +1,5 @@
 // Shape of the ocean's surface on a projected grid (Lee & Lee 2007, sections 3.4 and 3.5): labels from the grid's
-// corners, displaced by the cascades and the trochoids as far as shoals leave them, one pixel a vertex. A pass of its own, since software
+// corners, displaced by the cascades and the Gerstner waves as far as shoals leave them, one pixel a vertex. A pass of its own, since software
 // renderers share out pixels among cores and vertices not. All positions are relative to the eye, so that nothing
 // loses digits far from the origin.
 const int max_waves = 128;
@@ -9,15 +9,15 @@ uniform ivec2 cells;      // of the grid: columns and rows
 uniform float eye_height_m;
 uniform int wave_count;
 uniform vec3 band_ends;  // waves of the first, of the first two and three bands that shoal alike
-uniform float trochoid_mean_square;  // slope of all waves
-layout(std140) uniform Trochoids {
+uniform float gerstner_mean_square;  // slope of all waves
+layout(std140) uniform GerstnerWaves {
   vec4 waves[max_waves];  // wave vector x and z in rad/m, amplitude m, sideways shift m
   vec4 wave_phases[max_waves / 4];  // rad, of four waves each
 };
 
 layout(location = 0) out vec4 place;   // place m relative to the eye; label x m
-layout(location = 1) out vec4 facet;   // trochoids' dh/dx, dh/dz at labels, their loss; label z m
-layout(location = 2) out vec4 strain;  // trochoids' d dx/dx, d dx/dz, d dz/dz
+layout(location = 1) out vec4 facet;   // Gerstner waves' dh/dx, dh/dz at labels, their loss; label z m
+layout(location = 2) out vec4 strain;  // Gerstner waves' d dx/dx, d dx/dz, d dz/dz
 
 // Rows lie closer toward the horizon, where waves hide one another.
 float row_place(float row) {
@@ -57,7 +57,7 @@ void main() {
     if (share == 0.0) continue;
     float amplitude_m = share * waves[i].z, shift_m = share * waves[i].w;
     drawn += 0.5 * k * k * amplitude_m * amplitude_m;
-    float left = shares.trochoids[int(dot(step(band_ends, vec3(i)), vec3(1.0)))];
+    float left = shares.gerstner_waves[int(dot(step(band_ends, vec3(i)), vec3(1.0)))];
     amplitude_m *= left;
     shift_m *= left;
     float phase = dot(wave, label) + wave_phases[i / 4][i % 4];
@@ -69,7 +69,7 @@ void main() {
   }
 
   moved_m.y += ring_waves(label, spacing_m).x + wake_waves(label, 0.5 * spacing_m).x - earth_drop_m(label);
-  float loss = 1.0 - drawn / max(trochoid_mean_square, 1e-12);
+  float loss = 1.0 - drawn / max(gerstner_mean_square, 1e-12);
   place = vec4(vec3(label.x, -eye_height_m, label.y) + moved_m, label.x);
   facet = vec4(slope, loss, label.y);
   strain = vec4(gradient, 0.0);

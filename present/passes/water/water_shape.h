@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/base/camera.h"
-#include "host/ocean/query/trochoid_instant.h"
+#include "host/ocean/query/gerstner_instant.h"
 #include "host/ocean/surface/projected_grid.h"
 #include "host/world/world.h"
 #include "present/gl/gl_objects.h"
@@ -21,7 +21,7 @@ struct GridCells {
   bool operator==(const GridCells&) const = default;
 };
 
-/// The vertices of a projected grid, displaced by the cascades and trochoids of a world: a pixel each of
+/// The vertices of a projected grid, displaced by the cascades and Gerstner waves of a world: a pixel each of
 /// textures (water_shape.frag), since software renderers share out pixels among cores, but not vertices.
 class WaterShape {
  public:
@@ -40,13 +40,13 @@ class WaterShape {
   const RingWaves& rings() const { return rings_; }
 
  private:
-  void set_trochoids(const ocean::TrochoidInstant& trochoids, const ocean::Shoals* shoals,
-                     const Camera& camera, const ShaderProgram& program) const;
+  void set_gerstner_waves(const ocean::GerstnerInstant& gerstner_waves, const ocean::Shoals* shoals,
+                          const Camera& camera, const ShaderProgram& program) const;
 
   GridCells cells_;
   ShaderVariants<WaveFeatures> programs_;
   GlVertexArray no_vertices_;
-  UniformBlock trochoid_block_;
+  UniformBlock gerstner_block_;
   RingWaves rings_;
   RenderTarget target_;
 };

@@ -38,10 +38,10 @@ void begin(RenderTarget& target, const Camera& camera) {
 }  // namespace
 
 void WaterViews::draw(world::World& world, const FrameRequest& request, int longer_px,
-                      const DryPasses& passes, TransferLadder& transfer) {
+                      const DryPasses& passes, Transfer& transfer) {
   FrameRequest of_view = request;
   of_view.camera = wider(smaller(request.camera, longer_px), margin);
-  has_beneath_ = longer_px > 0 && (!world.meshes().empty() || world.ground() != nullptr);
+  has_beneath_ = longer_px > 0 && (!world.meshes().empty() || world.terrain() != nullptr);
   has_mirrored_things_ = has_beneath_;
   mirrors_clouds_ = longer_px > 0 && world.clouds() != nullptr && request.quality.mirrors_clouds;
   has_mirrored_ = has_mirrored_things_ || mirrors_clouds_;
@@ -50,14 +50,14 @@ void WaterViews::draw(world::World& world, const FrameRequest& request, int long
 }
 
 void WaterViews::draw_mirrored(world::World& world, const FrameRequest& request, const DryPasses& passes,
-                               TransferLadder& transfer) {
+                               Transfer& transfer) {
   FrameRequest from_below = request;
   from_below.camera = mirrored(request.camera, 0.0);
   begin(mirrored_, from_below.camera);
   // One ray a pixel: no pixel is covered in part.
-  world.see_mirrored_ground(from_below.camera);
-  if (world.ground() != nullptr && world.ground()->mirrored() != nullptr) {
-    mirrored_terrain_.prepare(*world.ground()->mirrored(), transfer);
+  world.see_mirrored_terrain(from_below.camera);
+  if (world.terrain() != nullptr && world.terrain()->mirrored() != nullptr) {
+    mirrored_terrain_.prepare(*world.terrain()->mirrored(), transfer);
     mirrored_.bind();
     mirrored_terrain_.draw(from_below.camera, TerrainPass::Part::covered);
   }
@@ -74,11 +74,11 @@ void WaterViews::draw_mirrored(world::World& world, const FrameRequest& request,
 }
 
 void WaterViews::draw_beneath(world::World& world, const FrameRequest& request, const DryPasses& passes,
-                              TransferLadder& transfer) {
+                              Transfer& transfer) {
   begin(beneath_, request.camera);
-  world.see_ground_beneath(request.camera);
-  if (world.ground() != nullptr && world.ground()->beneath() != nullptr) {
-    terrain_beneath_.prepare(*world.ground()->beneath(), transfer);
+  world.see_terrain_beneath(request.camera);
+  if (world.terrain() != nullptr && world.terrain()->beneath() != nullptr) {
+    terrain_beneath_.prepare(*world.terrain()->beneath(), transfer);
     beneath_.bind();
     terrain_beneath_.draw(request.camera, TerrainPass::Part::covered);
   }
@@ -93,7 +93,7 @@ void WaterViews::bind(const ShaderProgram& program, int first_unit) const {
   };
   bind_view(has_mirrored_, mirrored_, "mirrored_light", "mirrored_depth", first_unit);
   bind_view(has_beneath_, beneath_, "beneath_light", "beneath_depth", first_unit + 2);
-  program.set("picture_has_clouds", mirrors_clouds_ ? 1.0f : 0.0f);
+  program.set("image_has_clouds", mirrors_clouds_ ? 1.0f : 0.0f);
   program.set("views_margin", static_cast<float>(margin));
   program.set("view_near_m", static_cast<float>(near_m));
 }

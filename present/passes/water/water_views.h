@@ -32,7 +32,7 @@ class WaterViews {
   /// Draws both, `longer_px` pixels along the picture's longer side or as many as it has itself; none with 0.
   /// What has nothing to show is left out.
   void draw(world::World& world, const FrameRequest& request, int longer_px, const DryPasses& passes,
-            TransferLadder& transfer);
+            Transfer& transfer);
   /// Whether the last draw() has something mirrored, with a depth or clouds alone, and something beneath.
   bool has_mirrored() const { return has_mirrored_; }
   bool has_mirrored_things() const { return has_mirrored_things_; }
@@ -43,9 +43,9 @@ class WaterViews {
 
  private:
   void draw_mirrored(world::World& world, const FrameRequest& request, const DryPasses& passes,
-                     TransferLadder& transfer);
+                     Transfer& transfer);
   void draw_beneath(world::World& world, const FrameRequest& request, const DryPasses& passes,
-                    TransferLadder& transfer);
+                    Transfer& transfer);
 
   TerrainPass mirrored_terrain_, terrain_beneath_;
   CloudPass mirrored_clouds_;

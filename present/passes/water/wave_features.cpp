@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "kernels/shared/shoals.h"
+#include "kernels/shared/shoal_params.h"
 
 namespace offing::present {
 
 WaveFeatures wave_features(const world::World& world, const RingWaves& rings) {
-  const world::WakeView* wakes = world.wakes();
+  const world::WorldWakes* wakes = world.wakes();
   return {.cascades = static_cast<int>(world.parameters().ocean.cascades.size()),
           .wakes = wakes != nullptr ? static_cast<int>(wakes->maps()->count()) : 0,
           .has_rings = rings.count() > 0,

@@ -16,10 +16,10 @@ std::size_t map_floats(const ocean::SampleGrid& grid) {
 
 }  // namespace
 
-GerstnerPeer::GerstnerPeer(const ocean::TrochoidSea& sea, const ocean::SampleGrid& grid)
+GerstnerPeer::GerstnerPeer(const ocean::GerstnerSea& sea, const ocean::SampleGrid& grid)
     : grid_(grid), displacement_(map_floats(grid)), gradient_(map_floats(grid)) {
   const double scale = ocean::horizontal_scale(sea).scale;
-  for (const ocean::Trochoid& wave : sea.waves) {
+  for (const ocean::GerstnerWave& wave : sea.waves) {
     const double ux = std::cos(wave.direction_rad), uz = std::sin(wave.direction_rad);
     const double k = wave.wavenumber_radpm, a = wave.amplitude_m;
     peer::GerstnerWave packed{};

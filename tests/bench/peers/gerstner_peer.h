@@ -5,14 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocean/surface/sample_grid.h"
-#include "host/ocean/surface/trochoids.h"
 #include "tests/bench/huge_array.h"
 #include "tests/bench/peers/gerstner_peer_kernels.h"
 
 namespace offing::bench {
 
-/// The maps of ocean::TrochoidSurface as others would write them in C++, on all cores with OpenMP: grids of a
+/// The maps of ocean::GerstnerSurface as others would write them in C++, on all cores with OpenMP: grids of a
 /// multiple of 64 columns, 64 waves at most, none of them faded.
 class GerstnerPeer {
  public:
@@ -24,7 +24,7 @@ class GerstnerPeer {
   };
   static std::string_view way_name(Way way);
 
-  GerstnerPeer(const ocean::TrochoidSea& sea, const ocean::SampleGrid& grid);
+  GerstnerPeer(const ocean::GerstnerSea& sea, const ocean::SampleGrid& grid);
 
   /// The maps at this time.
   void at(double time_s, Way way);

@@ -8,7 +8,7 @@ peers are.
 """
 
 SECTIONS = {
-    "ocean": """## Transform, frame, trochoids and queries
+    "ocean": """## Transform, frame, Gerstner waves and queries
 
 {machine}
 

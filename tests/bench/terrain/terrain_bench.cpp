@@ -109,7 +109,7 @@ void bench_build(const ocl::Device& device, const NamedMap& named, const terrain
       [&] { peer.build(); }, blocks);
   sinks.row(row_of("terrain_load_" + named.name, named.map.columns, "Embree 3, grid", all));
   const double map_bytes = 4.0 * static_cast<double>(named.map.heights_m.size());
-  const double pyramid_bytes = 4.0 * static_cast<double>(field.pyramid().lids_m().size());
+  const double pyramid_bytes = 4.0 * static_cast<double>(field.pyramid().maxima_m().size());
   sinks.note(fmt::format("{} {}: pyramid {:.1f} MB, {:.2f} of the height map; {:.2f} with it", named.name,
                          named.map.columns, pyramid_bytes / 1e6, pyramid_bytes / map_bytes,
                          1.0 + pyramid_bytes / map_bytes));
@@ -137,11 +137,11 @@ void bench_cameras(const ocl::Device& device, const NamedMap& named, const std::
     const std::vector<float> found_m = distances_m.read();
     require_equal(named.name, named.map.spacing_x_m, found_m, mode.peer->distances_m());
     const Comparison comparison = compare(ours, peers, settings.blocks);
-    const auto ground =
+    const auto terrain =
         std::count_if(found_m.begin(), found_m.end(), [](float t_m) { return !std::isinf(t_m); });
     sinks.note(fmt::format("{} {} {}: {:.0f} % ground, ours {:.1f}, peer {:.1f} Mray/s", named.name,
                            named.map.columns, way,
-                           100.0 * static_cast<double>(ground) / static_cast<double>(pixels),
+                           100.0 * static_cast<double>(terrain) / static_cast<double>(pixels),
                            static_cast<double>(pixels) / 1e3 / comparison.ours_ms,
                            static_cast<double>(pixels) / 1e3 / comparison.peer_ms));
     sinks.row(row_of(fmt::format("terrain_{}_{}", way, named.name), named.map.columns,

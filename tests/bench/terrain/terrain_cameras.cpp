@@ -10,7 +10,7 @@
 #include <toml++/toml.h>
 
 #include "host/base/error.h"
-#include "host/terrain/field/ground.h"
+#include "host/terrain/field/terrain_posts.h"
 
 namespace offing::bench {
 namespace {
@@ -31,7 +31,7 @@ Number number(const toml::node_view<const toml::node>& table, const char* key) {
   return *value;
 }
 
-Camera of_picture(const toml::table& cameras) {
+Camera of_image(const toml::table& cameras) {
   const auto picture = cameras["picture"];
   Camera camera;
   camera.width_px = number<int>(picture, "width_px");
@@ -55,10 +55,10 @@ Camera walking(Camera camera, double eye_height_m, const HeightMap& map, std::mt
     // At posts triangles and bilinear patches agree.
     const double x_m = std::round(share() * (map.columns - 1)) * map.spacing_x_m;
     const double z_m = std::round(share() * (map.rows - 1)) * map.spacing_z_m;
-    const terrain::GroundPoint ground = *terrain::ground_at(map, x_m, z_m);
-    if (ground.normal.y > most_level_normal) continue;
-    camera.eye_m = {x_m, ground.height_m + eye_height_m, z_m};
-    camera.yaw_rad = std::atan2(ground.normal.x, -ground.normal.z);
+    const terrain::TerrainPoint terrain = *terrain::terrain_at(map, x_m, z_m);
+    if (terrain.normal.y > most_level_normal) continue;
+    camera.eye_m = {x_m, terrain.height_m + eye_height_m, z_m};
+    camera.yaw_rad = std::atan2(terrain.normal.x, -terrain.normal.z);
     return camera;
   }
 }
@@ -81,12 +81,12 @@ std::vector<TerrainCamera> terrain_cameras(const HeightMap& map) {
   std::vector<TerrainCamera> all;
   for (const toml::node& flight : *flights) {
     all.push_back(
-        {"fly", flying(toml::node_view<const toml::node>(flight), of_picture(cameras), map, highest_m)});
+        {"fly", flying(toml::node_view<const toml::node>(flight), of_image(cameras), map, highest_m)});
   }
   const auto walk = cameras["walk"];
   std::mt19937_64 random(number<std::uint64_t>(walk, "seed"));
   for (int i = 0; i < number<int>(walk, "count"); ++i) {
-    Camera camera = of_picture(cameras);
+    Camera camera = of_image(cameras);
     camera.pitch_rad = number<double>(walk, "pitch_deg") * radians;
     all.push_back({"walk", walking(camera, number<double>(walk, "eye_height_m"), map, random)});
   }

@@ -9,7 +9,7 @@
 
 #include "host/sky/clear_sky.h"
 #include "host/sky/sun_position.h"
-#include "host/terrain/cast/picture.h"
+#include "host/terrain/cast/image_rays.h"
 #include "host/terrain/shading/terrain_shade.h"
 #include "host/world/terrain_light.h"
 #include "tests/bench/terrain/terrain_cameras.h"

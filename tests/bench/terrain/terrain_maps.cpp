@@ -5,19 +5,19 @@
 #include <filesystem>
 
 #include "host/io/height_maps/read_height_map.h"
-#include "host/terrain/generate/fractal_ground.h"
+#include "host/terrain/generate/fractal_terrain.h"
 
 namespace offing::bench {
 
 NamedMap valleys(int size) {
   const terrain::FractalParameters parameters{.posts = size + 1, .side_m = 20'480.0};
-  terrain::FractalGround ground(parameters);
+  terrain::FractalTerrain terrain(parameters);
   HeightMap map;
   map.columns = map.rows = parameters.posts;
   map.spacing_x_m = map.spacing_z_m = parameters.side_m / size;
   map.heights_m.resize(map.index(0, map.rows));
   for (int row = 0; row < map.rows; ++row) {
-    ground.fill_row(
+    terrain.fill_row(
         row, std::span(map.heights_m).subspan(map.index(0, row), static_cast<std::size_t>(map.columns)));
   }
   return {"valleys", std::move(map)};

@@ -72,7 +72,7 @@ CameraSteps steps_of_way(const std::string& way, terrain::HeightField& field, co
   result.way = way;
   std::array<std::vector<terrain::RayHit>, methods.size()> all;
   std::array<double, methods.size()> times_ms{};
-  std::vector<terrain::RayHit> of_pictures;
+  std::vector<terrain::RayHit> of_images;
   for (const auto& [camera_way, camera] : cameras) {
     if (camera_way != way) continue;
     const std::vector<terrain::Ray> rays = rays_of(camera);
@@ -87,12 +87,12 @@ CameraSteps steps_of_way(const std::string& way, terrain::HeightField& field, co
       times_ms[i] += cast_ms(field, device, camera, picture, methods[i].method);
     }
     field.cast(camera, picture);
-    for (const TerrainHit& hit : picture.read()) of_pictures.push_back(terrain::ray_hit(hit, 0.0));
+    for (const TerrainHit& hit : picture.read()) of_images.push_back(terrain::ray_hit(hit, 0.0));
   }
   for (std::size_t i = 0; i < methods.size(); ++i) {
     result.methods.push_back({methods[i].name, step_statistics(all[i]), times_ms[i]});
   }
-  result.methods.push_back({"picture", step_statistics(of_pictures), times_ms[0]});
+  result.methods.push_back({"picture", step_statistics(of_images), times_ms[0]});
   return result;
 }
 

@@ -51,7 +51,7 @@ TEST(TerrainSteps, OverMadeValleys) {
 }
 
 // The same over all real maps.
-TEST(TerrainSteps, OverRealGround) {
+TEST(TerrainSteps, OverRealTerrain) {
   if (std::getenv("OFFING_TEST_DATA") == nullptr) GTEST_SKIP() << "OFFING_TEST_DATA is not set";
   for (const NamedMap& map : real_maps(RealMaps::all)) {
     const std::vector<CameraSteps> steps = checked_steps(map);

@@ -26,7 +26,7 @@ ocean::SurfaceFields sea_of(int size, int crests = 0, double amplitude_m = 1.0) 
 }
 
 RgbImage map_of(const ocean::SurfaceFields& fields, double patch_m,
-                const ocean::TrochoidInstant& waves = {{}, 0.0}, const std::vector<float>& foam = {}) {
+                const ocean::GerstnerInstant& waves = {{}, 0.0}, const std::vector<float>& foam = {}) {
   const SeaMapCascade cascade{patch_m, &fields, foam};
   return draw_sea_map({&cascade, 1}, waves, hs_m);
 }
@@ -86,13 +86,13 @@ TEST(SeaMap, AveragesWavesShorterThanAPixel) {
     EXPECT_NEAR(brightness(map, column, 7), mean_brightness(map), 4.0);
 }
 
-// Fails if long waves are left out, or stand elsewhere than TrochoidInstant says. The gate is three steps of
+// Fails if long waves are left out, or stand elsewhere than GerstnerInstant says. The gate is three steps of
 // a byte in each colour: both maps are made of the same heights.
 TEST(SeaMap, HasTheLongWaves) {
   const double k_radpm = 2.0 * std::numbers::pi * 3.0 / 500.0;
-  ocean::TrochoidSea sea;
+  ocean::GerstnerSea sea;
   sea.waves.push_back({.amplitude_m = 1.0, .wavenumber_radpm = k_radpm, .omega_radps = 0.6});
-  const ocean::TrochoidInstant instant(sea, 0.0);
+  const ocean::GerstnerInstant instant(sea, 0.0);
   const RgbImage map = map_of(sea_of(256), 500.0, instant);
   ocean::SurfaceFields same = sea_of(256);
   for (std::size_t i = 0; i < same.displacement_y.size(); ++i)

@@ -41,7 +41,7 @@ ProjectorSample sample(std::uint64_t id, int frame) {
   // Past half a turn, where the sign of a quaternion taken from a matrix flips.
   const glm::dmat3 axes = turned(2.2 + 0.4 * frame + 0.1 * static_cast<double>(id), {0.3, 1.0, -0.2});
   result.id = id;
-  result.lamp = 1;
+  result.light = 1;
   result.position_m = {0.1 * frame, static_cast<double>(id), -0.5};
   result.right = axes[0];
   result.up = axes[1];
@@ -60,7 +60,7 @@ HighlightAnimation example() {
   HighlightAnimation animation{.generator = "Offing test",
                                .frames_per_s = frames_per_s,
                                .first_frame = first_frame,
-                               .lamps = {"key", "sun"},
+                               .lights = {"key", "sun"},
                                .textures = {{.name = "star", .file = {}, .image = checks()},
                                             {.name = "image", .file = "my spark#2.png", .image = {}}},
                                .meshes = {{.name = "knot", .file = "knot.ply", .scale = 0.5, .frames = {}}}};
@@ -68,7 +68,7 @@ HighlightAnimation example() {
     MeshFrame mesh{.rotation = turned(0.3 * frame, {0.0, 1.0, 0.2}),
                    .translation_m = {0.0, 0.5 * frame, 1.0},
                    .projectors = {sample(3, frame)}};
-    mesh.projectors[0].lamp = frame == 0 ? -1 : 1;
+    mesh.projectors[0].light = frame == 0 ? -1 : 1;
     if (frame >= 2 && frame <= 5 && frame != 4) mesh.projectors.push_back(sample(7, frame));
     animation.meshes[0].frames.push_back(std::move(mesh));
   }
@@ -91,7 +91,8 @@ TEST(HighlightAnimationTest, JsonReadsBackInTheWorldsAxes) {
   write_highlights(folder.path() / "h.json", animation);
   const nlohmann::json json = nlohmann::json::parse(content(folder.path() / "h.json"));
   EXPECT_EQ(json.at("frame_count"), frame_count);
-  EXPECT_EQ(json.at("lamps"), nlohmann::json({"key", "sun"}));
+  EXPECT_EQ(json.at("lights"), nlohmann::json({"key", "sun"}));
+  EXPECT_EQ(json.at("lamps"), json.at("lights"));
   EXPECT_EQ(json.at("textures").at(0), nlohmann::json({{"name", "star"}}));
   EXPECT_EQ(json.at("textures").at(1), nlohmann::json({{"name", "image"}, {"file", "my spark#2.png"}}));
   EXPECT_EQ(json.at("meshes").at(0).at("file"), "knot.ply");
@@ -108,7 +109,8 @@ TEST(HighlightAnimationTest, JsonReadsBackInTheWorldsAxes) {
       const ProjectorSample& asked = mesh.projectors[i];
       const nlohmann::json& got = read.at("highlights").at(i);
       EXPECT_EQ(got.at("id"), asked.id);
-      EXPECT_EQ(got.at("lamp"), frame == 0 ? nlohmann::json() : nlohmann::json(1));
+      EXPECT_EQ(got.at("light"), frame == 0 ? nlohmann::json() : nlohmann::json(1));
+      EXPECT_EQ(got.at("lamp"), got.at("light"));
       EXPECT_EQ(got.at("opacity"), asked.opacity);
       EXPECT_EQ(got.at("width_m"), asked.width_m);
       EXPECT_EQ(got.at("texture"), asked.texture);

@@ -22,8 +22,8 @@ namespace {
 using ::testing::HasSubstr;
 
 /// 500 particles within 4 km, relative to a multiple of 1024 m near their middle.
-CloudParticles example_particles() {
-  CloudParticles cloud{.origin_m = {1024.0 * 300, 2048.0, -1024.0 * 7}, .particles = {}};
+ParticleCloud example_particles() {
+  ParticleCloud cloud{.origin_m = {1024.0 * 300, 2048.0, -1024.0 * 7}, .particles = {}};
   std::mt19937 random(11);
   const auto within = [&](float low, float high) {
     return low + (high - low) * static_cast<float>(random() % 65536) / 65536.0f;
@@ -77,9 +77,9 @@ std::string text_with(const std::string& values) {
 
 // Fails if any value of any particle is lost or rounded.
 TEST_F(CloudParticleFiles, GivesTheSameParticlesAgain) {
-  const CloudParticles cloud = example_particles();
+  const ParticleCloud cloud = example_particles();
   write_cloud_particles(folder_.path() / "a.ply", cloud);
-  const CloudParticles back = read_cloud_particles(folder_.path() / "a.ply");
+  const ParticleCloud back = read_cloud_particles(folder_.path() / "a.ply");
   EXPECT_EQ(back.origin_m, cloud.origin_m);
   ASSERT_EQ(back.particles.size(), cloud.particles.size());
   EXPECT_EQ(std::memcmp(back.particles.data(), cloud.particles.data(),
@@ -88,7 +88,7 @@ TEST_F(CloudParticleFiles, GivesTheSameParticlesAgain) {
 }
 
 TEST_F(CloudParticleFiles, FillsInWhatAFileNeedNotHave) {
-  const CloudParticles cloud = read_cloud_particles(write(text_with("1500 2 3 50 6 0\n")));
+  const ParticleCloud cloud = read_cloud_particles(write(text_with("1500 2 3 50 6 0\n")));
   ASSERT_EQ(cloud.particles.size(), 2u);
   EXPECT_EQ(cloud.origin_m, glm::dvec3(1024.0, 0.0, 0.0));
   EXPECT_EQ(cloud.particles[0].x, -1023.0f);
@@ -119,7 +119,7 @@ TEST_F(CloudParticleFiles, RefusesWhatIsNoParticle) {
 
 // Fails if a file that ends early is taken for a whole one.
 TEST_F(CloudParticleFiles, RefusesTruncatedFiles) {
-  CloudParticles cloud = example_particles();
+  ParticleCloud cloud = example_particles();
   cloud.particles.resize(5);
   write_cloud_particles(folder_.path() / "whole.ply", cloud);
   std::ifstream file(folder_.path() / "whole.ply", std::ios::binary);

@@ -23,7 +23,7 @@ using ::testing::HasSubstr;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Each test fails if a bad file is taken for a map, or its error does not say which file and what is wrong
-/// on one line, with the mend beside it.
+/// on one line, with the fix beside it.
 class BadHeightMap : public ::testing::Test {
  protected:
   std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }

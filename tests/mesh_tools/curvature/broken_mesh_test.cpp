@@ -110,7 +110,7 @@ TEST(BrokenMesh, PlaneHasNoDirection) {
   }
 }
 
-// What cannot be answered is refused with what, where and the mend.
+// What cannot be answered is refused with what, where and the fix.
 TEST(BrokenMesh, RefusesWhatIsNoMesh) {
   const auto refusal = [](const TriangleMesh& mesh, const CurvatureOptions& options = {}) {
     try {

@@ -89,7 +89,7 @@ TEST_F(CurvatureProgram, MakesTheShapesOfScenes) {
   for (const std::string_view name : std::get<scene::ChoiceStorage>(row->storage).names) {
     const std::string shape(name), file = path(shape + ".ply");
     json_of({"generate", shape, "-o", file});
-    const scene::OceanScene scene =
+    const scene::Scene scene =
         scene::parse_scene("version = 1\n[[mesh]]\nshape = \"" + shape + "\"\n", "a.toml", "");
     const glm::dvec3 there_m = extent_m(*scene::mesh_data(scene, 0).mesh);
     ASSERT_TRUE(std::filesystem::exists(file)) << shape;

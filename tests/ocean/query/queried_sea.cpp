@@ -5,7 +5,7 @@
 
 #include "host/ocean/spectrum/spectrum_parameters.h"
 #include "host/ocean/surface/cascades.h"
-#include "host/ocean/surface/trochoid_choice.h"
+#include "host/ocean/surface/gerstner_choice.h"
 
 namespace offing::ocean {
 
@@ -15,16 +15,16 @@ HybridSea hybrid_sea(const ocl::Device& device, int size, double choppiness) {
   const SeaSpectrum spectrum = make_sea_spectrum(wind);
   const double peak_m =
       2.0 * std::numbers::pi / spectrum.dispersion.wavenumber_radpm(spectrum.omega_peak_radps);
-  const TrochoidChoice choice{.split_radpm = split_at_wavelength_radpm(peak_m / 3.0), .count = 16, .seed = 2};
+  const GerstnerChoice choice{.split_radpm = split_at_wavelength_radpm(peak_m / 3.0), .count = 16, .seed = 2};
   const OceanParameters parameters{.size = size,
                                    .cascades = choose_cascades(spectrum, size, 2, choice.split_radpm),
                                    .seed = 2,
                                    .choppiness = choppiness};
   return {.spectrum = spectrum,
           .ocean = Ocean(device, spectrum, parameters),
-          .trochoids = {.waves = choose_trochoids(spectrum, choice),
-                        .choppiness = choppiness,
-                        .dispersion = spectrum.dispersion}};
+          .gerstner_waves = {.waves = choose_gerstner_waves(spectrum, choice),
+                             .choppiness = choppiness,
+                             .dispersion = spectrum.dispersion}};
 }
 
 std::vector<WaterPoint> scattered_points(int count, double width_m) {

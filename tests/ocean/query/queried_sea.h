@@ -6,11 +6,11 @@
 
 namespace offing::ocean {
 
-/// A wind sea of 12 m/s: 16 trochoids for the long waves, two cascades of n x n for the others.
+/// A wind sea of 12 m/s: 16 Gerstner waves for the long waves, two cascades of n x n for the others.
 struct HybridSea {
   SeaSpectrum spectrum;
   Ocean ocean;
-  TrochoidSea trochoids;
+  GerstnerSea gerstner_waves;
 };
 
 HybridSea hybrid_sea(const ocl::Device& device, int size, double choppiness = 1.0);

@@ -37,7 +37,7 @@ double group_speed_mps(double k_radpm, double depth_m) {
   return (omega_radps(k_radpm + step, depth_m) - omega_radps(k_radpm - step, depth_m)) / (2.0 * step);
 }
 
-double significant_height_m(const ShoalingBands& bands, const std::array<double, SHOAL_BANDS>& shares) {
+double significant_height_m(const SeaBands& bands, const std::array<double, SHOAL_BANDS>& shares) {
   double variance_m2 = 0.0;
   for (std::size_t i = 0; i < SHOAL_BANDS; ++i) {
     variance_m2 += bands.bands[i].variance_m2 * shares[i] * shares[i];
@@ -45,9 +45,9 @@ double significant_height_m(const ShoalingBands& bands, const std::array<double,
   return 4.0 * std::sqrt(variance_m2);
 }
 
-/// A sea with waves in two cascades and two bands of trochoids.
-ShoalingBands storm_bands() {
-  ShoalingBands bands;
+/// A sea with waves in two cascades and two bands of Gerstner waves.
+SeaBands storm_bands() {
+  SeaBands bands;
   bands.bands[0] = {.variance_m2 = 0.3, .wavenumber_radpm = 0.2};
   bands.bands[1] = {.variance_m2 = 0.05, .wavenumber_radpm = 1.5};
   bands.bands[4] = {.variance_m2 = 0.6, .wavenumber_radpm = 0.05};
@@ -78,7 +78,7 @@ TEST(Shoaling, CoefficientIsThatOfConservedFlux) {
 // at 2 m 45 (of 0.45 s^-1/2): 9e-5, and breaking takes less. Measured 1.5e-4 of the flux, gate 4e-4.
 TEST(Shoaling, KeepsTheFluxBeforeWavesBreak) {
   const double k = two_pi / 100.0, omega = omega_radps(k, 1e9), flux = group_speed_mps(k, 1e9);
-  ShoalingBands bands;
+  SeaBands bands;
   bands.bands[0] = {.variance_m2 = 1e-8, .wavenumber_radpm = k};
   const ShoalTable table({}, bands);
   double worst = 0.0;
@@ -148,29 +148,29 @@ TEST(Shoaling, BandsHoldAllWaves) {
   EXPECT_DOUBLE_EQ(band.variance_m2, 8.0);
   EXPECT_DOUBLE_EQ(band.wavenumber_radpm, (3.0 + 1.0 + 4.0 * 4.0) / 8.0);
 
-  std::vector<Trochoid> waves;
+  std::vector<GerstnerWave> waves;
   double variance_m2 = 0.0;
   for (int i = 0; i < 20; ++i) {
     waves.push_back({.amplitude_m = 0.1 + 0.01 * i, .wavenumber_radpm = 0.02 * std::pow(1.15, i)});
     variance_m2 += 0.5 * waves.back().amplitude_m * waves.back().amplitude_m;
   }
-  const ShoalingBands bands = shoaling_bands(std::array{band}, waves);
+  const SeaBands bands = shoaling_bands(std::array{band}, waves);
   EXPECT_EQ(bands.bands[0].variance_m2, 8.0);
   EXPECT_EQ(bands.bands[1].variance_m2, 0.0);
   double sum_m2 = 0.0, before_radpm = 0.0;
-  for (std::size_t i = SHOAL_FIRST_TROCHOIDS; i < SHOAL_BANDS; ++i) {
+  for (std::size_t i = SHOAL_FIRST_GERSTNER; i < SHOAL_BANDS; ++i) {
     sum_m2 += bands.bands[i].variance_m2;
     EXPECT_GT(bands.bands[i].wavenumber_radpm, before_radpm);
     before_radpm = bands.bands[i].wavenumber_radpm;
   }
   EXPECT_NEAR(sum_m2, variance_m2, 1e-12);
-  EXPECT_EQ(bands.trochoid_band(0.0), 0);
-  EXPECT_EQ(bands.trochoid_band(1e3), 3);
+  EXPECT_EQ(bands.gerstner_band(0.0), 0);
+  EXPECT_EQ(bands.gerstner_band(1e3), 3);
   // Waves of one length are one band.
-  const std::vector<Trochoid> alike(3, {.amplitude_m = 1.0, .wavenumber_radpm = 0.1});
-  const ShoalingBands one = shoaling_bands({}, alike);
-  EXPECT_EQ(one.trochoid_band(0.1), 0);
-  EXPECT_DOUBLE_EQ(one.bands[SHOAL_FIRST_TROCHOIDS].variance_m2, 1.5);
+  const std::vector<GerstnerWave> alike(3, {.amplitude_m = 1.0, .wavenumber_radpm = 0.1});
+  const SeaBands one = shoaling_bands({}, alike);
+  EXPECT_EQ(one.gerstner_band(0.1), 0);
+  EXPECT_DOUBLE_EQ(one.bands[SHOAL_FIRST_GERSTNER].variance_m2, 1.5);
 }
 
 DepthMap plane(double by_x, double by_z) {

@@ -52,7 +52,7 @@ class ShoalsTest : public testing::Test {
       cascades.push_back(band_of_modes(sea.ocean.mode_variance(static_cast<int>(i)), parameters.size,
                                        parameters.cascades[i].patch_length_m));
     }
-    return {sea.spectrum.dispersion, shoaling_bands(cascades, sea.trochoids.waves)};
+    return {sea.spectrum.dispersion, shoaling_bands(cascades, sea.gerstner_waves.waves)};
   }
   void lay(HybridSea& sea, std::shared_ptr<const DepthMap> bed) const {
     sea.ocean.set_shoals(std::make_shared<const Shoals>(device_, std::move(bed), table_of(sea)));
@@ -61,28 +61,28 @@ class ShoalsTest : public testing::Test {
   ocl::Device device_ = ocl::Device::open();
 };
 
-// Fails if a band of trochoids is scaled by another's share, or a field is not scaled: over a level bed,
-// without choppiness, each trochoid is what its band's share leaves; velocity and pressure like the height.
-// All waves of the sea but the cascades and one band are taken out in turn. Rounding: gate 2e-6 of the
-// largest.
+// Fails if a band of Gerstner waves is scaled by another's share, or a field is not scaled: over a level bed,
+// without choppiness, each Gerstner wave is what its band's share leaves; velocity and pressure like the
+// height. All waves of the sea but the cascades and one band are taken out in turn. Rounding: gate 2e-6 of
+// the largest.
 TEST_F(ShoalsTest, ScaleEachBandByItsShare) {
   HybridSea sea = hybrid_sea(device_, 64, 0.0);
   const std::vector<WaterPoint> points = scattered_points(200, 500.0);
   const ShoalTable table = table_of(sea);
   const std::array<double, SHOAL_BANDS> shares = table.at(3.0);
   ASSERT_LT(shares[0], 0.9);
-  ASSERT_NE(shares[0], shares[SHOAL_FIRST_TROCHOIDS]);
+  ASSERT_NE(shares[0], shares[SHOAL_FIRST_GERSTNER]);
   for (int band = 0; band < 4; ++band) {
-    TrochoidSea alone = sea.trochoids;
-    std::erase_if(alone.waves, [&](const Trochoid& wave) {
-      return table.bands().trochoid_band(wave.wavenumber_radpm) != band;
+    GerstnerSea alone = sea.gerstner_waves;
+    std::erase_if(alone.waves, [&](const GerstnerWave& wave) {
+      return table.bands().gerstner_band(wave.wavenumber_radpm) != band;
     });
     sea.ocean.at(30.0);
     sea.ocean.set_shoals(nullptr);
     const auto cascades = sea.ocean.sample(points), open = sea.ocean.sample(points, alone);
     sea.ocean.set_shoals(std::make_shared<const Shoals>(device_, flat(3.0), table));
     const auto less = sea.ocean.sample(points), found = sea.ocean.sample(points, alone);
-    const double share = shares[static_cast<std::size_t>(SHOAL_FIRST_TROCHOIDS + band)];
+    const double share = shares[static_cast<std::size_t>(SHOAL_FIRST_GERSTNER + band)];
     for (std::size_t i = 0; i < points.size(); ++i) {
       EXPECT_NEAR(found[i].height_m - less[i].height_m, share * (open[i].height_m - cascades[i].height_m),
                   1e-5);
@@ -132,10 +132,10 @@ TEST_F(ShoalsTest, QueriesAreThoseOfTheReference) {
     lay(sea, beach(slope));
     sea.ocean.at(11.0);
     const WaterQuery query{.depth_m = 0.0, .tolerance_m = 1e-5};
-    const SurfaceInstant reference = sea.ocean.instant(sea.trochoids, query);
+    const SurfaceInstant reference = sea.ocean.instant(sea.gerstner_waves, query);
     std::vector<WaterPoint> points = scattered_points(300, 1600.0);
     points.push_back({0.0, 0.0});
-    const std::vector<WaterSample> samples = sea.ocean.sample(points, sea.trochoids, query);
+    const std::vector<WaterSample> samples = sea.ocean.sample(points, sea.gerstner_waves, query);
     double worst_m = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const WaterSample expected = reference.at(points[i]);
@@ -161,7 +161,7 @@ TEST_F(ShoalsTest, NoWaveRunsThroughRock) {
     for (const double time_s : {3.0, 40.0, 77.0}) {
       sea.ocean.at(time_s);
       std::vector<WaterPoint> points = scattered_points(3000, 300.0);
-      const std::vector<WaterSample> samples = sea.ocean.sample(points, sea.trochoids);
+      const std::vector<WaterSample> samples = sea.ocean.sample(points, sea.gerstner_waves);
       for (std::size_t i = 0; i < points.size(); ++i) {
         const double depth_m = slope * points[i].x_m;
         if (depth_m <= 0.0) {
@@ -182,14 +182,14 @@ TEST_F(ShoalsTest, LeaveTheOpenSea) {
   HybridSea sea = hybrid_sea(device_, 128);
   sea.ocean.at(5.0);
   const std::vector<WaterPoint> points = scattered_points(200, 500.0);
-  const auto open = sea.ocean.sample(points, sea.trochoids);
+  const auto open = sea.ocean.sample(points, sea.gerstner_waves);
   lay(sea, flat(1e4));
-  const auto deep = sea.ocean.sample(points, sea.trochoids);
+  const auto deep = sea.ocean.sample(points, sea.gerstner_waves);
   for (std::size_t i = 0; i < points.size(); ++i) EXPECT_NEAR(deep[i].height_m, open[i].height_m, 2e-5);
   lay(sea, flat(2.0));
-  EXPECT_NE(sea.ocean.sample(points, sea.trochoids)[0].height_m, open[0].height_m);
+  EXPECT_NE(sea.ocean.sample(points, sea.gerstner_waves)[0].height_m, open[0].height_m);
   sea.ocean.set_shoals(nullptr);
-  const auto again = sea.ocean.sample(points, sea.trochoids);
+  const auto again = sea.ocean.sample(points, sea.gerstner_waves);
   for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(again[i].height_m, open[i].height_m);
 }
 

@@ -39,20 +39,20 @@ class SurfaceQueryTest : public testing::Test {
   ocl::Device device_ = ocl::Device::open();
 };
 
-// Fails if labels are not inverted, or if a sample is of the label instead of the point: where a trochoid's
-// point X moves to x = X - A sin p, its height is A cos p and its slope -kA sin p / (1 - kA cos p). At kA =
-// 0.85 the two differ by metres. The cascade is a micrometre high. Height is off by slope times residual, at
-// most tan 60 deg times the tolerance of 1e-4 m, and rounding: gate 2e-4 m; slopes by their derivative, up to
-// kA k / (1 - kA)^3 = 8 /m, times that of the label: 1e-4 / 0.15 m, gate 6e-3.
-TEST_F(SurfaceQueryTest, FindsTheLabelsOfASteepTrochoid) {
+// Fails if labels are not inverted, or if a sample is of the label instead of the point: where a Gerstner
+// wave's point X moves to x = X - A sin p, its height is A cos p and its slope -kA sin p / (1 - kA cos p). At
+// kA = 0.85 the two differ by metres. The cascade is a micrometre high. Height is off by slope times
+// residual, at most tan 60 deg times the tolerance of 1e-4 m, and rounding: gate 2e-4 m; slopes by their
+// derivative, up to kA k / (1 - kA)^3 = 8 /m, times that of the label: 1e-4 / 0.15 m, gate 6e-3.
+TEST_F(SurfaceQueryTest, FindsTheLabelsOfASteepGerstner) {
   Ocean sea = single_wave_sea(device_, 1e-6, 0.0, std::numeric_limits<double>::infinity());
   const double k = 2.0 * pi / 150.0, amplitude_m = 0.85 / k, time_s = 7.0;
   const double omega_radps = std::sqrt(9.81 * k);
-  const TrochoidSea trochoids{.waves = {{.amplitude_m = amplitude_m,
-                                         .wavenumber_radpm = k,
-                                         .direction_rad = 0.6,
-                                         .omega_radps = omega_radps,
-                                         .phase_rad = 0.3}}};
+  const GerstnerSea gerstner_waves{.waves = {{.amplitude_m = amplitude_m,
+                                              .wavenumber_radpm = k,
+                                              .direction_rad = 0.6,
+                                              .omega_radps = omega_radps,
+                                              .phase_rad = 0.3}}};
   sea.at(time_s);
   std::vector<WaterPoint> points;
   std::vector<double> phases;
@@ -64,7 +64,7 @@ TEST_F(SurfaceQueryTest, FindsTheLabelsOfASteepTrochoid) {
     points.push_back({label.x_m - amplitude_m * cosine * std::sin(phase),
                       label.z_m - amplitude_m * sine * std::sin(phase)});
   }
-  const std::vector<WaterSample> samples = sea.sample(points, trochoids);
+  const std::vector<WaterSample> samples = sea.sample(points, gerstner_waves);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double slope = -0.85 * std::sin(phases[i]) / (1.0 - 0.85 * std::cos(phases[i]));
     ASSERT_NEAR(samples[i].height_m, amplitude_m * std::cos(phases[i]), 2e-4) << i;
@@ -115,20 +115,20 @@ TEST_F(SurfaceQueryTest, CascadesFlowAsAiryWaves) {
   }
 }
 
-// The same for a trochoid, in a sea whose cascade is a micrometre high; without choppiness its label is the
-// point. Gates 1e-5 of the largest values and the cascade's share.
-TEST_F(SurfaceQueryTest, TrochoidsFlowAsAiryWaves) {
+// The same for a Gerstner wave, in a sea whose cascade is a micrometre high; without choppiness its label is
+// the point. Gates 1e-5 of the largest values and the cascade's share.
+TEST_F(SurfaceQueryTest, GerstnerWavesFlowAsAiryWaves) {
   for (const double bed_m : {6.0, std::numeric_limits<double>::infinity()}) {
     const Dispersion dispersion{.depth_m = bed_m};
     Ocean sea = single_wave_sea(device_, 1e-6, 0.0, bed_m);
-    TrochoidSea trochoids{.choppiness = 0.0, .dispersion = dispersion};
-    trochoids.waves = {
+    GerstnerSea gerstner_waves{.choppiness = 0.0, .dispersion = dispersion};
+    gerstner_waves.waves = {
         make_swell({.amplitude_m = 0.8, .wavelength_m = 30.0, .direction_rad = 2.0}, dispersion)};
     const double k = 2.0 * pi / 30.0, omega_radps = dispersion.omega_radps(k), time_s = 20.0;
     sea.at(time_s);
     const std::vector<WaterPoint> points = scattered_points(200, 300.0);
     for (const double depth_m : {0.0, 1.3, 5.5}) {
-      const std::vector<WaterSample> samples = sea.sample(points, trochoids, {.depth_m = depth_m});
+      const std::vector<WaterSample> samples = sea.sample(points, gerstner_waves, {.depth_m = depth_m});
       const double whole = -std::expm1(-2.0 * k * bed_m), decay = std::exp(-k * depth_m);
       const double above_bed = std::exp(-2.0 * k * (bed_m - depth_m));
       for (std::size_t i = 0; i < points.size(); ++i) {
@@ -155,7 +155,7 @@ TEST_F(SurfaceQueryTest, TrochoidsFlowAsAiryWaves) {
 // most, 0.6 mm of these waves. Gate 1 mm.
 TEST_F(SurfaceQueryTest, IsTheComposedSurface) {
   HybridSea hybrid = hybrid_sea(device_, 256);
-  hybrid.trochoids.raindrops = {
+  hybrid.gerstner_waves.raindrops = {
       {.x_m = 8.0, .z_m = 20.0, .time_s = 19.0, .amplitude_m = 0.3, .wavelength_m = 6.0}};
   hybrid.ocean.at(20.0);
   const SampleGrid grid{.origin_x_m = -31.7,
@@ -164,7 +164,7 @@ TEST_F(SurfaceQueryTest, IsTheComposedSurface) {
                         .spacing_z_m = 1.21,
                         .columns = 60,
                         .rows = 40};
-  const ComposedFields composed = hybrid.ocean.read_composed(grid, {.trochoids = hybrid.trochoids});
+  const ComposedFields composed = hybrid.ocean.read_composed(grid, {.gerstner_waves = hybrid.gerstner_waves});
   std::vector<WaterPoint> points;
   for (int i = 0; i < grid.rows * grid.columns; ++i) {
     points.push_back({grid.origin_x_m + i % grid.columns * grid.spacing_x_m + composed.displacement_x[i],
@@ -172,7 +172,7 @@ TEST_F(SurfaceQueryTest, IsTheComposedSurface) {
   }
   ASSERT_GT(*std::min_element(composed.jacobian.begin(), composed.jacobian.end()), 0.0f)
       << "a folded sea has points with several heights";
-  const std::vector<WaterSample> samples = hybrid.ocean.sample(points, hybrid.trochoids);
+  const std::vector<WaterSample> samples = hybrid.ocean.sample(points, hybrid.gerstner_waves);
   double worst_m = 0.0, squares = 0.0, all_squares = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     worst_m = std::max<double>(worst_m, std::abs(samples[i].height_m - composed.displacement_y[i]));
@@ -195,14 +195,15 @@ TEST_F(SurfaceQueryTest, ResidualsKeepTheTolerance) {
   for (const double tolerance_m : {1e-5, 1e-4, 1e-2}) {
     HybridSea hybrid = hybrid_sea(device_, 256);
     hybrid.ocean.at(5.0);
-    for (const WaterSample& sample :
-         hybrid.ocean.sample(scattered_points(20000, 2000.0), hybrid.trochoids, {.tolerance_m = tolerance_m}))
+    for (const WaterSample& sample : hybrid.ocean.sample(scattered_points(20000, 2000.0),
+                                                         hybrid.gerstner_waves, {.tolerance_m = tolerance_m}))
       ASSERT_LE(sample.residual_m, 1.1 * tolerance_m);
   }
   HybridSea folded = hybrid_sea(device_, 256, 2.5);
   folded.ocean.at(5.0);
   int missed = 0;
-  for (const WaterSample& sample : folded.ocean.sample(scattered_points(20000, 2000.0), folded.trochoids)) {
+  for (const WaterSample& sample :
+       folded.ocean.sample(scattered_points(20000, 2000.0), folded.gerstner_waves)) {
     ASSERT_TRUE(std::isfinite(sample.height_m) && std::isfinite(sample.residual_m));
     missed += sample.residual_m > 1e-4 ? 1 : 0;
   }
@@ -211,7 +212,7 @@ TEST_F(SurfaceQueryTest, ResidualsKeepTheTolerance) {
 }
 
 // Fails if a wave shorter than asked still counts, or a longer one does not: the filtered sea is that whose
-// cascades and trochoids end there, bit for bit; Q stays that of the whole sea.
+// cascades and Gerstner waves end there, bit for bit; Q stays that of the whole sea.
 TEST_F(SurfaceQueryTest, LeavesShortWavesOut) {
   HybridSea hybrid = hybrid_sea(device_, 128);
   const double shortest_m = 60.0;
@@ -221,21 +222,21 @@ TEST_F(SurfaceQueryTest, LeavesShortWavesOut) {
     cascade.k_min_radpm = std::min(cascade.k_min_radpm, cascade.k_max_radpm);
   }
   Ocean long_sea(device_, hybrid.spectrum, long_parameters);
-  TrochoidSea long_trochoids = hybrid.trochoids;
-  std::erase_if(long_trochoids.waves,
-                [&](const Trochoid& wave) { return wave.wavenumber_radpm > 2.0 * pi / shortest_m; });
-  ASSERT_LT(long_trochoids.waves.size(), hybrid.trochoids.waves.size());
-  ASSERT_FALSE(long_trochoids.waves.empty());
-  ASSERT_FALSE(horizontal_scale(hybrid.trochoids).is_limited);
-  hybrid.trochoids.raindrops = {{.x_m = 1.0, .time_s = 30.0, .amplitude_m = 1.0, .wavelength_m = 5.0}};
+  GerstnerSea long_gerstner_waves = hybrid.gerstner_waves;
+  std::erase_if(long_gerstner_waves.waves,
+                [&](const GerstnerWave& wave) { return wave.wavenumber_radpm > 2.0 * pi / shortest_m; });
+  ASSERT_LT(long_gerstner_waves.waves.size(), hybrid.gerstner_waves.waves.size());
+  ASSERT_FALSE(long_gerstner_waves.waves.empty());
+  ASSERT_FALSE(horizontal_scale(hybrid.gerstner_waves).is_limited);
+  hybrid.gerstner_waves.raindrops = {{.x_m = 1.0, .time_s = 30.0, .amplitude_m = 1.0, .wavelength_m = 5.0}};
   const std::vector<WaterPoint> points = scattered_points(500, 400.0);
   for (const double time_s : {31.0, 35.0}) {
     hybrid.ocean.at(time_s);
     long_sea.at(time_s);
     for (const double depth_m : {0.0, 4.0}) {
-      const auto filtered =
-          hybrid.ocean.sample(points, hybrid.trochoids, {.depth_m = depth_m, .min_wavelength_m = shortest_m});
-      const auto expected = long_sea.sample(points, long_trochoids, {.depth_m = depth_m});
+      const auto filtered = hybrid.ocean.sample(points, hybrid.gerstner_waves,
+                                                {.depth_m = depth_m, .min_wavelength_m = shortest_m});
+      const auto expected = long_sea.sample(points, long_gerstner_waves, {.depth_m = depth_m});
       for (std::size_t i = 0; i < points.size(); ++i) {
         ASSERT_FLOAT_EQ(filtered[i].height_m, expected[i].height_m);
         ASSERT_NEAR(filtered[i].slope_x, expected[i].slope_x, 1e-6);
@@ -245,9 +246,9 @@ TEST_F(SurfaceQueryTest, LeavesShortWavesOut) {
     }
   }
   // And a filter below all waves changes nothing.
-  hybrid.trochoids.raindrops.clear();
-  const auto all = hybrid.ocean.sample(points, hybrid.trochoids);
-  const auto same = hybrid.ocean.sample(points, hybrid.trochoids, {.min_wavelength_m = 0.01});
+  hybrid.gerstner_waves.raindrops.clear();
+  const auto all = hybrid.ocean.sample(points, hybrid.gerstner_waves);
+  const auto same = hybrid.ocean.sample(points, hybrid.gerstner_waves, {.min_wavelength_m = 0.01});
   EXPECT_EQ(std::memcmp(all.data(), same.data(), all.size() * sizeof(WaterSample)), 0);
 }
 
@@ -257,23 +258,23 @@ TEST_F(SurfaceQueryTest, EachPointIsAnsweredByItself) {
   HybridSea hybrid = hybrid_sea(device_, 128);
   hybrid.ocean.at(9.0);
   const std::vector<WaterPoint> points = scattered_points(1003, 3000.0);
-  const std::vector<WaterSample> together = hybrid.ocean.sample(points, hybrid.trochoids);
+  const std::vector<WaterSample> together = hybrid.ocean.sample(points, hybrid.gerstner_waves);
   const auto expect_same = [](const WaterSample* found, const WaterSample* expected, std::size_t count) {
     EXPECT_EQ(std::memcmp(found, expected, count * sizeof(WaterSample)), 0);
   };
   for (const std::size_t i : {0u, 1u, 500u, 1002u}) {
-    const auto alone = hybrid.ocean.sample(std::span(points).subspan(i, 1), hybrid.trochoids);
+    const auto alone = hybrid.ocean.sample(std::span(points).subspan(i, 1), hybrid.gerstner_waves);
     expect_same(alone.data(), &together[i], 1);
   }
   hybrid.ocean.at(10.0);
   hybrid.ocean.at(9.0);
-  expect_same(hybrid.ocean.sample(points, hybrid.trochoids).data(), together.data(), points.size());
+  expect_same(hybrid.ocean.sample(points, hybrid.gerstner_waves).data(), together.data(), points.size());
 
   std::vector<SurfaceQueryPoint> packed(points.size());
   std::transform(points.begin(), points.end(), packed.begin(), device_point);
   const ocl::Buffer<SurfaceQueryPoint> device_points(device_, packed, "points");
   ocl::Buffer<WaterSample> device_samples(device_, points.size(), "samples");
-  hybrid.ocean.sample(device_points, points.size(), device_samples, hybrid.trochoids);
+  hybrid.ocean.sample(device_points, points.size(), device_samples, hybrid.gerstner_waves);
   expect_same(device_samples.read().data(), together.data(), points.size());
 }
 

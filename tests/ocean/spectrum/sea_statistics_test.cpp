@@ -165,17 +165,17 @@ TEST(SeaStatistics, RejectsArraysOfTheWrongSize) {
   EXPECT_THROW(standard_error_of(std::span(&right, 1), {}, 0), Error);
 }
 
-// Fails if trochoids are left out of a sea's figures or weighed otherwise than modes: two of 0.1 Hz and 0.2
-// Hz, A = 1 m and 2 m, alone; and that their energy, the same for every seed, adds no scatter of Hs.
-TEST(SeaStatistics, TrochoidsAreWavesLikeOthers) {
+// Fails if Gerstner waves are left out of a sea's figures or weighed otherwise than modes: two of 0.1 Hz and
+// 0.2 Hz, A = 1 m and 2 m, alone; and that their energy, the same for every seed, adds no scatter of Hs.
+TEST(SeaStatistics, GerstnerWavesAreWavesLikeOthers) {
   const auto wave = [](double frequency_hz, double amplitude_m) {
     const double omega_radps = 2.0 * pi * frequency_hz;
-    return Trochoid{.amplitude_m = amplitude_m,
-                    .wavenumber_radpm = omega_radps * omega_radps / 9.81,
-                    .direction_rad = 1.0,
-                    .omega_radps = omega_radps};
+    return GerstnerWave{.amplitude_m = amplitude_m,
+                        .wavenumber_radpm = omega_radps * omega_radps / 9.81,
+                        .direction_rad = 1.0,
+                        .omega_radps = omega_radps};
   };
-  const std::vector<Trochoid> waves = {wave(0.1, 1.0), wave(0.2, 2.0)};
+  const std::vector<GerstnerWave> waves = {wave(0.1, 1.0), wave(0.2, 2.0)};
   const std::vector<float> calm(16, 0.0f);
   const ModeEnergies modes{100.0, 4, calm};
   const SeaState state = sea_state_of({&modes, 1}, {}, waves);

@@ -1,4 +1,4 @@
-// A spectrum shared out between trochoids and cascades at k_split: nothing lost, nothing twice.
+// A spectrum shared out between Gerstner waves and cascades at k_split: nothing lost, nothing twice.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,8 +10,8 @@
 
 #include "host/io/spectra/read_spectra.h"
 #include "host/ocean/spectrum/spectrum_parameters.h"
+#include "host/ocean/surface/gerstner_choice.h"
 #include "host/ocean/surface/ocean.h"
-#include "host/ocean/surface/trochoid_choice.h"
 #include "host/ocean/surface/wave_modes.h"
 #include "tests/ocean/example_seas.h"
 #include "tests/ocean/surface/field_statistics.h"
@@ -43,9 +43,10 @@ class BandSplitTest : public testing::Test {
     for (const double split : {0.6, 0.9, 1.3, 2.0, 4.0}) {
       const double split_radpm = split * peak_radpm(spectrum);
       double total_m2 = 0.0;
-      for (const Trochoid& wave : choose_trochoids(spectrum, {.split_radpm = split_radpm, .count = 16}))
+      for (const GerstnerWave& wave :
+           choose_gerstner_waves(spectrum, {.split_radpm = split_radpm, .count = 16}))
         total_m2 += 0.5 * wave.amplitude_m * wave.amplitude_m;
-      const double trochoids_m2 = total_m2;
+      const double gerstner_waves_m2 = total_m2;
       const std::vector<Cascade> cascades = choose_cascades(spectrum, size, 3, split_radpm);
       EXPECT_EQ(cascades.front().k_min_radpm, split_radpm);
       const WaveModes modes(device_, spectrum, cascades, size, {});
@@ -56,8 +57,8 @@ class BandSplitTest : public testing::Test {
       EXPECT_NEAR(total_m2 / m0_m2, 1.0, 0.01) << name << ", split at " << split << " of the peak";
       // Each part has a share that its loss would show.
       if (split == 1.3) {
-        EXPECT_GT(trochoids_m2 / m0_m2, 0.2) << name;
-        EXPECT_LT(trochoids_m2 / m0_m2, 0.8) << name;
+        EXPECT_GT(gerstner_waves_m2 / m0_m2, 0.2) << name;
+        EXPECT_LT(gerstner_waves_m2 / m0_m2, 0.8) << name;
       }
       worst = std::max(worst, std::abs(total_m2 / m0_m2 - 1.0));
     }
@@ -109,7 +110,7 @@ std::vector<double> band_variances(const std::vector<double>& record, const std:
 
 /// Records of the composed height, [label][frame], at 64 labels a wavelength of the split apart. They are
 /// texels of the cascade, whose short waves would lose height between texels, and on a grid fine enough for
-/// all trochoids.
+/// all Gerstner waves.
 std::vector<std::vector<double>> height_records(Ocean& sea, const Composition& composition,
                                                 double split_radpm, double step_s, int frames) {
   const double texel_m = sea.parameters().cascades[0].patch_length_m / size;
@@ -159,8 +160,8 @@ class SplitDensityTest : public testing::TestWithParam<SplitSea> {
   // Variances of the bands, of one seed: means over 64 labels.
   std::vector<double> variances_of(Ocean& sea, std::uint64_t seed) const {
     sea.reseed(seed);
-    const TrochoidChoice choice{.split_radpm = split_radpm_, .count = 64, .seed = seed};
-    const Composition composition{.trochoids = {.waves = choose_trochoids(spectrum_, choice)}};
+    const GerstnerChoice choice{.split_radpm = split_radpm_, .count = 64, .seed = seed};
+    const Composition composition{.gerstner_waves = {.waves = choose_gerstner_waves(spectrum_, choice)}};
     std::vector<double> variances(edges_hz_.size() - 1, 0.0);
     for (const auto& record : height_records(sea, composition, split_radpm_, step_s_, frames)) {
       const std::vector<double> of_record = band_variances(record, edges_hz_, step_s_);

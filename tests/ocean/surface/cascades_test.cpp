@@ -42,8 +42,8 @@ TEST(Cascades, FromPatchesSortsAndJoins) {
   expect_bands_meet(cascades, 256, "from patches");
 }
 
-// Fails if waves that trochoids carry are drawn again, or if patches are chosen for those waves: they would
-// resolve too few of the others. Below twice the peak's wavenumber lies about half of a sea's energy.
+// Fails if waves that Gerstner waves carry are drawn again, or if patches are chosen for those waves: they
+// would resolve too few of the others. Below twice the peak's wavenumber lies about half of a sea's energy.
 TEST(Cascades, BeginAtTheSplit) {
   const double lengths_m[] = {37.0, 190.0};
   expect_bands_meet(cascades_from_patches(lengths_m, 256, 0.11), 256, "from patches", 0.11);

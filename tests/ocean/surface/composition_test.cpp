@@ -1,5 +1,5 @@
-// The composed surface: cascades and trochoids add, then F = I + sum grad d, J = det F, slope = F^-T sum s
-// (O7, O9 of docs/sources.md).
+// The composed surface: cascades and Gerstner waves add, then F = I + sum grad d, J = det F, slope = F^-T sum
+// s (O7, O9 of docs/sources.md).
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -8,7 +8,7 @@
 
 #include "host/ocean/spectrum/spectrum_parameters.h"
 #include "host/ocean/surface/cascades.h"
-#include "host/ocean/surface/trochoid_surface.h"
+#include "host/ocean/surface/gerstner_surface.h"
 #include "tests/ocean/surface/field_statistics.h"
 #include "tests/ocean/surface/single_wave.h"
 #include "tests/ocl/expect_error.h"
@@ -46,8 +46,8 @@ class CompositionTest : public testing::Test {
     return together(single_wave_spectrum(swell, parameters()), make_sea_spectrum(chop));
   }
   // Seven waves of 20 ... 50 m in all directions, of k A = 0.35 together.
-  static TrochoidSea trochoids() {
-    TrochoidSea sea;
+  static GerstnerSea gerstner_waves() {
+    GerstnerSea sea;
     for (int i = 0; i < 7; ++i) {
       const double k = 2.0 * std::numbers::pi / (20.0 + 5.0 * i);
       sea.waves.push_back({.amplitude_m = 0.05 / k,
@@ -87,25 +87,25 @@ double sampled(const std::vector<float>& field, const Cascade& cascade, double x
          v * ((1.0 - u) * texel(1, 0) + u * texel(1, 1));
 }
 
-// The sums over cascades and trochoids at each label, then F, in double precision.
+// The sums over cascades and Gerstner waves at each label, then F, in double precision.
 ComposedFields CompositionTest::expected_sum(Ocean& sea, const SampleGrid& grid, double time_s,
                                              const Composition& composition) {
   const SurfaceFields surfaces[] = {sea.read_surface(0), sea.read_surface(1)};
-  TrochoidSurface trochoid_surface(device_);
-  trochoid_surface.at(composition.trochoids, grid, time_s);
-  const TrochoidFields trochoids = trochoid_surface.read();
+  GerstnerSurface gerstner_surface(device_);
+  gerstner_surface.at(composition.gerstner_waves, grid, time_s);
+  const GerstnerFields gerstner_waves = gerstner_surface.read();
   ComposedFields expected;
   for (int i = 0; i < grid.rows * grid.columns; ++i) {
     const double x_m = grid.origin_x_m + i % grid.columns * grid.spacing_x_m;
     const double z_m = grid.origin_z_m + i / grid.columns * grid.spacing_z_m;
     const auto sum = [&](std::vector<float> SurfaceFields::*field,
-                         std::vector<float> TrochoidFields::*trochoid_field) {
+                         std::vector<float> GerstnerFields::*gerstner_field) {
       const std::vector<Cascade>& cascades = sea.parameters().cascades;
       return sampled(surfaces[0].*field, cascades[0], x_m, z_m) +
-             sampled(surfaces[1].*field, cascades[1], x_m, z_m) + (trochoids.*trochoid_field)[i];
+             sampled(surfaces[1].*field, cascades[1], x_m, z_m) + (gerstner_waves.*gerstner_field)[i];
     };
     using S = SurfaceFields;
-    using T = TrochoidFields;
+    using T = GerstnerFields;
     const double xx = 1.0 + sum(&S::gradient_xx, &T::gradient_xx);
     const double xz = sum(&S::gradient_xz, &T::gradient_xz);
     const double zz = 1.0 + sum(&S::gradient_zz, &T::gradient_zz), jacobian = xx * zz - xz * xz;
@@ -125,7 +125,7 @@ ComposedFields CompositionTest::expected_sum(Ocean& sea, const SampleGrid& grid,
   return expected;
 }
 
-// Fails if a cascade or the trochoids are missing, sampled at the wrong place or scale, or if F is taken
+// Fails if a cascade or the Gerstner waves are missing, sampled at the wrong place or scale, or if F is taken
 // before the sum. The grid is oblong, off the texels, and has labels below zero. Texel places up to 2000 in
 // single precision are within 1e-4 of a texel, 1e-5 of a wave's phase: gate 1e-5.
 TEST_F(CompositionTest, IsTheSumOfItsLayers) {
@@ -137,24 +137,24 @@ TEST_F(CompositionTest, IsTheSumOfItsLayers) {
                         .spacing_z_m = 1.21,
                         .columns = 90,
                         .rows = 40};
-  TrochoidSea with_drop = trochoids();
+  GerstnerSea with_drop = gerstner_waves();
   with_drop.raindrops = {
       {.x_m = -20.0, .z_m = 20.0, .time_s = 19.0, .amplitude_m = 0.5, .wavelength_m = 6.0}};
   for (const Composition& composition :
-       {Composition{}, Composition{.trochoids = trochoids()}, Composition{.trochoids = with_drop},
-        Composition{.slopes = SlopeRule::added},
-        Composition{.trochoids = trochoids(), .slopes = SlopeRule::added}}) {
+       {Composition{}, Composition{.gerstner_waves = gerstner_waves()},
+        Composition{.gerstner_waves = with_drop}, Composition{.slopes = SlopeRule::added},
+        Composition{.gerstner_waves = gerstner_waves(), .slopes = SlopeRule::added}}) {
     expect_same(sea.read_composed(grid, composition), expected_sum(sea, grid, 20.0, composition), 1e-5);
   }
 }
 
-// Fails if trochoids reach the sum at another place where a row is shorter than the device's vectors.
+// Fails if Gerstner waves reach the sum at another place where a row is shorter than the device's vectors.
 TEST_F(CompositionTest, NarrowGridsAreSumsToo) {
   Ocean sea(device_, spectrum(), parameters());
   sea.at(20.0);
   for (const int columns : {1, 5, 17}) {
     const SampleGrid grid{.spacing_x_m = 0.7, .spacing_z_m = 0.9, .columns = columns, .rows = 9};
-    const Composition composition{.trochoids = trochoids()};
+    const Composition composition{.gerstner_waves = gerstner_waves()};
     expect_same(sea.read_composed(grid, composition), expected_sum(sea, grid, 20.0, composition), 1e-5);
   }
 }
@@ -204,19 +204,19 @@ Differences differences_of(const ComposedFields& fields, double spacing_m) {
 // texels of the chop, so that it is not interpolated, 0.1 m apart. The bilinear swell's slope jumps by kA k
 // dx = 0.4 degrees from texel to texel (dx = 0.2 m, k = 0.14 rad/m), which the grid sees on both sides
 // evenly; differences of the chop (k dx = 0.39 at most) are off by (k dx)^4 / 30 of its slopes, those of the
-// trochoids by less. Users are promised 0.5 degrees; measured 0.004, gate 0.05; of J, 1e-4, gate 1e-3.
+// Gerstner waves by less. Users are promised 0.5 degrees; measured 0.004, gate 0.05; of J, 1e-4, gate 1e-3.
 TEST_F(CompositionTest, NormalsAreThoseOfTheDisplacedSurface) {
   Ocean sea(device_, spectrum(), parameters());
   sea.at(20.0);
   const double spacing_m = 12.5 / 128;
   const SampleGrid grid{.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = 512, .rows = 512};
-  for (const TrochoidSea& waves : {TrochoidSea{}, trochoids()}) {
-    const Differences exact = differences_of(sea.read_composed(grid, {.trochoids = waves}), spacing_m);
+  for (const GerstnerSea& waves : {GerstnerSea{}, gerstner_waves()}) {
+    const Differences exact = differences_of(sea.read_composed(grid, {.gerstner_waves = waves}), spacing_m);
     EXPECT_LT(exact.worst_deg, 0.05);
     EXPECT_LT(exact.worst_jacobian, 1e-3);
     EXPECT_GT(exact.steepest, 0.3) << "the sea is too calm for the test";
-    const Differences added =
-        differences_of(sea.read_composed(grid, {.trochoids = waves, .slopes = SlopeRule::added}), spacing_m);
+    const Differences added = differences_of(
+        sea.read_composed(grid, {.gerstner_waves = waves, .slopes = SlopeRule::added}), spacing_m);
     EXPECT_GT(added.worst_deg, 2.0) << "the sea is too calm for the test";
     RecordProperty("worst_deg_of_" + std::to_string(waves.waves.size()), std::to_string(exact.worst_deg));
     RecordProperty("worst_jacobian_of_" + std::to_string(waves.waves.size()),
@@ -248,17 +248,17 @@ TEST_F(CompositionTest, OneWaveHasItsClosedForm) {
 }
 
 // Fails if labels lose their place far from the origin: 100 km away both patches have come round whole times,
-// and so have the trochoids, whose wavelengths along x and z are 50 m / i and 50 m / j.
+// and so have the Gerstner waves, whose wavelengths along x and z are 50 m / i and 50 m / j.
 TEST_F(CompositionTest, FarAwayIsAsNearBy) {
   Ocean sea(device_, spectrum(), parameters());
   sea.at(20.0);
   Composition composition;
   for (const auto& [i, j] : {std::pair{1, 0}, {2, -1}, {-1, 3}}) {
     const double step_radpm = 2.0 * std::numbers::pi / 50.0;
-    composition.trochoids.waves.push_back({.amplitude_m = 0.3,
-                                           .wavenumber_radpm = step_radpm * std::hypot(i, j),
-                                           .direction_rad = std::atan2(j, i),
-                                           .omega_radps = 1.0 + i});
+    composition.gerstner_waves.waves.push_back({.amplitude_m = 0.3,
+                                                .wavenumber_radpm = step_radpm * std::hypot(i, j),
+                                                .direction_rad = std::atan2(j, i),
+                                                .omega_radps = 1.0 + i});
   }
   SampleGrid grid{.origin_x_m = 3.7,
                   .origin_z_m = 1.3,
@@ -273,13 +273,13 @@ TEST_F(CompositionTest, FarAwayIsAsNearBy) {
 }
 
 // Fails if a sea that cannot be drawn is composed in part.
-TEST_F(CompositionTest, RejectsTrochoidsOutOfRange) {
+TEST_F(CompositionTest, RejectsGerstnerWavesOutOfRange) {
   Ocean sea(device_, spectrum(), parameters());
   sea.at(20.0);
-  TrochoidSea bad = trochoids();
+  GerstnerSea bad = gerstner_waves();
   bad.waves[1].amplitude_m = -1.0;
   test::expect_error(ErrorKind::bad_input, "gerstner.amplitude_m",
-                     [&] { sea.read_composed({.columns = 8, .rows = 8}, {.trochoids = bad}); });
+                     [&] { sea.read_composed({.columns = 8, .rows = 8}, {.gerstner_waves = bad}); });
 }
 
 // Fails if labels lose their place toward the far end of the widest grid: 16384 steps of nearly half a patch

@@ -155,7 +155,7 @@ TEST(ProjectedGrid, FindsTheLabelsOfItsPlaces) {
 }
 
 // Over flat water a level head's grid is the picture itself, from its lower corners to the horizon.
-TEST(ProjectedGrid, FitsThePictureOfALevelHead) {
+TEST(ProjectedGrid, FitsTheImageOfALevelHead) {
   const Camera camera{.eye_m = {0.0, 10.0, 0.0}, .pitch_rad = -0.2};
   const auto grid = ProjectedGrid::for_camera(camera, {});
   ASSERT_TRUE(grid);

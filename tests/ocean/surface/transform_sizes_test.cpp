@@ -36,7 +36,7 @@ class TransformSizesTest : public testing::TestWithParam<Case> {
  protected:
   double error_of(const ModeTransform::Request& request) {
     const auto [family, size] = GetParam();
-    const int columns = std::max(size / 2, MODE_STRIP_COLUMNS);
+    const int columns = std::max(size / 2, MODE_BLOCK_COLUMNS);
     ModeTransform transform(device_, {.size = size, .columns = columns, .cascade_count = 1}, request, family);
     const double error = request.self_test(device_, transform, size);
     RecordProperty(std::string(request.second_kernel), std::to_string(error * 1e9) + "e-9");

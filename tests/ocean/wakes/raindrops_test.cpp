@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/ocean/surface/trochoid_surface.h"
+#include "host/ocean/surface/gerstner_surface.h"
 #include "tests/ocl/scoped_environment.h"
 
 namespace offing::ocean {
@@ -17,16 +17,16 @@ class RaindropTest : public testing::TestWithParam<const char*> {
  protected:
   RaindropTest() : shape_("OFFING_SHAPE", GetParam()), surface_(ocl::Device::open()) {}
 
-  TrochoidFields fields_at(const TrochoidSea& sea, const SampleGrid& grid, double time_s) {
+  GerstnerFields fields_at(const GerstnerSea& sea, const SampleGrid& grid, double time_s) {
     surface_.at(sea, grid, time_s);
     return surface_.read();
   }
 
   test::ScopedEnvironment shape_;
-  TrochoidSurface surface_;
+  GerstnerSurface surface_;
 };
 
-// h of a ring by the text of kernels/ocean/trochoid_surface.cl, and the sum of all of them at a label.
+// h of a ring by the text of kernels/ocean/gerstner_surface.cl, and the sum of all of them at a label.
 double ring_height(const Raindrop& drop, const Dispersion& dispersion, double x_m, double z_m,
                    double time_s) {
   const double age_s = time_s - drop.time_s;
@@ -44,7 +44,7 @@ double ring_height(const Raindrop& drop, const Dispersion& dispersion, double x_
 // amplitude; gate 3e-5 of the sum of amplitudes, and of the slopes k A.
 TEST_P(RaindropTest, RaindropsSetOffRings) {
   const Dispersion water{.capillary_length_m = 2.73e-3};
-  TrochoidSea sea{.raindrops = {{.x_m = -35.0, .z_m = 12.7, .time_s = 1.0, .amplitude_m = 0.02},
+  GerstnerSea sea{.raindrops = {{.x_m = -35.0, .z_m = 12.7, .time_s = 1.0, .amplitude_m = 0.02},
                                 {.x_m = -36.0,
                                  .z_m = 13.0,
                                  .time_s = 0.5,
@@ -61,7 +61,7 @@ TEST_P(RaindropTest, RaindropsSetOffRings) {
                         .rows = 80};
   double worst_of_all = 0.0;
   for (const double time_s : {0.4, 1.0, 1.3, 2.5, 4.0}) {
-    const TrochoidFields fields = fields_at(sea, grid, time_s);
+    const GerstnerFields fields = fields_at(sea, grid, time_s);
     const auto height = [&](double x_m, double z_m) {
       double sum = 0.0;
       for (const Raindrop& drop : sea.raindrops) sum += ring_height(drop, water, x_m, z_m, time_s);
@@ -99,7 +99,7 @@ TEST_P(RaindropTest, RaindropsSetOffRings) {
 
 // Fails if rings are drawn on a grid too coarse for them.
 TEST_P(RaindropTest, RingsFadeWhereTheGridIsCoarse) {
-  const TrochoidSea sea{.raindrops = {{.amplitude_m = 0.05, .wavelength_m = 0.5}}};
+  const GerstnerSea sea{.raindrops = {{.amplitude_m = 0.05, .wavelength_m = 0.5}}};
   const SampleGrid coarse{.spacing_x_m = 0.3, .spacing_z_m = 0.3, .columns = 20, .rows = 20};
   for (const float height : fields_at(sea, coarse, 0.1).displacement_y) ASSERT_EQ(height, 0.0f);
 }

@@ -17,7 +17,7 @@
 namespace offing::present {
 namespace {
 
-scene::OceanScene scene_of(const std::string& text) {
+scene::Scene scene_of(const std::string& text) {
   return scene::parse_scene("version = 1\n" + text, "a.toml", "");
 }
 
@@ -41,7 +41,7 @@ constexpr const char* two = "[[cloud]]\n[[cloud]]\ngenus = \"stratus\"\nx_m = 70
 
 // Fails if the thread makes other particles than the world would by itself, wherever a cloud is.
 TEST_F(CloudBuilderTest, MakesWhatTheWorldWouldMake) {
-  const scene::OceanScene scene = scene_of(two);
+  const scene::Scene scene = scene_of(two);
   builder_.begin(scene, Haste::interrupt);
   const BuiltClouds result = built();
   ASSERT_TRUE(result.sky);
@@ -57,7 +57,7 @@ TEST_F(CloudBuilderTest, MakesWhatTheWorldWouldMake) {
 
 // Fails if a cloud that was only moved or edited by hand is made again, or one that was changed is not.
 TEST_F(CloudBuilderTest, KeepsWhatStays) {
-  scene::OceanScene scene = scene_of(two);
+  scene::Scene scene = scene_of(two);
   builder_.begin(scene, Haste::interrupt);
   const BuiltClouds first = built();
   scene.clouds[0].position_m.x = 50.0;
@@ -78,7 +78,7 @@ TEST_F(CloudBuilderTest, KeepsWhatStays) {
 
 // Fails if edits in quick succession end with another one than the last, or wait for all of them.
 TEST_F(CloudBuilderTest, TheNewestEditCounts) {
-  scene::OceanScene scene = scene_of(two);
+  scene::Scene scene = scene_of(two);
   for (const Haste haste : {Haste::let_finish, Haste::interrupt}) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       scene.clouds[0].seed = seed;
@@ -101,15 +101,15 @@ TEST_F(CloudBuilderTest, TellsFaultsAndGoesOn) {
 }
 
 // Pictures are read once for a folder; a folder that is broken is told of, each time it is named.
-TEST_F(CloudBuilderTest, ReadsPuffsWhereTheyChange) {
+TEST_F(CloudBuilderTest, ReadsBillboardsWhereTheyChange) {
   TemporaryFolder folder;
   for (int i = 0; i < CLOUD_TEXTURES; ++i) {
     std::ofstream(folder.path() / (std::to_string(i) + ".png")) << "no picture";
   }
-  scene::OceanScene scene = scene_of(two);
+  scene::Scene scene = scene_of(two);
   builder_.begin(scene, Haste::interrupt);
-  EXPECT_FALSE(built().puffs);
-  scene.cloud_settings.crisp_puffs = folder.path().string();
+  EXPECT_FALSE(built().billboards);
+  scene.cloud_settings.crisp_billboards = folder.path().string();
   for (int i = 0; i < 2; ++i) {
     builder_.begin(scene, Haste::interrupt);
     builder_.wait();
@@ -118,9 +118,9 @@ TEST_F(CloudBuilderTest, ReadsPuffsWhereTheyChange) {
     EXPECT_NE(std::string(std::get<Error>(*made).what()).find("clouds.crisp_puffs"), std::string::npos)
         << std::get<Error>(*made).what();
   }
-  scene.cloud_settings.crisp_puffs.clear();
+  scene.cloud_settings.crisp_billboards.clear();
   builder_.begin(scene, Haste::interrupt);
-  EXPECT_FALSE(built().puffs) << "nothing else was ever shown";
+  EXPECT_FALSE(built().billboards) << "nothing else was ever shown";
 }
 
 // Fails if a window that is closed waits for, or crashes by, what is being made.

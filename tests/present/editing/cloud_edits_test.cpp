@@ -15,13 +15,13 @@
 namespace offing::present {
 namespace {
 
-using scene::OceanScene;
+using scene::Scene;
 
-OceanScene scene_of(const std::string& text) {
+Scene scene_of(const std::string& text) {
   return scene::parse_scene("version = 1\n" + text, "a.toml", "");
 }
 
-OceanScene two_clouds() {
+Scene two_clouds() {
   return scene_of(R"([[cloud]]
 name = "path"
 scale = 2
@@ -38,14 +38,14 @@ y_m = 1200
 )");
 }
 
-clouds::CloudParameters of(const OceanScene& scene, std::size_t cloud) {
+clouds::CloudParameters of(const Scene& scene, std::size_t cloud) {
   return scene::cloud_parameters_of(scene, cloud);
 }
 
 // Balls of a genus become the cloud's own before they are changed. Fails if that changes the cloud by
 // itself: its base, scale or balls.
 TEST(CloudEditsTest, OwnBallsAreThoseOfTheGenus) {
-  OceanScene scene = two_clouds();
+  Scene scene = two_clouds();
   scene.clouds[1].scale = 4.0;  // dividing by it loses no digit
   const clouds::CloudParameters before = of(scene, 1);
   EXPECT_EQ(own_balls(scene, 1).size(), before.balls.size());
@@ -54,7 +54,7 @@ TEST(CloudEditsTest, OwnBallsAreThoseOfTheGenus) {
 
 // Fails if what has no room for all of it has been done in part.
 TEST(CloudEditsTest, CopiesAllOrNothing) {
-  OceanScene scene = two_clouds();
+  Scene scene = two_clouds();
   scene.clouds[1].balls.resize(scene::find_parameter("cloud.ball.radius_m")->max_count);
   const std::size_t before = scene.clouds[0].balls.size();
   EXPECT_THROW(duplicate_parts(scene, {{0, 0}, {1, 0}}, {}), Error);
@@ -70,16 +70,16 @@ TEST(CloudEditsTest, CopiesAllOrNothing) {
 TEST(CloudEditsTest, OwnBallsOfEachGenusCanBeSaved) {
   for (const char* genus : {"cirrus", "stratus", "cumulus", "stratocumulus", "altocumulus", "cumulonimbus",
                             "lenticular", "funnel"}) {
-    OceanScene scene = scene_of(std::string("[[cloud]]\ngenus = \"") + genus + "\"\n");
+    Scene scene = scene_of(std::string("[[cloud]]\ngenus = \"") + genus + "\"\n");
     const std::size_t count = own_balls(scene, 0).size();
-    const OceanScene again = scene::parse_scene(scene::scene_text(scene, ""), "again.toml", "");
+    const Scene again = scene::parse_scene(scene::scene_text(scene, ""), "again.toml", "");
     EXPECT_EQ(again.clouds[0].balls.size(), count) << genus;
   }
 }
 
 // Fails if balls that a shape has taken the place of can be picked, or added to.
 TEST(CloudEditsTest, ShapesHaveNoBalls) {
-  OceanScene scene = scene_of("[[cloud]]\nshape = \"bird\"\n");
+  Scene scene = scene_of("[[cloud]]\nshape = \"bird\"\n");
   EXPECT_TRUE(balls_of(scene, 0, 0.0).empty());
   EXPECT_FALSE(has_part(scene, {0, 0}));
   EXPECT_TRUE(has_part(scene, {0, {}}));
@@ -89,7 +89,7 @@ TEST(CloudEditsTest, ShapesHaveNoBalls) {
 
 // Fails if a part does not go as far as the hand, in a cloud with a scale too, or takes others along.
 TEST(CloudEditsTest, PartsGoWhereTheyArePulled) {
-  OceanScene scene = two_clouds();
+  Scene scene = two_clouds();
   const std::vector<Sphere> before = balls_of(scene, 0, 5.0);
   const glm::dvec3 way_m(6.0, -8.0, 24.0);
   move_part(scene, {0, 1}, way_m);
@@ -98,7 +98,7 @@ TEST(CloudEditsTest, PartsGoWhereTheyArePulled) {
   EXPECT_EQ(after[0].centre_m, before[0].centre_m);
   // The whole of it with its keyframes, at every time.
   for (const double time_s : {0.0, 15.0}) {
-    OceanScene moved = scene;
+    Scene moved = scene;
     move_part(moved, {0, {}}, way_m);
     EXPECT_LE(glm::distance(origin_of_cloud(moved, 0, time_s), origin_of_cloud(scene, 0, time_s) + way_m),
               1e-9);
@@ -110,7 +110,7 @@ TEST(CloudEditsTest, PartsGoWhereTheyArePulled) {
 
 // A cloud without y_m stands at its genus' altitude: pulled sideways it stays there, by itself.
 TEST(CloudEditsTest, AltitudesOfAGenusStay) {
-  OceanScene scene = scene_of("[[cloud]]\ngenus = \"cirrus\"\n");
+  Scene scene = scene_of("[[cloud]]\ngenus = \"cirrus\"\n");
   const double altitude_m = origin_of_cloud(scene, 0, 0.0).y;
   move_part(scene, {0, {}}, {100.0, 0.0, 0.0});
   EXPECT_FALSE(scene.clouds[0].altitude_m);
@@ -119,7 +119,7 @@ TEST(CloudEditsTest, AltitudesOfAGenusStay) {
 }
 
 TEST(CloudEditsTest, PartsGrow) {
-  OceanScene scene = two_clouds();
+  Scene scene = two_clouds();
   resize_part(scene, {0, 0}, 1.5);
   EXPECT_EQ(balls_of(scene, 0, 0.0)[0].radius_m, 240.0);
   resize_part(scene, {0, {}}, 0.5);
@@ -130,7 +130,7 @@ TEST(CloudEditsTest, PartsGrow) {
 
 // Fails if numbers of those behind are off by what went before them, or keyframes go to another cloud.
 TEST(CloudEditsTest, PartsAreTakenAway) {
-  OceanScene scene = two_clouds();
+  Scene scene = two_clouds();
   remove_parts(scene, {{0, 0}, {1, {}}});
   ASSERT_EQ(scene.clouds.size(), 1u);
   ASSERT_EQ(scene.clouds[0].balls.size(), 1u);
@@ -148,7 +148,7 @@ TEST(CloudEditsTest, PartsAreTakenAway) {
 }
 
 TEST(CloudEditsTest, PartsAreDuplicated) {
-  OceanScene scene = two_clouds();
+  Scene scene = two_clouds();
   const std::vector<CloudPart> copies = duplicate_parts(scene, {{0, 1}, {0, {}}}, {40.0, 0.0, 0.0});
   ASSERT_THAT(copies, testing::ElementsAre(CloudPart{0, 2}, CloudPart{2, {}}));
   const std::vector<Sphere> balls = balls_of(scene, 0, 0.0);
@@ -161,7 +161,7 @@ TEST(CloudEditsTest, PartsAreDuplicated) {
 
 // Fails if a ball is not where it was placed, or a first one makes a cloud with a genus' balls beside it.
 TEST(CloudEditsTest, BallsArePlaced) {
-  OceanScene scene = two_clouds();
+  Scene scene = two_clouds();
   const Sphere wanted{{500.0, 1300.0, -70.0}, 90.0};
   const CloudPart beside = add_ball(scene, 0, clouds::Genus::cirrus, wanted, 12.0);
   EXPECT_EQ(beside, (CloudPart{0, 2}));
@@ -179,7 +179,7 @@ TEST(CloudEditsTest, BallsArePlaced) {
 
 // Fails if the sea that a scene has without a word goes with its first cloud, or one comes to ground.
 TEST(CloudEditsTest, TheSeaStays) {
-  OceanScene sea = scene_of(""), sky = two_clouds();
+  Scene sea = scene_of(""), sky = two_clouds();
   add_cloud(sea, clouds::Genus::cumulus, {0.0, 1000.0, 0.0});
   EXPECT_TRUE(sea.has_sea());
   add_cloud(sky, clouds::Genus::cumulus, {0.0, 1000.0, 0.0});
@@ -188,7 +188,7 @@ TEST(CloudEditsTest, TheSeaStays) {
 
 // Fails if a genus leaves something of the last one's, or takes away what was made by hand.
 TEST(CloudEditsTest, GeneraAreApplied) {
-  OceanScene scene = scene_of(
+  Scene scene = scene_of(
       "[[cloud]]\nname = \"mine\"\nx_m = 5\nseed = 9\nnoise_blend = 0.9\nextinction_per_m = 0.5\nmodelling = "
       "\"hierarchical\"\n[[cloud]]\nname = \"mine\"\ngenus = \"stratus\"\nx_m = 5\nseed = 9\n");
   apply_genus(scene, 0, clouds::Genus::stratus);
@@ -201,14 +201,14 @@ TEST(CloudEditsTest, GeneraAreApplied) {
 
 // What the editor makes is what a scene file gives back. Fails if a place or a radius loses digits there.
 TEST(CloudEditsTest, ComeBackFromAFile) {
-  OceanScene scene = two_clouds();
+  Scene scene = two_clouds();
   move_part(scene, {1, 3}, {1.0 / 3.0, 0.1, -7.7});
   resize_part(scene, {1, 2}, 1.1);
   add_ball(scene, {}, clouds::Genus::stratus, {{0.1, 900.0 / 7.0, 3.0}, 77.7}, 0.0);
   scene.clouds[1].edits = {
       {.selection = {.eye_m = {1.0 / 3.0, 2.0, 3.0}, .low = {-0.1, -0.2}, .high = {0.3, 0.4}},
        .push_m = {1.0 / 7.0, 0.0, 0.0}}};
-  const OceanScene back = scene::parse_scene(scene::scene_text(scene, ""), "b.toml", "");
+  const Scene back = scene::parse_scene(scene::scene_text(scene, ""), "b.toml", "");
   ASSERT_EQ(back.clouds.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(of(back, i), of(scene, i)) << i;
 }
@@ -227,7 +227,7 @@ glm::dvec2 clip_of(const glm::dvec3& place_m) {
 
 // Fails if the ball under the mouse is not picked, or one behind it can never be.
 TEST(CloudPickerTest, ClicksReachEveryBall) {
-  const OceanScene scene = scene_of(
+  const Scene scene = scene_of(
       "[[cloud]]\ny_m = 500\n[[cloud.ball]]\nradius_m = 100\n[[cloud.ball]]\nz_m = -300\nradius_m = "
       "150\n[[cloud.ball]]\nx_m = 400\nradius_m = 50\n");
   const ShownClouds shown{scene, nullptr, 0.0};

@@ -74,7 +74,7 @@ class SceneEditingTest : public test::GlTest {
     }
     editing_->take_clouds();
   }
-  void edit(const std::function<void(scene::OceanScene&)>& change, Edit edit = Edit::done) {
+  void edit(const std::function<void(scene::Scene&)>& change, Edit edit = Edit::done) {
     change(state_.scene);
     editing_->finish(edit);
   }
@@ -82,7 +82,7 @@ class SceneEditingTest : public test::GlTest {
 
   /// An edit that cannot be made: one message that tells why, the scene and its picture as they were, and
   /// undo as if it had never been.
-  void expect_refused(const std::function<void(scene::OceanScene&)>& change, const std::string& why) {
+  void expect_refused(const std::function<void(scene::Scene&)>& change, const std::string& why) {
     const std::string before = text();
     const std::vector<unsigned char> shown = picture();
     state_.message = {};
@@ -103,13 +103,13 @@ class SceneEditingTest : public test::GlTest {
 // Fails if an edit shows anything but what a fresh start with it shows, or undo and redo do.
 TEST_F(SceneEditingTest, ShowsWhatAFreshStartShows) {
   const std::vector<unsigned char> untouched = picture();
-  edit([](scene::OceanScene& scene) { scene.clouds[0].balls[0].radius_m = 350.0; });
+  edit([](scene::Scene& scene) { scene.clouds[0].balls[0].radius_m = 350.0; });
   EXPECT_TRUE(picture() == untouched);  // until they are taken, however soon they are made
   wait();
   const std::vector<unsigned char> larger = picture();
   EXPECT_FALSE(larger == untouched);
-  edit([](scene::OceanScene& scene) { scene.clouds[0].position_m.x = 200.0; });
-  edit([](scene::OceanScene& scene) { scene.view.sun_elevation_rad = 0.1; });
+  edit([](scene::Scene& scene) { scene.clouds[0].position_m.x = 200.0; });
+  edit([](scene::Scene& scene) { scene.view.sun_elevation_rad = 0.1; });
   wait();
   const std::vector<unsigned char> all = picture();
   LiveSea fresh(*context_, {.device = "", .frame = {}}, state_.scene);
@@ -133,8 +133,8 @@ TEST_F(SceneEditingTest, ShowsWhatAFreshStartShows) {
 // Fails if clouds of an edit that came later are replaced by those of an earlier one, or other edits wait for
 // clouds.
 TEST_F(SceneEditingTest, OtherEditsDoNotWait) {
-  edit([](scene::OceanScene& scene) { scene.clouds[0].seed = 4; });
-  edit([](scene::OceanScene& scene) { scene.view.sun_elevation_rad = 0.05; });
+  edit([](scene::Scene& scene) { scene.clouds[0].seed = 4; });
+  edit([](scene::Scene& scene) { scene.view.sun_elevation_rad = 0.05; });
   EXPECT_EQ(sea_->scene().view.sun_elevation_rad, 0.05);
   EXPECT_EQ(sea_->wanted().clouds[0].seed, 4u);
   wait();
@@ -144,7 +144,7 @@ TEST_F(SceneEditingTest, OtherEditsDoNotWait) {
 
 // A scene gets its first cloud and loses it again. Fails if either cannot be shown.
 TEST_F(SceneEditingTest, TheLastCloudMayGo) {
-  edit([](scene::OceanScene& scene) { scene.clouds.clear(); });
+  edit([](scene::Scene& scene) { scene.clouds.clear(); });
   wait();
   EXPECT_FALSE(state_.message.is_fault) << state_.message.text;
   EXPECT_EQ(sea_->clouds(), nullptr);
@@ -168,7 +168,7 @@ TEST_F(SceneEditingTest, RefusesBrokenFiles) {
       .cell_m = 40.0, .bricks = {1, 1, 1}, .brick_of = {0}, .density = std::vector<float>(512, 1.0f)};
   write_vdb(name("whole.vdb"), {.volume = volume, .albedo = {}});
   cut("whole.vdb", "cut.vdb");
-  CloudParticles particles{.origin_m = {}, .particles = std::vector<CloudParticle>(20)};
+  ParticleCloud particles{.origin_m = {}, .particles = std::vector<CloudParticle>(20)};
   for (CloudParticle& particle : particles.particles) {
     particle = {};
     particle.radius = 100.0f;
@@ -185,12 +185,12 @@ TEST_F(SceneEditingTest, RefusesBrokenFiles) {
     std::ofstream(folder.path() / "puffs" / (std::to_string(i) + ".png")) << "no picture";
   }
   for (const char* file : {"cut.vdb", "cut.ply", "nan.ply", "nowhere.vdb"}) {
-    expect_refused([&](scene::OceanScene& scene) { scene.clouds[0].shape.file = name(file); }, file);
+    expect_refused([&](scene::Scene& scene) { scene.clouds[0].shape.file = name(file); }, file);
   }
-  expect_refused([&](scene::OceanScene& scene) { scene.cloud_settings.soft_puffs = name("puffs"); },
+  expect_refused([&](scene::Scene& scene) { scene.cloud_settings.soft_billboards = name("puffs"); },
                  "clouds.soft_puffs");
   for (const char* file : {"whole.vdb", "whole.ply"}) {
-    edit([&](scene::OceanScene& scene) { scene.clouds[0].shape.file = name(file); });
+    edit([&](scene::Scene& scene) { scene.clouds[0].shape.file = name(file); });
     wait();
     EXPECT_FALSE(state_.message.is_fault) << state_.message.text;
     EXPECT_EQ(sea_->scene().clouds[0].shape.file, name(file));
@@ -198,15 +198,15 @@ TEST_F(SceneEditingTest, RefusesBrokenFiles) {
 }
 
 TEST_F(SceneEditingTest, RefusesValuesThatNoCloudHas) {
-  expect_refused([](scene::OceanScene& scene) { scene.clouds[0].balls[0].radius_m = -3.0; },
+  expect_refused([](scene::Scene& scene) { scene.clouds[0].balls[0].radius_m = -3.0; },
                  "cloud.ball[0].radius_m");
   expect_refused(
-      [](scene::OceanScene& scene) {
+      [](scene::Scene& scene) {
         scene.clouds[0].look.extinction_per_m = std::numeric_limits<double>::quiet_NaN();
       },
       "cloud.extinction_per_m");
   expect_refused(
-      [](scene::OceanScene& scene) {
+      [](scene::Scene& scene) {
         scene.clouds[0].motion.heat_k = 1.0;
         scene.clouds[0].motion.heat.damping_per_s = 1.0;
       },
@@ -216,8 +216,8 @@ TEST_F(SceneEditingTest, RefusesValuesThatNoCloudHas) {
 // A bad edit comes while a good one is being made, which it takes the place of. Fails if the good one is lost
 // with the bad one, or if letting go of a slider that was held there counts as an edit that is done.
 TEST_F(SceneEditingTest, GoodEditsOutliveBadOnes) {
-  edit([](scene::OceanScene& scene) { scene.clouds[0].seed = 4; });
-  edit([](scene::OceanScene& scene) { scene.clouds[0].shape.file = "nowhere.vdb"; });
+  edit([](scene::Scene& scene) { scene.clouds[0].seed = 4; });
+  edit([](scene::Scene& scene) { scene.clouds[0].shape.file = "nowhere.vdb"; });
   wait();
   EXPECT_TRUE(state_.message.is_fault);
   wait();
@@ -228,7 +228,7 @@ TEST_F(SceneEditingTest, GoodEditsOutliveBadOnes) {
   EXPECT_EQ(state_.scene.clouds[0].seed, 1u);
   EXPECT_TRUE(state_.scene.clouds[0].shape.file.empty());
   // While a slider is held there is nothing to take back.
-  edit([](scene::OceanScene& scene) { scene.clouds[0].shape.file = "nowhere.vdb"; }, Edit::going_on);
+  edit([](scene::Scene& scene) { scene.clouds[0].shape.file = "nowhere.vdb"; }, Edit::going_on);
   wait();
   EXPECT_TRUE(state_.scene.clouds[0].shape.file.empty());
   EXPECT_THAT(state_.edit.fault, HasSubstr("nowhere.vdb"));
@@ -295,7 +295,7 @@ TEST_F(HeldHandleTest, OtherEditsLetGo) {
 }
 
 TEST_F(HeldHandleTest, UndoLetsGo) {
-  edit([](scene::OceanScene& scene) { scene.clouds[0].seed = 9; });
+  edit([](scene::Scene& scene) { scene.clouds[0].seed = 9; });
   editing_->undo();
   const double x_m = ball_x_m();
   EXPECT_EQ(state_.scene.clouds[0].seed, 1u);

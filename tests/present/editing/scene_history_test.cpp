@@ -5,8 +5,8 @@
 namespace offing::present {
 namespace {
 
-scene::OceanScene windy(double speed_mps) {
-  scene::OceanScene scene;
+scene::Scene windy(double speed_mps) {
+  scene::Scene scene;
   scene.wind_speed_mps = speed_mps;
   return scene;
 }

@@ -11,19 +11,19 @@
 namespace offing::present {
 namespace {
 
-class TransferTest : public test::GlTest, public testing::WithParamInterface<TransferRung> {
+class TransferTest : public test::GlTest, public testing::WithParamInterface<TransferPath> {
  protected:
   void SetUp() override {
     GlTest::SetUp();
     if (IsSkipped()) return;
     try {
-      ladder_.emplace(*context_, device_, GetParam());
+      paths_.emplace(*context_, device_, GetParam());
     } catch (const Error& error) {
       GTEST_SKIP() << error.what();
     }
   }
   void TearDown() override {
-    ladder_.reset();  // while its context lives
+    paths_.reset();  // while its context lives
     GlTest::TearDown();
   }
 
@@ -41,21 +41,21 @@ class TransferTest : public test::GlTest, public testing::WithParamInterface<Tra
   }
 
   ocl::Device device_ = ocl::Device::open();
-  std::optional<TransferLadder> ladder_;
+  std::optional<Transfer> paths_;
 };
 
-std::string name_of(const testing::TestParamInfo<TransferRung>& tested) {
+std::string name_of(const testing::TestParamInfo<TransferPath>& tested) {
   std::string name(to_string(tested.param));
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Rungs, TransferTest, testing::ValuesIn(all_transfer_rungs), name_of);
+INSTANTIATE_TEST_SUITE_P(Paths, TransferTest, testing::ValuesIn(all_transfer_paths), name_of);
 
-// Fails if a rung loses, moves or rounds a texel, mixes up two maps, or hands out an older frame: five frames
-// go three times round the ring of buffers.
+// Fails if a transfer path loses, moves or rounds a texel, mixes up two maps, or hands out an older frame:
+// five frames go three times round the ring of buffers.
 TEST_P(TransferTest, BringsEveryTexel) {
-  EXPECT_EQ(ladder_->rung(), GetParam());
+  EXPECT_EQ(paths_->path(), GetParam());
   const MapTexture wide(64, 3, 4), narrow(32, 2, 1);
   ocl::Buffer<float> wide_source(device_, wide.count(), "wide map"),
       narrow_source(device_, narrow.count(), "narrow map");
@@ -65,7 +65,7 @@ TEST_P(TransferTest, BringsEveryTexel) {
     wide_source.write(wide_values);
     narrow_source.write(narrow_values);
     const std::array<Upload, 2> uploads{{{wide_source, &wide}, {narrow_source, &narrow}}};
-    ladder_->upload(uploads);
+    paths_->upload(uploads);
     EXPECT_EQ(texels_of(wide, GL_RGBA), wide_values) << "frame " << frame;
     EXPECT_EQ(texels_of(narrow, GL_RED), narrow_values) << "frame " << frame;
   }
@@ -76,25 +76,25 @@ TEST_P(TransferTest, RefusesAnotherSize) {
   const MapTexture texture(64, 1, 4);
   const ocl::Buffer<float> source(device_, texture.count() - 1, "map");
   const std::array<Upload, 1> uploads{{{source, &texture}}};
-  EXPECT_THROW(ladder_->upload(uploads), Error);
+  EXPECT_THROW(paths_->upload(uploads), Error);
 }
 
-using TransferLadderTest = test::GlTest;
+using ChosenTransferTest = test::GlTest;
 
-// Fails if the ladder begins on a rung that cannot be used here, or on none.
-TEST_F(TransferLadderTest, ChoosesARungByItself) {
+// Fails if the paths begins on a transfer path that cannot be used here, or on none.
+TEST_F(ChosenTransferTest, ChoosesAPathByItself) {
   const ocl::Device device = ocl::Device::open();
-  const TransferLadder ladder(*context_, device);
-  RecordProperty("rung", std::string(to_string(ladder.rung())));
-  EXPECT_EQ(ladder.rung() == TransferRung::mapped_pointer, device.info().type == ocl::DeviceType::cpu);
+  const Transfer paths(*context_, device);
+  RecordProperty("path", std::string(to_string(paths.path())));
+  EXPECT_EQ(paths.path() == TransferPath::mapped_pointer, device.info().type == ocl::DeviceType::cpu);
 }
 
-// Fails if a name is misread, or an unknown one taken for some rung.
-TEST(TransferRungTest, IsNamedOnTheCommandLine) {
-  for (const TransferRung rung : all_transfer_rungs) EXPECT_EQ(transfer_rung(to_string(rung)), rung);
+// Fails if a name is misread, or an unknown one taken for some transfer path.
+TEST(TransferPathTest, IsNamedOnTheCommandLine) {
+  for (const TransferPath path : all_transfer_paths) EXPECT_EQ(transfer_path(to_string(path)), path);
   try {
-    transfer_rung("pbo");
-    FAIL() << "an unknown rung was taken";
+    transfer_path("pbo");
+    FAIL() << "an unknown path was taken";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::bad_usage);
     EXPECT_NE(std::string(error.what()).find("pbo-ring"), std::string::npos);

@@ -11,7 +11,7 @@
 #include "tests/cli/offing_program.h"
 #include "tests/ocl/other_devices.h"
 #include "tests/ocl/scoped_environment.h"
-#include "tests/present/picture_difference.h"
+#include "tests/present/image_difference.h"
 
 namespace offing::test {
 namespace {
@@ -32,11 +32,11 @@ class ViewCrossDeviceTest : public testing::TestWithParam<OtherDevice> {
     EXPECT_EQ(result.exit_code, 0) << result.errors;
     return read_png(name);
   }
-  RgbImage expected_picture(const std::string& scene, const char* size, const char* time_s) const {
+  RgbImage expected_image(const std::string& scene, const char* size, const char* time_s) const {
     const ScopedEnvironment device("OFFING_DEVICE", "portable");
     return picture(scene, size, time_s);
   }
-  RgbImage other_picture(const std::string& scene, const char* size, const char* time_s) const {
+  RgbImage other_image(const std::string& scene, const char* size, const char* time_s) const {
     std::list<ScopedEnvironment> environment;
     for (const auto& [name, value] : GetParam().environment) environment.emplace_back(name, value);
     return picture(scene, size, time_s);
@@ -44,7 +44,7 @@ class ViewCrossDeviceTest : public testing::TestWithParam<OtherDevice> {
   /// Steps of a byte between the pictures of both drivers, in the mean.
   double difference(const std::string& scene) const {
     const double steps =
-        mean_difference(other_picture(scene, "320x180", "8"), expected_picture(scene, "320x180", "8"));
+        mean_difference(other_image(scene, "320x180", "8"), expected_image(scene, "320x180", "8"));
     RecordProperty("mean", std::to_string(steps));
     return steps;
   }
@@ -81,9 +81,9 @@ TEST_P(ViewCrossDeviceTest, MakesTheSameHighlights) {
 // rusticl: 2e-3 of a byte's step, 5 pixels.
 TEST_P(ViewCrossDeviceTest, MakesTheSameWorld) {
   const std::string scene = OFFING_SCENES "/world.toml";
-  const RgbImage expected = expected_picture(scene, "640x360", "10");
-  EXPECT_TRUE(expected_picture(scene, "640x360", "10").rgb == expected.rgb) << "differs from run to run";
-  const RgbImage found = other_picture(scene, "640x360", "10");
+  const RgbImage expected = expected_image(scene, "640x360", "10");
+  EXPECT_TRUE(expected_image(scene, "640x360", "10").rgb == expected.rgb) << "differs from run to run";
+  const RgbImage found = other_image(scene, "640x360", "10");
   const double mean = mean_difference(found, expected), share = share_beyond(found, expected, 8);
   RecordProperty("mean", std::to_string(mean));
   RecordProperty("share_beyond_8", std::to_string(share));

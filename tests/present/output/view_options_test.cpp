@@ -15,7 +15,7 @@ TEST(ViewOptionsTest, ShowTheWorldWhereNoSceneIsNamed) {
   const auto shown = read_view_options(1, bare.data());
   ASSERT_TRUE(shown.has_value());
   EXPECT_EQ(shown->scene_name, "world");
-  const scene::OceanScene world = scene::load_scene(OFFING_SOURCES "/scenes/world.toml");
+  const scene::Scene world = scene::load_scene(OFFING_SOURCES "/scenes/world.toml");
   ASSERT_TRUE(world.terrain.fractal.island_radius_m.has_value());
   EXPECT_EQ(shown->scene.terrain.fractal.island_radius_m, world.terrain.fractal.island_radius_m);
   EXPECT_EQ(shown->scene.meshes.size(), world.meshes.size());

@@ -20,7 +20,7 @@
 #include "host/io/tile_store/tile_store.h"
 #include "host/terrain/tiles/tile_builder.h"
 #include "tests/cli/offing_program.h"
-#include "tests/present/picture_difference.h"
+#include "tests/present/image_difference.h"
 
 namespace offing::test {
 namespace {
@@ -124,7 +124,7 @@ TEST_F(ViewProgramTest, WritesSceneLinearLight) {
 
 // Fails if ground is not in the picture, or one that is made twice differs; if --terrain shows another
 // picture than the scene that names the file.
-TEST_F(ViewProgramTest, ShowsGround) {
+TEST_F(ViewProgramTest, ShowsTerrain) {
   std::ofstream(path("hill.asc")) << "ncols 4\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 50\n"
                                      "0 10 10 0\n0 60 40 0\n0 5 20 0\n";
   std::ofstream(path("hill.toml")) << "version = 1\n[terrain]\nfile = \"hill.asc\"\n";
@@ -265,7 +265,7 @@ TEST_F(ViewProgramTest, StoppedRecordingsTellHowToGoOn) {
 
 // Fails if a picture is made to its end, or its file appears, after the user asked to stop. The first file of
 // an empty kernel cache tells that the program is at work, with most of it before it.
-TEST_F(ViewProgramTest, AStoppedPictureIsNotWritten) {
+TEST_F(ViewProgramTest, AStoppedImageIsNotWritten) {
   const char* const cache = std::getenv("OFFING_CACHE_DIR");
   const std::string usual = cache != nullptr ? cache : "";
   const std::string empty = path("empty_cache");
@@ -287,7 +287,7 @@ TEST_F(ViewProgramTest, AStoppedPictureIsNotWritten) {
   EXPECT_FALSE(std::filesystem::exists(path("stopped.png")));
 }
 
-// Fails if a rung that is forced is not used, or not printed.
+// Fails if a quality level that is forced is not used, or not printed.
 TEST_F(ViewProgramTest, PrintsTheTransfer) {
   const ProgramResult result =
       view({"--transfer", "blocking-read", "--time", "2", "-o", path("blocking.png")});

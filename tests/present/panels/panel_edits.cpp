@@ -110,7 +110,7 @@ void PanelEdits::change(const Parameter& row, ValueAt<int> at) {
     choose(present::parameter_label(row), "64", shown_element(row));
     return;
   }
-  scene::OceanScene copy = state().scene;
+  scene::Scene copy = state().scene;
   // From the upper end of its range only to the left.
   const Spot spot = find(main_panel(), present::parameter_label(row), value_px, shown_element(row));
   const int way = at(copy, scene::last_element(copy, row.elements)) >= row.high ? -25 : 25;
@@ -132,7 +132,7 @@ void PanelEdits::change(const Parameter& row, ValueAt<std::optional<UtcTime>>) {
 void PanelEdits::change(const Parameter& row, ValueAt<glm::dvec3>) {
   const Spot spot = find_triple(main_panel(), present::parameter_label(row), shown_element(row));
   // Colours begin at the end of their range.
-  scene::OceanScene copy = state().scene;
+  scene::Scene copy = state().scene;
   const std::vector<double*> numbers = scene::numbers_of(copy, row, scene::last_element(copy, row.elements));
   const int way = *numbers.front() >= row.high * row.scale ? -pull_px : pull_px;
   drag(spot, {spot.x + way, spot.y});
@@ -148,7 +148,7 @@ void PanelEdits::change(const Parameter& row, ValueAt<std::vector<double>>) {
 }
 
 void PanelEdits::change(const Parameter& row, const scene::ChoiceStorage& choice) {
-  scene::OceanScene copy = state().scene;
+  scene::Scene copy = state().scene;
   const std::size_t chosen = choice.get(copy, scene::last_element(copy, row.elements));
   choose(present::parameter_label(row), std::string(choice.names[(chosen + 1) % choice.names.size()]),
          shown_element(row));
@@ -157,9 +157,9 @@ void PanelEdits::change(const Parameter& row, const scene::ChoiceStorage& choice
 std::string PanelEdits::text_for(const Parameter& row) const {
   if (row.key == "cloud.file") return particle_file();
   if (row.key == "cloud.mesh") return mesh_file();
-  if (row.key == "clouds.crisp_puffs" || row.key == "clouds.soft_puffs") return puff_folder();
+  if (row.key == "clouds.crisp_puffs" || row.key == "clouds.soft_puffs") return billboard_folder();
   if (row.key == "mesh.file") return mesh_file();
-  if (row.key == "mesh.cartoon_ramp" || row.key == "mesh.highlight.picture") return grey_picture("grey.png");
+  if (row.key == "mesh.cartoon_ramp" || row.key == "mesh.highlight.picture") return grey_image("grey.png");
   if (row.key == "mesh.highlight.light") return "right";
   if (row.key == "mesh.aboard") return "first";
   if (row.rule == scene::ParameterRule::name || row.group == scene::ParameterGroup::cloud) return "K";
@@ -181,7 +181,7 @@ std::string PanelEdits::mesh_file() const {
   return path.string();
 }
 
-std::string PanelEdits::grey_picture(const std::string& name) const {
+std::string PanelEdits::grey_image(const std::string& name) const {
   constexpr int side_px = 8;
   const std::filesystem::path path = folder_.path() / name;
   const std::vector<unsigned char> grey(3 * side_px * side_px, 128);
@@ -189,10 +189,10 @@ std::string PanelEdits::grey_picture(const std::string& name) const {
   return path.string();
 }
 
-std::string PanelEdits::puff_folder() const {
+std::string PanelEdits::billboard_folder() const {
   const std::filesystem::path path = folder_.path() / "puffs";
   std::filesystem::create_directories(path);
-  for (int i = 0; i < CLOUD_TEXTURES; ++i) grey_picture(fmt::format("puffs/{:02}.png", i));
+  for (int i = 0; i < CLOUD_TEXTURES; ++i) grey_image(fmt::format("puffs/{:02}.png", i));
   return path.string();
 }
 

@@ -52,8 +52,8 @@ class PanelEdits : public WindowTest {
   std::string text_for(const scene::Parameter& row) const;
   std::string particle_file() const;
   std::string mesh_file() const;
-  std::string grey_picture(const std::string& name) const;
-  std::string puff_folder() const;
+  std::string grey_image(const std::string& name) const;
+  std::string billboard_folder() const;
 
   void expect_undone_and_redone(const std::string& start);
   void expect_saved_and_loaded();
@@ -65,7 +65,7 @@ class PanelEdits : public WindowTest {
 /// What a window is opened with to edit rows: small enough to be made in a moment.
 present::ViewOptions panel_options(const PanelRows& rows, present::ViewOptions usual);
 
-/// Wakes, meshes and what belongs to them, lamps, floating bodies.
+/// Wakes, meshes and what belongs to them, lights, floating bodies.
 bool is_of_world(scene::ParameterGroup group);
 bool is_of_clouds(scene::ParameterGroup group);
 

@@ -20,7 +20,7 @@ TEST_P(PanelEditsTest, ShowWhatAFreshStartShows) {
   expect_what_a_fresh_start_shows({GetParam()});
 }
 
-/// All but that of height maps, whose values are as a file has them: window_ground_test.cpp; those of what a
+/// All but that of height maps, whose values are as a file has them: window_terrain_test.cpp; those of what a
 /// world has beside its sea: world_panels_test.cpp, cloud_panels_test.cpp; and those of bookmarks:
 /// window_bookmarks_test.cpp.
 std::vector<present::GroupPanel> panels_of_free_values() {

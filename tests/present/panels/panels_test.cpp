@@ -50,13 +50,13 @@ class PanelsTest : public test::GlTest {
 
   std::unique_ptr<PanelLayer> layer_;
   RenderTarget target_;
-  scene::OceanScene scene_;
+  scene::Scene scene_;
 };
 
 /// Clicks at a share of a widget's width, twice, so that popups and check boxes see it; the last edit.
 class WidgetClicks {
  public:
-  explicit WidgetClicks(scene::OceanScene& scene) : scene_(scene) {}
+  explicit WidgetClicks(scene::Scene& scene) : scene_(scene) {}
 
   void draw(const scene::Parameter& row, scene::ElementIndex element = {}) {
     const Edit edit = parameter_widget(scene_, row, edit_, element);
@@ -72,7 +72,7 @@ class WidgetClicks {
   const std::string& fault() const { return edit_.fault; }
 
  private:
-  scene::OceanScene& scene_;
+  scene::Scene& scene_;
   ImVec2 lower_, upper_;
   Edit last_edit_ = Edit::none;
   EditInProgress edit_;
@@ -167,7 +167,7 @@ TEST_F(PanelsTest, ElementsAreEditedOnTheirOwn) {
     for (std::size_t i = 0; i < scene::numbers_of(scene_, row, element).size(); ++i) {
       scene_.tracks[{row.key, element, i}] = {.keys = {{0.0, 0.5}}};
     }
-    const scene::OceanScene before = scene_;
+    const scene::Scene before = scene_;
     WidgetClicks clicks(scene_);
     for (const auto& [share, is_down] : {std::pair(0.1f, false),
                                          {0.1f, false},
@@ -195,7 +195,7 @@ TEST_F(PanelsTest, ElementsAreEditedOnTheirOwn) {
 TEST_F(PanelsTest, AllPanelsDraw) {
   StageTimes times;
   const ocl::DeviceInfo device = ocl::select_device();
-  scene::OceanScene scene;
+  scene::Scene scene;
   scene.names_sea = true;
   scene.meshes.resize(1);  // whose panels are there with one
   ViewState state{.scene = scene, .camera = FreeCamera(Camera{}), .clock = SceneClock(0.0)};
@@ -207,7 +207,7 @@ TEST_F(PanelsTest, AllPanelsDraw) {
       const PanelEdits edits = draw_panels(state, {.times = times,
                                                    .capabilities = context_->capabilities(),
                                                    .device = device,
-                                                   .transfer = TransferRung::mapped_pointer,
+                                                   .transfer = TransferPath::mapped_pointer,
                                                    .width_px = 640,
                                                    .height_px = 360});
       target_.bind();

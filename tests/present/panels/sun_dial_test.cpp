@@ -32,7 +32,7 @@ TEST(SunDialTest, LeadsBack) {
 
 // Fails if keyframes or a time go on moving a sun that was put somewhere by hand.
 TEST(SunDialTest, HandsPutTheSunToRest) {
-  scene::OceanScene scene = scene::parse_scene(
+  scene::Scene scene = scene::parse_scene(
       "version = 1\n[sun]\nelevation_deg = { keys = [{ t = 0, value = 3 }, { t = 9, value = 5 }] }\n",
       "a.toml", "");
   ASSERT_FALSE(scene.tracks.empty());
@@ -44,12 +44,12 @@ TEST(SunDialTest, HandsPutTheSunToRest) {
 
 // Fails if an hour is another one's in the saved scene, moves the day, or the dial's place is kept beside it.
 TEST(SunDialTest, HoursComeBackFromAFile) {
-  scene::OceanScene scene = scene::parse_scene("version = 1\n[sun]\nelevation_deg = 20\n", "a.toml", "");
+  scene::Scene scene = scene::parse_scene("version = 1\n[sun]\nelevation_deg = 20\n", "a.toml", "");
   set_hour(scene, 19.5);
   EXPECT_EQ(iso_time(*scene.view.sun_time_utc), "2020-06-21T19:30Z");
   set_hour(scene, 24.0);
   EXPECT_EQ(iso_time(*scene.view.sun_time_utc), "2020-06-21T23:59:59Z");
-  const scene::OceanScene back = scene::parse_scene(scene::scene_text(scene, ""), "b.toml", "");
+  const scene::Scene back = scene::parse_scene(scene::scene_text(scene, ""), "b.toml", "");
   EXPECT_EQ(back.view.sun_time_utc, scene.view.sun_time_utc);
   place_sun(scene, {1.0, 0.5});
   EXPECT_FALSE(scene::parse_scene(scene::scene_text(scene, ""), "b.toml", "").view.sun_time_utc);

@@ -22,7 +22,7 @@ class CloudFlightTest : public test::CloudStage {
   void SetUp() override {
     CloudStage::SetUp();
     if (IsSkipped()) return;
-    const scene::OceanScene scene =
+    const scene::Scene scene =
         scene::parse_scene("version = 1\n[wind]\nspeed_mps = 7\n[ocean]\nsize = 32\n", "a.toml", "");
     open(scene::prepare_world(scene, scene::Warnings::left_out));
     add_heap({0.0, 700.0, -1500.0}, 900.0, 500);

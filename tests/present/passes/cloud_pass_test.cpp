@@ -19,7 +19,7 @@ class CloudPassTest : public CloudStage {
   static constexpr int width = 160, height = 90;
 
   static world::WorldParameters scene_of(const char* text) {
-    const scene::OceanScene scene = scene::parse_scene(std::string("version = 1\n") + text, "a.toml", "");
+    const scene::Scene scene = scene::parse_scene(std::string("version = 1\n") + text, "a.toml", "");
     return scene::prepare_world(scene, scene::Warnings::left_out);
   }
   static world::WorldParameters sea() { return scene_of("[wind]\nspeed_mps = 7\n[ocean]\nsize = 32\n"); }

@@ -31,7 +31,7 @@ class CloudStage : public GlTest {
     device_ = std::make_unique<ocl::Device>(ocl::Device::open());
     pass_ = std::make_unique<present::CloudPass>();
     sky_ = std::make_unique<present::SkyPass>();
-    transfer_ = std::make_unique<present::TransferLadder>(*context_, *device_);
+    transfer_ = std::make_unique<present::Transfer>(*context_, *device_);
   }
   void TearDown() override {
     transfer_.reset();
@@ -201,7 +201,7 @@ class CloudStage : public GlTest {
   std::unique_ptr<present::Frame> frame_;
   std::unique_ptr<present::CloudPass> pass_;
   std::unique_ptr<present::SkyPass> sky_;
-  std::unique_ptr<present::TransferLadder> transfer_;
+  std::unique_ptr<present::Transfer> transfer_;
   std::vector<CloudParticle> particles_;
   std::vector<CloudSprite> sprites_;
 };

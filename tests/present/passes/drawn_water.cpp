@@ -36,10 +36,10 @@ DrawnWater drawn_beside_queried(world::World& world, const present::WaterSurface
     drawn.height_squares_m2 += heights_m[i] * heights_m[i];
     drawn.off_squares_m2 += (samples[i].height_m - heights_m[i]) * (samples[i].height_m - heights_m[i]);
   }
-  if (world.ground() == nullptr) return drawn;
+  if (world.terrain() == nullptr) return drawn;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto ground = world.ground()->ground_at(points[i].x_m, points[i].z_m);
-    if (!ground || ground->height_m <= 0.0) continue;
+    const auto terrain = world.terrain()->terrain_at(points[i].x_m, points[i].z_m);
+    if (!terrain || terrain->height_m <= 0.0) continue;
     drawn.over_land_m = std::max(drawn.over_land_m, heights_m[i]);
     ++drawn.land_count;
   }

@@ -30,8 +30,9 @@ constexpr int side_px = 32;  // 1024 pixels, all compared
 /// The sea of the queries' tests, without waves that are shorter than this.
 world::WorldParameters sea_of_waves_from(double shortest_m) {
   const ocean::HybridSea hybrid = ocean::hybrid_sea(ocl::Device::open(), 512);
-  world::WorldParameters parameters{
-      .spectrum = hybrid.spectrum, .ocean = hybrid.ocean.parameters(), .trochoids = hybrid.trochoids};
+  world::WorldParameters parameters{.spectrum = hybrid.spectrum,
+                                    .ocean = hybrid.ocean.parameters(),
+                                    .gerstner_waves = hybrid.gerstner_waves};
   if (shortest_m == 0.0) return parameters;
   const double k_max_radpm = 2.0 * std::numbers::pi / shortest_m;
   std::vector<ocean::Cascade>& cascades = parameters.ocean.cascades;
@@ -41,7 +42,7 @@ world::WorldParameters sea_of_waves_from(double shortest_m) {
 }
 
 /// A beach of 1 : 10 whose waterline runs 30 m beside the eye: 3 m of water below it.
-world::GroundParameters beach_about(const glm::dvec3& eye_m) {
+world::TerrainParameters beach_about(const glm::dvec3& eye_m) {
   HeightMap map;
   map.columns = map.rows = 64;
   map.spacing_x_m = map.spacing_z_m = 10.0;
@@ -50,11 +51,11 @@ world::GroundParameters beach_about(const glm::dvec3& eye_m) {
       map.heights_m.push_back(static_cast<float>(-3.0 + 0.1 * (315.0 - 10.0 * column)));
     }
   }
-  world::GroundParameters ground;
-  ground.map = std::make_shared<const HeightMap>(std::move(map));
-  ground.origin_x_m = eye_m.x - 315.0;
-  ground.origin_z_m = eye_m.z - 315.0;
-  return ground;
+  world::TerrainParameters terrain;
+  terrain.map = std::make_shared<const HeightMap>(std::move(map));
+  terrain.origin_x_m = eye_m.x - 315.0;
+  terrain.origin_z_m = eye_m.z - 315.0;
+  return terrain;
 }
 
 class DrawnWaterTest : public testing::Test {
@@ -67,7 +68,7 @@ class DrawnWaterTest : public testing::Test {
     ocl::Device device = ocl::Device::open();
     world::World world;
     GridCells cells;
-    TransferLadder transfer{context, device, std::nullopt};
+    Transfer transfer{context, device, std::nullopt};
     WaterMaps maps;
     WaterSurface surface{context.capabilities(), cells};
   };
@@ -151,7 +152,7 @@ TEST_F(DrawnWaterTest, OverABeachIsWhereQueriesSay) {
   camera_.pitch_rad = -0.5 * std::numbers::pi;
   camera_.vertical_field_of_view_rad = 0.2;
   world::WorldParameters parameters = sea_of_waves_from(0.0);
-  parameters.ground = beach_about(camera_.eye_m);
+  parameters.terrain = beach_about(camera_.eye_m);
   prepare(parameters, {.columns = 512, .rows = 1024});
   if (!stage_) return;
   ASSERT_NE(stage_->world.shoals(), nullptr);
@@ -170,7 +171,7 @@ TEST_F(DrawnWaterTest, OfABeachFromAfarIsWhereQueriesSay) {
   camera_.yaw_rad = -0.7;
   camera_.vertical_field_of_view_rad = 0.6;
   world::WorldParameters parameters = sea_of_waves_from(4.0 * largest_cell_m);
-  parameters.ground = beach_about(camera_.eye_m);
+  parameters.terrain = beach_about(camera_.eye_m);
   prepare(parameters, {});
   if (!stage_) return;
   const DrawnWater found = compare();

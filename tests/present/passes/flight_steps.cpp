@@ -37,7 +37,7 @@ double change_left(const std::function<Blocks(double)>& blocks_at, const Step& s
 
 }  // namespace
 
-Blocks blocks_of(const std::vector<float>& pixels, PictureShape shape, double exposure) {
+Blocks blocks_of(const std::vector<float>& pixels, ImageShape shape, double exposure) {
   const int columns = shape.width / block_px, rows = shape.height / block_px;
   Blocks blocks(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   for (int row = 0; row < rows * block_px; ++row) {

@@ -10,12 +10,12 @@ namespace offing::test {
 /// not fill a block is left out.
 using Blocks = std::vector<double>;
 
-struct PictureShape {
+struct ImageShape {
   int width = 0, height = 0;
 };
 
 /// Of pixels [height][width] RGBA, kcd/m2, with an exposure, 1 / (kcd/m2).
-Blocks blocks_of(const std::vector<float>& pixels, PictureShape shape, double exposure);
+Blocks blocks_of(const std::vector<float>& pixels, ImageShape shape, double exposure);
 
 /// What of a flight's changes from frame to frame its motion does not explain, in white.
 struct FlightSteps {

@@ -201,20 +201,20 @@ TEST_F(FrameTest, DoesNotShimmerAtTheHorizon) {
   EXPECT_LT(far, 0.1 * near);
 }
 
-// Fails if a ring of buffers hands out the map of an earlier frame, or a rung another map.
+// Fails if a ring of buffers hands out the map of an earlier frame, or a quality level another map.
 TEST_F(FrameTest, IsTheSameByEveryTransfer) {
   camera_.pitch_rad = -20.0 * degree;
   const std::vector<float> expected = picture(5.0);
-  for (const TransferRung rung : all_transfer_rungs) {
+  for (const TransferPath level : all_transfer_paths) {
     std::optional<Frame> frame;
     try {
-      frame.emplace(stage_->context, stage_->device, FrameSettings{.water = detail, .transfer = rung});
+      frame.emplace(stage_->context, stage_->device, FrameSettings{.water = detail, .transfer = level});
     } catch (const Error& error) {
       std::printf("not tested: %s\n", error.what());
       continue;
     }
     picture(*frame, 4.0);
-    EXPECT_EQ(picture(*frame, 5.0), expected) << to_string(rung);
+    EXPECT_EQ(picture(*frame, 5.0), expected) << to_string(level);
   }
 }
 

@@ -31,7 +31,7 @@ class HighlightPassTest : public MeshStage {
     std::vector<float> with, without;
   };
   Pair pictures(double time_s = 0.0) {
-    world::MeshView& mesh = world_->meshes()[0];
+    world::WorldMesh& mesh = world_->meshes()[0];
     const std::vector<highlights::HighlightRule> rules = mesh.parameters().rules;
     Pair pair{.with = light(time_s), .without = {}};
     highlights::HighlightRule hidden;
@@ -135,7 +135,7 @@ TEST_F(HighlightPassTest, DrawsShapesInTheirBoxAndNothingBeyond) {
 // Fails if pictures are turned, mirrored or upside down, or their opacity is not: the corners of one are red,
 // green, blue and clear, from the upper left one on (texture_place() in highlights/projector.h). Light is
 // that of the corner over the mesh, half precision; gate 1 %.
-TEST_F(HighlightPassTest, ShowsPicturesUpright) {
+TEST_F(HighlightPassTest, ShowsImagesUpright) {
   auto picture = std::make_shared<RgbaImage>(RgbaImage{.width = 8, .height = 8, .rgba = {}});
   constexpr std::array<std::array<std::uint8_t, 4>, 4> corners{
       {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {9, 9, 9, 0}}};
@@ -176,7 +176,7 @@ TEST_F(HighlightPassTest, ShowsPicturesUpright) {
   }
 }
 
-// Fails if a highlight is shown that the mesh keeps from its lamp, or one that nothing hides is not: a small
+// Fails if a highlight is shown that the mesh keeps from its light, or one that nothing hides is not: a small
 // sphere between a large one and the sun.
 TEST_F(HighlightPassTest, HidesHighlightsInTheMeshsOwnShadow) {
   world::WorldParameters parameters =

@@ -42,7 +42,7 @@ class HullMaskTest : public testing::Test {
     GlContext context = GlContext::headless();
     ocl::Device device = ocl::Device::open();
     world::World world;
-    TransferLadder transfer{context, device, std::nullopt};
+    Transfer transfer{context, device, std::nullopt};
     WaterMaps maps;
     WaterSurface surface;
   };

@@ -39,7 +39,7 @@ class LiveSeaTest : public test::GlTest {
     return sea_->frame().screen().read_bytes();
   }
 
-  scene::OceanScene scene_;
+  scene::Scene scene_;
   std::unique_ptr<LiveSea> sea_;
 };
 
@@ -50,7 +50,7 @@ TEST_F(LiveSeaTest, RefusedEditsChangeNothing) {
   for (const char* part :
        {"[sun]\ntime_utc = 2100-12-31T23:59:59Z\ntime_scale = 1\n[time]\nstart_s = 100\nend_s = 101\n",
         "[ocean]\nspectrum_file = \"nowhere.data_spec\"\n"}) {
-    scene::OceanScene edited = scene::parse_scene(std::string("version = 1\n") + part, "b.toml", "");
+    scene::Scene edited = scene::parse_scene(std::string("version = 1\n") + part, "b.toml", "");
     edited.ocean.size = 32;
     edited.wind_speed_mps = 20.0;
     edited.view.atmosphere.aerosol_optical_depth = 0.9;
@@ -58,7 +58,7 @@ TEST_F(LiveSeaTest, RefusedEditsChangeNothing) {
     EXPECT_EQ(sea_->scene().wind_speed_mps, scene_.wind_speed_mps);
     EXPECT_TRUE(picture() == before) << part;
   }
-  scene::OceanScene edited = scene_;
+  scene::Scene edited = scene_;
   edited.wind_speed_mps = 20.0;
   sea_->edit(edited);
   EXPECT_FALSE(picture() == before) << "an edit that is taken cannot be seen";
@@ -68,7 +68,7 @@ TEST_F(LiveSeaTest, RefusedEditsChangeNothing) {
 TEST_F(LiveSeaTest, WarnsOnceOfSteepWaves) {
   EXPECT_EQ(sea_->warning(), "");
   const test::LogCapture log;
-  scene::OceanScene edited = scene_;
+  scene::Scene edited = scene_;
   for (const double amplitude_m : {2.0, 2.1, 2.2}) {
     edited.swells = {{.amplitude_m = amplitude_m, .wavelength_m = 8.0}};
     edited.wind_speed_mps += 0.1;
@@ -87,7 +87,7 @@ TEST_F(LiveSeaTest, WarnsOnceOfSteepWaves) {
 
 // Fails if the height is not that of the water that is shown there.
 TEST_F(LiveSeaTest, KnowsTheWaterBelowAPoint) {
-  scene::OceanScene edited = scene_;
+  scene::Scene edited = scene_;
   edited.swells = {{.amplitude_m = 3.0, .wavelength_m = 900.0}};
   edited.wind_speed_mps = 0.5;
   sea_->edit(edited);

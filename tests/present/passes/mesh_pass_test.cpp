@@ -25,7 +25,7 @@ class MeshPassTest : public MeshStage {
 
   static world::WorldParameters lit_world(const world::MeshParameters& mesh) {
     world::WorldParameters parameters = world_of(mesh);
-    parameters.lamps = {
+    parameters.lights = {
         {.source = {.kind = highlights::Source::Kind::place, .vector = place_m + glm::dvec3(-2.0, 1.0, 3.0)},
          .colour = {0.2, 0.5, 1.0},
          .illuminance_klx = 40.0}};
@@ -35,9 +35,9 @@ class MeshPassTest : public MeshStage {
   /// The formulas of mesh_light.glsl, at a place of the world.
   glm::dvec3 smooth_light(const glm::dvec3& at_m, const glm::dvec3& normal) const {
     const world::MeshMaterial& material = world_->parameters().meshes[0].material;
-    const sky::Illuminance& light = world_->illuminance();
-    const glm::dvec3 sun_klx(light.sun_klx[0], light.sun_klx[1], light.sun_klx[2]);
-    const glm::dvec3 sky_klx(light.sky_klx[0], light.sky_klx[1], light.sky_klx[2]);
+    const sky::Illuminance& illuminance = world_->illuminance();
+    const glm::dvec3 sun_klx(illuminance.sun_klx[0], illuminance.sun_klx[1], illuminance.sun_klx[2]);
+    const glm::dvec3 sky_klx(illuminance.sky_klx[0], illuminance.sky_klx[1], illuminance.sky_klx[2]);
     const auto& [x, y, z] = world_->parameters().sun_direction;
     const glm::dvec3 below_klx = 0.1 * (sky_klx + y * sun_klx);
     glm::dvec3 diffuse = below_klx + (0.5 + 0.5 * normal.y) * (sky_klx - below_klx), mirrored(0.0);
@@ -49,8 +49,8 @@ class MeshPassTest : public MeshStage {
       mirrored += facing * std::pow(std::max(cosine, 0.0), material.shininess) * klx;
     };
     add({x, y, z}, sun_klx);
-    for (const world::Lamp& lamp : world_->parameters().lamps) {
-      add(glm::normalize(lamp.source.vector - at_m), lamp.illuminance_klx * lamp.colour);
+    for (const world::Light& light : world_->parameters().lights) {
+      add(glm::normalize(light.source.vector - at_m), light.illuminance_klx * light.colour);
     }
     const double gain = material.specular * (material.shininess + 8.0) / (8.0 * std::numbers::pi);
     return material.colour / std::numbers::pi * diffuse + gain * mirrored;
@@ -135,9 +135,9 @@ class MeshPassTest : public MeshStage {
 };
 
 // All of the next three: the framebuffer rounds to 2^-11 twice, for samples and for pixels. Measured: see the
-// recorded worst_1e6; gate 2e-3, which an exponent or a lamp that is off by 1 % breaks.
+// recorded worst_1e6; gate 2e-3, which an exponent or a light that is off by 1 % breaks.
 
-// Fails if units, lamps, sky, eye or interpolated normals are not those of the formulas.
+// Fails if units, lights, sky, eye or interpolated normals are not those of the formulas.
 TEST_F(MeshPassTest, LightsSmoothlyByPixel) {
   open(lit_world(sphere(BaseShading::phong)));
   const double found = worst(light(), [&](const Seen& s) { return smooth_light(s.at_m, s.normal); });
@@ -301,9 +301,9 @@ TEST_F(MeshPassTest, IsExposedByTheLightOnMeshes) {
   open(lit_world(sphere(BaseShading::phong)));
   light();
   const sky::Illuminance& sky = world_->illuminance();
-  const double lamp_klx = 40.0 * sky::luminance({0.2, 0.5, 1.0});
+  const double light_klx = 40.0 * sky::luminance({0.2, 0.5, 1.0});
   const double white =
-      (sky::luminance(sky.sun_klx) + sky::luminance(sky.sky_klx) + lamp_klx) / std::numbers::pi;
+      (sky::luminance(sky.sun_klx) + sky::luminance(sky.sky_klx) + light_klx) / std::numbers::pi;
   LightMeter meter;
   EXPECT_NEAR(meter.exposure(*world_, camera(), 0.0) * white, 1.8, 0.01);
   Camera other = camera();

@@ -66,7 +66,7 @@ TEST_F(MeshShowTest, CurvatureIsRedWhereConvexAndGreenAtSaddles) {
 // do either: the rim is resolved by several samples a pixel.
 TEST_F(MeshShowTest, RegionsAreTheFacesOfTheHighlight) {
   const std::vector<float> plain = open_with_one_highlight(), pixels = shown(MeshShow::regions);
-  const world::MeshView& mesh = world_->meshes()[0];
+  const world::WorldMesh& mesh = world_->meshes()[0];
   const highlights::DrawnHighlight& highlight = mesh.highlights()[0];
   const auto first = mesh.highlight_faces().begin() + static_cast<std::ptrdiff_t>(highlight.first_face);
   const std::set<std::uint32_t> region(first, first + static_cast<std::ptrdiff_t>(highlight.face_count));

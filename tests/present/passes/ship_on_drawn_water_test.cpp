@@ -25,10 +25,10 @@ constexpr double frame_s = 1.0 / 24.0;
 class ShipOnDrawnWaterTest : public GlTest {
  protected:
   /// The shipped measured sea with a ship that follows its screw.
-  static scene::OceanScene ship_at_sea() {
+  static scene::Scene ship_at_sea() {
     const std::filesystem::path scenes(OFFING_SCENES);
-    scene::OceanScene sea = scene::load_scene(scenes / "buoy.toml");
-    const scene::OceanScene afloat = scene::load_scene(scenes / "afloat.toml");
+    scene::Scene sea = scene::load_scene(scenes / "buoy.toml");
+    const scene::Scene afloat = scene::load_scene(scenes / "afloat.toml");
     sea.wakes = afloat.wakes;
     sea.meshes = {afloat.meshes.front()};
     sea.meshes.front().highlights.clear();
@@ -43,11 +43,11 @@ class ShipOnDrawnWaterTest : public GlTest {
 // alike. Promised 1 cm.
 TEST_F(ShipOnDrawnWaterTest, IsWhereQueriesSay) {
   const ocl::Device device = ocl::Device::open();
-  const scene::OceanScene scene = ship_at_sea();
+  const scene::Scene scene = ship_at_sea();
   world::World world(device, scene::prepare_world(scene, scene::Warnings::left_out));
   ASSERT_NE(world.bodies(), nullptr);
   ASSERT_NE(world.wakes(), nullptr);
-  present::TransferLadder transfer(*context_, device, std::nullopt);
+  present::Transfer transfer(*context_, device, std::nullopt);
   present::WaterMaps maps;
   present::WaterSurface surface(context_->capabilities(), {.columns = 256, .rows = 512});
   DrawnWater drawn;

@@ -87,7 +87,7 @@ class SkyFlightTest : public test::GlTest {
     return worst;
   }
 
-  scene::OceanScene scene_;
+  scene::Scene scene_;
   std::optional<ocl::Device> device_;
   std::optional<world::World> world_;
   std::optional<Frame> frame_;

@@ -37,7 +37,7 @@ class StillSea : public GlTest {
   /// The same of the last of several pictures in a row.
   std::vector<float> light_of_last(const std::string& text, const std::vector<Camera>& cameras, int views_px,
                                    const present::Quality& quality, present::SkyRefresh sky) {
-    const scene::OceanScene scene = scene::parse_scene("version = 1\n" + text, "a.toml", "");
+    const scene::Scene scene = scene::parse_scene("version = 1\n" + text, "a.toml", "");
     world::World world(*device_, scene::prepare_world(scene, scene::Warnings::left_out));
     present::Frame frame(*context_, *device_, {.water = {{64, 64}, 1, views_px}, .transfer = {}});
     for (const Camera& camera : cameras) {

@@ -40,7 +40,7 @@ class TerrainPassTest : public test::GlTest {
   }
 
   void open(const std::string& text, int views_px = 256) {
-    const scene::OceanScene scene = scene::parse_scene("version = 1\n" + text, "a.toml", "");
+    const scene::Scene scene = scene::parse_scene("version = 1\n" + text, "a.toml", "");
     world_ = std::make_unique<world::World>(*device_, scene::prepare_world(scene, scene::Warnings::left_out));
     frame_ = std::make_unique<Frame>(*context_, *device_,
                                      FrameSettings{.water = {{64, 64}, 1, views_px}, .transfer = {}});
@@ -93,7 +93,7 @@ class TerrainPassTest : public test::GlTest {
 TEST_F(TerrainPassTest, LaysGroundOverTheSky) {
   open(hills);
   const std::vector<float> pixels = light(request(camera()));
-  const auto image = world_->ground()->picture().image.read();
+  const auto image = world_->terrain()->picture().image.read();
   std::vector<std::array<double, 3>> directions;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
@@ -106,12 +106,12 @@ TEST_F(TerrainPassTest, LaysGroundOverTheSky) {
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       const auto i = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
-      const terrain::Texel& ground = image[texel(column, row)];
-      if (ground[3] < 1.0f && directions[i][1] < 0.01) continue;  // the sky ends at the horizon
-      covered += ground[3] == 1.0f;
-      open_sky += ground[3] == 0.0f;
+      const terrain::Texel& terrain = image[texel(column, row)];
+      if (terrain[3] < 1.0f && directions[i][1] < 0.01) continue;  // the sky ends at the horizon
+      covered += terrain[3] == 1.0f;
+      open_sky += terrain[3] == 0.0f;
       for (std::size_t c = 0; c < 3; ++c) {
-        const double expected = ground[c] + (1.0 - ground[3]) * sky[i][c];
+        const double expected = terrain[c] + (1.0 - terrain[3]) * sky[i][c];
         worst = std::max(worst, std::abs(pixels[4 * i + c] - expected) / std::max(expected, 0.1));
       }
     }
@@ -127,8 +127,8 @@ TEST_F(TerrainPassTest, LaysGroundOverTheSky) {
 TEST_F(TerrainPassTest, HasTheDepthOfItsHits) {
   open(hills);
   light(request(camera()));
-  const auto planes = world_->ground()->picture().planes.read();
-  const auto image = world_->ground()->picture().image.read();
+  const auto planes = world_->terrain()->picture().planes.read();
+  const auto image = world_->terrain()->picture().image.read();
   const std::vector<float> found = depth();
   const glm::dvec3 forward = basis(camera()).forward;
   for (int row = 0; row < height; ++row) {
@@ -153,29 +153,30 @@ TEST_F(TerrainPassTest, SharesTheWorldWithTheSea) {
   coast.eye_m.y = 800.0;
   coast.pitch_rad = -0.5;
   const std::vector<float> pixels = light(request(coast));
-  const auto image = world_->ground()->picture().image.read();
-  const auto planes = world_->ground()->picture().planes.read();
+  const auto image = world_->terrain()->picture().image.read();
+  const auto planes = world_->terrain()->picture().planes.read();
   const double reach_m = world_->reach().vertical_m;
   std::size_t land = 0, water = 0;
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       const auto i = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
       const double distance_m = planes[texel(column, row)];
-      const terrain::Texel& ground = image[texel(column, row)];
+      const terrain::Texel& terrain = image[texel(column, row)];
       // Edges are mixed with what is behind; the bed is not drawn, and covers nothing.
-      if (std::isinf(distance_m) || (ground[3] > 0.0f && ground[3] < 1.0f)) continue;
+      if (std::isinf(distance_m) || (terrain[3] > 0.0f && terrain[3] < 1.0f)) continue;
       const double hit_m = coast.eye_m.y + distance_m * ray_of(coast, column, row).y;
-      bool shows_ground = true;
+      bool shows_terrain = true;
       for (std::size_t c = 0; c < 3; ++c) {
-        shows_ground = shows_ground && std::abs(pixels[4 * i + c] - ground[c]) <= 2.0 * half_step * ground[c];
+        shows_terrain =
+            shows_terrain && std::abs(pixels[4 * i + c] - terrain[c]) <= 2.0 * half_step * terrain[c];
       }
       // The sea bends with the Earth: 0.4 m at 2 km.
       if (hit_m > reach_m) {
         ++land;
-        EXPECT_TRUE(shows_ground) << column << ", " << row;
+        EXPECT_TRUE(shows_terrain) << column << ", " << row;
       } else if (hit_m < -reach_m - 2.0) {
         ++water;
-        EXPECT_FALSE(shows_ground) << column << ", " << row;
+        EXPECT_FALSE(shows_terrain) << column << ", " << row;
       }
     }
   }
@@ -199,14 +200,14 @@ TEST_F(TerrainPassTest, BlendsEdgesWithTheSea) {
   const std::vector<float> water = light(request(coast));
   open(std::string(hills) + "mean_m = -60\n" + sea, 0);
   const std::vector<float> pixels = light(request(coast));
-  const auto image = world_->ground()->picture().image.read();
-  const auto planes = world_->ground()->picture().planes.read();
+  const auto image = world_->terrain()->picture().image.read();
+  const auto planes = world_->terrain()->picture().planes.read();
   const double reach_m = world_->reach().vertical_m;
   std::size_t over_bed = 0, over_open_sea = 0;
   for (int row = 1; row + 1 < height; ++row) {
     for (int column = 1; column + 1 < width; ++column) {
-      const terrain::Texel& ground = image[texel(column, row)];
-      if (ground[3] <= 0.0f || ground[3] >= 1.0f) continue;
+      const terrain::Texel& terrain = image[texel(column, row)];
+      if (terrain[3] <= 0.0f || terrain[3] >= 1.0f) continue;
       const double rise = ray_of(coast, column, row).y, own_m = planes[texel(column, row)];
       const bool is_bed = std::isfinite(own_m) && coast.eye_m.y + own_m * rise < -reach_m - 1.0;
       if (rise > -0.01 || (std::isfinite(own_m) && !is_bed)) continue;
@@ -220,9 +221,9 @@ TEST_F(TerrainPassTest, BlendsEdgesWithTheSea) {
       ++(is_bed ? over_bed : over_open_sea);
       const auto i = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
       for (std::size_t c = 0; c < 3; ++c) {
-        const double expected = ground[c] + (1.0 - ground[3]) * water[4 * i + c];
+        const double expected = terrain[c] + (1.0 - terrain[3]) * water[4 * i + c];
         EXPECT_NEAR(pixels[4 * i + c], expected, 5e-3 * expected)
-            << column << ", " << row << ": " << ground[3];
+            << column << ", " << row << ": " << terrain[3];
       }
     }
   }
@@ -237,10 +238,10 @@ TEST_F(TerrainPassTest, BlendsEdgesWithTheSea) {
 TEST_F(TerrainPassTest, ShowsStepsInTheirColours) {
   open(hills);
   FrameRequest asked = request(camera());
-  asked.ground = GroundShow::steps;
+  asked.terrain = TerrainShow::steps;
   light(asked);
   const std::vector<unsigned char> screen = frame_->screen().read_bytes();
-  const auto hits = world_->ground()->picture().hits.read();
+  const auto hits = world_->terrain()->picture().hits.read();
   const auto srgb = [](double linear) {
     return 255.0 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055);
   };
@@ -263,12 +264,12 @@ TEST_F(TerrainPassTest, ShowsStepsInTheirColours) {
 TEST_F(TerrainPassTest, EnlargesCoarserViews) {
   open(hills);
   const std::vector<float> fine = light(request(camera()));
-  const auto planes = world_->ground()->picture().planes.read();
+  const auto planes = world_->terrain()->picture().planes.read();
   FrameRequest asked = request(camera());
   for (const double scale : {0.5, 0.8660254}) {
     asked.quality.ray_share = scale * scale;
     const std::vector<float> coarse = light(asked);
-    EXPECT_EQ(world_->ground()->picture().width_px, std::lround(width * scale));
+    EXPECT_EQ(world_->terrain()->picture().width_px, std::lround(width * scale));
     double difference = 0.0, mean = 0.0;
     for (int row = 0; row < height; ++row) {
       for (int column = 0; column < width; ++column) {

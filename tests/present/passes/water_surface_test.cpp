@@ -31,7 +31,7 @@ world::WorldParameters hybrid_sea() {
   const std::array lengths_m{90.0};
   parameters.ocean.cascades = ocean::cascades_from_patches(lengths_m, parameters.ocean.size);
   const ocean::Dispersion& water = parameters.spectrum.dispersion;
-  parameters.trochoids = {
+  parameters.gerstner_waves = {
       .waves = {make_swell({.amplitude_m = 0.7, .wavelength_m = 60.0, .direction_rad = 0.4}, water),
                 make_swell({.amplitude_m = 0.3, .wavelength_m = 23.0, .direction_rad = -1.1}, water)},
       .raindrops = {
@@ -46,7 +46,7 @@ class WaterSurfaceTest : public testing::Test {
     GlContext context = GlContext::headless();
     ocl::Device device = ocl::Device::open();
     world::World world{device, hybrid_sea()};
-    TransferLadder transfer{context, device, std::nullopt};
+    Transfer transfer{context, device, std::nullopt};
     WaterMaps maps;
     WaterSurface surface{context.capabilities(), {.columns = 128, .rows = 128}};
   };
@@ -68,11 +68,11 @@ class WaterSurfaceTest : public testing::Test {
                  .height_px = side_px};
 };
 
-// Fails if cascades, trochoids or rings are drawn elsewhere than they are, have other phases, or are lost: at
-// each pixel, the place on the surface that its ray meets is where the composed sea moves the pixel's label.
-// Cells are 0.3 m wide; within one, a line is off by curvature / 8 times its square, 0.3 m^-1 for the ring: 3
-// mm. Maps are bilinear in both, but OpenGL's filter has 8 bits of place: of 1.4 m between texels and slopes
-// of 0.3, 2 mm. Gate 1 cm.
+// Fails if cascades, Gerstner waves or rings are drawn elsewhere than they are, have other phases, or are
+// lost: at each pixel, the place on the surface that its ray meets is where the composed sea moves the
+// pixel's label. Cells are 0.3 m wide; within one, a line is off by curvature / 8 times its square, 0.3 m^-1
+// for the ring: 3 mm. Maps are bilinear in both, but OpenGL's filter has 8 bits of place: of 1.4 m between
+// texels and slopes of 0.3, 2 mm. Gate 1 cm.
 TEST_F(WaterSurfaceTest, IsTheComposedSea) {
   ASSERT_TRUE(stage_->surface.draw(stage_->world, stage_->maps, camera_, Fill::solid));
   const std::vector<float> places = stage_->surface.target().read(0);
@@ -92,7 +92,7 @@ TEST_F(WaterSurfaceTest, IsTheComposedSea) {
                                                .spacing_z_m = 0.1,
                                                .columns = 1,
                                                .rows = 1},
-                                              {.trochoids = stage_->world.parameters().trochoids});
+                                              {.gerstner_waves = stage_->world.parameters().gerstner_waves});
       const glm::dvec3 expected(places[pixel] + sea.displacement_x[0],
                                 sea.displacement_y[0] - camera_.eye_m.y,
                                 places[pixel + 1] + sea.displacement_z[0]);

@@ -24,7 +24,7 @@
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_writer.h"
 #include "host/scene/prepare/sea.h"
-#include "host/scene/schema/parameter_check.h"
+#include "host/scene/schema/checked_value.h"
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"
 #include "host/scene/schema/unused_parameters.h"
@@ -167,7 +167,7 @@ WrittenValue written(const Parameter& row, double number) {
 }
 
 /// Why a row that is set has no part in a scene; "" where it has.
-std::string unused_line(OceanScene scene, const Parameter& row) {
+std::string unused_line(Scene scene, const Parameter& row) {
   scene.set_at = {{{row.key, last_element(scene, row.elements)}, "value"}};
   const std::vector<std::string> lines =
       scene.has_sea() ? unused_parameters(scene, prepare_sea(scene, Warnings::left_out))
@@ -259,7 +259,7 @@ class ParameterExtremes : public testing::TestWithParam<std::string> {
     const std::string what = fmt::format("{} = {:g}", row.key, number);
     const BaseScene* base = base_of(row);
     ASSERT_NE(base, nullptr) << what << ": add a scene in which it means something to `bases`";
-    OceanScene scene = parse_scene(text_of(base->text), "base.toml", "");
+    Scene scene = parse_scene(text_of(base->text), "base.toml", "");
     ASSERT_FALSE(elements_of(scene, row.elements).empty()) << what << ": its scene has no element";
     ASSERT_EQ(unused_line(scene, row), "") << what << ": choose another scene in `bases`";
     if (drawn_.insert(base->text).second) draw(*base, scene);
@@ -267,7 +267,7 @@ class ParameterExtremes : public testing::TestWithParam<std::string> {
     store(scene, row, written(row, number), {.subject = what});
     std::ofstream(file("scene.toml")) << scene_text(scene, folder_.path());
     std::filesystem::remove(file("a.exr"));
-    check(what, row.key, number, run(OFFING_VIEW_PROGRAM, picture_arguments(scene)), file("a.exr"));
+    check(what, row.key, number, run(OFFING_VIEW_PROGRAM, image_arguments(scene)), file("a.exr"));
     if (!is_of_sea(row.group)) return;
     std::filesystem::remove_all(file("frames"));
     check(what + ", baked", row.key, number,
@@ -278,16 +278,16 @@ class ParameterExtremes : public testing::TestWithParam<std::string> {
   }
 
   /// Draws a base scene itself, which also has drivers compile what the others need.
-  void draw(const BaseScene& base, const OceanScene& scene) const {
+  void draw(const BaseScene& base, const Scene& scene) const {
     std::ofstream(file("scene.toml")) << scene_text(scene, folder_.path());
     std::filesystem::remove(file("a.exr"));
-    test::OffingProgram program(picture_arguments(scene), OFFING_VIEW_PROGRAM);
+    test::OffingProgram program(image_arguments(scene), OFFING_VIEW_PROGRAM);
     const test::ProgramResult result = program.wait();
     ASSERT_EQ(result.exit_code, 0) << base.text << result.errors;
     ASSERT_EQ(result.errors, "") << base.text;
   }
 
-  std::vector<std::string> picture_arguments(const OceanScene& scene) const {
+  std::vector<std::string> image_arguments(const Scene& scene) const {
     return {file("scene.toml"), "--headless", "--size",     "48x27",
             "--detail",         "low",        "--time",     fmt::format("{:.12g}", scene.start_s),
             "--quiet",          "-o",         file("a.exr")};

@@ -105,7 +105,7 @@ std::string wake(double history_s) {
       history_s);
 }
 
-std::string made_ground(int posts) {
+std::string made_terrain(int posts) {
   return fmt::format("[terrain]\nposts = {}\n", posts);
 }
 
@@ -135,7 +135,7 @@ TEST_F(RefusalFigures, TimeOfWakesIsRight) {
 }
 
 TEST_F(RefusalFigures, TimeOfMadeGroundIsRight) {
-  expect_right_time(made_ground(65), made_ground(6144));
+  expect_right_time(made_terrain(65), made_terrain(6144));
 }
 
 // Fails if ground is begun that the kernel would kill the program for, or the figure is off by more than a
@@ -143,10 +143,10 @@ TEST_F(RefusalFigures, TimeOfMadeGroundIsRight) {
 TEST_F(RefusalFigures, MemoryOfMadeGroundIsRight) {
   setenv("OFFING_LONGEST_WAIT_S", "3600", 1);
   constexpr int limit_kb = 340'000, posts = 6144;
-  const ProgramResult refused = draw(made_ground(posts), limit_kb);
+  const ProgramResult refused = draw(made_terrain(posts), limit_kb);
   EXPECT_EQ(refused.exit_code, 1);
   const double named = named_bytes(refused);
-  const auto taken = static_cast<double>(added(made_ground(65), made_ground(posts)).peak_bytes);
+  const auto taken = static_cast<double>(added(made_terrain(65), made_terrain(posts)).peak_bytes);
   fmt::print("named {:.3g} GB, taken {:.3g} GB\n", named / 1e9, taken / 1e9);
   EXPECT_LT(named, 1.25 * taken);
   EXPECT_GT(named, 0.8 * taken);

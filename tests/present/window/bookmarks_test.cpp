@@ -15,7 +15,7 @@ Camera camera_at(double x_m) {
 // Fails if a bookmark beyond the last one leaves a gap, one that is there loses its name, or a view is not
 // what comes back.
 TEST(BookmarksTest, AreSetAndGoneTo) {
-  scene::OceanScene scene;
+  scene::Scene scene;
   EXPECT_EQ(set_bookmark(scene, camera_at(1.0), 7), "bookmark 1, view 1 is this view");
   EXPECT_EQ(set_bookmark(scene, camera_at(2.0), 2), "bookmark 2, view 2 is this view");
   scene.bookmarks[0].name = "bow";
@@ -31,7 +31,7 @@ TEST(BookmarksTest, AreSetAndGoneTo) {
 
 // Fails if a bookmark that is not there moves the camera, or a scene gets more than a file may have.
 TEST(BookmarksTest, OnesThatCannotBeAreRefused) {
-  scene::OceanScene scene;
+  scene::Scene scene;
   Camera camera = camera_at(9.0);
   for (const std::size_t number : {0u, 1u}) EXPECT_THROW(go_to_bookmark(scene, number, camera), Error);
   EXPECT_EQ(camera.eye_m.x, 9.0);

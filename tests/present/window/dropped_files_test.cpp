@@ -64,23 +64,23 @@ TEST_F(DroppedFilesTest, OthersAreRefusedInOneLine) {
 // Fails if a scene that has been given files does not come back from its own file with all of them, names of
 // any language included, or loses its sea or the meshes before.
 TEST_F(DroppedFilesTest, AreInTheSceneThatIsSaved) {
-  scene::OceanScene scene = scene::parse_scene("version = 1\n[[light]]\n", "a.toml", "");
+  scene::Scene scene = scene::parse_scene("version = 1\n[[light]]\n", "a.toml", "");
   ASSERT_TRUE(scene.has_sea());
-  const std::filesystem::path mesh = file("배.obj"), ground = file("Küste.tif"), cloud = file("nube.vdb"),
+  const std::filesystem::path mesh = file("배.obj"), terrain = file("Küste.tif"), cloud = file("nube.vdb"),
                               sea = file("mar.spec");
   for (int i = 0; i < 2; ++i) add_dropped(scene, mesh, DroppedKind::mesh, {1.0, 2.0, 3.0});
-  add_dropped(scene, ground, DroppedKind::height_map, {});
+  add_dropped(scene, terrain, DroppedKind::height_map, {});
   add_dropped(scene, cloud, DroppedKind::cloud, {});
   add_dropped(scene, sea, DroppedKind::spectrum, {});
   const std::filesystem::path saved = folder_.path() / "saved.toml";
   scene::save_scene(scene, saved, Existing::keep);
-  const scene::OceanScene again = scene::load_scene(saved);
+  const scene::Scene again = scene::load_scene(saved);
   ASSERT_EQ(again.meshes.size(), 2u);
   EXPECT_EQ(again.meshes[0].file, mesh);
   EXPECT_EQ(again.meshes[0].position_m, glm::dvec3(1.0, 2.0, 3.0));
   EXPECT_EQ(again.meshes[0].name, "배");
   EXPECT_EQ(again.meshes[1].name, "배 2") << "bodies name meshes";
-  EXPECT_EQ(again.terrain.file, ground);
+  EXPECT_EQ(again.terrain.file, terrain);
   ASSERT_EQ(again.clouds.size(), 1u);
   EXPECT_EQ(again.clouds[0].shape.file, cloud);
   EXPECT_EQ(again.spectrum_file, sea);
@@ -89,7 +89,7 @@ TEST_F(DroppedFilesTest, AreInTheSceneThatIsSaved) {
 
 // Fails if other heights are read as those before were, which lay elsewhere and were packed otherwise.
 TEST_F(DroppedFilesTest, HeightsBeginAnew) {
-  scene::OceanScene scene = scene::parse_scene(
+  scene::Scene scene = scene::parse_scene(
       "version = 1\n[terrain]\nfile = \"a.r16\"\nraw_columns = 4\nraw_rows = 4\nspacing_x_m = 3\norigin_x_m "
       "= "
       "7\ncolour = \"a.png\"\nwater_line_m = 5\n",

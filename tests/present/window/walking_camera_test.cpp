@@ -7,13 +7,13 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/terrain/field/ground.h"
+#include "host/terrain/field/terrain_posts.h"
 
 namespace offing::present {
 namespace {
 
 /// A plane that rises to the east by 1 in 4, 400 m wide, its middle at the origin.
-world::GroundParameters slope() {
+world::TerrainParameters slope() {
   auto map = std::make_shared<HeightMap>();
   map->columns = map->rows = 41;
   map->spacing_x_m = map->spacing_z_m = 10.0;
@@ -24,8 +24,8 @@ world::GroundParameters slope() {
   return {.map = map, .origin_x_m = -200.0, .origin_z_m = -200.0, .latitude_deg = {}, .lines = {}};
 }
 
-double ground_m(const glm::dvec3& eye_m) {
-  return terrain::ground_at(*slope().map, eye_m.x + 200.0, eye_m.z + 200.0)->height_m;
+double terrain_m(const glm::dvec3& eye_m) {
+  return terrain::terrain_at(*slope().map, eye_m.x + 200.0, eye_m.z + 200.0)->height_m;
 }
 
 const scene::ViewScene how = [] {
@@ -37,29 +37,29 @@ const scene::ViewScene how = [] {
 // Fails if the eye is not at its height above the ground, wherever it was put.
 TEST(WalkingCameraTest, StandsOnTheGround) {
   WalkingCamera walking;
-  const world::GroundParameters ground = slope();
+  const world::TerrainParameters terrain = slope();
   Camera camera{.eye_m = {30.0, 900.0, -7.0}};
-  ASSERT_TRUE(walking.advance(ground, how, {}, 0.02, camera));
-  EXPECT_NEAR(camera.eye_m.y, ground_m(camera.eye_m) + 1.7, 1e-9);
+  ASSERT_TRUE(walking.advance(terrain, how, {}, 0.02, camera));
+  EXPECT_NEAR(camera.eye_m.y, terrain_m(camera.eye_m) + 1.7, 1e-9);
   camera.eye_m = {-100.0, -50.0, 60.0};
-  ASSERT_TRUE(walking.advance(ground, how, {}, 0.02, camera));
+  ASSERT_TRUE(walking.advance(terrain, how, {}, 0.02, camera));
   EXPECT_NEAR(camera.eye_m.x, -100.0, 1e-9);
-  EXPECT_NEAR(camera.eye_m.y, ground_m(camera.eye_m) + 1.7, 1e-9);
+  EXPECT_NEAR(camera.eye_m.y, terrain_m(camera.eye_m) + 1.7, 1e-9);
 }
 
 // Fails if keys walk another way than the eye looks, pitch slows, or running is as slow as walking.
 TEST(WalkingCameraTest, WalksWhereItLooks) {
-  const world::GroundParameters ground = slope();
+  const world::TerrainParameters terrain = slope();
   for (const bool is_fast : {false, true}) {
     WalkingCamera walking;
     Camera camera{.yaw_rad = 0.25 * std::numbers::pi, .pitch_rad = -1.2};
     for (int i = 0; i < 100; ++i) {
-      ASSERT_TRUE(walking.advance(ground, how, {.move = {0.0, 0.0, 1.0}, .is_fast = is_fast}, 0.01, camera));
+      ASSERT_TRUE(walking.advance(terrain, how, {.move = {0.0, 0.0, 1.0}, .is_fast = is_fast}, 0.01, camera));
     }
     const double way_m = is_fast ? 10.0 : 2.0;
     EXPECT_NEAR(camera.eye_m.x, way_m * std::numbers::sqrt2 / 2.0, 1e-6);
     EXPECT_NEAR(camera.eye_m.z, -way_m * std::numbers::sqrt2 / 2.0, 1e-6);
-    EXPECT_NEAR(camera.eye_m.y, ground_m(camera.eye_m) + 1.7, 1e-6);
+    EXPECT_NEAR(camera.eye_m.y, terrain_m(camera.eye_m) + 1.7, 1e-6);
   }
 }
 

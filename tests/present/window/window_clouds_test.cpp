@@ -57,7 +57,7 @@ class WindowCloudsTest : public WindowTest {
     glfwSetWindowSize(viewer_->window(), size.x, size.y);
     turn(3);
   }
-  static present::ViewOptions options_of(scene::OceanScene scene) {
+  static present::ViewOptions options_of(scene::Scene scene) {
     present::ViewOptions options = quick_options();
     options.scene = std::move(scene);
     return options;
@@ -85,7 +85,7 @@ class WindowCloudsTest : public WindowTest {
     throw std::runtime_error("the handle is gone");
   }
 
-  std::vector<unsigned char> settled_picture() {
+  std::vector<unsigned char> settled_image() {
     wait_for_clouds();
     turn(3);
     return picture();
@@ -223,12 +223,12 @@ TEST_F(WindowCloudsTest, ParticlesByHand) {
   const std::size_t picked = state().clouds.particles.places_m.size();
   ASSERT_GT(picked, 2u);
   ASSERT_LT(picked, count);
-  const std::vector<unsigned char> untouched = settled_picture();
+  const std::vector<unsigned char> untouched = settled_image();
   const glm::dvec2 arrow_px = handle_px(CloudHandle::y);
   pull(arrow_px, arrow_px - glm::dvec2(0.0, 30.0));
   ASSERT_EQ(state().scene.clouds[0].edits.size(), 1u);
   EXPECT_GT(state().scene.clouds[0].edits[0].push_m.y, 20.0);
-  EXPECT_FALSE(settled_picture() == untouched);
+  EXPECT_FALSE(settled_image() == untouched);
   EXPECT_EQ(viewer_->sea().clouds()->count(), count);
   press("Delete");
   wait_for_clouds();
@@ -236,7 +236,7 @@ TEST_F(WindowCloudsTest, ParticlesByHand) {
   undo();
   undo();
   EXPECT_TRUE(state().scene.clouds[0].edits.empty());
-  EXPECT_TRUE(settled_picture() == untouched);
+  EXPECT_TRUE(settled_image() == untouched);
 }
 
 // The whole way of an artist, as the acceptance has it: three balls are placed, one resized, undone twice,
@@ -245,7 +245,7 @@ TEST_F(WindowCloudsTest, EditsUndoAndSavedScenesShowTheSame) {
   open_sky();
   pick_first_ball();
   press("b");
-  const std::vector<unsigned char> untouched = settled_picture();
+  const std::vector<unsigned char> untouched = settled_image();
   for (const glm::dvec3 way_m : {glm::dvec3(-350.0, 0.0, 0.0), {300.0, 0.0, -100.0}, {0.0, 0.0, -400.0}}) {
     click(spot_of(glm::dvec3(0.0, 1000.0, 0.0) + way_m));
     wait_for_clouds();
@@ -256,21 +256,21 @@ TEST_F(WindowCloudsTest, EditsUndoAndSavedScenesShowTheSame) {
   ASSERT_EQ(balls().size(), 4u) << "looking around places nothing";
   EXPECT_NEAR(balls()[3].centre_m.y, 1000.0, 1e-6);
   EXPECT_LE(glm::distance(balls()[3].centre_m, glm::dvec3(0.0, 1000.0, -400.0)), 30.0) << "pixels are 5 m";
-  const std::vector<unsigned char> placed = settled_picture();
+  const std::vector<unsigned char> placed = settled_image();
   EXPECT_FALSE(placed == untouched);
   press("b");
   const glm::dvec2 rim_px = handle_px(CloudHandle::radius);
   pull(rim_px, rim_px - glm::dvec2(12.0, 0.0));
   EXPECT_GT(balls()[3].radius_m, 170.0);
-  const std::vector<unsigned char> resized = settled_picture();
+  const std::vector<unsigned char> resized = settled_image();
   EXPECT_FALSE(resized == placed);
   undo();
-  EXPECT_TRUE(settled_picture() == placed);
+  EXPECT_TRUE(settled_image() == placed);
   undo();
   EXPECT_EQ(balls().size(), 3u);
   redo();
   EXPECT_EQ(balls().size(), 4u);
-  EXPECT_TRUE(settled_picture() == placed);
+  EXPECT_TRUE(settled_image() == placed);
 
   show_panels();
   click(spot_of(balls()[3].centre_m));
@@ -293,11 +293,11 @@ TEST_F(WindowCloudsTest, EditsUndoAndSavedScenesShowTheSame) {
   EXPECT_FALSE(state().message.is_fault) << message();
   press("Tab");
   resize({400, 300});
-  const std::vector<unsigned char> last = settled_picture();
+  const std::vector<unsigned char> last = settled_image();
   EXPECT_FALSE(last == placed);
 
   open(options_of(scene::load_scene("mine.toml")));
-  EXPECT_TRUE(settled_picture() == last);
+  EXPECT_TRUE(settled_image() == last);
 }
 
 // Fails if a number that the table refuses, or one that is none, is taken or ignored in the editor's own

@@ -47,8 +47,8 @@ TEST_F(WindowFilesTest, AreEditsOfTheScene) {
   EXPECT_TRUE(viewer_->sea().scene().has_sea());
   drop({heights("año.asc")});
   EXPECT_FALSE(state().message.is_fault) << message();
-  ASSERT_NE(viewer_->sea().ground(), nullptr);
-  EXPECT_EQ(viewer_->sea().ground()->parameters().extent().width_m, 200.0);
+  ASSERT_NE(viewer_->sea().terrain(), nullptr);
+  EXPECT_EQ(viewer_->sea().terrain()->parameters().extent().width_m, 200.0);
   drop({OFFING_SOURCES "/scenes/example_sea.data_spec"});
   EXPECT_FALSE(state().message.is_fault) << message();
   EXPECT_THAT(viewer_->sea().scene().spectrum_file, HasSubstr("example_sea.data_spec"));
@@ -65,7 +65,7 @@ TEST_F(WindowFilesTest, AreEditsOfTheScene) {
   undo();
   EXPECT_EQ(message(), "there is nothing to undo");
   EXPECT_TRUE(viewer_->sea().meshes().empty());
-  EXPECT_EQ(viewer_->sea().ground(), nullptr);
+  EXPECT_EQ(viewer_->sea().terrain(), nullptr);
 }
 
 // Fails if a file that cannot be read leaves a part of it in the scene or in the picture, takes an undo, or

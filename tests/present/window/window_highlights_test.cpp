@@ -61,7 +61,7 @@ class WindowHighlightsTest : public WindowTest {
     glfwSetWindowSize(viewer_->window(), size.x, size.y);
     turn(3);
   }
-  static present::ViewOptions options_of(scene::OceanScene scene) {
+  static present::ViewOptions options_of(scene::Scene scene) {
     present::ViewOptions options = quick_options();
     options.scene = std::move(scene);
     return options;
@@ -106,12 +106,12 @@ class WindowHighlightsTest : public WindowTest {
     hands_->button(Hands::Button::left, Hands::Motion::up);
     turn(2);
   }
-  /// The highlight of a lamp.
-  std::uint64_t id_of(int lamp) const {
+  /// The highlight of a light.
+  std::uint64_t id_of(int light) const {
     for (const highlights::DrawnHighlight& highlight : viewer_->sea().meshes()[0].highlights()) {
-      if (highlight.lamp == lamp) return highlight.id;
+      if (highlight.light == light) return highlight.id;
     }
-    throw std::runtime_error("the lamp has no highlight");
+    throw std::runtime_error("the light has no highlight");
   }
   void pick(std::uint64_t id) {
     click(spot(place_px(id)));
@@ -127,7 +127,7 @@ class WindowHighlightsTest : public WindowTest {
   }
   void undo() { hold_and_press({"Control_L"}, "z"); }
   void redo() { hold_and_press({"Control_L", "Shift_L"}, "z"); }
-  std::vector<unsigned char> settled_picture() {
+  std::vector<unsigned char> settled_image() {
     turn(3);
     return picture();
   }
@@ -190,7 +190,7 @@ TEST_F(WindowHighlightsTest, HandlesTurnAndResize) {
 TEST_F(WindowHighlightsTest, EditsKeysUndoAndSavedScenesShowTheSame) {
   open_egg();
   const std::uint64_t id = id_of(0);
-  const std::vector<unsigned char> untouched = settled_picture();
+  const std::vector<unsigned char> untouched = settled_image();
   pick(id);
   pull(place_px(id), place_px(id) + glm::dvec2(-20.0, 25.0));
   const glm::dvec2 knob_px = handle_px(id, Handle::rotate);
@@ -198,7 +198,7 @@ TEST_F(WindowHighlightsTest, EditsKeysUndoAndSavedScenesShowTheSame) {
   const glm::dvec2 middle_px = place_px(id), corner_px = handle_px(id, Handle::scale);
   pull(corner_px, middle_px + 1.4 * (corner_px - middle_px));
   press("k");
-  const std::vector<unsigned char> first = settled_picture();
+  const std::vector<unsigned char> first = settled_image();
   EXPECT_FALSE(first == untouched);
   const scene::ValueKey offset("mesh.highlight.offset_up", {0, 0});
   ASSERT_TRUE(state().scene.tracks.contains(offset));
@@ -206,19 +206,19 @@ TEST_F(WindowHighlightsTest, EditsKeysUndoAndSavedScenesShowTheSame) {
 
   for (int i = 0; i < 2; ++i) press("period");
   EXPECT_GT(state().clock.time_s(), first_s + 0.4);
-  EXPECT_TRUE(settled_picture() == first) << "one key holds for all times";
+  EXPECT_TRUE(settled_image() == first) << "one key holds for all times";
   pull(place_px(id), place_px(id) + glm::dvec2(30.0, -20.0));
   ASSERT_EQ(state().scene.tracks.at(offset).keys.size(), 2u);
-  const std::vector<unsigned char> second = settled_picture();
+  const std::vector<unsigned char> second = settled_image();
   EXPECT_FALSE(second == first);
   undo();
   EXPECT_EQ(state().scene.tracks.at(offset).keys.size(), 1u);
-  EXPECT_TRUE(settled_picture() == first);
+  EXPECT_TRUE(settled_image() == first);
   redo();
-  EXPECT_TRUE(settled_picture() == second);
+  EXPECT_TRUE(settled_image() == second);
   for (int i = 0; i < 2; ++i) press("comma");
   EXPECT_NEAR(state().clock.time_s(), first_s, 1e-9);
-  EXPECT_TRUE(settled_picture() == first);
+  EXPECT_TRUE(settled_image() == first);
 
   resize({480, 1000});
   press("Tab");
@@ -231,12 +231,12 @@ TEST_F(WindowHighlightsTest, EditsKeysUndoAndSavedScenesShowTheSame) {
   for (int i = 0; i < 5; ++i) undo();
   EXPECT_TRUE(state().scene.tracks.empty());
   EXPECT_TRUE(state().scene.meshes[0].highlights.empty());
-  EXPECT_TRUE(settled_picture() == untouched);
+  EXPECT_TRUE(settled_image() == untouched);
 
   open(options_of(scene::load_scene("mine.toml")));
-  EXPECT_TRUE(settled_picture() == first);
+  EXPECT_TRUE(settled_image() == first);
   for (int i = 0; i < 2; ++i) press("period");
-  EXPECT_TRUE(settled_picture() == second);
+  EXPECT_TRUE(settled_image() == second);
 }
 
 }  // namespace

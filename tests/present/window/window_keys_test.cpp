@@ -78,9 +78,9 @@ TEST_F(WindowKeysTest, EveryKeyDoesWhatItSays) {
       {ViewAction::next_mesh_show, [](const auto& a, const auto& b) { return a.meshes != b.meshes; }},
       {ViewAction::toggle_walk,
        [](const auto&, const auto& b) { return b.message.text.find("no ground") != std::string::npos; }},
-      {ViewAction::toggle_steps, [](const auto& a, const auto& b) { return a.ground != b.ground; }},
+      {ViewAction::toggle_steps, [](const auto& a, const auto& b) { return a.terrain != b.terrain; }},
       {ViewAction::toggle_map, [](const auto& a, const auto& b) { return a.shows_map != b.shows_map; }},
-      {ViewAction::pick_ray, [](const auto&, const auto& b) { return !b.pick; }},  // window_ground_test.cpp
+      {ViewAction::pick_ray, [](const auto&, const auto& b) { return !b.pick; }},  // window_terrain_test.cpp
       {ViewAction::take_screenshot,
        [](const auto&, const auto& b) { return b.message.text.find("wrote ") == 0 && !b.message.is_fault; }},
       {ViewAction::reload,

@@ -63,7 +63,7 @@ TEST_F(WindowPanelsTest, Views) {
 }
 
 // Fails if a smaller picture is not drawn, or frames come faster than the limit.
-TEST_F(WindowPanelsTest, PictureAndPace) {
+TEST_F(WindowPanelsTest, ImageAndPace) {
   open(quick_options());
   toggle_header("View");
   const int usual = width();
@@ -154,7 +154,7 @@ TEST_F(WindowPanelsTest, RecordingsEndWithTheirScene) {
 TEST_F(WindowPanelsTest, RecordingsFitTheirVideo) {
   const StandInFfmpeg ffmpeg;
   present::ViewOptions options = quick_options();
-  options.size = present::PictureSize{161, 91};
+  options.size = present::ImageSize{161, 91};
   options.starts_paused = false;
   options.recording = {.video = "a.mp4", .frames = {0, 1}, .frames_per_second = 10.0};
   present::show_window(options, CancelToken());

@@ -30,7 +30,7 @@ class WindowReloadTest : public WindowTest {
     WindowTest::TearDown();
   }
 
-  /// Breaks a file, presses F5, mends the file and presses it again.
+  /// Breaks a file, presses F5, fixes the file and presses it again.
   void expect_survives(const std::string& file, const std::string& fault) {
     const std::vector<unsigned char> before = picture();
     const std::filesystem::path path = folder_.path() / file;

@@ -60,8 +60,8 @@ TEST_F(WindowSizeTest, MinimisedAndBack) {
   EXPECT_FALSE(picture() == before) << "time ran on";
 }
 
-// Fails if a missing display server is told otherwise than by one line, a mend and the exit code 3.
-TEST(NoDisplayTest, IsToldWithItsMend) {
+// Fails if a missing display server is told otherwise than by one line, a fix and the exit code 3.
+TEST(NoDisplayTest, IsReportedWithItsHint) {
   unsetenv("DISPLAY");
   unsetenv("WAYLAND_DISPLAY");
   try {

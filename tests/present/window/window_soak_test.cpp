@@ -208,9 +208,9 @@ TEST_F(WindowSoakTest, TakesWhateverComes) {
   EXPECT_EQ(last.descriptors, warm->descriptors);
 }
 
-// Fails if other scenes, files, undo across scenes and a ladder of quality that never rests leave anything
-// behind: an OpenGL error, an exception, memory, threads or descriptors. Memory as above, in the first scene
-// of a window of the usual size, after one pass through all scenes and at the end.
+// Fails if other scenes, files, undo across scenes and a quality control of quality that never rests leave
+// anything behind: an OpenGL error, an exception, memory, threads or descriptors. Memory as above, in the
+// first scene of a window of the usual size, after one pass through all scenes and at the end.
 TEST_F(ScenesSoakTest, LeaveNothingBehind) {
   write_scenes();
   present::ViewOptions options = quick_options();
@@ -228,7 +228,7 @@ TEST_F(ScenesSoakTest, LeaveNothingBehind) {
   }
   const Holdings warm = holdings_in_first_scene();
   const double end_s = glfwGetTime() + soak_seconds(usual_s);
-  int deeds = 0, switches = 0, rungs = 0;
+  int deeds = 0, switches = 0, levels = 0;
   double largest_mb = 0.0;
   std::string name = state().save_name;
   present::Quality quality = viewer_->quality();
@@ -237,17 +237,17 @@ TEST_F(ScenesSoakTest, LeaveNothingBehind) {
     ++deeds;
     ASSERT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << "after deed " << deeds;
     if (std::exchange(name, state().save_name) != state().save_name) ++switches;
-    if (std::exchange(quality, viewer_->quality()) != viewer_->quality()) ++rungs;
+    if (std::exchange(quality, viewer_->quality()) != viewer_->quality()) ++levels;
     largest_mb = std::max(largest_mb, holdings().memory_mb);
   }
   const Holdings last = holdings_in_first_scene();
   fmt::print(
       "{} scenes; {} deeds, {} switches, {} changes of quality; memory {:.0f} -> {:.0f} MB (most {:.0f}), "
       "threads {} -> {}, descriptors {} -> {}\n",
-      scenes_.size(), deeds, switches, rungs, warm.memory_mb, last.memory_mb, largest_mb, warm.threads,
+      scenes_.size(), deeds, switches, levels, warm.memory_mb, last.memory_mb, largest_mb, warm.threads,
       last.threads, warm.descriptors, last.descriptors);
   EXPECT_GT(switches, 0);
-  EXPECT_GT(rungs, 0);
+  EXPECT_GT(levels, 0);
   EXPECT_LT(last.memory_mb, 1.1 * warm.memory_mb);
   EXPECT_EQ(last.threads, warm.threads);
   EXPECT_EQ(last.descriptors, warm.descriptors);

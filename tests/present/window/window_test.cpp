@@ -137,7 +137,7 @@ void WindowTest::enter_into_slider(Spot spot, const std::string& text) {
 }
 
 std::string WindowTest::edited_text() const {
-  scene::OceanScene scene = state().scene;
+  scene::Scene scene = state().scene;
   scene.view.camera = {};
   scene.view.mode = {};
   return scene::scene_text(scene, "");

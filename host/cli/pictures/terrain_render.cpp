@@ -1,0 +1,137 @@
+#include "host/cli/pictures/terrain_render.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+#include <glm/geometric.hpp>
+
+#include "host/sky/sun_position.h"
+#include "host/terrain/cast/step_colours.h"
+
+namespace offing::cli {
+namespace {
+
+// Of a level surface of mean ground, what it comes out at before the tone curve, where 1 is white.
+constexpr double key = 0.3;
+constexpr double mean_albedo = 0.18;
+constexpr double least_klx = 1e-4;
+
+/// Display value 0 ... 1 of a radiance: a film-like curve (Narkowicz 2015, "ACES filmic tone mapping curve"),
+/// still linear light.
+glm::vec3 tone_mapped(glm::vec3 radiance) {
+  const auto curve = [](float x) {
+    x *= 0.6f;  // exposure: the horizon sky lands at about 0.8 of display white
+    return std::clamp(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f), 0.0f, 1.0f);
+  };
+  return {curve(radiance.x), curve(radiance.y), curve(radiance.z)};
+}
+
+void store(RgbImage& image, std::size_t pixel, glm::vec3 linear, float noise) {
+  image.rgb[3 * pixel] = dithered_srgb(linear.x, noise);
+  image.rgb[3 * pixel + 1] = dithered_srgb(linear.y, noise);
+  image.rgb[3 * pixel + 2] = dithered_srgb(linear.z, noise);
+}
+
+/// Directions of the pixels that the ground does not cover.
+std::vector<std::array<double, 3>> open_directions(const Camera& camera,
+                                                   const std::vector<terrain::Texel>& terrain) {
+  std::vector<std::array<double, 3>> directions;
+  for (std::size_t pixel = 0; pixel < terrain.size(); ++pixel) {
+    if (terrain[pixel][3] >= 1.0f) continue;
+    const auto width = static_cast<std::size_t>(camera.width_px);
+    const glm::dvec2 clip(2.0 * (static_cast<double>(pixel % width) + 0.5) / camera.width_px - 1.0,
+                          1.0 - 2.0 * (static_cast<double>(pixel / width) + 0.5) / camera.height_px);
+    const glm::dvec3 ray = glm::normalize(ray_direction(camera, clip));
+    directions.push_back({ray.x, ray.y, ray.z});
+  }
+  return directions;
+}
+
+template <class Field>
+void draw_light(const ocl::Device& device, const Field& field, const Camera& camera,
+                const TerrainScenery& scenery, const ocl::Buffer<TerrainHit>& hits, TerrainRender& picture) {
+  const sky::Atmosphere atmosphere;
+  sky::ClearSky sky(device, atmosphere);
+  sky.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad),
+          .eye_altitude_m = std::max(0.0, camera.eye_m.y - scenery.lines.sea_level_m)});
+  const sky::Illuminance at_eye = sky.read_illuminance();
+  const TerrainLight light = world::terrain_light(at_eye, atmosphere, scenery.lines);
+  ocl::Buffer<terrain::Texel> terrain(device, hits.size(), "terrain image");
+  std::optional<terrain::ColourLayer> colours;
+  std::optional<terrain::OpenSky> open_sky;
+  terrain::TerrainAppearance look{.sampling = scenery.sampling};
+  if (scenery.colours) look.colours = &colours.emplace(device, *scenery.colours);
+  if constexpr (std::is_same_v<Field, terrain::HeightField>) {
+    if (scenery.sees_horizons) look.open_sky = &open_sky.emplace(device, field);
+  }
+  terrain::TerrainShade shade(device);
+  shade.at(field, camera, hits, {light, sky.params(), sky.view_table()}, terrain, look);
+  picture.refined_share = shade.refined_share();
+  const std::vector<terrain::Texel> texels = terrain.read();
+  const sky::SkyLight seen = sky.read_light(open_directions(camera, texels));
+
+  const double level_sun = std::max(0.0, std::sin(scenery.sun_elevation_rad));
+  const double level_klx =
+      sky::luminance(at_eye.sun_klx) * level_sun + sky::luminance(at_eye.sky_klx) + least_klx;
+  const double exposure = key * std::exp2(scenery.exposure_ev) / (mean_albedo / 3.14159265358979 * level_klx);
+  std::size_t next_open = 0;
+  for (std::size_t pixel = 0; pixel < texels.size(); ++pixel) {
+    std::array<double, 3> colour{texels[pixel][0], texels[pixel][1], texels[pixel][2]};
+    if (const double open = 1.0 - static_cast<double>(texels[pixel][3]); open > 0.0) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        colour[i] += open * (seen.sky_kcdpm2[next_open][i] + seen.sun_kcdpm2[next_open][i]);
+      }
+      ++next_open;
+    }
+    const glm::vec3 exposed{static_cast<float>(exposure * colour[0]),
+                            static_cast<float>(exposure * colour[1]),
+                            static_cast<float>(exposure * colour[2])};
+    const std::size_t width = static_cast<std::size_t>(camera.width_px);
+    const float noise = dither_noise(static_cast<int>(pixel % width), static_cast<int>(pixel / width));
+    store(picture.image, pixel, tone_mapped(exposed), noise);
+  }
+}
+
+template <class Field>
+TerrainRender draw(const ocl::Device& device, Field& field, const Camera& camera,
+                   const TerrainScenery& scenery, TerrainShow show) {
+  const auto width = static_cast<std::size_t>(camera.width_px),
+             height = static_cast<std::size_t>(camera.height_px);
+  ocl::Buffer<TerrainHit> hits_on_device(device, width * height, "terrain hits");
+  field.cast(camera, hits_on_device);
+  const std::vector<TerrainHit> hits = hits_on_device.read();
+  TerrainRender picture;
+  picture.image = {camera.width_px, camera.height_px, std::vector<std::uint8_t>(3 * hits.size())};
+  if (show == TerrainShow::light) {
+    draw_light(device, field, camera, scenery, hits_on_device, picture);
+  }
+  for (std::size_t pixel = 0; pixel < hits.size(); ++pixel) {
+    const TerrainHit& hit = hits[pixel];
+    if (show == TerrainShow::steps) {
+      const auto [red, green, blue] = terrain::step_colour(static_cast<float>(hit.steps));
+      store(picture.image, pixel, {red, green, blue}, 0.0f);
+    }
+    picture.distances_m.push_back(hit.distance_m);
+    picture.terrain_pixels += hit.kind == TERRAIN_MISS ? 0 : 1;
+    picture.mean_steps += hit.steps / static_cast<double>(hits.size());
+  }
+  return picture;
+}
+
+}  // namespace
+
+TerrainRender draw_terrain(const ocl::Device& device, terrain::HeightField& field, const Camera& camera,
+                           const TerrainScenery& scenery, TerrainShow show) {
+  return draw(device, field, camera, scenery, show);
+}
+
+TerrainRender draw_terrain(const ocl::Device& device, terrain::TiledField& field, const Camera& camera,
+                           const TerrainScenery& scenery, TerrainShow show) {
+  return draw(device, field, camera, scenery, show);
+}
+
+}  // namespace offing::cli

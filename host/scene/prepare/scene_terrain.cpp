@@ -1,0 +1,187 @@
+#include "host/scene/prepare/scene_terrain.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/host_memory.h"
+#include "host/base/time_estimate.h"
+#include "host/io/height_maps/read_colour_map.h"
+#include "host/io/height_maps/read_height_map.h"
+#include "host/io/tile_store/tile_store.h"
+#include "host/scene/model/named_file.h"
+#include "host/scene/prepare/stored_terrain.h"
+#include "host/scene/schema/parameter_table.h"
+#include "host/terrain/generate/row_makers.h"
+#include "host/terrain/walk/eye_place.h"
+#include "host/terrain/walk/flying_camera.h"
+
+namespace offing::scene {
+namespace {
+
+/// Rows that say where heights are, or what covers them.
+constexpr std::array<std::string_view, 7> keys_beside_heights{
+    "terrain.origin_x_m",  "terrain.origin_z_m", "terrain.water_line_m",  "terrain.tree_line_m",
+    "terrain.snow_line_m", "terrain.colour",     "terrain.sky_visibility"};
+
+/// A map, or one in tiles.
+struct Heights {
+  std::shared_ptr<const HeightMap> map = {};
+  std::shared_ptr<const world::TerrainTiles> tiles = {};
+  std::optional<double> latitude_deg = {};
+};
+
+Heights made_heights(const TerrainScene& terrain) {
+  const terrain::FractalParameters& parameters = terrain.fractal;
+  const std::string what = fmt::format("terrain.posts: {0} x {0} posts", parameters.posts);
+  // The map, its copy on a device that keeps its memory in the machine's, and the node maxima over that.
+  constexpr double bytes_a_post = (2.0 + 1.0 / 3.0) * sizeof(float);
+  require_host_memory(bytes_a_post * parameters.posts * parameters.posts, what,
+                      "use fewer, or make a file with `offing terrain generate` and tile it with "
+                      "`offing terrain tile`");
+  terrain::RowMakers makers(parameters);
+  HeightMap map;
+  map.columns = map.rows = parameters.posts;
+  map.spacing_x_m = map.spacing_z_m = parameters.side_m / (parameters.posts - 1);
+  const auto posts = static_cast<std::size_t>(parameters.posts);
+  map.heights_m.reserve(posts * posts);
+  const int rounds = (parameters.posts + makers.rows_at_once() - 1) / makers.rows_at_once();
+  TimeEstimate estimate(rounds, what, "use fewer terrain.posts");
+  for (int first = 0; first < parameters.posts; first += makers.rows_at_once()) {
+    const std::span<const float> rows = makers.make(first);
+    map.heights_m.insert(map.heights_m.end(), rows.begin(), rows.end());
+    estimate.step_done();
+  }
+  return {.map = std::make_shared<const HeightMap>(std::move(map))};
+}
+
+Heights read_heights(const Scene& scene) {
+  const TerrainScene& terrain = scene.terrain;
+  return read_named(scene, "terrain.file", "a height map", terrain.file, [&] {
+    if (is_tile_store(terrain.file)) {
+      const TileStore store(terrain.file, scene.trust);
+      constexpr std::size_t mebibyte = 1 << 20;
+      return Heights{.tiles = std::make_shared<const world::TerrainTiles>(world::TerrainTiles{
+                         .map = tiled_map(store.header()),
+                         .read = tile_reader(store),
+                         .cache_bytes = mebibyte * static_cast<std::size_t>(terrain.cache_mb)}),
+                     .latitude_deg = store.header().centre_latitude_deg};
+    }
+    HeightMapOptions reading = terrain.reading;
+    reading.trust = trust_in(scene, terrain.file);
+    HeightMapFile file = read_height_map(terrain.file, reading);
+    warn_of_assumed_spacing(terrain.file, file.source);
+    return Heights{.map = std::make_shared<const HeightMap>(std::move(file.map)),
+                   .latitude_deg = file.source.centre_latitude_deg};
+  });
+}
+
+std::shared_ptr<const ColourMap> read_colours(const Scene& scene, const Heights& heights) {
+  const std::string& file = scene.terrain.colour;
+  if (file.empty()) return nullptr;
+  return read_named(scene, "terrain.colour", "a picture of the ground", file, [&] {
+    return std::make_shared<const ColourMap>(
+        heights.map ? read_colour_map(file, *heights.map, trust_in(scene, file))
+                    : read_colour_map(file, place_of(TileStore(scene.terrain.file, scene.trust).header()),
+                                      trust_in(scene, file)));
+  });
+}
+
+/// The scene's lines, else those of the map's latitude. Below a sea nothing is painted as water.
+world::CoverLines cover_of(const Scene& scene, std::optional<double> latitude_deg) {
+  constexpr double deepest_m = -1e6;
+  constexpr double beach_m = 2.0;  // as high as waves of a common sea run up
+  world::CoverLines lines = latitude_deg ? world::cover_lines(*latitude_deg) : world::CoverLines{};
+  if (scene.has_sea()) {
+    lines.sea_level_m = deepest_m;
+    lines.beach_line_m = beach_m;
+  } else {
+    lines.sea_level_m = scene.terrain.water_line_m;
+  }
+  lines.tree_line_m = scene.terrain.tree_line_m.value_or(lines.tree_line_m);
+  lines.snow_line_m = scene.terrain.snow_line_m.value_or(lines.snow_line_m);
+  return lines;
+}
+
+world::TerrainParameters placed(const Scene& scene, const Heights& heights,
+                                std::shared_ptr<const ColourMap> colours) {
+  world::TerrainParameters terrain{
+      .map = heights.map,
+      .tiles = heights.tiles,
+      .latitude_deg = heights.latitude_deg,
+      .lines = cover_of(scene, heights.latitude_deg),
+      .colours = std::move(colours),
+      .sees_horizons = heights.map && scene.terrain.sky_visibility == SkyVisibility::on};
+  const terrain::TerrainExtent extent = terrain.extent();
+  terrain.origin_x_m = scene.terrain.origin_x_m.value_or(-0.5 * extent.width_m);
+  terrain.origin_z_m = scene.terrain.origin_z_m.value_or(-0.5 * extent.depth_m);
+  return terrain;
+}
+
+bool is_of_heights(const Parameter& row) {
+  return (row.group == ParameterGroup::terrain || row.group == ParameterGroup::height_map) &&
+         std::find(keys_beside_heights.begin(), keys_beside_heights.end(), row.key) ==
+             keys_beside_heights.end();
+}
+
+}  // namespace
+
+std::optional<world::TerrainParameters> prepare_terrain(const Scene& scene) {
+  if (!scene.terrain.is_given) return std::nullopt;
+  const Heights heights = scene.terrain.file.empty() ? made_heights(scene.terrain) : read_heights(scene);
+  return placed(scene, heights, read_colours(scene, heights));
+}
+
+std::optional<world::TerrainParameters> edited_terrain(const std::optional<world::TerrainParameters>& now,
+                                                       const Scene& before, const Scene& after) {
+  const auto table = parameter_table();
+  const bool are_other_heights = !now || std::any_of(table.begin(), table.end(), [&](const Parameter& row) {
+    return is_of_heights(row) &&
+           value_text(before, row, Digits::exact) != value_text(after, row, Digits::exact);
+  });
+  if (!after.terrain.is_given || are_other_heights) return prepare_terrain(after);
+  const Heights heights{.map = now->map, .tiles = now->tiles, .latitude_deg = now->latitude_deg};
+  const bool are_same_colours = before.terrain.colour == after.terrain.colour;
+  return placed(after, heights, are_same_colours ? now->colours : read_colours(after, heights));
+}
+
+void stand_on_ground(const world::WorldTerrain& terrain, ViewScene& view) {
+  glm::dvec3& eye_m = view.camera.eye_m;
+  const std::optional<terrain::TerrainPoint> below = terrain.terrain_at(eye_m.x, eye_m.z);
+  if (!below) return;
+  if (view.mode == CameraMode::walk) eye_m.y = below->height_m + view.walker.eye_height_m;
+  terrain::lift_out_of_terrain(eye_m, below->height_m, view.walker.eye_height_m);
+}
+
+std::optional<std::string> eye_warning(const world::WorldTerrain& terrain, ViewScene view, bool has_sea) {
+  glm::dvec3& eye_m = view.camera.eye_m;
+  const world::TerrainParameters& parameters = terrain.parameters();
+  const std::optional<terrain::TerrainPoint> below = terrain.terrain_at(eye_m.x, eye_m.z);
+  if (below && view.mode != CameraMode::walk) {
+    return terrain::lift_out_of_terrain(eye_m, below->height_m, view.walker.eye_height_m);
+  }
+  if (below || has_sea) return std::nullopt;
+  return terrain::warning_off_map(eye_m, parameters.extent(), parameters.origin_x_m, parameters.origin_z_m);
+}
+
+bool places_its_camera(const Scene& scene) {
+  constexpr std::array keys{"camera.x_m", "camera.y_m", "camera.z_m", "camera.yaw_deg", "camera.pitch_deg"};
+  return std::any_of(keys.begin(), keys.end(), [&](const char* key) { return scene.set_at.contains(key); });
+}
+
+void place_camera(Scene& scene, const std::optional<world::TerrainParameters>& terrain) {
+  if (!terrain || places_its_camera(scene)) return;
+  Camera& camera = scene.view.camera;
+  const Camera placed = terrain::flying_camera(terrain->extent());
+  camera.eye_m = placed.eye_m + glm::dvec3(terrain->origin_x_m, 0.0, terrain->origin_z_m);
+  camera.yaw_rad = placed.yaw_rad;
+  camera.pitch_rad = placed.pitch_rad;
+}
+
+}  // namespace offing::scene

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host/scene/model/scene.h"
+#include "host/world/world_terrain.h"
+
+namespace offing::scene {
+
+/// The ground of a scene, with its height map read or made; nothing where it has none. Throws
+/// Error(bad_input) that names the place in the scene for a file that is not there, and what
+/// read_height_map() and FractalTerrain throw.
+std::optional<world::TerrainParameters> prepare_terrain(const Scene& scene);
+
+/// The same for a scene that is an edit of another one, whose ground is `now`: heights are read or made only
+/// if they are others.
+std::optional<world::TerrainParameters> edited_terrain(const std::optional<world::TerrainParameters>& now,
+                                                       const Scene& before, const Scene& after);
+
+/// Whether a scene says where its eye is, or where it looks.
+bool places_its_camera(const Scene& scene);
+
+/// Where a scene has ground and does not say where its eye is: terrain::flying_camera() over that ground,
+/// with the scene's field of view. Does nothing else.
+void place_camera(Scene& scene, const std::optional<world::TerrainParameters>& terrain);
+
+/// Where the camera walks and is over the ground, or is in the ground: its eye goes to a walker's height.
+void stand_on_ground(const world::WorldTerrain& terrain, ViewScene& view);
+
+/// A warning if the eye of a view, before stand_on_ground(), is below the ground or, where there is no sea,
+/// off the map. Nothing otherwise.
+std::optional<std::string> eye_warning(const world::WorldTerrain& terrain, ViewScene view, bool has_sea);
+
+}  // namespace offing::scene

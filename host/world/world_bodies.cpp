@@ -1,0 +1,166 @@
+#include "host/world/world_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "host/base/error.h"
+#include "host/base/time_estimate.h"
+#include "host/bodies/hull.h"
+
+namespace offing::world {
+namespace {
+
+using bodies::FloatingBodies;
+
+constexpr double question_s = FloatingBodies::steps_a_question / FloatingBodies::steps_per_s;
+// Three frames at 30 a second.
+constexpr double ahead_s = 0.1;
+constexpr double longest_leap_s = 7200.0;
+// Of the run-up, while hulls come to their weight: a hull that is put on the water at once throws a ring.
+constexpr double settling_s = 5.0;
+// Samples of the shortest wave that counts: bilinear maps have lost 4 % of its height midway between them.
+constexpr double samples_of_wave = 6.0;
+constexpr int smallest_size = 16;
+
+double shortest_hull_m(const std::vector<BodySettings>& settings) {
+  double shortest_m = std::numeric_limits<double>::infinity();
+  for (const BodySettings& each : settings) {
+    const bodies::Extent extent = bodies::extent_of(each.body.hull);
+    shortest_m = std::min(shortest_m, extent.high_m.x - extent.low_m.x);
+  }
+  return shortest_m;
+}
+
+ocean::WaterQuery query_of(const std::vector<BodySettings>& settings) {
+  ocean::WaterQuery query;
+  query.min_wavelength_m = std::min(shortest_hull_m(settings), ocean::longest_filter_m);
+  query.tolerance_m = 1e-3;
+  return query;
+}
+
+/// A sea's long waves alone: modes are drawn by their number, so that they are the same on coarser maps.
+ocean::OceanParameters long_waves_of(const ocean::OceanParameters& whole, double min_wavelength_m) {
+  ocean::OceanParameters kept = whole;
+  kept.cascades.clear();
+  const double k_max_radpm = ocean::largest_wavenumber_radpm(min_wavelength_m);
+  double samples = smallest_size;
+  for (const ocean::Cascade& cascade : whole.cascades) {
+    if (!kept.cascades.empty() && cascade.k_min_radpm >= k_max_radpm) break;
+    ocean::Cascade& last = kept.cascades.emplace_back(cascade);
+    last.k_max_radpm = std::max(last.k_min_radpm, std::min(last.k_max_radpm, k_max_radpm));
+    samples = std::max(
+        samples, samples_of_wave * cascade.patch_length_m * last.k_max_radpm / (2.0 * std::numbers::pi));
+  }
+  while (kept.size / 2 >= samples) kept.size /= 2;
+  return kept;
+}
+
+std::vector<bodies::FloatingBody> bodies_of(const std::vector<BodySettings>& settings) {
+  std::vector<bodies::FloatingBody> bodies;
+  for (const BodySettings& each : settings) bodies.push_back(each.body);
+  return bodies;
+}
+
+/// Whole questions, so that one falls on the start.
+double whole_questions_s(double duration_s) {
+  return question_s * std::ceil(duration_s / question_s - 1e-9);
+}
+
+}  // namespace
+
+WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> settings, const BodySea& sea,
+                         double run_up_s, double start_s)
+    : device_(device),
+      settings_(std::move(settings)),
+      run_up_s_(whole_questions_s(run_up_s)),
+      bodies_(device, bodies_of(settings_), {.gravity_mps2 = sea.spectrum.dispersion.gravity_mps2}),
+      sea_(device, sea.spectrum, long_waves_of(sea.ocean, shortest_hull_m(settings_))),
+      gerstner_waves_(sea.gerstner_waves),
+      query_(query_of(settings_)),
+      path_(std::make_shared<BodyPath>()) {
+  for (const BodySettings& each : settings_) {
+    pressers_.emplace_back(device, *each.map, each.body.mass_centre_m);
+  }
+  sea_.set_shoals(sea.shoals);
+  draught_m_ = total_draught_m();
+  reset(start_s);
+}
+
+void WorldBodies::set_sea(const BodySea& sea) {
+  sea_ = ocean::Ocean(device_, sea.spectrum, long_waves_of(sea.ocean, query_.min_wavelength_m));
+  sea_.set_shoals(sea.shoals);
+  gerstner_waves_ = sea.gerstner_waves;
+}
+
+void WorldBodies::reset(double start_s) {
+  start_s_ = start_s;
+  bodies_.reset(start_s - run_up_s_);
+  std::vector<bodies::BodyPose> starts;
+  for (const BodySettings& each : settings_) starts.push_back(each.body.start);
+  path_->begin(start_s - run_up_s_, question_s, starts);
+}
+
+void WorldBodies::ask_sea(double time_s, const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+                          ocl::Buffer<SurfaceQuerySample>& samples) {
+  sea_.at(time_s);
+  sea_.sample(points, count, samples, gerstner_waves_, query_);
+}
+
+void WorldBodies::reach(double time_s) {
+  // A start that an edit has put later is not that of times before it.
+  if (time_s < start_s_ && start_s_ > 0.0) reset(0.0);
+  if (time_s - path_->end_s() > longest_leap_s) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("time: expected within {:g} s of the bodies' {:g} s, found {:g} s",
+                            longest_leap_s, path_->end_s(), time_s),
+                "bodies are simulated from their start on: choose an earlier time, or a scene without them");
+  }
+  const auto water = [this](double at_s, const auto& points, std::size_t count, auto& samples) {
+    ask_sea(at_s, points, count, samples);
+  };
+  const auto drive = [this](std::size_t body, double at_s) { return settings_[body].drive(at_s, start_s_); };
+  const double missing_s = std::max(time_s + ahead_s - path_->end_s(), 0.0);
+  TimeEstimate estimate(static_cast<std::int64_t>(missing_s / question_s) + 1,
+                        fmt::format("time: {:.0f} s of floating bodies", missing_s),
+                        "choose an earlier time, a smaller ocean.size, or fewer bodies");
+  while (path_->end_s() < time_s + ahead_s) {
+    bodies_.advance_to(bodies_.stepped_to_s() + question_s, water, drive);
+    path_->add(bodies_.latest());
+    estimate.step_done([this] { device_.finish(); });
+  }
+}
+
+std::function<highlights::RigidMotion(double)> WorldBodies::motion_of_hull(std::size_t body) const {
+  return [path = std::shared_ptr<const BodyPath>(path_), body,
+          centre_m = settings_[body].body.mass_centre_m](double time_s) {
+    const bodies::BodyPose pose = path->at(body, time_s);
+    const glm::dmat3 turn = glm::mat3_cast(pose.turn);
+    return highlights::RigidMotion{.rotation = turn, .translation_m = pose.mass_centre_m - turn * centre_m};
+  };
+}
+
+void WorldBodies::press(double time_s, const WakeGrid& grid, ocl::Buffer<float>& displaced) const {
+  const double settled =
+      run_up_s_ > 0.0 ? std::clamp((time_s - begin_s()) / std::min(settling_s, run_up_s_), 0.0, 1.0) : 1.0;
+  const double share = settled * settled * (3.0 - 2.0 * settled);
+  for (std::size_t body = 0; body < size(); ++body) {
+    pressers_[body].press(pose(body, time_s), share, grid, displaced);
+  }
+}
+
+double WorldBodies::total_draught_m() const {
+  double sum_m = 0.0;
+  for (std::size_t body = 0; body < size(); ++body) {
+    const bodies::FloatingBody& each = settings_[body].body;
+    const double volume_m3 = each.mass_kg / bodies::BodyWaterParameters{}.density_kgpm3;
+    sum_m += pressers_[body].level_m(volume_m3) - bodies::extent_of(each.hull).low_m.y;
+  }
+  return sum_m;
+}
+
+}  // namespace offing::world

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "host/bodies/floating_bodies.h"
+#include "host/bodies/hull_map.h"
+#include "host/bodies/hull_press.h"
+#include "host/highlights/search/lighting.h"
+#include "host/ocean/spectrum/sea_spectrum.h"
+#include "host/ocean/surface/gerstner_waves.h"
+#include "host/ocean/surface/ocean.h"
+#include "host/world/body_path.h"
+
+namespace offing::world {
+
+/// A floating body of a world, and the mesh that is drawn where it is.
+struct BodySettings {
+  bodies::FloatingBody body;  ///< its start is that of the run-up
+  /// The whole mesh as seen from below and above, in the axes of the body's hull.
+  std::shared_ptr<const bodies::HullMap> map;
+  std::size_t mesh = 0;                    ///< which of the world's
+  highlights::RigidMotion mesh_in_hull{};  ///< from the mesh's axes to those of the body's hull
+  std::vector<std::size_t> aboard;         ///< further meshes, whose own motions are in the axes of the hull
+  /// What drives it in the sub-step that begins at a time, which is before `start_s` in the run-up.
+  std::function<BodyDrive(double time_s, double start_s)> drive;
+};
+
+/// The water that bodies ask: the sea of a world, without its wakes.
+struct BodySea {
+  ocean::SeaSpectrum spectrum;
+  ocean::OceanParameters ocean;
+  ocean::GerstnerSea gerstner_waves;
+  std::shared_ptr<const ocean::Shoals> shoals = {};
+};
+
+/// The floating bodies of a world. They are simulated from a start on, and before that for a run-up in which
+/// they come to lie in the water as they do; a world that is shown at a later time goes all the way there.
+/// What is enqueued goes a little beyond the time that is asked for, so that poses have come when they are
+/// drawn. Bodies feel the waves of cascades and Gerstner waves that are no shorter than the shortest of them,
+/// at the times of their own sub-steps; not the wakes, which are their own for the most part.
+class WorldBodies {
+ public:
+  /// Throws what FloatingBodies and Ocean throw.
+  WorldBodies(const ocl::Device& device, std::vector<BodySettings> settings, const BodySea& sea,
+              double run_up_s, double start_s);
+
+  /// Another sea from the time on that has been simulated.
+  void set_sea(const BodySea& sea);
+  /// The same for its shoals alone.
+  void set_shoals(std::shared_ptr<const ocean::Shoals> shoals) { sea_.set_shoals(std::move(shoals)); }
+
+  /// Simulates up to this time, and a little further; from the start of a world on where it is before that
+  /// of these bodies. Throws Error(bad_input) for a leap of more than two hours.
+  void reach(double time_s);
+
+  std::size_t size() const { return settings_.size(); }
+  const std::vector<BodySettings>& settings() const { return settings_; }
+  double start_s() const { return start_s_; }
+  /// The time at which the run-up begins.
+  double begin_s() const { return path_->begin_s(); }
+  /// At any time up to that of the last reach().
+  bodies::BodyPose pose(std::size_t body, double time_s) const { return path_->at(body, time_s); }
+  /// Where the axes of a body's hull are at any time up to that of the last reach(). Outlives the view.
+  std::function<highlights::RigidMotion(double time_s)> motion_of_hull(std::size_t body) const;
+  /// Enqueues what adds the hulls at a time to displaced [n][n] m of a wake window. In the beginning of the
+  /// run-up they come to their weight by and by.
+  void press(double time_s, const WakeGrid& grid, ocl::Buffer<float>& displaced) const;
+  /// Of all hulls, at rest.
+  double draught_m() const { return draught_m_; }
+
+ private:
+  void reset(double start_s);
+  double total_draught_m() const;
+  void ask_sea(double time_s, const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+               ocl::Buffer<SurfaceQuerySample>& samples);
+
+  ocl::Device device_;
+  std::vector<BodySettings> settings_;
+  double run_up_s_, start_s_ = 0.0, draught_m_ = 0.0;
+  bodies::FloatingBodies bodies_;
+  std::vector<bodies::HullPresser> pressers_;
+  ocean::Ocean sea_;
+  ocean::GerstnerSea gerstner_waves_;
+  ocean::WaterQuery query_;
+  std::shared_ptr<BodyPath> path_;
+};
+
+}  // namespace offing::world

@@ -1,0 +1,400 @@
+#include "host/world/world_clouds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "host/base/error.h"
+#include "host/clouds/light/particle_light.h"
+#include "host/clouds/particles/cloud_model.h"
+#include "host/clouds/particles/particle_motion.h"
+#include "host/clouds/particles/particle_order.h"
+#include "host/clouds/particles/particle_thinning.h"
+
+namespace offing::world {
+namespace {
+
+using clouds::CloudModel;
+using clouds::CloudMotion;
+using clouds::CloudParameters;
+
+/// Between the clouds at time 0, where floats are finest.
+glm::dvec3 origin_of(const CloudSkyParameters& parameters) {
+  constexpr double step_m = 1024.0;  // multiples of it are exact in floats
+  glm::dvec3 low = parameters.clouds.front().position_m, high = low;
+  for (const CloudParameters& cloud : parameters.clouds) {
+    low = glm::min(low, cloud.position_m);
+    high = glm::max(high, cloud.position_m);
+  }
+  return step_m * glm::floor(0.5 * (low + high) / step_m + 0.5);
+}
+
+bool stands_still(const CloudParameters& cloud) {
+  const CloudMotion& motion = cloud.motion;
+  return motion.wind_mps == glm::dvec3(0.0) && motion.sway_m == 0.0 && !motion.path && !motion.heat;
+}
+
+/// Whether all of them keep their distances while they drift, but for their eddies, shear and rise.
+bool drift_as_one(const std::vector<CloudParameters>& clouds) {
+  return std::all_of(clouds.begin(), clouds.end(), [&](const CloudParameters& cloud) {
+    return !cloud.motion.path && !cloud.motion.obstacle &&
+           cloud.motion.wind_mps == clouds.front().motion.wind_mps;
+  });
+}
+
+/// The last time whose light is worked out.
+double light_time_s(double step_s, double time_s) {
+  return step_s > 0.0 ? step_s * std::floor(time_s / step_s) : time_s;
+}
+
+/// How far clouds go from one time to another, in their mean.
+glm::dvec3 drift_m(const std::vector<CloudParameters>& clouds, double from_s, double to_s) {
+  glm::dvec3 sum_m(0.0);
+  for (const CloudParameters& cloud : clouds)
+    sum_m += clouds::cloud_origin_m(cloud, to_s) - clouds::cloud_origin_m(cloud, from_s);
+  return sum_m / static_cast<double>(clouds.size());
+}
+
+using Particles = std::shared_ptr<const std::vector<CloudParticle>>;
+
+Particles given_particles(const CloudSkyParameters& parameters, std::size_t index) {
+  return index < parameters.particles.size() ? parameters.particles[index] : nullptr;
+}
+
+/// A cloud by how often its particles are halved; nullptr: not asked for yet.
+using ModelLevels = std::array<std::shared_ptr<const CloudModel>, 1 + clouds::most_particle_halvings>;
+
+void make_level(const ocl::Device& device, ModelLevels& levels, std::size_t halvings) {
+  if (!levels[halvings])
+    levels[halvings] =
+        std::make_shared<const CloudModel>(levels[0]->thinned(device, static_cast<int>(halvings)));
+}
+
+/// Of all clouds.
+std::uint64_t count_of(const std::vector<ModelLevels>& models, std::size_t halvings) {
+  std::uint64_t count = 0;
+  for (const ModelLevels& levels : models) count += levels[halvings]->count();
+  return count;
+}
+
+/// All particles at a time.
+struct Placed {
+  std::optional<double> time_s;  // nothing: they are nowhere yet
+  ocl::Buffer<CloudParticle> particles;
+};
+
+/// How far aside an eye and its mirror image may stand, rad as seen from any cloud, for water to mirror
+/// clouds in the light that they send to the eye itself. Rays that water mirrors are as far aside anyway
+/// where their waves slope by half as much; in a wind of 1 m/s they slope by 0.09 (Cox and Munk 1954).
+constexpr double mirror_rad = 0.02;
+
+/// The light that particles send to an eye.
+struct SentLight {
+  std::optional<glm::dvec3> eye_m;  // from the lit particles' origin; nothing: not this light of these
+  int parts = 1, parts_left = 0;    // of the sprites: those left are still the light to an eye before
+  ocl::Buffer<CloudSprite> sprites;
+};
+
+/// The particles in the order of their distances from an eye.
+struct SeenOrder {
+  explicit SeenOrder(const ocl::Device& device) : order(device) {}
+
+  std::optional<glm::dvec3> eye_m;  // nothing: not of these particles
+  clouds::ViewOrder order;
+};
+
+/// Whose light and order they are.
+enum SeenBy : std::size_t { eye, mirror_image, seen_by_count };
+
+}  // namespace
+
+struct WorldClouds::Sky {
+  explicit Sky(const ocl::Device& on)
+      : device(on), particle_light(on), orders{SeenOrder(on), SeenOrder(on)} {}
+
+  /// Whether they were elsewhere.
+  bool place(double time_s, Placed& placed) const {
+    const auto& clouds = parameters.clouds;
+    const bool is_same = placed.time_s && (*placed.time_s == time_s ||
+                                           std::all_of(clouds.begin(), clouds.end(), stands_still));
+    if (is_same) return false;
+    std::uint32_t first = 0;
+    for (const ModelLevels& levels : models) {
+      const CloudModel& model = *levels[halvings];
+      model.at(time_s, origin_m, placed.particles, first);
+      first += model.count();
+    }
+    placed.time_s = time_s;
+    return true;
+  }
+
+  void forget_orders() {
+    for (SeenOrder& of : orders) of.eye_m.reset();
+  }
+
+  void forget_light() {
+    lit_by.clear();
+    has_shadow = false;
+    box.reset();
+    forget_sent_light();
+  }
+
+  void forget_sent_light() {
+    for (SentLight& light : lights) {
+      light.eye_m.reset();
+      light.parts_left = 0;
+    }
+  }
+
+  /// Whether the lit particles are shown, carried along.
+  bool carries() const { return is_one && lag.cloud_steps > 1; }
+  const ocl::Buffer<CloudParticle>& shown_particles() const {
+    return carries() ? lit.particles : shown.particles;
+  }
+  glm::dvec3 shown_origin_m() const { return carries() ? origin_m + carried_m : origin_m; }
+
+  /// Sends an eye the light that it lacks, or the next part of it: all parts go to one eye.
+  void send(const glm::dvec3& eye_m, SentLight& light) {
+    if (light.parts_left == 0) {
+      if (light.eye_m && are_within(lag.cloud_rad, eye_m, *light.eye_m)) return;
+      light.parts = light.parts_left = light.eye_m ? lag.cloud_parts : 1;
+      light.eye_m = eye_m;
+    }
+    const auto part = static_cast<std::uint32_t>(light.parts - light.parts_left);
+    particle_light.see(glm::vec3(*light.eye_m), light.sprites,
+                       {part, static_cast<std::uint32_t>(light.parts)});
+    --light.parts_left;
+  }
+
+  /// Whether no particle sees the two, both from the lit particles' origin, farther apart than that.
+  bool are_within(double angle_rad, const glm::dvec3& eye_m, const glm::dvec3& other_m) {
+    if (angle_rad == 0.0) return eye_m == other_m;
+    if (!box) box = particle_light.box();
+    if (!box) return true;
+    const glm::dvec3 nearest_m = glm::clamp(eye_m, glm::dvec3(box->low_m), glm::dvec3(box->high_m));
+    return glm::distance(eye_m, other_m) <= angle_rad * glm::distance(eye_m, nearest_m);
+  }
+
+  void sort(const glm::dvec3& eye_m, SeenOrder& of) {
+    if (of.eye_m == eye_m) return;
+    of.order.sort(shown_particles(), count, glm::vec3(eye_m - shown_origin_m()));
+    of.eye_m = eye_m;
+  }
+
+  glm::dvec3 from_lit_m(const glm::dvec3& eye_m) const { return eye_m - origin_m - carried_m; }
+
+  ocl::Device device;
+  CloudSkyParameters parameters;
+  glm::dvec3 origin_m{0.0};
+  std::vector<ModelLevels> models;       // one a cloud
+  std::vector<clouds::CloudLook> looks;  // one a cloud
+  std::size_t halvings = 0;              // of the particles
+  std::uint32_t count = 0;               // of these
+  Placed shown, lit;  // as of the last at(), and where light reaches them; with room for whole clouds
+  LightLag lag;
+  bool is_one = false;        // the clouds drift as one
+  glm::dvec3 carried_m{0.0};  // from `lit` to `shown`
+  clouds::ParticleLight particle_light;
+  std::array<SentLight, seen_by_count> lights;    // to each of them
+  std::array<SeenOrder, seen_by_count> orders;    // from each of them
+  SeenBy light_of = eye, order_of = eye;          // what the last see() or see_mirrored() chose
+  std::vector<clouds::CloudIllumination> lit_by;  // of `lit`, one a cloud; empty: not yet
+  std::optional<clouds::CloudBox> box;            // of `lit`, in this light; read when first needed
+  std::optional<clouds::CloudShadowMap> shadow;   // made when first asked for
+  bool has_shadow = false;                        // of `lit` in this light
+};
+
+WorldClouds::WorldClouds(const ocl::Device& device, const CloudSkyParameters& parameters)
+    : sky_(std::make_unique<Sky>(device)) {
+  set(parameters);
+}
+WorldClouds::WorldClouds(WorldClouds&&) noexcept = default;
+WorldClouds& WorldClouds::operator=(WorldClouds&&) noexcept = default;
+WorldClouds::~WorldClouds() = default;
+
+const CloudSkyParameters& WorldClouds::parameters() const {
+  return sky_->parameters;
+}
+
+void WorldClouds::set(const CloudSkyParameters& parameters) {
+  Sky& sky = *sky_;
+  if (parameters.clouds.empty()) {
+    throw Error(ErrorKind::bad_usage, "clouds: expected at least one, found none", "add a cloud");
+  }
+  // All that can fail comes first.
+  const CloudSkyParameters& before = sky.parameters;
+  std::vector<ModelLevels> models;
+  for (std::size_t i = 0; i < parameters.clouds.size(); ++i) {
+    const CloudParameters& cloud = parameters.clouds[i];
+    const Particles given = given_particles(parameters, i);
+    const bool is_known =
+        i < sky.models.size() && before.clouds[i] == cloud && given_particles(before, i) == given;
+    const auto number = static_cast<std::uint32_t>(i);
+    if (is_known) {
+      models.push_back(sky.models[i]);
+    } else if (given) {
+      models.push_back({std::make_shared<const CloudModel>(sky.device, cloud, *given, number)});
+    } else {
+      models.push_back({std::make_shared<const CloudModel>(sky.device, cloud, number)});
+    }
+    make_level(sky.device, models.back(), sky.halvings);
+  }
+  constexpr std::uint64_t most_particles = 0xffff'ffff;
+  const std::uint64_t whole_count = count_of(models, 0);
+  if (whole_count > most_particles) {
+    throw Error(ErrorKind::out_of_memory, "clouds: more particles than can be counted", "ask for fewer");
+  }
+  const std::size_t room = std::max<std::size_t>(whole_count, 1);
+  ocl::Buffer<CloudParticle> shown(sky.device, room, "particles of the sky");
+  ocl::Buffer<CloudParticle> lit(sky.device, room, "lit particles of the sky");
+  std::array<ocl::Buffer<CloudSprite>, seen_by_count> sprites;
+  for (auto& of_light : sprites) of_light = ocl::Buffer<CloudSprite>(sky.device, room, "sprites of clouds");
+
+  sky.models = std::move(models);
+  sky.looks.clear();
+  for (const CloudParameters& cloud : parameters.clouds) sky.looks.push_back(cloud.look);
+  sky.shown = {.time_s = {}, .particles = std::move(shown)};
+  sky.lit = {.time_s = {}, .particles = std::move(lit)};
+  for (std::size_t i = 0; i < sprites.size(); ++i) sky.lights[i].sprites = std::move(sprites[i]);
+  sky.count = static_cast<std::uint32_t>(count_of(sky.models, sky.halvings));
+  sky.parameters = parameters;
+  sky.origin_m = origin_of(parameters);
+  sky.is_one = drift_as_one(parameters.clouds);
+  sky.forget_light();
+  sky.forget_orders();
+}
+
+void WorldClouds::set_particle_halvings(int halvings) {
+  clouds::require_halvings(halvings);
+  Sky& sky = *sky_;
+  const auto wanted = static_cast<std::size_t>(halvings);
+  if (sky.halvings == wanted) return;
+  for (ModelLevels& levels : sky.models) make_level(sky.device, levels, wanted);
+  sky.halvings = wanted;
+  sky.count = static_cast<std::uint32_t>(count_of(sky.models, wanted));
+  sky.shown.time_s.reset();
+  sky.lit.time_s.reset();
+  sky.forget_light();
+  sky.forget_orders();
+}
+
+void WorldClouds::set_light_lag(const LightLag& lag) {
+  Sky& sky = *sky_;
+  if (sky.lag == lag) return;
+  sky.lag = lag;
+  sky.forget_sent_light();
+  sky.forget_orders();
+}
+
+void WorldClouds::at(double time_s) {
+  Sky& sky = *sky_;
+  if (sky.place(light_time_s(sky.lag.cloud_steps * sky.parameters.light_step_s, time_s), sky.lit))
+    sky.forget_light();
+  const bool has_moved = !sky.carries() && sky.place(time_s, sky.shown);
+  const glm::dvec3 carried_m = drift_m(sky.parameters.clouds, *sky.lit.time_s, time_s);
+  if (!has_moved && carried_m == sky.carried_m) return;
+  sky.carried_m = carried_m;
+  sky.forget_orders();
+}
+
+void WorldClouds::light(std::span<const clouds::CloudIllumination> of_clouds) {
+  Sky& sky = *sky_;
+  if (std::ranges::equal(sky.lit_by, of_clouds) || sky.count == 0) return;
+  const bool has_own_albedo =
+      std::any_of(sky.models.begin(), sky.models.end(),
+                  [](const ModelLevels& levels) { return levels[0]->has_own_albedo(); });
+  sky.particle_light.relight(sky.lit.particles, sky.count, of_clouds, sky.looks, sky.parameters.light_model,
+                             has_own_albedo ? clouds::ParticleAlbedo::own : clouds::ParticleAlbedo::of_look);
+  sky.forget_light();
+  sky.lit_by.assign(of_clouds.begin(), of_clouds.end());
+  sky.forget_orders();
+}
+
+void WorldClouds::light(const clouds::CloudIllumination& of_all) {
+  light(std::vector<clouds::CloudIllumination>(sky_->models.size(), of_all));
+}
+
+void WorldClouds::see(const Camera& camera) {
+  Sky& sky = *sky_;
+  if (sky.lit_by.empty()) return;
+  sky.light_of = sky.order_of = eye;
+  sky.send(sky.from_lit_m(camera.eye_m), sky.lights[eye]);
+  sky.sort(camera.eye_m, sky.orders[eye]);
+}
+
+void WorldClouds::see_mirrored(const Camera& mirrored) {
+  Sky& sky = *sky_;
+  if (sky.lit_by.empty()) return;
+  const glm::dvec3 image_m = sky.from_lit_m(mirrored.eye_m);
+  const glm::dvec3 eye_m = sky.from_lit_m({mirrored.eye_m.x, -mirrored.eye_m.y, mirrored.eye_m.z});
+  sky.light_of = sky.are_within(mirror_rad, eye_m, image_m) ? eye : mirror_image;
+  sky.order_of = mirror_image;
+  sky.send(sky.light_of == eye ? eye_m : image_m, sky.lights[sky.light_of]);
+  sky.sort(mirrored.eye_m, sky.orders[mirror_image]);
+}
+
+std::span<const clouds::CloudIllumination> WorldClouds::illumination() const {
+  return sky_->lit_by;
+}
+
+void WorldClouds::cast_shadow() {
+  Sky& sky = *sky_;
+  if (sky.has_shadow) return;
+  // The sun is the first one; others throw no shadows.
+  const auto lit = std::find_if(sky.lit_by.begin(), sky.lit_by.end(), [](const auto& light) {
+    return !light.suns.empty() && light.suns.front().illuminance_klx != glm::dvec3(0.0);
+  });
+  if (lit == sky.lit_by.end()) return;
+  if (!sky.box) sky.box = sky.particle_light.box();
+  if (!sky.box) return;
+  const glm::dvec3 low_m(sky.box->low_m), high_m(sky.box->high_m);
+  const glm::dvec3 middle_m = 0.5 * (low_m + high_m);
+  const double half_width_m = 0.5 * glm::length(high_m - low_m);
+  if (!sky.shadow) sky.shadow.emplace(sky.device);
+  sky.shadow->update(sky.lit.particles, sky.count, lit->suns.front().direction, middle_m, half_width_m);
+  sky.has_shadow = true;
+}
+
+const clouds::CloudShadowMap* WorldClouds::shadow() const {
+  return sky_->has_shadow ? &*sky_->shadow : nullptr;
+}
+
+CloudShadowParams WorldClouds::shadow_about(const glm::dvec3& point_m) const {
+  if (shadow() == nullptr) return {};
+  CloudShadowParams params = shadow()->params();
+  const glm::dvec3 from = sky_->origin_m + sky_->carried_m - point_m;
+  params.middle_x = static_cast<float>(params.middle_x + from.x);
+  params.middle_y = static_cast<float>(params.middle_y + from.y);
+  params.middle_z = static_cast<float>(params.middle_z + from.z);
+  return params;
+}
+
+double WorldClouds::lit_at_s() const {
+  return sky_->lit.time_s.value_or(0.0);
+}
+
+const ocl::Buffer<CloudParticle>& WorldClouds::particles() const {
+  return sky_->shown_particles();
+}
+std::uint32_t WorldClouds::count() const {
+  return sky_->count;
+}
+std::uint32_t WorldClouds::whole_count() const {
+  return static_cast<std::uint32_t>(count_of(sky_->models, 0));
+}
+const ocl::Buffer<CloudSprite>& WorldClouds::sprites() const {
+  return sky_->lights[sky_->light_of].sprites;
+}
+const ocl::Buffer<std::uint32_t>& WorldClouds::order() const {
+  return sky_->orders[sky_->order_of].order.order();
+}
+glm::dvec3 WorldClouds::sky_origin_m() const {
+  return sky_->shown_origin_m();
+}
+
+}  // namespace offing::world

@@ -1,0 +1,156 @@
+#include "host/world/world_mesh.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "host/highlights/curvature/diffused_curvature.h"
+#include "host/highlights/tracks/nearest_place.h"
+
+namespace offing::world {
+namespace {
+
+// Pictures have a past of one to two of these before the first, longer than highlights take to fade or to
+// reach their places; it begins at 0 where that is within two.
+constexpr double past_s = 10.0;
+// Time jumps where a frame takes it further than that, and passes at least this much for who flies while it
+// stands.
+constexpr double longest_frame_s = 0.5, least_frame_s = 1.0 / 30.0;
+
+/// A function of the first picture's time alone, so that highlights are.
+double start_of_past(double first_s) {
+  if (first_s >= 0.0 && first_s < 2.0 * past_s) return 0.0;
+  return past_s * (std::floor(first_s / past_s) - 1.0);
+}
+
+/// As the device makes them of a mesh that brings none; relative to its middle, as single precision loses
+/// edges far from the origin.
+VertexCurvatures diffused(const ocl::Device& device, const TriangleMesh& mesh) {
+  highlights::DiffusedCurvature method(device, mesh);
+  std::vector<float> positions_m;
+  positions_m.reserve(3 * mesh.positions_m.size());
+  glm::dvec3 middle_m(0.0);
+  for (const glm::dvec3& position_m : mesh.positions_m) middle_m += position_m;
+  middle_m /= static_cast<double>(mesh.positions_m.size());
+  for (const glm::dvec3& position_m : mesh.positions_m) {
+    for (int axis = 0; axis < 3; ++axis)
+      positions_m.push_back(static_cast<float>(position_m[axis] - middle_m[axis]));
+  }
+  ocl::Buffer<float> buffer(device, positions_m, "positions");
+  method.at(buffer);
+  return method.read();
+}
+
+highlights::HighlightSurface surface_of(const ocl::Device& device, const MeshParameters& parameters) {
+  return {device, *parameters.mesh,
+          parameters.curvatures ? *parameters.curvatures : diffused(device, *parameters.mesh),
+          parameters.surface};
+}
+
+std::uint64_t next_revision() {
+  static std::atomic<std::uint64_t> revisions{0};
+  return ++revisions;
+}
+
+}  // namespace
+
+struct WorldMesh::Shown {
+  explicit Shown(highlights::HighlightSurface made) : surface(std::move(made)) {}
+
+  /// The tracks, which start with the lighting at hand.
+  highlights::HighlightTracker& tracks_of(highlights::TrackOptions options) {
+    if (!tracks) {
+      options.has_shadows = true;
+      tracks.emplace(
+          surface, [this](double time_s) { return lighting(time_s); }, options);
+      drawn.emplace(surface, tracks->options().size);
+    }
+    return *tracks;
+  }
+
+  highlights::HighlightSurface surface;
+  highlights::LightingAt lighting;  // in the mesh's axes
+  std::optional<highlights::HighlightTracker> tracks;
+  std::optional<highlights::HighlightDrawing> drawn;
+  std::optional<double> start_s;        // of the past that the tracks have; none: they follow
+  std::optional<double> followed_to_s;  // time of the last follow()
+  double passed_s = 0.0;                // for tracks that follow
+};
+
+WorldMesh::WorldMesh(const ocl::Device& device, const MeshParameters& parameters)
+    : parameters_(parameters),
+      revision_(next_revision()),
+      shown_(std::make_unique<Shown>(surface_of(device, parameters))) {}
+
+WorldMesh::WorldMesh(WorldMesh&&) noexcept = default;
+WorldMesh& WorldMesh::operator=(WorldMesh&&) noexcept = default;
+WorldMesh::~WorldMesh() = default;
+
+const highlights::HighlightSurface& WorldMesh::surface() const {
+  return shown_->surface;
+}
+
+const std::vector<highlights::DrawnHighlight>& WorldMesh::highlights() const {
+  static const std::vector<highlights::DrawnHighlight> none;
+  return shown_->drawn ? shown_->drawn->highlights() : none;
+}
+
+const std::vector<std::uint32_t>& WorldMesh::highlight_faces() const {
+  static const std::vector<std::uint32_t> none;
+  return shown_->drawn ? shown_->drawn->faces() : none;
+}
+
+const highlights::HighlightTracker* WorldMesh::tracks() const {
+  return shown_->tracks ? &*shown_->tracks : nullptr;
+}
+
+highlights::RigidMotion WorldMesh::motion_at(double time_s) const {
+  return parameters_.motion ? parameters_.motion(time_s) : highlights::RigidMotion{};
+}
+
+void WorldMesh::at(double time_s, const highlights::LightingAt& lighting, std::optional<double> first_s) {
+  motion_ = motion_at(time_s);
+  if (!parameters_.has_highlights) return;
+  shown_->lighting = [this, lighting](double past_time_s) {
+    return in_mesh_axes(lighting(past_time_s), motion_at(past_time_s));
+  };
+  highlights::HighlightTracker& tracks = shown_->tracks_of(parameters_.tracks);
+  const double start_s = start_of_past(first_s.value_or(time_s));
+  // Rules for the nearest have a past too.
+  const std::vector<highlights::NearestPlace> places = highlights::nearest_places(parameters_.rules);
+  const bool has_this_past = shown_->start_s == start_s && tracks.state().places == places;
+  tracks.set_places(places);
+  if (!has_this_past) tracks.reset(start_s);
+  shown_->start_s = start_s;
+  tracks.advance_to(time_s);
+  show(shown_->lighting(time_s));
+}
+
+void WorldMesh::follow(double time_s, const highlights::Lighting& lighting) {
+  motion_ = motion_at(time_s);
+  if (!parameters_.has_highlights) return;
+  const highlights::Lighting in_axes = in_mesh_axes(lighting, motion_);
+  shown_->lighting = [in_axes](double) { return in_axes; };
+  highlights::HighlightTracker& tracks = shown_->tracks_of(parameters_.tracks);
+  const double frame_s = shown_->followed_to_s ? time_s - *shown_->followed_to_s : -1.0;
+  tracks.set_places(highlights::nearest_places(parameters_.rules));
+  const bool goes_on = !shown_->start_s && frame_s >= 0.0 && frame_s <= longest_frame_s;
+  if (goes_on) {
+    shown_->passed_s += std::max(frame_s, least_frame_s);
+    tracks.advance_to(shown_->passed_s);
+  } else {
+    shown_->passed_s = 0.0;
+    tracks.reset(0.0, highlights::KeyStates::none);
+  }
+  shown_->start_s.reset();
+  shown_->followed_to_s = time_s;
+  show(in_axes);
+}
+
+void WorldMesh::show(const highlights::Lighting& lighting) {
+  shown_->drawn->update(shown_->tracks->state(), parameters_.rules, static_cast<int>(lighting.lights.size()));
+}
+
+}  // namespace offing::world

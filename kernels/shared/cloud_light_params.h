@@ -1,0 +1,55 @@
+// What the kernels of cloud light read, one layout for host and device: 4-byte scalars only.
+#ifndef OFFING_KERNELS_SHARED_CLOUD_LIGHT_H
+#define OFFING_KERNELS_SHARED_CLOUD_LIGHT_H
+
+// Most suns at a time.
+#define CLOUD_SUNS 4
+
+// Texels a side of what is known of the light that reaches a cloud past others.
+#define CLOUD_ENTRY_SIZE 16
+
+// Tables of phases: [look][CLOUD_PHASE_DEPTHS][CLOUD_PHASE_ANGLES], 1/sr. Angles go with the square of their place, so
+// that the forward peak is fine: angle = pi (i / (CLOUD_PHASE_ANGLES - 1))^2. Depths:
+// depth = CLOUD_PHASE_DEPTH_SCALE * u / (1 - u), u = i / CLOUD_PHASE_DEPTHS.
+#define CLOUD_PHASE_ANGLES 128
+#define CLOUD_PHASE_DEPTHS 24
+#define CLOUD_PHASE_DEPTH_SCALE 4.0f
+
+// The grid of a cloud, made on the device: cells are boxes.
+typedef struct {
+  float low_x, low_y, low_z;     // m, its least corner
+  float cell_x, cell_y, cell_z;  // m
+  int first, end;                // particles of the cloud
+  int size_x, size_y, size_z;    // cells along each axis, powers of two; 16 at least
+  int padding;
+} CloudGrid;
+
+// What a cloud scatters with.
+typedef struct {
+  float absorbed_share;      // 1 - albedo, of clouds that are all of one grey
+  float forward_share;       // f: of scattered light that counts as going on unscattered
+  float scaled_mean_cosine;  // g' of the rest
+  unsigned int phase_table;  // which of the tables
+} CloudScattering;
+
+typedef struct {
+  float x, y, z;           // unit, toward the sun
+  float red, green, blue;  // klx
+} CloudLightSource;
+
+// What falls on a cloud. All clouds have as many suns.
+typedef struct {
+  CloudLightSource suns[CLOUD_SUNS];
+  int sun_count;
+  float sky_red, sky_green, sky_blue;           // kcd/m^2
+  float ground_red, ground_green, ground_blue;  // kcd/m^2
+} CloudLightParams;
+
+#ifndef __OPENCL_VERSION__
+static_assert(sizeof(CloudGrid) == 48, "no padding");
+static_assert(sizeof(CloudScattering) == 16, "no padding");
+static_assert(sizeof(CloudLightSource) == 24, "no padding");
+static_assert(sizeof(CloudLightParams) == 4 * 24 + 28, "no padding");
+#endif
+
+#endif

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "present/passes/quality.h"
+
+namespace offing::present {
+
+/// Chooses the quality level of quality_levels whose frames take no longer than is asked for, from those that
+/// were drawn: coarser where they took too long, finer where a finer quality level's can be expected to fit.
+/// It stays on a quality level for two seconds at least, and comes back to one that did not fit after a
+/// minute at the earliest.
+class QualityControl {
+ public:
+  /// Takes the time of a frame drawn on the current quality level, without waiting for a display, and when it
+  /// ended.
+  void note(double frame_ms, double wanted_ms, double now_s);
+
+  std::size_t level() const { return level_; }
+  const Quality& quality() const { return quality_levels.at(level_); }
+
+ private:
+  struct Memory {
+    double frame_ms = 0.0, at_s = 0.0;
+  };
+
+  double expected_ms(std::size_t level, double usual_ms, double now_s) const;
+  /// From a quality level whose frames took so long.
+  void go_to(std::size_t level, double usual_ms, double now_s);
+
+  std::size_t level_ = 0;
+  std::optional<double> since_s_;  // on this quality level, its first frame drawn; nothing: not yet
+  double window_s_ = 0.0;          // when the frames that are looked at together began
+  std::vector<double> frames_ms_;  // since then
+  std::array<std::optional<Memory>, quality_levels.size()>
+      memory_;  // what quality levels took that were left
+};
+
+}  // namespace offing::present

@@ -1,0 +1,306 @@
+// The ground of scenes: what [terrain] says, with its faults, and what an edit makes anew.
+#include "host/scene/prepare/scene_terrain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/base/error.h"
+#include "host/io/png_image.h"
+#include "host/io/tile_store/tile_store.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/file/scene_writer.h"
+#include "host/scene/prepare/moving_view.h"
+#include "host/scene/prepare/sea.h"
+#include "host/scene/prepare/world_scene.h"
+#include "host/terrain/tiles/tile_builder.h"
+#include "tests/io/temporary_folder.h"
+#include "tests/ocl/log_capture.h"
+
+namespace offing::scene {
+namespace {
+
+using testing::HasSubstr;
+
+Scene scene_of(const std::string& text, const std::filesystem::path& folder = {}) {
+  return parse_scene("version = 1\n" + text, "valley.toml", folder);
+}
+
+/// Of what asking for the ground of a scene throws; "" if it does not.
+std::string fault_of(const std::string& text, const std::filesystem::path& folder = {}) {
+  try {
+    prepare_terrain(scene_of(text, folder));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+    EXPECT_FALSE(error.hint().empty()) << error.what();
+    return error.what();
+  }
+  return "";
+}
+
+class SceneTerrainTest : public testing::Test {
+ protected:
+  /// A raw map of 3 x 2 posts: 0, 10, 20 / 30, 40, 50.
+  void SetUp() override {
+    const std::vector<float> heights_m{0.0f, 10.0f, 20.0f, 30.0f, 40.0f, 50.0f};
+    std::ofstream(folder_.path() / "small.r32", std::ios::binary)
+        .write(reinterpret_cast<const char*>(heights_m.data()), 24);
+  }
+  world::TerrainParameters small(const std::string& more) {
+    return *prepare_terrain(
+        scene_of("[terrain]\nfile = \"small.r32\"\nraw_columns = 3\nraw_rows = 2\n" + more, folder_.path()));
+  }
+  TemporaryFolder folder_;
+};
+
+// Fails if a scene with ground alone gets a sea, or one with a sea loses it.
+TEST_F(SceneTerrainTest, StandsAloneWithoutAnOceanSection) {
+  EXPECT_TRUE(scene_of("").has_sea());
+  EXPECT_FALSE(prepare_terrain(scene_of("")));
+  EXPECT_FALSE(scene_of("[terrain]\n").has_sea());
+  EXPECT_TRUE(scene_of("[terrain]\n[ocean]\n").has_sea());
+  EXPECT_TRUE(scene_of("[terrain]\n[[ocean.swell]]\n").has_sea());
+  EXPECT_THROW(prepare_sea(scene_of("[terrain]\n")), Error);
+}
+
+// Fails if what a file is told about is lost on its way: spacing, scale, offset, place.
+TEST_F(SceneTerrainTest, ReadsFilesAsItIsTold) {
+  const world::TerrainParameters plain = small("");
+  EXPECT_EQ(plain.map->columns, 3);
+  EXPECT_EQ(plain.map->heights_m.back(), 50.0f);
+  EXPECT_EQ(plain.origin_x_m, -1.0) << "the middle is not at the origin";
+  EXPECT_EQ(plain.origin_z_m, -0.5);
+  const world::TerrainParameters told =
+      small("spacing_x_m = 4\nspacing_z_m = 8\nvertical_scale = 0.5\noffset_m = -5\norigin_x_m = 100\n");
+  EXPECT_EQ(told.map->spacing_x_m, 4.0);
+  EXPECT_EQ(told.map->spacing_z_m, 8.0);
+  EXPECT_THAT(told.map->heights_m, testing::ElementsAre(-5.0f, 0.0f, 5.0f, 10.0f, 15.0f, 20.0f));
+  EXPECT_EQ(told.origin_x_m, 100.0);
+  EXPECT_EQ(told.origin_z_m, -4.0);
+}
+
+// Fails if a fault of the ground does not name the scene's line and column, the value and the fix.
+TEST_F(SceneTerrainTest, TellsFaultsWithTheirPlace) {
+  const std::filesystem::path& folder = folder_.path();
+  EXPECT_THAT(
+      fault_of("[terrain]\nfile = \"none.tif\"\n", folder),
+      testing::AllOf(HasSubstr("valley.toml:3:8: terrain.file: expected a height map, got no such file"),
+                     HasSubstr("none.tif")));
+  EXPECT_THAT(fault_of("[terrain]\nfile = \"small.r32\"\n", folder),
+              HasSubstr("valley.toml:3:8: terrain.file: "))
+      << "a file without a size";
+  EXPECT_THAT(fault_of("[terrain]\nfile = \".\"\n", folder), HasSubstr("valley.toml:3:8: terrain.file: "));
+  EXPECT_THAT(fault_of("[terrain]\nside_m = 1e6\nlongest_m = 10\n"), HasSubstr("longest_m"));
+  const auto refusal = [](const std::string& text) {
+    try {
+      scene_of(text);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal("[terrain]\nrelief_m = -1\n"),
+            "valley.toml:3:12: terrain.relief_m: expected a number in m within [0, 20000], got -1");
+  EXPECT_EQ(refusal("[terrain]\nspacing_x_m = 0\n"),
+            "valley.toml:3:15: terrain.spacing_x_m: expected a number in m within [0.001, 100000], got 0");
+  EXPECT_EQ(refusal("[terrain]\nencoding = \"jpeg\"\n"),
+            "valley.toml:3:12: terrain.encoding: expected one of plain, mapbox, terrarium, got \"jpeg\"");
+  EXPECT_EQ(refusal("[terrain]\nreleif_m = 3\n"),
+            "valley.toml:3:1: terrain.releif_m: expected a known key, got \"releif_m\"");
+  EXPECT_EQ(refusal("[terrain]\nfile = 3\n"), "valley.toml:3:8: terrain.file: expected a file name, got 3");
+  EXPECT_EQ(refusal("[[terrain]]\n"), "valley.toml:2:3: terrain: expected a section [terrain], got an array");
+}
+
+// Fails if a key that says nothing about this ground is passed over in silence.
+TEST_F(SceneTerrainTest, TellsWhatIsNotUsed) {
+  const auto logged = [](const std::string& text) {
+    const test::LogCapture log;
+    const world::WorldParameters parameters = prepare_world(scene_of(text));
+    EXPECT_FALSE(parameters.has_sea);
+    return log.text();
+  };
+  const std::string small_terrain = "[terrain]\nposts = 9\n";
+  EXPECT_THAT(logged(small_terrain + "encoding = \"mapbox\"\n"),
+              HasSubstr("valley.toml:4:12: terrain.encoding: not used: terrain.file is not given"));
+  EXPECT_THAT(logged(small_terrain + "[wind]\nspeed_mps = 3\n"),
+              HasSubstr("valley.toml:5:13: wind.speed_mps: not used: the scene has no [ocean]"));
+  EXPECT_THAT(logged(small_terrain + "water_line_m = 3\n"), testing::Not(HasSubstr("not used")));
+}
+
+// Fails if a picture of the ground is not read, not where the map is, or its faults do not name their place.
+TEST_F(SceneTerrainTest, ReadsPicturesOfTheGround) {
+  write_png(folder_.path() / "green.png", {2, 1, {0, 200, 0, 10, 20, 30}});
+  EXPECT_EQ(small("").colours, nullptr);
+  const world::TerrainParameters painted = small("colour = \"green.png\"\n");
+  ASSERT_NE(painted.colours, nullptr);
+  EXPECT_THAT(painted.colours->rgba, testing::ElementsAre(0, 200, 0, 255, 10, 20, 30, 255));
+  // From the first posts of 3 x 2 to the last ones.
+  EXPECT_EQ(painted.colours->right, 2.0);
+  EXPECT_EQ(painted.colours->bottom, 1.0);
+  const std::string made = "[terrain]\nposts = 9\ncolour = ";
+  EXPECT_NE(prepare_terrain(scene_of(made + "\"green.png\"\n", folder_.path()))->colours, nullptr);
+  EXPECT_THAT(
+      fault_of(made + "\"none.png\"\n", folder_.path()),
+      HasSubstr("valley.toml:4:10: terrain.colour: expected a picture of the ground, got no such file"));
+  EXPECT_THAT(fault_of(made + "\"small.r32\"\n", folder_.path()),
+              testing::AllOf(HasSubstr("valley.toml:4:10: terrain.colour: "), HasSubstr("small.r32")));
+}
+
+// Fails if a tile store is not read as one, or keys that say how to read a map are passed over for it.
+TEST_F(SceneTerrainTest, TakesTileStores) {
+  const TileSetShape shape = TileSetShape::of(300, 200);
+  const TileStoreWriter writer(folder_.path() / "hills.tiles", Existing::keep);
+  terrain::TileBuilder builder(shape, [&](const HeightTile& tile) { writer.write(tile); });
+  std::vector<float> heights_m(300);
+  for (int row = 0; row < 200; ++row) {
+    for (int column = 0; column < 300; ++column)
+      heights_m[static_cast<std::size_t>(column)] = static_cast<float>(column + 2 * row);
+    builder.add_row(heights_m);
+  }
+  TileStoreHeader header;
+  header.shape = shape;
+  header.spacing_x_m = 4.0;
+  header.spacing_z_m = 5.0;
+  header.highest_m = 697.0f;
+  writer.finish(header);
+  const std::string text = "[terrain]\nfile = \"hills.tiles\"\ncache_mb = 40\n";
+  const auto terrain = prepare_terrain(scene_of(text, folder_.path()));
+  ASSERT_TRUE(terrain);
+  EXPECT_EQ(terrain->map, nullptr);
+  ASSERT_NE(terrain->tiles, nullptr);
+  EXPECT_EQ(terrain->tiles->cache_bytes, std::size_t{40} << 20);
+  EXPECT_EQ(terrain->origin_x_m, -0.5 * 4.0 * 299);
+  EXPECT_EQ(terrain::terrain_at(terrain->posts(), 4.0 * 280, 5.0 * 150)->height_m, 280.0 + 300.0);
+  Scene scene = scene_of(text, folder_.path());
+  place_camera(scene, terrain);
+  EXPECT_EQ(scene.view.camera.eye_m.y, 997.0);
+  const test::LogCapture log;
+  prepare_world(scene_of(text + "offset_m = 3\nsky_visibility = \"on\"\n", folder_.path()));
+  EXPECT_THAT(log.text(),
+              HasSubstr("valley.toml:5:12: terrain.offset_m: not used: the ground is that of a tile store"));
+  EXPECT_THAT(log.text(), HasSubstr("terrain.sky_visibility: not used"));
+  prepare_world(scene_of("[terrain]\nposts = 9\ncache_mb = 40\n"));
+  EXPECT_THAT(log.text(), HasSubstr("terrain.cache_mb: not used: terrain.file is no tile store"));
+}
+
+// Fails if the sky is hidden by ground without being asked for, or is not where it is.
+TEST_F(SceneTerrainTest, KnowsWhetherGroundHidesTheSky) {
+  EXPECT_FALSE(small("").sees_horizons);
+  EXPECT_TRUE(small("sky_visibility = \"on\"\n").sees_horizons);
+  EXPECT_FALSE(small("sky_visibility = \"off\"\n").sees_horizons);
+}
+
+// Fails if a saved scene is another one: without its sea, its ground, or a file that moved with the folder.
+TEST_F(SceneTerrainTest, IsSavedWhole) {
+  for (const char* text :
+       {"[terrain]\n", "[terrain]\n[ocean]\n", "[terrain]\nseed = 4\n[ocean]\nsize = 64\n"}) {
+    const Scene scene = scene_of(text);
+    const Scene again = parse_scene(scene_text(scene, ""), "again.toml", "");
+    EXPECT_EQ(again.has_sea(), scene.has_sea()) << text;
+    EXPECT_EQ(again.terrain.is_given, scene.terrain.is_given) << text;
+    EXPECT_EQ(again.terrain.fractal.seed, scene.terrain.fractal.seed) << text;
+  }
+  const Scene scene = scene_of("[terrain]\nfile = \"small.r32\"\n", folder_.path());
+  EXPECT_THAT(scene_text(scene, folder_.path()), HasSubstr("file = \"small.r32\""));
+  const Scene painted =
+      scene_of("[terrain]\ncolour = \"photo.png\"\nsky_visibility = \"on\"\n", folder_.path());
+  EXPECT_THAT(scene_text(painted, folder_.path()),
+              testing::AllOf(HasSubstr("colour = \"photo.png\""), HasSubstr("sky_visibility = \"on\"")));
+}
+
+// Fails if an edit of lines or place makes the heights anew, or one of heights does not.
+TEST_F(SceneTerrainTest, MakesAnewOnlyWhatAnEditChanges) {
+  const Scene before = scene_of("[terrain]\nposts = 33\n");
+  const std::optional<world::TerrainParameters> now = prepare_terrain(before);
+  Scene after = before;
+  after.terrain.snow_line_m = 900.0;
+  after.terrain.origin_x_m = 7.0;
+  const auto moved = edited_terrain(now, before, after);
+  EXPECT_EQ(moved->map, now->map);
+  EXPECT_EQ(moved->lines.snow_line_m, 900.0);
+  EXPECT_EQ(moved->origin_x_m, 7.0);
+  write_png(folder_.path() / "grey.png", {1, 1, {9, 9, 9}});
+  Scene painted = after;
+  painted.terrain.colour = (folder_.path() / "grey.png").string();
+  const auto with_colours = edited_terrain(moved, after, painted);
+  EXPECT_EQ(with_colours->map, now->map);
+  ASSERT_NE(with_colours->colours, nullptr);
+  Scene higher_snow = painted;
+  higher_snow.terrain.snow_line_m = 901.0;
+  EXPECT_EQ(edited_terrain(with_colours, painted, higher_snow)->colours, with_colours->colours);
+  EXPECT_EQ(edited_terrain(with_colours, painted, after)->colours, nullptr);
+  after.terrain.fractal.relief_m *= 2.0;
+  const auto higher = edited_terrain(now, before, after);
+  EXPECT_NE(higher->map, now->map);
+  EXPECT_NE(higher->map->heights_m, now->map->heights_m);
+  after.terrain.is_given = false;
+  EXPECT_FALSE(edited_terrain(now, before, after));
+}
+
+// Fails if the sea's bed is painted as water, or lines that the scene names are not its own.
+TEST_F(SceneTerrainTest, HasTheLinesOfTheScene) {
+  const auto lines = [](const std::string& text) { return prepare_terrain(scene_of(text))->lines; };
+  EXPECT_EQ(lines("[terrain]\nposts = 5\nwater_line_m = 12\n").sea_level_m, 12.0);
+  EXPECT_LT(lines("[terrain]\nposts = 5\nwater_line_m = 12\n[ocean]\n").sea_level_m, -1e5);
+  EXPECT_EQ(lines("[terrain]\nposts = 5\ntree_line_m = 7\n").tree_line_m, 7.0);
+  EXPECT_EQ(lines("[terrain]\nposts = 5\n").snow_line_m, world::CoverLines{}.snow_line_m);
+}
+
+// Fails if the eye of a scene that does not place it is under the ground, or one that is placed is moved.
+TEST_F(SceneTerrainTest, PlacesTheEyeWhereNothingElseDoes) {
+  Scene scene = scene_of("[terrain]\nposts = 33\norigin_x_m = 500\n[camera]\nfov_deg = 70\n");
+  const auto terrain = prepare_terrain(scene);
+  place_camera(scene, terrain);
+  const auto& heights_m = terrain->map->heights_m;
+  EXPECT_EQ(scene.view.camera.eye_m.y, *std::max_element(heights_m.begin(), heights_m.end()) + 300.0);
+  EXPECT_EQ(scene.view.camera.eye_m.x, 500.0 + 10e3);
+  EXPECT_NEAR(scene.view.camera.vertical_field_of_view_rad, 70.0 / 180.0 * 3.14159265, 1e-6);
+  Scene placed = scene_of("[terrain]\nposts = 33\n[camera]\nx_m = 3\n");
+  place_camera(placed, terrain);
+  EXPECT_EQ(placed.view.camera.eye_m.x, 3.0);
+  Scene moving = scene_of(
+      "[terrain]\nposts = 33\n[camera]\ny_m = { keys = [{ t = 0, value = 9 }, { t = 1, value = 8 }] }\n");
+  place_camera(moving, terrain);
+  EXPECT_EQ(moving.view.camera.eye_m.y, 9.0);
+}
+
+// Fails if a walker's eye is not at its height above the ground.
+TEST_F(SceneTerrainTest, StandsWalkersOnTheGround) {
+  const Scene scene = scene_of(
+      "[terrain]\nposts = 33\n[camera]\nx_m = 1234\nz_m = -77\nmode = \"walk\"\n[walk]\neye_height_m = 2\n");
+  world::World world(ocl::Device::open(), prepare_world(scene));
+  const ViewScene view = show_at(world, scene, 0.0);
+  EXPECT_NEAR(view.camera.eye_m.y, world.terrain()->terrain_at(1234.0, -77.0)->height_m + 2.0, 1e-9);
+}
+
+// Fails if an eye in the ground stays there, if nobody is told how deep it was, or if one over the ground is
+// moved. Off the map one is told of where there is no sea.
+TEST_F(SceneTerrainTest, LiftsEyesOutOfTheGround) {
+  const Scene scene = scene_of("[terrain]\nposts = 33\n[camera]\nx_m = 1234\nz_m = -77\n");
+  world::World world(ocl::Device::open(), prepare_world(scene));
+  const world::WorldTerrain& terrain = *world.terrain();
+  const double terrain_m = terrain.terrain_at(1234.0, -77.0)->height_m;
+  ViewScene view = view_at(scene, 0.0);
+  view.camera.eye_m.y = terrain_m - 12.5;
+  EXPECT_THAT(eye_warning(terrain, view, true).value_or(""),
+              testing::HasSubstr("is 12.5 m below the ground"));
+  stand_on_ground(terrain, view);
+  EXPECT_NEAR(view.camera.eye_m.y, terrain_m + view.walker.eye_height_m, 1e-9);
+  view.camera.eye_m.y = terrain_m + 0.5;
+  EXPECT_EQ(eye_warning(terrain, view, false), std::nullopt);
+  stand_on_ground(terrain, view);
+  EXPECT_EQ(view.camera.eye_m.y, terrain_m + 0.5);
+  view.camera.eye_m.x = -10'100.0;  // the ground is 20 km wide
+  EXPECT_EQ(eye_warning(terrain, view, true), std::nullopt);
+  EXPECT_THAT(eye_warning(terrain, view, false).value_or(""),
+              testing::HasSubstr("is 100.0 m beyond the map"));
+}
+
+}  // namespace
+}  // namespace offing::scene
