@@ -53,13 +53,14 @@ class SkyCrossDeviceTest : public testing::Test {
   }
 
   // Exponentials, roots and arc cosines of two implementations differ by ulps, 6e-8 each, some ten of which a
-  // texel goes through; aureoles and the rows beside the horizon amplify them. Measured 2.4e-6. Gate 3e-5 of
-  // the mean light or of the value.
+  // texel goes through; aureoles and the rows beside the horizon amplify them. Measured 1.5e-6 on Intel's
+  // runtime, and 9.8e-6 by day and 4.9e-4 in twilight before thin slices kept their light. Gate 5e-6 of the
+  // mean light or of the value.
   static void expect_same(const std::vector<float>& found, const std::vector<float>& expected) {
     ASSERT_EQ(found.size(), expected.size());
     ASSERT_FALSE(expected.empty());
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      ASSERT_NEAR(found[i], expected[i], 3e-5f * std::max(1.0f, std::abs(expected[i]))) << i;
+      ASSERT_NEAR(found[i], expected[i], 5e-6f * std::max(1.0f, std::abs(expected[i]))) << i;
     }
   }
 
