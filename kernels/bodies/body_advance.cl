@@ -13,9 +13,61 @@
 // implicit step would, so that neither turns a motion around. Speed and spin have bounds far above those of any hull
 // (shared/bodies.h): what no step of this length can follow, such as a thrust of 1e9 N on a toy, stays a motion.
 #include "bodies/turn.clh"
-#include "bodies/wetted_part.clh"
 #include "shared/bodies.h"
 #include "shared/query_params.h"
+
+// The part of a triangle that is under water, where depth is linear over the triangle: integrals in closed form.
+typedef struct {
+  float area;           // m^2
+  float3 area_moment;   // integral of place over area, m^3
+  float depth_area;     // of depth, m^3
+  float3 depth_moment;  // of place times depth, m^4
+} WettedPart;
+
+static void set_whole_part(float area, const float3* place, const float* depth, WettedPart* part) {
+  const float3 places = place[0] + place[1] + place[2];
+  const float depths = depth[0] + depth[1] + depth[2];
+  part->area = area;
+  part->area_moment = area / 3.0f * places;
+  part->depth_area = area / 3.0f * depths;
+  part->depth_moment =
+      area / 12.0f * (depth[0] * place[0] + depth[1] * place[1] + depth[2] * place[2] + depths * places);
+}
+
+// The part at corner `odd`, whose depth has another sign than the others: it is cut off where depth is 0.
+static void set_corner_part(float area, const float3* place, const float* depth, int odd, WettedPart* part) {
+  const int next = (odd + 1) % 3, last = (odd + 2) % 3;
+  const float along = depth[odd] / (depth[odd] - depth[next]), across = depth[odd] / (depth[odd] - depth[last]);
+  const float3 places[3] = {place[odd], mix(place[odd], place[next], along), mix(place[odd], place[last], across)};
+  const float depths[3] = {depth[odd], 0.0f, 0.0f};
+  set_whole_part(area * along * across, places, depths, part);
+}
+
+static void set_wetted_part(float area, const float3* place, const float* depth, WettedPart* part) {
+  const int wet = (depth[0] > 0.0f) + (depth[1] > 0.0f) + (depth[2] > 0.0f);
+  if (wet == 3) {
+    set_whole_part(area, place, depth, part);
+    return;
+  }
+  part->area = part->depth_area = 0.0f;
+  part->area_moment = part->depth_moment = (float3)(0.0f);
+  if (wet == 0) return;
+  const bool is_odd_wet = wet == 1;
+  int odd = 0;
+  if ((depth[1] > 0.0f) == is_odd_wet) odd = 1;
+  if ((depth[2] > 0.0f) == is_odd_wet) odd = 2;
+  if (is_odd_wet) {
+    set_corner_part(area, place, depth, odd, part);
+    return;
+  }
+  WettedPart dry;
+  set_corner_part(area, place, depth, odd, &dry);
+  set_whole_part(area, place, depth, part);
+  part->area -= dry.area;
+  part->area_moment -= dry.area_moment;
+  part->depth_area -= dry.depth_area;
+  part->depth_moment -= dry.depth_moment;
+}
 
 #ifndef GROUP
 #define GROUP 64  // work-items of a body, a power of two

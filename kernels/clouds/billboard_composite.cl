@@ -9,7 +9,132 @@
 // Billboards are gathered in layers, each shared linearly between the two that it lies between, and all of a layer
 // is mixed: so a picture changes steadily as billboards pass each other, whatever their order, and lets exactly as
 // much light through as all of them do one by one.
-#include "clouds/billboard_ray.clh"
+#include "shared/cloud_image_params.h"
+#include "shared/clouds.h"
+#include "simd/lane_exponents.clh"
+
+// Unit rays from the eye, and how far along them the scene begins.
+typedef struct {
+  lanes x, y, z;
+  lanes scene_m;
+} BillboardRays;
+
+// What a billboard does along rays: its optical depth, and its light over that of its sprite.
+typedef struct {
+  lanes depth;
+  lanes light;
+} BillboardSeen;
+
+// No texel is more opaque than this, so that its depth is finite.
+#define LEAST_CLEAR 1e-4f
+
+// Integral of h (C1) from the point of a ray that is nearest to the middle, `square` radii^2 from it, to z
+// radii on.
+INLINE lanes density_integral(lanes square, lanes z) {
+  // h = 1 - 22/9 q + 17/9 q^2 - 4/9 q^3 of q = square + z^2, in powers of z^2.
+  const lanes k0 = fma(
+      square, fma(square, fma(square, (lanes)(-4.0f / 9.0f), (lanes)(17.0f / 9.0f)), (lanes)(-22.0f / 9.0f)),
+      (lanes)1.0f);
+  const lanes k1 =
+      fma(square, fma(square, (lanes)(-4.0f / 9.0f), (lanes)(34.0f / 27.0f)), (lanes)(-22.0f / 27.0f));
+  const lanes k2 = fma(square, (lanes)(-4.0f / 15.0f), (lanes)(17.0f / 45.0f));
+  const lanes z2 = z * z;
+  return z * fma(z2, fma(z2, fma(z2, (lanes)(-4.0f / 63.0f), k2), k1), k0);
+}
+
+// The texels at places in level 0 ... level_px of a texture, bilinear: turn rightward and upward, and opacity
+// where its mean is 1/3 and 2/3, all 0 ... 1.
+typedef struct {
+  lanes turn_x, turn_y, third, two_thirds;
+} BillboardTexel;
+
+INLINE BillboardTexel unpacked(uint_lanes texel, lanes share) {
+  const BillboardTexel result = {share * convert_lanes(texel & 255u), share * convert_lanes((texel >> 8) & 255u),
+                            share * convert_lanes((texel >> 16) & 255u), share * convert_lanes(texel >> 24)};
+  return result;
+}
+
+INLINE BillboardTexel sum_of(BillboardTexel a, BillboardTexel b) {
+  const BillboardTexel result = {a.turn_x + b.turn_x, a.turn_y + b.turn_y, a.third + b.third,
+                            a.two_thirds + b.two_thirds};
+  return result;
+}
+
+INLINE BillboardTexel texel_at(__global const uint* textures, uint first, int level_px, lanes x, lanes y,
+                              float share) {
+  const lanes column = floor(x), row = floor(y);
+  const lanes in_x = x - column, in_y = y - row;
+  const int last = level_px - 1;
+  const int_lanes left = up_to(convert_int_lanes(column), last),
+                  right = up_to(convert_int_lanes(column) + 1, last);
+  const int_lanes low = (int)first + up_to(convert_int_lanes(row), last) * level_px;
+  const int_lanes high = (int)first + up_to(convert_int_lanes(row) + 1, last) * level_px;
+  const lanes upper = share / 255.0f * in_y, lower = share / 255.0f - upper;
+  const BillboardTexel below =
+      sum_of(unpacked(gathered_as(uint_lanes, textures, low + left), lower - lower * in_x),
+             unpacked(gathered_as(uint_lanes, textures, low + right), lower * in_x));
+  const BillboardTexel above =
+      sum_of(unpacked(gathered_as(uint_lanes, textures, high + left), upper - upper * in_x),
+             unpacked(gathered_as(uint_lanes, textures, high + right), upper * in_x));
+  return sum_of(below, above);
+}
+
+// Places are -1 ... 1 over the texture.
+INLINE BillboardTexel billboard_texel(__global const uint* textures, const CloudBillboard* billboard, lanes x, lanes y) {
+  const float half_px = 0.5f * (float)billboard->level_px;
+  BillboardTexel texel =
+      texel_at(textures, billboard->texels, billboard->level_px, fma(x, (lanes)half_px, (lanes)(half_px - 0.5f)),
+               fma(y, (lanes)half_px, (lanes)(half_px - 0.5f)), 1.0f - billboard->coarser);
+  if (billboard->coarser > 0.0f) {
+    const float quarter_px = 0.5f * half_px;
+    const uint next = billboard->texels + (uint)(billboard->level_px * billboard->level_px);
+    texel = sum_of(texel, texel_at(textures, next, billboard->level_px / 2,
+                                   fma(x, (lanes)quarter_px, (lanes)(quarter_px - 0.5f)),
+                                   fma(y, (lanes)quarter_px, (lanes)(quarter_px - 0.5f)), billboard->coarser));
+  }
+  return texel;
+}
+
+// What the pattern of a texel makes of a mean opacity (billboard_textures.h).
+INLINE lanes patterned(BillboardTexel texel, lanes mean) {
+  const lanes in_thirds = 3.0f * mean;
+  const lanes thin = in_thirds * texel.third;
+  const lanes middle = fma(in_thirds - 1.0f, texel.two_thirds - texel.third, texel.third);
+  const lanes dense = fma(in_thirds - 2.0f, 1.0f - texel.two_thirds, texel.two_thirds);
+  return select(select(dense, middle, mask_of(in_thirds < 2.0f)), thin, mask_of(in_thirds < 1.0f));
+}
+
+// Whether any of the rays meets the billboard.
+INLINE bool see_billboard(__global const uint* textures, const CloudBillboard* billboard, BillboardRays rays,
+                         BillboardSeen* seen) {
+  const float per_m = 1.0f / billboard->radius_m;
+  const lanes along = fma((lanes)billboard->x, rays.x, fma((lanes)billboard->y, rays.y, billboard->z * rays.z));
+  // Of the nearest point of the ray, from the middle, in radii.
+  const lanes x = fma(along, rays.x, (lanes)-billboard->x) * per_m,
+              y = fma(along, rays.y, (lanes)-billboard->y) * per_m;
+  const lanes z = fma(along, rays.z, (lanes)-billboard->z) * per_m;
+  const lanes square = fma(x, x, fma(y, y, z * z));
+  const lanes half_chord = sqrt(most(1.0f - square, (lanes)0.0f));
+  // From the eye or the ball's front to the scene or the ball's back.
+  const lanes begin = most(-half_chord, along * -per_m);
+  const lanes end = least(half_chord, (rays.scene_m - along) * per_m);
+  const int_lanes meets = mask_of(end > begin);
+  if (!any_lane(meets)) return false;
+  const lanes depth = billboard->optical_depth * (density_integral(square, end) - density_integral(square, begin));
+  seen->depth = select((lanes)0.0f, most(depth, (lanes)0.0f), meets);
+  seen->light = 1.0f;
+  if (billboard->pattern > 0.0f) {
+    const lanes mean = 1.0f - exp_of(-seen->depth);
+    const lanes right = fma(x, (lanes)billboard->right_x, fma(y, (lanes)billboard->right_y, z * billboard->right_z));
+    const lanes up = fma(x, (lanes)billboard->up_x, fma(y, (lanes)billboard->up_y, z * billboard->up_z));
+    const BillboardTexel texel = billboard_texel(textures, billboard, right, up);
+    const lanes opacity = fma((lanes)billboard->pattern, patterned(texel, mean) - mean, mean);
+    seen->depth = -log_of(most(1.0f - opacity, (lanes)LEAST_CLEAR));
+    seen->light = fma((lanes)billboard->relief_x, fma(texel.turn_x, (lanes)2.0f, (lanes)-1.0f),
+                      fma((lanes)billboard->relief_y, fma(texel.turn_y, (lanes)2.0f, (lanes)-1.0f), (lanes)1.0f));
+  }
+  return true;
+}
 
 // Pixels that let less through, half a step of 8 bits, are taken as full of what they have shown.
 #define LEAST_THROUGH 2e-3f

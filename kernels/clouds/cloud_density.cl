@@ -16,7 +16,37 @@
 #include "shared/clouds.h"
 
 #ifdef SHAPE
-#include "clouds/volume_sample.clh"
+// A volume of bricks (host/base/cloud_volume.h) between its cells' middles.
+
+// Density of cell (x, y, z), 0 beyond the grid.
+static inline float volume_cell(__global const int* restrict bricks, __global const float* restrict density,
+                                int bricks_x, int bricks_y, int bricks_z, int x, int y, int z) {
+  if (min(min(x, y), z) < 0) return 0.0f;
+  const int brick_x = x / CLOUD_BRICK_CELLS, brick_y = y / CLOUD_BRICK_CELLS, brick_z = z / CLOUD_BRICK_CELLS;
+  if (brick_x >= bricks_x || brick_y >= bricks_y || brick_z >= bricks_z) return 0.0f;
+  const int brick = bricks[(brick_z * bricks_y + brick_y) * bricks_x + brick_x];
+  if (brick < 0) return 0.0f;
+  const int cell = ((z % CLOUD_BRICK_CELLS) * CLOUD_BRICK_CELLS + y % CLOUD_BRICK_CELLS) * CLOUD_BRICK_CELLS +
+                   x % CLOUD_BRICK_CELLS;
+  return density[(size_t)brick * (CLOUD_BRICK_CELLS * CLOUD_BRICK_CELLS * CLOUD_BRICK_CELLS) + cell];
+}
+
+// Trilinear at a place in cells from the corner of the grid.
+static inline float volume_sample(__global const int* restrict bricks, __global const float* restrict density,
+                                  int bricks_x, int bricks_y, int bricks_z, float x, float y, float z) {
+  const float low_x = floor(x - 0.5f), low_y = floor(y - 0.5f), low_z = floor(z - 0.5f);
+  float sum = 0.0f;
+  for (int corner = 0; corner < 8; ++corner) {
+    const int dx = corner & 1, dy = (corner >> 1) & 1, dz = corner >> 2;
+    const float weight = (1.0f - fabs(x - 0.5f - low_x - (float)dx)) *
+                         (1.0f - fabs(y - 0.5f - low_y - (float)dy)) *
+                         (1.0f - fabs(z - 0.5f - low_z - (float)dz));
+    sum += weight * volume_cell(bricks, density, bricks_x, bricks_y, bricks_z, (int)low_x + dx,
+                                (int)low_y + dy, (int)low_z + dz);
+  }
+  return sum;
+}
+
 #endif
 
 #define LANES (CLOUD_BRICK_CELLS * CLOUD_BRICK_CELLS / ROWS)

@@ -6,7 +6,32 @@
 // without twist (parallel transport along the great arc from axis to H). Between vertices it is interpolated: then both faces
 // of an edge see the same field there, so that no zero is lost between them or found twice. For constant H its zeros are
 // exactly those of [n0 n1 n2] b ~ H (H3); else they differ by less than N itself does between vertices.
-#include "highlights/half_vector.clh"
+#include "shared/highlights.h"
+#include "simd/lanes.clh"
+
+// The half vector H = (L + V) / |L + V| of Blinn, for LANES places side by side (H3).
+typedef struct {
+  lanes x, y, z;
+} Vectors;
+
+INLINE Vectors unit_vectors(Vectors v) {
+  // Exactly between eye and light there is no half vector: zero.
+  const lanes scale = rsqrt(fmax(v.x * v.x + v.y * v.y + v.z * v.z, 1e-30f));
+  const Vectors unit = {v.x * scale, v.y * scale, v.z * scale};
+  return unit;
+}
+
+INLINE Vectors toward(const HighlightSource *source, Vectors place) {
+  const Vectors way = {source->x - source->nearness * place.x, source->y - source->nearness * place.y,
+                       source->z - source->nearness * place.z};
+  return unit_vectors(way);
+}
+
+INLINE Vectors half_vector(const HighlightLight *light, Vectors place) {
+  const Vectors l = toward(&light->source, place), v = toward(&light->eye, place);
+  const Vectors sum = {l.x + v.x, l.y + v.y, l.z + v.z};
+  return unit_vectors(sum);
+}
 
 INLINE Vectors load_vectors(__global const float *first, int pitch) {
   const Vectors v = {load_lanes(first), load_lanes(first + pitch), load_lanes(first + 2 * pitch)};

@@ -1,5 +1,5 @@
 // Gerstner waves and rings on a regular grid of rest labels.
-// In:  turns, amplitudes of the waves, rings and grid (shared/Gerstner waves.h); time as ocean/wave_phase.clh has it.
+// In:  turns, amplitudes of the waves, rings and grid (shared/gerstner_params.h); time as ocean/wave_phase.clh has it.
 // Out: displacement [rows][pitch] float4 (dx m, h m, dz m, d dx/dz),
 //      gradient     [rows][pitch] float4 (dh/dx, dh/dz, d dx/dx, d dz/dz), row = z, column = x, at rest labels: the layout
 //      of ocean/surface_assemble.cl, so that both parts of the sea add before F is taken (O9).

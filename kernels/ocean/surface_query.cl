@@ -1,18 +1,86 @@
 // The composed sea at points of the world: the label under each point is found first, as the surface moves sideways.
 // In:  points; displacement, gradient, flow [cascades][n][n] float4 of ocean/surface_assemble.cl and
-//      ocean/velocity_assemble.cl (flow is not read unless has_flow); waves, params (shared/surface_query.h), rings
-//      (GerstnerRingInTile of shared/Gerstner waves.h); wake_maps of ocean/wake_map.cl, wakes (shared/wake.h); time as ocean/wave_phase.clh has it;
-//      with SHOALS shoals, depths_m [rows][columns], shoal_shares (shared/shoals.h).
-// Out: samples (shared/surface_query.h), the surface of ocean/surface_compose.cl where it meets the point's vertical.
+//      ocean/velocity_assemble.cl (flow is not read unless has_flow); waves, params (shared/query_params.h), rings
+//      (GerstnerRingInTile of shared/gerstner_params.h); wake_maps of ocean/wake_map.cl, wakes (shared/wake.h); time as ocean/wave_phase.clh has it;
+//      with SHOALS shoals, depths_m [rows][columns], shoal_shares (shared/shoal_params.h).
+// Out: samples (shared/query_params.h), the surface of ocean/surface_compose.cl where it meets the point's vertical.
 // The label X solves X + d(X) = x. Steps X <- X - B (X + d(X) - x) end where the residual is small; the first is that
 // of fixed-point iteration (B = 1), the others have B = (I + grad d)^-1 of the interpolated displacement: with B = 1
 // they would go on for dozens of steps where crests are steep. A point under a fold has several labels: one of them is
 // found. Points that are not finite get a residual that is not either.
 #include "ocean/deformation.clh"
-#include "ocean/shoals.clh"
 #include "ocean/gerstner_ring.clh"
 #include "ocean/wake_layer.clh"
 #include "shared/query_params.h"
+#include "shared/shoal_params.h"
+#include "simd/lanes.clh"
+
+// What is left of waves over shoals (host/ocean/query/shoals.h): shares of the heights that they have in the open sea, at labels.
+// Without SHOALS there are none: shares are the constant 1, and compilers leave them out.
+
+// Shares of each cascade, [cascade][lane], and of the bands of Gerstner waves; what they are read from: depths_m [rows][columns]
+// of a map, a table [SHOAL_STEPS][SHOAL_BANDS].
+typedef struct {
+  __global const ShoalMap *map;
+  __global const float *depths_m, *table;
+  float cascades[SHOAL_FIRST_GERSTNER * LANES];
+  lanes gerstner_waves[SHOAL_BANDS - SHOAL_FIRST_GERSTNER];
+} Shares;
+
+#if SHOALS
+
+INLINE float cascade_share(const Shares *shares, int cascade_and_lane) { return shares->cascades[cascade_and_lane]; }
+
+INLINE lanes gerstner_share(const Shares *shares, int band) { return shares->gerstner_waves[band]; }
+
+// Depth at a place in posts of the map, bilinear; beyond its edge it grows. A place that is not a number is deep.
+INLINE float shoal_depth_m(__global const ShoalMap *map, __global const float *depths_m, float column, float row) {
+  const float near_column = fmin(fmax(column, 0.0f), (float)(map->columns - 1));
+  const float near_row = fmin(fmax(row, 0.0f), (float)(map->rows - 1));
+  const int x = min((int)near_column, map->columns - 2), z = min((int)near_row, map->rows - 2);
+  __global const float *near = depths_m + (size_t)z * map->columns + x, *far = near + map->columns;
+  const float u = near_column - (float)x, v = near_row - (float)z;
+  const float depth_m = mix(mix(near[0], near[1], u), mix(far[0], far[1], u), v);
+  const float beyond_x_m = (column - near_column) / map->columns_per_m, beyond_z_m = (row - near_row) / map->rows_per_m;
+  const float beyond_m = sqrt(beyond_x_m * beyond_x_m + beyond_z_m * beyond_z_m);
+  return fmin(depth_m + SHOAL_STEEPEST * beyond_m, map->deepest_m);
+}
+
+// Sets the shares at labels relative to a tile.
+INLINE void set_shares(int_lanes tile_x, int_lanes tile_z, lanes x_m, lanes z_m, Shares *shares) {
+  __global const ShoalMap *map = shares->map;
+  float columns[LANES], rows[LANES];
+  const lanes from_x_m = (convert_lanes(tile_x) - (float)map->tile_x) * SURFACE_QUERY_TILE_M - map->origin_x_m;
+  const lanes from_z_m = (convert_lanes(tile_z) - (float)map->tile_z) * SURFACE_QUERY_TILE_M - map->origin_z_m;
+  store_lanes((from_x_m + x_m) * map->columns_per_m, columns);
+  store_lanes((from_z_m + z_m) * map->rows_per_m, rows);
+  float gerstner_waves[(SHOAL_BANDS - SHOAL_FIRST_GERSTNER) * LANES];
+  for (int lane = 0; lane < LANES; ++lane) {
+    const float depth_m = fmax(shoal_depth_m(map, shares->depths_m, columns[lane], rows[lane]), 0.0f);
+    const float place = sqrt(depth_m / map->deepest_m) * (float)(SHOAL_STEPS - 1);
+    const int below = min((int)place, SHOAL_STEPS - 2);
+    __global const float *shallower = shares->table + below * SHOAL_BANDS, *deeper = shallower + SHOAL_BANDS;
+    const float u = place - (float)below;
+    for (int band = 0; band < SHOAL_FIRST_GERSTNER; ++band) {
+      shares->cascades[band * LANES + lane] = mix(shallower[band], deeper[band], u);
+      const int of_gerstner_waves = band + SHOAL_FIRST_GERSTNER;
+      gerstner_waves[band * LANES + lane] = mix(shallower[of_gerstner_waves], deeper[of_gerstner_waves], u);
+    }
+  }
+  for (int band = 0; band < SHOAL_BANDS - SHOAL_FIRST_GERSTNER; ++band) {
+    shares->gerstner_waves[band] = load_lanes(gerstner_waves + band * LANES);
+  }
+}
+
+#else
+
+INLINE void set_shares(int_lanes tile_x, int_lanes tile_z, lanes x_m, lanes z_m, Shares *shares) {}
+
+INLINE float cascade_share(const Shares *shares, int cascade_and_lane) { return 1.0f; }
+
+INLINE lanes gerstner_share(const Shares *shares, int band) { return (lanes)1.0f; }
+
+#endif
 
 #if LANES == 1
 #define mask_of(condition) ((condition) ? -1 : 0)

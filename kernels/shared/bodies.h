@@ -3,7 +3,7 @@
 #ifndef OFFING_KERNELS_SHARED_BODIES_H
 #define OFFING_KERNELS_SHARED_BODIES_H
 
-// Places are whole tiles of SURFACE_QUERY_TILE_M (shared/surface_query.h) along x and z and a rest, as those of
+// Places are whole tiles of SURFACE_QUERY_TILE_M (shared/query_params.h) along x and z and a rest, as those of
 // queries.
 
 // Bounds of what forces make of a body's motion: ten times the fastest hulls, and half a radian a sub-step of 1/120 s.

@@ -35,7 +35,7 @@ typedef struct {
   int phase;            // at the ring's crest, 2^-32 turns
 } GerstnerRing;
 
-// A ring whose centre is relative to the corner of a tile (shared/surface_query.h).
+// A ring whose centre is relative to the corner of a tile (shared/query_params.h).
 typedef struct {
   int tile_x, tile_z;
   GerstnerRing ring;

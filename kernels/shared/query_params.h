@@ -36,11 +36,11 @@ typedef struct {
   int rate;                        // cycles per 2^32 ticks, as in ocean/wave_phase.clh
   float turns_x_perm, turns_z_perm;
   float height_m;                                // times the cosine of the phase, as are the gradients
-  float gradient_xx, gradient_xz, gradient_zz;   // GERSTNER_GRADIENT_XX ... in shared/Gerstner waves.h
+  float gradient_xx, gradient_xz, gradient_zz;   // GERSTNER_GRADIENT_XX ... in shared/gerstner_params.h
   float shift_x_m, shift_z_m, slope_x, slope_z;  // times the sine
   float velocity_x_mps, velocity_z_mps, head_m;  // times the cosine, at the depth that is asked for
   float velocity_y_mps;                          // times the sine
-  int band;  // of Gerstner waves that shoal alike: row SHOAL_FIRST_GERSTNER + band of shared/shoals.h
+  int band;  // of Gerstner waves that shoal alike: row SHOAL_FIRST_GERSTNER + band of shared/shoal_params.h
 } SurfaceQueryWave;
 
 typedef struct {

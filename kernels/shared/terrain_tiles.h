@@ -1,4 +1,4 @@
-// Ground in tiles, one layout for host and device (terrain/tile_terrain.clh). A tile of level L has 256 x 256
+// Ground in tiles, one layout for host and device (terrain/terrain.clh). A tile of level L has 256 x 256
 // cells, each as wide as 2^L cells of the map. Squares of 256 x 256 cells of the map, in rows, are the pages:
 // each says which tile lies there, as the float 16 slot + level, exact up to 2^20 slots.
 //

@@ -1,7 +1,7 @@
 // How many rays pixels need: by how much their light differs from that of a pixel beside, above or below them, as a share
 // of the brighter one's luminance. Edges, and detail finer than pixels, differ so.
 // In:  image [height_px][width_px] (r, g, b, coverage) of terrain/terrain_shade.cl; least_contrast.
-// Out: needs [height_px][width_px] of shared/terrain_light.h: many where coverage changes or the contrast is four times
+// Out: needs [height_px][width_px] of shared/terrain_light_params.h: many where coverage changes or the contrast is four times
 //      the least or more, few where it is more than the least.
 #include "shared/terrain_light_params.h"
 

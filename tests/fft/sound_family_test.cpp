@@ -50,7 +50,7 @@ class SoundFamilyTest : public testing::Test {
 
 // Fails if a device that gets one family wrong still uses it, or does not say so.
 TEST_F(SoundFamilyTest, TakesTheOtherFamilyWhereOneIsWrong) {
-  kernels_.change("fft/simd_rows.clh", "transpose_lanes(im);", "");
+  kernels_.change("fft/rows.clh", "transpose_lanes(im);", "");
   EXPECT_LT(error_of_a_wave(64), 1e-5);
   EXPECT_NE(log_.text().find("computes strip transforms of size 64 wrong: using group transforms"),
             std::string::npos)
@@ -68,7 +68,7 @@ TEST_F(SoundFamilyTest, RefusesADeviceThatGetsBothWrong) {
 
 // Fails if a family that OFFING_SHAPE asks for is replaced without a word: tests would test the other one.
 TEST_F(SoundFamilyTest, KeepsToTheShapeThatIsAskedFor) {
-  kernels_.change("fft/simd_rows.clh", "transpose_lanes(im);", "");
+  kernels_.change("fft/rows.clh", "transpose_lanes(im);", "");
   const test::ScopedEnvironment shape("OFFING_SHAPE", "strip");
   test::expect_error(ErrorKind::device, ": strip transforms of size 64", [&] { error_of_a_wave(64); });
 }

@@ -12,7 +12,7 @@ struct DepthMap {
   double spacing_x_m = 1.0, spacing_z_m = 1.0;  ///< between neighbouring posts, above 0
   std::vector<float> depths_m;                  ///< [rows][columns], row-major, negative above the water
 
-  /// At a place of the world, in double precision: what ocean/shoals.clh reads.
+  /// At a place of the world, in double precision: what ocean/surface_query.cl reads.
   double depth_m(double x_m, double z_m) const;
   /// The least depth of all posts.
   float shallowest_m() const;

@@ -11,7 +11,7 @@
 
 namespace offing::ocean {
 
-/// Shares of waves in host memory, at single labels in double precision: what ocean/shoals.clh reads.
+/// Shares of waves in host memory, at single labels in double precision: what ocean/surface_query.cl reads.
 struct ShoalsInstant {
   std::shared_ptr<const DepthMap> depths;
   ShoalTable table;

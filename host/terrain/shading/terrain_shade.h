@@ -30,7 +30,7 @@ struct CloudShade {
 };
 
 /// What lights the ground: the sky's parameters and its view table of kernels/sky for the camera's eye, and
-/// what shared/terrain_light.h says of the light.
+/// what shared/terrain_light_params.h says of the light.
 struct TerrainIllumination {
   TerrainLight light;
   SkyParams sky;

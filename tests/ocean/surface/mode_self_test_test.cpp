@@ -34,7 +34,7 @@ class ModeSelfTestTest : public testing::Test {
 // Fails if values of another work-item pass, as Intel's compiler gave them: only in kernels of several
 // fields, so that no test of a plain transform would notice.
 TEST_F(ModeSelfTestTest, FindsWrongFields) {
-  kernels_.change("fft/workgroup_rows.clh", "re[field] = all_re[field][q];",
+  kernels_.change("fft/rows.clh", "re[field] = all_re[field][q];",
                   "re[field] = field == 1 && thread == 0 ? all_re[0][q] : all_re[field][q];");
   for (const auto& request : {surface_request(), velocity_request()}) {
     test::expect_error(ErrorKind::device, ": group transforms of size 16", [&] { make(request); });
