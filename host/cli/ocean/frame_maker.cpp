@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "host/base/host_memory.h"
-#include "host/ocean/surface/foam_instants.h"
+#include "host/ocean/surface/foam.h"
 
 namespace offing::cli {
 namespace {

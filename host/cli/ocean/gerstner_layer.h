@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "host/cli/ocean/baked_frame.h"
-#include "host/ocean/surface/foam_instants.h"
+#include "host/ocean/surface/foam.h"
 #include "host/ocean/surface/gerstner_surface.h"
 #include "host/scene/prepare/sea.h"
 

@@ -3,13 +3,23 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/ocean/query/water_point.h"
 #include "host/ocean/surface/gerstner_waves.h"
-#include "host/ocean/surface/sample_grid.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
 #include "kernels/shared/gerstner_params.h"
 
 namespace offing::ocean {
+
+/// A phase as kernels read it: in 2^-32 turns, without whole ones.
+std::uint32_t device_turns(double turns);
+
+/// The ring of a drop at this time, with its centre seen from `origin`; without height before the drop falls.
+GerstnerRing device_ring(const Raindrop& drop, double time_s, const Dispersion& dispersion,
+                         const WaterPoint& origin);
+
+/// Whether a ring is high enough to count: a micrometre.
+bool is_visible(const GerstnerRing& ring);
 
 /// Gerstner waves on a SampleGrid in host memory, each [rows][columns] row-major, row = z, column = x.
 struct GerstnerFields {
@@ -19,7 +29,7 @@ struct GerstnerFields {
   std::vector<float> gradient_xx, gradient_xz, gradient_zz;           ///< d dx/dx, d dx/dz, d dz/dz
 };
 
-/// Waves as ocean/gerstner_surface.cl reads them (kernels/shared/Gerstner waves.h), at time 0.
+/// Waves as ocean/gerstner_surface.cl reads them (kernels/shared/gerstner_params.h), at time 0.
 struct PackedWaves {
   std::vector<std::uint32_t> turns;  ///< [GERSTNER_TURNS][pitch]
   std::vector<float> amplitudes;     ///< [GERSTNER_FIELDS][pitch]

@@ -11,7 +11,6 @@
 #include "host/ocean/query/surface_query.h"
 #include "host/ocean/surface/foam.h"
 #include "host/ocean/surface/gerstner_surface.h"
-#include "host/ocean/surface/long_waves.h"
 #include "host/ocean/surface/surface_maps.h"
 #include "host/ocean/surface/velocity_map.h"
 #include "host/ocean/surface/wave_modes.h"
@@ -20,6 +19,67 @@
 
 namespace offing::ocean {
 namespace {
+
+/// The maps of a sea without its short waves: each mode counts in full or, if it is shorter than asked, not
+/// at all.
+class LongWaves {
+ public:
+  LongWaves(const ocl::Device& device, const WaveModes& modes, double choppiness, double water_depth_m);
+
+  /// Enqueues the surface of the waves no shorter than this, unless it is there already.
+  void at(const WaveModes& modes, double min_wavelength_m, double time_s);
+  /// Enqueues their velocity at the time of at(), unless it is there already.
+  void velocity_at(const WaveModes& modes, double depth_below_surface_m);
+  /// Forgets all: the waves have changed.
+  void reset();
+
+  const SurfaceMaps& surface() const { return surface_; }
+  const ocl::Buffer<float>& velocity() const { return velocity_->velocity(); }
+
+ private:
+  ocl::Device device_;
+  double water_depth_m_;
+  ocl::Kernel filter_;
+  ocl::Buffer<float> amplitude_;
+  std::optional<double> min_wavelength_m_;  // of amplitude_
+  SurfaceMaps surface_;
+  std::optional<double> time_s_;  // of surface_
+  std::optional<VelocityMap> velocity_;
+};
+
+LongWaves::LongWaves(const ocl::Device& device, const WaveModes& modes, double choppiness,
+                     double water_depth_m)
+    : device_(device),
+      water_depth_m_(water_depth_m),
+      filter_(ocl::Program::build(device, "ocean/mode_filter.cl").kernel("mode_filter")),
+      amplitude_(device, modes.amplitude().size(), "long waves' amplitudes"),
+      surface_(device, modes, choppiness) {}
+
+void LongWaves::at(const WaveModes& modes, double min_wavelength_m, double time_s) {
+  if (min_wavelength_m_ != min_wavelength_m) {
+    reset();
+    filter_.launch({{static_cast<std::size_t>(modes.columns()), static_cast<std::size_t>(modes.size()),
+                     static_cast<std::size_t>(modes.cascade_count())}},
+                   modes.amplitude(), modes.wavenumber_step(), modes.columns(), modes.size(),
+                   static_cast<float>(largest_wavenumber_radpm(min_wavelength_m)), amplitude_);
+    min_wavelength_m_ = min_wavelength_m;
+  }
+  if (time_s_ == time_s) return;
+  time_s_.reset();
+  surface_.at(modes, amplitude_, time_s);
+  time_s_ = time_s;
+}
+
+void LongWaves::velocity_at(const WaveModes& modes, double depth_below_surface_m) {
+  if (!velocity_) velocity_.emplace(device_, modes, water_depth_m_);
+  velocity_->at(modes, amplitude_, *time_s_, depth_below_surface_m);
+}
+
+void LongWaves::reset() {
+  min_wavelength_m_.reset();
+  time_s_.reset();
+  if (velocity_) velocity_->reset();
+}
 
 OceanParameters checked(const OceanParameters& parameters) {
   require_valid_size(parameters.size);

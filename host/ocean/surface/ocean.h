@@ -12,7 +12,6 @@
 #include "host/ocean/spectrum/sea_spectrum.h"
 #include "host/ocean/surface/cascades.h"
 #include "host/ocean/surface/gerstner_waves.h"
-#include "host/ocean/surface/sample_grid.h"
 #include "host/ocean/wakes/wake_maps.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"

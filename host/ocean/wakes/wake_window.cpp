@@ -12,7 +12,6 @@
 #include "host/base/time_estimate.h"
 #include "host/base/world_limits.h"
 #include "host/ocean/ocean_limits.h"
-#include "host/ocean/wakes/wake_border.h"
 #include "host/ocl/program.h"
 
 namespace offing::ocean {
@@ -106,7 +105,68 @@ WakeHullShape device_hull(const WakeHull& hull, const WakeGrid& grid, double cel
           .shape = hull.shape == WakeHull::Shape::gaussian ? WAKE_SHAPE_GAUSSIAN : WAKE_SHAPE_ELLIPSOID};
 }
 
+/// The border of the window, an eighth of its side wide, in which waves die away: those that leave neither
+/// come back nor enter again at the other side, although the window is periodic.
+///
+/// With u the way from the outer edge in widths, all water is damped at the rate (1 - u)^2 r, r such that a
+/// wave as long as the border is wide keeps e^-5 of its height on its way through the borders of both sides.
+/// The profile grows so slowly that such a wave is reflected by 1 %, and shorter ones by less.
+struct WakeBorder {
+  std::vector<float> kept;   ///< [n]: share of the water's height that each column keeps in a step
+  std::vector<float> blend;  ///< [n][2]: share that is shown, 0 at both ends, and its derivative, 1/m
+};
+
+constexpr double border_share = 0.125;
+// e^-5 = 0.7 %: damping and reflection of the longest waves are alike then.
+constexpr double attenuation = 5.0;
+
+double group_speed_mps(const WakeParameters& parameters, double wavelength_m) {
+  if (parameters.method == WakeMethod::verlet) return parameters.speed_mps;
+  return parameters.dispersion.group_speed_mps(2.0 * pi / wavelength_m);
+}
+
+/// Width of the border, m.
+double wake_border_m(const WakeParameters& parameters) {
+  return border_share * parameters.length_m;
+}
+
+/// For one of the equal parts into which a step is divided.
+WakeBorder make_wake_border(const WakeParameters& parameters, double part_s) {
+  const double width_m = wake_border_m(parameters);
+  // The integral of (1 - u)^2 over both borders is 2/3 of a width.
+  const double rate_per_s = 1.5 * attenuation * group_speed_mps(parameters, width_m) / width_m;
+  WakeBorder border;
+  for (int i = 0; i < parameters.cells; ++i) {
+    const int from_edge = std::min(i, parameters.cells - 1 - i);
+    const double u = std::min(1.0, (from_edge + 0.5) * parameters.cell_m() / width_m);
+    border.kept.push_back(static_cast<float>(std::exp(-rate_per_s * (1.0 - u) * (1.0 - u) * part_s)));
+    // Shown is what is left where the outer half of the border begins, faded by a smooth step.
+    const double v = std::min(1.0, 2.0 * from_edge * parameters.cell_m() / width_m);
+    const double sign = 2 * i < parameters.cells ? 1.0 : -1.0;
+    border.blend.push_back(static_cast<float>(v * v * (3.0 - 2.0 * v)));
+    border.blend.push_back(static_cast<float>(sign * 6.0 * v * (1.0 - v) * 2.0 / width_m));
+  }
+  return border;
+}
+
 }  // namespace
+
+double WakeHull::displaced_volume_m3() const {
+  const double box_m3 = 0.25 * length_m * beam_m * draught_m * pi;
+  return shape == Shape::gaussian ? box_m3 : 2.0 / 3.0 * box_m3;
+}
+
+void require_valid_wake(const WakeParameters& parameters) {
+  require_valid_size(parameters.cells);
+  require_within("wake.length_m", parameters.length_m, 0.1, 1e5);
+  require_within("wake.step_s", parameters.step_s, 1e-4, 1.0);
+  require_valid_dispersion(parameters.dispersion);
+  require_within("wake.speed_mps", parameters.speed_mps, 0.01, 100.0);
+  const double square_m = WAKE_RAIN_SQUARE * parameters.cell_m();
+  require_within("wake.rain.drops_per_m2s", parameters.rain.drops_per_m2s, 0.0,
+                 1.0 / (square_m * square_m * parameters.step_s));
+  require_within("wake.rain.hollow_m", parameters.rain.hollow_m, -1.0, 1.0);
+}
 
 WakeWindow::WakeWindow(const ocl::Device& device, const WakeParameters& parameters)
     : device_(device),

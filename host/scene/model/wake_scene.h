@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "host/ocean/wakes/wake_parameters.h"
+#include "host/ocean/wakes/wake_window.h"
 
 namespace offing::scene {
 
