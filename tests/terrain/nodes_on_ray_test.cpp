@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include "host/terrain/generate/row_makers.h"
+#include "host/terrain/generate/fractal_terrain.h"
 
 namespace offing::terrain {
 namespace {

@@ -18,8 +18,7 @@
 #include "host/scene/model/named_file.h"
 #include "host/scene/prepare/stored_terrain.h"
 #include "host/scene/schema/parameter_table.h"
-#include "host/terrain/generate/row_makers.h"
-#include "host/terrain/walk/eye_place.h"
+#include "host/terrain/generate/fractal_terrain.h"
 #include "host/terrain/walk/flying_camera.h"
 
 namespace offing::scene {

@@ -1,11 +1,17 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "host/base/height_map.h"
+#include "host/ocl/buffer.h"
+#include "host/ocl/device.h"
 #include "kernels/shared/terrain.h"
 
 namespace offing::terrain {
@@ -74,5 +80,22 @@ struct RayHit {
   glm::dvec3 rounded_m(const glm::dvec3& point_m) const;
 };
 RayHit ray_hit(const TerrainHit& hit, double moved_m);
+
+/// Casts rays that lie in host memory, as many at a time as its buffers hold. Not safe for use from several
+/// threads at once.
+class HostRays {
+ public:
+  using Cast = std::function<void(const ocl::Buffer<TerrainRay>& rays, std::size_t count,
+                                  ocl::Buffer<TerrainHit>& hits)>;
+
+  /// What the rays hit; waits. `cast` enqueues what the first `count` rays hit. Throws what `cast` throws,
+  /// and Error(out_of_memory) and Error(device).
+  std::vector<RayHit> cast(const ocl::Device& device, const PostGrid& grid, std::span<const RayToBox> rays,
+                           const Cast& cast);
+
+ private:
+  ocl::Buffer<TerrainRay> rays_;
+  ocl::Buffer<TerrainHit> hits_;
+};
 
 }  // namespace offing::terrain

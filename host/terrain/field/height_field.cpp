@@ -10,7 +10,6 @@
 
 #include "host/base/error.h"
 #include "host/ocl/program.h"
-#include "host/terrain/cast/host_rays.h"
 #include "host/terrain/cast/image_rays.h"
 
 namespace offing::terrain {

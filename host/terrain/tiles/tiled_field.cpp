@@ -11,7 +11,6 @@
 #include "host/base/error.h"
 #include "host/ocl/program.h"
 #include "host/terrain/cast/fine_cast.h"
-#include "host/terrain/cast/host_rays.h"
 #include "host/terrain/cast/image_rays.h"
 #include "host/terrain/tiles/page_table.h"
 #include "host/terrain/tiles/tile_cache.h"
