@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "host/clouds/shape/cloud_density.h"
-#include "host/clouds/shape/density_volume.h"
 #include "host/clouds/shape/genera.h"
 
 namespace offing::clouds {

@@ -1,10 +1,9 @@
-#include "host/clouds/light/phase_table.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "host/clouds/light/phase_function.h"
 #include "host/clouds/reference/reference_tracer.h"
 #include "kernels/shared/cloud_light_params.h"
 

@@ -11,7 +11,6 @@
 
 #include "host/clouds/light/field_albedo.h"
 #include "host/clouds/shape/cloud_density.h"
-#include "host/clouds/shape/density_volume.h"
 #include "host/world/cloud_grower.h"
 
 namespace offing::cli {

@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
-#include "host/clouds/light/phase_table.h"
+#include "host/clouds/light/phase_function.h"
 #include "host/ocl/program.h"
 #include "host/ocl/tuning.h"
 

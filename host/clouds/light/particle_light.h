@@ -30,7 +30,7 @@ enum class ParticleAlbedo { of_look, own };
 /// and take the suns' light from those behind them; they do not light each other.
 ///
 /// LightModel::calibrated keeps energy: direct light in the delta-scaled medium with its aureole
-/// (host/clouds/light/phase_table.h) and diffusion of what is scattered more often
+/// (host/clouds/light/phase_function.h) and diffusion of what is scattered more often
 /// (kernels/clouds/light_diffuse.cl). A cloud takes 1.7 MB of the device, and 0.1 MB more with each sun after
 /// the first; 3.3 MB and 0.3 MB where any has colours.
 class ParticleLight {

@@ -10,7 +10,6 @@
 #include "host/clouds/particles/cloud_particle.h"
 #include "host/clouds/particles/random_draws.h"
 #include "host/clouds/particles/sample_merging.h"
-#include "host/clouds/particles/volume_samples.h"
 #include "host/clouds/shape/metaball.h"
 
 namespace offing::clouds {

@@ -13,7 +13,7 @@
 
 #include "host/base/error.h"
 #include "host/base/parallel_rows.h"
-#include "host/clouds/reference/path_random.h"
+#include "host/clouds/reference/scattering_medium.h"
 
 namespace offing::clouds {
 

@@ -12,6 +12,7 @@
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
 #include "host/clouds/light/field_albedo.h"
+#include "host/clouds/particles/cloud_model.h"
 #include "host/clouds/particles/cloud_particle.h"
 #include "host/clouds/particles/particle_motion.h"
 #include "host/clouds/shape/ball_bins.h"
@@ -286,6 +287,21 @@ double optical_mass(const CloudVolume& volume) {
   double sum = 0.0;
   for (const float density : volume.density) sum += static_cast<double>(density);
   return sum * volume.cell_m * volume.cell_m * volume.cell_m * volume.extinction_per_m;
+}
+
+CloudVolume density_volume(const ocl::Device& device, const CloudParameters& parameters, double cell_m,
+                           double time_s) {
+  if (parameters.modelling == Modelling::sampled || parameters.shape) {
+    return field_volume(device, parameters, cell_m, time_s);
+  }
+  CloudModel model(device, parameters);
+  const glm::dvec3 origin_m = cloud_origin_m(parameters, time_s);
+  model.at(time_s, origin_m);
+  std::vector<CloudParticle> particles = model.particles().read();
+  particles.resize(model.count());
+  CloudVolume volume = rasterised(device, particles, cell_m, parameters.look.extinction_per_m);
+  volume.origin_m += origin_m;
+  return volume;
 }
 
 }  // namespace offing::clouds

@@ -29,4 +29,9 @@ CloudVolume rasterised(const ocl::Device& device, std::span<const CloudParticle>
 /// Sum of the density over cells times a cell's volume and extinction: the optical mass, m^2.
 double optical_mass(const CloudVolume& volume);
 
+/// The density of a cloud at a time, in cells of cell_m: of a sampled one its field, of a hierarchical one
+/// its particles. Throws what field_volume() and rasterised() throw (host/clouds/shape/cloud_density.h).
+CloudVolume density_volume(const ocl::Device& device, const CloudParameters& parameters, double cell_m,
+                           double time_s);
+
 }  // namespace offing::clouds
