@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
-#include "host/highlights/projectors/highlight_frame.h"
+#include "host/highlights/projectors/drawn_highlights.h"
 #include "host/highlights/tracks/highlight_tracker.h"
 #include "host/io/meshes/read_mesh.h"
 #include "host/mesh_shapes/shape.h"

@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/highlights/projectors/highlight_frame.h"
 #include "host/highlights/tracks/highlight_tracker.h"
 #include "host/highlights/tracks/nearest_place.h"
 #include "tests/highlights/example_surfaces.h"

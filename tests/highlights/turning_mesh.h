@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/highlights/projectors/highlight_frame.h"
+#include "host/highlights/projectors/drawn_highlights.h"
 #include "host/highlights/search/highlight_surface.h"
 #include "host/highlights/tracks/highlight_tracker.h"
 #include "host/world/world_mesh.h"

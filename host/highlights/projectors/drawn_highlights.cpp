@@ -1,15 +1,49 @@
 #include "host/highlights/projectors/drawn_highlights.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
-#include "host/highlights/projectors/pinned_point.h"
+#include "host/highlights/search/highlight_points.h"
+#include "host/highlights/search/surface_place.h"
+#include "host/highlights/search/tangent_axes.h"
 #include "host/highlights/tracks/nearest_place.h"
 #include "host/highlights/tracks/track_motion.h"
 
 namespace offing::highlights {
 namespace {
+
+/// A place of a surface as if a highlight stood there: its normal and curvatures, interpolated as the search
+/// for highlights does. n_dot_h, light and orientation are those of a point made by default.
+HighlightPoint pinned_point(const HighlightSurface& surface, const SurfacePlace& place) {
+  HighlightPoint point;
+  point.face = place.face;
+  point.weights = place.weights;
+  point.position_m = position_at(surface, place);
+  point.normal = normal_at(surface, place);
+  // Directions are lines: they are mixed as arrows of twice their angle, each as long as half the difference
+  // of the curvatures there.
+  const TangentAxes axes = tangent_axes(point.normal);
+  const VertexCurvatures& curvatures = surface.curvatures();
+  double mean = 0.0, twice_cosine = 0.0, twice_sine = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const std::uint32_t vertex = surface.mesh().faces[place.face][static_cast<std::size_t>(i)];
+    const double k_max = curvatures.k_max_per_m[vertex], k_min = curvatures.k_min_per_m[vertex];
+    const double x = glm::dot(curvatures.e_max[vertex], axes.right);
+    const double y = glm::dot(curvatures.e_max[vertex], axes.up);
+    const double deviation = place.weights[i] * 0.5 * (k_max - k_min) / std::max(x * x + y * y, 1e-12);
+    mean += place.weights[i] * 0.5 * (k_max + k_min);
+    twice_cosine += deviation * (x * x - y * y);
+    twice_sine += deviation * 2.0 * x * y;
+  }
+  const double deviation = std::hypot(twice_cosine, twice_sine);
+  const double angle_rad = 0.5 * std::atan2(twice_sine, twice_cosine);
+  point.e_max = std::cos(angle_rad) * axes.right + std::sin(angle_rad) * axes.up;
+  point.k_max_per_m = mean + deviation;
+  point.k_min_per_m = mean - deviation;
+  return point;
+}
 
 /// [tracks] How much of each a rule for the nearest is for: as the state has it, or as it is now.
 std::vector<double> shares_of(const NearestPlace& place, const TrackState& state, double diagonal_m) {
@@ -24,6 +58,22 @@ std::vector<double> shares_of(const NearestPlace& place, const TrackState& state
 const HighlightRule as_found;
 
 }  // namespace
+
+void make_frame(const std::vector<HighlightTrack>& tracks, RegionSearch& regions, HighlightFrame& frame) {
+  frame.highlights.clear();
+  frame.faces.clear();
+  for (const HighlightTrack& track : tracks) {
+    if (!(track.opacity > 0.0)) continue;
+    const std::size_t first = frame.faces.size();
+    regions.find(track.projector, track.seed_face, frame.faces);
+    frame.highlights.push_back({.id = track.id,
+                                .light = track.point.light,
+                                .opacity = track.opacity,
+                                .projector = track.projector,
+                                .first_face = first,
+                                .face_count = frame.faces.size() - first});
+  }
+}
 
 HighlightDrawing::HighlightDrawing(const HighlightSurface& surface, const HighlightSize& size)
     : surface_(&surface), size_(size), regions_(surface) {

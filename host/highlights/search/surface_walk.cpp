@@ -1,13 +1,127 @@
 #include "host/highlights/search/surface_walk.h"
 
+#include <algorithm>
+#include <optional>
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "host/highlights/search/surface_line.h"
 #include "host/highlights/search/tangent_axes.h"
 
 namespace offing::highlights {
 namespace {
+
+// Faces steeper than this are seen from the side: acos(0.17) = 80 degrees.
+constexpr double least_facing = 0.17;
+// Vertices that count as one may be apart by a share of the diagonal; so may the two sides of an edge.
+constexpr double gap_share = 4e-6;
+
+/// Where the line comes into a face and leaves it.
+struct Crossing {
+  std::uint32_t face = 0;
+  double in_m = 0.0, out_m = 0.0;  ///< along the line
+  glm::dvec3 in{0.0}, out{0.0};    ///< as weights of the corners
+};
+
+class Line {
+ public:
+  Line(const HighlightSurface& surface, const glm::dvec3& start_m, const glm::dvec3& along,
+       const glm::dvec3& normal)
+      : surface_(surface),
+        start_m_(start_m),
+        along_(along),
+        across_(glm::cross(normal, along)),
+        normal_(normal),
+        gap_m_(gap_share * surface.diagonal_m()) {}
+
+  /// None if the face looks away or the line passes it by. A corner on the line counts as left of it, for
+  /// every face alike, so that a line through a vertex is lost between no two faces.
+  std::optional<Crossing> crossing(std::uint32_t face) const {
+    if (glm::dot(surface_.face_normals()[face], normal_) < least_facing) return {};
+    const TriangleIndices& corners = surface_.mesh().faces[face];
+    glm::dvec3 x_m, y_m;
+    int left = 0;
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec3 way_m = surface_.mesh().positions_m[corners[static_cast<std::size_t>(i)]] - start_m_;
+      x_m[i] = glm::dot(way_m, along_);
+      y_m[i] = glm::dot(way_m, across_);
+      left += y_m[i] >= 0.0 ? 1 : 0;
+    }
+    if (left == 0 || left == 3) return {};
+    int apex = 0;  // alone on its side
+    while ((y_m[apex] >= 0.0) != (left == 1)) ++apex;
+    Crossing result{.face = face};
+    const int first = (apex + 1) % 3, second = (apex + 2) % 3;
+    result.in_m = cut(apex, first, x_m, y_m, result.in);
+    result.out_m = cut(apex, second, x_m, y_m, result.out);
+    if (result.in_m > result.out_m) {
+      std::swap(result.in_m, result.out_m);
+      std::swap(result.in, result.out);
+    }
+    return result;
+  }
+
+  /// The face that goes on from a place of the line, among those around the corners of `face`: of several, as
+  /// at an edge with three faces, the one that bends least.
+  std::optional<Crossing> next(std::uint32_t face, double at_m, const glm::dvec3& place_m) const {
+    std::optional<Crossing> best;
+    double most_alike = -2.0;
+    for (const std::uint32_t corner : surface_.mesh().faces[face]) {
+      for (const std::uint32_t other : surface_.links().faces_at(surface_.links().place_of(corner))) {
+        if (other == face) continue;
+        const double alike = glm::dot(surface_.face_normals()[other], surface_.face_normals()[face]);
+        if (alike <= most_alike) continue;
+        const std::optional<Crossing> found = crossing(other);
+        if (!found || !goes_on(*found, at_m, place_m)) continue;
+        best = found;
+        most_alike = alike;
+      }
+    }
+    return best;
+  }
+
+  static SurfacePlace place(const Crossing& crossing, double at_m) {
+    const double length_m = crossing.out_m - crossing.in_m;
+    const double share = std::clamp((at_m - crossing.in_m) / length_m, 0.0, 1.0);
+    return {crossing.face, (1.0 - share) * crossing.in + share * crossing.out};
+  }
+
+  bool goes_on(const Crossing& found, double at_m, const glm::dvec3& place_m) const {
+    if (!(found.out_m > at_m) || found.in_m > at_m + gap_m_) return false;
+    return glm::distance(position_at(surface_, place(found, at_m)), place_m) <= gap_m_;
+  }
+
+ private:
+  static double cut(int apex, int other, const glm::dvec3& x_m, const glm::dvec3& y_m, glm::dvec3& weights) {
+    const double share = y_m[apex] / (y_m[apex] - y_m[other]);
+    weights[apex] = 1.0 - share;
+    weights[other] = share;
+    return x_m[apex] + share * (x_m[other] - x_m[apex]);
+  }
+
+  const HighlightSurface& surface_;
+  glm::dvec3 start_m_, along_, across_, normal_;
+  double gap_m_;
+};
+
+/// Seen along `normal`: a straight line over the surface from a place, by `length_m` >= 0 along `along`
+/// (unit, across the normal), face by face. It ends early at a border and where faces look away from the
+/// normal.
+SurfacePlace line_end(const HighlightSurface& surface, const SurfacePlace& from, const glm::dvec3& along,
+                      const glm::dvec3& normal, double length_m) {
+  const glm::dvec3 start_m = position_at(surface, from);
+  const Line line(surface, start_m, along, normal);
+  std::optional<Crossing> here = line.crossing(from.face);
+  if (!here || !line.goes_on(*here, 0.0, start_m)) here = line.next(from.face, 0.0, start_m);
+  if (!here) return from;
+  while (here->out_m < length_m) {
+    const SurfacePlace rim{here->face, here->out};
+    const std::optional<Crossing> next = line.next(here->face, here->out_m, position_at(surface, rim));
+    if (!next) return rim;
+    here = next;
+  }
+  return Line::place(*here, length_m);
+}
 
 // As many for every length: a number that grew with it would jump.
 constexpr int steps = 16;
