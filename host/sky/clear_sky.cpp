@@ -9,6 +9,7 @@
 
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
+#include "host/ocl/glsl_source.h"
 #include "host/ocl/program.h"
 
 namespace offing::sky {
@@ -146,6 +147,10 @@ SkyLight ClearSky::read_light(std::span<const std::array<double, 3>> directions)
       sun_light(device_, rays.size(), "sun light");
   rays_kernel_.launch({{rays.size()}}, params_, view_table_, depth_table_, ray_buffer, sky_light, sun_light);
   return {.sky_kcdpm2 = read_rgb(sky_light), .sun_kcdpm2 = read_rgb(sun_light)};
+}
+
+std::string clear_sky_glsl() {
+  return ocl::glsl_source("sky/clear_sky.clh");
 }
 
 }  // namespace offing::sky

@@ -19,7 +19,6 @@
 #include "host/ocl/device.h"
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
-#include "host/world/hidden_slopes.h"
 #include "host/world/light_lag.h"
 #include "host/world/mesh_parameters.h"
 #include "host/world/world_bodies.h"
@@ -56,6 +55,16 @@ struct WorldParameters {
 };
 
 inline constexpr std::size_t most_lights = 63;
+
+/// Slopes that a picture must not draw one by one.
+struct HiddenSlopes {
+  /// [cascade][level]: what the mip levels of its slope map hide.
+  std::vector<std::vector<ocean::SlopeCovariance>> cascades;
+  /// All slopes of the Gerstner waves, for grids too coarse to draw them.
+  ocean::SlopeCovariance gerstner_waves;
+  /// Of ripples that neither cascades nor Gerstner waves have.
+  ocean::SlopeCovariance ripples;
+};
 
 /// All simulations of a scene on one device with one queue, and the time that they share. What they make
 /// stays on the device until somebody asks. Objects are confined to the thread that made them.

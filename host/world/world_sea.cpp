@@ -1,9 +1,11 @@
 // The sea of a world: how it is made and changed.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "host/world/sea_bed.h"
 #include "host/world/world.h"
@@ -22,8 +24,44 @@ std::vector<std::vector<float>> variances_of(const ocean::Ocean& ocean) {
   return variances;
 }
 
-RippleWind ripple_wind(const WorldParameters& parameters) {
-  return {.speed_mps = parameters.wind_speed_mps, .direction_rad = parameters.wind_direction_rad};
+void add(ocean::SlopeCovariance& sum, const ocean::SlopeCovariance& slopes) {
+  sum.xx += slopes.xx;
+  sum.xz += slopes.xz;
+  sum.zz += slopes.zz;
+}
+
+ocean::SlopeCovariance slopes_of(const std::vector<ocean::GerstnerWave>& waves) {
+  ocean::SlopeCovariance sum;
+  for (const ocean::GerstnerWave& wave : waves) {
+    const double steepness = wave.wavenumber_radpm * wave.amplitude_m;
+    const double mean_square = 0.5 * steepness * steepness;
+    const double x = std::cos(wave.direction_rad), z = std::sin(wave.direction_rad);
+    add(sum, {.xx = mean_square * x * x, .xz = mean_square * x * z, .zz = mean_square * z * z});
+  }
+  return sum;
+}
+
+/// What the mip levels of each cascade hide, of the expected variances of its modes [n][n] m^2.
+std::vector<std::vector<ocean::SlopeCovariance>> hidden_by_levels(
+    const ocean::OceanParameters& ocean, const std::vector<std::vector<float>>& variances) {
+  std::vector<std::vector<ocean::SlopeCovariance>> hidden;
+  for (std::size_t i = 0; i < variances.size(); ++i) {
+    hidden.push_back(ocean::hidden_slopes(variances[i], ocean.size, ocean.cascades[i].patch_length_m));
+  }
+  return hidden;
+}
+
+/// Of the slopes that the wind makes, what Gerstner waves and cascades leave is the ripples'.
+HiddenSlopes shared_out(std::vector<std::vector<ocean::SlopeCovariance>> cascades,
+                        const WorldParameters& parameters) {
+  HiddenSlopes hidden{.cascades = std::move(cascades),
+                      .gerstner_waves = slopes_of(parameters.gerstner_waves.waves),
+                      .ripples = {}};
+  ocean::SlopeCovariance drawn = hidden.gerstner_waves;
+  for (const std::vector<ocean::SlopeCovariance>& levels : hidden.cascades) add(drawn, levels.back());
+  hidden.ripples = ocean::remaining_slopes(
+      ocean::measured_slopes(parameters.wind_speed_mps, parameters.wind_direction_rad), drawn);
+  return hidden;
 }
 
 std::vector<ocean::ShoalingBand> bands_of(const std::vector<std::vector<float>>& variances,
@@ -70,8 +108,7 @@ void World::make_sea(const WorldParameters& parameters) {
   ocean::require_valid_gerstner_waves(parameters.gerstner_waves);
   ocean::Ocean made(device_, parameters.spectrum, parameters.ocean);
   const std::vector<std::vector<float>> variances = variances_of(made);
-  hidden_slopes_ = shared_out(hidden_by_levels(parameters.ocean, variances), parameters.gerstner_waves.waves,
-                              ripple_wind(parameters));
+  hidden_slopes_ = shared_out(hidden_by_levels(parameters.ocean, variances), parameters);
   deviation_m_ = deviation_m(variances);
   cascade_bands_ = bands_of(variances, parameters.ocean);
   ocean_ = std::move(made);
@@ -86,8 +123,7 @@ void World::fit_sea(const WorldParameters& parameters) {
   if (!spare_ocean_ || spare_ocean_->parameters().size != wanted.size)
     spare_ocean_.emplace(device_, parameters.spectrum, wanted);
   std::swap(ocean_, spare_ocean_);
-  hidden_slopes_ = shared_out(hidden_by_levels(wanted, variances_of(*ocean_)),
-                              parameters.gerstner_waves.waves, ripple_wind(parameters));
+  hidden_slopes_ = shared_out(hidden_by_levels(wanted, variances_of(*ocean_)), parameters);
 }
 
 void World::set_sea_samples(int most) {
@@ -117,8 +153,7 @@ void World::make_shoals() {
 void World::set_gerstner_waves(const ocean::GerstnerSea& gerstner_waves) {
   ocean::require_valid_gerstner_waves(gerstner_waves);
   parameters_.gerstner_waves = gerstner_waves;
-  hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_.gerstner_waves.waves,
-                              ripple_wind(parameters_));
+  hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_);
   make_shoals();
   if (bodies_) bodies_->set_sea(body_sea());
 }
@@ -137,8 +172,7 @@ void World::reseed(std::uint64_t seed, const ocean::GerstnerSea& gerstner_waves)
   spare_ocean_.reset();
   parameters_.ocean.seed = seed;
   parameters_.gerstner_waves = gerstner_waves;
-  hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_.gerstner_waves.waves,
-                              ripple_wind(parameters_));
+  hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_);
   make_shoals();
   if (bodies_) bodies_->set_sea(body_sea());
 }

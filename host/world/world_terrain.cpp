@@ -33,6 +33,16 @@ bool rays_reach(const terrain::PostGrid& grid, const glm::dvec3& eye_m) {
 
 }  // namespace
 
+void TerrainImage::fit(const ocl::Device& device, const Camera& camera) {
+  if (width_px == camera.width_px && height_px == camera.height_px) return;
+  const std::size_t pixels = terrain::pixel_count(camera);
+  hits = ocl::Buffer<TerrainHit>(device, pixels, "ground's hits");
+  image = ocl::Buffer<terrain::Texel>(device, pixels, "ground's image");
+  planes = ocl::Buffer<float>(device, terrain::HitPlanes::plane_count * pixels, "ground's planes");
+  width_px = camera.width_px;
+  height_px = camera.height_px;
+}
+
 terrain::TerrainPosts TerrainParameters::posts() const {
   if (map) return terrain::posts_of(map);
   return terrain::posts_of(tiles->map, tiles->read, terrain::Unreadable::stood_in_for);

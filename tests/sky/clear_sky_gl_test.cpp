@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "host/sky/clear_sky.h"
-#include "host/sky/clear_sky_glsl.h"
 #include "host/sky/sun_position.h"
 #include "tests/sky/gl_image.h"
 

@@ -1,12 +1,11 @@
 // The radiance function as GLSL text. tests/sky/clear_sky_gl_test.cpp compiles and runs it.
-#include "host/sky/clear_sky_glsl.h"
-
 #include <regex>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/sky/clear_sky.h"
 #include "tests/ocl/test_kernels.h"
 
 namespace offing::sky {

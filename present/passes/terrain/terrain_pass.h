@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/base/camera.h"
-#include "host/world/terrain_image.h"
+#include "host/world/world_terrain.h"
 #include "present/gl/gl_objects.h"
 #include "present/gl/shader_program.h"
 #include "present/gl/texture_array.h"
