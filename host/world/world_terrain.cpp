@@ -124,7 +124,7 @@ void WorldTerrain::at(const Camera& camera, const sky::ClearSky& sky, const Terr
   if (!is_in_reach_) return;
   if (tiles_ && wait == TileWait::all) tiles_->look_and_wait(camera);
   if (tiles_ && wait == TileWait::none) tiles_->look(camera, tiles_ahead_m);
-  paint(camera, {light.light, sky.params(), sky.view_table(), light.clouds}, sampling, sea, picture_);
+  paint(camera, {light.light, sky.params(), sky.view_table(), light.clouds}, sampling, sea, image_);
 }
 
 void WorldTerrain::beneath_at(const Camera& camera, const sky::ClearSky& sky, const TerrainLighting& light,

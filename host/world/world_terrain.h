@@ -102,7 +102,7 @@ class WorldTerrain {
   bool is_in_reach() const { return is_in_reach_; }
 
   /// What at() made.
-  const TerrainImage& picture() const { return picture_; }
+  const TerrainImage& image() const { return image_; }
 
   /// Enqueues what a camera, whose eye is that of the last at(), sees beneath a sea, with one ray a pixel:
   /// ground that is deeper than `sea` says is left out. Of tiles those of the last at(), so that none is
@@ -134,7 +134,7 @@ class WorldTerrain {
   terrain::MirroredCast mirrored_cast_;
   std::optional<terrain::ColourLayer> colours_;
   std::optional<terrain::OpenSky> open_sky_;
-  TerrainImage picture_, beneath_, mirrored_;
+  TerrainImage image_, beneath_, mirrored_;
   bool is_in_reach_ = false, is_mirrored_ = false;
 };
 

@@ -140,7 +140,7 @@ clouds::TracedImage traced_image(const clouds::ReferenceTracer& tracer, const Ca
     cancel.throw_if_cancelled();
     const int of_pass = (pass + 1) * samples / passes - pass * samples / passes;
     const clouds::TracedImage traced =
-        tracer.picture(camera, {.samples = of_pass, .seed = static_cast<std::uint64_t>(pass) + 1});
+        tracer.image(camera, {.samples = of_pass, .seed = static_cast<std::uint64_t>(pass) + 1});
     const float share = static_cast<float>(of_pass) / static_cast<float>(samples);
     add(sum.image, traced.image, share);
     sum.orders.resize(traced.orders.size());

@@ -180,7 +180,7 @@ void choose(const char* label, const std::array<Show, count>& all, Show& shown) 
 void draw_view(ViewState& state, const ViewFacts& facts) {
   if (!ImGui::CollapsingHeader("View")) return;
   if (facts.terrain) draw_terrain_view(state);
-  choose("show", all_debug_views, state.debug);
+  choose("show", all_water_shows, state.debug);
   if (facts.has_meshes) choose("meshes show", all_mesh_shows, state.meshes);
   bool is_wireframe = state.fill == Fill::wireframe;
   if (ImGui::Checkbox("wireframe", &is_wireframe)) state.fill = is_wireframe ? Fill::wireframe : Fill::solid;

@@ -51,7 +51,7 @@ struct ViewState {
   scene::Scene scene;  ///< as edited; its view's camera is the one that flies
   FreeCamera camera;
   SceneClock clock;
-  DebugView debug = DebugView::none;
+  WaterShow debug = WaterShow::none;
   Fill fill = Fill::solid;
   TerrainShow terrain = TerrainShow::light;
   MeshShow meshes = MeshShow::light;

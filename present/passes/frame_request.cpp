@@ -2,11 +2,11 @@
 
 namespace offing::present {
 
-std::string_view to_string(DebugView view) {
-  constexpr std::array<std::string_view, all_debug_views.size()> names{
+std::string_view to_string(WaterShow show) {
+  constexpr std::array<std::string_view, all_water_shows.size()> names{
       "none", "height",    "slope",     "jacobian",  "foam",     "footprint",
       "grid", "cascade 0", "cascade 1", "cascade 2", "cascade 3"};
-  return names[static_cast<std::size_t>(view)];
+  return names[static_cast<std::size_t>(show)];
 }
 
 std::string_view to_string(MeshShow show) {

@@ -14,7 +14,7 @@ namespace offing::present {
 enum class Fill { solid, wireframe };
 
 /// What the water shows instead of light.
-enum class DebugView {
+enum class WaterShow {
   none,
   height,
   slope,
@@ -27,11 +27,11 @@ enum class DebugView {
   cascade_2,
   cascade_3
 };
-inline constexpr std::array all_debug_views{DebugView::none,      DebugView::height,    DebugView::slope,
-                                            DebugView::jacobian,  DebugView::foam,      DebugView::footprint,
-                                            DebugView::grid,      DebugView::cascade_0, DebugView::cascade_1,
-                                            DebugView::cascade_2, DebugView::cascade_3};
-std::string_view to_string(DebugView view);
+inline constexpr std::array all_water_shows{WaterShow::none,      WaterShow::height,    WaterShow::slope,
+                                            WaterShow::jacobian,  WaterShow::foam,      WaterShow::footprint,
+                                            WaterShow::grid,      WaterShow::cascade_0, WaterShow::cascade_1,
+                                            WaterShow::cascade_2, WaterShow::cascade_3};
+std::string_view to_string(WaterShow show);
 
 /// What the ground shows.
 enum class TerrainShow {
@@ -62,7 +62,7 @@ enum class SkyRefresh {
 struct FrameRequest {
   Camera camera;
   double exposure = 1.0;  ///< 1 / (kcd/m2), of LightMeter
-  DebugView debug = DebugView::none;
+  WaterShow debug = WaterShow::none;
   Fill fill = Fill::solid;
   TerrainShow terrain = TerrainShow::light;
   MeshShow meshes = MeshShow::light;

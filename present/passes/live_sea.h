@@ -28,7 +28,7 @@ struct LiveSeaSettings {
 struct SceneView {
   double time_s = 0.0;
   Camera camera;
-  DebugView debug = DebugView::none;
+  WaterShow debug = WaterShow::none;
   Fill fill = Fill::solid;
   TerrainShow terrain = TerrainShow::light;
   MeshShow meshes = MeshShow::light;

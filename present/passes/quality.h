@@ -42,8 +42,7 @@ constexpr Quality coarser(double side_share, double grid_share, double views_sha
           .light_lag = {.altitude_share = 0.05, .cloud_steps = 4, .cloud_rad = 0.01, .cloud_parts = 8}};
 }
 
-/// The quality levels of a quality control of quality, coarser from one to the next: first what is least
-/// seen.
+/// The levels of the quality control, each coarser than the one before: first goes what is seen least.
 inline constexpr std::array quality_levels{
     Quality{},
     coarser(1.0, 0.75, 0.75, 0),

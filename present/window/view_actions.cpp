@@ -45,7 +45,7 @@ bool change_view(ViewAction action, ViewState& state) {
       state.fill = state.fill == Fill::solid ? Fill::wireframe : Fill::solid;
       return true;
     case ViewAction::next_debug_view:
-      state.debug = next_of(all_debug_views, state.debug);
+      state.debug = next_of(all_water_shows, state.debug);
       return true;
     case ViewAction::next_mesh_show:
       state.meshes = next_of(all_mesh_shows, state.meshes);

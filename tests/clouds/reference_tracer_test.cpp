@@ -141,10 +141,10 @@ TEST(ReferenceTracerTest, PicturesAreMadeOfTheirOrdersOnAnyNumberOfThreads) {
   camera.vertical_field_of_view_rad = 2.0 * std::atan(1.2 / 400.0);
   camera.width_px = camera.height_px = 16;
   const TraceOptions options{.samples = 64, .seed = 2, .orders = 4, .threads = 1};
-  const TracedImage picture = tracer.picture(camera, options);
+  const TracedImage picture = tracer.image(camera, options);
   TraceOptions two_threads = options;
   two_threads.threads = 2;
-  EXPECT_EQ(tracer.picture(camera, two_threads).image, picture.image);
+  EXPECT_EQ(tracer.image(camera, two_threads).image, picture.image);
 
   glm::dvec4 sum(0.0);
   for (std::size_t pixel = 0; pixel < picture.image.size(); ++pixel) {

@@ -286,7 +286,7 @@ TEST(CloudWorld, ShadesTheGroundBelow) {
       world.set_clouds(clouds);
       world.at(0.0, camera.eye_m.y);
       world.see_terrain(camera);
-      return double{world.terrain()->picture().image.read()[4][1]};
+      return double{world.terrain()->image().image.read()[4][1]};
     };
     const double lit = light_with(ball_sky(0.7, false)), shaded = light_with(ball_sky(0.7, true)),
                  dark = light_with(ball_sky(60.0, true));

@@ -69,9 +69,9 @@ TEST_F(WorldTerrainTest, HasPlanesAndImageOfItsHits) {
   world.see_terrain(camera());
   const WorldTerrain& terrain = *world.terrain();
   ASSERT_TRUE(terrain.is_in_reach());
-  const auto hits = terrain.picture().hits.read();
-  const auto planes = terrain.picture().planes.read();
-  const auto image = terrain.picture().image.read();
+  const auto hits = terrain.image().hits.read();
+  const auto planes = terrain.image().planes.read();
+  const auto image = terrain.image().image.read();
   ASSERT_EQ(hits.size(), 61u * 35u);
   ASSERT_EQ(planes.size(), 2 * hits.size());
   ASSERT_EQ(image.size(), hits.size());
@@ -129,8 +129,8 @@ TEST_F(WorldTerrainTest, WearsItsColours) {
   above.pitch_rad = -1.5;
   world.at(0.0, above.eye_m.y);
   world.see_terrain(above, {.rays = 1});
-  const auto hits = world.terrain()->picture().hits.read();
-  const auto image = world.terrain()->picture().image.read();
+  const auto hits = world.terrain()->image().hits.read();
+  const auto image = world.terrain()->image().image.read();
   std::array<int, 2> seen{};
   for (std::size_t i = 0; i < hits.size(); ++i) {
     // Colours are mixed across the border between the texels' middles; half a texel aside they are pure.
@@ -194,8 +194,8 @@ TEST_F(TiledWorldTerrainTest, IsTheGroundOfItsMap) {
     world->see_terrain(fine_camera());
   }
   EXPECT_EQ(of_tiles.terrain()->tiles()->statistics().stood_in, 0u);
-  const auto found = of_tiles.terrain()->picture().hits.read(),
-             expected = of_map.terrain()->picture().hits.read();
+  const auto found = of_tiles.terrain()->image().hits.read(),
+             expected = of_map.terrain()->image().hits.read();
   std::size_t seen = 0, differ = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
     seen += expected[i].kind == TERRAIN_MISS ? 0 : 1;
@@ -247,8 +247,7 @@ TEST_F(TiledWorldTerrainTest, CoarseTilesStandInUntilFineOnesAreThere) {
   of_map.see_terrain(fine_camera());
   world.see_terrain(fine_camera(), {}, TileWait::none);
   EXPECT_GT(world.terrain()->tiles()->statistics().stood_in, 0u);
-  const auto coarse = world.terrain()->picture().hits.read(),
-             expected = of_map.terrain()->picture().hits.read();
+  const auto coarse = world.terrain()->image().hits.read(), expected = of_map.terrain()->image().hits.read();
   std::size_t holes = 0;
   for (std::size_t i = 0; i < coarse.size(); ++i) {
     holes += expected[i].kind != TERRAIN_MISS && coarse[i].kind == TERRAIN_MISS ? 1 : 0;
@@ -292,8 +291,8 @@ TEST_F(WorldTerrainTest, ChangesAsAFreshWorldHasIt) {
       one->at(0.0, above.eye_m.y);
       one->see_terrain(above);
     }
-    const std::vector<terrain::Texel> image = world.terrain()->picture().image.read();
-    EXPECT_TRUE(image == fresh.terrain()->picture().image.read()) << "change " << i;
+    const std::vector<terrain::Texel> image = world.terrain()->image().image.read();
+    EXPECT_TRUE(image == fresh.terrain()->image().image.read()) << "change " << i;
     EXPECT_TRUE(image != before) << "change " << i << " shows nothing";
     before = image;
   }

@@ -131,10 +131,10 @@ class Merging {
   void reduce_to(std::size_t most) {
     std::size_t left = clusters_.size();
     const double all = static_cast<double>(left) - static_cast<double>(most);
-    constexpr std::size_t merges_a_tell = 1024;
+    constexpr std::size_t merges_a_report = 1024;
     while (left > most && !pairs_.empty()) {
       work_.poll();
-      if (left % merges_a_tell == 0) work_.tell(static_cast<double>(clusters_.size() - left) / all);
+      if (left % merges_a_report == 0) work_.tell(static_cast<double>(clusters_.size() - left) / all);
       const Pair pair = pairs_.top();
       pairs_.pop();
       if (clusters_[pair.a].into != pair.a || clusters_[pair.b].into != pair.b) continue;

@@ -73,7 +73,7 @@ TracedView ReferenceTracer::view_of(const glm::dvec3& middle_m, double radius_m,
   return view;
 }
 
-TracedImage ReferenceTracer::picture(const Camera& camera, const TraceOptions& options) const {
+TracedImage ReferenceTracer::image(const Camera& camera, const TraceOptions& options) const {
   require_valid(camera);
   require_valid(options);
   const int width = camera.width_px, height = camera.height_px;

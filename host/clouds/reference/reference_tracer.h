@@ -46,7 +46,7 @@ class ReferenceTracer {
                      const TraceOptions& options) const;
 
   /// What the camera sees of the cloud, without what lies behind it.
-  TracedImage picture(const Camera& camera, const TraceOptions& options) const;
+  TracedImage image(const Camera& camera, const TraceOptions& options) const;
 
  private:
   void trace(Ray ray, PathRandom& random, std::vector<glm::dvec3>& by_order) const;

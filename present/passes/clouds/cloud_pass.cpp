@@ -28,16 +28,16 @@ void fit_texture(TextureArray& texture, const TextureArray::Shape& shape) {
 CloudPass::CloudPass() : program_(cloud_program()), no_vertices_(GlVertexArray::make()) {}
 
 void CloudPass::set_textures(const ocl::Device& device, const clouds::BillboardTextures& textures) {
-  if (picture_) {
-    picture_->set_textures(textures);
+  if (cloud_image_) {
+    cloud_image_->set_textures(textures);
   } else {
-    picture_.emplace(device, textures);
+    cloud_image_.emplace(device, textures);
   }
 }
 
 void CloudPass::fit(const ocl::Device& device, int width_px, int height_px) {
-  if (!picture_) picture_.emplace(device, clouds::billboard_textures());
-  picture_->fit(width_px, height_px);
+  if (!cloud_image_) cloud_image_.emplace(device, clouds::billboard_textures());
+  cloud_image_->fit(width_px, height_px);
 }
 
 void CloudPass::prepare(const ocl::Device& device, const clouds::DrawnParticles& drawn, const Camera& camera,
@@ -47,24 +47,25 @@ void CloudPass::prepare(const ocl::Device& device, const clouds::DrawnParticles&
   depth_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   target.bind();
   glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth_.data());
-  picture_->scene_depth().write(depth_);
+  cloud_image_->scene_depth().write(depth_);
   make(drawn, camera, transfer);
 }
 
 void CloudPass::prepare_open(const ocl::Device& device, const clouds::DrawnParticles& drawn,
                              const Camera& camera, Transfer& transfer) {
   fit(device, camera.width_px, camera.height_px);
-  picture_->scene_depth().fill(0.0f);
+  cloud_image_->scene_depth().fill(0.0f);
   make(drawn, camera, transfer);
 }
 
 void CloudPass::make(const clouds::DrawnParticles& drawn, const Camera& camera, Transfer& transfer) {
-  picture_->draw(drawn, camera);
+  cloud_image_->draw(drawn, camera);
   glActiveTexture(GL_TEXTURE0);
-  const int width = picture_->width_px(), height = picture_->height_px();
+  const int width = cloud_image_->width_px(), height = cloud_image_->height_px();
   fit_texture(image_, {.width = width, .height = height, .layers = 1, .channels = 4});
   fit_texture(distance_, {.width = width, .height = height, .layers = 1, .channels = 1});
-  const std::array<Upload, 2> uploads{{{picture_->image(), &image_}, {picture_->distance_m(), &distance_}}};
+  const std::array<Upload, 2> uploads{
+      {{cloud_image_->image(), &image_}, {cloud_image_->distance_m(), &distance_}}};
   transfer.upload(uploads);
 }
 

@@ -44,7 +44,7 @@ class CloudPass {
 
   ShaderProgram program_;
   GlVertexArray no_vertices_;
-  std::optional<clouds::CloudImage> picture_;
+  std::optional<clouds::CloudImage> cloud_image_;
   std::vector<float> depth_;
   TextureArray image_, distance_;
 };

@@ -15,7 +15,7 @@ class TerrainPass {
  public:
   TerrainPass();
 
-  /// Copies what was seen into textures by way of the quality control.
+  /// Copies what was seen into textures.
   void prepare(const world::TerrainImage& terrain, Transfer& transfer);
 
   /// Pixels that ground covers, which may be drawn before what lies behind; and those that it covers in part,

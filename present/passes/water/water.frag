@@ -192,7 +192,7 @@ void main() {
   mirrored_share *= 1.0 - foam;
   light = vec4((1.0 - mirrored_share) * through_air(surface / max(1.0 - mirrored_share, 1e-3), ray, distance_m) +
                    (1.0 - foam) * mirrored, 1.0);
-#if DEBUG_VIEW != 0
+#if WATER_SHOW != 0
   light.rgb = debug_light(ray.y * distance_m + eye_height_m + earth_drop_m(label_m), slope, jacobian, coverage, width_m,
                           label_m, floor(strain.w));
 #endif

@@ -17,7 +17,7 @@ class WaterMaps {
   /// Units from first_free_unit on are left to others.
   static constexpr int first_free_unit = 5;
 
-  /// Copies the maps of the world as it stands, by way of the quality control.
+  /// Copies the maps of the world as it stands,.
   void prepare(world::World& world, Transfer& transfer);
 
   /// Binds the maps, and tells a program in use where on them an eye at this label stands.

@@ -63,7 +63,7 @@ WaterPass::WaterPass(const GlCapabilities& capabilities, WaterDetail detail)
 
 ShaderProgram WaterPass::program_for(const Features& features) {
   const ShaderPart compiled_for{"features of the water",
-                                fmt::format("#define TAPS {}\n#define DEBUG_VIEW {:d}\n#define MIRRORS {:d}\n"
+                                fmt::format("#define TAPS {}\n#define WATER_SHOW {:d}\n#define MIRRORS {:d}\n"
                                             "#define MIRRORS_THINGS {:d}\n#define SHOWS_BENEATH {:d}\n",
                                             features.taps, static_cast<int>(features.debug), features.mirrors,
                                             features.mirrors_things, features.shows_beneath)};

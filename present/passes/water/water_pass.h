@@ -34,7 +34,7 @@ class WaterPass {
  public:
   WaterPass(const GlCapabilities& capabilities, WaterDetail detail);
 
-  /// Copies the world's maps into textures by way of the quality control.
+  /// Copies the world's maps into textures.
   void prepare(world::World& world, Transfer& transfer) { maps_.prepare(world, transfer); }
   /// Draws onto a target whose depth is reversed, with what is not water mirrored in it and seen through it.
   void draw(world::World& world, const FrameRequest& request, const DryPasses& dry,
@@ -45,7 +45,7 @@ class WaterPass {
   struct Features {
     WaveFeatures waves;
     int taps = 1;
-    DebugView debug = DebugView::none;
+    WaterShow debug = WaterShow::none;
     bool mirrors = false;
     bool mirrors_things = false;
     bool shows_beneath = false;

@@ -255,8 +255,8 @@ TEST_F(FrameTest, LooksStraightUpAndDown) {
 TEST_F(FrameTest, ShowsDebugViews) {
   camera_.pitch_rad = -20.0 * degree;
   const std::vector<float> plain = picture(5.0);
-  for (const DebugView view : all_debug_views) {
-    if (view == DebugView::none) continue;
+  for (const WaterShow view : all_water_shows) {
+    if (view == WaterShow::none) continue;
     stage_->frame.draw(stage_->world, {.camera = camera_, .exposure = 0.05, .debug = view});
     EXPECT_NE(stage_->frame.light().read(), plain) << to_string(view);
   }
@@ -274,7 +274,7 @@ TEST_F(FrameTest, ShowsHeightsAboveTheSea) {
   camera_.width_px = 320;
   camera_.height_px = 180;
   stage_->world.at(5.0, camera_.eye_m.y);
-  stage_->frame.draw(stage_->world, {.camera = camera_, .exposure = 0.05, .debug = DebugView::height});
+  stage_->frame.draw(stage_->world, {.camera = camera_, .exposure = 0.05, .debug = WaterShow::height});
   const std::vector<float> pixels = stage_->frame.light().read();
   const int row = camera_.height_px / 2 - 5;
   double red = 0.0, blue = 0.0;

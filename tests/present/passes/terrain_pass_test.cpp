@@ -93,7 +93,7 @@ class TerrainPassTest : public test::GlTest {
 TEST_F(TerrainPassTest, LaysGroundOverTheSky) {
   open(hills);
   const std::vector<float> pixels = light(request(camera()));
-  const auto image = world_->terrain()->picture().image.read();
+  const auto image = world_->terrain()->image().image.read();
   std::vector<std::array<double, 3>> directions;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
@@ -127,8 +127,8 @@ TEST_F(TerrainPassTest, LaysGroundOverTheSky) {
 TEST_F(TerrainPassTest, HasTheDepthOfItsHits) {
   open(hills);
   light(request(camera()));
-  const auto planes = world_->terrain()->picture().planes.read();
-  const auto image = world_->terrain()->picture().image.read();
+  const auto planes = world_->terrain()->image().planes.read();
+  const auto image = world_->terrain()->image().image.read();
   const std::vector<float> found = depth();
   const glm::dvec3 forward = basis(camera()).forward;
   for (int row = 0; row < height; ++row) {
@@ -153,8 +153,8 @@ TEST_F(TerrainPassTest, SharesTheWorldWithTheSea) {
   coast.eye_m.y = 800.0;
   coast.pitch_rad = -0.5;
   const std::vector<float> pixels = light(request(coast));
-  const auto image = world_->terrain()->picture().image.read();
-  const auto planes = world_->terrain()->picture().planes.read();
+  const auto image = world_->terrain()->image().image.read();
+  const auto planes = world_->terrain()->image().planes.read();
   const double reach_m = world_->reach().vertical_m;
   std::size_t land = 0, water = 0;
   for (int row = 0; row < height; ++row) {
@@ -200,8 +200,8 @@ TEST_F(TerrainPassTest, BlendsEdgesWithTheSea) {
   const std::vector<float> water = light(request(coast));
   open(std::string(hills) + "mean_m = -60\n" + sea, 0);
   const std::vector<float> pixels = light(request(coast));
-  const auto image = world_->terrain()->picture().image.read();
-  const auto planes = world_->terrain()->picture().planes.read();
+  const auto image = world_->terrain()->image().image.read();
+  const auto planes = world_->terrain()->image().planes.read();
   const double reach_m = world_->reach().vertical_m;
   std::size_t over_bed = 0, over_open_sea = 0;
   for (int row = 1; row + 1 < height; ++row) {
@@ -241,7 +241,7 @@ TEST_F(TerrainPassTest, ShowsStepsInTheirColours) {
   asked.terrain = TerrainShow::steps;
   light(asked);
   const std::vector<unsigned char> screen = frame_->screen().read_bytes();
-  const auto hits = world_->terrain()->picture().hits.read();
+  const auto hits = world_->terrain()->image().hits.read();
   const auto srgb = [](double linear) {
     return 255.0 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055);
   };
@@ -264,12 +264,12 @@ TEST_F(TerrainPassTest, ShowsStepsInTheirColours) {
 TEST_F(TerrainPassTest, EnlargesCoarserViews) {
   open(hills);
   const std::vector<float> fine = light(request(camera()));
-  const auto planes = world_->terrain()->picture().planes.read();
+  const auto planes = world_->terrain()->image().planes.read();
   FrameRequest asked = request(camera());
   for (const double scale : {0.5, 0.8660254}) {
     asked.quality.ray_share = scale * scale;
     const std::vector<float> coarse = light(asked);
-    EXPECT_EQ(world_->terrain()->picture().width_px, std::lround(width * scale));
+    EXPECT_EQ(world_->terrain()->image().width_px, std::lround(width * scale));
     double difference = 0.0, mean = 0.0;
     for (int row = 0; row < height; ++row) {
       for (int column = 0; column < width; ++column) {

@@ -42,12 +42,12 @@ TEST_F(WindowPanelsTest, Views) {
   open(options);
   toggle_header("View");
   choose("show", "jacobian");
-  EXPECT_EQ(state().debug, present::DebugView::jacobian);
+  EXPECT_EQ(state().debug, present::WaterShow::jacobian);
   choose("show", "none");
-  EXPECT_EQ(state().debug, present::DebugView::none);
+  EXPECT_EQ(state().debug, present::WaterShow::none);
   look_at_sea();
   std::vector<std::vector<unsigned char>> pictures;
-  for (const present::DebugView view : present::all_debug_views) {
+  for (const present::WaterShow view : present::all_water_shows) {
     ASSERT_EQ(state().debug, view);
     turn();
     for (const auto& other : pictures) EXPECT_FALSE(picture() == other) << to_string(view);

@@ -145,10 +145,10 @@ TEST_F(WindowTerrainTest, CastsAShareOfTheRays) {
   toggle_header("View");
   choose("rays", "1/4 of the pixels");
   turn();
-  EXPECT_EQ(viewer_->sea().terrain()->picture().width_px, std::lround(0.5 * width()));
+  EXPECT_EQ(viewer_->sea().terrain()->image().width_px, std::lround(0.5 * width()));
   choose("rays", "each pixel");
   turn();
-  EXPECT_EQ(viewer_->sea().terrain()->picture().width_px, width());
+  EXPECT_EQ(viewer_->sea().terrain()->image().width_px, width());
 }
 
 // Fails if a ground that cannot be is taken, or ends the window.
