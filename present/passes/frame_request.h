@@ -58,10 +58,11 @@ enum class SkyRefresh {
   slice,  ///< now and then a fifth: the map lags some pictures behind
 };
 
-/// What to draw: the world as this camera sees it.
+/// What to draw: a time, from where, and how.
 struct FrameRequest {
+  double time_s = 0.0;  ///< for LiveSea; a Frame draws the world as it stands
   Camera camera;
-  double exposure = 1.0;  ///< 1 / (kcd/m2), of LightMeter
+  double exposure = 1.0;  ///< 1 / (kcd/m2), of LightMeter; LiveSea sets it
   WaterShow debug = WaterShow::none;
   Fill fill = Fill::solid;
   TerrainShow terrain = TerrainShow::light;

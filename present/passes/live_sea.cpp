@@ -32,20 +32,6 @@ world::WorldParameters with_particles(CloudBuilder& builder, world::WorldParamet
   return parameters;
 }
 
-FrameRequest request_of(const SceneView& view, double exposure) {
-  return {.camera = view.camera,
-          .exposure = exposure,
-          .debug = view.debug,
-          .fill = view.fill,
-          .terrain = view.terrain,
-          .meshes = view.meshes,
-          .tiles = view.tiles,
-          .sky = view.sky,
-          .quality = view.quality,
-          .lighting_at = view.lighting_at,
-          .first_s = view.first_s};
-}
-
 }  // namespace
 
 LiveSea::LiveSea(const GlContext& context, const LiveSeaSettings& settings, const scene::Scene& scene)
@@ -80,21 +66,21 @@ void LiveSea::open(const scene::Scene& scene) {
   auto world = std::make_unique<world::World>(
       device_, with_particles(*builder, scene::prepare_shown_world(opened), cancel_));
   auto frame = new_frame(opened);
-  const SceneView view{.time_s = opened.start_s, .camera = opened.view.camera};
-  try_out(*world, view);
+  const FrameRequest request{.time_s = opened.start_s, .camera = opened.view.camera};
+  try_out(*world, request);
   builder_ = std::move(builder);
   world_ = std::move(world);
   frame_ = std::move(frame);
   light_meter_ = {};
-  view_ = view;
+  request_ = request;
   take_scene(std::move(opened));
   is_drawn_ = false;
 }
 
-void LiveSea::try_out(world::World& world, const SceneView& view) const {
-  world.set_eye({view.camera.eye_m.x, view.camera.eye_m.z});
-  world.at(view.time_s, view.camera.eye_m.y);
-  world.see_clouds(view.camera);
+void LiveSea::try_out(world::World& world, const FrameRequest& request) const {
+  world.set_eye({request.camera.eye_m.x, request.camera.eye_m.z});
+  world.at(request.time_s, request.camera.eye_m.y);
+  world.see_clouds(request.camera);
   device_.finish();
 }
 
@@ -102,7 +88,7 @@ void LiveSea::change(const std::function<void()>& work) {
   const world::WorldParameters before = world_->parameters();
   try {
     work();
-    try_out(*world_, view_);
+    try_out(*world_, request_);
     frame_->forget();
   } catch (const Error&) {
     // Any part may have changed; what it was made of needs no file again.
@@ -164,8 +150,8 @@ void LiveSea::reload() {
   auto builder = std::make_unique<CloudBuilder>(device_.info(), scene_);
   auto world = std::make_unique<world::World>(
       device_, with_particles(*builder, scene::prepare_world(scene_, scene::Warnings::left_out), nullptr));
-  try_out(*world, view_);
-  frame->draw(*world, request_of(view_, exposure_));  // some shaders are compiled where they are needed first
+  try_out(*world, request_);
+  frame->draw(*world, request_);  // some shaders are compiled where they are needed first
   world_ = std::move(world);
   frame_ = std::move(frame);
   builder_ = std::move(builder);
@@ -184,29 +170,31 @@ double LiveSea::surface_height_m(double x_m, double z_m) {
   return below ? std::max(height_m, below->height_m) : height_m;
 }
 
-void LiveSea::simulate(const SceneView& view) {
-  world_->set_eye({view.camera.eye_m.x, view.camera.eye_m.z});
-  world_->set_light_lag(view.quality.light_lag);
+void LiveSea::simulate(const FrameRequest& request) {
+  world_->set_eye({request.camera.eye_m.x, request.camera.eye_m.z});
+  world_->set_light_lag(request.quality.light_lag);
   world_->set_sea_samples(
-      std::max(fewest_samples, world_->parameters().ocean.size >> view.quality.sea_halvings));
-  world_->set_cloud_halvings(view.quality.cloud_halvings);
-  run_stage(frame_->times(), Stage::simulate, device_, [&] { world_->at(view.time_s, view.camera.eye_m.y); });
+      std::max(fewest_samples, world_->parameters().ocean.size >> request.quality.sea_halvings));
+  world_->set_cloud_halvings(request.quality.cloud_halvings);
+  run_stage(frame_->times(), Stage::simulate, device_,
+            [&] { world_->at(request.time_s, request.camera.eye_m.y); });
 }
 
-void LiveSea::draw(const SceneView& view) {
-  const scene::ViewScene now = scene::view_at(scene_, view.time_s);
-  view_ = view;
+void LiveSea::draw(FrameRequest request) {
+  const scene::ViewScene now = scene::view_at(scene_, request.time_s);
+  request.exposure = request_.exposure;  // until it is measured
+  request_ = request;
   scene::set_view(*world_, now);
-  scene::set_meshes_at(*world_, scene_, view.time_s);
-  simulate(view);
-  exposure_ = light_meter_.exposure(*world_, view.camera, now.exposure_ev);
-  frame_->draw(*world_, request_of(view, exposure_));
+  scene::set_meshes_at(*world_, scene_, request.time_s);
+  simulate(request);
+  request_.exposure = light_meter_.exposure(*world_, request.camera, now.exposure_ev);
+  frame_->draw(*world_, request_);
   // What the scene before held, and what the compilers of shaders took for the first picture.
   if (!std::exchange(is_drawn_, true)) give_back_freed_memory();
 }
 
 void LiveSea::write(const std::filesystem::path& path, Existing existing) const {
-  write_image(path, *frame_, view_.time_s, exposure_, existing);
+  write_image(path, *frame_, request_.time_s, request_.exposure, existing);
 }
 
 }  // namespace offing::present

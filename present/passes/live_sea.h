@@ -24,21 +24,6 @@ struct LiveSeaSettings {
   const CancelToken* cancel = nullptr;  ///< of making whole worlds; outlives the sea
 };
 
-/// What to show of a sea: when, from where, and how.
-struct SceneView {
-  double time_s = 0.0;
-  Camera camera;
-  WaterShow debug = WaterShow::none;
-  Fill fill = Fill::solid;
-  TerrainShow terrain = TerrainShow::light;
-  MeshShow meshes = MeshShow::light;
-  world::TileWait tiles = world::TileWait::all;
-  SkyRefresh sky = SkyRefresh::whole;
-  Quality quality = {};                     ///< of FrameRequest
-  highlights::LightingAt lighting_at = {};  ///< of FrameRequest
-  std::optional<double> first_s = {};       ///< of FrameRequest
-};
-
 /// A scene's world and the passes that draw it, both of which can be exchanged while they are shown. Whatever
 /// throws leaves everything as it was, unless the device cannot even make again what it had.
 class LiveSea {
@@ -81,9 +66,9 @@ class LiveSea {
   const std::vector<world::WorldMesh>& meshes() const { return std::as_const(*world_).meshes(); }
 
   /// Sun, air and exposure are those of the scene at that time. Throws what scene::view_at() throws.
-  void draw(const SceneView& view);
+  void draw(FrameRequest request);
   /// The last picture is the next frame of a recording.
-  void record(Recorder& recorder) const { recorder.write(*frame_, view_.time_s, exposure_); }
+  void record(Recorder& recorder) const { recorder.write(*frame_, request_.time_s, request_.exposure); }
   /// The last picture, into a file (image_file.h).
   void write(const std::filesystem::path& path, Existing existing) const;
 
@@ -92,8 +77,8 @@ class LiveSea {
 
  private:
   /// What is compiled or allocated at first use.
-  void try_out(world::World& world, const SceneView& view) const;
-  void simulate(const SceneView& view);
+  void try_out(world::World& world, const FrameRequest& request) const;
+  void simulate(const FrameRequest& request);
   /// Changes the world, or leaves it as it was.
   void change(const std::function<void()>& work);
   void show_clouds(BuiltClouds built);
@@ -112,8 +97,8 @@ class LiveSea {
   std::unique_ptr<world::World> world_;
   std::unique_ptr<Frame> frame_;
   LightMeter light_meter_;
-  SceneView view_;  // of the last picture
-  double exposure_ = 1.0, edit_s_ = 0.0;
+  FrameRequest request_;  // of the last picture
+  double edit_s_ = 0.0;
   bool is_drawn_ = false;  // since the scene was opened
 };
 
