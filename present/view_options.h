@@ -9,7 +9,7 @@
 #include "host/base/log.h"
 #include "host/scene/model/scene.h"
 #include "present/gl/transfer.h"
-#include "present/output/recording.h"
+#include "present/output/recorder.h"
 #include "present/passes/frame.h"
 
 namespace offing::present {

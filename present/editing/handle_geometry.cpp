@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "present/passes/view_depth.h"
+#include "present/passes/camera_projection.h"
 
 namespace offing::present {
 namespace {

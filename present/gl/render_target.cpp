@@ -1,5 +1,6 @@
 #include "present/gl/render_target.h"
 
+#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include "host/base/error.h"
@@ -74,6 +75,15 @@ std::vector<unsigned char> RenderTarget::read_bytes() const {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
   return pixels;
+}
+
+void copy_to_window(const RenderTarget& picture, int width, int height) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, picture.width(), picture.height(), 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                    GL_LINEAR);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, width, height);
 }
 
 }  // namespace offing::present

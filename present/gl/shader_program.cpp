@@ -12,7 +12,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "host/base/error.h"
-#include "present/gl/shader_sources.h"
 
 namespace offing::present {
 namespace {

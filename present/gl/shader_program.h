@@ -1,7 +1,11 @@
 #pragma once
 
+#include <functional>
+#include <map>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <epoxy/gl.h>
@@ -11,7 +15,12 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "present/gl/embedded_file.h"
+
 namespace offing::present {
+
+/// Every embedded file: stages (.vert, .frag) and what several of them share (.glsl).
+std::span<const EmbeddedFile> shader_sources();
 
 /// A piece of a shader's text, and what messages call it.
 struct ShaderPart {
@@ -55,6 +64,33 @@ class ShaderProgram {
 
  private:
   GLuint program_ = 0;
+};
+
+/// Binds a texture to a unit, from which a sampler of the program in use reads it from now on.
+inline void bind_sampler(const ShaderProgram& program, const char* sampler, int unit, GLuint texture) {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_2D, texture);
+  program.set(sampler, unit);
+}
+
+/// One shader compiled for what is drawn with it: renderers such as llvmpipe go through both sides of a
+/// branch and once more through a loop whose length they do not know, so that what is not needed costs as
+/// much as what is. Features are an ordered value.
+template <class Features>
+class ShaderVariants {
+ public:
+  explicit ShaderVariants(std::function<ShaderProgram(const Features&)> make) : make_(std::move(make)) {}
+
+  /// Compiles it where it is the first with these features. Throws what ShaderProgram throws.
+  const ShaderProgram& with(const Features& features) {
+    const auto known = programs_.find(features);
+    return known != programs_.end() ? known->second
+                                    : programs_.emplace(features, make_(features)).first->second;
+  }
+
+ private:
+  std::function<ShaderProgram(const Features&)> make_;
+  std::map<Features, ShaderProgram> programs_;
 };
 
 }  // namespace offing::present

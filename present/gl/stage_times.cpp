@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "host/ocl/event.h"
+
 namespace offing::present {
 namespace {
 
@@ -76,6 +78,15 @@ void StageTimes::end_frame() {
 double StageTimes::frames_per_second() const {
   const double mean_ms = mean_of(frame_ms_);
   return mean_ms > 0.0 ? 1000.0 / mean_ms : 0.0;
+}
+
+void run_stage(StageTimes& times, Stage stage, const ocl::Device& device, const std::function<void()>& work) {
+  const StageTimes::Scope scope(times, stage);
+  const ocl::Event start = device.mark();
+  work();
+  const ocl::Event end = device.mark();
+  device.finish();
+  if (device.is_profiling()) times.add_device_ms(stage, 1e3 * (end.end_s() - start.end_s()));
 }
 
 }  // namespace offing::present

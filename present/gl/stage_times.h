@@ -3,8 +3,10 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <string_view>
 
+#include "host/ocl/device.h"
 #include "present/gl/gl_objects.h"
 
 namespace offing::present {
@@ -76,5 +78,9 @@ class StageTimes {
   bool waits_ = false;
   std::chrono::steady_clock::time_point frame_start_ = std::chrono::steady_clock::now();
 };
+
+/// Measures a stage that OpenCL does, or a part of it, until it is done; by the device's clock too where the
+/// device keeps one.
+void run_stage(StageTimes& times, Stage stage, const ocl::Device& device, const std::function<void()>& work);
 
 }  // namespace offing::present

@@ -1,6 +1,7 @@
 #include "present/gl/texture_array.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace offing::present {
 
@@ -31,6 +32,20 @@ void TextureArray::specify(const void* texels) const {
 void TextureArray::bind(int unit) const {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glBindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
+}
+
+MapTexture::MapTexture(int size, int layers, int channels)
+    : TextureArray({.width = size, .height = size, .layers = layers, .channels = channels},
+                   std::bit_width(static_cast<unsigned>(size))) {
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_REPEAT);
+}
+
+void MapTexture::make_levels() const {
+  glBindTexture(GL_TEXTURE_2D_ARRAY, name());
+  glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
 }
 
 }  // namespace offing::present

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "host/sky/atmosphere.h"
-#include "present/gl/sampler.h"
+#include "present/gl/shader_program.h"
 
 namespace offing::present {
 

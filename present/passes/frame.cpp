@@ -5,9 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "present/gl/device_stage.h"
-#include "present/passes/clouds/drawn_clouds.h"
-#include "present/passes/scaled_camera.h"
+#include "present/passes/camera_projection.h"
 
 namespace offing::present {
 namespace {

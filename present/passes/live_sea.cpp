@@ -15,7 +15,7 @@
 #include "host/scene/prepare/scene_clouds.h"
 #include "host/scene/prepare/scene_meshes.h"
 #include "host/scene/prepare/world_scene.h"
-#include "present/gl/device_stage.h"
+#include "present/gl/stage_times.h"
 #include "present/output/image_file.h"
 
 namespace offing::present {

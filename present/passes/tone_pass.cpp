@@ -1,7 +1,5 @@
 #include "present/passes/tone_pass.h"
 
-#include "present/gl/sampler.h"
-
 namespace offing::present {
 
 TonePass::TonePass()

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <string>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #define GLFW_INCLUDE_NONE
@@ -17,7 +17,7 @@
 #include "host/base/log.h"
 #include "host/scene/prepare/moving_view.h"
 #include "host/scene/prepare/scene_terrain.h"
-#include "present/gl/window_copy.h"
+#include "present/gl/render_target.h"
 #include "present/output/camera_path.h"
 #include "present/output/image_file.h"
 #include "present/output/video_pipe.h"
@@ -41,6 +41,32 @@ std::string whole_name(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+void FullScreen::toggle(GLFWwindow* window) {
+  if (glfwGetWindowMonitor(window) != nullptr) {
+    glfwSetWindowMonitor(window, nullptr, x_, y_, width_, height_, 0);
+    return;
+  }
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+  if (mode == nullptr) return;
+  glfwGetWindowPos(window, &x_, &y_);
+  glfwGetWindowSize(window, &width_, &height_);
+  glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void FrameLimiter::wait(double frames_per_second) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point now = Clock::now();
+  if (frames_per_second <= 0.0) {
+    next_ = now;
+    return;
+  }
+  std::this_thread::sleep_until(next_);
+  const auto interval =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / frames_per_second));
+  next_ = std::max(next_, now) + interval;
+}
 
 Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
     : options_(options),

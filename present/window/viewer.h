@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -16,13 +17,31 @@
 #include "present/view_options.h"
 #include "present/window/camera_pilot.h"
 #include "present/window/file_intake.h"
-#include "present/window/frame_limiter.h"
-#include "present/window/full_screen.h"
 #include "present/window/quality_control.h"
 #include "present/window/scene_switch.h"
 #include "present/window/window_input.h"
 
 namespace offing::present {
+
+/// Takes a window to the whole screen and back to its place.
+class FullScreen {
+ public:
+  void toggle(GLFWwindow* window);
+
+ private:
+  int x_ = 0, y_ = 0, width_ = 0, height_ = 0;  // of the window before
+};
+
+/// Keeps frames from coming faster than asked, where the display does not.
+class FrameLimiter {
+ public:
+  /// Sleeps until a frame may follow the one before; does not catch up on frames that were late. 0 is no
+  /// limit.
+  void wait(double frames_per_second);
+
+ private:
+  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now();
+};
 
 /// The window: keys and mouse to what they do, panels, and the sea behind them.
 class Viewer {

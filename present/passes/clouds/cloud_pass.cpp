@@ -4,9 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "present/gl/sampler.h"
-#include "present/passes/view_depth.h"
-#include "present/passes/view_ray.h"
+#include "present/passes/camera_projection.h"
 
 namespace offing::present {
 namespace {
@@ -91,6 +89,18 @@ void CloudPass::draw(const Camera& camera, const sky::Atmosphere& air, GLuint en
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // light is premultiplied
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);
+}
+
+clouds::DrawnParticles drawn_clouds(const world::World& world) {
+  const world::WorldClouds& clouds = *world.clouds();
+  const auto& [x, y, z] = world.parameters().sun_direction;
+  return {.particles = clouds.particles(),
+          .sprites = clouds.sprites(),
+          .order = clouds.order(),
+          .count = clouds.count(),
+          .origin_m = clouds.sky_origin_m(),
+          .sun_direction = {x, y, z},
+          .near_m = near_m};
 }
 
 }  // namespace offing::present

@@ -5,6 +5,7 @@
 
 #include "host/clouds/image/cloud_image.h"
 #include "host/sky/atmosphere.h"
+#include "host/world/world.h"
 #include "present/gl/gl_objects.h"
 #include "present/gl/render_target.h"
 #include "present/gl/shader_program.h"
@@ -48,5 +49,8 @@ class CloudPass {
   std::vector<float> depth_;
   TextureArray image_, distance_;
 };
+
+/// The clouds of a world as the last World::see_clouds() sorted them, for CloudPass. The world has clouds.
+clouds::DrawnParticles drawn_clouds(const world::World& world);
 
 }  // namespace offing::present

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "host/ocl/glsl_source.h"
-#include "present/gl/sampler.h"
 
 namespace offing::present {
 namespace {

@@ -7,7 +7,6 @@
 #include <glm/ext/matrix_transform.hpp>
 
 #include "host/highlights/projectors/texture_shapes.h"
-#include "present/gl/sampler.h"
 #include "present/passes/air.h"
 
 namespace offing::present {

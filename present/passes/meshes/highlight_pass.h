@@ -4,7 +4,7 @@
 
 #include "host/world/world.h"
 #include "present/gl/image_textures.h"
-#include "present/gl/shader_variants.h"
+#include "present/gl/shader_program.h"
 #include "present/passes/frame_request.h"
 #include "present/passes/meshes/mesh_geometry.h"
 #include "present/passes/meshes/mesh_lights.h"

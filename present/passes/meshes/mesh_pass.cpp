@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "present/gl/sampler.h"
 #include "present/passes/air.h"
 
 namespace offing::present {

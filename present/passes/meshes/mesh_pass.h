@@ -9,7 +9,6 @@
 #include "present/gl/multisample_target.h"
 #include "present/gl/render_target.h"
 #include "present/gl/shader_program.h"
-#include "present/gl/shader_variants.h"
 #include "present/passes/frame_request.h"
 #include "present/passes/meshes/highlight_pass.h"
 #include "present/passes/meshes/mesh_geometry.h"

@@ -6,8 +6,7 @@
 
 #include <glm/common.hpp>
 
-#include "present/passes/clip_from_eye.h"
-#include "present/passes/view_depth.h"
+#include "present/passes/camera_projection.h"
 
 namespace offing::present {
 namespace {

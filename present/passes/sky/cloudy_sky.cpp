@@ -5,8 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "present/gl/sampler.h"
-#include "present/passes/view_ray.h"
+#include "present/passes/camera_projection.h"
 
 namespace offing::present {
 namespace {

@@ -9,9 +9,7 @@
 #include <glm/ext/vector_int2.hpp>
 #include <glm/geometric.hpp>
 
-#include "host/sky/clear_sky.h"
-#include "present/gl/sampler.h"
-#include "present/passes/view_ray.h"
+#include "present/passes/camera_projection.h"
 
 namespace offing::present {
 namespace {

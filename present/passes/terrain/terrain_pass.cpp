@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "host/terrain/cast/step_colours.h"
-#include "present/passes/view_depth.h"
-#include "present/passes/view_ray.h"
+#include "present/passes/camera_projection.h"
 
 namespace offing::present {
 namespace {

@@ -3,10 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "present/gl/sampler.h"
 #include "present/passes/air.h"
-#include "present/passes/view_depth.h"
-#include "present/passes/view_ray.h"
+#include "present/passes/camera_projection.h"
 #include "present/passes/water/water_light.h"
 
 namespace offing::present {

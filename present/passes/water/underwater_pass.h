@@ -5,7 +5,6 @@
 #include "present/gl/gl_objects.h"
 #include "present/gl/render_target.h"
 #include "present/gl/shader_program.h"
-#include "present/gl/shader_variants.h"
 #include "present/passes/sky/cloudy_sky.h"
 
 namespace offing::present {

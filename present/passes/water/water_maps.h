@@ -1,14 +1,35 @@
 #pragma once
 
+#include <memory>
+
 #include <glm/vec2.hpp>
 
+#include "host/ocean/query/shoals.h"
 #include "host/world/world.h"
-#include "present/gl/map_texture.h"
+#include "present/gl/gl_objects.h"
 #include "present/gl/shader_program.h"
+#include "present/gl/texture_array.h"
 #include "present/gl/transfer.h"
-#include "present/passes/water/shoal_texture.h"
+#include "present/gl/uniform_block.h"
 
 namespace offing::present {
+
+/// OpenGL's copies of a sea's depths and of what shoals leave of its waves, which shoals.glsl reads.
+class ShoalTexture {
+ public:
+  ShoalTexture();
+
+  /// Copies them where they are others than those of the last call; none: the open sea.
+  void prepare(const std::shared_ptr<const ocean::Shoals>& shoals);
+  /// Gives them, if there are any, to a program in use that HAS_SHOALS, for an eye at this label; the texture
+  /// on this unit.
+  void bind(const ShaderProgram& program, glm::dvec2 eye_m, int unit) const;
+
+ private:
+  std::shared_ptr<const ocean::Shoals> shoals_;
+  GlTexture depths_;
+  UniformBlock shares_;
+};
 
 /// OpenGL's copies of a sea's maps, which the shaders of the water read (water.glsl, wakes.glsl,
 /// shoals.glsl).

@@ -11,7 +11,7 @@
 #include <glm/common.hpp>
 
 #include "present/passes/air.h"
-#include "present/passes/view_ray.h"
+#include "present/passes/camera_projection.h"
 #include "present/passes/water/foam_texture.h"
 #include "present/passes/water/water_light.h"
 

@@ -7,7 +7,7 @@
 #include "present/gl/gl_context.h"
 #include "present/gl/gl_objects.h"
 #include "present/gl/render_target.h"
-#include "present/gl/shader_variants.h"
+#include "present/gl/shader_program.h"
 #include "present/gl/transfer.h"
 #include "present/passes/clouds/cloud_shadows.h"
 #include "present/passes/frame_request.h"

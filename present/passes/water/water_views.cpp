@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "present/gl/sampler.h"
-#include "present/passes/clouds/drawn_clouds.h"
-#include "present/passes/scaled_camera.h"
-#include "present/passes/view_depth.h"
+#include "present/passes/camera_projection.h"
 
 namespace offing::present {
 namespace {

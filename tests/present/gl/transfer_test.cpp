@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "present/gl/map_texture.h"
+#include "present/gl/texture_array.h"
 #include "tests/present/gl_test.h"
 
 namespace offing::present {

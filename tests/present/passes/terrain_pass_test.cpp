@@ -16,8 +16,8 @@
 #include "host/scene/file/scene_file.h"
 #include "host/scene/prepare/world_scene.h"
 #include "host/terrain/cast/step_colours.h"
+#include "present/passes/camera_projection.h"
 #include "present/passes/frame.h"
-#include "present/passes/view_depth.h"
 #include "tests/present/gl_test.h"
 
 namespace offing::present {
