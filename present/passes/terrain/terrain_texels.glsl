@@ -1,4 +1,4 @@
-// The ground as OpenCL saw it (host/world/terrain_view.h), row 0 at the top.
+// The ground as OpenCL saw it (host/world/world_terrain.h), row 0 at the top.
 uniform sampler2DArray terrain_image;   // (r, g, b, coverage), kcd/m2, premultiplied
 uniform float eye_height_m, hidden_below_m, hidden_bend_perm;
 uniform sampler2DArray terrain_planes;  // distance along the unit ray, m, infinite where there is none; steps
