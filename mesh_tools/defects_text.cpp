@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/base/log.h"
 
 namespace offing::mesh_tools {

@@ -7,7 +7,7 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
-#include "host/base/vertex_places.h"
+#include "host/base/mesh_neighbours.h"
 
 namespace offing::mesh_tools {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/base/cancel_token.h"
 #include "host/base/triangle_mesh.h"
+#include "host/base/work.h"
 
 namespace offing::mesh_tools {
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "mesh_tools/mesh_defects.h"
 
 namespace offing::mesh_tools {

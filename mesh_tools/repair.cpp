@@ -19,7 +19,7 @@
 
 #include "host/base/disjoint_sets.h"
 #include "host/base/error.h"
-#include "host/base/vertex_places.h"
+#include "host/base/mesh_neighbours.h"
 #include "mesh_tools/edge_table.h"
 #include "mesh_tools/fans.h"
 #include "mesh_tools/surface.h"

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "host/base/cancel_token.h"
 #include "host/base/triangle_mesh.h"
+#include "host/base/work.h"
 
 namespace offing::mesh_tools {
 

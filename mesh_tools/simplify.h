@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <string_view>
 
-#include "host/base/cancel_token.h"
 #include "host/base/log.h"
 #include "host/base/triangle_mesh.h"
+#include "host/base/work.h"
 
 namespace offing::mesh_tools {
 

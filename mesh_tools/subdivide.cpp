@@ -16,7 +16,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "mesh_tools/manifold.h"
 
 namespace offing::mesh_tools {

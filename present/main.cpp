@@ -1,9 +1,9 @@
 #include <optional>
 
-#include "host/base/cancel_token.h"
 #include "host/base/error.h"
 #include "host/base/log.h"
 #include "host/base/process.h"
+#include "host/base/work.h"
 #include "present/output/headless.h"
 #include "present/output/reference_comparison.h"
 #include "present/view_options.h"

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 #include "host/command_line/help_format.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/parse_arguments.h"

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "host/base/cancel_token.h"
-#include "host/base/existing.h"
 #include "host/base/log.h"
+#include "host/base/work.h"
+#include "host/io/atomic_file.h"
 #include "host/scene/model/scene.h"
 #include "present/gl/transfer.h"
 #include "present/output/recorder.h"

@@ -2,7 +2,10 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
+/// Errors, and how programs report them.
 namespace offing {
 
 /// What went wrong, as far as a caller can act on it. The command line maps it to an exit code.
@@ -33,5 +36,27 @@ class Error : public std::runtime_error {
 
 /// Process exit status for an error of this kind: 1 failed, 2 usage or input, 3 no device, 130 cancelled.
 int exit_code(ErrorKind kind) noexcept;
+
+/// Several errors of one file. As an Error it is the first one; report() prints all.
+class ErrorList : public Error {
+ public:
+  /// `errors` holds at least one.
+  explicit ErrorList(std::vector<Error> errors) : Error(errors.front()), errors_(std::move(errors)) {}
+
+  const std::vector<Error>& errors() const noexcept { return errors_; }
+
+ private:
+  std::vector<Error> errors_;
+};
+
+/// Prints an error to stderr as its two lines, `error: ...` and `hint: ...`; of an ErrorList all errors.
+void report(const Error& error);
+
+/// One printable line: control characters, as hostile file names hold them, become \xNN.
+std::string one_line(std::string_view text);
+
+/// Words of a file fit for one line of an error message: control and non-ASCII bytes as \xNN, cut after 60
+/// characters.
+std::string printable(std::string_view text);
 
 }  // namespace offing

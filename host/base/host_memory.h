@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+/// Memory of this machine: what is left of it, and giving it back.
 namespace offing {
 
 /// Memory without a limit.
@@ -26,5 +27,15 @@ void require_host_memory(double bytes, const std::string& what, const std::strin
 /// What the control group of this folder (files memory.max, memory.current and memory.stat of cgroup v2) lets
 /// its processes still use; unlimited_bytes where it has no limit.
 std::uint64_t available_in_group_bytes(const std::filesystem::path& group);
+
+/// Gives memory that was freed back to the system, as far as whole pages are free. Milliseconds: for after
+/// something large is gone, not for each frame. Does nothing where the C library is not glibc.
+void give_back_freed_memory();
+
+/// Keeps arrays of a mebibyte and more out of the heap from now on, in pages of their own that go back to the
+/// system with them: for a program that makes and drops large things for hours. It pays with fresh pages for
+/// each such array, so that those of every frame are better kept. Does nothing where the C library is not
+/// glibc.
+void keep_large_arrays_apart();
 
 }  // namespace offing

@@ -7,9 +7,16 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "host/base/triangle_mesh.h"
 
+/// The neighbours of vertices, edges and faces in a mesh.
 namespace offing {
+
+/// For each vertex the first one at exactly the same place: seams of textures, and the corners of formats
+/// without indices, fall together. Positions are finite; fewer than 2^32.
+std::vector<std::uint32_t> first_at_place(std::span<const glm::dvec3> positions_m);
 
 /// Lists of indices, one a row, one behind the other.
 struct IndexLists {

@@ -1,11 +1,25 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <utility>
 
-#include "host/base/cancel_token.h"
-
+/// Long work: the token that stops it, and how far it is.
 namespace offing {
+
+/// A flag that asks long work to stop; polled between launches and frames. Safe to set from a signal handler.
+class CancelToken {
+ public:
+  void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+  bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+
+  /// Throws Error(cancelled) when cancel() was called. The hint says how to go on.
+  void throw_if_cancelled(const char* hint = "run the same command again to start over") const;
+
+ private:
+  std::atomic<bool> cancelled_{false};
+  static_assert(std::atomic<bool>::is_always_lock_free, "cancel() must be safe in a signal handler");
+};
 
 /// Long work, as those see it who wait for it: how far it is, and that it is to stop.
 class Work {

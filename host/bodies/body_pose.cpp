@@ -5,7 +5,6 @@
 #include <glm/common.hpp>
 
 #include "host/base/parameter_check.h"
-#include "host/base/world_limits.h"
 #include "kernels/shared/query_params.h"
 
 namespace offing::bodies {

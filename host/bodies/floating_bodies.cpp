@@ -10,7 +10,6 @@
 
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
-#include "host/base/world_limits.h"
 #include "host/bodies/hull.h"
 #include "host/ocl/program.h"
 

@@ -7,7 +7,6 @@
 
 #include "host/base/error.h"
 #include "host/base/mesh_neighbours.h"
-#include "host/base/vertex_places.h"
 
 namespace offing::bodies {
 namespace {

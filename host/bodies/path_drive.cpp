@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "host/base/parameter_check.h"
-#include "host/base/world_limits.h"
 #include "host/bodies/floating_bodies.h"
 #include "kernels/shared/query_params.h"
 

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/io/atomic_file.h"
 #include "host/io/file_presence.h"
 

@@ -8,9 +8,8 @@
 #include <CLI/App.hpp>
 
 #include "host/base/argument.h"
-#include "host/base/existing.h"
-#include "host/base/frame_name.h"
 #include "host/command_line/input_files.h"
+#include "host/io/atomic_file.h"
 
 namespace offing {
 

@@ -14,8 +14,7 @@
 #include <unistd.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
-#include "host/base/unfinished_file.h"
+#include "host/base/process.h"
 
 namespace offing {
 namespace {

@@ -6,9 +6,10 @@
 #include <filesystem>
 #include <string_view>
 
-#include "host/base/existing.h"
-
 namespace offing {
+
+/// What becomes of an existing file, or folder, of an output's name.
+enum class Existing { keep, replace };
 
 /// A file that appears under its final name whole or not at all, also after kill -9 or a power cut.
 ///

@@ -29,7 +29,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/io/atomic_file.h"
 
 namespace offing {

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "host/base/existing.h"
+#include "host/io/atomic_file.h"
 
 namespace offing {
 

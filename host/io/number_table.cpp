@@ -13,7 +13,7 @@
 #include <fmt/ranges.h>
 
 #include "host/base/error.h"
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 #include "host/io/byte_order_mark.h"
 
 namespace offing {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "host/base/existing.h"
 #include "host/base/rgba_image.h"
+#include "host/io/atomic_file.h"
 
 namespace offing {
 

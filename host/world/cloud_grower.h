@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "host/base/cancel_token.h"
+#include "host/base/work.h"
 #include "host/ocl/device.h"
 #include "host/world/world_clouds.h"
 

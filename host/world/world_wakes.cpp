@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 
 namespace offing::world {
 

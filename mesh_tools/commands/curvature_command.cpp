@@ -10,7 +10,6 @@
 
 #include "host/base/argument.h"
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_json.h"
 #include "host/command_line/print_summary.h"

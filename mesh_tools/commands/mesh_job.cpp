@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/command_line/print_json.h"
 #include "host/command_line/print_summary.h"
 #include "host/command_line/trust_flag.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "host/base/cancel_token.h"
 #include "host/base/log.h"
+#include "host/base/work.h"
 
 namespace offing::mesh_tools {
 

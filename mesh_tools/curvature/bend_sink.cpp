@@ -1,6 +1,6 @@
 #include "mesh_tools/curvature/bend_sink.h"
 
-#include "host/base/parallel_chunks.h"
+#include "host/base/parallel_for.h"
 
 namespace offing::mesh_tools {
 BendSink::BendSink(const UnitMesh& mesh, const SurfaceMeasures& measures, CurvatureResult& result)

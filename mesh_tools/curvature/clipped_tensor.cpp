@@ -3,7 +3,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "host/base/parallel_chunks.h"
+#include "host/base/parallel_for.h"
 #include "mesh_tools/curvature/methods.h"
 #include "mesh_tools/curvature/vertex_region.h"
 

@@ -1,6 +1,6 @@
 #include <glm/geometric.hpp>
 
-#include "host/base/parallel_chunks.h"
+#include "host/base/parallel_for.h"
 #include "mesh_tools/curvature/methods.h"
 
 namespace offing::mesh_tools {

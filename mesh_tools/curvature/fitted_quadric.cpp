@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "host/base/parallel_chunks.h"
+#include "host/base/parallel_for.h"
 #include "mesh_tools/curvature/methods.h"
 #include "mesh_tools/curvature/vertex_region.h"
 

@@ -2,7 +2,7 @@
 #include <CGAL/Monge_via_jet_fitting.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include "host/base/parallel_chunks.h"
+#include "host/base/parallel_for.h"
 #include "mesh_tools/curvature/methods.h"
 
 namespace offing::mesh_tools {

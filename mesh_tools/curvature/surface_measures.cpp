@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "host/base/parallel_chunks.h"
+#include "host/base/parallel_for.h"
 
 namespace offing::mesh_tools {
 namespace {

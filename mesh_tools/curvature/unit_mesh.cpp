@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
-#include "host/base/vertex_places.h"
+#include "host/base/mesh_neighbours.h"
 
 namespace offing::mesh_tools {
 namespace {

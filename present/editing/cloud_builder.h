@@ -9,8 +9,8 @@
 #include <utility>
 #include <variant>
 
-#include "host/base/cancel_token.h"
 #include "host/base/error.h"
+#include "host/base/work.h"
 #include "host/clouds/image/billboard_textures.h"
 #include "host/ocl/device.h"
 #include "host/scene/model/scene.h"

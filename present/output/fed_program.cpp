@@ -16,7 +16,6 @@
 #include <unistd.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 
 namespace offing::present {
 namespace {

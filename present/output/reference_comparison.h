@@ -1,6 +1,6 @@
 #pragma once
 
-#include "host/base/cancel_token.h"
+#include "host/base/work.h"
 #include "present/view_options.h"
 
 namespace offing::present {

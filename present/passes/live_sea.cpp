@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "host/base/error.h"
-#include "host/base/freed_memory.h"
+#include "host/base/host_memory.h"
 #include "host/base/log.h"
 #include "host/scene/prepare/moving_view.h"
 #include "host/scene/prepare/own_billboards.h"

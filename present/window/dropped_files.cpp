@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/io/file_extension.h"
 #include "host/io/meshes/ply_header.h"
 #include "host/io/tile_store/tile_store.h"

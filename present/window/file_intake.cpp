@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "present/editing/pointed_place.h"
 #include "present/window/dropped_files.h"
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 
 namespace offing::present {
 

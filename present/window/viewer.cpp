@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/freed_memory.h"
+#include "host/base/host_memory.h"
 #include "host/base/log.h"
 #include "host/scene/prepare/moving_view.h"
 #include "host/scene/prepare/scene_terrain.h"

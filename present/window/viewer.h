@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "host/base/cancel_token.h"
+#include "host/base/work.h"
 #include "present/editing/scene_editing.h"
 #include "present/gl/gl_context.h"
 #include "present/panels/mini_map.h"

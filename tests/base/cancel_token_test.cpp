@@ -1,4 +1,4 @@
-#include "host/base/cancel_token.h"
+#include "host/base/work.h"
 
 #include <csignal>
 

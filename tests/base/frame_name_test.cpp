@@ -1,4 +1,4 @@
-#include "host/base/frame_name.h"
+#include "host/base/argument.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "host/base/freed_memory.h"
+#include "host/base/host_memory.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/base/vertex_places.h"
 
 namespace offing {
 namespace {

@@ -13,7 +13,6 @@
 #include <unistd.h>
 
 #include "host/base/error.h"
-#include "host/base/unfinished_file.h"
 
 namespace offing {
 namespace {

@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "host/base/cancel_token.h"
 #include "host/base/error.h"
-#include "host/base/freed_memory.h"
+#include "host/base/host_memory.h"
+#include "host/base/work.h"
 #include "host/cli/ocean/bake.h"
 #include "host/cli/ocean/frame_maker.h"
 #include "tests/cli/folder_content.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/base/progress.h"
 #include "host/cli/common/direction_text.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 #include "host/io/number_table.h"
 #include "tests/fuzz/expect.h"
 #include "tests/fuzz/input_file.h"

@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/base/error_list.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/prepare/moving_view.h"
 #include "host/scene/prepare/own_billboards.h"

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/base/error_list.h"
+#include "host/base/error.h"
 #include "host/scene/file/scene_file.h"
 
 namespace offing::scene {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "host/base/cancel_token.h"
+#include "host/base/work.h"
 #include "host/io/clouds/cloud_particles.h"
 #include "host/io/vdb/vdb_volume.h"
 #include "host/ocl/device.h"

@@ -12,8 +12,7 @@
 #include <spdlog/spdlog.h>
 
 #include "host/base/argument.h"
-#include "host/base/error_report.h"
-#include "host/base/frame_name.h"
+#include "host/base/error.h"
 #include "host/base/progress.h"
 #include "host/cli/clouds/cloud_frame.h"
 #include "host/cli/common/device_choice.h"

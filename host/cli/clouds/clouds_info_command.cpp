@@ -12,7 +12,7 @@
 #include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/cli/clouds/cloud_frame.h"
 #include "host/cli/common/device_choice.h"
 #include "host/clouds/particles/cloud_model.h"

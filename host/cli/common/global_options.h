@@ -4,8 +4,8 @@
 
 #include <CLI/App.hpp>
 
-#include "host/base/cancel_token.h"
 #include "host/base/log.h"
+#include "host/base/work.h"
 
 namespace offing::cli {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "host/base/argument.h"
-#include "host/base/cancel_token.h"
 #include "host/base/progress.h"
+#include "host/base/work.h"
 #include "host/io/animations/highlight_animation.h"
 #include "host/ocl/device.h"
 #include "host/scene/model/scene.h"

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/base/argument.h"
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/highlights/highlight_recorder.h"
 #include "host/command_line/new_output.h"

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "host/base/cancel_token.h"
 #include "host/base/progress.h"
+#include "host/base/work.h"
 #include "host/cli/ocean/bake_settings.h"
 #include "host/cli/ocean/frame_files.h"
 #include "host/cli/ocean/frame_writer.h"

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/base/error.h"
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/common/parameter_options.h"
 #include "host/cli/ocean/bake.h"

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "host/base/cancel_token.h"
 #include "host/base/progress.h"
+#include "host/base/work.h"
 #include "host/ocean/spectrum/sea_statistics.h"
 #include "host/ocl/device.h"
 #include "host/scene/prepare/sea.h"

@@ -12,8 +12,8 @@
 
 #include "host/base/argument.h"
 #include "host/base/error.h"
+#include "host/base/parameter_check.h"
 #include "host/base/progress.h"
-#include "host/base/world_limits.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/common/parameter_options.h"
 #include "host/cli/ocean/query_settings.h"

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "host/base/argument.h"
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 
 namespace offing::cli {
 

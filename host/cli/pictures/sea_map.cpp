@@ -12,7 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "host/base/error.h"
-#include "host/base/parallel_rows.h"
+#include "host/base/parallel_for.h"
 
 namespace offing::cli {
 namespace {

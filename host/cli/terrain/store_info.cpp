@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/cli/terrain/terrain_place.h"
 #include "host/command_line/print_json.h"
 #include "host/io/tile_store/tile_store.h"

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/base/argument.h"
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/base/progress.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/pictures/terrain_render.h"

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "host/base/argument.h"
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/base/progress.h"
 #include "host/cli/terrain/terrain_place.h"
 #include "host/command_line/new_output.h"

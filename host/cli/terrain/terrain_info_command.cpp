@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/cli/terrain/store_info.h"
 #include "host/cli/terrain/terrain_input.h"
 #include "host/cli/terrain/terrain_place.h"

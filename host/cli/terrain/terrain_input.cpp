@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/command_line/trust_flag.h"
 #include "host/io/tile_store/tile_store.h"
 

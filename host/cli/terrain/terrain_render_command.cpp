@@ -9,7 +9,6 @@
 
 #include "host/base/argument.h"
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/pictures/terrain_render.h"
 #include "host/cli/terrain/store_field.h"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/scene/prepare/stored_terrain.h"
 #include "host/terrain/tiles/tile_posts.h"
 

@@ -13,7 +13,6 @@
 #include <xxhash.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/base/progress.h"
 #include "host/cli/terrain/terrain_input.h"
 #include "host/cli/terrain/terrain_place.h"

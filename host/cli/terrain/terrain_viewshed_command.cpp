@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "host/base/argument.h"
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/terrain/earth_curve_flags.h"
 #include "host/cli/terrain/terrain_place.h"

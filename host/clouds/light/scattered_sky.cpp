@@ -8,7 +8,6 @@
 
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
-#include "host/base/world_limits.h"
 #include "host/clouds/particles/random_draws.h"
 #include "host/clouds/shape/genera.h"
 

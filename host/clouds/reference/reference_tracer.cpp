@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
-#include "host/base/parallel_rows.h"
+#include "host/base/parallel_for.h"
 #include "host/clouds/reference/traced_paths.h"
 
 namespace offing::clouds {

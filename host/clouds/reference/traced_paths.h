@@ -12,7 +12,9 @@
 #include <glm/vec3.hpp>
 
 #include "host/base/error.h"
+#include "host/base/parallel_for.h"
 #include "host/base/parallel_rows.h"
+#include "host/clouds/reference/path_random.h"
 #include "host/clouds/reference/scattering_medium.h"
 
 namespace offing::clouds {

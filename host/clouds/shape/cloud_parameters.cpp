@@ -6,7 +6,6 @@
 
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
-#include "host/base/world_limits.h"
 #include "host/clouds/light/phase_function.h"
 #include "kernels/shared/cloud_field.h"
 

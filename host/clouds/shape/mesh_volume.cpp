@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 
 #include "host/base/error.h"
-#include "host/base/parallel_rows.h"
+#include "host/base/parallel_for.h"
 #include "host/base/parameter_check.h"
 #include "host/clouds/shape/ball_bins.h"
 #include "host/clouds/shape/mesh_inside.h"

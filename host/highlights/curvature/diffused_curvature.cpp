@@ -9,7 +9,6 @@
 
 #include "host/base/error.h"
 #include "host/base/mesh_neighbours.h"
-#include "host/base/vertex_places.h"
 #include "host/ocl/program.h"
 
 namespace offing::highlights {

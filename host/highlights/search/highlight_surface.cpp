@@ -13,6 +13,7 @@
 #include "host/base/disjoint_sets.h"
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
+#include "host/base/tangent_plane.h"
 #include "host/base/unit_vector.h"
 #include "host/base/vertex_places.h"
 #include "kernels/shared/highlights.h"

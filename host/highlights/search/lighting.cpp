@@ -8,7 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "host/base/error.h"
-#include "host/base/unit_vector.h"
+#include "host/base/tangent_plane.h"
 #include "host/highlights/search/tangent_axes.h"
 
 namespace offing::highlights {

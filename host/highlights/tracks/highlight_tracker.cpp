@@ -12,7 +12,6 @@
 
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
-#include "host/base/world_limits.h"
 #include "host/highlights/tracks/nearest_place.h"
 #include "host/highlights/tracks/track_step.h"
 

@@ -9,8 +9,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "host/base/existing.h"
 #include "host/base/rgba_image.h"
+#include "host/io/atomic_file.h"
 
 namespace offing::animations {
 

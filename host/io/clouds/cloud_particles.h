@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "host/base/existing.h"
+#include "host/io/atomic_file.h"
 #include "kernels/shared/clouds.h"
 
 namespace offing {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "host/base/existing.h"
 #include "host/base/height_map.h"
+#include "host/io/atomic_file.h"
 
 namespace offing {
 

@@ -9,7 +9,7 @@
 #include <cpl_conv.h>
 #include <ogr_spatialref.h>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 
 namespace offing::height_maps {
 

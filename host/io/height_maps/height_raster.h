@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "host/base/existing.h"
+#include "host/io/atomic_file.h"
 
 namespace offing {
 

@@ -15,7 +15,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/io/hdf5_mark.h"
 #include "host/io/height_maps/ascii_grid_check.h"
 

@@ -10,7 +10,6 @@
 #include <spdlog/spdlog.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/io/height_maps/exr_heights.h"
 #include "host/io/height_maps/gdal_heights.h"
 #include "host/io/height_maps/ground_spacing.h"

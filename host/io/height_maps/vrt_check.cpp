@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/io/height_maps/raster_file.h"
 #include "host/io/whole_file.h"
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/io/file_extension.h"
 #include "host/io/meshes/data_uri.h"
 #include "host/io/meshes/text_lines.h"

@@ -17,7 +17,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <nlohmann/json.hpp>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/io/meshes/gltf_document.h"
 #include "host/io/meshes/polygon_soup.h"
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/io/meshes/polygon_soup.h"
 #include "host/io/meshes/text_lines.h"
 

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 
 namespace offing::meshes {
 namespace {

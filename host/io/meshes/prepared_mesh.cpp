@@ -13,7 +13,6 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/io/meshes/mesh_bytes.h"
 #include "host/io/meshes/ply_mesh.h"
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/base/log.h"
 #include "host/io/file_extension.h"
 #include "host/io/meshes/gltf_document.h"

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 #include <glm/vec3.hpp>
 
-#include "host/base/error_report.h"
-#include "host/base/vertex_places.h"
+#include "host/base/error.h"
+#include "host/base/mesh_neighbours.h"
 #include "host/io/byte_order_mark.h"
 #include "host/io/meshes/polygon_soup.h"
 #include "host/io/meshes/text_lines.h"

@@ -10,7 +10,6 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/io/atomic_file.h"
 #include "host/io/file_extension.h"
 #include "host/io/meshes/obj_writer.h"

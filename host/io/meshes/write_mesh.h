@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "host/base/existing.h"
 #include "host/base/triangle_mesh.h"
+#include "host/io/atomic_file.h"
 
 namespace offing {
 

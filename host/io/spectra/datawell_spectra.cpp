@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/base/utc_time.h"
 #include "host/io/spectra/bearings.h"
 #include "host/io/spectra/spectrum_builder.h"

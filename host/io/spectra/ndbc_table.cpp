@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/io/spectra/spectrum_builder.h"
 #include "host/io/spectra/text_cursor.h"
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/base/log.h"
 #include "host/io/spectra/bearings.h"
 #include "host/io/spectra/netcdf_file.h"

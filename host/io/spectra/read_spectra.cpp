@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/base/log.h"
 #include "host/io/hdf5_mark.h"
 #include "host/io/spectra/datawell_spectra.h"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "host/base/error_report.h"
+#include "host/base/error.h"
 #include "host/io/spectra/bearings.h"
 #include "host/io/spectra/swan_energy.h"
 

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/base/utc_time.h"
 #include "host/io/spectra/bearings.h"
 #include "host/io/spectra/swan_header.h"

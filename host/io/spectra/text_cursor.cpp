@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 
 namespace offing::spectra {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "host/base/existing.h"
 #include "host/base/wave_spectrum.h"
+#include "host/io/atomic_file.h"
 
 namespace offing {
 

@@ -14,7 +14,6 @@
 #include <glm/vec2.hpp>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 
 namespace offing {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "host/base/height_tile.h"
+#include "host/base/height_map.h"
 
 namespace offing::tile_store {
 

@@ -15,7 +15,6 @@
 #include <toml++/toml.h>
 
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/io/atomic_file.h"
 #include "host/io/tile_store/tile_file.h"
 #include "host/io/toml_depth.h"

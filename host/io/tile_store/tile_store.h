@@ -5,9 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "host/base/existing.h"
 #include "host/base/height_map.h"
-#include "host/base/height_tile.h"
+#include "host/io/atomic_file.h"
 #include "host/io/file_trust.h"
 
 namespace offing {

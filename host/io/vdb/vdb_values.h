@@ -10,7 +10,6 @@
 
 #include "host/base/cloud_volume.h"
 #include "host/base/error.h"
-#include "host/base/error_report.h"
 #include "host/io/vdb/vdb_volume.h"
 
 namespace offing::vdb {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/base/cloud_volume.h"
-#include "host/base/existing.h"
+#include "host/io/atomic_file.h"
 
 namespace offing {
 

@@ -12,7 +12,7 @@
 #define XXH_INLINE_ALL  // the header is the library
 #include <xxhash.h>
 
-#include "host/base/parallel_chunks.h"
+#include "host/base/parallel_for.h"
 #include "host/io/atomic_file.h"
 #include "host/io/vdb/vdb_check.h"
 #include "host/io/vdb/vdb_values.h"

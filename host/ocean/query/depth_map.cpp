@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 #include "host/ocean/ocean_limits.h"
 #include "kernels/shared/shoal_params.h"
 

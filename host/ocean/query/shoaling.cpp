@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 #include "host/ocean/ocean_limits.h"
 
 namespace offing::ocean {

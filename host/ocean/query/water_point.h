@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 #include "kernels/shared/query_params.h"
 
 namespace offing::ocean {

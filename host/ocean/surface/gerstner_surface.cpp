@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 #include "host/ocean/ocean_limits.h"
 #include "host/ocean/surface/wave_clock.h"
 #include "host/ocl/program.h"

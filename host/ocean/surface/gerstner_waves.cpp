@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 #include "host/ocean/ocean_limits.h"
 #include "kernels/shared/gerstner_params.h"
 

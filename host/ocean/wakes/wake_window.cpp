@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/parameter_check.h"
 #include "host/base/time_estimate.h"
-#include "host/base/world_limits.h"
 #include "host/ocean/ocean_limits.h"
 #include "host/ocl/program.h"
 

@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "host/base/error.h"
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"
 

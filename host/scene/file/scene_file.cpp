@@ -13,8 +13,6 @@
 #include <toml++/toml.h>
 
 #include "host/base/error.h"
-#include "host/base/error_list.h"
-#include "host/base/error_report.h"
 #include "host/io/file_trust.h"
 #include "host/io/toml_depth.h"
 #include "host/scene/file/nearest_name.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "host/base/existing.h"
+#include "host/io/atomic_file.h"
 #include "host/scene/model/scene.h"
 
 namespace offing::scene {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "host/base/parameter_check.h"
-#include "host/base/world_limits.h"
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"
 #include "host/sky/sun_position.h"

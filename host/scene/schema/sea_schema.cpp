@@ -1,6 +1,6 @@
 #include "host/scene/schema/sea_schema.h"
 
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 #include "host/scene/schema/parameter_storage.h"
 
 namespace offing::scene {

@@ -2,7 +2,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "host/base/world_limits.h"
+#include "host/base/parameter_check.h"
 #include "host/scene/schema/parameter_storage.h"
 
 namespace offing::scene {

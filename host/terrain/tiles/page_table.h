@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "host/base/height_tile.h"
+#include "host/base/height_map.h"
 
 namespace offing::terrain {
 

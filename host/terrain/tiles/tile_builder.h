@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "host/base/height_tile.h"
+#include "host/base/height_map.h"
 
 namespace offing::terrain {
 

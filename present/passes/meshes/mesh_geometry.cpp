@@ -12,7 +12,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "host/base/unit_vector.h"
+#include "host/base/tangent_plane.h"
 
 namespace offing::present {
 namespace {

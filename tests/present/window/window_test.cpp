@@ -12,7 +12,7 @@
 // What ImGui keeps of windows and items, to find them as a user does with his eyes.
 #include <imgui_internal.h>
 
-#include "host/base/freed_memory.h"
+#include "host/base/host_memory.h"
 #include "host/scene/file/scene_writer.h"
 
 namespace offing::test {

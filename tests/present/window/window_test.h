@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host/base/cancel_token.h"
+#include "host/base/work.h"
 #include "host/scene/schema/parameter.h"
 #include "present/window/viewer.h"
 #include "tests/io/temporary_folder.h"

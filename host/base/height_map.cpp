@@ -1,4 +1,4 @@
-#include "host/base/height_tile.h"
+#include "host/base/height_map.h"
 
 namespace offing {
 
