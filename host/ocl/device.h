@@ -55,6 +55,10 @@ std::vector<DeviceInfo> list_devices();
 /// meant fits.
 DeviceInfo select_device(std::string_view selector = {});
 
+/// The one of `devices` (not empty) that `selector` means, by the rules of select_device() but without the
+/// environment. Throws Error(no_device) that names the selector and lists the candidates.
+const DeviceInfo& choose_device(const std::vector<DeviceInfo>& devices, std::string_view selector);
+
 enum class Profiling { off, on };
 
 namespace detail {

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <memory>
 
+#include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
-#include "host/ocl/float_span.h"
 
 namespace offing::ocl {
 

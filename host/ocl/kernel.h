@@ -48,7 +48,8 @@ class Kernel {
  private:
   friend class Program;
   struct State;
-  explicit Kernel(std::shared_ptr<State> state) : state_(std::move(state)) {}
+  /// Owns `kernel`, which is a kernel of this name on this device.
+  Kernel(std::shared_ptr<detail::DeviceState> device, cl_kernel kernel, std::string name);
 
   template <class T>
   void set_argument(int index, const Buffer<T>& buffer) const {

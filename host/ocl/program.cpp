@@ -8,7 +8,6 @@
 #include "host/base/error.h"
 #include "host/base/log.h"
 #include "host/ocl/device_state.h"
-#include "host/ocl/kernel_state.h"
 #include "host/ocl/opencl.h"
 #include "host/ocl/program_cache.h"
 #include "host/ocl/program_source.h"
@@ -164,14 +163,14 @@ Program Program::build(const Device& device, std::string_view source_name, const
 Kernel Program::kernel(std::string_view name) const {
   const std::string kernel_name(name);
   int status = CL_SUCCESS;
-  Handle<cl_kernel> kernel(clCreateKernel(state_->program.get(), kernel_name.c_str(), &status));
+  cl_kernel kernel = clCreateKernel(state_->program.get(), kernel_name.c_str(), &status);
   if (status == CL_INVALID_KERNEL_NAME) {
     throw Error(ErrorKind::build_failed, fmt::format("kernels/{} has no kernel \"{}\"", state_->name, name),
                 "correct the name, or the folder in OFFING_KERNEL_PATH");
   }
   check(status, "clCreateKernel",
         fmt::format("kernel {} of kernels/{} on {}", name, state_->name, state_->device->info.name));
-  return Kernel(std::make_shared<Kernel::State>(state_->device, std::move(kernel), kernel_name));
+  return Kernel(state_->device, kernel, kernel_name);
 }
 
 }  // namespace offing::ocl

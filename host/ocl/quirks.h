@@ -5,7 +5,7 @@
 #include <string>
 
 #include "host/ocl/device.h"
-#include "host/ocl/folder_lock.h"
+#include "host/ocl/program_cache.h"
 
 /// What drivers get wrong: one function a bug, each with the versions that show it. No other file tests for a
 /// vendor.

@@ -6,8 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
-#include "host/ocl/float_span.h"
 #include "present/gl/gl_context.h"
 #include "present/gl/texture_array.h"
 

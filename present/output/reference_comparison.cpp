@@ -22,7 +22,7 @@
 #include "host/command_line/print_json.h"
 #include "host/io/exr_image.h"
 #include "host/io/png_image.h"
-#include "host/ocl/device_selection.h"
+#include "host/ocl/device.h"
 #include "host/scene/prepare/own_billboards.h"
 #include "host/scene/prepare/world_scene.h"
 #include "present/passes/sky/light_meter.h"

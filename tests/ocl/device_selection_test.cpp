@@ -1,4 +1,4 @@
-#include "host/ocl/device_selection.h"
+#include "host/ocl/device.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

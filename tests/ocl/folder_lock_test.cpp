@@ -1,5 +1,5 @@
 // One process at a time has a folder, and none for ever.
-#include "host/ocl/folder_lock.h"
+#include "host/ocl/program_cache.h"
 
 #include <future>
 #include <memory>
