@@ -227,8 +227,8 @@ std::vector<ocl::KernelShape> possible_families(const ocl::DeviceInfo& device, c
   const bool can_workgroup = static_cast<std::size_t>(threads) <= device.max_work_group_size;
   const ocl::KernelShape wanted = ocl::tuning_for(device, "fft").shape;
   std::vector<ocl::KernelShape> families;
-  if (can_simd) families.push_back(ocl::KernelShape::strip);
-  if (can_workgroup) families.push_back(ocl::KernelShape::group);
+  if (can_simd) families.push_back(ocl::KernelShape::simd);
+  if (can_workgroup) families.push_back(ocl::KernelShape::workgroup);
   if (families.empty()) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("transform size {}: needs work-groups of {}, {} allows {}", request.size, threads,
@@ -241,7 +241,7 @@ std::vector<ocl::KernelShape> possible_families(const ocl::DeviceInfo& device, c
 }
 
 FftPlan::FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request, ocl::KernelShape family) {
-  if (family == ocl::KernelShape::strip) {
+  if (family == ocl::KernelShape::simd) {
     const bool has_room = simd_scratch_bytes(request, simd_lanes) <= device.local_memory_bytes;
     columns_ = simd_columns(request, has_room ? simd_lanes : narrow_lanes);
     rows_ = simd_rows(request);

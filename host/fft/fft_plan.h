@@ -30,12 +30,12 @@ struct PlanRequest {
 };
 
 /// The families of kernels that can do this transform on this device, the one that the tuning table names
-/// first: strip, a strip of lanes a work-item, for CPUs; group, a work-group a row or strip of columns, for
-/// GPUs. Strips need sizes from 64 on and __local memory for a column. Where OFFING_SHAPE chooses a family,
-/// the other one is there only if that one cannot do it.
+/// first: simd, a strip of lanes a work-item, for CPUs; workgroup, a work-group a row or strip of columns,
+/// for GPUs. The first needs sizes from 64 on and __local memory for a column. Where OFFING_SHAPE chooses a
+/// family, the other one is there only if that one cannot do it.
 ///
 /// Throws Error(bad_input) if the size is not a power of two in [16, 4096], or the device has neither memory
-/// for strips nor work-groups of n / 8 work-items: 4096 needs 512, which a few GPUs do not allow.
+/// for the first nor work-groups of n / 8 work-items: 4096 needs 512, which a few GPUs do not allow.
 std::vector<ocl::KernelShape> possible_families(const ocl::DeviceInfo& device, const PlanRequest& request);
 
 /// The two passes of an n x n transform.

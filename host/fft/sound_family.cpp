@@ -18,7 +18,7 @@ namespace {
 constexpr double largest_error = 1e-4;
 
 std::string_view name_of(ocl::KernelShape family) {
-  return family == ocl::KernelShape::strip ? "strip" : "group";
+  return family == ocl::KernelShape::simd ? "simd" : "workgroup";
 }
 
 // A sea has several transforms, and is made anew while it is edited.

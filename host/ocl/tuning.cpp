@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdlib>
+#include <mutex>
 
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/log.h"
 
 namespace offing::ocl {
 namespace {
@@ -24,14 +26,14 @@ struct TuningRow {
 
 // Measured on PoCL 3.1 with AVX-512: explicit float16 code reaches 390 GFLOP/s, float8 204, work-items that
 // PoCL vectorises itself half or less.
-constexpr KernelTuning strip{KernelShape::strip};
-constexpr KernelTuning group{KernelShape::group};
+constexpr KernelTuning simd{KernelShape::simd};
+constexpr KernelTuning workgroup{KernelShape::workgroup};
 constexpr std::array rows{
-    TuningRow{"fft", DeviceClass::vector_cpu, strip},
-    TuningRow{"gerstner", DeviceClass::vector_cpu, strip},
-    TuningRow{"terrain", DeviceClass::vector_cpu, strip},
-    TuningRow{"highlights", DeviceClass::vector_cpu, strip},
-    TuningRow{"clouds", DeviceClass::vector_cpu, strip},
+    TuningRow{"fft", DeviceClass::vector_cpu, simd},
+    TuningRow{"gerstner", DeviceClass::vector_cpu, simd},
+    TuningRow{"terrain", DeviceClass::vector_cpu, simd},
+    TuningRow{"highlights", DeviceClass::vector_cpu, simd},
+    TuningRow{"clouds", DeviceClass::vector_cpu, simd},
 };
 
 DeviceClass class_of(const DeviceInfo& device) {
@@ -45,12 +47,29 @@ std::string_view forced_shape() {
   return shape == nullptr ? "" : shape;
 }
 
+struct EarlierValue {
+  std::string_view earlier, value;
+};
+constexpr std::array earlier_values{EarlierValue{"strip", "simd"}, EarlierValue{"group", "workgroup"}};
+
+// The value for one of its earlier names, with a warning at the first use.
+std::string_view current_value(std::string_view shape) {
+  static std::once_flag warned;
+  for (const auto& [earlier, value] : earlier_values) {
+    if (shape != earlier) continue;
+    std::call_once(warned, [&] { spdlog::warn("OFFING_SHAPE={} is now OFFING_SHAPE={}", earlier, value); });
+    return value;
+  }
+  return shape;
+}
+
 KernelTuning with_override(KernelTuning tuning) {
-  const std::string_view shape = forced_shape();
+  const std::string_view shape = current_value(forced_shape());
   if (shape.empty()) return tuning;
-  if (shape == "strip") return strip;
-  if (shape == "group") return group;
-  throw Error(ErrorKind::bad_usage, fmt::format("OFFING_SHAPE: expected strip or group, got \"{}\"", shape),
+  if (shape == "simd") return simd;
+  if (shape == "workgroup") return workgroup;
+  throw Error(ErrorKind::bad_usage,
+              fmt::format("OFFING_SHAPE: expected simd or workgroup, got \"{}\"", shape),
               "unset OFFING_SHAPE to let the device decide");
 }
 
@@ -61,7 +80,7 @@ KernelTuning tuning_for(const DeviceInfo& device, std::string_view family) {
   for (const TuningRow& row : rows) {
     if (row.family == family && row.device_class == device_class) return with_override(row.tuning);
   }
-  return with_override(group);  // the default row: right everywhere, if not fast
+  return with_override(workgroup);  // the default row: right everywhere, if not fast
 }
 
 bool shape_is_forced() {

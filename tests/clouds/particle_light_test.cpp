@@ -215,7 +215,7 @@ TEST(ParticleLightTest, ShapesAgree) {
   light.suns.push_back({{0.0, 0.6, 0.8}, glm::dvec3(100.0, 80.0, 60.0)});
   light.sky_kcdpm2 = glm::dvec3(2.0, 3.0, 5.0);
   std::vector<std::vector<CloudSprite>> found;
-  for (const char* shape : {"strip", "group"}) {
+  for (const char* shape : {"simd", "workgroup"}) {
     const offing::test::ScopedEnvironment scope("OFFING_SHAPE", shape);
     const ocl::Device device = ocl::Device::open();
     const ocl::Buffer<CloudParticle> buffer(device, particles, "particles");

@@ -102,7 +102,7 @@ TEST_P(RadixSortTest, OrdersParticlesByDistance) {
   order.far_to_near(buffer, 0, eye);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, RadixSortTest, testing::Values("strip", "group"));
+INSTANTIATE_TEST_SUITE_P(Shapes, RadixSortTest, testing::Values("simd", "workgroup"));
 
 }  // namespace
 }  // namespace offing::clouds

@@ -220,8 +220,8 @@ TEST_P(Fft2dTest, KeepsEnergyAndInverts) {
 
 std::vector<Case> cases_up_to(int largest_simd, int largest_group) {
   std::vector<Case> cases;
-  for (int size = 16; size <= largest_simd; size *= 2) cases.push_back({"strip", size});
-  for (int size = 16; size <= largest_group; size *= 2) cases.push_back({"group", size});
+  for (int size = 16; size <= largest_simd; size *= 2) cases.push_back({"simd", size});
+  for (int size = 16; size <= largest_group; size *= 2) cases.push_back({"workgroup", size});
   return cases;
 }
 // All sizes and both shapes against a double reference; a CPU runs the GPU shape a work-item at a time, so

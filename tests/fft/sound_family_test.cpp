@@ -52,7 +52,7 @@ class SoundFamilyTest : public testing::Test {
 TEST_F(SoundFamilyTest, TakesTheOtherFamilyWhereOneIsWrong) {
   kernels_.change("fft/rows.clh", "transpose_lanes(im);", "");
   EXPECT_LT(error_of_a_wave(64), 1e-5);
-  EXPECT_NE(log_.text().find("computes strip transforms of size 64 wrong: using group transforms"),
+  EXPECT_NE(log_.text().find("computes simd transforms of size 64 wrong: using workgroup transforms"),
             std::string::npos)
       << log_.text();
   EXPECT_EQ(log_.lines(), 1u);
@@ -61,7 +61,7 @@ TEST_F(SoundFamilyTest, TakesTheOtherFamilyWhereOneIsWrong) {
 // Fails if wrong values are given out where both families are wrong.
 TEST_F(SoundFamilyTest, RefusesADeviceThatGetsBothWrong) {
   kernels_.change("fft/butterflies.clh", "re[1] = difference_re + turned_re;", "re[1] = difference_re;");
-  const std::string hint = test::expect_error(ErrorKind::device, "strip and group transforms of size 64",
+  const std::string hint = test::expect_error(ErrorKind::device, "simd and workgroup transforms of size 64",
                                               [&] { error_of_a_wave(64); });
   EXPECT_NE(hint.find("--device"), std::string::npos);
 }
@@ -69,8 +69,8 @@ TEST_F(SoundFamilyTest, RefusesADeviceThatGetsBothWrong) {
 // Fails if a family that OFFING_SHAPE asks for is replaced without a word: tests would test the other one.
 TEST_F(SoundFamilyTest, KeepsToTheShapeThatIsAskedFor) {
   kernels_.change("fft/rows.clh", "transpose_lanes(im);", "");
-  const test::ScopedEnvironment shape("OFFING_SHAPE", "strip");
-  test::expect_error(ErrorKind::device, ": strip transforms of size 64", [&] { error_of_a_wave(64); });
+  const test::ScopedEnvironment shape("OFFING_SHAPE", "simd");
+  test::expect_error(ErrorKind::device, ": simd transforms of size 64", [&] { error_of_a_wave(64); });
 }
 
 // Fails if a fault shows only in some values and passes: the twiddle of one work-item is off by 1 %.

@@ -72,7 +72,7 @@ class CrossDeviceTest : public testing::Test {
     EXPECT_EQ(text_of("log"), "") << shape << " " << size;
   }
 
-  static constexpr const char* default_device = "OFFING_SHAPE=strip OFFING_DEVICE=portable";
+  static constexpr const char* default_device = "OFFING_SHAPE=simd OFFING_DEVICE=portable";
   TemporaryFolder folder_;
 };
 
@@ -82,7 +82,8 @@ TEST_F(CrossDeviceTest, AllDevicesGiveTheSameSea) {
     if (!device.is_installed()) continue;
     for (const int size : {16, 32}) {
       SCOPED_TRACE(device.name);
-      expect_same_sea(dump(device.prefix() + "OFFING_SHAPE=group", size), dump(default_device, size), size);
+      expect_same_sea(dump(device.prefix() + "OFFING_SHAPE=workgroup", size), dump(default_device, size),
+                      size);
     }
   }
   if (const std::string missing = test::missing_devices(); !missing.empty()) GTEST_SKIP() << missing;
@@ -100,21 +101,21 @@ TEST_F(CrossDeviceTest, IntelKeepsTheBoundOfPocl) {
 // those of a real device.
 TEST_F(CrossDeviceTest, OclgrindReportsNothing) {
   for (const auto& [shape, size] :
-       {std::pair{"group", 16}, {"group", 32}, {"group", 64}, {"strip", 32}, {"strip", 64}}) {
+       {std::pair{"workgroup", 16}, {"workgroup", 32}, {"workgroup", 64}, {"simd", 32}, {"simd", 64}}) {
     expect_clean(shape, size);
   }
 }
 
-// The same for the rows of 256 and more, for which the strip shape has code of its own: minutes.
+// The same for the rows of 256 and more, for which the simd shape has code of its own: minutes.
 TEST_F(CrossDeviceTest, OclgrindReportsNothingOfLongRows) {
-  expect_clean("strip", 256);
+  expect_clean("simd", 256);
 }
 
 // Fails if the test above could not find a race: without its barriers the exchange through local memory has
 // some.
 TEST_F(CrossDeviceTest, OclgrindWouldReportARace) {
   if (!has("command -v oclgrind")) GTEST_SKIP() << "oclgrind is not installed";
-  std::ifstream original(std::string(OFFING_KERNELS) + "/fft/group_stages.clh");
+  std::ifstream original(std::string(OFFING_KERNELS) + "/fft/workgroup_stages.clh");
   std::string source{std::istreambuf_iterator<char>(original), {}};
   const std::string barrier = "barrier(CLK_LOCAL_MEM_FENCE);";
   ASSERT_NE(source.find(barrier), std::string::npos);
@@ -123,7 +124,7 @@ TEST_F(CrossDeviceTest, OclgrindWouldReportARace) {
   std::filesystem::create_directories(folder_.path() / "kernels" / "fft");
   std::ofstream(path("kernels/fft/workgroup_stages.clh")) << source;
   run(dump_command("OFFING_KERNEL_PATH=" + path("kernels") +
-                       " OFFING_SHAPE=group oclgrind --data-races --log " + path("log"),
+                       " OFFING_SHAPE=workgroup oclgrind --data-races --log " + path("log"),
                    16, "dump") +
       " > /dev/null 2>&1");
   EXPECT_NE(text_of("log").find("data race"), std::string::npos);

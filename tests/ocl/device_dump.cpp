@@ -43,7 +43,7 @@ std::vector<float> DeviceDump::values_under_oclgrind(const std::string& shape) c
 
 void DeviceDump::compare_devices(const Compare& compare) const {
   const std::vector<float> expected = values(default_device);
-  compare(values("OFFING_SHAPE=group OFFING_DEVICE=portable"), expected);
+  compare(values("OFFING_SHAPE=workgroup OFFING_DEVICE=portable"), expected);
   for (const OtherDevice& device : other_devices()) {
     if (!device.is_installed()) continue;
     for (const std::string& shape : device.shapes) {
@@ -57,7 +57,7 @@ void DeviceDump::compare_devices(const Compare& compare) const {
 void DeviceDump::compare_under_oclgrind(const Compare& compare) const {
   if (!has_oclgrind()) GTEST_SKIP() << "oclgrind is not installed";
   const std::vector<float> expected = values(default_device);
-  for (const std::string shape : {"group", "strip"}) compare(values_under_oclgrind(shape), expected);
+  for (const std::string shape : {"workgroup", "simd"}) compare(values_under_oclgrind(shape), expected);
 }
 
 bool DeviceDump::has_oclgrind() {

@@ -15,15 +15,15 @@ namespace offing::test {
 class DeviceDump {
  public:
   /// PoCL with the kernels shaped for a CPU.
-  static constexpr const char* default_device = "OFFING_SHAPE=strip OFFING_DEVICE=portable";
+  static constexpr const char* default_device = "OFFING_SHAPE=simd OFFING_DEVICE=portable";
 
   explicit DeviceDump(std::string program) : program_(std::move(program)) {}
 
   /// What the program writes with this before its command: variables, or a program that runs it. A failure of
   /// the test if it does not end well.
   std::vector<float> values(const std::string& prefix) const;
-  /// The same under Oclgrind, which watches memory and data races, with the kernels in one shape ("strip",
-  /// "group"). A failure of the test if that has anything to say.
+  /// The same under Oclgrind, which watches memory and data races, with the kernels in one shape ("simd",
+  /// "workgroup"). A failure of the test if that has anything to say.
   std::vector<float> values_under_oclgrind(const std::string& shape) const;
 
   /// Checks what was found elsewhere beside what the default device wrote.

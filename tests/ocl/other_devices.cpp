@@ -14,7 +14,7 @@ OtherDevice rusticl() {
   const bool is_there = std::filesystem::exists("/etc/OpenCL/vendors/rusticl.icd");
   return {.name = "rusticl",
           .environment = {{"RUSTICL_ENABLE", "llvmpipe"}, {"OFFING_DEVICE", "rusticl"}},
-          .shapes = {"group"},
+          .shapes = {"workgroup"},
           .missing = is_there
                          ? ""
                          : "rusticl is not installed (Debian: mesa-opencl-icd libclc-15 libllvmspirvlib15)."};
@@ -28,7 +28,7 @@ OtherDevice intel() {
           .environment = {{"OCL_ICD_VENDORS", library},
                           {"LD_PRELOAD", folder + "/libtbb.so.12"},
                           {"OFFING_DEVICE", "Intel"}},
-          .shapes = {"strip", "group"},
+          .shapes = {"simd", "workgroup"},
           .missing = std::filesystem::exists(library)
                          ? ""
                          : library +

@@ -80,7 +80,7 @@ TEST(ViewshedTest, BoundsDecideAsWalksDo) {
       // On a plane, eyes and targets on it: rounding decides.
       if (map.name == "ramp" && parameters.observer_height_m == 0.0) continue;
       const std::vector<std::uint8_t> by_bounds = seen_from(map, parameters);
-      const test::ScopedEnvironment shape("OFFING_SHAPE", "group");
+      const test::ScopedEnvironment shape("OFFING_SHAPE", "workgroup");
       EXPECT_EQ(by_bounds, seen_from(map, parameters)) << map.name << ' ' << parameters.observer_x_m;
     }
   }

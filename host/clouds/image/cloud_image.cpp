@@ -19,7 +19,7 @@ constexpr std::size_t first_list_entries = 1 << 16;
 constexpr std::size_t most_list_entries = std::size_t{1} << 28;
 
 int lanes_of(const ocl::Device& device) {
-  return ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip ? CLOUD_TILE_PX : 1;
+  return ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::simd ? CLOUD_TILE_PX : 1;
 }
 
 int tiles_along(int pixels) {

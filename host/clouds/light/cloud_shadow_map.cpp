@@ -14,7 +14,7 @@ namespace offing::clouds {
 namespace {
 
 constexpr int texels = CLOUD_SHADOW_SIZE * CLOUD_SHADOW_SIZE;
-// Work of an item of the strip shape: enough that its launch counts little.
+// Work of an item of the simd shape: enough that its launch counts little.
 constexpr int simd_particles = 256, strip_texels = 8192, strip_places = 64;
 
 std::size_t items(std::size_t work, int per_item) {
@@ -26,7 +26,7 @@ std::size_t items(std::size_t work, int per_item) {
 
 CloudShadowMap::CloudShadowMap(const ocl::Device& device)
     : device_(device),
-      is_simd_(ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip),
+      is_simd_(ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::simd),
       crowd_kernel_(ocl::Program::build(device, "clouds/shadow_crowd.cl").kernel("shadow_crowd")),
       splat_kernel_(ocl::Program::build(device, "clouds/shadow_splat.cl").kernel("shadow_splat")),
       resolve_kernel_(ocl::Program::build(device, "clouds/shadow_resolve.cl").kernel("shadow_resolve")),

@@ -82,7 +82,7 @@ CloudLightParams packed(const CloudIllumination& light, int suns) {
 
 ParticleLight::ParticleLight(const ocl::Device& device)
     : device_(device),
-      is_simd_(ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip),
+      is_simd_(ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::simd),
       bounds_kernel_(built(device, "clouds/light_bounds.cl", "light_bounds", is_simd_)),
       density_kernel_(built(device, "clouds/light_density.cl", "light_density", is_simd_)),
       entry_kernel_(built(device, "clouds/light_entry.cl", "light_entry", is_simd_)),

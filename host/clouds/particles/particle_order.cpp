@@ -9,14 +9,14 @@
 namespace offing::clouds {
 namespace {
 
-// Enough work for an item of the strip shape that its launch counts little.
+// Enough work for an item of the simd shape that its launch counts little.
 constexpr int simd_particles = 2048;
 
 }  // namespace
 
 ParticleOrder::ParticleOrder(const ocl::Device& device)
     : particles_per_item_(
-          ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip ? simd_particles : 1),
+          ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::simd ? simd_particles : 1),
       key_kernel_(ocl::Program::build(device, "clouds/order_key.cl").kernel("order_key")),
       sort_(device) {}
 

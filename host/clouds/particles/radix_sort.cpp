@@ -22,7 +22,7 @@ struct Shape {
 constexpr Shape simd_shape{11, 1, 1, 8192}, workgroup_shape{4, 64, 256, 16};
 
 bool is_simd(const ocl::Device& device) {
-  return ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip;
+  return ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::simd;
 }
 
 ocl::Kernel built(const ocl::Device& device, const char* source, const char* kernel) {

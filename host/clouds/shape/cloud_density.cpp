@@ -37,7 +37,7 @@ struct DensityKernel {
   std::size_t lanes;
 
   DensityKernel(const ocl::Device& device, ocl::Defines defines) {
-    const bool is_simd = ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::strip;
+    const bool is_simd = ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::simd;
     lanes = is_simd ? 1 : rows_of_brick;
     defines.set("ROWS", static_cast<long long>(rows_of_brick / lanes));
     kernel = ocl::Program::build(device, "clouds/cloud_density.cl", defines).kernel("cloud_density");

@@ -84,7 +84,7 @@ glm::dvec3 place_on(const HighlightSurface& surface, std::uint32_t face, const g
 
 HighlightFinder::HighlightFinder(const ocl::Device& device)
     : device_(device),
-      lanes_(ocl::tuning_for(device.info(), "highlights").shape == ocl::KernelShape::strip ? simd_lanes : 1),
+      lanes_(ocl::tuning_for(device.info(), "highlights").shape == ocl::KernelShape::simd ? simd_lanes : 1),
       field_kernel_(
           ocl::Program::build(device, "highlights/highlight_field.cl", ocl::Defines().set("LANES", lanes_))
               .kernel("highlight_field")),

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double tile_m = SURFACE_QUERY_TILE_M;
-// A work-item of the strip shape takes vectors of this many points, so many of them.
+// A work-item of the simd shape takes vectors of this many points, so many of them.
 constexpr int simd_lanes = 16;
 constexpr std::size_t vectors_an_item = 8;
 // Points that are on the device at a time: 48 MB with their samples.
@@ -172,7 +172,7 @@ SurfaceInstant read_instant(const QueriedSea& sea, const WaterQuery& query) {
 
 SurfaceQuery::SurfaceQuery(const ocl::Device& device)
     : device_(device),
-      lanes_(ocl::tuning_for(device.info(), "gerstner").shape == ocl::KernelShape::strip ? simd_lanes : 1),
+      lanes_(ocl::tuning_for(device.info(), "gerstner").shape == ocl::KernelShape::simd ? simd_lanes : 1),
       kernel_(make_kernel(Depths::none)) {}
 
 ocl::Kernel SurfaceQuery::make_kernel(Depths depths) const {
@@ -203,7 +203,7 @@ void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query,
   const WaveClock clock(largest_omega_radps / two_pi, sea.gerstner_waves.loop_period_s);
   const WaveTime time = clock.at(sea.time_s);
   const std::size_t points_an_item = vectors_an_item * static_cast<std::size_t>(lanes_);
-  // A work-item of the strip shape has a group of its own: what it keeps would fill the stack for many at
+  // A work-item of the simd shape has a group of its own: what it keeps would fill the stack for many at
   // once.
   ocl::LaunchShape shape{{(count + points_an_item - 1) / points_an_item}};
   if (lanes_ > 1) shape.local = {1};

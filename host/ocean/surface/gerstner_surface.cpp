@@ -18,7 +18,7 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr float smallest_ring_m = 1e-6f;
-// A work-item of the strip shape takes this many columns at a time, and rows enough that what it computes
+// A work-item of the simd shape takes this many columns at a time, and rows enough that what it computes
 // once counts little.
 constexpr int simd_lanes = 16, block_columns = 64, simd_rows = 4;
 
@@ -109,7 +109,7 @@ double shown_share(double samples_per_wavelength) {
 
 GerstnerSurface::GerstnerSurface(const ocl::Device& device)
     : device_(device),
-      lanes_(ocl::tuning_for(device.info(), "gerstner").shape == ocl::KernelShape::strip ? simd_lanes : 1),
+      lanes_(ocl::tuning_for(device.info(), "gerstner").shape == ocl::KernelShape::simd ? simd_lanes : 1),
       kernel_(ocl::Program::build(device, "ocean/gerstner_surface.cl", ocl::Defines().set("LANES", lanes_))
                   .kernel("gerstner_surface")) {}
 

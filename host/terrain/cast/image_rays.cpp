@@ -13,7 +13,7 @@ constexpr int simd_lanes = 16;
 }  // namespace
 
 int lanes_of(const ocl::Device& device) {
-  return ocl::tuning_for(device.info(), "terrain").shape == ocl::KernelShape::strip ? simd_lanes : 1;
+  return ocl::tuning_for(device.info(), "terrain").shape == ocl::KernelShape::simd ? simd_lanes : 1;
 }
 
 TerrainView device_view(const Camera& camera, const PostGrid& grid) {

@@ -321,7 +321,7 @@ std::string shape_name(const testing::TestParamInfo<const char*>& info) {
   return info.param;
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, GerstnerSurfaceTest, testing::Values("strip", "group"), shape_name);
+INSTANTIATE_TEST_SUITE_P(Shapes, GerstnerSurfaceTest, testing::Values("simd", "workgroup"), shape_name);
 
 }  // namespace
 }  // namespace offing::ocean

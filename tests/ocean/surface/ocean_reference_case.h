@@ -93,7 +93,7 @@ class OceanReferenceTest : public testing::TestWithParam<Case> {
 
 class VelocityReferenceTest : public OceanReferenceTest {};
 
-/// Such as "strip_64".
+/// Such as "simd_64".
 inline std::string case_name(const testing::TestParamInfo<Case>& info) {
   return std::string(info.param.shape) + "_" + std::to_string(info.param.size);
 }

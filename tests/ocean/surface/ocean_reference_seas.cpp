@@ -5,15 +5,15 @@
 namespace offing::ocean {
 
 INSTANTIATE_TEST_SUITE_P(Seas, OceanReferenceTest,
-                         testing::Values(Case{"strip", 16, deep_m, 0.0, {}},
-                                         Case{"group", 16, deep_m, 0.0, 17.3},
-                                         Case{"group", 32, 4.0, 2.73e-3, {}},
-                                         Case{"strip", 256, deep_m, 0.0, 17.3}),
+                         testing::Values(Case{"simd", 16, deep_m, 0.0, {}},
+                                         Case{"workgroup", 16, deep_m, 0.0, 17.3},
+                                         Case{"workgroup", 32, 4.0, 2.73e-3, {}},
+                                         Case{"simd", 256, deep_m, 0.0, 17.3}),
                          case_name);
 
 INSTANTIATE_TEST_SUITE_P(Seas, VelocityReferenceTest,
-                         testing::Values(Case{"group", 32, 4.0, 2.73e-3, {}},
-                                         Case{"strip", 256, deep_m, 0.0, 17.3}),
+                         testing::Values(Case{"workgroup", 32, 4.0, 2.73e-3, {}},
+                                         Case{"simd", 256, deep_m, 0.0, 17.3}),
                          case_name);
 
 }  // namespace offing::ocean

@@ -5,11 +5,11 @@
 namespace offing::ocean {
 
 INSTANTIATE_TEST_SUITE_P(ShortRows, OceanReferenceTest,
-                         testing::Values(Case{"strip", 64, 4.0, 2.73e-3, {}},
-                                         Case{"group", 64, 12.0, 0.0, {}}),
+                         testing::Values(Case{"simd", 64, 4.0, 2.73e-3, {}},
+                                         Case{"workgroup", 64, 12.0, 0.0, {}}),
                          case_name);
 
-INSTANTIATE_TEST_SUITE_P(ShortRows, VelocityReferenceTest, testing::Values(Case{"strip", 64, 12.0, 0.0, {}}),
+INSTANTIATE_TEST_SUITE_P(ShortRows, VelocityReferenceTest, testing::Values(Case{"simd", 64, 12.0, 0.0, {}}),
                          case_name);
 
 }  // namespace offing::ocean

@@ -23,7 +23,7 @@ struct Case {
 };
 
 std::string name_of(const Case& c) {
-  return (c.family == ocl::KernelShape::strip ? "strip_" : "group_") + std::to_string(c.size);
+  return (c.family == ocl::KernelShape::simd ? "simd_" : "workgroup_") + std::to_string(c.size);
 }
 void PrintTo(const Case& c, std::ostream* out) {
   *out << name_of(c);
@@ -59,8 +59,8 @@ TEST_P(TransformSizesTest, VelocityIsTheSumOfItsModes) {
 
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
-  for (int size = 64; size <= 4096; size *= 2) cases.push_back({ocl::KernelShape::strip, size});
-  for (int size = 16; size <= 4096; size *= 2) cases.push_back({ocl::KernelShape::group, size});
+  for (int size = 64; size <= 4096; size *= 2) cases.push_back({ocl::KernelShape::simd, size});
+  for (int size = 16; size <= 4096; size *= 2) cases.push_back({ocl::KernelShape::workgroup, size});
   return cases;
 }
 INSTANTIATE_TEST_SUITE_P(Sizes, TransformSizesTest, testing::ValuesIn(all_cases()), case_name);

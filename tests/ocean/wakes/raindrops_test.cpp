@@ -108,7 +108,7 @@ std::string shape_name(const testing::TestParamInfo<const char*>& info) {
   return info.param;
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, RaindropTest, testing::Values("strip", "group"), shape_name);
+INSTANTIATE_TEST_SUITE_P(Shapes, RaindropTest, testing::Values("simd", "workgroup"), shape_name);
 
 }  // namespace
 }  // namespace offing::ocean
