@@ -14,7 +14,7 @@
 
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
-#include "host/io/byte_order_mark.h"
+#include "host/io/file_mark.h"
 
 namespace offing {
 namespace {

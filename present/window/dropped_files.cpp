@@ -10,7 +10,7 @@
 
 #include "host/base/error.h"
 #include "host/io/file_extension.h"
-#include "host/io/meshes/ply_header.h"
+#include "host/io/meshes/ply_reader.h"
 #include "host/io/tile_store/tile_store.h"
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"

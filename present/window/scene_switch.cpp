@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/io/file_presence.h"
+#include "host/io/atomic_file.h"
 #include "host/io/whole_file.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_writer.h"

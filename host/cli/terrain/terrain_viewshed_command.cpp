@@ -16,7 +16,7 @@
 #include "host/command_line/print_json.h"
 #include "host/command_line/print_summary.h"
 #include "host/io/file_extension.h"
-#include "host/io/height_maps/byte_raster.h"
+#include "host/io/height_maps/new_raster.h"
 #include "host/scene/prepare/stored_terrain.h"
 #include "host/terrain/analysis/viewshed.h"
 

@@ -1,7 +1,5 @@
 #include "host/io/animations/highlight_animation.h"
 
-#include "host/io/animations/highlight_animation_gltf.h"
-#include "host/io/animations/highlight_animation_json.h"
 #include "host/io/atomic_file.h"
 #include "host/io/file_extension.h"
 

@@ -61,12 +61,37 @@ struct HighlightAnimation {
 
 /// By the name's ending, atomically: `.json`, for programs: every number, in the world's axes, next to the
 /// pose of each mesh; `.gltf` or `.glb`, for engines: a node a projector below one a mesh (see
-/// highlight_animation_gltf.h). The same animation gives the same bytes. Throws Error(bad_usage) for another
+/// highlight_animation_gltf()). The same animation gives the same bytes. Throws Error(bad_usage) for another
 /// ending, Error(file) if it cannot be written.
 void write_highlights(const std::filesystem::path& file, const HighlightAnimation& animation,
                       Existing existing = Existing::replace);
 
 /// Throws Error(bad_usage) unless the name ends in one of those that write_highlights() writes.
 void require_animation_name(const std::filesystem::path& file);
+
+enum class GltfForm {
+  text,    ///< .gltf: JSON with its buffer inside, in base64
+  binary,  ///< .glb
+};
+
+/// An animation as glTF 2.0: below a node for each mesh, which moves as the mesh does, a node for each
+/// projector that ever is: its +x, +y and +z are right, up and normal, its scale is the box (width, height,
+/// the larger of both), 0 while it is not there. So the projection is the inverse of the node's matrix, and
+/// the box lies within -0.5 ... 0.5. Each node carries a unit square with the texture, unlit, so that the
+/// file shows something in any viewer; opacity and colour are animated as the material's baseColorFactor by
+/// KHR_animation_pointer, which viewers that do not know it leave out. `extras` of a projector's node have
+/// id, rule, copy, light (of the file's extras.lights, null for a pin), texture and softness; those of a
+/// mesh's node its file and the scale of the file's places, which the node does not have. Poses lie at each
+/// frame, linear in between.
+std::string highlight_animation_gltf(const HighlightAnimation& animation, GltfForm form);
+
+/// An animation as JSON: {"generator", "version": 1, "frames_per_s", "first_frame", "frame_count",
+/// "lights": [name], "textures": [{"name", "file"?}], "meshes": [{"name", "file"?, "scale", "frames":
+/// [{"frame", "time_s", "mesh": {"translation_m", "rotation": [x, y, z, w]}, "highlights": [{"id", "rule",
+/// "copy", "light", "position_m", "right", "up", "normal", "width_m", "height_m", "opacity", "texture",
+/// "softness", "colour"}]}]}]}. Vectors are in the world's axes (right-handed, y up), `texture` is an index,
+/// a rotation is a unit quaternion. Numbers read back to the same doubles.
+/// `lights` and `light` are written under their earlier names, `lamps` and `lamp`, too.
+std::string highlight_animation_json(const HighlightAnimation& animation);
 
 }  // namespace offing::animations

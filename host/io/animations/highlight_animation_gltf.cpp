@@ -1,8 +1,12 @@
-#include "host/io/animations/highlight_animation_gltf.h"
-
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
 #include <map>
+#include <span>
+#include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -10,13 +14,123 @@
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 
-#include "host/io/animations/gltf_buffer.h"
-#include "host/io/animations/gltf_container.h"
+#include "host/io/animations/highlight_animation.h"
 #include "host/io/percent_code.h"
 #include "host/io/png_image.h"
 
 namespace offing::animations {
 namespace {
+
+/// The one buffer of a glTF file with the views and accessors into it (glTF 2.0, section 3.6).
+class GltfBuffer {
+ public:
+  /// Rows of `components` (1, 3 or 4) floats; the index of their accessor. With the least and largest of each
+  /// component, which glTF wants of positions and of key times.
+  std::size_t add(std::span<const float> values, std::size_t components);
+  /// Indices of triangles' corners.
+  std::size_t add_indices(std::span<const std::uint16_t> indices);
+  /// Any bytes, as a view without an accessor: its index.
+  std::size_t add_bytes(std::string_view bytes);
+
+  const std::string& bytes() const { return bytes_; }
+  const nlohmann::ordered_json& views() const { return views_; }
+  const nlohmann::ordered_json& accessors() const { return accessors_; }
+
+ private:
+  std::string bytes_;
+  nlohmann::ordered_json views_ = nlohmann::ordered_json::array();
+  nlohmann::ordered_json accessors_ = nlohmann::ordered_json::array();
+};
+
+// As glTF numbers them.
+constexpr int float_type = 5126, uint16_type = 5123;
+
+static_assert(std::endian::native == std::endian::little, "glTF's buffers are little-endian");
+
+template <typename T>
+std::string_view bytes_of(std::span<const T> values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+
+std::size_t GltfBuffer::add_bytes(std::string_view bytes) {
+  bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');  // numbers lie at multiples of their size
+  views_.push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}});
+  bytes_ += bytes;
+  return views_.size() - 1;
+}
+
+std::size_t GltfBuffer::add(std::span<const float> values, std::size_t components) {
+  nlohmann::ordered_json least = nlohmann::ordered_json::array(), largest = least;
+  for (std::size_t c = 0; c < components; ++c) {
+    float low = values[c], high = values[c];
+    for (std::size_t i = c; i < values.size(); i += components) {
+      low = std::min(low, values[i]);
+      high = std::max(high, values[i]);
+    }
+    least.push_back(low);
+    largest.push_back(high);
+  }
+  const char* type = components == 1   ? "SCALAR"
+                     : components == 3 ? "VEC3"
+                     : components == 2 ? "VEC2"
+                                       : "VEC4";
+  accessors_.push_back({{"bufferView", add_bytes(bytes_of(values))},
+                        {"componentType", float_type},
+                        {"count", values.size() / components},
+                        {"type", type},
+                        {"min", std::move(least)},
+                        {"max", std::move(largest)}});
+  return accessors_.size() - 1;
+}
+
+std::size_t GltfBuffer::add_indices(std::span<const std::uint16_t> indices) {
+  accessors_.push_back({{"bufferView", add_bytes(bytes_of(indices))},
+                        {"componentType", uint16_type},
+                        {"count", indices.size()},
+                        {"type", "SCALAR"}});
+  return accessors_.size() - 1;
+}
+
+void append_number(std::string& file, std::size_t value) {
+  for (int byte = 0; byte < 4; ++byte) file.push_back(static_cast<char>((value >> (8 * byte)) & 0xff));
+}
+
+/// Length, kind, content, and as much padding as brings it to a multiple of four bytes.
+void append_chunk(std::string& file, std::string_view kind, std::string_view content, char padding) {
+  const std::size_t padded = (content.size() + 3) / 4 * 4;
+  append_number(file, padded);
+  file += kind;
+  file += content;
+  file.append(padded - content.size(), padding);
+}
+
+/// Bytes in base64 (RFC 4648).
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t byte = i; byte < i + 3; ++byte)
+      group = group << 8 | (byte < bytes.size() ? static_cast<unsigned char>(bytes[byte]) : 0u);
+    for (std::size_t digit = 0; digit < 4; ++digit) {
+      const bool is_there = i + digit <= bytes.size();
+      text.push_back(is_there ? digits[(group >> (18 - 6 * digit)) & 63] : '=');
+    }
+  }
+  return text;
+}
+
+/// A .glb file of a document and its buffer (glTF 2.0, section 4).
+std::string gltf_binary(std::string_view json, std::string_view buffer) {
+  using namespace std::string_view_literals;
+  std::string chunks;
+  append_chunk(chunks, "JSON"sv, json, ' ');
+  append_chunk(chunks, "BIN\0"sv, buffer, '\0');
+  std::string file = "glTF";
+  append_number(file, 2);
+  append_number(file, 12 + chunks.size());
+  return file + chunks;
+}
 
 using Json = nlohmann::ordered_json;
 

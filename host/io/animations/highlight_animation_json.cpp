@@ -1,7 +1,7 @@
-#include "host/io/animations/highlight_animation_json.h"
-
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
+
+#include "host/io/animations/highlight_animation.h"
 
 namespace offing::animations {
 namespace {

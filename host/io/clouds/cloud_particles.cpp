@@ -13,8 +13,7 @@
 #include <glm/common.hpp>
 
 #include "host/io/meshes/mesh_bytes.h"
-#include "host/io/meshes/ply_header.h"
-#include "host/io/meshes/ply_values.h"
+#include "host/io/meshes/ply_reader.h"
 #include "host/io/meshes/ply_writer.h"
 #include "host/io/meshes/text_lines.h"
 

@@ -1,5 +1,3 @@
-#include "host/io/height_maps/ascii_grid_check.h"
-
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -11,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/io/height_maps/raster_file.h"
 
 namespace offing::height_maps {
 namespace {

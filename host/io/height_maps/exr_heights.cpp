@@ -1,5 +1,3 @@
-#include "host/io/height_maps/exr_heights.h"
-
 #include <algorithm>
 #include <array>
 
@@ -7,6 +5,7 @@
 
 #include "host/base/error.h"
 #include "host/io/exr_image.h"
+#include "host/io/height_maps/source_heights.h"
 
 namespace offing::height_maps {
 

@@ -1,8 +1,7 @@
-#include "host/io/height_maps/gdal_heights.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -10,13 +9,25 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/io/height_maps/elevation_rgb.h"
 #include "host/io/height_maps/gdal_session.h"
+#include "host/io/height_maps/height_map_options.h"
 #include "host/io/height_maps/raster_file.h"
+#include "host/io/height_maps/source_heights.h"
 
 namespace offing::height_maps {
-
 namespace {
+
+/// Height in m that three bytes stand for; none for black, which both encodings leave to places without data
+/// (-10000 m and -32768 m). `encoding` is mapbox or terrarium.
+/// Sources: Mapbox, "Access elevation data" (Terrain-RGB); Tilezen Joerd, docs/formats.md (terrarium).
+std::optional<double> height_of_rgb(HeightEncoding encoding, std::uint8_t red, std::uint8_t green,
+                                    std::uint8_t blue) {
+  const int code = 65536 * red + 256 * green + blue;
+  if (code == 0) {
+    return std::nullopt;
+  }
+  return encoding == HeightEncoding::mapbox ? -10000.0 + 0.1 * code : code / 256.0 - 32768.0;
+}
 
 /// An open raster, for the time of one reading.
 bool is_srtm_name(const std::filesystem::path& path) {

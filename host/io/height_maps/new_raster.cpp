@@ -1,28 +1,46 @@
 #include "host/io/height_maps/new_raster.h"
 
 #include <array>
+#include <filesystem>
+#include <initializer_list>
 #include <memory>
 
 #include <cpl_string.h>
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/base/height_map.h"
+#include "host/io/atomic_file.h"
+#include "host/io/height_maps/gdal_session.h"
 
-namespace offing::height_maps {
+namespace offing {
 namespace {
+
+using height_maps::Dataset;
+using height_maps::GdalSession;
 
 struct DestroyList {
   void operator()(char** list) const { CSLDestroy(list); }
 };
 using StringList = std::unique_ptr<char*, DestroyList>;
 
-}  // namespace
+/// Of a GeoTIFF that is to be made.
+struct NewRaster {
+  std::filesystem::path name;       ///< for messages
+  std::filesystem::path temporary;  ///< where it is written
+  int columns, rows;
+  GDALDataType type;
+  Georeference georeference;  ///< posts stand at the centres of samples
+  std::initializer_list<const char*> options;
+};
 
-void fail_to_write(const std::filesystem::path& path, const GdalSession& session) {
+/// Throws Error(file) with what GDAL has said.
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, const GdalSession& session) {
   throw Error(ErrorKind::file, fmt::format("{}: cannot be written: {}", path.string(), session.failure()),
               "check the room on the disk, or name another file");
 }
 
+/// Makes a raster of one band. Throws Error(file).
 Dataset create_raster(const NewRaster& raster, const GdalSession& session) {
   const GDALDriverH driver = GDALGetDriverByName("GTiff");
   if (driver == nullptr) fail_to_write(raster.name, session);
@@ -45,4 +63,87 @@ Dataset create_raster(const NewRaster& raster, const GdalSession& session) {
   return dataset;
 }
 
-}  // namespace offing::height_maps
+// Made ground has a scale, but no place.
+constexpr const char* local_metres = R"(LOCAL_CS["made ground",UNIT["metre",1]])";
+
+}  // namespace
+
+void write_byte_raster(const std::filesystem::path& path, const ByteRaster& raster, Existing existing) {
+  const auto posts = static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows);
+  if (raster.values.size() != posts) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("{}: expected {}x{} values, found {}", path.string(), raster.columns, raster.rows,
+                            raster.values.size()),
+                "give a value for each post");
+  }
+  AtomicFile file(path, existing);
+  const GdalSession session;
+  Dataset dataset =
+      create_raster({.name = path,
+                     .temporary = file.temporary(),
+                     .columns = raster.columns,
+                     .rows = raster.rows,
+                     .type = GDT_Byte,
+                     .georeference = raster.georeference,
+                     .options = {"COMPRESS=DEFLATE", "ZLEVEL=1", "TILED=YES", "BIGTIFF=IF_SAFER"}},
+                    session);
+  const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
+  const bool is_marked = !raster.nodata || GDALSetRasterNoDataValue(band, *raster.nodata) == CE_None;
+  // GDAL takes what it only reads without const.
+  auto* const values = const_cast<std::uint8_t*>(raster.values.data());
+  if (!is_marked || GDALRasterIO(band, GF_Write, 0, 0, raster.columns, raster.rows, values, raster.columns,
+                                 raster.rows, GDT_Byte, 0, 0) != CE_None) {
+    fail_to_write(path, session);
+  }
+  GDALFlushCache(dataset.get());
+  dataset.reset();
+  if (session.has_failed()) fail_to_write(path, session);
+  file.commit();
+}
+
+struct HeightRasterWriter::State {
+  std::filesystem::path path;
+  AtomicFile file;
+  GdalSession session;
+  int columns, next_row = 0;
+  Dataset dataset;
+
+  State(const std::filesystem::path& of, int columns_of, int rows, double spacing_m, Existing existing)
+      : path(of),
+        file(of, existing),
+        columns(columns_of),
+        dataset(
+            create_raster({.name = of,
+                           .temporary = file.temporary(),
+                           .columns = columns_of,
+                           .rows = rows,
+                           .type = GDT_Float32,
+                           .georeference = {local_metres, 0.0, spacing_m * (rows - 1), spacing_m, -spacing_m},
+                           .options = {"BIGTIFF=IF_SAFER"}},
+                          session)) {}
+};
+
+HeightRasterWriter::HeightRasterWriter(const std::filesystem::path& path, int columns, int rows,
+                                       double spacing_m, Existing existing)
+    : state_(std::make_unique<State>(path, columns, rows, spacing_m, existing)) {}
+HeightRasterWriter::~HeightRasterWriter() = default;
+
+void HeightRasterWriter::add_rows(std::span<const float> heights_m) {
+  const int rows = static_cast<int>(heights_m.size() / static_cast<std::size_t>(state_->columns));
+  // GDAL takes what it only reads without const.
+  auto* const values = const_cast<float*>(heights_m.data());
+  if (GDALRasterIO(GDALGetRasterBand(state_->dataset.get(), 1), GF_Write, 0, state_->next_row,
+                   state_->columns, rows, values, state_->columns, rows, GDT_Float32, 0, 0) != CE_None) {
+    fail_to_write(state_->path, state_->session);
+  }
+  state_->next_row += rows;
+}
+
+void HeightRasterWriter::commit() {
+  GDALFlushCache(state_->dataset.get());
+  state_->dataset.reset();
+  if (state_->session.has_failed()) fail_to_write(state_->path, state_->session);
+  state_->file.commit();
+}
+
+}  // namespace offing

@@ -1,27 +1,49 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
-#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <span>
 
 #include "host/base/height_map.h"
-#include "host/io/height_maps/gdal_session.h"
+#include "host/io/atomic_file.h"
 
-namespace offing::height_maps {
+/// GeoTIFFs that are written: bytes and heights at the posts of a map.
+namespace offing {
 
-/// Throws Error(file) with what GDAL has said.
-[[noreturn]] void fail_to_write(const std::filesystem::path& path, const GdalSession& session);
-
-/// Of a GeoTIFF that is to be made.
-struct NewRaster {
-  std::filesystem::path name;       ///< for messages
-  std::filesystem::path temporary;  ///< where it is written
-  int columns, rows;
-  GDALDataType type;
-  Georeference georeference;  ///< posts stand at the centres of samples
-  std::initializer_list<const char*> options;
+/// A raster of bytes at the posts of a height map.
+struct ByteRaster {
+  int columns = 0, rows = 0;
+  std::span<const std::uint8_t> values;  ///< [rows][columns], row 0 at the north edge
+  Georeference georeference;             ///< of the map; step 0 where it has none
+  std::optional<std::uint8_t> nodata;    ///< what marks posts without an answer
 };
 
-/// Makes a raster of one band. Throws Error(file).
-Dataset create_raster(const NewRaster& raster, const GdalSession& session);
+/// Writes a GeoTIFF of one band, compressed, whole or not at all. Each sample has its post at its centre.
+/// Throws Error(bad_usage) if the sizes do not fit each other, Error(file) if it cannot be written.
+void write_byte_raster(const std::filesystem::path& path, const ByteRaster& raster,
+                       Existing existing = Existing::replace);
 
-}  // namespace offing::height_maps
+/// Writes heights as a GeoTIFF of floats, row by row, whole or not at all: of a map whose posts are so many
+/// metres apart, and which lies nowhere in the world.
+class HeightRasterWriter {
+ public:
+  /// Throws Error(file) if it cannot be written.
+  HeightRasterWriter(const std::filesystem::path& path, int columns, int rows, double spacing_m,
+                     Existing existing = Existing::replace);
+  ~HeightRasterWriter();
+  HeightRasterWriter(const HeightRasterWriter&) = delete;
+  HeightRasterWriter& operator=(const HeightRasterWriter&) = delete;
+
+  /// Whole rows, from north to south. Throws Error(file).
+  void add_rows(std::span<const float> heights_m);
+  /// Publishes the file under its name. Throws Error(file).
+  void commit();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace offing

@@ -1,5 +1,3 @@
-#include "host/io/height_maps/raw_heights.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,6 +9,7 @@
 
 #include "host/base/error.h"
 #include "host/io/file_extension.h"
+#include "host/io/height_maps/source_heights.h"
 
 namespace offing::height_maps {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <system_error>
 #include <utility>
 
@@ -10,20 +11,34 @@
 #include <spdlog/spdlog.h>
 
 #include "host/base/error.h"
-#include "host/io/height_maps/exr_heights.h"
-#include "host/io/height_maps/gdal_heights.h"
-#include "host/io/height_maps/ground_spacing.h"
 #include "host/io/height_maps/mosaic.h"
-#include "host/io/height_maps/raw_heights.h"
-#include "host/io/height_maps/readable_file.h"
+#include "host/io/height_maps/raster_file.h"
 #include "host/io/height_maps/reprojection.h"
 #include "host/io/height_maps/source_heights.h"
-#include "host/io/height_maps/void_bands.h"
 #include "host/io/height_maps/void_fill.h"
 
 namespace offing {
-
 namespace {
+
+constexpr double wgs84_radius_m = 6378137.0, wgs84_flattening = 1.0 / 298.257223563;
+
+/// Length of a degree on the ground.
+struct DegreeLength {
+  double east_m = 0.0;   ///< along the parallel
+  double north_m = 0.0;  ///< along the meridian
+};
+
+/// On an ellipsoid of that equatorial radius and flattening, at a geodetic latitude: the prime vertical and
+/// meridian radii of curvature, times pi / 180. Torge & Mueller 2012, Geodesy, section 4.1.3.
+DegreeLength degree_length(double latitude_deg, double equatorial_radius_m, double flattening) {
+  constexpr double degree_rad = std::numbers::pi / 180.0;
+  const double eccentricity_squared = flattening * (2.0 - flattening);
+  const double sine = std::sin(latitude_deg * degree_rad);
+  const double w = std::sqrt(1.0 - eccentricity_squared * sine * sine);
+  const double prime_vertical_m = equatorial_radius_m / w;
+  const double meridian_m = equatorial_radius_m * (1.0 - eccentricity_squared) / (w * w * w);
+  return {prime_vertical_m * std::cos(latitude_deg * degree_rad) * degree_rad, meridian_m * degree_rad};
+}
 
 using height_maps::SourceHeights;
 
@@ -111,8 +126,8 @@ height_maps::CoordinateUnits units_of(const std::filesystem::path& path, const S
   }
   height_maps::CoordinateUnits units;
   units.is_geographic = wanted == HorizontalUnit::degree;
-  units.equatorial_radius_m = height_maps::wgs84_radius_m;
-  units.flattening = height_maps::wgs84_flattening;
+  units.equatorial_radius_m = wgs84_radius_m;
+  units.flattening = wgs84_flattening;
   return units;
 }
 
@@ -142,10 +157,9 @@ std::pair<double, double> spacing_of_degrees(const std::filesystem::path& path, 
                 "repair the header, as with gdal_edit.py -a_ullr, or state the spacing: --spacing-m 30");
   }
   const auto length_at = [&](double latitude_deg) {
-    return height_maps::degree_length(std::clamp(latitude_deg, -90.0, 90.0), units.equatorial_radius_m,
-                                      units.flattening);
+    return degree_length(std::clamp(latitude_deg, -90.0, 90.0), units.equatorial_radius_m, units.flattening);
   };
-  const height_maps::DegreeLength middle = length_at(0.5 * (north_deg + south_deg));
+  const DegreeLength middle = length_at(0.5 * (north_deg + south_deg));
   require_one_spacing(path, "degrees", south_deg, north_deg,
                       std::max(std::abs(length_at(north_deg).east_m - middle.east_m),
                                std::abs(length_at(south_deg).east_m - middle.east_m)) /
@@ -173,8 +187,7 @@ GroundStep terrain_step(const std::filesystem::path& path, const SourceHeights& 
                 "repair the header, as with gdal_edit.py -a_ullr, or state the spacing: --spacing-m 30");
   };
   const height_maps::GeographicPlace middle = at(column, row);
-  const height_maps::DegreeLength degree = height_maps::degree_length(
-      middle.latitude_deg, height_maps::wgs84_radius_m, height_maps::wgs84_flattening);
+  const DegreeLength degree = degree_length(middle.latitude_deg, wgs84_radius_m, wgs84_flattening);
   const double east_deg = at(column + 0.5, row).longitude_deg - at(column - 0.5, row).longitude_deg;
   const double south_deg = at(column, row - 0.5).latitude_deg - at(column, row + 0.5).latitude_deg;
   return {east_deg * degree.east_m, south_deg * degree.north_m, middle.latitude_deg};
@@ -281,7 +294,7 @@ void settle_voids(const std::filesystem::path& path, const HeightMapOptions& opt
     return;
   }
   if (!options.void_height_m) {
-    fill_voids(map.columns, map.rows, map.heights_m, map.is_void);
+    height_maps::fill_voids(map.columns, map.rows, map.heights_m, map.is_void);
     return;
   }
   for (std::size_t i = 0; i < map.heights_m.size(); ++i) {

@@ -70,4 +70,22 @@ inline void append_void(SourceHeights& source) {
 void append_sample(const std::filesystem::path& path, SourceHeights& source, double sample,
                    const HeightScale& scale, const std::optional<double>& nodata);
 
+/// Heights of one channel of an EXR: the one that is asked for, the only one, or the first of height, Y, Z
+/// and R that there is. Throws Error(bad_input) where that leaves none, and as read_exr.
+SourceHeights read_exr_heights(const std::filesystem::path& path, const HeightMapOptions& options);
+
+/// Heights of a raster that open_raster() opens, with its voids, its unit of height and where its posts lie;
+/// south-up rasters are turned over, or refused where somebody takes their rows. Throws Error(bad_input) as
+/// read_height_map() says.
+SourceHeights read_gdal_heights(const std::filesystem::path& path, const HeightMapOptions& options,
+                                const RowTaker& taker = {});
+
+/// Whether the name ends as those of files without a header do: .r16, .r32, .raw, .bin.
+bool is_raw_name(const std::filesystem::path& path);
+
+/// Heights of a file without a header, row by row from the north. Throws Error(bad_input) if the options
+/// state no size or type, or the file has not just as many bytes as they take.
+SourceHeights read_raw_heights(const std::filesystem::path& path, const HeightMapOptions& options,
+                               const RowTaker& taker = {});
+
 }  // namespace offing::height_maps

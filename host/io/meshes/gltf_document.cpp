@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -12,13 +16,37 @@
 
 #include "host/base/error.h"
 #include "host/io/file_extension.h"
-#include "host/io/meshes/data_uri.h"
 #include "host/io/meshes/text_lines.h"
 #include "host/io/percent_code.h"
 #include "host/io/whole_file.h"
 
 namespace offing::meshes {
 namespace {
+
+/// The bytes of "data:...;base64,..." (RFC 2397, RFC 4648); nothing for any other.
+std::optional<std::string> decode_data_uri(std::string_view uri) {
+  constexpr std::string_view mark = ";base64,";
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::size_t begin = uri.find(mark);
+  if (!uri.starts_with("data:") || begin == std::string_view::npos) return std::nullopt;
+  uri.remove_prefix(begin + mark.size());
+  while (uri.ends_with('=')) uri.remove_suffix(1);
+  std::string bytes;
+  bytes.reserve(uri.size() / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : uri) {
+    const std::size_t digit = digits.find(c);
+    if (digit == std::string_view::npos) return std::nullopt;
+    bits = (bits << 6) | static_cast<std::uint32_t>(digit);
+    count += 6;
+    if (count >= 8) {
+      count -= 8;
+      bytes += static_cast<char>((bits >> count) & 0xff);
+    }
+  }
+  return bytes;
+}
 
 using nlohmann::json;
 

@@ -11,8 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "host/io/meshes/ply_header.h"
-#include "host/io/meshes/ply_values.h"
+#include "host/io/meshes/ply_reader.h"
 #include "host/io/meshes/polygon_soup.h"
 
 namespace offing::meshes {

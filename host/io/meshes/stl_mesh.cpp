@@ -13,7 +13,7 @@
 
 #include "host/base/error.h"
 #include "host/base/mesh_neighbours.h"
-#include "host/io/byte_order_mark.h"
+#include "host/io/file_mark.h"
 #include "host/io/meshes/polygon_soup.h"
 #include "host/io/meshes/text_lines.h"
 

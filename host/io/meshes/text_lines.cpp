@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/io/byte_order_mark.h"
+#include "host/io/file_mark.h"
 
 namespace offing::meshes {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "host/base/utc_time.h"
 #include "host/io/spectra/bearings.h"
-#include "host/io/spectra/swan_energy.h"
+#include "host/io/spectra/swan_spectra.h"
 #include "host/io/spectra/text_cursor.h"
 
 namespace offing::spectra {

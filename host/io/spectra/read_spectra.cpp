@@ -12,7 +12,7 @@
 
 #include "host/base/error.h"
 #include "host/base/log.h"
-#include "host/io/hdf5_mark.h"
+#include "host/io/file_mark.h"
 #include "host/io/spectra/datawell_spectra.h"
 #include "host/io/spectra/gzip.h"
 #include "host/io/spectra/ndbc_spectra.h"

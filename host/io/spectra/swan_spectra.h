@@ -7,6 +7,9 @@
 
 namespace offing::spectra {
 
+/// SWAN's defaults for the density of sea water and for gravity, which turn energy in J/m^2 into variance.
+inline constexpr double energy_of_variance_jpm4 = 1025.0 * 9.81;
+
 /// SWAN spectral files, as text (format version 1): one spectrum a time and location that has data, in file
 /// order.
 ///

@@ -13,7 +13,6 @@
 #include "host/base/error.h"
 #include "host/io/atomic_file.h"
 #include "host/io/file_extension.h"
-#include "host/io/file_presence.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace offing {
+namespace offing::height_maps {
 namespace {
 
 // Fails if a known height changes, a void is left, or a filled one leaves the range of the known: for sizes
@@ -62,4 +62,4 @@ TEST(VoidFill, MeetsTheRim) {
 }
 
 }  // namespace
-}  // namespace offing
+}  // namespace offing::height_maps

@@ -1,5 +1,4 @@
-// How HDF5 files are told from others.
-#include "host/io/hdf5_mark.h"
+#include "host/io/file_mark.h"
 
 #include <algorithm>
 #include <cstdint>
