@@ -3,7 +3,6 @@
 #include <CLI/App.hpp>
 
 #include "host/base/process.h"
-#include "host/command_line/help_format.h"
 #include "host/command_line/parse_arguments.h"
 #include "host/scene/file/version.h"
 #include "mesh_tools/commands/check_command.h"

@@ -13,10 +13,9 @@
 
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
-#include "host/command_line/help_format.h"
+#include "host/command_line/general_flags.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/parse_arguments.h"
-#include "host/command_line/trust_flag.h"
 #include "host/io/atomic_file.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_files.h"

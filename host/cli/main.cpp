@@ -9,7 +9,6 @@
 #include "host/cli/highlights/highlights_command.h"
 #include "host/cli/ocean/ocean_command.h"
 #include "host/cli/terrain/terrain_command.h"
-#include "host/command_line/help_format.h"
 #include "host/command_line/parse_arguments.h"
 #include "host/scene/file/version.h"
 

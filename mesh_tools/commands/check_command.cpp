@@ -7,9 +7,8 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/command_line/print_json.h"
-#include "host/command_line/trust_flag.h"
-#include "host/command_line/verbosity_flags.h"
+#include "host/command_line/general_flags.h"
+#include "host/command_line/print_results.h"
 #include "host/io/meshes/read_mesh.h"
 #include "mesh_tools/defects_text.h"
 #include "mesh_tools/mesh_defects.h"

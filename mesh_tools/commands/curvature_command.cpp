@@ -10,11 +10,9 @@
 
 #include "host/base/argument.h"
 #include "host/base/error.h"
+#include "host/command_line/general_flags.h"
 #include "host/command_line/new_output.h"
-#include "host/command_line/print_json.h"
-#include "host/command_line/print_summary.h"
-#include "host/command_line/trust_flag.h"
-#include "host/command_line/verbosity_flags.h"
+#include "host/command_line/print_results.h"
 #include "host/io/meshes/prepared_mesh.h"
 #include "host/io/meshes/read_mesh.h"
 #include "mesh_tools/curvature/curvature.h"

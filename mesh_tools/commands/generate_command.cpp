@@ -6,10 +6,9 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/command_line/general_flags.h"
 #include "host/command_line/new_output.h"
-#include "host/command_line/print_json.h"
-#include "host/command_line/print_summary.h"
-#include "host/command_line/verbosity_flags.h"
+#include "host/command_line/print_results.h"
 #include "host/io/meshes/write_mesh.h"
 #include "host/mesh_shapes/shape_table.h"
 

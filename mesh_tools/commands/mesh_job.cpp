@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/command_line/print_json.h"
-#include "host/command_line/print_summary.h"
-#include "host/command_line/trust_flag.h"
+#include "host/command_line/general_flags.h"
+#include "host/command_line/print_results.h"
 #include "host/io/meshes/read_mesh.h"
 #include "host/io/meshes/write_mesh.h"
 

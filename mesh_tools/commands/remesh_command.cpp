@@ -12,9 +12,8 @@
 
 #include "host/base/argument.h"
 #include "host/base/error.h"
-#include "host/command_line/print_json.h"
-#include "host/command_line/print_summary.h"
-#include "host/command_line/verbosity_flags.h"
+#include "host/command_line/general_flags.h"
+#include "host/command_line/print_results.h"
 #include "mesh_tools/commands/mesh_job.h"
 #include "mesh_tools/remesh.h"
 

@@ -11,9 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "host/base/argument.h"
-#include "host/command_line/print_json.h"
-#include "host/command_line/print_summary.h"
-#include "host/command_line/verbosity_flags.h"
+#include "host/command_line/general_flags.h"
+#include "host/command_line/print_results.h"
 #include "mesh_tools/commands/mesh_job.h"
 #include "mesh_tools/defects_text.h"
 #include "mesh_tools/mesh_defects.h"

@@ -8,7 +8,7 @@
 
 #include "host/base/argument.h"
 #include "host/base/error.h"
-#include "host/command_line/verbosity_flags.h"
+#include "host/command_line/general_flags.h"
 #include "mesh_tools/commands/mesh_job.h"
 #include "mesh_tools/simplify.h"
 

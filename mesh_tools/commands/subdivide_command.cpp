@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "host/base/argument.h"
-#include "host/command_line/verbosity_flags.h"
+#include "host/command_line/general_flags.h"
 #include "mesh_tools/commands/mesh_job.h"
 #include "mesh_tools/subdivide.h"
 

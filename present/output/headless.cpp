@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "host/base/progress.h"
-#include "host/command_line/print_summary.h"
+#include "host/command_line/print_results.h"
 #include "host/scene/prepare/moving_view.h"
 #include "host/scene/prepare/own_billboards.h"
 #include "host/scene/prepare/scene_meshes.h"

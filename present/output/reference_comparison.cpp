@@ -19,7 +19,7 @@
 #include "host/clouds/light/field_albedo.h"
 #include "host/clouds/reference/reference_tracer.h"
 #include "host/clouds/shape/cloud_density.h"
-#include "host/command_line/print_json.h"
+#include "host/command_line/print_results.h"
 #include "host/io/exr_image.h"
 #include "host/io/png_image.h"
 #include "host/ocl/device.h"

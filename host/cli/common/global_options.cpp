@@ -2,7 +2,7 @@
 
 #include <CLI/Option.hpp>
 
-#include "host/command_line/verbosity_flags.h"
+#include "host/command_line/general_flags.h"
 
 namespace offing::cli {
 

@@ -5,7 +5,7 @@
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
 
-#include "host/command_line/trust_flag.h"
+#include "host/command_line/general_flags.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_files.h"
 #include "host/scene/schema/parameter_table.h"

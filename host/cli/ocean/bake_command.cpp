@@ -20,7 +20,7 @@
 #include "host/cli/ocean/water_left_out.h"
 #include "host/cli/pictures/contact_sheet.h"
 #include "host/command_line/new_output.h"
-#include "host/command_line/print_summary.h"
+#include "host/command_line/print_results.h"
 #include "host/io/atomic_file.h"
 #include "host/io/spectra/write_ww3_spectra.h"
 #include "host/scene/file/scene_hash.h"

@@ -5,7 +5,7 @@
 
 #include "host/base/error.h"
 #include "host/cli/terrain/terrain_place.h"
-#include "host/command_line/print_json.h"
+#include "host/command_line/print_results.h"
 #include "host/io/tile_store/tile_store.h"
 
 namespace offing::cli {

@@ -24,9 +24,9 @@
 #include "host/cli/terrain/terrain_camera.h"
 #include "host/cli/terrain/terrain_input.h"
 #include "host/cli/terrain/terrain_place.h"
+#include "host/command_line/general_flags.h"
 #include "host/command_line/new_output.h"
-#include "host/command_line/print_json.h"
-#include "host/command_line/trust_flag.h"
+#include "host/command_line/print_results.h"
 
 namespace offing::cli {
 

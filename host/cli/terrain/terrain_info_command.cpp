@@ -9,7 +9,7 @@
 #include "host/cli/terrain/store_info.h"
 #include "host/cli/terrain/terrain_input.h"
 #include "host/cli/terrain/terrain_place.h"
-#include "host/command_line/print_json.h"
+#include "host/command_line/print_results.h"
 #include "host/io/tile_store/tile_store.h"
 
 namespace offing::cli {

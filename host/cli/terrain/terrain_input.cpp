@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/command_line/trust_flag.h"
+#include "host/command_line/general_flags.h"
 #include "host/io/tile_store/tile_store.h"
 
 namespace offing::cli {

@@ -15,7 +15,7 @@
 #include "host/cli/terrain/terrain_batch.h"
 #include "host/cli/terrain/terrain_place.h"
 #include "host/cli/terrain/terrain_source.h"
-#include "host/command_line/print_json.h"
+#include "host/command_line/print_results.h"
 
 namespace offing::cli {
 

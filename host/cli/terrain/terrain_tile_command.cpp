@@ -18,8 +18,7 @@
 #include "host/cli/terrain/terrain_place.h"
 #include "host/cli/terrain/tile_writers.h"
 #include "host/command_line/new_output.h"
-#include "host/command_line/print_json.h"
-#include "host/command_line/print_summary.h"
+#include "host/command_line/print_results.h"
 #include "host/terrain/tiles/tile_builder.h"
 
 namespace offing::cli {

@@ -1,4 +1,4 @@
-#include "host/command_line/print_json.h"
+#include "host/command_line/print_results.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,9 @@
 #include <CLI/App.hpp>
 
 #include "host/base/log.h"
+#include "host/io/file_trust.h"
 
+/// Flags that most commands of all programs have.
 namespace offing {
 
 /// Where the help lists what every command understands.
@@ -11,5 +13,8 @@ inline constexpr const char* general_group = "General";
 
 /// Adds --quiet and --verbose to a command, and has the log follow them. `verbosity` must outlive it.
 void add_verbosity_flags(CLI::App& command, Verbosity& verbosity);
+
+/// Adds --untrusted to a command that reads files which lead to others. `trust` must outlive it.
+void add_trust_flag(CLI::App& command, Trust& trust);
 
 }  // namespace offing

@@ -1,4 +1,4 @@
-#include "host/command_line/verbosity_flags.h"
+#include "host/command_line/general_flags.h"
 
 #include <CLI/Option.hpp>
 
@@ -13,6 +13,14 @@ void add_verbosity_flags(CLI::App& command, Verbosity& verbosity) {
   command.parse_complete_callback([&verbosity] { configure_log(verbosity); });
   quiet->group(general_group);
   verbose->group(general_group)->excludes(quiet);
+}
+
+void add_trust_flag(CLI::App& command, Trust& trust) {
+  command
+      .add_flag_callback(
+          "--untrusted", [&trust] { trust = Trust::untrusted; },
+          "for other people's files: they may read only files in their own folder and below")
+      ->group(general_group);
 }
 
 }  // namespace offing
