@@ -3,12 +3,12 @@
 #include <CLI/App.hpp>
 
 #include "host/base/process.h"
-#include "host/cli/clouds/clouds_command.h"
+#include "host/cli/clouds/clouds_commands.h"
 #include "host/cli/common/devices_command.h"
 #include "host/cli/common/global_options.h"
 #include "host/cli/highlights/highlights_command.h"
-#include "host/cli/ocean/ocean_command.h"
-#include "host/cli/terrain/terrain_command.h"
+#include "host/cli/ocean/ocean_commands.h"
+#include "host/cli/terrain/terrain_commands.h"
 #include "host/command_line/parse_arguments.h"
 #include "host/scene/file/version.h"
 

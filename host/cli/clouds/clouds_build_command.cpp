@@ -1,5 +1,3 @@
-#include "host/cli/clouds/clouds_build_command.h"
-
 #include <filesystem>
 #include <memory>
 #include <numeric>
@@ -15,6 +13,7 @@
 #include "host/base/error.h"
 #include "host/base/progress.h"
 #include "host/cli/clouds/cloud_frame.h"
+#include "host/cli/clouds/clouds_commands.h"
 #include "host/cli/common/device_choice.h"
 #include "host/clouds/shape/cloud_density.h"
 #include "host/command_line/general_flags.h"

@@ -1,5 +1,3 @@
-#include "host/cli/clouds/clouds_info_command.h"
-
 #include <algorithm>
 #include <limits>
 #include <memory>
@@ -14,6 +12,7 @@
 
 #include "host/base/error.h"
 #include "host/cli/clouds/cloud_frame.h"
+#include "host/cli/clouds/clouds_commands.h"
 #include "host/cli/common/device_choice.h"
 #include "host/clouds/particles/cloud_model.h"
 #include "host/clouds/shape/cloud_density.h"

@@ -1,5 +1,3 @@
-#include "host/cli/ocean/bake_command.h"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -16,8 +14,8 @@
 #include "host/cli/common/device_choice.h"
 #include "host/cli/common/parameter_options.h"
 #include "host/cli/ocean/bake.h"
-#include "host/cli/ocean/certificate_text.h"
-#include "host/cli/ocean/water_left_out.h"
+#include "host/cli/ocean/certificate.h"
+#include "host/cli/ocean/ocean_commands.h"
 #include "host/cli/pictures/contact_sheet.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"

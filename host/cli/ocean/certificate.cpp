@@ -2,15 +2,191 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <iterator>
+#include <numbers>
 #include <numeric>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "host/cli/common/direction_text.h"
-#include "host/cli/ocean/surface_meter.h"
+#include "host/fft/fft2d.h"
+#include "host/ocean/query/gerstner_instant.h"
+#include "host/ocean/spectrum/sea_spectrum.h"
+#include "host/ocean/spectrum/sea_statistics.h"
 #include "host/ocean/surface/ocean.h"
+#include "host/ocl/buffer.h"
+#include "host/ocl/device.h"
 
 namespace offing::cli {
-
 namespace {
+
+/// What one realised sea is like, measured on its surface.
+struct SurfaceMeasurement {
+  ocean::SeaState state;              ///< from the energies of the waves found on the surface
+  std::vector<double> cascade_m0_m2;  ///< what each cascade adds to state.m0_m2
+  double cascade_mss = 0.0;           ///< what all of them add to state.mss
+  double skewness = 0.0;              ///< of the elevation at rest labels, the whole surface
+  double kurtosis = 0.0;              ///< 3 for a Gaussian surface
+  double folded_share = 0.0;          ///< share of label area with composed J <= 0
+};
+
+/// Measures a sea from its surface alone: the cascades' elevation and its rate of change, not the amplitudes
+/// they were made from. Gerstner waves are the surface that they are.
+class SurfaceMeter {
+ public:
+  /// `size` samples along a patch, as the seas to be measured have.
+  SurfaceMeter(const ocl::Device& device, int size);
+
+  /// The sea, which stands at time 0, with these Gerstner waves, which follow the same dispersion.
+  SurfaceMeasurement measure(ocean::Ocean& sea, const ocean::GerstnerSea& gerstner_waves);
+
+ private:
+  std::vector<float> travelling_energies(const ocean::SurfaceFields& surface,
+                                         const std::vector<float>& rise_mps, double patch_length_m,
+                                         const ocean::Dispersion& dispersion);
+
+  fft::Fft2d forward_;
+  ocl::Buffer<float> packed_;
+  ocl::Buffer<float> transformed_;
+};
+
+/// Labels at which the composed surface is looked at: the standard error of skewness, sqrt(6 / count) for
+/// independent samples, is then 0.005, far below the scatter from sea to sea.
+constexpr int sample_count = 1 << 18;
+
+/// Side of the square that the labels cover, in lengths of the longest patch: wide enough that every
+/// combination of places within the patches occurs.
+constexpr double square_patches = 64.0;
+
+/// Label `index` of a low-discrepancy sequence over the unit square (Roberts 2018, R2: the plastic number's
+/// powers).
+std::pair<double, double> label(int index) {
+  constexpr double plastic = 1.32471795724474602596;
+  const double u = 0.5 + index / plastic;
+  const double v = 0.5 + index / (plastic * plastic);
+  return {u - std::floor(u), v - std::floor(v)};
+}
+
+int texel(double position_m, double patch_length_m, int size) {
+  const double turns = position_m / patch_length_m;
+  return std::min(static_cast<int>((turns - std::floor(turns)) * size), size - 1);
+}
+
+/// Moments of the elevation and the folded share, of all cascades and Gerstner waves together.
+void measure_shape(const std::vector<ocean::SurfaceFields>& surfaces,
+                   const std::vector<ocean::Cascade>& cascades, const ocean::GerstnerInstant& gerstner_waves,
+                   SurfaceMeasurement& measurement) {
+  double square_m_longest = 0.0;
+  for (const ocean::Cascade& cascade : cascades) {
+    square_m_longest = std::max(square_m_longest, cascade.patch_length_m);
+  }
+  double m2 = 0.0, m3 = 0.0, m4 = 0.0;
+  int folded = 0;
+  for (int i = 0; i < sample_count; ++i) {
+    const auto [u, v] = label(i);
+    const double square_m = square_patches * square_m_longest;
+    const ocean::GerstnerValues values = gerstner_waves.at(u * square_m, v * square_m);
+    double height_m = values.displacement_y_m;
+    double xx = 1.0 + values.gradient_xx, xz = values.gradient_xz, zz = 1.0 + values.gradient_zz;
+    for (std::size_t c = 0; c < cascades.size(); ++c) {
+      const ocean::SurfaceFields& surface = surfaces[c];
+      const int row = texel(v * square_m, cascades[c].patch_length_m, surface.size);
+      const int column = texel(u * square_m, cascades[c].patch_length_m, surface.size);
+      const std::size_t at = static_cast<std::size_t>(row) * surface.size + column;
+      height_m += surface.displacement_y[at];
+      xx += surface.gradient_xx[at];
+      xz += surface.gradient_xz[at];
+      zz += surface.gradient_zz[at];
+    }
+    const double square = height_m * height_m;  // the mean level is 0: no wave has K = 0
+    m2 += square;
+    m3 += square * height_m;
+    m4 += square * square;
+    folded += xx * zz - xz * xz <= 0.0 ? 1 : 0;
+  }
+  m2 /= sample_count;
+  if (m2 > 0.0) {
+    measurement.skewness = m3 / sample_count / std::pow(m2, 1.5);
+    measurement.kurtosis = m4 / sample_count / (m2 * m2);
+  }
+  measurement.folded_share = static_cast<double>(folded) / sample_count;
+}
+
+SurfaceMeter::SurfaceMeter(const ocl::Device& device, int size)
+    : forward_(device, size, 1, fft::Direction::forward),
+      packed_(device, forward_.float_count(), "measured surface"),
+      transformed_(device, forward_.float_count(), "transformed surface") {}
+
+SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea, const ocean::GerstnerSea& gerstner_waves) {
+  const ocean::Dispersion& dispersion = gerstner_waves.dispersion;
+  const std::vector<ocean::Cascade>& cascades = sea.parameters().cascades;
+  SurfaceMeasurement measurement;
+  std::vector<ocean::SurfaceFields> surfaces;
+  std::vector<std::vector<float>> energies;
+  std::vector<ocean::ModeEnergies> modes;
+  for (std::size_t i = 0; i < cascades.size(); ++i) {
+    const int cascade = static_cast<int>(i);
+    surfaces.push_back(sea.read_surface(cascade));
+    const ocean::VelocityFields velocity = sea.read_velocity(cascade);
+    energies.push_back(
+        travelling_energies(surfaces.back(), velocity.y, cascades[i].patch_length_m, dispersion));
+    measurement.cascade_m0_m2.push_back(std::accumulate(energies.back().begin(), energies.back().end(), 0.0));
+    modes.push_back({cascades[i].patch_length_m, surfaces.back().size, energies.back()});
+  }
+  measurement.state = ocean::sea_state_of(modes, dispersion, gerstner_waves.waves);
+  measurement.cascade_mss = ocean::sea_state_of(modes, dispersion).mss;
+  measure_shape(surfaces, cascades, ocean::GerstnerInstant(gerstner_waves, 0.0), measurement);
+  return measurement;
+}
+
+/// Splits the surface into waves that travel toward +K, one a cell. With h(K) = h0(K) e^(-i w t) +
+/// conj(h0(-K)) e^(i w t) its rate of change is h'(K) = -i w (h0(K) e^(-i w t) - conj(h0(-K)) e^(i w t)), so
+/// that (h + i h' / w) / 2 is h0(K) e^(-i w t) alone: a wave of variance 2 |h0(K)|^2. In linear theory the
+/// vertical velocity of the particles at the surface is h'.
+std::vector<float> SurfaceMeter::travelling_energies(const ocean::SurfaceFields& surface,
+                                                     const std::vector<float>& rise_mps,
+                                                     double patch_length_m,
+                                                     const ocean::Dispersion& dispersion) {
+  const int n = surface.size;
+  const std::size_t count = surface.displacement_y.size();
+  std::vector<float> values(2 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    values[2 * i] = surface.displacement_y[i];
+    values[2 * i + 1] = rise_mps[i];
+  }
+  packed_.write(values);
+  forward_.transform(packed_, transformed_);
+  transformed_.read(values);
+
+  const auto packed_at = [&](int row, int column) {
+    const std::size_t at = 2 * (static_cast<std::size_t>(row) * n + column);
+    return std::complex<double>(values[at], values[at + 1]) / static_cast<double>(count);
+  };
+  std::vector<float> energies(count, 0.0f);
+  const double step_radpm = 2.0 * std::numbers::pi / patch_length_m;
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column < n; ++column) {
+      if ((row == 0 && column == 0) || row == n / 2 || column == n / 2) {
+        continue;  // no wave there: the mean, and the Nyquist lines, which have no partner
+      }
+      const int z = row < n / 2 ? row : row - n;
+      const int x = column < n / 2 ? column : column - n;
+      const double omega_radps = dispersion.omega_radps(step_radpm * std::hypot(x, z));
+      // Two real fields in one transform: the even part is h, the odd part i h'.
+      const std::complex<double> here = packed_at(row, column);
+      const std::complex<double> opposite = std::conj(packed_at((n - row) % n, (n - column) % n));
+      const std::complex<double> height = 0.5 * (here + opposite);
+      const std::complex<double> i_rise = 0.5 * (here - opposite);
+      energies[static_cast<std::size_t>(row) * n + column] =
+          static_cast<float>(2.0 * std::norm(0.5 * (height + i_rise / omega_radps)));
+    }
+  }
+  return energies;
+}
 
 Measured mean_and_spread(const std::vector<double>& values) {
   const double count = static_cast<double>(values.size());
@@ -99,6 +275,45 @@ void expect(const ocean::Ocean& sea, const ocean::Dispersion& dispersion,
   certificate.standard_error = ocean::standard_error_of(modes, dispersion, certificate.seeds, gerstner_waves);
 }
 
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+
+nlohmann::json state_json(const ocean::SeaState& state, DirectionStyle style) {
+  return {{"hs_m", state.hs_m},
+          {"tp_s", state.tp_s},
+          {"tm01_s", state.tm01_s},
+          {"tm02_s", state.tm02_s},
+          {"mean_direction_deg", direction_deg(state.mean_direction_rad, style)},
+          {"mss", state.mss}};
+}
+
+/// Means or spreads of the measured figures under the documented names.
+nlohmann::json measured_json(const Certificate& c, double Measured::*part) {
+  return {{"hs_m", c.hs_m.*part},         {"tp_s", c.tp_s.*part},
+          {"tm01_s", c.tm01_s.*part},     {"tm02_s", c.tm02_s.*part},
+          {"mss", c.mss.*part},           {"skewness", c.skewness.*part},
+          {"kurtosis", c.kurtosis.*part}, {"folded_share", c.folded_share.*part}};
+}
+
+struct Row {
+  const char* name;
+  const char* unit;
+  double asked;
+  double resolved;
+  double measured;
+  double difference;  ///< measured - resolved
+  double standard_error;
+};
+
+void append_row(fmt::memory_buffer& text, const Row& row) {
+  const std::string sigma = row.standard_error > 0.0
+                                ? fmt::format("{:+.1f}", row.difference / row.standard_error)
+                                : std::string("-");
+  const std::string error =
+      row.standard_error > 0.0 ? fmt::format("{:.3g}", row.standard_error) : std::string("-");
+  fmt::format_to(std::back_inserter(text), "  {:<15} {:>11} {:>10.4f} {:>10.4f} {:>10.4f} {:>9} {:>6}\n",
+                 row.name, row.unit, row.asked, row.resolved, row.measured, error, sigma);
+}
+
 }  // namespace
 
 EnergyShares energy_shares(const ocean::SeaSpectrum& spectrum, const std::vector<ocean::Cascade>& cascades) {
@@ -161,6 +376,117 @@ Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds,
     certificate.standard_error.mean_direction_rad = certificate.mean_direction_rad.spread / std::sqrt(seeds);
   }
   return certificate;
+}
+
+std::string cascade_text(const scene::Sea& sea, const EnergyShares& energy) {
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  const auto percent = [&](double m2) { return energy.m0_m2 > 0.0 ? 100.0 * m2 / energy.m0_m2 : 0.0; };
+  fmt::format_to(out, "cascade  patch m  spacing m    wavelengths m        energy m^2   share\n");
+  if (sea.gerstner_choice) {
+    fmt::format_to(out, "{:<7}  {:>18}  {:>8.4g} ... {:<8}  {:>10.4g}  {:>5.2f} %\n", "gerstner",
+                   fmt::format("{} waves", sea.gerstner_choice->count),
+                   2.0 * std::numbers::pi / sea.gerstner_choice->split_radpm, "", energy.gerstner_m0_m2,
+                   percent(energy.gerstner_m0_m2));
+  }
+  for (std::size_t i = 0; i < sea.parameters.cascades.size(); ++i) {
+    const ocean::Cascade& cascade = sea.parameters.cascades[i];
+    const double shortest_m = 2.0 * std::numbers::pi / cascade.k_max_radpm;
+    const double longest_m =
+        cascade.k_min_radpm > 0.0 ? 2.0 * std::numbers::pi / cascade.k_min_radpm : cascade.patch_length_m;
+    fmt::format_to(out, "c{:<6}  {:>7.5g}  {:>9.4g}  {:>8.4g} ... {:<8.4g}  {:>10.4g}  {:>5.2f} %\n", i,
+                   cascade.patch_length_m, cascade.patch_length_m / sea.parameters.size, shortest_m,
+                   longest_m, energy.cascade_m0_m2[i], percent(energy.cascade_m0_m2[i]));
+  }
+  fmt::format_to(out, "{:<52}  {:>10.4g}  {:>5.2f} %\n", "out of band", energy.out_of_band_m2,
+                 percent(energy.out_of_band_m2));
+  fmt::format_to(out, "{:<52}  {:>10.4g}  Hs {:.3f} m\n", "m0 of the spectrum", energy.m0_m2,
+                 4.0 * std::sqrt(energy.m0_m2));
+  return fmt::to_string(text);
+}
+
+std::string certificate_text(const Certificate& c, const scene::Sea& sea, DirectionStyle style) {
+  const double root = std::sqrt(static_cast<double>(c.seeds));
+  // Figures without a theory of their own are judged by the scatter from seed to seed, once it is known well
+  // enough.
+  constexpr int fewest_seeds = 8;
+  const auto observed = [&](const Measured& figure) {
+    return c.seeds < fewest_seeds ? 0.0 : figure.spread / root;
+  };
+  const double direction_error_deg = c.standard_error.mean_direction_rad * degrees_per_radian;
+
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "Sea-state certificate: {} seed{} from {}, {} x {} samples a cascade\n\n", c.seeds,
+                 c.seeds == 1 ? "" : "s", sea.parameters.seed, sea.parameters.size, sea.parameters.size);
+  fmt::format_to(out, "  {:<15} {:>11} {:>10} {:>10} {:>10} {:>9} {:>6}\n", "", "", "asked", "resolved",
+                 "measured", "std.error", "sigma");
+  append_row(text, {"Hs", "m", c.asked.hs_m, c.resolved.hs_m, c.hs_m.mean, c.hs_m.mean - c.resolved.hs_m,
+                    c.standard_error.hs_m});
+  append_row(text, {"Tp", "s", c.asked.tp_s, c.resolved.tp_s, c.tp_s.mean, c.tp_s.mean - c.resolved.tp_s,
+                    observed(c.tp_s)});
+  append_row(text, {"Tm01", "s", c.asked.tm01_s, c.resolved.tm01_s, c.tm01_s.mean,
+                    c.tm01_s.mean - c.resolved.tm01_s, observed(c.tm01_s)});
+  append_row(text, {"Tm02", "s", c.asked.tm02_s, c.resolved.tm02_s, c.tm02_s.mean,
+                    c.tm02_s.mean - c.resolved.tm02_s, c.standard_error.tm02_s});
+  append_row(text, {"mean direction", direction_unit(style), direction_deg(c.asked.mean_direction_rad, style),
+                    direction_deg(c.resolved.mean_direction_rad, style),
+                    direction_deg(c.mean_direction_rad.mean, style),
+                    degrees_per_radian *
+                        direction_difference_rad(c.mean_direction_rad.mean, c.resolved.mean_direction_rad),
+                    direction_error_deg});
+  append_row(text, {"mss", "", c.asked.mss, c.resolved.mss, c.mss.mean, c.mss.mean - c.resolved.mss,
+                    observed(c.mss)});
+  fmt::format_to(out, "\n  skewness {:.3f}, kurtosis {:.3f}, folded share {:.2e}, max ka {:.3f}\n\n",
+                 c.skewness.mean, c.kurtosis.mean, c.folded_share.mean, c.max_ka);
+  fmt::format_to(out, "{}\n", cascade_text(sea, c.energy));
+  if (!sea.swells.empty()) {
+    fmt::format_to(out, "Swells beside the spectrum: {}, {:.4g} m^2; resolved and measured have them.\n\n",
+                   sea.swells.size(), c.swell_m0_m2);
+  }
+  fmt::format_to(
+      out,
+      "asked: the whole spectrum. resolved: what the grids can hold. measured: mean over the seeds of the\n"
+      "surface itself. sigma: (measured - resolved) / standard error.\n"
+      "The waves are linear: elevation at rest labels is Gaussian, with no skewness of second order;\n"
+      "crests sharpen through the horizontal displacement alone.\n");
+  return fmt::to_string(text);
+}
+
+nlohmann::json certificate_json(const Certificate& c, const scene::Sea& sea, DirectionStyle style) {
+  nlohmann::json json;
+  json["asked"] = state_json(c.asked, style);
+  json["resolved"] = state_json(c.resolved, style);
+  json["measured"] = measured_json(c, &Measured::mean);
+  json["measured"]["mean_direction_deg"] = direction_deg(c.mean_direction_rad.mean, style);
+  json["measured"]["max_ka"] = c.max_ka;
+  json["spread"] = measured_json(c, &Measured::spread);
+  json["spread"]["mean_direction_deg"] = c.mean_direction_rad.spread * degrees_per_radian;
+  json["standard_error"] = {{"hs_m", c.standard_error.hs_m},
+                            {"tm02_s", c.standard_error.tm02_s},
+                            {"mean_direction_deg", c.standard_error.mean_direction_rad * degrees_per_radian}};
+  json["seeds"] = c.seeds;
+  json["m0_m2"] = c.energy.m0_m2;
+  json["out_of_band_m2"] = c.energy.out_of_band_m2;
+  if (sea.gerstner_choice) {
+    json["gerstner"] = {{"count", sea.gerstner_choice->count},
+                        {"k_split_radpm", sea.gerstner_choice->split_radpm},
+                        {"spectrum_m0_m2", c.energy.gerstner_m0_m2}};
+  }
+  if (!sea.swells.empty()) {
+    json["swells"] = {{"count", sea.swells.size()}, {"m0_m2", c.swell_m0_m2}};
+  }
+  json["cascades"] = nlohmann::json::array();
+  for (std::size_t i = 0; i < sea.parameters.cascades.size(); ++i) {
+    const ocean::Cascade& cascade = sea.parameters.cascades[i];
+    json["cascades"].push_back({{"patch_m", cascade.patch_length_m},
+                                {"k_min_radpm", cascade.k_min_radpm},
+                                {"k_max_radpm", cascade.k_max_radpm},
+                                {"spectrum_m0_m2", c.energy.cascade_m0_m2[i]},
+                                {"expected_m0_m2", c.expected_cascade_m0_m2[i]},
+                                {"measured_m0_m2", c.measured_cascade_m0_m2[i]}});
+  }
+  return json;
 }
 
 }  // namespace offing::cli

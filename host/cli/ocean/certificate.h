@@ -1,9 +1,13 @@
 #pragma once
 
+#include <string>
 #include <vector>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include "host/base/progress.h"
 #include "host/base/work.h"
+#include "host/cli/common/direction_text.h"
 #include "host/ocean/spectrum/sea_statistics.h"
 #include "host/ocl/device.h"
 #include "host/scene/prepare/sea.h"
@@ -48,5 +52,16 @@ struct Certificate {
 /// is no property of the sea; neither are raindrops.
 Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds, Progress& progress,
                     const CancelToken& cancel);
+
+/// The certificate for people: a table of what was asked and what was found, the cascades, and what to make
+/// of it.
+std::string certificate_text(const Certificate& certificate, const scene::Sea& sea, DirectionStyle style);
+
+/// The certificate for scripts: "asked" and "measured" as documented, and beside them "resolved",
+/// "standard_error", "spread", "cascades", "out_of_band_m2", "m0_m2", "seeds".
+nlohmann::json certificate_json(const Certificate& certificate, const scene::Sea& sea, DirectionStyle style);
+
+/// The cascades with their bands and the energy that each holds.
+std::string cascade_text(const scene::Sea& sea, const EnergyShares& energy);
 
 }  // namespace offing::cli

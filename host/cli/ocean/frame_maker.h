@@ -1,16 +1,62 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "host/cli/ocean/bake_settings.h"
-#include "host/cli/ocean/baked_frame.h"
-#include "host/cli/ocean/gerstner_layer.h"
+#include "host/io/meshes/grid_mesh.h"
+#include "host/ocean/surface/foam_instants.h"
+#include "host/ocean/surface/gerstner_surface.h"
 #include "host/ocean/surface/ocean.h"
 #include "host/ocl/device.h"
 #include "host/scene/prepare/sea.h"
 
 namespace offing::cli {
+
+/// One frame in host memory, as far as the settings ask for it.
+struct BakedFrame {
+  struct CascadeFields {
+    ocean::SurfaceFields surface;
+    std::vector<float> foam;         ///< [n][n], or empty
+    ocean::VelocityFields velocity;  ///< at the settings' depth, or empty
+  };
+  int number = 0;
+  double time_s = 0.0;
+  std::vector<CascadeFields> cascades;
+  /// The first cascade with the Gerstner waves, where they are to be included (GerstnerLayer).
+  std::optional<CascadeFields> first_with_gerstner = {};
+  GridMesh mesh;  ///< all cascades together, and included Gerstner waves, over the longest patch; or empty
+};
+
+/// The first cascade of a baked frame with the Gerstner waves of the sea, on one device.
+class GerstnerLayer {
+ public:
+  GerstnerLayer(const ocl::Device& device, const scene::Sea& sea);
+
+  const ocean::GerstnerSea& gerstner_waves() const { return gerstner_waves_; }
+
+  /// The cascade's fields and the waves added up; Jacobian, eigenvalue and foam are those of all cascades and
+  /// waves together, at the labels of this one. Foam and velocity where `spectral` has them. `sea` is at
+  /// time_s, before and after.
+  BakedFrame::CascadeFields with_waves(const BakedFrame::CascadeFields& spectral, ocean::Ocean& sea,
+                                       double time_s, double velocity_depth_m);
+
+ private:
+  std::vector<float> foam_at(ocean::Ocean& sea, double time_s);
+  const std::vector<float>& coverage_at(ocean::Ocean& sea, std::int64_t instant);
+  void add_velocity(ocean::VelocityFields& velocity, double time_s, double depth_m) const;
+
+  ocean::GerstnerSea gerstner_waves_;
+  ocean::FoamParameters foam_;
+  ocean::FoamInstants instants_;
+  ocean::SampleGrid labels_;  // those of the cascade
+  ocean::GerstnerSurface surface_;
+  std::map<std::int64_t, std::vector<float>>
+      coverages_;  // by key of the instant, as the next frame needs them
+};
 
 /// What a frame takes of host memory.
 std::size_t frame_bytes(const BakeSettings& settings, int size, std::size_t cascades);

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "host/cli/ocean/bake_settings.h"
-#include "host/cli/ocean/baked_frame.h"
 #include "host/cli/ocean/frame_files.h"
+#include "host/cli/ocean/frame_maker.h"
 #include "host/io/png_image.h"
 #include "host/scene/prepare/sea.h"
 

@@ -1,5 +1,3 @@
-#include "host/cli/ocean/query_command.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,9 +14,9 @@
 #include "host/base/progress.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/common/parameter_options.h"
+#include "host/cli/ocean/ocean_commands.h"
 #include "host/cli/ocean/query_settings.h"
 #include "host/cli/ocean/query_text.h"
-#include "host/cli/ocean/water_left_out.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
 #include "host/io/atomic_file.h"

@@ -1,5 +1,3 @@
-#include "host/cli/ocean/stats_command.h"
-
 #include <memory>
 
 #include <CLI/Option.hpp>
@@ -11,7 +9,7 @@
 #include "host/cli/common/device_choice.h"
 #include "host/cli/common/parameter_options.h"
 #include "host/cli/ocean/certificate.h"
-#include "host/cli/ocean/certificate_text.h"
+#include "host/cli/ocean/ocean_commands.h"
 
 namespace offing::cli {
 

@@ -1,7 +1,11 @@
-#include "host/cli/terrain/terrain_fly_command.h"
-
+// `offing terrain fly`: the path of a flight, its frames and what they cost, and the same frames over the
+// whole map.
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -9,28 +13,217 @@
 
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 
 #include "host/base/argument.h"
+#include "host/base/camera.h"
 #include "host/base/error.h"
 #include "host/base/progress.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/pictures/terrain_render.h"
-#include "host/cli/terrain/flight_comparison.h"
-#include "host/cli/terrain/flight_path.h"
-#include "host/cli/terrain/flight_recorder.h"
-#include "host/cli/terrain/height_map_flags.h"
-#include "host/cli/terrain/store_field.h"
 #include "host/cli/terrain/terrain_camera.h"
+#include "host/cli/terrain/terrain_commands.h"
 #include "host/cli/terrain/terrain_input.h"
 #include "host/cli/terrain/terrain_place.h"
+#include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/general_flags.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
+#include "host/ocl/device.h"
+#include "host/sky/clear_sky.h"
+#include "host/sky/sun_position.h"
+#include "host/terrain/cast/image_rays.h"
+#include "host/terrain/field/height_field.h"
+#include "host/terrain/shading/terrain_shade.h"
+#include "host/terrain/tiles/tiled_field.h"
+#include "host/world/terrain_light.h"
 
 namespace offing::cli {
-
 namespace {
+
+/// A flight over a map whose first post is at x = z = 0.
+struct Flight {
+  double width_m = 0.0, depth_m = 0.0;
+  double step_m = 10.0;     ///< from frame to frame
+  double height_m = 150.0;  ///< above the ground
+  int frames = 600;
+  /// Upper bound of the ground around a place of the plan.
+  std::function<double(double x_m, double z_m)> bound_m;
+};
+
+constexpr double pitch_rad = -10.0 * std::numbers::pi / 180.0;
+// The height is the highest bound within so many steps before and behind, and then their mean.
+constexpr int smoothed_steps = 60;
+
+glm::dvec2 figure(const Flight& flight, double phase) {
+  return {flight.width_m * (0.5 + 0.4 * std::sin(phase)),
+          flight.depth_m * (0.5 + 0.4 * std::sin(2.0 * phase))};
+}
+
+/// Eye and direction of each frame: along a figure of eight that keeps a tenth of the map from its edges and
+/// begins a little past the middle, following the bound of the ground smoothly, looking ahead and 10 degrees
+/// down.
+std::vector<Camera> flight_path(const Flight& flight) {
+  const int points = flight.frames + 4 * smoothed_steps;
+  std::vector<glm::dvec2> places;
+  std::vector<double> bounds_m;
+  double phase = 0.0;
+  for (int i = 0; i < points; ++i) {
+    const glm::dvec2 place = figure(flight, phase);
+    places.push_back(place);
+    bounds_m.push_back(flight.bound_m(place.x, place.y));
+    constexpr double probe = 1e-6;
+    phase += flight.step_m * probe / glm::length(figure(flight, phase + probe) - place);
+  }
+  std::vector<Camera> cameras;
+  std::vector<double> highest_m;
+  for (int i = 0; i < points; ++i) {
+    const auto from = bounds_m.begin() + std::max(0, i - smoothed_steps);
+    const auto to = bounds_m.begin() + std::min(points, i + smoothed_steps + 1);
+    highest_m.push_back(*std::max_element(from, to));
+  }
+  for (int frame = 0; frame < flight.frames; ++frame) {
+    const int at = frame + smoothed_steps;
+    double sum_m = 0.0;
+    for (int i = at - smoothed_steps; i <= at + smoothed_steps; ++i)
+      sum_m += highest_m[static_cast<std::size_t>(i)];
+    const glm::dvec2 here = places[static_cast<std::size_t>(at)],
+                     way = places[static_cast<std::size_t>(at + 1)] - here;
+    Camera camera;
+    camera.eye_m = {here.x, sum_m / (2 * smoothed_steps + 1) + flight.height_m, here.y};
+    camera.yaw_rad = std::atan2(way.x, -way.y);
+    camera.pitch_rad = pitch_rad;
+    cameras.push_back(camera);
+  }
+  return cameras;
+}
+
+/// Draws the frames of a flight on a device and times them: rays and light, under one sky.
+class FlightRecorder {
+ public:
+  FlightRecorder(const ocl::Device& device, const Camera& first, double latitude_deg);
+
+  /// Draws the frame; returns the seconds that it took, the choice of tiles included.
+  double draw(terrain::TiledField& field, const Camera& camera, double ahead_m);
+
+  /// What the last frame's rays hit.
+  std::vector<TerrainHit> read_hits() const { return hits_.read(); }
+
+ private:
+  ocl::Device device_;
+  sky::Atmosphere atmosphere_;
+  sky::ClearSky sky_;
+  TerrainLight light_;
+  terrain::TerrainShade shade_;
+  ocl::Buffer<TerrainHit> hits_;
+  ocl::Buffer<terrain::Texel> image_;
+};
+
+/// Frame times by rank.
+struct FrameTimes {
+  double median_s = 0.0, slowest_hundredth_s = 0.0, worst_s = 0.0;
+};
+
+FlightRecorder::FlightRecorder(const ocl::Device& device, const Camera& first, double latitude_deg)
+    : device_(device),
+      sky_(device, atmosphere_),
+      shade_(device),
+      hits_(device, terrain::pixel_count(first), "terrain hits"),
+      image_(device, terrain::pixel_count(first), "terrain image") {
+  const TerrainScenery scenery;
+  sky_.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad),
+           .eye_altitude_m = std::max(0.0, first.eye_m.y)});
+  light_ = world::terrain_light(sky_.read_illuminance(), atmosphere_, world::cover_lines(latitude_deg));
+}
+
+double FlightRecorder::draw(terrain::TiledField& field, const Camera& camera, double ahead_m) {
+  const auto start = std::chrono::steady_clock::now();
+  field.look(camera, ahead_m);
+  field.cast(camera, hits_);
+  shade_.at(field, camera, hits_, {light_, sky_.params(), sky_.view_table()}, image_);
+  device_.finish();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+FrameTimes frame_times(std::vector<double> seconds) {
+  std::sort(seconds.begin(), seconds.end());
+  const auto at = [&](double share) {
+    return seconds[static_cast<std::size_t>(std::ceil(share * static_cast<double>(seconds.size()))) - 1];
+  };
+  return {at(0.5), at(0.99), seconds.back()};
+}
+
+/// Largest memory that the process has had, bytes.
+std::size_t peak_resident_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+/// Frames of a flight over tiles against those over the whole map.
+class FlightComparison {
+ public:
+  /// field must outlive this.
+  explicit FlightComparison(terrain::HeightField& field) : field_(field) {}
+
+  /// What tiles showed of a frame: where there was sky while some were still missing ([pixels]), and all once
+  /// they were there.
+  void add(const ocl::Device& device, const Camera& camera, const std::vector<bool>& sky_flown,
+           const std::vector<TerrainHit>& loaded);
+
+  struct Result {
+    std::size_t frames = 0, pixels = 0;
+    std::size_t holes_flown = 0, holes_loaded = 0;  ///< pixels of sky where the map has ground
+    std::size_t raised = 0;  ///< pixels of ground where the map has sky, once all tiles were there
+    /// Distance to the ground, off by so much of itself: of pixels that both show ground.
+    double median_error = 0.0, worst_hundredth_error = 0.0;
+  };
+  Result result() const;
+
+ private:
+  terrain::HeightField& field_;
+  Result result_;
+  std::vector<float> errors_;
+};
+
+void FlightComparison::add(const ocl::Device& device, const Camera& camera,
+                           const std::vector<bool>& sky_flown, const std::vector<TerrainHit>& loaded) {
+  ocl::Buffer<float> distances(device, terrain::pixel_count(camera), "distances");
+  field_.cast(camera, distances);
+  const std::vector<float> map_m = distances.read();
+  ++result_.frames;
+  result_.pixels += map_m.size();
+  for (std::size_t i = 0; i < map_m.size(); ++i) {
+    const bool is_ground = std::isfinite(map_m[i]);
+    if (is_ground) {
+      result_.holes_flown += sky_flown[i] ? 1 : 0;
+      result_.holes_loaded += loaded[i].kind == TERRAIN_MISS ? 1 : 0;
+      if (loaded[i].kind != TERRAIN_MISS) {
+        errors_.push_back(std::abs(loaded[i].distance_m - map_m[i]) / std::max(map_m[i], 1e-3f));
+      }
+    } else {
+      result_.raised += loaded[i].kind == TERRAIN_MISS ? 0 : 1;
+    }
+  }
+}
+
+FlightComparison::Result FlightComparison::result() const {
+  Result result = result_;
+  if (errors_.empty()) return result;
+  std::vector<float> errors = errors_;
+  const auto at = [&](double share) {
+    const auto place =
+        errors.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(errors.size() - 1));
+    std::nth_element(errors.begin(), place, errors.end());
+    return static_cast<double>(*place);
+  };
+  result.median_error = at(0.5);
+  result.worst_hundredth_error = at(0.99);
+  return result;
+}
 
 constexpr double radians = std::numbers::pi / 180.0;
 constexpr double usual_latitude_deg = 46.0;

@@ -1,5 +1,3 @@
-#include "host/cli/terrain/terrain_generate_command.h"
-
 #include <algorithm>
 #include <bit>
 #include <memory>
@@ -13,6 +11,7 @@
 #include "host/base/argument.h"
 #include "host/base/error.h"
 #include "host/base/progress.h"
+#include "host/cli/terrain/terrain_commands.h"
 #include "host/cli/terrain/terrain_place.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"

@@ -1,5 +1,3 @@
-#include "host/cli/terrain/terrain_height_command.h"
-
 #include <iterator>
 #include <memory>
 
@@ -7,6 +5,7 @@
 
 #include "host/base/argument.h"
 #include "host/cli/terrain/terrain_batch.h"
+#include "host/cli/terrain/terrain_commands.h"
 #include "host/cli/terrain/terrain_place.h"
 #include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/print_results.h"

@@ -1,5 +1,3 @@
-#include "host/cli/terrain/terrain_los_command.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -13,6 +11,7 @@
 #include "host/cli/common/device_choice.h"
 #include "host/cli/terrain/earth_curve_flags.h"
 #include "host/cli/terrain/terrain_batch.h"
+#include "host/cli/terrain/terrain_commands.h"
 #include "host/cli/terrain/terrain_place.h"
 #include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/print_results.h"

@@ -1,5 +1,3 @@
-#include "host/cli/terrain/terrain_profile_command.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -8,6 +6,7 @@
 
 #include "host/base/argument.h"
 #include "host/cli/terrain/earth_curve_flags.h"
+#include "host/cli/terrain/terrain_commands.h"
 #include "host/cli/terrain/terrain_place.h"
 #include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/new_output.h"

@@ -1,5 +1,3 @@
-#include "host/cli/terrain/terrain_ray_command.h"
-
 #include <cmath>
 #include <iterator>
 #include <memory>
@@ -12,6 +10,7 @@
 #include "host/cli/common/device_choice.h"
 #include "host/cli/terrain/earth_curve_flags.h"
 #include "host/cli/terrain/terrain_batch.h"
+#include "host/cli/terrain/terrain_commands.h"
 #include "host/cli/terrain/terrain_place.h"
 #include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/print_results.h"

@@ -1,5 +1,3 @@
-#include "host/cli/terrain/terrain_render_command.h"
-
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -11,8 +9,8 @@
 #include "host/base/error.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/pictures/terrain_render.h"
-#include "host/cli/terrain/store_field.h"
 #include "host/cli/terrain/terrain_camera.h"
+#include "host/cli/terrain/terrain_commands.h"
 #include "host/cli/terrain/terrain_place.h"
 #include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/new_output.h"

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include <CLI/App.hpp>
+
 #include "host/base/height_map.h"
-#include "host/cli/terrain/store_field.h"
 #include "host/cli/terrain/terrain_input.h"
+#include "host/io/tile_store/tile_store.h"
 #include "host/ocl/device.h"
 #include "host/terrain/analysis/earth_curve.h"
 #include "host/terrain/field/height_field.h"
@@ -14,6 +18,25 @@
 #include "host/terrain/tiles/tiled_field.h"
 
 namespace offing::cli {
+
+/// Flags of commands that take a tile store. `this` must outlive the command.
+class CacheFlags {
+ public:
+  void add_to(CLI::App& command);
+  /// That of pictures: what is beyond the map.
+  void add_edge_to(CLI::App& command);
+
+  /// --cache-mb; throws Error(bad_usage) for anything but 32 ... 65536.
+  std::size_t bytes() const;
+  terrain::MapEdge edge() const;
+  bool are_given() const { return !cache_mb_.empty() || !edge_.empty(); }
+
+ private:
+  std::string cache_mb_, edge_;
+};
+
+/// The store on a device, as much of it as the cache holds. Keeps a copy of the store.
+terrain::TiledField make_field(const TileStore& store, const ocl::Device& device, const CacheFlags& flags);
 
 /// The ground that questions are about: a height map in memory, or a tile store, whose answers are those of
 /// the map that it was made of. Its first post is at x = z = 0.

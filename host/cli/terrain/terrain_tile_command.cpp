@@ -1,9 +1,13 @@
-#include "host/cli/terrain/terrain_tile_command.h"
-
+// `offing terrain tile`: a height map as a store of tiles, which threads write.
+#include <atomic>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include <CLI/Option.hpp>
@@ -14,16 +18,98 @@
 
 #include "host/base/error.h"
 #include "host/base/progress.h"
+#include "host/cli/ocean/bounded_queue.h"
+#include "host/cli/terrain/terrain_commands.h"
 #include "host/cli/terrain/terrain_input.h"
 #include "host/cli/terrain/terrain_place.h"
-#include "host/cli/terrain/tile_writers.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
+#include "host/io/tile_store/tile_store.h"
 #include "host/terrain/tiles/tile_builder.h"
 
 namespace offing::cli {
-
 namespace {
+
+/// Threads that write tiles, most of whose time is waiting for the disk.
+class TileWriters {
+ public:
+  /// Both must outlive the writers.
+  TileWriters(const TileStoreWriter& store, Progress& progress);
+  TileWriters(const TileWriters&) = delete;
+  TileWriters& operator=(const TileWriters&) = delete;
+  ~TileWriters();
+
+  /// Waits for room. Throws what writing threw.
+  void add(HeightTile tile);
+  /// Waits until all is written. Throws what writing threw.
+  void finish();
+
+  long long written() const { return written_; }
+  long long kept() const { return kept_; }
+
+ private:
+  void work();
+  void join();
+  void throw_if_failed();
+
+  const TileStoreWriter& store_;
+  Progress& progress_;
+  BoundedQueue<HeightTile> tiles_;
+  std::atomic<long long> written_{0}, kept_{0};
+  std::mutex mutex_;
+  std::exception_ptr failure_;
+  std::vector<std::thread> threads_;
+};
+
+constexpr std::size_t writers = 4;
+constexpr std::size_t most_waiting = 64;  // 34 MB
+
+TileWriters::TileWriters(const TileStoreWriter& store, Progress& progress)
+    : store_(store), progress_(progress), tiles_(most_waiting) {
+  for (std::size_t i = 0; i < writers; ++i) threads_.emplace_back([this] { work(); });
+}
+
+TileWriters::~TileWriters() {
+  join();
+}
+
+void TileWriters::work() {
+  while (auto tile = tiles_.pop()) {
+    try {
+      if (store_.write(*tile)) {
+        ++written_;
+        progress_.advance();
+      } else {
+        ++kept_;
+        progress_.skip();
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      tiles_.close();
+    }
+  }
+}
+
+void TileWriters::join() {
+  tiles_.close();
+  for (std::thread& thread : threads_) thread.join();
+  threads_.clear();
+}
+
+void TileWriters::throw_if_failed() {
+  const std::lock_guard lock(mutex_);
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+void TileWriters::add(HeightTile tile) {
+  if (!tiles_.push(std::move(tile))) throw_if_failed();
+}
+
+void TileWriters::finish() {
+  join();
+  throw_if_failed();
+}
 
 struct TerrainTileArguments {
   TerrainInput input;

@@ -1,7 +1,4 @@
-#include "host/cli/clouds/clouds_command.h"
-
-#include "host/cli/clouds/clouds_build_command.h"
-#include "host/cli/clouds/clouds_info_command.h"
+#include "host/cli/clouds/clouds_commands.h"
 
 namespace offing::cli {
 

@@ -1,15 +1,4 @@
-#include "host/cli/terrain/terrain_command.h"
-
-#include "host/cli/terrain/terrain_fly_command.h"
-#include "host/cli/terrain/terrain_generate_command.h"
-#include "host/cli/terrain/terrain_height_command.h"
-#include "host/cli/terrain/terrain_info_command.h"
-#include "host/cli/terrain/terrain_los_command.h"
-#include "host/cli/terrain/terrain_profile_command.h"
-#include "host/cli/terrain/terrain_ray_command.h"
-#include "host/cli/terrain/terrain_render_command.h"
-#include "host/cli/terrain/terrain_tile_command.h"
-#include "host/cli/terrain/terrain_viewshed_command.h"
+#include "host/cli/terrain/terrain_commands.h"
 
 namespace offing::cli {
 

@@ -1,10 +1,20 @@
-#include "host/cli/ocean/water_left_out.h"
+#include "host/cli/ocean/ocean_commands.h"
 
 #include <string>
 
 #include <spdlog/spdlog.h>
 
 namespace offing::cli {
+
+void add_ocean_command(CLI::App& app, GlobalOptions& options) {
+  CLI::App* ocean =
+      app.add_subcommand("ocean", "a sea: bake its maps, certify it, ask for its water, look at spectra");
+  ocean->require_subcommand(1);
+  add_bake_command(*ocean, options);
+  add_stats_command(*ocean, options);
+  add_query_command(*ocean, options);
+  add_spectrum_command(*ocean, options);
+}
 
 void warn_of_water_left_out(const scene::Scene& scene, const char* results) {
   const auto warn = [&](const std::string& part, const char* what) {

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "host/cli/common/global_options.h"
+#include "host/scene/model/scene.h"
+
+namespace offing::cli {
+
+/// `offing ocean bake | stats | query | spectrum`. `options` must outlive the application.
+void add_ocean_command(CLI::App& app, GlobalOptions& options);
+
+/// `offing ocean bake [SCENE] -o DIR`: frames of ocean maps as OpenEXR.
+void add_bake_command(CLI::App& ocean, GlobalOptions& options);
+
+/// `offing ocean stats [SCENE]`: the sea-state certificate.
+void add_stats_command(CLI::App& ocean, GlobalOptions& options);
+
+/// `offing ocean query [SCENE] --at X,Z --time T | --points FILE --times A:B:DT [-o FILE]`.
+void add_query_command(CLI::App& ocean, GlobalOptions& options);
+
+/// `offing ocean spectrum FILE`: lists, draws and exports measured spectra.
+void add_spectrum_command(CLI::App& ocean, GlobalOptions& options);
+
+/// Warns of each part of a scene whose effect on the water is not in the maps of the sea: wakes, bodies and
+/// shores. `results` names what leaves it out, such as "frames".
+void warn_of_water_left_out(const scene::Scene& scene, const char* results);
+
+}  // namespace offing::cli
