@@ -5,14 +5,7 @@
 #include "host/base/process.h"
 #include "host/command_line/parse_arguments.h"
 #include "host/scene/file/version.h"
-#include "mesh_tools/commands/check_command.h"
-#include "mesh_tools/commands/curvature_command.h"
-#include "mesh_tools/commands/generate_command.h"
-#include "mesh_tools/commands/options.h"
-#include "mesh_tools/commands/remesh_command.h"
-#include "mesh_tools/commands/repair_command.h"
-#include "mesh_tools/commands/simplify_command.h"
-#include "mesh_tools/commands/subdivide_command.h"
+#include "mesh_tools/commands/mesh_commands.h"
 
 namespace {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 
 #include "host/base/triangle_mesh.h"
 #include "host/base/work.h"
@@ -31,5 +32,10 @@ MeshDefects find_index_defects(const TriangleMesh& mesh);
 
 /// Throws Error(cancelled) when asked to stop.
 MeshDefects find_defects(const TriangleMesh& mesh, const CancelToken& cancel);
+
+/// What half-edges can hold. Throws Error(bad_input) that names the file, and `offing-mesh repair` as the
+/// fix, for an edge of three faces, a vertex of two fans, neighbours that disagree, a face that names a
+/// vertex twice.
+void require_manifold(const TriangleMesh& mesh, std::string_view file_name);
 
 }  // namespace offing::mesh_tools

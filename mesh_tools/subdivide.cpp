@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "mesh_tools/manifold.h"
+#include "mesh_tools/mesh_defects.h"
 
 namespace offing::mesh_tools {
 

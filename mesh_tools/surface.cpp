@@ -5,7 +5,7 @@
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
-#include "mesh_tools/manifold.h"
+#include "mesh_tools/mesh_defects.h"
 
 namespace offing::mesh_tools {
 

@@ -1,5 +1,3 @@
-#include "mesh_tools/commands/check_command.h"
-
 #include <memory>
 #include <string>
 #include <string_view>
@@ -10,6 +8,7 @@
 #include "host/command_line/general_flags.h"
 #include "host/command_line/print_results.h"
 #include "host/io/meshes/read_mesh.h"
+#include "mesh_tools/commands/mesh_commands.h"
 #include "mesh_tools/defects_text.h"
 #include "mesh_tools/mesh_defects.h"
 

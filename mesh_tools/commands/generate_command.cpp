@@ -1,5 +1,3 @@
-#include "mesh_tools/commands/generate_command.h"
-
 #include <memory>
 #include <string>
 
@@ -11,6 +9,7 @@
 #include "host/command_line/print_results.h"
 #include "host/io/meshes/write_mesh.h"
 #include "host/mesh_shapes/shape_table.h"
+#include "mesh_tools/commands/mesh_commands.h"
 
 namespace offing::mesh_tools {
 

@@ -1,5 +1,3 @@
-#include "mesh_tools/commands/remesh_command.h"
-
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -14,6 +12,7 @@
 #include "host/base/error.h"
 #include "host/command_line/general_flags.h"
 #include "host/command_line/print_results.h"
+#include "mesh_tools/commands/mesh_commands.h"
 #include "mesh_tools/commands/mesh_job.h"
 #include "mesh_tools/remesh.h"
 

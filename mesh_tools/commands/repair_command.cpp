@@ -1,5 +1,3 @@
-#include "mesh_tools/commands/repair_command.h"
-
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -13,6 +11,7 @@
 #include "host/base/argument.h"
 #include "host/command_line/general_flags.h"
 #include "host/command_line/print_results.h"
+#include "mesh_tools/commands/mesh_commands.h"
 #include "mesh_tools/commands/mesh_job.h"
 #include "mesh_tools/defects_text.h"
 #include "mesh_tools/mesh_defects.h"

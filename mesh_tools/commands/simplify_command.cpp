@@ -1,5 +1,3 @@
-#include "mesh_tools/commands/simplify_command.h"
-
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -9,6 +7,7 @@
 #include "host/base/argument.h"
 #include "host/base/error.h"
 #include "host/command_line/general_flags.h"
+#include "mesh_tools/commands/mesh_commands.h"
 #include "mesh_tools/commands/mesh_job.h"
 #include "mesh_tools/simplify.h"
 

@@ -1,5 +1,3 @@
-#include "mesh_tools/commands/subdivide_command.h"
-
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -8,6 +6,7 @@
 
 #include "host/base/argument.h"
 #include "host/command_line/general_flags.h"
+#include "mesh_tools/commands/mesh_commands.h"
 #include "mesh_tools/commands/mesh_job.h"
 #include "mesh_tools/subdivide.h"
 

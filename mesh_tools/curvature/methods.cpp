@@ -1,4 +1,4 @@
-#include "mesh_tools/curvature/bend_sink.h"
+#include "mesh_tools/curvature/methods.h"
 
 #include "host/base/parallel_for.h"
 
