@@ -1,6 +1,7 @@
 #include "host/ocl/program_cache.h"
 
 #include <fstream>
+#include <future>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 
 #include "host/ocl/buffer.h"
 #include "host/ocl/program.h"
+#include "tests/io/temporary_folder.h"
 #include "tests/ocl/child_process.h"
 #include "tests/ocl/log_capture.h"
 #include "tests/ocl/scoped_environment.h"
@@ -22,6 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Binary = std::vector<std::uint8_t>;
+using std::chrono::milliseconds;
 using test::LogCapture;
 using ::testing::HasSubstr;
 using ::testing::Optional;
@@ -275,6 +278,32 @@ TEST_F(CachedProgramTest, ServesProcessesThatStartAtOnce) {
     EXPECT_EQ(entries().size(), 1u);
     if (round == 1) replace(entries().front(), "garbage");
   }
+}
+
+// Fails if two have it at a time, or who waits does so for ever: a test that was stopped while it had PoCL's
+// cache let every other program wait until it was killed.
+TEST(FolderLockTest, WaitsNoLongerThanAsked) {
+  const TemporaryFolder folder;
+  const FolderLock first(folder.path().string(), milliseconds(0));
+  EXPECT_TRUE(first.is_held());
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_FALSE(FolderLock(folder.path().string(), milliseconds(100)).is_held());
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, milliseconds(100));
+}
+
+// Fails if a turn never comes.
+TEST(FolderLockTest, ComesToItsTurn) {
+  const TemporaryFolder folder;
+  auto first = std::make_unique<FolderLock>(folder.path().string(), milliseconds(0));
+  auto second = std::async(std::launch::async,
+                           [&] { return FolderLock(folder.path().string(), milliseconds(60000)).is_held(); });
+  first.reset();
+  EXPECT_TRUE(second.get());
+}
+
+// Fails if a folder that is not there is waited for.
+TEST(FolderLockTest, NeedsAFolder) {
+  EXPECT_FALSE(FolderLock("/nowhere/at all", milliseconds(60000)).is_held());
 }
 
 }  // namespace
