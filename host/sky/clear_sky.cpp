@@ -9,8 +9,8 @@
 
 #include "host/base/error.h"
 #include "host/base/parameter_check.h"
-#include "host/ocl/glsl_source.h"
 #include "host/ocl/program.h"
+#include "host/ocl/program_source.h"
 
 namespace offing::sky {
 namespace {

@@ -6,8 +6,7 @@
 
 #include "host/base/argument.h"
 #include "host/base/error.h"
-#include "host/base/existing.h"
-#include "host/base/frame_name.h"
+#include "host/io/atomic_file.h"
 #include "present/output/video_pipe.h"
 #include "present/passes/frame.h"
 

@@ -9,7 +9,6 @@
 #include "host/base/host_memory.h"
 #include "host/ocean/query/gerstner_instant.h"
 #include "host/ocean/surface/foam.h"
-#include "host/ocean/surface/foam_instants.h"
 
 namespace offing::cli {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "host/cli/ocean/bake_settings.h"
 #include "host/io/meshes/grid_mesh.h"
-#include "host/ocean/surface/foam_instants.h"
+#include "host/ocean/surface/foam.h"
 #include "host/ocean/surface/gerstner_surface.h"
 #include "host/ocean/surface/ocean.h"
 #include "host/ocl/device.h"

@@ -17,10 +17,8 @@
 #include "host/command_line/print_results.h"
 #include "host/io/atomic_file.h"
 #include "host/io/file_extension.h"
-#include "host/io/height_maps/height_raster.h"
 #include "host/io/height_maps/new_raster.h"
 #include "host/terrain/generate/fractal_terrain.h"
-#include "host/terrain/generate/row_makers.h"
 
 namespace offing::cli {
 

@@ -14,8 +14,6 @@
 
 #include "host/base/error.h"
 #include "host/base/parallel_for.h"
-#include "host/base/parallel_rows.h"
-#include "host/clouds/image/billboard_noise.h"
 #include "kernels/shared/random.h"
 
 namespace offing::clouds {

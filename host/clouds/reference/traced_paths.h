@@ -13,8 +13,6 @@
 
 #include "host/base/error.h"
 #include "host/base/parallel_for.h"
-#include "host/base/parallel_rows.h"
-#include "host/clouds/reference/path_random.h"
 #include "host/clouds/reference/scattering_medium.h"
 
 namespace offing::clouds {

@@ -12,10 +12,9 @@
 
 #include "host/base/disjoint_sets.h"
 #include "host/base/error.h"
+#include "host/base/mesh_neighbours.h"
 #include "host/base/parameter_check.h"
 #include "host/base/tangent_plane.h"
-#include "host/base/unit_vector.h"
-#include "host/base/vertex_places.h"
 #include "kernels/shared/highlights.h"
 
 namespace offing::highlights {

@@ -2,9 +2,7 @@
 
 #include <vector>
 
-#include "host/ocl/glsl_source.h"
 #include "host/ocl/program_source.h"
-#include "present/gl/sampler.h"
 
 namespace offing::present {
 namespace {
