@@ -23,7 +23,7 @@ namespace {
 
 /// Pixels as a PNG file; `name` stands for it in messages.
 std::string encoded(const std::string& name, int width, int height, png_uint_32 format,
-                    const std::vector<std::uint8_t>& pixels) {
+                    const std::vector<std::uint8_t>& pixels, PngCompression compression) {
   const std::size_t channels = PNG_IMAGE_SAMPLE_CHANNELS(format);
   const std::size_t bytes =
       width < 1 || height < 1 ? 0 : channels * static_cast<unsigned>(width) * static_cast<unsigned>(height);
@@ -38,6 +38,7 @@ std::string encoded(const std::string& name, int width, int height, png_uint_32 
   description.width = static_cast<png_uint_32>(width);
   description.height = static_cast<png_uint_32>(height);
   description.format = format;
+  if (compression == PngCompression::fast) description.flags = PNG_IMAGE_FLAG_FAST;
   std::string file(PNG_IMAGE_PNG_SIZE_MAX(description), '\0');
   png_alloc_size_t size = file.size();
   if (png_image_write_to_memory(&description, file.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
@@ -108,13 +109,15 @@ std::uint8_t dithered_srgb(float linear, float noise) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(255.0f * encoded + noise, 0.0f, 255.0f)));
 }
 
-void write_png(const std::filesystem::path& path, const RgbImage& image, Existing existing) {
-  write_file_atomically(path, encoded(path.string(), image.width, image.height, PNG_FORMAT_RGB, image.rgb),
-                        existing);
+void write_png(const std::filesystem::path& path, const RgbImage& image, Existing existing,
+               PngCompression compression) {
+  write_file_atomically(
+      path, encoded(path.string(), image.width, image.height, PNG_FORMAT_RGB, image.rgb, compression),
+      existing);
 }
 
 std::string png_bytes(const RgbaImage& image) {
-  return encoded("picture", image.width, image.height, PNG_FORMAT_RGBA, image.rgba);
+  return encoded("picture", image.width, image.height, PNG_FORMAT_RGBA, image.rgba, PngCompression::small);
 }
 
 RgbImage read_png(const std::filesystem::path& path) {

@@ -27,11 +27,14 @@ float dither_noise(int column, int row);
 /// bits in smooth pictures. Black and white stay as they are.
 std::uint8_t dithered_srgb(float linear, float noise);
 
+/// How a PNG is compressed: `fast` takes a third of the time and a seventh more bytes.
+enum class PngCompression { small, fast };
+
 /// Writes an 8-bit PNG marked as sRGB, atomically; equal pictures give equal bytes.
 /// Throws Error(bad_input) for an empty picture or pixels that do not match its size, Error(file) if it
 /// cannot be written.
 void write_png(const std::filesystem::path& path, const RgbImage& image,
-               Existing existing = Existing::replace);
+               Existing existing = Existing::replace, PngCompression compression = PngCompression::small);
 
 /// An 8-bit PNG marked as sRGB, for files that hold pictures. Throws Error(bad_input) as write_png() does.
 std::string png_bytes(const RgbaImage& image);

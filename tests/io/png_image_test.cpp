@@ -27,11 +27,13 @@ std::string content(const std::filesystem::path& path) {
 // Fails if rows are flipped or padded, channels swapped or bytes changed by a colour conversion.
 TEST(PngImage, PixelsReturn) {
   const TemporaryFolder folder;
-  write_png(folder.path() / "a.png", ramp());
-  const RgbImage read = read_png(folder.path() / "a.png");
-  EXPECT_EQ(read.width, 31);
-  EXPECT_EQ(read.height, 17);
-  EXPECT_EQ(read.rgb, ramp().rgb);
+  for (const PngCompression compression : {PngCompression::small, PngCompression::fast}) {
+    write_png(folder.path() / "a.png", ramp(), Existing::replace, compression);
+    const RgbImage read = read_png(folder.path() / "a.png");
+    EXPECT_EQ(read.width, 31);
+    EXPECT_EQ(read.height, 17);
+    EXPECT_EQ(read.rgb, ramp().rgb);
+  }
 }
 
 // Fails if a time stamp gets into the file, or the sRGB mark does not.

@@ -82,7 +82,7 @@ void write_contact_sheet(const BakeSettings& settings, const FrameFiles& files) 
     }
     frames.push_back({files.preview(frame), frame});
   }
-  write_png(files.contact_sheet(), make_contact_sheet(frames));
+  write_png(files.contact_sheet(), make_contact_sheet(frames), Existing::replace, PngCompression::fast);
 }
 
 nlohmann::json summary_json(const BakeSettings& settings, const scene::Sea& sea, const EnergyShares& energy,

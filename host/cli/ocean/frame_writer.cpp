@@ -46,7 +46,7 @@ void FrameWriter::write(const BakedFrame& frame) const {
   } else if (settings_.mesh == MeshFormat::ply) {
     write_ply(files_.mesh(frame.number), frame.mesh);
   }
-  if (preview) write_png(files_.preview(frame.number), *preview);
+  if (preview) write_png(files_.preview(frame.number), *preview, Existing::replace, PngCompression::fast);
 }
 
 void FrameWriter::write_fields(const BakedFrame& frame) const {
