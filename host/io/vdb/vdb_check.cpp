@@ -1,5 +1,5 @@
-// Walks through the lengths in an OpenVDB file of format 222 or later (2013), as OpenVDB's own headers read
-// it.
+// Walks through the lengths and truth values in an OpenVDB file of format 222 or later (2013), as OpenVDB's
+// own headers read it.
 #include "host/io/vdb/vdb_check.h"
 
 #include <bit>
@@ -70,7 +70,10 @@ class Walk {
       if (type != "string" && openvdb::Metadata::isRegisteredType(type)) {
         require_equal(length, openvdb::Metadata::createMetadata(type)->size(), "metadata");
       }
-      skip(length);
+      if (type == "bool" && length == 1)
+        truth();
+      else
+        skip(length);
     }
   }
 
@@ -82,13 +85,23 @@ class Walk {
     if (text() == perspective) fail("a perspective in a perspective");
   }
 
-  void compressed_tree(const ValueBytes& value, std::uint32_t compression) {
+  /// The root of a tree with its tiles; returns the number of its children.
+  std::uint32_t root(const ValueBytes& value, std::uint32_t compression) {
     value_ = value;
     compression_ = compression;
     at_ = stream_.tellg();
     skip(sizeof(std::int32_t) + value_.whole);  // number of buffers and background
     const auto tiles = read<std::uint32_t>(), children = read<std::uint32_t>();
-    skip(tiles * (origin_bytes + value_.whole + 1));
+    require_left(tiles * (origin_bytes + value_.whole + 1), "tiles");
+    for (std::uint32_t i = 0; i < tiles; ++i) {
+      skip(origin_bytes + value_.whole);
+      truth();  // whether it is active
+    }
+    return children;
+  }
+
+  /// What lies below the root of a compressed tree.
+  void compressed_nodes(std::uint32_t children) {
     std::uint64_t leaves = 0;
     for (std::uint32_t i = 0; i < children; ++i) {
       skip(origin_bytes);
@@ -117,6 +130,12 @@ class Walk {
 
   void require_equal(std::uint64_t bytes, std::uint64_t expected, const char* what) const {
     if (bytes != expected) fail(fmt::format("{} of {} bytes instead of {}", what, bytes, expected));
+  }
+
+  /// The library takes a byte for a bool, which has two values.
+  void truth() {
+    require_left(1, "a truth value");
+    if (const auto value = read<std::uint8_t>(); value > 1) fail(fmt::format("a truth value of {}", value));
   }
 
   void skip(std::uint64_t bytes) {
@@ -215,13 +234,15 @@ void check_grid(std::istream& stream, const PartOfVdb& part, const openvdb::Grid
   walk.metadata();
   walk.transform();
   walk.go_back();
-  if ((compression & (openvdb::io::COMPRESS_ZIP | openvdb::io::COMPRESS_BLOSC)) == 0) return;
   walk.read<std::uint32_t>();
   // Metadata say whether values are halves, and each kind of transform has a length of its own.
   const openvdb::GridBase::Ptr header = grid.copyGridWithNewTree();
   header->readMeta(stream);
   header->readTransform(stream);
-  walk.compressed_tree(bytes_of(grid, header->saveFloatAsHalf()), compression);
+  const std::uint32_t children = walk.root(bytes_of(grid, header->saveFloatAsHalf()), compression);
+  if ((compression & (openvdb::io::COMPRESS_ZIP | openvdb::io::COMPRESS_BLOSC)) != 0) {
+    walk.compressed_nodes(children);
+  }
   walk.go_back();
 }
 

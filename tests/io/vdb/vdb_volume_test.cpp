@@ -301,6 +301,34 @@ TEST_F(VdbVolume, RefusesCellsWithoutAnInverse) {
   EXPECT_THAT(error->what(), HasSubstr("cubes along the axes"));
 }
 
+// Fails if a byte that is neither 0 nor 1 becomes a bool of OpenVDB, which is undefined: a tile of the root
+// that is active by 124.
+TEST_F(VdbVolume, RefusesTruthValuesBeyondOne) {
+  const std::filesystem::path file = in_folder("cloud.vdb");
+  write_vdb(file, {example_volume()});
+  std::string bytes = bytes_of(file);
+  // The root: one buffer, background 0, no tiles, some children, the origin of the first.
+  const std::string root{"\1\0\0\0\0\0\0\0\0\0\0\0", 12};
+  std::size_t at = bytes.find(root);
+  const auto word = [&](std::size_t place) {
+    std::int32_t value = 0;
+    std::memcpy(&value, bytes.data() + place, sizeof value);
+    return value;
+  };
+  while (at != std::string::npos &&
+         !(word(at + 12) >= 1 && word(at + 12) <= 8 && word(at + 16) % 4096 == 0)) {
+    at = bytes.find(root, at + 1);
+  }
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + 8] = 1;
+  const std::string tile{"\0\x10\0\0\0\0\0\0\0\0\0\0\0\0\0\x3f\x7c", 17};  // at 4096, 0.5, active by 124
+  bytes.insert(at + 16, tile);
+  write_bytes(file, bytes);
+  const std::optional<Error> error = error_of(file);
+  ASSERT_TRUE(error);
+  EXPECT_THAT(error->what(), HasSubstr("a truth value of 124"));
+}
+
 // 16 bricks in a box of 24. Fails if a small file can take more memory than the limits say.
 TEST_F(VdbVolume, RefusesLargeVolumes) {
   write_vdb(in_folder("a.vdb"), {example_volume()});
