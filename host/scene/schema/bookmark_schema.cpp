@@ -1,5 +1,3 @@
-#include "host/scene/schema/bookmark_schema.h"
-
 #include <algorithm>
 #include <array>
 
@@ -7,7 +5,7 @@
 
 #include "host/base/error.h"
 #include "host/scene/schema/parameter_storage.h"
-#include "host/scene/schema/view_schema.h"
+#include "host/scene/schema/row_lists.h"
 
 namespace offing::scene {
 namespace {

@@ -1,10 +1,7 @@
-#include "host/scene/schema/cloud_schema.h"
-
 #include <utility>
 
-#include "host/scene/schema/cloud_shape_schema.h"
 #include "host/scene/schema/parameter_storage.h"
-#include "host/scene/schema/particle_edit_schema.h"
+#include "host/scene/schema/row_lists.h"
 
 namespace offing::scene {
 

@@ -1,10 +1,9 @@
-#include "host/scene/schema/cloud_shape_schema.h"
-
 #include <utility>
 
 #include "host/clouds/light/phase_function.h"
 #include "host/mesh_shapes/shape_table.h"
 #include "host/scene/schema/parameter_storage.h"
+#include "host/scene/schema/row_lists.h"
 
 namespace offing::scene {
 

@@ -1,10 +1,9 @@
-#include "host/scene/schema/highlight_schema.h"
-
 #include <utility>
 
 #include <glm/vec2.hpp>
 
 #include "host/scene/schema/parameter_storage.h"
+#include "host/scene/schema/row_lists.h"
 
 namespace offing::scene {
 

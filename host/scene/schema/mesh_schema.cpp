@@ -1,9 +1,8 @@
-#include "host/scene/schema/mesh_schema.h"
-
 #include <string>
 
 #include "host/mesh_shapes/shape_table.h"
 #include "host/scene/schema/parameter_storage.h"
+#include "host/scene/schema/row_lists.h"
 
 namespace offing::scene {
 

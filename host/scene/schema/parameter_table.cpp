@@ -1,18 +1,7 @@
 #include "host/scene/schema/parameter_table.h"
 
-#include "host/scene/schema/body_schema.h"
-#include "host/scene/schema/bookmark_schema.h"
-#include "host/scene/schema/cloud_schema.h"
-#include "host/scene/schema/extra_wave_schema.h"
-#include "host/scene/schema/highlight_schema.h"
-#include "host/scene/schema/light_schema.h"
-#include "host/scene/schema/mesh_schema.h"
 #include "host/scene/schema/parameter_storage.h"
-#include "host/scene/schema/sea_schema.h"
-#include "host/scene/schema/sky_schema.h"
-#include "host/scene/schema/terrain_schema.h"
-#include "host/scene/schema/view_schema.h"
-#include "host/scene/schema/wake_sections.h"
+#include "host/scene/schema/row_lists.h"
 
 namespace offing::scene {
 

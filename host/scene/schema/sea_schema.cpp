@@ -1,7 +1,6 @@
-#include "host/scene/schema/sea_schema.h"
-
 #include "host/base/parameter_check.h"
 #include "host/scene/schema/parameter_storage.h"
+#include "host/scene/schema/row_lists.h"
 
 namespace offing::scene {
 

@@ -1,6 +1,5 @@
-#include "host/scene/schema/sky_schema.h"
-
 #include "host/scene/schema/parameter_storage.h"
+#include "host/scene/schema/row_lists.h"
 
 namespace offing::scene {
 

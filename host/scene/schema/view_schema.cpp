@@ -1,9 +1,8 @@
-#include "host/scene/schema/view_schema.h"
-
 #include <glm/vec3.hpp>
 
 #include "host/base/parameter_check.h"
 #include "host/scene/schema/parameter_storage.h"
+#include "host/scene/schema/row_lists.h"
 
 namespace offing::scene {
 
