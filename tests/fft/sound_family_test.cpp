@@ -77,7 +77,7 @@ TEST_F(SoundFamilyTest, KeepsToTheShapeThatIsAskedFor) {
 TEST_F(SoundFamilyTest, FindsASmallFault) {
   kernels_.change("fft/workgroup_stages.clh", "table[q * turn],",
                   "table[q * turn] * (turn == 1 && q == 7 ? 1.01f : 1.0f),");
-  test::expect_error(ErrorKind::device, ": group transforms of size 16", [&] { error_of_a_wave(16); });
+  test::expect_error(ErrorKind::device, ": workgroup transforms of size 16", [&] { error_of_a_wave(16); });
 }
 
 // Fails if kernels that are right are reported.

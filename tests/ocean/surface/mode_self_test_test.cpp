@@ -37,7 +37,7 @@ TEST_F(ModeSelfTestTest, FindsWrongFields) {
   kernels_.change("fft/rows.clh", "re[field] = all_re[field][q];",
                   "re[field] = field == 1 && thread == 0 ? all_re[0][q] : all_re[field][q];");
   for (const auto& request : {surface_request(), velocity_request()}) {
-    test::expect_error(ErrorKind::device, ": group transforms of size 16", [&] { make(request); });
+    test::expect_error(ErrorKind::device, ": workgroup transforms of size 16", [&] { make(request); });
   }
 }
 
