@@ -328,7 +328,7 @@ class Writer {
                         {"rule", sample.rule},
                         {"copy", sample.copy},
                         {"light", sample.light < 0 ? Json() : Json(sample.light)},
-                        {"lamp", sample.light < 0 ? Json() : Json(sample.light)},  // its name until 0.2
+                        {"lamp", sample.light < 0 ? Json() : Json(sample.light)},  // its earlier name
                         {"texture", animation_.textures[sample.texture].name},
                         {"softness", sample.softness}}}});
     const std::size_t times = buffer_.add(keys.times_s, 1);

@@ -17,7 +17,7 @@ Json projector_json(const MeshFrame& frame, const ProjectorSample& projector) {
           {"rule", projector.rule},
           {"copy", projector.copy},
           {"light", projector.light < 0 ? Json() : Json(projector.light)},
-          {"lamp", projector.light < 0 ? Json() : Json(projector.light)},  // its name until 0.2
+          {"lamp", projector.light < 0 ? Json() : Json(projector.light)},  // its earlier name
           {"position_m", list_of(frame.rotation * projector.position_m + frame.translation_m)},
           {"right", list_of(frame.rotation * projector.right)},
           {"up", list_of(frame.rotation * projector.up)},
@@ -70,7 +70,7 @@ std::string highlight_animation_json(const HighlightAnimation& animation) {
                      {"first_frame", animation.first_frame},
                      {"frame_count", frame_count},
                      {"lights", animation.lights},
-                     {"lamps", animation.lights},  // its name until 0.2
+                     {"lamps", animation.lights},  // its earlier name
                      {"textures", std::move(textures)},
                      {"meshes", std::move(meshes)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
