@@ -150,8 +150,8 @@ Detail read_detail(const std::string& text) {
 }
 
 Recording read_recording(const Written& written, const scene::Scene& scene) {
-  const double fps =
-      written.fps.empty() ? scene.frames_per_second : read_number("--fps", written.fps, "", 0.001, 1e6, "24");
+  const double fps = written.fps.empty() ? scene.time.frames_per_second
+                                         : read_number("--fps", written.fps, "", 0.001, 1e6, "24");
   Recording recording{.video = written.video,
                       .frames = written.frames.empty() ? scene::frames_in_time_span(scene, fps)
                                                        : read_frame_range("--frames", written.frames),
@@ -301,7 +301,7 @@ ViewOptions checked(const Written& written) {
   if (!written.kept_hz.empty())
     options.kept_hz = read_number("--keep-fps", written.kept_hz, "", 0.0, 1000.0, "20");
   options.time_s = written.time.empty()
-                       ? options.scene.start_s
+                       ? options.scene.time.start_s
                        : read_number("--time", written.time, "s", -largest_time_s, largest_time_s, "12.5");
   options.starts_paused = written.is_paused;
   options.output = written.output;

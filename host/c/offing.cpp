@@ -188,7 +188,7 @@ OffingStatus offing_make_world(const OffingDevice* device, const OffingScene* sc
     require(world, "world");
     auto made = std::unique_ptr<OffingWorld>(new OffingWorld{
         scene->scene, offing::world::World(device->device, offing::scene::prepare_world(scene->scene))});
-    offing::scene::show_at(made->world, made->scene, made->scene.start_s);
+    offing::scene::show_at(made->world, made->scene, made->scene.time.start_s);
     *world = made.release();
   });
 }

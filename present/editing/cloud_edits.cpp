@@ -131,7 +131,7 @@ void remove_parts(Scene& scene, std::vector<CloudPart> parts) {
   });
   std::optional<std::size_t> gone;  // the cloud that was taken away last
   const auto remove_cloud = [&](std::size_t cloud) {
-    scene::remove_element(scene, *scene::find_parameter("cloud.name")->elements, {cloud, 0});
+    scene::remove_element(scene, *scene::find_parameter("cloud.name")->section, {cloud, 0});
     gone = cloud;
   };
   for (const CloudPart& part : parts) {
@@ -192,7 +192,7 @@ CloudPart add_ball(Scene& scene, std::optional<std::size_t> cloud, clouds::Genus
 CloudPart add_cloud(Scene& scene, clouds::Genus genus, const glm::dvec3& place_m) {
   require_room("cloud.name", scene.clouds.size());
   // A first cloud does not take the sea away.
-  scene.names_sea = scene.has_sea();
+  scene.ocean.is_given = scene.has_sea();
   CloudScene cloud;
   cloud.genus = genus;
   cloud.position_m = {within("cloud.x_m", place_m.x), 0.0, within("cloud.z_m", place_m.z)};

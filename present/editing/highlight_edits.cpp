@@ -5,7 +5,7 @@
 
 #include "host/scene/schema/parameter_table.h"
 #include "host/scene/schema/scene_elements.h"
-#include "host/scene/schema/unused_mesh_parameters.h"
+#include "host/scene/schema/unused_parameters.h"
 
 namespace offing::present {
 namespace {
@@ -49,7 +49,8 @@ void store_tracks(Scene& scene, ElementIndex element, double time_s, Keys keys) 
       continue;
     const std::vector<double*> numbers = scene::numbers_of(scene, row, element);
     const bool moves = scene.tracks.contains({row.key, element});
-    const bool is_wanted = keys == Keys::all && scene::against_highlight(scene, element, row.use).empty();
+    const bool is_wanted =
+        keys == Keys::all && scene::reason_unused(row, {.scene = scene, .element = element}).empty();
     if (!moves && !is_wanted) continue;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       KeyframeTrack& track = scene.tracks[{row.key, element, i}];

@@ -45,7 +45,7 @@ bool draw_bookmark(ViewState& state, std::size_t index, PanelEdits& edits) {
   note(parameter_widget(state.scene, name, state.edit, {index, 0}), state, edits);
   draw_values(state, index, edits);
   if (is_removed) {
-    scene::remove_element(state.scene, *name.elements, {index, 0});
+    scene::remove_element(state.scene, *name.section, {index, 0});
     note(Edit::done, state, edits);
   }
   return !is_removed;

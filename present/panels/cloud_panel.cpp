@@ -64,11 +64,12 @@ void draw_tools(CloudEditing& editing) {
   metres("step with Ctrl", editing.step_m, 1.0, 1e3);
 }
 
-/// A widget for each of some rows; what they change is written into a copy first, which has the balls that a
-/// genus gives.
+/// A widget for each of some rows; what they change is written into a copy of the clouds first, which has the
+/// balls that a genus gives.
 Edit draw_values(ViewState& state, const CloudPart& part, scene::ParameterGroup group,
                  std::initializer_list<std::string_view> keys) {
-  scene::Scene copy = state.scene;
+  scene::Scene copy;
+  scene::copy_clouds(state.scene, copy);
   if (part.ball) own_balls(copy, part.cloud);
   Edit edit = Edit::none;
   for (const scene::Parameter& row : scene::parameter_table()) {

@@ -63,7 +63,7 @@ void draw_rows(const GroupPanel& panel, const std::vector<const scene::Parameter
 void draw_elements(const GroupPanel& panel, const std::vector<const scene::Parameter*>& rows,
                    ViewState& state, PanelEdits& edits) {
   const scene::Parameter& first = *rows.front();
-  const std::vector<scene::ElementIndex> elements = scene::elements_of(state.scene, first.elements);
+  const std::vector<scene::ElementIndex> elements = scene::elements_of(state.scene, *first.section);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     ImGui::TextDisabled("[[%s]] %zu", std::string(scene::section_of(first.key)).c_str(), i + 1);
@@ -74,7 +74,7 @@ void draw_elements(const GroupPanel& panel, const std::vector<const scene::Param
     }
     ImGui::PopID();
     if (!is_removed) continue;
-    scene::remove_element(state.scene, *first.elements, elements[i]);
+    scene::remove_element(state.scene, *first.section, elements[i]);
     note(Edit::done, panel, state, edits);
     break;
   }
@@ -90,7 +90,7 @@ void draw_group(const GroupPanel& panel, ViewState& state, PanelEdits& edits) {
   if (!ImGui::CollapsingHeader(panel.title)) return;
   if (panel.group == ParameterGroup::bookmark) return draw_bookmarks(state, edits);
   const std::vector<const scene::Parameter*> rows = rows_of(panel.group);
-  if (rows.front()->elements) {
+  if (rows.front()->section->is_repeated()) {
     draw_elements(panel, rows, state, edits);
   } else {
     draw_rows(panel, rows, state, edits);
@@ -135,7 +135,7 @@ bool is_in(const scene::Scene& scene, ParameterGroup group) {
 }
 
 void draw_clock(ViewState& state) {
-  const double frame_s = 1.0 / state.scene.frames_per_second;
+  const double frame_s = 1.0 / state.scene.time.frames_per_second;
   if (ImGui::Button(state.clock.is_paused() ? "run##clock" : "pause##clock")) state.clock.toggle_pause();
   ImGui::SameLine();
   if (ImGui::ArrowButton("step back", ImGuiDir_Left)) state.clock.step(-frame_s);

@@ -44,51 +44,55 @@ bool number_slider(const char* label, const Parameter& row, double& value) {
 class Widget {
  public:
   Widget(Scene& scene, const Parameter& row, EditInProgress& edit, scene::ElementIndex element)
-      : scene_(scene), row_(row), edit_(edit), element_(element), label_(parameter_label(row)) {}
+      : scene_(scene),
+        row_(row),
+        edit_(edit),
+        element_(element),
+        section_(scene::struct_at(&scene, *row.section, element)),
+        label_(parameter_label(row)) {}
 
-  Edit operator()(scene::ValueAt<double> at) { return number(at(scene_, element_)); }
+  Edit operator()(scene::ValueAt<double> at) { return number(at.in(section_)); }
 
   Edit operator()(scene::ValueAt<std::optional<double>> at) {
-    return optional_value(at(scene_, element_), [&](double& value) { return number(value); });
+    return optional_value(at.in(section_), [&](double& value) { return number(value); });
   }
 
-  Edit operator()(scene::ValueAt<glm::dvec3> at) { return triple(at(scene_, element_)); }
+  Edit operator()(scene::ValueAt<glm::dvec3> at) { return triple(at.in(section_)); }
 
   Edit operator()(scene::ValueAt<std::optional<glm::dvec3>> at) {
-    return optional_value(at(scene_, element_), [&](glm::dvec3& value) { return triple(value); });
+    return optional_value(at.in(section_), [&](glm::dvec3& value) { return triple(value); });
   }
 
   Edit operator()(scene::ValueAt<int> at) {
-    if (row_.rule == scene::ParameterRule::power_of_two) return power_of_two(at(scene_, element_));
+    if (row_.rule == scene::ParameterRule::power_of_two) return power_of_two(at.in(section_));
     constexpr float drag_speed = 0.1f;
-    int value = at(scene_, element_);
+    int value = at.in(section_);
     const bool is_changed = ImGui::DragInt(label_.c_str(), &value, drag_speed, static_cast<int>(row_.low),
                                            static_cast<int>(row_.high));
     return stored(is_changed, {.value = std::int64_t{value}, .shown = fmt::format("{}", value)});
   }
 
   Edit operator()(scene::ValueAt<std::uint64_t> at) {
-    std::uint64_t value = at(scene_, element_);
+    std::uint64_t value = at.in(section_);
     const bool is_changed = ImGui::InputScalar(label_.c_str(), ImGuiDataType_U64, &value);
     return stored(is_changed, scene::read_flag_value(row_, fmt::format("{}", value)));
   }
 
   Edit operator()(scene::ValueAt<std::string> at) {
-    std::string text = at(scene_, element_);
+    std::string text = at.in(section_);
     if (!is_entered(text)) return Edit::none;
     if (text.empty()) {
-      at(scene_, element_).clear();
+      at.in(section_).clear();
       return Edit::done;
     }
     return is_taken({.value = text, .shown = text}) ? Edit::done : Edit::refused;
   }
 
   Edit operator()(scene::ValueAt<std::optional<UtcTime>> at) {
-    std::string text =
-        at(scene_, element_) ? scene::value_text(scene_, row_, element_, scene::Digits::readable) : "";
+    std::string text = at.in(section_) ? scene::text_in(section_, row_, scene::Digits::readable) : "";
     if (!is_entered(text)) return Edit::none;
     if (text.empty()) {
-      at(scene_, element_).reset();
+      at.in(section_).reset();
       return Edit::done;
     }
     return is_taken({.value = text, .shown = text}) ? Edit::done : Edit::refused;
@@ -96,29 +100,27 @@ class Widget {
 
   /// Numbers between commas; nothing for the default.
   Edit operator()(scene::ValueAt<std::vector<double>> at) {
-    std::string text = at(scene_, element_).empty()
-                           ? ""
-                           : scene::value_text(scene_, row_, element_, scene::Digits::readable);
+    std::string text = at.in(section_).empty() ? "" : scene::text_in(section_, row_, scene::Digits::readable);
     if (!is_entered(text)) return Edit::none;
-    const std::vector<double> before = at(scene_, element_);
-    at(scene_, element_).clear();
+    const std::vector<double> before = at.in(section_);
+    at.in(section_).clear();
     std::istringstream parts(text);
     for (std::string part; std::getline(parts, part, ',');) {
       part.erase(0, part.find_first_not_of(' '));
       if (is_taken(scene::read_flag_value(row_, part))) continue;
-      at(scene_, element_) = before;
+      at.in(section_) = before;
       return Edit::refused;
     }
     return Edit::done;
   }
 
   Edit operator()(const scene::ChoiceStorage& choice) {
-    const std::size_t chosen = choice.get(scene_, element_);
+    const std::size_t chosen = choice.in(section_);
     Edit edit = Edit::none;
     if (!ImGui::BeginCombo(label_.c_str(), std::string(choice.names[chosen]).c_str())) return edit;
     for (std::size_t i = 0; i < choice.names.size(); ++i) {
       if (ImGui::Selectable(std::string(choice.names[i]).c_str(), i == chosen)) {
-        choice.set(scene_, element_, i);
+        choice.set_in(section_, i);
         edit = Edit::done;
       }
     }
@@ -179,15 +181,29 @@ class Widget {
   /// Stores the value of the last item, if it changed.
   Edit stored(bool is_changed, const WrittenValue& value) {
     if (ImGui::IsItemActivated()) {
-      edit_.before = scene_;
+      remember();
       edit_.fault.clear();
     }
     Edit edit = Edit::none;
     if (is_changed) edit = is_taken(value) ? Edit::going_on : Edit::refused;
     if (!ImGui::IsItemDeactivatedAfterEdit()) return edit;
     if (edit_.fault.empty()) return Edit::done;
-    scene_ = edit_.before;
+    put_back();
     return Edit::refused;
+  }
+
+  void remember() {
+    edit_.before = scene::value_in(section_, row_);
+    edit_.tracks.clear();
+    for (std::size_t number = 0; number < 3; ++number) {
+      const auto track = scene_.tracks.find({row_.key, element_, number});
+      if (track != scene_.tracks.end()) edit_.tracks.emplace_back(*track);
+    }
+  }
+
+  void put_back() {
+    scene::put_in(section_, row_, edit_.before);
+    for (const auto& track : edit_.tracks) scene_.tracks.insert(track);
   }
 
   /// Whether another text was entered: the old one may show fewer digits than there are.
@@ -213,6 +229,7 @@ class Widget {
   const Parameter& row_;
   EditInProgress& edit_;
   scene::ElementIndex element_;
+  void* section_;  // its struct
   std::string label_;
 };
 

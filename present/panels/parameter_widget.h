@@ -1,6 +1,9 @@
 #pragma once
 
+#include <any>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "host/scene/model/scene.h"
 #include "host/scene/schema/parameter.h"
@@ -17,7 +20,8 @@ enum class Edit {
 
 /// What is kept while a value is edited: one at a time.
 struct EditInProgress {
-  scene::Scene before = {};
+  std::any before = {};                                                ///< the value
+  std::vector<std::pair<scene::ValueKey, KeyframeTrack>> tracks = {};  ///< its keyframes
   std::string fault = {};  ///< why the last value was refused; empty if it was taken
 };
 
@@ -26,7 +30,7 @@ std::string parameter_label(const scene::Parameter& row);
 
 /// Draws a widget for one row of the parameter table, of the kind, range and unit that the row says, and
 /// stores what the user enters if the table takes it. When an edit ends with a value that it does not take,
-/// the scene is as it was before the edit. `element` is that of a repeated section.
+/// the value is as it was before the edit. `element` is that of a repeated section.
 Edit parameter_widget(scene::Scene& scene, const scene::Parameter& row, EditInProgress& edit,
                       scene::ElementIndex element = {});
 

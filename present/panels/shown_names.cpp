@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/scene_elements.h"
 
 namespace offing::present {
 
@@ -14,8 +15,11 @@ void for_shown_names(const ViewState& state, const SceneList& scenes,
   tell(scenes.folder().string());
   for (const ListedScene& scene : scenes.beside()) tell(scene.name);
   for (const scene::Parameter& row : scene::parameter_table()) {
-    if (!std::holds_alternative<scene::ValueAt<std::string>>(row.storage)) continue;
-    tell(scene::value_text(state.scene, row));
+    const auto* name = std::get_if<scene::ValueAt<std::string>>(&row.storage);
+    if (name == nullptr) continue;
+    for (const scene::ElementIndex element : scene::elements_of(state.scene, *row.section)) {
+      tell(name->in(scene::struct_at(&state.scene, *row.section, element)));
+    }
   }
 }
 

@@ -15,6 +15,7 @@
 #include "host/scene/prepare/scene_clouds.h"
 #include "host/scene/prepare/scene_meshes.h"
 #include "host/scene/prepare/world_scene.h"
+#include "host/scene/schema/scene_elements.h"
 #include "present/gl/stage_times.h"
 #include "present/output/image_file.h"
 
@@ -57,7 +58,7 @@ std::unique_ptr<Frame> LiveSea::new_frame(const scene::Scene& scene) {
 void LiveSea::take_scene(scene::Scene scene) {
   warning_ = scene::steepness_warning(scene, world_->parameters().gerstner_waves);
   scene.set_at.clear();
-  wanted_ = scene_ = std::move(scene);
+  wanted_ = next_ = scene_ = std::move(scene);
 }
 
 void LiveSea::open(const scene::Scene& scene) {
@@ -66,7 +67,7 @@ void LiveSea::open(const scene::Scene& scene) {
   auto world = std::make_unique<world::World>(
       device_, with_particles(*builder, scene::prepare_shown_world(opened), cancel_));
   auto frame = new_frame(opened);
-  const FrameRequest request{.time_s = opened.start_s, .camera = opened.view.camera};
+  const FrameRequest request{.time_s = opened.time.start_s, .camera = opened.view.camera};
   try_out(*world, request);
   builder_ = std::move(builder);
   world_ = std::move(world);
@@ -105,15 +106,18 @@ void LiveSea::warn() {
 
 void LiveSea::begin_edit(const scene::Scene& scene, Haste haste) {
   const auto start = std::chrono::steady_clock::now();
-  scene::Scene edited = scene;
-  edited.set_at.clear();
   // All but the clouds is shown at once.
-  scene::Scene now = edited;
-  scene::copy_clouds(scene_, now);
-  change([&] { scene::edit_world_below(*world_, scene_, now); });
-  scene_ = std::move(now);
-  if (scene::are_other_clouds(wanted_, edited)) builder_->begin(edited, haste);
-  wanted_ = std::move(edited);
+  scene::take_values(scene::all_but_clouds, scene, next_);
+  try {
+    change([&] { scene::edit_world_below(*world_, scene_, next_); });
+  } catch (const Error&) {
+    scene::take_values(scene::everything, scene_, next_);
+    throw;
+  }
+  scene::take_values(scene::everything, next_, scene_);
+  const bool are_other_clouds = scene::are_other_clouds(wanted_, scene);
+  scene::take_values(scene::everything, scene, wanted_);
+  if (are_other_clouds) builder_->begin(wanted_, haste);
   warn();
   edit_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -127,7 +131,7 @@ void LiveSea::show_clouds(BuiltClouds built) {
     world_->set_clouds(built.sky);
   });
   if (built.billboards) frame_->set_billboards(device_, *built.billboards);
-  scene_ = std::move(now);
+  next_ = scene_ = std::move(now);
   warn();
 }
 

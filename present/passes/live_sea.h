@@ -92,6 +92,7 @@ class LiveSea {
   const CancelToken* cancel_;
   ocl::Device device_;
   scene::Scene scene_, wanted_;
+  scene::Scene next_;  // as scene_ but within an edit: edits copy what they change and no more
   std::unique_ptr<CloudBuilder> builder_;
   std::string warning_;
   std::unique_ptr<world::World> world_;

@@ -62,7 +62,7 @@ void store_text(scene::Scene& scene, const char* key, const std::string& text,
 scene::ElementIndex add_element(scene::Scene& scene, const char* key) {
   const scene::Parameter& row = *scene::find_parameter(key);
   scene::append_element(scene, row, {.subject = std::string(scene::section_of(key))});
-  return scene::last_element(scene, row.elements);
+  return scene::last_element(scene, *row.section);
 }
 
 /// That no other element of the list has: "ship", "ship 2" ...
@@ -105,8 +105,8 @@ std::string take_heights(scene::Scene& scene, const std::filesystem::path& file)
 }
 
 std::string take_spectrum(scene::Scene& scene, const std::filesystem::path& file) {
-  scene.names_sea = true;
-  scene.record = 0;
+  scene.ocean.is_given = true;
+  scene.ocean.record = 0;
   store_text(scene, "ocean.spectrum_file", file.string());
   return fmt::format("the sea is that of {}, record 0", file.filename().string());
 }
@@ -136,7 +136,7 @@ DroppedKind kind_of_dropped(const std::filesystem::path& file) {
 std::string add_dropped(scene::Scene& scene, const std::filesystem::path& file, DroppedKind kind,
                         const glm::dvec3& place_m) {
   // Beside what stands alone a sea has to be named.
-  scene.names_sea = scene.has_sea();
+  scene.ocean.is_given = scene.has_sea();
   switch (kind) {
     case DroppedKind::mesh:
       return add_mesh(scene, file, place_m);

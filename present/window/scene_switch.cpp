@@ -122,7 +122,7 @@ void SceneSwitch::open(OpenedScene opened) {
   opened.scene.trust = options_.trust;  // of shipped ones too: files may be dropped on them
   Left left = leave();
   const bool is_unsaved = saved_.differs_from(state_.scene);
-  show(opened, opened.scene, opened.scene.start_s);
+  show(opened, opened.scene, opened.scene.time.start_s);
   editing_.begin_anew(SceneHistory(options_.scene));
   saved_ = SavedScene(options_.scene_file, state_.scene);
   const std::string before = shown_name(left.opened.name);

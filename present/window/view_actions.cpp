@@ -15,7 +15,7 @@ Value next_of(const Values& values, Value now) {
 
 bool change_view(ViewAction action, ViewState& state) {
   SceneClock& clock = state.clock;
-  const double frame_s = 1.0 / state.scene.frames_per_second;
+  const double frame_s = 1.0 / state.scene.time.frames_per_second;
   switch (action) {
     case ViewAction::toggle_help:
       state.shows_help = !state.shows_help;

@@ -53,7 +53,7 @@ void bench_render(const Settings& settings, const Sinks& sinks) {
   const scene::Scene rough = scene::load_scene(std::filesystem::path(OFFING_SCENES) / "rough.toml");
   {
     Renderer renderer(settings.device, scene::prepare_world(rough), rough.view, {640, 360});
-    measure(renderer, "render_rough", rough.ocean.size, settings.blocks, sinks);
+    measure(renderer, "render_rough", rough.ocean.parameters.size, settings.blocks, sinks);
   }
   for (const std::string name : {"valley_fly", "valley_walk"}) {
     const scene::Scene valley = scene::load_scene(std::filesystem::path(OFFING_SCENES) / (name + ".toml"));
@@ -67,9 +67,9 @@ void bench_render(const Settings& settings, const Sinks& sinks) {
   for (const int size : settings.sizes) {
     // The paper's frame: one patch, 16 Gerstner waves on 128 x 128 points, 1280 x 1024 pixels.
     scene::Scene paper = rough;
-    paper.ocean.size = size;
-    paper.patch_lengths_m = {rough.patch_lengths_m.front() / 2.0};
-    paper.gerstner_count = 16;
+    paper.ocean.parameters.size = size;
+    paper.ocean.patch_lengths_m = {rough.ocean.patch_lengths_m.front() / 2.0};
+    paper.ocean.gerstner_count = 16;
     Renderer renderer(settings.device, scene::prepare_world(paper), paper.view, {1280, 1024});
     measure(renderer, "render_paper", size, settings.blocks, sinks);
   }

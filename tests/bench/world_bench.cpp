@@ -33,8 +33,8 @@ Scene without_clouds(Scene scene) {
 
 /// And without what floats on it.
 Scene without_sea(Scene scene) {
-  scene.names_sea = false;
-  scene.wakes.clear();
+  scene.ocean.is_given = false;
+  scene.ocean.wakes.clear();
   scene.bodies.clear();
   scene.meshes.clear();
   scene.lights.clear();
@@ -98,7 +98,7 @@ void bench_world(const Settings& settings, const Sinks& sinks) {
     const std::vector<double> ms = frames.frames_ms(settings.blocks);
     sum_ms += median(ms);
     sinks.row({.name = name,
-               .size = world.ocean.size,
+               .size = world.ocean.parameters.size,
                .ours_ms = median(ms),
                .peer = frames.gl_renderer(),
                .spread = relative_spread(ms)});
@@ -106,7 +106,7 @@ void bench_world(const Settings& settings, const Sinks& sinks) {
   WorldFrames frames(world, settings);
   const std::vector<double> ms = frames.frames_ms(settings.blocks);
   sinks.row({.name = "world_frame",
-             .size = world.ocean.size,
+             .size = world.ocean.parameters.size,
              .ours_ms = median(ms),
              .peer = "sum of its parts",
              .peer_ms = sum_ms,
@@ -116,7 +116,7 @@ void bench_world(const Settings& settings, const Sinks& sinks) {
   for (std::size_t s = 0; s < present::stage_count; ++s) {
     if (median(stages[s]) == 0.0) continue;
     sinks.row({.name = fmt::format("world_frame_{}", to_string(static_cast<Stage>(s))),
-               .size = world.ocean.size,
+               .size = world.ocean.parameters.size,
                .ours_ms = median(stages[s]),
                .peer = frames.gl_renderer(),
                .spread = relative_spread(stages[s])});

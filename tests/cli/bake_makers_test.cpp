@@ -26,8 +26,8 @@ namespace {
 
 scene::Sea small_sea() {
   scene::Scene scene;
-  scene.ocean.size = 32;
-  scene.patch_lengths_m = {200.0};
+  scene.ocean.parameters.size = 32;
+  scene.ocean.patch_lengths_m = {200.0};
   return scene::prepare_sea(scene);
 }
 
@@ -77,9 +77,9 @@ std::size_t bytes_of(const BakedFrame& frame) {
 // Fails if the memory that a bake is refused for is not what its frames take.
 TEST(BakeMakers, KnowWhatAFrameTakes) {
   scene::Scene scene;
-  scene.ocean.size = 32;
-  scene.patch_lengths_m = {200.0, 30.0};
-  scene.gerstner_count = 8;
+  scene.ocean.parameters.size = 32;
+  scene.ocean.patch_lengths_m = {200.0, 30.0};
+  scene.ocean.gerstner_count = 8;
   const scene::Sea sea = scene::prepare_sea(scene);
   const ocl::Device device = ocl::Device::open();
   BakeSettings settings;
@@ -104,8 +104,8 @@ double resident_bytes() {
 // megabytes beside them. Gate a tenth.
 TEST(BakeMakers, KnowWhatASeaTakes) {
   scene::Scene scene;
-  scene.ocean.size = 1024;
-  scene.patch_lengths_m = {200.0, 30.0};
+  scene.ocean.parameters.size = 1024;
+  scene.ocean.patch_lengths_m = {200.0, 30.0};
   const scene::Sea sea = scene::prepare_sea(scene);
   const ocl::Device device = ocl::Device::open();
   if (device.info().type != ocl::DeviceType::cpu) GTEST_SKIP() << "its memory is not the host's";
@@ -124,8 +124,8 @@ TEST(BakeMakers, KnowWhatASeaTakes) {
 // together.
 TEST(BakeMakers, NeedRoomForAllDevices) {
   scene::Scene scene;
-  scene.ocean.size = 256;
-  scene.patch_lengths_m = {200.0};
+  scene.ocean.parameters.size = 256;
+  scene.ocean.patch_lengths_m = {200.0};
   const scene::Sea sea = scene::prepare_sea(scene);
   BakeSettings settings;
   settings.folder = "out";

@@ -27,7 +27,7 @@ double measured_hs_m(const offing::scene::Sea& sea) {
 
 int main() try {
   offing::scene::Scene scene;
-  scene.ocean.size = 64;
+  scene.ocean.parameters.size = 64;
   const offing::scene::Sea sea = offing::scene::prepare_sea(scene);
   const double asked_m = offing::ocean::integrate_sea_state(sea.spectrum).hs_m;
   const double measured_m = measured_hs_m(sea);

@@ -84,7 +84,7 @@ TEST(CloudSection, ValuesAreThoseOfTheirElement) {
   EXPECT_EQ(first.edits[1].push_m.y, 40.0);
   EXPECT_EQ(first.edits[1].albedo, glm::dvec3(1.0, 0.5, 0.5));
   EXPECT_EQ(first.altitude_m, 900.0);
-  EXPECT_EQ(first.look.phase, CloudPhase::rayleigh);
+  EXPECT_EQ(first.look.phase, clouds::PhaseKind::rayleigh);
   EXPECT_EQ(first.look.albedo, glm::dvec3(1.0, 0.5, 0.25));
   EXPECT_EQ(scene.tracks.size(), 2u);
   EXPECT_EQ(scene.tracks.at({"cloud.y_m"}).keys[1].value, 1100.5);

@@ -202,7 +202,7 @@ std::string naming(std::string_view key, const std::string& file) {
   const std::string_view section = section_of(key);
   for (std::size_t dot = section.find('.');; dot = section.find('.', dot + 1)) {
     const std::string part(section.substr(0, dot));
-    text += find_parameter(key)->elements ? "[[" + part + "]]\n" : "[" + part + "]\n";
+    text += find_parameter(key)->section->is_repeated() ? "[[" + part + "]]\n" : "[" + part + "]\n";
     if (dot == std::string_view::npos) break;
   }
   return text + std::string(name_of(key)) + " = '" + file + "'\n";
@@ -296,11 +296,11 @@ TEST(HostileScene, IsNotLedAwayByItsFiles) {
     std::filesystem::create_symlink(folder.path() / "secret.bin",
                                     own / "puffs" / (std::to_string(i) + ".png"));
   }
-  EXPECT_THAT(
-      said([&] {
-        own_billboards(parse_scene(naming("clouds.crisp_puffs", "puffs"), "a.toml", own, Trust::untrusted));
-      }),
-      ::testing::HasSubstr("found one outside"));
+  EXPECT_THAT(said([&] {
+                own_billboards(
+                    parse_scene(naming("clouds.crisp_billboards", "puffs"), "a.toml", own, Trust::untrusted));
+              }),
+              ::testing::HasSubstr("found one outside"));
 
   const std::string header = "#YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) spec_2 (freq_2) ... >\n";
   write(own / "buoy.data_spec", header + "2020 06 08 03 50 0.225 0.100 (0.100) 2.000 (0.200)\n");

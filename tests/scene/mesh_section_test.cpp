@@ -104,8 +104,8 @@ TEST(MeshSection, StandsAloneWithoutASea) {
 // Fails if elements behind one that is taken away lose their keyframes, or get those of another.
 TEST(MeshSection, RemovedElementsTakeTheirKeyframes) {
   Scene scene = scene_of(two_meshes);
-  const RepeatedSection& meshes = *find_parameter("mesh.name")->elements;
-  const RepeatedSection& highlights = *find_parameter("mesh.highlight.light")->elements;
+  const Section& meshes = *find_parameter("mesh.name")->section;
+  const Section& highlights = *find_parameter("mesh.highlight.light")->section;
   remove_element(scene, meshes, {0, 0});
   ASSERT_EQ(scene.tracks.size(), 2u);
   EXPECT_TRUE(scene.tracks.contains({"mesh.yaw_deg", {0, 0}}));

@@ -57,7 +57,7 @@ class OwnBillboardsTest : public testing::Test {
 TEST_F(OwnBillboardsTest, ReadsAFolder) {
   EXPECT_FALSE(own_billboards(scene("")));
   const clouds::BillboardTextures own = clouds::billboard_textures();
-  const auto soft = own_billboards(scene("soft_puffs = \"mine\"\n"));
+  const auto soft = own_billboards(scene("soft_billboards = \"mine\"\n"));
   ASSERT_TRUE(soft);
   const std::ptrdiff_t set = std::ptrdiff_t{CLOUD_TEXTURES} * CLOUD_TEXTURE_TEXELS;
   EXPECT_TRUE(std::equal(own.texels.begin(), own.texels.begin() + set, soft->texels.begin()));
@@ -75,11 +75,12 @@ TEST_F(OwnBillboardsTest, ReadsAFolder) {
 // Fails if a missing folder, one of too few pictures or a broken picture gives another error than a clear
 // one.
 TEST_F(OwnBillboardsTest, TellsWhatIsBroken) {
-  EXPECT_THAT(message("crisp_puffs = \"nowhere\"\n"), testing::HasSubstr("a.toml:3"));
+  EXPECT_THAT(message("crisp_billboards = \"nowhere\"\n"), testing::HasSubstr("a.toml:3"));
   std::filesystem::remove(folder_.path() / "mine" / "puff_03.png");
-  EXPECT_THAT(message("crisp_puffs = \"mine\"\n"), testing::HasSubstr("expected 16 PNG files, found 15"));
+  EXPECT_THAT(message("crisp_billboards = \"mine\"\n"),
+              testing::HasSubstr("expected 16 PNG files, found 15"));
   std::ofstream(folder_.path() / "mine" / "puff_03.png") << "\x89PNG, but not for long";
-  EXPECT_THAT(message("crisp_puffs = \"mine\"\n"),
+  EXPECT_THAT(message("crisp_billboards = \"mine\"\n"),
               testing::AllOf(testing::HasSubstr("a.toml:3"), testing::HasSubstr("puff_03.png"),
                              testing::HasSubstr("not a whole PNG file")));
 }

@@ -29,7 +29,7 @@ using Text = ValueAt<std::string>;
 Scene scene_with_elements() {
   Scene scene;
   for (const Parameter& row : parameter_table()) {
-    if (elements_of(scene, row.elements).empty()) append_element(scene, row, {});
+    if (elements_of(scene, *row.section).empty()) append_element(scene, row, {});
   }
   return scene;
 }
@@ -209,7 +209,7 @@ TEST(ParameterTable, NoTwoRowsShareStorage) {
     const Scene before = scene;
     const std::string text = [&]() -> std::string {
       if (const auto* choice = std::get_if<ChoiceStorage>(&row.storage)) {
-        return std::string(choice->names[choice->get(scene, {}) == 0 ? 1 : 0]);
+        return std::string(choice->names[choice->in(struct_at(&scene, *row.section, {})) == 0 ? 1 : 0]);
       }
       if (std::holds_alternative<Text>(row.storage)) {
         return "other.spec";
@@ -246,10 +246,10 @@ TEST(ParameterTable, ElementsHoldTheirOwnValues) {
   store(scene, amplitude, {.value = 2.0, .shown = "2"}, place);
   append_element(scene, period, place);
   store(scene, period, {.value = 9.0, .shown = "9"}, place);
-  ASSERT_EQ(scene.swells.size(), 2u);
+  ASSERT_EQ(scene.ocean.swells.size(), 2u);
   EXPECT_EQ(value_text(scene, amplitude), "2,0.5");
   EXPECT_EQ(value_text(scene, period), std::string(period.absent) + ",9");
-  while (scene.swells.size() < 64) append_element(scene, amplitude, place);
+  while (scene.ocean.swells.size() < 64) append_element(scene, amplitude, place);
   EXPECT_EQ(refusal([&] { append_element(scene, amplitude, place); }),
             "here: expected at most 64 sections, found more");
 }
@@ -280,7 +280,7 @@ TEST(ParameterTable, OnlyValuesOfPicturesMove) {
 TEST(ParameterTable, DegreesBecomeRadians) {
   Scene scene;
   store(scene, *find_parameter("wind.direction_deg"), {.value = 90.0, .shown = "90"}, place);
-  EXPECT_NEAR(scene.wind_direction_rad, 1.5707963267948966, 1e-15);
+  EXPECT_NEAR(scene.wind.direction_rad, 1.5707963267948966, 1e-15);
 }
 
 // Fails if a size that is no power of two passes the range check.

@@ -55,20 +55,20 @@ count = 16
 split_wavelength_m = 45
 )",
                                   "storm.toml", "scenes");
-  EXPECT_EQ(scene.ocean.seed, 42u);
-  EXPECT_EQ(scene.frames_per_second, 30.0);
-  EXPECT_EQ(scene.ocean.loop_period_s, 20.0);
-  EXPECT_EQ(scene.wind_speed_mps, 12.5);
-  EXPECT_NEAR(scene.wind_direction_rad, 3.14159265358979, 1e-13);
-  EXPECT_EQ(scene.spectrum.model, ocean::SpectrumModel::tma);
-  EXPECT_EQ(scene.depth_m, 20.0);
-  EXPECT_EQ(scene.ocean.size, 64);
-  EXPECT_EQ(scene.spectrum_file, "scenes/data/buoy.data_spec");  // relative to the scene file
-  EXPECT_EQ(scene.record, 3);
-  EXPECT_EQ(scene.patch_lengths_m, (std::vector<double>{300.0, 40.5}));
-  EXPECT_EQ(scene.ocean.foam.decay_s, 3.5);
-  EXPECT_EQ(scene.gerstner_count, 16);
-  EXPECT_EQ(scene.gerstner_split_m, 45.0);
+  EXPECT_EQ(scene.world.seed, 42u);
+  EXPECT_EQ(scene.time.frames_per_second, 30.0);
+  EXPECT_EQ(scene.time.loop_period_s, 20.0);
+  EXPECT_EQ(scene.wind.speed_mps, 12.5);
+  EXPECT_NEAR(scene.wind.direction_rad, 3.14159265358979, 1e-13);
+  EXPECT_EQ(scene.ocean.spectrum.model, ocean::SpectrumModel::tma);
+  EXPECT_EQ(scene.ocean.depth_m, 20.0);
+  EXPECT_EQ(scene.ocean.parameters.size, 64);
+  EXPECT_EQ(scene.ocean.spectrum_file, "scenes/data/buoy.data_spec");  // relative to the scene file
+  EXPECT_EQ(scene.ocean.record, 3);
+  EXPECT_EQ(scene.ocean.patch_lengths_m, (std::vector<double>{300.0, 40.5}));
+  EXPECT_EQ(scene.ocean.parameters.foam.decay_s, 3.5);
+  EXPECT_EQ(scene.ocean.gerstner_count, 16);
+  EXPECT_EQ(scene.ocean.gerstner_split_m, 45.0);
 }
 
 // Fails if swells or raindrops are not read, run into each other, or lose their defaults.
@@ -91,38 +91,53 @@ decay_s = 2
 [[ocean.raindrop]]
 )",
                                   "storm.toml", "");
-  ASSERT_EQ(scene.swells.size(), 2u);
-  EXPECT_EQ(scene.swells[0].amplitude_m, 1.5);
-  EXPECT_EQ(scene.swells[0].period_s, 12.0);
-  EXPECT_FALSE(scene.swells[0].wavelength_m);
-  EXPECT_NEAR(scene.swells[0].direction_rad, 1.5707963267948966, 1e-15);
-  EXPECT_EQ(scene.swells[0].phase_rad, 0.0);
-  EXPECT_EQ(scene.swells[1].amplitude_m, 0.5);
-  EXPECT_EQ(scene.swells[1].wavelength_m, 80.0);
-  EXPECT_FALSE(scene.swells[1].period_s);
-  EXPECT_NEAR(scene.swells[1].phase_rad, 3.141592653589793, 1e-15);
-  ASSERT_EQ(scene.raindrops.size(), 2u);
-  EXPECT_EQ(scene.raindrops[0].x_m, 3.0);
-  EXPECT_EQ(scene.raindrops[0].z_m, -4.0);
-  EXPECT_EQ(scene.raindrops[0].time_s, 0.5);
-  EXPECT_EQ(scene.raindrops[0].amplitude_m, -0.02);
-  EXPECT_EQ(scene.raindrops[0].wavelength_m, 0.3);
-  EXPECT_EQ(scene.raindrops[0].decay_s, 2.0);
-  EXPECT_EQ(scene.raindrops[1].wavelength_m, ocean::Raindrop{}.wavelength_m);
+  ASSERT_EQ(scene.ocean.swells.size(), 2u);
+  EXPECT_EQ(scene.ocean.swells[0].amplitude_m, 1.5);
+  EXPECT_EQ(scene.ocean.swells[0].period_s, 12.0);
+  EXPECT_FALSE(scene.ocean.swells[0].wavelength_m);
+  EXPECT_NEAR(scene.ocean.swells[0].direction_rad, 1.5707963267948966, 1e-15);
+  EXPECT_EQ(scene.ocean.swells[0].phase_rad, 0.0);
+  EXPECT_EQ(scene.ocean.swells[1].amplitude_m, 0.5);
+  EXPECT_EQ(scene.ocean.swells[1].wavelength_m, 80.0);
+  EXPECT_FALSE(scene.ocean.swells[1].period_s);
+  EXPECT_NEAR(scene.ocean.swells[1].phase_rad, 3.141592653589793, 1e-15);
+  ASSERT_EQ(scene.ocean.raindrops.size(), 2u);
+  EXPECT_EQ(scene.ocean.raindrops[0].x_m, 3.0);
+  EXPECT_EQ(scene.ocean.raindrops[0].z_m, -4.0);
+  EXPECT_EQ(scene.ocean.raindrops[0].time_s, 0.5);
+  EXPECT_EQ(scene.ocean.raindrops[0].amplitude_m, -0.02);
+  EXPECT_EQ(scene.ocean.raindrops[0].wavelength_m, 0.3);
+  EXPECT_EQ(scene.ocean.raindrops[0].decay_s, 2.0);
+  EXPECT_EQ(scene.ocean.raindrops[1].wavelength_m, ocean::Raindrop{}.wavelength_m);
 }
 
 // Fails if an absolute file name is bent to the scene's folder.
 TEST(SceneFile, KeepsAbsoluteNames) {
   const Scene scene =
       parse_scene("version = 1\n[ocean]\nspectrum_file = \"/data/buoy.spec\"\n", "a.toml", "scenes");
-  EXPECT_EQ(scene.spectrum_file, "/data/buoy.spec");
+  EXPECT_EQ(scene.ocean.spectrum_file, "/data/buoy.spec");
 }
 
 // Fails if an empty scene is not the default sea.
 TEST(SceneFile, DefaultsNeedNoKeys) {
   const Scene scene = parse_scene("version = 1", "a.toml", "");
-  EXPECT_EQ(scene.ocean.size, Scene{}.ocean.size);
-  EXPECT_TRUE(scene.patch_lengths_m.empty());
+  EXPECT_EQ(scene.ocean.parameters.size, Scene{}.ocean.parameters.size);
+  EXPECT_TRUE(scene.ocean.patch_lengths_m.empty());
+}
+
+// Fails if a key that was renamed no longer works, or works beside its new name.
+TEST(SceneFile, EarlierKeysStillWork) {
+  const Scene scene = parse_scene(
+      "version = 1\n[clouds]\nsoft_puffs = \"wisps\"\n[[cloud]]\npuffs = \"soft\"\n", "a.toml", "");
+  EXPECT_EQ(scene.cloud_settings.soft_billboards, "wisps");
+  EXPECT_EQ(scene.clouds[0].look.billboards, clouds::BillboardSet::soft);
+  try {
+    parse_scene("version = 1\n[[cloud]]\npuffs = \"soft\"\nbillboards = \"soft\"\n", "a.toml", "");
+    ADD_FAILURE() << "both were taken";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "a.toml:4:1: cloud.billboards: expected either puffs or billboards, found both");
+  }
 }
 
 struct BadScene {

@@ -79,8 +79,8 @@ Scene example_between(const std::string& heading, const std::string& next) {
 // Fails if the guide's examples are no scenes.
 TEST(SceneGuide, ItsExamplesAreScenes) {
   const Scene scene = example_between("# Scenes", "\n## Keyframes");
-  EXPECT_EQ(scene.swells.size(), 1u);
-  EXPECT_EQ(scene.raindrops.size(), 1u);
+  EXPECT_EQ(scene.ocean.swells.size(), 1u);
+  EXPECT_EQ(scene.ocean.raindrops.size(), 1u);
   EXPECT_EQ(scene.tracks.size(), 2u);
   EXPECT_TRUE(scene.view.sun_time_utc);
   EXPECT_TRUE(example_between("## The ground", "\n## Meshes").terrain.is_given);

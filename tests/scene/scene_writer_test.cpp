@@ -63,7 +63,7 @@ TEST(SceneWriter, KeepsElementsApart) {
       "version = 1\n[[ocean.swell]]\namplitude_m = 0.8\nperiod_s = 11\n"
       "[[ocean.swell]]\n[[ocean.swell]]\nwavelength_m = 250\ndirection_deg = 30\n";
   const Scene scene = parse_scene(text, "a.toml", "");
-  ASSERT_EQ(scene.swells.size(), 3u);
+  ASSERT_EQ(scene.ocean.swells.size(), 3u);
   expect_same_values(parse_scene(scene_text(scene, ""), "again.toml", ""), scene);
 }
 
@@ -114,13 +114,13 @@ TEST(SceneWriter, KeyframesComeBack) {
 TEST(SceneWriter, WritesWhatCounts) {
   Scene scene = parse_scene("version = 1\n[sun]\ntime_utc = 2024-06-21T12:30:05+01:00\n", "a.toml", "");
   scene.view.sun_azimuth_rad = 2.0;
-  scene.swells = {{.wavelength_m = 50.0, .period_s = 4.0}, {.period_s = 5.0}};
+  scene.ocean.swells = {{.wavelength_m = 50.0, .period_s = 4.0}, {.period_s = 5.0}};
   const Scene again = parse_scene(scene_text(scene, ""), "again.toml", "");
   EXPECT_EQ(again.view.sun_time_utc, (UtcTime{2024, 6, 21, 11, 30, 5}));
   EXPECT_EQ(again.view.sun_azimuth_rad, Scene{}.view.sun_azimuth_rad);
-  EXPECT_EQ(again.swells[0].wavelength_m, 50.0);
-  EXPECT_FALSE(again.swells[0].period_s);
-  EXPECT_EQ(again.swells[1].period_s, 5.0);
+  EXPECT_EQ(again.ocean.swells[0].wavelength_m, 50.0);
+  EXPECT_FALSE(again.ocean.swells[0].period_s);
+  EXPECT_EQ(again.ocean.swells[1].period_s, 5.0);
 }
 
 // Fails if defaults are written out, which would keep a scene from following better ones.
@@ -141,11 +141,11 @@ TEST(SceneWriter, WritesNumbersAsPeopleDo) {
 // Fails if a file name is not found from the new file's folder, or breaks its quotes.
 TEST(SceneWriter, NamesFilesFromItsFolder) {
   Scene scene;
-  scene.spectrum_file = "/data/buoys/odd \"name\\.data_spec";
+  scene.ocean.spectrum_file = "/data/buoys/odd \"name\\.data_spec";
   const std::string text = scene_text(scene, "/data/scenes");
   EXPECT_NE(text.find("../buoys/"), std::string::npos) << text;
   const Scene again = parse_scene(text, "a.toml", "/data/scenes");
-  EXPECT_EQ(std::filesystem::path(again.spectrum_file).lexically_normal(), scene.spectrum_file);
+  EXPECT_EQ(std::filesystem::path(again.ocean.spectrum_file).lexically_normal(), scene.ocean.spectrum_file);
 }
 
 // Fails if a file name is whole where it need not be: a scene and its spectrum could not move together.
@@ -158,7 +158,7 @@ TEST(SceneWriter, NamesFilesFromTheCurrentFolder) {
   Scene scene;
   for (const std::filesystem::path& file :
        {std::filesystem::path("buoys/a.data_spec"), std::filesystem::absolute("buoys/a.data_spec")}) {
-    scene.spectrum_file = file.string();
+    scene.ocean.spectrum_file = file.string();
     const std::string text = scene_text(scene, "");
     EXPECT_NE(text.find("\"buoys/a.data_spec\""), std::string::npos) << text;
     const std::string beside = scene_text(scene, "scenes");
@@ -186,7 +186,7 @@ TEST(SceneWriter, ReplacesOnlyWhatItMay) {
   };
   Scene scene;
   save_scene(scene, file, Existing::keep);
-  scene.wind_speed_mps = 20.0;
+  scene.wind.speed_mps = 20.0;
   EXPECT_THROW(save_scene(scene, file, Existing::keep), Error);
   EXPECT_EQ(bytes(), scene_text(Scene{}, folder.path()));
   save_scene(scene, file, Existing::replace);

@@ -35,7 +35,7 @@ std::vector<std::string> unused(const Case& asked) {
   Sea sea;
   sea.spectrum.dispersion.depth_m = asked.depth_m;
   if (asked.record != Record::none) {
-    scene.spectrum_file = "buoy";
+    scene.ocean.spectrum_file = "buoy";
     sea.measured.emplace();
     sea.measured->frequencies_hz = {0.1, 0.5};
     if (asked.record == Record::directional) {

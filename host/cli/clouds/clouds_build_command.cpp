@@ -24,7 +24,7 @@
 #include "host/scene/file/scene_files.h"
 #include "host/scene/prepare/scene_clouds.h"
 #include "host/scene/prepare/scene_frames.h"
-#include "host/scene/schema/unused_cloud_parameters.h"
+#include "host/scene/schema/unused_parameters.h"
 
 namespace offing::cli {
 namespace {
@@ -52,7 +52,7 @@ FrameName frame_name(const BuildArguments& arguments) {
 }
 
 FrameRange frames_of(const BuildArguments& arguments, const scene::Scene& scene) {
-  return arguments.frames.empty() ? scene::frames_in_time_span(scene, scene.frames_per_second)
+  return arguments.frames.empty() ? scene::frames_in_time_span(scene, scene.time.frames_per_second)
                                   : read_frame_range("--frames", arguments.frames);
 }
 
@@ -64,7 +64,7 @@ std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::Sc
                   "write -o cloud.%04d.vdb");
     }
     const double time_s = arguments.time_s.empty()
-                              ? scene.start_s
+                              ? scene.time.start_s
                               : read_number("--time", arguments.time_s, "s", -1e8, 1e8, "12.5");
     return {{arguments.output, time_s}};
   }
@@ -75,7 +75,7 @@ std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::Sc
   const FrameRange frames = frames_of(arguments, scene);
   std::vector<TimedFile> files;
   for (int frame = frames.first; frame <= frames.last; ++frame) {
-    files.push_back({name.of(frame).string(), frame / scene.frames_per_second});
+    files.push_back({name.of(frame).string(), frame / scene.time.frames_per_second});
   }
   return files;
 }
@@ -162,7 +162,8 @@ void run(const BuildArguments& arguments, const GlobalOptions& options) {
     cell_m = read_number("--cell-m", arguments.cell_m, "m", least_cell_m, largest_cell_m, "20");
   scene::Scene scene = scene::load_scene(arguments.scene, arguments.trust);
   if (!arguments.frames_per_second.empty()) {
-    scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "24");
+    scene.time.frames_per_second =
+        read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "24");
   }
   const std::vector<TimedFile> files = files_of(arguments, scene);
   require_outputs(arguments, scene);

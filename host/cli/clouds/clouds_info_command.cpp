@@ -94,7 +94,7 @@ Json scene_facts(const InfoArguments& arguments, const GlobalOptions& options) {
   if (sky) {
     const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
     CloudFrames frames(device, *sky, options.cancel);
-    const ParticleCloud all = frames.particles_at(scene.start_s);
+    const ParticleCloud all = frames.particles_at(scene.time.start_s);
     std::vector<std::size_t> counts(sky->clouds.size());
     std::vector<Box> boxes(sky->clouds.size());
     for (const CloudParticle& particle : all.particles) {

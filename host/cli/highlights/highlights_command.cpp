@@ -142,7 +142,7 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, scen
   world::World world(device, with_what_moves_meshes(scene::prepare_shown_world(scene)));
   world.set_sea_samples(16);  // bodies feel the whole sea still, and nobody looks at it
   animations::HighlightAnimation animation{.generator = fmt::format("Offing {}", scene::version()),
-                                           .frames_per_s = scene.frames_per_second,
+                                           .frames_per_s = scene.time.frames_per_second,
                                            .first_frame = frames.first,
                                            .lights = {},
                                            .textures = {},
@@ -156,11 +156,11 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, scen
                                 .frames = {}});
   }
   const highlights::LightingAt lighting = scene::lighting_of(scene, world.terrain());
-  const double first_s = frames.first / scene.frames_per_second;
+  const double first_s = frames.first / scene.time.frames_per_second;
   Textures textures(animation.textures);
   for (int frame = frames.first; frame <= frames.last; ++frame) {
     cancel.throw_if_cancelled();
-    const scene::ViewScene view = scene::show_at(world, scene, frame / scene.frames_per_second);
+    const scene::ViewScene view = scene::show_at(world, scene, frame / scene.time.frames_per_second);
     world.see_meshes(view.camera.eye_m, lighting, first_s);
     for (std::size_t i = 0; i < scene.meshes.size(); ++i)
       animation.meshes[i].frames.push_back(frame_of(world.meshes()[i], scene.meshes[i], textures));
@@ -219,9 +219,10 @@ void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
   inputs.names.push_back(arguments.scene);
   require_new(arguments.output, arguments.existing, inputs);
   if (!arguments.frames_per_second.empty())
-    scene.frames_per_second = read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "30");
+    scene.time.frames_per_second =
+        read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "30");
   const FrameRange frames = arguments.frames.empty()
-                                ? scene::frames_in_time_span(scene, scene.frames_per_second)
+                                ? scene::frames_in_time_span(scene, scene.time.frames_per_second)
                                 : read_frame_range("--frames", arguments.frames);
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   animations::HighlightAnimation animation = [&] {

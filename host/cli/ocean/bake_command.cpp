@@ -47,8 +47,8 @@ BakeSettings read_settings(const BakeArguments& arguments, const scene::Scene& s
   BakeSettings settings = arguments.settings;
   require_file_name(arguments.folder);
   settings.folder = arguments.folder;
-  settings.frames_per_second = scene.frames_per_second;
-  settings.frames = arguments.frames.empty() ? scene::frames_in_time_span(scene, scene.frames_per_second)
+  settings.frames_per_second = scene.time.frames_per_second;
+  settings.frames = arguments.frames.empty() ? scene::frames_in_time_span(scene, scene.time.frames_per_second)
                                              : read_frame_range("--frames", arguments.frames);
   settings.share = read_share("--chunk", arguments.chunk);
   settings.compression = read_compression("--compression", arguments.compression);

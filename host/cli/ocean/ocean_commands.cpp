@@ -21,7 +21,7 @@ void warn_of_water_left_out(const scene::Scene& scene, const char* results) {
     spdlog::warn("{}: {} leave out {}; offing-view and worlds of the C interface include it", part, results,
                  what);
   };
-  for (std::size_t i = 0; i < scene.wakes.size(); ++i) {
+  for (std::size_t i = 0; i < scene.ocean.wakes.size(); ++i) {
     warn(fmt::format("[[ocean.wake]] {}", i + 1), "its water");
   }
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -29,7 +29,7 @@ void warn_of_water_left_out(const scene::Scene& scene, const char* results) {
     warn(fmt::format("[[body]] {}", name.empty() ? fmt::format("{}", i + 1) : fmt::format("\"{}\"", name)),
          "the water that it moves");
   }
-  if (scene.terrain.is_given && scene.shoaling == scene::Shoaling::on) {
+  if (scene.terrain.is_given && scene.ocean.shoaling == scene::Shoaling::on) {
     warn("[terrain]", "the effect of shores on the waves");
   }
 }

@@ -83,15 +83,4 @@ void store_track(Scene& scene, const Parameter& parameter, const std::vector<Wri
   scene.set_at.insert_or_assign({parameter.key, element}, place.subject);
 }
 
-bool has_same_keyframes(const Scene& before, const Scene& after, const Parameter& row) {
-  const auto tracks_of = [&](const Scene& scene) {
-    std::vector<std::pair<ValueKey, KeyframeTrack>> tracks;
-    for (const auto& track : scene.tracks) {
-      if (track.first.key == row.key) tracks.emplace_back(track);
-    }
-    return tracks;
-  };
-  return tracks_of(before) == tracks_of(after);
-}
-
 }  // namespace offing::scene

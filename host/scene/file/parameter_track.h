@@ -20,7 +20,4 @@ struct WrittenKeyframe {
 void store_track(Scene& scene, const Parameter& parameter, const std::vector<WrittenKeyframe>& written,
                  Interpolation interpolation, const Place& place);
 
-/// Whether a row has the same keyframes in all elements of two scenes.
-bool has_same_keyframes(const Scene& before, const Scene& after, const Parameter& row);
-
 }  // namespace offing::scene

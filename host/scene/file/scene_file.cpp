@@ -13,6 +13,7 @@
 #include <toml++/toml.h>
 
 #include "host/base/error.h"
+#include "host/base/log.h"
 #include "host/io/file_trust.h"
 #include "host/io/toml_depth.h"
 #include "host/scene/file/nearest_name.h"
@@ -48,7 +49,7 @@ class SceneReader {
     check_version(root);
     read_table(root, "");
     throw_faults();
-    scene_.names_sea = root.contains("ocean");
+    scene_.ocean.is_given = root.contains("ocean");
     scene_.terrain.is_given = root.contains("terrain");
     return std::move(scene_);
   }
@@ -112,13 +113,22 @@ class SceneReader {
   void read_entry(const std::string& full_key, const std::string& prefix, const toml::key& key,
                   const toml::node& node, const toml::table& table) {
     if (const Parameter* parameter = find_parameter(full_key)) {
-      refuse_both(*parameter, key, table);
+      refuse_both(parameter->instead_of, full_key, key, table);
+      read_value(*parameter, std::string(key.str()), node);
+    } else if (parameter = find_by_alias(full_key); parameter != nullptr) {
+      refuse_both(parameter->key, full_key, key, table);
+      spdlog::warn("{}: {}: this key is now {}", place_of(key.source()), full_key, name_of(parameter->key));
       read_value(*parameter, std::string(key.str()), node);
     } else if (first_row_below(full_key)) {
       read_section(full_key, key, node);
     } else {
       refuse_key(full_key, prefix, key);
     }
+  }
+
+  static const Parameter* find_by_alias(std::string_view key) {
+    const auto row = std::ranges::find(parameter_table(), key, &Parameter::alias);
+    return row == parameter_table().end() ? nullptr : &*row;
   }
 
   /// A row of a section or of one inside it; nullptr if no section has this name.
@@ -170,9 +180,10 @@ class SceneReader {
   }
 
   /// Throws at the later one of two keys of a table that say the same in two ways.
-  void refuse_both(const Parameter& parameter, const toml::key& key, const toml::table& table) const {
-    if (parameter.instead_of.empty()) return;
-    const std::string_view other_name = name_of(parameter.instead_of);
+  void refuse_both(std::string_view other_key, const std::string& full_key, const toml::key& key,
+                   const toml::table& table) const {
+    if (other_key.empty()) return;
+    const std::string_view other_name = name_of(other_key);
     const auto other = table.find(other_name);
     if (other == table.end()) return;
     const auto position = [](const toml::key& each) {
@@ -181,7 +192,7 @@ class SceneReader {
     const toml::key& later = position(key) < position(other->first) ? other->first : key;
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: {}: expected either {} or {}, found both", place_of(later.source()),
-                            &later == &key ? parameter.key : parameter.instead_of, key.str(), other_name),
+                            &later == &key ? std::string_view(full_key) : other_key, key.str(), other_name),
                 "remove one of them");
   }
 
@@ -195,7 +206,8 @@ class SceneReader {
     store(scene_, parameter, written_value(node), place);
     if (parameter.rule == ParameterRule::file_name) {
       std::string& file =
-          std::get<ValueAt<std::string>>(parameter.storage)(scene_, last_element(scene_, parameter.elements));
+          std::get<ValueAt<std::string>>(parameter.storage)
+              .in(struct_at(&scene_, *parameter.section, last_element(scene_, *parameter.section)));
       file = named_file(file, place);
     }
   }

@@ -8,12 +8,12 @@
 namespace offing::scene {
 
 std::vector<std::string> files_of(const Scene& scene) {
-  Scene read = scene;  // rows lead to values that can be written
   std::vector<std::string> files;
   for (const Parameter& row : parameter_table()) {
     if (row.rule != ParameterRule::file_name) continue;
-    for (const ElementIndex element : elements_of(scene, row.elements)) {
-      const std::string& file = std::get<ValueAt<std::string>>(row.storage)(read, element);
+    for (const ElementIndex element : elements_of(scene, *row.section)) {
+      const std::string& file =
+          std::get<ValueAt<std::string>>(row.storage).in(struct_at(&scene, *row.section, element));
       if (!file.empty()) files.push_back(file);
     }
   }

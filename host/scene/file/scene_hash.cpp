@@ -1,7 +1,5 @@
 #include "host/scene/file/scene_hash.h"
 
-#include <algorithm>
-#include <array>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -15,21 +13,6 @@ namespace offing::scene {
 
 namespace {
 
-/// Rows whose value reaches the pixels only through what is hashed in their stead, or not at all.
-constexpr std::array<std::string_view, 8> indirect_keys = {
-    "time.start_s",        "time.end_s",   "ocean.wind_speed_mps", "ocean.wind_direction_deg",
-    "ocean.spectrum_file", "ocean.record", "ocean.cascade_count",  "ocean.cascade.patch_m"};
-
-/// Rows that only pictures of the presenter depend on: no sea does.
-bool is_of_images(const Parameter& row) {
-  using enum ParameterGroup;
-  constexpr std::array groups{camera,     bookmark,    sun,   sky,        render,      terrain,
-                              height_map, walk,        light, mesh,       highlight,   body,
-                              clouds,     cloud_layer, cloud, cloud_ball, cloud_level, particle_edit};
-  return std::find(groups.begin(), groups.end(), row.group) != groups.end() ||
-         row.use == ParameterUse::dated_sun;
-}
-
 void append_numbers(fmt::memory_buffer& text, std::string_view name, const std::vector<double>& numbers) {
   fmt::format_to(std::back_inserter(text), "{}[{}]", name, numbers.size());
   for (const double number : numbers) {
@@ -41,18 +24,18 @@ void append_numbers(fmt::memory_buffer& text, std::string_view name, const std::
 }  // namespace
 
 std::string scene_hash(const Scene& scene, const Sea& sea, std::string_view output_settings) {
-  const Scene resolved = with_resolved_wind(scene);
+  const WindSection wind = wind_of_sea(scene);
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "offing {}\noutput {}\n", version(), output_settings);
   for (const Parameter& row : parameter_table()) {
-    if (is_of_images(row)) continue;
-    if (std::find(indirect_keys.begin(), indirect_keys.end(), row.key) == indirect_keys.end()) {
-      fmt::format_to(out, "{} = {}\n", row.key, value_text(resolved, row, Digits::exact));
-    }
+    if (!share_a_bit(row.affects, Affects::baked)) continue;
+    const std::string value = row.group == ParameterGroup::wind ? text_in(&wind, row, Digits::exact)
+                                                                : value_text(scene, row, Digits::exact);
+    fmt::format_to(out, "{} = {}\n", row.key, value);
   }
   // A wind that was asked for sets the wave age of a record's spreading; the default one does not.
-  if (sea.measured) fmt::format_to(out, "own wind {}\n", scene.ocean_wind_speed_mps.has_value());
+  if (sea.measured) fmt::format_to(out, "own wind {}\n", scene.ocean.wind_speed_mps.has_value());
   fmt::format_to(out, "depth {:.17g}\n", sea.spectrum.dispersion.depth_m);
   fmt::format_to(out, "spectrum {}\n", spectrum_name(scene, sea));
   for (const ocean::Cascade& cascade : sea.parameters.cascades) {

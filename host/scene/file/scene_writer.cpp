@@ -1,6 +1,7 @@
 #include "host/scene/file/scene_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -36,38 +37,19 @@ std::string toml_text(std::string_view text) {
   return result + '"';
 }
 
-/// A scene with a value of its own for the row, in an element if it needs one.
-Scene scene_of(const Parameter& row) {
-  Scene one;
-  append_element(one, row, {});
-  return one;
-}
-
-/// The value of such a scene as people write it, where that is the same number.
-std::string number_of(const Scene& one, const Parameter& row) {
-  const std::string exact = value_text(one, row, {}, Digits::exact);
-  std::string readable = value_text(one, row, {}, Digits::readable);
-  Scene copy = one;
-  clear_list(copy, row);
-  store(copy, row, read_flag_value(row, readable), {.subject = std::string(row.key), .assignment = ""},
-        ElementIndex{});
-  return value_text(copy, row, {}, Digits::exact) == exact ? readable : exact;
-}
-
 /// `{ keys = [{ t = 0, value = 5 }, ...] }`, from the tracks of the numbers of a value.
 std::string track_text(const Scene& scene, const Parameter& row, ElementIndex element) {
-  Scene one = scene_of(row);
-  Scene copy = scene;                       // accessors hand out references that can be written through
-  copy_value(copy, element, row, one, {});  // of a number that may be absent: there is one
-  const std::vector<double*> numbers = numbers_of(one, row, {});
-  const KeyframeTrack& first = scene.tracks.at({row.key, element});
+  std::vector<const KeyframeTrack*> tracks;
+  for (std::size_t number = 0; scene.tracks.contains({row.key, element, number}); ++number) {
+    tracks.push_back(&scene.tracks.at({row.key, element, number}));
+  }
+  const KeyframeTrack& first = *tracks.front();
   std::string keys;
   for (std::size_t key = 0; key < first.keys.size(); ++key) {
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      *numbers[i] = scene.tracks.at({row.key, element, i}).keys[key].value;
-    }
+    std::vector<double> numbers;
+    for (const KeyframeTrack* track : tracks) numbers.push_back(track->keys[key].value);
     keys += fmt::format("{}{{ t = {}, value = {} }}", keys.empty() ? "" : ", ", first.keys[key].time_s,
-                        number_of(one, row));
+                        numbers_text(row, numbers));
   }
   const char* rest = first.interpolation == Interpolation::linear ? ", interpolation = \"linear\"" : "";
   return fmt::format("{{ keys = [{}]{} }}", keys, rest);
@@ -94,7 +76,7 @@ class SceneText {
       const std::string_view section = section_of(row.key);
       if (std::find(sections.begin(), sections.end(), section) != sections.end()) continue;
       sections.push_back(section);
-      if (!row.elements || !row.elements->parent) append_section(row, {});
+      if (!row.section->repeated_parent()) append_section(row, {});
     }
     append_bare_sections();
     return std::move(text_);
@@ -110,12 +92,12 @@ class SceneText {
   void append_section(const Parameter& row, ElementIndex parent) {
     const std::string_view section = section_of(row.key);
     if (const auto* list = std::get_if<ValueAt<std::vector<double>>>(&row.storage)) {
-      append_list(row, (*list)(scene_, {}));
-    } else if (!row.elements) {
+      append_list(row, list->in(struct_at(&scene_, *row.section, {})));
+    } else if (!row.section->is_repeated()) {
       const std::vector<Line> lines = lines_of(section, {});
       if (!lines.empty()) append("[{}]", section, lines);
     } else {
-      const std::size_t count = row.elements->count(scene_, parent);
+      const std::size_t count = count_of(&scene_, *row.section, parent);
       if (count > row.max_count) {
         throw Error(
             ErrorKind::bad_input,
@@ -124,7 +106,8 @@ class SceneText {
             "remove some first");
       }
       for (std::size_t i = 0; i < count; ++i) {
-        append_element_of(row, row.elements->parent ? ElementIndex{parent.outer, i} : ElementIndex{i, 0});
+        append_element_of(
+            row, row.section->repeated_parent() ? ElementIndex{parent.outer, i} : ElementIndex{i, 0});
       }
     }
   }
@@ -133,7 +116,7 @@ class SceneText {
     append("[[{}]]", section_of(row.key), lines_of(section_of(row.key), element));
     const Parameter* before = nullptr;
     for (const Parameter& inner : parameter_table()) {
-      if (!inner.elements || inner.elements->parent != row.elements) continue;
+      if (inner.section->repeated_parent() != row.section) continue;
       if (!before || section_of(before->key) != section_of(inner.key)) append_section(inner, element);
       before = &inner;
     }
@@ -141,10 +124,8 @@ class SceneText {
 
   /// A section for each value.
   void append_list(const Parameter& row, const std::vector<double>& values) {
-    Scene one;
     for (const double value : values) {
-      std::get<ValueAt<std::vector<double>>>(row.storage)(one, {}) = {value};
-      append("[[{}]]", section_of(row.key), {{name_of(row.key), number_of(one, row)}});
+      append("[[{}]]", section_of(row.key), {{name_of(row.key), numbers_text(row, std::array{value})}});
     }
   }
 
@@ -152,7 +133,7 @@ class SceneText {
   void append_bare_sections() {
     if (scene_.terrain.is_given && !has_section("terrain")) append("[{}]", "terrain", {});
     const bool needs_sea = scene_.terrain.is_given || !scene_.meshes.empty() || scene_.has_clouds();
-    if (scene_.names_sea && needs_sea && !has_section("ocean")) append("[{}]", "ocean", {});
+    if (scene_.ocean.is_given && needs_sea && !has_section("ocean")) append("[{}]", "ocean", {});
   }
 
   bool has_section(std::string_view name) const {
@@ -187,19 +168,16 @@ class SceneText {
   /// Empty for a value that is as usual.
   std::string text_of(const Parameter& row, ElementIndex element) {
     if (scene_.tracks.contains({row.key, element})) return track_text(scene_, row, element);
-    Scene one = scene_of(row);
-    const std::string usual = value_text(one, row, {}, Digits::exact);
-    copy_value(scene_, element, row, one, {});
-    if (value_text(one, row, {}, Digits::exact) == usual) return "";
+    const void* section = struct_at(&scene_, *row.section, element);
+    if (is_same_value(row, section, default_struct(*row.section))) return "";
     if (const auto* text = std::get_if<ValueAt<std::string>>(&row.storage)) {
-      const std::string& value = (*text)(one, {});
+      const std::string& value = text->in(section);
       return toml_text(row.rule == ParameterRule::file_name ? name_from(folder_, value) : value);
     }
-    if (std::holds_alternative<ChoiceStorage>(row.storage) ||
-        std::holds_alternative<ValueAt<std::optional<UtcTime>>>(row.storage)) {
-      return toml_text(value_text(one, row));
-    }
-    return number_of(one, row);
+    const std::string value = text_in(section, row, Digits::reads_back);
+    const bool is_quoted = std::holds_alternative<ChoiceStorage>(row.storage) ||
+                           std::holds_alternative<ValueAt<std::optional<UtcTime>>>(row.storage);
+    return is_quoted ? toml_text(value) : value;
   }
 
   void append(fmt::format_string<std::string_view&> header, std::string_view section,
@@ -209,7 +187,7 @@ class SceneText {
     for (const Line& line : lines) text_ += fmt::format("{} = {}\n", line.name, line.value);
   }
 
-  Scene scene_;  // accessors hand out references that can be written through
+  const Scene& scene_;
   std::filesystem::path folder_;
   std::vector<std::string_view> written_;
   std::string text_ = "version = 1\n";

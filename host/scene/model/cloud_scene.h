@@ -12,14 +12,8 @@
 
 namespace offing::scene {
 
-// Choices that may be left to the genus of a cloud count one more than what they choose from: 0 leaves it.
-
-enum class CloudModelling { as_genus, sampled, hierarchical };
-enum class CloudSampling { as_genus, uniform, random };
-enum class BillboardStyle { as_genus, crisp, soft };
 /// Which axis of a file points up.
 enum class CloudUp { y, z };
-enum class CloudPhase { as_genus, rayleigh, henyey_greenstein, double_henyey_greenstein, mie_droplet };
 
 /// What the shape of a cloud is made of, in place of balls; the first one that is given counts.
 struct CloudShapeScene {
@@ -28,14 +22,14 @@ struct CloudShapeScene {
   CloudUp up = CloudUp::y;       ///< of a file
   std::string mesh;              ///< a closed one
   std::string text;
-  std::size_t solid = 0;  ///< 0: none; else 1 + the index of mesh_shapes::closed_shapes()
+  std::optional<std::size_t> solid;                       ///< index of mesh_shapes::closed_shapes()
   double yaw_rad = 0.0, pitch_rad = 0.0, roll_rad = 0.0;  ///< how it is turned
   double size_m = 500.0;                                  ///< height of a text; longest edge of a mesh
   double depth_m = 150.0;                                 ///< of a text, from front to back
   double thickness_m = 40.0;  ///< how deep below the surface of a mesh or a text its density has risen to 1
   double fluff_m = 15.0;      ///< how far beyond that surface it begins
 
-  bool is_given() const { return !file.empty() || !mesh.empty() || !text.empty() || solid != 0; }
+  bool is_given() const { return !file.empty() || !mesh.empty() || !text.empty() || solid; }
   bool operator==(const CloudShapeScene&) const = default;
 };
 
@@ -50,8 +44,8 @@ struct CloudNoiseScene {
 struct CloudLookScene {
   std::optional<double> extinction_per_m;
   std::optional<glm::dvec3> albedo;
-  CloudPhase phase = CloudPhase::as_genus;
-  BillboardStyle billboards = BillboardStyle::as_genus;
+  std::optional<clouds::PhaseKind> phase;
+  std::optional<clouds::BillboardSet> billboards;
   std::optional<double> g, g_back, forward_share, droplet_um;
 
   bool operator==(const CloudLookScene&) const = default;
@@ -75,8 +69,8 @@ struct CloudScene {
   std::optional<double> altitude_m;
   std::uint64_t seed = 1;
   double scale = 1.0;
-  CloudModelling modelling = CloudModelling::as_genus;
-  CloudSampling sampling = CloudSampling::as_genus;
+  std::optional<clouds::Modelling> modelling;
+  std::optional<clouds::Sampling> sampling;
   int target_particles = 0;  ///< 0: as its genus
   std::optional<double> base_m;
   CloudShapeScene shape;

@@ -234,7 +234,7 @@ void require_one_source(const Scene& scene, std::size_t index) {
   const std::pair<const char*, bool> sources[]{{"cloud.file", !shape.file.empty()},
                                                {"cloud.mesh", !shape.mesh.empty()},
                                                {"cloud.text", !shape.text.empty()},
-                                               {"cloud.shape", shape.solid != 0}};
+                                               {"cloud.shape", shape.solid.has_value()}};
   const char* first = nullptr;
   for (const auto& [key, is_given] : sources) {
     if (!is_given) continue;
@@ -268,10 +268,10 @@ RestingParticles take_shape(const Scene& scene, std::size_t index, CloudParamete
         const TextMeshOptions options{.height_m = size_m, .thickness_m = cloud.scale * cloud.shape.depth_m};
         take_solid(cloud, text_mesh(cloud.shape.text, options), parameters);
       });
-    } else if (cloud.shape.solid != 0) {
+    } else if (cloud.shape.solid) {
       constexpr int detail = 2;
       at_key(scene, {"cloud.shape", element}, [&] {
-        const mesh_shapes::ShapeRow& row = mesh_shapes::closed_shapes().at(cloud.shape.solid - 1);
+        const mesh_shapes::ShapeRow& row = mesh_shapes::closed_shapes().at(*cloud.shape.solid);
         take_solid(cloud, fitted(mesh_shapes::made_shape(row, 1.0, detail).mesh, size_m), parameters);
       });
     }

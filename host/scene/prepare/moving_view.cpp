@@ -50,7 +50,7 @@ ViewScene view_at(const Scene& scene, double time_s) {
     const double unix_s =
         static_cast<double>(unix_seconds(*view.sun_time_utc)) + view.sun_time_scale * time_s;
     const sky::SunPosition sun =
-        sun_at(unix_s, {.latitude_rad = scene.latitude_rad, .longitude_rad = scene.longitude_rad},
+        sun_at(unix_s, {.latitude_rad = scene.world.latitude_rad, .longitude_rad = scene.world.longitude_rad},
                {.pressure_pa = view.pressure_pa});
     view.sun_azimuth_rad = sun.azimuth_rad;
     view.sun_elevation_rad = sun.elevation_rad;

@@ -52,8 +52,8 @@ std::optional<clouds::BillboardTextures> own_billboards(const Scene& scene) {
       return set;
     });
   };
-  replace("clouds.crisp_puffs", settings.crisp_billboards, 0);
-  replace("clouds.soft_puffs", settings.soft_billboards, 1);
+  replace("clouds.crisp_billboards", settings.crisp_billboards, 0);
+  replace("clouds.soft_billboards", settings.soft_billboards, 1);
   return textures;
 }
 

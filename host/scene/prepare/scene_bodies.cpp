@@ -13,11 +13,10 @@
 #include "host/bodies/path_drive.h"
 #include "host/bodies/pressed_hull.h"
 #include "host/scene/file/nearest_name.h"
-#include "host/scene/file/parameter_track.h"
 #include "host/scene/model/moving_number.h"
 #include "host/scene/model/named_file.h"
 #include "host/scene/prepare/scene_meshes.h"
-#include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/scene_elements.h"
 
 namespace offing::scene {
 
@@ -174,20 +173,14 @@ world::BodySettings settings_of(const Scene& scene, std::size_t index, std::size
 }
 
 bool are_other_bodies(const Scene& before, const Scene& after) {
-  if (are_other_meshes(before, after)) return true;
-  const auto table = parameter_table();
-  return std::any_of(table.begin(), table.end(), [&](const Parameter& row) {
-    return row.group == ParameterGroup::body &&
-           (value_text(before, row, Digits::exact) != value_text(after, row, Digits::exact) ||
-            !has_same_keyframes(before, after, row));
-  });
+  return differ_in(Affects::bodies | Affects::meshes, before, after);
 }
 
 }  // namespace
 
 double run_up_s(const Scene& scene) {
   double longest_s = least_run_up_s;
-  for (const WakeScene& wake : scene.wakes) longest_s = std::max(longest_s, wake.history_s);
+  for (const WakeScene& wake : scene.ocean.wakes) longest_s = std::max(longest_s, wake.history_s);
   return longest_s;
 }
 
@@ -216,7 +209,7 @@ std::vector<world::BodySettings> prepare_bodies(const Scene& scene,
 }
 
 std::size_t followed_body(const Scene& scene, std::size_t wake) {
-  const std::string& name = scene.wakes[wake].body;
+  const std::string& name = scene.ocean.wakes[wake].body;
   const auto body =
       name.empty() ? scene.bodies.begin() : std::ranges::find(scene.bodies, name, &BodyScene::name);
   if (body != scene.bodies.end()) return static_cast<std::size_t>(body - scene.bodies.begin());

@@ -13,6 +13,7 @@
 #include "host/scene/model/named_file.h"
 #include "host/scene/prepare/cloud_shapes.h"
 #include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/scene_elements.h"
 
 namespace offing::scene {
 
@@ -50,12 +51,8 @@ void take_look(const CloudLookScene& scene, clouds::CloudLook& look) {
   take(look.g_back, scene.g_back);
   take(look.forward_share, scene.forward_share);
   take(look.droplet_um, scene.droplet_um);
-  if (scene.phase != CloudPhase::as_genus) {
-    look.phase = static_cast<clouds::PhaseKind>(static_cast<int>(scene.phase) - 1);
-  }
-  if (scene.billboards != BillboardStyle::as_genus) {
-    look.billboards = static_cast<clouds::BillboardSet>(static_cast<int>(scene.billboards) - 1);
-  }
+  take(look.phase, scene.phase);
+  take(look.billboards, scene.billboards);
 }
 
 /// Keyframes of the places of a cloud; of numbers without any a single one.
@@ -133,12 +130,8 @@ CloudParameters cloud_parameters_of(const Scene& scene, std::size_t index) {
   const double usual_altitude_m = cloud.shape.file.empty() ? parameters.position_m.y : 0.0;
   parameters.position_m = {cloud.position_m.x, cloud.altitude_m.value_or(usual_altitude_m),
                            cloud.position_m.z};
-  if (cloud.modelling != CloudModelling::as_genus) {
-    parameters.modelling = static_cast<clouds::Modelling>(static_cast<int>(cloud.modelling) - 1);
-  }
-  if (cloud.sampling != CloudSampling::as_genus) {
-    parameters.sampling = static_cast<clouds::Sampling>(static_cast<int>(cloud.sampling) - 1);
-  }
+  take(parameters.modelling, cloud.modelling);
+  take(parameters.sampling, cloud.sampling);
   if (cloud.target_particles > 0) parameters.target_particles = cloud.target_particles;
   take_balls(cloud, parameters);
   take_noise(cloud.noise, parameters.turbulence);
@@ -207,19 +200,7 @@ void copy_clouds(const Scene& from, Scene& to) {
 }
 
 bool are_other_clouds(const Scene& before, const Scene& after) {
-  const auto tracks_of = [](const Scene& scene) {
-    std::vector<std::pair<ValueKey, KeyframeTrack>> tracks;
-    std::copy_if(scene.tracks.begin(), scene.tracks.end(), std::back_inserter(tracks), is_of_clouds);
-    return tracks;
-  };
-  const auto is_other = [&](const Parameter& row) {
-    using enum ParameterGroup;
-    constexpr std::array groups{clouds, cloud_layer, cloud, cloud_ball, cloud_level, particle_edit};
-    return std::find(groups.begin(), groups.end(), row.group) != groups.end() &&
-           value_text(before, row, Digits::exact) != value_text(after, row, Digits::exact);
-  };
-  const auto table = parameter_table();
-  return std::any_of(table.begin(), table.end(), is_other) || tracks_of(before) != tracks_of(after);
+  return differ_in(Affects::clouds, before, after);
 }
 
 std::optional<world::CloudSkyParameters> prepare_clouds(const Scene& scene) {

@@ -1,7 +1,6 @@
 #include "host/scene/prepare/scene_meshes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -18,13 +17,12 @@
 #include "host/base/error.h"
 #include "host/io/png_image.h"
 #include "host/scene/file/nearest_name.h"
-#include "host/scene/file/parameter_track.h"
 #include "host/scene/model/named_file.h"
 #include "host/scene/prepare/mesh_data.h"
 #include "host/scene/prepare/mesh_motion.h"
 #include "host/scene/prepare/moving_view.h"
 #include "host/scene/prepare/scene_terrain.h"
-#include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/scene_elements.h"
 #include "host/sky/sun_position.h"
 
 namespace offing::scene {
@@ -34,11 +32,6 @@ namespace {
 using highlights::HighlightRule;
 using highlights::HighlightTexture;
 using highlights::Source;
-
-/// Rows that change without the surface, its motion or its highlights being found anew.
-constexpr std::array<std::string_view, 9> keys_of_looks{
-    "mesh.name",          "mesh.shading",      "mesh.colour",     "mesh.specular",      "mesh.shininess",
-    "mesh.cartoon_steps", "mesh.cartoon_ramp", "mesh.outline_px", "mesh.outline_colour"};
 
 constexpr std::string_view sun_name = "sun";
 
@@ -149,8 +142,8 @@ world::MeshParameters parameters_of(const Scene& scene, std::size_t index, const
 
 std::vector<world::MeshParameters> with_moment(std::vector<world::MeshParameters> meshes,
                                                const Scene& scene) {
-  const std::vector<world::MeshMaterial> materials = mesh_materials_at(scene, scene.start_s);
-  std::vector<std::vector<HighlightRule>> rules = mesh_rules_at(scene, scene.start_s);
+  const std::vector<world::MeshMaterial> materials = mesh_materials_at(scene, scene.time.start_s);
+  std::vector<std::vector<HighlightRule>> rules = mesh_rules_at(scene, scene.time.start_s);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     meshes[i].material = materials[i];
     meshes[i].rules = std::move(rules[i]);
@@ -166,14 +159,7 @@ bool is_same_form(const MeshScene& a, const MeshScene& b) {
 }  // namespace
 
 bool are_other_meshes(const Scene& before, const Scene& after) {
-  const auto table = parameter_table();
-  return std::any_of(table.begin(), table.end(), [&](const Parameter& row) {
-    const bool is_beside =
-        std::find(keys_of_looks.begin(), keys_of_looks.end(), row.key) != keys_of_looks.end();
-    return row.group == ParameterGroup::mesh && !is_beside &&
-           (value_text(before, row, Digits::exact) != value_text(after, row, Digits::exact) ||
-            !has_same_keyframes(before, after, row));
-  });
+  return differ_in(Affects::meshes, before, after);
 }
 
 std::vector<world::MeshParameters> prepare_meshes(const Scene& scene) {
@@ -274,7 +260,7 @@ highlights::LightingAt lighting_of(const Scene& scene, const world::WorldTerrain
 }
 
 void edit_meshes(world::World& world, const Scene& before, const Scene& after) {
-  Looks looks = looks_at(after, after.start_s);
+  Looks looks = looks_at(after, after.time.start_s);
   std::optional<std::vector<std::shared_ptr<const RgbaImage>>> pictures;
   if (image_files(before) != image_files(after)) pictures = prepare_images(after);
   if (are_other_meshes(before, after)) {

@@ -17,17 +17,12 @@
 #include "host/io/tile_store/tile_store.h"
 #include "host/scene/model/named_file.h"
 #include "host/scene/prepare/stored_terrain.h"
-#include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/scene_elements.h"
 #include "host/terrain/generate/fractal_terrain.h"
 #include "host/terrain/walk/flying_camera.h"
 
 namespace offing::scene {
 namespace {
-
-/// Rows that say where heights are, or what covers them.
-constexpr std::array<std::string_view, 7> keys_beside_heights{
-    "terrain.origin_x_m",  "terrain.origin_z_m", "terrain.water_line_m",  "terrain.tree_line_m",
-    "terrain.snow_line_m", "terrain.colour",     "terrain.sky_visibility"};
 
 /// A map, or one in tiles.
 struct Heights {
@@ -123,12 +118,6 @@ world::TerrainParameters placed(const Scene& scene, const Heights& heights,
   return terrain;
 }
 
-bool is_of_heights(const Parameter& row) {
-  return (row.group == ParameterGroup::terrain || row.group == ParameterGroup::height_map) &&
-         std::find(keys_beside_heights.begin(), keys_beside_heights.end(), row.key) ==
-             keys_beside_heights.end();
-}
-
 }  // namespace
 
 std::optional<world::TerrainParameters> prepare_terrain(const Scene& scene) {
@@ -139,11 +128,7 @@ std::optional<world::TerrainParameters> prepare_terrain(const Scene& scene) {
 
 std::optional<world::TerrainParameters> edited_terrain(const std::optional<world::TerrainParameters>& now,
                                                        const Scene& before, const Scene& after) {
-  const auto table = parameter_table();
-  const bool are_other_heights = !now || std::any_of(table.begin(), table.end(), [&](const Parameter& row) {
-    return is_of_heights(row) &&
-           value_text(before, row, Digits::exact) != value_text(after, row, Digits::exact);
-  });
+  const bool are_other_heights = !now || differ_in(Affects::heights, before, after);
   if (!after.terrain.is_given || are_other_heights) return prepare_terrain(after);
   const Heights heights{.map = now->map, .tiles = now->tiles, .latitude_deg = now->latitude_deg};
   const bool are_same_colours = before.terrain.colour == after.terrain.colour;

@@ -42,12 +42,13 @@ class HullMotion {
 class WakeMotion {
  public:
   WakeMotion(const Scene& scene, std::size_t index)
-      : follows_hull_(scene.wakes[index].centre == WakeCentre::hull && !scene.wakes[index].hulls.empty()),
-        behind_m_(scene.wakes[index].behind_m),
-        x_m_(scene, {"ocean.wake.x_m", {index, 0}}, scene.wakes[index].x_m),
-        z_m_(scene, {"ocean.wake.z_m", {index, 0}}, scene.wakes[index].z_m) {
-    for (std::size_t i = 0; i < scene.wakes[index].hulls.size(); ++i) {
-      hulls_.emplace_back(scene, scene.wakes[index].hulls[i], ElementIndex{index, i});
+      : follows_hull_(scene.ocean.wakes[index].centre == WakeCentre::hull &&
+                      !scene.ocean.wakes[index].hulls.empty()),
+        behind_m_(scene.ocean.wakes[index].behind_m),
+        x_m_(scene, {"ocean.wake.x_m", {index, 0}}, scene.ocean.wakes[index].x_m),
+        z_m_(scene, {"ocean.wake.z_m", {index, 0}}, scene.ocean.wakes[index].z_m) {
+    for (std::size_t i = 0; i < scene.ocean.wakes[index].hulls.size(); ++i) {
+      hulls_.emplace_back(scene, scene.ocean.wakes[index].hulls[i], ElementIndex{index, i});
     }
   }
 
@@ -73,13 +74,13 @@ class WakeMotion {
 
 std::vector<world::WakeSettings> prepare_wakes(const Scene& scene, const ocean::Dispersion& dispersion) {
   std::vector<world::WakeSettings> prepared;
-  for (std::size_t i = 0; i < scene.wakes.size(); ++i) {
-    const WakeScene& wake = scene.wakes[i];
-    if (wake.parameters.cells != scene.wakes.front().parameters.cells) {
+  for (std::size_t i = 0; i < scene.ocean.wakes.size(); ++i) {
+    const WakeScene& wake = scene.ocean.wakes[i];
+    if (wake.parameters.cells != scene.ocean.wakes.front().parameters.cells) {
       throw Error(ErrorKind::bad_input,
                   fmt::format("{}: expected as many cells as in the first window, {}, got {}",
                               place_of_name(scene, {"ocean.wake.cells", {i, 0}}),
-                              scene.wakes.front().parameters.cells, wake.parameters.cells),
+                              scene.ocean.wakes.front().parameters.cells, wake.parameters.cells),
                   "give all windows the same cells, and lengths of their own");
     }
     world::WakeSettings settings{.parameters = wake.parameters,
@@ -90,7 +91,7 @@ std::vector<world::WakeSettings> prepare_wakes(const Scene& scene, const ocean::
       settings.behind_m = wake.behind_m;
     }
     settings.parameters.dispersion = dispersion;
-    settings.parameters.rain.seed = scene.ocean.seed;
+    settings.parameters.rain.seed = scene.world.seed;
     // Shared, because functions are copied.
     const auto motion = std::make_shared<const WakeMotion>(scene, i);
     settings.forcing_at = [motion](double time_s) { return motion->at(time_s); };

@@ -21,21 +21,21 @@ namespace {
 /// A file that is missing is told where it is named.
 void require_spectrum_file(const Scene& scene) {
   const auto place = scene.set_at.find("ocean.spectrum_file");
-  if (place == scene.set_at.end() || is_there(scene.spectrum_file)) return;
+  if (place == scene.set_at.end() || is_there(scene.ocean.spectrum_file)) return;
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: expected a wave spectrum file, got no such file, {}", place->second,
-                          scene.spectrum_file),
+                          scene.ocean.spectrum_file),
               "check the path; in a scene it is relative to the scene file");
 }
 
 WaveSpectrum read_record(const Scene& scene) {
   require_spectrum_file(scene);
-  std::vector<WaveSpectrum> records = read_spectra(scene.spectrum_file, scene.trust);
-  const auto index = static_cast<std::size_t>(scene.record);
+  std::vector<WaveSpectrum> records = read_spectra(scene.ocean.spectrum_file, scene.trust);
+  const auto index = static_cast<std::size_t>(scene.ocean.record);
   if (index >= records.size()) {
     throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected a record within [0, {}], got {}", scene.spectrum_file,
-                            records.size() - 1, scene.record),
+                fmt::format("{}: expected a record within [0, {}], got {}", scene.ocean.spectrum_file,
+                            records.size() - 1, scene.ocean.record),
                 "`offing ocean spectrum FILE` lists the records");
   }
   return std::move(records[index]);
@@ -46,23 +46,23 @@ WaveSpectrum read_record(const Scene& scene) {
 constexpr double peak_lengths_of_split = 1.0 / 3.0;
 
 std::optional<ocean::GerstnerChoice> gerstner_choice(const Scene& scene, const ocean::SeaSpectrum& spectrum) {
-  if (scene.gerstner_count == 0) {
+  if (scene.ocean.gerstner_count == 0) {
     return std::nullopt;
   }
   const double peak_m =
       2.0 * std::numbers::pi / spectrum.dispersion.wavenumber_radpm(spectrum.omega_peak_radps);
-  const double split_m = scene.gerstner_split_m.value_or(peak_lengths_of_split * peak_m);
+  const double split_m = scene.ocean.gerstner_split_m.value_or(peak_lengths_of_split * peak_m);
   return ocean::GerstnerChoice{.split_radpm = ocean::split_at_wavelength_radpm(split_m),
-                               .count = scene.gerstner_count,
-                               .seed = scene.ocean.seed};
+                               .count = scene.ocean.gerstner_count,
+                               .seed = scene.world.seed};
 }
 
 std::string choppiness_warning(const Scene& scene, const ocean::GerstnerSea& gerstner_waves) {
   const ocean::HorizontalScale horizontal = ocean::horizontal_scale(gerstner_waves);
   if (!horizontal.is_limited) return {};
-  const char* waves = scene.swells.empty()        ? "Gerstner waves"
-                      : scene.gerstner_count != 0 ? "Gerstner waves and swells"
-                                                  : "swells";
+  const char* waves = scene.ocean.swells.empty()        ? "Gerstner waves"
+                      : scene.ocean.gerstner_count != 0 ? "Gerstner waves and swells"
+                                                        : "swells";
   return fmt::format(
       "the {} have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to {:.3g}, with more "
       "they would fold",
@@ -110,7 +110,7 @@ std::string steepness_warning(const Scene& scene, const ocean::GerstnerSea& gers
 
 std::vector<ocean::GerstnerWave> swells_of(const Scene& scene, const ocean::Dispersion& dispersion) {
   std::vector<ocean::GerstnerWave> waves;
-  for (const SwellScene& asked : scene.swells) {
+  for (const SwellScene& asked : scene.ocean.swells) {
     ocean::Swell swell{
         .amplitude_m = asked.amplitude_m, .direction_rad = asked.direction_rad, .phase_rad = asked.phase_rad};
     if (asked.wavelength_m) {
@@ -138,10 +138,9 @@ ocean::GerstnerSea gerstner_waves_of(const Sea& sea, std::uint64_t seed) {
   return gerstner_waves;
 }
 
-Scene with_resolved_wind(Scene scene) {
-  scene.wind_speed_mps = scene.ocean_wind_speed_mps.value_or(scene.wind_speed_mps);
-  scene.wind_direction_rad = scene.ocean_wind_direction_rad.value_or(scene.wind_direction_rad);
-  return scene;
+WindSection wind_of_sea(const Scene& scene) {
+  return {.speed_mps = scene.ocean.wind_speed_mps.value_or(scene.wind.speed_mps),
+          .direction_rad = scene.ocean.wind_direction_rad.value_or(scene.wind.direction_rad)};
 }
 
 Sea prepare_sea(const Scene& scene, Warnings warnings) {
@@ -150,38 +149,41 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
                 "add an [ocean] section to the scene");
   }
   Sea sea;
-  const Scene resolved = with_resolved_wind(scene);
-  ocean::SpectrumParameters spectrum = scene.spectrum;
-  spectrum.wind_speed_mps = resolved.wind_speed_mps;
-  spectrum.spreading.direction_rad = resolved.wind_direction_rad;
-  if (scene.depth_m) {
-    spectrum.dispersion.depth_m = *scene.depth_m;
+  const WindSection wind = wind_of_sea(scene);
+  ocean::SpectrumParameters spectrum = scene.ocean.spectrum;
+  spectrum.wind_speed_mps = wind.speed_mps;
+  spectrum.spreading.direction_rad = wind.direction_rad;
+  if (scene.ocean.depth_m) {
+    spectrum.dispersion.depth_m = *scene.ocean.depth_m;
   }
-  if (scene.spectrum_file.empty()) {
+  if (scene.ocean.spectrum_file.empty()) {
     sea.spectrum = ocean::make_sea_spectrum(spectrum);
   } else {
     sea.measured = read_record(scene);
-    if (!scene.depth_m && sea.measured->depth_m) {
+    if (!scene.ocean.depth_m && sea.measured->depth_m) {
       spectrum.dispersion.depth_m = *sea.measured->depth_m;
     }
-    if (scene.tail_hz) {
-      sea.measured = with_tail(std::move(*sea.measured), *scene.tail_hz);
+    if (scene.ocean.tail_hz) {
+      sea.measured = with_tail(std::move(*sea.measured), *scene.ocean.tail_hz);
     }
     // Only a wind that was asked for: the default would be a guess, where the record's own peak tells the
     // wave age.
-    spectrum.spreading.wind_speed_mps = scene.ocean_wind_speed_mps;
+    spectrum.spreading.wind_speed_mps = scene.ocean.wind_speed_mps;
     sea.spectrum = ocean::from_measured(*sea.measured, spectrum.spreading, spectrum.dispersion);
   }
 
-  sea.parameters = scene.ocean;
+  sea.parameters = scene.ocean.parameters;
+  sea.parameters.seed = scene.world.seed;
+  sea.parameters.loop_period_s = scene.time.loop_period_s;
   sea.gerstner_choice = gerstner_choice(scene, sea.spectrum);
   const double split_radpm = sea.gerstner_choice ? sea.gerstner_choice->split_radpm : 0.0;
-  sea.parameters.cascades =
-      scene.patch_lengths_m.empty()
-          ? ocean::choose_cascades(sea.spectrum, scene.ocean.size, scene.cascade_count, split_radpm)
-          : ocean::cascades_from_patches(scene.patch_lengths_m, scene.ocean.size, split_radpm);
+  sea.parameters.cascades = scene.ocean.patch_lengths_m.empty()
+                                ? ocean::choose_cascades(sea.spectrum, scene.ocean.parameters.size,
+                                                         scene.ocean.cascade_count, split_radpm)
+                                : ocean::cascades_from_patches(scene.ocean.patch_lengths_m,
+                                                               scene.ocean.parameters.size, split_radpm);
   sea.swells = swells_of(scene, sea.spectrum.dispersion);
-  sea.raindrops = scene.raindrops;
+  sea.raindrops = scene.ocean.raindrops;
   if (warnings == Warnings::logged) log_warnings(scene, sea);
   return sea;
 }
@@ -189,7 +191,7 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
 std::string spectrum_name(const Scene& scene, const Sea& sea) {
   if (!sea.measured) {
     return fmt::format("{}, wind {:g} m/s", value_text(scene, *find_parameter("ocean.spectrum")),
-                       with_resolved_wind(scene).wind_speed_mps);
+                       wind_of_sea(scene).speed_mps);
   }
   std::string name = "measured";
   for (const std::string* part : {&sea.measured->station, &sea.measured->time_utc}) {

@@ -26,8 +26,8 @@ struct Sea {
   bool has_gerstner_waves() const { return gerstner_choice || !swells.empty() || !raindrops.empty(); }
 };
 
-/// The scene with [wind] taken over where the ocean names no wind of its own.
-Scene with_resolved_wind(Scene scene);
+/// That of [wind], where the ocean names no wind of its own.
+WindSection wind_of_sea(const Scene& scene);
 
 enum class Warnings { logged, left_out };
 

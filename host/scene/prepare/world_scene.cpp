@@ -10,7 +10,7 @@
 #include "host/scene/prepare/scene_meshes.h"
 #include "host/scene/prepare/scene_terrain.h"
 #include "host/scene/prepare/scene_wakes.h"
-#include "host/scene/schema/parameter_table.h"
+#include "host/scene/schema/scene_elements.h"
 #include "host/scene/schema/unused_parameters.h"
 #include "host/sky/sun_position.h"
 
@@ -21,73 +21,28 @@ namespace {
 /// What of a sea two scenes differ in, from the least work to the most.
 enum class SeaChange { none, waves_beside, wakes, seed, all };
 
-SeaChange change_of(const Parameter& row) {
-  switch (row.group) {
-    case ParameterGroup::camera:
-    case ParameterGroup::bookmark:
-    case ParameterGroup::sun:
-    case ParameterGroup::sky:
-    case ParameterGroup::render:
-    case ParameterGroup::terrain:
-    case ParameterGroup::height_map:
-    case ParameterGroup::walk:
-    case ParameterGroup::light:
-    case ParameterGroup::mesh:
-    case ParameterGroup::highlight:
-    case ParameterGroup::body:
-    case ParameterGroup::clouds:
-    case ParameterGroup::cloud_layer:
-    case ParameterGroup::cloud:
-    case ParameterGroup::cloud_ball:
-    case ParameterGroup::cloud_level:
-    case ParameterGroup::particle_edit:
-      return SeaChange::none;
-    case ParameterGroup::swell:
-    case ParameterGroup::raindrop:
-      return SeaChange::waves_beside;
-    case ParameterGroup::wake:
-    case ParameterGroup::wake_hull:
-      return SeaChange::wakes;
-    case ParameterGroup::world:
-      return row.key == "world.seed" ? SeaChange::seed : SeaChange::none;
-    case ParameterGroup::time:
-      return row.key == "time.loop_period_s" ? SeaChange::all : SeaChange::none;
-    case ParameterGroup::sea:
-      return row.key == "ocean.water" ? SeaChange::none : SeaChange::all;
-    case ParameterGroup::wind:
-    case ParameterGroup::grid:
-    case ParameterGroup::foam:
-      return SeaChange::all;
-  }
-  return SeaChange::all;
-}
-
 SeaChange sea_change(const Scene& before, const Scene& after) {
   if (before.has_sea() != after.has_sea()) return SeaChange::all;
   if (!after.has_sea()) return SeaChange::none;
-  SeaChange change = SeaChange::none;
-  for (const Parameter& row : parameter_table()) {
-    if (change_of(row) > change &&
-        value_text(before, row, Digits::exact) != value_text(after, row, Digits::exact)) {
-      change = change_of(row);
-    }
-  }
-  return change;
+  if (differ_in(Affects::spectrum, before, after)) return SeaChange::all;
+  if (differ_in(Affects::sea_seed, before, after)) return SeaChange::seed;
+  if (differ_in(Affects::wakes, before, after)) return SeaChange::wakes;
+  return differ_in(Affects::extra_waves, before, after) ? SeaChange::waves_beside : SeaChange::none;
 }
 
 /// The Gerstner waves of a world whose scene has other swells and raindrops now.
 ocean::GerstnerSea with_waves_beside(ocean::GerstnerSea gerstner_waves, const Scene& before,
                                      const Scene& after) {
-  gerstner_waves.waves.resize(gerstner_waves.waves.size() - before.swells.size());
+  gerstner_waves.waves.resize(gerstner_waves.waves.size() - before.ocean.swells.size());
   const std::vector<ocean::GerstnerWave> swells = swells_of(after, gerstner_waves.dispersion);
   gerstner_waves.waves.insert(gerstner_waves.waves.end(), swells.begin(), swells.end());
-  gerstner_waves.raindrops = after.raindrops;
+  gerstner_waves.raindrops = after.ocean.raindrops;
   return gerstner_waves;
 }
 
 /// All that a world needs of a scene but its ground.
 world::WorldParameters prepare_sea_and_sky(const Scene& scene, Warnings warnings) {
-  const ViewScene view = view_at(scene, scene.start_s);
+  const ViewScene view = view_at(scene, scene.time.start_s);
   world::WorldParameters parameters{
       .has_sea = scene.has_sea(),
       .atmosphere = atmosphere_of(view),
@@ -98,16 +53,16 @@ world::WorldParameters prepare_sea_and_sky(const Scene& scene, Warnings warnings
     for (const std::string& line : unused_parameters(scene)) spdlog::warn("{}", line);
     return parameters;
   }
-  const Scene resolved = with_resolved_wind(scene);
+  const WindSection wind = wind_of_sea(scene);
   Sea sea = prepare_sea(scene, warnings);
   parameters.gerstner_waves = gerstner_waves_of(sea, sea.parameters.seed);
   parameters.wakes = prepare_wakes(scene, sea.spectrum.dispersion);
   parameters.spectrum = std::move(sea.spectrum);
   parameters.ocean = std::move(sea.parameters);
-  parameters.wind_speed_mps = resolved.wind_speed_mps;
-  parameters.wind_direction_rad = resolved.wind_direction_rad;
-  parameters.water = scene.water;
-  parameters.has_shoals = scene.shoaling == Shoaling::on;
+  parameters.wind_speed_mps = wind.speed_mps;
+  parameters.wind_direction_rad = wind.direction_rad;
+  parameters.water = scene.ocean.water;
+  parameters.has_shoals = scene.ocean.shoaling == Shoaling::on;
   return parameters;
 }
 
@@ -121,7 +76,7 @@ world::WorldParameters prepare_world(const Scene& scene, Warnings warnings) {
   parameters.meshes = prepare_meshes(scene);
   parameters.bodies = prepare_bodies(scene, parameters.meshes);
   parameters.run_up_s = run_up_s(scene);
-  parameters.lights = lights_at(scene, scene.start_s);
+  parameters.lights = lights_at(scene, scene.time.start_s);
   return parameters;
 }
 
@@ -130,7 +85,7 @@ world::WorldParameters prepare_shown_world(Scene& scene) {
   place_camera(scene, parameters.terrain);
   const bool has_meshes_alone = !parameters.has_sea && !parameters.terrain && !parameters.meshes.empty();
   if (has_meshes_alone && !places_its_camera(scene)) {
-    look_at_meshes(parameters.meshes, scene.start_s, scene.view.camera);
+    look_at_meshes(parameters.meshes, scene.time.start_s, scene.view.camera);
   }
   return parameters;
 }
@@ -156,7 +111,7 @@ ViewScene show_at(world::World& world, const Scene& scene, double time_s) {
 }
 
 void edit_world_below(world::World& world, const Scene& before, const Scene& after) {
-  const ViewScene view = view_at(after, after.start_s);
+  const ViewScene view = view_at(after, after.time.start_s);
   const std::optional<world::TerrainParameters> terrain =
       edited_terrain(world.parameters().terrain, before, after);
   switch (sea_change(before, after)) {
@@ -179,7 +134,7 @@ void edit_world_below(world::World& world, const Scene& before, const Scene& aft
       world.set_sea(prepare_sea_and_sky(after, Warnings::left_out));
       break;
   }
-  world.set_water(after.water);
+  world.set_water(after.ocean.water);
   world.set_terrain(terrain);
   edit_meshes(world, before, after);
   edit_bodies(world, before, after);

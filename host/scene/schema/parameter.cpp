@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -62,79 +63,135 @@ void append_to_list(std::vector<double>& list, const Parameter& parameter, const
   list.push_back(number);
 }
 
-/// `scene` is only read; accessors hand out references that can be written through.
-std::string text_of(Scene& scene, const Parameter& parameter, ElementIndex element, Digits digits) {
-  const auto scaled = [&](double value) { return number_text(value / parameter.scale, digits); };
-  const auto triple = [&](const glm::dvec3& value) {
-    return fmt::format("[{}, {}, {}]", scaled(value.x), scaled(value.y), scaled(value.z));
-  };
-  const std::string absent{parameter.absent};
-  return std::visit(
-      Overloaded{
-          [&](ValueAt<double> at) { return scaled(at(scene, element)); },
-          [&](ValueAt<std::optional<double>> at) {
-            return at(scene, element) ? scaled(*at(scene, element)) : absent;
-          },
-          [&](ValueAt<int> at) { return fmt::format("{}", at(scene, element)); },
-          [&](ValueAt<std::uint64_t> at) { return fmt::format("{}", at(scene, element)); },
-          [&](ValueAt<std::string> at) { return at(scene, element).empty() ? absent : at(scene, element); },
-          [&](ValueAt<std::optional<UtcTime>> at) {
-            return at(scene, element) ? iso_time(*at(scene, element)).value_or("") : absent;
-          },
-          [&](ValueAt<std::vector<double>> at) {
-            std::vector<std::string> texts;
-            for (const double value : at(scene, element)) texts.push_back(scaled(value));
-            return texts.empty() ? absent : fmt::format("{}", fmt::join(texts, ","));
-          },
-          [&](ValueAt<glm::dvec3> at) { return triple(at(scene, element)); },
-          [&](ValueAt<std::optional<glm::dvec3>> at) {
-            return at(scene, element) ? triple(*at(scene, element)) : absent;
-          },
-          [&](const ChoiceStorage& choice) { return std::string(choice.names[choice.get(scene, element)]); },
-      },
-      parameter.storage);
+/// The shortest text that reads back to a stored number.
+std::string shortest_text(double stored, double scale) {
+  constexpr int readable = 12, whole = 17;
+  const double written = stored / scale;
+  // A quotient does not always give its number back: one of its neighbours does.
+  for (const double near : {written, std::nextafter(written, std::numeric_limits<double>::lowest()),
+                            std::nextafter(written, std::numeric_limits<double>::max())}) {
+    for (int digits = readable; digits <= whole; ++digits) {
+      std::string text = fmt::format("{:.{}g}", near, digits);
+      if (*parse_whole_text<double>(text) * scale == stored) return text;
+    }
+  }
+  return number_text(written, Digits::exact);
 }
 
 }  // namespace
 
+bool is_same_value(const Parameter& row, const void* a, const void* b) {
+  return std::visit([&](const auto& at) { return at.in(a) == at.in(b); }, row.storage);
+}
+
+void copy_value(const Parameter& row, const void* from, void* to) {
+  std::visit(Overloaded{[&](const ChoiceStorage& choice) { choice.set_in(to, choice.in(from)); },
+                        [&](const auto& at) { at.in(to) = at.in(from); }},
+             row.storage);
+}
+
+std::any value_in(const void* section, const Parameter& row) {
+  return std::visit([&](const auto& at) { return std::any(at.in(section)); }, row.storage);
+}
+
+void put_in(void* section, const Parameter& row, const std::any& value) {
+  std::visit(
+      Overloaded{
+          [&](const ChoiceStorage& choice) { choice.set_in(section, std::any_cast<std::size_t>(value)); },
+          [&]<class Value>(ValueAt<Value> at) { at.in(section) = std::any_cast<const Value&>(value); }},
+      row.storage);
+}
+
+std::vector<double*> numbers_in(void* section, const Parameter& row) {
+  return std::visit(Overloaded{[&](ValueAt<double> at) { return std::vector{&at.in(section)}; },
+                               [&](ValueAt<std::optional<double>> at) {
+                                 std::optional<double>& number = at.in(section);
+                                 return number ? std::vector{&*number} : std::vector<double*>{};
+                               },
+                               [&](ValueAt<glm::dvec3> at) {
+                                 glm::dvec3& triple = at.in(section);
+                                 return std::vector{&triple.x, &triple.y, &triple.z};
+                               },
+                               [](const auto&) { return std::vector<double*>{}; }},
+                    row.storage);
+}
+
+void store_in(void* section, const Parameter& row, const WrittenValue& written, const Place& place) {
+  const auto number = [&](auto at) { at.in(section) = checked_number(row, written, place); };
+  const auto triple = [&](auto at) { at.in(section) = checked_triple(row, written, place); };
+  std::visit(
+      Overloaded{
+          [&](ValueAt<double> at) { number(at); },
+          [&](ValueAt<std::optional<double>> at) { number(at); },
+          [&](ValueAt<int> at) { at.in(section) = static_cast<int>(checked_whole(row, written, place)); },
+          [&](ValueAt<std::uint64_t> at) {
+            at.in(section) = static_cast<std::uint64_t>(checked_whole(row, written, place));
+          },
+          [&](ValueAt<std::string> at) { at.in(section) = checked_name(row, written, place); },
+          [&](ValueAt<std::optional<UtcTime>> at) { at.in(section) = checked_time(row, written, place); },
+          [&](ValueAt<std::vector<double>> at) { append_to_list(at.in(section), row, written, place); },
+          [&](ValueAt<glm::dvec3> at) { triple(at); },
+          [&](ValueAt<std::optional<glm::dvec3>> at) { triple(at); },
+          [&](const ChoiceStorage& choice) {
+            choice.set_in(section, checked_choice(row, choice, written, place));
+          },
+      },
+      row.storage);
+}
+
+std::string numbers_text(const Parameter& row, std::span<const double> stored) {
+  if (stored.size() == 1) return shortest_text(stored[0], row.scale);
+  std::vector<std::string> texts;
+  for (const double number : stored) texts.push_back(shortest_text(number, row.scale));
+  return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
+std::string text_in(const void* section, const Parameter& row, Digits digits) {
+  const auto scaled = [&](double value) {
+    return digits == Digits::reads_back ? shortest_text(value, row.scale)
+                                        : number_text(value / row.scale, digits);
+  };
+  const auto triple = [&](const glm::dvec3& value) {
+    return fmt::format("[{}, {}, {}]", scaled(value.x), scaled(value.y), scaled(value.z));
+  };
+  const std::string absent{row.absent};
+  return std::visit(
+      Overloaded{
+          [&](ValueAt<double> at) { return scaled(at.in(section)); },
+          [&](ValueAt<std::optional<double>> at) {
+            return at.in(section) ? scaled(*at.in(section)) : absent;
+          },
+          [&](ValueAt<int> at) { return fmt::format("{}", at.in(section)); },
+          [&](ValueAt<std::uint64_t> at) { return fmt::format("{}", at.in(section)); },
+          [&](ValueAt<std::string> at) { return at.in(section).empty() ? absent : at.in(section); },
+          [&](ValueAt<std::optional<UtcTime>> at) {
+            return at.in(section) ? iso_time(*at.in(section)).value_or("") : absent;
+          },
+          [&](ValueAt<std::vector<double>> at) {
+            std::vector<std::string> texts;
+            for (const double value : at.in(section)) texts.push_back(scaled(value));
+            return texts.empty() ? absent : fmt::format("{}", fmt::join(texts, ","));
+          },
+          [&](ValueAt<glm::dvec3> at) { return triple(at.in(section)); },
+          [&](ValueAt<std::optional<glm::dvec3>> at) {
+            return at.in(section) ? triple(*at.in(section)) : absent;
+          },
+          [&](const ChoiceStorage& choice) { return std::string(choice.names[choice.in(section)]); },
+      },
+      row.storage);
+}
+
 void store(Scene& scene, const Parameter& parameter, const WrittenValue& written, const Place& place,
            std::optional<ElementIndex> element) {
   const ElementIndex index = element ? *element : last_element_or_first(scene, parameter, place);
-  std::visit(
-      Overloaded{
-          [&](ValueAt<double> at) { at(scene, index) = checked_number(parameter, written, place); },
-          [&](ValueAt<std::optional<double>> at) {
-            at(scene, index) = checked_number(parameter, written, place);
-          },
-          [&](ValueAt<int> at) {
-            at(scene, index) = static_cast<int>(checked_whole(parameter, written, place));
-          },
-          [&](ValueAt<std::uint64_t> at) {
-            at(scene, index) = static_cast<std::uint64_t>(checked_whole(parameter, written, place));
-          },
-          [&](ValueAt<std::string> at) { at(scene, index) = checked_name(parameter, written, place); },
-          [&](ValueAt<std::optional<UtcTime>> at) {
-            at(scene, index) = checked_time(parameter, written, place);
-          },
-          [&](ValueAt<std::vector<double>> at) {
-            append_to_list(at(scene, index), parameter, written, place);
-          },
-          [&](ValueAt<glm::dvec3> at) { at(scene, index) = checked_triple(parameter, written, place); },
-          [&](ValueAt<std::optional<glm::dvec3>> at) {
-            at(scene, index) = checked_triple(parameter, written, place);
-          },
-          [&](const ChoiceStorage& choice) {
-            choice.set(scene, index, checked_choice(parameter, choice, written, place));
-          },
-      },
-      parameter.storage);
+  store_in(struct_at(&scene, *parameter.section, index), parameter, written, place);
   for (std::size_t number = 0; number < 3; ++number) scene.tracks.erase({parameter.key, index, number});
   scene.set_at.insert_or_assign({parameter.key, index}, place.subject);
 }
 
 void clear_list(Scene& scene, const Parameter& parameter) {
   if (const auto* at = std::get_if<ValueAt<std::vector<double>>>(&parameter.storage)) {
-    (*at)(scene, {}).clear();
+    at->in(struct_at(&scene, *parameter.section, {})).clear();
   }
 }
 
@@ -188,26 +245,22 @@ std::string expected_text(const Parameter& parameter) {
 }
 
 std::string value_text(const Scene& scene, const Parameter& parameter, ElementIndex element, Digits digits) {
-  Scene copy = scene;
-  return text_of(copy, parameter, element, digits);
+  return text_in(struct_at(&scene, *parameter.section, element), parameter, digits);
 }
 
 std::string value_text(const Scene& scene, const Parameter& parameter, Digits digits) {
-  Scene copy = scene;
   std::string text;
   std::optional<ElementIndex> before;
-  for (const ElementIndex element : elements_of(scene, parameter.elements)) {
-    if (before) text += parameter.elements->parent && before->outer != element.outer ? ';' : ',';
-    text += text_of(copy, parameter, element, digits);
+  for (const ElementIndex element : elements_in(&scene, *parameter.section)) {
+    if (before) text += parameter.section->repeated_parent() && before->outer != element.outer ? ';' : ',';
+    text += value_text(scene, parameter, element, digits);
     before = element;
   }
   return before ? text : "none";
 }
 
 std::string default_text(const Parameter& parameter) {
-  Scene scene;
-  append_element(scene, parameter, {});
-  return value_text(scene, parameter);
+  return text_in(default_struct(*parameter.section), parameter, Digits::readable);
 }
 
 }  // namespace offing::scene

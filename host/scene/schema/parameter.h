@@ -1,45 +1,21 @@
 #pragma once
 
+#include <any>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include <glm/vec3.hpp>
-
-#include "host/base/utc_time.h"
 #include "host/scene/model/scene.h"
+#include "host/scene/schema/section.h"
+#include "host/scene/schema/value_storage.h"
 
 namespace offing::scene {
-
-/// Where a value lives in the scene: every value outside of repeated sections is its own only element.
-template <class Value>
-using ValueAt = Value& (*)(Scene&, ElementIndex);
-
-/// One of several named values, stored as an enumeration whose values count from 0 in the order of the names.
-struct ChoiceStorage {
-  std::vector<std::string_view> names;
-  std::size_t (*get)(Scene&, ElementIndex);
-  void (*set)(Scene&, ElementIndex, std::size_t);
-};
-
-/// Where a row's value lives; the alternative is its type. Triples are written as lists.
-using Storage =
-    std::variant<ValueAt<double>, ValueAt<std::optional<double>>, ValueAt<int>, ValueAt<std::uint64_t>,
-                 ValueAt<std::string>, ValueAt<std::optional<UtcTime>>, ValueAt<std::vector<double>>,
-                 ValueAt<glm::dvec3>, ValueAt<std::optional<glm::dvec3>>, ChoiceStorage>;
-
-/// A section that may be repeated, such as [[ocean.swell]]; one within another's elements, such as
-/// [[mesh.highlight]], counts anew in each of them.
-struct RepeatedSection {
-  const RepeatedSection* parent = nullptr;
-  std::size_t (*count)(const Scene&, ElementIndex);  ///< within this element of the parent
-  void (*append)(Scene&, ElementIndex);              ///< an element of default values
-  void (*remove)(Scene&, ElementIndex);
-};
 
 enum class ParameterGroup {
   world,
@@ -75,53 +51,52 @@ enum class ParameterGroup {
 enum class ParameterRule { within_range, power_of_two, file_name, name };
 /// Whether a value may have keyframes (parameter_track.h), and goes from one to the next as an angle does.
 enum class ParameterMotion { constant, keyed, keyed_angle };
-/// Which scenes a parameter matters to (unused_parameters.h).
-enum class ParameterUse {
-  always,
-  modelled_sea,      ///< not one of a measured spectrum
-  measured_sea,      ///< one of a measured spectrum
-  measured_tail,     ///< one of a measured spectrum that ends below the value
-  jonswap_or_tma,    ///< models, as are the next three
-  tma_depth_factor,  ///< in water of some depth
-  phillips,
-  swell,
-  wind,                ///< all that wind makes
-  own_wind,            ///< all that wind makes, and those whose spreading has a wave age
-  wind_direction,      ///< without directions of their own
-  spreading,           ///< without directions or a spreading of their own
-  spreading_exponent,  ///< those spread by cos^2s
-  chosen_cascades,     ///< whose patches are not given
-  gerstner,            ///< with Gerstner waves
-  dated_sun,           ///< under a sun that stands where its time says
-  terrain_file,        ///< with ground that is read from a file, but for tile stores
-  tile_store,          ///< with ground from a tile store
-  whole_map,           ///< with ground that is no tile store
-  made_terrain,        ///< with ground that is made
-  dry_scene,           ///< with ground and without a sea
-  sea_over_terrain,    ///< with ground
-  far_light,           ///< of a light that is a direction
-  near_light,          ///< of a light that stands at a place
-  made_mesh,           ///< of a mesh that is no file's
-  cartoon_mesh,        ///< of one that is shaded as cartoons are
-  stepped_mesh,        ///< of one that is shaded so without a ramp
-  outlined_mesh,       ///< of one with an outline
-  shiny_mesh,          ///< of one with a highlight of Blinn's own
-  found_highlights,    ///< of a mesh with highlights
-  masked_highlight,    ///< of one that is drawn around a place only
-  split_highlight,     ///< of one in several copies
-  shape_highlight,     ///< of one that is no picture
-  image_highlight,     ///< of one that is
-  body_of_density,     ///< of a body without mass and draught
-  driven_body,         ///< of one that forces move
-  filed_cloud,         ///< of a cloud that a file makes
-  shaped_cloud,        ///< of one that a mesh or a text makes
-  turned_cloud,        ///< of one that a file, a mesh or a text makes
-  text_cloud,          ///< of one that a text makes
-  balled_cloud,        ///< of one that balls make
-  sampled_cloud,       ///< of one that is merged from cells
-  grown_cloud,         ///< of one that grows on its balls
-  heated_cloud,        ///< of one that warm air carries
-  obstructed_cloud,    ///< of one that flows around something
+/// What has to be made anew where a value changes, and what its value tells of: a set of bits.
+enum class Affects : unsigned {
+  nothing = 0,
+  spectrum = 1u << 0,     ///< the sea, from its energy on
+  sea_seed = 1u << 1,     ///< which sea it is of all of the same spectrum
+  extra_waves = 1u << 2,  ///< swells and raindrops
+  wakes = 1u << 3,
+  water = 1u << 4,  ///< what the water looks like
+  baked = 1u << 5,  ///< a baked frame by itself: other values do through what is made of them, or not at all
+  heights = 1u << 6,     ///< of the ground
+  cover = 1u << 7,       ///< where the ground is, and what covers it
+  meshes = 1u << 8,      ///< surface, motion or highlights of a mesh
+  mesh_looks = 1u << 9,  ///< what needs none of them anew
+  highlights = 1u << 10,
+  lights = 1u << 11,
+  bodies = 1u << 12,
+  clouds = 1u << 13,
+  view = 1u << 14,  ///< what is asked for in each frame: eye, sun, air and exposure
+};
+
+constexpr Affects operator|(Affects a, Affects b) {
+  return static_cast<Affects>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr bool share_a_bit(Affects a, Affects b) {
+  return (static_cast<unsigned>(a) & static_cast<unsigned>(b)) != 0;
+}
+
+inline constexpr Affects everything = static_cast<Affects>(~0u);
+inline constexpr Affects all_but_clouds = static_cast<Affects>(~0u & ~static_cast<unsigned>(Affects::clouds));
+inline constexpr Affects parts_of_sea =
+    Affects::spectrum | Affects::sea_seed | Affects::extra_waves | Affects::wakes | Affects::water;
+
+/// What files tell about the sea of a scene.
+struct SeaFacts {
+  bool is_there = false;
+  bool is_measured = false;
+  bool is_directional = false;  ///< measured, with directions of its own
+  bool is_deep = false;
+  double last_hz = 0.0;  ///< highest frequency of a measured spectrum, with its tail
+};
+
+/// What a row sees of a scene when it tells whether its value has an effect.
+struct UseContext {
+  const Scene& scene;
+  ElementIndex element = {};  ///< of the row's section
+  SeaFacts sea = {};
 };
 
 /// Where a slider ends.
@@ -131,12 +106,13 @@ struct SliderRange {
 
 /// One row of the parameter table: everything there is to say about one value of a scene.
 struct Parameter {
-  std::string_view key;        ///< in a scene file: "ocean.fetch_m"
-  std::string_view flag = {};  ///< on the command line: "--fetch-m"; empty: scene files only
+  std::string_view key;                ///< in a scene file: "ocean.fetch_m"
+  std::string_view alias = {};         ///< an earlier key that still works, with a warning
+  Affects affects = Affects::nothing;  ///< nothing: as the rows around it do
+  std::string_view flag = {};          ///< on the command line: "--fetch-m"; empty: scene files only
   ParameterGroup group = ParameterGroup::sea;
-  Storage storage;
-  /// The section of its elements; nullptr for values outside of repeated sections.
-  const RepeatedSection* elements = nullptr;
+  Storage storage = {};  ///< in the struct of its section
+  const Section* section = nullptr;
   std::string_view unit = {};  ///< as written in the scene and on the command line; empty: dimensionless
   double low = 0.0;            ///< smallest and largest value, in `unit`, both included
   double high = 0.0;
@@ -149,7 +125,8 @@ struct Parameter {
   /// Row of the same section that says the same in another way: a scene file gives one of the two, and where
   /// a program has set both, that one counts.
   std::string_view instead_of = {};
-  ParameterUse use = ParameterUse::always;
+  /// Why the value has no effect in this struct of its section, empty where it has one; none: it always has.
+  std::function<std::string(const UseContext&, const void* section)> unused = {};
   ParameterMotion motion = ParameterMotion::constant;
   /// Ends of its slider, in `unit`, where the range goes on to values that make much work or have hardly a
   /// use: those are typed. Of three numbers: what they are dragged across.
@@ -177,6 +154,31 @@ struct Place {
   std::string assignment = {};  ///< `wind_speed_mps = ` or `--wind-speed-mps `
 };
 
+// Values in the struct of their section, which `section` points to.
+
+bool is_same_value(const Parameter& row, const void* a, const void* b);
+void copy_value(const Parameter& row, const void* from, void* to);
+/// A value of any type, to be put back.
+std::any value_in(const void* section, const Parameter& row);
+void put_in(void* section, const Parameter& row, const std::any& value);
+/// The numbers that a value is made of: one, three, or none where it has no value or is no number.
+std::vector<double*> numbers_in(void* section, const Parameter& row);
+/// Checks a value and stores it; appends it to a list. Throws Error(bad_input) that names place, expected and
+/// found.
+void store_in(void* section, const Parameter& row, const WrittenValue& written, const Place& place);
+
+/// Twelve digits, as people write numbers, as many as read back to the same stored value, or as many as tell
+/// any two numbers apart.
+enum class Digits { readable, reads_back, exact };
+
+/// In the parameter's unit, all values of a list separated by commas; `absent` when there is none.
+std::string text_in(const void* section, const Parameter& row, Digits digits);
+
+/// The numbers of a value, as they are stored, in the shortest text that reads back to them.
+std::string numbers_text(const Parameter& row, std::span<const double> stored);
+
+// Values of a scene.
+
 /// Checks a value and stores it with its place, in the stead of keyframes; appends it to a list. Without an
 /// element it is the last one's of a repeated section, which gets its first one if it has none. Throws
 /// Error(bad_input) that names place, expected and found.
@@ -192,11 +194,7 @@ WrittenValue read_flag_value(const Parameter& parameter, std::string_view text);
 /// "a number in m/s within [0, 60]".
 std::string expected_text(const Parameter& parameter);
 
-/// Twelve digits, as people write numbers, or as many as tell any two numbers apart.
-enum class Digits { readable, exact };
-
-/// The value of an element, in the parameter's unit, all values of a list separated by commas; `absent` when
-/// there is none.
+/// The value of an element.
 std::string value_text(const Scene& scene, const Parameter& parameter, ElementIndex element, Digits digits);
 
 /// The values of all elements, separated by commas, those of one parent from the next by semicolons; "none"

@@ -1,8 +1,9 @@
 #include "host/scene/schema/scene_elements.h"
 
+#include <algorithm>
 #include <map>
-#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,15 +16,15 @@ namespace {
 
 /// Drops what a map knows of an element and counts those behind it one less.
 template <class Value>
-void forget(std::map<ValueKey, Value>& map, const RepeatedSection& section, ElementIndex element) {
+void forget(std::map<ValueKey, Value>& map, const Section& section, ElementIndex element) {
   std::map<ValueKey, Value> kept;
   for (auto& [key, value] : map) {
-    const RepeatedSection* of_key = find_parameter(key.key)->elements;
+    const Section& of_key = *find_parameter(key.key)->section;
     ValueKey now = key;
-    if (of_key == &section && section.parent) {
+    if (&of_key == &section && section.repeated_parent()) {
       if (key.element == element) continue;
       if (key.element.outer == element.outer && key.element.inner > element.inner) --now.element.inner;
-    } else if (of_key && (of_key == &section || of_key->parent == &section)) {
+    } else if (&of_key == &section || of_key.repeated_parent() == &section) {
       if (key.element.outer == element.outer) continue;
       if (key.element.outer > element.outer) --now.element.outer;
     }
@@ -32,88 +33,144 @@ void forget(std::map<ValueKey, Value>& map, const RepeatedSection& section, Elem
   map = std::move(kept);
 }
 
+/// Whether the section, or the one around its elements, has no element.
+bool has_none(const Scene& scene, const Section& section) {
+  const Section* above = section.repeated_parent();
+  return (above && count_of(&scene, *above, {}) == 0) ||
+         count_of(&scene, section, above ? last_element(scene, *above) : ElementIndex{}) == 0;
+}
+
+using Tracks = std::vector<std::pair<ValueKey, const KeyframeTrack*>>;
+
+Tracks tracks_of(const Scene& scene, const Parameter& row) {
+  Tracks tracks;
+  for (const auto& [key, track] : scene.tracks) {
+    if (key.key == row.key) tracks.emplace_back(key, &track);
+  }
+  return tracks;
+}
+
+bool has_same_keyframes(const Scene& before, const Scene& after, const Parameter& row) {
+  if (row.motion == ParameterMotion::constant) return true;
+  return std::ranges::equal(tracks_of(before, row), tracks_of(after, row), [](const auto& a, const auto& b) {
+    return a.first == b.first && *a.second == *b.second;
+  });
+}
+
+bool has_same_values(const Scene& before, const Scene& after, const Parameter& row) {
+  const std::vector<ElementIndex> elements = elements_of(before, *row.section);
+  return elements == elements_of(after, *row.section) &&
+         std::ranges::all_of(elements, [&](ElementIndex element) {
+           return is_same_value(row, struct_at(&before, *row.section, element),
+                                struct_at(&after, *row.section, element));
+         });
+}
+
+/// Gives a section as many elements as another scene has.
+void make_as_many(const Section& section, const Scene& from, Scene& to) {
+  if (!section.is_repeated()) return;
+  const Section* above = section.repeated_parent();
+  const std::vector<ElementIndex> parents =
+      above ? elements_of(from, *above) : std::vector<ElementIndex>{ElementIndex{}};
+  for (const ElementIndex parent : parents) {
+    const std::size_t wanted = count_of(&from, section, parent);
+    while (count_of(&to, section, parent) < wanted) append_to(&to, section, parent);
+    for (std::size_t last = count_of(&to, section, parent); last-- > wanted;) {
+      remove_from(&to, section, above ? ElementIndex{parent.outer, last} : ElementIndex{last, 0});
+    }
+  }
+}
+
+void take_tracks(Affects what, const Scene& from, Scene& to) {
+  if (from.tracks == to.tracks) return;
+  const auto is_taken = [&](const auto& track) {
+    return share_a_bit(find_parameter(track.first.key)->affects, what);
+  };
+  std::erase_if(to.tracks, is_taken);
+  for (const auto& track : from.tracks) {
+    if (is_taken(track)) to.tracks.insert(track);
+  }
+}
+
 }  // namespace
 
-ElementIndex last_element(const Scene& scene, const RepeatedSection* section) {
-  if (!section) return {};
-  ElementIndex last = last_element(scene, section->parent);
-  if (section->parent && section->parent->count(scene, {}) == 0) return last;
-  const std::size_t count = section->count(scene, last);
-  (section->parent ? last.inner : last.outer) = count == 0 ? 0 : count - 1;
+ElementIndex last_element(const Scene& scene, const Section& section) {
+  const Section* above = section.repeated_parent();
+  ElementIndex last = above ? last_element(scene, *above) : ElementIndex{};
+  if (!section.is_repeated() || (above && count_of(&scene, *above, {}) == 0)) return last;
+  const std::size_t count = count_of(&scene, section, last);
+  (above ? last.inner : last.outer) = count == 0 ? 0 : count - 1;
   return last;
 }
 
-std::vector<ElementIndex> elements_of(const Scene& scene, const RepeatedSection* section) {
-  if (!section) return {{}};
-  std::vector<ElementIndex> elements;
-  for (const ElementIndex parent : elements_of(scene, section->parent)) {
-    for (std::size_t i = 0; i < section->count(scene, parent); ++i) {
-      elements.push_back(section->parent ? ElementIndex{parent.outer, i} : ElementIndex{i, 0});
-    }
-  }
-  return elements;
+std::vector<ElementIndex> elements_of(const Scene& scene, const Section& section) {
+  return elements_in(&scene, section);
 }
 
 ElementIndex last_element_or_first(Scene& scene, const Parameter& parameter, const Place& place) {
-  const RepeatedSection* section = parameter.elements;
-  const auto has_none = [&] {
-    return (section->parent && section->parent->count(scene, {}) == 0) ||
-           section->count(scene, last_element(scene, section->parent)) == 0;
-  };
-  if (section && has_none()) append_element(scene, parameter, place);
-  return last_element(scene, section);
+  if (has_none(scene, *parameter.section)) append_element(scene, parameter, place);
+  return last_element(scene, *parameter.section);
 }
 
 void append_element(Scene& scene, const Parameter& parameter, const Place& place) {
-  const RepeatedSection* section = parameter.elements;
-  if (!section) return;
-  if (section->parent && section->parent->count(scene, {}) == 0) section->parent->append(scene, {});
-  const ElementIndex parent = last_element(scene, section->parent);
-  if (section->count(scene, parent) == parameter.max_count) {
-    throw Error(
-        ErrorKind::bad_input,
-        fmt::format("{}: expected at most {} sections, found more", place.subject, parameter.max_count),
-        "remove the sections that are too many");
+  const Section& section = *parameter.section;
+  if (!section.is_repeated()) return;
+  const Section* above = section.repeated_parent();
+  if (above && count_of(&scene, *above, {}) == 0) append_to(&scene, *above, {});
+  const ElementIndex parent = above ? last_element(scene, *above) : ElementIndex{};
+  if (count_of(&scene, section, parent) == section.max_count) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected at most {} sections, found more", place.subject, section.max_count),
+                "remove the sections that are too many");
   }
-  section->append(scene, parent);
+  append_to(&scene, section, parent);
 }
 
-void remove_element(Scene& scene, const RepeatedSection& section, ElementIndex element) {
-  section.remove(scene, element);
+void remove_element(Scene& scene, const Section& section, ElementIndex element) {
+  remove_from(&scene, section, element);
   forget(scene.tracks, section, element);
   forget(scene.set_at, section, element);
 }
 
 std::vector<double*> numbers_of(Scene& scene, const Parameter& parameter, ElementIndex element) {
-  const auto numbers = [&](const auto& storage) -> std::vector<double*> {
-    using Kind = std::remove_cvref_t<decltype(storage)>;
-    if constexpr (std::is_same_v<Kind, ValueAt<double>>) {
-      return {&storage(scene, element)};
-    } else if constexpr (std::is_same_v<Kind, ValueAt<std::optional<double>>>) {
-      std::optional<double>& number = storage(scene, element);
-      if (!number) return {};
-      return {&*number};
-    } else if constexpr (std::is_same_v<Kind, ValueAt<glm::dvec3>>) {
-      glm::dvec3& triple = storage(scene, element);
-      return {&triple.x, &triple.y, &triple.z};
-    } else {
-      return {};
-    }
-  };
-  return std::visit(numbers, parameter.storage);
+  return numbers_in(struct_at(&scene, *parameter.section, element), parameter);
 }
 
-void copy_value(Scene& from, ElementIndex from_element, const Parameter& parameter, Scene& to,
-                ElementIndex to_element) {
-  std::visit(
-      [&](const auto& storage) {
-        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(storage)>, ChoiceStorage>) {
-          storage.set(to, to_element, storage.get(from, from_element));
-        } else {
-          storage(to, to_element) = storage(from, from_element);
-        }
-      },
-      parameter.storage);
+const void* default_struct(const Section& section) {
+  static const Scene usual = [] {
+    Scene scene;
+    for (const Parameter& row : parameter_table()) {
+      if (has_none(scene, *row.section)) append_element(scene, row, {});
+    }
+    return scene;
+  }();
+  return struct_at(&usual, section, {});
+}
+
+bool differ_in(Affects what, const Scene& before, const Scene& after) {
+  return std::ranges::any_of(parameter_table(), [&](const Parameter& row) {
+    return share_a_bit(row.affects, what) &&
+           !(has_same_values(before, after, row) && has_same_keyframes(before, after, row));
+  });
+}
+
+void take_values(Affects what, const Scene& from, Scene& to) {
+  const Section* known = nullptr;
+  for (const Parameter& row : parameter_table()) {
+    if (!share_a_bit(row.affects, what)) continue;
+    const Section& section = *row.section;
+    if (std::exchange(known, &section) != &section) make_as_many(section, from, to);
+    for (const ElementIndex element : elements_of(from, section)) {
+      const void* source = struct_at(&from, section, element);
+      void* target = struct_at(&to, section, element);
+      if (!is_same_value(row, source, target)) copy_value(row, source, target);
+    }
+  }
+  take_tracks(what, from, to);
+  to.ocean.is_given = from.ocean.is_given;
+  to.terrain.is_given = from.terrain.is_given;
+  to.trust = from.trust;
+  if (from.named_files != to.named_files) to.named_files = from.named_files;
 }
 
 }  // namespace offing::scene

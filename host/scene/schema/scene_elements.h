@@ -7,9 +7,9 @@
 namespace offing::scene {
 
 /// The element that a section has last, or would have first.
-ElementIndex last_element(const Scene& scene, const RepeatedSection* section);
-/// All elements of a section; of nullptr the only one.
-std::vector<ElementIndex> elements_of(const Scene& scene, const RepeatedSection* section);
+ElementIndex last_element(const Scene& scene, const Section& section);
+/// All elements of a section; of one that is not repeated the only one.
+std::vector<ElementIndex> elements_of(const Scene& scene, const Section& section);
 
 /// The last element of a row's section, which gets its first one if it has none.
 ElementIndex last_element_or_first(Scene& scene, const Parameter& parameter, const Place& place);
@@ -20,14 +20,20 @@ ElementIndex last_element_or_first(Scene& scene, const Parameter& parameter, con
 void append_element(Scene& scene, const Parameter& parameter, const Place& place);
 
 /// Takes an element away, with its keyframes and places; those behind it count one less.
-void remove_element(Scene& scene, const RepeatedSection& section, ElementIndex element);
+void remove_element(Scene& scene, const Section& section, ElementIndex element);
 
 /// The numbers that a value is made of: one, three, or none where it has no value or is no number.
 std::vector<double*> numbers_of(Scene& scene, const Parameter& parameter, ElementIndex element);
 
-/// Makes a value that of another scene, which is only read; both have the elements. Keyframes stay as they
-/// are.
-void copy_value(Scene& from, ElementIndex from_element, const Parameter& parameter, Scene& to,
-                ElementIndex to_element);
+/// The struct of a section, or of one of its elements, in a scene that says nothing.
+const void* default_struct(const Section& section);
+
+/// Whether two scenes have other values or keyframes in a row that affects any of these.
+bool differ_in(Affects what, const Scene& before, const Scene& after);
+
+/// Makes the elements, values and keyframes of all rows that affect any of these those of another scene, and
+/// which sections are given. Costs what the two differ in, where a copy of a scene costs all of it; where
+/// values were written stays as it was.
+void take_values(Affects what, const Scene& from, Scene& to);
 
 }  // namespace offing::scene

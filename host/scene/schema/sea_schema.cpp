@@ -1,223 +1,515 @@
+// [world], [time], [wind] and [ocean]: the sea and what it shares with the rest of a scene.
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
 #include "host/base/parameter_check.h"
-#include "host/scene/schema/parameter_storage.h"
-#include "host/scene/schema/row_lists.h"
+#include "host/scene/schema/sections.h"
 
 namespace offing::scene {
 
-std::vector<Parameter> sea_parameters() {
-  using enum ParameterGroup;
+namespace {
+
+using ocean::FoamParameters;
+using ocean::OceanParameters;
+using ocean::SpectrumModel;
+using ocean::SpectrumParameters;
+using ocean::SpreadingModel;
+
+// What the shaders of the water take (present/passes/water/wakes.glsl).
+constexpr std::size_t max_wakes = 4;
+// Of the 128 Gerstner waves that a sea can have, 64 are for the spectrum's long waves.
+constexpr std::size_t max_swells = 64;
+constexpr std::size_t max_raindrops = 4096;
+
+/// What shapes the energy of the sea, and with it each baked frame.
+constexpr Affects sea = Affects::spectrum | Affects::baked;
+
+/// Of SpectrumModel and SpreadingModel.
+constexpr std::array<std::string_view, 5> spectrum_names{"phillips", "pm", "jonswap", "tma", "swell"};
+constexpr std::array<std::string_view, 5> spreading_names{"cosine", "mitsuyasu", "hasselmann",
+                                                          "donelan-banner", "phillips"};
+
+std::string spectrum_is(const OceanSection& ocean) {
+  return fmt::format("the spectrum is {}", spectrum_names[static_cast<std::size_t>(ocean.spectrum.model)]);
+}
+
+std::string spreading_is(const OceanSection& ocean) {
+  return fmt::format("the spreading is {}",
+                     spreading_names[static_cast<std::size_t>(ocean.spectrum.spreading.model)]);
+}
+
+std::string needs_date(const UseContext& context, const WorldSection&) {
+  return context.scene.view.sun_time_utc ? "" : "sun.time_utc is not given";
+}
+
+std::string needs_model(const UseContext& context, const OceanSection& ocean) {
+  return context.sea.is_measured ? "the sea is that of " + ocean.spectrum_file : "";
+}
+
+std::string needs_record(const UseContext& context, const OceanSection&) {
+  return context.sea.is_measured ? "" : "there is no measured spectrum";
+}
+
+/// A record that ends below the tail.
+std::string needs_short_record(const UseContext& context, const OceanSection& ocean) {
+  // With its tail, the record ends there.
+  const bool is_needless =
+      context.sea.is_measured && ocean.tail_hz && context.sea.last_hz > *ocean.tail_hz * (1.0 + 1e-9);
+  return is_needless ? fmt::format("{} reaches {:g} Hz by itself", ocean.spectrum_file, context.sea.last_hz)
+                     : needs_record(context, ocean);
+}
+
+std::string needs_one_of(std::initializer_list<SpectrumModel> models, const UseContext& context,
+                         const OceanSection& ocean) {
+  if (context.sea.is_measured) return needs_model(context, ocean);
+  return std::ranges::find(models, ocean.spectrum.model) == models.end() ? spectrum_is(ocean) : "";
+}
+
+std::string needs_jonswap_or_tma(const UseContext& context, const OceanSection& ocean) {
+  return needs_one_of({SpectrumModel::jonswap, SpectrumModel::tma}, context, ocean);
+}
+
+std::string needs_shallow_tma(const UseContext& context, const OceanSection& ocean) {
+  const bool is_deep_tma =
+      !context.sea.is_measured && ocean.spectrum.model == SpectrumModel::tma && context.sea.is_deep;
+  return is_deep_tma ? "the water is deep" : needs_one_of({SpectrumModel::tma}, context, ocean);
+}
+
+std::string needs_phillips(const UseContext& context, const OceanSection& ocean) {
+  return needs_one_of({SpectrumModel::phillips}, context, ocean);
+}
+
+std::string needs_swell(const UseContext& context, const OceanSection& ocean) {
+  return needs_one_of({SpectrumModel::swell}, context, ocean);
+}
+
+/// Waves that run as the wind does, whatever section says where.
+template <class Struct>
+std::string needs_wind_direction(const UseContext& context, const Struct&) {
+  return context.sea.is_directional ? context.scene.ocean.spectrum_file + " has directions of its own" : "";
+}
+
+std::string needs_spreading(const UseContext& context, const OceanSection& ocean) {
+  const SpectrumModel model = ocean.spectrum.model;
+  const bool is_fixed = model == SpectrumModel::phillips || model == SpectrumModel::swell;
+  return !context.sea.is_measured && is_fixed ? spectrum_is(ocean) + ", which has a spreading of its own"
+                                              : needs_wind_direction(context, ocean);
+}
+
+std::string needs_cosine(const UseContext& context, const OceanSection& ocean) {
+  const std::string reason = needs_spreading(context, ocean);
+  const bool is_cosine = ocean.spectrum.spreading.model == SpreadingModel::cosine_2s;
+  return reason.empty() && !is_cosine ? spreading_is(ocean) : reason;
+}
+
+/// A sea that wind makes, or one whose spreading has a wave age.
+std::string needs_own_wind(const UseContext& context, const OceanSection& ocean) {
+  if (!context.sea.is_measured) {
+    return ocean.spectrum.model == SpectrumModel::swell ? spectrum_is(ocean) : "";
+  }
+  const SpreadingModel model = ocean.spectrum.spreading.model;
+  const bool has_wave_age = model == SpreadingModel::mitsuyasu || model == SpreadingModel::hasselmann;
+  const std::string reason = needs_wind_direction(context, ocean);
+  return reason.empty() && !has_wave_age ? spreading_is(ocean) : reason;
+}
+
+std::string needs_wind(const UseContext& context, const WindSection&) {
+  return context.sea.is_measured ? "a measured sea takes no wind but its own, ocean.wind_speed_mps"
+                                 : needs_own_wind(context, context.scene.ocean);
+}
+
+std::string needs_ground(const UseContext& context, const OceanSection&) {
+  return context.scene.terrain.is_given ? "" : "the scene has no ground";
+}
+
+std::string needs_chosen_cascades(const UseContext&, const OceanSection& ocean) {
+  return ocean.patch_lengths_m.empty() ? "" : "the patches are given";
+}
+
+std::string needs_gerstner_waves(const UseContext&, const OceanSection& ocean) {
+  return ocean.gerstner_count > 0 ? "" : "there are no Gerstner waves";
+}
+
+std::vector<Row<OceanSection>> energy_rows() {
   using ocean::Dispersion;
-  using ocean::SpectrumParameters;
   using ocean::SpreadingParameters;
-  constexpr auto spectrum = &Scene::spectrum;
+  constexpr auto spectrum = &OceanSection::spectrum;
   constexpr auto spreading = &SpectrumParameters::spreading;
   constexpr auto dispersion = &SpectrumParameters::dispersion;
   return {
-      {.key = "ocean.spectrum",
-       .flag = "--spectrum",
-       .group = sea,
-       .storage = choice<spectrum, &SpectrumParameters::model>({"phillips", "pm", "jonswap", "tma", "swell"}),
-       .help = "model of the sea, unless --spectrum-file gives a measured one",
-       .use = ParameterUse::modelled_sea},
-      {.key = "ocean.wind_speed_mps",
-       .flag = "--wind-speed-mps",
-       .group = sea,
-       .storage = &member<&Scene::ocean_wind_speed_mps>,
-       .unit = "m/s",
-       .low = 0.1,
-       .high = 60.0,
-       .help = "wind speed, at 19.5 m above the sea for pm and at 10 m for all others",
-       .example = "10",
-       .absent = "that of [wind]: 10",
-       .use = ParameterUse::own_wind},
-      {.key = "ocean.wind_direction_deg",
-       .flag = "--wind-direction-deg",
-       .group = sea,
-       .storage = &member<&Scene::ocean_wind_direction_rad>,
-       .unit = "deg",
-       .low = -360.0,
-       .high = 360.0,
-       .help = "direction of travel, from +x (east) toward +z (south)",
-       .example = "30",
-       .absent = "that of [wind]: 0",
-       .scale = radians_per_degree,
-       .use = ParameterUse::wind_direction},
-      {.key = "ocean.fetch_m",
-       .flag = "--fetch-m",
-       .group = sea,
-       .storage = &member<spectrum, &SpectrumParameters::fetch_m>,
-       .unit = "m",
-       .low = 100.0,
-       .high = 1e7,
-       .help = "length of water that the wind has blown over (jonswap, tma)",
-       .use = ParameterUse::jonswap_or_tma},
-      {.key = "ocean.depth_m",
-       .flag = "--depth-m",
-       .group = sea,
-       .storage = &member<&Scene::depth_m>,
-       .unit = "m",
-       .low = 0.1,
-       .high = deepest_m,
-       .help = "water depth",
-       .example = "50",
-       .absent = "deep water, or as the measured file says"},
-      {.key = "ocean.water",
-       .flag = "--water",
-       .group = sea,
-       .storage = choice<&Scene::water>({"I", "IA", "IB", "II", "III", "1C", "3C", "5C", "7C", "9C"}),
-       .help =
-           "Jerlov's type of water, clear and blue to coastal and brown: how far beds are seen through it"},
-      {.key = "ocean.shoals",
-       .flag = "",
-       .group = sea,
-       .storage = choice<&Scene::shoaling>({"off", "on"}),
-       .help =
-           "whether waves feel the ground below them and break on its shores; off for a map without depths, "
-           "whose sea is ground at 0",
-       .use = ParameterUse::sea_over_terrain},
-      {.key = "ocean.depth_factor",
-       .flag = "--depth-factor",
-       .group = sea,
-       .storage = choice<spectrum, &SpectrumParameters::depth_factor>({"thompson-vincent", "kitaigorodskii"}),
-       .help = "how tma weakens waves in shallow water: the usual approximation or the exact ratio",
-       .use = ParameterUse::tma_depth_factor},
-      {.key = "ocean.gamma",
-       .flag = "--gamma",
-       .group = sea,
-       .storage = &member<spectrum, &SpectrumParameters::gamma>,
-       .low = 1.0,
-       .high = 20.0,
-       .help = "peak enhancement (jonswap, tma)",
-       .use = ParameterUse::jonswap_or_tma},
-      {.key = "ocean.phillips_constant",
-       .flag = "--phillips-constant",
-       .group = sea,
-       .storage = &member<spectrum, &SpectrumParameters::phillips_constant>,
-       .low = 1e-12,
-       .high = 1.0,
-       .help = "A of the Phillips spectrum",
-       .example = "0.00129",
-       .absent = "0.0081 / 2 pi, which gives metres",
-       .use = ParameterUse::phillips},
-      {.key = "ocean.phillips_cutoff_m",
-       .flag = "--phillips-cutoff-m",
-       .group = sea,
-       .storage = &member<spectrum, &SpectrumParameters::phillips_cutoff_m>,
-       .unit = "m",
-       .low = 0.0,
-       .high = 100.0,
-       .help = "damps waves shorter than this (phillips)",
-       .use = ParameterUse::phillips},
-      {.key = "ocean.phillips_upwind",
-       .flag = "--phillips-upwind",
-       .group = sea,
-       .storage = &member<spectrum, &SpectrumParameters::phillips_upwind>,
-       .low = 0.0,
-       .high = 1.0,
-       .help = "factor on waves that run against the wind (phillips)",
-       .use = ParameterUse::phillips},
-      {.key = "ocean.swell_hs_m",
-       .flag = "--swell-hs-m",
-       .group = sea,
-       .storage = &member<spectrum, &SpectrumParameters::swell_hs_m>,
-       .unit = "m",
-       .low = 0.001,
-       .high = 30.0,
-       .help = "significant wave height (swell)",
-       .example = "1",
-       .use = ParameterUse::swell},
-      {.key = "ocean.swell_period_s",
-       .flag = "--swell-period-s",
-       .group = sea,
-       .storage = &member<spectrum, &SpectrumParameters::swell_period_s>,
-       .unit = "s",
-       .low = 1.0,
-       .high = 40.0,
-       .help = "peak period (swell)",
-       .use = ParameterUse::swell},
-      {.key = "ocean.swell_bandwidth_hz",
-       .flag = "--swell-bandwidth-hz",
-       .group = sea,
-       .storage = &member<spectrum, &SpectrumParameters::swell_bandwidth_hz>,
-       .unit = "Hz",
-       .low = 0.0001,
-       .high = 0.1,
-       .help = "standard deviation of frequency (swell)",
-       .use = ParameterUse::swell},
-      {.key = "ocean.swell_exponent",
-       .flag = "--swell-exponent",
-       .group = sea,
-       .storage = &member<spectrum, &SpectrumParameters::swell_exponent_s>,
-       .low = 0.0,
-       .high = 1000.0,
-       .help = "s of the swell's cos^2s around the wind direction (swell)",
-       .use = ParameterUse::swell},
-      {.key = "ocean.spreading",
-       .flag = "--spreading",
-       .group = sea,
-       .storage = choice<spectrum, spreading, &SpreadingParameters::model>(
-           {"cosine", "mitsuyasu", "hasselmann", "donelan-banner", "phillips"}),
-       .help = "how energy spreads around the wind direction; a directional measured file keeps its own",
-       .use = ParameterUse::spreading},
-      {.key = "ocean.spreading_exponent",
-       .flag = "--spreading-exponent",
-       .group = sea,
-       .storage = &member<spectrum, spreading, &SpreadingParameters::exponent_s>,
-       .low = 0.0,
-       .high = 1000.0,
-       .help = "s of cos^2s (cosine)",
-       .use = ParameterUse::spreading_exponent},
-      {.key = "ocean.spreading_swell",
-       .flag = "--spreading-swell",
-       .group = sea,
-       .storage = &member<spectrum, spreading, &SpreadingParameters::swell>,
-       .low = 0.0,
-       .high = 1.0,
-       .help = "0 wind sea ... 1 long parallel crests",
-       .use = ParameterUse::spreading},
-      {.key = "ocean.gravity_mps2",
-       .flag = "--gravity-mps2",
-       .group = sea,
-       .storage = &member<spectrum, dispersion, &Dispersion::gravity_mps2>,
-       .unit = "m/s^2",
-       .low = 0.1,
-       .high = 100.0,
-       .help = "acceleration of gravity"},
-      {.key = "ocean.capillary_length_m",
-       .flag = "--capillary-length-m",
-       .group = sea,
-       .storage = &member<spectrum, dispersion, &Dispersion::capillary_length_m>,
-       .unit = "m",
-       .low = 0.0,
-       .high = 0.01,
-       .help = "length at which surface tension acts: 0.00273 for clean sea water, 0 without"},
-      {.key = "ocean.spectrum_file",
-       .flag = "--spectrum-file",
-       .group = sea,
-       .storage = &member<&Scene::spectrum_file>,
-       .help = "measured spectrum: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF",
-       .example = "41010.data_spec",
-       .absent = "none",
-       .rule = ParameterRule::file_name},
-      {.key = "ocean.record",
-       .flag = "--record",
-       .group = sea,
-       .storage = &member<&Scene::record>,
-       .high = 1e9,
-       .help = "record of the measured spectrum file, counted from 0",
-       .use = ParameterUse::measured_sea},
-      {.key = "ocean.tail_hz",
-       .flag = "--tail-hz",
-       .group = sea,
-       .storage = &member<&Scene::tail_hz>,
-       .unit = "Hz",
-       .low = 0.1,
-       .high = 20.0,
-       .help = "continue the measured spectrum as f^-5 up to this frequency, for the short waves buoys miss",
-       .example = "3",
-       .absent = "no tail: the file's energy and no other",
-       .use = ParameterUse::measured_tail},
-  };
+      {choice(path(spectrum, &SpectrumParameters::model), {spectrum_names.begin(), spectrum_names.end()}),
+       {.key = "spectrum",
+        .flag = "--spectrum",
+        .help = "model of the sea, unless --spectrum-file gives a measured one"},
+       needs_model},
+      {&OceanSection::wind_speed_mps,
+       {.key = "wind_speed_mps",
+        .affects = Affects::spectrum,
+        .flag = "--wind-speed-mps",
+        .unit = "m/s",
+        .low = 0.1,
+        .high = 60.0,
+        .help = "wind speed, at 19.5 m above the sea for pm and at 10 m for all others",
+        .example = "10",
+        .absent = "that of [wind]: 10"},
+       needs_own_wind},
+      {&OceanSection::wind_direction_rad,
+       {.key = "wind_direction_deg",
+        .affects = Affects::spectrum,
+        .flag = "--wind-direction-deg",
+        .unit = "deg",
+        .low = -360.0,
+        .high = 360.0,
+        .help = "direction of travel, from +x (east) toward +z (south)",
+        .example = "30",
+        .absent = "that of [wind]: 0",
+        .scale = radians_per_degree},
+       needs_wind_direction},
+      {path(spectrum, &SpectrumParameters::fetch_m),
+       {.key = "fetch_m",
+        .flag = "--fetch-m",
+        .unit = "m",
+        .low = 100.0,
+        .high = 1e7,
+        .help = "length of water that the wind has blown over (jonswap, tma)"},
+       needs_jonswap_or_tma},
+      {&OceanSection::depth_m,
+       {.key = "depth_m",
+        .flag = "--depth-m",
+        .unit = "m",
+        .low = 0.1,
+        .high = deepest_m,
+        .help = "water depth",
+        .example = "50",
+        .absent = "deep water, or as the measured file says"}},
+      {choice(&OceanSection::water, {"I", "IA", "IB", "II", "III", "1C", "3C", "5C", "7C", "9C"}),
+       {.key = "water",
+        .affects = Affects::water | Affects::baked,
+        .flag = "--water",
+        .help =
+            "Jerlov's type of water, clear and blue to coastal and brown: how far beds are seen through it"}},
+      {choice(&OceanSection::shoaling, {"off", "on"}),
+       {.key = "shoals",
+        .help =
+            "whether waves feel the ground below them and break on its shores; off for a map without depths, "
+            "whose sea is ground at 0"},
+       needs_ground},
+      {choice(path(spectrum, &SpectrumParameters::depth_factor), {"thompson-vincent", "kitaigorodskii"}),
+       {.key = "depth_factor",
+        .flag = "--depth-factor",
+        .help = "how tma weakens waves in shallow water: the usual approximation or the exact ratio"},
+       needs_shallow_tma},
+      {path(spectrum, &SpectrumParameters::gamma),
+       {.key = "gamma",
+        .flag = "--gamma",
+        .low = 1.0,
+        .high = 20.0,
+        .help = "peak enhancement (jonswap, tma)"},
+       needs_jonswap_or_tma},
+      {path(spectrum, &SpectrumParameters::phillips_constant),
+       {.key = "phillips_constant",
+        .flag = "--phillips-constant",
+        .low = 1e-12,
+        .high = 1.0,
+        .help = "A of the Phillips spectrum",
+        .example = "0.00129",
+        .absent = "0.0081 / 2 pi, which gives metres"},
+       needs_phillips},
+      {path(spectrum, &SpectrumParameters::phillips_cutoff_m),
+       {.key = "phillips_cutoff_m",
+        .flag = "--phillips-cutoff-m",
+        .unit = "m",
+        .low = 0.0,
+        .high = 100.0,
+        .help = "damps waves shorter than this (phillips)"},
+       needs_phillips},
+      {path(spectrum, &SpectrumParameters::phillips_upwind),
+       {.key = "phillips_upwind",
+        .flag = "--phillips-upwind",
+        .low = 0.0,
+        .high = 1.0,
+        .help = "factor on waves that run against the wind (phillips)"},
+       needs_phillips},
+      {path(spectrum, &SpectrumParameters::swell_hs_m),
+       {.key = "swell_hs_m",
+        .flag = "--swell-hs-m",
+        .unit = "m",
+        .low = 0.001,
+        .high = 30.0,
+        .help = "significant wave height (swell)",
+        .example = "1"},
+       needs_swell},
+      {path(spectrum, &SpectrumParameters::swell_period_s),
+       {.key = "swell_period_s",
+        .flag = "--swell-period-s",
+        .unit = "s",
+        .low = 1.0,
+        .high = 40.0,
+        .help = "peak period (swell)"},
+       needs_swell},
+      {path(spectrum, &SpectrumParameters::swell_bandwidth_hz),
+       {.key = "swell_bandwidth_hz",
+        .flag = "--swell-bandwidth-hz",
+        .unit = "Hz",
+        .low = 0.0001,
+        .high = 0.1,
+        .help = "standard deviation of frequency (swell)"},
+       needs_swell},
+      {path(spectrum, &SpectrumParameters::swell_exponent_s),
+       {.key = "swell_exponent",
+        .flag = "--swell-exponent",
+        .low = 0.0,
+        .high = 1000.0,
+        .help = "s of the swell's cos^2s around the wind direction (swell)"},
+       needs_swell},
+      {choice(path(spectrum, spreading, &SpreadingParameters::model),
+              {spreading_names.begin(), spreading_names.end()}),
+       {.key = "spreading",
+        .flag = "--spreading",
+        .help = "how energy spreads around the wind direction; a directional measured file keeps its own"},
+       needs_spreading},
+      {path(spectrum, spreading, &SpreadingParameters::exponent_s),
+       {.key = "spreading_exponent",
+        .flag = "--spreading-exponent",
+        .low = 0.0,
+        .high = 1000.0,
+        .help = "s of cos^2s (cosine)"},
+       needs_cosine},
+      {path(spectrum, spreading, &SpreadingParameters::swell),
+       {.key = "spreading_swell",
+        .flag = "--spreading-swell",
+        .low = 0.0,
+        .high = 1.0,
+        .help = "0 wind sea ... 1 long parallel crests"},
+       needs_spreading},
+      {path(spectrum, dispersion, &Dispersion::gravity_mps2),
+       {.key = "gravity_mps2",
+        .flag = "--gravity-mps2",
+        .unit = "m/s^2",
+        .low = 0.1,
+        .high = 100.0,
+        .help = "acceleration of gravity"}},
+      {path(spectrum, dispersion, &Dispersion::capillary_length_m),
+       {.key = "capillary_length_m",
+        .flag = "--capillary-length-m",
+        .unit = "m",
+        .low = 0.0,
+        .high = 0.01,
+        .help = "length at which surface tension acts: 0.00273 for clean sea water, 0 without"}},
+      {&OceanSection::spectrum_file,
+       {.key = "spectrum_file",
+        .affects = Affects::spectrum,
+        .flag = "--spectrum-file",
+        .help = "measured spectrum: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF",
+        .example = "41010.data_spec",
+        .absent = "none",
+        .rule = ParameterRule::file_name}},
+      {&OceanSection::record,
+       {.key = "record",
+        .affects = Affects::spectrum,
+        .flag = "--record",
+        .high = 1e9,
+        .help = "record of the measured spectrum file, counted from 0"},
+       needs_record},
+      {&OceanSection::tail_hz,
+       {.key = "tail_hz",
+        .flag = "--tail-hz",
+        .unit = "Hz",
+        .low = 0.1,
+        .high = 20.0,
+        .help = "continue the measured spectrum as f^-5 up to this frequency, for the short waves buoys miss",
+        .example = "3",
+        .absent = "no tail: the file's energy and no other"},
+       needs_short_record}};
+}
+
+std::vector<Row<OceanSection>> grid_rows() {
+  constexpr auto parameters = &OceanSection::parameters;
+  return {{path(parameters, &OceanParameters::size),
+           {.key = "size",
+            .flag = "--size",
+            .low = 16.0,
+            .high = 4096.0,
+            .help = "samples along a patch",
+            .rule = ParameterRule::power_of_two}},
+          {&OceanSection::cascade_count,
+           {.key = "cascade_count",
+            .affects = Affects::spectrum,
+            .flag = "--cascades",
+            .low = 1.0,
+            .high = 4.0,
+            .help = "most cascades to choose where no patch is given"},
+           needs_chosen_cascades}};
+}
+
+Schema<OceanSection> cascade_schema() {
+  Schema<OceanSection> schema("cascade");
+  return schema.rows(ParameterGroup::grid, Affects::spectrum,
+                     {{&OceanSection::patch_lengths_m,
+                       {.key = "patch_m",
+                        .flag = "--patch-m",
+                        .unit = "m",
+                        .low = 0.1,
+                        .high = 1e6,
+                        .help = "length of a cascade's patch; repeat it or separate by commas",
+                        .example = "250",
+                        .absent = "chosen from the spectrum",
+                        .max_count = 4}}});
+}
+
+Schema<OceanSection> gerstner_schema() {
+  Schema<OceanSection> schema("gerstner");
+  return schema.rows(
+      ParameterGroup::grid, sea,
+      {{&OceanSection::gerstner_count,
+        {.key = "count",
+         .flag = "--gerstner-count",
+         .high = 64.0,
+         .help = "Gerstner waves for the long end of the spectrum; with 0 the cascades carry all of it"}},
+       {&OceanSection::gerstner_split_m,
+        {.key = "split_wavelength_m",
+         .flag = "--gerstner-split-m",
+         .unit = "m",
+         .low = 0.1,
+         .high = 1e5,
+         .help = "waves longer than this are Gerstner waves, the others are left to the cascades",
+         .example = "50",
+         .absent = "a third of the peak's wavelength"},
+        needs_gerstner_waves}});
+}
+
+Schema<FoamParameters> foam_schema() {
+  Schema<FoamParameters> schema("foam");
+  return schema.rows(
+      ParameterGroup::foam, sea,
+      {{&FoamParameters::onset_jacobian,
+        {.key = "onset_jacobian",
+         .flag = "--foam-onset",
+         .low = -10.0,
+         .high = 1.0,
+         .help = "Jacobian at which foam begins; offing-view draws less of it in winds below 6 m/s and none "
+                 "below 3.7"}},
+       {&FoamParameters::width,
+        {.key = "width",
+         .flag = "--foam-width",
+         .low = 0.001,
+         .high = 10.0,
+         .help = "how far below the onset foam covers all"}},
+       {&FoamParameters::decay_s,
+        {.key = "decay_s",
+         .flag = "--foam-decay-s",
+         .unit = "s",
+         .low = 0.01,
+         .high = 100.0,
+         .help = "time in which foam fades to 1/e"}},
+       {&FoamParameters::step_s,
+        {.key = "step_s",
+         .flag = "--foam-step-s",
+         .unit = "s",
+         .low = 0.01,
+         .high = 10.0,
+         .help = "spacing of the past instants that foam remembers"}}});
+}
+
+}  // namespace
+
+Schema<WorldSection> world_schema() {
+  Schema<WorldSection> schema("world");
+  return schema.rows(ParameterGroup::world, Affects::view,
+                     {{&WorldSection::seed,
+                       {.key = "seed",
+                        .affects = Affects::sea_seed | Affects::baked,
+                        .flag = "--seed",
+                        .high = 9223372036854775807.0,
+                        .help = "number that picks one sea among all of the same spectrum"}},
+
+                      {&WorldSection::latitude_rad,
+                       {.key = "latitude_deg",
+                        .unit = "deg",
+                        .low = -90.0,
+                        .high = 90.0,
+                        .help = "of the origin, north positive: for the place of the sun",
+                        .scale = radians_per_degree},
+                       needs_date},
+                      {&WorldSection::longitude_rad,
+                       {.key = "longitude_deg",
+                        .unit = "deg",
+                        .low = -180.0,
+                        .high = 360.0,
+                        .help = "of the origin, east positive: for the place of the sun",
+                        .scale = radians_per_degree},
+                       needs_date}});
+}
+
+Schema<TimeSection> time_schema() {
+  Schema<TimeSection> schema("time");
+  return schema.rows(
+      ParameterGroup::time, Affects::view,
+      {{&TimeSection::frames_per_second,
+        {.key = "fps",
+         .affects = Affects::baked,
+         .flag = "--fps",
+         .unit = "1/s",
+         .low = 0.001,
+         .high = 1e6,
+         .help = "frames per second: frame i shows time i / fps"}},
+       {&TimeSection::start_s,
+        {.key = "start_s", .unit = "s", .low = 0.0, .high = 1e6, .help = "time of the first frame"}},
+       {&TimeSection::end_s,
+        {.key = "end_s", .unit = "s", .low = 0.0, .high = 1e6, .help = "frames stop before this time"}},
+       {&TimeSection::loop_period_s,
+        {.key = "loop_period_s",
+         .affects = Affects::spectrum | Affects::baked,
+         .flag = "--loop-period-s",
+         .unit = "s",
+         .low = 0.1,
+         .high = 1e5,
+         .help = "the sea repeats exactly after this time; natural from about 10 s on",
+         .example = "20",
+         .absent = "no loop"}}});
+}
+
+Schema<WindSection> wind_schema() {
+  Schema<WindSection> schema("wind");
+  return schema.rows(ParameterGroup::wind, sea,
+                     {{&WindSection::speed_mps,
+                       {.key = "speed_mps",
+                        .unit = "m/s",
+                        .low = 0.1,
+                        .high = 60.0,
+                        .help = "wind speed for everything that wind moves"},
+                       needs_wind},
+                      {&WindSection::direction_rad,
+                       {.key = "direction_deg",
+                        .unit = "deg",
+                        .low = -360.0,
+                        .high = 360.0,
+                        .help = "direction of travel, from +x (east) toward +z (south)",
+                        .scale = radians_per_degree},
+                       needs_wind_direction}});
+}
+
+Schema<OceanSection> ocean_schema() {
+  constexpr auto parameters = &OceanSection::parameters;
+  Schema<OceanSection> schema("ocean");
+  return schema.rows(ParameterGroup::sea, sea, energy_rows())
+      .rows(ParameterGroup::grid, sea, grid_rows())
+      .section(cascade_schema())
+      .section(gerstner_schema())
+      .rows(ParameterGroup::grid, sea,
+            {{path(parameters, &OceanParameters::choppiness),
+              {.key = "choppiness",
+               .flag = "--choppiness",
+               .low = 0.0,
+               .high = 5.0,
+               .help = "horizontal displacement: 0 none, 1 as linear theory has it"}}})
+      .section(path(parameters, &OceanParameters::foam), foam_schema())
+      .list(&OceanSection::swells, max_swells, swell_schema())
+      .list(&OceanSection::raindrops, max_raindrops, raindrop_schema())
+      .list(&OceanSection::wakes, max_wakes, wake_schema());
 }
 
 }  // namespace offing::scene

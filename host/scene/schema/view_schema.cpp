@@ -1,137 +1,139 @@
 #include <glm/vec3.hpp>
 
 #include "host/base/parameter_check.h"
-#include "host/scene/schema/parameter_storage.h"
-#include "host/scene/schema/row_lists.h"
+#include "host/scene/schema/sections.h"
 
 namespace offing::scene {
 
-std::vector<Parameter> view_parameters() {
-  using enum ParameterGroup;
-  using enum ParameterMotion;
-  constexpr auto view = &Scene::view;
-  constexpr auto eye_camera = &ViewScene::camera;
+namespace {
+
+using enum ParameterMotion;
+
+std::vector<Row<Camera>> camera_rows() {
   constexpr auto eye = &Camera::eye_m;
-  constexpr auto walker = &ViewScene::walker;
+  return {{path(eye, &glm::dvec3::x),
+           {.key = "x_m",
+            .unit = "m",
+            .low = -1e7,
+            .high = 1e7,
+            .help = "the eye, east of the origin",
+            .motion = keyed}},
+          {path(eye, &glm::dvec3::y),
+           {.key = "y_m",
+            .unit = "m",
+            .low = -deepest_m,
+            .high = 50e3,
+            .help = "the eye, above the mean water level, or below it where negative",
+            .motion = keyed}},
+          {path(eye, &glm::dvec3::z),
+           {.key = "z_m",
+            .unit = "m",
+            .low = -1e7,
+            .high = 1e7,
+            .help = "the eye, south of the origin",
+            .motion = keyed}},
+          {&Camera::yaw_rad,
+           {.key = "yaw_deg",
+            .unit = "deg",
+            .low = -360.0,
+            .high = 360.0,
+            .help = "where the eye looks, clockwise from north (-z)",
+            .scale = radians_per_degree,
+            .motion = keyed_angle}},
+          {&Camera::pitch_rad,
+           {.key = "pitch_deg",
+            .unit = "deg",
+            .low = -90.0,
+            .high = 90.0,
+            .help = "how far up the eye looks",
+            .scale = radians_per_degree,
+            .motion = keyed}},
+          {&Camera::roll_rad,
+           {.key = "roll_deg",
+            .unit = "deg",
+            .low = -180.0,
+            .high = 180.0,
+            .help = "how far the head is turned clockwise",
+            .scale = radians_per_degree,
+            .motion = keyed_angle}},
+          {&Camera::vertical_field_of_view_rad,
+           {.key = "fov_deg",
+            .unit = "deg",
+            .low = 1.0,
+            .high = 150.0,
+            .help = "height of the field of view",
+            .scale = radians_per_degree,
+            .motion = keyed}}};
+}
+
+}  // namespace
+
+Schema<ViewScene> camera_schema() {
+  Schema<ViewScene> schema("camera");
+  return schema.rows(ParameterGroup::camera, Affects::view, &ViewScene::camera, camera_rows())
+      .rows(ParameterGroup::camera, Affects::view,
+            {{choice(&ViewScene::mode, {"fly", "walk"}),
+              {.key = "mode",
+               .help = "how a window's camera moves; on foot y_m is that of the ground and the eye's height "
+                       "above it"}}});
+}
+
+Schema<ViewScene> walk_schema() {
   using terrain::WalkerParameters;
-  return {
-      {.key = "camera.x_m",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, eye, &glm::dvec3::x>,
-       .unit = "m",
-       .low = -1e7,
-       .high = 1e7,
-       .help = "the eye, east of the origin",
-       .motion = keyed},
-      {.key = "camera.y_m",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, eye, &glm::dvec3::y>,
-       .unit = "m",
-       .low = -deepest_m,
-       .high = 50e3,
-       .help = "the eye, above the mean water level, or below it where negative",
-       .motion = keyed},
-      {.key = "camera.z_m",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, eye, &glm::dvec3::z>,
-       .unit = "m",
-       .low = -1e7,
-       .high = 1e7,
-       .help = "the eye, south of the origin",
-       .motion = keyed},
-      {.key = "camera.yaw_deg",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, &Camera::yaw_rad>,
-       .unit = "deg",
-       .low = -360.0,
-       .high = 360.0,
-       .help = "where the eye looks, clockwise from north (-z)",
-       .scale = radians_per_degree,
-       .motion = keyed_angle},
-      {.key = "camera.pitch_deg",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, &Camera::pitch_rad>,
-       .unit = "deg",
-       .low = -90.0,
-       .high = 90.0,
-       .help = "how far up the eye looks",
-       .scale = radians_per_degree,
-       .motion = keyed},
-      {.key = "camera.roll_deg",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, &Camera::roll_rad>,
-       .unit = "deg",
-       .low = -180.0,
-       .high = 180.0,
-       .help = "how far the head is turned clockwise",
-       .scale = radians_per_degree,
-       .motion = keyed_angle},
-      {.key = "camera.fov_deg",
-       .flag = "",
-       .group = camera,
-       .storage = &member<view, eye_camera, &Camera::vertical_field_of_view_rad>,
-       .unit = "deg",
-       .low = 1.0,
-       .high = 150.0,
-       .help = "height of the field of view",
-       .scale = radians_per_degree,
-       .motion = keyed},
-      {.key = "camera.mode",
-       .flag = "",
-       .group = camera,
-       .storage = choice<view, &ViewScene::mode>({"fly", "walk"}),
-       .help =
-           "how a window's camera moves; on foot y_m is that of the ground and the eye's height above it"},
+  constexpr auto walker = &ViewScene::walker;
+  Schema<ViewScene> schema("walk");
+  return schema.rows(ParameterGroup::walk, Affects::view,
+                     {{path(walker, &WalkerParameters::eye_height_m),
+                       {.key = "eye_height_m",
+                        .unit = "m",
+                        .low = 0.1,
+                        .high = 1000.0,
+                        .help = "the eye of a walker, above the ground"}},
+                      {&ViewScene::walking_mps,
+                       {.key = "speed_mps",
+                        .unit = "m/s",
+                        .low = 0.1,
+                        .high = 100.0,
+                        .help = "on foot; running is five times as fast"}},
+                      {path(walker, &WalkerParameters::slope_limit_rad),
+                       {.key = "slope_limit_deg",
+                        .unit = "deg",
+                        .low = 1.0,
+                        .high = 85.0,
+                        .help = "steepest ground that holds a walker: down steeper ground he slides",
+                        .scale = radians_per_degree}},
+                      {path(walker, &WalkerParameters::gravity_mps2),
+                       {.key = "gravity_mps2",
+                        .unit = "m/s^2",
+                        .low = 0.01,
+                        .high = 1000.0,
+                        .help = "how a walker falls"}}});
+}
 
-      {.key = "walk.eye_height_m",
-       .flag = "",
-       .group = walk,
-       .storage = &member<view, walker, &WalkerParameters::eye_height_m>,
-       .unit = "m",
-       .low = 0.1,
-       .high = 1000.0,
-       .help = "the eye of a walker, above the ground"},
-      {.key = "walk.speed_mps",
-       .flag = "",
-       .group = walk,
-       .storage = &member<view, &ViewScene::walking_mps>,
-       .unit = "m/s",
-       .low = 0.1,
-       .high = 100.0,
-       .help = "on foot; running is five times as fast"},
-      {.key = "walk.slope_limit_deg",
-       .flag = "",
-       .group = walk,
-       .storage = &member<view, walker, &WalkerParameters::slope_limit_rad>,
-       .unit = "deg",
-       .low = 1.0,
-       .high = 85.0,
-       .help = "steepest ground that holds a walker: down steeper ground he slides",
-       .scale = radians_per_degree},
-      {.key = "walk.gravity_mps2",
-       .flag = "",
-       .group = walk,
-       .storage = &member<view, walker, &WalkerParameters::gravity_mps2>,
-       .unit = "m/s^2",
-       .low = 0.01,
-       .high = 1000.0,
-       .help = "how a walker falls"},
+Schema<ViewScene> render_schema() {
+  Schema<ViewScene> schema("render");
+  return schema.rows(ParameterGroup::render, Affects::view,
+                     {{&ViewScene::exposure_ev,
+                       {.key = "exposure_ev",
+                        .low = -20.0,
+                        .high = 20.0,
+                        .help = "stops above the exposure that the light at the eye asks for",
+                        .motion = keyed}}});
+}
 
-      {.key = "render.exposure_ev",
-       .flag = "",
-       .group = render,
-       .storage = &member<view, &ViewScene::exposure_ev>,
-       .low = -20.0,
-       .high = 20.0,
-       .help = "stops above the exposure that the light at the eye asks for",
-       .motion = keyed},
-  };
+Schema<BookmarkScene> bookmark_schema() {
+  std::vector<Row<Camera>> rows = camera_rows();
+  for (Row<Camera>& row : rows) row.facts.motion = constant;
+  Schema<BookmarkScene> schema("bookmark");
+  return schema
+      .rows(ParameterGroup::bookmark, Affects::view,
+            {{&BookmarkScene::name,
+              {.key = "name",
+               .help = "for the panel of bookmarks",
+               .example = "bow",
+               .absent = "none",
+               .rule = ParameterRule::name}}})
+      .rows(ParameterGroup::bookmark, Affects::view, &BookmarkScene::camera, std::move(rows));
 }
 
 }  // namespace offing::scene

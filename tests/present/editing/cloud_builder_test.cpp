@@ -115,7 +115,7 @@ TEST_F(CloudBuilderTest, ReadsBillboardsWhereTheyChange) {
     builder_.wait();
     const auto made = builder_.take();
     ASSERT_TRUE(made && std::holds_alternative<Error>(*made));
-    EXPECT_NE(std::string(std::get<Error>(*made).what()).find("clouds.crisp_puffs"), std::string::npos)
+    EXPECT_NE(std::string(std::get<Error>(*made).what()).find("clouds.crisp_billboards"), std::string::npos)
         << std::get<Error>(*made).what();
   }
   scene.cloud_settings.crisp_billboards.clear();

@@ -100,6 +100,21 @@ class SceneEditingTest : public test::GlTest {
   std::unique_ptr<SceneEditing> editing_;
 };
 
+// Fails if a slider that is dragged copies the scene but for undo, or if a frame does.
+TEST_F(SceneEditingTest, ADragCopiesTheSceneOnce) {
+  picture();
+  const std::size_t before = scene::CopyCount::copies();
+  for (const double elevation_rad : {0.3, 0.4, 0.5}) {
+    edit([&](scene::Scene& scene) { scene.view.sun_elevation_rad = elevation_rad; }, Edit::going_on);
+    picture();
+  }
+  EXPECT_EQ(scene::CopyCount::copies(), before);
+  edit([](scene::Scene& scene) { scene.view.sun_elevation_rad = 0.6; });
+  EXPECT_EQ(scene::CopyCount::copies(), before + 1);
+  EXPECT_EQ(sea_->scene().view.sun_elevation_rad, 0.6);
+  EXPECT_EQ(sea_->wanted().view.sun_elevation_rad, 0.6);
+}
+
 // Fails if an edit shows anything but what a fresh start with it shows, or undo and redo do.
 TEST_F(SceneEditingTest, ShowsWhatAFreshStartShows) {
   const std::vector<unsigned char> untouched = picture();
@@ -188,7 +203,7 @@ TEST_F(SceneEditingTest, RefusesBrokenFiles) {
     expect_refused([&](scene::Scene& scene) { scene.clouds[0].shape.file = name(file); }, file);
   }
   expect_refused([&](scene::Scene& scene) { scene.cloud_settings.soft_billboards = name("puffs"); },
-                 "clouds.soft_puffs");
+                 "clouds.soft_billboards");
   for (const char* file : {"whole.vdb", "whole.ply"}) {
     edit([&](scene::Scene& scene) { scene.clouds[0].shape.file = name(file); });
     wait();

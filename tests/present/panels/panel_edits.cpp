@@ -61,7 +61,7 @@ std::string PanelEdits::value_of(const Parameter& row) const {
 }
 
 void PanelEdits::edit(const Parameter& row) {
-  if (row.elements) add_elements(row);
+  if (row.section->is_repeated()) add_elements(row);
   const std::string before = value_of(row);
   std::visit([&](auto storage) { change(row, storage); }, row.storage);
   wait_for_clouds();
@@ -70,7 +70,7 @@ void PanelEdits::edit(const Parameter& row) {
 }
 
 void PanelEdits::add_elements(const Parameter& row) {
-  const auto count = [&] { return scene::elements_of(state().scene, row.elements).size(); };
+  const auto count = [&] { return scene::elements_of(state().scene, *row.section).size(); };
   while (count() < wanted_elements(row)) {
     const std::size_t before = count();
     click(find(main_panel(), fmt::format("add##{}", rows_.panel.title), 20));
@@ -79,8 +79,12 @@ void PanelEdits::add_elements(const Parameter& row) {
 }
 
 std::optional<int> PanelEdits::shown_element(const Parameter& row) const {
-  if (!row.elements) return {};
-  return static_cast<int>(scene::elements_of(state().scene, row.elements).size()) - 1;
+  if (!row.section->is_repeated()) return {};
+  return static_cast<int>(scene::elements_of(state().scene, *row.section).size()) - 1;
+}
+
+const void* PanelEdits::shown_struct(const Parameter& row) const {
+  return scene::struct_at(&state().scene, *row.section, scene::last_element(state().scene, *row.section));
 }
 
 /// By its slider or field: to the right.
@@ -110,10 +114,9 @@ void PanelEdits::change(const Parameter& row, ValueAt<int> at) {
     choose(present::parameter_label(row), "64", shown_element(row));
     return;
   }
-  scene::Scene copy = state().scene;
   // From the upper end of its range only to the left.
   const Spot spot = find(main_panel(), present::parameter_label(row), value_px, shown_element(row));
-  const int way = at(copy, scene::last_element(copy, row.elements)) >= row.high ? -25 : 25;
+  const int way = at.in(shown_struct(row)) >= row.high ? -25 : 25;
   drag(spot, {spot.x + way, spot.y});
 }
 
@@ -129,12 +132,11 @@ void PanelEdits::change(const Parameter& row, ValueAt<std::optional<UtcTime>>) {
   enter(find(main_panel(), present::parameter_label(row)), "2020-06-08T15:50Z");
 }
 
-void PanelEdits::change(const Parameter& row, ValueAt<glm::dvec3>) {
+void PanelEdits::change(const Parameter& row, ValueAt<glm::dvec3> at) {
   const Spot spot = find_triple(main_panel(), present::parameter_label(row), shown_element(row));
   // Colours begin at the end of their range.
-  scene::Scene copy = state().scene;
-  const std::vector<double*> numbers = scene::numbers_of(copy, row, scene::last_element(copy, row.elements));
-  const int way = *numbers.front() >= row.high * row.scale ? -pull_px : pull_px;
+  const double first = at.in(shown_struct(row)).x;
+  const int way = first >= row.high * row.scale ? -pull_px : pull_px;
   drag(spot, {spot.x + way, spot.y});
 }
 
@@ -148,8 +150,7 @@ void PanelEdits::change(const Parameter& row, ValueAt<std::vector<double>>) {
 }
 
 void PanelEdits::change(const Parameter& row, const scene::ChoiceStorage& choice) {
-  scene::Scene copy = state().scene;
-  const std::size_t chosen = choice.get(copy, scene::last_element(copy, row.elements));
+  const std::size_t chosen = choice.in(shown_struct(row));
   choose(present::parameter_label(row), std::string(choice.names[(chosen + 1) % choice.names.size()]),
          shown_element(row));
 }
@@ -157,7 +158,7 @@ void PanelEdits::change(const Parameter& row, const scene::ChoiceStorage& choice
 std::string PanelEdits::text_for(const Parameter& row) const {
   if (row.key == "cloud.file") return particle_file();
   if (row.key == "cloud.mesh") return mesh_file();
-  if (row.key == "clouds.crisp_puffs" || row.key == "clouds.soft_puffs") return billboard_folder();
+  if (row.key == "clouds.crisp_billboards" || row.key == "clouds.soft_billboards") return billboard_folder();
   if (row.key == "mesh.file") return mesh_file();
   if (row.key == "mesh.cartoon_ramp" || row.key == "mesh.highlight.picture") return grey_image("grey.png");
   if (row.key == "mesh.highlight.light") return "right";

@@ -35,6 +35,8 @@ class PanelEdits : public WindowTest {
   void add_elements(const scene::Parameter& row);
   std::optional<int> shown_element(const scene::Parameter& row) const;
   std::string value_of(const scene::Parameter& row) const;
+  /// The struct of the row's section, of its last element.
+  const void* shown_struct(const scene::Parameter& row) const;
 
   void pull(const scene::Parameter& row, int x_px);
   void edit_slider(const scene::Parameter& row, int x_px);

@@ -68,7 +68,7 @@ TEST_F(RefusedEditsTest, NumbersOutOfRange) {
             std::string::npos)
       << message();
   EXPECT_TRUE(state().message.is_fault);
-  EXPECT_EQ(state().scene.wind_speed_mps, quick_options().scene.wind_speed_mps);
+  EXPECT_EQ(state().scene.wind.speed_mps, quick_options().scene.wind.speed_mps);
   EXPECT_TRUE(sea() == before);
 }
 
@@ -95,7 +95,7 @@ TEST_F(RefusedEditsTest, SpectrumFilesThatAreNotThere) {
   turn(2);
   EXPECT_NE(message().find("nowhere.data_spec"), std::string::npos) << message();
   EXPECT_TRUE(state().message.is_fault);
-  EXPECT_EQ(state().scene.spectrum_file, "");
+  EXPECT_EQ(state().scene.ocean.spectrum_file, "");
   EXPECT_TRUE(sea() == before);
 }
 
@@ -126,20 +126,20 @@ TEST_F(PanelFieldsTest, NumbersBeyondTheSlider) {
   ASSERT_TRUE(step.slider);
   ASSERT_GT(step.slider->low, 0.005);
   enter_into_slider(find(main_panel(), parameter_label(step), 70, 0), "0.005");
-  EXPECT_EQ(state().scene.wakes.front().parameters.step_s, 0.005);
+  EXPECT_EQ(state().scene.ocean.wakes.front().parameters.step_s, 0.005);
   EXPECT_FALSE(state().message.is_fault) << message();
 }
 
 // Fails if Enter in a field that nobody changed takes what it shows for the value: twelve digits.
 TEST_F(PanelFieldsTest, EnterWithoutAChange) {
   present::ViewOptions options = quick_options();
-  options.scene.patch_lengths_m = {1000.0 / 3.0};
+  options.scene.ocean.patch_lengths_m = {1000.0 / 3.0};
   open(options);
   toggle_header("Cascades and Gerstner waves");
   click(find(main_panel(), parameter_label(*scene::find_parameter("ocean.cascade.patch_m"))));
   press("Return");
   turn(2);
-  EXPECT_EQ(state().scene.patch_lengths_m, options.scene.patch_lengths_m);
+  EXPECT_EQ(state().scene.ocean.patch_lengths_m, options.scene.ocean.patch_lengths_m);
 }
 
 }  // namespace

@@ -197,12 +197,12 @@ bool is_of_clouds(scene::ParameterGroup group) {
 present::ViewOptions panel_options(const PanelRows& rows, present::ViewOptions usual) {
   const scene::ParameterGroup group = rows.panel.group;
   if (const char* text = text_of(rows)) {
-    const int size = usual.scene.ocean.size;
+    const int size = usual.scene.ocean.parameters.size;
     usual.scene = scene::parse_scene(text, "small.toml", "");
-    usual.scene.ocean.size = size;
+    usual.scene.ocean.parameters.size = size;
   }
   if (group == scene::ParameterGroup::terrain || group == scene::ParameterGroup::walk) {
-    usual.scene.terrain.is_given = usual.scene.names_sea = true;
+    usual.scene.terrain.is_given = usual.scene.ocean.is_given = true;
     usual.scene.terrain.fractal.posts = 33;
     // A scene that says where its eye is: nothing else places it.
     usual.scene.view.camera.eye_m.y = 2500.0;

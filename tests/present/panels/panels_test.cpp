@@ -88,7 +88,7 @@ TEST_F(PanelsTest, DrawWithoutChangingAnything) {
     return values;
   };
   for (const scene::Parameter& row : scene::parameter_table()) {
-    if (scene::elements_of(scene_, row.elements).empty()) scene::append_element(scene_, row, {});
+    if (scene::elements_of(scene_, *row.section).empty()) scene::append_element(scene_, row, {});
   }
   const std::vector<std::string> before = texts();
   for (int i = 0; i < 3; ++i) {
@@ -106,7 +106,7 @@ TEST_F(PanelsTest, DrawWithoutChangingAnything) {
 // Fails if a slider's ends are not those of the row, or the end of an edit is missed: a drag to the right end
 // of each slider of the wind and the sun; or if a pull asks for an hour of simulation.
 TEST_F(PanelsTest, SlidersReachTheirRange) {
-  scene_.wakes.resize(1);
+  scene_.ocean.wakes.resize(1);
   for (const char* key : {"wind.speed_mps", "ocean.gamma", "sun.elevation_deg", "ocean.foam.width",
                           "camera.fov_deg", "ocean.wake.history_s"}) {
     const scene::Parameter& row = *scene::find_parameter(key);
@@ -131,7 +131,7 @@ TEST_F(PanelsTest, SlidersReachTheirRange) {
     EXPECT_EQ(clicks.fault(), "");
     EXPECT_NEAR(std::stod(scene::value_text(scene_, row)), end, 1e-3 * end) << key;
   }
-  EXPECT_EQ(scene_.wakes.front().history_s, 60.0);
+  EXPECT_EQ(scene_.ocean.wakes.front().history_s, 60.0);
 }
 
 // Fails if a value that has no default cannot be set and taken away again.
@@ -146,10 +146,10 @@ TEST_F(PanelsTest, OptionalValuesComeAndGo) {
     }
   };
   click();
-  EXPECT_TRUE(scene_.depth_m.has_value());
+  EXPECT_TRUE(scene_.ocean.depth_m.has_value());
   EXPECT_EQ(clicks.last_edit(), Edit::done);
   click();
-  EXPECT_FALSE(scene_.depth_m.has_value());
+  EXPECT_FALSE(scene_.ocean.depth_m.has_value());
 }
 
 // Fails if an edit of an element changes another one, ends only one of its keyframes, or if a triple is not
@@ -183,7 +183,7 @@ TEST_F(PanelsTest, ElementsAreEditedOnTheirOwn) {
     frame([&] { clicks.draw(row, element); });
     EXPECT_EQ(clicks.last_edit(), Edit::done) << key << ": " << clicks.fault();
     EXPECT_TRUE(scene_.tracks.empty()) << key;
-    for (const scene::ElementIndex each : scene::elements_of(scene_, row.elements)) {
+    for (const scene::ElementIndex each : scene::elements_of(scene_, *row.section)) {
       const bool is_changed = scene::value_text(scene_, row, each, scene::Digits::exact) !=
                               scene::value_text(before, row, each, scene::Digits::exact);
       EXPECT_EQ(is_changed, each == element) << key;
@@ -196,7 +196,7 @@ TEST_F(PanelsTest, AllPanelsDraw) {
   StageTimes times;
   const ocl::DeviceInfo device = ocl::select_device();
   scene::Scene scene;
-  scene.names_sea = true;
+  scene.ocean.is_given = true;
   scene.meshes.resize(1);  // whose panels are there with one
   ViewState state{.scene = scene, .camera = FreeCamera(Camera{}), .clock = SceneClock(0.0)};
   state.message = {.text = "a message\nof two lines"};

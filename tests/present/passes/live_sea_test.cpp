@@ -51,15 +51,15 @@ TEST_F(LiveSeaTest, RefusedEditsChangeNothing) {
        {"[sun]\ntime_utc = 2100-12-31T23:59:59Z\ntime_scale = 1\n[time]\nstart_s = 100\nend_s = 101\n",
         "[ocean]\nspectrum_file = \"nowhere.data_spec\"\n"}) {
     scene::Scene edited = scene::parse_scene(std::string("version = 1\n") + part, "b.toml", "");
-    edited.ocean.size = 32;
-    edited.wind_speed_mps = 20.0;
+    edited.ocean.parameters.size = 32;
+    edited.wind.speed_mps = 20.0;
     edited.view.atmosphere.aerosol_optical_depth = 0.9;
     EXPECT_THROW(sea_->edit(edited), Error) << part;
-    EXPECT_EQ(sea_->scene().wind_speed_mps, scene_.wind_speed_mps);
+    EXPECT_EQ(sea_->scene().wind.speed_mps, scene_.wind.speed_mps);
     EXPECT_TRUE(picture() == before) << part;
   }
   scene::Scene edited = scene_;
-  edited.wind_speed_mps = 20.0;
+  edited.wind.speed_mps = 20.0;
   sea_->edit(edited);
   EXPECT_FALSE(picture() == before) << "an edit that is taken cannot be seen";
 }
@@ -70,8 +70,8 @@ TEST_F(LiveSeaTest, WarnsOnceOfSteepWaves) {
   const test::LogCapture log;
   scene::Scene edited = scene_;
   for (const double amplitude_m : {2.0, 2.1, 2.2}) {
-    edited.swells = {{.amplitude_m = amplitude_m, .wavelength_m = 8.0}};
-    edited.wind_speed_mps += 0.1;
+    edited.ocean.swells = {{.amplitude_m = amplitude_m, .wavelength_m = 8.0}};
+    edited.wind.speed_mps += 0.1;
     sea_->edit(edited);
     EXPECT_NE(sea_->warning().find("the swells have a choppiness of "), std::string::npos);
   }
@@ -80,7 +80,7 @@ TEST_F(LiveSeaTest, WarnsOnceOfSteepWaves) {
     ++count;
   }
   EXPECT_EQ(count, 1u) << log.text();
-  edited.swells.clear();
+  edited.ocean.swells.clear();
   sea_->edit(edited);
   EXPECT_EQ(sea_->warning(), "");
 }
@@ -88,8 +88,8 @@ TEST_F(LiveSeaTest, WarnsOnceOfSteepWaves) {
 // Fails if the height is not that of the water that is shown there.
 TEST_F(LiveSeaTest, KnowsTheWaterBelowAPoint) {
   scene::Scene edited = scene_;
-  edited.swells = {{.amplitude_m = 3.0, .wavelength_m = 900.0}};
-  edited.wind_speed_mps = 0.5;
+  edited.ocean.swells = {{.amplitude_m = 3.0, .wavelength_m = 900.0}};
+  edited.wind.speed_mps = 0.5;
   sea_->edit(edited);
   picture();
   double lowest_m = 0.0, highest_m = 0.0;

@@ -29,7 +29,7 @@ class ShipOnDrawnWaterTest : public GlTest {
     const std::filesystem::path scenes(OFFING_SCENES);
     scene::Scene sea = scene::load_scene(scenes / "buoy.toml");
     const scene::Scene afloat = scene::load_scene(scenes / "afloat.toml");
-    sea.wakes = afloat.wakes;
+    sea.ocean.wakes = afloat.ocean.wakes;
     sea.meshes = {afloat.meshes.front()};
     sea.meshes.front().highlights.clear();
     sea.bodies = {afloat.bodies.front()};

@@ -104,8 +104,8 @@ class SkyFlightTest : public test::GlTest {
 // clouds lie; gate 0.0015: one of half a step of 8 bits along all tiles fails by itself.
 // 290 s of the processor.
 TEST_F(SkyFlightTest, NothingPopsAndNoSeamIsSeen) {
-  const test::FlightSteps steps =
-      test::flight_steps([this](double time_s) { return blocks_at(time_s); }, frames, frames / scene_.end_s);
+  const test::FlightSteps steps = test::flight_steps([this](double time_s) { return blocks_at(time_s); },
+                                                     frames, frames / scene_.time.end_s);
   RecordProperty("worst_excess_1e4", static_cast<int>(1e4 * steps.worst_excess));
   RecordProperty("worst_left_1e5", static_cast<int>(1e5 * steps.worst_left));
   RecordProperty("darkest_1e4", static_cast<int>(1e4 * darkest_));

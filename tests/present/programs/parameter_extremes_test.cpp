@@ -168,7 +168,7 @@ WrittenValue written(const Parameter& row, double number) {
 
 /// Why a row that is set has no part in a scene; "" where it has.
 std::string unused_line(Scene scene, const Parameter& row) {
-  scene.set_at = {{{row.key, last_element(scene, row.elements)}, "value"}};
+  scene.set_at = {{{row.key, last_element(scene, *row.section)}, "value"}};
   const std::vector<std::string> lines =
       scene.has_sea() ? unused_parameters(scene, prepare_sea(scene, Warnings::left_out))
                       : unused_parameters(scene);
@@ -260,7 +260,7 @@ class ParameterExtremes : public testing::TestWithParam<std::string> {
     const BaseScene* base = base_of(row);
     ASSERT_NE(base, nullptr) << what << ": add a scene in which it means something to `bases`";
     Scene scene = parse_scene(text_of(base->text), "base.toml", "");
-    ASSERT_FALSE(elements_of(scene, row.elements).empty()) << what << ": its scene has no element";
+    ASSERT_FALSE(elements_of(scene, *row.section).empty()) << what << ": its scene has no element";
     ASSERT_EQ(unused_line(scene, row), "") << what << ": choose another scene in `bases`";
     if (drawn_.insert(base->text).second) draw(*base, scene);
     clear_list(scene, row);
@@ -270,11 +270,12 @@ class ParameterExtremes : public testing::TestWithParam<std::string> {
     check(what, row.key, number, run(OFFING_VIEW_PROGRAM, image_arguments(scene)), file("a.exr"));
     if (!is_of_sea(row.group)) return;
     std::filesystem::remove_all(file("frames"));
-    check(what + ", baked", row.key, number,
-          run(OFFING_MAIN_PROGRAM,
-              {"ocean", "bake", file("scene.toml"), "-o", file("frames"), "--frames",
-               fmt::format("{:.0f}", std::ceil(scene.start_s * scene.frames_per_second)), "--quiet"}),
-          file("frames"));
+    check(
+        what + ", baked", row.key, number,
+        run(OFFING_MAIN_PROGRAM,
+            {"ocean", "bake", file("scene.toml"), "-o", file("frames"), "--frames",
+             fmt::format("{:.0f}", std::ceil(scene.time.start_s * scene.time.frames_per_second)), "--quiet"}),
+        file("frames"));
   }
 
   /// Draws a base scene itself, which also has drivers compile what the others need.
@@ -289,7 +290,7 @@ class ParameterExtremes : public testing::TestWithParam<std::string> {
 
   std::vector<std::string> image_arguments(const Scene& scene) const {
     return {file("scene.toml"), "--headless", "--size",     "48x27",
-            "--detail",         "low",        "--time",     fmt::format("{:.12g}", scene.start_s),
+            "--detail",         "low",        "--time",     fmt::format("{:.12g}", scene.time.start_s),
             "--quiet",          "-o",         file("a.exr")};
   }
 

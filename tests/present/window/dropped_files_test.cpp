@@ -83,7 +83,7 @@ TEST_F(DroppedFilesTest, AreInTheSceneThatIsSaved) {
   EXPECT_EQ(again.terrain.file, terrain);
   ASSERT_EQ(again.clouds.size(), 1u);
   EXPECT_EQ(again.clouds[0].shape.file, cloud);
-  EXPECT_EQ(again.spectrum_file, sea);
+  EXPECT_EQ(again.ocean.spectrum_file, sea);
   EXPECT_TRUE(again.has_sea());
 }
 

@@ -51,7 +51,7 @@ TEST_F(WindowFilesTest, AreEditsOfTheScene) {
   EXPECT_EQ(viewer_->sea().terrain()->parameters().extent().width_m, 200.0);
   drop({OFFING_SOURCES "/scenes/example_sea.data_spec"});
   EXPECT_FALSE(state().message.is_fault) << message();
-  EXPECT_THAT(viewer_->sea().scene().spectrum_file, HasSubstr("example_sea.data_spec"));
+  EXPECT_THAT(viewer_->sea().scene().ocean.spectrum_file, HasSubstr("example_sea.data_spec"));
   drop({file("one.ply",
              "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
              "property float radius\nproperty float optical_mass\nend_header\n0 900 0 200 40000\n")});
@@ -194,7 +194,7 @@ TEST_F(WindowFilesTest, ScenesAreOpenedFromTheList) {
   };
   choose_row("beside", 1);
   EXPECT_THAT(message(), HasSubstr("opened second"));
-  EXPECT_EQ(state().scene.wind_speed_mps, 3.0);
+  EXPECT_EQ(state().scene.wind.speed_mps, 3.0);
   choose_row("beside", 0);
   EXPECT_THAT(message(), HasSubstr("opened first"));
   const present::SceneList list;

@@ -48,7 +48,7 @@ std::string x_name(const std::string& printed) {
 TEST_F(WindowKeysTest, EveryKeyDoesWhatItSays) {
   open(quick_options());
   using Check = std::function<bool(const ViewState& before, const ViewState& after)>;
-  const double frame_s = 1.0 / quick_options().scene.frames_per_second;
+  const double frame_s = 1.0 / quick_options().scene.time.frames_per_second;
   const auto stepped = [](double by_s) {
     return [by_s](const ViewState& a, const ViewState& b) {
       return std::abs(b.clock.time_s() - a.clock.time_s() - by_s) < 1e-9;

@@ -20,7 +20,7 @@ using WindowPanelsTest = WindowTest;
 // Fails if the clock's buttons or its slider do not move time.
 TEST_F(WindowPanelsTest, Clock) {
   open(quick_options());
-  const double start_s = state().clock.time_s(), frame_s = 1.0 / state().scene.frames_per_second;
+  const double start_s = state().clock.time_s(), frame_s = 1.0 / state().scene.time.frames_per_second;
   click(find(main_panel(), "step forward", 82));
   EXPECT_NEAR(state().clock.time_s(), start_s + frame_s, 1e-9);
   click(find(main_panel(), "step back", 55));
@@ -38,7 +38,7 @@ TEST_F(WindowPanelsTest, Clock) {
 // Fails if a view shows what another one shows, cannot be chosen, or the way back is lost.
 TEST_F(WindowPanelsTest, Views) {
   present::ViewOptions options = quick_options();
-  options.scene.patch_lengths_m = {730.0, 170.0, 31.0, 5.3};
+  options.scene.ocean.patch_lengths_m = {730.0, 170.0, 31.0, 5.3};
   open(options);
   toggle_header("View");
   choose("show", "jacobian");
@@ -90,8 +90,8 @@ TEST_F(WindowPanelsTest, SceneFile) {
   const scene::Parameter& speed = *scene::find_parameter("wind.speed_mps");
   const Spot slider = find(main_panel(), present::parameter_label(speed), 70);
   drag(slider, {slider.x + 30, slider.y});
-  const double edited_mps = state().scene.wind_speed_mps;
-  EXPECT_NE(edited_mps, quick_options().scene.wind_speed_mps);
+  const double edited_mps = state().scene.wind.speed_mps;
+  EXPECT_NE(edited_mps, quick_options().scene.wind.speed_mps);
   toggle_header("Wind");
   toggle_header("Scene file");
   enter(find(main_panel(), "name"), "mine.toml");
@@ -108,14 +108,14 @@ TEST_F(WindowPanelsTest, SceneFile) {
   const std::vector<unsigned char> live = picture();
 
   click(find(main_panel(), "undo all edits", 40));
-  EXPECT_EQ(state().scene.wind_speed_mps, quick_options().scene.wind_speed_mps);
+  EXPECT_EQ(state().scene.wind.speed_mps, quick_options().scene.wind.speed_mps);
   EXPECT_EQ(state().camera.camera().pitch_rad, quick_options().scene.view.camera.pitch_rad);
 
   present::ViewOptions again = quick_options();
   again.scene = scene::load_scene("mine.toml");
   open(again);
   turn(2);
-  EXPECT_EQ(state().scene.wind_speed_mps, edited_mps);
+  EXPECT_EQ(state().scene.wind.speed_mps, edited_mps);
   EXPECT_TRUE(picture() == live);
 }
 

@@ -22,7 +22,7 @@ TEST_F(WindowQualityTest, GivesWayToFrames) {
   constexpr int width = 640, height = 360;
   present::ViewOptions options = quick_options();
   options.scene = scene::load_scene(std::filesystem::path(OFFING_SOURCES) / "scenes/flight.toml");
-  options.time_s = options.scene.start_s;
+  options.time_s = options.scene.time.start_s;
   options.kept_hz = wanted_hz;
   open(options);
   glfwSetWindowSize(viewer_->window(), width, height);

@@ -45,7 +45,7 @@ void WindowTest::TearDown() {
 
 present::ViewOptions WindowTest::quick_options() {
   present::ViewOptions options;
-  options.scene.ocean.size = 32;
+  options.scene.ocean.parameters.size = 32;
   options.scene.view.camera.pitch_rad = 1.2;
   options.time_s = 2.0;
   options.starts_paused = true;

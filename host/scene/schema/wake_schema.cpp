@@ -1,0 +1,150 @@
+#include "host/scene/schema/sections.h"
+
+namespace offing::scene {
+
+namespace {
+
+using enum ParameterMotion;
+constexpr auto window = &WakeScene::parameters;
+constexpr auto hull = &WakeHullScene::hull;
+constexpr std::size_t max_hulls = 64;
+
+std::vector<Row<WakeScene>> window_rows() {
+  using ocean::WakeParameters;
+  using ocean::WakeRain;
+  constexpr auto rain = &WakeParameters::rain;
+  return {
+      {choice(path(window, &WakeParameters::method), {"dispersive", "verlet"}),
+       {.key = "method",
+        .help = "how its waves move: dispersive as waves of water do, verlet all at speed_mps"}},
+      {path(window, &WakeParameters::length_m),
+       {.key = "length_m",
+        .unit = "m",
+        .low = 0.5,
+        .high = 1e5,
+        .help = "side of the square window; waves die away in its border, an eighth of it wide"}},
+      {path(window, &WakeParameters::cells),
+       {.key = "cells",
+        .low = 16.0,
+        .high = 4096.0,
+        .help = "along a side, a power of two; the same in all windows",
+        .rule = ParameterRule::power_of_two}},
+      {path(window, &WakeParameters::speed_mps),
+       {.key = "speed_mps", .unit = "m/s", .low = 0.01, .high = 100.0, .help = "of all waves of verlet"}},
+      {choice(&WakeScene::centre, {"place", "hull", "camera", "body"}),
+       {.key = "centre",
+        .help = "what the window follows: the place x_m, z_m, its first hull, the eye, or a [[body]]"}},
+      {&WakeScene::x_m,
+       {.key = "x_m",
+        .unit = "m",
+        .low = -1e7,
+        .high = 1e7,
+        .help = "its centre, east of the origin or of the eye",
+        .motion = keyed}},
+      {&WakeScene::z_m,
+       {.key = "z_m",
+        .unit = "m",
+        .low = -1e7,
+        .high = 1e7,
+        .help = "its centre, south of the origin or of the eye",
+        .motion = keyed}},
+      {&WakeScene::behind_m,
+       {.key = "behind_m",
+        .unit = "m",
+        .low = -1e5,
+        .high = 1e5,
+        .help = "how far its centre is behind its first hull, or behind the body"}},
+      {&WakeScene::body,
+       {.key = "body",
+        .help = "name of the [[body]] that it follows where its centre is that of a body",
+        .example = "ship",
+        .absent = "the first body",
+        .rule = ParameterRule::name}},
+      {&WakeScene::history_s,
+       {.key = "history_s",
+        .unit = "s",
+        .low = 0.0,
+        .high = 3600.0,
+        .help = "for how long the first picture's wake has been growing, and that after a leap in time",
+        .slider = {{0.0, 60.0}}}},
+      {path(window, &WakeParameters::step_s),
+       {.key = "step_s",
+        .unit = "s",
+        .low = 0.001,
+        .high = 0.1,
+        .help = "time step; waves of dispersive are exact at any",
+        .slider = {{0.01, 0.1}}}},
+      {path(window, rain, &WakeRain::drops_per_m2s),
+       {.key = "rain_per_m2s",
+        .unit = "1/(m2 s)",
+        .low = 0.0,
+        .high = 1e4,
+        .help = "raindrops; at most one a step on each square of 8 by 8 cells"}},
+      {path(window, rain, &WakeRain::hollow_m),
+       {.key = "hollow_m",
+        .unit = "m",
+        .low = -1.0,
+        .high = 1.0,
+        .help = "depth of the hollow that a raindrop leaves, about 3 cells wide"}},
+  };
+}
+
+std::vector<Row<WakeHullScene>> hull_rows() {
+  using ocean::WakeHull;
+  return {
+      {choice(path(hull, &WakeHull::shape), {"ellipsoid", "gaussian"}),
+       {.key = "shape", .help = "of what it displaces: the lower half of an ellipsoid, or a bell"}},
+      {path(hull, &WakeHull::length_m),
+       {.key = "length_m", .unit = "m", .low = 0.01, .high = 1e4, .help = "of its waterline"}},
+      {path(hull, &WakeHull::beam_m),
+       {.key = "beam_m", .unit = "m", .low = 0.01, .high = 1e4, .help = "width of its waterline"}},
+      {path(hull, &WakeHull::draught_m),
+       {.key = "draught_m",
+        .unit = "m",
+        .low = 0.0,
+        .high = 100.0,
+        .help = "depth of its keel below the water",
+        .motion = keyed}},
+      {path(hull, &WakeHull::x_m),
+       {.key = "x_m",
+        .unit = "m",
+        .low = -1e7,
+        .high = 1e7,
+        .help = "its middle at time 0, east of the origin",
+        .motion = keyed}},
+      {path(hull, &WakeHull::z_m),
+       {.key = "z_m",
+        .unit = "m",
+        .low = -1e7,
+        .high = 1e7,
+        .help = "its middle at time 0, south of the origin",
+        .motion = keyed}},
+      {path(hull, &WakeHull::heading_rad),
+       {.key = "heading_deg",
+        .unit = "deg",
+        .low = -360.0,
+        .high = 360.0,
+        .help = "where its bow points, from +x (east) toward +z (south)",
+        .scale = radians_per_degree,
+        .motion = keyed_angle}},
+      {&WakeHullScene::speed_mps,
+       {.key = "speed_mps",
+        .unit = "m/s",
+        .low = -50.0,
+        .high = 50.0,
+        .help = "along its heading, added to x_m and z_m; 0 where these have keyframes"}},
+  };
+}
+
+}  // namespace
+
+Schema<WakeScene> wake_schema() {
+  constexpr Affects affects = Affects::wakes | Affects::baked;
+  Schema<WakeHullScene> hull_schema("hull");
+  hull_schema.rows(ParameterGroup::wake_hull, affects, hull_rows());
+  Schema<WakeScene> schema("wake");
+  return schema.rows(ParameterGroup::wake, affects, window_rows())
+      .list(&WakeScene::hulls, max_hulls, hull_schema);
+}
+
+}  // namespace offing::scene
