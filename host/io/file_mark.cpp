@@ -27,7 +27,7 @@ bool is_hdf5_file(const std::filesystem::path& path) {
   std::string bytes(mark.size(), '\0');
   return has_mark([&](std::uint64_t at) -> std::string_view {
     const bool is_there(file.seekg(static_cast<std::streamoff>(at)).read(bytes.data(), mark.size()));
-    return is_there ? bytes : "";
+    return is_there ? std::string_view(bytes) : std::string_view();
   });
 }
 
