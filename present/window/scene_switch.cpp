@@ -1,6 +1,7 @@
 #include "present/window/scene_switch.h"
 
 #include <iterator>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "host/base/error.h"
 #include "host/io/atomic_file.h"
 #include "host/io/whole_file.h"
+#include "host/scene/file/scene_edit.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_writer.h"
 #include "present/output/camera_path.h"
@@ -55,7 +57,6 @@ SavedScene::SavedScene(const std::filesystem::path& file, scene::Scene scene) : 
   try {
     text_ = scene_file_text(file);
     file_ = file;
-    has_comments_ = text_.find('#') != std::string::npos;
   } catch (const Error&) {  // it has gone since it was opened
   }
 }
@@ -70,21 +71,32 @@ bool SavedScene::differs_from(const scene::Scene& scene) const {
 
 std::filesystem::path SavedScene::save(const scene::Scene& scene, const std::filesystem::path& name,
                                        Existing existing) {
-  if (file_.empty() || has_comments_) return save_as(scene, name, existing);
+  if (file_.empty()) return save_as(scene, name, existing);
   if (is_there(file_) && scene_file_text(file_) != text_) {
     throw Error(ErrorKind::file, fmt::format("{}: another program has changed it", file_.string()),
                 "save under another name, in the panel \"Scene file\"");
   }
-  return save_as(scene, file_, Existing::replace);
+  const std::filesystem::path folder = file_.parent_path();
+  const std::optional<std::string> edited = scene::edited_scene_text(text_, folder, scene, folder);
+  // Comments that cannot be kept are not lost.
+  if (!edited && text_.find('#') != std::string::npos) return save_as(scene, name, existing);
+  return write(scene, edited.value_or(scene::scene_text(scene, folder)), file_, Existing::replace);
 }
 
 std::filesystem::path SavedScene::save_as(const scene::Scene& scene, const std::filesystem::path& name,
                                           Existing existing) {
-  scene::save_scene(scene, name, existing);
+  const std::filesystem::path folder = name.parent_path();
+  std::optional<std::string> edited;
+  if (!file_.empty()) edited = scene::edited_scene_text(text_, file_.parent_path(), scene, folder);
+  return write(scene, edited.value_or(scene::scene_text(scene, folder)), name, existing);
+}
+
+std::filesystem::path SavedScene::write(const scene::Scene& scene, std::string text,
+                                        const std::filesystem::path& file, Existing existing) {
+  scene::save_scene_text(text, file, existing);
   scene_ = scene;
-  file_ = name;
-  text_ = scene_file_text(name);
-  has_comments_ = false;  // of a person: names may hold the sign
+  file_ = file;
+  text_ = std::move(text);
   return file_;
 }
 

@@ -32,19 +32,21 @@ class SavedScene {
 
   /// Whether anything but the camera differs.
   bool differs_from(const scene::Scene& scene) const;
-  /// Writes it into the file that it was opened from or saved to last. A first save makes `name` of it, which
-  /// must not be there, and so does that of a file with comments, which would be lost. Returns what was
-  /// written. Throws Error(file) where another program has changed the file, and what scene::save_scene()
-  /// throws.
+  /// Writes it into the file that it was opened from or saved to last, whose comments, order and layout stay
+  /// (scene_edit.h). A scene without a file is saved as `name`, which must not be there, and so is one whose
+  /// comments cannot be kept. Returns what was written. Throws Error(file) where another program has changed
+  /// the file, and what scene::save_scene() throws.
   std::filesystem::path save(const scene::Scene& scene, const std::filesystem::path& name, Existing existing);
   std::filesystem::path save_as(const scene::Scene& scene, const std::filesystem::path& name,
                                 Existing existing);
 
  private:
+  std::filesystem::path write(const scene::Scene& scene, std::string text, const std::filesystem::path& file,
+                              Existing existing);
+
   scene::Scene scene_;
   std::filesystem::path file_;
   std::string text_;  // of the file, when it was opened or saved
-  bool has_comments_ = false;
 };
 
 /// Takes a window from one scene to another, as if the program had been started with it, in the same window

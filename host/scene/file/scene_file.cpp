@@ -40,8 +40,8 @@ constexpr std::size_t most_faults = 1000;
 
 class SceneReader {
  public:
-  SceneReader(std::string_view name, std::filesystem::path folder, Trust trust)
-      : name_(name), folder_(std::move(folder)) {
+  SceneReader(std::string_view name, std::filesystem::path folder, Trust trust, EarlierKeys earlier_keys)
+      : name_(name), folder_(std::move(folder)), earlier_keys_(earlier_keys) {
     scene_.trust = trust;
   }
 
@@ -117,18 +117,15 @@ class SceneReader {
       read_value(*parameter, std::string(key.str()), node);
     } else if (parameter = find_by_alias(full_key); parameter != nullptr) {
       refuse_both(parameter->key, full_key, key, table);
-      spdlog::warn("{}: {}: this key is now {}", place_of(key.source()), full_key, name_of(parameter->key));
+      if (earlier_keys_ == EarlierKeys::warn) {
+        spdlog::warn("{}: {}: this key is now {}", place_of(key.source()), full_key, name_of(parameter->key));
+      }
       read_value(*parameter, std::string(key.str()), node);
     } else if (first_row_below(full_key)) {
       read_section(full_key, key, node);
     } else {
       refuse_key(full_key, prefix, key);
     }
-  }
-
-  static const Parameter* find_by_alias(std::string_view key) {
-    const auto row = std::ranges::find(parameter_table(), key, &Parameter::alias);
-    return row == parameter_table().end() ? nullptr : &*row;
   }
 
   /// A row of a section or of one inside it; nullptr if no section has this name.
@@ -302,6 +299,7 @@ class SceneReader {
 
   std::string name_;
   std::filesystem::path folder_;
+  EarlierKeys earlier_keys_;
   Scene scene_;
   std::vector<Fault> faults_;
 };
@@ -344,7 +342,7 @@ Scene load_scene(const std::filesystem::path& file, Trust trust) {
 }
 
 Scene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path& folder,
-                  Trust trust) {
+                  Trust trust, EarlierKeys earlier_keys) {
   if (const std::optional<TomlPlace> place = too_deep_toml(text)) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}:{}:{}: expected at most {} nested names or brackets, found more", name,
@@ -361,7 +359,7 @@ Scene parse_scene(std::string_view text, std::string_view name, const std::files
                             one_line(error.description())),
                 "write lines such as speed_mps = 10 below headings such as [wind]");
   }
-  return SceneReader(name, folder, trust).read(root);
+  return SceneReader(name, folder, trust, earlier_keys).read(root);
 }
 
 }  // namespace offing::scene

@@ -22,8 +22,11 @@ inline constexpr std::size_t most_scene_bytes = std::size_t{4} << 20;
 /// section of a system that this version does not have. It is an ErrorList of the first ten such faults.
 Scene load_scene(const std::filesystem::path& file, Trust trust = Trust::trusted);
 
+/// What to do about keys that have a newer name.
+enum class EarlierKeys { warn, accept };
+
 /// The same from text; `name` stands for the file in messages, `folder` is what file names are relative to.
 Scene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path& folder,
-                  Trust trust = Trust::trusted);
+                  Trust trust = Trust::trusted, EarlierKeys earlier_keys = EarlierKeys::warn);
 
 }  // namespace offing::scene

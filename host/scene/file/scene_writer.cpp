@@ -1,211 +1,24 @@
 #include "host/scene/file/scene_writer.h"
 
-#include <algorithm>
-#include <array>
-#include <optional>
-#include <string_view>
-#include <system_error>
-#include <utility>
-#include <variant>
-#include <vector>
-
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/io/atomic_file.h"
 #include "host/io/file_extension.h"
 #include "host/scene/file/scene_file.h"
-#include "host/scene/schema/parameter_table.h"
-#include "host/scene/schema/scene_elements.h"
+#include "host/scene/file/scene_text.h"
 
 namespace offing::scene {
-namespace {
-
-std::string toml_text(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += c;
-    } else if (code < 0x20 || code == 0x7f) {
-      result += fmt::format("\\u{:04x}", code);
-    } else {
-      result += c;
-    }
-  }
-  return result + '"';
-}
-
-/// `{ keys = [{ t = 0, value = 5 }, ...] }`, from the tracks of the numbers of a value.
-std::string track_text(const Scene& scene, const Parameter& row, ElementIndex element) {
-  std::vector<const KeyframeTrack*> tracks;
-  for (std::size_t number = 0; scene.tracks.contains({row.key, element, number}); ++number) {
-    tracks.push_back(&scene.tracks.at({row.key, element, number}));
-  }
-  const KeyframeTrack& first = *tracks.front();
-  std::string keys;
-  for (std::size_t key = 0; key < first.keys.size(); ++key) {
-    std::vector<double> numbers;
-    for (const KeyframeTrack* track : tracks) numbers.push_back(track->keys[key].value);
-    keys += fmt::format("{}{{ t = {}, value = {} }}", keys.empty() ? "" : ", ", first.keys[key].time_s,
-                        numbers_text(row, numbers));
-  }
-  const char* rest = first.interpolation == Interpolation::linear ? ", interpolation = \"linear\"" : "";
-  return fmt::format("{{ keys = [{}]{} }}", keys, rest);
-}
-
-/// A file's name as it is found from a folder, "" being the current one; whole where that cannot be told.
-std::string name_from(const std::filesystem::path& folder, const std::filesystem::path& file) {
-  std::error_code failure;
-  const std::filesystem::path whole = std::filesystem::absolute(file, failure);
-  if (failure) return file.generic_string();
-  const std::filesystem::path from = std::filesystem::absolute(folder.empty() ? "." : folder, failure);
-  const std::filesystem::path name = failure ? whole : std::filesystem::proximate(whole, from, failure);
-  return (failure ? whole : name).generic_string();
-}
-
-/// What is written of a scene.
-class SceneText {
- public:
-  SceneText(const Scene& scene, std::filesystem::path folder) : scene_(scene), folder_(std::move(folder)) {}
-
-  std::string write() {
-    std::vector<std::string_view> sections;
-    for (const Parameter& row : parameter_table()) {
-      const std::string_view section = section_of(row.key);
-      if (std::find(sections.begin(), sections.end(), section) != sections.end()) continue;
-      sections.push_back(section);
-      if (!row.section->repeated_parent()) append_section(row, {});
-    }
-    append_bare_sections();
-    return std::move(text_);
-  }
-
- private:
-  struct Line {
-    std::string_view name;
-    std::string value;
-  };
-
-  /// The section of a row, of a repeated one all elements within this one of its parent.
-  void append_section(const Parameter& row, ElementIndex parent) {
-    const std::string_view section = section_of(row.key);
-    if (const auto* list = std::get_if<ValueAt<std::vector<double>>>(&row.storage)) {
-      append_list(row, list->in(struct_at(&scene_, *row.section, {})));
-    } else if (!row.section->is_repeated()) {
-      const std::vector<Line> lines = lines_of(section, {});
-      if (!lines.empty()) append("[{}]", section, lines);
-    } else {
-      const std::size_t count = count_of(&scene_, *row.section, parent);
-      if (count > row.max_count) {
-        throw Error(
-            ErrorKind::bad_input,
-            fmt::format("{}: expected at most {} sections, which are all that can be read back, found {}",
-                        section, row.max_count, count),
-            "remove some first");
-      }
-      for (std::size_t i = 0; i < count; ++i) {
-        append_element_of(
-            row, row.section->repeated_parent() ? ElementIndex{parent.outer, i} : ElementIndex{i, 0});
-      }
-    }
-  }
-
-  void append_element_of(const Parameter& row, ElementIndex element) {
-    append("[[{}]]", section_of(row.key), lines_of(section_of(row.key), element));
-    const Parameter* before = nullptr;
-    for (const Parameter& inner : parameter_table()) {
-      if (inner.section->repeated_parent() != row.section) continue;
-      if (!before || section_of(before->key) != section_of(inner.key)) append_section(inner, element);
-      before = &inner;
-    }
-  }
-
-  /// A section for each value.
-  void append_list(const Parameter& row, const std::vector<double>& values) {
-    for (const double value : values) {
-      append("[[{}]]", section_of(row.key), {{name_of(row.key), numbers_text(row, std::array{value})}});
-    }
-  }
-
-  /// Sections that say something by being there, where all in them is as usual.
-  void append_bare_sections() {
-    if (scene_.terrain.is_given && !has_section("terrain")) append("[{}]", "terrain", {});
-    const bool needs_sea = scene_.terrain.is_given || !scene_.meshes.empty() || scene_.has_clouds();
-    if (scene_.ocean.is_given && needs_sea && !has_section("ocean")) append("[{}]", "ocean", {});
-  }
-
-  bool has_section(std::string_view name) const {
-    return std::any_of(written_.begin(), written_.end(), [&](std::string_view section) {
-      return section == name || section.starts_with(fmt::format("{}.", name));
-    });
-  }
-
-  /// What is not as in a default-made element.
-  std::vector<Line> lines_of(std::string_view section, ElementIndex element) {
-    std::vector<Line> lines;
-    for (const Parameter& row : parameter_table()) {
-      if (section_of(row.key) != section) continue;
-      if (std::string value = text_of(row, element); !value.empty()) {
-        lines.push_back({name_of(row.key), std::move(value)});
-      }
-    }
-    leave_out_what_does_not_count(section, lines);
-    return lines;
-  }
-
-  /// Of two values that say the same, a file gives one.
-  static void leave_out_what_does_not_count(std::string_view section, std::vector<Line>& lines) {
-    for (const Parameter& row : parameter_table()) {
-      if (row.instead_of.empty() || section_of(row.key) != section) continue;
-      const auto is_other = [&](const Line& line) { return line.name == name_of(row.instead_of); };
-      if (std::none_of(lines.begin(), lines.end(), is_other)) continue;
-      std::erase_if(lines, [&](const Line& line) { return line.name == name_of(row.key); });
-    }
-  }
-
-  /// Empty for a value that is as usual.
-  std::string text_of(const Parameter& row, ElementIndex element) {
-    if (scene_.tracks.contains({row.key, element})) return track_text(scene_, row, element);
-    const void* section = struct_at(&scene_, *row.section, element);
-    if (is_same_value(row, section, default_struct(*row.section))) return "";
-    if (const auto* text = std::get_if<ValueAt<std::string>>(&row.storage)) {
-      const std::string& value = text->in(section);
-      return toml_text(row.rule == ParameterRule::file_name ? name_from(folder_, value) : value);
-    }
-    const std::string value = text_in(section, row, Digits::reads_back);
-    const bool is_quoted = std::holds_alternative<ChoiceStorage>(row.storage) ||
-                           std::holds_alternative<ValueAt<std::optional<UtcTime>>>(row.storage);
-    return is_quoted ? toml_text(value) : value;
-  }
-
-  void append(fmt::format_string<std::string_view&> header, std::string_view section,
-              const std::vector<Line>& lines) {
-    written_.push_back(section);
-    text_ += '\n' + fmt::format(header, section) + '\n';
-    for (const Line& line : lines) text_ += fmt::format("{} = {}\n", line.name, line.value);
-  }
-
-  const Scene& scene_;
-  std::filesystem::path folder_;
-  std::vector<std::string_view> written_;
-  std::string text_ = "version = 1\n";
-};
-
-}  // namespace
 
 std::string scene_text(const Scene& scene, const std::filesystem::path& folder) {
-  return SceneText(scene, folder).write();
+  return SceneText(scene, folder).whole();
 }
 
-void save_scene(const Scene& scene, const std::filesystem::path& file, Existing existing) {
+void save_scene_text(std::string_view text, const std::filesystem::path& file, Existing existing) {
   require_extension(file, {".toml"});
   if (existing == Existing::keep && is_taken(file)) {
     throw Error(ErrorKind::bad_usage, fmt::format("{}: is there already", file.string()),
                 "choose another name, or overwrite it");
   }
-  const std::string text = scene_text(scene, file.parent_path());
   if (text.size() > most_scene_bytes) {
     throw Error(
         ErrorKind::bad_input,
@@ -214,6 +27,10 @@ void save_scene(const Scene& scene, const std::filesystem::path& file, Existing 
         "give clouds the balls of their genus again, or remove some");
   }
   write_file_atomically(file, text, existing);
+}
+
+void save_scene(const Scene& scene, const std::filesystem::path& file, Existing existing) {
+  save_scene_text(scene_text(scene, file.parent_path()), file, existing);
 }
 
 }  // namespace offing::scene

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "host/io/atomic_file.h"
 #include "host/scene/model/scene.h"
@@ -17,5 +18,8 @@ std::string scene_text(const Scene& scene, const std::filesystem::path& folder);
 /// a file already that is to be kept; Error(bad_input) for one of more than most_scene_bytes, Error(file)
 /// if it cannot be written, and as scene_text().
 void save_scene(const Scene& scene, const std::filesystem::path& file, Existing existing);
+
+/// The same with text that is there already.
+void save_scene_text(std::string_view text, const std::filesystem::path& file, Existing existing);
 
 }  // namespace offing::scene

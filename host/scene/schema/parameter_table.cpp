@@ -1,5 +1,7 @@
 #include "host/scene/schema/parameter_table.h"
 
+#include <algorithm>
+
 #include "host/scene/schema/sections.h"
 
 namespace offing::scene {
@@ -48,6 +50,11 @@ const Parameter* find_parameter(std::string_view key) {
     }
   }
   return nullptr;
+}
+
+const Parameter* find_by_alias(std::string_view key) {
+  const auto row = std::ranges::find(parameter_table(), key, &Parameter::alias);
+  return row == parameter_table().end() ? nullptr : &*row;
 }
 
 }  // namespace offing::scene

@@ -13,5 +13,7 @@ std::span<const Parameter> parameter_table();
 
 /// The row of this scene key, or nullptr.
 const Parameter* find_parameter(std::string_view key);
+/// The row that had this key earlier, or nullptr.
+const Parameter* find_by_alias(std::string_view key);
 
 }  // namespace offing::scene
