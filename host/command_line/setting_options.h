@@ -30,6 +30,9 @@ scene::Parameter like_scene(std::string_view key, std::string_view flag);
 /// The same with a help of its own.
 scene::Parameter like_scene(std::string_view key, std::string_view flag, std::string_view help);
 
+/// The names of a scene's choice, for a flag that makes the same.
+std::vector<std::string_view> names_in_scene(std::string_view key);
+
 /// A narrower range than a row's, by other values or by what a file holds.
 struct NarrowedRange {
   std::string_view flag;
@@ -55,7 +58,7 @@ class SettingFlags {
  private:
   struct Flag {
     scene::Parameter row;
-    std::string name, example, text;
+    std::string flags, name, example, text;
     const CLI::Option* option = nullptr;
   };
 
@@ -66,7 +69,8 @@ class SettingFlags {
 template <class Settings>
 class SettingOptions : public SettingFlags {
  public:
-  /// Adds the flag of each row to `command`, which this object must outlive; in the help below `group`.
+  /// Adds the flag of each row to `command`, which this object must outlive; in the help below `group`. The
+  /// flag of the key step_m is --step-m, unless the row has another.
   void add_to(CLI::App& command, std::vector<scene::Row<Settings>> rows, const char* group = "Options") {
     const Settings usual;
     for (scene::Row<Settings>& row : rows) {
@@ -78,7 +82,8 @@ class SettingOptions : public SettingFlags {
     }
   }
 
-  /// The settings with the values of the flags that were given. Throws Error(bad_input) that names the flag.
+  /// The settings with the values of the flags that were given; the words for an absent value leave it as it
+  /// is. Throws Error(bad_input) that names the flag.
   Settings read(Settings settings = {}, const std::optional<NarrowedRange>& narrowed = {}) const {
     read_into(&settings, narrowed);
     return settings;
