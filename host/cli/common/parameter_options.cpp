@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include <CLI/Option.hpp>
-#include <fmt/format.h>
 
 #include "host/command_line/general_flags.h"
+#include "host/command_line/setting_options.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_files.h"
 #include "host/scene/schema/parameter_table.h"
@@ -86,19 +86,6 @@ double number_in(const scene::WrittenValue& written) {
   return whole ? static_cast<double>(*whole) : std::get<double>(written.value);
 }
 
-/// What it is, and on a line of its own "a number in m/s within [0.1, 60]; default 10".
-std::string description(const Parameter& parameter) {
-  return fmt::format("{}\n{}; default {}", parameter.help, scene::expected_text(parameter),
-                     scene::value_text({}, parameter));
-}
-
-/// What stands for the value in a usage: units and range are told beside it.
-const char* placeholder(const Parameter& parameter) {
-  if (std::holds_alternative<scene::ValueAt<std::string>>(parameter.storage)) return "FILE";
-  if (std::holds_alternative<scene::ChoiceStorage>(parameter.storage)) return "NAME";
-  return is_list(parameter) ? "X,..." : "X";
-}
-
 }  // namespace
 
 void ParameterOptions::add_to(CLI::App& command, std::initializer_list<ParameterGroup> groups) {
@@ -114,9 +101,9 @@ void ParameterOptions::add_to(CLI::App& command, std::initializer_list<Parameter
       continue;
     }
     Flag& flag = flags_.emplace_back(Flag{&parameter, {}});
-    CLI::Option* option =
-        command.add_option(std::string(parameter.flag), flag.values, description(parameter));
-    option->type_name(placeholder(parameter))->group(title(parameter.group));
+    CLI::Option* option = command.add_option(std::string(parameter.flag), flag.values,
+                                             option_help(parameter, scene::value_text({}, parameter)));
+    option->type_name(option_placeholder(parameter))->group(title(parameter.group));
     if (is_list(parameter)) {
       option->delimiter(',')->allow_extra_args(false);
     } else {

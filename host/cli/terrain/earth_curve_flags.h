@@ -1,9 +1,6 @@
 #pragma once
 
-#include <string>
-
-#include <CLI/App.hpp>
-
+#include "host/command_line/setting_options.h"
 #include "host/terrain/analysis/earth_curve.h"
 
 namespace offing::cli {
@@ -14,13 +11,17 @@ class EarthCurveFlags {
   /// `this` must outlive the command.
   void add_to(CLI::App& command);
 
-  bool are_given() const { return is_curved_ || !refraction_.empty(); }
-  /// Flat unless one of them is given. Throws bad_argument() for a refraction that cannot be.
+  bool are_given() const { return is_curved_ || options_.are_given(); }
+  /// Flat unless one of them is given. Throws Error(bad_input) for a refraction that cannot be.
   terrain::EarthCurve read() const;
 
  private:
+  struct Settings {
+    double refraction = terrain::light_refraction;
+  };
+
   bool is_curved_ = false;
-  std::string refraction_;
+  SettingOptions<Settings> options_;
 };
 
 }  // namespace offing::cli

@@ -32,6 +32,7 @@
 #include "host/command_line/general_flags.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
+#include "host/command_line/setting_options.h"
 #include "host/ocl/device.h"
 #include "host/sky/clear_sky.h"
 #include "host/sky/sun_position.h"
@@ -228,9 +229,14 @@ FlightComparison::Result FlightComparison::result() const {
 constexpr double radians = std::numbers::pi / 180.0;
 constexpr double usual_latitude_deg = 46.0;
 
+struct FlightSettings {
+  int frames = 600, every = 12;
+  double speed_mps = 300.0, height_m = 150.0, frames_a_second = 30.0;
+};
+
 struct TerrainFlyArguments {
   std::string store, output, compared, size = "1280x720";
-  std::string frames = "600", every = "12", speed = "300", rate = "30", height = "150";
+  SettingOptions<FlightSettings> flight;
   CacheFlags cache;
   HeightMapFlags map_flags;
   bool json = false;
@@ -238,17 +244,17 @@ struct TerrainFlyArguments {
   Trust trust = Trust::trusted;
 };
 
-struct FlightSettings {
-  int frames, every;
-  double speed_mps, height_m, frames_a_second;
-};
-
-FlightSettings read_settings(const TerrainFlyArguments& arguments) {
-  return {.frames = static_cast<int>(read_whole("--frames", arguments.frames, 1, 1'000'000, "600")),
-          .every = static_cast<int>(read_whole("--every", arguments.every, 1, 1'000'000, "12")),
-          .speed_mps = read_number("--speed-mps", arguments.speed, "m/s", 0.1, 1e5, "300"),
-          .height_m = read_number("--height-m", arguments.height, "m", 1.0, 1e5, "150"),
-          .frames_a_second = read_number("--fps", arguments.rate, "frames a second", 1.0, 1000.0, "30")};
+std::vector<scene::Row<FlightSettings>> flight_rows() {
+  constexpr double most_frames = 1e6;
+  return {
+      {&FlightSettings::frames, {.key = "frames", .low = 1.0, .high = most_frames, .help = "frames to draw"}},
+      {&FlightSettings::speed_mps,
+       {.key = "speed_mps", .unit = "m/s", .low = 0.1, .high = 1e5, .help = "speed over the ground"}},
+      {&FlightSettings::frames_a_second, like_scene("time.fps", "--fps", "frames a second of flight")},
+      {&FlightSettings::height_m,
+       {.key = "height_m", .unit = "m", .low = 1.0, .high = 1e5, .help = "above the highest ground around"}},
+      {&FlightSettings::every,
+       {.key = "every", .low = 1.0, .high = most_frames, .help = "writes and compares every K-th frame"}}};
 }
 
 std::vector<Camera> path_over(const terrain::TiledField& field, const FlightSettings& settings,
@@ -282,10 +288,10 @@ class Flying {
   Flying(const TerrainFlyArguments& arguments, const GlobalOptions& options)
       : arguments_(arguments),
         options_(options),
-        settings_(read_settings(arguments)),
+        settings_(arguments.flight.read()),
         store_(arguments.store, arguments.trust),
         device_(ocl::Device::open(choose_one_device(options.device))),
-        field_(make_field(store_, device_, arguments.cache)),
+        field_(make_field(store_, device_, arguments.cache.read())),
         cameras_(path_over(field_, settings_, arguments.size)) {
     if (!arguments_.output.empty()) make_folder();
     if (!arguments_.compared.empty()) {
@@ -408,7 +414,7 @@ constexpr double mebibyte = 1 << 20;
 
 nlohmann::ordered_json to_json(const TerrainFlyArguments& arguments, const FlightReport& report) {
   nlohmann::ordered_json json = {{"store", arguments.store},
-                                 {"frames", std::stoi(arguments.frames)},
+                                 {"frames", arguments.flight.read().frames},
                                  {"frame_ms",
                                   {{"median", 1e3 * report.times.median_s},
                                    {"slowest_hundredth", 1e3 * report.times.slowest_hundredth_s},
@@ -437,7 +443,7 @@ nlohmann::ordered_json to_json(const TerrainFlyArguments& arguments, const Fligh
 
 void print_text(const TerrainFlyArguments& arguments, const FlightReport& report) {
   fmt::print("{}: {} frames, median {:.1f} ms, slowest hundredth {:.1f} ms, worst {:.1f} ms\n",
-             one_line(arguments.store), arguments.frames, 1e3 * report.times.median_s,
+             one_line(arguments.store), arguments.flight.read().frames, 1e3 * report.times.median_s,
              1e3 * report.times.slowest_hundredth_s, 1e3 * report.times.worst_s);
   fmt::print("  tiles      {:.0f} a frame, {:.1f} of them stood in for, {} loaded, {} failed, {} slots\n",
              report.mean_tiles, report.mean_stood_in, report.tiles.loaded, report.tiles.failed,
@@ -478,13 +484,9 @@ void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group("Flight");
   };
-  add("--frames", arguments->frames, "N", "frames to draw (default 600)");
   add("--size", arguments->size, "WxH", "pixels (default 1280x720)");
-  add("--speed-mps", arguments->speed, "V", "speed over the ground, m/s (default 300)");
-  add("--fps", arguments->rate, "F", "frames a second of flight (default 30)");
-  add("--height-m", arguments->height, "H", "above the highest ground around, m (default 150)");
+  arguments->flight.add_to(*command, flight_rows(), "Flight");
   add("-o,--output", arguments->output, "FOLDER", "writes pictures there, frame.000000.png and so on");
-  add("--every", arguments->every, "K", "of every K-th frame (default 12)");
   add("--compare", arguments->compared, "FILE",
       "height map that the store was made of: compares every K-th frame with that of the whole map in "
       "memory");

@@ -8,13 +8,13 @@
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
 
-#include "host/base/argument.h"
 #include "host/base/error.h"
 #include "host/base/progress.h"
 #include "host/cli/terrain/terrain_commands.h"
 #include "host/cli/terrain/terrain_place.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
+#include "host/command_line/setting_options.h"
 #include "host/io/atomic_file.h"
 #include "host/io/file_extension.h"
 #include "host/io/height_maps/new_raster.h"
@@ -26,35 +26,25 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, ".r32 is written as it lies in memory");
 
+using terrain::FractalParameters;
+
 struct TerrainGenerateArguments {
-  std::string output, posts, side, relief, mean, longest, roughness, erosion, island, seed;
+  std::string output;
+  SettingOptions<FractalParameters> terrain;
   bool json = false;
   Existing existing = Existing::keep;
 };
 
-terrain::FractalParameters read_parameters(const TerrainGenerateArguments& arguments) {
-  terrain::FractalParameters parameters;
-  const auto number = [](const char* flag, const std::string& text, double& value, double low, double high,
-                         const char* example) {
-    if (!text.empty()) value = read_number(flag, text, "", low, high, example);
-  };
-  if (!arguments.posts.empty()) {
-    parameters.posts = static_cast<int>(read_whole("--posts", arguments.posts, 2, 65536, "1025"));
-  }
-  number("--side-m", arguments.side, parameters.side_m, 1.0, 1e7, "20000");
-  number("--relief-m", arguments.relief, parameters.relief_m, 0.0, 2e4, "1500");
-  number("--mean-m", arguments.mean, parameters.mean_m, -1e4, 1e4, "600");
-  number("--longest-m", arguments.longest, parameters.longest_m, 1e-3 * parameters.side_m, 1e7, "9000");
-  number("--roughness", arguments.roughness, parameters.roughness, 0.2, 0.8, "0.5");
-  number("--erosion", arguments.erosion, parameters.erosion, 0.0, 1.0, "0.7");
-  if (!arguments.island.empty()) {
-    parameters.island_radius_m = read_number("--island-radius-m", arguments.island, "", 1.0, 1e7, "2000");
-  }
-  if (!arguments.seed.empty()) {
-    constexpr std::int64_t most = std::int64_t{1} << 53;
-    parameters.seed = static_cast<std::uint64_t>(read_whole("--seed", arguments.seed, 0, most, "7"));
-  }
-  return parameters;
+std::vector<scene::Row<FractalParameters>> terrain_rows() {
+  return {{&FractalParameters::posts, like_scene("terrain.posts", "--posts")},
+          {&FractalParameters::side_m, like_scene("terrain.side_m", "--side-m")},
+          {&FractalParameters::relief_m, like_scene("terrain.relief_m", "--relief-m")},
+          {&FractalParameters::mean_m, like_scene("terrain.mean_m", "--mean-m")},
+          {&FractalParameters::longest_m, like_scene("terrain.longest_m", "--longest-m")},
+          {&FractalParameters::roughness, like_scene("terrain.roughness", "--roughness")},
+          {&FractalParameters::erosion, like_scene("terrain.erosion", "--erosion")},
+          {&FractalParameters::island_radius_m, like_scene("terrain.island_radius_m", "--island-radius-m")},
+          {&FractalParameters::seed, like_scene("terrain.seed", "--seed")}};
 }
 
 /// Floats without a header (.r32), or a GeoTIFF.
@@ -88,7 +78,8 @@ class TerrainFile {
 };
 
 void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options) {
-  const terrain::FractalParameters parameters = read_parameters(arguments);
+  const NarrowedRange waves{.flag = "--longest-m", .low = 1e-3 * arguments.terrain.read().side_m};
+  const FractalParameters parameters = arguments.terrain.read({}, waves);
   require_extension(arguments.output, {".r32", ".tif", ".tiff"});
   const bool is_raw = arguments.output.ends_with(".r32");
   const double spacing_m = parameters.side_m / (parameters.posts - 1);
@@ -131,21 +122,12 @@ void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options
 void add_terrain_generate_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainGenerateArguments>();
   CLI::App* command = terrain.add_subcommand("generate", "made ground, for scenes without data");
-  const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
-    return command->add_option(names, target, help)->type_name(placeholder);
-  };
-  add("-o,--output", arguments->output, "FILE", "height map to write: .tif, or .r32, floats without a header")
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "height map to write: .tif, or .r32, floats without a header")
+      ->type_name("FILE")
       ->required();
-  add("--posts", arguments->posts, "N", "posts a side, 2 ... 65536 (default 1025)");
-  add("--side-m", arguments->side, "L", "length of a side, m (default 20000)");
-  add("--relief-m", arguments->relief, "H", "about what lies between lowest and highest, m (default 1500)");
-  add("--mean-m", arguments->mean, "H", "about the middle between them, m above the sea (default 600)");
-  add("--longest-m", arguments->longest, "L", "wavelength of the largest hills, m (default 9000)");
-  add("--roughness", arguments->roughness, "R", "0.2 smooth ... 0.8 jagged (default 0.5)");
-  add("--erosion", arguments->erosion, "E", "gullies that water has cut, 0 none ... 1 deep (default 0)");
-  add("--island-radius-m", arguments->island, "M",
-      "an island: the ground sinks by the relief from its middle to this distance (default: it does not)");
-  add("--seed", arguments->seed, "S", "another ground for each whole number (default 1)");
+  arguments->terrain.add_to(*command, terrain_rows());
   add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::none);

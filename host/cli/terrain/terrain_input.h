@@ -1,10 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
-#include <CLI/App.hpp>
-
 #include "host/cli/common/global_options.h"
+#include "host/command_line/setting_options.h"
 #include "host/io/height_maps/height_map_options.h"
 #include "host/io/height_maps/read_height_map.h"
 #include "host/terrain/field/height_field.h"
@@ -22,8 +22,13 @@ class HeightMapFlags {
   bool are_given() const;
 
  private:
-  std::string encoding_, band_, channel_, raw_size_, raw_type_, raw_order_;
-  std::string scale_, offset_, spacing_, spacing_x_, spacing_z_, nodata_, void_height_, unit_, reproject_to_;
+  struct Settings {
+    HeightMapOptions map;
+    std::optional<double> spacing_m;  ///< along both axes
+  };
+
+  SettingOptions<Settings> options_;
+  std::string nodata_, raw_size_;
 };
 
 /// The height map that a terrain command works on, and the flags that say how to read it.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "host/cli/terrain/terrain_place.h"
 #include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/new_output.h"
+#include "host/command_line/setting_options.h"
 #include "host/io/atomic_file.h"
 
 namespace offing::cli {
@@ -18,10 +20,15 @@ namespace {
 
 constexpr double most_points = 1e7;
 
+struct ProfileSettings {
+  std::optional<double> step_m;
+};
+
 struct TerrainProfileArguments {
   TerrainInput input;
   EarthCurveFlags curve;
-  std::string from, to, step, output;
+  std::string from, to, output;
+  SettingOptions<ProfileSettings> settings;
   Existing existing = Existing::keep;
 };
 
@@ -39,13 +46,12 @@ void run(const TerrainProfileArguments& arguments) {
   terrain_under("--from", posts, from[0], from[1]);
   terrain_under("--to", posts, to[0], to[1]);
   const double length_m = std::hypot(to[0] - from[0], to[1] - from[1]);
-  const double step_m = arguments.step.empty()
-                            ? std::min(posts.spacing_x_m, posts.spacing_z_m)
-                            : read_number("--step-m", arguments.step, "m", 1e-3, 1e6, "10");
+  const double step_m =
+      arguments.settings.read().step_m.value_or(std::min(posts.spacing_x_m, posts.spacing_z_m));
   const double steps = std::max(1.0, std::ceil(length_m / step_m));
   if (steps > most_points) {
     throw bad_argument("--step-m", fmt::format("a step of at least {:g} m here", length_m / most_points),
-                       arguments.step, "10");
+                       fmt::format("{:g}", step_m), "10");
   }
   std::string text =
       fmt::format("distance_m,x_m,z_m,height_m,measured{}\n", is_curved ? ",fallen_height_m" : "");
@@ -74,8 +80,14 @@ void add_terrain_profile_command(CLI::App& terrain, GlobalOptions& options) {
   arguments->input.add_to(*command);
   command->add_option("--from", arguments->from, "where it begins, m")->type_name("X,Z")->required();
   command->add_option("--to", arguments->to, "where it ends, m")->type_name("X,Z")->required();
-  command->add_option("--step-m", arguments->step, "at most this far apart (default: as the posts)")
-      ->type_name("S");
+  arguments->settings.add_to(*command, {{&ProfileSettings::step_m,
+                                         {.key = "step_m",
+                                          .unit = "m",
+                                          .low = 1e-3,
+                                          .high = 1e6,
+                                          .help = "heights are at most this far apart",
+                                          .example = "10",
+                                          .absent = "as the posts"}}});
   arguments->curve.add_to(*command);
   command->add_option("-o,--output", arguments->output, "CSV to write (default or -: standard output)")
       ->type_name("FILE");

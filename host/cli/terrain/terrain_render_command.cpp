@@ -1,6 +1,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,9 +16,11 @@
 #include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
+#include "host/command_line/setting_options.h"
 #include "host/io/exr_image.h"
 #include "host/io/file_extension.h"
 #include "host/io/height_maps/read_colour_map.h"
+#include "host/scene/model/terrain_scene.h"
 #include "host/scene/prepare/stored_terrain.h"
 
 namespace offing::cli {
@@ -25,14 +28,23 @@ namespace offing::cli {
 namespace {
 
 constexpr double radians = std::numbers::pi / 180.0;
-constexpr double highest_line_m = 20'000.0;
+
+/// Numbers and choices of a picture.
+struct RenderSettings {
+  double field_of_view_rad = 60.0 * radians;
+  double exposure_ev = 0.0;
+  double sea_level_m = 0.0;
+  std::optional<double> tree_line_m, snow_line_m;
+  scene::SkyVisibility sky_visibility = scene::SkyVisibility::on;
+  int samples = 0;  ///< 0: as many as a pixel needs
+  TerrainShow show = TerrainShow::light;
+};
 
 struct TerrainRenderArguments {
   TerrainInput input;
   CacheFlags cache;
-  std::string camera = "fly", size = "1280x720", output, depth, show = "light";
-  std::string field_of_view, sun, exposure, sea_level, tree_line, snow_line, samples = "auto", colour;
-  std::string sky_visibility = "on";
+  std::string camera = "fly", size = "1280x720", output, depth, sun, colour;
+  SettingOptions<RenderSettings> settings;
   bool json = false;
   Existing existing = Existing::keep;
 };
@@ -41,16 +53,30 @@ Camera read_camera(const TerrainRenderArguments& arguments, const CameraTerrain&
   Camera camera = read_terrain_camera(arguments.camera, terrain);
   keep_above_ground(camera, terrain);
   read_image_size(arguments.size, camera);
-  const double degrees = arguments.field_of_view.empty()
-                             ? 60.0
-                             : read_number("--fov-deg", arguments.field_of_view, "degrees", 1.0, 170.0, "60");
-  camera.vertical_field_of_view_rad = degrees * radians;
+  camera.vertical_field_of_view_rad = arguments.settings.read().field_of_view_rad;
   return camera;
 }
 
-bool read_switch(const char* flag, const std::string& text) {
-  if (text == "on" || text == "off") return text == "on";
-  throw bad_argument(flag, "on or off", text, "on");
+std::vector<scene::Row<RenderSettings>> picture_rows() {
+  return {{&RenderSettings::field_of_view_rad, like_scene("camera.fov_deg", "--fov-deg")},
+          {&RenderSettings::exposure_ev, like_scene("render.exposure_ev", "--exposure-ev")},
+          {&RenderSettings::sea_level_m,
+           like_scene("terrain.water_line_m", "--sea-level-m", "ground at or below is painted as water")},
+          {&RenderSettings::tree_line_m, like_scene("terrain.tree_line_m", "--tree-line-m")},
+          {&RenderSettings::snow_line_m, like_scene("terrain.snow_line_m", "--snow-line-m")},
+          {scene::choice(&RenderSettings::sky_visibility, names_in_scene("terrain.sky_visibility")),
+           like_scene("terrain.sky_visibility", "--sky-visibility",
+                      "whether ground around a place hides the sky's light from it; off for tile stores")},
+          {&RenderSettings::samples,
+           {.key = "samples",
+            .low = 1.0,
+            .high = 4096.0,
+            .help = "rays a pixel; auto: 4 or 16 where light or coverage change from pixel to pixel",
+            .example = "16",
+            .absent = "auto"}},
+          {scene::choice(&RenderSettings::show, {"light", "steps"}),
+           {.key = "show",
+            .help = "steps: how far each ray walked, blue 0, green 16, yellow 40, red 80 and more"}}};
 }
 
 TerrainScenery read_scenery(const TerrainRenderArguments& arguments, std::optional<double> latitude_deg) {
@@ -61,28 +87,15 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, std::option
     scenery.sun_elevation_rad =
         read_number("--sun", fmt::format("{}", sun[1]), "degrees", -90.0, 90.0, "225,30") * radians;
   }
-  scenery.sees_horizons = read_switch("--sky-visibility", arguments.sky_visibility);
+  const RenderSettings settings = arguments.settings.read();
+  scenery.sees_horizons = settings.sky_visibility == scene::SkyVisibility::on;
   if (latitude_deg) scenery.lines = world::cover_lines(*latitude_deg);
-  const auto line = [](const char* flag, const std::string& text, double& height_m) {
-    if (!text.empty()) height_m = read_number(flag, text, "m", -highest_line_m, highest_line_m, "2500");
-  };
-  line("--sea-level-m", arguments.sea_level, scenery.lines.sea_level_m);
-  line("--tree-line-m", arguments.tree_line, scenery.lines.tree_line_m);
-  line("--snow-line-m", arguments.snow_line, scenery.lines.snow_line_m);
-  if (arguments.samples != "auto") {
-    scenery.sampling = {.rays = static_cast<int>(read_whole("--samples", arguments.samples, 1, 4096, "auto")),
-                        .least_contrast = -1.0};
-  }
-  if (!arguments.exposure.empty()) {
-    scenery.exposure_ev = read_number("--exposure-ev", arguments.exposure, "stops", -20.0, 20.0, "1");
-  }
+  scenery.lines.sea_level_m = settings.sea_level_m;
+  scenery.lines.tree_line_m = settings.tree_line_m.value_or(scenery.lines.tree_line_m);
+  scenery.lines.snow_line_m = settings.snow_line_m.value_or(scenery.lines.snow_line_m);
+  if (settings.samples > 0) scenery.sampling = {.rays = settings.samples, .least_contrast = -1.0};
+  scenery.exposure_ev = settings.exposure_ev;
   return scenery;
-}
-
-TerrainShow read_show(const std::string& text) {
-  if (text == "light") return TerrainShow::light;
-  if (text == "steps") return TerrainShow::steps;
-  throw bad_argument("--show", "light or steps", text, "steps");
 }
 
 void write_depth(const std::string& file, const Camera& camera, const std::vector<float>& distances_m,
@@ -122,7 +135,7 @@ Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptio
         read_colour_map(arguments.colour, scene::place_of(header), {.trust = arguments.input.trust()});
   }
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
-  terrain::TiledField field = make_field(store, device, arguments.cache);
+  terrain::TiledField field = make_field(store, device, arguments.cache.read());
   const Camera camera = read_camera(arguments, camera_terrain(field));
   field.look_and_wait(camera);
   options.cancel.throw_if_cancelled();
@@ -130,7 +143,7 @@ Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptio
 }
 
 void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) {
-  const TerrainShow show = read_show(arguments.show);
+  const TerrainShow show = arguments.settings.read().show;
   require_flags_of(arguments.input, arguments.cache);
   require_extension(arguments.output, {".png"});
   if (!arguments.depth.empty()) require_extension(arguments.depth, {".exr"});
@@ -179,25 +192,13 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
   add("--camera", arguments->camera, "CAMERA",
       "fly, walk, or X,Y,Z,YAW_DEG,PITCH_DEG: metres east of, above and south of the map's north-west post "
       "at height 0; yaw clockwise from north (default fly)");
-  add("--fov-deg", arguments->field_of_view, "V", "vertical angle of view, degrees (default 60)");
   add("--size", arguments->size, "WxH", "pixels (default 1280x720)");
   add("--sun", arguments->sun, "AZIMUTH_DEG,ELEVATION_DEG",
       "where the sun stands, azimuth clockwise from north (default 225,30)");
-  add("--exposure-ev", arguments->exposure, "EV", "stops brighter than the light asks for (default 0)");
-  add("--sea-level-m", arguments->sea_level, "H", "ground at or below is water (default 0)");
-  add("--tree-line-m", arguments->tree_line, "H", "where trees end (default by latitude, else 2000)");
-  add("--snow-line-m", arguments->snow_line, "H", "where snow begins (default by latitude, else 2800)");
+  arguments->settings.add_to(*command, picture_rows(), "Picture");
   add("--colour", arguments->colour, "FILE",
       "picture of the ground from above (GeoTIFF, PNG ...), by its georeference or else stretched over the "
       "map");
-  add("--sky-visibility", arguments->sky_visibility, "SWITCH",
-      "on or off: whether ground around a place hides the sky's light from it (default on; off of tile "
-      "stores)");
-  add("--samples", arguments->samples, "N",
-      "rays a pixel, 1 to 4096; or auto: 4 or 16 where light or coverage change from pixel to pixel (default "
-      "auto)");
-  add("--show", arguments->show, "WHAT",
-      "light, or steps: how far each ray walked, blue 0, green 16, yellow 40, red 80 and more");
   add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::one);

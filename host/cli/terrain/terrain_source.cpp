@@ -2,10 +2,8 @@
 
 #include <memory>
 
-#include <CLI/Option.hpp>
 #include <fmt/format.h>
 
-#include "host/base/argument.h"
 #include "host/base/error.h"
 #include "host/scene/prepare/stored_terrain.h"
 #include "host/terrain/tiles/tile_posts.h"
@@ -13,36 +11,24 @@
 namespace offing::cli {
 namespace {
 
-void add(CLI::App& command, const char* names, std::string& target, const char* placeholder,
-         const char* help) {
-  command.add_option(names, target, help)->type_name(placeholder)->group("Tile stores");
-}
+constexpr const char* group = "Tile stores";
 
 }  // namespace
 
 void CacheFlags::add_to(CLI::App& command) {
-  add(command, "--cache-mb", cache_mb_, "MB", "memory for tiles, MiB (default 256)");
+  SettingOptions::add_to(command, {{&StoreUse::cache_mb, like_scene("terrain.cache_mb", "--cache-mb")}},
+                         group);
 }
 
 void CacheFlags::add_edge_to(CLI::App& command) {
-  add(command, "--edge", edge_, "WHAT", "ends, repeats or mirrors: the map beyond its edges (default ends)");
+  SettingOptions::add_to(command,
+                         {{scene::choice(&StoreUse::edge, {"ends", "repeats", "mirrors"}),
+                           {.key = "edge", .help = "the map beyond its edges"}}},
+                         group);
 }
 
-std::size_t CacheFlags::bytes() const {
-  constexpr std::size_t mebibyte = 1 << 20;
-  return mebibyte * static_cast<std::size_t>(
-                        cache_mb_.empty() ? 256 : read_whole("--cache-mb", cache_mb_, 32, 65536, "256"));
-}
-
-terrain::MapEdge CacheFlags::edge() const {
-  if (edge_.empty() || edge_ == "ends") return terrain::MapEdge::ends;
-  if (edge_ == "repeats") return terrain::MapEdge::repeats;
-  if (edge_ == "mirrors") return terrain::MapEdge::mirrors;
-  throw bad_argument("--edge", "ends, repeats or mirrors", edge_, "mirrors");
-}
-
-terrain::TiledField make_field(const TileStore& store, const ocl::Device& device, const CacheFlags& flags) {
-  return {device, scene::tiled_map(store.header(), flags.edge()), scene::tile_reader(store), flags.bytes()};
+terrain::TiledField make_field(const TileStore& store, const ocl::Device& device, const StoreUse& use) {
+  return {device, scene::tiled_map(store.header(), use.edge), scene::tile_reader(store), use.cache_bytes()};
 }
 
 void require_flags_of(const TerrainInput& input, const CacheFlags& cache) {
@@ -61,7 +47,7 @@ void require_flags_of(const TerrainInput& input, const CacheFlags& cache) {
   }
 }
 
-TerrainSource::TerrainSource(const TerrainInput& input, const CacheFlags& cache) : cache_(cache) {
+TerrainSource::TerrainSource(const TerrainInput& input, const CacheFlags& cache) : use_(cache.read()) {
   require_flags_of(input, cache);
   if (is_tile_store(input.file())) {
     store_.emplace(input.file(), input.trust());
@@ -84,7 +70,7 @@ void TerrainSource::open(const ocl::Device& device) {
   if (map_) {
     field_.emplace(make_field(*map_, device));
   } else {
-    tiles_.emplace(make_field(*store_, device, cache_));
+    tiles_.emplace(make_field(*store_, device, use_));
   }
 }
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include <CLI/App.hpp>
-
 #include "host/base/height_map.h"
 #include "host/cli/terrain/terrain_input.h"
+#include "host/command_line/setting_options.h"
 #include "host/io/tile_store/tile_store.h"
 #include "host/ocl/device.h"
+#include "host/scene/model/terrain_scene.h"
 #include "host/terrain/analysis/earth_curve.h"
 #include "host/terrain/field/height_field.h"
 #include "host/terrain/field/terrain_posts.h"
@@ -19,24 +19,24 @@
 
 namespace offing::cli {
 
+/// How a tile store is used.
+struct StoreUse {
+  int cache_mb = scene::TerrainScene{}.cache_mb;  ///< for tiles, MiB
+  terrain::MapEdge edge = terrain::MapEdge::ends;
+
+  std::size_t cache_bytes() const { return static_cast<std::size_t>(cache_mb) << 20; }
+};
+
 /// Flags of commands that take a tile store. `this` must outlive the command.
-class CacheFlags {
+class CacheFlags : public SettingOptions<StoreUse> {
  public:
   void add_to(CLI::App& command);
   /// That of pictures: what is beyond the map.
   void add_edge_to(CLI::App& command);
-
-  /// --cache-mb; throws Error(bad_usage) for anything but 32 ... 65536.
-  std::size_t bytes() const;
-  terrain::MapEdge edge() const;
-  bool are_given() const { return !cache_mb_.empty() || !edge_.empty(); }
-
- private:
-  std::string cache_mb_, edge_;
 };
 
 /// The store on a device, as much of it as the cache holds. Keeps a copy of the store.
-terrain::TiledField make_field(const TileStore& store, const ocl::Device& device, const CacheFlags& flags);
+terrain::TiledField make_field(const TileStore& store, const ocl::Device& device, const StoreUse& use);
 
 /// The ground that questions are about: a height map in memory, or a tile store, whose answers are those of
 /// the map that it was made of. Its first post is at x = z = 0.
@@ -59,7 +59,7 @@ class TerrainSource {
                                     terrain::HitNormals normals = terrain::HitNormals::patch);
 
  private:
-  CacheFlags cache_;
+  StoreUse use_;
   std::optional<HeightMap> map_;    // either this
   std::optional<TileStore> store_;  // or this
   terrain::TerrainPosts posts_;

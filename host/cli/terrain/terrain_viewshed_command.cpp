@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
+#include "host/command_line/setting_options.h"
 #include "host/io/file_extension.h"
 #include "host/io/height_maps/new_raster.h"
 #include "host/scene/prepare/stored_terrain.h"
@@ -29,24 +31,41 @@ struct TerrainViewshedArguments {
   TerrainInput input;
   CacheFlags cache;
   EarthCurveFlags curve;
-  std::string observer, observer_height, target_height, radius, output;
+  std::string observer, output;
+  SettingOptions<terrain::ViewshedParameters> settings;
   bool json = false;
   Existing existing = Existing::keep;
 };
 
+std::vector<scene::Row<terrain::ViewshedParameters>> viewshed_rows() {
+  using terrain::ViewshedParameters;
+  return {{&ViewshedParameters::observer_height_m,
+           {.key = "observer_height_m",
+            .unit = "m",
+            .low = 0.0,
+            .high = highest_m,
+            .help = "of the eye above ground"}},
+          {&ViewshedParameters::target_height_m,
+           {.key = "target_height_m",
+            .unit = "m",
+            .low = 0.0,
+            .high = highest_m,
+            .help = "above ground, of what is to be seen; 0 is the ground itself",
+            .example = "10"}},
+          {&ViewshedParameters::radius_m,
+           {.key = "radius_m",
+            .unit = "m",
+            .low = 1e-3,
+            .high = farthest_m,
+            .help = "what is farther, in plan, is not seen",
+            .example = "20000",
+            .absent = "no limit"}}};
+}
+
 terrain::ViewshedParameters read_parameters(const TerrainViewshedArguments& arguments) {
   const auto place = read_numbers("--observer", arguments.observer, 2, "X,Z", "1200,350");
-  terrain::ViewshedParameters parameters{.observer_x_m = place[0], .observer_z_m = place[1]};
-  const auto number = [](const char* flag, const std::string& text, double& value, double low, double high,
-                         const char* example) {
-    if (!text.empty()) value = read_number(flag, text, "m", low, high, example);
-  };
-  number("--observer-height-m", arguments.observer_height, parameters.observer_height_m, 0.0, highest_m,
-         "1.7");
-  number("--target-height-m", arguments.target_height, parameters.target_height_m, 0.0, highest_m, "10");
-  number("--radius-m", arguments.radius, parameters.radius_m, 1e-3, farthest_m, "20000");
-  parameters.curve = arguments.curve.read();
-  return parameters;
+  return arguments.settings.read(
+      {.observer_x_m = place[0], .observer_z_m = place[1], .curve = arguments.curve.read()});
 }
 
 /// A map, or the part of a store that is near enough, and where its first post is.
@@ -67,7 +86,7 @@ SeenMap read_store(const TerrainViewshedArguments& arguments, const terrain::Vie
   const scene::PostWindow window = scene::window_around(header, x_m, z_m, parameters.radius_m);
   constexpr double mebibyte = 1 << 20;
   const double needed_mb = std::ceil(bytes_a_post * window.columns * window.rows / mebibyte);
-  const double found_mb = static_cast<double>(arguments.cache.bytes()) / mebibyte;
+  const double found_mb = static_cast<double>(arguments.cache.read().cache_bytes()) / mebibyte;
   if (needed_mb > found_mb) {
     throw Error(
         ErrorKind::bad_input,
@@ -139,10 +158,7 @@ void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
     return command->add_option(names, target, help)->type_name(placeholder);
   };
   add("--observer", arguments->observer, "X,Z", "where the observer stands, m")->required();
-  add("--observer-height-m", arguments->observer_height, "H", "of the eye above ground (default 1.7)");
-  add("--target-height-m", arguments->target_height, "H",
-      "above ground, of what is to be seen (default 0: the ground itself)");
-  add("--radius-m", arguments->radius, "R", "what is farther, in plan, is not seen (default: no limit)");
+  arguments->settings.add_to(*command, viewshed_rows());
   arguments->curve.add_to(*command);
   add("-o,--output", arguments->output, "FILE", "GeoTIFF to write, .tif, whole or not at all")->required();
   add_force_flag(*command, arguments->existing);

@@ -60,7 +60,7 @@ std::vector<Row<Camera>> camera_rows() {
            {.key = "fov_deg",
             .unit = "deg",
             .low = 1.0,
-            .high = 150.0,
+            .high = 170.0,
             .help = "height of the field of view",
             .scale = radians_per_degree,
             .motion = keyed}}};

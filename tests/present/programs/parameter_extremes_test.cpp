@@ -129,6 +129,10 @@ struct Contradiction {
 };
 
 constexpr Contradiction contradictions[] = {
+    {"terrain.side_m", 1e7, "longest_m: expected a thousandth of the side"},
+    {"terrain.vertical_scale", -1e6, "expected a height within 1e+06 m"},
+    {"terrain.vertical_scale", 1e6, "expected a height within 1e+06 m"},
+    {"terrain.offset_m", 1e6, "expected a height within 1e+06 m"},
     {"terrain.band", 65535, "expected a band 65535, found 1 bands"},
     {"terrain.raw_columns", 0, "a file without a header, expected its size in posts"},
     {"terrain.raw_rows", 0, "a file without a header, expected its size in posts"},
