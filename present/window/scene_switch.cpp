@@ -71,7 +71,7 @@ bool SavedScene::differs_from(const scene::Scene& scene) const {
 
 std::filesystem::path SavedScene::save(const scene::Scene& scene, const std::filesystem::path& name,
                                        Existing existing) {
-  if (file_.empty()) return save_as(scene, name, existing);
+  if (file_.empty()) return write(scene, {}, name, existing);
   if (is_there(file_) && scene_file_text(file_) != text_) {
     throw Error(ErrorKind::file, fmt::format("{}: another program has changed it", file_.string()),
                 "save under another name, in the panel \"Scene file\"");
@@ -79,24 +79,28 @@ std::filesystem::path SavedScene::save(const scene::Scene& scene, const std::fil
   const std::filesystem::path folder = file_.parent_path();
   const std::optional<std::string> edited = scene::edited_scene_text(text_, folder, scene, folder);
   // Comments that cannot be kept are not lost.
-  if (!edited && text_.find('#') != std::string::npos) return save_as(scene, name, existing);
-  return write(scene, edited.value_or(scene::scene_text(scene, folder)), file_, Existing::replace);
+  const bool loses_comments = !edited && text_.find('#') != std::string::npos;
+  return loses_comments ? write(scene, {}, name, existing) : write(scene, edited, file_, Existing::replace);
 }
 
 std::filesystem::path SavedScene::save_as(const scene::Scene& scene, const std::filesystem::path& name,
                                           Existing existing) {
-  const std::filesystem::path folder = name.parent_path();
   std::optional<std::string> edited;
-  if (!file_.empty()) edited = scene::edited_scene_text(text_, file_.parent_path(), scene, folder);
-  return write(scene, edited.value_or(scene::scene_text(scene, folder)), name, existing);
+  if (!file_.empty())
+    edited = scene::edited_scene_text(text_, file_.parent_path(), scene, name.parent_path());
+  return write(scene, edited, name, existing);
 }
 
-std::filesystem::path SavedScene::write(const scene::Scene& scene, std::string text,
+std::filesystem::path SavedScene::write(const scene::Scene& scene, const std::optional<std::string>& edited,
                                         const std::filesystem::path& file, Existing existing) {
-  scene::save_scene_text(text, file, existing);
+  if (edited) {
+    scene::save_scene_text(*edited, file, existing);
+  } else {
+    scene::save_scene(scene, file, existing);
+  }
   scene_ = scene;
   file_ = file;
-  text_ = std::move(text);
+  text_ = scene_file_text(file_);
   return file_;
 }
 

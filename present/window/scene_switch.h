@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,8 +42,9 @@ class SavedScene {
                                 Existing existing);
 
  private:
-  std::filesystem::path write(const scene::Scene& scene, std::string text, const std::filesystem::path& file,
-                              Existing existing);
+  /// `edited`: the text to write, where that of the file could be edited.
+  std::filesystem::path write(const scene::Scene& scene, const std::optional<std::string>& edited,
+                              const std::filesystem::path& file, Existing existing);
 
   scene::Scene scene_;
   std::filesystem::path file_;

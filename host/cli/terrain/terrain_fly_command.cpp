@@ -275,6 +275,7 @@ std::vector<Camera> path_over(const terrain::TiledField& field, const FlightSett
 
 /// What a flight came to.
 struct FlightReport {
+  int frames = 0;
   FrameTimes times;
   double mean_tiles = 0.0, mean_stood_in = 0.0;
   int frames_stood_in = 0;  ///< in which coarser tiles stood in for some
@@ -311,6 +312,7 @@ class Flying {
     field_.look_and_wait(cameras_.front());
     recorder.draw(field_, cameras_.front(), 0.0);
     FlightReport report;
+    report.frames = settings_.frames;
     std::vector<double> seconds;
     Progress progress(settings_.frames, "frames", options_.verbosity);
     for (int frame = 0; frame < settings_.frames; ++frame) {
@@ -414,7 +416,7 @@ constexpr double mebibyte = 1 << 20;
 
 nlohmann::ordered_json to_json(const TerrainFlyArguments& arguments, const FlightReport& report) {
   nlohmann::ordered_json json = {{"store", arguments.store},
-                                 {"frames", arguments.flight.read().frames},
+                                 {"frames", report.frames},
                                  {"frame_ms",
                                   {{"median", 1e3 * report.times.median_s},
                                    {"slowest_hundredth", 1e3 * report.times.slowest_hundredth_s},
@@ -443,7 +445,7 @@ nlohmann::ordered_json to_json(const TerrainFlyArguments& arguments, const Fligh
 
 void print_text(const TerrainFlyArguments& arguments, const FlightReport& report) {
   fmt::print("{}: {} frames, median {:.1f} ms, slowest hundredth {:.1f} ms, worst {:.1f} ms\n",
-             one_line(arguments.store), arguments.flight.read().frames, 1e3 * report.times.median_s,
+             one_line(arguments.store), report.frames, 1e3 * report.times.median_s,
              1e3 * report.times.slowest_hundredth_s, 1e3 * report.times.worst_s);
   fmt::print("  tiles      {:.0f} a frame, {:.1f} of them stood in for, {} loaded, {} failed, {} slots\n",
              report.mean_tiles, report.mean_stood_in, report.tiles.loaded, report.tiles.failed,

@@ -49,11 +49,12 @@ struct TerrainRenderArguments {
   Existing existing = Existing::keep;
 };
 
-Camera read_camera(const TerrainRenderArguments& arguments, const CameraTerrain& terrain) {
+Camera read_camera(const TerrainRenderArguments& arguments, const RenderSettings& settings,
+                   const CameraTerrain& terrain) {
   Camera camera = read_terrain_camera(arguments.camera, terrain);
   keep_above_ground(camera, terrain);
   read_image_size(arguments.size, camera);
-  camera.vertical_field_of_view_rad = arguments.settings.read().field_of_view_rad;
+  camera.vertical_field_of_view_rad = settings.field_of_view_rad;
   return camera;
 }
 
@@ -79,7 +80,8 @@ std::vector<scene::Row<RenderSettings>> picture_rows() {
             .help = "steps: how far each ray walked, blue 0, green 16, yellow 40, red 80 and more"}}};
 }
 
-TerrainScenery read_scenery(const TerrainRenderArguments& arguments, std::optional<double> latitude_deg) {
+TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const RenderSettings& settings,
+                            std::optional<double> latitude_deg) {
   TerrainScenery scenery;
   if (!arguments.sun.empty()) {
     const auto sun = read_numbers("--sun", arguments.sun, 2, "AZIMUTH_DEG,ELEVATION_DEG", "225,30");
@@ -87,7 +89,6 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, std::option
     scenery.sun_elevation_rad =
         read_number("--sun", fmt::format("{}", sun[1]), "degrees", -90.0, 90.0, "225,30") * radians;
   }
-  const RenderSettings settings = arguments.settings.read();
   scenery.sees_horizons = settings.sky_visibility == scene::SkyVisibility::on;
   if (latitude_deg) scenery.lines = world::cover_lines(*latitude_deg);
   scenery.lines.sea_level_m = settings.sea_level_m;
@@ -113,37 +114,38 @@ struct Rendered {
   TerrainRender picture;
 };
 
-Rendered render_map(const TerrainRenderArguments& arguments, const GlobalOptions& options, TerrainShow show) {
+Rendered render_map(const TerrainRenderArguments& arguments, const RenderSettings& settings,
+                    const GlobalOptions& options) {
   const HeightMapFile file = arguments.input.read();
-  const Camera camera = read_camera(arguments, camera_terrain(file.map));
-  TerrainScenery scenery = read_scenery(arguments, file.source.centre_latitude_deg);
+  const Camera camera = read_camera(arguments, settings, camera_terrain(file.map));
+  TerrainScenery scenery = read_scenery(arguments, settings, file.source.centre_latitude_deg);
   if (!arguments.colour.empty())
     scenery.colours = read_colour_map(arguments.colour, file.map, {.trust = arguments.input.trust()});
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::HeightField field = make_field(file.map, device);
   options.cancel.throw_if_cancelled();
-  return {camera, draw_terrain(device, field, camera, scenery, show)};
+  return {camera, draw_terrain(device, field, camera, scenery, settings.show)};
 }
 
-Rendered render_store(const TerrainRenderArguments& arguments, const GlobalOptions& options,
-                      TerrainShow show) {
+Rendered render_store(const TerrainRenderArguments& arguments, const RenderSettings& settings,
+                      const GlobalOptions& options) {
   const TileStore store(arguments.input.file(), arguments.input.trust());
   const TileStoreHeader& header = store.header();
-  TerrainScenery scenery = read_scenery(arguments, header.centre_latitude_deg);
+  TerrainScenery scenery = read_scenery(arguments, settings, header.centre_latitude_deg);
   if (!arguments.colour.empty()) {
     scenery.colours =
         read_colour_map(arguments.colour, scene::place_of(header), {.trust = arguments.input.trust()});
   }
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   terrain::TiledField field = make_field(store, device, arguments.cache.read());
-  const Camera camera = read_camera(arguments, camera_terrain(field));
+  const Camera camera = read_camera(arguments, settings, camera_terrain(field));
   field.look_and_wait(camera);
   options.cancel.throw_if_cancelled();
-  return {camera, draw_terrain(device, field, camera, scenery, show)};
+  return {camera, draw_terrain(device, field, camera, scenery, settings.show)};
 }
 
 void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) {
-  const TerrainShow show = arguments.settings.read().show;
+  const RenderSettings settings = arguments.settings.read();
   require_flags_of(arguments.input, arguments.cache);
   require_extension(arguments.output, {".png"});
   if (!arguments.depth.empty()) require_extension(arguments.depth, {".exr"});
@@ -152,8 +154,8 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
                 {{arguments.input.file(), arguments.colour}, arguments.input.trust()});
   }
   const auto [camera, picture] = is_tile_store(arguments.input.file())
-                                     ? render_store(arguments, options, show)
-                                     : render_map(arguments, options, show);
+                                     ? render_store(arguments, settings, options)
+                                     : render_map(arguments, settings, options);
   options.cancel.throw_if_cancelled();
   write_png(arguments.output, picture.image, arguments.existing);
   if (!arguments.depth.empty()) {

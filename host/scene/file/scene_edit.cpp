@@ -159,7 +159,6 @@ class SceneEdit {
   struct Block {
     Span header;  ///< of an inline table the whole
     bool is_inline = false;
-    std::size_t last_value = 0;  ///< where its last own value ends; 0: it has none
   };
   struct Written {
     std::size_t key;
@@ -184,19 +183,11 @@ class SceneEdit {
   void find_table(const toml::table& table, const std::string& name, ElementIndex element,
                   std::size_t depth) {
     const Span span = lines_.span_of(table.source());
-    Block block{.header = span, .is_inline = table.is_inline()};
     const std::string header = header_at(span.begin);
     if (!header.empty()) headers_.emplace_back(span.begin, header);
+    if (table.is_inline() || header == name)
+      blocks_.emplace(std::pair(name, element), Block{.header = span, .is_inline = table.is_inline()});
     find_places(table, name + '.', element, depth);
-    for (const auto& [key, node] : table) {
-      if (!node.is_table() || node.as_table()->is_inline()) {
-        if (node.is_array_of_tables() &&
-            header_at(lines_.byte_of(node.source().begin)) == name + '.' + std::string(key.str()))
-          continue;
-        block.last_value = std::max(block.last_value, lines_.byte_of(node.source().end));
-      }
-    }
-    if (block.is_inline || header == name) blocks_.emplace(std::pair(name, element), block);
   }
 
   void find_places(const toml::table& table, const std::string& prefix, ElementIndex element,
@@ -248,13 +239,13 @@ class SceneEdit {
     if (!is_same_value(row, struct_at(&before_, *row.section, before), struct_at(&now_, *row.section, now)))
       return false;
     if (row.motion == ParameterMotion::constant) return true;
-    for (std::size_t number = 0;; ++number) {
+    for (std::size_t number = 0; number < 3; ++number) {
       const auto old_track = before_.tracks.find({row.key, before, number});
       const auto track = now_.tracks.find({row.key, now, number});
-      const bool is_moved = old_track != before_.tracks.end(), moves = track != now_.tracks.end();
-      if (is_moved != moves || (moves && !(old_track->second == track->second))) return false;
-      if (!moves && number >= 2) return true;
+      const bool was_moving = old_track != before_.tracks.end(), is_moving = track != now_.tracks.end();
+      if (was_moving != is_moving || (is_moving && !(old_track->second == track->second))) return false;
     }
+    return true;
   }
 
   bool is_same_element(const Section& section, ElementIndex before, ElementIndex now) const {
@@ -385,24 +376,35 @@ class SceneEdit {
     if (!added.empty()) add_lines(first, before, added);
   }
 
+  /// Where the last value of a section's own ends; 0 without one.
+  std::size_t end_of_values(std::string_view section, ElementIndex element) const {
+    std::size_t last = 0;
+    for (const Parameter& row : parameter_table()) {
+      if (section_of(row.key) != section) continue;
+      const auto written = values_.find(ValueKey(row.key, element));
+      if (written != values_.end()) last = std::max(last, written->second.value.end);
+    }
+    return last;
+  }
+
   void add_lines(const Parameter& first, ElementIndex element, const std::vector<ValueLine>& added) {
     const std::string_view section = section_of(first.key);
     const Block* block = find_block(section, element);
+    const std::size_t end = end_of_values(section, element);
     std::string text;
     if (!block) {
-      require_no_values(section, element);
+      if (end != 0) throw CannotEdit();  // values without a header, such as `wind.speed_mps = 10`
       text = fmt::format("\n[{}]\n", section);
       for (const ValueLine& line : added) text += fmt::format("{} = {}\n", line.name, line.value);
       new_sections_.insert(std::string(section.substr(0, section.find('.'))));
       insert_block(end_within(first, element), text);
     } else if (block->is_inline) {
       for (const ValueLine& line : added)
-        text += fmt::format("{}{} = {}", text.empty() && block->last_value == 0 ? "" : ", ", line.name,
-                            line.value);
-      const std::size_t at = block->last_value == 0 ? block->header.end - 1 : block->last_value;
+        text += fmt::format("{}{} = {}", text.empty() && end == 0 ? "" : ", ", line.name, line.value);
+      const std::size_t at = end == 0 ? block->header.end - 1 : end;
       replace({at, at}, text);
     } else {
-      const std::size_t last = std::max(block->last_value, block->header.end) - 1;
+      const std::size_t last = std::max(end, block->header.end) - 1;
       const std::size_t line_start = lines_.start_of_line(last);
       const std::size_t indent =
           std::min(text_.find_first_not_of(" \t", line_start), text_.size()) - line_start;
@@ -411,13 +413,6 @@ class SceneEdit {
         text += fmt::format("{}{} = {}\n", text_.substr(line_start, indent), line.name, line.value);
       if (at == text_.size() && !text_.ends_with('\n')) text = '\n' + text;
       replace({at, at}, text);
-    }
-  }
-
-  /// Values that stand outside of their section, such as `wind.speed_mps = 10`, go with no header.
-  void require_no_values(std::string_view section, ElementIndex element) const {
-    for (const Parameter& row : parameter_table()) {
-      if (section_of(row.key) == section && values_.contains(ValueKey(row.key, element))) throw CannotEdit();
     }
   }
 
