@@ -162,9 +162,10 @@ void require_short_sampling(const ocl::Device& device, const CloudParameters& pa
     particles_at_rest(device, part);
   }
   const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
-  // Cells are sorted by their costs.
-  const auto work_of = [](double particles) { return particles * std::log(particles); };
-  require_short_wait(elapsed_s * work_of(parameters.target_particles) / work_of(tried),
+  // Merging sorts pairs of cells, which outgrow the caches. Measured from 4000 to 60000 particles: 0.4, 0.9,
+  // 2.6, 6.6 and 15.6 s, the power 1.35.
+  const double growth = std::pow(static_cast<double>(parameters.target_particles) / tried, 4.0 / 3.0);
+  require_short_wait(elapsed_s * growth,
                      fmt::format("cloud.target_particles: {} particles", parameters.target_particles),
                      "ask for fewer, or lower clouds.quality");
 }
