@@ -12,12 +12,11 @@
 #include "host/base/parameter_check.h"
 #include "host/bodies/hull.h"
 #include "host/ocl/program.h"
+#include "host/ocl/tuning.h"
 
 namespace offing::bodies {
 namespace {
 
-// Work-items that share the faces of a body.
-constexpr int group_size = 64;
 // Of a question: times closer than this to it are its own.
 constexpr double time_tolerance = 1e-6;
 
@@ -72,7 +71,9 @@ BodyShape device_shape(const FloatingBody& body) {
 
 FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBody> bodies,
                                const BodyWaterParameters& water)
-    : bodies_(std::move(bodies)), water_(device_water(water)) {
+    : bodies_(std::move(bodies)),
+      water_(device_water(water)),
+      group_(ocl::tuning_for(device.info(), "body_advance").group) {
   if (bodies_.empty()) {
     throw Error(ErrorKind::bad_usage, "floating bodies: expected at least one, found none",
                 "leave the simulation out where nothing floats");
@@ -114,7 +115,7 @@ FloatingBodies::FloatingBodies(const ocl::Device& device, std::vector<FloatingBo
   reports_ = ocl::Buffer<BodyReport>(device, size(), "forces on bodies");
 
   ocl::Defines defines;
-  defines.set("GROUP", group_size);
+  defines.set("GROUP", static_cast<long long>(group_));
   points_kernel_ = ocl::Program::build(device, "bodies/hull_points.cl").kernel("hull_points");
   advance_kernel_ = ocl::Program::build(device, "bodies/body_advance.cl", defines).kernel("body_advance");
   reset(0.0);
@@ -203,8 +204,8 @@ void FloatingBodies::ask_and_step(const WaterSurface& water, const Drive& drive)
   send_drives(drive);
   points_kernel_.launch({{vertices_}}, now_, hull_, owners_, points_);
   water(question_s(questions_), points_, vertices_, samples_);
-  advance_kernel_.launch({{size() * group_size}, {group_size}}, shapes_, drives_, now_, hull_, faces_,
-                         points_, samples_, water_, path_, before_, reports_);
+  advance_kernel_.launch({{size() * group_}, {group_}}, shapes_, drives_, now_, hull_, faces_, points_,
+                         samples_, water_, path_, before_, reports_);
   std::swap(now_, before_);
   ++questions_;
 }

@@ -111,6 +111,7 @@ class FloatingBodies {
 
   std::vector<FloatingBody> bodies_;
   BodyWater water_;
+  std::size_t group_;  // work-items that share the faces of a body
   ocl::Kernel points_kernel_, advance_kernel_;
   std::size_t vertices_ = 0;
   ocl::Buffer<BodyShape> shapes_;

@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "host/ocl/program.h"
+#include "host/ocl/tuning.h"
 
 namespace offing::bodies {
 namespace {
@@ -17,7 +18,6 @@ constexpr int levels = 128;
 // Of a hull's upright shadow: one that lies on its side casts less, and presses as if it stood upright.
 constexpr double least_shadow = 0.3;
 constexpr double cells_of_tent = 1.0;
-constexpr int group_side = 8;
 
 /// What the map's underside displaces up to each of the levels.
 std::vector<double> volumes_below(const HullMap& map, double lowest_m, double step_m) {
@@ -40,10 +40,18 @@ glm::dmat2 shadow_of(const glm::dmat3& axes) {
   return {{std::cos(heading_rad), std::sin(heading_rad)}, {-std::sin(heading_rad), std::cos(heading_rad)}};
 }
 
+/// Of the largest square of a power of two that has at most so many cells.
+std::size_t side_of(std::size_t cells) {
+  std::size_t side = 1;
+  while (4 * side * side <= cells) side *= 2;
+  return side;
+}
+
 }  // namespace
 
 HullPresser::HullPresser(const ocl::Device& device, const HullMap& map, const glm::dvec3& mass_centre_m)
     : kernel_(ocl::Program::build(device, "bodies/hull_press.cl").kernel("hull_press")),
+      group_side_(side_of(ocl::tuning_for(device.info(), "hull_press").group)),
       bottom_(device, map.bottom_m, "hull's underside"),
       low_x_m_(map.low_x_m),
       low_z_m_(map.low_z_m),
@@ -116,10 +124,10 @@ void HullPresser::press(const BodyPose& pose, double share, const WakeGrid& grid
                          .level_m = static_cast<float>(level),
                          .share = static_cast<float>(std::min(share, 1.0))};
   // Groups of one shape, whatever the hull covers: some drivers compile a kernel anew for each shape.
-  const auto whole = [](int count) {
-    return static_cast<std::size_t>(count + group_side - 1) / group_side * group_side;
+  const auto whole = [&](int count) {
+    return (static_cast<std::size_t>(count) + group_side_ - 1) / group_side_ * group_side_;
   };
-  kernel_.launch({{whole(values.columns), whole(values.rows), 1}, {group_side, group_side, 1}}, values,
+  kernel_.launch({{whole(values.columns), whole(values.rows), 1}, {group_side_, group_side_, 1}}, values,
                  bottom_, displaced);
 }
 

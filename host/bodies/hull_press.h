@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "host/bodies/body_pose.h"
@@ -29,6 +30,7 @@ class HullPresser {
 
  private:
   ocl::Kernel kernel_;
+  std::size_t group_side_;  // cells
   ocl::Buffer<float> bottom_;
   double low_x_m_, low_z_m_, cell_x_m_, cell_z_m_;
   glm::dvec3 mass_centre_m_;

@@ -15,12 +15,8 @@ namespace {
 constexpr int smallest_size = 16;
 constexpr int largest_size = 4096;
 constexpr int smallest_simd_size = 64;  // a row is a square of narrow lanes
-constexpr int simd_lanes = 16;          // a float16: the widest vector that OpenCL has
-constexpr int narrow_lanes = 8;         // a square of them stays in registers
-constexpr int thread_values = 8;        // FFT_THREAD_VALUES
-
-// Enough work-items for many cores, few enough that each is worth its launch.
-constexpr int rows_per_item = 8;
+constexpr int narrow_lanes = 8;         // the narrowest vectors of kernels/simd/lanes.clh
+constexpr int thread_values = 8;        // that a work-item of a GPU holds, for a radix-8 butterfly
 
 // Arrays from these sizes on are stored past the caches: they would push out what is read next.
 constexpr int smallest_streamed_intermediate = 2048;
@@ -109,14 +105,14 @@ std::vector<float> row_table(int size, int lanes, std::pair<int, int> radices) {
   return table;
 }
 
-// Columns of the intermediate array that the first pass writes: whole strips.
+// Columns of the intermediate array that the first pass writes: whole vectors.
 int padded_columns(const PlanRequest& request) {
-  return std::max(request.columns, simd_lanes);
+  return std::max(request.columns, ocl::widest_lanes);
 }
 
 // A row's length in the intermediate array. A caller that reads past the columns zeroes the padding itself.
 int pitch(const PlanRequest& request) {
-  return padded_columns(request) + simd_lanes;
+  return padded_columns(request) + ocl::widest_lanes;
 }
 
 void set_common_defines(ocl::Defines& defines, const PlanRequest& request, int lanes) {
@@ -140,28 +136,31 @@ std::size_t simd_scratch_bytes(const PlanRequest& request, int lanes) {
   return sizeof(float) * 2 * static_cast<std::size_t>(lanes * request.size);
 }
 
-PassPlan simd_columns(const PlanRequest& request, int lanes) {
+PassPlan simd_columns(const ocl::DeviceInfo& device, const PlanRequest& request,
+                      const ocl::KernelTuning& tuning) {
+  const bool has_room = simd_scratch_bytes(request, tuning.lanes) <= device.local_memory_bytes;
+  const int lanes = has_room ? tuning.lanes : narrow_lanes;
   PassPlan pass = simd_pass(request, lanes);
   if (request.size >= smallest_streamed_intermediate) pass.defines.set_flag("FFT_STREAM_INTERMEDIATE");
-  pass.shape = {{static_cast<std::size_t>(padded_columns(request) / lanes), 1, 1}, {1, 1, 1}};
+  pass.shape = {{static_cast<std::size_t>(padded_columns(request) / lanes), 1, 1}, {tuning.group, 1, 1}};
   pass.scratch_bytes = simd_scratch_bytes(request, lanes);
   return pass;
 }
 
-PassPlan simd_rows(const PlanRequest& request) {
+PassPlan simd_rows(const PlanRequest& request, const ocl::KernelTuning& tuning) {
   PassPlan pass;
-  const int lanes = request.size / narrow_lanes > most_row_vectors ? simd_lanes : narrow_lanes;
+  const int lanes = request.size / tuning.lanes > most_row_vectors ? ocl::widest_lanes : tuning.lanes;
   set_common_defines(pass.defines, request, lanes);
   const auto radices = row_radices(request.size / lanes);
   pass.defines.set("FFT_ROW_RADIX_A", radices.first);
   pass.defines.set("FFT_ROW_RADIX_B", radices.second);
-  pass.defines.set("FFT_ROWS_PER_ITEM", rows_per_item);
+  pass.defines.set("FFT_ROWS_PER_ITEM", tuning.per_item);
   pass.twiddles = row_table(request.size, lanes, radices);
   const std::size_t result_bytes = sizeof(float) * 2 * static_cast<std::size_t>(request.result_fields) *
                                    static_cast<std::size_t>(request.size) *
                                    static_cast<std::size_t>(request.size);
   if (result_bytes >= smallest_streamed_result_bytes) pass.defines.set_flag("STREAM_RESULT");
-  pass.shape = {{static_cast<std::size_t>(request.size / rows_per_item), 1, 1}, {1, 1, 1}};
+  pass.shape = {{static_cast<std::size_t>(request.size / tuning.per_item), 1, 1}, {tuning.group, 1, 1}};
   return pass;
 }
 
@@ -171,18 +170,19 @@ PassPlan workgroup_pass(const PlanRequest& request, int width) {
   set_common_defines(pass.defines, request, 1);
   pass.defines.set("FFT_GROUP_RADIX", odd_factors[std::countr_zero(static_cast<unsigned>(request.size)) % 3]);
   pass.defines.set("FFT_GROUP_WIDTH", width);
+  pass.defines.set("FFT_THREAD_VALUES", thread_values);
   append_rotations(pass.twiddles, request.size, {1, 1}, request.size);
   pass.batch_dimension = 2;
   return pass;
 }
 
-PassPlan workgroup_columns(const ocl::DeviceInfo& device, const PlanRequest& request) {
+PassPlan workgroup_columns(const ocl::DeviceInfo& device, const PlanRequest& request,
+                           const ocl::KernelTuning& tuning) {
   const int threads = request.size / thread_values;
   const auto bytes_per_column = sizeof(float) * static_cast<std::size_t>(request.size);
-  // Up to 16 neighbouring columns for coalesced access, as long as a work-group stays near 256 work-items.
-  int width = std::clamp(256 / threads, 1, simd_lanes);
-  while (width > 1 && (static_cast<std::size_t>(width * threads) > device.max_work_group_size ||
-                       static_cast<std::size_t>(width) * bytes_per_column > device.local_memory_bytes)) {
+  // Neighbouring columns for coalesced access, up to the padding, which they divide.
+  int width = std::clamp(static_cast<int>(tuning.group) / threads, 1, ocl::widest_lanes);
+  while (width > 1 && static_cast<std::size_t>(width) * bytes_per_column > device.local_memory_bytes) {
     width /= 2;
   }
   PassPlan pass = workgroup_pass(request, width);
@@ -193,12 +193,10 @@ PassPlan workgroup_columns(const ocl::DeviceInfo& device, const PlanRequest& req
   return pass;
 }
 
-PassPlan workgroup_rows(const ocl::DeviceInfo& device, const PlanRequest& request) {
+PassPlan workgroup_rows(const PlanRequest& request, const ocl::KernelTuning& tuning) {
   const int threads = request.size / thread_values;
-  // Short rows share a work-group, so that it has at least 64 work-items.
-  const int wanted = std::clamp(64 / threads, 1, request.size);
-  const int width =
-      std::min<int>(wanted, std::max<int>(1, static_cast<int>(device.max_work_group_size) / threads));
+  // Short rows share a work-group.
+  const int width = std::clamp(static_cast<int>(tuning.group) / threads, 1, request.size);
   PassPlan pass = workgroup_pass(request, width);
   const auto thread_count = static_cast<std::size_t>(threads), row_count = static_cast<std::size_t>(width);
   pass.shape = {{thread_count, static_cast<std::size_t>(request.size), 1}, {thread_count, row_count, 1}};
@@ -225,7 +223,7 @@ std::vector<ocl::KernelShape> possible_families(const ocl::DeviceInfo& device, c
   const bool can_simd = request.size >= smallest_simd_size &&
                         simd_scratch_bytes(request, narrow_lanes) <= device.local_memory_bytes;
   const bool can_workgroup = static_cast<std::size_t>(threads) <= device.max_work_group_size;
-  const ocl::KernelShape wanted = ocl::tuning_for(device, "fft").shape;
+  const ocl::KernelShape wanted = ocl::tuning_for(device, "fft_columns").shape;
   std::vector<ocl::KernelShape> families;
   if (can_simd) families.push_back(ocl::KernelShape::simd);
   if (can_workgroup) families.push_back(ocl::KernelShape::workgroup);
@@ -241,13 +239,14 @@ std::vector<ocl::KernelShape> possible_families(const ocl::DeviceInfo& device, c
 }
 
 FftPlan::FftPlan(const ocl::DeviceInfo& device, const PlanRequest& request, ocl::KernelShape family) {
+  const ocl::KernelTuning columns = ocl::tuning_for(device, "fft_columns", family);
+  const ocl::KernelTuning rows = ocl::tuning_for(device, "fft_rows", family);
   if (family == ocl::KernelShape::simd) {
-    const bool has_room = simd_scratch_bytes(request, simd_lanes) <= device.local_memory_bytes;
-    columns_ = simd_columns(request, has_room ? simd_lanes : narrow_lanes);
-    rows_ = simd_rows(request);
+    columns_ = simd_columns(device, request, columns);
+    rows_ = simd_rows(request, rows);
   } else {
-    columns_ = workgroup_columns(device, request);
-    rows_ = workgroup_rows(device, request);
+    columns_ = workgroup_columns(device, request, columns);
+    rows_ = workgroup_rows(request, rows);
   }
   intermediate_floats_ =
       2 * static_cast<std::size_t>(request.size) * static_cast<std::size_t>(pitch(request));

@@ -1,4 +1,4 @@
-// Rigid bodies on water for some sub-steps: a work-group a body.
+// Rigid bodies on water for some sub-steps: a work-group a body, of GROUP work-items, a power of two.
 // In:  shapes [bodies], drives [bodies][steps], states [bodies] at the first sub-step, water, all of shared/bodies.h;
 //      vertices [vertices][3] m in body axes; faces [faces][3]: vertices, anticlockwise seen from outside;
 //      points, samples [vertices]: the water under the vertices at the first sub-step (ocean/surface_query.cl).
@@ -68,10 +68,6 @@ static void set_wetted_part(float area, const float3* place, const float* depth,
   part->depth_area -= dry.depth_area;
   part->depth_moment -= dry.depth_moment;
 }
-
-#ifndef GROUP
-#define GROUP 64  // work-items of a body, a power of two
-#endif
 
 typedef struct {
   float3 place, velocity, spin;  // velocity in world axes, spin in body axes

@@ -10,7 +10,7 @@
 #include "clouds/light_entry.clh"
 
 // Cells of the largest plane, and a rim around them where the light has met nothing yet.
-#define PLANE_CELLS (CELLS / LEAST_CELLS)
+#define PLANE_CELLS (CELLS / CLOUD_LEAST_CELLS)
 #define RIMMED_CELLS (PLANE_CELLS + PLANE_CELLS / 4)
 
 static inline float component(float3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
@@ -30,7 +30,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_beam
   const size_t number = (size_t)cloud * get_num_groups(0) + get_group_id(0);
   __global const float *extinction = medium + (size_t)cloud * MEDIUM_CELLS + FIRST_LEVEL;
   __global const float *absorbing = absorption + ((size_t)cloud * channels + channel) * MEDIUM_CELLS + FIRST_LEVEL;
-  __global float *beam = beams + FIRST_BEAM + number * CELLS;
+  __global float *beam = beams + CLOUD_BEAM_MARGIN + number * CELLS;
 
   const float3 way = -(float3)(source.x, source.y, source.z) / grid_cell(grid);
   const float3 speed = fabs(way);

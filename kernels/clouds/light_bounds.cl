@@ -50,7 +50,7 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_boun
     high = fmax(high, (float3)(highs[other], highs[GROUP_SIZE + other], highs[2 * GROUP_SIZE + other]));
   }
   if (!(low.x < high.x)) low = (float3)(0.0f), high = (float3)(1.0f);
-  int size_x = LEAST_CELLS, size_y = LEAST_CELLS, size_z = LEAST_CELLS;
+  int size_x = CLOUD_LEAST_CELLS, size_y = CLOUD_LEAST_CELLS, size_z = CLOUD_LEAST_CELLS;
   for (;;) {
     const float3 cell = cell_of(high - low, size_x, size_y, size_z);
     const float longest = fmax(cell.x, fmax(cell.y, cell.z)), shortest = fmin(cell.x, fmin(cell.y, cell.z));

@@ -28,8 +28,8 @@ static inline lanes flow_into(__global const float *restrict faces, __global con
           passed_on(load_lanes(faces + FACES_Z + at - plane), fluence + at - plane));
 }
 
-// Along a row each cell takes what its neighbours had before, but for the first of LEAST_CELLS side by side, which are one
-// vector where there are vectors.
+// Along a row each cell takes what its neighbours had before, but for the first of CLOUD_LEAST_CELLS side by side, which are
+// one vector where there are vectors.
 static inline void relax_row(__global const float *restrict faces, __global const float *restrict sources,
                              __global float *fluence, const Level level, int y, int z) {
   const int row = level.start + (z * level.size_y + y) * level.pitch;
@@ -38,7 +38,7 @@ static inline void relax_row(__global const float *restrict faces, __global cons
 #endif
   for (int at = row; at < row + level.pitch; at += LANES) {
 #if LANES == 1
-    if (at > row && (at - row) % LEAST_CELLS == 0) left = fluence[at - 1];
+    if (at > row && (at - row) % CLOUD_LEAST_CELLS == 0) left = fluence[at - 1];
     const float before = fluence[at];
 #else
     const lanes left = load_lanes(fluence + at - 1);

@@ -37,7 +37,7 @@ __kernel void light_glow(__global const CloudGrid *restrict grids, __global cons
   const CloudLightParams light = lights[cloud];
   medium += cloud * MEDIUM_CELLS;
   absorption += cloud * channels * MEDIUM_CELLS;
-  beams += FIRST_BEAM + cloud * light.sun_count * channels * CELLS;
+  beams += CLOUD_BEAM_MARGIN + cloud * light.sun_count * channels * CELLS;
   faces += cloud * channels * 4 * LEVEL_CELLS;
   fluence += cloud * 3 * LEVEL_CELLS;
   __global float *glow_cells = (__global float *)(glow + cloud * CELLS);

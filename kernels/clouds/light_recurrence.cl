@@ -3,13 +3,12 @@
 // depth there, p(0) the phase function straight ahead and G = pi / 32 the solid angle of the forward cone. Kept as sums of
 // -ln of shares over a map across the light. Particles of a group do not shade each other.
 // In:    particles [count] and their order along the light, grids [clouds], looks [clouds], phases; (x, y, z) toward the sun.
-// Inout: map [HARRIS_SIZE][HARRIS_SIZE], units of 1 / 65536, zero at first.
+// Inout: map [CLOUD_HARRIS_SIZE][CLOUD_HARRIS_SIZE], units of 1 / 65536, zero at first.
 // Out:   reached [count]: share of the sun's light that reaches each particle.
 // One work-group of GROUP_SIZE.
 #include "clouds/chord.clh"
 #include "clouds/light_grid.clh"
 
-#define HARRIS_SIZE 128
 #define PARTICLES_OF_GROUP 64
 #define UNITS 65536.0f
 // No more is added to a sum that is larger: nothing comes through e^-8192, and the particles of a group, 64 of at most
@@ -30,10 +29,10 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_recu
     high = fmax(high, corner + grid_size(grids[i]) * grid_cell(grids[i]));
   }
   const float3 sun = (float3)(x, y, z), middle = 0.5f * (low + high);
-  const float texel = fmax(length(high - low) / (float)HARRIS_SIZE, 1e-6f);
+  const float texel = fmax(length(high - low) / (float)CLOUD_HARRIS_SIZE, 1e-6f);
   const float3 right = axis_across(sun);
   const float3 up = cross(sun, right);
-  for (int i = item; i < HARRIS_SIZE * HARRIS_SIZE; i += GROUP_SIZE) map[i] = 0;
+  for (int i = item; i < CLOUD_HARRIS_SIZE * CLOUD_HARRIS_SIZE; i += GROUP_SIZE) map[i] = 0;
   barrier(CLK_GLOBAL_MEM_FENCE);
   for (int first = 0; first < count; first += PARTICLES_OF_GROUP) {
     const int end = min(first + PARTICLES_OF_GROUP, count);
@@ -41,11 +40,12 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_recu
       for (int i = first + item; i < end; i += GROUP_SIZE) {
         const CloudParticle particle = particles[order[i]];
         const float3 from = (float3)(particle.x, particle.y, particle.z) - middle;
-        const float at_x = dot(from, right) / texel + 0.5f * (float)HARRIS_SIZE;
-        const float at_y = dot(from, up) / texel + 0.5f * (float)HARRIS_SIZE;
-        const bool is_inside = at_x >= 0.0f && at_y >= 0.0f && at_x < (float)HARRIS_SIZE && at_y < (float)HARRIS_SIZE;
+        const float at_x = dot(from, right) / texel + 0.5f * (float)CLOUD_HARRIS_SIZE;
+        const float at_y = dot(from, up) / texel + 0.5f * (float)CLOUD_HARRIS_SIZE;
+        const bool is_inside =
+            at_x >= 0.0f && at_y >= 0.0f && at_x < (float)CLOUD_HARRIS_SIZE && at_y < (float)CLOUD_HARRIS_SIZE;
         if (pass == 0) {
-          reached[order[i]] = is_inside ? exp((float)-map[(int)at_y * HARRIS_SIZE + (int)at_x] / UNITS) : 1.0f;
+          reached[order[i]] = is_inside ? exp((float)-map[(int)at_y * CLOUD_HARRIS_SIZE + (int)at_x] / UNITS) : 1.0f;
           continue;
         }
         if (!is_inside || !isfinite(particle.optical_mass)) continue;
@@ -55,11 +55,14 @@ __kernel __attribute__((reqd_work_group_size(GROUP_SIZE, 1, 1))) void light_recu
         const float regained = fmin(1.0f, albedo * ahead * SKY_PI / 32.0f);
         const float radius = fmax(particle.radius / texel, 0.7f);
         const float depth = cloud_depth(particle.optical_mass, radius * texel);
-        for (int row = max((int)(at_y - radius), 0); row <= min((int)(at_y + radius), HARRIS_SIZE - 1); ++row) {
-          for (int column = max((int)(at_x - radius), 0); column <= min((int)(at_x + radius), HARRIS_SIZE - 1); ++column) {
+        const int first_row = max((int)(at_y - radius), 0), first_column = max((int)(at_x - radius), 0);
+        const int last_row = min((int)(at_y + radius), CLOUD_HARRIS_SIZE - 1);
+        const int last_column = min((int)(at_x + radius), CLOUD_HARRIS_SIZE - 1);
+        for (int row = first_row; row <= last_row; ++row) {
+          for (int column = first_column; column <= last_column; ++column) {
             const float dx = ((float)column + 0.5f - at_x) / radius, dy = ((float)row + 0.5f - at_y) / radius;
             const float here = depth * cloud_chord(dx * dx + dy * dy);
-            __global int *sum = map + row * HARRIS_SIZE + column;
+            __global int *sum = map + row * CLOUD_HARRIS_SIZE + column;
             // Read by what changes nothing: others of the group may be adding.
             if (!(here > 0.0f) || atomic_or(sum, 0) > ENOUGH) continue;
             // A deep particle is a row of thin slices: what the print has for one slice would make light of a deep one.

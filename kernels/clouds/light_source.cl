@@ -66,7 +66,7 @@ __kernel void light_source(__global const CloudGrid *restrict grids, __global co
   const CloudGrid grid = grids[cloud];
   const CloudScattering look = looks[cloud];
   const CloudLightParams light = lights[cloud];
-  beams += FIRST_BEAM + cloud * light.sun_count * channels * CELLS;
+  beams += CLOUD_BEAM_MARGIN + cloud * light.sun_count * channels * CELLS;
   faces += cloud * channels * 4 * LEVEL_CELLS;
   sources += cloud * 3 * LEVEL_CELLS;
   const Level level = finest_level(grid);

@@ -54,7 +54,7 @@ __kernel void particle_scatter(__global const CloudParticle *restrict particles,
     const CloudScattering look = looks[cloud];
     __global const CloudLightParams *light = lights + cloud;
     __global const float *absorbing = absorption + cloud * channels * MEDIUM_CELLS + FIRST_LEVEL;
-    __global const float *beam = beams + FIRST_BEAM + cloud * light->sun_count * channels * CELLS;
+    __global const float *beam = beams + CLOUD_BEAM_MARGIN + cloud * light->sun_count * channels * CELLS;
     __global const float4 *shine = glow + cloud * CELLS;
     __global const float4 *lean = drift + cloud * channels * CELLS;
     const float depth = cloud_depth(particle.optical_mass, particle.radius);

@@ -47,12 +47,11 @@ INLINE uint_lanes row_phase(__global const uint *turns, const GerstnerGrid *grid
 // cos d and sin d are the same for every block, cos q and sin q for all columns of one, so that a field of a sample costs
 // one multiplication a wave: half the sum over cos d and sin d that it shares with its mirror image. (Where the step of a
 // column is odd, its half is not whole, and the left side is off by 2^-32 turns.)
-#define HALF_VECTORS 2                          // vectors on each side of the middle
-#define BLOCK_COLUMNS (2 * HALF_VECTORS * LANES)
+#define BLOCK_COLUMNS (2 * GERSTNER_HALF_VECTORS * LANES)
 
 // cos d and sin d of each wave, [wave][vector].
 typedef struct {
-  lanes cosine[GERSTNER_WAVES * HALF_VECTORS], sine[GERSTNER_WAVES * HALF_VECTORS];
+  lanes cosine[GERSTNER_WAVES * GERSTNER_HALF_VECTORS], sine[GERSTNER_WAVES * GERSTNER_HALF_VECTORS];
 } Offsets;
 
 // What fields are times cos d (even about the middle) and sin d (odd), [field][wave].
@@ -64,9 +63,9 @@ INLINE void compute_offsets(__global const uint *turns, const GerstnerGrid *grid
   for (int wave = 0; wave < grid->wave_count; ++wave) {
     const uint step = turns[GERSTNER_COLUMN_STEP * grid->wave_pitch + wave];
     const uint half_step = as_uint(as_int(step) >> 1);
-    UNROLL for (int v = 0; v < HALF_VECTORS; ++v) {
+    UNROLL for (int v = 0; v < GERSTNER_HALF_VECTORS; ++v) {
       const uint_lanes columns = convert_uint_lanes(LANE_INDEX) + (uint)(v * LANES);
-      const int place = wave * HALF_VECTORS + v;
+      const int place = wave * GERSTNER_HALF_VECTORS + v;
       cosine_sine_of_turns(columns * step + half_step, offsets->cosine + place, offsets->sine + place);
     }
   }
@@ -96,7 +95,8 @@ INLINE void sum_waves(const Offsets *offsets, const Middle *middle, int wave_cou
   lanes even[GERSTNER_FIELDS], odd[GERSTNER_FIELDS];
   UNROLL for (int f = 0; f < GERSTNER_FIELDS; ++f) even[f] = odd[f] = (lanes)0.0f;
   for (int wave = 0; wave < wave_count; ++wave) {
-    const lanes cosine = offsets->cosine[wave * HALF_VECTORS + v], sine = offsets->sine[wave * HALF_VECTORS + v];
+    const int place = wave * GERSTNER_HALF_VECTORS + v;
+    const lanes cosine = offsets->cosine[place], sine = offsets->sine[place];
     UNROLL for (int f = 0; f < GERSTNER_FIELDS; ++f) {
       even[f] += middle->even[f * GERSTNER_WAVES + wave] * cosine;
       odd[f] += middle->odd[f * GERSTNER_WAVES + wave] * sine;
@@ -138,7 +138,7 @@ __kernel void gerstner_surface(__global const uint *restrict turns, __global con
       // The last block of a row moves back to end with it: some samples are computed twice, by the same work-item.
       const int first = min(start, grid.pitch - BLOCK_COLUMNS);
       compute_middle(turns, amplitudes, &grid, row, first, ticks, tick_fraction, &middle);
-      for (int v = 0; v < HALF_VECTORS; ++v) {
+      for (int v = 0; v < GERSTNER_HALF_VECTORS; ++v) {
         Sums right, left;
         sum_waves(&offsets, &middle, grid.wave_count, v, &right, &left);
         const int right_column = first + BLOCK_COLUMNS / 2 + v * LANES;

@@ -5,12 +5,23 @@
 // Most suns at a time.
 #define CLOUD_SUNS 4
 
+// Cells along each axis of a cloud's grid, at least, so that a row is as long as the widest vector. Light
+// changes most across the thinnest side: with 8 cells from top to bottom a layer of depth 32 lets a quarter
+// too much through, and shapes 8 cells thick are up to 18 % too bright.
+#define CLOUD_LEAST_CELLS 16
+
+// Floats before the first beam and after the last, so that whole vectors may be read around each cell.
+#define CLOUD_BEAM_MARGIN 16
+
+// Texels a side of the map of clouds/light_recurrence.cl.
+#define CLOUD_HARRIS_SIZE 128
+
 // Texels a side of what is known of the light that reaches a cloud past others.
 #define CLOUD_ENTRY_SIZE 16
 
-// Tables of phases: [look][CLOUD_PHASE_DEPTHS][CLOUD_PHASE_ANGLES], 1/sr. Angles go with the square of their place, so
-// that the forward peak is fine: angle = pi (i / (CLOUD_PHASE_ANGLES - 1))^2. Depths:
-// depth = CLOUD_PHASE_DEPTH_SCALE * u / (1 - u), u = i / CLOUD_PHASE_DEPTHS.
+// Tables of phases: [look][CLOUD_PHASE_DEPTHS][CLOUD_PHASE_ANGLES], 1/sr. Angles go with the square of their
+// place, so that the forward peak is fine: angle = pi (i / (CLOUD_PHASE_ANGLES - 1))^2. Depths: depth =
+// CLOUD_PHASE_DEPTH_SCALE * u / (1 - u), u = i / CLOUD_PHASE_DEPTHS.
 #define CLOUD_PHASE_ANGLES 128
 #define CLOUD_PHASE_DEPTHS 24
 #define CLOUD_PHASE_DEPTH_SCALE 4.0f

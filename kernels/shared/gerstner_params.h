@@ -6,6 +6,9 @@
 // Waves at most.
 #define GERSTNER_WAVES 128
 
+// Vectors of columns on each side of the middle of a block, of which a row has at least one in simd shape.
+#define GERSTNER_HALF_VECTORS 2
+
 // Rows of turns [4][pitch of waves], in 2^-32 turns: sums that overflow lose whole turns, and nothing else.
 #define GERSTNER_PHASE 0        // at the first sample, time 0
 #define GERSTNER_COLUMN_STEP 1  // from column to column

@@ -7,7 +7,6 @@
 
 #include "host/base/error.h"
 #include "host/ocl/program.h"
-#include "host/ocl/tuning.h"
 
 namespace offing::clouds {
 namespace {
@@ -17,10 +16,6 @@ constexpr float relief = 0.45f;
 constexpr std::size_t first_list_entries = 1 << 16;
 // 1 GiB.
 constexpr std::size_t most_list_entries = std::size_t{1} << 28;
-
-int lanes_of(const ocl::Device& device) {
-  return ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::simd ? CLOUD_TILE_PX : 1;
-}
 
 int tiles_along(int pixels) {
   return (pixels + CLOUD_TILE_PX - 1) / CLOUD_TILE_PX;
@@ -58,18 +53,28 @@ CloudImageParams device_params(const DrawnParticles& drawn, const Camera& camera
           .relief = relief};
 }
 
+// A work-item has a tile in simd shape; else one pixel, and a group has a tile or a strip of it.
+ocl::LaunchShape composite_shape(const CloudImageParams& params, const ocl::KernelTuning& tuning) {
+  const auto columns = static_cast<std::size_t>(params.tile_columns),
+             rows = static_cast<std::size_t>(params.tile_rows);
+  if (tuning.shape == ocl::KernelShape::simd) return {{columns * rows}, {tuning.group}};
+  const std::size_t width = std::min<std::size_t>(tuning.group, CLOUD_TILE_PX);
+  return {{columns * CLOUD_TILE_PX, rows * CLOUD_TILE_PX}, {width, tuning.group / width}};
+}
+
 }  // namespace
 
 CloudImage::CloudImage(const ocl::Device& device, const BillboardTextures& textures)
     : device_(device),
-      lanes_(lanes_of(device)),
+      tiles_tuning_(ocl::tuning_for(device.info(), "billboard_tiles")),
+      composite_tuning_(ocl::tuning_for(device.info(), "billboard_composite")),
       project_kernel_(ocl::Program::build(device, "clouds/billboard_project.cl").kernel("billboard_project")),
-      tiles_kernel_(
-          ocl::Program::build(device, "clouds/billboard_tiles.cl", ocl::Defines().set("LANES", lanes_))
-              .kernel("billboard_tiles")),
-      composite_kernel_(
-          ocl::Program::build(device, "clouds/billboard_composite.cl", ocl::Defines().set("LANES", lanes_))
-              .kernel("billboard_composite")),
+      tiles_kernel_(ocl::Program::build(device, "clouds/billboard_tiles.cl",
+                                        ocl::Defines().set("LANES", tiles_tuning_.lanes))
+                        .kernel("billboard_tiles")),
+      composite_kernel_(ocl::Program::build(device, "clouds/billboard_composite.cl",
+                                            ocl::Defines().set("LANES", composite_tuning_.lanes))
+                            .kernel("billboard_composite")),
       textures_(device, textures.texels, "billboard textures"),
       used_(device, 1, "cloud tiles"),
       list_(device, first_list_entries, "cloud tiles") {}
@@ -120,8 +125,7 @@ void CloudImage::draw(const DrawnParticles& drawn, const Camera& camera) {
     project_kernel_.launch({{static_cast<std::size_t>(box_pitch)}}, drawn.particles, drawn.sprites,
                            drawn.order, params, billboards_, boxes_);
   }
-  // A work-item keeps 2 KB of its own: drivers that run a group on one thread's stack get small groups.
-  const std::size_t group = lanes_ > 1 ? 1 : 64;
+  const std::size_t group = tiles_tuning_.group;
   const ocl::LaunchShape tiles{{(first_.size() + group - 1) / group * group}, {group}};
   while (true) {
     used_.fill(0);
@@ -138,13 +142,8 @@ void CloudImage::draw(const DrawnParticles& drawn, const Camera& camera) {
     }
     list_ = ocl::Buffer<std::uint32_t>(device_, std::min(2 * used, most_list_entries), "cloud tiles");
   }
-  const ocl::LaunchShape shape =
-      lanes_ > 1 ? ocl::LaunchShape{{first_.size()}, {1}}
-                 : ocl::LaunchShape{{static_cast<std::size_t>(params.tile_columns) * CLOUD_TILE_PX,
-                                     static_cast<std::size_t>(params.tile_rows) * CLOUD_TILE_PX},
-                                    {CLOUD_TILE_PX, CLOUD_TILE_PX}};
-  composite_kernel_.launch(shape, billboards_, first_, seen_, list_, textures_, scene_depth_, params, image_,
-                           distance_);
+  composite_kernel_.launch(composite_shape(params, composite_tuning_), billboards_, first_, seen_, list_,
+                           textures_, scene_depth_, params, image_, distance_);
 }
 
 }  // namespace offing::clouds

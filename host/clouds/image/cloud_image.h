@@ -10,6 +10,7 @@
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 #include "host/ocl/kernel.h"
+#include "host/ocl/tuning.h"
 #include "kernels/shared/cloud_image_params.h"
 #include "kernels/shared/clouds.h"
 
@@ -61,7 +62,7 @@ class CloudImage {
   void fit_particles(std::uint32_t count);
 
   ocl::Device device_;
-  int lanes_;
+  ocl::KernelTuning tiles_tuning_, composite_tuning_;
   ocl::Kernel project_kernel_, tiles_kernel_, composite_kernel_;
   ocl::Buffer<std::uint32_t> textures_;
   int width_px_ = 0, height_px_ = 0;

@@ -8,25 +8,19 @@
 
 #include "host/base/error.h"
 #include "host/ocl/program.h"
-#include "host/ocl/tuning.h"
 
 namespace offing::clouds {
 namespace {
 
 constexpr int texels = CLOUD_SHADOW_SIZE * CLOUD_SHADOW_SIZE;
-// Work of an item of the simd shape: enough that its launch counts little.
-constexpr int simd_particles = 256, strip_texels = 8192, strip_places = 64;
-
-std::size_t items(std::size_t work, int per_item) {
-  const auto each = static_cast<std::size_t>(per_item);
-  return (work + each - 1) / each;
-}
 
 }  // namespace
 
 CloudShadowMap::CloudShadowMap(const ocl::Device& device)
     : device_(device),
-      is_simd_(ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::simd),
+      splat_tuning_(ocl::tuning_for(device.info(), "shadow_splat")),
+      resolve_tuning_(ocl::tuning_for(device.info(), "shadow_resolve")),
+      points_tuning_(ocl::tuning_for(device.info(), "shadow_points")),
       crowd_kernel_(ocl::Program::build(device, "clouds/shadow_crowd.cl").kernel("shadow_crowd")),
       splat_kernel_(ocl::Program::build(device, "clouds/shadow_splat.cl").kernel("shadow_splat")),
       resolve_kernel_(ocl::Program::build(device, "clouds/shadow_resolve.cl").kernel("shadow_resolve")),
@@ -74,14 +68,13 @@ void CloudShadowMap::update(const ocl::Buffer<CloudParticle>& particles, std::ui
              0.0f};
   moments_.fill(0);
   if (count > 0) {
-    const int per_item = is_simd_ ? simd_particles : 1;
     for (const ocl::Kernel& kernel : {crowd_kernel_, splat_kernel_}) {
-      kernel.launch({{items(count, per_item)}}, particles, static_cast<int>(count), per_item, params_,
-                    moments_);
+      kernel.launch(ocl::launch_shape(splat_tuning_, count), particles, static_cast<int>(count),
+                    splat_tuning_.per_item, params_, moments_);
     }
   }
-  const int per_item = is_simd_ ? strip_texels : 1;
-  resolve_kernel_.launch({{items(texels, per_item)}}, moments_, per_item, map_);
+  resolve_kernel_.launch(ocl::launch_shape(resolve_tuning_, texels), moments_, resolve_tuning_.per_item,
+                         map_);
   static std::atomic<std::uint64_t> revisions{0};
   revision_ = ++revisions;
 }
@@ -91,10 +84,9 @@ std::vector<float> CloudShadowMap::transmittance(std::span<const glm::vec3> plac
   if (places_m.empty() || count_ == 0) return shares;
   ocl::Buffer<glm::vec3> places(device_, places_m, "places in the shadow of clouds");
   ocl::Buffer<float> found(device_, places_m.size(), "light in the shadow of clouds");
-  const int per_item = is_simd_ ? strip_places : 1;
-  points_kernel_.launch({{items(places_m.size(), per_item)}}, places, static_cast<int>(places_m.size()),
-                        per_item, *particles_, static_cast<int>(count_), params_.sun_x, params_.sun_y,
-                        params_.sun_z, found);
+  points_kernel_.launch(ocl::launch_shape(points_tuning_, places_m.size()), places,
+                        static_cast<int>(places_m.size()), points_tuning_.per_item, *particles_,
+                        static_cast<int>(count_), params_.sun_x, params_.sun_y, params_.sun_z, found);
   found.read(shares);
   return shares;
 }

@@ -9,6 +9,7 @@
 
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
+#include "host/ocl/tuning.h"
 #include "kernels/shared/cloud_shadow.h"
 #include "kernels/shared/clouds.h"
 
@@ -43,7 +44,7 @@ class CloudShadowMap {
 
  private:
   ocl::Device device_;
-  bool is_simd_;
+  ocl::KernelTuning splat_tuning_, resolve_tuning_, points_tuning_;
   ocl::Kernel crowd_kernel_, splat_kernel_, resolve_kernel_, points_kernel_;
   const ocl::Buffer<CloudParticle>* particles_ = nullptr;
   std::uint32_t count_ = 0;

@@ -13,7 +13,6 @@
 #include "host/base/error.h"
 #include "host/clouds/light/phase_function.h"
 #include "host/ocl/program.h"
-#include "host/ocl/tuning.h"
 
 namespace offing::clouds {
 namespace {
@@ -25,25 +24,20 @@ namespace {
 
 // Room for the cells of a cloud's grid; heaps have a quarter of them (kernels/clouds/light_bounds.cl).
 constexpr int cells = 16384;
+constexpr std::size_t plane_cells = cells / CLOUD_LEAST_CELLS;
 // A plane of zeros, all levels (each at most a quarter of the one before, but for short rows), and what is
 // read beyond.
-constexpr std::size_t level_cells = cells / 16 + cells / 3 * 4 + 1024;
-constexpr std::size_t medium_cells = cells + cells / 8;  // MEDIUM_CELLS of kernels/clouds/light_grid.clh
-constexpr std::size_t beam_margin = 16;                  // FIRST_BEAM of kernels/clouds/light_grid.clh
-
-// CPU: one work-item a group. Work of a cloud is shared by a few items, which keeps cores busy; of a GPU by
-// as many as there may be rows or cells.
-constexpr std::size_t simd_items = 2, group_row_items = cells / 16, group_cell_items = cells / 4;
-constexpr int simd_lanes = 16, simd_particles = 128;
-constexpr int group_size = 256;
+constexpr std::size_t level_cells = plane_cells + cells / 3 * 4 + 1024;
+constexpr std::size_t medium_cells = cells + 2 * plane_cells;
 constexpr std::size_t entry_texels = CLOUD_ENTRY_SIZE * CLOUD_ENTRY_SIZE;
-// HARRIS_SIZE of kernels/clouds/light_recurrence.cl, squared.
-constexpr std::size_t recurrence_texels = 128 * 128;
+constexpr std::size_t recurrence_texels = CLOUD_HARRIS_SIZE * CLOUD_HARRIS_SIZE;
 
-ocl::Kernel built(const ocl::Device& device, const char* source, const char* kernel, bool is_simd) {
+ocl::Kernel built(const ocl::Device& device, const char* source, const char* kernel,
+                  const ocl::KernelTuning& tuning) {
   ocl::Defines defines;
   defines.set("CELLS", cells).set("LEVEL_CELLS", static_cast<long long>(level_cells));
-  defines.set("GROUP_SIZE", is_simd ? 1 : group_size).set("LANES", is_simd ? simd_lanes : 1);
+  defines.set("MEDIUM_CELLS", static_cast<long long>(medium_cells));
+  defines.set("GROUP_SIZE", static_cast<long long>(tuning.group)).set("LANES", tuning.lanes);
   return ocl::Program::build(device, source, defines).kernel(kernel);
 }
 
@@ -82,18 +76,22 @@ CloudLightParams packed(const CloudIllumination& light, int suns) {
 
 ParticleLight::ParticleLight(const ocl::Device& device)
     : device_(device),
-      is_simd_(ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::simd),
-      bounds_kernel_(built(device, "clouds/light_bounds.cl", "light_bounds", is_simd_)),
-      density_kernel_(built(device, "clouds/light_density.cl", "light_density", is_simd_)),
-      entry_kernel_(built(device, "clouds/light_entry.cl", "light_entry", is_simd_)),
-      beam_kernel_(built(device, "clouds/light_beam.cl", "light_beam", is_simd_)),
-      source_kernel_(built(device, "clouds/light_source.cl", "light_source", is_simd_)),
-      coarsen_kernel_(built(device, "clouds/light_coarsen.cl", "light_coarsen", is_simd_)),
-      diffuse_kernel_(built(device, "clouds/light_diffuse.cl", "light_diffuse", is_simd_)),
-      glow_kernel_(built(device, "clouds/light_glow.cl", "light_glow", is_simd_)),
-      scatter_kernel_(built(device, "clouds/particle_scatter.cl", "particle_scatter", is_simd_)),
-      recurrence_kernel_(built(device, "clouds/light_recurrence.cl", "light_recurrence", is_simd_)),
-      first_order_kernel_(built(device, "clouds/particle_first_order.cl", "particle_first_order", is_simd_)),
+      density_tuning_(ocl::tuning_for(device.info(), "light_density")),
+      cell_tuning_(ocl::tuning_for(device.info(), "light_cells")),
+      group_tuning_(ocl::tuning_for(device.info(), "light_groups")),
+      scatter_tuning_(ocl::tuning_for(device.info(), "particle_scatter")),
+      bounds_kernel_(built(device, "clouds/light_bounds.cl", "light_bounds", group_tuning_)),
+      density_kernel_(built(device, "clouds/light_density.cl", "light_density", density_tuning_)),
+      entry_kernel_(built(device, "clouds/light_entry.cl", "light_entry", group_tuning_)),
+      beam_kernel_(built(device, "clouds/light_beam.cl", "light_beam", group_tuning_)),
+      source_kernel_(built(device, "clouds/light_source.cl", "light_source", cell_tuning_)),
+      coarsen_kernel_(built(device, "clouds/light_coarsen.cl", "light_coarsen", group_tuning_)),
+      diffuse_kernel_(built(device, "clouds/light_diffuse.cl", "light_diffuse", group_tuning_)),
+      glow_kernel_(built(device, "clouds/light_glow.cl", "light_glow", cell_tuning_)),
+      scatter_kernel_(built(device, "clouds/particle_scatter.cl", "particle_scatter", scatter_tuning_)),
+      recurrence_kernel_(built(device, "clouds/light_recurrence.cl", "light_recurrence", group_tuning_)),
+      first_order_kernel_(
+          built(device, "clouds/particle_first_order.cl", "particle_first_order", scatter_tuning_)),
       order_(device),
       recurrence_map_(device, recurrence_texels, "light along the order of particles") {}
 
@@ -149,7 +147,7 @@ void ParticleLight::reserve(std::size_t clouds) {
       {&faces_, channels * level_cells * 4, "levels of clouds"},
       {&sources_, clouds * level_cells * 3, "sources of light in clouds"},
       {&fluence_, clouds * level_cells * 3, "fluence in clouds"},
-      {&beams_, beams * cells + 2 * beam_margin, "sunlight in clouds"},
+      {&beams_, beams * cells + 2 * CLOUD_BEAM_MARGIN, "sunlight in clouds"},
       {&entries_, std::max<std::size_t>(beams, 1) * entry_texels, "sunlight between clouds"}};
   for (const auto& [buffer, size, name] : arrays) {
     if (size <= buffer->size()) continue;
@@ -184,8 +182,9 @@ void ParticleLight::relight(const ocl::Buffer<CloudParticle>& particles, std::ui
   if (count == 0) return;
 
   model_ = model;
-  const std::size_t clouds = looks.size(), group = is_simd_ ? 1 : group_size;
-  bounds_kernel_.launch({{clouds * group}, {group}}, particles, static_cast<int>(count), grids_);
+  const std::size_t clouds = looks.size();
+  bounds_kernel_.launch({{clouds * group_tuning_.group}, {group_tuning_.group}}, particles,
+                        static_cast<int>(count), grids_);
   if (model == LightModel::calibrated) {
     diffuse(clouds);
   } else {
@@ -194,16 +193,13 @@ void ParticleLight::relight(const ocl::Buffer<CloudParticle>& particles, std::ui
 }
 
 void ParticleLight::diffuse(std::size_t clouds) {
-  const std::size_t group = is_simd_ ? 1 : group_size, channels = static_cast<std::size_t>(channels_);
-  const auto shared = [&](std::size_t group_items) -> ocl::LaunchShape {
-    if (is_simd_) return {{simd_items, clouds}, {1, 1}};
-    return {{group_items, clouds}};
-  };
+  const auto channels = static_cast<std::size_t>(channels_);
   const auto groups = [&](std::size_t number) -> ocl::LaunchShape {
-    return {{number * group, clouds}, {group, 1}};
+    return {{number * group_tuning_.group, clouds}, {group_tuning_.group}};
   };
-  const ocl::LaunchShape rows = shared(group_row_items), each_cell = shared(group_cell_items);
-  density_kernel_.launch(rows, *particles_, grids_, looks_, channels_, medium_, absorption_);
+  const ocl::LaunchShape each_cell = ocl::launch_shape(cell_tuning_, cells, clouds);
+  density_kernel_.launch(ocl::launch_shape(density_tuning_, cells, clouds), *particles_, grids_, looks_,
+                         channels_, medium_, absorption_);
   if (suns_ > 0) {
     const ocl::LaunchShape each_beam = groups(static_cast<std::size_t>(suns_) * channels);
     const auto number = static_cast<int>(clouds);
@@ -227,7 +223,6 @@ void ParticleLight::carry_along(std::span<const CloudIllumination> lights, std::
                 fmt::format("light of clouds: harris: expected at most 1 sun, got {}", suns_),
                 "use the calibrated model");
   }
-  const std::size_t group = is_simd_ ? 1 : group_size;
   if (reached_.size() < count_) reached_ = ocl::Buffer<float>(device_, count_, "sunlight on particles");
   const auto lit =
       std::find_if(lights.begin(), lights.end(), [](const auto& light) { return !light.suns.empty(); });
@@ -235,9 +230,9 @@ void ParticleLight::carry_along(std::span<const CloudIllumination> lights, std::
   // Clouds differ in how bright it is.
   const glm::vec3 way(lit->suns.front().direction);
   order_.along_light(*particles_, count_, way);
-  recurrence_kernel_.launch({{group}, {group}}, *particles_, static_cast<int>(count_), order_.order(), grids_,
-                            static_cast<int>(clouds), looks_, phases_, way.x, way.y, way.z, recurrence_map_,
-                            reached_);
+  recurrence_kernel_.launch({{group_tuning_.group}, {group_tuning_.group}}, *particles_,
+                            static_cast<int>(count_), order_.order(), grids_, static_cast<int>(clouds),
+                            looks_, phases_, way.x, way.y, way.z, recurrence_map_, reached_);
 }
 
 std::optional<CloudBox> ParticleLight::box() const {
@@ -266,17 +261,15 @@ void ParticleLight::see(const glm::vec3& eye_m, ocl::Buffer<CloudSprite>& sprite
   };
   const std::uint32_t first = bound(part.index), end = bound(part.index + 1);
   if (first == end) return;
-  const std::uint32_t per_item = is_simd_ ? simd_particles : 1;
-  ocl::LaunchShape shape{{(end - first + per_item - 1) / per_item}};
-  if (is_simd_) shape.local = {1};
+  const ocl::LaunchShape shape = ocl::launch_shape(scatter_tuning_, end - first);
   if (model_ == LightModel::harris) {
     first_order_kernel_.launch(shape, *particles_, static_cast<int>(first), static_cast<int>(end),
-                               static_cast<int>(per_item), looks_, lights_, phases_, reached_, eye_m.x,
-                               eye_m.y, eye_m.z, sprites);
+                               scatter_tuning_.per_item, looks_, lights_, phases_, reached_, eye_m.x, eye_m.y,
+                               eye_m.z, sprites);
     return;
   }
   scatter_kernel_.launch(shape, *particles_, static_cast<int>(first), static_cast<int>(end),
-                         static_cast<int>(per_item), grids_, looks_, lights_, phases_, absorption_, beams_,
+                         scatter_tuning_.per_item, grids_, looks_, lights_, phases_, absorption_, beams_,
                          glow_, drift_, channels_, eye_m.x, eye_m.y, eye_m.z, sprites);
 }
 

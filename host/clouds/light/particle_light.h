@@ -12,6 +12,7 @@
 #include "host/clouds/shape/cloud_parameters.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
+#include "host/ocl/tuning.h"
 #include "kernels/shared/cloud_light_params.h"
 #include "kernels/shared/clouds.h"
 
@@ -73,7 +74,7 @@ class ParticleLight {
   void carry_along(std::span<const CloudIllumination> lights, std::size_t clouds);
 
   ocl::Device device_;
-  bool is_simd_;
+  ocl::KernelTuning density_tuning_, cell_tuning_, group_tuning_, scatter_tuning_;
   ocl::Kernel bounds_kernel_, density_kernel_, entry_kernel_, beam_kernel_, source_kernel_, coarsen_kernel_,
       diffuse_kernel_, glow_kernel_, scatter_kernel_, recurrence_kernel_, first_order_kernel_;
   const ocl::Buffer<CloudParticle>* particles_ = nullptr;

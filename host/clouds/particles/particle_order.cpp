@@ -4,19 +4,11 @@
 
 #include "host/base/error.h"
 #include "host/ocl/program.h"
-#include "host/ocl/tuning.h"
 
 namespace offing::clouds {
-namespace {
-
-// Enough work for an item of the simd shape that its launch counts little.
-constexpr int simd_particles = 2048;
-
-}  // namespace
 
 ParticleOrder::ParticleOrder(const ocl::Device& device)
-    : particles_per_item_(
-          ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::simd ? simd_particles : 1),
+    : tuning_(ocl::tuning_for(device.info(), "order_key")),
       key_kernel_(ocl::Program::build(device, "clouds/order_key.cl").kernel("order_key")),
       sort_(device) {}
 
@@ -28,10 +20,9 @@ void ParticleOrder::sort(const ocl::Buffer<CloudParticle>& particles, std::uint3
   }
   if (count == 0) return;
   sort_.reserve(count);
-  const auto per_item = static_cast<std::uint32_t>(particles_per_item_);
-  key_kernel_.launch({{(count + per_item - 1) / per_item}}, particles, static_cast<int>(count),
-                     particles_per_item_, source.x, source.y, source.z, from == From::place ? 1 : 0, flip,
-                     sort_.keys(), sort_.values());
+  key_kernel_.launch(ocl::launch_shape(tuning_, count), particles, static_cast<int>(count), tuning_.per_item,
+                     source.x, source.y, source.z, from == From::place ? 1 : 0, flip, sort_.keys(),
+                     sort_.values());
   sort_.sort(count);
 }
 

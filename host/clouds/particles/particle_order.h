@@ -7,6 +7,7 @@
 #include "host/clouds/particles/radix_sort.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
+#include "host/ocl/tuning.h"
 #include "kernels/shared/clouds.h"
 
 namespace offing::clouds {
@@ -33,7 +34,7 @@ class ParticleOrder {
   void sort(const ocl::Buffer<CloudParticle>& particles, std::uint32_t count, const glm::vec3& source,
             From from, std::uint32_t flip);
 
-  int particles_per_item_;
+  ocl::KernelTuning tuning_;
   ocl::Kernel key_kernel_;
   RadixSort sort_;
 };

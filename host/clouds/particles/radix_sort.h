@@ -4,6 +4,7 @@
 
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
+#include "host/ocl/tuning.h"
 
 namespace offing::clouds {
 
@@ -25,7 +26,7 @@ class RadixSort {
 
  private:
   ocl::Device device_;
-  bool is_simd_;
+  ocl::KernelTuning sort_tuning_, scan_tuning_;
   ocl::Kernel count_kernel_, scan_kernel_, scatter_kernel_;
   ocl::Buffer<std::uint32_t> keys_, values_, other_keys_, other_values_, counts_, starts_;
 };

@@ -34,16 +34,15 @@ constexpr std::size_t rows_of_brick = CLOUD_BRICK_CELLS * CLOUD_BRICK_CELLS;
 /// The kernel for a device, and how many of its work-items share a brick.
 struct DensityKernel {
   ocl::Kernel kernel;
-  std::size_t lanes;
+  std::size_t group;
 
-  DensityKernel(const ocl::Device& device, ocl::Defines defines) {
-    const bool is_simd = ocl::tuning_for(device.info(), "clouds").shape == ocl::KernelShape::simd;
-    lanes = is_simd ? 1 : rows_of_brick;
-    defines.set("ROWS", static_cast<long long>(rows_of_brick / lanes));
+  DensityKernel(const ocl::Device& device, ocl::Defines defines)
+      : group(ocl::tuning_for(device.info(), "cloud_density").group) {
+    defines.set("ROWS", static_cast<long long>(rows_of_brick / group));
     kernel = ocl::Program::build(device, "clouds/cloud_density.cl", defines).kernel("cloud_density");
   }
 
-  ocl::LaunchShape shape(std::size_t bricks) const { return {{bricks * lanes}, {lanes}}; }
+  ocl::LaunchShape shape(std::size_t bricks) const { return {{bricks * group}, {group}}; }
 };
 
 template <typename T>

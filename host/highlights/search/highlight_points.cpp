@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include "host/ocl/program.h"
-#include "host/ocl/tuning.h"
 
 namespace offing::highlights {
 namespace {
@@ -44,17 +43,10 @@ std::vector<HighlightPoint> merged_points(const HighlightSurface& surface,
   return kept;
 }
 
-constexpr int simd_lanes = 16;
-// Enough work for an item of the strip shape that its launch counts little.
-constexpr int simd_vectors = 32, simd_faces = 1024;
 constexpr std::size_t first_capacity = 256;
 // Of the printed method: how far outside a face a point may be, in weights, and how near N must be to H
 // there.
 constexpr float least_squares_tolerance = 1e-4f, least_squares_n_dot_h = 0.9999f;
-
-std::size_t items(int work, int work_per_item) {
-  return static_cast<std::size_t>((work + work_per_item - 1) / work_per_item);
-}
 
 HighlightPoint point_of(const HighlightSurface& surface, const HighlightRecord& record) {
   HighlightPoint point;
@@ -84,10 +76,11 @@ glm::dvec3 place_on(const HighlightSurface& surface, std::uint32_t face, const g
 
 HighlightFinder::HighlightFinder(const ocl::Device& device)
     : device_(device),
-      lanes_(ocl::tuning_for(device.info(), "highlights").shape == ocl::KernelShape::simd ? simd_lanes : 1),
-      field_kernel_(
-          ocl::Program::build(device, "highlights/highlight_field.cl", ocl::Defines().set("LANES", lanes_))
-              .kernel("highlight_field")),
+      field_tuning_(ocl::tuning_for(device.info(), "highlight_field")),
+      points_tuning_(ocl::tuning_for(device.info(), "highlight_points")),
+      field_kernel_(ocl::Program::build(device, "highlights/highlight_field.cl",
+                                        ocl::Defines().set("LANES", field_tuning_.lanes))
+                        .kernel("highlight_field")),
       points_kernel_(
           ocl::Program::build(device, "highlights/highlight_points.cl").kernel("highlight_points")),
       least_squares_kernel_(
@@ -102,14 +95,14 @@ void HighlightFinder::launch_zeros(const HighlightSurface& surface, int first_li
   if (field_.size() < floats) field_ = ocl::Buffer<float>(device_, floats, "highlight field");
   if (masks_.size() < static_cast<std::size_t>(pitch))
     masks_ = ocl::Buffer<std::uint32_t>(device_, static_cast<std::size_t>(pitch), "highlight masks");
-  const int vectors = lanes_ > 1 ? simd_vectors : 1;
-  field_kernel_.launch({{items(pitch, lanes_ * vectors)}}, surface.vertex_rows(), pitch, lights_, light_count,
-                       vectors, first_light == 0 ? 1 : 0, field_, masks_, count_);
+  field_kernel_.launch(ocl::launch_shape(field_tuning_, static_cast<std::size_t>(pitch)),
+                       surface.vertex_rows(), pitch, lights_, light_count, field_tuning_.per_item,
+                       first_light == 0 ? 1 : 0, field_, masks_, count_);
   const int face_count = static_cast<int>(surface.mesh().faces.size());
-  const int faces = lanes_ > 1 ? simd_faces : 1;
   if (face_count == 0) return;
-  points_kernel_.launch({{items(face_count, faces)}}, surface.vertex_rows(), pitch, surface.face_rows(),
-                        face_count, faces, lights_, first_light, field_, masks_, records_,
+  points_kernel_.launch(ocl::launch_shape(points_tuning_, static_cast<std::size_t>(face_count)),
+                        surface.vertex_rows(), pitch, surface.face_rows(), face_count,
+                        points_tuning_.per_item, lights_, first_light, field_, masks_, records_,
                         static_cast<int>(records_.size()), count_);
 }
 

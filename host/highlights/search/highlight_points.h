@@ -9,6 +9,7 @@
 #include "host/highlights/search/lighting.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
+#include "host/ocl/tuning.h"
 
 namespace offing::highlights {
 
@@ -53,7 +54,7 @@ class HighlightFinder {
   int search(const HighlightSurface& surface, const Lighting& lighting, SearchMethod method);
 
   ocl::Device device_;
-  int lanes_;
+  ocl::KernelTuning field_tuning_, points_tuning_;
   ocl::Kernel field_kernel_, points_kernel_, least_squares_kernel_;
   ocl::Buffer<HighlightLight> lights_;
   ocl::Buffer<float> field_;

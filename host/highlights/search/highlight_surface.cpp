@@ -15,6 +15,7 @@
 #include "host/base/mesh_neighbours.h"
 #include "host/base/parameter_check.h"
 #include "host/base/tangent_plane.h"
+#include "host/ocl/tuning.h"
 #include "kernels/shared/highlights.h"
 
 namespace offing::highlights {
@@ -56,8 +57,6 @@ DisjointSets joined(const TriangleMesh& mesh, double distance_m) {
   }
   return sets;
 }
-
-constexpr int widest_lanes = 16;
 
 [[noreturn]] void refuse(const std::string& what, const std::string& hint) {
   throw Error(ErrorKind::bad_input, "highlights: mesh: " + what, hint);
@@ -259,7 +258,7 @@ void HighlightSurface::set_normals() {
 
 void HighlightSurface::upload_vertices() {
   const std::size_t count = mesh_.positions_m.size();
-  const std::size_t pitch = (count + widest_lanes - 1) / widest_lanes * widest_lanes;
+  const std::size_t pitch = (count + ocl::widest_lanes - 1) / ocl::widest_lanes * ocl::widest_lanes;
   pitch_ = static_cast<int>(pitch);
   std::vector<float> rows(HIGHLIGHT_VERTEX_ROWS * pitch, 0.0f);
   const auto set_vector = [&](std::size_t row, std::size_t vertex, const glm::dvec3& v) {

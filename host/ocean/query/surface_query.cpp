@@ -9,16 +9,12 @@
 #include "host/ocean/surface/gerstner_surface.h"
 #include "host/ocean/surface/wave_clock.h"
 #include "host/ocl/program.h"
-#include "host/ocl/tuning.h"
 
 namespace offing::ocean {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double tile_m = SURFACE_QUERY_TILE_M;
-// A work-item of the simd shape takes vectors of this many points, so many of them.
-constexpr int simd_lanes = 16;
-constexpr std::size_t vectors_an_item = 8;
 // Points that are on the device at a time: 48 MB with their samples.
 constexpr std::size_t most_points = std::size_t{1} << 20;
 
@@ -172,12 +168,12 @@ SurfaceInstant read_instant(const QueriedSea& sea, const WaterQuery& query) {
 
 SurfaceQuery::SurfaceQuery(const ocl::Device& device)
     : device_(device),
-      lanes_(ocl::tuning_for(device.info(), "gerstner").shape == ocl::KernelShape::simd ? simd_lanes : 1),
+      tuning_(ocl::tuning_for(device.info(), "surface_query")),
       kernel_(make_kernel(Depths::none)) {}
 
 ocl::Kernel SurfaceQuery::make_kernel(Depths depths) const {
   ocl::Defines defines;
-  defines.set("LANES", lanes_);
+  defines.set("LANES", tuning_.lanes).set("VECTORS", tuning_.per_item);
   if (depths == Depths::shoals) defines.set("SHOALS", 1);
   return ocl::Program::build(device_, "ocean/surface_query.cl", defines).kernel("surface_query");
 }
@@ -202,17 +198,12 @@ void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query,
   upload(sea, query);
   const WaveClock clock(largest_omega_radps / two_pi, sea.gerstner_waves.loop_period_s);
   const WaveTime time = clock.at(sea.time_s);
-  const std::size_t points_an_item = vectors_an_item * static_cast<std::size_t>(lanes_);
-  // A work-item of the simd shape has a group of its own: what it keeps would fill the stack for many at
-  // once.
-  ocl::LaunchShape shape{{(count + points_an_item - 1) / points_an_item}};
-  if (lanes_ > 1) shape.local = {1};
   // Without flow a map that is there stands in for it, unread.
   const auto launch = [&](const ocl::Kernel& kernel, const auto&... shoals) {
-    kernel.launch(shape, points, sea.displacement, sea.gradient, sea.flow ? *sea.flow : sea.gradient,
-                  waves_buffer_, rings_buffer_, sea.wakes.maps(), sea.wakes.layers(),
-                  static_cast<int>(sea.wakes.count()), shoals..., params_buffer_, static_cast<int>(count),
-                  time.ticks, time.tick_fraction, samples);
+    kernel.launch(ocl::launch_shape(tuning_, count), points, sea.displacement, sea.gradient,
+                  sea.flow ? *sea.flow : sea.gradient, waves_buffer_, rings_buffer_, sea.wakes.maps(),
+                  sea.wakes.layers(), static_cast<int>(sea.wakes.count()), shoals..., params_buffer_,
+                  static_cast<int>(count), time.ticks, time.tick_fraction, samples);
   };
   if (sea.shoals == nullptr) {
     launch(kernel_);

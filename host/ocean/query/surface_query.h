@@ -13,6 +13,7 @@
 #include "host/ocean/wakes/wake_maps.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
+#include "host/ocl/tuning.h"
 #include "kernels/shared/gerstner_params.h"
 
 namespace offing::ocean {
@@ -56,7 +57,7 @@ class SurfaceQuery {
   ocl::Kernel make_kernel(Depths depths) const;
 
   ocl::Device device_;
-  int lanes_;
+  ocl::KernelTuning tuning_;
   ocl::Kernel kernel_;
   std::optional<ocl::Kernel> over_shoals_;  // made at first use
   // As they are on the device.

@@ -11,16 +11,12 @@
 #include "host/ocean/ocean_limits.h"
 #include "host/ocean/surface/wave_clock.h"
 #include "host/ocl/program.h"
-#include "host/ocl/tuning.h"
 
 namespace offing::ocean {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr float smallest_ring_m = 1e-6f;
-// A work-item of the simd shape takes this many columns at a time, and rows enough that what it computes
-// once counts little.
-constexpr int simd_lanes = 16, block_columns = 64, simd_rows = 4;
 
 /// The waves that show on a grid, at time 0, as the kernel reads them: [row][pitch], the waves side by side.
 PackedWaves pack_waves(const GerstnerSea& sea, const SampleGrid& grid, const WaveClock& clock, int lanes) {
@@ -109,20 +105,23 @@ double shown_share(double samples_per_wavelength) {
 
 GerstnerSurface::GerstnerSurface(const ocl::Device& device)
     : device_(device),
-      lanes_(ocl::tuning_for(device.info(), "gerstner").shape == ocl::KernelShape::simd ? simd_lanes : 1),
-      kernel_(ocl::Program::build(device, "ocean/gerstner_surface.cl", ocl::Defines().set("LANES", lanes_))
-                  .kernel("gerstner_surface")) {}
+      tuning_(ocl::tuning_for(device.info(), "gerstner_surface")),
+      kernel_(
+          ocl::Program::build(device, "ocean/gerstner_surface.cl", ocl::Defines().set("LANES", tuning_.lanes))
+              .kernel("gerstner_surface")) {}
 
 void GerstnerSurface::at(const GerstnerSea& sea, const SampleGrid& grid, double time_s) {
   require_valid_gerstner_waves(sea);
   require_valid_grid(grid);
   require_within("time_s", time_s, -largest_time_s, largest_time_s);
   const WaveClock clock(largest_omega_radps / two_pi, sea.loop_period_s);
-  upload(pack_waves(sea, grid, clock, lanes_), pack_rings(sea, grid, time_s));
+  upload(pack_waves(sea, grid, clock, tuning_.lanes), pack_rings(sea, grid, time_s));
 
   columns_ = grid.columns;
   rows_ = grid.rows;
-  pitch_ = lanes_ > 1 ? std::max(grid.columns, block_columns) : grid.columns;
+  const bool is_simd = tuning_.shape == ocl::KernelShape::simd;
+  const int block_columns = 2 * GERSTNER_HALF_VECTORS * tuning_.lanes;
+  pitch_ = is_simd ? std::max(grid.columns, block_columns) : grid.columns;
   const std::size_t floats = 4 * static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(rows_);
   if (displacement_.size() != floats) {
     displacement_ = ocl::Buffer<float>(device_, floats, "Gerstner displacement");
@@ -137,8 +136,10 @@ void GerstnerSurface::at(const GerstnerSea& sea, const SampleGrid& grid, double 
                             .ring_count = static_cast<int>(rings_.size()),
                             .padding = 0};
   const auto rows = static_cast<std::size_t>(rows_);
-  const ocl::LaunchShape shape = lanes_ > 1 ? ocl::LaunchShape{{(rows + simd_rows - 1) / simd_rows}, {1}}
-                                            : ocl::LaunchShape{{static_cast<std::size_t>(pitch_), rows, 1}};
+  const auto rows_each = static_cast<std::size_t>(tuning_.per_item);
+  const ocl::LaunchShape shape = is_simd
+                                     ? ocl::LaunchShape{{(rows + rows_each - 1) / rows_each}, {tuning_.group}}
+                                     : ocl::LaunchShape{{static_cast<std::size_t>(pitch_), rows, 1}};
   const WaveTime time = clock.at(time_s);
   kernel_.launch(shape, turns_buffer_, amplitudes_buffer_, rings_buffer_, packed, time.ticks,
                  time.tick_fraction, displacement_, gradient_);

@@ -7,6 +7,7 @@
 #include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
+#include "host/ocl/tuning.h"
 #include "kernels/shared/gerstner_params.h"
 
 namespace offing::ocean {
@@ -67,7 +68,7 @@ class GerstnerSurface {
   void upload(PackedWaves waves, std::vector<GerstnerRing> rings);
 
   ocl::Device device_;
-  int lanes_;
+  ocl::KernelTuning tuning_;
   ocl::Kernel kernel_;
   PackedWaves waves_;  // as they are on the device
   std::vector<GerstnerRing> rings_;

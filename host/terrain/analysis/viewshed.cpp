@@ -86,12 +86,13 @@ void require_valid(const ViewshedParameters& parameters, const PostGrid& grid) {
 }
 
 Viewshed::Viewshed(const ocl::Device& device)
-    : lanes_(lanes_of(device)),
-      walk_(ocl::Program::build(device, "terrain/sight_walk.cl",
-                                ocl::Defines().set("LANES", lanes_).set("UP_RULE", TERRAIN_UP_WITH_PARENT))
-                .kernel("sight_walk")) {
-  if (lanes_ > 1) {
-    sweep_ = ocl::Program::build(device, "terrain/horizon_sweep.cl", ocl::Defines().set("LANES", lanes_))
+    : rays_(ray_tuning(device)),
+      walk_(
+          ocl::Program::build(device, "terrain/sight_walk.cl",
+                              ocl::Defines().set("LANES", rays_.lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT))
+              .kernel("sight_walk")) {
+  if (rays_.shape == ocl::KernelShape::simd) {
+    sweep_ = ocl::Program::build(device, "terrain/horizon_sweep.cl", ocl::Defines().set("LANES", rays_.lanes))
                  .kernel("horizon_sweep");
   }
 }
@@ -104,17 +105,18 @@ void Viewshed::at(const HeightField& field, const ViewshedParameters& parameters
   require_room("viewshed", columns * rows, seen.size());
   seen.fill(SIGHT_UNDECIDED);
   const TerrainSight sight = device_sight(field, parameters);
-  if (lanes_ > 1) {
+  const bool is_simd = rays_.shape == ocl::KernelShape::simd;
+  if (is_simd) {
     // Rays a line of posts, and two aside.
     const std::size_t wedges = std::max(columns, rows) + 2,
-                      wedges_each = static_cast<std::size_t>(lanes_) - 1;
-    sweep_.launch({{wedges / wedges_each + 1, octants}, {1, 1}}, field.heights_m(),
+                      wedges_each = static_cast<std::size_t>(rays_.lanes) - 1;
+    sweep_.launch({{wedges / wedges_each + 1, octants}, {rays_.group}}, field.heights_m(),
                   field.device_field(CastMethod::parity), sight, seen);
   }
   // Few lines are left of a row, which fill vectors only together.
-  const std::size_t columns_each = lanes_ > 1 ? columns : 1;
+  const std::size_t columns_each = is_simd ? columns : 1;
   const ocl::LaunchShape shape =
-      lanes_ > 1 ? ocl::LaunchShape{{1, rows}, {1, 1}} : ocl::LaunchShape{{columns, rows}};
+      is_simd ? ocl::LaunchShape{{1, rows}, {rays_.group}} : ocl::LaunchShape{{columns, rows}};
   walk_.launch(shape, field.heights_m(), field.pyramid().maxima_m(), field.device_field(CastMethod::parity),
                sight, static_cast<int>(columns_each), seen);
 }

@@ -6,6 +6,7 @@
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
 #include "host/ocl/kernel.h"
+#include "host/ocl/tuning.h"
 #include "host/terrain/analysis/earth_curve.h"
 #include "host/terrain/field/height_field.h"
 
@@ -40,7 +41,7 @@ class Viewshed {
           ocl::Buffer<std::uint8_t>& seen) const;
 
  private:
-  int lanes_;
+  ocl::KernelTuning rays_;
   ocl::Kernel sweep_, walk_;
 };
 

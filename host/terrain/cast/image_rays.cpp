@@ -3,17 +3,11 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/ocl/tuning.h"
 
 namespace offing::terrain {
-namespace {
 
-constexpr int simd_lanes = 16;
-
-}  // namespace
-
-int lanes_of(const ocl::Device& device) {
-  return ocl::tuning_for(device.info(), "terrain").shape == ocl::KernelShape::simd ? simd_lanes : 1;
+ocl::KernelTuning ray_tuning(const ocl::Device& device) {
+  return ocl::tuning_for(device.info(), "terrain_rays");
 }
 
 TerrainView device_view(const Camera& camera, const PostGrid& grid) {
@@ -43,12 +37,12 @@ TerrainView device_view(const Camera& camera, const PostGrid& grid) {
           .height_px = camera.height_px};
 }
 
-ocl::LaunchShape image_shape(const Camera& camera, int lanes) {
+ocl::LaunchShape image_shape(const Camera& camera, const ocl::KernelTuning& rays) {
   const auto width = static_cast<std::size_t>(camera.width_px),
              height = static_cast<std::size_t>(camera.height_px);
-  if (lanes == 1) return {{width, height}};
-  const auto tile_px = static_cast<std::size_t>(lanes);
-  return {{(width + tile_px - 1) / tile_px, (height + tile_px - 1) / tile_px}, {1}};
+  if (rays.shape == ocl::KernelShape::workgroup) return {{width, height}};
+  const auto tile_px = static_cast<std::size_t>(rays.lanes);
+  return {{(width + tile_px - 1) / tile_px, (height + tile_px - 1) / tile_px}, {rays.group}};
 }
 
 std::size_t pixel_count(const Camera& camera) {

@@ -5,19 +5,20 @@
 #include "host/base/camera.h"
 #include "host/ocl/device.h"
 #include "host/ocl/kernel.h"
+#include "host/ocl/tuning.h"
 #include "host/terrain/cast/ray.h"
 
 namespace offing::terrain {
 
-/// Rays that a work-item walks side by side on this device.
-int lanes_of(const ocl::Device& device);
+/// How rays are cast on this device.
+ocl::KernelTuning ray_tuning(const ocl::Device& device);
 
 /// A camera as kernels take it (shared/terrain.h). Throws what require_valid(camera) throws, and
 /// Error(bad_input) for an eye that require_valid(Ray) refuses.
 TerrainView device_view(const Camera& camera, const PostGrid& grid);
 
 /// Work-items for the pixels of a camera, as kernels/terrain/image_rays.clh shares them out.
-ocl::LaunchShape image_shape(const Camera& camera, int lanes);
+ocl::LaunchShape image_shape(const Camera& camera, const ocl::KernelTuning& rays);
 
 std::size_t pixel_count(const Camera& camera);
 

@@ -96,7 +96,7 @@ struct HeightField::State {
   ocl::Device device;
   PostGrid grid;
   Range range;
-  int lanes;
+  ocl::KernelTuning tuning;
   ocl::Buffer<float> heights_m;
   Pyramid pyramid;
   // Of each up rule, of hits with either kind of normals; built when they are first asked for.
@@ -109,7 +109,7 @@ struct HeightField::State {
       : device(on),
         grid(posts),
         range(range_of(posts, heights)),
-        lanes(lanes_of(on)),
+        tuning(ray_tuning(on)),
         heights_m(on, heights, "heights"),
         pyramid(on, posts, heights_m) {}
 
@@ -132,7 +132,7 @@ struct HeightField::State {
   }
 
   ocl::Defines defines(CastMethod method) const {
-    return ocl::Defines().set("LANES", lanes).set("UP_RULE", up_rule_of(method));
+    return ocl::Defines().set("LANES", tuning.lanes).set("UP_RULE", up_rule_of(method));
   }
   ocl::Defines defines(CastMethod method, HitNormals normals) const {
     ocl::Defines definitions = defines(method);
@@ -146,7 +146,7 @@ struct HeightField::State {
     require_room("picture", pixel_count(camera), records.size());
     if (!kernel)
       kernel = ocl::Program::build(device, "terrain/quadtree_cast.cl", definitions).kernel("quadtree_cast");
-    kernel->launch(image_shape(camera, lanes), heights_m, pyramid.maxima_m(), field(method), view, records);
+    kernel->launch(image_shape(camera, tuning), heights_m, pyramid.maxima_m(), field(method), view, records);
   }
 
   /// `bends` are what the kernel takes with IS_CURVED.
@@ -158,11 +158,8 @@ struct HeightField::State {
     require_room("hits", count, to.size());
     if (count == 0) return;
     if (!kernel) kernel = ocl::Program::build(device, "terrain/ray_cast.cl", definitions).kernel("ray_cast");
-    const auto rays_each = static_cast<std::size_t>(lanes);
-    ocl::LaunchShape shape{{(count + rays_each - 1) / rays_each}};
-    if (lanes > 1) shape.local = {1};
-    kernel->launch(shape, heights_m, pyramid.maxima_m(), field(method), from, static_cast<int>(count), to,
-                   bends...);
+    kernel->launch(ocl::launch_shape(tuning, count), heights_m, pyramid.maxima_m(), field(method), from,
+                   static_cast<int>(count), to, bends...);
   }
 
   std::vector<RayHit> cast_from_host(std::span<const Ray> rays, double bend_perm,

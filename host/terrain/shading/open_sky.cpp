@@ -24,15 +24,13 @@ OpenSky::OpenSky(const ocl::Device& device, const HeightField& field) {
   rows_ = count_of(grid.rows, stride_);
   shares_ = ocl::Buffer<std::uint8_t>(
       device, static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), "shares of the sky");
-  const int lanes = lanes_of(device);
-  ocl::LaunchShape shape{
-      {static_cast<std::size_t>((columns_ + lanes - 1) / lanes), static_cast<std::size_t>(rows_)}};
-  if (lanes > 1) shape.local = {1};
+  const ocl::KernelTuning rays = ray_tuning(device);
   ocl::Program::build(device, "terrain/open_sky.cl",
-                      ocl::Defines().set("LANES", lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT))
+                      ocl::Defines().set("LANES", rays.lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT))
       .kernel("open_sky")
-      .launch(shape, field.heights_m(), field.pyramid().maxima_m(), field.device_field(CastMethod::parity),
-              stride_, columns_, shares_);
+      .launch(ocl::launch_shape(rays, static_cast<std::size_t>(columns_), static_cast<std::size_t>(rows_)),
+              field.heights_m(), field.pyramid().maxima_m(), field.device_field(CastMethod::parity), stride_,
+              columns_, shares_);
 }
 
 void OpenSky::describe(TerrainLook& look) const {

@@ -32,7 +32,7 @@ void require_valid(const Sampling& sampling) {
 
 TerrainShade::TerrainShade(const ocl::Device& device)
     : device_(device),
-      lanes_(lanes_of(device)),
+      rays_(ray_tuning(device)),
       contrast_kernel_(ocl::Program::build(device, "terrain/terrain_contrast.cl").kernel("terrain_contrast")),
       no_colours_(device, 1, "colour map"),
       no_shares_(device, 1, "shares of the sky"),
@@ -47,7 +47,7 @@ void TerrainShade::at(const HeightField& field, const Camera& camera, const ocl:
                       const TerrainIllumination& light, ocl::Buffer<Texel>& image,
                       const TerrainAppearance& look) {
   if (!map_kernels_) {
-    map_kernels_ = build(ocl::Defines().set("LANES", lanes_).set("UP_RULE", TERRAIN_UP_WITH_PARENT));
+    map_kernels_ = build(ocl::Defines().set("LANES", rays_.lanes).set("UP_RULE", TERRAIN_UP_WITH_PARENT));
   }
   paint(*map_kernels_,
         {field.heights_m(), field.pyramid().maxima_m(), field.device_field(CastMethod::parity),
@@ -63,7 +63,7 @@ void TerrainShade::at(const TiledField& field, const Camera& camera, const ocl::
                 "leave open_sky out");
   }
   std::optional<Kernels>& kernels = tile_kernels_[static_cast<std::size_t>(field.map().edge)];
-  if (!kernels) kernels = build(tiles_defines(lanes_, field.map().edge));
+  if (!kernels) kernels = build(tiles_defines(rays_.lanes, field.map().edge));
   paint(*kernels, {field.pool(), field.pages(), field.device_field(), field.device_view(camera)}, camera,
         hits, light, image, look);
 }
@@ -91,7 +91,7 @@ void TerrainShade::paint(const Kernels& kernels, const SeenTerrain& terrain, con
   const bool refines_all = sampling.rays > 1 && sampling.least_contrast < 0.0;
   if (refines_all || sampling.rays == 1) needs_.fill(refines_all ? TERRAIN_MANY_RAYS : TERRAIN_ONE_RAY);
   if (!refines_all) {
-    kernels.shade.launch(image_shape(camera, lanes_), terrain.heights_m, terrain.maxima_m, terrain.field,
+    kernels.shade.launch(image_shape(camera, rays_), terrain.heights_m, terrain.maxima_m, terrain.field,
                          terrain.view, hits, light.light, light.sky, light.view_table, device_look, colours,
                          shares, shadow, shadow_map, image);
     if (sampling.rays == 1) return;
@@ -99,7 +99,7 @@ void TerrainShade::paint(const Kernels& kernels, const SeenTerrain& terrain, con
         {{static_cast<std::size_t>(camera.width_px), static_cast<std::size_t>(camera.height_px)}}, image,
         camera.width_px, camera.height_px, static_cast<float>(sampling.least_contrast), needs_);
   }
-  kernels.refine.launch(image_shape(camera, lanes_), terrain.heights_m, terrain.maxima_m, terrain.field,
+  kernels.refine.launch(image_shape(camera, rays_), terrain.heights_m, terrain.maxima_m, terrain.field,
                         terrain.view, light.light, light.sky, light.view_table, device_look, colours, shares,
                         shadow, shadow_map, needs_, sampling.rays, image);
 }

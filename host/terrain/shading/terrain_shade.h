@@ -9,6 +9,7 @@
 #include "host/ocl/device.h"
 #include "host/ocl/kernel.h"
 #include "host/ocl/program.h"
+#include "host/ocl/tuning.h"
 #include "host/terrain/field/height_field.h"
 #include "host/terrain/shading/colour_layer.h"
 #include "host/terrain/shading/open_sky.h"
@@ -101,7 +102,7 @@ class TerrainShade {
              const TerrainAppearance& look);
 
   ocl::Device device_;
-  int lanes_;
+  ocl::KernelTuning rays_;
   // Built when they are first asked for; those of tiles by MapEdge.
   std::optional<Kernels> map_kernels_;
   std::array<std::optional<Kernels>, 3> tile_kernels_;

@@ -61,7 +61,7 @@ struct TiledField::State {
   ocl::Device device;
   TiledMap map;
   PostGrid grid;
-  int lanes;
+  ocl::KernelTuning tuning;
   TileCache cache;
   PageTable table;
   ocl::Buffer<float> pages;
@@ -74,7 +74,7 @@ struct TiledField::State {
       : device(on),
         map(of),
         grid(grid_of(of)),
-        lanes(lanes_of(on)),
+        tuning(ray_tuning(on)),
         cache(on, of, read, cache_bytes),
         table(of.shape),
         pages(on, table.pages().size(), "terrain pages") {}
@@ -189,7 +189,7 @@ struct TiledField::State {
             .cells_per_m_z = static_cast<float>(1.0 / grid.spacing_z_m)};
   }
 
-  ocl::Defines defines() const { return tiles_defines(lanes, map.edge); }
+  ocl::Defines defines() const { return tiles_defines(tuning.lanes, map.edge); }
 
   /// A place brought to the copy of the map that kernels begin in.
   glm::dvec3 near_place(glm::dvec3 place_m) const {
@@ -228,12 +228,10 @@ struct TiledField::State {
     near.reserve(rays.size());
     for (const Ray& ray : rays) near.push_back(near_ray(ray, bend_perm));
     if (!kernel) kernel = ocl::Program::build(device, "terrain/ray_cast.cl", definitions).kernel("ray_cast");
-    const auto rays_each = static_cast<std::size_t>(lanes);
     const auto cast = [&](const ocl::Buffer<TerrainRay>& some, std::size_t count,
                           ocl::Buffer<TerrainHit>& hits) {
-      ocl::LaunchShape shape{{(count + rays_each - 1) / rays_each}};
-      if (lanes > 1) shape.local = {1};
-      kernel->launch(shape, cache.pool(), pages, field(), some, static_cast<int>(count), hits, bends...);
+      kernel->launch(ocl::launch_shape(tuning, count), cache.pool(), pages, field(), some,
+                     static_cast<int>(count), hits, bends...);
     };
     return host_rays.cast(device, grid, near, cast);
   }
@@ -247,7 +245,7 @@ struct TiledField::State {
     if (!kernel) {
       kernel = ocl::Program::build(device, "terrain/quadtree_cast.cl", definitions).kernel("quadtree_cast");
     }
-    kernel->launch(image_shape(camera, lanes), cache.pool(), pages, field(), view, records);
+    kernel->launch(image_shape(camera, tuning), cache.pool(), pages, field(), view, records);
   }
 };
 
