@@ -1,6 +1,7 @@
 #include "host/io/png_image.h"
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
@@ -89,10 +90,37 @@ std::pair<int, int> decode_png(const std::filesystem::path& path, png_uint_32 fo
   return {static_cast<int>(description.width), static_cast<int>(description.height)};
 }
 
+/// 255 times the sRGB curve of a linear intensity in [0, 1].
+float srgb_curve(float linear) {
+  return 255.0f * (linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f);
+}
+
+// Straight lines between 256 points an octave stand for the curve where they give the same byte. They are
+// off by 0.0001 at most (an eighth of the second derivative times the squared length, at 0.5) and rounding.
+constexpr float least_by_lines = 1.0f / 256.0f;
+constexpr int octaves = 8, pieces_an_octave = 256, piece_bits = 15;
+constexpr float lines_tolerance = 0.001f;
+
+/// srgb_curve() to lines_tolerance, from least_by_lines on and below 1. The bits of a float count evenly
+/// within an octave, and on into the next.
+float srgb_by_lines(float linear) {
+  constexpr std::uint32_t first = std::bit_cast<std::uint32_t>(least_by_lines);
+  static const std::vector<float> points = [] {
+    std::vector<float> values;
+    for (std::uint32_t i = 0; i <= octaves * pieces_an_octave; ++i)
+      values.push_back(srgb_curve(std::bit_cast<float>(first + (i << piece_bits))));
+    return values;
+  }();
+  const std::uint32_t place = std::bit_cast<std::uint32_t>(linear) - first, piece = place >> piece_bits;
+  const float share = static_cast<float>(place & ((1u << piece_bits) - 1)) / (1u << piece_bits);
+  return points[piece] + share * (points[piece + 1] - points[piece]);
+}
+
 }  // namespace
 
 float dither_noise(int column, int row) {
-  const auto fraction = [](float value) { return value - std::floor(value); };
+  // Nothing is negative here; std::floor() would be a call of a function.
+  const auto fraction = [](float value) { return value - static_cast<float>(static_cast<int>(value)); };
   const float x = static_cast<float>(column) + 0.5f, y = static_cast<float>(row) + 0.5f;
   return fraction(52.9829189f * fraction(0.06711056f * x + 0.00583715f * y)) - 0.5f;
 }
@@ -104,9 +132,14 @@ std::uint8_t srgb_from_linear(float linear) {
 std::uint8_t dithered_srgb(float linear, float noise) {
   if (!(linear > 0.0f)) return 0;
   if (linear >= 1.0f) return 255;
-  const float encoded =
-      linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
-  return static_cast<std::uint8_t>(std::lround(std::clamp(255.0f * encoded + noise, 0.0f, 255.0f)));
+  if (linear >= least_by_lines && std::abs(noise) < 1.0f) {
+    const float value = srgb_by_lines(linear) + noise;
+    const int whole = static_cast<int>(value);
+    const float past_half = value - static_cast<float>(whole) - 0.5f;
+    if (std::abs(past_half) > lines_tolerance)
+      return static_cast<std::uint8_t>(std::min(255, whole + (past_half > 0.0f)));
+  }
+  return static_cast<std::uint8_t>(std::lround(std::clamp(srgb_curve(linear) + noise, 0.0f, 255.0f)));
 }
 
 void write_png(const std::filesystem::path& path, const RgbImage& image, Existing existing,

@@ -1,6 +1,9 @@
 #include "host/io/png_image.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -75,6 +78,21 @@ TEST(PngImage, DitheringKeepsMeans) {
   for (const float noise : {-0.5f, 0.49f}) {
     EXPECT_EQ(dithered_srgb(0.0f, noise), 0);
     EXPECT_EQ(dithered_srgb(1.0f, noise), 255);
+  }
+}
+
+// Fails if the lines that stand for the curve give another byte than it does, for one in 1,000 of all floats.
+TEST(PngImage, EncodesAsTheCurveDoes) {
+  const auto by_curve = [](float linear, float noise) {
+    const float encoded =
+        linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+    return std::lround(std::clamp(255.0f * encoded + noise, 0.0f, 255.0f));
+  };
+  constexpr std::uint32_t one = std::bit_cast<std::uint32_t>(1.0f);
+  for (std::uint32_t bits = std::bit_cast<std::uint32_t>(0.001f); bits < one; bits += 997) {
+    const float linear = std::bit_cast<float>(bits);
+    for (const float noise : {-0.5f, -0.31f, 0.0f, 0.4999f, 3.0f})
+      ASSERT_EQ(dithered_srgb(linear, noise), by_curve(linear, noise)) << linear << " " << noise;
   }
 }
 
