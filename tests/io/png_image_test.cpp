@@ -42,11 +42,13 @@ TEST(PngImage, PixelsReturn) {
 // Fails if a time stamp gets into the file, or the sRGB mark does not.
 TEST(PngImage, EqualPicturesGiveEqualBytes) {
   const TemporaryFolder folder;
-  write_png(folder.path() / "a.png", ramp());
-  write_png(folder.path() / "b.png", ramp());
-  EXPECT_EQ(content(folder.path() / "a.png"), content(folder.path() / "b.png"));
-  EXPECT_NE(content(folder.path() / "a.png").find("sRGB"), std::string::npos);
-  EXPECT_EQ(content(folder.path() / "a.png").find("tIME"), std::string::npos);
+  for (const PngCompression compression : {PngCompression::small, PngCompression::fast}) {
+    write_png(folder.path() / "a.png", ramp(), Existing::replace, compression);
+    write_png(folder.path() / "b.png", ramp(), Existing::replace, compression);
+    EXPECT_EQ(content(folder.path() / "a.png"), content(folder.path() / "b.png"));
+    EXPECT_NE(content(folder.path() / "a.png").find("sRGB"), std::string::npos);
+    EXPECT_EQ(content(folder.path() / "a.png").find("tIME"), std::string::npos);
+  }
 }
 
 // Fails if the transfer function is a bare power or the ends leave 0 ... 255. Middle: 0.5 -> 187.5 of 255
@@ -96,15 +98,21 @@ TEST(PngImage, EncodesAsTheCurveDoes) {
   }
 }
 
-// Fails if an empty picture, a wrong size or a broken file goes unnoticed.
+// Fails if an empty picture, a wrong size, more pixels than libpng takes or a broken file goes unnoticed.
 TEST(PngImage, BadInputIsRefused) {
   const TemporaryFolder folder;
-  EXPECT_THROW(write_png(folder.path() / "a.png", RgbImage{0, 4, {}}), Error);
-  EXPECT_THROW(write_png(folder.path() / "a.png", RgbImage{2, 2, std::vector<std::uint8_t>(11)}), Error);
+  const std::filesystem::path file = folder.path() / "a.png";
+  constexpr int too_wide = 1'000'001;
+  for (const PngCompression compression : {PngCompression::small, PngCompression::fast}) {
+    const auto write = [&](const RgbImage& image) { write_png(file, image, Existing::replace, compression); };
+    EXPECT_THROW(write({0, 4, {}}), Error);
+    EXPECT_THROW(write({2, 2, std::vector<std::uint8_t>(11)}), Error);
+    EXPECT_THROW(write({too_wide, 1, std::vector<std::uint8_t>(3 * too_wide)}), Error);
+  }
   EXPECT_THROW(read_png(folder.path() / "missing.png"), Error);
-  write_png(folder.path() / "a.png", ramp());
-  std::filesystem::resize_file(folder.path() / "a.png", 100);
-  EXPECT_THROW(read_png(folder.path() / "a.png"), Error);
+  write_png(file, ramp());
+  std::filesystem::resize_file(file, 100);
+  EXPECT_THROW(read_png(file), Error);
 }
 
 // Fails if memory is taken for a picture that its file cannot hold: 30,000 x 30,000 pixels, of which there
