@@ -50,9 +50,11 @@ void add_options(CLI::App& command, Options& options) {
                      "index, type or part of the name, as `offing devices` lists");
 }
 
+using Benchmark =
+    std::function<void(const offing::ocl::Device&, const bench::Settings&, const bench::Sinks&)>;
+
 /// Runs a benchmark and prints its rows: the table as they come, JSON at the end.
-void run(const Options& options,
-         const std::function<void(const offing::ocl::Device&, const bench::Sinks&)>& benchmark) {
+void run(const Options& options, const Benchmark& benchmark) {
   require_sizes(options.settings.sizes);
   const offing::ocl::Device device = offing::ocl::Device::open(options.settings.device);
   std::vector<bench::Row> rows;
@@ -67,7 +69,7 @@ void run(const Options& options,
                                  std::fflush(stdout);
                                },
                            .note = [](const std::string& note) { fmt::print(stderr, "{}\n", note); }};
-  benchmark(device, sinks);
+  benchmark(device, options.settings, sinks);
   if (options.wants_json) fmt::print("{}\n", bench::to_json(rows));
 }
 
@@ -78,111 +80,48 @@ int run_command_line(int argc, char** argv) {
   app.require_subcommand(1);
   Options options;
 
-  CLI::App& fft = *app.add_subcommand("fft", "the inverse transform against FFTW");
-  add_options(fft, options);
-  fft.callback([&] {
-    run(options, [&](const auto& device, const bench::Sinks& sinks) {
-      bench::bench_fft(device, options.settings, sinks);
-    });
-  });
-
-  CLI::App& ocean =
-      *app.add_subcommand("ocean", "a frame of the sea against C++ with FFTW, and the start-up");
-  add_options(ocean, options);
-  ocean.callback([&] {
-    run(options, [&](const auto& device, const bench::Sinks& sinks) {
-      bench::bench_ocean(device, options.settings, sinks);
-      bench::bench_start(options.settings, sinks);
-    });
-  });
-
-  CLI::App& gerstner = *app.add_subcommand("gerstner", "the surface of 16 Gerstner waves against C++");
-  add_options(gerstner, options);
-  gerstner.callback([&] {
-    run(options, [&](const auto& device, const bench::Sinks& sinks) {
-      bench::bench_gerstner(device, options.settings, sinks);
-    });
-  });
+  const auto add = [&](const char* name, const char* help, const Benchmark& benchmark) {
+    CLI::App& command = *app.add_subcommand(name, help);
+    add_options(command, options);
+    command.callback([&options, benchmark] { run(options, benchmark); });
+  };
+  add("fft", "the inverse transform against FFTW", bench::bench_fft);
+  add("ocean", "a frame of the sea against C++ with FFTW, and the start-up",
+      [](const auto& device, const auto& settings, const auto& sinks) {
+        bench::bench_ocean(device, settings, sinks);
+        bench::bench_start(settings, sinks);
+      });
+  add("gerstner", "the surface of 16 Gerstner waves against C++", bench::bench_gerstner);
 
 #ifdef OFFING_BUILD_VIEWER
-  CLI::App& render = *app.add_subcommand("render", "frames of the presenter and their stages");
-  add_options(render, options);
-  render.callback([&] {
-    run(options,
-        [&](const auto&, const bench::Sinks& sinks) { bench::bench_render(options.settings, sinks); });
-  });
-
-  CLI::App& world = *app.add_subcommand("world", "frames of a whole world beside its parts alone");
-  add_options(world, options);
-  world.callback([&] {
-    run(options,
-        [&](const auto&, const bench::Sinks& sinks) { bench::bench_world(options.settings, sinks); });
-  });
+  add("render", "frames of the presenter and their stages",
+      [](const auto&, const auto& settings, const auto& sinks) { bench::bench_render(settings, sinks); });
+  add("world", "frames of a whole world beside its parts alone",
+      [](const auto&, const auto& settings, const auto& sinks) { bench::bench_world(settings, sinks); });
 #endif
 
-  CLI::App& queries = *app.add_subcommand(
-      "queries", "the water at 1e5 points, with two cascades and 16 Gerstner waves, against C++");
-  add_options(queries, options);
-  queries.callback([&] {
-    run(options, [&](const auto& device, const bench::Sinks& sinks) {
-      bench::bench_queries(device, options.settings, sinks);
-    });
-  });
-
-  CLI::App& terrain = *app.add_subcommand(
-      "terrain", "rays at height maps against Embree 3, on real maps if OFFING_TEST_DATA is set");
-  add_options(terrain, options);
-  terrain.callback([&] {
-    run(options, [&](const auto& device, const bench::Sinks& sinks) {
-      bench::bench_terrain(device, options.settings, sinks);
-    });
-  });
-
-  CLI::App& viewshed = *app.add_subcommand(
-      "viewshed", "what is seen from a point against GDAL, on real maps too if OFFING_TEST_DATA is set");
-  add_options(viewshed, options);
-  viewshed.callback([&] {
-    run(options, [&](const auto& device, const bench::Sinks& sinks) {
-      bench::bench_viewshed(device, options.settings, sinks);
-    });
-  });
-
-  CLI::App& wake = *app.add_subcommand("wake", "a step of a wake window against C++ with FFTW");
-  add_options(wake, options);
-  wake.callback([&] {
-    run(options, [&](const auto& device, const bench::Sinks& sinks) {
-      bench::bench_wake(device, options.settings, sinks);
-    });
-  });
-
-  CLI::App& clouds = *app.add_subcommand("clouds", "clouds made, lit, sorted and drawn");
-  add_options(clouds, options);
-  clouds.callback([&] {
-    run(options, [&](const auto& device, const bench::Sinks& sinks) {
+  add("queries", "the water at 1e5 points, with two cascades and 16 Gerstner waves, against C++",
+      bench::bench_queries);
+  add("previews", "maps of a sea from above, as `offing ocean bake --preview` makes them",
+      bench::bench_previews);
+  add("terrain", "rays at height maps against Embree 3, on real maps if OFFING_TEST_DATA is set",
+      bench::bench_terrain);
+  add("viewshed", "what is seen from a point against GDAL, on real maps too if OFFING_TEST_DATA is set",
+      bench::bench_viewshed);
+  add("wake", "a step of a wake window against C++ with FFTW", bench::bench_wake);
+  add("clouds", "clouds made, lit, sorted and drawn",
+      [](const auto& device, const auto& settings, const auto& sinks) {
 #ifdef OFFING_BUILD_VIEWER
-      bench::bench_cloud_frames(options.settings, sinks);
+        bench::bench_cloud_frames(settings, sinks);
 #endif
-      bench::bench_cloud_files(device, sinks);
-      bench::bench_clouds(device, options.settings, sinks);
-    });
-  });
+        bench::bench_cloud_files(device, sinks);
+        bench::bench_clouds(device, settings, sinks);
+      });
 #ifdef OFFING_BUILD_MESH_TOOLS
-  CLI::App& curvature = *app.add_subcommand("curvature", "curvatures of a noisy mesh against CGAL's jets");
-  add_options(curvature, options);
-  curvature.callback([&] {
-    run(options, [&](const auto& device, const bench::Sinks& sinks) {
-      bench::bench_curvature(device, options.settings, sinks);
-    });
-  });
-  CLI::App& highlights = *app.add_subcommand(
-      "highlights",
-      "searches for highlights and frames of them, on the penguin too if OFFING_TEST_DATA is set");
-  add_options(highlights, options);
-  highlights.callback([&] {
-    run(options, [&](const auto& device, const bench::Sinks& sinks) {
-      bench::bench_highlights(device, options.settings, sinks);
-    });
-  });
+  add("curvature", "curvatures of a noisy mesh against CGAL's jets", bench::bench_curvature);
+  add("highlights",
+      "searches for highlights and frames of them, on the penguin too if OFFING_TEST_DATA is set",
+      bench::bench_highlights);
 #endif
 
   CLI::App& first_frame = *app.add_subcommand("first-frame", "what the start-up benchmark starts");

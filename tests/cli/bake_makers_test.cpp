@@ -42,7 +42,7 @@ BakeSummary bake_on(std::size_t devices, const std::filesystem::path& folder, co
   settings.channels.set(static_cast<std::size_t>(ChannelGroup::foam));
   const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), "hash");
   files.prepare_folder();
-  const FrameWriter writer(sea, settings, files, "hash", "a sea");
+  FrameWriter writer(sea, settings, files, "hash", "a sea");
   Progress progress(frames.last - frames.first + 1, "frames", Verbosity::quiet);
   return bake(std::vector(devices, ocl::select_device()), sea, settings, files, writer, progress, cancel);
 }

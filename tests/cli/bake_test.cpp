@@ -300,6 +300,23 @@ TEST_F(Bake, WritesVelocityAtDepth) {
   EXPECT_EQ(run_offing(swell("deep", "9")).exit_code, 2);
 }
 
+// Fails if the pictures or the contact sheet depend on which process made a frame, and thus on whether it is
+// read back.
+TEST_F(Bake, PicturesDoNotDependOnResuming) {
+  bake("whole", {"--frames", "0:30", "--preview"});
+  const auto whole = folder_content(folder("whole"));
+  EXPECT_THAT(whole, Contains(Key("contact_sheet.png")));
+  bake("shares", {"--frames", "0:30", "--preview", "--chunk", "2/2"});
+  bake("shares", {"--frames", "0:30", "--preview", "--chunk", "1/2"});
+  EXPECT_TRUE(folder_content(folder("shares")) == whole);
+  std::filesystem::remove(folder("whole") / "contact_sheet.png");
+  for (const char* name : {"ocean.0000.png", "ocean.0030.png", "ocean.c1.0013.exr"})
+    std::filesystem::remove(folder("whole") / name);
+  const ProgramResult again = bake("whole", {"--frames", "0:30", "--preview"});
+  EXPECT_THAT(again.output, testing::HasSubstr("3 frames written, 28 there already"));
+  EXPECT_TRUE(folder_content(folder("whole")) == whole);
+}
+
 // Fails if pictures asked for later are not added to finished frames.
 TEST_F(Bake, AddsWhatIsAskedLater) {
   bake("out", {"--frames", "0:1"});

@@ -41,7 +41,7 @@ void make_threads_scarce() {
   settings.folder = folder;
   settings.frames = {0, -1};
   const FrameFiles files(settings, static_cast<int>(sea.parameters.cascades.size()), "hash");
-  const FrameWriter writer(sea, settings, files, "hash", "a sea");
+  FrameWriter writer(sea, settings, files, "hash", "a sea");
   const std::vector<ocl::DeviceInfo> devices(4 * stacks);
   Progress progress(0, "frames", Verbosity::quiet);
   alarm(60);

@@ -1,6 +1,9 @@
 #include "host/io/png_image.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -39,11 +42,13 @@ TEST(PngImage, PixelsReturn) {
 // Fails if a time stamp gets into the file, or the sRGB mark does not.
 TEST(PngImage, EqualPicturesGiveEqualBytes) {
   const TemporaryFolder folder;
-  write_png(folder.path() / "a.png", ramp());
-  write_png(folder.path() / "b.png", ramp());
-  EXPECT_EQ(content(folder.path() / "a.png"), content(folder.path() / "b.png"));
-  EXPECT_NE(content(folder.path() / "a.png").find("sRGB"), std::string::npos);
-  EXPECT_EQ(content(folder.path() / "a.png").find("tIME"), std::string::npos);
+  for (const PngCompression compression : {PngCompression::small, PngCompression::fast}) {
+    write_png(folder.path() / "a.png", ramp(), Existing::replace, compression);
+    write_png(folder.path() / "b.png", ramp(), Existing::replace, compression);
+    EXPECT_EQ(content(folder.path() / "a.png"), content(folder.path() / "b.png"));
+    EXPECT_NE(content(folder.path() / "a.png").find("sRGB"), std::string::npos);
+    EXPECT_EQ(content(folder.path() / "a.png").find("tIME"), std::string::npos);
+  }
 }
 
 // Fails if the transfer function is a bare power or the ends leave 0 ... 255. Middle: 0.5 -> 187.5 of 255
@@ -78,15 +83,36 @@ TEST(PngImage, DitheringKeepsMeans) {
   }
 }
 
-// Fails if an empty picture, a wrong size or a broken file goes unnoticed.
+// Fails if the lines that stand for the curve give another byte than it does, for one in 1,000 of all floats.
+TEST(PngImage, EncodesAsTheCurveDoes) {
+  const auto by_curve = [](float linear, float noise) {
+    const float encoded =
+        linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+    return std::lround(std::clamp(255.0f * encoded + noise, 0.0f, 255.0f));
+  };
+  constexpr std::uint32_t one = std::bit_cast<std::uint32_t>(1.0f);
+  for (std::uint32_t bits = std::bit_cast<std::uint32_t>(0.001f); bits < one; bits += 997) {
+    const float linear = std::bit_cast<float>(bits);
+    for (const float noise : {-0.5f, -0.31f, 0.0f, 0.4999f, 3.0f})
+      ASSERT_EQ(dithered_srgb(linear, noise), by_curve(linear, noise)) << linear << " " << noise;
+  }
+}
+
+// Fails if an empty picture, a wrong size, more pixels than libpng takes or a broken file goes unnoticed.
 TEST(PngImage, BadInputIsRefused) {
   const TemporaryFolder folder;
-  EXPECT_THROW(write_png(folder.path() / "a.png", RgbImage{0, 4, {}}), Error);
-  EXPECT_THROW(write_png(folder.path() / "a.png", RgbImage{2, 2, std::vector<std::uint8_t>(11)}), Error);
+  const std::filesystem::path file = folder.path() / "a.png";
+  constexpr int too_wide = 1'000'001;
+  for (const PngCompression compression : {PngCompression::small, PngCompression::fast}) {
+    const auto write = [&](const RgbImage& image) { write_png(file, image, Existing::replace, compression); };
+    EXPECT_THROW(write({0, 4, {}}), Error);
+    EXPECT_THROW(write({2, 2, std::vector<std::uint8_t>(11)}), Error);
+    EXPECT_THROW(write({too_wide, 1, std::vector<std::uint8_t>(3 * too_wide)}), Error);
+  }
   EXPECT_THROW(read_png(folder.path() / "missing.png"), Error);
-  write_png(folder.path() / "a.png", ramp());
-  std::filesystem::resize_file(folder.path() / "a.png", 100);
-  EXPECT_THROW(read_png(folder.path() / "a.png"), Error);
+  write_png(file, ramp());
+  std::filesystem::resize_file(file, 100);
+  EXPECT_THROW(read_png(file), Error);
 }
 
 // Fails if memory is taken for a picture that its file cannot hold: 30,000 x 30,000 pixels, of which there

@@ -24,9 +24,8 @@ constexpr std::size_t waiting_frames = 1;
 
 class Bake {
  public:
-  Bake(const scene::Sea& sea, const BakeSettings& settings, const FrameFiles& files,
-       const FrameWriter& writer, Progress& progress, const CancelToken& cancel,
-       const std::vector<ocl::DeviceInfo>& devices)
+  Bake(const scene::Sea& sea, const BakeSettings& settings, const FrameFiles& files, FrameWriter& writer,
+       Progress& progress, const CancelToken& cancel, const std::vector<ocl::DeviceInfo>& devices)
       : devices_(devices),
         sea_(sea),
         settings_(settings),
@@ -134,7 +133,7 @@ class Bake {
   const scene::Sea& sea_;
   const BakeSettings& settings_;
   const FrameFiles& files_;
-  const FrameWriter& writer_;
+  FrameWriter& writer_;
   Progress& progress_;
   const CancelToken& cancel_;
   const std::vector<int> frames_;
@@ -151,7 +150,7 @@ class Bake {
 }  // namespace
 
 BakeSummary bake(const std::vector<ocl::DeviceInfo>& devices, const scene::Sea& sea,
-                 const BakeSettings& settings, const FrameFiles& files, const FrameWriter& writer,
+                 const BakeSettings& settings, const FrameFiles& files, FrameWriter& writer,
                  Progress& progress, const CancelToken& cancel) {
   return Bake(sea, settings, files, writer, progress, cancel, devices).run();
 }

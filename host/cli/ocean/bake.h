@@ -22,7 +22,7 @@ struct BakeSummary {
 /// in turn, and one that writes while the next frame is simulated. Throws the first error of any thread,
 /// Error(cancelled) when stopped; frames finished by then stay.
 BakeSummary bake(const std::vector<ocl::DeviceInfo>& devices, const scene::Sea& sea,
-                 const BakeSettings& settings, const FrameFiles& files, const FrameWriter& writer,
+                 const BakeSettings& settings, const FrameFiles& files, FrameWriter& writer,
                  Progress& progress, const CancelToken& cancel);
 
 }  // namespace offing::cli

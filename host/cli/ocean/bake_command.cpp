@@ -16,7 +16,6 @@
 #include "host/cli/ocean/bake.h"
 #include "host/cli/ocean/certificate.h"
 #include "host/cli/ocean/ocean_commands.h"
-#include "host/cli/pictures/contact_sheet.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
 #include "host/io/atomic_file.h"
@@ -74,15 +73,11 @@ void warn_of_broken_loop(const scene::Sea& sea, double frames_per_second) {
 }
 
 /// The pictures of all frames, once all shares are done: the last process to end finds them complete.
-void write_contact_sheet(const BakeSettings& settings, const FrameFiles& files) {
-  std::vector<ContactFrame> frames;
+void write_contact_sheet(const BakeSettings& settings, const FrameFiles& files, const ContactSheet& sheet) {
   for (int frame = settings.frames.first; frame <= settings.frames.last; ++frame) {
-    if (!files.has_preview(frame)) {
-      return;
-    }
-    frames.push_back({files.preview(frame), frame});
+    if (!files.has_preview(frame)) return;
   }
-  write_png(files.contact_sheet(), make_contact_sheet(frames), Existing::replace, PngCompression::fast);
+  write_png(files.contact_sheet(), sheet.draw(), Existing::replace, PngCompression::fast);
 }
 
 nlohmann::json summary_json(const BakeSettings& settings, const scene::Sea& sea, const EnergyShares& energy,
@@ -158,14 +153,14 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   if (!arguments.export_file.empty()) {  // after the folder: it may lie there
     export_spectrum(arguments.export_file, sea, settings.existing, inputs);
   }
-  const FrameWriter writer(sea, settings, files, hash, scene::spectrum_name(scene, sea));
+  FrameWriter writer(sea, settings, files, hash, scene::spectrum_name(scene, sea));
   const BakeSummary summary = [&] {
     const std::size_t count = frames_in_share(settings.frames, settings.share).size();
     Progress progress(static_cast<int>(count), "frames", options.verbosity);
     return bake(devices, sea, settings, files, writer, progress, options.cancel);
   }();
   if (settings.preview == PreviewUse::pictures) {
-    write_contact_sheet(settings, files);
+    write_contact_sheet(settings, files, writer.contact_sheet());
   }
   if (arguments.json) {
     fmt::print("{}\n", summary_json(settings, sea, energy, summary, hash).dump(2));

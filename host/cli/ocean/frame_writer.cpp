@@ -32,9 +32,10 @@ FrameWriter::FrameWriter(const scene::Sea& sea, const BakeSettings& settings, co
       scene_hash_(std::move(scene_hash)),
       spectrum_name_(std::move(spectrum_name)),
       gerstner_waves_(scene::gerstner_waves_of(sea, sea.parameters.seed)),
-      hs_m_(ocean::integrate_sea_state(sea.spectrum).hs_m) {}
+      hs_m_(ocean::integrate_sea_state(sea.spectrum).hs_m),
+      contact_sheet_(settings.frames, [&files](int frame) { return files.preview(frame); }) {}
 
-void FrameWriter::write(const BakedFrame& frame) const {
+void FrameWriter::write(const BakedFrame& frame) {
   files_.remove_foreign_files(frame.number);
   std::optional<RgbImage> preview;
   if (settings_.preview == PreviewUse::pictures) preview = draw_preview(frame);
@@ -46,7 +47,10 @@ void FrameWriter::write(const BakedFrame& frame) const {
   } else if (settings_.mesh == MeshFormat::ply) {
     write_ply(files_.mesh(frame.number), frame.mesh);
   }
-  if (preview) write_png(files_.preview(frame.number), *preview, Existing::replace, PngCompression::fast);
+  if (preview) {
+    write_png(files_.preview(frame.number), *preview, Existing::replace, PngCompression::fast);
+    contact_sheet_.keep(frame.number, *preview);
+  }
 }
 
 void FrameWriter::write_fields(const BakedFrame& frame) const {

@@ -5,6 +5,7 @@
 #include "host/cli/ocean/bake_settings.h"
 #include "host/cli/ocean/frame_files.h"
 #include "host/cli/ocean/frame_maker.h"
+#include "host/cli/pictures/contact_sheet.h"
 #include "host/io/png_image.h"
 #include "host/scene/prepare/sea.h"
 
@@ -17,7 +18,10 @@ class FrameWriter {
   FrameWriter(const scene::Sea& sea, const BakeSettings& settings, const FrameFiles& files,
               std::string scene_hash, std::string spectrum_name);
 
-  void write(const BakedFrame& frame) const;
+  void write(const BakedFrame& frame);
+
+  /// Of all frames of the bake; reads back those that this object did not write.
+  const ContactSheet& contact_sheet() const { return contact_sheet_; }
 
  private:
   RgbImage draw_preview(const BakedFrame& frame) const;
@@ -34,6 +38,7 @@ class FrameWriter {
   std::string spectrum_name_;
   ocean::GerstnerSea gerstner_waves_;
   double hs_m_;
+  ContactSheet contact_sheet_;
 };
 
 }  // namespace offing::cli

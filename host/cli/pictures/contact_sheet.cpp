@@ -10,8 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "host/base/error.h"
-
 namespace offing::cli {
 namespace {
 
@@ -39,6 +37,10 @@ struct Place {
 
 std::uint8_t* pixel_of(RgbImage& image, int column, int row) {
   return &image.rgb[std::size_t{3} * (static_cast<std::size_t>(row) * image.width + column)];
+}
+
+RgbImage blank(int width, int height) {
+  return {width, height, std::vector<std::uint8_t>(std::size_t{3} * width * height, background)};
 }
 
 /// Mean of the source pixels that each pixel of the cell covers; bytes are averaged as they are, which is
@@ -87,40 +89,46 @@ void draw_number(RgbImage& sheet, Place place, const std::string& text) {
   }
 }
 
-std::vector<ContactFrame> chosen(std::span<const ContactFrame> frames) {
-  const std::size_t count = std::min<std::size_t>(frames.size(), most_frames);
-  std::vector<ContactFrame> some;
-  for (std::size_t i = 0; i < count; ++i) {
-    some.push_back(frames[count == 1 ? 0 : i * (frames.size() - 1) / (count - 1)]);
-  }
-  return some;
+int cell_height_of(const RgbImage& picture) {
+  return std::max(digit_margin + (digit_rows + 2) * digit_scale, cell_width * picture.height / picture.width);
 }
 
 }  // namespace
 
-RgbImage make_contact_sheet(std::span<const ContactFrame> frames) {
-  if (frames.empty()) {
-    throw Error(ErrorKind::bad_input, "contact sheet: no frames", "make at least one preview picture first");
+ContactSheet::ContactSheet(const FrameRange& frames,
+                           const std::function<std::filesystem::path(int)>& picture_of) {
+  const int last = frames.last - frames.first, steps = std::min(last, most_frames - 1);
+  for (int i = 0; i <= steps; ++i) {
+    const int frame = frames.first + static_cast<int>(std::int64_t{i} * last / std::max(steps, 1));
+    cells_.push_back({frame, picture_of(frame)});
   }
-  const std::vector<ContactFrame> shown = chosen(frames);
-  const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(shown.size()))));
-  const int rows = (static_cast<int>(shown.size()) + columns - 1) / columns;
+}
+
+void ContactSheet::keep(int frame, const RgbImage& picture) {
+  for (Cell& cell : cells_) {
+    if (cell.frame != frame) continue;
+    cell.kept = blank(cell_width, cell_height_of(picture));
+    draw_scaled(cell.kept, {}, cell.kept.width, cell.kept.height, picture);
+  }
+}
+
+RgbImage ContactSheet::draw() const {
+  const int count = static_cast<int>(cells_.size());
+  const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
+  const int rows = (count + columns - 1) / columns;
   RgbImage sheet;
   int cell_height = 0;
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    const RgbImage picture = read_png(shown[i].picture);
+  for (int i = 0; i < count; ++i) {
+    const Cell& cell = cells_[i];
+    const RgbImage read = cell.kept.rgb.empty() ? read_png(cell.picture) : RgbImage{};
+    const RgbImage& picture = cell.kept.rgb.empty() ? read : cell.kept;
     if (i == 0) {
-      cell_height = std::max(digit_margin + (digit_rows + 2) * digit_scale,
-                             cell_width * picture.height / picture.width);
-      sheet.width = columns * (cell_width + gap) + gap;
-      sheet.height = rows * (cell_height + gap) + gap;
-      sheet.rgb.assign(std::size_t{3} * sheet.width * sheet.height, background);
+      cell_height = cell_height_of(picture);
+      sheet = blank(columns * (cell_width + gap) + gap, rows * (cell_height + gap) + gap);
     }
-    const int index = static_cast<int>(i);
-    const Place place{gap + (index % columns) * (cell_width + gap),
-                      gap + (index / columns) * (cell_height + gap)};
+    const Place place{gap + (i % columns) * (cell_width + gap), gap + (i / columns) * (cell_height + gap)};
     draw_scaled(sheet, place, cell_width, cell_height, picture);
-    draw_number(sheet, place, fmt::format("{:04d}", std::abs(shown[i].number)));
+    draw_number(sheet, place, fmt::format("{:04d}", std::abs(cell.frame)));
   }
   return sheet;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -39,13 +40,19 @@ struct Layer {
 std::vector<float> averaged(std::span<const float> fine, int side, int factor) {
   if (fine.empty() || factor == 1) return {fine.begin(), fine.end()};
   const int coarse_side = side / factor;
-  std::vector<float> coarse(static_cast<std::size_t>(coarse_side) * coarse_side);
-  for (int row = 0; row < side; ++row) {
-    for (int column = 0; column < side; ++column)
-      coarse[at(column / factor, row / factor, coarse_side)] += fine[at(column, row, side)];
-  }
   const float share = 1.0f / static_cast<float>(factor * factor);
-  for (float& value : coarse) value *= share;
+  std::vector<float> coarse(static_cast<std::size_t>(coarse_side) * coarse_side);
+  for (int row = 0; row < coarse_side; ++row) {
+    std::vector<float> sums(static_cast<std::size_t>(side));
+    for (int i = 0; i < factor; ++i) {
+      const float* const samples = &fine[at(0, factor * row + i, side)];
+      for (int column = 0; column < side; ++column) sums[column] += samples[column];
+    }
+    for (int column = 0; column < coarse_side; ++column) {
+      const float* const first = &sums[static_cast<std::size_t>(factor) * column];
+      coarse[at(column, row, coarse_side)] = share * std::accumulate(first, first + factor, 0.0f);
+    }
+  }
   return coarse;
 }
 
@@ -71,18 +78,22 @@ Between between(const Layer& layer, double place_m) {
   return {first, (first + 1) & (layer.side - 1), static_cast<float>(texel - floor)};
 }
 
-float mixed(const std::vector<float>& values, int side, const Between& x, const Between& z) {
-  const auto along_x = [&](int row) {
-    const float first = values[at(x.first, row, side)];
-    return first + x.share * (values[at(x.second, row, side)] - first);
-  };
-  const float first = along_x(z.first);
-  return first + z.share * (along_x(z.second) - first);
+float mixed(float first, float second, float share) {
+  return first + share * (second - first);
+}
+
+/// Values of a layer along x, at a place between two of its rows.
+std::vector<float> row_at(const std::vector<float>& values, int side, const Between& z) {
+  const float* const first = &values[at(0, z.first, side)];
+  const float* const second = &values[at(0, z.second, side)];
+  std::vector<float> row(static_cast<std::size_t>(side));
+  for (int i = 0; i < side; ++i) row[i] = mixed(first[i], second[i], z.share);
+  return row;
 }
 
 class SeaMap {
  public:
-  SeaMap(std::span<const SeaMapCascade> cascades, int side)
+  SeaMap(std::span<const SeaMapCascade> cascades, const ocean::GerstnerInstant& long_waves, int side)
       : side_(side),
         pixel_m_(cascades[0].patch_length_m / side),
         first_m_(0.5 * pixel_m_ - 0.5 * cascades[0].patch_length_m / cascades[0].surface->size),
@@ -92,22 +103,30 @@ class SeaMap {
     for (const Layer& layer : layers_) {
       for (int column = 0; column < side; ++column) columns_.push_back(between(layer, place_m(column)));
     }
+    for (const ocean::GerstnerInstant::Wave& wave : long_waves.waves()) waves_.push_back(long_wave(wave));
   }
 
-  void fill_row(int row, const ocean::GerstnerInstant& long_waves) {
+  void fill_row(int row) {
     float* const heights = &heights_m_[at(0, row, side_)];
     float* const foam = &foam_[at(0, row, side_)];
     for (std::size_t i = 0; i < layers_.size(); ++i) {
       const Layer& layer = layers_[i];
       const Between z = between(layer, place_m(row));
+      const Between* const columns = &columns_[i * side_];
+      const std::vector<float> layer_heights = row_at(layer.heights_m, layer.side, z);
       for (int column = 0; column < side_; ++column) {
-        const Between& x = columns_[i * side_ + column];
-        heights[column] += mixed(layer.heights_m, layer.side, x, z);
-        if (!layer.foam.empty())
-          foam[column] += (1.0f - foam[column]) * std::clamp(mixed(layer.foam, layer.side, x, z), 0.0f, 1.0f);
+        const Between& x = columns[column];
+        heights[column] += mixed(layer_heights[x.first], layer_heights[x.second], x.share);
+      }
+      if (layer.foam.empty()) continue;
+      const std::vector<float> layer_foam = row_at(layer.foam, layer.side, z);
+      for (int column = 0; column < side_; ++column) {
+        const Between& x = columns[column];
+        const float more = std::clamp(mixed(layer_foam[x.first], layer_foam[x.second], x.share), 0.0f, 1.0f);
+        foam[column] += (1.0f - foam[column]) * more;
       }
     }
-    for (const ocean::GerstnerInstant::Wave& wave : long_waves.waves()) add_wave(wave, row, heights);
+    for (const LongWave& wave : waves_) add_wave(wave, row, heights);
   }
 
   void shade_row(int row, double hs_m, RgbImage& image) const {
@@ -135,22 +154,40 @@ class SeaMap {
   double place_m(int pixel) const { return first_m_ + pixel * pixel_m_; }
   float height_m(int column, int row) const { return heights_m_[at(column, row, side_)]; }
 
-  /// A phase is turned from pixel to pixel, which takes no cosine.
-  void add_wave(const ocean::GerstnerInstant::Wave& wave, int row, float* heights) const {
-    std::complex<double> now = std::polar(
-        wave.amplitude_m, wave.kx_radpm * place_m(0) + wave.kz_radpm * place_m(row) + wave.phase_rad);
+  /// A wave's phase is kx x + z_phase, and its height A cos(z_phase) cos(kx x) - A sin(z_phase) sin(kx x):
+  /// the second factors are the same for all rows.
+  struct LongWave {
+    double amplitude_m, kz_radpm, phase_rad;
+    std::vector<float> cosines, sines;  ///< of kx x, by column
+  };
+
+  /// The phase is turned from pixel to pixel, which takes no cosine.
+  LongWave long_wave(const ocean::GerstnerInstant::Wave& wave) const {
+    LongWave along_x{wave.amplitude_m, wave.kz_radpm, wave.phase_rad, {}, {}};
+    std::complex<double> now = std::polar(1.0, wave.kx_radpm * place_m(0));
     const std::complex<double> turn = std::polar(1.0, wave.kx_radpm * pixel_m_);
     for (int column = 0; column < side_; ++column) {
-      heights[column] += static_cast<float>(now.real());
+      along_x.cosines.push_back(static_cast<float>(now.real()));
+      along_x.sines.push_back(static_cast<float>(now.imag()));
       now = {now.real() * turn.real() - now.imag() * turn.imag(),
              now.real() * turn.imag() + now.imag() * turn.real()};
     }
+    return along_x;
+  }
+
+  void add_wave(const LongWave& wave, int row, float* heights) const {
+    const double z_phase = wave.kz_radpm * place_m(row) + wave.phase_rad;
+    const float cosine = static_cast<float>(wave.amplitude_m * std::cos(z_phase)),
+                sine = static_cast<float>(wave.amplitude_m * std::sin(z_phase));
+    for (int column = 0; column < side_; ++column)
+      heights[column] += cosine * wave.cosines[column] - sine * wave.sines[column];
   }
 
   int side_;
   double pixel_m_, first_m_;  ///< the first pixel's centre
   std::vector<Layer> layers_;
   std::vector<Between> columns_;  ///< [layer][column]
+  std::vector<LongWave> waves_;
   std::vector<float> heights_m_, foam_;
 };
 
@@ -160,9 +197,9 @@ RgbImage draw_sea_map(std::span<const SeaMapCascade> cascades, const ocean::Gers
                       double hs_m) {
   if (cascades.empty()) throw Error(ErrorKind::bad_input, "preview: no cascade", "give at least one");
   const int side = std::clamp(cascades[0].surface->size, smallest_side, largest_side);
-  SeaMap map(cascades, side);
+  SeaMap map(cascades, long_waves, side);
   RgbImage image{side, side, std::vector<std::uint8_t>(std::size_t{3} * side * side)};
-  parallel_rows(side, [&](int row) { map.fill_row(row, long_waves); });
+  parallel_rows(side, [&](int row) { map.fill_row(row); });
   parallel_rows(side, [&](int row) { map.shade_row(row, hs_m, image); });
   return image;
 }

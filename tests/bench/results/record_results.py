@@ -68,6 +68,9 @@ class Record:
         rows = [row for command in ("fft", "ocean", "gerstner", "queries") for row in self.rows(command)]
         return {"blocks": BLOCKS, "rows": tables.rows_table(rows)}
 
+    def previews(self):
+        return {"previews": tables.rows_table(self.rows("previews", (256, 512, 1024)))}
+
     def frames(self):
         drawn = self.frames_drawn()
         return {

@@ -21,6 +21,16 @@ n x n, transfers included (`queries_surface`: without velocity and pressure); 20
 
 {rows}
 """,
+    "previews": """## Previews of bakes
+
+{machine}
+
+`offing-bench previews`: what `offing ocean bake --preview` adds to a frame of scenes/storm.toml with three cascades of
+n x n and 64 Gerstner waves: the map from above, drawn, compressed, written, and kept for the contact sheet.
+`preview_draw` is the drawing alone, `preview_sheet` the contact sheet of 24 frames, once a bake.
+
+{previews}
+""",
     "frames": """## Frames of the presenter
 
 {machine}
