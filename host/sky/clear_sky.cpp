@@ -41,11 +41,11 @@ std::vector<Rgb> read_rgb(const ocl::Buffer<Texel>& buffer) {
   return light;
 }
 
-void require_valid(const SkyView& view) {
-  const auto& [x, y, z] = view.sun_direction;
+void require_valid(const Sun& sun, double eye_altitude_m) {
+  const auto& [x, y, z] = sun.sun_direction;
   require_within("sky.sun_direction length", std::hypot(x, y, z), 0.999, 1.001);
-  require_within("sky.sun_distance_au", view.sun_distance_au, 0.1, 100.0);
-  require_within("sky.eye_altitude_m", view.eye_altitude_m, 0.0, highest_eye_m);
+  require_within("sky.sun_distance_au", sun.sun_distance_au, 0.1, 100.0);
+  require_within("sky.eye_altitude_m", eye_altitude_m, 0.0, highest_eye_m);
 }
 
 }  // namespace
@@ -76,19 +76,19 @@ ClearSky::ClearSky(const ocl::Device& device, const Atmosphere& atmosphere)
   at({});
 }
 
-void ClearSky::at(const SkyView& view) {
-  require_valid(view);
+void ClearSky::at(const Sun& sun, double eye_altitude_m) {
+  require_valid(sun, eye_altitude_m);
   const auto single = [](double value) { return static_cast<float>(value); };
-  const auto& [x, y, z] = view.sun_direction;
+  const auto& [x, y, z] = sun.sun_direction;
   const double length = std::hypot(x, y, z);
-  const double nearness = 1.0 / (view.sun_distance_au * view.sun_distance_au);
+  const double nearness = 1.0 / (sun.sun_distance_au * sun.sun_distance_au);
   const SunlightColour colour;
   const auto scaled = [&](double colour_klx) { return single(colour_klx * nearness); };
   params_ = {.sun_direction_x = single(x / length),
              .sun_direction_y = single(y / length),
              .sun_direction_z = single(z / length),
              .eye_altitude_m = single(
-                 std::clamp(view.eye_altitude_m, lowest_eye_m, highest_eye_share * atmosphere_.thickness_m)),
+                 std::clamp(eye_altitude_m, lowest_eye_m, highest_eye_share * atmosphere_.thickness_m)),
              .ground_radius_m = air_.ground_radius_m,
              .thickness_m = air_.thickness_m,
              .aerosol_asymmetry = single(atmosphere_.aerosol_asymmetry),

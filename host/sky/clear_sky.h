@@ -10,19 +10,13 @@
 #include "host/ocl/device.h"
 #include "host/ocl/kernel.h"
 #include "host/sky/atmosphere.h"
+#include "host/sky/sun_position.h"
 #include "kernels/shared/sky_params.h"
 
 namespace offing::sky {
 
 /// One float4 of the device.
 using Texel = std::array<float, 4>;
-
-/// The sun and the eye that looks at the sky. Up is +y wherever the eye stands.
-struct SkyView {
-  std::array<double, 3> sun_direction{0.0, 1.0, 0.0};  ///< unit, toward the sun; x east, y up, z south
-  double sun_distance_au = 1.0;
-  double eye_altitude_m = 2.0;  ///< above the sea; taken as 1 m where less, as the top of the air above it
-};
 
 /// Light at the eye, klx in linear Rec.709.
 struct Illuminance {
@@ -53,9 +47,11 @@ class ClearSky {
   /// programs and buffers throw.
   ClearSky(const ocl::Device& device, const Atmosphere& atmosphere);
 
-  /// Enqueues the table of this sun and eye. Throws Error(bad_input) unless the sun's direction is of unit
-  /// length within 1e-3, its distance within 0.1 ... 100 au, and the eye within 0 ... 1e9 m.
-  void at(const SkyView& view);
+  /// Enqueues the table of this sun and an eye at this height above the sea, taken as 1 m where less, as the
+  /// top of the air above it. Up is +y wherever the eye stands. Throws Error(bad_input) unless the sun's
+  /// direction is of unit length within 1e-3, its distance within 0.1 ... 100 au, and the eye within 0 ...
+  /// 1e9 m.
+  void at(const Sun& sun, double eye_altitude_m = 2.0);
 
   /// Changes with each at(), and is that of no other sky: whoever holds copies of the tables knows by it
   /// whether they are up to date.

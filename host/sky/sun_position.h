@@ -34,6 +34,20 @@ struct Air {
   double temperature_k = 283.15;
 };
 
+/// Where the sun stands in the sky.
+struct SunAngles {
+  double azimuth_rad = 0.0;    ///< clockwise from north
+  double elevation_rad = 0.0;  ///< above the horizon
+};
+
+/// The sun of a world.
+struct Sun {
+  std::array<double, 3> sun_direction{0.0, 1.0, 0.0};  ///< unit, toward the sun; x east, y up, z south
+  double sun_distance_au = 1.0;                        ///< light falls off with its square
+
+  bool operator==(const Sun&) const = default;
+};
+
 /// Where the sun stands. The world's axes are those of the whole project: x east, y up, z south (north is
 /// -z).
 struct SunPosition {

@@ -25,8 +25,8 @@ glm::dvec3 albedo_of(const sky::Atmosphere& atmosphere) {
   return {albedo[0], 0.5 * (albedo[1] + albedo[2]), albedo[3]};
 }
 
-sky::Illuminance light_at(sky::ClearSky& sky, const SunOverClouds& sun, double altitude_m) {
-  sky.at({.sun_direction = sun.direction, .sun_distance_au = sun.distance_au, .eye_altitude_m = altitude_m});
+sky::Illuminance light_at(sky::ClearSky& sky, const sky::Sun& sun, double altitude_m) {
+  sky.at(sun, altitude_m);
   return sky.read_illuminance();
 }
 
@@ -34,7 +34,7 @@ sky::Illuminance light_at(sky::ClearSky& sky, const SunOverClouds& sun, double a
 
 std::vector<clouds::CloudIllumination> cloud_illumination(sky::ClearSky& sky,
                                                           const sky::Atmosphere& atmosphere,
-                                                          const SunOverClouds& sun,
+                                                          const sky::Sun& sun,
                                                           std::span<const double> altitudes_m) {
   // Between two steps the light is mixed.
   const auto steps_up = [](double altitude_m) {
@@ -47,7 +47,7 @@ std::vector<clouds::CloudIllumination> cloud_illumination(sky::ClearSky& sky,
   }
   for (auto& [step, light] : above) light = light_at(sky, sun, std::max(step * step_m, lowest_m));
   const sky::Illuminance below = light_at(sky, sun, lowest_m);
-  const auto& [x, y, z] = sun.direction;
+  const auto& [x, y, z] = sun.sun_direction;
   const glm::dvec3 on_ground_klx = vector_of(below.sun_klx) * std::max(y, 0.0) + vector_of(below.sky_klx);
   std::vector<clouds::CloudIllumination> lights;
   for (const double altitude_m : altitudes_m) {

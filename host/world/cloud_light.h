@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -8,16 +7,11 @@
 #include "host/clouds/shape/cloud_parameters.h"
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
+#include "host/sky/sun_position.h"
 #include "host/world/mesh_parameters.h"
 #include "kernels/shared/cloud_light_params.h"
 
 namespace offing::world {
-
-/// The sun as clouds see it.
-struct SunOverClouds {
-  std::array<double, 3> direction{0.0, 1.0, 0.0};  ///< unit, toward it
-  double distance_au = 1.0;
-};
 
 /// What falls on clouds at altitudes in m, one each: the sun through the air above, the mean of the sky, and
 /// what the ground below sends back of both. Mixed between multiples of 500 m, each of which takes its own
@@ -26,7 +20,7 @@ struct SunOverClouds {
 /// afterwards. Waits for the device.
 std::vector<clouds::CloudIllumination> cloud_illumination(sky::ClearSky& sky,
                                                           const sky::Atmosphere& atmosphere,
-                                                          const SunOverClouds& sun,
+                                                          const sky::Sun& sun,
                                                           std::span<const double> altitudes_m);
 
 /// Of the lights beside the sun, the first so many light clouds.

@@ -43,9 +43,8 @@ ocean::Ocean& World::ocean() {
               "add an [ocean] section to the scene");
 }
 
-void World::set_sun(const std::array<double, 3>& direction, double distance_au) {
-  parameters_.sun_direction = direction;
-  parameters_.sun_distance_au = distance_au;
+void World::set_sun(const sky::Sun& sun) {
+  parameters_.sun = sun;
   sky_altitude_m_.reset();
   cloud_illumination_.clear();
 }
@@ -144,7 +143,7 @@ highlights::Lighting World::lighting(const glm::dvec3& eye_m) const {
   highlights::Lighting lighting{.eye = {.kind = highlights::Source::Kind::place, .vector = eye_m},
                                 .lights = {}};
   for (const Light& light : parameters_.lights) lighting.lights.push_back(light.source);
-  const auto& [x, y, z] = parameters_.sun_direction;
+  const auto& [x, y, z] = parameters_.sun.sun_direction;
   if (y > 0.0) lighting.lights.push_back({.vector = {x, y, z}});
   return lighting;
 }
@@ -165,9 +164,7 @@ void World::look_at_sky(double eye_altitude_m) {
   const double steps = std::round(std::log(std::max(eye_altitude_m, 1.0)) / lag_.altitude_share);
   const double altitude_m = std::exp(steps * lag_.altitude_share);
   if (sky_altitude_m_ == altitude_m) return;
-  sky_.at({.sun_direction = parameters_.sun_direction,
-           .sun_distance_au = parameters_.sun_distance_au,
-           .eye_altitude_m = altitude_m});
+  sky_.at(parameters_.sun, altitude_m);
   illuminance_ = sky_.read_illuminance();
   if (terrain_) {
     terrain_light_ = terrain_light(illuminance_, parameters_.atmosphere, terrain_->parameters().lines);
@@ -195,8 +192,7 @@ void World::light_clouds(double time_s) {
     std::vector<double> altitudes_m;
     for (const clouds::CloudParameters& cloud : all) altitudes_m.push_back(cloud.position_m.y);
     cloud_illumination_ =
-        cloud_illumination(*cloud_sky_, parameters_.atmosphere,
-                           {parameters_.sun_direction, parameters_.sun_distance_au}, altitudes_m);
+        cloud_illumination(*cloud_sky_, parameters_.atmosphere, parameters_.sun, altitudes_m);
   }
   clouds_->at(time_s);
   if (parameters_.clouds->light_model == clouds::LightModel::calibrated) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "host/base/rgba_image.h"
 #include "host/ocean/spectrum/sea_spectrum.h"
 #include "host/ocean/spectrum/slope_covariance.h"
+#include "host/ocean/spectrum/wind.h"
 #include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocean/surface/ocean.h"
 #include "host/ocean/surface/projected_grid.h"
@@ -19,6 +19,7 @@
 #include "host/ocl/device.h"
 #include "host/sky/atmosphere.h"
 #include "host/sky/clear_sky.h"
+#include "host/sky/sun_position.h"
 #include "host/world/light_lag.h"
 #include "host/world/mesh_parameters.h"
 #include "host/world/world_bodies.h"
@@ -37,13 +38,10 @@ struct WorldParameters {
   ocean::GerstnerSea gerstner_waves = {};  ///< those of the spectrum below the cascades' k_split, and swells
   bool has_shoals = true;                  ///< whether waves shoal over the ground, if there is any
   std::vector<WakeSettings> wakes = {};
-  /// Wind over the ripples that the spectrum or its maps leave out.
-  double wind_speed_mps = 10.0;
-  double wind_direction_rad = 0.0;
+  ocean::Wind wind = {};  ///< over the ripples that the spectrum or its maps leave out
   ocean::WaterType water = ocean::WaterType::oceanic_1b;
   sky::Atmosphere atmosphere = {};
-  std::array<double, 3> sun_direction{0.0, 1.0, 0.0};  ///< unit, toward the sun
-  double sun_distance_au = 1.0;
+  sky::Sun sun = {};
   std::optional<TerrainParameters> terrain = {};
   std::optional<CloudSkyParameters> clouds = {};
   std::vector<MeshParameters> meshes = {};
@@ -122,7 +120,7 @@ class World {
   // needs a new world.
 
   /// Turns the sun.
-  void set_sun(const std::array<double, 3>& direction, double distance_au);
+  void set_sun(const sky::Sun& sun);
   /// Changes the air: its tables are made anew.
   void set_atmosphere(const sky::Atmosphere& atmosphere);
   /// Changes Gerstner waves, swells and raindrops; costs nothing but over shoals, a millisecond. Throws what

@@ -59,8 +59,7 @@ HiddenSlopes shared_out(std::vector<std::vector<ocean::SlopeCovariance>> cascade
                       .ripples = {}};
   ocean::SlopeCovariance drawn = hidden.gerstner_waves;
   for (const std::vector<ocean::SlopeCovariance>& levels : hidden.cascades) add(drawn, levels.back());
-  hidden.ripples = ocean::remaining_slopes(
-      ocean::measured_slopes(parameters.wind_speed_mps, parameters.wind_direction_rad), drawn);
+  hidden.ripples = ocean::remaining_slopes(ocean::measured_slopes(parameters.wind), drawn);
   return hidden;
 }
 
@@ -183,8 +182,7 @@ void World::set_sea(const WorldParameters& parameters) {
   parameters_.spectrum = parameters.spectrum;
   parameters_.ocean = parameters.ocean;
   parameters_.gerstner_waves = parameters.gerstner_waves;
-  parameters_.wind_speed_mps = parameters.wind_speed_mps;
-  parameters_.wind_direction_rad = parameters.wind_direction_rad;
+  parameters_.wind = parameters.wind;
   parameters_.has_shoals = parameters.has_shoals;
   make_shoals();
   set_wakes(parameters.wakes);

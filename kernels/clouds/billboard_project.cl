@@ -44,7 +44,7 @@ __kernel void billboard_project(__global const CloudParticle* restrict particles
   const float3 rightward = (float3)(params.right_x, params.right_y, params.right_z);
   const float3 upward = (float3)(params.up_x, params.up_y, params.up_z);
   const float3 way =
-      (float3)(particle.x - params.eye_x, particle.y - params.eye_y, particle.z - params.eye_z);
+      (float3)(particle.x - params.eye_x_m, particle.y - params.eye_y_m, particle.z - params.eye_z_m);
   const float distance_m = length(way);
   const float radius = particle.radius;
   const float across = dot(way, rightward), above = dot(way, upward), ahead = dot(way, forward);

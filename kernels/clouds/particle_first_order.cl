@@ -9,12 +9,12 @@
 __kernel void particle_first_order(__global const CloudParticle *restrict particles, int first, int end, int particles_per_item,
                                    __global const CloudScattering *restrict looks, __global const CloudLightParams *restrict lights,
                                    __global const float *restrict phases, __global const float *restrict reached,
-                                   float eye_x, float eye_y, float eye_z, __global CloudSprite *restrict sprites) {
+                                   float eye_x_m, float eye_y_m, float eye_z_m, __global CloudSprite *restrict sprites) {
   const int own = first + (int)get_global_id(0) * particles_per_item, own_end = min(own + particles_per_item, end);
   for (int i = own; i < own_end; ++i) {
     const CloudParticle particle = particles[i];
     const CloudLightParams light = lights[particle.cloud];
-    const float3 way = (float3)(eye_x - particle.x, eye_y - particle.y, eye_z - particle.z);
+    const float3 way = (float3)(eye_x_m - particle.x, eye_y_m - particle.y, eye_z_m - particle.z);
     const float3 view = way * rsqrt(fmax(dot(way, way), 1e-20f));
     float3 seen = 0.5f * (float3)(light.sky_red + light.ground_red, light.sky_green + light.ground_green,
                                   light.sky_blue + light.ground_blue);

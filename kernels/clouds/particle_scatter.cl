@@ -45,7 +45,7 @@ __kernel void particle_scatter(__global const CloudParticle *restrict particles,
                                __global const CloudLightParams *restrict lights, __global const float *restrict phases,
                                __global const float *restrict absorption, __global const float *restrict beams,
                                __global const float4 *restrict glow, __global const float4 *restrict drift, int channels,
-                               float eye_x, float eye_y, float eye_z, __global CloudSprite *restrict sprites) {
+                               float eye_x_m, float eye_y_m, float eye_z_m, __global CloudSprite *restrict sprites) {
   const int own = first + (int)get_global_id(0) * particles_per_item, own_end = min(own + particles_per_item, end);
   for (int i = own; i < own_end; ++i) {
     const CloudParticle particle = particles[i];
@@ -60,7 +60,7 @@ __kernel void particle_scatter(__global const CloudParticle *restrict particles,
     const float depth = cloud_depth(particle.optical_mass, particle.radius);
     const float3 place = (float3)(particle.x, particle.y, particle.z);
     const float3 own_albedo = (float3)(particle.red, particle.green, particle.blue);
-    const float3 way = (float3)(eye_x, eye_y, eye_z) - place;
+    const float3 way = (float3)(eye_x_m, eye_y_m, eye_z_m) - place;
     const float distance = length(way);
     const float3 view = distance > 0.0f ? way / distance : (float3)(0.0f, 1.0f, 0.0f);
     // Of a dense particle only the side toward the eye shows.

@@ -18,7 +18,7 @@
 
 // The camera and the sun, in the axes of the particles.
 typedef struct {
-  float eye_x, eye_y, eye_z;              // m
+  float eye_x_m, eye_y_m, eye_z_m;        // m
   float forward_x, forward_y, forward_z;  // along the line of sight
   float right_x, right_y, right_z;        // unit, along the rows of the picture
   float up_x, up_y, up_z;                 // unit, along its columns

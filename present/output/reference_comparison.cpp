@@ -105,7 +105,7 @@ LightImage drawn_clouds(const ocl::Device& device, const scene::Scene& scene, co
   const auto own = scene::own_billboards(scene);
   clouds::CloudImage picture(device, own ? *own : clouds::billboard_textures());
   picture.fit(camera.width_px, camera.height_px);
-  const auto& [x, y, z] = world.parameters().sun_direction;
+  const auto& [x, y, z] = world.parameters().sun.sun_direction;
   picture.draw({.particles = view.particles(),
                 .sprites = view.sprites(),
                 .order = view.order(),

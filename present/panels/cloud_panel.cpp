@@ -129,10 +129,9 @@ Edit draw_picked_particles(ViewState& state) {
 
 Edit draw_sun(ViewState& state) {
   ImGui::Separator();
-  SunPlace now{state.scene.view.sun_azimuth_rad, state.scene.view.sun_elevation_rad};
+  sky::SunAngles now = state.scene.view.sun_direction;
   try {
-    const scene::ViewScene view = scene::view_at(state.scene, state.clock.time_s());
-    now = {view.sun_azimuth_rad, view.sun_elevation_rad};
+    now = scene::view_at(state.scene, state.clock.time_s()).sun_direction;
   } catch (const Error&) {
     // A time beyond the sun's calendar, which the picture tells of.
   }

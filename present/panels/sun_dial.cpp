@@ -22,7 +22,7 @@ ImVec2 at(ImVec2 middle, float radius, glm::dvec2 place) {
   return {middle.x + radius * static_cast<float>(place.x), middle.y + radius * static_cast<float>(place.y)};
 }
 
-void draw_map(ImVec2 middle, float radius, const SunPlace& now) {
+void draw_map(ImVec2 middle, float radius, const sky::SunAngles& now) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircleFilled(middle, radius * static_cast<float>(dial_reach), night_colour);
   list.AddCircleFilled(middle, radius, sky_colour);
@@ -55,22 +55,21 @@ Edit draw_hour(scene::Scene& scene) {
 
 }  // namespace
 
-glm::dvec2 place_on_dial(const SunPlace& sun) {
+glm::dvec2 place_on_dial(const sky::SunAngles& sun) {
   const double distance = 1.0 - sun.elevation_rad / right_angle_rad;
   return distance * glm::dvec2(std::sin(sun.azimuth_rad), -std::cos(sun.azimuth_rad));
 }
 
-SunPlace sun_of_dial(glm::dvec2 place) {
+sky::SunAngles sun_of_dial(glm::dvec2 place) {
   const double distance = std::min(glm::length(place), dial_reach);
   double azimuth_rad = std::atan2(place.x, -place.y);
   if (azimuth_rad < 0.0) azimuth_rad += 2.0 * std::numbers::pi;
   return {azimuth_rad, (1.0 - distance) * right_angle_rad};
 }
 
-void place_sun(scene::Scene& scene, const SunPlace& sun) {
+void place_sun(scene::Scene& scene, const sky::SunAngles& sun) {
   end_keyframes(scene);
-  scene.view.sun_azimuth_rad = sun.azimuth_rad;
-  scene.view.sun_elevation_rad = sun.elevation_rad;
+  scene.view.sun_direction = sun;
   scene.view.sun_time_utc.reset();
 }
 
@@ -82,7 +81,7 @@ void set_hour(scene::Scene& scene, double hour) {
   scene.view.sun_time_utc = from_unix_seconds(unix_seconds(midnight) + second);
 }
 
-Edit draw_sun_dial(scene::Scene& scene, const SunPlace& now) {
+Edit draw_sun_dial(scene::Scene& scene, const sky::SunAngles& now) {
   const float radius = 4.0f * ImGui::GetFontSize(), side = 2.0f * radius * static_cast<float>(dial_reach);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 middle(corner.x + 0.5f * side, corner.y + 0.5f * side);
@@ -90,7 +89,7 @@ Edit draw_sun_dial(scene::Scene& scene, const SunPlace& now) {
   Edit edit = Edit::none;
   if (ImGui::IsItemActive()) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const SunPlace wanted =
+    const sky::SunAngles wanted =
         sun_of_dial(glm::dvec2(mouse.x - middle.x, mouse.y - middle.y) / static_cast<double>(radius));
     if (place_on_dial(wanted) != place_on_dial(now)) {
       place_sun(scene, wanted);

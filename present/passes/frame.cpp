@@ -86,7 +86,7 @@ void Frame::draw_cloudy_sky(world::World& world, const FrameRequest& request) {
     cloudy_sky_.forget();
     return;
   }
-  const auto& [x, y, z] = world.parameters().sun_direction;
+  const auto& [x, y, z] = world.parameters().sun.sun_direction;
   const SkySight sight{request.camera.eye_m, {x, y, z}, world.time_s()};
   const SkySight before = std::exchange(sky_sight_, sight);
   const bool keeps = request.sky == SkyRefresh::slice && cloudy_sky_.has_map() && goes_on_from(before, sight);

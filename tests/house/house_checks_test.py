@@ -6,6 +6,7 @@ import unittest
 
 import code_rules
 import file_limits
+import hops
 import include_arrows
 import layout
 import links
@@ -28,6 +29,8 @@ SOUND = {
     "host/ocl/quirks.cpp": '#include <CL/cl.h>\nbool is_pocl() { return name == "PoCL"; }\n',
     "tests/ocean/CMakeLists.txt": "offing_test(ocean_test SOURCES advance_test.cpp)\n",
     "tests/ocean/advance_test.cpp": '#include "host/ocean/ocean.cpp"\nauto s = R"(#include "nowhere.h")";\n',
+    "docs/architecture.md": hops.HEADING + "\n\n| value | name | at most | way | others |\n|---|---|---|---|---|\n"
+    "| depth | `depth_m` | 2 | `kernels/shared/params.h` | |\n\n## Next\n",
     "docs/guide.md": "[index](../kernels/README.md), [web](https://example.org), `host/ocean`\n",
 }
 
@@ -208,6 +211,19 @@ class HouseChecks(unittest.TestCase):
             SOUND["kernels/shared/params.h"].replace("sizeof(Params)", "sizeof(int)"),
             "static_assert",
         )
+
+    def test_value_in_a_file_that_the_table_lacks(self):
+        self.assert_finds(
+            hops, "host/base/depth.h", "double depth_x_m = 0.0;\n", "host/base/depth.h: names depth_m"
+        )
+
+    def test_value_that_has_left_a_file(self):
+        table = SOUND["docs/architecture.md"].replace("params.h` |", "params.h` | `host/base/`")
+        self.assert_finds(hops, "docs/architecture.md", table, "depth: host/base/ does not name depth_m")
+
+    def test_value_in_too_many_files(self):
+        table = SOUND["docs/architecture.md"].replace("| 2 |", "| 0 |")
+        self.assert_finds(hops, "docs/architecture.md", table, "depth: 1 files, expected at most 0")
 
     def test_broken_link(self):
         self.assert_finds(

@@ -45,7 +45,7 @@ exposure_ev.keys = [{ t = 5, value = -1 }]
   EXPECT_NEAR(view.camera.eye_m.y, 5.5 + (3.5 / 3.0 - 9.0 / 13.0) / 8.0, 1e-12);
   EXPECT_EQ(view.camera.eye_m.z, 8.0);
   EXPECT_NEAR(view.camera.yaw_rad, 355.0 * degree, 1e-12);
-  EXPECT_NEAR(view.sun_elevation_rad, 17.5 * degree, 1e-12);
+  EXPECT_NEAR(view.sun_direction.elevation_rad, 17.5 * degree, 1e-12);
   EXPECT_NEAR(view.atmosphere.aerosol_optical_depth, 0.2, 1e-12);
   EXPECT_EQ(view.exposure_ev, -1.0);
   EXPECT_EQ(view.camera.pitch_rad, ViewScene{}.camera.pitch_rad);
@@ -61,8 +61,8 @@ TEST(MovingView, HasNoHistory) {
   view_at(scene, 1e6);
   const ViewScene again = view_at(scene, 7.25);
   EXPECT_EQ(again.camera.eye_m.x, first.camera.eye_m.x);
-  EXPECT_EQ(again.sun_azimuth_rad, first.sun_azimuth_rad);
-  EXPECT_EQ(again.sun_elevation_rad, first.sun_elevation_rad);
+  EXPECT_EQ(again.sun_direction.azimuth_rad, first.sun_direction.azimuth_rad);
+  EXPECT_EQ(again.sun_direction.elevation_rad, first.sun_direction.elevation_rad);
 }
 
 // Fails if a value that is written later, as a flag or a panel does, still moves.
@@ -84,10 +84,11 @@ TEST(MovingView, SunStandsWhereTheAlmanacSays) {
         scene_of(std::string("[world]\nlatitude_deg = 39.742476\nlongitude_deg = -105.1786\n") +
                  "[sky]\npressure_pa = 82000\n[sun]\ntime_utc = " + time + "\n");
     const ViewScene view = view_at(scene, 0.0);
-    EXPECT_NEAR(view.sun_azimuth_rad / degree, 194.34024, 0.01) << time;
-    EXPECT_NEAR(view.sun_elevation_rad / degree, 90.0 - 50.11162, 0.01) << time;
+    EXPECT_NEAR(view.sun_direction.azimuth_rad / degree, 194.34024, 0.01) << time;
+    EXPECT_NEAR(view.sun_direction.elevation_rad / degree, 90.0 - 50.11162, 0.01) << time;
     EXPECT_NEAR(view.sun_distance_au, 0.9965, 1e-4) << time;  // example's R = 0.9965422974
-    EXPECT_EQ(view_at(scene, 3600.0).sun_azimuth_rad, view.sun_azimuth_rad) << "it stands still";
+    EXPECT_EQ(view_at(scene, 3600.0).sun_direction.azimuth_rad, view.sun_direction.azimuth_rad)
+        << "it stands still";
   }
 }
 
@@ -97,11 +98,15 @@ TEST(MovingView, SunStandsWhereTheAlmanacSays) {
 TEST(MovingView, SunMovesWithTheScene) {
   const Scene moving = scene_of("[sun]\ntime_utc = 2024-03-20T09:00:00Z\ntime_scale = 10\n");
   const Scene later = scene_of("[sun]\ntime_utc = 2024-03-20T09:10:00Z\n");
-  EXPECT_NEAR(view_at(moving, 60.0).sun_elevation_rad, view_at(later, 0.0).sun_elevation_rad, 1e-12);
-  EXPECT_NEAR(view_at(moving, 60.0).sun_azimuth_rad, view_at(later, 0.0).sun_azimuth_rad, 1e-12);
-  const double start = view_at(moving, 0.0).sun_elevation_rad, end = view_at(moving, 0.1).sun_elevation_rad;
+  EXPECT_NEAR(view_at(moving, 60.0).sun_direction.elevation_rad,
+              view_at(later, 0.0).sun_direction.elevation_rad, 1e-12);
+  EXPECT_NEAR(view_at(moving, 60.0).sun_direction.azimuth_rad, view_at(later, 0.0).sun_direction.azimuth_rad,
+              1e-12);
+  const double start = view_at(moving, 0.0).sun_direction.elevation_rad,
+               end = view_at(moving, 0.1).sun_direction.elevation_rad;
   EXPECT_NEAR((end - start) / degree * 3600.0, 15.0, 0.2);  // at the equator, at an equinox: straight up
-  EXPECT_NEAR((view_at(moving, 0.025).sun_elevation_rad - start) / (end - start), 0.25, 1e-3 / 15.0);
+  EXPECT_NEAR((view_at(moving, 0.025).sun_direction.elevation_rad - start) / (end - start), 0.25,
+              1e-3 / 15.0);
   EXPECT_NEAR(view_at(moving, 0.025).sun_distance_au, view_at(moving, 0.0).sun_distance_au, 1e-6);
 }
 

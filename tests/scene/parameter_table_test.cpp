@@ -280,7 +280,7 @@ TEST(ParameterTable, OnlyValuesOfPicturesMove) {
 TEST(ParameterTable, DegreesBecomeRadians) {
   Scene scene;
   store(scene, *find_parameter("wind.direction_deg"), {.value = 90.0, .shown = "90"}, place);
-  EXPECT_NEAR(scene.wind.direction_rad, 1.5707963267948966, 1e-15);
+  EXPECT_NEAR(scene.wind.wind_direction_rad, 1.5707963267948966, 1e-15);
 }
 
 // Fails if a size that is no power of two passes the range check.

@@ -70,7 +70,7 @@ TEST(SceneEdit, KeepsEveryShippedScene) {
 
 // Fails if an edit changes more than the text of its value.
 TEST(SceneEdit, ReplacesAValueAlone) {
-  EXPECT_EQ(edited(usable(), [](Scene& scene) { scene.wind.speed_mps = 7.25; }),
+  EXPECT_EQ(edited(usable(), [](Scene& scene) { scene.wind.wind_speed_mps = 7.25; }),
             replaced(usable(), "12.50", "7.25"));
   EXPECT_EQ(edited(usable(),
                    [](Scene& scene) {
@@ -84,12 +84,12 @@ TEST(SceneEdit, ReplacesAValueAlone) {
 // Fails if a new value does not follow the last one of its section, with its indent, or a new section is
 // lost.
 TEST(SceneEdit, AddsValuesAndSections) {
-  EXPECT_EQ(edited(usable(), [](Scene& scene) { scene.wind.direction_rad = 0.5; }),
+  EXPECT_EQ(edited(usable(), [](Scene& scene) { scene.wind.wind_direction_rad = 0.5; }),
             replaced(usable(), "with \"quotes\"\n", "with \"quotes\"\ndirection_deg = 28.64788975654116\n"));
   EXPECT_EQ(edited(usable(), [](Scene& scene) { scene.time.end_s = 9.0; }),
             usable() + "\n[time]\nend_s = 9\n");
   EXPECT_EQ(edited("version = 1\nwind = { speed_mps = 5 } # x\n",
-                   [](Scene& scene) { scene.wind.direction_rad = 0.5; }),
+                   [](Scene& scene) { scene.wind.wind_direction_rad = 0.5; }),
             "version = 1\nwind = { speed_mps = 5, direction_deg = 28.64788975654116 } # x\n");
 }
 
@@ -124,16 +124,18 @@ TEST(SceneEdit, RemovesAbsentValues) {
 // Fails if lines that are added end otherwise than those of the file.
 TEST(SceneEdit, KeepsLineEnds) {
   EXPECT_EQ(edited("version = 1\r\n[wind]\r\nspeed_mps = 5\r\n",
-                   [](Scene& scene) { scene.wind.direction_rad = 0.0625; }),
+                   [](Scene& scene) { scene.wind.wind_direction_rad = 0.0625; }),
             "version = 1\r\n[wind]\r\nspeed_mps = 5\r\ndirection_deg = 3.580986219567645\r\n");
 }
 
 // Fails if text is taken apart that cannot be edited.
 TEST(SceneEdit, RefusesValuesOutsideTheirSection) {
-  EXPECT_EQ(edited("version = 1\nwind.speed_mps = 5\n", [](Scene& scene) { scene.wind.direction_rad = 0.5; }),
-            std::nullopt);
-  EXPECT_EQ(edited("version = 1\nwind.speed_mps = 5\n", [](Scene& scene) { scene.wind.speed_mps = 6.0; }),
-            "version = 1\nwind.speed_mps = 6\n");
+  EXPECT_EQ(
+      edited("version = 1\nwind.speed_mps = 5\n", [](Scene& scene) { scene.wind.wind_direction_rad = 0.5; }),
+      std::nullopt);
+  EXPECT_EQ(
+      edited("version = 1\nwind.speed_mps = 5\n", [](Scene& scene) { scene.wind.wind_speed_mps = 6.0; }),
+      "version = 1\nwind.speed_mps = 6\n");
 }
 
 }  // namespace

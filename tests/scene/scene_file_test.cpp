@@ -58,8 +58,8 @@ split_wavelength_m = 45
   EXPECT_EQ(scene.world.seed, 42u);
   EXPECT_EQ(scene.time.frames_per_second, 30.0);
   EXPECT_EQ(scene.time.loop_period_s, 20.0);
-  EXPECT_EQ(scene.wind.speed_mps, 12.5);
-  EXPECT_NEAR(scene.wind.direction_rad, 3.14159265358979, 1e-13);
+  EXPECT_EQ(scene.wind.wind_speed_mps, 12.5);
+  EXPECT_NEAR(scene.wind.wind_direction_rad, 3.14159265358979, 1e-13);
   EXPECT_EQ(scene.ocean.spectrum.model, ocean::SpectrumModel::tma);
   EXPECT_EQ(scene.ocean.depth_m, 20.0);
   EXPECT_EQ(scene.ocean.parameters.size, 64);

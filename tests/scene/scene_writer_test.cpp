@@ -113,11 +113,11 @@ TEST(SceneWriter, KeyframesComeBack) {
 // sun or swell then: the date counts, and the wavelength.
 TEST(SceneWriter, WritesWhatCounts) {
   Scene scene = parse_scene("version = 1\n[sun]\ntime_utc = 2024-06-21T12:30:05+01:00\n", "a.toml", "");
-  scene.view.sun_azimuth_rad = 2.0;
+  scene.view.sun_direction.azimuth_rad = 2.0;
   scene.ocean.swells = {{.wavelength_m = 50.0, .period_s = 4.0}, {.period_s = 5.0}};
   const Scene again = parse_scene(scene_text(scene, ""), "again.toml", "");
   EXPECT_EQ(again.view.sun_time_utc, (UtcTime{2024, 6, 21, 11, 30, 5}));
-  EXPECT_EQ(again.view.sun_azimuth_rad, Scene{}.view.sun_azimuth_rad);
+  EXPECT_EQ(again.view.sun_direction.azimuth_rad, Scene{}.view.sun_direction.azimuth_rad);
   EXPECT_EQ(again.ocean.swells[0].wavelength_m, 50.0);
   EXPECT_FALSE(again.ocean.swells[0].period_s);
   EXPECT_EQ(again.ocean.swells[1].period_s, 5.0);
@@ -186,7 +186,7 @@ TEST(SceneWriter, ReplacesOnlyWhatItMay) {
   };
   Scene scene;
   save_scene(scene, file, Existing::keep);
-  scene.wind.speed_mps = 20.0;
+  scene.wind.wind_speed_mps = 20.0;
   EXPECT_THROW(save_scene(scene, file, Existing::keep), Error);
   EXPECT_EQ(bytes(), scene_text(Scene{}, folder.path()));
   save_scene(scene, file, Existing::replace);

@@ -77,7 +77,7 @@ class ClearSkyGlTest : public testing::Test {
 // Gate 2e-3. No row of the map touches the horizon, where the light jumps.
 TEST_F(ClearSkyGlTest, PaintsTheMapOfOpenCl) {
   for (const double elevation_deg : {60.0, 10.0, 0.0, -5.0}) {
-    sky_.at({.sun_direction = direction_of(200.0 * degree, elevation_deg * degree), .eye_altitude_m = 15.0});
+    sky_.at({.sun_direction = direction_of(200.0 * degree, elevation_deg * degree)}, 15.0);
     ocl::Buffer<Texel> map(device_, columns * rows, "map");
     sky_.fill_map(columns, rows, map);
     const std::vector<Texel> expected = map.read(), found = painted(map_main);

@@ -26,7 +26,7 @@ TEST_F(ClearSkyReferenceTest, SunlightIsThatOfTheReference) {
   double worst = 0.0;
   for (const double altitude_m : {1.0, 30.0, 1000.0, 12'000.0}) {
     for (const double elevation_deg : {90.0, 60.0, 30.0, 10.0, 5.0, 2.0, 1.0, 0.5}) {
-      sky->at({.sun_direction = at(77.0, elevation_deg), .eye_altitude_m = altitude_m});
+      sky->at({.sun_direction = at(77.0, elevation_deg)}, altitude_m);
       const Rgb expected = rgb_of_sunlight(reference.sunlight(altitude_m, std::sin(elevation_deg * degree)));
       const Rgb found = sky->read_illuminance().sun_klx;
       for (std::size_t c = 0; c < 3; ++c) {
@@ -102,7 +102,7 @@ TEST_F(ClearSkyReferenceTest, SkyIsThatOfTheReference) {
   for (const double eye_m : {2.0, 3000.0}) {
     for (const double sun_deg : {85.0, 40.0, 10.0, 1.0, -3.0, -6.0}) {
       const Direction sun = at(120.0, sun_deg);
-      sky->at({.sun_direction = sun, .eye_altitude_m = eye_m});
+      sky->at({.sun_direction = sun}, eye_m);
       for (const double elevation_deg : {89.0, 50.0, 20.0, 6.0, 1.3, 0.2}) {
         for (const double azimuth_deg : {121.3, 163.0, 305.0}) {
           const Direction view = at(azimuth_deg, elevation_deg);
@@ -138,7 +138,7 @@ TEST_F(ClearSkyReferenceTest, HazeBelowTheHorizonIsThatOfTheReference) {
   for (const double eye_m : {20.0, 3000.0, 30'000.0}) {
     for (const double sun_deg : {50.0, 4.0}) {
       const Direction sun = at(120.0, sun_deg);
-      over_black.at({.sun_direction = sun, .eye_altitude_m = eye_m});
+      over_black.at({.sun_direction = sun}, eye_m);
       for (const double elevation_deg : {-7.0, -20.0, -60.0, -89.5}) {
         for (const double azimuth_deg : {123.0, 300.0}) {
           const Direction view = at(azimuth_deg, elevation_deg);

@@ -49,9 +49,9 @@ TEST_F(ClearSkyTest, GivesLessLightThanTheSun) {
   clear.ground_albedo = {};
   ClearSky lossless(*device, clear);
   for (const double elevation_deg : {90.0, 60.0, 30.0, 10.0, 3.0}) {
-    const SkyView view{.sun_direction = at(30.0, elevation_deg)};
+    const Sun sun{.sun_direction = at(30.0, elevation_deg)};
     const double sine = std::sin(elevation_deg * degree);
-    lossless.at(view);
+    lossless.at(sun);
     const Illuminance light = lossless.read_illuminance();
     for (std::size_t c = 0; c < 3; ++c) {
       const double above = rgb_of_sunlight({1.0, 1.0, 1.0, 1.0})[c] * sine;
@@ -106,7 +106,7 @@ TEST_F(ClearSkyTest, IsContinuousUpToTheHorizon) {
     const double radius_m = Atmosphere{}.ground_radius_m;
     const double dip_deg = std::acos(radius_m / (radius_m + eye_m)) / degree;
     for (const double sun_deg : {60.0, 10.0, 0.0, -5.0}) {
-      sky->at({.sun_direction = at(0.0, sun_deg), .eye_altitude_m = eye_m});
+      sky->at({.sun_direction = at(0.0, sun_deg)}, eye_m);
       for (const double azimuth_deg : {0.0, 90.0, 180.0}) {
         const auto light = [&](double above_horizon_deg) {
           return luminance(sky_light(at(azimuth_deg, above_horizon_deg - dip_deg)));
@@ -118,9 +118,9 @@ TEST_F(ClearSkyTest, IsContinuousUpToTheHorizon) {
         EXPECT_GT(light(-40.0), 0.0);
       }
     }
-    sky->at({.sun_direction = at(0.0, 0.01), .eye_altitude_m = eye_m});
+    sky->at({.sun_direction = at(0.0, 0.01)}, eye_m);
     const double before = luminance(sky_light(at(0.0, 20.0)));
-    sky->at({.sun_direction = at(0.0, -0.01), .eye_altitude_m = eye_m});
+    sky->at({.sun_direction = at(0.0, -0.01)}, eye_m);
     EXPECT_NEAR(luminance(sky_light(at(0.0, 20.0))) / before, 1.0, 0.02);
   }
 }
@@ -132,7 +132,7 @@ TEST_F(ClearSkyTest, IsFiniteAndDarkensThroughTwilight) {
   for (const double eye_m : {0.0, 2.0, 11'000.0, 99'000.0}) {
     double last = std::numeric_limits<double>::infinity();
     for (const double sun_deg : {90.0, 89.99, 45.0, 0.3, 0.0, -1.0, -4.0, -8.0, -14.0, -30.0, -90.0}) {
-      sky->at({.sun_direction = at(77.0, sun_deg), .eye_altitude_m = eye_m});
+      sky->at({.sun_direction = at(77.0, sun_deg)}, eye_m);
       sky->fill_map(64, 33, map);
       double sum = 0.0;
       for (const Texel& texel : map.read()) {
@@ -193,25 +193,25 @@ TEST_F(ClearSkyTest, RemakesItsTableInMilliseconds) {
 // Fails if an eye beyond the air, from which a large mesh is seen, is refused or sees anything but what the
 // top of the air does.
 TEST_F(ClearSkyTest, EyesBeyondTheAirSeeItsTop) {
-  sky->at({.eye_altitude_m = 99'900.0});
+  sky->at({}, 99'900.0);
   const std::vector<Texel> top = sky->view_table().read();
-  sky->at({.eye_altitude_m = 1e6});
+  sky->at({}, 1e6);
   EXPECT_EQ(sky->view_table().read(), top);
 }
 
 // Fails if a direction or a sun is not checked.
 TEST_F(ClearSkyTest, RefusesBadViews) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto refuses = [](const SkyView& view, const char* part) {
-    test::expect_error(ErrorKind::bad_input, part, [&] { sky->at(view); });
+  const auto refuses = [](const Sun& sun, double eye_altitude_m, const char* part) {
+    test::expect_error(ErrorKind::bad_input, part, [&] { sky->at(sun, eye_altitude_m); });
   };
-  refuses({.sun_direction = {0.0, 0.0, 0.0}}, "sun_direction");
-  refuses({.sun_direction = {0.0, 2.0, 0.0}}, "sun_direction");
-  refuses({.sun_direction = {nan, 1.0, 0.0}}, "sun_direction");
-  refuses({.sun_distance_au = 0.0}, "sun_distance_au");
-  refuses({.eye_altitude_m = -1.0}, "eye_altitude_m");
-  refuses({.eye_altitude_m = 2e9}, "eye_altitude_m");
-  refuses({.eye_altitude_m = nan}, "eye_altitude_m");
+  refuses({.sun_direction = {0.0, 0.0, 0.0}}, 2.0, "sun_direction");
+  refuses({.sun_direction = {0.0, 2.0, 0.0}}, 2.0, "sun_direction");
+  refuses({.sun_direction = {nan, 1.0, 0.0}}, 2.0, "sun_direction");
+  refuses({.sun_distance_au = 0.0}, 2.0, "sun_distance_au");
+  refuses({}, -1.0, "eye_altitude_m");
+  refuses({}, 2e9, "eye_altitude_m");
+  refuses({}, nan, "eye_altitude_m");
   Atmosphere air;
   air.ground_albedo[0] = -1.0;
   test::expect_error(ErrorKind::bad_input, "ground_albedo", [&] { ClearSky(*device, air); });

@@ -27,7 +27,7 @@ void dump(const char* path) {
     }
   };
   for (const double sun_rad : {1.0, 0.05, -0.1}) {
-    sky.at({.sun_direction = direction_of(0.3, sun_rad), .eye_altitude_m = 20.0});
+    sky.at({.sun_direction = direction_of(0.3, sun_rad)}, 20.0);
     ocl::Buffer<Texel> map(device, 24 * 13, "map");
     sky.fill_map(24, 13, map);
     double mean = 0.0;

@@ -23,7 +23,7 @@ const ocl::Device& device() {
 TEST(CloudLight, IsThatOfItsAltitude) {
   const sky::Atmosphere air;
   sky::ClearSky sky(device(), air);
-  const SunOverClouds sun{.direction = {0.8, 0.6, 0.0}};
+  const sky::Sun sun{.sun_direction = {0.8, 0.6, 0.0}};
   const double altitudes_m[] = {10.0, 9000.0};
   const auto lights = cloud_illumination(sky, air, sun, altitudes_m);
   const clouds::CloudIllumination &low = lights.at(0), &high = lights.at(1);
@@ -33,7 +33,7 @@ TEST(CloudLight, IsThatOfItsAltitude) {
   EXPECT_EQ(high.ground_kcdpm2, low.ground_kcdpm2);
   EXPECT_GT(low.ground_kcdpm2.x, 0.0);
   // At night there is no sun.
-  for (const auto& light : cloud_illumination(sky, air, {.direction = {0.8, -0.6, 0.0}}, altitudes_m))
+  for (const auto& light : cloud_illumination(sky, air, {.sun_direction = {0.8, -0.6, 0.0}}, altitudes_m))
     EXPECT_TRUE(light.suns.empty());
 }
 
@@ -44,10 +44,10 @@ TEST(CloudLight, IsMixedBetweenStepsOfAltitude) {
   sky::ClearSky sky(device(), air);
   const std::array<double, 3> toward_sun{0.978, 0.2079, 0.0};
   const double altitudes_m[] = {250.0, 750.0, 3250.0};
-  const auto lights = cloud_illumination(sky, air, {.direction = toward_sun}, altitudes_m);
+  const auto lights = cloud_illumination(sky, air, {.sun_direction = toward_sun}, altitudes_m);
   double most = 0.0;
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    sky.at({.sun_direction = toward_sun, .eye_altitude_m = altitudes_m[i]});
+    sky.at({.sun_direction = toward_sun}, altitudes_m[i]);
     const sky::Illuminance exact = sky.read_illuminance();
     for (int colour = 0; colour < 3; ++colour) {
       const auto c = static_cast<std::size_t>(colour);

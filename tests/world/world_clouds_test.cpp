@@ -217,7 +217,7 @@ TEST(CloudWorld, LightsEachCloudAtItsAltitude) {
   parameters.clouds->clouds[0].position_m.y = 800.0;
   parameters.clouds->clouds[1].position_m.y = 9000.0;
   World world(device(), parameters);
-  world.set_sun({0.9945, 0.1045, 0.0}, 1.0);
+  world.set_sun({{0.9945, 0.1045, 0.0}});
   world.at(0.0, 10.0);
   const auto lights = world.clouds()->illumination();
   ASSERT_EQ(lights.size(), 2u);
@@ -240,7 +240,7 @@ TEST(CloudWorld, FollowsItsSun) {
     return sum;
   };
   const double noon = brightness();
-  world.set_sun({0.0, -1.0, 0.0}, 1.0);
+  world.set_sun({{0.0, -1.0, 0.0}});
   EXPECT_LT(brightness(), 0.01 * noon);
   world.set_clouds({});
   EXPECT_EQ(world.clouds(), nullptr);
@@ -276,7 +276,7 @@ TEST(CloudWorld, ShadesTheGroundBelow) {
   parameters.terrain = plain();
   World world(device(), parameters);
   for (const glm::dvec3& toward_sun : {glm::dvec3(0.6, 0.8, 0.0), glm::dvec3(0.0, 0.28, -0.96)}) {
-    world.set_sun({toward_sun.x, toward_sun.y, toward_sun.z}, 1.0);
+    world.set_sun({{toward_sun.x, toward_sun.y, toward_sun.z}});
     Camera camera = camera_at(glm::dvec3(0.0, 500.0, 0.0) - 500.0 / toward_sun.y * toward_sun);
     camera.eye_m.y = 50.0;
     camera.pitch_rad = -1.57;

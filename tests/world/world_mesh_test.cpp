@@ -161,7 +161,7 @@ TEST(WorldMeshTest, IsLitByLightsAndSun) {
   World world(ocl::Device::open(), parameters);
   EXPECT_EQ(world.lighting({1.0, 2.0, 3.0}).lights.size(), 3u);
   EXPECT_EQ(world.lighting({1.0, 2.0, 3.0}).eye.vector, glm::dvec3(1.0, 2.0, 3.0));
-  world.set_sun({0.0, -0.6, 0.8}, 1.0);
+  world.set_sun({{0.0, -0.6, 0.8}});
   EXPECT_EQ(world.lighting({}).lights.size(), 2u);
   try {
     world.set_lights(std::vector<Light>(most_lights + 1));

@@ -32,8 +32,8 @@ WorldParameters parameters() {
   result.ocean.cascades = ocean::cascades_from_patches(lengths, result.ocean.size, split_radpm);
   result.gerstner_waves.waves =
       ocean::choose_gerstner_waves(result.spectrum, {.split_radpm = split_radpm, .count = 8});
-  result.wind_speed_mps = 11.0;
-  result.sun_direction = sky::direction_of(1.0, 0.5);
+  result.wind.wind_speed_mps = 11.0;
+  result.sun.sun_direction = sky::direction_of(1.0, 0.5);
   return result;
 }
 
@@ -117,7 +117,7 @@ TEST_F(WorldTest, ShowsTheSeaInFewerSamples) {
 TEST_F(WorldTest, TurnsTheSun) {
   world_.at(0.0, 2.0);
   const double high = sky::luminance(world_.illuminance().sun_klx);
-  world_.set_sun(sky::direction_of(0.0, -3.0 * degree), 1.0);
+  world_.set_sun({sky::direction_of(0.0, -3.0 * degree)});
   world_.at(0.0, 2.0);
   EXPECT_GT(high, 50.0);
   EXPECT_EQ(sky::luminance(world_.illuminance().sun_klx), 0.0) << "the sun has set";
@@ -152,7 +152,7 @@ TEST_F(WorldTest, SharesTheSlopesOut) {
   const HiddenSlopes& hidden = world_.hidden_slopes();
   ASSERT_EQ(hidden.cascades.size(), 1u);
   const double resolved = hidden.cascades[0].back().mean_square();
-  const double all = ocean::measured_slopes(11.0, 0.0).mean_square();
+  const double all = ocean::measured_slopes({11.0, 0.0}).mean_square();
   ASSERT_LT(resolved, 0.9 * all);
   EXPECT_NEAR(resolved + hidden.gerstner_waves.mean_square() + hidden.ripples.mean_square(), all, 1e-9);
   ocean::GerstnerSea gerstner_waves = world_.parameters().gerstner_waves;
@@ -191,8 +191,8 @@ TEST_F(WorldTest, ChangedEqualsMadeSo) {
   changed.atmosphere.aerosol_optical_depth = 0.5;
   world_.set_atmosphere(changed.atmosphere);
   expect_as_new("atmosphere");
-  changed.sun_direction = sky::direction_of(2.0, 0.1);
-  world_.set_sun(changed.sun_direction, changed.sun_distance_au);
+  changed.sun.sun_direction = sky::direction_of(2.0, 0.1);
+  world_.set_sun(changed.sun);
   expect_as_new("sun");
   changed.ocean.seed = 9;
   changed.gerstner_waves.waves[0].phase_rad += 1.0;
@@ -200,7 +200,7 @@ TEST_F(WorldTest, ChangedEqualsMadeSo) {
   expect_as_new("seed");
   changed.ocean.size = 32;
   changed.ocean.choppiness = 0.5;
-  changed.wind_speed_mps = 15.0;
+  changed.wind.wind_speed_mps = 15.0;
   changed.gerstner_waves.waves.clear();
   world_.set_sea(changed);
   expect_as_new("sea");
@@ -217,7 +217,7 @@ TEST_F(WorldTest, RefusedChangesChangeNothing) {
   EXPECT_THROW(World(device_, bad), Error);
   WorldParameters windy = parameters();
   windy.ocean.size = 32;
-  windy.wind_speed_mps = -1.0;
+  windy.wind.wind_speed_mps = -1.0;
   EXPECT_THROW(world_.set_sea(windy), Error);
   sky::Atmosphere black;
   black.aerosol_albedo = 2.0;
@@ -239,7 +239,7 @@ TEST_F(WorldTest, ReachFollowsTheRings) {
 
 TEST_F(WorldTest, RefusesWhatItsSimulationsRefuse) {
   EXPECT_THROW(world_.at(std::nan(""), 5.0), Error);
-  world_.set_sun({1.0, 1.0, 1.0}, 1.0);
+  world_.set_sun({{1.0, 1.0, 1.0}});
   EXPECT_THROW(world_.at(0.0, 5.0), Error);
 }
 

@@ -56,8 +56,8 @@ void draw_light(const ocl::Device& device, const Field& field, const Camera& cam
                 const TerrainScenery& scenery, const ocl::Buffer<TerrainHit>& hits, TerrainRender& picture) {
   const sky::Atmosphere atmosphere;
   sky::ClearSky sky(device, atmosphere);
-  sky.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad),
-          .eye_altitude_m = std::max(0.0, camera.eye_m.y - scenery.lines.sea_level_m)});
+  sky.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad)},
+         std::max(0.0, camera.eye_m.y - scenery.lines.sea_level_m));
   const sky::Illuminance at_eye = sky.read_illuminance();
   const TerrainLight light = world::terrain_light(at_eye, atmosphere, scenery.lines);
   ocl::Buffer<terrain::Texel> terrain(device, hits.size(), "terrain image");

@@ -135,8 +135,8 @@ FlightRecorder::FlightRecorder(const ocl::Device& device, const Camera& first, d
       hits_(device, terrain::pixel_count(first), "terrain hits"),
       image_(device, terrain::pixel_count(first), "terrain image") {
   const TerrainScenery scenery;
-  sky_.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad),
-           .eye_altitude_m = std::max(0.0, first.eye_m.y)});
+  sky_.at({.sun_direction = sky::direction_of(scenery.sun_azimuth_rad, scenery.sun_elevation_rad)},
+          std::max(0.0, first.eye_m.y));
   light_ = world::terrain_light(sky_.read_illuminance(), atmosphere_, world::cover_lines(latitude_deg));
 }
 

@@ -26,9 +26,9 @@ CloudImageParams device_params(const DrawnParticles& drawn, const Camera& camera
   const glm::dvec2 extent = half_extent(camera);
   const glm::vec3 eye(camera.eye_m - drawn.origin_m), forward(axes.forward), right(axes.right), up(axes.up);
   const glm::vec3 sun(drawn.sun_direction);
-  return {.eye_x = eye.x,
-          .eye_y = eye.y,
-          .eye_z = eye.z,
+  return {.eye_x_m = eye.x,
+          .eye_y_m = eye.y,
+          .eye_z_m = eye.z,
           .forward_x = forward.x,
           .forward_y = forward.y,
           .forward_z = forward.z,

@@ -60,10 +60,10 @@ std::vector<SlopeCovariance> hidden_slopes(std::span<const float> variance, int 
   return hidden;
 }
 
-SlopeCovariance measured_slopes(double wind_speed_mps, double direction_rad) {
-  require_within("wind_speed_mps", wind_speed_mps, 0.0, 100.0);
-  const double along = 0.00316 * wind_speed_mps, across = 0.003 + 0.00192 * wind_speed_mps;
-  const double cosine = std::cos(direction_rad), sine = std::sin(direction_rad);
+SlopeCovariance measured_slopes(const Wind& wind) {
+  require_within("wind_speed_mps", wind.wind_speed_mps, 0.0, 100.0);
+  const double along = 0.00316 * wind.wind_speed_mps, across = 0.003 + 0.00192 * wind.wind_speed_mps;
+  const double cosine = std::cos(wind.wind_direction_rad), sine = std::sin(wind.wind_direction_rad);
   return {.xx = along * cosine * cosine + across * sine * sine,
           .xz = (along - across) * cosine * sine,
           .zz = along * sine * sine + across * cosine * cosine};

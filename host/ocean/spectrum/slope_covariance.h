@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "host/ocean/spectrum/sea_spectrum.h"
+#include "host/ocean/spectrum/wind.h"
 
 namespace offing::ocean {
 
@@ -23,7 +24,7 @@ std::vector<SlopeCovariance> hidden_slopes(std::span<const float> variance, int 
 /// Covariance of all slopes of a clean sea in this wind (at 10 m), down to the shortest ripples, measured
 /// from the sun's glitter: 0.003 + 0.00192 U across and 0.00316 U along the wind (Cox & Munk 1954, whose wind
 /// was at 12.4 m: within 2 %).
-SlopeCovariance measured_slopes(double wind_speed_mps, double direction_rad);
+SlopeCovariance measured_slopes(const Wind& wind);
 
 /// `all` less the mean square of `resolved`: the shape of `all`, scaled down, to `least` of it at least,
 /// since a model sea may be steeper than the measured one.

@@ -24,7 +24,7 @@ void append_numbers(fmt::memory_buffer& text, std::string_view name, const std::
 }  // namespace
 
 std::string scene_hash(const Scene& scene, const Sea& sea, std::string_view output_settings) {
-  const WindSection wind = wind_of_sea(scene);
+  const ocean::Wind wind = wind_of_sea(scene);
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "offing {}\noutput {}\n", version(), output_settings);

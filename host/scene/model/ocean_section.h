@@ -32,14 +32,6 @@ struct TimeSection {
   bool operator==(const TimeSection&) const = default;
 };
 
-/// [wind]
-struct WindSection {
-  double speed_mps = 10.0;
-  double direction_rad = 0.0;  ///< of travel, from +x toward +z
-
-  bool operator==(const WindSection&) const = default;
-};
-
 /// Whether waves feel the ground of a scene below them.
 enum class Shoaling { off, on };
 

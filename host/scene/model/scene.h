@@ -11,6 +11,7 @@
 
 #include "host/base/keyframes.h"
 #include "host/io/file_trust.h"
+#include "host/ocean/spectrum/wind.h"
 #include "host/scene/model/body_scene.h"
 #include "host/scene/model/bookmark_scene.h"
 #include "host/scene/model/cloud_scene.h"
@@ -61,7 +62,7 @@ class CopyCount {
 struct Scene {
   WorldSection world;
   TimeSection time;
-  WindSection wind;
+  ocean::Wind wind;
   OceanSection ocean;
   TerrainScene terrain;
   std::vector<LightScene> lights;

@@ -2,6 +2,12 @@
 
 namespace offing::scene {
 
+sky::Sun sun_of(const ViewScene& view) {
+  const auto& [azimuth_rad, elevation_rad] = view.sun_direction;
+  return {.sun_direction = sky::direction_of(azimuth_rad, elevation_rad),
+          .sun_distance_au = view.sun_distance_au};
+}
+
 sky::Atmosphere atmosphere_of(const ViewScene& view) {
   // What the optical depths of an Atmosphere made by default belong to.
   constexpr double standard_ozone_du = 300.0, standard_pressure_pa = 101'325.0;

@@ -6,6 +6,7 @@
 #include "host/base/camera.h"
 #include "host/base/utc_time.h"
 #include "host/sky/atmosphere.h"
+#include "host/sky/sun_position.h"
 #include "host/terrain/walk/walker.h"
 
 namespace offing::scene {
@@ -21,8 +22,8 @@ struct ViewScene {
   CameraMode mode = CameraMode::fly;
   terrain::WalkerParameters walker;
   double walking_mps = 1.5;
-  double sun_azimuth_rad = std::numbers::pi / 4.0;    ///< clockwise from north (-z)
-  double sun_elevation_rad = std::numbers::pi / 6.0;  ///< above the horizon
+  sky::SunAngles sun_direction{.azimuth_rad = std::numbers::pi / 4.0,
+                               .elevation_rad = std::numbers::pi / 6.0};
   double sun_distance_au = 1.0;
   std::optional<UtcTime> sun_time_utc;  ///< the sun stands where it does at this time, seen from the origin
   double sun_time_scale = 0.0;          ///< seconds that pass for the sun in one of the scene
@@ -32,6 +33,9 @@ struct ViewScene {
   std::optional<double> ground_albedo;  ///< absent: that of clear sea water
   double exposure_ev = 0.0;             ///< stops above the exposure that the light at the eye asks for
 };
+
+/// The sun of a view.
+sky::Sun sun_of(const ViewScene& view);
 
 /// The air of a view. Throws nothing; require_valid() holds for values of the parameter table.
 sky::Atmosphere atmosphere_of(const ViewScene& view);

@@ -52,8 +52,7 @@ ViewScene view_at(const Scene& scene, double time_s) {
     const sky::SunPosition sun =
         sun_at(unix_s, {.latitude_rad = scene.world.latitude_rad, .longitude_rad = scene.world.longitude_rad},
                {.pressure_pa = view.pressure_pa});
-    view.sun_azimuth_rad = sun.azimuth_rad;
-    view.sun_elevation_rad = sun.elevation_rad;
+    view.sun_direction = {sun.azimuth_rad, sun.elevation_rad};
     view.sun_distance_au = sun.distance_au;
   }
   return view;

@@ -253,7 +253,7 @@ highlights::LightingAt lighting_of(const Scene& scene, const world::WorldTerrain
     if (terrain != nullptr) stand_on_ground(*terrain, view);
     highlights::Lighting lighting{.eye = {Source::Kind::place, view.camera.eye_m}, .lights = {}};
     for (const world::Light& light : lights_at(*own, time_s)) lighting.lights.push_back(light.source);
-    const auto [x, y, z] = sky::direction_of(view.sun_azimuth_rad, view.sun_elevation_rad);
+    const auto [x, y, z] = sun_of(view).sun_direction;
     if (y > 0.0) lighting.lights.push_back({Source::Kind::direction, {x, y, z}});
     return lighting;
   };

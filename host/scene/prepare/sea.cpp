@@ -138,9 +138,9 @@ ocean::GerstnerSea gerstner_waves_of(const Sea& sea, std::uint64_t seed) {
   return gerstner_waves;
 }
 
-WindSection wind_of_sea(const Scene& scene) {
-  return {.speed_mps = scene.ocean.wind_speed_mps.value_or(scene.wind.speed_mps),
-          .direction_rad = scene.ocean.wind_direction_rad.value_or(scene.wind.direction_rad)};
+ocean::Wind wind_of_sea(const Scene& scene) {
+  return {.wind_speed_mps = scene.ocean.wind_speed_mps.value_or(scene.wind.wind_speed_mps),
+          .wind_direction_rad = scene.ocean.wind_direction_rad.value_or(scene.wind.wind_direction_rad)};
 }
 
 Sea prepare_sea(const Scene& scene, Warnings warnings) {
@@ -149,10 +149,10 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
                 "add an [ocean] section to the scene");
   }
   Sea sea;
-  const WindSection wind = wind_of_sea(scene);
+  const ocean::Wind wind = wind_of_sea(scene);
   ocean::SpectrumParameters spectrum = scene.ocean.spectrum;
-  spectrum.wind_speed_mps = wind.speed_mps;
-  spectrum.spreading.direction_rad = wind.direction_rad;
+  spectrum.wind_speed_mps = wind.wind_speed_mps;
+  spectrum.spreading.direction_rad = wind.wind_direction_rad;
   if (scene.ocean.depth_m) {
     spectrum.dispersion.depth_m = *scene.ocean.depth_m;
   }
@@ -191,7 +191,7 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
 std::string spectrum_name(const Scene& scene, const Sea& sea) {
   if (!sea.measured) {
     return fmt::format("{}, wind {:g} m/s", value_text(scene, *find_parameter("ocean.spectrum")),
-                       wind_of_sea(scene).speed_mps);
+                       wind_of_sea(scene).wind_speed_mps);
   }
   std::string name = "measured";
   for (const std::string* part : {&sea.measured->station, &sea.measured->time_utc}) {

@@ -27,7 +27,7 @@ struct Sea {
 };
 
 /// That of [wind], where the ocean names no wind of its own.
-WindSection wind_of_sea(const Scene& scene);
+ocean::Wind wind_of_sea(const Scene& scene);
 
 enum class Warnings { logged, left_out };
 

@@ -12,7 +12,6 @@
 #include "host/scene/prepare/scene_wakes.h"
 #include "host/scene/schema/scene_elements.h"
 #include "host/scene/schema/unused_parameters.h"
-#include "host/sky/sun_position.h"
 
 namespace offing::scene {
 
@@ -44,23 +43,18 @@ ocean::GerstnerSea with_waves_beside(ocean::GerstnerSea gerstner_waves, const Sc
 world::WorldParameters prepare_sea_and_sky(const Scene& scene, Warnings warnings) {
   const ViewScene view = view_at(scene, scene.time.start_s);
   world::WorldParameters parameters{
-      .has_sea = scene.has_sea(),
-      .atmosphere = atmosphere_of(view),
-      .sun_direction = sky::direction_of(view.sun_azimuth_rad, view.sun_elevation_rad),
-      .sun_distance_au = view.sun_distance_au};
+      .has_sea = scene.has_sea(), .atmosphere = atmosphere_of(view), .sun = sun_of(view)};
   if (!parameters.has_sea) {
     if (warnings == Warnings::left_out) return parameters;
     for (const std::string& line : unused_parameters(scene)) spdlog::warn("{}", line);
     return parameters;
   }
-  const WindSection wind = wind_of_sea(scene);
   Sea sea = prepare_sea(scene, warnings);
   parameters.gerstner_waves = gerstner_waves_of(sea, sea.parameters.seed);
   parameters.wakes = prepare_wakes(scene, sea.spectrum.dispersion);
   parameters.spectrum = std::move(sea.spectrum);
   parameters.ocean = std::move(sea.parameters);
-  parameters.wind_speed_mps = wind.speed_mps;
-  parameters.wind_direction_rad = wind.direction_rad;
+  parameters.wind = wind_of_sea(scene);
   parameters.water = scene.ocean.water;
   parameters.has_shoals = scene.ocean.shoaling == Shoaling::on;
   return parameters;
@@ -94,10 +88,8 @@ void set_view(world::World& world, const ViewScene& view) {
   const world::WorldParameters& now = world.parameters();
   const sky::Atmosphere atmosphere = atmosphere_of(view);
   if (atmosphere != now.atmosphere) world.set_atmosphere(atmosphere);
-  const std::array<double, 3> sun = sky::direction_of(view.sun_azimuth_rad, view.sun_elevation_rad);
-  if (sun != now.sun_direction || view.sun_distance_au != now.sun_distance_au) {
-    world.set_sun(sun, view.sun_distance_au);
-  }
+  const sky::Sun sun = sun_of(view);
+  if (sun != now.sun) world.set_sun(sun);
 }
 
 ViewScene show_at(world::World& world, const Scene& scene, double time_s) {

@@ -116,7 +116,7 @@ std::string needs_own_wind(const UseContext& context, const OceanSection& ocean)
   return reason.empty() && !has_wave_age ? spreading_is(ocean) : reason;
 }
 
-std::string needs_wind(const UseContext& context, const WindSection&) {
+std::string needs_wind(const UseContext& context, const ocean::Wind&) {
   return context.sea.is_measured ? "a measured sea takes no wind but its own, ocean.wind_speed_mps"
                                  : needs_own_wind(context, context.scene.ocean);
 }
@@ -472,17 +472,17 @@ Schema<TimeSection> time_schema() {
          .absent = "no loop"}}});
 }
 
-Schema<WindSection> wind_schema() {
-  Schema<WindSection> schema("wind");
+Schema<ocean::Wind> wind_schema() {
+  Schema<ocean::Wind> schema("wind");
   return schema.rows(ParameterGroup::wind, sea,
-                     {{&WindSection::speed_mps,
+                     {{&ocean::Wind::wind_speed_mps,
                        {.key = "speed_mps",
                         .unit = "m/s",
                         .low = 0.1,
                         .high = 60.0,
                         .help = "wind speed for everything that wind moves"},
                        needs_wind},
-                      {&WindSection::direction_rad,
+                      {&ocean::Wind::wind_direction_rad,
                        {.key = "direction_deg",
                         .unit = "deg",
                         .low = -360.0,

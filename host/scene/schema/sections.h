@@ -12,7 +12,7 @@ inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 Schema<WorldSection> world_schema();
 Schema<TimeSection> time_schema();
-Schema<WindSection> wind_schema();
+Schema<ocean::Wind> wind_schema();
 Schema<OceanSection> ocean_schema();
 Schema<SwellScene> swell_schema();
 Schema<ocean::Raindrop> raindrop_schema();

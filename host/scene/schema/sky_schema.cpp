@@ -4,6 +4,7 @@ namespace offing::scene {
 
 namespace {
 
+constexpr auto sun = &ViewScene::sun_direction;
 constexpr auto air = &ViewScene::atmosphere;
 
 std::string needs_date(const UseContext&, const ViewScene& view) {
@@ -13,7 +14,7 @@ std::string needs_date(const UseContext&, const ViewScene& view) {
 std::vector<Row<ViewScene>> sun_rows() {
   using enum ParameterMotion;
   return {
-      {&ViewScene::sun_azimuth_rad,
+      {path(sun, &sky::SunAngles::azimuth_rad),
        {.key = "azimuth_deg",
         .unit = "deg",
         .low = -360.0,
@@ -22,7 +23,7 @@ std::vector<Row<ViewScene>> sun_rows() {
         .scale = radians_per_degree,
         .instead_of = "time_utc",
         .motion = keyed_angle}},
-      {&ViewScene::sun_elevation_rad,
+      {path(sun, &sky::SunAngles::elevation_rad),
        {.key = "elevation_deg",
         .unit = "deg",
         .low = -90.0,

@@ -93,7 +93,7 @@ void CloudPass::draw(const Camera& camera, const sky::Atmosphere& air, GLuint en
 
 clouds::DrawnParticles drawn_clouds(const world::World& world) {
   const world::WorldClouds& clouds = *world.clouds();
-  const auto& [x, y, z] = world.parameters().sun_direction;
+  const auto& [x, y, z] = world.parameters().sun.sun_direction;
   return {.particles = clouds.particles(),
           .sprites = clouds.sprites(),
           .order = clouds.order(),

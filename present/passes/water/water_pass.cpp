@@ -96,7 +96,7 @@ void WaterPass::set_waves(const ShaderProgram& program, const world::World& worl
   program.set("ripples", to_vec3(world.hidden_slopes().ripples));
   program.set("gerstner_slopes", to_vec3(world.hidden_slopes().gerstner_waves));
   program.set("breaking", breaking);
-  program.set("whitecaps", static_cast<float>(whitecap_share(world.parameters().wind_speed_mps)));
+  program.set("whitecaps", static_cast<float>(whitecap_share(world.parameters().wind.wind_speed_mps)));
   program.set("foam_onset", glm::vec2(sea.foam.onset_jacobian, sea.foam.width));
   const glm::dvec2 foam_place = eye_m / static_cast<double>(foam_tile_m);
   program.set("foam_place", glm::vec2(foam_place - glm::floor(foam_place / 100.0) * 100.0));

@@ -46,8 +46,8 @@ void bench_terrain_frames(const ocl::Device& device, const NamedMap& named, terr
       double count = 0.0;
       for (const auto& [camera_way, camera] : cameras) {
         if (camera_way != way) continue;
-        sky.at({.sun_direction = sky::direction_of(sun_azimuth_rad, sun_elevation_rad),
-                .eye_altitude_m = std::max(0.0, camera.eye_m.y)});
+        sky.at({.sun_direction = sky::direction_of(sun_azimuth_rad, sun_elevation_rad)},
+               std::max(0.0, camera.eye_m.y));
         const TerrainLight light = world::terrain_light(sky.read_illuminance(), atmosphere, {});
         const std::size_t pixels = terrain::pixel_count(camera);
         ocl::Buffer<TerrainHit> hits(device, pixels, "hits");

@@ -107,18 +107,18 @@ TEST(HiddenSlopes, RefuseAnArrayOfAnotherSize) {
 
 // Fails if the law is misread: mean square slope 0.003 + 0.00508 U, larger along the wind.
 TEST(MeasuredSlopes, FollowTheWind) {
-  const SlopeCovariance east = measured_slopes(10.0, 0.0);
+  const SlopeCovariance east = measured_slopes({10.0, 0.0});
   EXPECT_NEAR(east.mean_square(), 0.003 + 0.00508 * 10.0, 1e-12);
   EXPECT_NEAR(east.xx, 0.0316, 1e-12);
   EXPECT_NEAR(east.xz, 0.0, 1e-12);
-  const SlopeCovariance diagonal = measured_slopes(10.0, std::numbers::pi / 4.0);
+  const SlopeCovariance diagonal = measured_slopes({10.0, std::numbers::pi / 4.0});
   EXPECT_NEAR(diagonal.xx, diagonal.zz, 1e-12);
   EXPECT_GT(diagonal.xz, 0.0);
 }
 
 // Fails if what remains is more than all, or no covariance where the model is steeper than the sea.
 TEST(RemainingSlopes, StayACovariance) {
-  const SlopeCovariance all = measured_slopes(10.0, 0.3);
+  const SlopeCovariance all = measured_slopes({10.0, 0.3});
   const SlopeCovariance some{.xx = 0.01, .xz = 0.0, .zz = 0.01};
   EXPECT_NEAR(remaining_slopes(all, some).mean_square(), all.mean_square() - 0.02, 1e-12);
   const SlopeCovariance least = remaining_slopes(all, {.xx = 1.0, .xz = 0.2, .zz = 1.0});

@@ -105,14 +105,15 @@ TEST_F(SceneEditingTest, ADragCopiesTheSceneOnce) {
   picture();
   const std::size_t before = scene::CopyCount::copies();
   for (const double elevation_rad : {0.3, 0.4, 0.5}) {
-    edit([&](scene::Scene& scene) { scene.view.sun_elevation_rad = elevation_rad; }, Edit::going_on);
+    edit([&](scene::Scene& scene) { scene.view.sun_direction.elevation_rad = elevation_rad; },
+         Edit::going_on);
     picture();
   }
   EXPECT_EQ(scene::CopyCount::copies(), before);
-  edit([](scene::Scene& scene) { scene.view.sun_elevation_rad = 0.6; });
+  edit([](scene::Scene& scene) { scene.view.sun_direction.elevation_rad = 0.6; });
   EXPECT_EQ(scene::CopyCount::copies(), before + 1);
-  EXPECT_EQ(sea_->scene().view.sun_elevation_rad, 0.6);
-  EXPECT_EQ(sea_->wanted().view.sun_elevation_rad, 0.6);
+  EXPECT_EQ(sea_->scene().view.sun_direction.elevation_rad, 0.6);
+  EXPECT_EQ(sea_->wanted().view.sun_direction.elevation_rad, 0.6);
 }
 
 // Fails if an edit shows anything but what a fresh start with it shows, or undo and redo do.
@@ -124,7 +125,7 @@ TEST_F(SceneEditingTest, ShowsWhatAFreshStartShows) {
   const std::vector<unsigned char> larger = picture();
   EXPECT_FALSE(larger == untouched);
   edit([](scene::Scene& scene) { scene.clouds[0].position_m.x = 200.0; });
-  edit([](scene::Scene& scene) { scene.view.sun_elevation_rad = 0.1; });
+  edit([](scene::Scene& scene) { scene.view.sun_direction.elevation_rad = 0.1; });
   wait();
   const std::vector<unsigned char> all = picture();
   LiveSea fresh(*context_, {.device = "", .frame = {}}, state_.scene);
@@ -149,12 +150,12 @@ TEST_F(SceneEditingTest, ShowsWhatAFreshStartShows) {
 // clouds.
 TEST_F(SceneEditingTest, OtherEditsDoNotWait) {
   edit([](scene::Scene& scene) { scene.clouds[0].seed = 4; });
-  edit([](scene::Scene& scene) { scene.view.sun_elevation_rad = 0.05; });
-  EXPECT_EQ(sea_->scene().view.sun_elevation_rad, 0.05);
+  edit([](scene::Scene& scene) { scene.view.sun_direction.elevation_rad = 0.05; });
+  EXPECT_EQ(sea_->scene().view.sun_direction.elevation_rad, 0.05);
   EXPECT_EQ(sea_->wanted().clouds[0].seed, 4u);
   wait();
   EXPECT_EQ(sea_->scene().clouds[0].seed, 4u);
-  EXPECT_EQ(sea_->scene().view.sun_elevation_rad, 0.05);
+  EXPECT_EQ(sea_->scene().view.sun_direction.elevation_rad, 0.05);
 }
 
 // A scene gets its first cloud and loses it again. Fails if either cannot be shown.

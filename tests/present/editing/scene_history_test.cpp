@@ -7,7 +7,7 @@ namespace {
 
 scene::Scene windy(double speed_mps) {
   scene::Scene scene;
-  scene.wind.speed_mps = speed_mps;
+  scene.wind.wind_speed_mps = speed_mps;
   return scene;
 }
 
@@ -19,15 +19,15 @@ TEST(SceneHistoryTest, StepsGoBackAndForth) {
   history.note(windy(2.0));
   history.note(windy(3.0));
   EXPECT_FALSE(history.can_redo());
-  EXPECT_EQ(history.undo()->wind.speed_mps, 2.0);
-  EXPECT_EQ(history.undo()->wind.speed_mps, 1.0);
+  EXPECT_EQ(history.undo()->wind.wind_speed_mps, 2.0);
+  EXPECT_EQ(history.undo()->wind.wind_speed_mps, 1.0);
   EXPECT_FALSE(history.undo());
   EXPECT_TRUE(history.can_redo());
-  EXPECT_EQ(history.redo()->wind.speed_mps, 2.0);
+  EXPECT_EQ(history.redo()->wind.wind_speed_mps, 2.0);
   history.note(windy(4.0));
   EXPECT_FALSE(history.redo());
-  EXPECT_EQ(history.undo()->wind.speed_mps, 2.0);
-  EXPECT_EQ(history.redo()->wind.speed_mps, 4.0);
+  EXPECT_EQ(history.undo()->wind.wind_speed_mps, 2.0);
+  EXPECT_EQ(history.redo()->wind.wind_speed_mps, 4.0);
 }
 
 // Fails if what was taken back comes back by redo, or takes the edit before with it.
@@ -36,9 +36,9 @@ TEST(SceneHistoryTest, NothingIsLeftOfWhatIsTakenBack) {
   history.note(windy(2.0));
   history.note(windy(3.0));
   history.take_back();
-  EXPECT_EQ(history.now().wind.speed_mps, 2.0);
+  EXPECT_EQ(history.now().wind.wind_speed_mps, 2.0);
   EXPECT_FALSE(history.redo());
-  EXPECT_EQ(history.undo()->wind.speed_mps, 1.0);
+  EXPECT_EQ(history.undo()->wind.wind_speed_mps, 1.0);
 }
 
 // A day of edits must not fill the memory: the last hundred can be undone.

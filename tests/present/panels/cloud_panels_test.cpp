@@ -32,7 +32,7 @@ struct CloudPart {
   std::string_view first, last;
 };
 constexpr std::array parts{CloudPart{"Place", "cloud.name", "cloud.base_m"},
-                           CloudPart{"File", "cloud.file", "cloud.grid"},
+                           CloudPart{"File", "cloud.file", "cloud.up"},
                            CloudPart{"Mesh", "cloud.mesh", "cloud.mesh"},
                            CloudPart{"Text", "cloud.text", "cloud.text"},
                            CloudPart{"Shape", "cloud.shape", "cloud.shape"},

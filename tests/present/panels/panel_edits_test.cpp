@@ -68,7 +68,7 @@ TEST_F(RefusedEditsTest, NumbersOutOfRange) {
             std::string::npos)
       << message();
   EXPECT_TRUE(state().message.is_fault);
-  EXPECT_EQ(state().scene.wind.speed_mps, quick_options().scene.wind.speed_mps);
+  EXPECT_EQ(state().scene.wind.wind_speed_mps, quick_options().scene.wind.wind_speed_mps);
   EXPECT_TRUE(sea() == before);
 }
 

@@ -22,8 +22,8 @@ TEST(SunDialTest, IsAMapOfTheSky) {
 }
 
 TEST(SunDialTest, LeadsBack) {
-  for (const SunPlace sun : {SunPlace{0.3, 0.2}, {6.0, 1.2}, {3.0, -0.2}}) {
-    const SunPlace back = sun_of_dial(place_on_dial(sun));
+  for (const sky::SunAngles sun : {sky::SunAngles{0.3, 0.2}, {6.0, 1.2}, {3.0, -0.2}}) {
+    const sky::SunAngles back = sun_of_dial(place_on_dial(sun));
     EXPECT_NEAR(back.azimuth_rad, sun.azimuth_rad, 1e-12);
     EXPECT_NEAR(back.elevation_rad, sun.elevation_rad, 1e-12);
   }
@@ -38,8 +38,8 @@ TEST(SunDialTest, HandsPutTheSunToRest) {
   ASSERT_FALSE(scene.tracks.empty());
   place_sun(scene, {1.0, 0.5});
   EXPECT_TRUE(scene.tracks.empty());
-  EXPECT_EQ(scene.view.sun_elevation_rad, 0.5);
-  EXPECT_EQ(scene.view.sun_azimuth_rad, 1.0);
+  EXPECT_EQ(scene.view.sun_direction.elevation_rad, 0.5);
+  EXPECT_EQ(scene.view.sun_direction.azimuth_rad, 1.0);
 }
 
 // Fails if an hour is another one's in the saved scene, moves the day, or the dial's place is kept beside it.

@@ -44,7 +44,7 @@ class CloudStage : public GlTest {
 
   void open(world::WorldParameters parameters) {
     constexpr double degree = std::numbers::pi / 180.0;
-    parameters.sun_direction = sky::direction_of(230.0 * degree, 40.0 * degree);
+    parameters.sun.sun_direction = sky::direction_of(230.0 * degree, 40.0 * degree);
     world_ = std::make_unique<world::World>(*device_, parameters);
     if (!frame_) {
       frame_ = std::make_unique<present::Frame>(
@@ -53,7 +53,7 @@ class CloudStage : public GlTest {
   }
 
   glm::dvec3 sun() const {
-    const auto& [x, y, z] = world_->parameters().sun_direction;
+    const auto& [x, y, z] = world_->parameters().sun.sun_direction;
     return {x, y, z};
   }
 

@@ -45,7 +45,7 @@ class FrameTest : public testing::Test {
     parameters.ocean.size = 64;
     const std::array lengths{patch_m};
     parameters.ocean.cascades = ocean::cascades_from_patches(lengths, parameters.ocean.size);
-    parameters.sun_direction = sky::direction_of(150.0 * degree, 30.0 * degree);
+    parameters.sun.sun_direction = sky::direction_of(150.0 * degree, 30.0 * degree);
     return parameters;
   }
 
@@ -60,7 +60,7 @@ class FrameTest : public testing::Test {
 
   void SetUp() override {
     if (!stage_) GTEST_SKIP() << "no OpenGL here: " << obstacle_;
-    stage_->world.set_sun(parameters().sun_direction, 1.0);
+    stage_->world.set_sun({parameters().sun.sun_direction});
     camera_.width_px = 160;
     camera_.height_px = 90;
     camera_.eye_m = {0.0, 12.0, 0.0};
@@ -299,7 +299,7 @@ TEST_F(FrameTest, MetersAnewWhatHasChanged) {
   EXPECT_TRUE(is_as_of_a_new_one());
   camera_.yaw_rad += 1.0;
   EXPECT_TRUE(is_as_of_a_new_one());
-  stage_->world.set_sun(sky::direction_of(150.0 * degree, 5.0 * degree), 1.0);
+  stage_->world.set_sun({sky::direction_of(150.0 * degree, 5.0 * degree)});
   stage_->world.at(2.0, camera_.eye_m.y);
   EXPECT_TRUE(is_as_of_a_new_one());
 }
@@ -307,7 +307,7 @@ TEST_F(FrameTest, MetersAnewWhatHasChanged) {
 // Fails if the exposure does not follow the light: the same picture stays readable from noon to dusk.
 TEST_F(FrameTest, ExposesForTheLight) {
   for (const double elevation_deg : {60.0, 10.0, 0.0, -4.0}) {
-    stage_->world.set_sun(sky::direction_of(150.0 * degree, elevation_deg * degree), 1.0);
+    stage_->world.set_sun({sky::direction_of(150.0 * degree, elevation_deg * degree)});
     stage_->world.at(2.0, camera_.eye_m.y);
     stage_->frame.draw(stage_->world,
                        {.camera = camera_, .exposure = LightMeter().exposure(stage_->world, camera_, 0.0)});

@@ -56,7 +56,7 @@ class HighlightPassTest : public MeshStage {
   }
 
   glm::dvec3 toward_sun() const {
-    const auto& [x, y, z] = world_->parameters().sun_direction;
+    const auto& [x, y, z] = world_->parameters().sun.sun_direction;
     return {x, y, z};
   }
 };

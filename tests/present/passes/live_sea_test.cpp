@@ -52,14 +52,14 @@ TEST_F(LiveSeaTest, RefusedEditsChangeNothing) {
         "[ocean]\nspectrum_file = \"nowhere.data_spec\"\n"}) {
     scene::Scene edited = scene::parse_scene(std::string("version = 1\n") + part, "b.toml", "");
     edited.ocean.parameters.size = 32;
-    edited.wind.speed_mps = 20.0;
+    edited.wind.wind_speed_mps = 20.0;
     edited.view.atmosphere.aerosol_optical_depth = 0.9;
     EXPECT_THROW(sea_->edit(edited), Error) << part;
-    EXPECT_EQ(sea_->scene().wind.speed_mps, scene_.wind.speed_mps);
+    EXPECT_EQ(sea_->scene().wind.wind_speed_mps, scene_.wind.wind_speed_mps);
     EXPECT_TRUE(picture() == before) << part;
   }
   scene::Scene edited = scene_;
-  edited.wind.speed_mps = 20.0;
+  edited.wind.wind_speed_mps = 20.0;
   sea_->edit(edited);
   EXPECT_FALSE(picture() == before) << "an edit that is taken cannot be seen";
 }
@@ -71,7 +71,7 @@ TEST_F(LiveSeaTest, WarnsOnceOfSteepWaves) {
   scene::Scene edited = scene_;
   for (const double amplitude_m : {2.0, 2.1, 2.2}) {
     edited.ocean.swells = {{.amplitude_m = amplitude_m, .wavelength_m = 8.0}};
-    edited.wind.speed_mps += 0.1;
+    edited.wind.wind_speed_mps += 0.1;
     sea_->edit(edited);
     EXPECT_NE(sea_->warning().find("the swells have a choppiness of "), std::string::npos);
   }
@@ -89,7 +89,7 @@ TEST_F(LiveSeaTest, WarnsOnceOfSteepWaves) {
 TEST_F(LiveSeaTest, KnowsTheWaterBelowAPoint) {
   scene::Scene edited = scene_;
   edited.ocean.swells = {{.amplitude_m = 3.0, .wavelength_m = 900.0}};
-  edited.wind.speed_mps = 0.5;
+  edited.wind.wind_speed_mps = 0.5;
   sea_->edit(edited);
   picture();
   double lowest_m = 0.0, highest_m = 0.0;

@@ -68,7 +68,7 @@ TEST_F(MeshEdgesTest, KeepsEdgesOfBrightMeshesSmooth) {
   square.mesh.faces = {{0, 1, 2}, {0, 2, 3}};
   world::WorldParameters parameters = world_of(mesh_of(square));
   parameters.meshes[0].material = {.shading = world::BaseShading::flat, .colour = glm::dvec3(1.0)};
-  parameters.sun_direction = {0.0, -1.0, 0.0};
+  parameters.sun.sun_direction = {0.0, -1.0, 0.0};
   parameters.lights = {{.source = {.kind = highlights::Source::Kind::place, .vector = camera().eye_m},
                         .illuminance_klx = 1000.0}};
   open(parameters);

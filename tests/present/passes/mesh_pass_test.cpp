@@ -38,7 +38,7 @@ class MeshPassTest : public MeshStage {
     const sky::Illuminance& illuminance = world_->illuminance();
     const glm::dvec3 sun_klx(illuminance.sun_klx[0], illuminance.sun_klx[1], illuminance.sun_klx[2]);
     const glm::dvec3 sky_klx(illuminance.sky_klx[0], illuminance.sky_klx[1], illuminance.sky_klx[2]);
-    const auto& [x, y, z] = world_->parameters().sun_direction;
+    const auto& [x, y, z] = world_->parameters().sun.sun_direction;
     const glm::dvec3 below_klx = 0.1 * (sky_klx + y * sun_klx);
     glm::dvec3 diffuse = below_klx + (0.5 + 0.5 * normal.y) * (sky_klx - below_klx), mirrored(0.0);
     const glm::dvec3 toward_eye = glm::normalize(camera().eye_m - at_m);
@@ -193,7 +193,7 @@ TEST_F(MeshPassTest, LightsCartoonsInSteps) {
   open(world_of(mesh));
   const sky::Illuminance& sky = world_->illuminance();
   const std::vector<float> pixels = light();
-  const double rise = world_->parameters().sun_direction[1];
+  const double rise = world_->parameters().sun.sun_direction[1];
   const double around = 0.55 * sky.sky_klx[0] + 0.05 * rise * sky.sun_klx[0];
   std::array<std::size_t, 3> counts{};
   std::size_t others = 0;

@@ -49,7 +49,7 @@ class MeshStage : public GlTest {
     constexpr double degree = std::numbers::pi / 180.0;
     world::WorldParameters parameters;
     parameters.has_sea = false;
-    parameters.sun_direction = sky::direction_of(150.0 * degree, 35.0 * degree);
+    parameters.sun.sun_direction = sky::direction_of(150.0 * degree, 35.0 * degree);
     parameters.meshes = {mesh};
     return parameters;
   }

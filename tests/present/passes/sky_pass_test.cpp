@@ -41,7 +41,7 @@ TEST_F(SkyPassTest, NodesStandForThePixelsBetween) {
   std::size_t count = 0;
   for (const double sun_deg : {1.0, 20.0, 60.0}) {
     const auto sun = sky::direction_of(180.0 * degree, sun_deg * degree);
-    sky.at({.sun_direction = {sun[0], sun[1], sun[2]}, .eye_altitude_m = 300.0});
+    sky.at({.sun_direction = {sun[0], sun[1], sun[2]}}, 300.0);
     for (const double pitch_deg : {0.0, 20.0, 60.0}) {
       // Odd sizes: the last nodes lie beyond the picture.
       const Camera camera{.eye_m = {0.0, 300.0, 0.0},

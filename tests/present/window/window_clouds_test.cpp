@@ -283,10 +283,10 @@ TEST_F(WindowCloudsTest, EditsUndoAndSavedScenesShowTheSame) {
   // Two degrees high in the west, where the dial's left rim is.
   const Spot dial = find(editor_panel(), "sun dial", 20);
   click(dial);
-  EXPECT_LT(state().scene.view.sun_elevation_rad, 0.6);
-  const double before_rad = state().scene.view.sun_azimuth_rad;
+  EXPECT_LT(state().scene.view.sun_direction.elevation_rad, 0.6);
+  const double before_rad = state().scene.view.sun_direction.azimuth_rad;
   drag(dial, {dial.x - 5, dial.y + 25});
-  EXPECT_NE(state().scene.view.sun_azimuth_rad, before_rad);
+  EXPECT_NE(state().scene.view.sun_direction.azimuth_rad, before_rad);
   toggle_header("Scene file");
   enter(find(main_panel(), "name"), "mine.toml");
   click(find(main_panel(), "save scene as", 40));

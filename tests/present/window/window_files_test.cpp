@@ -194,7 +194,7 @@ TEST_F(WindowFilesTest, ScenesAreOpenedFromTheList) {
   };
   choose_row("beside", 1);
   EXPECT_THAT(message(), HasSubstr("opened second"));
-  EXPECT_EQ(state().scene.wind.speed_mps, 3.0);
+  EXPECT_EQ(state().scene.wind.wind_speed_mps, 3.0);
   choose_row("beside", 0);
   EXPECT_THAT(message(), HasSubstr("opened first"));
   const present::SceneList list;

@@ -90,8 +90,8 @@ TEST_F(WindowPanelsTest, SceneFile) {
   const scene::Parameter& speed = *scene::find_parameter("wind.speed_mps");
   const Spot slider = find(main_panel(), present::parameter_label(speed), 70);
   drag(slider, {slider.x + 30, slider.y});
-  const double edited_mps = state().scene.wind.speed_mps;
-  EXPECT_NE(edited_mps, quick_options().scene.wind.speed_mps);
+  const double edited_mps = state().scene.wind.wind_speed_mps;
+  EXPECT_NE(edited_mps, quick_options().scene.wind.wind_speed_mps);
   toggle_header("Wind");
   toggle_header("Scene file");
   enter(find(main_panel(), "name"), "mine.toml");
@@ -108,14 +108,14 @@ TEST_F(WindowPanelsTest, SceneFile) {
   const std::vector<unsigned char> live = picture();
 
   click(find(main_panel(), "undo all edits", 40));
-  EXPECT_EQ(state().scene.wind.speed_mps, quick_options().scene.wind.speed_mps);
+  EXPECT_EQ(state().scene.wind.wind_speed_mps, quick_options().scene.wind.wind_speed_mps);
   EXPECT_EQ(state().camera.camera().pitch_rad, quick_options().scene.view.camera.pitch_rad);
 
   present::ViewOptions again = quick_options();
   again.scene = scene::load_scene("mine.toml");
   open(again);
   turn(2);
-  EXPECT_EQ(state().scene.wind.speed_mps, edited_mps);
+  EXPECT_EQ(state().scene.wind.wind_speed_mps, edited_mps);
   EXPECT_TRUE(picture() == live);
 }
 
