@@ -54,8 +54,7 @@ struct Written {
   bool is_paused = false;
   bool prints_json = false;
   Existing existing = Existing::keep;
-  bool is_quiet = false;
-  bool is_verbose = false;
+  Verbosity verbosity = Verbosity::normal;
   Trust trust = Trust::trusted;
 };
 
@@ -131,23 +130,15 @@ void add_options(CLI::App& app, Written& written) {
       ->group(reference);
   written.reference.add_to(app, reference_rows(), reference);
   app.add_flag("--json", written.prints_json, "how much light there is, for scripts")->group(reference);
-  const char* general = "General";
-  app.add_option("--device", written.device,
-                 "OpenCL device, of `offing devices`: an index, cpu, gpu, or part of a name\n"
-                 "default $OFFING_DEVICE, then the first GPU, then the CPU")
-      ->type_name("DEVICE")
-      ->group(general);
-  written.view.add_to(app, transfer_rows(), general);
+  add_device_flag(app, written.device);
+  written.view.add_to(app, transfer_rows(), general_group);
   app.add_option("--sources", written.sources,
                  "checkout of Offing whose kernels and shaders are used, again with F5\n(default: those "
                  "built in)")
       ->type_name("FOLDER")
-      ->group(general);
+      ->group(general_group);
   add_trust_flag(app, written.trust);
-  CLI::Option* quiet = app.add_flag("--quiet", written.is_quiet,
-                                    "results and errors only: no progress, warnings or summaries");
-  quiet->group(general);
-  app.add_flag("--verbose", written.is_verbose, "more about what is done")->group(general)->excludes(quiet);
+  add_verbosity_flags(app, written.verbosity);
   app.footer(footer);
 }
 
@@ -276,9 +267,7 @@ void require_outputs(const Written& written, const ViewOptions& options) {
 
 ViewOptions checked(const Written& written) {
   ViewOptions options;
-  options.verbosity = written.is_quiet     ? Verbosity::quiet
-                      : written.is_verbose ? Verbosity::verbose
-                                           : Verbosity::normal;
+  options.verbosity = written.verbosity;
   const bool shows_default = written.scene.empty() && written.terrain.empty();
   const EmbeddedFile& shipped = shipped_source(first_scene);
   if (!written.scene.empty()) options.scene = scene::load_scene(written.scene, written.trust);
@@ -331,9 +320,9 @@ ViewOptions checked(const Written& written) {
 
 }  // namespace
 
-void use_sources(const std::filesystem::path& folder) {
-  setenv("OFFING_KERNEL_PATH", (folder / kernel_folder).c_str(), 1);
-  setenv("OFFING_SHADER_PATH", (folder / shader_folder).c_str(), 1);
+void use_sources(const std::filesystem::path& checkout) {
+  setenv("OFFING_KERNEL_PATH", (checkout / kernel_folder).c_str(), 1);
+  setenv("OFFING_SHADER_PATH", (checkout / shader_folder).c_str(), 1);
 }
 
 ImageSize read_size(std::string_view flag, std::string_view text) {

@@ -13,7 +13,7 @@
 #include "present/output/recorder.h"
 #include "present/passes/frame.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's
 class App;
 }  // namespace CLI
 

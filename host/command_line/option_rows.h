@@ -4,7 +4,8 @@
 
 #include "host/scene/schema/parameter.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's, whose header takes long to compile
+class App;
 class Option;
 }  // namespace CLI
 

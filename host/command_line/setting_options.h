@@ -11,10 +11,6 @@
 #include "host/command_line/option_rows.h"
 #include "host/scene/schema/schema.h"
 
-namespace CLI {
-class App;
-}  // namespace CLI
-
 /// Options of commands that are rows of a schema, as the parameters of scenes are: unit, range and default
 /// are written once, for the check, the help and the messages.
 namespace offing {
