@@ -301,7 +301,7 @@ class HoleFiller {
 
   /// How many faces were added: 0 if the loop stays open.
   std::size_t fill(Halfedge loop) {
-    std::size_t edges = 0;
+    int edges = 0;
     for ([[maybe_unused]] const Halfedge edge : CGAL::halfedges_around_face(loop, surface_)) ++edges;
     if (edges > settings_.most_hole_edges) return 0;
     const std::size_t component = component_[surface_.face(surface_.opposite(loop))];

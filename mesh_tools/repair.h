@@ -11,7 +11,7 @@ namespace offing::mesh_tools {
 enum class Facing { as_most_faces, outward };
 
 struct RepairSettings {
-  std::size_t most_hole_edges = 16;  ///< loops of more edges stay open, or around half their component's area
+  int most_hole_edges = 16;  ///< loops of more edges stay open, or around half their component's area
   Facing facing = Facing::as_most_faces;
 };
 

@@ -15,7 +15,6 @@ int run(int argc, char** argv, const offing::CancelToken& cancel) {
   namespace present = offing::present;
   offing::configure_log(offing::Verbosity::normal);
   if (const std::optional<present::ViewOptions> options = present::read_view_options(argc, argv)) {
-    offing::configure_log(options->verbosity);
     if (!options->sources.empty()) present::use_sources(options->sources);
     if (options->comparison) {
       present::compare_with_reference(*options, cancel);

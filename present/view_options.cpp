@@ -5,22 +5,24 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/parameter_check.h"
+#include "host/command_line/frame_flags.h"
 #include "host/command_line/general_flags.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/parse_arguments.h"
+#include "host/command_line/setting_options.h"
 #include "host/io/atomic_file.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_files.h"
 #include "host/scene/file/version.h"
-#include "host/scene/prepare/scene_frames.h"
 #include "present/output/image_file.h"
 #include "present/output/video_pipe.h"
 #include "present/window/scene_sources.h"
@@ -42,18 +44,44 @@ Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device or disp
 
 // The command line as it was written.
 struct Written {
-  std::string scene, terrain, size, detail, kept_hz, time, output, record, video, frames, fps, transfer,
-      device, sources, samples;
+  std::string scene, terrain, size, output, record, video, device, sources;
+  SettingOptions<ViewOptions> view;
+  SettingOptions<ReferenceComparison> reference;
+  FrameFlags frames;
   bool compares_reference = false;
   bool is_headless = false;
   bool is_window = false;
   bool is_paused = false;
   bool prints_json = false;
   Existing existing = Existing::keep;
-  bool is_quiet = false;
-  bool is_verbose = false;
+  Verbosity verbosity = Verbosity::normal;
   Trust trust = Trust::trusted;
 };
+
+std::vector<scene::Row<ViewOptions>> picture_rows() {
+  return {{scene::choice_or("auto", &ViewOptions::detail, {"low", "high"}),
+           {.key = "detail", .help = "auto is high, but low for a window where the CPU draws"}},
+          {&ViewOptions::kept_hz,
+           {.key = "keep_fps",
+            .unit = "1/s",
+            .high = 1000.0,
+            .help = "frames a second that a window keeps by quality, 0: none",
+            .example = "20",
+            .absent = "20 where the CPU draws, else 0"}},
+          {&ViewOptions::time_s, time_facts("time that is shown", "the scene's start")}};
+}
+
+std::vector<scene::Row<ReferenceComparison>> reference_rows() {
+  return {
+      {&ReferenceComparison::samples, {.key = "samples", .low = 1.0, .high = 1e6, .help = "paths a pixel"}}};
+}
+
+std::vector<scene::Row<ViewOptions>> transfer_rows() {
+  std::vector<std::string_view> names;
+  for (const TransferPath path : all_transfer_paths) names.push_back(to_string(path));
+  return {{scene::choice_or("best", &ViewOptions::transfer, std::move(names)),
+           {.key = "transfer", .help = "how maps get from OpenCL to OpenGL; best is the first that works"}}};
+}
 
 void add_options(CLI::App& app, Written& written) {
   app.name("offing-view");
@@ -78,18 +106,7 @@ void add_options(CLI::App& app, Written& written) {
                  "it shows a smaller picture enlarged")
       ->type_name("WxH")
       ->group(pictures);
-  app.add_option("--detail", written.detail,
-                 "low or high (default high; low for a window where the CPU draws)")
-      ->type_name("LEVEL")
-      ->group(pictures);
-  app.add_option(
-         "--keep-fps", written.kept_hz,
-         "frames a second that a window keeps by quality, 0: none (default 20 where the CPU draws, else 0)")
-      ->type_name("FPS")
-      ->group(pictures);
-  app.add_option("--time", written.time, "seconds (default the scene's start)")
-      ->type_name("T")
-      ->group(pictures);
+  written.view.add_to(app, picture_rows(), pictures);
   app.add_flag("--paused", written.is_paused, "a window stands at that time until it is let run (Space)")
       ->group(pictures);
   app.add_option("-o,--output", written.output,
@@ -103,59 +120,32 @@ void add_options(CLI::App& app, Written& written) {
                  "the same frames as a video, out.webm or out.mp4, which the program ffmpeg makes")
       ->type_name("FILE")
       ->group(pictures);
-  app.add_option("--frames", written.frames, "of the recording, A to B or A alone (default the scene's)")
-      ->type_name("A:B")
-      ->group(pictures);
-  app.add_option("--fps", written.fps, "frame i shows time i / fps (default the scene's)")
-      ->type_name("F")
-      ->group(pictures);
+  written.frames.add_frames_to(app, pictures);
+  written.frames.add_fps_to(app, pictures);
   add_force_flag(app, written.existing)->group(pictures);
   const char* reference = "Clouds beside a reference";
   app.add_flag("--compare-reference", written.compares_reference,
                "the clouds as drawn, as paths traced in double precision have them, and what differs\n"
                "-o names a folder then; --size is 160x90 by default")
       ->group(reference);
-  app.add_option("--samples", written.samples, "paths a pixel (default 32)")
-      ->type_name("N")
-      ->group(reference);
+  written.reference.add_to(app, reference_rows(), reference);
   app.add_flag("--json", written.prints_json, "how much light there is, for scripts")->group(reference);
-  const char* general = "General";
-  app.add_option("--device", written.device,
-                 "OpenCL device, of `offing devices`: an index, cpu, gpu, or part of a name\n"
-                 "default $OFFING_DEVICE, then the first GPU, then the CPU")
-      ->type_name("DEVICE")
-      ->group(general);
-  app.add_option("--transfer", written.transfer,
-                 "how maps get from OpenCL to OpenGL (default the best that works)\none of gl-sharing, "
-                 "mapped-pointer, pbo-ring, orphaned-pbo, blocking-read")
-      ->type_name("TRANSFER")
-      ->group(general);
+  add_device_flag(app, written.device);
+  written.view.add_to(app, transfer_rows(), general_group);
   app.add_option("--sources", written.sources,
                  "checkout of Offing whose kernels and shaders are used, again with F5\n(default: those "
                  "built in)")
       ->type_name("FOLDER")
-      ->group(general);
+      ->group(general_group);
   add_trust_flag(app, written.trust);
-  CLI::Option* quiet = app.add_flag("--quiet", written.is_quiet,
-                                    "results and errors only: no progress, warnings or summaries");
-  quiet->group(general);
-  app.add_flag("--verbose", written.is_verbose, "more about what is done")->group(general)->excludes(quiet);
+  add_verbosity_flags(app, written.verbosity);
   app.footer(footer);
 }
 
-Detail read_detail(const std::string& text) {
-  if (text == "low") return Detail::low;
-  if (text == "high") return Detail::high;
-  throw bad_argument("--detail", "low or high", text, "high");
-}
-
 Recording read_recording(const Written& written, const scene::Scene& scene) {
-  const double fps = written.fps.empty() ? scene.time.frames_per_second
-                                         : read_number("--fps", written.fps, "", 0.001, 1e6, "24");
   Recording recording{.video = written.video,
-                      .frames = written.frames.empty() ? scene::frames_in_time_span(scene, fps)
-                                                       : read_frame_range("--frames", written.frames),
-                      .frames_per_second = fps,
+                      .frames = written.frames.frames(scene),
+                      .frames_per_second = written.frames.times(scene).frames_per_second,
                       .existing = written.existing};
   if (is_video_name(written.record)) {
     if (!written.video.empty()) {
@@ -195,10 +185,8 @@ ReferenceComparison read_comparison(const Written& written, const GivenInputs& i
         "leave them out");
   }
   require_file_name(written.output);
-  ReferenceComparison comparison{
-      .folder = written.output, .prints_json = written.prints_json, .existing = written.existing};
-  if (!written.samples.empty())
-    comparison.samples = static_cast<int>(read_whole("--samples", written.samples, 1, 1'000'000, "32"));
+  ReferenceComparison comparison = written.reference.read(
+      {.folder = written.output, .prints_json = written.prints_json, .existing = written.existing});
   std::error_code failed;
   std::filesystem::create_directories(comparison.folder, failed);
   if (failed || !std::filesystem::is_directory(comparison.folder)) {
@@ -215,19 +203,19 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
   const auto refuse = [](const char* what, const char* hint) {
     throw Error(ErrorKind::bad_usage, what, hint);
   };
-  if (!written.frames.empty() && !options.recording) {
+  if (written.frames.has_frames() && !options.recording) {
     refuse("--frames: expected --record or --video, whose frames these are, found neither",
            "add --record out_%04d.png or --video out.webm");
   }
-  if (!written.fps.empty() && !options.recording) {
+  if (written.frames.has_fps() && !options.recording) {
     refuse("--fps: expected --record or --video, whose frames it times, found neither",
            "add --record out_%04d.png or --video out.webm");
   }
-  if (!written.time.empty() && options.recording && options.output.empty()) {
+  if (written.view.is_given("--time") && options.recording && options.output.empty()) {
     refuse("--time: expected neither --record nor --video, whose frames have times of their own",
            "choose the frames with --frames A:B, or make one picture with -o");
   }
-  if (!options.comparison && (!written.samples.empty() || written.prints_json)) {
+  if (!options.comparison && (written.reference.are_given() || written.prints_json)) {
     refuse("--samples, --json: expected --compare-reference, which they belong to, found none",
            "add --compare-reference, or leave them out");
   }
@@ -279,9 +267,7 @@ void require_outputs(const Written& written, const ViewOptions& options) {
 
 ViewOptions checked(const Written& written) {
   ViewOptions options;
-  options.verbosity = written.is_quiet     ? Verbosity::quiet
-                      : written.is_verbose ? Verbosity::verbose
-                                           : Verbosity::normal;
+  options.verbosity = written.verbosity;
   const bool shows_default = written.scene.empty() && written.terrain.empty();
   const EmbeddedFile& shipped = shipped_source(first_scene);
   if (!written.scene.empty()) options.scene = scene::load_scene(written.scene, written.trust);
@@ -297,12 +283,8 @@ ViewOptions checked(const Written& written) {
   options.scene_name =
       std::filesystem::path(shows_default ? shipped.name : std::string_view(written.scene)).stem().string();
   if (!written.size.empty()) options.size = read_size("--size", written.size);
-  if (!written.detail.empty()) options.detail = read_detail(written.detail);
-  if (!written.kept_hz.empty())
-    options.kept_hz = read_number("--keep-fps", written.kept_hz, "", 0.0, 1000.0, "20");
-  options.time_s = written.time.empty()
-                       ? options.scene.time.start_s
-                       : read_number("--time", written.time, "s", -largest_time_s, largest_time_s, "12.5");
+  options.time_s = options.scene.time.start_s;
+  options = written.view.read(std::move(options));
   options.starts_paused = written.is_paused;
   options.output = written.output;
   options.existing = written.existing;
@@ -313,7 +295,6 @@ ViewOptions checked(const Written& written) {
   if (!written.record.empty() || !written.video.empty()) {
     options.recording = read_recording(written, options.scene);
   }
-  if (!written.transfer.empty()) options.transfer = transfer_path(written.transfer);
   options.device = written.device;
   options.sources = written.sources;
   if (!written.sources.empty()) require_sources(options.sources);
@@ -339,9 +320,9 @@ ViewOptions checked(const Written& written) {
 
 }  // namespace
 
-void use_sources(const std::filesystem::path& folder) {
-  setenv("OFFING_KERNEL_PATH", (folder / kernel_folder).c_str(), 1);
-  setenv("OFFING_SHADER_PATH", (folder / shader_folder).c_str(), 1);
+void use_sources(const std::filesystem::path& checkout) {
+  setenv("OFFING_KERNEL_PATH", (checkout / kernel_folder).c_str(), 1);
+  setenv("OFFING_SHADER_PATH", (checkout / shader_folder).c_str(), 1);
 }
 
 ImageSize read_size(std::string_view flag, std::string_view text) {
@@ -367,6 +348,13 @@ FrameSettings frame_settings(Detail detail, std::optional<TransferPath> transfer
   return {.water = {.cells = {384, 384}, .taps = 4, .views_px = 1024},
           .transfer = transfer,
           .terrain = {.rays = 16}};
+}
+
+void visit_command_line(const std::function<void(const CLI::App&)>& visit) {
+  Written written;
+  CLI::App app;
+  add_options(app, written);
+  visit(app);
 }
 
 std::optional<ViewOptions> read_view_options(int argc, const char* const* argv) {

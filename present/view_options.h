@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -11,6 +12,10 @@
 #include "present/gl/transfer.h"
 #include "present/output/recorder.h"
 #include "present/passes/frame.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's
+class App;
+}  // namespace CLI
 
 namespace offing::present {
 
@@ -65,6 +70,9 @@ struct ViewOptions {
 /// From here on kernels and shaders are read from a checkout, as with OFFING_KERNEL_PATH and
 /// OFFING_SHADER_PATH.
 void use_sources(const std::filesystem::path& checkout);
+
+/// Makes the command line of offing-view and shows it, for a test that lists its options.
+void visit_command_line(const std::function<void(const CLI::App&)>& visit);
 
 /// Reads the command line; nothing if it asked for help or version, which are printed. Throws
 /// Error(bad_usage) or what reading the scene throws.

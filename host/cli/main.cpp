@@ -1,53 +1,19 @@
-#include <string>
-
 #include <CLI/App.hpp>
 
 #include "host/base/process.h"
-#include "host/cli/clouds/clouds_commands.h"
-#include "host/cli/common/devices_command.h"
+#include "host/cli/commands.h"
 #include "host/cli/common/global_options.h"
-#include "host/cli/highlights/highlights_command.h"
-#include "host/cli/ocean/ocean_commands.h"
-#include "host/cli/terrain/terrain_commands.h"
 #include "host/command_line/parse_arguments.h"
-#include "host/scene/file/version.h"
 
 namespace {
 
 namespace cli = offing::cli;
 
-void build(CLI::App& app, cli::GlobalOptions& options) {
-  app.name("offing");
-  offing::format_help(app);
-  app.description("Offing: oceans calibrated in metres, computed on any OpenCL device");
-  app.set_version_flag("--version", "offing " + std::string(offing::scene::version()), "print the version");
-  app.set_help_flag("-h,--help", "print this help");
-  app.require_subcommand(1);
-  cli::add_ocean_command(app, options);
-  cli::add_terrain_command(app, options);
-  cli::add_highlights_command(app, options);
-  cli::add_clouds_command(app, options);
-  cli::add_devices_command(app, options);
-  app.footer(R"(
-Examples:
-  offing devices
-  offing ocean bake --wind-speed-mps 15 --size 512 --frames 0:47 --fps 24 --preview -o out
-  offing ocean bake --spectrum-file 41010.data_spec --record 0 --frames 0:9 --combined -o out
-  offing ocean stats scenes/storm.toml --seeds 20
-  offing ocean query scenes/storm.toml --at 120,-35 --time 12.5
-  offing terrain info N42E001.hgt.zip
-  offing terrain render S33W071.tif -o andes.png
-  offing highlights scenes/knot.toml -o knot.glb
-  offing clouds build scenes/cumulus.toml -o cumulus.vdb
-
-Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device, 130 interrupted.)");
-}
-
 int run(int argc, char** argv, const offing::CancelToken& cancel) {
   cli::GlobalOptions options{.device = {}, .cancel = cancel};
   offing::configure_log(options.verbosity);
   CLI::App app;
-  build(app, options);
+  cli::add_commands(app, options);
   offing::parse_arguments(app, argc, argv);
   offing::finish_output();
   return 0;

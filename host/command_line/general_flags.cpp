@@ -1,8 +1,20 @@
 #include "host/command_line/general_flags.h"
 
 #include <CLI/Option.hpp>
+#include <fmt/format.h>
 
 namespace offing {
+
+void add_device_flag(CLI::App& command, std::string& device, std::string_view also) {
+  command
+      .add_option(
+          "--device", device,
+          fmt::format("OpenCL device, of `offing devices`: an index, cpu, gpu, or part of a name{}{}\n"
+                      "default $OFFING_DEVICE, then the first GPU, then the CPU",
+                      also.empty() ? "" : "\n", also))
+      ->type_name("DEVICE")
+      ->group(general_group);
+}
 
 void add_verbosity_flags(CLI::App& command, Verbosity& verbosity) {
   CLI::Option* quiet = command.add_flag_callback(

@@ -1,11 +1,13 @@
 #include "host/command_line/setting_options.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
 
+#include "host/base/parameter_check.h"
 #include "host/scene/schema/checked_value.h"
 #include "host/scene/schema/parameter_table.h"
 
@@ -52,6 +54,22 @@ scene::Parameter like_scene(std::string_view key, std::string_view flag, std::st
   return facts;
 }
 
+scene::Parameter over_scene(std::string_view key, std::string_view flag) {
+  scene::Parameter facts = like_scene(key, flag);
+  facts.absent = "the scene's";
+  return facts;
+}
+
+scene::Parameter time_facts(std::string_view help, std::string_view absent) {
+  return {.key = "time",
+          .unit = "s",
+          .low = -largest_time_s,
+          .high = largest_time_s,
+          .help = help,
+          .example = "12.5",
+          .absent = absent};
+}
+
 std::vector<std::string_view> names_in_scene(std::string_view key) {
   return std::get<scene::ChoiceStorage>(scene::find_parameter(key)->storage).names;
 }
@@ -66,17 +84,19 @@ bool SettingFlags::are_given() const {
 }
 
 CLI::Option* SettingFlags::add(CLI::App& command, const char* group, scene::Parameter row,
-                               const std::string& usual) {
+                               std::string usual) {
   Flag& flag = flags_.emplace_back();
   flag.row = std::move(row);
   flag.flags = flag.row.flag.empty() ? flag_of(flag.row.key) : std::string(flag.row.flag);
   flag.name = flag.flags.substr(0, flag.flags.find(','));  // others are other names of the same
+  const std::string help = option_help(flag.row, flag.row.absent.empty() ? usual : flag.row.absent);
   if (flag.row.example.empty()) {
-    flag.example = usual;
+    flag.example = std::move(usual);
     flag.row.example = flag.example;
   }
-  CLI::Option* option = command.add_option(flag.flags, flag.text, option_help(flag.row, usual));
+  CLI::Option* option = command.add_option(flag.flags, flag.text, help);
   flag.option = option->type_name(option_placeholder(flag.row))->group(group);
+  flag.bound.emplace(*option, flag.row);
   return option;
 }
 

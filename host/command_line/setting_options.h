@@ -8,12 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "host/command_line/option_rows.h"
 #include "host/scene/schema/schema.h"
-
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
 
 /// Options of commands that are rows of a schema, as the parameters of scenes are: unit, range and default
 /// are written once, for the check, the help and the messages.
@@ -29,6 +25,11 @@ const char* option_placeholder(const scene::Parameter& row);
 scene::Parameter like_scene(std::string_view key, std::string_view flag);
 /// The same with a help of its own.
 scene::Parameter like_scene(std::string_view key, std::string_view flag, std::string_view help);
+/// The same for a flag whose default is what the scene has.
+scene::Parameter over_scene(std::string_view key, std::string_view flag);
+
+/// The facts of --time, which several commands take: any time at which there are waves.
+scene::Parameter time_facts(std::string_view help, std::string_view absent = {});
 
 /// The names of a scene's choice, for a flag that makes the same.
 std::vector<std::string_view> names_in_scene(std::string_view key);
@@ -51,8 +52,9 @@ class SettingFlags {
   bool are_given() const;
 
  protected:
-  /// `usual` is the value without the flag. A row without an example takes that for one.
-  CLI::Option* add(CLI::App& command, const char* group, scene::Parameter row, const std::string& usual);
+  /// `usual` is the value without the flag, where the row has no words for that. A row without an example
+  /// takes it for one.
+  CLI::Option* add(CLI::App& command, const char* group, scene::Parameter row, std::string usual);
   void read_into(void* settings, const std::optional<NarrowedRange>& narrowed) const;
 
  private:
@@ -60,6 +62,7 @@ class SettingFlags {
     scene::Parameter row;
     std::string flags, name, example, text;
     const CLI::Option* option = nullptr;
+    std::optional<OptionRow> bound = std::nullopt;
   };
 
   std::deque<Flag> flags_;
@@ -70,15 +73,14 @@ template <class Settings>
 class SettingOptions : public SettingFlags {
  public:
   /// Adds the flag of each row to `command`, which this object must outlive; in the help below `group`. The
-  /// flag of the key step_m is --step-m, unless the row has another.
-  void add_to(CLI::App& command, std::vector<scene::Row<Settings>> rows, const char* group = "Options") {
-    const Settings usual;
+  /// flag of the key step_m is --step-m, unless the row has another. `usual` is what the help shows.
+  void add_to(CLI::App& command, std::vector<scene::Row<Settings>> rows, const char* group = "Options",
+              const Settings& usual = {}) {
     for (scene::Row<Settings>& row : rows) {
       scene::Parameter facts = std::move(row.facts);
       facts.storage = std::move(row.where.storage);
-      const std::string text = facts.absent.empty() ? scene::text_in(&usual, facts, scene::Digits::readable)
-                                                    : std::string(facts.absent);
-      add(command, group, std::move(facts), text);
+      std::string text = scene::text_in(&usual, facts, scene::Digits::readable);
+      add(command, group, std::move(facts), std::move(text));
     }
   }
 

@@ -90,8 +90,8 @@ Shape make_torus(double radius_m, double tube_radius_m, const Grid& grid, const 
 }
 
 Shape make_torus_knot(const TorusKnot& knot, const Grid& grid, const Roughness& roughness) {
-  require_shape_value("turns around", knot.around, 1, 64);
-  require_shape_value("turns through", knot.through, 1, 64);
+  require_shape_value("turns around", knot.around, 1, most_windings);
+  require_shape_value("turns through", knot.through, 1, most_windings);
   require_shape_size("radius", knot.radius_m);
   require_shape_value("winding radius", knot.winding_m, 1e-6 * knot.radius_m, (1.0 - 1e-6) * knot.radius_m);
   require_shape_value("tube radius", knot.tube_radius_m, 1e-6 * knot.radius_m, knot.radius_m);

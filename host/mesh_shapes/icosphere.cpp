@@ -41,7 +41,7 @@ double mean_edge(const Icosphere& sphere) {
 }  // namespace
 
 Icosphere icosphere(int level, const Roughness& roughness) {
-  require_shape_value("level", level, 0, 9);
+  require_shape_value("level", level, 0, finest_level);
   require_roughness(roughness);
   constexpr double golden = std::numbers::phi;
   Icosphere sphere;

@@ -18,10 +18,19 @@ struct Shape {
   std::optional<VertexCurvatures> truth;
 };
 
+/// Sizes in metres: what single precision and a renderer still make sense of.
+inline constexpr double smallest_size_m = 1e-6, largest_size_m = 1e9;
+inline constexpr int most_cells = 1 << 13;  ///< of a grid, each way
+inline constexpr int finest_level = 9;      ///< of an icosphere
+inline constexpr int most_windings = 64;    ///< of a knot, each way
+/// Farther, neighbours of a grid could pass one another and turn their faces over.
+inline constexpr double largest_jitter = 0.45;
+inline constexpr double largest_noise = 1.0;
+
 /// How far vertices are from where an even mesh would have them. Drawn from the seed, vertex by vertex.
 struct Roughness {
-  double jitter = 0.0;        ///< along the surface, up to this many edge lengths a direction, 0 ... 0.45
-  double normal_noise = 0.0;  ///< off the surface: the standard deviation in edge lengths, 0 ... 1
+  double jitter = 0.0;        ///< along the surface, up to this many edge lengths a direction
+  double normal_noise = 0.0;  ///< off the surface: the standard deviation in edge lengths
   std::uint64_t seed = 1;
 };
 
@@ -34,7 +43,7 @@ struct Grid {
   Diagonals diagonals = Diagonals::parallel;
 };
 
-/// Icospheres of 20 * 4^level faces, level 0 ... 9, whose edges are split in halves. All shapes throw
+/// Icospheres of 20 * 4^level faces, whose edges are split in halves. All shapes throw
 /// Error(bad_usage) for sizes that are not positive and finite, and for what is not within the ranges said
 /// here.
 Shape make_sphere(double radius_m, int level, const Roughness& roughness = {});

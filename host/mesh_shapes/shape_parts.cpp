@@ -11,8 +11,6 @@
 namespace offing::mesh_shapes {
 namespace {
 
-constexpr int most_cells = 1 << 13;
-
 int row_length(const Grid& grid, GridEnds ends) {
   return ends == GridEnds::open ? grid.v_cells + 1 : grid.v_cells;
 }
@@ -33,13 +31,12 @@ void require_shape_value(std::string_view name, double value, double least, doub
 }
 
 void require_roughness(const Roughness& roughness) {
-  // Farther, neighbours of a grid could pass one another and turn their faces over.
-  require_shape_value("jitter", roughness.jitter, 0.0, 0.45);
-  require_shape_value("normal noise", roughness.normal_noise, 0.0, 1.0);
+  require_shape_value("jitter", roughness.jitter, 0.0, largest_jitter);
+  require_shape_value("normal noise", roughness.normal_noise, 0.0, largest_noise);
 }
 
 void require_shape_size(std::string_view name, double size_m) {
-  require_shape_value(name, size_m, 1e-6, 1e9);
+  require_shape_value(name, size_m, smallest_size_m, largest_size_m);
 }
 
 void require_grid(const Grid& grid, int least) {

@@ -17,9 +17,8 @@ namespace offing::mesh_shapes {
 /// Throws Error(bad_usage) unless the value is finite and within the range.
 void require_shape_value(std::string_view name, double value, double least, double most);
 void require_roughness(const Roughness& roughness);
-/// Sizes of shapes in metres: what single precision and a renderer still make sense of.
 void require_shape_size(std::string_view name, double size_m);
-/// At least `least` cells each way, at most 2^13.
+/// At least `least` cells each way, at most most_cells.
 void require_grid(const Grid& grid, int least);
 
 /// What is drawn for a vertex or a cell: numbers depend on the seed and on the index alone.

@@ -1,11 +1,15 @@
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -15,6 +19,7 @@
 #include "host/command_line/general_flags.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
+#include "host/command_line/setting_options.h"
 #include "host/io/meshes/prepared_mesh.h"
 #include "host/io/meshes/read_mesh.h"
 #include "mesh_tools/commands/mesh_commands.h"
@@ -105,9 +110,14 @@ CurvatureStatistics curvature_statistics(const UnitMesh& mesh, const VertexCurva
 
 using Json = nlohmann::ordered_json;
 
+struct CurvatureSettings {
+  CurvatureOptions curvature;
+  std::optional<CurvatureColour> colour;
+};
+
 struct CurvatureArguments {
   std::string input, output;
-  std::string method = "fit", radius_edges, radius_m, rounds, threads, colour;
+  SettingOptions<CurvatureSettings> settings;
   bool is_unsigned = false;
   bool stats = false;
   bool json = false;
@@ -115,40 +125,67 @@ struct CurvatureArguments {
   Existing existing = Existing::keep;
 };
 
+template <std::size_t count>
+std::vector<std::string_view> names_in(const std::array<std::string_view, count>& names) {
+  return {names.begin(), names.end()};
+}
+
+std::vector<scene::Row<CurvatureSettings>> curvature_rows() {
+  using Options = CurvatureOptions;
+  constexpr auto curvature = &CurvatureSettings::curvature;
+  return {{scene::choice(scene::path(curvature, &Options::method), names_in(curvature_method_names)),
+           {.key = "method", .help = "see below"}},
+          {scene::path(curvature, &Options::radius_edges),
+           {.key = "radius_edges",
+            .low = 0.01,
+            .high = 100.0,
+            .help = "radius of the ball in mean edge lengths",
+            .example = "3",
+            .absent = "3.5 for fit, 3 for tensor, tensor-exact and paper"}},
+          {scene::path(curvature, &Options::radius_m),
+           {.key = "radius_m",
+            .flag = "--radius-m,--radius",
+            .unit = "m",
+            .low = 1e-9,
+            .high = 1e9,
+            .help = "the same in metres",
+            .example = "0.05",
+            .absent = "that of --radius-edges"}},
+          {scene::path(curvature, &Options::rounds),
+           {.key = "rounds", .high = 1000.0, .help = "rounds of averaging (diffused)"}},
+          {scene::choice_or("none", &CurvatureSettings::colour, names_in(curvature_colour_names)),
+           {.key = "colour", .flag = "--colour,--color", .help = "colour vertices", .example = "mean"}},
+          {scene::path(curvature, &Options::threads),
+           {.key = "threads",
+            .low = 1.0,
+            .high = 4096.0,
+            .help = "threads to use; they change no result",
+            .example = "4",
+            .absent = "all processors"}}};
+}
+
 /// What a method has no use for must not look as if it had been heeded.
-void require_unused(const std::string& flag, bool is_given, const std::string& methods,
-                    const std::string& method) {
+void require_unused(const char* flag, bool is_given, const char* methods, CurvatureMethod method) {
   if (!is_given) return;
-  throw Error(ErrorKind::bad_usage, fmt::format("{}: expected --method {}, got {}", flag, methods, method),
+  throw Error(ErrorKind::bad_usage,
+              fmt::format("{}: expected --method {}, got {}", flag, methods, name_of(method)),
               fmt::format("leave {} out, or choose that method", flag));
 }
 
-CurvatureOptions options_of(const CurvatureArguments& arguments) {
-  CurvatureOptions options{.method = curvature_method(arguments.method)};
-  const bool is_ball = options.method == CurvatureMethod::fit || options.method == CurvatureMethod::tensor ||
-                       options.method == CurvatureMethod::tensor_exact ||
-                       options.method == CurvatureMethod::paper;
+CurvatureSettings settings_of(const CurvatureArguments& arguments) {
+  CurvatureSettings settings = arguments.settings.read();
+  CurvatureOptions& options = settings.curvature;
+  const CurvatureMethod method = options.method;
+  const bool is_ball = method == CurvatureMethod::fit || method == CurvatureMethod::tensor ||
+                       method == CurvatureMethod::tensor_exact || method == CurvatureMethod::paper;
   const char* balls = "fit, tensor, tensor-exact or paper";
-  require_unused("--radius-edges", !is_ball && !arguments.radius_edges.empty(), balls, arguments.method);
-  require_unused("--radius-m", !is_ball && !arguments.radius_m.empty(), balls, arguments.method);
-  require_unused("--rounds", options.method != CurvatureMethod::diffused && !arguments.rounds.empty(),
-                 "diffused", arguments.method);
-  require_unused("--unsigned", options.method != CurvatureMethod::paper && arguments.is_unsigned, "paper",
-                 arguments.method);
-  if (!arguments.radius_edges.empty()) {
-    options.radius_edges = read_number("--radius-edges", arguments.radius_edges, "", 0.01, 100.0, "3");
-  }
-  if (!arguments.radius_m.empty()) {
-    options.radius_m = read_number("--radius-m", arguments.radius_m, "m", 1e-9, 1e9, "0.05");
-  }
-  if (!arguments.rounds.empty()) {
-    options.rounds = static_cast<int>(read_whole("--rounds", arguments.rounds, 0, 1000, "3"));
-  }
-  if (!arguments.threads.empty()) {
-    options.threads = static_cast<int>(read_whole("--threads", arguments.threads, 1, 4096, "4"));
-  }
+  require_unused("--radius-edges", !is_ball && arguments.settings.is_given("--radius-edges"), balls, method);
+  require_unused("--radius-m", !is_ball && arguments.settings.is_given("--radius-m"), balls, method);
+  require_unused("--rounds", method != CurvatureMethod::diffused && arguments.settings.is_given("--rounds"),
+                 "diffused", method);
+  require_unused("--unsigned", method != CurvatureMethod::paper && arguments.is_unsigned, "paper", method);
   if (arguments.is_unsigned) options.angles = EdgeAngles::unsigned_as_printed;
-  return options;
+  return settings;
 }
 
 Json to_json(const ValueRange& range) {
@@ -189,32 +226,33 @@ std::string text_of(const CurvatureStatistics& statistics) {
 }
 
 void run(const CurvatureArguments& arguments, const Options& program_options) {
-  const CurvatureOptions options = options_of(arguments);
+  const CurvatureSettings settings = settings_of(arguments);
+  const std::string_view method = name_of(settings.curvature.method);
   if (std::filesystem::path(arguments.output).extension() != ".ply") {
     throw bad_argument("--output", "a name that ends in .ply", arguments.output, "out.ply");
   }
   require_new(arguments.output, arguments.existing, {{arguments.input}, arguments.trust});
-  const bool has_colour = !arguments.colour.empty();
-  const CurvatureColour colour = has_colour ? curvature_colour(arguments.colour) : CurvatureColour::mean;
 
   PreparedMesh prepared{read_mesh(arguments.input, arguments.trust), {}};
   program_options.cancel.throw_if_cancelled();
   const UnitMesh unit = unit_mesh(prepared.mesh);
   program_options.cancel.throw_if_cancelled();
   const auto start = std::chrono::steady_clock::now();
-  CurvatureResult result = vertex_curvatures(unit, options);
+  CurvatureResult result = vertex_curvatures(unit, settings.curvature);
   const std::chrono::duration<double, std::micro> taken_us = std::chrono::steady_clock::now() - start;
   program_options.cancel.throw_if_cancelled();
   prepared.mesh.normals = std::move(result.normals);
   prepared.curvatures = std::move(result.curvatures);
 
   VertexAttributes attributes;
-  attributes.comments.push_back("curvature method " + arguments.method);
+  attributes.comments.push_back(fmt::format("curvature method {}", method));
   ColouredVertices coloured;
-  if (has_colour) {
-    coloured = colour_vertices(prepared.curvatures, colour);
+  if (settings.colour) {
+    coloured = colour_vertices(prepared.curvatures, *settings.colour);
     attributes.colours = coloured.colours;
-    attributes.comments.push_back(fmt::format("colour {}, full at {:.6g}", arguments.colour, coloured.limit));
+    attributes.comments.push_back(
+        fmt::format("colour {}, full at {:.6g}",
+                    curvature_colour_names[static_cast<std::size_t>(*settings.colour)], coloured.limit));
   }
   write_prepared(arguments.output, prepared, attributes, arguments.existing);
 
@@ -223,18 +261,18 @@ void run(const CurvatureArguments& arguments, const Options& program_options) {
       taken_us.count() / static_cast<double>(std::max<std::size_t>(1, unit.vertex_count()));
   if (arguments.json) {
     Json json{{"file", arguments.output},
-              {"method", arguments.method},
+              {"method", method},
               {"vertices", unit.vertex_count()},
               {"faces", prepared.mesh.faces.size()},
               {"mean_edge_m", unit.mean_edge * unit.scale_m},
               {"us_per_vertex", us_a_vertex}};
-    if (has_colour) json["colour_limit"] = coloured.limit;
+    if (settings.colour) json["colour_limit"] = coloured.limit;
     json.update(to_json(statistics));
     print_json(json);
     return;
   }
   print_summary("{}: {} vertices, {} faces, {}, {:.2f} us a vertex\n", one_line(arguments.output),
-                unit.vertex_count(), prepared.mesh.faces.size(), arguments.method, us_a_vertex);
+                unit.vertex_count(), prepared.mesh.faces.size(), method, us_a_vertex);
   if (arguments.stats) fmt::print("{}", text_of(statistics));
 }
 
@@ -248,26 +286,10 @@ void add_curvature_command(CLI::App& program, Options& options) {
   command->add_option("-o,--output", arguments->output, "PLY with curvatures")
       ->required()
       ->type_name("OUT.ply");
-  command->add_option("--method", arguments->method, "fit, tensor, tensor-exact, diffused, paper or jet")
-      ->type_name("M")
-      ->capture_default_str();
-  CLI::Option* edges =
-      command
-          ->add_option("--radius-edges", arguments->radius_edges,
-                       "radius of the ball in mean edge lengths [fit 3.5, tensor, tensor-exact and paper 3]")
-          ->type_name("R");
-  command->add_option("--radius-m,--radius", arguments->radius_m, "the same in metres")
-      ->type_name("R")
-      ->excludes(edges);
-  command->add_option("--rounds", arguments->rounds, "rounds of averaging (diffused) [3]")->type_name("K");
+  arguments->settings.add_to(*command, curvature_rows());
+  command->get_option("--radius-m")->excludes(command->get_option("--radius-edges"));
   command->add_flag("--unsigned", arguments->is_unsigned,
                     "angles of edges without a sign, as printed (paper)");
-  command
-      ->add_option("--colour,--color", arguments->colour,
-                   "colour vertices: mean, gauss, kmax, kmin or shape-index")
-      ->type_name("BY");
-  command->add_option("--threads", arguments->threads, "threads [all processors]; changes no result")
-      ->type_name("N");
   command->add_flag("--stats", arguments->stats, "print ranges and the check by Gauss and Bonnet");
   command->add_flag("--json", arguments->json, "all of these for scripts");
   add_force_flag(*command, arguments->existing);

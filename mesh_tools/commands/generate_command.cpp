@@ -1,5 +1,10 @@
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -7,6 +12,7 @@
 #include "host/command_line/general_flags.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
+#include "host/command_line/setting_options.h"
 #include "host/io/meshes/write_mesh.h"
 #include "host/mesh_shapes/shape_table.h"
 #include "mesh_tools/commands/mesh_commands.h"
@@ -17,12 +23,40 @@ namespace {
 
 using namespace mesh_shapes;
 
+constexpr std::size_t most_numbers = 4;
+
+/// An order whose numbers lie where rows find them.
+struct ShapeSettings {
+  ShapeOrder order;
+  std::array<double, most_numbers> lengths_m{};
+  std::array<int, most_numbers> counts{};
+};
+
+ShapeSettings usual_settings(const ShapeRow& row) {
+  ShapeSettings settings{.order = order_of(row, 1.0, row.generated_detail)};
+  for (std::size_t i = 0; i < row.numbers.size(); ++i) {
+    settings.lengths_m.at(i) = settings.order.numbers[i];
+    settings.counts.at(i) = static_cast<int>(settings.order.numbers[i]);
+  }
+  return settings;
+}
+
+ShapeOrder order_of(const ShapeRow& row, const ShapeSettings& settings) {
+  ShapeOrder order = settings.order;
+  for (std::size_t i = 0; i < row.numbers.size(); ++i) {
+    order.numbers[i] =
+        row.numbers[i].kind == ShapeNumber::Kind::count ? settings.counts.at(i) : settings.lengths_m.at(i);
+  }
+  return order;
+}
+
 struct GenerateArguments {
   std::string output;
   bool json = false;
   Existing existing = Existing::keep;
   bool random_diagonals = false;
-  ShapeOrder order;
+  std::string size_help;
+  SettingOptions<ShapeSettings> settings;
 };
 
 void write(const Shape& shape, const GenerateArguments& arguments) {
@@ -47,56 +81,64 @@ void write(const Shape& shape, const GenerateArguments& arguments) {
   }
 }
 
-void add_roughness(CLI::App& command, Roughness& roughness) {
-  command
-      .add_option("--jitter", roughness.jitter,
-                  "moves vertices along the surface by up to this many edge lengths")
-      ->type_name("0 ... 0.45");
-  command
-      .add_option("--noise", roughness.normal_noise,
-                  "moves vertices off the surface: standard deviation in edge lengths")
-      ->type_name("0 ... 1");
-  command.add_option("--seed", roughness.seed, "of the random numbers");
+using Rows = std::vector<scene::Row<ShapeSettings>>;
+
+/// One of the numbers of a shape.
+template <class Value>
+scene::Path<ShapeSettings, Value> number_at(std::array<Value, most_numbers> ShapeSettings::*numbers,
+                                            std::size_t index) {
+  return {scene::path(numbers).offset + index * sizeof(Value)};
 }
 
-/// Adds an option and puts its default into the help, which does not show it by itself.
-template <typename Value>
-CLI::Option* add_value(CLI::App& command, std::string_view flag, Value& value, std::string_view help) {
-  return command.add_option(std::string(flag), value, fmt::format("{} [{}]", help, value));
-}
-
-void add_sizes(CLI::App& command, const ShapeRow& row, ShapeOrder& order) {
-  const std::string which = row.size_help.empty() ? "" : fmt::format(" {}", row.size_help);
-  add_value(command, row.size_flag, order.size_m, fmt::format("{}{}, m", row.size, which));
+void add_sizes(Rows& rows, const ShapeRow& row, std::string_view size_help) {
+  rows.push_back({scene::path(&ShapeSettings::order, &ShapeOrder::size_m),
+                  like_scene("mesh.size_m", row.size_flag, size_help)});
   for (std::size_t i = 0; i < row.numbers.size(); ++i) {
     const ShapeNumber& number = row.numbers[i];
     if (number.kind == ShapeNumber::Kind::count) {
-      add_value(command, number.flag, order.numbers[i], number.help)
-          ->check(CLI::TypeValidator<int>(""))
-          ->type_name("INT");
+      rows.push_back(
+          {number_at(&ShapeSettings::counts, i),
+           {.key = "windings", .flag = number.flag, .low = 1.0, .high = most_windings, .help = number.help}});
     } else {
-      add_value(command, number.flag, order.numbers[i], fmt::format("{}, m", number.help));
+      rows.push_back(
+          {number_at(&ShapeSettings::lengths_m, i), like_scene("mesh.size_m", number.flag, number.help)});
     }
   }
 }
 
-void add_fineness(CLI::App& command, const ShapeRow& row, GenerateArguments& arguments) {
-  ShapeOrder& order = arguments.order;
-  if (row.level > 0) add_value(command, "--level", order.level, "20 * 4^level faces, 0 ... 9");
-  if (!row.u_help.empty())
-    add_value(command, "--u-cells", order.grid.u_cells, fmt::format("cells {}", row.u_help));
-  if (!row.v_help.empty())
-    add_value(command, "--v-cells", order.grid.v_cells, fmt::format("cells {}", row.v_help));
-  if (!row.has_truth) return;
-  if (row.level == 0)
-    command.add_flag("--random-diagonals", arguments.random_diagonals,
-                     "cut each cell along a random diagonal");
-  add_roughness(command, order.roughness);
+void add_fineness(Rows& rows, const ShapeRow& row) {
+  constexpr auto order = &ShapeSettings::order;
+  if (row.level > 0) {
+    rows.push_back({scene::path(order, &ShapeOrder::level),
+                    {.key = "level", .high = finest_level, .help = "20 * 4^level faces"}});
+  }
+  const auto add_cells = [&](int Grid::*cells, std::string_view key, std::string_view help) {
+    if (help.empty()) return;
+    rows.push_back({scene::path(order, &ShapeOrder::grid, cells),
+                    {.key = key, .low = 1.0, .high = most_cells, .help = help}});
+  };
+  add_cells(&Grid::u_cells, "u_cells", row.u_help);
+  add_cells(&Grid::v_cells, "v_cells", row.v_help);
+}
+
+void add_roughness(Rows& rows) {
+  constexpr auto order = &ShapeSettings::order;
+  constexpr auto roughness = &ShapeOrder::roughness;
+  rows.push_back({scene::path(order, roughness, &Roughness::jitter),
+                  {.key = "jitter",
+                   .high = largest_jitter,
+                   .help = "moves vertices along the surface by up to this many edge lengths"}});
+  rows.push_back({scene::path(order, roughness, &Roughness::normal_noise),
+                  {.key = "noise",
+                   .high = largest_noise,
+                   .help = "moves vertices off the surface: standard deviation in edge lengths"}});
+  rows.push_back({scene::path(order, roughness, &Roughness::seed),
+                  like_scene("terrain.seed", "--seed", "of the random numbers")});
 }
 
 void add_shape(CLI::App& generate, Options& options, const ShapeRow& row) {
   const auto arguments = std::make_shared<GenerateArguments>();
-  arguments->order = order_of(row, 1.0, row.generated_detail);
+  const ShapeSettings usual = usual_settings(row);
   CLI::App* command = generate.add_subcommand(std::string(row.name), std::string(row.help));
   if (!row.other_name.empty()) command->alias(std::string(row.other_name));
   command
@@ -108,13 +150,22 @@ void add_shape(CLI::App& generate, Options& options, const ShapeRow& row) {
   command->add_flag("--json", arguments->json, "results for scripts");
   add_force_flag(*command, arguments->existing);
   add_verbosity_flags(*command, options.verbosity);
-  add_sizes(*command, row, arguments->order);
-  add_fineness(*command, row, *arguments);
-  command->callback([arguments, &row] {
+  if (row.has_truth && row.level == 0) {
+    command->add_flag("--random-diagonals", arguments->random_diagonals,
+                      "cut each cell along a random diagonal");
+  }
+  arguments->size_help = fmt::format("{}{}{}", row.size, row.size_help.empty() ? "" : " ", row.size_help);
+  Rows rows;
+  add_sizes(rows, row, arguments->size_help);
+  add_fineness(rows, row);
+  if (row.has_truth) add_roughness(rows);
+  arguments->settings.add_to(*command, std::move(rows), "Options", usual);
+  command->callback([arguments, &row, usual] {
     require_mesh_extension(arguments->output);
     require_new(arguments->output, arguments->existing);
-    if (arguments->random_diagonals) arguments->order.grid.diagonals = Diagonals::random;
-    write(row.make(arguments->order), *arguments);
+    ShapeOrder order = order_of(row, arguments->settings.read(usual));
+    if (arguments->random_diagonals) order.grid.diagonals = Diagonals::random;
+    write(row.make(order), *arguments);
   });
 }
 

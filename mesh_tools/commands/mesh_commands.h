@@ -14,6 +14,9 @@ struct Options {
   const CancelToken& cancel;  ///< set by Ctrl-C
 };
 
+/// Makes the command line of offing-mesh: its help and all of its commands. `options` must outlive it.
+void add_commands(CLI::App& app, Options& options);
+
 /// `offing-mesh check IN`: what is to know about a mesh before it is used.
 void add_check_command(CLI::App& program, Options& options);
 

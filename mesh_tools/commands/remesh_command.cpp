@@ -1,17 +1,15 @@
 #include <cmath>
-#include <cstdint>
 #include <memory>
 #include <numbers>
-#include <optional>
-#include <string>
+#include <vector>
 
-#include <CLI/Option.hpp>
 #include <fmt/format.h>
 
-#include "host/base/argument.h"
 #include "host/base/error.h"
 #include "host/command_line/general_flags.h"
 #include "host/command_line/print_results.h"
+#include "host/command_line/setting_options.h"
+#include "mesh_tools/commands/fineness_flags.h"
 #include "mesh_tools/commands/mesh_commands.h"
 #include "mesh_tools/commands/mesh_job.h"
 #include "mesh_tools/remesh.h"
@@ -22,40 +20,23 @@ namespace {
 
 struct RemeshArguments {
   MeshJob job;
-  std::string edge, faces, rounds, sharp;
+  FinenessFlags fineness;
+  SettingOptions<RemeshSettings> settings;
 };
 
-constexpr double longest_edge_m = 1e9, most_faces = 1e8;
-
-/// How fine the mesh should be: one of the two.
-struct Fineness {
-  std::optional<double> edge_m, faces;
-};
-
-Fineness fineness_of(const RemeshArguments& arguments) {
-  if (arguments.edge.empty() == arguments.faces.empty()) {
-    throw Error(ErrorKind::bad_usage, "offing-mesh remesh: expected --edge-m or --faces, got neither",
-                "say how fine the mesh should be, such as --faces 5000");
-  }
-  if (!arguments.edge.empty()) {
-    return {.edge_m = read_number("--edge-m", arguments.edge, "m", 1e-9, longest_edge_m, "0.05"),
-            .faces = {}};
-  }
-  const std::int64_t faces =
-      read_whole("--faces", arguments.faces, 4, static_cast<std::int64_t>(most_faces), "5000");
-  return {.edge_m = {}, .faces = static_cast<double>(faces)};
-}
-
-RemeshSettings settings_of(const RemeshArguments& arguments) {
-  RemeshSettings settings;
-  if (!arguments.rounds.empty()) {
-    settings.rounds = static_cast<int>(read_whole("--rounds", arguments.rounds, 1, 100, "5"));
-  }
-  if (!arguments.sharp.empty()) {
-    settings.sharp_rad =
-        read_number("--sharp-deg", arguments.sharp, "degrees", 1.0, 180.0, "40") * std::numbers::pi / 180.0;
-  }
-  return settings;
+std::vector<scene::Row<RemeshSettings>> remesh_rows() {
+  return {
+      {&RemeshSettings::rounds,
+       {.key = "rounds", .low = 1.0, .high = 100.0, .help = "of splitting, collapsing, flipping, smoothing"}},
+      {&RemeshSettings::sharp_rad,
+       {.key = "sharp_deg",
+        .unit = "deg",
+        .low = 1.0,
+        .high = 180.0,
+        .help = "edges bent by more stay where they are",
+        .example = "40",
+        .absent = "none",
+        .scale = std::numbers::pi / 180.0}}};
 }
 
 /// Far too short edges would fill the memory, and no edge makes faces of nothing.
@@ -75,19 +56,19 @@ void require_few_faces(const TriangleMesh& mesh, double edge_m) {
 }
 
 void run(const RemeshArguments& arguments, const Options& options) {
-  const Fineness fineness = fineness_of(arguments);
-  RemeshSettings settings = settings_of(arguments);
+  const Fineness fineness = arguments.fineness.read("remesh");
+  RemeshSettings settings = arguments.settings.read();
   arguments.job.require_output();
   const TriangleMesh mesh = arguments.job.read();
   const auto remeshed = [&] {
     require_few_faces(mesh, settings.edge_m);
     return remesh(mesh, arguments.job.input, settings, options.cancel, options.verbosity);
   };
-  settings.edge_m = fineness.edge_m ? *fineness.edge_m : edge_length_for(mesh, *fineness.faces);
+  settings.edge_m = fineness.edge_m ? *fineness.edge_m : edge_length_for(mesh, fineness.faces);
   TriangleMesh result = remeshed();
-  if (fineness.faces) {
+  if (!fineness.edge_m) {
     // Edges come out a little shorter than asked: by how much is seen from the first mesh.
-    settings.edge_m *= std::sqrt(static_cast<double>(result.faces.size()) / *fineness.faces);
+    settings.edge_m *= std::sqrt(static_cast<double>(result.faces.size()) / fineness.faces);
     result = remeshed();
   }
   arguments.job.write(result);
@@ -107,16 +88,8 @@ void add_remesh_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<RemeshArguments>();
   CLI::App* command = program.add_subcommand("remesh", "the same surface with edges of about one length");
   arguments->job.add_to(*command);
-  CLI::Option* edge =
-      command->add_option("--edge-m", arguments->edge, "length that edges should have, m")->type_name("L");
-  command->add_option("--faces", arguments->faces, "about how many faces to make")
-      ->type_name("N")
-      ->excludes(edge);
-  command
-      ->add_option("--rounds", arguments->rounds, "of splitting, collapsing, flipping, smoothing (default 3)")
-      ->type_name("N");
-  command->add_option("--sharp-deg", arguments->sharp, "edges bent by more stay where they are")
-      ->type_name("A");
+  arguments->fineness.add_to(*command, "length that edges should have", "about how many faces to make");
+  arguments->settings.add_to(*command, remesh_rows());
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
 New vertices of borders lie on the old ones, and with --sharp-deg those of sharp edges. The mesh must be a

@@ -1,16 +1,15 @@
-#include <cstdint>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <CLI/Option.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "host/base/argument.h"
 #include "host/command_line/general_flags.h"
 #include "host/command_line/print_results.h"
+#include "host/command_line/setting_options.h"
 #include "mesh_tools/commands/mesh_commands.h"
 #include "mesh_tools/commands/mesh_job.h"
 #include "mesh_tools/defects_text.h"
@@ -23,19 +22,24 @@ namespace {
 
 struct RepairArguments {
   MeshJob job;
-  std::string fill;
+  SettingOptions<RepairSettings> settings;
   bool outward = false;
 };
 
+/// Adds --fill-edges, which takes `all` too.
+void add_fill_edges(CLI::App& command, SettingOptions<RepairSettings>& settings) {
+  constexpr int most = 1'000'000'000;  // a loop of more would not fit into memory
+  settings.add_to(command, {{&RepairSettings::most_hole_edges,
+                             {.key = "fill_edges",
+                              .high = most,
+                              .help = "holes of up to this many edges are filled; all: every hole"}}});
+  command.get_option("--fill-edges")->transform([](const std::string& text) {
+    return text == "all" ? std::to_string(most) : text;
+  });
+}
+
 RepairSettings settings_of(const RepairArguments& arguments) {
-  RepairSettings settings;
-  if (arguments.fill == "all") {
-    settings.most_hole_edges = std::numeric_limits<std::size_t>::max();
-  } else if (!arguments.fill.empty()) {
-    constexpr std::int64_t most = 1'000'000'000;
-    settings.most_hole_edges =
-        static_cast<std::size_t>(read_whole("--fill-edges", arguments.fill, 0, most, "30, or all"));
-  }
+  RepairSettings settings = arguments.settings.read();
   if (arguments.outward) settings.facing = Facing::outward;
   return settings;
 }
@@ -98,10 +102,7 @@ void add_repair_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<RepairArguments>();
   CLI::App* command = program.add_subcommand("repair", "an oriented manifold of any triangles");
   arguments->job.add_to(*command);
-  command
-      ->add_option("--fill-edges", arguments->fill,
-                   "holes of up to so many edges are filled (default 16); 0 none, or all")
-      ->type_name("N");
+  add_fill_edges(*command, arguments->settings);
   command->add_flag("--outward", arguments->outward, "closed components face outward in the end");
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(

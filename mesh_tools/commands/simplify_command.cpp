@@ -1,12 +1,9 @@
-#include <cstdint>
+#include <cstddef>
 #include <memory>
 #include <string>
 
-#include <CLI/Option.hpp>
-
-#include "host/base/argument.h"
-#include "host/base/error.h"
 #include "host/command_line/general_flags.h"
+#include "mesh_tools/commands/fineness_flags.h"
 #include "mesh_tools/commands/mesh_commands.h"
 #include "mesh_tools/commands/mesh_job.h"
 #include "mesh_tools/simplify.h"
@@ -17,31 +14,23 @@ namespace {
 
 struct SimplifyArguments {
   MeshJob job;
-  std::string edge, faces;
+  FinenessFlags fineness;
 };
 
-constexpr double longest_edge_m = 1e9;
-constexpr std::int64_t most_faces = 100'000'000;
-
-TriangleMesh simplified(const SimplifyArguments& arguments, const TriangleMesh& mesh,
+TriangleMesh simplified(const std::string& name, const Fineness& fineness, const TriangleMesh& mesh,
                         const Options& options) {
-  const std::string& name = arguments.job.input;
-  if (!arguments.faces.empty()) {
-    const std::int64_t faces = read_whole("--faces", arguments.faces, 4, most_faces, "5000");
-    return simplify_to_faces(mesh, name, static_cast<std::size_t>(faces), options.cancel, options.verbosity);
+  if (fineness.edge_m) {
+    return simplify_to_edges(mesh, name, *fineness.edge_m, options.cancel, options.verbosity);
   }
-  const double edge_m = read_number("--edge-m", arguments.edge, "m", 1e-9, longest_edge_m, "0.05");
-  return simplify_to_edges(mesh, name, edge_m, options.cancel, options.verbosity);
+  return simplify_to_faces(mesh, name, static_cast<std::size_t>(fineness.faces), options.cancel,
+                           options.verbosity);
 }
 
 void run(const SimplifyArguments& arguments, const Options& options) {
-  if (arguments.edge.empty() == arguments.faces.empty()) {
-    throw Error(ErrorKind::bad_usage, "offing-mesh simplify: expected --edge-m or --faces, got neither",
-                "say how fine the mesh should be, such as --faces 5000");
-  }
+  const Fineness fineness = arguments.fineness.read("simplify");
   arguments.job.require_output();
   const TriangleMesh mesh = arguments.job.read();
-  const TriangleMesh result = simplified(arguments, mesh, options);
+  const TriangleMesh result = simplified(arguments.job.input, fineness, mesh, options);
   arguments.job.write(result);
   arguments.job.tell(result, mesh.faces.size());
 }
@@ -52,12 +41,8 @@ void add_simplify_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<SimplifyArguments>();
   CLI::App* command = program.add_subcommand("simplify", "fewer faces of the same shape");
   arguments->job.add_to(*command);
-  CLI::Option* edge =
-      command->add_option("--edge-m", arguments->edge, "collapse edges until none is shorter, m")
-          ->type_name("L");
-  command->add_option("--faces", arguments->faces, "collapse edges until there are so many faces")
-      ->type_name("N")
-      ->excludes(edge);
+  arguments->fineness.add_to(*command, "collapse edges until none is shorter",
+                             "collapse edges until there are so many faces");
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
 With --faces edges collapse first where that changes the surface least, with --edge-m the shortest ones. No face

@@ -1,11 +1,8 @@
-#include <algorithm>
-#include <array>
 #include <memory>
-#include <string>
-#include <string_view>
+#include <vector>
 
-#include "host/base/argument.h"
 #include "host/command_line/general_flags.h"
+#include "host/command_line/setting_options.h"
 #include "mesh_tools/commands/mesh_commands.h"
 #include "mesh_tools/commands/mesh_job.h"
 #include "mesh_tools/subdivide.h"
@@ -14,36 +11,24 @@ namespace offing::mesh_tools {
 
 namespace {
 
+struct SubdivideSettings {
+  SubdivisionMethod method = SubdivisionMethod::loop;
+  int levels = 1;
+};
+
 struct SubdivideArguments {
   MeshJob job;
-  std::string method = "loop", levels;
+  SettingOptions<SubdivideSettings> settings;
 };
 
-struct NamedMethod {
-  std::string_view name;
-  SubdivisionMethod method;
-};
-
-constexpr std::array<NamedMethod, 4> methods = {{{"loop", SubdivisionMethod::loop},
-                                                 {"sqrt3", SubdivisionMethod::sqrt3},
-                                                 {"butterfly", SubdivisionMethod::butterfly},
-                                                 {"catmull-clark", SubdivisionMethod::catmull_clark}}};
-
-SubdivisionMethod read_method(const std::string& name) {
-  const auto* const found = std::find_if(methods.begin(), methods.end(),
-                                         [&](const NamedMethod& known) { return known.name == name; });
-  if (found == methods.end()) {
-    throw bad_argument("--method", "loop, sqrt3, butterfly or catmull-clark", name, "loop");
-  }
-  return found->method;
+std::vector<scene::Row<SubdivideSettings>> subdivide_rows() {
+  return {{scene::choice(&SubdivideSettings::method, {"loop", "sqrt3", "butterfly", "catmull-clark"}),
+           {.key = "method", .help = "see below"}},
+          {&SubdivideSettings::levels, {.key = "levels", .low = 1.0, .high = 12.0, .help = "how often"}}};
 }
 
 void run(const SubdivideArguments& arguments, const Options& options) {
-  const SubdivisionMethod method = read_method(arguments.method);
-  constexpr int most_levels = 12;
-  const int levels = arguments.levels.empty()
-                         ? 1
-                         : static_cast<int>(read_whole("--levels", arguments.levels, 1, most_levels, "2"));
+  const auto [method, levels] = arguments.settings.read();
   arguments.job.require_output();
   const TriangleMesh mesh = arguments.job.read();
   const TriangleMesh result = subdivide(mesh, arguments.job.input, method, levels, options.cancel);
@@ -57,9 +42,7 @@ void add_subdivide_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<SubdivideArguments>();
   CLI::App* command = program.add_subcommand("subdivide", "a finer, smoother mesh");
   arguments->job.add_to(*command);
-  command->add_option("--method", arguments->method, "loop (default), sqrt3, butterfly or catmull-clark")
-      ->type_name("M");
-  command->add_option("--levels", arguments->levels, "how often (default 1)")->type_name("N");
+  arguments->settings.add_to(*command, subdivide_rows());
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
   loop           smooth; four faces of one

@@ -1,7 +1,6 @@
 #include "mesh_tools/curvature/curvature.h"
 
-#include <array>
-#include <utility>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -10,15 +9,6 @@
 
 namespace offing::mesh_tools {
 namespace {
-
-constexpr std::array<std::pair<std::string_view, CurvatureMethod>, 6> methods{{
-    {"fit", CurvatureMethod::fit},
-    {"tensor", CurvatureMethod::tensor},
-    {"tensor-exact", CurvatureMethod::tensor_exact},
-    {"paper", CurvatureMethod::paper},
-    {"diffused", CurvatureMethod::diffused},
-    {"jet", CurvatureMethod::jet},
-}};
 
 void require_option(std::string_view name, double value, double least, double most) {
   if (value >= least && value <= most) return;
@@ -75,23 +65,6 @@ CurvatureResult vertex_curvatures(const UnitMesh& mesh, const CurvatureOptions& 
 
 CurvatureResult vertex_curvatures(const TriangleMesh& mesh, const CurvatureOptions& options) {
   return vertex_curvatures(unit_mesh(mesh), options);
-}
-
-CurvatureMethod curvature_method(std::string_view name) {
-  for (const auto& [known, method] : methods) {
-    if (known == name) return method;
-  }
-  throw Error(
-      ErrorKind::bad_usage,
-      fmt::format("--method: expected fit, tensor, tensor-exact, paper, diffused or jet, got \"{}\"", name),
-      "leave it out for the default");
-}
-
-std::string_view name_of(CurvatureMethod method) {
-  for (const auto& [name, known] : methods) {
-    if (known == method) return name;
-  }
-  return "unknown";
 }
 
 }  // namespace offing::mesh_tools

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -50,8 +52,11 @@ CurvatureResult vertex_curvatures(const TriangleMesh& mesh, const CurvatureOptio
 /// The same of a mesh whose neighbours are known already.
 CurvatureResult vertex_curvatures(const UnitMesh& mesh, const CurvatureOptions& options = {});
 
-/// "fit", "tensor", "tensor-exact", "paper", "diffused", "jet". Throws Error(bad_usage) for any other.
-CurvatureMethod curvature_method(std::string_view name);
-std::string_view name_of(CurvatureMethod method);
+/// In the order of the enumeration.
+inline constexpr std::array<std::string_view, 6> curvature_method_names{"fit",   "tensor",   "tensor-exact",
+                                                                        "paper", "diffused", "jet"};
+constexpr std::string_view name_of(CurvatureMethod method) {
+  return curvature_method_names[static_cast<std::size_t>(method)];
+}
 
 }  // namespace offing::mesh_tools

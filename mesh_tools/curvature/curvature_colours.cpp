@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
-
-#include "host/base/argument.h"
 
 namespace offing::mesh_tools {
 namespace {
@@ -44,19 +41,6 @@ double high_percentile(const std::vector<double>& values) {
 }
 
 }  // namespace
-
-CurvatureColour curvature_colour(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, CurvatureColour>, 5> known{
-      {{"mean", CurvatureColour::mean},
-       {"gauss", CurvatureColour::gauss},
-       {"kmax", CurvatureColour::k_max},
-       {"kmin", CurvatureColour::k_min},
-       {"shape-index", CurvatureColour::shape_index}}};
-  for (const auto& [word, colour] : known) {
-    if (word == name) return colour;
-  }
-  throw bad_argument("--colour", "mean, gauss, kmax, kmin or shape-index", name, "mean");
-}
 
 ColouredVertices colour_vertices(const VertexCurvatures& curvatures, CurvatureColour by) {
   const std::size_t vertices = curvatures.k_max_per_m.size();

@@ -18,8 +18,9 @@ enum class CurvatureColour {
   shape_index,  ///< 2 / pi atan((k_max + k_min) / (k_max - k_min)): -1 cup, 0 saddle, 1 cap (Koenderink 1992)
 };
 
-/// "mean", "gauss", "kmax", "kmin", "shape-index". Throws Error(bad_usage) for any other.
-CurvatureColour curvature_colour(std::string_view name);
+/// In the order of the enumeration.
+inline constexpr std::array<std::string_view, 5> curvature_colour_names{"mean", "gauss", "kmax", "kmin",
+                                                                        "shape-index"};
 
 struct ColouredVertices {
   std::vector<std::array<std::uint8_t, 3>> colours;  ///< [vertices], sRGB

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "host/base/error.h"
 #include "host/base/log.h"
@@ -270,18 +269,6 @@ std::string_view to_string(TransferPath path) {
     default:
       return "blocking-read";
   }
-}
-
-TransferPath transfer_path(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const TransferPath path : all_transfer_paths) {
-    if (to_string(path) == name) return path;
-    names.push_back(to_string(path));
-  }
-  throw Error(
-      ErrorKind::bad_usage,
-      fmt::format("--transfer: expected one of {}, got \"{}\"", fmt::join(names, ", "), name.substr(0, 60)),
-      "leave it out for the best one");
 }
 
 Transfer::Transfer(const GlContext& context, const ocl::Device& device, std::optional<TransferPath> forced)

@@ -27,8 +27,6 @@ inline constexpr std::array all_transfer_paths{TransferPath::gl_sharing, Transfe
 
 /// "mapped-pointer", as --transfer takes it.
 std::string_view to_string(TransferPath path);
-/// The transfer path of this name. Throws Error(bad_usage) that lists them.
-TransferPath transfer_path(std::string_view name);
 
 /// A map of a simulation, and where it is to be drawn from.
 struct Upload {

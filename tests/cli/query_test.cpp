@@ -233,7 +233,7 @@ TEST_F(Query, BadQuestionsGetOneLineAndAHint) {
       {{"--at", "0,0", "--points", "@word.csv"}, 2, "found both"},
       {{"--at", "0;0"}, 2, "--at: expected X,Z in m"},
       {{"--at", "nan,0"}, 2, "--at: expected X,Z in m"},
-      {{"--at", "0,0", "--time", "1e9"}, 2, "--time: expected a time in s"},
+      {{"--at", "0,0", "--time", "1e9"}, 2, "--time: expected a number in s"},
       {{"--at", "0,0", "--times", "5:1:1"}, 2, "--times: expected A:B:DT"},
       {{"--at", "0,0", "--times", "0:1:0"}, 2, "--times: expected A:B:DT"},
       {{"--at", "0,0", "--times", "0:1:-1"}, 2, "--times: expected A:B:DT"},

@@ -16,21 +16,29 @@
 #include "host/cli/clouds/clouds_commands.h"
 #include "host/cli/common/device_choice.h"
 #include "host/clouds/shape/cloud_density.h"
+#include "host/command_line/frame_flags.h"
 #include "host/command_line/general_flags.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
+#include "host/command_line/setting_options.h"
 #include "host/io/file_extension.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_files.h"
 #include "host/scene/prepare/scene_clouds.h"
-#include "host/scene/prepare/scene_frames.h"
 #include "host/scene/schema/unused_parameters.h"
 
 namespace offing::cli {
 namespace {
 
+struct BuildSettings {
+  std::optional<double> cell_m;  ///< none: usual_cell_m()
+  std::optional<double> time_s;  ///< none: the scene's start
+};
+
 struct BuildArguments {
-  std::string scene, output, cell_m, time_s, frames, frames_per_second;
+  std::string scene, output;
+  SettingOptions<BuildSettings> settings;
+  FrameFlags frames;
   bool half = false;
   bool json = false;
   Existing existing = Existing::keep;
@@ -47,32 +55,35 @@ bool is_sequence(const BuildArguments& arguments) {
   return arguments.output.find('%') != std::string::npos;
 }
 
+std::vector<scene::Row<BuildSettings>> cell_rows() {
+  return {{&BuildSettings::cell_m,
+           {.key = "cell_m",
+            .unit = "m",
+            .low = least_cell_m,
+            .high = largest_cell_m,
+            .help = "edge of a cell of a volume",
+            .example = "20",
+            .absent = "128 along the longest side"}}};
+}
+
 FrameName frame_name(const BuildArguments& arguments) {
   return {"-o", arguments.output, "cloud.%04d.vdb"};
 }
 
-FrameRange frames_of(const BuildArguments& arguments, const scene::Scene& scene) {
-  return arguments.frames.empty() ? scene::frames_in_time_span(scene, scene.time.frames_per_second)
-                                  : read_frame_range("--frames", arguments.frames);
-}
-
 std::vector<TimedFile> files_of(const BuildArguments& arguments, const scene::Scene& scene) {
   if (!is_sequence(arguments)) {
-    if (!arguments.frames.empty() || !arguments.frames_per_second.empty()) {
+    if (arguments.frames.has_frames() || arguments.frames.has_fps()) {
       throw Error(ErrorKind::bad_usage,
                   "--frames: expected a name with a place for the frame's number, found none",
                   "write -o cloud.%04d.vdb");
     }
-    const double time_s = arguments.time_s.empty()
-                              ? scene.time.start_s
-                              : read_number("--time", arguments.time_s, "s", -1e8, 1e8, "12.5");
-    return {{arguments.output, time_s}};
+    return {{arguments.output, arguments.settings.read().time_s.value_or(scene.time.start_s)}};
   }
-  if (!arguments.time_s.empty()) {
+  if (arguments.settings.is_given("--time")) {
     throw Error(ErrorKind::bad_usage, "--time: expected one file, found a name for many", "use --frames");
   }
   const FrameName name = frame_name(arguments);
-  const FrameRange frames = frames_of(arguments, scene);
+  const FrameRange frames = arguments.frames.frames(scene);
   std::vector<TimedFile> files;
   for (int frame = frames.first; frame <= frames.last; ++frame) {
     files.push_back({name.of(frame).string(), frame / scene.time.frames_per_second});
@@ -84,7 +95,7 @@ void require_outputs(const BuildArguments& arguments, const scene::Scene& scene)
   GivenInputs inputs{scene::files_of(scene), arguments.trust};
   inputs.names.push_back(arguments.scene);
   if (is_sequence(arguments)) {
-    require_new_frames(frame_name(arguments), frames_of(arguments, scene), arguments.existing, inputs);
+    require_new_frames(frame_name(arguments), arguments.frames.frames(scene), arguments.existing, inputs);
   } else {
     require_new(arguments.output, arguments.existing, inputs);
   }
@@ -154,17 +165,12 @@ void tell(const BuildArguments& arguments, const std::vector<TimedFile>& files, 
 
 void run(const BuildArguments& arguments, const GlobalOptions& options) {
   require_extension(arguments.output, {".vdb", ".ply"});
-  if (!is_volume(arguments) && (arguments.half || !arguments.cell_m.empty())) {
+  if (!is_volume(arguments) && (arguments.half || arguments.settings.is_given("--cell-m"))) {
     throw Error(ErrorKind::bad_usage, "--half, --cell-m: expected a .vdb, found particles", "leave them out");
   }
-  std::optional<double> cell_m;
-  if (!arguments.cell_m.empty())
-    cell_m = read_number("--cell-m", arguments.cell_m, "m", least_cell_m, largest_cell_m, "20");
+  std::optional<double> cell_m = arguments.settings.read().cell_m;
   scene::Scene scene = scene::load_scene(arguments.scene, arguments.trust);
-  if (!arguments.frames_per_second.empty()) {
-    scene.time.frames_per_second =
-        read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "24");
-  }
+  scene.time = arguments.frames.times(scene);
   const std::vector<TimedFile> files = files_of(arguments, scene);
   require_outputs(arguments, scene);
   for (const std::string& line : scene::unused_cloud_parameters(scene)) spdlog::warn("{}", line);
@@ -196,20 +202,21 @@ void add_clouds_build_command(CLI::App& parent, GlobalOptions& options) {
   CLI::App* command = parent.add_subcommand("build", "the clouds of a scene as a volume or as particles");
   command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[cloud]] or [[cloud_layer]]")
       ->required();
+  constexpr const char* group = "Output";
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
-    return command->add_option(names, target, help)->type_name(placeholder)->group("Output");
+    return command->add_option(names, target, help)->type_name(placeholder)->group(group);
   };
   add("-o,--output", arguments->output, "FILE",
       "of .vdb: density, fog volume in metres of the world, +y up; of .ply: particles; cloud.%04d.vdb: a "
       "file a "
       "frame")
       ->required();
-  add("--cell-m", arguments->cell_m, "M", "edge of a cell of a volume (default: 128 along the longest side)");
-  command->add_flag("--half", arguments->half, "values of 16 bits in place of 32")->group("Output");
-  add("--time", arguments->time_s, "S", "time that is shown (default: the scene's start)");
-  add("--frames", arguments->frames, "A:B",
-      "frames to write, A to B or A alone; time = frame / fps (default: the scene's)");
-  add("--fps", arguments->frames_per_second, "F", "frames a second (default: the scene's)");
+  arguments->settings.add_to(*command, cell_rows(), group);
+  command->add_flag("--half", arguments->half, "values of 16 bits in place of 32")->group(group);
+  arguments->settings.add_to(
+      *command, {{&BuildSettings::time_s, time_facts("time that is shown", "the scene's start")}}, group);
+  arguments->frames.add_frames_to(*command, group);
+  arguments->frames.add_fps_to(*command, group);
   add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "a summary for scripts");
   add_trust_flag(*command, arguments->trust);

@@ -100,10 +100,12 @@ void ParameterOptions::add_to(CLI::App& command, std::initializer_list<Parameter
     if (parameter.flag.empty() || std::find(groups.begin(), groups.end(), parameter.group) == groups.end()) {
       continue;
     }
-    Flag& flag = flags_.emplace_back(Flag{&parameter, {}});
+    Flag& flag = flags_.emplace_back();
+    flag.parameter = &parameter;
     CLI::Option* option = command.add_option(std::string(parameter.flag), flag.values,
                                              option_help(parameter, scene::value_text({}, parameter)));
     option->type_name(option_placeholder(parameter))->group(title(parameter.group));
+    flag.bound.emplace(*option, parameter);
     if (is_list(parameter)) {
       option->delimiter(',')->allow_extra_args(false);
     } else {

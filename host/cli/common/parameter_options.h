@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 
 #include "host/cli/common/direction_text.h"
 #include "host/command_line/input_files.h"
+#include "host/command_line/option_rows.h"
 #include "host/io/file_trust.h"
 #include "host/scene/schema/parameter.h"
 
@@ -33,8 +35,9 @@ class ParameterOptions {
 
  private:
   struct Flag {
-    const scene::Parameter* parameter;
-    std::vector<std::string> values;
+    const scene::Parameter* parameter = nullptr;
+    std::vector<std::string> values = {};
+    std::optional<OptionRow> bound = std::nullopt;
   };
 
   void read_flag(scene::Scene& scene, const Flag& flag) const;

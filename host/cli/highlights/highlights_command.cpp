@@ -20,6 +20,7 @@
 #include "host/base/progress.h"
 #include "host/base/work.h"
 #include "host/cli/common/device_choice.h"
+#include "host/command_line/frame_flags.h"
 #include "host/command_line/general_flags.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
@@ -30,7 +31,6 @@
 #include "host/scene/file/scene_files.h"
 #include "host/scene/file/version.h"
 #include "host/scene/model/scene.h"
-#include "host/scene/prepare/scene_frames.h"
 #include "host/scene/prepare/scene_meshes.h"
 #include "host/scene/prepare/world_scene.h"
 #include "host/world/world.h"
@@ -170,7 +170,8 @@ animations::HighlightAnimation record_highlights(const ocl::Device& device, scen
 }
 
 struct HighlightsArguments {
-  std::string scene, output, frames, frames_per_second;
+  std::string scene, output;
+  FrameFlags frames;
   bool json = false;
   Existing existing = Existing::keep;
   Trust trust = Trust::trusted;
@@ -218,12 +219,8 @@ void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
   GivenInputs inputs{scene::files_of(scene), arguments.trust};
   inputs.names.push_back(arguments.scene);
   require_new(arguments.output, arguments.existing, inputs);
-  if (!arguments.frames_per_second.empty())
-    scene.time.frames_per_second =
-        read_number("--fps", arguments.frames_per_second, "frames/s", 0.001, 1e6, "30");
-  const FrameRange frames = arguments.frames.empty()
-                                ? scene::frames_in_time_span(scene, scene.time.frames_per_second)
-                                : read_frame_range("--frames", arguments.frames);
+  scene.time = arguments.frames.times(scene);
+  const FrameRange frames = arguments.frames.frames(scene);
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   animations::HighlightAnimation animation = [&] {
     Progress progress(frames.last - frames.first + 1, "frames", options.verbosity);
@@ -256,15 +253,15 @@ void add_highlights_command(CLI::App& app, GlobalOptions& options) {
   CLI::App* command =
       app.add_subcommand("highlights", "the moving highlights of a scene's meshes, for other programs");
   command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[mesh]]")->required();
+  constexpr const char* group = "Output";
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
-    return command->add_option(names, target, help)->type_name(placeholder)->group("Output");
+    return command->add_option(names, target, help)->type_name(placeholder)->group(group);
   };
   add("-o,--output", arguments->output, "FILE",
       "of .json: every number, in the world's axes; of .glb or .gltf: a node a projector, for engines")
       ->required();
-  add("--frames", arguments->frames, "A:B",
-      "frames to write, A to B or A alone; time = frame / fps (default: the scene's)");
-  add("--fps", arguments->frames_per_second, "F", "frames a second (default: the scene's)");
+  arguments->frames.add_frames_to(*command, group);
+  arguments->frames.add_fps_to(*command, group);
   add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "a summary for scripts");
   add_trust_flag(*command, arguments->trust);

@@ -4,25 +4,27 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <vector>
 
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "host/base/error.h"
-#include "host/base/parameter_check.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/common/parameter_options.h"
 #include "host/cli/ocean/bake.h"
 #include "host/cli/ocean/certificate.h"
 #include "host/cli/ocean/ocean_commands.h"
+#include "host/cli/ocean/query_settings.h"
+#include "host/command_line/frame_flags.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
+#include "host/command_line/setting_options.h"
 #include "host/io/atomic_file.h"
 #include "host/io/spectra/write_ww3_spectra.h"
 #include "host/scene/file/scene_hash.h"
 #include "host/scene/prepare/sampled_spectrum.h"
-#include "host/scene/prepare/scene_frames.h"
 
 namespace offing::cli {
 
@@ -30,34 +32,43 @@ namespace {
 
 struct BakeArguments {
   ParameterOptions parameters;
-  std::string frames;
+  FrameFlags frames;
   std::string folder;
   std::string chunk = "1/1";
-  std::string compression = "zip";
   std::string channels = "displacement,slope,gradient,jacobian,foam";
-  std::string velocity_depth;
-  std::string mesh;
   std::string export_file;
   bool json = false;
-  BakeSettings settings;
+  BakeSettings settings;  ///< of the flags that are switches
+  SettingOptions<BakeSettings> values;
 };
 
+std::vector<scene::Row<BakeSettings>> velocity_rows() {
+  return {
+      {&BakeSettings::velocity_depth_m,
+       velocity_depth_facts("particle velocity this far below the moving surface instead, down to the bed")}};
+}
+
+std::vector<scene::Row<BakeSettings>> file_rows() {
+  return {{scene::choice(&BakeSettings::compression, {"none", "zips", "zip", "piz"}),
+           {.key = "compression", .help = "of the EXR files"}},
+          {scene::choice(&BakeSettings::mesh, {"none", "obj", "ply"}),
+           {.key = "mesh",
+            .help = "the displaced surface of all cascades, over the longest patch",
+            .example = "ply"}}};
+}
+
 BakeSettings read_settings(const BakeArguments& arguments, const scene::Scene& scene, double water_depth_m) {
-  BakeSettings settings = arguments.settings;
+  const NarrowedRange water{.flag = "--velocity-depth-m", .high = water_depth_m};
+  BakeSettings settings = arguments.values.read(arguments.settings, water);
   require_file_name(arguments.folder);
   settings.folder = arguments.folder;
   settings.frames_per_second = scene.time.frames_per_second;
-  settings.frames = arguments.frames.empty() ? scene::frames_in_time_span(scene, scene.time.frames_per_second)
-                                             : read_frame_range("--frames", arguments.frames);
+  settings.frames = arguments.frames.frames(scene);
   settings.share = read_share("--chunk", arguments.chunk);
-  settings.compression = read_compression("--compression", arguments.compression);
   settings.channels |= read_channels("--channels", arguments.channels);
-  if (!arguments.velocity_depth.empty()) {
+  if (arguments.values.is_given("--velocity-depth-m")) {
     settings.channels.set(static_cast<std::size_t>(ChannelGroup::velocity));
-    settings.velocity_depth_m = read_number("--velocity-depth-m", arguments.velocity_depth, "m", 0.0,
-                                            std::min(deepest_m, water_depth_m), "2.5");
   }
-  settings.mesh = read_mesh_format("--mesh", arguments.mesh);
   return settings;
 }
 
@@ -180,21 +191,17 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
     command.add_flag_callback(name, set, help)->group(group);
   };
   add("-o,--output", arguments->folder, "DIR", "folder for the frames; made if it is not there")->required();
-  add("--frames", arguments->frames, "A:B",
-      "frames to make, A to B or A alone; time = frame / fps (default: the scene's)");
+  arguments->frames.add_frames_to(command, group);
   add("--channels", arguments->channels, "LIST",
       "of displacement, slope, gradient, jacobian, foam, velocity (default: all but velocity)");
   add_switch("--velocity", "particle velocity at the surface too",
              [&settings] { settings.channels.set(static_cast<std::size_t>(ChannelGroup::velocity)); });
-  add("--velocity-depth-m", arguments->velocity_depth, "D",
-      "particle velocity D m below the moving surface instead, down to the bed (default 0)");
+  arguments->values.add_to(command, velocity_rows(), group);
   add_switch("--combined", "one file a frame with layers c0, c1, ... (default: one file a cascade)",
              [&settings] { settings.layout = FileLayout::combined; });
   add_switch("--half", "16-bit floats (default: 32-bit)",
              [&settings] { settings.pixel_type = PixelType::half_16; });
-  add("--compression", arguments->compression, "NAME", "zip, zips, piz or none (default zip)");
-  add("--mesh", arguments->mesh, "FORMAT",
-      "obj or ply: the displaced surface of all cascades, over the longest patch");
+  arguments->values.add_to(command, file_rows(), group);
   add_switch("--preview", "a shaded map of each frame from above, and a contact sheet",
              [&settings] { settings.preview = PreviewUse::pictures; });
   add_switch("--include-gerstner",

@@ -41,35 +41,6 @@ ChannelGroups read_channels(std::string_view flag, std::string_view text) {
   }
 }
 
-ExrCompression read_compression(std::string_view flag, std::string_view text) {
-  if (text == "zip") {
-    return ExrCompression::zip;
-  }
-  if (text == "zips") {
-    return ExrCompression::zips;
-  }
-  if (text == "piz") {
-    return ExrCompression::piz;
-  }
-  if (text == "none") {
-    return ExrCompression::none;
-  }
-  throw bad_argument(flag, "one of zip, zips, piz, none", text, "zip");
-}
-
-MeshFormat read_mesh_format(std::string_view flag, std::string_view text) {
-  if (text.empty()) {
-    return MeshFormat::none;
-  }
-  if (text == "obj") {
-    return MeshFormat::obj;
-  }
-  if (text == "ply") {
-    return MeshFormat::ply;
-  }
-  throw bad_argument(flag, "one of obj, ply", text, "ply");
-}
-
 std::string canonical_text(const BakeSettings& settings) {
   std::string text = fmt::format("layout {} pixel {} compression {} channels {}",
                                  static_cast<int>(settings.layout), static_cast<int>(settings.pixel_type),

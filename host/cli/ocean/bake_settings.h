@@ -50,12 +50,6 @@ std::vector<int> frames_in_share(const FrameRange& frames, const Share& share);
 /// "displacement,slope,foam" as groups. Throws Error(bad_usage) that names an unknown one.
 ChannelGroups read_channels(std::string_view flag, std::string_view text);
 
-/// "zip", "zips", "piz" or "none"; throws Error(bad_usage).
-ExrCompression read_compression(std::string_view flag, std::string_view text);
-
-/// "obj", "ply", or empty for none; throws Error(bad_usage).
-MeshFormat read_mesh_format(std::string_view flag, std::string_view text);
-
 /// All that shapes the bytes of an EXR besides the sea, in one line; for the scene hash.
 std::string canonical_text(const BakeSettings& settings);
 

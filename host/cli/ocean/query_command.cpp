@@ -3,14 +3,13 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "host/base/argument.h"
 #include "host/base/error.h"
-#include "host/base/parameter_check.h"
 #include "host/base/progress.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/common/parameter_options.h"
@@ -19,6 +18,7 @@
 #include "host/cli/ocean/query_text.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
+#include "host/command_line/setting_options.h"
 #include "host/io/atomic_file.h"
 #include "host/io/number_table.h"
 #include "host/scene/file/scene_hash.h"
@@ -31,9 +31,15 @@ namespace {
 /// Points that are asked for at once.
 constexpr std::size_t block_points = 65536;
 
+struct QuerySettings {
+  double time_s = 0.0;
+  ocean::WaterQuery query;
+};
+
 struct QueryArguments {
   ParameterOptions parameters;
-  std::string at, points_file, time, times, depth, min_wavelength, output_file;
+  std::string at, points_file, times, output_file;
+  SettingOptions<QuerySettings> settings;
   bool json = false;
   Existing existing = Existing::keep;
 
@@ -169,20 +175,22 @@ TimeRange read_times(const QueryArguments& arguments) {
   if (!arguments.times.empty()) {
     return read_time_range("--times", arguments.times);
   }
-  return {.first_s = arguments.time.empty() ? 0.0 : read_time_s("--time", arguments.time)};
+  return {.first_s = arguments.settings.read().time_s};
 }
 
-ocean::WaterQuery read_query(const QueryArguments& arguments, double water_depth_m) {
-  ocean::WaterQuery query;
-  if (!arguments.depth.empty()) {
-    query.depth_m = read_number("--velocity-depth-m", arguments.depth, "m", 0.0,
-                                std::min(deepest_m, water_depth_m), "2.5");
-  }
-  if (!arguments.min_wavelength.empty()) {
-    query.min_wavelength_m =
-        read_number("--min-wavelength-m", arguments.min_wavelength, "m", 0.0, ocean::longest_filter_m, "30");
-  }
-  return query;
+std::vector<scene::Row<QuerySettings>> flow_rows() {
+  constexpr auto query = &QuerySettings::query;
+  return {
+      {scene::path(query, &ocean::WaterQuery::depth_m),
+       velocity_depth_facts("velocity and pressure this far below the moving surface, down to the bed, by "
+                            "linear theory with Wheeler stretching")},
+      {scene::path(query, &ocean::WaterQuery::min_wavelength_m),
+       {.key = "min_wavelength_m",
+        .unit = "m",
+        .low = 0.0,
+        .high = ocean::longest_filter_m,
+        .help = "leave shorter waves out, as a hull longer than they are does not feel them",
+        .example = "30"}}};
 }
 
 void answer(ocean::Ocean& sea, const ocean::GerstnerSea& gerstner_waves, const ocean::WaterQuery& query,
@@ -232,7 +240,8 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
   const scene::Scene scene = arguments.parameters.read();
   const scene::Sea sea = scene::prepare_sea(scene);
   warn_of_water_left_out(scene, "answers");
-  const ocean::WaterQuery query = read_query(arguments, sea.spectrum.dispersion.depth_m);
+  const NarrowedRange water{.flag = "--velocity-depth-m", .high = sea.spectrum.dispersion.depth_m};
+  const ocean::WaterQuery query = arguments.settings.read({}, water).query;
   PointSource points(arguments, times);
   AnswerSink sink(arguments, times, query.depth_m, arguments.parameters.inputs(scene));
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
@@ -269,14 +278,10 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   add("--at", arguments->at, "X,Z", "one point, m, x east and z south");
   add("--points", arguments->points_file, "FILE",
       "many: CSV with the columns x_m and z_m, or with these two numbers a line");
-  CLI::Option* one_time = add("--time", arguments->time, "T", "one time, s (default 0)");
-  add("--times", arguments->times, "A:B:DT", "instead of --time: A, A + DT, ... to B, s")->excludes(one_time);
-  add("--velocity-depth-m", arguments->depth, "D",
-      "velocity and pressure D m below the moving surface, down to the bed (default 0)\nby linear theory "
-      "with "
-      "Wheeler stretching");
-  add("--min-wavelength-m", arguments->min_wavelength, "L",
-      "leave shorter waves out, as a hull longer than they are does not feel them (default 0: none)");
+  arguments->settings.add_to(*command, {{&QuerySettings::time_s, time_facts("one time")}}, group);
+  add("--times", arguments->times, "A:B:DT", "instead of --time: A, A + DT, ... to B, s")
+      ->excludes(command->get_option("--time"));
+  arguments->settings.add_to(*command, flow_rows(), group);
   add("-o,--output", arguments->output_file, "FILE",
       "CSV to write, whole or not at all (default or -: standard output)");
   add_force_flag(*command, arguments->existing)->group(group);

@@ -54,13 +54,9 @@ TimeRange read_time_range(std::string_view flag, std::string_view text) {
                      text, "0:60:0.5");
 }
 
-double read_time_s(std::string_view flag, std::string_view text) {
-  const auto numbers = numbers_in<1>(text, ':');
-  if (!numbers || std::abs((*numbers)[0]) > largest_time_s) {
-    throw bad_argument(flag, fmt::format("a time in s within [{:g}, {:g}]", -largest_time_s, largest_time_s),
-                       text, "12.5");
-  }
-  return (*numbers)[0];
+scene::Parameter velocity_depth_facts(std::string_view help) {
+  return {
+      .key = "velocity_depth_m", .unit = "m", .low = 0.0, .high = deepest_m, .help = help, .example = "2.5"};
 }
 
 ocean::WaterPoint read_point(std::string_view flag, std::string_view text) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "host/ocean/query/water_point.h"
+#include "host/scene/schema/parameter.h"
 
 namespace offing::cli {
 
@@ -19,8 +20,8 @@ struct TimeRange {
 /// 0, |A| and |B| are within largest_time_s and there are at most 1e7 of them.
 TimeRange read_time_range(std::string_view flag, std::string_view text);
 
-/// One time in s within largest_time_s. Throws Error(bad_usage).
-double read_time_s(std::string_view flag, std::string_view text);
+/// The facts of --velocity-depth-m, which is narrowed to the water there is.
+scene::Parameter velocity_depth_facts(std::string_view help);
 
 /// "X,Z" in m. Throws Error(bad_usage) unless both are within farthest_point_m.
 ocean::WaterPoint read_point(std::string_view flag, std::string_view text);

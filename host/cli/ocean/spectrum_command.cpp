@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "host/base/argument.h"
 #include "host/base/error.h"
 #include "host/base/progress.h"
 #include "host/base/wave_spectrum.h"
@@ -21,6 +20,7 @@
 #include "host/cli/pictures/spectrum_plot.h"
 #include "host/command_line/general_flags.h"
 #include "host/command_line/new_output.h"
+#include "host/command_line/setting_options.h"
 #include "host/io/file_extension.h"
 #include "host/io/spectra/read_spectra.h"
 #include "host/io/spectra/write_ww3_spectra.h"
@@ -71,9 +71,13 @@ std::string spectrum_text(const WaveSpectrum& record, const ocean::SeaState& sta
   return fmt::to_string(text);
 }
 
+struct SpectrumSettings {
+  int record = -1;  ///< below 0: all
+};
+
 struct SpectrumArguments {
   std::string file;
-  std::string record;
+  SettingOptions<SpectrumSettings> settings;
   std::string plot;
   std::string export_file;
   bool json = false;
@@ -148,9 +152,24 @@ void print_list(const std::string& file, const std::vector<Listed>& records, Dir
   }
 }
 
+scene::Parameter record_facts() {
+  scene::Parameter facts = like_scene("ocean.record", "--record", "draw this record, counted from 0");
+  facts.example = "0";
+  facts.absent = "list all";
+  return facts;
+}
+
+/// The record that is asked for.
+std::optional<std::size_t> chosen_of(const SpectrumArguments& arguments, std::size_t count) {
+  const NarrowedRange there{.flag = "--record", .high = static_cast<double>(count) - 1.0};
+  const int record = arguments.settings.read({}, there).record;
+  return record < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(record));
+}
+
 /// A plot is of one record: of many, it must be said which.
-void require_one_record(const SpectrumArguments& arguments, std::size_t count) {
-  if (arguments.plot.empty() || !arguments.record.empty() || count == 1) return;
+void require_one_record(const SpectrumArguments& arguments, std::optional<std::size_t> chosen,
+                        std::size_t count) {
+  if (arguments.plot.empty() || chosen || count == 1) return;
   throw Error(ErrorKind::bad_usage,
               fmt::format("--plot: expected --record, which of the {} records to draw, found none", count),
               fmt::format("write --record N with N within [0, {}]", count - 1));
@@ -159,12 +178,8 @@ void require_one_record(const SpectrumArguments& arguments, std::size_t count) {
 void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
   if (!arguments.plot.empty()) require_extension(arguments.plot, {".png"});
   const std::vector<WaveSpectrum> records = read_spectra(arguments.file, arguments.trust);
-  std::optional<std::size_t> chosen;
-  if (!arguments.record.empty()) {
-    chosen = static_cast<std::size_t>(
-        read_whole("--record", arguments.record, 0, static_cast<std::int64_t>(records.size()) - 1, "0"));
-  }
-  require_one_record(arguments, records.size());
+  const std::optional<std::size_t> chosen = chosen_of(arguments, records.size());
+  require_one_record(arguments, chosen, records.size());
   require_distinct({{"--plot", arguments.plot}, {"--export-spectrum", arguments.export_file}});
   for (const std::string* output : {&arguments.plot, &arguments.export_file}) {
     if (output == &arguments.export_file && is_standard_output(*output)) continue;  // text
@@ -212,8 +227,7 @@ void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
   command->add_option("FILE", arguments->file, "NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF spectra")
       ->required()
       ->type_name("");
-  command->add_option("--record", arguments->record, "draw this record, counted from 0 (default: list all)")
-      ->type_name("N");
+  arguments->settings.add_to(*command, {{&SpectrumSettings::record, record_facts()}});
   command
       ->add_option("--plot", arguments->plot, "write a picture (.png): energy against frequency, and polar")
       ->type_name("FILE");

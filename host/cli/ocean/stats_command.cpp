@@ -4,25 +4,29 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "host/base/argument.h"
 #include "host/base/progress.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/common/parameter_options.h"
 #include "host/cli/ocean/certificate.h"
 #include "host/cli/ocean/ocean_commands.h"
+#include "host/command_line/setting_options.h"
 
 namespace offing::cli {
 
 namespace {
 
+struct StatsSettings {
+  int seeds = 8;
+};
+
 struct StatsArguments {
   ParameterOptions parameters;
-  std::string seeds = "8";
+  SettingOptions<StatsSettings> settings;
   bool json = false;
 };
 
 void run(const StatsArguments& arguments, const GlobalOptions& options) {
-  const int seeds = static_cast<int>(read_whole("--seeds", arguments.seeds, 1, 100000, "20"));
+  const int seeds = arguments.settings.read().seeds;
   const scene::Sea sea = scene::prepare_sea(arguments.parameters.read());
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   const Certificate certificate = [&] {
@@ -44,7 +48,10 @@ void add_stats_command(CLI::App& ocean, GlobalOptions& options) {
   CLI::App* command =
       ocean.add_subcommand("stats", "certify a sea: what was asked against what the surface has");
   arguments->parameters.add_to(*command, {world, sea, grid});
-  command->add_option("--seeds", arguments->seeds, "seas to average over (default 8)")->type_name("K");
+  arguments->settings.add_to(
+      *command,
+      {{&StatsSettings::seeds,
+        {.key = "seeds", .low = 1.0, .high = 1e5, .help = "seas to average over", .example = "20"}}});
   command->add_flag("--json", arguments->json, "results for scripts");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(

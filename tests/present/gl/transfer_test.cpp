@@ -89,17 +89,5 @@ TEST_F(ChosenTransferTest, ChoosesAPathByItself) {
   EXPECT_EQ(paths.path() == TransferPath::mapped_pointer, device.info().type == ocl::DeviceType::cpu);
 }
 
-// Fails if a name is misread, or an unknown one taken for some transfer path.
-TEST(TransferPathTest, IsNamedOnTheCommandLine) {
-  for (const TransferPath path : all_transfer_paths) EXPECT_EQ(transfer_path(to_string(path)), path);
-  try {
-    transfer_path("pbo");
-    FAIL() << "an unknown path was taken";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::bad_usage);
-    EXPECT_NE(std::string(error.what()).find("pbo-ring"), std::string::npos);
-  }
-}
-
 }  // namespace
 }  // namespace offing::present

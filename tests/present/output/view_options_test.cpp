@@ -1,10 +1,14 @@
 #include "present/view_options.h"
 
 #include <array>
+#include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/base/error.h"
 #include "host/scene/file/scene_file.h"
+#include "tests/cli/option_faults.h"
 
 namespace offing::present {
 namespace {
@@ -21,6 +25,28 @@ TEST(ViewOptionsTest, ShowTheWorldWhereNoSceneIsNamed) {
   EXPECT_EQ(shown->scene.meshes.size(), world.meshes.size());
   EXPECT_EQ(shown->scene.bodies.size(), world.bodies.size());
   EXPECT_TRUE(shown->scene.has_clouds());
+}
+
+// Fails if a name of a transfer path is misread, or an unknown one taken for some path.
+TEST(ViewOptionsTest, NameTransferPaths) {
+  for (const TransferPath path : all_transfer_paths) {
+    const std::string name(to_string(path));
+    const std::array<const char*, 3> arguments{"offing-view", "--transfer", name.c_str()};
+    EXPECT_EQ(read_view_options(3, arguments.data())->transfer, path);
+  }
+  const std::array<const char*, 3> unknown{"offing-view", "--transfer", "pbo"};
+  EXPECT_THROW(read_view_options(3, unknown.data()), Error);
+}
+
+// Fails if an option takes a number or makes a choice without a row of a schema.
+TEST(ViewOptionsTest, HaveRows) {
+  test::OptionReport report;
+  visit_command_line([&](const CLI::App& app) {
+    report =
+        test::report_options(app, {"SCENE", "device", "output", "record", "sources", "terrain", "video"});
+  });
+  EXPECT_THAT(report.faults, testing::IsEmpty());
+  EXPECT_THAT(report.numbers, testing::SizeIs(4));  // --keep-fps, --time, --fps, --samples
 }
 
 }  // namespace
