@@ -9,7 +9,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <glm/gtc/type_ptr.hpp>
 
 #include "host/base/error.h"
 
@@ -87,6 +86,10 @@ ShaderPart shader_file(const std::string& name) {
               "correct the name, or the folder in OFFING_SHADER_PATH");
 }
 
+ShaderPart uniform_block(const std::string& name, const std::string& members) {
+  return {"uniform block " + name, fmt::format("layout(std140) uniform {} {{ {} }};\n", name, members)};
+}
+
 ShaderProgram::ShaderProgram(const ShaderStages& stages) {
   const Shader vertex(GL_VERTEX_SHADER, stages.vertex), fragment(GL_FRAGMENT_SHADER, stages.fragment);
   const GLuint program = glCreateProgram();
@@ -121,53 +124,21 @@ ShaderProgram::~ShaderProgram() {
   if (program_ != 0) glDeleteProgram(program_);
 }
 
-void ShaderProgram::bind_block(const char* block, GLuint binding) const {
+void ShaderProgram::bind_block(const char* block, GLuint binding, std::size_t bytes) const {
   const GLuint index = glGetUniformBlockIndex(program_, block);
-  if (index != GL_INVALID_INDEX) glUniformBlockBinding(program_, index, binding);
+  if (index == GL_INVALID_INDEX) return;
+  GLint size = 0;
+  glGetActiveUniformBlockiv(program_, index, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
+  if (static_cast<std::size_t>(size) != bytes) {
+    throw Error(ErrorKind::build_failed,
+                fmt::format("uniform block {}: expected {} bytes, the shader has {}", block, bytes, size),
+                "correct the struct of uniforms, or unset OFFING_SHADER_PATH");
+  }
+  glUniformBlockBinding(program_, index, binding);
 }
 
-void ShaderProgram::set(const char* uniform, int value) const {
-  glUniform1i(glGetUniformLocation(program_, uniform), value);
-}
-
-void ShaderProgram::set(const char* uniform, float value) const {
-  glUniform1f(glGetUniformLocation(program_, uniform), value);
-}
-
-void ShaderProgram::set(const char* uniform, glm::vec2 value) const {
-  glUniform2fv(glGetUniformLocation(program_, uniform), 1, glm::value_ptr(value));
-}
-
-void ShaderProgram::set(const char* uniform, glm::vec3 value) const {
-  glUniform3fv(glGetUniformLocation(program_, uniform), 1, glm::value_ptr(value));
-}
-
-void ShaderProgram::set(const char* uniform, glm::vec4 value) const {
-  glUniform4fv(glGetUniformLocation(program_, uniform), 1, glm::value_ptr(value));
-}
-
-void ShaderProgram::set(const char* uniform, const glm::mat4& value) const {
-  glUniformMatrix4fv(glGetUniformLocation(program_, uniform), 1, GL_FALSE, glm::value_ptr(value));
-}
-
-void ShaderProgram::set(const char* uniform, glm::ivec2 value) const {
-  glUniform2iv(glGetUniformLocation(program_, uniform), 1, glm::value_ptr(value));
-}
-
-void ShaderProgram::set(const char* uniform, const std::vector<float>& values) const {
-  glUniform1fv(glGetUniformLocation(program_, uniform), static_cast<GLsizei>(values.size()), values.data());
-}
-
-void ShaderProgram::set(const char* uniform, const std::vector<glm::vec3>& values) const {
-  if (values.empty()) return;
-  glUniform3fv(glGetUniformLocation(program_, uniform), static_cast<GLsizei>(values.size()),
-               glm::value_ptr(values.front()));
-}
-
-void ShaderProgram::set(const char* uniform, const std::vector<glm::vec4>& values) const {
-  if (values.empty()) return;
-  glUniform4fv(glGetUniformLocation(program_, uniform), static_cast<GLsizei>(values.size()),
-               glm::value_ptr(values.front()));
+void ShaderProgram::set(const char* sampler, int unit) const {
+  glUniform1i(glGetUniformLocation(program_, sampler), unit);
 }
 
 }  // namespace offing::present

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <span>
@@ -9,11 +10,6 @@
 #include <vector>
 
 #include <epoxy/gl.h>
-#include <glm/ext/vector_int2.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 
 #include "present/gl/embedded_file.h"
 
@@ -32,13 +28,18 @@ struct ShaderPart {
 /// OFFING_SHADER_PATH if it is there. Throws Error(build_failed) if there is none.
 ShaderPart shader_file(const std::string& name);
 
+/// The declaration of a uniform block of std140 layout: `members` as in "ViewUniforms view; ToneUniforms
+/// tone;".
+ShaderPart uniform_block(const std::string& name, const std::string& members);
+
 /// What a program is made of: the parts of a stage follow each other behind `#version 330 core`.
 struct ShaderStages {
   std::vector<ShaderPart> vertex;
   std::vector<ShaderPart> fragment;
 };
 
-/// A linked program. Uniforms are set while it is in use; those that the compiler found unused are ignored.
+/// A linked program. Samplers and blocks are set while it is in use; those that the compiler found unused are
+/// ignored.
 class ShaderProgram {
  public:
   /// Throws Error(build_failed) with the compiler's messages, which name file and line.
@@ -48,19 +49,12 @@ class ShaderProgram {
   ~ShaderProgram();
 
   void use() const { glUseProgram(program_); }
-  /// Binds a uniform block, if the program has it, to a binding point.
-  void bind_block(const char* block, GLuint binding) const;
+  /// Binds a uniform block of so many bytes, if the program has it, to a binding point. Throws
+  /// Error(build_failed) where the block has another size.
+  void bind_block(const char* block, GLuint binding, std::size_t bytes) const;
 
-  void set(const char* uniform, int value) const;
-  void set(const char* uniform, float value) const;
-  void set(const char* uniform, glm::vec2 value) const;
-  void set(const char* uniform, glm::vec3 value) const;
-  void set(const char* uniform, glm::vec4 value) const;
-  void set(const char* uniform, const glm::mat4& value) const;
-  void set(const char* uniform, glm::ivec2 value) const;
-  void set(const char* uniform, const std::vector<float>& values) const;
-  void set(const char* uniform, const std::vector<glm::vec3>& values) const;
-  void set(const char* uniform, const std::vector<glm::vec4>& values) const;
+  /// Sets a sampler to a texture unit. All other values are in uniform blocks.
+  void set(const char* sampler, int unit) const;
 
  private:
   GLuint program_ = 0;

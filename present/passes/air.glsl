@@ -1,6 +1,5 @@
 // The air between the eye and what it sees, which lies before the horizon of the sky's map (environment.glsl). Behind
 // cloudy_sky.glsl it is that map's clear sky.
-uniform vec3 haze_perm;  // extinction of the air
 
 #ifndef CLOUDY_SKY
 uniform sampler2D environment;
@@ -14,5 +13,5 @@ vec3 environment_light(vec3 direction) {
 // besides, as a long way through it does.
 vec3 through_air(vec3 light, vec3 ray, float distance_m) {
   vec3 horizon = environment_light(normalize(vec3(ray.x, 0.004, ray.z)));
-  return mix(horizon, light, exp(-haze_perm * distance_m));
+  return mix(horizon, light, exp(-view.haze_perm * distance_m));
 }

@@ -16,12 +16,16 @@ glm::dmat4 clip_from_eye(const Camera& camera, bool has_clip_control) {
   return matrix;
 }
 
-void set_view_rays(const ShaderProgram& program, const Camera& camera) {
+glsl::ViewUniforms view_uniforms(const Camera& camera) {
   const CameraBasis axes = basis(camera);
   const glm::dvec2 extent = half_extent(camera);
-  program.set("ray_forward", glm::vec3(axes.forward));
-  program.set("ray_right", glm::vec3(extent.x * axes.right));
-  program.set("ray_up", glm::vec3(extent.y * axes.up));
+  glsl::ViewUniforms view{};
+  view.ray_forward = axes.forward;
+  view.near_m = static_cast<float>(near_m);
+  view.ray_right = extent.x * axes.right;
+  view.eye_height_m = static_cast<float>(camera.eye_m.y);
+  view.ray_up = extent.y * axes.up;
+  return view;
 }
 
 Camera scaled_camera(Camera camera, double scale) {

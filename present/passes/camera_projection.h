@@ -3,7 +3,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "host/base/camera.h"
-#include "present/gl/shader_program.h"
+#include "present/passes/view_uniforms.h"
 
 namespace offing::present {
 
@@ -15,8 +15,8 @@ inline constexpr double near_m = 0.05;
 /// near_m; where the driver has no clip control, so that OpenGL makes the same depth of them.
 glm::dmat4 clip_from_eye(const Camera& camera, bool has_clip_control);
 
-/// Sets the uniforms of view_ray.glsl on a program in use.
-void set_view_rays(const ShaderProgram& program, const Camera& camera);
+/// What passes know of a camera's view. Haze and white are left 0.
+glsl::ViewUniforms view_uniforms(const Camera& camera);
 
 /// The same view on a picture so many times as wide and high, of at least a pixel.
 Camera scaled_camera(Camera camera, double scale);

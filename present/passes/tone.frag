@@ -1,7 +1,5 @@
 // From scene-linear light to the screen: exposure, a filmic curve, sRGB; the one place where this happens.
 uniform sampler2D picture;  // kcd/m2
-uniform float exposure;     // 1 / (kcd/m2)
-uniform int is_filmic;
 
 in vec2 clip;
 out vec4 colour;
@@ -21,7 +19,7 @@ float dither() {
 }
 
 void main() {
-  vec3 linear = exposure * texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb;
-  if (is_filmic == 1) linear = filmic(linear);
+  vec3 linear = tone.exposure * texelFetch(picture, ivec2(gl_FragCoord.xy), 0).rgb;
+  if (tone.is_filmic == 1) linear = filmic(linear);
   colour = vec4(srgb(linear) + dither() / 255.0, 1.0);
 }

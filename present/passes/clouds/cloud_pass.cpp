@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 
+#include "present/passes/air.h"
 #include "present/passes/camera_projection.h"
+#include "present/passes/uniform_bindings.h"
 
 namespace offing::present {
 namespace {
@@ -13,7 +15,9 @@ constexpr int environment_unit = 0, image_unit = 1, distance_unit = 2;
 
 ShaderProgram cloud_program() {
   return ShaderProgram({.vertex = {shader_file("screen.vert")},
-                        .fragment = {shader_file("sky/environment.glsl"), shader_file("air.glsl"),
+                        .fragment = {shader_file("view_uniforms.h"), shader_file("clouds/cloud_uniforms.h"),
+                                     uniform_block("Clouds", "ViewUniforms view; CloudUniforms clouds;"),
+                                     shader_file("sky/environment.glsl"), shader_file("air.glsl"),
                                      shader_file("view_ray.glsl"), shader_file("clouds/clouds.frag")}});
 }
 
@@ -23,7 +27,8 @@ void fit_texture(TextureArray& texture, const TextureArray::Shape& shape) {
 
 }  // namespace
 
-CloudPass::CloudPass() : program_(cloud_program()), no_vertices_(GlVertexArray::make()) {}
+CloudPass::CloudPass()
+    : program_(cloud_program()), block_("Clouds", pass_binding), no_vertices_(GlVertexArray::make()) {}
 
 void CloudPass::set_textures(const ocl::Device& device, const clouds::BillboardTextures& textures) {
   if (cloud_image_) {
@@ -67,22 +72,22 @@ void CloudPass::make(const clouds::DrawnParticles& drawn, const Camera& camera, 
   transfer.upload(uploads);
 }
 
-void CloudPass::draw(const Camera& camera, const sky::Atmosphere& air, GLuint environment,
-                     AirFrom air_from) const {
+void CloudPass::draw(const Camera& camera, const sky::Atmosphere& air, GLuint environment, AirFrom air_from) {
   program_.use();
-  set_view_rays(program_, camera);
   bind_sampler(program_, "environment", environment_unit, environment);
   image_.bind(image_unit);
   distance_.bind(distance_unit);
   program_.set("cloud_image", image_unit);
   program_.set("cloud_distance", distance_unit);
   const sky::Spectrum& depth = air.rayleigh_optical_depth;
-  program_.set("rayleigh_depth", glm::vec3(depth[0], 0.5 * (depth[1] + depth[2]), depth[3]));
-  program_.set("aerosol_depth", static_cast<float>(air.aerosol_optical_depth));
-  program_.set("scale_heights_m", glm::vec2(air.rayleigh_scale_height_m, air.aerosol_scale_height_m));
-  program_.set("eye_altitude_m", static_cast<float>(camera.eye_m.y));
-  program_.set("airless_m",
-               static_cast<float>(air_from == AirFrom::sea ? std::max(-camera.eye_m.y, 0.0) : 0.0));
+  glsl::ViewUniforms view = view_uniforms(camera);
+  view.haze_perm = haze_perm(air);
+  block_.fill(view, {.rayleigh_depth = glm::vec3(depth[0], 0.5 * (depth[1] + depth[2]), depth[3]),
+                     .aerosol_depth = static_cast<float>(air.aerosol_optical_depth),
+                     .scale_heights_m = glm::vec2(air.rayleigh_scale_height_m, air.aerosol_scale_height_m),
+                     .airless_m = static_cast<float>(air_from == AirFrom::sea ? std::max(-camera.eye_m.y, 0.0)
+                                                                              : 0.0)});
+  block_.bind(program_);
   glBindVertexArray(no_vertices_.name());
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);

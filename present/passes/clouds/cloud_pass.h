@@ -11,6 +11,9 @@
 #include "present/gl/shader_program.h"
 #include "present/gl/texture_array.h"
 #include "present/gl/transfer.h"
+#include "present/gl/uniform_block.h"
+#include "present/passes/clouds/cloud_uniforms.h"
+#include "present/passes/view_uniforms.h"
 
 namespace offing::present {
 
@@ -34,7 +37,7 @@ class CloudPass {
   enum class AirFrom { eye, sea };
   /// Lays the picture of prepare() over the bound target. `environment` is the map of SkyPass.
   void draw(const Camera& camera, const sky::Atmosphere& air, GLuint environment,
-            AirFrom air_from = AirFrom::eye) const;
+            AirFrom air_from = AirFrom::eye);
 
   /// Puts other textures in the place of Offing's own.
   void set_textures(const ocl::Device& device, const clouds::BillboardTextures& textures);
@@ -44,6 +47,7 @@ class CloudPass {
   void make(const clouds::DrawnParticles& drawn, const Camera& camera, Transfer& transfer);
 
   ShaderProgram program_;
+  UniformBlock<glsl::ViewUniforms, glsl::CloudUniforms> block_;
   GlVertexArray no_vertices_;
   std::optional<clouds::CloudImage> cloud_image_;
   std::vector<float> depth_;

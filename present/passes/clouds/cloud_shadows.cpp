@@ -3,11 +3,10 @@
 #include <vector>
 
 #include "host/ocl/program_source.h"
+#include "present/passes/uniform_bindings.h"
 
 namespace offing::present {
 namespace {
-
-constexpr GLuint shadow_binding = 3;
 
 void fill(const GlTexture& texture, int size, const void* texels) {
   glActiveTexture(GL_TEXTURE0);
@@ -20,13 +19,15 @@ void fill(const GlTexture& texture, int size, const void* texels) {
 
 }  // namespace
 
-CloudShadows::CloudShadows() : block_(GlBuffer::make()), map_(GlTexture::make()) {
+CloudShadows::CloudShadows() : block_("CloudShadow", cloud_shadow_binding), map_(GlTexture::make()) {
   fill(map_, 1, nullptr);
 }
 
 ShaderPart CloudShadows::glsl() {
-  return {"clouds/cloud_shadow.clh", ocl::glsl_source("clouds/cloud_shadow.clh") + R"(
-layout(std140) uniform CloudShadow { CloudShadowParams cloud_shadow; };
+  return {"clouds/cloud_shadow.clh",
+          ocl::glsl_source("clouds/cloud_shadow.clh") +
+              uniform_block("CloudShadow", "CloudShadowParams cloud_shadow;").text +
+              R"(
 uniform sampler2D cloud_shadow_map;
 float cloud_share(vec3 place_m) { return cloud_shadow_share(cloud_shadow, cloud_shadow_map, place_m); }
 )"};
@@ -35,9 +36,7 @@ float cloud_share(vec3 place_m) { return cloud_shadow_share(cloud_shadow, cloud_
 void CloudShadows::prepare(const world::World& world, const glm::dvec3& eye_m) {
   const world::WorldClouds* clouds = world.clouds();
   const clouds::CloudShadowMap* shadow = clouds != nullptr ? clouds->shadow() : nullptr;
-  const CloudShadowParams params = shadow != nullptr ? clouds->shadow_about(eye_m) : CloudShadowParams{};
-  glBindBuffer(GL_UNIFORM_BUFFER, block_.name());
-  glBufferData(GL_UNIFORM_BUFFER, sizeof(params), &params, GL_DYNAMIC_DRAW);
+  block_.fill(shadow != nullptr ? clouds->shadow_about(eye_m) : CloudShadowParams{});
   if (shadow == nullptr || shadow->revision() == revision_) return;
   const std::vector<clouds::CloudShadowMap::Texel> texels = shadow->map().read();
   fill(map_, CLOUD_SHADOW_SIZE, texels.data());
@@ -45,8 +44,7 @@ void CloudShadows::prepare(const world::World& world, const glm::dvec3& eye_m) {
 }
 
 void CloudShadows::bind(const ShaderProgram& program, int unit) const {
-  program.bind_block("CloudShadow", shadow_binding);
-  glBindBufferBase(GL_UNIFORM_BUFFER, shadow_binding, block_.name());
+  block_.bind(program);
   bind_sampler(program, "cloud_shadow_map", unit, map_.name());
 }
 

@@ -7,6 +7,7 @@
 #include "host/world/world.h"
 #include "present/gl/gl_objects.h"
 #include "present/gl/shader_program.h"
+#include "present/gl/uniform_block.h"
 
 namespace offing::present {
 
@@ -25,7 +26,7 @@ class CloudShadows {
   void bind(const ShaderProgram& program, int unit) const;
 
  private:
-  GlBuffer block_;
+  UniformBlock<CloudShadowParams> block_;
   GlTexture map_;
   std::uint64_t revision_ = 0;  // of the clouds in the map
 };

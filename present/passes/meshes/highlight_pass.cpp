@@ -8,6 +8,8 @@
 
 #include "host/highlights/projectors/texture_shapes.h"
 #include "present/passes/air.h"
+#include "present/passes/camera_projection.h"
+#include "present/passes/uniform_bindings.h"
 
 namespace offing::present {
 namespace {
@@ -17,11 +19,18 @@ constexpr int environment_unit = 0, image_unit = 1;
 ShaderProgram highlight_program(highlights::HighlightTexture texture) {
   const ShaderPart compiled_for{"features of highlights",
                                 fmt::format("#define TEXTURE_KIND {:d}\n", static_cast<int>(texture))};
-  return ShaderProgram(
-      {.vertex = {shader_file("meshes/mesh_place.glsl"), shader_file("meshes/highlight.vert")},
-       .fragment = {compiled_for, CloudShadows::glsl(), shader_file("sky/environment.glsl"),
-                    shader_file("air.glsl"), shader_file("meshes/mesh_light.glsl"),
-                    shader_file("meshes/highlight_shapes.glsl"), shader_file("meshes/highlight.frag")}});
+  std::vector<ShaderPart> vertex =
+      mesh_uniforms("Highlight", "ViewUniforms view; MeshMatrices matrices; HighlightUniforms highlight;");
+  std::vector<ShaderPart> fragment = vertex;
+  for (const char* name : {"meshes/mesh_place.glsl", "meshes/highlight.vert"})
+    vertex.push_back(shader_file(name));
+  for (const ShaderPart& part :
+       {uniform_block("Lights", "LightUniforms lighting;"), compiled_for, CloudShadows::glsl()})
+    fragment.push_back(part);
+  for (const char* name : {"sky/environment.glsl", "air.glsl", "meshes/mesh_light.glsl",
+                           "meshes/highlight_shapes.glsl", "meshes/highlight.frag"})
+    fragment.push_back(shader_file(name));
+  return ShaderProgram({.vertex = std::move(vertex), .fragment = std::move(fragment)});
 }
 
 int box_show(MeshShow show) {
@@ -37,26 +46,33 @@ glm::vec3 id_colour(std::uint64_t id) {
   return glm::vec3(glm::clamp(glm::abs(6.0 * place - 3.0) - 1.0, 0.02, 1.0));
 }
 
-HighlightPass::HighlightPass() : programs_(highlight_program) {}
+HighlightPass::HighlightPass() : programs_(highlight_program), block_("Highlight", pass_binding) {}
 
-void HighlightPass::set_one(const ShaderProgram& program, const world::WorldMesh& mesh,
-                            const highlights::DrawnHighlight& highlight, const Scenery& scenery) {
+glsl::HighlightUniforms HighlightPass::uniforms_of(const world::WorldMesh& mesh,
+                                                   const highlights::DrawnHighlight& highlight,
+                                                   const FrameRequest& request,
+                                                   const Scenery& scenery) const {
   const highlights::HighlightControls& controls = highlight.controls;
   const glm::dmat4 to_box = highlights::projection_of(highlight.projector) *
                             glm::translate(glm::dmat4(1.0), mesh.surface().middle_m());
+  return {.to_box = to_box,
+          .colour = controls.colour,
+          .opacity = static_cast<float>(highlight.opacity * scenery.lights.highlight_share(highlight.light)),
+          .light_kcdpm2 = scenery.lights.highlight_kcdpm2(highlight.light),
+          .softness = static_cast<float>(controls.softness),
+          .box_right = mesh.motion().rotation * highlight.projector.right,
+          .shape_depth = static_cast<float>(highlights::depth_of(controls.texture)),
+          .box_light = id_colour(highlight.id) / static_cast<float>(request.exposure),
+          .shows_box = box_show(request.meshes)};
+}
+
+void HighlightPass::bind_image(const ShaderProgram& program, const highlights::HighlightControls& controls,
+                               const Scenery& scenery) const {
   const ImageUse use =
       controls.texture == highlights::HighlightTexture::normal_map ? ImageUse::normals : ImageUse::colours;
   const int picture = is_image(controls.texture) ? controls.picture : -1;
   bind_sampler(program, "picture", image_unit,
                scenery.pictures.texture(scenery.world.parameters().pictures, picture, use));
-  program.set("to_box", glm::mat4(to_box));
-  program.set("colour", glm::vec3(controls.colour));
-  program.set("light_kcdpm2", scenery.lights.highlight_kcdpm2(highlight.light));
-  program.set("opacity",
-              static_cast<float>(highlight.opacity * scenery.lights.highlight_share(highlight.light)));
-  program.set("softness", static_cast<float>(controls.softness));
-  program.set("shape_depth", static_cast<float>(highlights::depth_of(controls.texture)));
-  program.set("box_right", glm::vec3(mesh.motion().rotation * highlight.projector.right));
 }
 
 void HighlightPass::draw(const world::WorldMesh& mesh, const MeshGeometry& geometry,
@@ -73,19 +89,20 @@ void HighlightPass::draw(const world::WorldMesh& mesh, const MeshGeometry& geome
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDepthFunc(GL_GEQUAL);
   glDepthMask(GL_FALSE);
+  glsl::ViewUniforms view = view_uniforms(request.camera);
+  view.haze_perm = haze_perm(scenery.world.parameters().atmosphere);
   const ShaderProgram* used = nullptr;
   for (const highlights::DrawnHighlight& highlight : mesh.highlights()) {
     const ShaderProgram& program = programs_.with(highlight.controls.texture);
     if (&program != used) {
       program.use();
-      matrices.set(program);
       scenery.lights.bind(program);
-      set_air(program, scenery.world.parameters().atmosphere, scenery.environment, environment_unit);
-      program.set("shows_box", box_show(request.meshes));
+      bind_sampler(program, "environment", environment_unit, scenery.environment);
       used = &program;
     }
-    set_one(program, mesh, highlight, scenery);
-    program.set("box_light", id_colour(highlight.id) / static_cast<float>(request.exposure));
+    bind_image(program, highlight.controls, scenery);
+    block_.fill(view, matrices.uniforms(), uniforms_of(mesh, highlight, request, scenery));
+    block_.bind(program);
     geometry.draw(static_cast<GLsizei>(3 * highlight.first_face),
                   static_cast<GLsizei>(3 * highlight.face_count));
   }

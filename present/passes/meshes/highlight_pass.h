@@ -5,10 +5,13 @@
 #include "host/world/world.h"
 #include "present/gl/image_textures.h"
 #include "present/gl/shader_program.h"
+#include "present/gl/uniform_block.h"
 #include "present/passes/frame_request.h"
 #include "present/passes/meshes/mesh_geometry.h"
 #include "present/passes/meshes/mesh_lights.h"
+#include "present/passes/meshes/mesh_uniforms.h"
 #include "present/passes/meshes/mesh_view_matrices.h"
+#include "present/passes/view_uniforms.h"
 
 namespace offing::present {
 
@@ -30,10 +33,14 @@ class HighlightPass {
             const FrameRequest& request, const Scenery& scenery);
 
  private:
-  void set_one(const ShaderProgram& program, const world::WorldMesh& mesh,
-               const highlights::DrawnHighlight& highlight, const Scenery& scenery);
+  glsl::HighlightUniforms uniforms_of(const world::WorldMesh& mesh,
+                                      const highlights::DrawnHighlight& highlight,
+                                      const FrameRequest& request, const Scenery& scenery) const;
+  void bind_image(const ShaderProgram& program, const highlights::HighlightControls& controls,
+                  const Scenery& scenery) const;
 
   ShaderVariants<highlights::HighlightTexture> programs_;
+  UniformBlock<glsl::ViewUniforms, glsl::MeshMatrices, glsl::HighlightUniforms> block_;
   std::vector<std::uint32_t> corners_;
 };
 

@@ -1,8 +1,6 @@
 // A mesh below its highlights, compiled as mesh.frag is.
 layout(location = 2) in vec2 vertex_curvatures;  // k_max, k_min, 1/m
 
-uniform vec3 colour;
-uniform float specular, shininess;
 
 out vec3 place_m;
 out vec3 normal;
@@ -17,7 +15,7 @@ void main() {
   front_light = vec3(0.0);
   back_light = vec3(0.0);
 #if SHADING == 1
-  Material material = Material(colour, specular, shininess);
+  Material material = Material(mesh.colour, mesh.specular, mesh.shininess);
   front_light = smooth_light(material, place_m, unit_or_zero(normal));
   back_light = smooth_light(material, place_m, -unit_or_zero(normal));
 #endif

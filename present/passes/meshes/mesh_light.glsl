@@ -1,13 +1,6 @@
 // Light that meshes send to the eye, kcd/m2, linear Rec.709. Places are relative to the eye, in the world's axes.
 const float pi = 3.14159265;
-const int max_lights = 64;
 
-uniform int light_count;
-uniform int sun;  // which of them clouds shade; -1: none
-// Two a light: the direction toward it and 0, or its place and 1; what it sends on a surface that faces it, klx.
-layout(std140) uniform Lights { vec4 lights[2 * max_lights]; };
-uniform vec3 sky_klx;     // on a level surface that looks up, by the sky alone
-uniform vec3 ground_klx;  // on one that looks down, by what lies below
 
 struct Material {
   vec3 colour;      // diffuse reflectance
@@ -21,16 +14,16 @@ vec3 unit_or_zero(vec3 v) {
 }
 
 vec3 toward_light(int i, vec3 place_m) {
-  return normalize(lights[2 * i].xyz - lights[2 * i].w * place_m);
+  return normalize(lighting.lights[2 * i].xyz - lighting.lights[2 * i].w * place_m);
 }
 
 // On a surface at a place that faces the light.
 vec3 light_klx(int i, vec3 place_m) {
-  return lights[2 * i + 1].rgb * (i == sun ? cloud_share(place_m) : 1.0);
+  return lighting.lights[2 * i + 1].rgb * (i == lighting.sun ? cloud_share(place_m) : 1.0);
 }
 
 vec3 around_klx(float rise) {
-  return mix(ground_klx, sky_klx, 0.5 + 0.5 * rise);
+  return mix(lighting.ground_klx, lighting.sky_klx, 0.5 + 0.5 * rise);
 }
 
 // Lambert's law and Blinn's highlight, (n + 8) / (8 pi) (N.H)^n times the light on the surface, which keeps the
@@ -38,7 +31,7 @@ vec3 around_klx(float rise) {
 vec3 smooth_light(Material material, vec3 place_m, vec3 normal) {
   vec3 toward_eye = -normalize(place_m);
   vec3 on_surface_klx = around_klx(normal.y), mirrored_klx = vec3(0.0);
-  for (int i = 0; i < light_count; ++i) {
+  for (int i = 0; i < lighting.count; ++i) {
     vec3 toward = toward_light(i, place_m);
     vec3 klx = light_klx(i, place_m) * max(dot(normal, toward), 0.0);
     on_surface_klx += klx;

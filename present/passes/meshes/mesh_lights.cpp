@@ -4,11 +4,12 @@
 #include <cstddef>
 #include <numbers>
 
+#include "present/passes/uniform_bindings.h"
+
 namespace offing::present {
 namespace {
 
-constexpr std::size_t max_lights = 64;  // mesh_light.glsl
-static_assert(world::most_lights + 1 == max_lights);
+static_assert(world::most_lights + 1 == glsl::most_lights);
 // Of what lies under meshes: dark, as water and woods are.
 constexpr float albedo_below = 0.1f;
 constexpr int shadow_unit = 7;  // beyond those of the programs that meshes are drawn with
@@ -27,7 +28,7 @@ glm::vec3 to_vec3(const sky::Rgb& values) {
 
 }  // namespace
 
-MeshLights::MeshLights() : block_("Lights", 0, 2 * max_lights) {}
+MeshLights::MeshLights() : block_("Lights", lights_binding) {}
 
 void MeshLights::prepare(const world::World& world, const glm::dvec3& eye_m, const CloudShadows& shadows) {
   shadows_ = &shadows;
@@ -38,30 +39,28 @@ void MeshLights::prepare(const world::World& world, const glm::dvec3& eye_m, con
     klx_.emplace_back(light.colour * light.illuminance_klx);
   }
   const highlights::Lighting lighting = world.lighting(eye_m);
-  sun_ = lighting.lights.size() > klx_.size() ? static_cast<int>(klx_.size()) : -1;
-  if (sun_ >= 0) klx_.push_back(sun_klx);
-  std::vector<glm::vec4> values;
+  const bool has_sun = lighting.lights.size() > klx_.size();
+  glsl::LightUniforms uniforms{};
+  uniforms.sky_klx = to_vec3(illuminance.sky_klx);
+  uniforms.sun = has_sun ? static_cast<int>(klx_.size()) : -1;
+  if (has_sun) klx_.push_back(sun_klx);
   for (std::size_t i = 0; i < lighting.lights.size(); ++i) {
     const highlights::Source& light = lighting.lights[i];
     const bool is_place = light.kind == highlights::Source::Kind::place;
-    values.emplace_back(is_place ? light.vector - eye_m : light.vector, is_place ? 1.0 : 0.0);
-    values.emplace_back(klx_[i], 0.0f);
+    glm::vec4* values = uniforms.lights + static_cast<std::ptrdiff_t>(2 * uniforms.count++);
+    values[0] = {is_place ? light.vector - eye_m : light.vector, is_place ? 1.0 : 0.0};
+    values[1] = {klx_[i], 0.0f};
   }
-  block_.fill(std::move(values));
-  sky_klx_ = to_vec3(illuminance.sky_klx);
-  white_klx_ = luminance(sky_klx_);
+  white_klx_ = luminance(uniforms.sky_klx);
   for (const glm::vec3& klx : klx_) white_klx_ += luminance(klx);
   const float rise = std::max(0.0f, world.sky().params().sun_direction_y);
-  ground_klx_ = albedo_below * (sky_klx_ + rise * sun_klx);
+  uniforms.ground_klx = albedo_below * (uniforms.sky_klx + rise * sun_klx);
+  block_.fill(uniforms);
 }
 
 void MeshLights::bind(const ShaderProgram& program) const {
   block_.bind(program);
   shadows_->bind(program, shadow_unit);
-  program.set("sun", sun_);
-  program.set("light_count", static_cast<int>(klx_.size()));
-  program.set("sky_klx", sky_klx_);
-  program.set("ground_klx", ground_klx_);
 }
 
 glm::vec3 MeshLights::highlight_kcdpm2(int light) const {

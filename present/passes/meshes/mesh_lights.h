@@ -7,6 +7,7 @@
 #include "host/world/world.h"
 #include "present/gl/uniform_block.h"
 #include "present/passes/clouds/cloud_shadows.h"
+#include "present/passes/meshes/mesh_uniforms.h"
 
 namespace offing::present {
 
@@ -28,11 +29,9 @@ class MeshLights {
 
  private:
   const CloudShadows* shadows_ = nullptr;  // of the last prepare()
-  int sun_ = -1;                           // which of the lights; -1: none
-  UniformBlock block_;
+  UniformBlock<glsl::LightUniforms> block_;
   std::vector<glm::vec3> klx_;  // in the order of World::lighting()
   float white_klx_ = 0.0f;      // luminance of all light together
-  glm::vec3 sky_klx_{0.0f}, ground_klx_{0.0f};
 };
 
 }  // namespace offing::present

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "present/passes/meshes/highlight_pass.h"
+#include "present/passes/uniform_bindings.h"
 
 namespace offing::present {
 namespace {
@@ -14,8 +15,7 @@ constexpr double stroke_share = 0.35;  // of the mean edge, either way
 constexpr double least_confidence = 0.02;
 
 ShaderProgram line_program() {
-  return ShaderProgram({.vertex = {shader_file("meshes/mesh_line.vert")},
-                        .fragment = {shader_file("meshes/mesh_plain.frag")}});
+  return ShaderProgram(plain_stages({"meshes/mesh_line.vert"}));
 }
 
 /// Ends of a box's edges, and of the two that make a tip on its upper front edge.
@@ -43,7 +43,11 @@ std::vector<glm::vec3> box_lines(const highlights::Projector& projector, const g
 
 }  // namespace
 
-MeshLines::MeshLines() : program_(line_program()), array_(GlVertexArray::make()), ends_(GlBuffer::make()) {
+MeshLines::MeshLines()
+    : program_(line_program()),
+      block_("Plain", pass_binding),
+      array_(GlVertexArray::make()),
+      ends_(GlBuffer::make()) {
   glBindVertexArray(array_.name());
   glBindBuffer(GL_ARRAY_BUFFER, ends_.name());
   glEnableVertexAttribArray(0);
@@ -51,15 +55,14 @@ MeshLines::MeshLines() : program_(line_program()), array_(GlVertexArray::make())
   glBindVertexArray(0);
 }
 
-void MeshLines::use(const MeshViewMatrices& matrices) const {
-  program_.use();
-  matrices.set(program_);
-  glDepthFunc(GL_GREATER);
-}
-
 void MeshLines::draw(const std::vector<glm::vec3>& ends_m, const glm::vec3& colour,
-                     const FrameRequest& request) const {
-  program_.set("plain_light", glm::vec4(colour / static_cast<float>(request.exposure), 1.0f));
+                     const MeshViewMatrices& matrices, const FrameRequest& request) {
+  program_.use();
+  glsl::PlainUniforms plain{};
+  plain.light = {colour / static_cast<float>(request.exposure), 1.0f};
+  block_.fill(matrices.uniforms(), plain);
+  block_.bind(program_);
+  glDepthFunc(GL_GREATER);
   glBindVertexArray(array_.name());
   glBindBuffer(GL_ARRAY_BUFFER, ends_.name());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(ends_m.size() * sizeof(glm::vec3)), ends_m.data(),
@@ -71,7 +74,6 @@ void MeshLines::draw_directions(const world::WorldMesh& mesh, const MeshViewMatr
                                 const FrameRequest& request) {
   const highlights::HighlightSurface& surface = mesh.surface();
   const VertexCurvatures& bends = surface.curvatures();
-  use(matrices);
   const auto strokes = [&](const std::vector<glm::dvec3>& directions, const glm::vec3& colour) {
     std::vector<glm::vec3> ends_m;
     for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -81,7 +83,7 @@ void MeshLines::draw_directions(const world::WorldMesh& mesh, const MeshViewMatr
       ends_m.emplace_back(place_m - way_m);
       ends_m.emplace_back(place_m + way_m);
     }
-    draw(ends_m, colour, request);
+    draw(ends_m, colour, matrices, request);
   };
   strokes(bends.e_max, {0.9f, 0.05f, 0.03f});
   strokes(bends.e_min, {0.03f, 0.1f, 0.9f});
@@ -89,9 +91,9 @@ void MeshLines::draw_directions(const world::WorldMesh& mesh, const MeshViewMatr
 
 void MeshLines::draw_projectors(const world::WorldMesh& mesh, const MeshViewMatrices& matrices,
                                 const FrameRequest& request) {
-  use(matrices);
   for (const highlights::DrawnHighlight& highlight : mesh.highlights()) {
-    draw(box_lines(highlight.projector, mesh.surface().middle_m()), id_colour(highlight.id), request);
+    draw(box_lines(highlight.projector, mesh.surface().middle_m()), id_colour(highlight.id), matrices,
+         request);
   }
 }
 

@@ -8,7 +8,9 @@
 #include "host/world/world_mesh.h"
 #include "present/gl/gl_objects.h"
 #include "present/gl/shader_program.h"
+#include "present/gl/uniform_block.h"
 #include "present/passes/frame_request.h"
+#include "present/passes/meshes/mesh_uniforms.h"
 #include "present/passes/meshes/mesh_view_matrices.h"
 
 namespace offing::present {
@@ -26,10 +28,11 @@ class MeshLines {
                        const FrameRequest& request);
 
  private:
-  void draw(const std::vector<glm::vec3>& ends_m, const glm::vec3& colour, const FrameRequest& request) const;
-  void use(const MeshViewMatrices& matrices) const;
+  void draw(const std::vector<glm::vec3>& ends_m, const glm::vec3& colour, const MeshViewMatrices& matrices,
+            const FrameRequest& request);
 
   ShaderProgram program_;
+  UniformBlock<glsl::MeshMatrices, glsl::PlainUniforms> block_;
   GlVertexArray array_;
   GlBuffer ends_;
 };

@@ -2,15 +2,13 @@
 // them.
 layout(location = 3) in vec3 outward;  // the mean normal at this place, of all vertices there; or off the border
 
-uniform vec2 half_image_px;
-uniform float outline_px;
 
 void main() {
   vec4 place = clip_place();
-  vec4 way = to_clip * vec4(outward, 0.0);
-  vec2 across_px = (way.xy * place.w - place.xy * way.w) * half_image_px;
+  vec4 way = matrices.to_clip * vec4(outward, 0.0);
+  vec2 across_px = (way.xy * place.w - place.xy * way.w) * plain.half_image_px;
   float squared = dot(across_px, across_px);
-  if (squared > 0.0) place.xy += across_px * inversesqrt(squared) * outline_px * place.w / half_image_px;
+  if (squared > 0.0) place.xy += across_px * inversesqrt(squared) * plain.outline_px * place.w / plain.half_image_px;
   place.z *= 0.999;  // behind the surface itself, where that has no thickness
   gl_Position = place;
 }

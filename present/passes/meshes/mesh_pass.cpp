@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "present/passes/air.h"
+#include "present/passes/camera_projection.h"
+#include "present/passes/uniform_bindings.h"
 
 namespace offing::present {
 namespace {
@@ -16,14 +18,20 @@ constexpr int light_samples_unit = 0, depth_samples_unit = 1;
 // Samples at steps of 8 cannot be told from a smooth edge; where the CPU draws, each one costs.
 constexpr int samples_of_gpu = 8, samples_of_cpu = 4;
 
-ShaderProgram screen_program(const char* fragment) {
-  return ShaderProgram({.vertex = {shader_file("screen.vert")}, .fragment = {shader_file(fragment)}});
+ShaderProgram begin_program() {
+  return ShaderProgram(
+      {.vertex = {shader_file("screen.vert")}, .fragment = {shader_file("meshes/mesh_begin.frag")}});
+}
+
+ShaderProgram end_program() {
+  return ShaderProgram({.vertex = {shader_file("screen.vert")},
+                        .fragment = {shader_file("meshes/mesh_uniforms.h"),
+                                     uniform_block("MeshEnd", "MeshEndUniforms mesh_end;"),
+                                     shader_file("meshes/mesh_end.frag")}});
 }
 
 ShaderProgram outline_program() {
-  return ShaderProgram(
-      {.vertex = {shader_file("meshes/mesh_place.glsl"), shader_file("meshes/mesh_outline.vert")},
-       .fragment = {shader_file("meshes/mesh_plain.frag")}});
+  return ShaderProgram(plain_stages({"meshes/mesh_place.glsl", "meshes/mesh_outline.vert"}));
 }
 
 void draw_screen(const GlVertexArray& no_vertices) {
@@ -37,21 +45,30 @@ void draw_screen(const GlVertexArray& no_vertices) {
 
 MeshPass::MeshPass(const GlCapabilities& capabilities)
     : capabilities_(capabilities),
-      begin_(screen_program("meshes/mesh_begin.frag")),
+      begin_(begin_program()),
       outline_(outline_program()),
-      end_(screen_program("meshes/mesh_end.frag")),
+      end_(end_program()),
       bases_(base_program),
+      base_block_("Mesh", pass_binding),
+      outline_block_("Plain", pass_binding),
+      end_block_("MeshEnd", pass_binding),
       no_vertices_(GlVertexArray::make()) {}
 
 ShaderProgram MeshPass::base_program(const BaseFeatures& features) {
   const ShaderPart compiled_for{"features of meshes",
                                 fmt::format("#define SHADING {:d}\n#define SHOWS_CURVATURE {:d}\n",
                                             static_cast<int>(features.shading), features.shows_curvature)};
-  return ShaderProgram({.vertex = {compiled_for, CloudShadows::glsl(), shader_file("meshes/mesh_place.glsl"),
-                                   shader_file("meshes/mesh_light.glsl"), shader_file("meshes/mesh.vert")},
-                        .fragment = {compiled_for, CloudShadows::glsl(), shader_file("sky/environment.glsl"),
-                                     shader_file("air.glsl"), shader_file("meshes/mesh_light.glsl"),
-                                     shader_file("meshes/mesh.frag")}});
+  std::vector<ShaderPart> vertex =
+      mesh_uniforms("Mesh", "ViewUniforms view; MeshMatrices matrices; MeshUniforms mesh;");
+  for (const ShaderPart& part :
+       {uniform_block("Lights", "LightUniforms lighting;"), compiled_for, CloudShadows::glsl()})
+    vertex.push_back(part);
+  std::vector<ShaderPart> fragment = vertex;
+  for (const char* name : {"meshes/mesh_place.glsl", "meshes/mesh_light.glsl", "meshes/mesh.vert"})
+    vertex.push_back(shader_file(name));
+  for (const char* name : {"sky/environment.glsl", "air.glsl", "meshes/mesh_light.glsl", "meshes/mesh.frag"})
+    fragment.push_back(shader_file(name));
+  return ShaderProgram({.vertex = std::move(vertex), .fragment = std::move(fragment)});
 }
 
 void MeshPass::prepare(const world::World& world) {
@@ -95,21 +112,24 @@ void MeshPass::draw_base(const world::World& world, std::size_t index, const Mes
   const ShaderProgram& base =
       bases_.with({.shading = material.shading, .shows_curvature = request.meshes == MeshShow::curvature});
   base.use();
-  matrices.set(base);
   lights_.bind(base);
-  set_air(base, world.parameters().atmosphere, environment, environment_unit);
+  bind_sampler(base, "environment", environment_unit, environment);
   meshes_[index].geometry.bind_faces(faces_unit);
   base.set("faces", faces_unit);
   const bool is_grey = request.meshes == MeshShow::directions;
-  base.set("colour", is_grey ? glm::vec3(0.3f) : glm::vec3(material.colour));
-  base.set("specular", static_cast<float>(material.specular));
-  base.set("shininess", static_cast<float>(material.shininess));
-  base.set("cartoon_steps", material.cartoon_steps);
-  base.set("has_ramp", material.cartoon_ramp >= 0 ? 1 : 0);
+  glsl::ViewUniforms seen = view_uniforms(request.camera);
+  seen.white_kcdpm2 = static_cast<float>(1.0 / request.exposure);
+  seen.haze_perm = haze_perm(world.parameters().atmosphere);
+  base_block_.fill(seen, matrices.uniforms(),
+                   {.colour = is_grey ? glm::vec3(0.3f) : glm::vec3(material.colour),
+                    .specular = static_cast<float>(material.specular),
+                    .shininess = static_cast<float>(material.shininess),
+                    .cartoon_steps = material.cartoon_steps,
+                    .has_ramp = material.cartoon_ramp >= 0 ? 1 : 0,
+                    .length_of_mesh_m = static_cast<float>(view.surface().diagonal_m())});
+  base_block_.bind(base);
   bind_sampler(base, "ramp_image", ramp_unit,
                pictures_.texture(world.parameters().pictures, material.cartoon_ramp, ImageUse::ramp));
-  base.set("length_of_mesh_m", static_cast<float>(view.surface().diagonal_m()));
-  base.set("debug_white", static_cast<float>(1.0 / request.exposure));
   glDepthFunc(GL_GREATER);
   glPolygonMode(GL_FRONT_AND_BACK, request.fill == Fill::wireframe ? GL_LINE : GL_FILL);
   meshes_[index].geometry.draw();
@@ -117,12 +137,13 @@ void MeshPass::draw_base(const world::World& world, std::size_t index, const Mes
 }
 
 void MeshPass::draw_outline(std::size_t index, const MeshViewMatrices& matrices, const FrameRequest& request,
-                            const world::MeshMaterial& material) const {
+                            const world::MeshMaterial& material) {
   outline_.use();
-  matrices.set(outline_);
-  outline_.set("half_image_px", 0.5f * glm::vec2(request.camera.width_px, request.camera.height_px));
-  outline_.set("outline_px", static_cast<float>(material.outline_px));
-  outline_.set("plain_light", glm::vec4(glm::vec3(material.outline_colour / request.exposure), 1.0f));
+  outline_block_.fill(matrices.uniforms(),
+                      {.light = {glm::vec3(material.outline_colour / request.exposure), 1.0f},
+                       .half_image_px = 0.5f * glm::vec2(request.camera.width_px, request.camera.height_px),
+                       .outline_px = static_cast<float>(material.outline_px)});
+  outline_block_.bind(outline_);
   glEnable(GL_CULL_FACE);
   glCullFace(GL_FRONT);
   meshes_[index].geometry.draw();
@@ -145,14 +166,14 @@ void MeshPass::draw_mesh(const world::World& world, std::size_t index, const Fra
   if (request.meshes == MeshShow::projectors) lines_.draw_projectors(view, matrices, request);
 }
 
-void MeshPass::end(const RenderTarget& target, const FrameRequest& request) const {
+void MeshPass::end(const RenderTarget& target, const FrameRequest& request) {
   target.bind();
   end_.use();
   samples_.bind_samples(light_samples_unit, depth_samples_unit);
   end_.set("samples_of", light_samples_unit);
   end_.set("depth_of", depth_samples_unit);
-  end_.set("sample_count", samples_.samples());
-  end_.set("exposure", static_cast<float>(request.exposure));
+  end_block_.fill({.sample_count = samples_.samples(), .exposure = static_cast<float>(request.exposure)});
+  end_block_.bind(end_);
   draw_screen(no_vertices_);
 }
 

@@ -9,12 +9,15 @@
 #include "present/gl/multisample_target.h"
 #include "present/gl/render_target.h"
 #include "present/gl/shader_program.h"
+#include "present/gl/uniform_block.h"
 #include "present/passes/frame_request.h"
 #include "present/passes/meshes/highlight_pass.h"
 #include "present/passes/meshes/mesh_geometry.h"
 #include "present/passes/meshes/mesh_lights.h"
 #include "present/passes/meshes/mesh_lines.h"
+#include "present/passes/meshes/mesh_uniforms.h"
 #include "present/passes/meshes/mesh_view_matrices.h"
+#include "present/passes/view_uniforms.h"
 
 namespace offing::present {
 
@@ -56,12 +59,15 @@ class MeshPass {
   void draw_base(const world::World& world, std::size_t index, const MeshViewMatrices& matrices,
                  const FrameRequest& request, GLuint environment);
   void draw_outline(std::size_t index, const MeshViewMatrices& matrices, const FrameRequest& request,
-                    const world::MeshMaterial& material) const;
-  void end(const RenderTarget& target, const FrameRequest& request) const;
+                    const world::MeshMaterial& material);
+  void end(const RenderTarget& target, const FrameRequest& request);
 
   GlCapabilities capabilities_;
   ShaderProgram begin_, outline_, end_;
   ShaderVariants<BaseFeatures> bases_;
+  UniformBlock<glsl::ViewUniforms, glsl::MeshMatrices, glsl::MeshUniforms> base_block_;
+  UniformBlock<glsl::MeshMatrices, glsl::PlainUniforms> outline_block_;
+  UniformBlock<glsl::MeshEndUniforms> end_block_;
   GlVertexArray no_vertices_;
   MeshLights lights_;
   ImageTextures pictures_;

@@ -24,10 +24,17 @@ MeshViewMatrices::MeshViewMatrices(const world::WorldMesh& mesh, const Camera& c
   to_clip = clip_from_eye(camera, capabilities.has_clip_control) * to_eye;
 }
 
-void MeshViewMatrices::set(const ShaderProgram& program) const {
-  program.set("to_eye", glm::mat4(to_eye));
-  program.set("to_clip", glm::mat4(to_clip));
-  program.set("cut_m", static_cast<float>(cut_m));
+std::vector<ShaderPart> mesh_uniforms(const std::string& block, const std::string& members) {
+  return {shader_file("view_uniforms.h"), shader_file("meshes/mesh_uniforms.h"),
+          uniform_block(block, members)};
+}
+
+ShaderStages plain_stages(std::initializer_list<const char*> vertex) {
+  ShaderStages stages{.vertex = mesh_uniforms("Plain", "MeshMatrices matrices; PlainUniforms plain;"),
+                      .fragment = mesh_uniforms("Plain", "MeshMatrices matrices; PlainUniforms plain;")};
+  for (const char* name : vertex) stages.vertex.push_back(shader_file(name));
+  stages.fragment.push_back(shader_file("meshes/mesh_plain.frag"));
+  return stages;
 }
 
 PixelBox pixels_of(const glm::dvec3& low_m, const glm::dvec3& high_m, const MeshViewMatrices& matrices,

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <initializer_list>
+#include <string>
+#include <vector>
+
 #include <glm/mat4x4.hpp>
 
 #include "host/base/camera.h"
 #include "host/world/world_mesh.h"
 #include "present/gl/gl_context.h"
 #include "present/gl/shader_program.h"
+#include "present/passes/meshes/mesh_uniforms.h"
 
 namespace offing::present {
 
@@ -23,9 +28,18 @@ struct MeshViewMatrices {
   MeshViewMatrices(const world::WorldMesh& mesh, const Camera& camera, const GlCapabilities& capabilities,
                    MeshPart part = MeshPart::all);
 
-  /// Gives them to a program in use (mesh_place.glsl).
-  void set(const ShaderProgram& program) const;
+  /// As mesh_place.glsl reads them.
+  glsl::MeshMatrices uniforms() const {
+    return {.to_clip = to_clip, .to_eye = to_eye, .cut_m = static_cast<float>(cut_m)};
+  }
 };
+
+/// The structs of uniforms of meshes' shaders, and the block of them that a shader reads.
+std::vector<ShaderPart> mesh_uniforms(const std::string& block, const std::string& members);
+
+/// The stages of what is drawn in one light, from these parts of its vertex shader: they read the block
+/// "Plain" of MeshMatrices and PlainUniforms.
+ShaderStages plain_stages(std::initializer_list<const char*> vertex);
 
 /// Pixels, from the picture's lower left corner.
 struct PixelBox {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "present/passes/camera_projection.h"
+#include "present/passes/uniform_bindings.h"
 
 namespace offing::present {
 namespace {
@@ -30,15 +31,21 @@ Camera face_camera(const glm::dvec3& eye_m, int face, int face_px) {
 }
 
 ShaderProgram map_program() {
-  return ShaderProgram({.vertex = {shader_file("screen.vert")},
-                        .fragment = {shader_file("sky/environment.glsl"), shader_file("view_ray.glsl"),
-                                     shader_file("sky/cloudy_sky.frag")}});
+  return ShaderProgram(
+      {.vertex = {shader_file("screen.vert")},
+       .fragment = {shader_file("view_uniforms.h"), shader_file("sky/sky_uniforms.h"),
+                    uniform_block("CloudySky", "ViewUniforms view; CloudySkyUniforms cloudy_sky;"),
+                    shader_file("sky/environment.glsl"), shader_file("view_ray.glsl"),
+                    shader_file("sky/cloudy_sky.frag")}});
 }
 
 }  // namespace
 
 CloudySky::CloudySky(int face_px)
-    : face_px_(face_px), program_(map_program()), no_vertices_(GlVertexArray::make()) {}
+    : face_px_(face_px),
+      program_(map_program()),
+      block_("CloudySky", pass_binding),
+      no_vertices_(GlVertexArray::make()) {}
 
 void CloudySky::make_maps() {
   face_ = RenderTarget(face_px_, face_px_, GL_RGBA16F, RenderTarget::Depth::none);
@@ -90,8 +97,8 @@ void CloudySky::draw_face(const ocl::Device& device, const Scenery& scenery, con
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   glViewport(0, 0, side_px(), side_px());
   program_.use();
-  set_view_rays(program_, camera);
-  program_.set("reach", static_cast<float>(reach(face_px_)));
+  block_.fill(view_uniforms(camera), {.reach = static_cast<float>(reach(face_px_))});
+  block_.bind(program_);
   bind_sampler(program_, "clouds", face_unit, face_.texture());
   bind_sampler(program_, "clear_sky", sky_unit, scenery.clear_sky);
   glBindVertexArray(no_vertices_.name());

@@ -10,8 +10,11 @@
 #include "present/gl/render_target.h"
 #include "present/gl/shader_program.h"
 #include "present/gl/transfer.h"
+#include "present/gl/uniform_block.h"
 #include "present/passes/clouds/cloud_pass.h"
 #include "present/passes/frame_request.h"
+#include "present/passes/sky/sky_uniforms.h"
+#include "present/passes/view_uniforms.h"
 
 namespace offing::present {
 
@@ -39,7 +42,7 @@ class CloudySky {
 
   /// Whether shaders find clouds in the sky, which they read with cloudy_sky.glsl.
   bool has_map() const { return has_map_; }
-  /// Binds its two maps, if there are any, as an array to the unit of the sampler `environment` (set_air()).
+  /// Binds its two maps, if there are any, as an array to the unit of the sampler `environment`.
   void bind(int unit) const;
   /// Light of the sky with its clouds, [side_px()][side_px()] of 4 floats, kcd/m2, row 0 at the bottom; has a
   /// map.
@@ -60,6 +63,7 @@ class CloudySky {
   int face_px_;
   CloudPass clouds_;
   ShaderProgram program_;
+  UniformBlock<glsl::ViewUniforms, glsl::CloudySkyUniforms> block_;
   GlVertexArray no_vertices_;
   RenderTarget face_;
   GlTexture maps_;             // one texture of two layers: some drivers have no unit to spare for another

@@ -10,17 +10,20 @@
 #include <glm/geometric.hpp>
 
 #include "present/passes/camera_projection.h"
+#include "present/passes/uniform_bindings.h"
 
 namespace offing::present {
 namespace {
 
 constexpr int environment_size = 256;  // pixels of 0.4 degrees at the horizon
-constexpr GLuint sky_binding = 0;
 constexpr int view_unit = 0, depth_unit = 1;
 
 ShaderProgram sky_program(const char* fragment) {
   return ShaderProgram({.vertex = {shader_file("screen.vert")},
                         .fragment = {{"sky::clear_sky_glsl()", sky::clear_sky_glsl()},
+                                     uniform_block("Sky", "SkyParams sky;"),
+                                     shader_file("view_uniforms.h"),
+                                     uniform_block("View", "ViewUniforms view;"),
                                      shader_file("sky/sky_view.glsl"),
                                      shader_file("sky/environment.glsl"),
                                      shader_file("view_ray.glsl"),
@@ -74,19 +77,23 @@ SkyPass::SkyPass(int step_px)
       sun_(sky_program("sky/sun.frag")),
       map_(sky_program("sky/environment.frag")),
       no_vertices_(GlVertexArray::make()),
-      block_(GlBuffer::make()),
+      block_("Sky", sky_binding),
+      view_("View", pass_binding),
+      nodes_block_("SkyNodes", pass_binding),
       view_table_(GlTexture::make()),
       depth_table_(GlTexture::make()),
       environment_(environment_size, environment_size, GL_RGBA16F, RenderTarget::Depth::none) {
   if (step_px_ == 1) return;
   enlarge_.emplace(ShaderStages{.vertex = {shader_file("screen.vert")},
-                                .fragment = {shader_file("sky/sky_enlarged.frag")}});
+                                .fragment = {shader_file("sky/sky_uniforms.h"),
+                                             uniform_block("SkyNodes", "SkyNodesUniforms sky_nodes;"),
+                                             shader_file("sky/sky_enlarged.frag")}});
+  nodes_block_.fill({.step_px = static_cast<float>(step_px_)});
 }
 
 void SkyPass::bind(const ShaderProgram& program) const {
   program.use();
-  program.bind_block("Sky", sky_binding);
-  glBindBufferBase(GL_UNIFORM_BUFFER, sky_binding, block_.name());
+  block_.bind(program);
   bind_sampler(program, "view_table", view_unit, view_table_.name());
   bind_sampler(program, "depth_table", depth_unit, depth_table_.name());
   glBindVertexArray(no_vertices_.name());
@@ -95,8 +102,7 @@ void SkyPass::bind(const ShaderProgram& program) const {
 
 void SkyPass::prepare(const sky::ClearSky& sky) {
   if (sky.revision() == revision_) return;
-  glBindBuffer(GL_UNIFORM_BUFFER, block_.name());
-  glBufferData(GL_UNIFORM_BUFFER, sizeof(SkyParams), &sky.params(), GL_DYNAMIC_DRAW);
+  block_.fill(sky.params());
   glActiveTexture(GL_TEXTURE0);
   fill_table(view_table_, sky.view_table(), SKY_VIEW_COLUMNS);
   fill_table(depth_table_, sky.depth_table(), SKY_DEPTH_COLUMNS);
@@ -119,10 +125,12 @@ void SkyPass::draw_nodes(const Camera& camera) {
   const CameraBasis axes = basis(camera);
   const glm::dvec2 extent = half_extent(camera), step = 2.0 * step_px_ / glm::dvec2(pixels);
   const glm::dvec2 scale = 0.5 * step * glm::dvec2(nodes), shift = scale - 0.5 * step - 1.0;
-  sky_.set("ray_forward",
-           glm::vec3(axes.forward + shift.x * extent.x * axes.right + shift.y * extent.y * axes.up));
-  sky_.set("ray_right", glm::vec3(scale.x * extent.x * axes.right));
-  sky_.set("ray_up", glm::vec3(scale.y * extent.y * axes.up));
+  glsl::ViewUniforms view = view_uniforms(camera);
+  view.ray_forward = axes.forward + shift.x * extent.x * axes.right + shift.y * extent.y * axes.up;
+  view.ray_right = scale.x * extent.x * axes.right;
+  view.ray_up = scale.y * extent.y * axes.up;
+  view_.fill(view);
+  view_.bind(sky_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -132,11 +140,12 @@ void SkyPass::draw(const Camera& camera, const RenderTarget& target) {
     target.bind();
     enlarge_->use();
     bind_sampler(*enlarge_, "nodes", view_unit, nodes_.texture());
-    enlarge_->set("step_px", static_cast<float>(step_px_));
+    nodes_block_.bind(*enlarge_);
   } else {
     target.bind();
     bind(sky_);
-    set_view_rays(sky_, camera);
+    view_.fill(view_uniforms(camera));
+    view_.bind(sky_);
   }
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_EQUAL);
@@ -151,12 +160,13 @@ void SkyPass::draw(const Camera& camera, const RenderTarget& target) {
 
 // Apart, where it is: all pixels of the sky would pay for it, as drivers that draw on the CPU skip no
 // branches.
-void SkyPass::draw_sun(const Camera& camera) const {
+void SkyPass::draw_sun(const Camera& camera) {
   const glm::dvec3 direction(params_.sun_direction_x, params_.sun_direction_y, params_.sun_direction_z);
   const auto box = pixels_around(direction, params_.sun_angular_radius_rad, camera);
   if (!box) return;
   bind(sun_);
-  set_view_rays(sun_, camera);
+  view_.fill(view_uniforms(camera));
+  view_.bind(sun_);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_SCISSOR_TEST);
   glScissor(box->left, box->bottom, box->width, box->height);

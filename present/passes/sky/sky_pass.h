@@ -8,6 +8,9 @@
 #include "present/gl/gl_objects.h"
 #include "present/gl/render_target.h"
 #include "present/gl/shader_program.h"
+#include "present/gl/uniform_block.h"
+#include "present/passes/sky/sky_uniforms.h"
+#include "present/passes/view_uniforms.h"
 
 namespace offing::present {
 
@@ -30,14 +33,16 @@ class SkyPass {
  private:
   void bind(const ShaderProgram& program) const;
   void draw_nodes(const Camera& camera);
-  void draw_sun(const Camera& camera) const;
+  void draw_sun(const Camera& camera);
 
   int step_px_;
   ShaderProgram sky_, sun_, map_;
   std::optional<ShaderProgram> enlarge_;  // with step_px_ > 1
   RenderTarget nodes_;                    // where pixels' corners (step_px_ i, step_px_ j) are
   GlVertexArray no_vertices_;
-  GlBuffer block_;
+  UniformBlock<SkyParams> block_;
+  UniformBlock<glsl::ViewUniforms> view_;
+  UniformBlock<glsl::SkyNodesUniforms> nodes_block_;
   GlTexture view_table_, depth_table_;
   RenderTarget environment_;
   SkyParams params_{};

@@ -1,4 +1,3 @@
 // The sky's tables as every pass binds them; sky_radiance() and sky_sun_disc() read them (kernels/sky/clear_sky.clh).
-layout(std140) uniform Sky { SkyParams sky; };
 uniform sampler2D view_table;
 uniform sampler2D depth_table;

@@ -1,26 +1,36 @@
 #include "present/passes/terrain/terrain_pass.h"
 
+#include <algorithm>
 #include <array>
+#include <initializer_list>
+#include <iterator>
 #include <vector>
 
 #include "host/terrain/cast/step_colours.h"
 #include "present/passes/camera_projection.h"
+#include "present/passes/uniform_bindings.h"
 
 namespace offing::present {
 namespace {
 
 constexpr int image_unit = 0, planes_unit = 1;
 
+std::vector<ShaderPart> terrain_shaders(std::initializer_list<const char*> last) {
+  std::vector<ShaderPart> parts{shader_file("view_uniforms.h"), shader_file("terrain/terrain_uniforms.h"),
+                                uniform_block("TerrainPass", "ViewUniforms view; TerrainUniforms terrain_pass;"),
+                                shader_file("view_ray.glsl"), shader_file("terrain/terrain_texels.glsl")};
+  for (const char* name : last) parts.push_back(shader_file(name));
+  return parts;
+}
+
 ShaderProgram light_program(const char* terrain_here) {
   return ShaderProgram({.vertex = {shader_file("screen.vert")},
-                        .fragment = {shader_file("view_ray.glsl"), shader_file("terrain/terrain_texels.glsl"),
-                                     shader_file(terrain_here), shader_file("terrain/terrain.frag")}});
+                        .fragment = terrain_shaders({terrain_here, "terrain/terrain.frag"})});
 }
 
 ShaderProgram steps_program() {
-  return ShaderProgram({.vertex = {shader_file("screen.vert")},
-                        .fragment = {shader_file("view_ray.glsl"), shader_file("terrain/terrain_texels.glsl"),
-                                     shader_file("terrain/terrain_steps.frag")}});
+  return ShaderProgram(
+      {.vertex = {shader_file("screen.vert")}, .fragment = terrain_shaders({"terrain/terrain_steps.frag"})});
 }
 
 void fit(TextureArray& texture, const TextureArray::Shape& shape) {
@@ -33,6 +43,7 @@ TerrainPass::TerrainPass()
     : exact_(light_program("terrain/terrain_exact.glsl")),
       enlarged_(light_program("terrain/terrain_enlarged.glsl")),
       steps_(steps_program()),
+      block_("TerrainPass", pass_binding),
       no_vertices_(GlVertexArray::make()) {}
 
 void TerrainPass::prepare(const world::TerrainImage& terrain, Transfer& transfer) {
@@ -54,17 +65,17 @@ void TerrainPass::bind(const ShaderProgram& program) const {
   glBindVertexArray(no_vertices_.name());
 }
 
-void TerrainPass::draw(const Camera& camera, Part part) const {
+void TerrainPass::draw(const Camera& camera, Part part) {
   const TextureArray::Shape& seen = image_.shape();
   const bool is_exact = seen.width == camera.width_px && seen.height == camera.height_px;
   const ShaderProgram& program = is_exact ? exact_ : enlarged_;
   bind(program);
-  set_view_rays(program, camera);
-  program.set("near_m", static_cast<float>(near_m));
-  program.set("eye_height_m", static_cast<float>(camera.eye_m.y));
-  program.set("hidden_below_m", static_cast<float>(sea_.below_m));
-  program.set("hidden_bend_perm", static_cast<float>(sea_.bend_perm));
-  program.set("draws_edges", part == Part::edges ? 1 : 0);
+  glsl::TerrainUniforms values{};
+  values.hidden_below_m = static_cast<float>(sea_.below_m);
+  values.hidden_bend_perm = static_cast<float>(sea_.bend_perm);
+  values.draws_edges = part == Part::edges ? 1 : 0;
+  block_.fill(view_uniforms(camera), values);
+  block_.bind(program);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GEQUAL);
   if (part == Part::edges) {
@@ -76,13 +87,15 @@ void TerrainPass::draw(const Camera& camera, Part part) const {
   glDisable(GL_DEPTH_TEST);
 }
 
-void TerrainPass::draw_steps() const {
+void TerrainPass::draw_steps() {
   bind(steps_);
-  std::vector<glm::vec4> marks;
-  for (const terrain::StepColour& mark : terrain::step_colours) {
-    marks.emplace_back(mark.rgb[0], mark.rgb[1], mark.rgb[2], mark.steps);
-  }
-  steps_.set("marks", marks);
+  glsl::TerrainUniforms values{};
+  static_assert(std::size(values.step_marks) == std::size(terrain::step_colours));
+  std::ranges::transform(terrain::step_colours, values.step_marks, [](const terrain::StepColour& mark) {
+    return glm::vec4(mark.rgb[0], mark.rgb[1], mark.rgb[2], mark.steps);
+  });
+  block_.fill({}, values);
+  block_.bind(steps_);
   glDisable(GL_DEPTH_TEST);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

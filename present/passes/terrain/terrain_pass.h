@@ -6,6 +6,9 @@
 #include "present/gl/shader_program.h"
 #include "present/gl/texture_array.h"
 #include "present/gl/transfer.h"
+#include "present/gl/uniform_block.h"
+#include "present/passes/terrain/terrain_uniforms.h"
+#include "present/passes/view_uniforms.h"
 
 namespace offing::present {
 
@@ -22,14 +25,15 @@ class TerrainPass {
   /// at its edges, which go over what lies behind.
   enum class Part { covered, edges };
   /// Draws onto the bound target, whose depth is reversed, as this camera sees it.
-  void draw(const Camera& camera, Part part) const;
+  void draw(const Camera& camera, Part part);
   /// Fills the bound target with the steps that rays took (terrain::step_colours), linear Rec.709.
-  void draw_steps() const;
+  void draw_steps();
 
  private:
   void bind(const ShaderProgram& program) const;
 
   ShaderProgram exact_, enlarged_, steps_;
+  UniformBlock<glsl::ViewUniforms, glsl::TerrainUniforms> block_;
   GlVertexArray no_vertices_;
   TextureArray image_, planes_;
   terrain::SeaOverTerrain sea_;

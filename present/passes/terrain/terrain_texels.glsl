@@ -1,6 +1,5 @@
 // The ground as OpenCL saw it (host/world/world_terrain.h), row 0 at the top.
 uniform sampler2DArray terrain_image;   // (r, g, b, coverage), kcd/m2, premultiplied
-uniform float eye_height_m, hidden_below_m, hidden_bend_perm;
 uniform sampler2DArray terrain_planes;  // distance along the unit ray, m, infinite where there is none; steps
 
 ivec2 terrain_size() {
@@ -23,8 +22,8 @@ Terrain terrain_texel(ivec2 texel) {
 
 // Whether a ray has met what is not under water (SeaOverTerrain of host/terrain/shading/terrain_shade.h).
 bool meets_ground(float distance_m) {
-  float height_m = eye_height_m + distance_m * normalize(view_ray()).y;
-  return !isinf(distance_m) && height_m >= hidden_below_m - hidden_bend_perm * distance_m * distance_m;
+  float height_m = view.eye_height_m + distance_m * normalize(view_ray()).y;
+  return !isinf(distance_m) && height_m >= terrain_pass.hidden_below_m - terrain_pass.hidden_bend_perm * distance_m * distance_m;
 }
 
 // How far ground is that covers a texel in part: where its own ray has passed it, as the ground beside it.

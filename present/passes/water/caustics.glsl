@@ -17,14 +17,14 @@ float caustics(vec2 label_m, float depth_m, float width_m, vec4 shares) {
   float blur_m = max(2.0 * width_m, blurred_share * depth_m), aside_m = aside_a_metre * depth_m;
   vec2 slope = vec2(0.0);
   for (int i = 0; i < CASCADES; ++i) {
-    if (blur_m < longest_wave_m[i]) slope += shares[i] * sun_slope(i, label_m, map_level(i, blur_m));
+    if (blur_m < waves.longest_wave_m[i]) slope += shares[i] * sun_slope(i, label_m, map_level(i, blur_m));
   }
   label_m -= aside_m * slope;
   vec3 bend = vec3(0.0);  // d2h/dx2, d2h/dxdz, d2h/dz2
   for (int i = 0; i < CASCADES; ++i) {
-    if (blur_m >= longest_wave_m[i]) continue;
+    if (blur_m >= waves.longest_wave_m[i]) continue;
     float level = map_level(i, blur_m);
-    float step_m = exp2(level) / cascades[i].w;
+    float step_m = exp2(level) / waves.cascades[i].w;
     vec2 along_x = sun_slope(i, label_m + vec2(step_m, 0.0), level) - sun_slope(i, label_m - vec2(step_m, 0.0), level);
     vec2 along_z = sun_slope(i, label_m + vec2(0.0, step_m), level) - sun_slope(i, label_m - vec2(0.0, step_m), level);
     bend += shares[i] * vec3(along_x.x, 0.5 * (along_x.y + along_z.x), along_z.y) / (2.0 * step_m);

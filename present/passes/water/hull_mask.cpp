@@ -1,6 +1,7 @@
 #include "present/passes/water/hull_mask.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include <glm/matrix.hpp>
@@ -8,7 +9,6 @@
 namespace offing::present {
 namespace {
 
-constexpr std::size_t most_hulls = 16;  // max_hulls of hull_mask.glsl
 constexpr int channels = 4;
 // Where a map has no hull: higher than any water, so that the rim is below the underside.
 constexpr float nowhere_m = 1e9f;
@@ -25,36 +25,36 @@ std::vector<float> texels_of(const std::vector<std::shared_ptr<const bodies::Hul
 }
 
 /// Columns, rows and metres of a hull's map by the place from the eye.
-std::vector<glm::vec4> planes_of(const world::WorldBodies& bodies, std::size_t body, double time_s,
-                                 const glm::dvec3& eye_m) {
+std::array<glm::vec4, 3> planes_of(const world::WorldBodies& bodies, std::size_t body, double time_s,
+                                   const glm::dvec3& eye_m) {
   const world::BodySettings& settings = bodies.settings()[body];
   const bodies::HullMap& map = *settings.map;
   const bodies::BodyPose pose = bodies.pose(body, time_s);
   const glm::dmat3 to_hull = glm::transpose(glm::mat3_cast(pose.turn));
   const glm::dvec3 eye_in_hull_m = to_hull * (eye_m - pose.mass_centre_m) + settings.body.mass_centre_m;
   const glm::dvec3 origin_m(map.low_x_m, 0.0, map.low_z_m), cell_m(map.cell_x_m, 1.0, map.cell_z_m);
-  std::vector<glm::vec4> planes;
+  std::array<glm::vec4, 3> planes{};
+  std::size_t next = 0;
   for (const int axis : {0, 2, 1}) {
     const glm::dvec3 along(to_hull[0][axis], to_hull[1][axis], to_hull[2][axis]);
-    planes.emplace_back(glm::vec3(along / cell_m[axis]),
-                        static_cast<float>((eye_in_hull_m[axis] - origin_m[axis]) / cell_m[axis]));
+    planes[next++] = {glm::vec3(along / cell_m[axis]),
+                      static_cast<float>((eye_in_hull_m[axis] - origin_m[axis]) / cell_m[axis])};
   }
   return planes;
 }
 
 }  // namespace
 
-void HullMask::bind(const ShaderProgram& program, int unit, const world::World& world, const Camera& camera) {
+void HullMask::prepare(const world::World& world, const Camera& camera, glsl::SurfaceUniforms& grid) {
   std::vector<std::shared_ptr<const bodies::HullMap>> maps;
-  std::vector<glm::vec4> planes;
   if (const world::WorldBodies* bodies = world.bodies()) {
-    for (std::size_t body = 0; body < std::min(bodies->size(), most_hulls); ++body) {
+    for (std::size_t body = 0; body < std::min(bodies->size(), static_cast<std::size_t>(glsl::most_hulls));
+         ++body) {
       maps.push_back(bodies->settings()[body].map);
-      const std::vector<glm::vec4> of_body = planes_of(*bodies, body, world.time_s(), camera.eye_m);
-      planes.insert(planes.end(), of_body.begin(), of_body.end());
+      std::ranges::copy(planes_of(*bodies, body, world.time_s(), camera.eye_m), grid.hull_planes + 3 * body);
     }
   }
-  program.set("hull_count", static_cast<int>(maps.size()));
+  grid.hull_count = static_cast<int>(maps.size());
   // Without a hull an empty map is there, for drivers that want one.
   if (maps != maps_ || texture_.count() == 0) {
     texture_ = TextureArray({.width = maps.empty() ? 1 : bodies::HullMap::columns,
@@ -65,9 +65,11 @@ void HullMask::bind(const ShaderProgram& program, int unit, const world::World& 
     texture_.specify(texels.data());
     maps_ = std::move(maps);
   }
+}
+
+void HullMask::bind(const ShaderProgram& program, int unit) const {
   texture_.bind(unit);
   program.set("hull_maps", unit);
-  if (!planes.empty()) program.set("hull_planes", planes);
 }
 
 }  // namespace offing::present

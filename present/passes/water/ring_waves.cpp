@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "present/passes/uniform_bindings.h"
+
 namespace offing::present {
 namespace {
-
-constexpr std::size_t max_rings = 64;
-constexpr GLuint rings_binding = 2;
 
 using Ring = ocean::GerstnerInstant::Ring;
 
@@ -24,29 +23,24 @@ double apparent_height(const Ring& ring, glm::dvec2 eye_m) {
 
 }  // namespace
 
-RingWaves::RingWaves() : rings_("Rings", rings_binding, 2 * max_rings) {}
+RingWaves::RingWaves() : rings_("Rings", rings_binding) {}
 
 void RingWaves::prepare(const ocean::GerstnerInstant& gerstner_waves, glm::dvec2 eye_m) {
   std::vector<Ring> rings = gerstner_waves.rings();
-  if (rings.size() > max_rings) {
+  if (rings.size() > glsl::most_rings) {
     std::nth_element(
-        rings.begin(), rings.begin() + max_rings, rings.end(),
+        rings.begin(), rings.begin() + glsl::most_rings, rings.end(),
         [&](const Ring& a, const Ring& b) { return apparent_height(a, eye_m) > apparent_height(b, eye_m); });
-    rings.resize(max_rings);
+    rings.resize(glsl::most_rings);
   }
-  std::vector<glm::vec4> values;
+  glsl::RingUniforms uniforms{};
   for (const Ring& ring : rings) {
-    values.emplace_back(ring.centre_x_m - eye_m.x, ring.centre_z_m - eye_m.y, ring.wavelength_m,
-                        ring.radius_m);
-    values.emplace_back(ring.amplitude_m, std::remainder(ring.phase_rad, 2.0 * std::numbers::pi), 0.0, 0.0);
+    glm::vec4* values = uniforms.values + static_cast<std::ptrdiff_t>(2 * uniforms.count++);
+    values[0] = {ring.centre_x_m - eye_m.x, ring.centre_z_m - eye_m.y, ring.wavelength_m, ring.radius_m};
+    values[1] = {ring.amplitude_m, std::remainder(ring.phase_rad, 2.0 * std::numbers::pi), 0.0, 0.0};
   }
-  count_ = static_cast<int>(rings.size());
-  rings_.fill(std::move(values));
-}
-
-void RingWaves::bind(const ShaderProgram& program) const {
-  program.set("ring_count", count_);
-  rings_.bind(program);
+  count_ = uniforms.count;
+  rings_.fill(uniforms);
 }
 
 }  // namespace offing::present

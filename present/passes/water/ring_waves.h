@@ -5,6 +5,7 @@
 #include "host/ocean/query/gerstner_instant.h"
 #include "present/gl/shader_program.h"
 #include "present/gl/uniform_block.h"
+#include "present/passes/water/water_uniforms.h"
 
 namespace offing::present {
 
@@ -17,11 +18,11 @@ class RingWaves {
   /// from there, by amplitude over distance.
   void prepare(const ocean::GerstnerInstant& gerstner_waves, glm::dvec2 eye_m);
   /// Gives them to a program in use.
-  void bind(const ShaderProgram& program) const;
+  void bind(const ShaderProgram& program) const { rings_.bind(program); }
   int count() const { return count_; }
 
  private:
-  UniformBlock rings_;
+  UniformBlock<glsl::RingUniforms> rings_;
   int count_ = 0;
 };
 

@@ -1,19 +1,11 @@
 // Rings of waves around points, such as those of raindrops; kernels/ocean/gerstner_surface.cl has their formula.
 // Compiled for whether the sea HAS_RINGS.
 #if HAS_RINGS
-const int max_rings = 64;
-
-uniform int ring_count;
-// Two a ring: centre x and z relative to the eye in m, wavelength m, radius m; amplitude m, phase rad, 0, 0.
-layout(std140) uniform Rings {
-  vec4 rings[2 * max_rings];
-};
-
 // Height in m, dh/dx and dh/dz at a label, of the rings that samples this far apart show.
 vec3 ring_waves(vec2 label_m, float spacing_m) {
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < ring_count; ++i) {
-    vec4 ring = rings[2 * i], wave = rings[2 * i + 1];
+  for (int i = 0; i < rings.count; ++i) {
+    vec4 ring = rings.values[2 * i], wave = rings.values[2 * i + 1];
     vec2 from_centre_m = label_m - ring.xy;
     float rounding_m = 0.25 * ring.z;
     float hypotenuse_m = sqrt(dot(from_centre_m, from_centre_m) + rounding_m * rounding_m);

@@ -7,24 +7,19 @@ struct Shares {
 
 #if HAS_SHOALS
 uniform sampler2D shoal_depths;    // m, of still water at the posts of a map
-uniform vec4 shoal_place;          // the eye's place in posts from the first, column and row; posts a metre
-uniform float shoal_deepest_m;     // below it the sea is open
-layout(std140) uniform Shoals {
-  vec4 shoal_shares[2 * SHOAL_STEPS];  // of each depth: of cascades, of Gerstner waves in four bands from long to short
-};
 
 // At a label relative to the eye.
 Shares shares_at(vec2 label_m) {
   vec2 posts = vec2(textureSize(shoal_depths, 0));
-  vec2 place = shoal_place.xy + label_m * shoal_place.zw;
+  vec2 place = waves.shoal_place.xy + label_m * waves.shoal_place.zw;
   vec2 near = clamp(place, vec2(0.0), posts - 1.0);
   float depth_m = textureLod(shoal_depths, (near + 0.5) / posts, 0.0).r +
-                  SHOAL_STEEPEST * length((place - near) / shoal_place.zw);
-  float row = sqrt(clamp(depth_m / shoal_deepest_m, 0.0, 1.0)) * float(SHOAL_STEPS - 1);
+                  SHOAL_STEEPEST * length((place - near) / waves.shoal_place.zw);
+  float row = sqrt(clamp(depth_m / waves.shoal_deepest_m, 0.0, 1.0)) * float(SHOAL_STEPS - 1);
   int below = min(int(row), SHOAL_STEPS - 2);
   float beyond = row - float(below);
-  return Shares(mix(shoal_shares[2 * below], shoal_shares[2 * below + 2], beyond),
-                mix(shoal_shares[2 * below + 1], shoal_shares[2 * below + 3], beyond));
+  return Shares(mix(shoals.shares[2 * below], shoals.shares[2 * below + 2], beyond),
+                mix(shoals.shares[2 * below + 1], shoals.shares[2 * below + 3], beyond));
 }
 #else
 Shares shares_at(vec2 label_m) {

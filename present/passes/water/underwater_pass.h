@@ -5,7 +5,10 @@
 #include "present/gl/gl_objects.h"
 #include "present/gl/render_target.h"
 #include "present/gl/shader_program.h"
+#include "present/gl/uniform_block.h"
 #include "present/passes/sky/cloudy_sky.h"
+#include "present/passes/view_uniforms.h"
+#include "present/passes/water/water_uniforms.h"
 
 namespace offing::present {
 
@@ -34,6 +37,7 @@ class UnderwaterPass {
   static ShaderProgram program_for(Sky sky);
 
   ShaderVariants<Sky> programs_;
+  UniformBlock<glsl::ViewUniforms, glsl::UnderwaterUniforms> block_;
   GlVertexArray no_vertices_;
 };
 

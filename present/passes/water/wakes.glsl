@@ -1,18 +1,16 @@
 // Wake windows: layers of the surface that are known in a square alone, and end in nothing at its edge.
 // Compiled for WAKES, the number of windows.
 #if WAKES > 0
-uniform vec4 wakes[WAKES];       // cells a metre; the eye's place in cells from the window's first sample; cells along a side
-uniform vec4 wake_first[WAKES];  // column and row of the map that hold that sample, 0, 0
 uniform sampler2DArray wake_map;     // h m, dh/dx, dh/dz, dh/dt m/s
 
 // Height in m, dh/dx and dh/dz at a label relative to the eye, as far as texels of this width show them.
 vec3 wake_waves(vec2 label_m, float width_m) {
   vec3 sum = vec3(0.0);
   for (int i = 0; i < WAKES; ++i) {
-    vec4 window = wakes[i];
+    vec4 window = waves.wakes[i];
     vec2 place = label_m * window.x + window.yz;
     if (any(lessThan(place, vec2(0.0))) || any(greaterThan(place, vec2(window.w - 1.0)))) continue;
-    vec3 map_place = vec3((place + wake_first[i].xy + 0.5) / window.w, float(i));
+    vec3 map_place = vec3((place + waves.wake_first[i].xy + 0.5) / window.w, float(i));
     sum += textureLod(wake_map, map_place, max(0.0, log2(width_m * window.x))).xyz;
   }
   return sum;

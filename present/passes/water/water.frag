@@ -8,21 +8,6 @@ uniform sampler2D strain_of;
 uniform sampler2D depth_of;
 uniform sampler2DArray foam_map;      // coverage 0 ... 1
 uniform sampler2D foam_pattern;  // even values 0 ... 1
-uniform vec2 foam_place;         // the eye's place on its tile
-uniform float foam_tile_m;       // side of its tile
-uniform float breaking[CASCADES];  // 1: the cascade's waves are long enough to draw air under, else 0
-uniform vec4 hidden_slopes[CASCADES * 13];  // covariance xx, xz, zz that each mip level of a cascade hides
-uniform int level_count;
-uniform vec3 ripples;  // covariance of the slopes that no map has
-uniform vec3 gerstner_slopes;  // of all Gerstner waves
-uniform vec3 sun_direction;
-uniform float sun_radius_rad;
-uniform vec3 sun_klx;   // on a surface that faces the sun
-uniform vec3 sky_klx;   // on a level surface, by the sky alone
-uniform vec3 water_of_sky_kcdpm2;  // light from below the surface that was the sky's
-uniform vec3 water_of_sun_kcdpm2;  // and the sun's, where no cloud stands before it
-uniform vec2 foam_onset;    // Jacobian where foam begins, and how far below it covers all
-uniform float whitecaps;    // share of that foam that the wind leaves
 
 out vec4 light;
 
@@ -40,15 +25,11 @@ struct FacetLight {
 };
 
 vec3 hidden_at(int cascade, float level) {
-  float place = clamp(level, 0.0, float(level_count - 1));
-  int below = min(int(place), level_count - 2);
-  return mix(hidden_slopes[cascade * level_count + below].xyz,
-             hidden_slopes[cascade * level_count + below + 1].xyz, place - float(below));
+  float place = clamp(level, 0.0, float(water.level_count - 1));
+  int below = min(int(place), water.level_count - 2);
+  return mix(water.hidden_slopes[cascade * water.level_count + below].xyz,
+             water.hidden_slopes[cascade * water.level_count + below + 1].xyz, place - float(below));
 }
-
-#ifdef CLOUDY_SKY
-uniform float image_has_clouds;  // 1: the picture of what is mirrored, 0: the sky's map alone
-#endif
 
 // Light that a facet of this slope sends along v, and facets like it, whose mirrored rays rise or fall by `blur`. A
 // ray that is mirrored downward meets another wave, taken as level there.
@@ -63,7 +44,7 @@ FacetLight facet_light(vec2 slope, vec3 surface_m, vec3 v, float blur) {
   vec3 mirrored = mirrors * local.rgb;
 #ifdef CLOUDY_SKY
   // Clouds that the picture shows are in it; else they are behind all that it shows.
-  shown = mix(local.a, shown, image_has_clouds);
+  shown = mix(local.a, shown, water.image_has_clouds);
   vec3 sky = mirrors * ((shown - local.a) * environment_light(upward) +
                         (1.0 - shown) * cloudy_sky_light(upward, 4.0 * blur));
 #else
@@ -74,15 +55,15 @@ FacetLight facet_light(vec2 slope, vec3 surface_m, vec3 v, float blur) {
 
 float fresh_foam(vec3 gradient) {
   float jacobian = (1.0 + gradient.x) * (1.0 + gradient.z) - gradient.y * gradient.y;
-  return clamp((foam_onset.x - jacobian) / foam_onset.y, 0.0, 1.0);
+  return clamp((water.foam_onset.x - jacobian) / water.foam_onset.y, 0.0, 1.0);
 }
 
 // How much of the water foam of this coverage hides here: patches and threads that drift with the water, as far as
 // a pixel shows them.
 float foam_opacity(float coverage, vec2 label_m, float width_m) {
   if (coverage <= 0.0) return 0.0;
-  vec2 place = foam_place + label_m / foam_tile_m;
-  float texel_m = foam_tile_m / float(textureSize(foam_pattern, 0).x);
+  vec2 place = water.foam_place + label_m / water.foam_tile_m;
+  float texel_m = water.foam_tile_m / float(textureSize(foam_pattern, 0).x);
   float level = max(0.0, log2(width_m / texel_m));
   float fine = textureLod(foam_pattern, place, level).r;
   float coarse = textureLod(foam_pattern, 0.23 * place.yx, max(0.0, level - 2.1)).r;
@@ -94,8 +75,8 @@ float foam_opacity(float coverage, vec2 label_m, float width_m) {
 // A way aside by up to a texel of a foam map, in texels: long waves have maps of texels of metres, whose
 // squares would show.
 vec2 ragged(vec2 label_m, float width_m) {
-  vec2 place = 0.31 * (foam_place + label_m / foam_tile_m);
-  float level = max(0.0, log2(0.31 * width_m * float(textureSize(foam_pattern, 0).x) / foam_tile_m));
+  vec2 place = 0.31 * (water.foam_place + label_m / water.foam_tile_m);
+  float level = max(0.0, log2(0.31 * width_m * float(textureSize(foam_pattern, 0).x) / water.foam_tile_m));
   return vec2(textureLod(foam_pattern, place, level).r, textureLod(foam_pattern, 0.5 - place.yx, level).r) * 2.0 - 1.0;
 }
 
@@ -128,17 +109,17 @@ void main() {
     for (int i = 0; i < CASCADES; ++i) {
       vec3 map_point = map_place(i, tap_m);
       float level = map_level(i, width_m);
-      if (breaking[i] > 0.0) {
-        vec3 foam_point = map_place(i, tap_m + aside / cascades[i].w);
+      if (water.breaking[i] > 0.0) {
+        vec3 foam_point = map_place(i, tap_m + aside / waves.cascades[i].w);
         tap_bare *= 1.0 - min(shares.cascades[i], 1.0) * textureLod(foam_map, foam_point, level).r;
       }
-      if (width_m >= longest_wave_m[i]) continue;
+      if (width_m >= waves.longest_wave_m[i]) continue;
       vec4 texel = textureLod(gradient_map, map_point, level);
       tap_slope += shares.cascades[i] * texel.xy;
       vec3 change = vec3(texel.z, textureLod(displacement_map, map_point, level).w, texel.w) / float(TAPS);
       change *= shares.cascades[i];
       gradient += change;
-      breaking_gradient += breaking[i] * change;
+      breaking_gradient += water.breaking[i] * change;
     }
     slope += tap_slope / float(TAPS);
     square += vec3(tap_slope.x * tap_slope.x, tap_slope.x * tap_slope.y, tap_slope.y * tap_slope.y) / float(TAPS);
@@ -148,7 +129,7 @@ void main() {
   // that differ from tap to tap.
   // Gerstner waves that are not drawn are mostly the shortest. The wind makes ripples anew wherever it blows.
   float gerstner_share = shares.gerstner_waves.w;
-  vec3 hidden = ripples + gerstner_share * gerstner_share * fract(strain.w) * gerstner_slopes + square - vec3(slope.x * slope.x, slope.x * slope.y, slope.y * slope.y);
+  vec3 hidden = water.ripples + gerstner_share * gerstner_share * fract(strain.w) * water.gerstner_slopes + square - vec3(slope.x * slope.x, slope.x * slope.y, slope.y * slope.y);
   for (int i = 0; i < CASCADES; ++i) {
     hidden += shares.cascades[i] * shares.cascades[i] * hidden_at(i, map_level(i, width_m));
   }
@@ -161,13 +142,13 @@ void main() {
   vec3 ray = normalize(view_ray());
   vec3 v = -ray;
   float sun_share = cloud_share(ray * distance_m);
-  vec3 shaded_sun_klx = sun_share * sun_klx;
+  vec3 shaded_sun_klx = sun_share * water.sun_klx;
   vec3 surface_m = ray * distance_m;
-  float sun_level_klx = dot(shaded_sun_klx, vec3(1.0)) * max(sun_direction.y, 0.0);
-  float sun_part = sun_level_klx / max(sun_level_klx + dot(sky_klx, vec3(1.0)), 1e-6);
+  float sun_level_klx = dot(shaded_sun_klx, vec3(1.0)) * max(water.sun_direction.y, 0.0);
+  float sun_part = sun_level_klx / max(sun_level_klx + dot(water.sky_klx, vec3(1.0)), 1e-6);
   Lit lit = Lit(label_m - surface_m.xz, width_m, sun_part, shares.cascades);
   water_kcdpm2 = light_beneath(surface_m, v, normalize(vec3(-slope.x, 1.0, -slope.y)), lit,
-                               water_of_sky_kcdpm2 + sun_share * water_of_sun_kcdpm2);
+                               water.water_of_sky_kcdpm2 + sun_share * water.water_of_sun_kcdpm2);
   Facets facets = Facets(slope, hidden);
   Visibility seen = visibility(facets, v);
   // Two facets that have mean and variance of those seen; each stands for half of them.
@@ -177,23 +158,23 @@ void main() {
   FacetLight low = facet_light(middle - apart, surface_m, v, blur), high = facet_light(middle + apart, surface_m, v, blur);
   vec3 mirrored = 0.5 * (low.mirrored + high.mirrored);
   float mirrored_share = 0.5 * (low.share + high.share);
-  vec3 water = 0.5 * (low.all + high.all);
-  water += shaded_sun_klx * sun_glitter(facets, seen, v, sun_direction, sun_radius_rad);
+  vec3 seen_light = 0.5 * (low.all + high.all);
+  seen_light += shaded_sun_klx * sun_glitter(facets, seen, v, water.sun_direction, water.sun_radius_rad);
 
   // The maps' foam knows of its cascade alone. Long waves gather it where they press the water together, on their
   // crests: it does not repeat as the maps do.
   float pressed = -(gerstner_gradient.x + gerstner_gradient.z);
-  float coverage = whitecaps * max(fresh_foam(breaking_gradient), clamp(1.0 + 9.0 * pressed, 0.0, 1.5) * (1.0 - bare));
+  float coverage = water.whitecaps * max(fresh_foam(breaking_gradient), clamp(1.0 + 9.0 * pressed, 0.0, 1.5) * (1.0 - bare));
   float foam = foam_opacity(coverage, label_m, width_m);
   vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
-  vec3 foam_light = foam_albedo / pi * (sky_klx + shaded_sun_klx * max(dot(normal, sun_direction), 0.0));
-  vec3 surface = mix(water - mirrored, foam_light, foam);
+  vec3 foam_light = foam_albedo / pi * (water.sky_klx + shaded_sun_klx * max(dot(normal, water.sun_direction), 0.0));
+  vec3 surface = mix(seen_light - mirrored, foam_light, foam);
 
   mirrored_share *= 1.0 - foam;
   light = vec4((1.0 - mirrored_share) * through_air(surface / max(1.0 - mirrored_share, 1e-3), ray, distance_m) +
                    (1.0 - foam) * mirrored, 1.0);
 #if WATER_SHOW != 0
-  light.rgb = debug_light(ray.y * distance_m + eye_height_m + earth_drop_m(label_m), slope, jacobian, coverage, width_m,
+  light.rgb = debug_light(ray.y * distance_m + view.eye_height_m + earth_drop_m(label_m), slope, jacobian, coverage, width_m,
                           label_m, floor(strain.w));
 #endif
 }

@@ -7,20 +7,18 @@ float earth_drop_m(vec2 label_m) {
 }
 
 // CASCADES, their number, is what this is compiled for.
-uniform vec4 cascades[CASCADES];  // 1 / L 1/m; the eye's place on the patch in L, x and z; texels a metre
-uniform float longest_wave_m[CASCADES];  // wavelength; wider texels show nothing of the cascade
 uniform sampler2DArray displacement_map;  // dx, h, dz in m, d dx/dz
 
 // Place on the map of a cascade of a label relative to the eye: the first texel is label (0, 0).
 vec3 map_place(int cascade, vec2 label_m) {
-  vec4 patch_of = cascades[cascade];
+  vec4 patch_of = waves.cascades[cascade];
   float half_texel = 0.5 * patch_of.x / patch_of.w;
   return vec3(label_m * patch_of.x + patch_of.yz + half_texel, float(cascade));
 }
 
 // Mip level whose texels are this wide.
 float map_level(int cascade, float width_m) {
-  return max(0.0, log2(width_m * cascades[cascade].w));
+  return max(0.0, log2(width_m * waves.cascades[cascade].w));
 }
 
 // Share of a wave that is drawn on a grid with this many samples a wavelength: host/ocean/surface/gerstner_surface.h.

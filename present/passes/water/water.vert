@@ -2,7 +2,6 @@
 uniform sampler2D place_of;  // water_shape.frag's outputs
 uniform sampler2D facet_of;
 uniform sampler2D strain_of;
-uniform mat4 clip_from_eye;
 
 out vec2 label_m;            // relative to the eye
 out vec3 position_m;         // relative to the eye
@@ -22,5 +21,5 @@ void main() {
   gerstner_loss = facet.z;
   gerstner_gradient = texelFetch(strain_of, vertex, 0).xyz;
   grid_place = vec2(vertex);
-  gl_Position = clip_from_eye * vec4(position_m, 1.0);
+  gl_Position = grid.clip_from_eye * vec4(position_m, 1.0);
 }

@@ -11,6 +11,7 @@
 #include "present/gl/texture_array.h"
 #include "present/gl/transfer.h"
 #include "present/gl/uniform_block.h"
+#include "present/passes/water/water_uniforms.h"
 
 namespace offing::present {
 
@@ -21,14 +22,15 @@ class ShoalTexture {
 
   /// Copies them where they are others than those of the last call; none: the open sea.
   void prepare(const std::shared_ptr<const ocean::Shoals>& shoals);
-  /// Gives them, if there are any, to a program in use that HAS_SHOALS, for an eye at this label; the texture
-  /// on this unit.
-  void bind(const ShaderProgram& program, glm::dvec2 eye_m, int unit) const;
+  /// Gives them, if there are any, to a program in use that HAS_SHOALS, the texture on this unit.
+  void bind(const ShaderProgram& program, int unit) const;
+  /// Where an eye at this label stands among the depths.
+  void place(glm::dvec2 eye_m, glsl::WaveUniforms& waves) const;
 
  private:
   std::shared_ptr<const ocean::Shoals> shoals_;
   GlTexture depths_;
-  UniformBlock shares_;
+  UniformBlock<glsl::ShoalUniforms> shares_;
 };
 
 /// OpenGL's copies of a sea's maps, which the shaders of the water read (water.glsl, wakes.glsl,
@@ -38,15 +40,15 @@ class WaterMaps {
   /// Units from first_free_unit on are left to others.
   static constexpr int first_free_unit = 5;
 
-  /// Copies the maps of the world as it stands,.
+  /// Copies the maps of the world as it stands.
   void prepare(world::World& world, Transfer& transfer);
 
-  /// Binds the maps, and tells a program in use where on them an eye at this label stands.
-  void bind(const ShaderProgram& program, const world::World& world, glm::dvec2 eye_m) const;
+  /// Gives the maps to a program in use.
+  void bind(const ShaderProgram& program) const;
+  /// Where an eye at this label stands on them.
+  glsl::WaveUniforms waves(const world::World& world, glm::dvec2 eye_m) const;
 
  private:
-  void bind_wakes(const ShaderProgram& program, const world::World& world, glm::dvec2 eye_m) const;
-
   MapTexture displacement_, gradient_, foam_, wakes_;
   ShoalTexture shoals_;
 };

@@ -12,6 +12,7 @@
 
 #include "present/passes/air.h"
 #include "present/passes/camera_projection.h"
+#include "present/passes/uniform_bindings.h"
 #include "present/passes/water/foam_texture.h"
 #include "present/passes/water/water_light.h"
 
@@ -39,17 +40,38 @@ glm::vec3 to_vec3(const std::array<double, 3>& values) {
   return {values[0], values[1], values[2]};
 }
 
-void set_light(const ShaderProgram& program, const world::World& world) {
+void set_light(const world::World& world, glsl::WaterUniforms& uniforms) {
   const sky::Illuminance& light = world.illuminance();
   const auto& sun = world.sky().params();
   const WaterLight water = water_light(world);
-  program.set("sun_direction", glm::vec3(sun.sun_direction_x, sun.sun_direction_y, sun.sun_direction_z));
-  program.set("sun_radius_rad", sun.sun_angular_radius_rad);
-  program.set("sun_klx", to_vec3(light.sun_klx));
-  program.set("sky_klx", to_vec3(light.sky_klx));
-  program.set("water_of_sky_kcdpm2", water.of_sky_kcdpm2);
-  program.set("water_of_sun_kcdpm2", water.of_sun_kcdpm2);
-  program.set("attenuation_perm", water.attenuation_perm);
+  uniforms.sun_direction = {sun.sun_direction_x, sun.sun_direction_y, sun.sun_direction_z};
+  uniforms.sun_radius_rad = sun.sun_angular_radius_rad;
+  uniforms.sun_klx = to_vec3(light.sun_klx);
+  uniforms.sky_klx = to_vec3(light.sky_klx);
+  uniforms.water_of_sky_kcdpm2 = water.of_sky_kcdpm2;
+  uniforms.water_of_sun_kcdpm2 = water.of_sun_kcdpm2;
+  uniforms.attenuation_perm = water.attenuation_perm;
+}
+
+void set_waves(const world::World& world, const Camera& camera, glsl::WaterUniforms& uniforms) {
+  const ocean::OceanParameters& sea = world.parameters().ocean;
+  const int cascades = std::min(static_cast<int>(sea.cascades.size()), glsl::most_cascades);
+  int hidden = 0;
+  for (int i = 0; i < cascades; ++i) {
+    const auto cascade = static_cast<std::size_t>(i);
+    uniforms.breaking[i] = sea.cascades[cascade].k_min_radpm < ripples_radpm ? 1.0f : 0.0f;
+    for (const ocean::SlopeCovariance& level : world.hidden_slopes().cascades[cascade]) {
+      uniforms.hidden_slopes[hidden++] = {to_vec3(level), 0.0f};
+    }
+  }
+  uniforms.level_count = hidden / cascades;
+  uniforms.ripples = to_vec3(world.hidden_slopes().ripples);
+  uniforms.gerstner_slopes = to_vec3(world.hidden_slopes().gerstner_waves);
+  uniforms.whitecaps = static_cast<float>(whitecap_share(world.parameters().wind.wind_speed_mps));
+  uniforms.foam_onset = {sea.foam.onset_jacobian, sea.foam.width};
+  const glm::dvec2 foam_place = glm::dvec2(camera.eye_m.x, camera.eye_m.z) / static_cast<double>(foam_tile_m);
+  uniforms.foam_place = foam_place - glm::floor(foam_place / 100.0) * 100.0;
+  uniforms.foam_tile_m = foam_tile_m;
 }
 
 }  // namespace
@@ -58,6 +80,7 @@ WaterPass::WaterPass(const GlCapabilities& capabilities, WaterDetail detail)
     : detail_(detail),
       surface_(capabilities, detail.cells),
       programs_(program_for),
+      block_("Water", pass_binding),
       no_vertices_(GlVertexArray::make()),
       foam_pattern_(foam_texture()) {}
 
@@ -67,7 +90,10 @@ ShaderProgram WaterPass::program_for(const Features& features) {
                                             "#define MIRRORS_THINGS {:d}\n#define SHOWS_BENEATH {:d}\n",
                                             features.taps, static_cast<int>(features.debug), features.mirrors,
                                             features.mirrors_things, features.shows_beneath)};
-  std::vector<ShaderPart> fragment{compiled_for, CloudShadows::glsl(), shader_file("sky/environment.glsl")};
+  std::vector<ShaderPart> fragment =
+      water_uniforms("Water", "ViewUniforms view; WaveUniforms waves; WaterUniforms water;");
+  for (const ShaderPart& part : {compiled_for, CloudShadows::glsl(), shader_file("sky/environment.glsl")})
+    fragment.push_back(part);
   if (features.has_clouds) fragment.push_back(shader_file("sky/cloudy_sky.glsl"));
   for (const char* name : {"air.glsl", "view_ray.glsl"}) fragment.push_back(shader_file(name));
   std::ranges::move(wave_shaders(features.waves), std::back_inserter(fragment));
@@ -75,32 +101,6 @@ ShaderProgram WaterPass::program_for(const Features& features) {
                            "water/water_views.glsl", "water/water_debug.glsl", "water/water.frag"})
     fragment.push_back(shader_file(name));
   return ShaderProgram({.vertex = {shader_file("screen.vert")}, .fragment = std::move(fragment)});
-}
-
-void WaterPass::set_waves(const ShaderProgram& program, const world::World& world,
-                          const Camera& camera) const {
-  const ocean::OceanParameters& sea = world.parameters().ocean;
-  const glm::dvec2 eye_m(camera.eye_m.x, camera.eye_m.z);
-  maps_.bind(program, world, eye_m);
-  surface_.rings().bind(program);
-  std::vector<glm::vec4> hidden;
-  std::vector<float> breaking;
-  for (std::size_t i = 0; i < sea.cascades.size(); ++i) {
-    breaking.push_back(sea.cascades[i].k_min_radpm < ripples_radpm ? 1.0f : 0.0f);
-    for (const ocean::SlopeCovariance& level : world.hidden_slopes().cascades[i]) {
-      hidden.emplace_back(to_vec3(level), 0.0f);
-    }
-  }
-  program.set("hidden_slopes", hidden);
-  program.set("level_count", static_cast<int>(hidden.size() / sea.cascades.size()));
-  program.set("ripples", to_vec3(world.hidden_slopes().ripples));
-  program.set("gerstner_slopes", to_vec3(world.hidden_slopes().gerstner_waves));
-  program.set("breaking", breaking);
-  program.set("whitecaps", static_cast<float>(whitecap_share(world.parameters().wind.wind_speed_mps)));
-  program.set("foam_onset", glm::vec2(sea.foam.onset_jacobian, sea.foam.width));
-  const glm::dvec2 foam_place = eye_m / static_cast<double>(foam_tile_m);
-  program.set("foam_place", glm::vec2(foam_place - glm::floor(foam_place / 100.0) * 100.0));
-  program.set("foam_tile_m", foam_tile_m);
 }
 
 void WaterPass::bind_surface(const ShaderProgram& program) const {
@@ -132,18 +132,24 @@ void WaterPass::draw(world::World& world, const FrameRequest& request, const Dry
                                                  .shows_beneath = views_.has_beneath(),
                                                  .has_clouds = dry.cloudy_sky.has_map()});
   program.use();
-  set_view_rays(program, request.camera);
-  set_waves(program, world, request.camera);
-  set_light(program, world);
+  glsl::ViewUniforms view = view_uniforms(request.camera);
+  view.white_kcdpm2 = static_cast<float>(1.0 / request.exposure);
+  view.haze_perm = haze_perm(world.parameters().atmosphere);
+  glsl::WaterUniforms water{};
+  water.debug_height_m = static_cast<float>(0.5 * world.reach().vertical_m);
+  set_waves(world, request.camera, water);
+  set_light(world, water);
+  views_.describe(water);
+  block_.fill(view, maps_.waves(world, {request.camera.eye_m.x, request.camera.eye_m.z}), water);
+  block_.bind(program);
+  maps_.bind(program);
+  surface_.rings().bind(program);
   bind_surface(program);
-  set_air(program, world.parameters().atmosphere, dry.environment, environment_unit);
+  bind_sampler(program, "environment", environment_unit, dry.environment);
   dry.cloudy_sky.bind(environment_unit);
   dry.shadows.bind(program, shadow_unit);
   views_.bind(program, first_view_unit);
   bind_sampler(program, "foam_pattern", pattern_unit, foam_pattern_.name());
-  program.set("eye_height_m", static_cast<float>(request.camera.eye_m.y));
-  program.set("debug_white", static_cast<float>(1.0 / request.exposure));
-  program.set("debug_height_m", static_cast<float>(0.5 * world.reach().vertical_m));
 
   // The shader gives the surface's depth, so that water hides what lies behind it and is hidden by what is
   // before it.

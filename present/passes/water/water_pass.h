@@ -9,11 +9,14 @@
 #include "present/gl/render_target.h"
 #include "present/gl/shader_program.h"
 #include "present/gl/transfer.h"
+#include "present/gl/uniform_block.h"
 #include "present/passes/clouds/cloud_shadows.h"
 #include "present/passes/frame_request.h"
+#include "present/passes/view_uniforms.h"
 #include "present/passes/water/ring_waves.h"
 #include "present/passes/water/water_maps.h"
 #include "present/passes/water/water_surface.h"
+#include "present/passes/water/water_uniforms.h"
 #include "present/passes/water/water_views.h"
 #include "present/passes/water/wave_features.h"
 
@@ -55,7 +58,6 @@ class WaterPass {
   };
   static ShaderProgram program_for(const Features& features);
 
-  void set_waves(const ShaderProgram& program, const world::World& world, const Camera& camera) const;
   void bind_surface(const ShaderProgram& program) const;
 
   WaterDetail detail_;
@@ -63,6 +65,7 @@ class WaterPass {
   WaterSurface surface_;
   WaterViews views_;
   ShaderVariants<Features> programs_;
+  UniformBlock<glsl::ViewUniforms, glsl::WaveUniforms, glsl::WaterUniforms> block_;
   GlVertexArray no_vertices_;
   GlTexture foam_pattern_;
 };

@@ -4,23 +4,23 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <utility>
 #include <vector>
 
-#include "kernels/shared/gerstner_params.h"
 #include "present/passes/camera_projection.h"
+#include "present/passes/uniform_bindings.h"
 
 namespace offing::present {
 namespace {
 
 // The outputs of water_shape.frag, as water.vert calls them.
 constexpr std::array outputs{"place_of", "facet_of", "strain_of"};
-constexpr GLuint gerstner_waves_binding = 1;
-constexpr std::size_t gerstner_values = GERSTNER_WAVES + GERSTNER_WAVES / 4;
 
 ShaderProgram shape_program(const WaveFeatures& features) {
-  std::vector<ShaderPart> fragment = wave_shaders(features);
+  std::vector<ShaderPart> fragment = water_uniforms("Shape", "WaveUniforms waves; ShapeUniforms shape;");
+  std::ranges::move(wave_shaders(features), std::back_inserter(fragment));
   fragment.push_back(shader_file("water/water_shape.frag"));
   return ShaderProgram({.vertex = {shader_file("screen.vert")}, .fragment = std::move(fragment)});
 }
@@ -48,13 +48,32 @@ BandedWaves in_bands(const ocean::GerstnerInstant& gerstner_waves, const ocean::
   return banded;
 }
 
+void set_gerstner_waves(const ocean::GerstnerInstant& gerstner_waves, const ocean::Shoals* shoals,
+                        const Camera& camera, glsl::ShapeUniforms& shape) {
+  int count = 0;
+  const BandedWaves banded = in_bands(gerstner_waves, shoals);
+  for (const ocean::GerstnerInstant::Wave& wave : banded.waves) {
+    shape.waves[count] = {wave.kx_radpm, wave.kz_radpm, wave.amplitude_m,
+                          gerstner_waves.horizontal_scale() * wave.amplitude_m};
+    const double phase = wave.kx_radpm * camera.eye_m.x + wave.kz_radpm * camera.eye_m.z + wave.phase_rad;
+    shape.phases[count / 4][count % 4] = static_cast<float>(std::remainder(phase, 2.0 * std::numbers::pi));
+    ++count;
+  }
+  shape.wave_count = count;
+  shape.band_ends = banded.ends;
+}
+
 constexpr int output_count = 3;
 constexpr int first_shape_unit = 0, hull_unit = 4;
 
 ShaderProgram surface_program() {
-  return ShaderProgram(
-      {.vertex = {shader_file("water/water.vert")},
-       .fragment = {shader_file("water/hull_mask.glsl"), shader_file("water/water_surface.frag")}});
+  ShaderStages stages{.vertex = water_uniforms("Surface", "SurfaceUniforms grid;"),
+                      .fragment = water_uniforms("Surface", "SurfaceUniforms grid;")};
+  stages.vertex.push_back(shader_file("water/water.vert"));
+  for (const char* name : {"water/hull_mask.glsl", "water/water_surface.frag"}) {
+    stages.fragment.push_back(shader_file(name));
+  }
+  return ShaderProgram(stages);
 }
 
 // Two triangles a cell, near rows first, so that what they hide is not shaded.
@@ -74,9 +93,7 @@ std::vector<std::uint32_t> triangles(GridCells cells) {
 }  // namespace
 
 WaterShape::WaterShape(GridCells cells)
-    : programs_(shape_program),
-      no_vertices_(GlVertexArray::make()),
-      gerstner_block_("GerstnerWaves", gerstner_waves_binding, gerstner_values) {
+    : programs_(shape_program), no_vertices_(GlVertexArray::make()), block_("Shape", pass_binding) {
   fit(cells);
 }
 
@@ -84,26 +101,6 @@ void WaterShape::fit(GridCells cells) {
   cells_ = cells;
   target_ = RenderTarget(cells.columns + 1, cells.rows + 1, GL_RGBA32F, static_cast<int>(outputs.size()),
                          RenderTarget::Depth::none);
-}
-
-void WaterShape::set_gerstner_waves(const ocean::GerstnerInstant& gerstner_waves, const ocean::Shoals* shoals,
-                                    const Camera& camera, const ShaderProgram& program) const {
-  // As the shader's block has them: the waves, then their phases, four a value.
-  std::vector<glm::vec4> waves(gerstner_values);
-  std::size_t count = 0;
-  const BandedWaves banded = in_bands(gerstner_waves, shoals);
-  for (const ocean::GerstnerInstant::Wave& wave : banded.waves) {
-    waves[count] = {wave.kx_radpm, wave.kz_radpm, wave.amplitude_m,
-                    gerstner_waves.horizontal_scale() * wave.amplitude_m};
-    const double phase = wave.kx_radpm * camera.eye_m.x + wave.kz_radpm * camera.eye_m.z + wave.phase_rad;
-    waves[GERSTNER_WAVES + count / 4][static_cast<int>(count % 4)] =
-        static_cast<float>(std::remainder(phase, 2.0 * std::numbers::pi));
-    ++count;
-  }
-  program.set("wave_count", static_cast<int>(count));
-  program.set("band_ends", banded.ends);
-  gerstner_block_.fill(std::move(waves));
-  gerstner_block_.bind(program);
 }
 
 void WaterShape::draw(const world::World& world, const WaterMaps& maps, const Camera& camera,
@@ -114,17 +111,18 @@ void WaterShape::draw(const world::World& world, const WaterMaps& maps, const Ca
   const ShaderProgram& program = programs_.with(wave_features(world, rings_));
   target_.bind();
   program.use();
-  std::vector<glm::vec3> corners;
-  for (const ocean::ProjectedGrid::Corner& corner : grid.corners()) {
-    corners.emplace_back(corner.label_m.x, corner.label_m.y, corner.w);
-  }
-  program.set("corners", corners);
-  program.set("cells", glm::ivec2(cells_.columns, cells_.rows));
-  program.set("eye_height_m", static_cast<float>(camera.eye_m.y));
-  maps.bind(program, world, eye_m);
-  set_gerstner_waves(gerstner_waves, world.shoals().get(), camera, program);
+  glsl::ShapeUniforms shape{};
+  shape.cells = glm::ivec2(cells_.columns, cells_.rows);
+  shape.eye_height_m = static_cast<float>(camera.eye_m.y);
+  shape.gerstner_mean_square = static_cast<float>(world.hidden_slopes().gerstner_waves.mean_square());
+  std::ranges::transform(grid.corners(), shape.corners, [](const ocean::ProjectedGrid::Corner& corner) {
+    return glm::vec4(corner.label_m.x, corner.label_m.y, corner.w, 0.0f);
+  });
+  set_gerstner_waves(gerstner_waves, world.shoals().get(), camera, shape);
+  block_.fill(maps.waves(world, eye_m), shape);
+  block_.bind(program);
+  maps.bind(program);
   rings_.bind(program);
-  program.set("gerstner_mean_square", static_cast<float>(world.hidden_slopes().gerstner_waves.mean_square()));
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -139,6 +137,7 @@ WaterSurface::WaterSurface(const GlCapabilities& capabilities, GridCells cells)
     : capabilities_(capabilities),
       shape_(cells),
       program_(surface_program()),
+      block_("Surface", pass_binding),
       vertices_(GlVertexArray::make()),
       indices_(GlBuffer::make()) {
   index_cells();
@@ -173,9 +172,13 @@ bool WaterSurface::draw(const world::World& world, const WaterMaps& maps, const 
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
   program_.use();
-  program_.set("clip_from_eye", glm::mat4(clip_from_eye(camera, capabilities_.has_clip_control)));
+  glsl::SurfaceUniforms uniforms{};
+  uniforms.clip_from_eye = clip_from_eye(camera, capabilities_.has_clip_control);
+  hulls_.prepare(world, camera, uniforms);
+  block_.fill(uniforms);
+  block_.bind(program_);
   shape_.bind(program_, first_shape_unit);
-  hulls_.bind(program_, hull_unit, world, camera);
+  hulls_.bind(program_, hull_unit);
 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);

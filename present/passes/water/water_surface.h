@@ -15,6 +15,7 @@
 #include "present/passes/water/hull_mask.h"
 #include "present/passes/water/ring_waves.h"
 #include "present/passes/water/water_maps.h"
+#include "present/passes/water/water_uniforms.h"
 #include "present/passes/water/wave_features.h"
 
 namespace offing::present {
@@ -45,13 +46,10 @@ class WaterShape {
   const RingWaves& rings() const { return rings_; }
 
  private:
-  void set_gerstner_waves(const ocean::GerstnerInstant& gerstner_waves, const ocean::Shoals* shoals,
-                          const Camera& camera, const ShaderProgram& program) const;
-
   GridCells cells_;
   ShaderVariants<WaveFeatures> programs_;
   GlVertexArray no_vertices_;
-  UniformBlock gerstner_block_;
+  UniformBlock<glsl::WaveUniforms, glsl::ShapeUniforms> block_;
   RingWaves rings_;
   RenderTarget target_;
 };
@@ -80,6 +78,7 @@ class WaterSurface {
   WaterShape shape_;
   HullMask hulls_;
   ShaderProgram program_;
+  UniformBlock<glsl::SurfaceUniforms> block_;
   GlVertexArray vertices_;
   GlBuffer indices_;
   RenderTarget target_;

@@ -90,9 +90,11 @@ void WaterViews::bind(const ShaderProgram& program, int first_unit) const {
   };
   bind_view(has_mirrored_, mirrored_, "mirrored_light", "mirrored_depth", first_unit);
   bind_view(has_beneath_, beneath_, "beneath_light", "beneath_depth", first_unit + 2);
-  program.set("image_has_clouds", mirrors_clouds_ ? 1.0f : 0.0f);
-  program.set("views_margin", static_cast<float>(margin));
-  program.set("view_near_m", static_cast<float>(near_m));
+}
+
+void WaterViews::describe(glsl::WaterUniforms& water) const {
+  water.image_has_clouds = mirrors_clouds_ ? 1.0f : 0.0f;
+  water.views_margin = static_cast<float>(margin);
 }
 
 }  // namespace offing::present

@@ -5,10 +5,6 @@
 // MIRRORS_THINGS, what has a depth; SHOWS_BENEATH.
 uniform sampler2D mirrored_light, mirrored_depth;  // premultiplied kcd/m2 with coverage; reversed depth
 uniform sampler2D beneath_light, beneath_depth;
-uniform float views_margin;  // width of both pictures over that of the water's
-uniform float view_near_m;
-uniform float eye_height_m;
-uniform vec3 attenuation_perm;  // of the water
 
 // A bed's light spreads as it leaves the water: 1 / n^2, less what the surface turns back.
 const float leaving_share = 0.54;
@@ -19,22 +15,22 @@ const float deepest_caustics_m = 16.0;
 
 // Where the picture shows a place; z: its distance along the line of sight.
 vec3 clip_of(vec3 place_m) {
-  float along_m = dot(place_m, ray_forward);
-  vec2 across = vec2(dot(place_m, ray_right) / dot(ray_right, ray_right), dot(place_m, ray_up) / dot(ray_up, ray_up));
+  float along_m = dot(place_m, view.ray_forward);
+  vec2 across = vec2(dot(place_m, view.ray_right) / dot(view.ray_right, view.ray_right), dot(place_m, view.ray_up) / dot(view.ray_up, view.ray_up));
   return vec3(across / max(along_m, 1e-3), along_m);
 }
 
 // The place that the picture shows there, so far along the line of sight.
 vec3 place_along(vec3 clip_place, float along_m) {
-  return (ray_forward + clip_place.x * ray_right + clip_place.y * ray_up) * along_m;
+  return (view.ray_forward + clip_place.x * view.ray_right + clip_place.y * view.ray_up) * along_m;
 }
 
 vec3 mirror_image(vec3 place_m) {
-  return vec3(place_m.x, -place_m.y - 2.0 * eye_height_m, place_m.z);
+  return vec3(place_m.x, -place_m.y - 2.0 * view.eye_height_m, place_m.z);
 }
 
 vec2 mirrored_uv(vec3 clip_place) {
-  return 0.5 + 0.5 / views_margin * vec2(clip_place.x, -clip_place.y);
+  return 0.5 + 0.5 / water.views_margin * vec2(clip_place.x, -clip_place.y);
 }
 
 // Above the picture there is the sky, and beside it too where clouds are all that it shows; else what its rim shows.
@@ -44,7 +40,7 @@ float mirrored_share(vec3 clip_place) {
 #else
   float outward = max(abs(clip_place.x), abs(clip_place.y));
 #endif
-  return clip_place.z > 0.0 ? smoothstep(views_margin, 0.9 * views_margin, outward) : 0.0;
+  return clip_place.z > 0.0 ? smoothstep(water.views_margin, 0.9 * water.views_margin, outward) : 0.0;
 }
 
 // How far from a place of the surface that stands which is mirrored at a place of the picture; far_m: nothing near,
@@ -52,8 +48,8 @@ float mirrored_share(vec3 clip_place) {
 float mirrored_way_m(vec3 clip_place, vec3 surface_image_m) {
   float depth = textureLod(mirrored_depth, mirrored_uv(clip_place), 0.0).r;
   if (depth <= 0.0) return far_m;
-  float along_m = view_near_m / depth;
-  if (along_m < 0.98 * dot(surface_image_m, ray_forward)) return -1.0;
+  float along_m = view.near_m / depth;
+  if (along_m < 0.98 * dot(surface_image_m, view.ray_forward)) return -1.0;
   return min(distance(place_along(clip_place, along_m), surface_image_m), far_m);
 }
 
@@ -77,14 +73,14 @@ vec4 mirrored_along(vec3 surface_m, vec3 ray, float spread_rad, out float shown)
 #endif
   float share = mirrored_share(clip_place);
   if (share <= 0.0) return vec4(0.0);
-  float pixel_rad = 2.0 * views_margin * length(ray_up) / float(textureSize(mirrored_light, 0).y);
+  float pixel_rad = 2.0 * water.views_margin * length(view.ray_up) / float(textureSize(mirrored_light, 0).y);
   float pixels = max(spread_rad / pixel_rad * reach_m / (reach_m + length(surface_m)), 1.0);
   // Rays that graze rough water are spread upright alone: by a few lookups, each as wide as the spread across.
   float across = clamp(-surface_m.y / length(surface_m), 1.0 / float(upright_taps), 1.0);
   float level = log2(max(pixels * across, 1.0));
-  float upright = pixels * 2.0 * views_margin / float(textureSize(mirrored_light, 0).y);
+  float upright = pixels * 2.0 * water.views_margin / float(textureSize(mirrored_light, 0).y);
   // As far as a lookup between two levels reaches: two texels of the coarser one.
-  vec3 beside = vec3(4.0 * exp2(level) * views_margin / float(textureSize(mirrored_light, 0).x), 0.0, 0.0);
+  vec3 beside = vec3(4.0 * exp2(level) * water.views_margin / float(textureSize(mirrored_light, 0).x), 0.0, 0.0);
   vec4 sum = vec4(0.0);
   for (int tap = 0; tap < upright_taps; ++tap) {
     vec3 place = clip_place + vec3(0.0, ((float(tap) + 0.5) / float(upright_taps) - 0.5) * upright, 0.0);
@@ -107,14 +103,14 @@ vec4 mirrored_along(vec3 surface_m, vec3 ray, float spread_rad, out float shown)
 }
 
 vec2 beneath_uv(vec3 clip_place) {
-  return 0.5 + 0.5 / views_margin * clip_place.xy;
+  return 0.5 + 0.5 / water.views_margin * clip_place.xy;
 }
 
 // A place beneath the surface, and whether there is one.
 vec4 beneath_at(vec3 clip_place) {
   float depth = textureLod(beneath_depth, beneath_uv(clip_place), 0.0).r;
   if (depth <= 0.0) return vec4(0.0);
-  return vec4(place_along(clip_place, view_near_m / depth), 1.0);
+  return vec4(place_along(clip_place, view.near_m / depth), 1.0);
 }
 
 // How the sun lights what is beneath: labels of places less the places themselves, the width of a pixel's footprint,
@@ -137,7 +133,7 @@ vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, Lit lit, vec3 deep_kcdpm
   vec3 shifted_place = clip_of(surface_m + broken * (down_m / max(-broken.y, 0.3)));
   vec4 place = beneath_at(shifted_place);
   // Not what stands out of the water, or before it.
-  bool is_beneath = place.w > 0.0 && place.y < surface_m.y && all(lessThan(abs(shifted_place.xy), vec2(views_margin)));
+  bool is_beneath = place.w > 0.0 && place.y < surface_m.y && all(lessThan(abs(shifted_place.xy), vec2(water.views_margin)));
   if (is_beneath) {
     clip_place = shifted_place;
   } else {
@@ -146,7 +142,7 @@ vec3 light_beneath(vec3 surface_m, vec3 v, vec3 normal, Lit lit, vec3 deep_kcdpm
   down_m = max(surface_m.y - place.y, 0.0);
   vec4 seen = textureLod(beneath_light, beneath_uv(clip_place), 0.0);
   // Light has come down to it, and goes up to the eye.
-  vec3 left = exp(-attenuation_perm * (down_m + distance(place.xyz, surface_m))) * seen.a;
+  vec3 left = exp(-water.attenuation_perm * (down_m + distance(place.xyz, surface_m))) * seen.a;
   float leaving = mix(leaving_share, 1.0, exp(-4.0 * down_m));
   if (down_m > 0.0 && down_m < deepest_caustics_m) {
     float gathered = caustics(place.xz + lit.label_shift_m, down_m, lit.width_m, lit.cascade_shares);

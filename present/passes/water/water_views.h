@@ -10,6 +10,7 @@
 #include "present/passes/meshes/mesh_pass.h"
 #include "present/passes/sky/cloudy_sky.h"
 #include "present/passes/terrain/terrain_pass.h"
+#include "present/passes/water/water_uniforms.h"
 
 namespace offing::present {
 
@@ -39,6 +40,8 @@ class WaterViews {
   bool has_beneath() const { return has_beneath_; }
   /// Gives them to a program in use (water_views.glsl), by unit_count texture units.
   void bind(const ShaderProgram& program, int first_unit) const;
+  /// Fills in what that shader knows of them besides.
+  void describe(glsl::WaterUniforms& water) const;
   static constexpr int unit_count = 4;
 
  private:

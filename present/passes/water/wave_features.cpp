@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "kernels/shared/gerstner_params.h"
 #include "kernels/shared/shoal_params.h"
 
 namespace offing::present {
@@ -14,15 +15,28 @@ WaveFeatures wave_features(const world::World& world, const RingWaves& rings) {
           .has_shoals = world.shoals() != nullptr};
 }
 
+std::vector<ShaderPart> water_uniforms(const std::string& block, const std::string& members) {
+  const ShaderPart sizes{
+      "sizes of uniforms",
+      fmt::format("#define GERSTNER_WAVES {}\n#define SHOAL_STEPS {}\n", GERSTNER_WAVES, SHOAL_STEPS)};
+  return {sizes, shader_file("view_uniforms.h"), shader_file("water/water_uniforms.h"),
+          uniform_block(block, members)};
+}
+
 std::vector<ShaderPart> wave_shaders(const WaveFeatures& features) {
   const ShaderPart compiled_for{
       "features of waves",
       fmt::format("#define CASCADES {}\n#define WAKES {}\n#define HAS_RINGS {:d}\n#define HAS_SHOALS {:d}\n"
-                  "#define SHOAL_STEPS {}\n#define SHOAL_STEEPEST {:f}\n",
-                  features.cascades, features.wakes, features.has_rings, features.has_shoals, SHOAL_STEPS,
+                  "#define SHOAL_STEEPEST {:f}\n",
+                  features.cascades, features.wakes, features.has_rings, features.has_shoals,
                   SHOAL_STEEPEST)};
-  return {compiled_for, shader_file("water/water.glsl"), shader_file("water/rings.glsl"),
-          shader_file("water/wakes.glsl"), shader_file("water/shoals.glsl")};
+  std::vector<ShaderPart> parts{compiled_for};
+  if (features.has_rings) parts.push_back(uniform_block("Rings", "RingUniforms rings;"));
+  if (features.has_shoals) parts.push_back(uniform_block("Shoals", "ShoalUniforms shoals;"));
+  for (const char* name : {"water/water.glsl", "water/rings.glsl", "water/wakes.glsl", "water/shoals.glsl"}) {
+    parts.push_back(shader_file(name));
+  }
+  return parts;
 }
 
 }  // namespace offing::present

@@ -1,0 +1,19 @@
+// What the terrain pass knows: one layout for C++ and GLSL (std140).
+#ifdef __cplusplus
+#pragma once
+
+#include "present/gl/glsl_types.h"
+
+namespace offing::present::glsl {
+#endif
+
+struct TerrainUniforms {
+  vec4 step_marks[4];      // r, g, b and the steps of that colour
+  float hidden_below_m;    // height of the sea that hides terrain (SeaOverTerrain)
+  float hidden_bend_perm;  // how it bends down with the distance
+  int draws_edges;         // 0: pixels that terrain covers, 1: those that it covers in part
+};
+
+#ifdef __cplusplus
+}  // namespace offing::present::glsl
+#endif
