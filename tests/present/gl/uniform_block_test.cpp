@@ -70,16 +70,20 @@ TEST_F(UniformBlockTest, StructsLieAsInTheShader) {
             shape + static_cast<int>(offsetof(glsl::ShapeUniforms, gerstner_mean_square)));
 }
 
+struct Values {
+  glsl::vec4 values;
+};
+
 // Fails if a shader reads a struct that has grown on one side alone.
 TEST_F(UniformBlockTest, RefusesABlockOfAnotherSize) {
   const ShaderProgram program =
       program_with({{"block", "layout(std140) uniform Tone { vec4 a; vec4 b; };\n"}});
   program.use();
-  UniformBlock<glsl::vec4> half("Tone", 0);
-  half.fill(glm::vec4(1.0f));
+  UniformBlock<Values> half("Tone", 0);
+  half.fill({});
   EXPECT_THROW(half.bind(program), Error);
-  UniformBlock<glsl::vec4, glsl::vec4> whole("Tone", 0);
-  whole.fill(glm::vec4(1.0f), glm::vec4(2.0f));
+  UniformBlock<Values, Values> whole("Tone", 0);
+  whole.fill({}, {});
   EXPECT_NO_THROW(whole.bind(program));
 }
 
