@@ -13,18 +13,18 @@ namespace offing::mesh_tools {
 
 inline constexpr double most_faces = 1e8;
 
-/// One of the two.
+/// One of the two is set.
 struct Fineness {
   std::optional<double> edge_m;
   int faces = 0;
 };
 
-/// `this` must outlive the command.
+/// Must outlive the command.
 class FinenessFlags : public SettingOptions<Fineness> {
  public:
   void add_to(CLI::App& command, std::string_view edge_help, std::string_view faces_help);
 
-  /// Throws Error(bad_usage) that names the command where neither is given.
+  /// Throws Error(bad_usage) that names the command if neither is given.
   Fineness read(std::string_view command) const;
 };
 
