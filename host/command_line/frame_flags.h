@@ -16,7 +16,7 @@ class FrameFlags {
   /// For commands that do not take the scene's own flags.
   void add_fps_to(CLI::App& command, const char* group);
 
-  bool has_frames() const { return !frames_.empty(); }
+  bool has_frames() const;
   bool has_fps() const { return fps_.are_given(); }
 
   /// The scene's times, with the frame rate of --fps if it was given.
@@ -27,6 +27,7 @@ class FrameFlags {
 
  private:
   std::string frames_;
+  const CLI::Option* frames_option_ = nullptr;
   SettingOptions<scene::TimeSection> fps_;
 };
 
