@@ -1,9 +1,11 @@
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 #include <CLI/Option.hpp>

@@ -1,7 +1,7 @@
 #include "present/gl/uniform_block.h"
 
 #include <cstddef>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "present/passes/meshes/mesh_uniforms.h"
