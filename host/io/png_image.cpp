@@ -82,7 +82,9 @@ bool write_rows(png_structp png, png_infop info, const RgbImage& image) {
 std::string encoded_fast(const std::string& name, const RgbImage& image) {
   require_pixels_of_size(name, image.width, image.height, 3, image.rgb.size());
   std::string file, failure = "too little memory";
-  file.reserve(image.rgb.size() + image.rgb.size() / 4 + 1024);  // no exception may pass through libpng
+  // No exception may pass through libpng. A row has one more byte, its filter.
+  const auto filter_bytes = static_cast<std::size_t>(image.height);
+  file.reserve((image.rgb.size() + filter_bytes) / 4 * 5 + 1024);
   png_structp png = png_create_write_struct(
       PNG_LIBPNG_VER_STRING, &failure,
       [](png_structp failed, png_const_charp message) {
