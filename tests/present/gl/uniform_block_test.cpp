@@ -32,7 +32,7 @@ int offset_of(const char* member) {
   return offset;
 }
 
-// Fails if a compiler lays a struct out otherwise than std140 does: vectors after scalars, and matrices.
+// Fails if a compiler's layout of a struct is not std140's: vectors after scalars, and matrices.
 TEST_F(UniformBlockTest, StructsLieAsInTheShader) {
   const ShaderProgram view =
       program_with({shader_file("view_uniforms.h"), uniform_block("View", "ViewUniforms view;")});
