@@ -13,7 +13,7 @@ namespace offing::present {
 /// The waves that a shader of the water is compiled for (ShaderVariants).
 struct WaveFeatures {
   int cascades = 0;
-  int wakes = 0;
+  int wakes = 0;  ///< windows, at most glsl::most_wakes
   bool has_rings = false;
   bool has_shoals = false;
 
