@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include <CLI/App.hpp>
@@ -20,12 +19,15 @@ struct Fineness {
 };
 
 /// Must outlive the command.
-class FinenessFlags : public SettingOptions<Fineness> {
+class FinenessFlags {
  public:
   void add_to(CLI::App& command, std::string_view edge_help, std::string_view faces_help);
 
   /// Throws Error(bad_usage) that names the command if neither is given.
   Fineness read(std::string_view command) const;
+
+ private:
+  SettingOptions<Fineness> options_;
 };
 
 }  // namespace offing::mesh_tools
