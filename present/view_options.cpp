@@ -60,27 +60,27 @@ struct Written {
 
 std::vector<scene::Row<ViewOptions>> picture_rows() {
   return {{scene::choice_or("auto", &ViewOptions::detail, {"low", "high"}),
-           {.key = "detail", .help = "auto is high, but low for a window where the CPU draws"}},
+           {.key = "detail", .help = "auto: high, but low for windows that the CPU draws"}},
           {&ViewOptions::kept_hz,
            {.key = "keep_fps",
             .unit = "1/s",
             .high = 1000.0,
-            .help = "frames a second that a window keeps by quality, 0: none",
+            .help = "frame rate that a window keeps by lowering quality; 0: never lowers it",
             .example = "20",
             .absent = "20 where the CPU draws, else 0"}},
-          {&ViewOptions::time_s, time_facts("time that is shown", "the scene's start")}};
+          {&ViewOptions::time_s, time_facts("time to show", "the scene's start")}};
 }
 
 std::vector<scene::Row<ReferenceComparison>> reference_rows() {
-  return {
-      {&ReferenceComparison::samples, {.key = "samples", .low = 1.0, .high = 1e6, .help = "paths a pixel"}}};
+  return {{&ReferenceComparison::samples,
+           {.key = "samples", .low = 1.0, .high = 1e6, .help = "paths per pixel"}}};
 }
 
 std::vector<scene::Row<ViewOptions>> transfer_rows() {
   std::vector<std::string_view> names;
   for (const TransferPath path : all_transfer_paths) names.push_back(to_string(path));
   return {{scene::choice_or("best", &ViewOptions::transfer, std::move(names)),
-           {.key = "transfer", .help = "how maps get from OpenCL to OpenGL; best is the first that works"}}};
+           {.key = "transfer", .help = "how maps get from OpenCL to OpenGL; best: the first that works"}}};
 }
 
 void add_options(CLI::App& app, Written& written) {

@@ -71,7 +71,7 @@ struct ViewOptions {
 /// OFFING_SHADER_PATH.
 void use_sources(const std::filesystem::path& checkout);
 
-/// Makes the command line of offing-view and shows it, for a test that lists its options.
+/// Calls `visit` with the command line of offing-view, for a test that lists its options.
 void visit_command_line(const std::function<void(const CLI::App&)>& visit);
 
 /// Reads the command line; nothing if it asked for help or version, which are printed. Throws

@@ -40,7 +40,7 @@ glm::dmat2 shadow_of(const glm::dmat3& axes) {
   return {{std::cos(heading_rad), std::sin(heading_rad)}, {-std::sin(heading_rad), std::cos(heading_rad)}};
 }
 
-/// Of the largest square of a power of two that has at most so many cells.
+/// Side of the largest square of at most this many cells whose side is a power of two.
 std::size_t side_of(std::size_t cells) {
   std::size_t side = 1;
   while (4 * side * side <= cells) side *= 2;

@@ -9,24 +9,25 @@
 
 namespace offing {
 
-/// `this` must outlive the command.
+/// Must outlive the command.
 class FrameFlags {
  public:
   void add_frames_to(CLI::App& command, const char* group);
   /// For commands that do not take the scene's own flags.
   void add_fps_to(CLI::App& command, const char* group);
 
-  bool has_frames() const { return !frames_.empty(); }
+  bool has_frames() const;
   bool has_fps() const { return fps_.are_given(); }
 
-  /// The scene's, with the frames a second of the flag.
+  /// The scene's times, with the frame rate of --fps if it was given.
   scene::TimeSection times(const scene::Scene& scene) const;
-  /// Those of the flag, else those of the scene's time span. Throws Error(bad_usage) for other text, and
-  /// what frames_in_time_span() throws.
+  /// The frames of --frames, else those of the scene's time span. Throws Error(bad_usage) for a text that is
+  /// no range, and what frames_in_time_span() throws.
   FrameRange frames(const scene::Scene& scene) const;
 
  private:
   std::string frames_;
+  const CLI::Option* frames_option_ = nullptr;
   SettingOptions<scene::TimeSection> fps_;
 };
 

@@ -9,9 +9,10 @@ void add_device_flag(CLI::App& command, std::string& device, std::string_view al
   command
       .add_option(
           "--device", device,
-          fmt::format("OpenCL device, of `offing devices`: an index, cpu, gpu, or part of a name{}{}\n"
-                      "default $OFFING_DEVICE, then the first GPU, then the CPU",
-                      also.empty() ? "" : "\n", also))
+          fmt::format(
+              "OpenCL device, as `offing devices` lists them: an index, cpu, gpu, or part of a name{}{}\n"
+              "default: $OFFING_DEVICE, then the first GPU, then the CPU",
+              also.empty() ? "" : "\n", also))
       ->type_name("DEVICE")
       ->group(general_group);
 }

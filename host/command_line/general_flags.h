@@ -14,7 +14,8 @@ namespace offing {
 /// Where the help lists what every command understands.
 inline constexpr const char* general_group = "General";
 
-/// Adds --device to a command. `device` must outlive it; `also` is what it takes besides one device.
+/// Adds --device to a command. `device` must outlive it. `also` is the help for what the flag takes besides
+/// one device.
 void add_device_flag(CLI::App& command, std::string& device, std::string_view also = {});
 
 /// Adds --quiet and --verbose to a command, and has the log follow them. `verbosity` must outlive it.

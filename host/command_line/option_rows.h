@@ -1,5 +1,5 @@
-// Which row an option of a command line has: a test lists all options and finds those that were written
-// without one.
+// Which row of a schema each option of a command line has. A test lists all options and finds those without
+// a row.
 #pragma once
 
 #include "host/scene/schema/parameter.h"
@@ -11,7 +11,7 @@ class Option;
 
 namespace offing {
 
-/// Binds a row to an option for as long as it lives; both must outlive it.
+/// Records the row of an option during its lifetime. Both must outlive it.
 class OptionRow {
  public:
   OptionRow(const CLI::Option& option, const scene::Parameter& row);
@@ -23,7 +23,7 @@ class OptionRow {
   const CLI::Option* option_;
 };
 
-/// nullptr for an option without one.
+/// The row of an option; nullptr if it has none.
 const scene::Parameter* row_of(const CLI::Option& option);
 
 }  // namespace offing

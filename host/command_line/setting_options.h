@@ -18,17 +18,17 @@ namespace offing {
 /// What a row is, and on a line of its own "a number in m/s within [0.1, 60]; default 10".
 std::string option_help(const scene::Parameter& row, std::string_view usual);
 
-/// What stands for the value in a usage: its unit and range are told beside it.
+/// What stands for the value in a usage line. The help beside it gives unit and range.
 const char* option_placeholder(const scene::Parameter& row);
 
 /// The facts of a scene's row, for a flag that sets the same: its limits are written once.
 scene::Parameter like_scene(std::string_view key, std::string_view flag);
 /// The same with a help of its own.
 scene::Parameter like_scene(std::string_view key, std::string_view flag, std::string_view help);
-/// The same for a flag whose default is what the scene has.
+/// The same for a flag whose default is the scene's own value.
 scene::Parameter over_scene(std::string_view key, std::string_view flag);
 
-/// The facts of --time, which several commands take: any time at which there are waves.
+/// The facts of --time, which several commands take: any time for which waves can be computed.
 scene::Parameter time_facts(std::string_view help, std::string_view absent = {});
 
 /// The names of a scene's choice, for a flag that makes the same.
@@ -52,8 +52,8 @@ class SettingFlags {
   bool are_given() const;
 
  protected:
-  /// `usual` is the value without the flag, where the row has no words for that. A row without an example
-  /// takes it for one.
+  /// `usual` is the default that the help shows, unless the row has its own text for that (`absent`). It is
+  /// also the example of a row without one.
   CLI::Option* add(CLI::App& command, const char* group, scene::Parameter row, std::string usual);
   void read_into(void* settings, const std::optional<NarrowedRange>& narrowed) const;
 
@@ -72,8 +72,9 @@ class SettingFlags {
 template <class Settings>
 class SettingOptions : public SettingFlags {
  public:
-  /// Adds the flag of each row to `command`, which this object must outlive; in the help below `group`. The
-  /// flag of the key step_m is --step-m, unless the row has another. `usual` is what the help shows.
+  /// Adds the flag of each row to `command`, which this object must outlive. The help lists it below `group`.
+  /// The flag of the key step_m is --step-m, unless the row has another. `usual` holds the defaults that the
+  /// help shows.
   void add_to(CLI::App& command, std::vector<scene::Row<Settings>> rows, const char* group = "Options",
               const Settings& usual = {}) {
     for (scene::Row<Settings>& row : rows) {
@@ -84,8 +85,8 @@ class SettingOptions : public SettingFlags {
     }
   }
 
-  /// The settings with the values of the flags that were given; the words for an absent value leave it as it
-  /// is. Throws Error(bad_input) that names the flag.
+  /// The settings with the values of the flags that were given. The row's word for an absent value leaves a
+  /// setting as it is. Throws Error(bad_input) that names the flag.
   Settings read(Settings settings = {}, const std::optional<NarrowedRange>& narrowed = {}) const {
     read_into(&settings, narrowed);
     return settings;

@@ -16,7 +16,7 @@ constexpr int smallest_size = 16;
 constexpr int largest_size = 4096;
 constexpr int smallest_simd_size = 64;  // a row is a square of narrow lanes
 constexpr int narrow_lanes = 8;         // the narrowest vectors of kernels/simd/lanes.clh
-constexpr int thread_values = 8;        // that a work-item of a GPU holds, for a radix-8 butterfly
+constexpr int thread_values = 8;        // of a radix-8 butterfly, in a work-item of a GPU
 
 // Arrays from these sizes on are stored past the caches: they would push out what is read next.
 constexpr int smallest_streamed_intermediate = 2048;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <csetjmp>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -13,6 +14,7 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <png.h>
@@ -57,9 +59,10 @@ std::string encoded(const std::string& name, int width, int height, png_uint_32 
   return file;
 }
 
-/// Writes a picture through libpng's functions; false where one failed, which jumps back to the start:
-/// nothing here has a destructor. Deflate gets differences from the pixel to the left and looks for runs of a
-/// byte alone: noise, as a sea is, repeats little else, and looking for that takes longer than all the rest.
+/// Writes a picture through libpng's functions; false if one failed. A failure jumps back to the start, so
+/// nothing here may have a destructor. Deflate gets differences from the pixel to the left and looks for runs
+/// of a byte alone. A sea is noise: it repeats little else, and searching for that takes longer than the
+/// rest.
 bool write_rows(png_structp png, png_infop info, const RgbImage& image) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   const auto width = static_cast<png_uint_32>(image.width), height = static_cast<png_uint_32>(image.height);
@@ -75,18 +78,20 @@ bool write_rows(png_structp png, png_infop info, const RgbImage& image) {
   return true;
 }
 
-/// The same as a PNG file, in half the time. libpng's simple interface would not let it choose how.
+/// Pixels as a PNG file, in half the time. libpng's simple interface cannot choose filter and strategy.
 std::string encoded_fast(const std::string& name, const RgbImage& image) {
   require_pixels_of_size(name, image.width, image.height, 3, image.rgb.size());
   std::string file, failure = "too little memory";
-  file.reserve(image.rgb.size() + image.rgb.size() / 4 + 1024);  // libpng's C code is no place for exceptions
+  // No exception may pass through libpng. A row has one more byte, its filter.
+  const auto filter_bytes = static_cast<std::size_t>(image.height);
+  file.reserve((image.rgb.size() + filter_bytes) / 4 * 5 + 1024);
   png_structp png = png_create_write_struct(
       PNG_LIBPNG_VER_STRING, &failure,
       [](png_structp failed, png_const_charp message) {
         *static_cast<std::string*>(png_get_error_ptr(failed)) = message;
         png_longjmp(failed, 1);
       },
-      [](png_structp, png_const_charp) {});  // a warning comes with the error that it is of
+      [](png_structp, png_const_charp) {});  // no warnings: what fails is an error
   png_infop info = png_create_info_struct(png);
   png_set_write_fn(
       png, &file,
@@ -145,14 +150,14 @@ float srgb_curve(float linear) {
   return 255.0f * (linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f);
 }
 
-// Straight lines between 256 points an octave stand for the curve where they give the same byte. They are
-// off by 0.0001 at most (an eighth of the second derivative times the squared length, at 0.5) and rounding.
+// Straight lines between 256 points an octave replace the curve where they give the same byte. Their error is
+// at most 0.0001 (an eighth of the second derivative times the squared length, at 0.5), besides rounding.
 constexpr float least_by_lines = 1.0f / 256.0f;
 constexpr int octaves = 8, pieces_an_octave = 256, piece_bits = 15;
 constexpr float lines_tolerance = 0.001f;
 
-/// srgb_curve() to lines_tolerance, from least_by_lines on and below 1. The bits of a float count evenly
-/// within an octave, and on into the next.
+/// srgb_curve() within lines_tolerance, for least_by_lines <= linear < 1. Read as an integer, a float's bits
+/// grow linearly within an octave and carry on into the next.
 float srgb_by_lines(float linear) {
   constexpr std::uint32_t first = std::bit_cast<std::uint32_t>(least_by_lines);
   static const std::vector<float> points = [] {
@@ -169,7 +174,7 @@ float srgb_by_lines(float linear) {
 }  // namespace
 
 float dither_noise(int column, int row) {
-  // Nothing is negative here; std::floor() would be a call of a function.
+  // No value here is negative. std::floor() would be a function call.
   const auto fraction = [](float value) { return value - static_cast<float>(static_cast<int>(value)); };
   const float x = static_cast<float>(column) + 0.5f, y = static_cast<float>(row) + 0.5f;
   return fraction(52.9829189f * fraction(0.06711056f * x + 0.00583715f * y)) - 0.5f;

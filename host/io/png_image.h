@@ -27,7 +27,7 @@ float dither_noise(int column, int row);
 /// bits in smooth pictures. Black and white stay as they are.
 std::uint8_t dithered_srgb(float linear, float noise);
 
-/// How a PNG is compressed: for a picture of a sea `fast` takes a quarter of the time or less, and up to a
+/// How a PNG is compressed. For a picture of a sea, `fast` takes at most a quarter of the time and up to a
 /// seventh more bytes.
 enum class PngCompression { small, fast };
 

@@ -18,12 +18,12 @@ struct Shape {
   std::optional<VertexCurvatures> truth;
 };
 
-/// Sizes in metres: what single precision and a renderer still make sense of.
+/// Sizes that single precision and a renderer can still handle.
 inline constexpr double smallest_size_m = 1e-6, largest_size_m = 1e9;
 inline constexpr int most_cells = 1 << 13;  ///< of a grid, each way
 inline constexpr int finest_level = 9;      ///< of an icosphere
 inline constexpr int most_windings = 64;    ///< of a knot, each way
-/// Farther, neighbours of a grid could pass one another and turn their faces over.
+/// With more, neighbours in a grid could pass one another and turn their faces over.
 inline constexpr double largest_jitter = 0.45;
 inline constexpr double largest_noise = 1.0;
 

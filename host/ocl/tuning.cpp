@@ -16,8 +16,8 @@ namespace {
 
 enum class DeviceClass {
   vector_cpu,  // a CPU whose compiler makes wide vectors of float4 ... float16 (PoCL, Intel)
-  any,  // the default. Many narrow lanes: CPU drivers built for scalar code (llvmpipe) need tens of seconds
-        // for wide kernels
+  any,  // the default, for many narrow lanes. CPU drivers built for scalar code (llvmpipe) need tens of
+        // seconds to compile wide kernels
 };
 
 struct TuningRow {
@@ -29,28 +29,27 @@ struct TuningRow {
 using enum DeviceClass;
 using enum KernelShape;
 
-// Rows of the same kernels begin with those for a class and end with the default. The comment above them says
-// what `lanes`, `group` and `per_item` count. A `per_item` above 1 gives a work-item of a CPU enough to do
-// that its launch counts little.
+// Of rows with the same name, those for a class come first and the default last. The comment above them says
+// what `lanes`, `group` and `per_item` count. On a CPU a `per_item` above 1 gives a work-item so much to do
+// that its launch costs little beside it.
 //
 // Lanes were measured on PoCL 3.1 with AVX-512: explicit float16 code reaches 390 GFLOP/s, float8 204,
 // work-items that PoCL vectorises itself half or less.
 constexpr TuningRow table[] = {
     // Transforms along columns. Lanes: neighbouring columns; host/fft/fft_plan.cpp takes fewer if local
-    // memory is short. Group: on a GPU, work-items near which a group of neighbouring columns stays.
+    // memory is short. Group: on a GPU, about how many work-items neighbouring columns share.
     {"fft_columns", vector_cpu, {.shape = simd, .lanes = 16, .group = 1}},
     {"fft_columns", any, {.shape = workgroup, .group = 256}},
     // Transforms along rows. Lanes: columns; a square of 8 stays in registers. Group: on a GPU, work-items
-    // that short rows fill together. Per item: rows, few enough that there are work-items for many cores.
+    // that short rows share. Per item: rows, few enough to leave work-items for many cores.
     {"fft_rows", vector_cpu, {.shape = simd, .lanes = 8, .group = 1, .per_item = 8}},
     {"fft_rows", any, {.shape = workgroup, .group = 64}},
 
-    // Gerstner waves on a grid. Lanes: columns. Per item: rows; what is computed once for them counts
-    // little.
+    // Gerstner waves on a grid. Lanes: columns. Per item: rows, which share what is computed once.
     {"gerstner_surface", vector_cpu, {.shape = simd, .lanes = 16, .group = 1, .per_item = 4}},
     {"gerstner_surface", any, {.shape = workgroup}},
-    // Water at points. Lanes: points. Per item: vectors of them. On a CPU a work-item has a group of its
-    // own: what it keeps would fill the stack for many at once.
+    // Water at points. Lanes: points. Per item: vectors of them. On a CPU each work-item has its own
+    // group: the private memory of many would overflow the stack.
     {"surface_query", vector_cpu, {.shape = simd, .lanes = 16, .group = 1, .per_item = 8}},
     {"surface_query", any, {.shape = workgroup, .per_item = 8}},
 
@@ -90,21 +89,21 @@ constexpr TuningRow table[] = {
     {"shadow_points", any, {.shape = workgroup}},
 
     // Light in the grid of a cloud. Lanes: cells. Per item: vectors of them, of the largest grid, 16384
-    // cells. So a cloud has two work-items on a CPU, which keep its cores busy; on a GPU as many as a grid
-    // may have rows of 16 cells, or, for kernels that take cells in any order, a quarter of its cells.
+    // cells. On a CPU a cloud thus has two work-items, which keep the cores busy. On a GPU it has one for
+    // each row of 16 cells or, in kernels that take cells in any order, one for four cells.
     {"light_density", vector_cpu, {.shape = simd, .lanes = 16, .group = 1, .per_item = 512}},
     {"light_density", any, {.shape = workgroup, .per_item = 16}},
     {"light_cells", vector_cpu, {.shape = simd, .lanes = 16, .group = 1, .per_item = 512}},
     {"light_cells", any, {.shape = workgroup, .per_item = 4}},
-    // Kernels of which a group does a cloud, or a colour of it; a power of two up to 256 work-items.
+    // Kernels in which a group does a cloud, or a colour of it. Group: a power of two up to 256.
     {"light_groups", vector_cpu, {.shape = simd, .lanes = 16, .group = 1}},
     {"light_groups", any, {.shape = workgroup, .group = 256}},
     // What the eye sees of particles. Per item: particles.
     {"particle_scatter", vector_cpu, {.shape = simd, .group = 1, .per_item = 128}},
     {"particle_scatter", any, {.shape = workgroup}},
 
-    // Which particles show in a tile of the image, a work-item a tile. Lanes: particles. A work-item keeps
-    // 2 KB of its own: drivers that run a group on one thread's stack get small groups.
+    // Which particles show in a tile of the image, a work-item a tile. Lanes: particles. A work-item has
+    // 2 KB of private memory: drivers that run a group on one thread's stack get small groups.
     {"billboard_tiles", vector_cpu, {.shape = simd, .lanes = 16, .group = 1}},
     {"billboard_tiles", any, {.shape = workgroup, .group = 64}},
     // The tiles' pixels. Lanes: pixels. Group: on a GPU, the pixels of a tile, which see the same
@@ -145,7 +144,7 @@ std::string_view current_value(std::string_view shape) {
   return shape;
 }
 
-// Nothing where the device decides.
+// The shape that OFFING_SHAPE names; none: the device decides.
 std::optional<KernelShape> chosen_shape() {
   const std::string_view shape = current_value(forced_shape());
   if (shape.empty()) return std::nullopt;
@@ -156,7 +155,7 @@ std::optional<KernelShape> chosen_shape() {
               "unset OFFING_SHAPE to let the device decide");
 }
 
-// The first row that fits best. The shape counts first: it decides which code the kernels are made of.
+// The row that fits best. Its shape counts more than its class: it decides which code is compiled.
 const TuningRow& row_for(const DeviceInfo& device, std::string_view kernels,
                          std::optional<KernelShape> shape) {
   const DeviceClass device_class = class_of(device);
@@ -179,8 +178,7 @@ const TuningRow& row_for(const DeviceInfo& device, std::string_view kernels,
 }
 
 KernelTuning within(const DeviceInfo& device, KernelTuning tuning) {
-  // 0: unknown.
-  if (device.max_work_group_size == 0) return tuning;
+  if (device.max_work_group_size == 0) return tuning;  // unknown
   while (tuning.group > device.max_work_group_size) tuning.group /= 2;
   return tuning;
 }

@@ -47,10 +47,10 @@ class ClearSky {
   /// programs and buffers throw.
   ClearSky(const ocl::Device& device, const Atmosphere& atmosphere);
 
-  /// Enqueues the table of this sun and an eye at this height above the sea, taken as 1 m where less, as the
-  /// top of the air above it. Up is +y wherever the eye stands. Throws Error(bad_input) unless the sun's
-  /// direction is of unit length within 1e-3, its distance within 0.1 ... 100 au, and the eye within 0 ...
-  /// 1e9 m.
+  /// Enqueues the table of this sun and an eye at this height above the sea. Heights below 1 m count as 1 m,
+  /// heights above the air as its top. Up is +y wherever the eye stands. Throws Error(bad_input) unless the
+  /// sun's direction is of unit length within 1e-3, its distance within 0.1 ... 100 au, and the eye within
+  /// 0 ... 1e9 m.
   void at(const Sun& sun, double eye_altitude_m = 2.0);
 
   /// Changes with each at(), and is that of no other sky: whoever holds copies of the tables knows by it

@@ -4,7 +4,7 @@
 //      (GerstnerRingInTile of shared/gerstner_params.h); wake_maps of ocean/wake_map.cl, wakes (shared/wake.h); time as ocean/wave_phase.clh has it;
 //      with SHOALS shoals, depths_m [rows][columns], shoal_shares (shared/shoal_params.h).
 // Out: samples (shared/query_params.h), the surface of ocean/surface_compose.cl where it meets the point's vertical.
-// Set: VECTORS, of LANES points, that a work-item takes.
+// The host sets VECTORS, of LANES points each, that a work-item takes.
 // The label X solves X + d(X) = x. Steps X <- X - B (X + d(X) - x) end where the residual is small; the first is that
 // of fixed-point iteration (B = 1), the others have B = (I + grad d)^-1 of the interpolated displacement: with B = 1
 // they would go on for dozens of steps where crests are steep. A point under a fold has several labels: one of them is

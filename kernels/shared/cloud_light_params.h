@@ -5,8 +5,8 @@
 // Most suns at a time.
 #define CLOUD_SUNS 4
 
-// Cells along each axis of a cloud's grid, at least, so that a row is as long as the widest vector. Light
-// changes most across the thinnest side: with 8 cells from top to bottom a layer of depth 32 lets a quarter
+// Fewest cells along each axis of a cloud's grid, so that a row is as long as the widest vector. Light
+// changes most across the thinnest side: with 8 cells from top to bottom, a layer of depth 32 lets a quarter
 // too much through, and shapes 8 cells thick are up to 18 % too bright.
 #define CLOUD_LEAST_CELLS 16
 

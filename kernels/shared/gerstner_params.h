@@ -6,7 +6,7 @@
 // Waves at most.
 #define GERSTNER_WAVES 128
 
-// Vectors of columns on each side of the middle of a block, of which a row has at least one in simd shape.
+// Vectors of columns on each side of a block's middle. In simd shape a row has at least one block.
 #define GERSTNER_HALF_VECTORS 2
 
 // Rows of turns [4][pitch of waves], in 2^-32 turns: sums that overflow lose whole turns, and nothing else.

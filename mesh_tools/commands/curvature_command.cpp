@@ -152,19 +152,19 @@ std::vector<scene::Row<CurvatureSettings>> curvature_rows() {
             .example = "0.05",
             .absent = "that of --radius-edges"}},
           {scene::path(curvature, &Options::rounds),
-           {.key = "rounds", .high = 1000.0, .help = "rounds of averaging (diffused)"}},
+           {.key = "rounds", .high = 1000.0, .help = "rounds of averaging, for diffused"}},
           {scene::choice_or("none", &CurvatureSettings::colour, names_in(curvature_colour_names)),
-           {.key = "colour", .flag = "--colour,--color", .help = "colour vertices", .example = "mean"}},
+           {.key = "colour", .flag = "--colour,--color", .help = "vertex colours", .example = "mean"}},
           {scene::path(curvature, &Options::threads),
            {.key = "threads",
             .low = 1.0,
             .high = 4096.0,
-            .help = "threads to use; they change no result",
+            .help = "threads to use; their number does not change the result",
             .example = "4",
             .absent = "all processors"}}};
 }
 
-/// What a method has no use for must not look as if it had been heeded.
+/// Refuses a flag that the method ignores.
 void require_unused(const char* flag, bool is_given, const char* methods, CurvatureMethod method) {
   if (!is_given) return;
   throw Error(ErrorKind::bad_usage,

@@ -25,7 +25,7 @@ using namespace mesh_shapes;
 
 constexpr std::size_t most_numbers = 4;
 
-/// An order whose numbers lie where rows find them.
+/// An order, and its numbers at fixed offsets, which rows need.
 struct ShapeSettings {
   ShapeOrder order;
   std::array<double, most_numbers> lengths_m{};
@@ -127,13 +127,13 @@ void add_roughness(Rows& rows) {
   rows.push_back({scene::path(order, roughness, &Roughness::jitter),
                   {.key = "jitter",
                    .high = largest_jitter,
-                   .help = "moves vertices along the surface by up to this many edge lengths"}});
+                   .help = "move vertices along the surface by up to this many edge lengths"}});
   rows.push_back({scene::path(order, roughness, &Roughness::normal_noise),
                   {.key = "noise",
                    .high = largest_noise,
-                   .help = "moves vertices off the surface: standard deviation in edge lengths"}});
+                   .help = "move vertices off the surface: standard deviation in edge lengths"}});
   rows.push_back({scene::path(order, roughness, &Roughness::seed),
-                  like_scene("terrain.seed", "--seed", "of the random numbers")});
+                  like_scene("terrain.seed", "--seed", "seed of the random numbers")});
 }
 
 void add_shape(CLI::App& generate, Options& options, const ShapeRow& row) {

@@ -25,18 +25,20 @@ struct RemeshArguments {
 };
 
 std::vector<scene::Row<RemeshSettings>> remesh_rows() {
-  return {
-      {&RemeshSettings::rounds,
-       {.key = "rounds", .low = 1.0, .high = 100.0, .help = "of splitting, collapsing, flipping, smoothing"}},
-      {&RemeshSettings::sharp_rad,
-       {.key = "sharp_deg",
-        .unit = "deg",
-        .low = 1.0,
-        .high = 180.0,
-        .help = "edges bent by more stay where they are",
-        .example = "40",
-        .absent = "none",
-        .scale = std::numbers::pi / 180.0}}};
+  return {{&RemeshSettings::rounds,
+           {.key = "rounds",
+            .low = 1.0,
+            .high = 100.0,
+            .help = "rounds of splitting, collapsing, flipping and smoothing"}},
+          {&RemeshSettings::sharp_rad,
+           {.key = "sharp_deg",
+            .unit = "deg",
+            .low = 1.0,
+            .high = 180.0,
+            .help = "edges that bend by more stay in place",
+            .example = "40",
+            .absent = "none",
+            .scale = std::numbers::pi / 180.0}}};
 }
 
 /// Far too short edges would fill the memory, and no edge makes faces of nothing.
@@ -67,7 +69,7 @@ void run(const RemeshArguments& arguments, const Options& options) {
   settings.edge_m = fineness.edge_m ? *fineness.edge_m : edge_length_for(mesh, fineness.faces);
   TriangleMesh result = remeshed();
   if (!fineness.edge_m) {
-    // Edges come out a little shorter than asked: by how much is seen from the first mesh.
+    // Edges come out a little shorter than asked; the first mesh shows by how much.
     settings.edge_m *= std::sqrt(static_cast<double>(result.faces.size()) / fineness.faces);
     result = remeshed();
   }
@@ -88,7 +90,7 @@ void add_remesh_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<RemeshArguments>();
   CLI::App* command = program.add_subcommand("remesh", "the same surface with edges of about one length");
   arguments->job.add_to(*command);
-  arguments->fineness.add_to(*command, "length that edges should have", "about how many faces to make");
+  arguments->fineness.add_to(*command, "target edge length", "approximate number of faces");
   arguments->settings.add_to(*command, remesh_rows());
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(

@@ -26,13 +26,13 @@ struct RepairArguments {
   bool outward = false;
 };
 
-/// Adds --fill-edges, which takes `all` too.
+/// Adds --fill-edges, which also takes `all`.
 void add_fill_edges(CLI::App& command, SettingOptions<RepairSettings>& settings) {
   constexpr int most = 1'000'000'000;  // a loop of more would not fit into memory
   settings.add_to(command, {{&RepairSettings::most_hole_edges,
                              {.key = "fill_edges",
                               .high = most,
-                              .help = "holes of up to this many edges are filled; all: every hole"}}});
+                              .help = "fill holes of up to this many edges; all: every hole"}}});
   command.get_option("--fill-edges")->transform([](const std::string& text) {
     return text == "all" ? std::to_string(most) : text;
   });

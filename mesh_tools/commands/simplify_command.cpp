@@ -42,7 +42,7 @@ void add_simplify_command(CLI::App& program, Options& options) {
   CLI::App* command = program.add_subcommand("simplify", "fewer faces of the same shape");
   arguments->job.add_to(*command);
   arguments->fineness.add_to(*command, "collapse edges until none is shorter",
-                             "collapse edges until there are so many faces");
+                             "collapse edges until this many faces are left");
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
 With --faces edges collapse first where that changes the surface least, with --edge-m the shortest ones. No face

@@ -24,7 +24,8 @@ struct SubdivideArguments {
 std::vector<scene::Row<SubdivideSettings>> subdivide_rows() {
   return {{scene::choice(&SubdivideSettings::method, {"loop", "sqrt3", "butterfly", "catmull-clark"}),
            {.key = "method", .help = "see below"}},
-          {&SubdivideSettings::levels, {.key = "levels", .low = 1.0, .high = 12.0, .help = "how often"}}};
+          {&SubdivideSettings::levels,
+           {.key = "levels", .low = 1.0, .high = 12.0, .help = "how many times to subdivide"}}};
 }
 
 void run(const SubdivideArguments& arguments, const Options& options) {

@@ -7,7 +7,7 @@
 #include <glm/vec4.hpp>
 
 /// GLSL's types as std140 lays them out (OpenGL 3.3, 2.12.6.4), for structs of uniforms that C++ and GLSL
-/// both read. Arrays are of vec4 and mat4 alone: std140 pads the elements of all others.
+/// both read. Use arrays of vec4 and mat4 only: std140 pads the elements of all others.
 namespace offing::present::glsl {
 
 using vec2 [[gnu::aligned(8)]] = glm::vec2;

@@ -130,9 +130,10 @@ void ShaderProgram::bind_block(const char* block, GLuint binding, std::size_t by
   GLint size = 0;
   glGetActiveUniformBlockiv(program_, index, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
   if (static_cast<std::size_t>(size) != bytes) {
-    throw Error(ErrorKind::build_failed,
-                fmt::format("uniform block {}: expected {} bytes, the shader has {}", block, bytes, size),
-                "correct the struct of uniforms, or unset OFFING_SHADER_PATH");
+    throw Error(
+        ErrorKind::build_failed,
+        fmt::format("uniform block {}: expected {} bytes, found {} in the shader", block, bytes, size),
+        "correct the struct of uniforms, or unset OFFING_SHADER_PATH");
   }
   glUniformBlockBinding(program_, index, binding);
 }

@@ -49,8 +49,8 @@ class ShaderProgram {
   ~ShaderProgram();
 
   void use() const { glUseProgram(program_); }
-  /// Binds a uniform block of so many bytes, if the program has it, to a binding point. Throws
-  /// Error(build_failed) where the block has another size.
+  /// Binds a uniform block of this size, if the program has it, to a binding point. Throws
+  /// Error(build_failed) if the block has another size.
   void bind_block(const char* block, GLuint binding, std::size_t bytes) const;
 
   /// Sets a sampler to a texture unit. All other values are in uniform blocks.

@@ -11,12 +11,13 @@
 
 namespace offing::present {
 
-/// The buffer of a uniform block of this name, at a binding of its own among the blocks of a program.
+/// The buffer of a uniform block.
 class UniformBuffer {
  public:
+  /// `name` is the block's. No other block of a program may have the same `binding`.
   UniformBuffer(const char* name, GLuint binding);
 
-  /// Gives what was filled in last to a program in use that has the block.
+  /// Gives the values of the last fill() to a program in use.
   void bind(const ShaderProgram& program) const;
 
  protected:

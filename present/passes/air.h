@@ -6,7 +6,7 @@
 
 namespace offing::present {
 
-/// Extinction of the air at the sea, for air.glsl.
+/// Extinction of the air at the sea, 1/m, for air.glsl.
 inline glm::vec3 haze_perm(const sky::Atmosphere& air) {
   const double aerosol_perm = air.aerosol_optical_depth / air.aerosol_scale_height_m;
   const auto at_sea_level = [&](double rayleigh_depth) {

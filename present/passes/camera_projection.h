@@ -15,7 +15,7 @@ inline constexpr double near_m = 0.05;
 /// near_m; where the driver has no clip control, so that OpenGL makes the same depth of them.
 glm::dmat4 clip_from_eye(const Camera& camera, bool has_clip_control);
 
-/// What passes know of a camera's view. Haze and white are left 0.
+/// The uniforms of a camera's view. Haze and white stay 0.
 glsl::ViewUniforms view_uniforms(const Camera& camera);
 
 /// The same view on a picture so many times as wide and high, of at least a pixel.

@@ -1,4 +1,4 @@
-// What the tone pass knows: one layout for C++ and GLSL (std140).
+// Uniforms of the tone pass: one layout for C++ and GLSL (std140).
 #ifdef __cplusplus
 #pragma once
 

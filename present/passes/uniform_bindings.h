@@ -4,7 +4,7 @@
 
 namespace offing::present {
 
-/// Where programs find their uniform blocks. A program has at most one block of each.
+/// Binding points of uniform blocks. A program has at most one block at each.
 enum UniformBinding : GLuint {
   pass_binding,  ///< the values of a pass, or of one thing that it draws
   sky_binding,

@@ -1,4 +1,4 @@
-// What passes know of the view that they draw: one layout for C++ and GLSL (std140).
+// Uniforms of a view, for all passes: one layout for C++ and GLSL (std140).
 #ifdef __cplusplus
 #pragma once
 
@@ -13,7 +13,7 @@ struct ViewUniforms {
   vec3 ray_right;    // what a step of 1 in clip coordinates adds to the ray
   float eye_height_m;
   vec3 ray_up;
-  float white_kcdpm2;  // light that the picture shows as white
+  float white_kcdpm2;  // luminance that the picture shows as white
   vec3 haze_perm;      // extinction of the air at the sea
 };
 

@@ -53,8 +53,8 @@ void bench_world(const Settings& settings, const Sinks& sinks);
 /// results differ.
 void bench_queries(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
-/// A preview of a frame of the shipped storm, as `offing ocean bake --preview` makes it, of cascades of each
-/// size, and the contact sheet of 24.
+/// A preview of a frame of the shipped storm, as `offing ocean bake --preview` makes it, with cascades of
+/// each size, and a contact sheet of 24 frames.
 void bench_previews(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
 /// Primary rays of cameras that fly and walk over height maps, 1280 x 720, against the best of all ways to

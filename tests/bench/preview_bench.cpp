@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later (offing-bench links FFTW)
+#include <cstddef>
 #include <filesystem>
 #include <vector>
 

@@ -1,5 +1,4 @@
-#include <set>
-#include <string_view>
+#include <string>
 
 #include <CLI/App.hpp>
 #include <gmock/gmock.h>

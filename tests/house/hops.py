@@ -1,5 +1,5 @@
-"""How many files a value of a scene goes through, from its row to its formula, kernel or shader: the table of
-docs/architecture.md lists them, and every other file that names the value."""
+"""Checks the table of docs/architecture.md that follows values of a scene from their row to their formula, kernel
+or shader: it lists the files on the way and every other file that names the value."""
 
 import re
 

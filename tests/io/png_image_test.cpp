@@ -83,7 +83,7 @@ TEST(PngImage, DitheringKeepsMeans) {
   }
 }
 
-// Fails if the lines that stand for the curve give another byte than it does, for one in 1,000 of all floats.
+// Fails if the lines that replace the curve give another byte than it does, for one in 1,000 of all floats.
 TEST(PngImage, EncodesAsTheCurveDoes) {
   const auto by_curve = [](float linear, float noise) {
     const float encoded =

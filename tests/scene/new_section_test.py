@@ -32,7 +32,7 @@ def apply(patch, folder, *options):
     command = ["git", "apply", *options]
     done = subprocess.run(command, cwd=folder, env=outside, input=patch, capture_output=True, text=True)
     if done.returncode != 0:
-        sys.exit(f"docs/architecture.md: a patch does not apply: {done.stderr}\nhint: write its context anew")
+        sys.exit(f"docs/architecture.md: a patch does not apply: {done.stderr}\nhint: update its context lines")
     return done.stdout
 
 

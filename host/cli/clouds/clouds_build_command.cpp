@@ -61,9 +61,9 @@ std::vector<scene::Row<BuildSettings>> cell_rows() {
             .unit = "m",
             .low = least_cell_m,
             .high = largest_cell_m,
-            .help = "edge of a cell of a volume",
+            .help = "edge length of a volume's cells",
             .example = "20",
-            .absent = "128 along the longest side"}}};
+            .absent = "128 cells along the longest side"}}};
 }
 
 FrameName frame_name(const BuildArguments& arguments) {
@@ -212,9 +212,9 @@ void add_clouds_build_command(CLI::App& parent, GlobalOptions& options) {
       "frame")
       ->required();
   arguments->settings.add_to(*command, cell_rows(), group);
-  command->add_flag("--half", arguments->half, "values of 16 bits in place of 32")->group(group);
+  command->add_flag("--half", arguments->half, "16-bit values instead of 32-bit")->group(group);
   arguments->settings.add_to(
-      *command, {{&BuildSettings::time_s, time_facts("time that is shown", "the scene's start")}}, group);
+      *command, {{&BuildSettings::time_s, time_facts("time to write", "the scene's start")}}, group);
   arguments->frames.add_frames_to(*command, group);
   arguments->frames.add_fps_to(*command, group);
   add_force_flag(*command, arguments->existing);

@@ -1,9 +1,11 @@
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 #include <CLI/Option.hpp>
@@ -38,22 +40,22 @@ struct BakeArguments {
   std::string channels = "displacement,slope,gradient,jacobian,foam";
   std::string export_file;
   bool json = false;
-  BakeSettings settings;  ///< of the flags that are switches
+  BakeSettings settings;  ///< of flags without a value
   SettingOptions<BakeSettings> values;
 };
 
 std::vector<scene::Row<BakeSettings>> velocity_rows() {
   return {
       {&BakeSettings::velocity_depth_m,
-       velocity_depth_facts("particle velocity this far below the moving surface instead, down to the bed")}};
+       velocity_depth_facts("particle velocity at this depth below the moving surface, down to the bed")}};
 }
 
 std::vector<scene::Row<BakeSettings>> file_rows() {
   return {{scene::choice(&BakeSettings::compression, {"none", "zips", "zip", "piz"}),
-           {.key = "compression", .help = "of the EXR files"}},
+           {.key = "compression", .help = "compression of the EXR files"}},
           {scene::choice(&BakeSettings::mesh, {"none", "obj", "ply"}),
            {.key = "mesh",
-            .help = "the displaced surface of all cascades, over the longest patch",
+            .help = "a mesh of the displaced surface of all cascades, over the longest patch",
             .example = "ply"}}};
 }
 
@@ -83,7 +85,7 @@ void warn_of_broken_loop(const scene::Sea& sea, double frames_per_second) {
   }
 }
 
-/// The pictures of all frames, once all shares are done: the last process to end finds them complete.
+/// Writes the sheet once the pictures of all frames are there: the last process to end finds them complete.
 void write_contact_sheet(const BakeSettings& settings, const FrameFiles& files, const ContactSheet& sheet) {
   for (int frame = settings.frames.first; frame <= settings.frames.last; ++frame) {
     if (!files.has_preview(frame)) return;

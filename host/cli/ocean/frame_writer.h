@@ -20,7 +20,7 @@ class FrameWriter {
 
   void write(const BakedFrame& frame);
 
-  /// Of all frames of the bake; reads back those that this object did not write.
+  /// The sheet of all frames of the bake. It reads back pictures that this object did not write.
   const ContactSheet& contact_sheet() const { return contact_sheet_; }
 
  private:

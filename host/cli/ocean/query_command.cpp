@@ -1,8 +1,10 @@
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <CLI/Option.hpp>
@@ -180,17 +182,17 @@ TimeRange read_times(const QueryArguments& arguments) {
 
 std::vector<scene::Row<QuerySettings>> flow_rows() {
   constexpr auto query = &QuerySettings::query;
-  return {
-      {scene::path(query, &ocean::WaterQuery::depth_m),
-       velocity_depth_facts("velocity and pressure this far below the moving surface, down to the bed, by "
-                            "linear theory with Wheeler stretching")},
-      {scene::path(query, &ocean::WaterQuery::min_wavelength_m),
-       {.key = "min_wavelength_m",
-        .unit = "m",
-        .low = 0.0,
-        .high = ocean::longest_filter_m,
-        .help = "leave shorter waves out, as a hull longer than they are does not feel them",
-        .example = "30"}}};
+  return {{scene::path(query, &ocean::WaterQuery::depth_m),
+           velocity_depth_facts(
+               "velocity and pressure at this depth below the moving surface, down to the bed, by "
+               "linear theory with Wheeler stretching")},
+          {scene::path(query, &ocean::WaterQuery::min_wavelength_m),
+           {.key = "min_wavelength_m",
+            .unit = "m",
+            .low = 0.0,
+            .high = ocean::longest_filter_m,
+            .help = "leave out shorter waves, which a longer hull does not feel",
+            .example = "30"}}};
 }
 
 void answer(ocean::Ocean& sea, const ocean::GerstnerSea& gerstner_waves, const ocean::WaterQuery& query,
@@ -278,7 +280,7 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   add("--at", arguments->at, "X,Z", "one point, m, x east and z south");
   add("--points", arguments->points_file, "FILE",
       "many: CSV with the columns x_m and z_m, or with these two numbers a line");
-  arguments->settings.add_to(*command, {{&QuerySettings::time_s, time_facts("one time")}}, group);
+  arguments->settings.add_to(*command, {{&QuerySettings::time_s, time_facts("a single time")}}, group);
   add("--times", arguments->times, "A:B:DT", "instead of --time: A, A + DT, ... to B, s")
       ->excludes(command->get_option("--time"));
   arguments->settings.add_to(*command, flow_rows(), group);

@@ -20,7 +20,7 @@ struct TimeRange {
 /// 0, |A| and |B| are within largest_time_s and there are at most 1e7 of them.
 TimeRange read_time_range(std::string_view flag, std::string_view text);
 
-/// The facts of --velocity-depth-m, which is narrowed to the water there is.
+/// The facts of --velocity-depth-m. Commands narrow its range to the depth of the water.
 scene::Parameter velocity_depth_facts(std::string_view help);
 
 /// "X,Z" in m. Throws Error(bad_usage) unless both are within farthest_point_m.

@@ -159,14 +159,14 @@ scene::Parameter record_facts() {
   return facts;
 }
 
-/// The record that is asked for.
+/// The record that --record names; none: list all.
 std::optional<std::size_t> chosen_of(const SpectrumArguments& arguments, std::size_t count) {
   const NarrowedRange there{.flag = "--record", .high = static_cast<double>(count) - 1.0};
   const int record = arguments.settings.read({}, there).record;
   return record < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(record));
 }
 
-/// A plot is of one record: of many, it must be said which.
+/// A plot shows one record: a file of many needs --record.
 void require_one_record(const SpectrumArguments& arguments, std::optional<std::size_t> chosen,
                         std::size_t count) {
   if (arguments.plot.empty() || chosen || count == 1) return;

@@ -13,10 +13,11 @@ namespace offing::cli {
 /// 320 pixels across, in rows, each with its number. All pictures are fitted to the size of the first.
 class ContactSheet {
  public:
-  /// Of these frames, whose pictures are files of these names.
+  /// `picture_of` gives the file of a frame's picture.
   ContactSheet(const FrameRange& frames, const std::function<std::filesystem::path(int)>& picture_of);
 
-  /// Keeps what the sheet shows of a frame's picture, if anything: draw() then does not read the file.
+  /// Keeps a scaled copy of a frame's picture if the sheet shows that frame. draw() then does not read its
+  /// file.
   void keep(int frame, const RgbImage& picture);
 
   /// Throws Error(bad_input) if a picture that was not kept is no PNG or cannot be read.

@@ -154,14 +154,14 @@ class SeaMap {
   double place_m(int pixel) const { return first_m_ + pixel * pixel_m_; }
   float height_m(int column, int row) const { return heights_m_[at(column, row, side_)]; }
 
-  /// A wave's phase is kx x + z_phase, and its height A cos(z_phase) cos(kx x) - A sin(z_phase) sin(kx x):
-  /// the second factors are the same for all rows.
+  /// A wave of phase kx x + z_phase has the height A cos(z_phase) cos(kx x) - A sin(z_phase) sin(kx x). The
+  /// factors of x are the same for all rows.
   struct LongWave {
     double amplitude_m, kz_radpm, phase_rad;
     std::vector<float> cosines, sines;  ///< of kx x, by column
   };
 
-  /// The phase is turned from pixel to pixel, which takes no cosine.
+  /// Rotates the phase from pixel to pixel, which needs no cosine for each.
   LongWave long_wave(const ocean::GerstnerInstant::Wave& wave) const {
     LongWave along_x{wave.amplitude_m, wave.kz_radpm, wave.phase_rad, {}, {}};
     std::complex<double> now = std::polar(1.0, wave.kx_radpm * place_m(0));

@@ -53,7 +53,7 @@ CloudImageParams device_params(const DrawnParticles& drawn, const Camera& camera
           .relief = relief};
 }
 
-// A work-item has a tile in simd shape; else one pixel, and a group has a tile or a strip of it.
+// In simd shape a work-item draws a tile. Otherwise it draws a pixel, and a group a tile or a part of one.
 ocl::LaunchShape composite_shape(const CloudImageParams& params, const ocl::KernelTuning& tuning) {
   const auto columns = static_cast<std::size_t>(params.tile_columns),
              rows = static_cast<std::size_t>(params.tile_rows);

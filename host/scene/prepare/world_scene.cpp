@@ -1,7 +1,10 @@
 #include "host/scene/prepare/world_scene.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "host/base/log.h"
 #include "host/scene/prepare/moving_view.h"

@@ -1,4 +1,4 @@
-// What the cloud pass knows: one layout for C++ and GLSL (std140).
+// Uniforms of the cloud pass: one layout for C++ and GLSL (std140).
 #ifdef __cplusplus
 #pragma once
 
@@ -11,7 +11,7 @@ struct CloudUniforms {
   vec3 rayleigh_depth;  // optical depth of all air above the sea
   float aerosol_depth;
   vec2 scale_heights_m;  // of air and of aerosol
-  float airless_m;       // what rays rise first without air before them
+  float airless_m;       // height that rays rise through without air
 };
 
 #ifdef __cplusplus

@@ -2,7 +2,7 @@
 // that is shaded in the highlight. Compiled for the TEXTURE_KIND.
 const int first_image = 6, normal_image = 7;
 
-uniform sampler2D picture;   // premultiplied
+uniform sampler2D picture;  // premultiplied
 
 in vec3 place_m;
 in vec3 normal;

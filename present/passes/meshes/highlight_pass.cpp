@@ -1,6 +1,8 @@
 #include "present/passes/meshes/highlight_pass.h"
 
-#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>

@@ -1,7 +1,7 @@
 // A mesh below its highlights. Compiled for its SHADING (world::BaseShading: 0 phong, 1 gouraud, 2 cartoon, 3 flat)
 // and whether it SHOWS_CURVATURE as colours in its place.
 uniform sampler2D ramp_image;  // in place of steps
-uniform samplerBuffer faces;  // two a face: unit normal; middle, in the axes of to_eye
+uniform samplerBuffer faces;   // two a face: unit normal; middle, in the axes of to_eye
 
 in vec3 place_m;
 in vec3 normal;

@@ -1,7 +1,6 @@
 // A mesh below its highlights, compiled as mesh.frag is.
 layout(location = 2) in vec2 vertex_curvatures;  // k_max, k_min, 1/m
 
-
 out vec3 place_m;
 out vec3 normal;
 out vec3 front_light, back_light;  // of both sides of the surface

@@ -1,7 +1,6 @@
 // Light that meshes send to the eye, kcd/m2, linear Rec.709. Places are relative to the eye, in the world's axes.
 const float pi = 3.14159265;
 
-
 struct Material {
   vec3 colour;      // diffuse reflectance
   float specular;   // reflectance of Blinn's highlight

@@ -2,7 +2,6 @@
 // them.
 layout(location = 3) in vec3 outward;  // the mean normal at this place, of all vertices there; or off the border
 
-
 void main() {
   vec4 place = clip_place();
   vec4 way = matrices.to_clip * vec4(outward, 0.0);

@@ -1,7 +1,9 @@
 #include "present/passes/meshes/mesh_pass.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 

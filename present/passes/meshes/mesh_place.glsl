@@ -2,8 +2,6 @@
 layout(location = 0) in vec3 position_m;  // relative to the mesh's middle, in its axes
 layout(location = 1) in vec3 vertex_normal;
 
-
-
 invariant gl_Position;
 
 vec3 eye_place_m() {

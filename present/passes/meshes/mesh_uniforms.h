@@ -1,4 +1,4 @@
-// What the passes of meshes know: one layout for C++ and GLSL (std140).
+// Uniforms of the mesh passes: one layout for C++ and GLSL (std140).
 #ifdef __cplusplus
 #pragma once
 
@@ -7,10 +7,11 @@
 namespace offing::present::glsl {
 #endif
 
-const int most_lights = 64;
+const int most_lights = 64;  // the sun among them
 
 struct LightUniforms {
-  // Two a light: the direction toward it and 0, or its place and 1; what it sends on a surface that faces it, klx.
+  // Two for each light: the direction toward it and 0, or its place and 1; what it sends on a surface that
+  // faces it, klx.
   vec4 lights[2 * most_lights];
   vec3 sky_klx;  // on a level surface that looks up, by the sky alone
   int count;

@@ -30,8 +30,9 @@ std::vector<ShaderPart> mesh_uniforms(const std::string& block, const std::strin
 }
 
 ShaderStages plain_stages(std::initializer_list<const char*> vertex) {
-  ShaderStages stages{.vertex = mesh_uniforms("Plain", "MeshMatrices matrices; PlainUniforms plain;"),
-                      .fragment = mesh_uniforms("Plain", "MeshMatrices matrices; PlainUniforms plain;")};
+  const std::vector<ShaderPart> uniforms =
+      mesh_uniforms("Plain", "MeshMatrices matrices; PlainUniforms plain;");
+  ShaderStages stages{.vertex = uniforms, .fragment = uniforms};
   for (const char* name : vertex) stages.vertex.push_back(shader_file(name));
   stages.fragment.push_back(shader_file("meshes/mesh_plain.frag"));
   return stages;

@@ -34,10 +34,10 @@ struct MeshViewMatrices {
   }
 };
 
-/// The structs of uniforms of meshes' shaders, and the block of them that a shader reads.
+/// The structs of the uniforms of meshes, and a block of this name with these members.
 std::vector<ShaderPart> mesh_uniforms(const std::string& block, const std::string& members);
 
-/// The stages of what is drawn in one light, from these parts of its vertex shader: they read the block
+/// The stages of a program that draws in one plain light, with these vertex shader files. They read the block
 /// "Plain" of MeshMatrices and PlainUniforms.
 ShaderStages plain_stages(std::initializer_list<const char*> vertex);
 

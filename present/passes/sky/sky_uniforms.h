@@ -1,4 +1,4 @@
-// What the passes of the sky know: one layout for C++ and GLSL (std140).
+// Uniforms of the sky passes: one layout for C++ and GLSL (std140).
 #ifdef __cplusplus
 #pragma once
 

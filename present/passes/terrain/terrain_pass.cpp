@@ -16,9 +16,10 @@ namespace {
 constexpr int image_unit = 0, planes_unit = 1;
 
 std::vector<ShaderPart> terrain_shaders(std::initializer_list<const char*> last) {
-  std::vector<ShaderPart> parts{shader_file("view_uniforms.h"), shader_file("terrain/terrain_uniforms.h"),
-                                uniform_block("TerrainPass", "ViewUniforms view; TerrainUniforms terrain_pass;"),
-                                shader_file("view_ray.glsl"), shader_file("terrain/terrain_texels.glsl")};
+  std::vector<ShaderPart> parts{
+      shader_file("view_uniforms.h"), shader_file("terrain/terrain_uniforms.h"),
+      uniform_block("TerrainPass", "ViewUniforms view; TerrainUniforms terrain_pass;"),
+      shader_file("view_ray.glsl"), shader_file("terrain/terrain_texels.glsl")};
   for (const char* name : last) parts.push_back(shader_file(name));
   return parts;
 }

@@ -1,4 +1,4 @@
-// What the terrain pass knows: one layout for C++ and GLSL (std140).
+// Uniforms of the terrain pass: one layout for C++ and GLSL (std140).
 #ifdef __cplusplus
 #pragma once
 

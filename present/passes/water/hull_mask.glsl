@@ -1,6 +1,6 @@
 // Keeps water out of floating hulls: what of the surface lies between the underside of one and the height up to which it
 // keeps water out is not drawn (HullMap of host/bodies/hull_map.h).
-uniform sampler2DArray hull_maps;         // underside, rim, in m; the rim below the underside where there is no hull
+uniform sampler2DArray hull_maps;  // underside, rim, in m; the rim below the underside where there is no hull
 
 // Only where all columns around are of the hull: never beside it.
 bool is_in_hull(vec3 position_m) {

@@ -6,7 +6,7 @@ struct Shares {
 };
 
 #if HAS_SHOALS
-uniform sampler2D shoal_depths;    // m, of still water at the posts of a map
+uniform sampler2D shoal_depths;  // m, of still water at the posts of a map
 
 // At a label relative to the eye.
 Shares shares_at(vec2 label_m) {

@@ -1,7 +1,7 @@
 // Wake windows: layers of the surface that are known in a square alone, and end in nothing at its edge.
 // Compiled for WAKES, the number of windows.
 #if WAKES > 0
-uniform sampler2DArray wake_map;     // h m, dh/dx, dh/dz, dh/dt m/s
+uniform sampler2DArray wake_map;  // h m, dh/dx, dh/dz, dh/dt m/s
 
 // Height in m, dh/dx and dh/dz at a label relative to the eye, as far as texels of this width show them.
 vec3 wake_waves(vec2 label_m, float width_m) {

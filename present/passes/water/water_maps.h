@@ -22,9 +22,9 @@ class ShoalTexture {
 
   /// Copies them where they are others than those of the last call; none: the open sea.
   void prepare(const std::shared_ptr<const ocean::Shoals>& shoals);
-  /// Gives them, if there are any, to a program in use that HAS_SHOALS, the texture on this unit.
+  /// Gives them, if there are any, to a program in use that HAS_SHOALS; the texture goes to this unit.
   void bind(const ShaderProgram& program, int unit) const;
-  /// Where an eye at this label stands among the depths.
+  /// Fills in where an eye at this label stands among the depths.
   void place(glm::dvec2 eye_m, glsl::WaveUniforms& waves) const;
 
  private:
@@ -45,7 +45,7 @@ class WaterMaps {
 
   /// Gives the maps to a program in use.
   void bind(const ShaderProgram& program) const;
-  /// Where an eye at this label stands on them.
+  /// The uniforms of the maps for an eye at this label.
   glsl::WaveUniforms waves(const world::World& world, glm::dvec2 eye_m) const;
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <numbers>
@@ -67,8 +68,8 @@ constexpr int output_count = 3;
 constexpr int first_shape_unit = 0, hull_unit = 4;
 
 ShaderProgram surface_program() {
-  ShaderStages stages{.vertex = water_uniforms("Surface", "SurfaceUniforms grid;"),
-                      .fragment = water_uniforms("Surface", "SurfaceUniforms grid;")};
+  const std::vector<ShaderPart> uniforms = water_uniforms("Surface", "SurfaceUniforms grid;");
+  ShaderStages stages{.vertex = uniforms, .fragment = uniforms};
   stages.vertex.push_back(shader_file("water/water.vert"));
   for (const char* name : {"water/hull_mask.glsl", "water/water_surface.frag"}) {
     stages.fragment.push_back(shader_file(name));

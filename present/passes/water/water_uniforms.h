@@ -1,4 +1,5 @@
-// What the passes of the water know: one layout for C++ and GLSL (std140). Labels and places are relative to the eye.
+// Uniforms of the water passes: one layout for C++ and GLSL (std140). Labels and places are relative to the
+// eye.
 #ifdef __cplusplus
 #pragma once
 
@@ -13,32 +14,34 @@ const int most_cascades = 4;
 const int most_wakes = 16;
 const int most_rings = 64;
 const int most_hulls = 16;
-const int most_levels = 13;  // of the mipmap of a cascade's maps
+const int most_levels = 13;  // of the mipmap of a cascade's maps, which have at most 4096 samples a side
 
 struct WaveUniforms {
   vec4 cascades[most_cascades];  // 1 / L 1/m; the eye's place on the patch in L, x and z; texels a metre
-  vec4 longest_wave_m;  // of each cascade: wavelength; wider texels show nothing of it
-  vec4 wakes[most_wakes];  // cells a metre; the eye's place in cells from the window's first sample; cells along a side
+  vec4 longest_wave_m;           // of each cascade: wavelength; wider texels show nothing of it
+  // Cells a metre; the eye's place in cells from the window's first sample; cells along a side.
+  vec4 wakes[most_wakes];
   vec4 wake_first[most_wakes];  // column and row of the map that hold that sample, 0, 0
   vec4 shoal_place;             // the eye's place in posts from the first, column and row; posts a metre
   float shoal_deepest_m;        // below it the sea is open
 };
 
 struct RingUniforms {
-  // Two a ring: centre x and z in m, wavelength m, radius m; amplitude m, phase rad, 0, 0.
+  // Two for each ring: centre x and z in m, wavelength m, radius m; amplitude m, phase rad, 0, 0.
   vec4 values[2 * most_rings];
   int count;
 };
 
 struct ShoalUniforms {
-  vec4 shares[2 * SHOAL_STEPS];  // of each depth: of cascades, of Gerstner waves in four bands from long to short
+  // Of each depth: of cascades, of Gerstner waves in four bands from long to short.
+  vec4 shares[2 * SHOAL_STEPS];
 };
 
 struct ShapeUniforms {
   vec4 waves[GERSTNER_WAVES];       // wave vector x and z in rad/m, amplitude m, sideways shift m
   vec4 phases[GERSTNER_WAVES / 4];  // rad, of four waves each
   vec4 corners[4];                  // of the grid, homogeneous: label x and z, w
-  vec3 band_ends;      // waves of the first, of the first two and three bands that shoal alike
+  vec3 band_ends;                   // waves in the first, the first two and the first three bands of shoaling
   int wave_count;
   ivec2 cells;  // of the grid: columns and rows
   float eye_height_m;
@@ -47,26 +50,28 @@ struct ShapeUniforms {
 
 struct SurfaceUniforms {
   mat4 clip_from_eye;
-  vec4 hull_planes[3 * most_hulls];  // of each: column and row in its map, and height in its axes, of (place, 1)
+  // Of each hull: column and row in its map, and height in its axes, of (place, 1).
+  vec4 hull_planes[3 * most_hulls];
   int hull_count;
 };
 
 struct WaterUniforms {
-  vec4 hidden_slopes[most_cascades * most_levels];  // covariance xx, xz, zz that each mip level of a cascade hides
+  // Covariance xx, xz, zz that each mip level of a cascade hides.
+  vec4 hidden_slopes[most_cascades * most_levels];
   vec4 breaking;  // of each cascade, 1: its waves are long enough to draw air under, else 0
   vec3 ripples;   // covariance of the slopes that no map has
   int level_count;
-  vec3 gerstner_slopes;  // covariance of those of all Gerstner waves
+  vec3 gerstner_slopes;  // covariance of the slopes of all Gerstner waves
   float whitecaps;       // share of the foam of steep waves that the wind leaves
   vec3 sun_direction;
   float sun_radius_rad;
-  vec3 sun_klx;        // on a surface that faces the sun
-  float foam_tile_m;   // side of the foam's tile
-  vec3 sky_klx;        // on a level surface, by the sky alone
-  float views_margin;  // width of the pictures of WaterViews over that of the water's
-  vec3 water_of_sky_kcdpm2;  // light from below the surface that was the sky's
+  vec3 sun_klx;              // on a surface that faces the sun
+  float foam_tile_m;         // side of the foam's tile
+  vec3 sky_klx;              // on a level surface, by the sky alone
+  float views_margin;        // width of the pictures of WaterViews over that of the water's
+  vec3 water_of_sky_kcdpm2;  // light from below the surface that came from the sky
   float image_has_clouds;    // 1: the picture of what is mirrored has clouds, 0: the sky's map alone
-  vec3 water_of_sun_kcdpm2;  // and the sun's, where no cloud stands before it
+  vec3 water_of_sun_kcdpm2;  // and from the sun, where no cloud shades it
   float debug_height_m;      // height that is drawn fully red, its negative fully blue
   vec3 attenuation_perm;     // of light in the water
   vec2 foam_place;           // the eye's place on the foam's tile

@@ -40,7 +40,7 @@ class WaterViews {
   bool has_beneath() const { return has_beneath_; }
   /// Gives them to a program in use (water_views.glsl), by unit_count texture units.
   void bind(const ShaderProgram& program, int first_unit) const;
-  /// Fills in what that shader knows of them besides.
+  /// Fills in the uniforms that this shader reads of them.
   void describe(glsl::WaterUniforms& water) const;
   static constexpr int unit_count = 4;
 

@@ -1,18 +1,22 @@
 #include "present/passes/water/wave_features.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "kernels/shared/gerstner_params.h"
 #include "kernels/shared/shoal_params.h"
+#include "present/passes/water/water_uniforms.h"
 
 namespace offing::present {
 
 WaveFeatures wave_features(const world::World& world, const RingWaves& rings) {
   const world::WorldWakes* wakes = world.wakes();
-  return {.cascades = static_cast<int>(world.parameters().ocean.cascades.size()),
-          .wakes = wakes != nullptr ? static_cast<int>(wakes->maps()->count()) : 0,
-          .has_rings = rings.count() > 0,
-          .has_shoals = world.shoals() != nullptr};
+  return {
+      .cascades = static_cast<int>(world.parameters().ocean.cascades.size()),
+      .wakes = wakes != nullptr ? std::min(static_cast<int>(wakes->maps()->count()), glsl::most_wakes) : 0,
+      .has_rings = rings.count() > 0,
+      .has_shoals = world.shoals() != nullptr};
 }
 
 std::vector<ShaderPart> water_uniforms(const std::string& block, const std::string& members) {

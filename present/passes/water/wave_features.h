@@ -13,7 +13,7 @@ namespace offing::present {
 /// The waves that a shader of the water is compiled for (ShaderVariants).
 struct WaveFeatures {
   int cascades = 0;
-  int wakes = 0;
+  int wakes = 0;  ///< windows, at most glsl::most_wakes
   bool has_rings = false;
   bool has_shoals = false;
 
@@ -23,11 +23,11 @@ struct WaveFeatures {
 /// Those of a world with a sea, whose rings are these.
 WaveFeatures wave_features(const world::World& world, const RingWaves& rings);
 
-/// The structs of uniforms of the water's shaders, and the block of them that a shader reads.
+/// The structs of the uniforms of water, and a block of this name with these members.
 std::vector<ShaderPart> water_uniforms(const std::string& block, const std::string& members);
 
-/// The shaders of waves, compiled for them: water.glsl, rings.glsl, wakes.glsl, shoals.glsl. They come behind
-/// water_uniforms() with a member `WaveUniforms waves`.
+/// The shaders of waves, compiled for them: water.glsl, rings.glsl, wakes.glsl, shoals.glsl. Put them
+/// after water_uniforms() with a member `WaveUniforms waves`.
 std::vector<ShaderPart> wave_shaders(const WaveFeatures& features);
 
 }  // namespace offing::present

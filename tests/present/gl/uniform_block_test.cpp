@@ -1,7 +1,7 @@
 #include "present/gl/uniform_block.h"
 
 #include <cstddef>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "present/passes/meshes/mesh_uniforms.h"
@@ -32,7 +32,7 @@ int offset_of(const char* member) {
   return offset;
 }
 
-// Fails if a compiler lays a struct out otherwise than std140 does: vectors after scalars, and matrices.
+// Fails if a compiler's layout of a struct is not std140's: vectors after scalars, and matrices.
 TEST_F(UniformBlockTest, StructsLieAsInTheShader) {
   const ShaderProgram view =
       program_with({shader_file("view_uniforms.h"), uniform_block("View", "ViewUniforms view;")});
