@@ -8,7 +8,7 @@ STEPS = ("mean", "of_90", "of_95", "of_99", "within_16", "over_80")
 TEXTS = ("name", "peer")
 RUN = (
     "benchmark", "date", "commit", "blocks", "processor", "cores", "memory_gib", "linux", "huge_pages", "opencl_device",
-    "compiler", "fftw", "load_before",
+    "opencl_platform", "compiler", "fftw", "load_before",
 )  # fmt: skip
 
 
