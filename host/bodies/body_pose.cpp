@@ -5,14 +5,8 @@
 #include <glm/common.hpp>
 
 #include "host/base/parameter_check.h"
-#include "kernels/shared/query_params.h"
 
 namespace offing::bodies {
-namespace {
-
-constexpr double tile_m = SURFACE_QUERY_TILE_M;
-
-}  // namespace
 
 double heading_of(const BodyPose& pose) {
   const glm::dvec3 forward = pose.turn * glm::dvec3(1.0, 0.0, 0.0);
@@ -27,13 +21,13 @@ BodyState device_state(const BodyPose& pose) {
   require_within("body.x_m", pose.mass_centre_m.x, -farthest_point_m, farthest_point_m);
   require_within("body.y_m", pose.mass_centre_m.y, -deepest_m, deepest_m);
   require_within("body.z_m", pose.mass_centre_m.z, -farthest_point_m, farthest_point_m);
-  const double tile_x = std::nearbyint(pose.mass_centre_m.x / tile_m);
-  const double tile_z = std::nearbyint(pose.mass_centre_m.z / tile_m);
+  const double tile_x = std::nearbyint(pose.mass_centre_m.x / query_tile_m);
+  const double tile_z = std::nearbyint(pose.mass_centre_m.z / query_tile_m);
   return {.tile_x = static_cast<int>(tile_x),
           .tile_z = static_cast<int>(tile_z),
-          .x_m = static_cast<float>(pose.mass_centre_m.x - tile_x * tile_m),
+          .x_m = static_cast<float>(pose.mass_centre_m.x - tile_x * query_tile_m),
           .y_m = static_cast<float>(pose.mass_centre_m.y),
-          .z_m = static_cast<float>(pose.mass_centre_m.z - tile_z * tile_m),
+          .z_m = static_cast<float>(pose.mass_centre_m.z - tile_z * query_tile_m),
           .turn_x = static_cast<float>(pose.turn.x),
           .turn_y = static_cast<float>(pose.turn.y),
           .turn_z = static_cast<float>(pose.turn.z),
@@ -48,8 +42,8 @@ BodyState device_state(const BodyPose& pose) {
 }
 
 BodyPose pose_of(const BodyState& state) {
-  return {.mass_centre_m = {tile_m * state.tile_x + static_cast<double>(state.x_m), state.y_m,
-                            tile_m * state.tile_z + static_cast<double>(state.z_m)},
+  return {.mass_centre_m = {query_tile_m * state.tile_x + static_cast<double>(state.x_m), state.y_m,
+                            query_tile_m * state.tile_z + static_cast<double>(state.z_m)},
           .turn = glm::normalize(glm::dquat(state.turn_w, state.turn_x, state.turn_y, state.turn_z)),
           .velocity_mps = {state.velocity_x_mps, state.velocity_y_mps, state.velocity_z_mps},
           .spin_radps = {state.spin_x_radps, state.spin_y_radps, state.spin_z_radps},

@@ -4,8 +4,12 @@
 #include <glm/vec3.hpp>
 
 #include "kernels/shared/bodies.h"
+#include "kernels/shared/query_params.h"
 
 namespace offing::bodies {
+
+/// Side of the tiles that devices count the places of bodies in.
+inline constexpr double query_tile_m = SURFACE_QUERY_TILE_M;
 
 /// Where a body is and how it moves.
 struct BodyPose {

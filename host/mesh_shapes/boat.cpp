@@ -18,11 +18,11 @@ constexpr double fullness = 0.55;
 constexpr double outer_share = 0.5;
 
 /// A cross section at x = -1 (transom) ... 1 (stem), in lengths.
-struct Section {
+struct BoatSection {
   double half_breadth, sheer, keel;
 };
 
-Section section_at(double x) {
+BoatSection boat_section_at(double x) {
   const double bow = std::max(0.0, x), stern = std::max(0.0, -x);
   const double narrowing =
       (1.0 - stem_breadth) * std::pow(bow, 2.2) + (1.0 - transom_breadth) * stern * stern * stern;
@@ -32,7 +32,7 @@ Section section_at(double x) {
 }
 
 /// Down one side and up the other: share 0 ... 1 from starboard to port.
-glm::dvec3 skin_point(double x, const Section& section, double share) {
+glm::dvec3 skin_point(double x, const BoatSection& section, double share) {
   const double angle = std::numbers::pi * (share - 0.5);
   const double side = std::copysign(std::pow(std::abs(std::sin(angle)), fullness), -std::sin(angle));
   return {0.5 * x, section.sheer + (section.keel - section.sheer) * std::cos(angle),
@@ -40,7 +40,7 @@ glm::dvec3 skin_point(double x, const Section& section, double share) {
 }
 
 /// What the boat holds at this section: nothing at its ends, where it has decks.
-Section hollow_of(const Section& section, double x) {
+BoatSection hollow_of(const BoatSection& section, double x) {
   const double rest = std::clamp((std::abs(x) - hollow_end) / (deck_begin - hollow_end), 0.0, 1.0);
   return {.half_breadth = section.half_breadth - std::min(wall, 0.5 * section.half_breadth),
           .sheer = section.sheer,
@@ -55,7 +55,7 @@ Shape make_boat(double length_m, const Grid& grid) {
   return {.mesh = lofted(grid,
                          [&](int ring, int point) {
                            const double x = -std::cos(std::numbers::pi * ring / grid.u_cells);
-                           const Section section = section_at(x);
+                           const BoatSection section = boat_section_at(x);
                            const double share = static_cast<double>(point) / grid.v_cells;
                            if (share < outer_share) {
                              return length_m * skin_point(x, section, share / outer_share);

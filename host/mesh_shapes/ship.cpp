@@ -15,11 +15,11 @@ constexpr double transom_breadth = 0.7;
 constexpr double hull_share = 0.75;
 
 /// A cross section at x = -1 (transom) ... 1 (stem), in half breadths and lengths.
-struct Section {
+struct ShipSection {
   double x, half_breadth, sheer, keel, fullness;
 };
 
-Section section_at(double x) {
+ShipSection ship_section_at(double x) {
   const double bow = std::max(0.0, x), stern = std::max(0.0, -x);
   const double narrowing =
       (1.0 - stem_breadth) * std::pow(bow, 2.6) + (1.0 - transom_breadth) * stern * stern * stern;
@@ -33,7 +33,7 @@ Section section_at(double x) {
 
 /// Around a section from its starboard sheer under the keel to the port sheer, and back over the deck; in
 /// lengths.
-glm::dvec3 ring_point(const Section& section, double share) {
+glm::dvec3 ring_point(const ShipSection& section, double share) {
   // The stem rakes: it is longer above.
   const auto at = [&](double side, double height) {
     const double rake = section.x > 0.0 ? 0.05 * std::pow(section.x, 4.0) * (height - section.keel) /
@@ -59,8 +59,8 @@ Shape make_ship(double length_m, const Grid& grid) {
   return {.mesh = lofted(grid,
                          [&](int ring, int point) {
                            // Sections stand closer at both ends.
-                           const Section section =
-                               section_at(-std::cos(std::numbers::pi * ring / grid.u_cells));
+                           const ShipSection section =
+                               ship_section_at(-std::cos(std::numbers::pi * ring / grid.u_cells));
                            return length_m * ring_point(section, static_cast<double>(point) / grid.v_cells);
                          }),
           .truth = {}};

@@ -12,7 +12,7 @@
 namespace offing::sky {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double j2000 = 2451545.0;
 constexpr double unix_epoch = 2440587.5;  // the Julian date of 1970-01-01T00:00Z
 constexpr double days_per_century = 36525.0;

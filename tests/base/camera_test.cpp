@@ -13,7 +13,7 @@
 namespace offing {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // A few roundings of values near 1.
 constexpr double rounding = 1e-14;
 

@@ -12,7 +12,7 @@
 namespace offing::clouds {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 CloudLook henyey_greenstein(double g) {
   CloudLook look;

@@ -20,7 +20,7 @@
 namespace offing::highlights {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 class DrawnHighlightsTest : public testing::Test {
  protected:

@@ -13,7 +13,7 @@
 namespace offing::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// An implicit surface: gradient and second derivatives of its function, which grows outward.
 struct Derivatives {

@@ -16,7 +16,7 @@
 namespace offing::highlights {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 class HighlightTracksTest : public testing::Test {
  protected:

@@ -14,7 +14,7 @@
 namespace offing::highlights {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 class SurfaceWalkTest : public testing::Test {
  protected:

@@ -12,7 +12,7 @@
 namespace offing::highlights {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Outline = std::vector<glm::dvec2>;  // closed, of short sides
 
 constexpr HighlightTexture all_shapes[] = {HighlightTexture::dot,    HighlightTexture::window,

@@ -13,7 +13,7 @@
 namespace offing::highlights {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A triangle of as large a box as a sphere of radius 1, and points anywhere in its plane z = 1.
 class TrackStepTest : public testing::Test {

@@ -16,7 +16,7 @@ namespace {
 
 using namespace highlights;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int grown_up_frames = 10;
 
 glm::dmat3 turn_about(const glm::dvec3& axis, double angle_rad) {

@@ -16,7 +16,7 @@ namespace {
 
 using terrain::Texel;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int side_px = 33;
 using Colour = std::array<int, 4>;
 

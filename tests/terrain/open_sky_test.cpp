@@ -14,7 +14,7 @@
 namespace offing {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 test::HeightMap made(const terrain::PostGrid& grid, const std::function<double(int, int)>& height_m) {
   test::HeightMap map{"made", grid, {}};

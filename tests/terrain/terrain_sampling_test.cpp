@@ -16,7 +16,7 @@ namespace {
 using terrain::Sampling;
 using terrain::Texel;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr Sampling one_ray{.rays = 1}, many_rays{.rays = 64, .least_contrast = -1.0};
 
 /// Hills whose far side is finer than the pixels, seen against the sky from among them.

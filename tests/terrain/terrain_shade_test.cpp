@@ -14,7 +14,7 @@ namespace {
 
 using terrain::Texel;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double water_red = 0.042;  // of kernels/terrain/terrain_cover.clh
 constexpr std::size_t columns_px = 41, rows_px = 33;
 

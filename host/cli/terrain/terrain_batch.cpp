@@ -15,7 +15,7 @@ namespace offing::cli {
 namespace {
 
 constexpr std::size_t block_rows = 65536;
-constexpr const char* group = "Many at once";
+constexpr const char* batch_group = "Many at once";
 
 }  // namespace
 
@@ -28,15 +28,15 @@ void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::s
                                                     "alone and in this order without",
                                                     fmt::join(columns_.names, ",")))
                             ->type_name("FILE")
-                            ->group(group)
+                            ->group(batch_group)
                             ->excludes(command.get_option(single))
                             ->excludes(command.get_option("--json"));
   command
       .add_option("-o,--output", output_, "CSV to write, whole or not at all (default or -: standard output)")
       ->type_name("FILE")
-      ->group(group)
+      ->group(batch_group)
       ->needs(points);
-  add_force_flag(command, existing_)->group(group)->needs(points);
+  add_force_flag(command, existing_)->group(batch_group)->needs(points);
 }
 
 void TerrainBatch::require_question(const std::string& single, const TerrainInput& terrain) const {

@@ -14,7 +14,6 @@
 namespace offing::cli {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180.0;
 constexpr double eye_height_m = 1.7;
 
 }  // namespace
@@ -57,8 +56,8 @@ Camera read_terrain_camera(std::string_view text, const CameraTerrain& terrain) 
       throw bad_argument("--camera", "a pitch within [-90, 90] degrees", text, "500,300,900,0,-15");
     }
     camera.eye_m = {place[0], place[1], place[2]};
-    camera.yaw_rad = std::remainder(place[3], 360.0) * radians;
-    camera.pitch_rad = place[4] * radians;
+    camera.yaw_rad = std::remainder(place[3], 360.0) * radians_per_degree;
+    camera.pitch_rad = place[4] * radians_per_degree;
   }
   return camera;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <numbers>
 #include <string_view>
 
 #include "host/base/camera.h"
@@ -10,6 +11,8 @@
 #include "host/terrain/walk/flying_camera.h"
 
 namespace offing::cli {
+
+inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 /// What a camera needs to know of the ground that it stands on, whose first post is at x = z = 0.
 struct CameraTerrain {

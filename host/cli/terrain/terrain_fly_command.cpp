@@ -226,7 +226,6 @@ FlightComparison::Result FlightComparison::result() const {
   return result;
 }
 
-constexpr double radians = std::numbers::pi / 180.0;
 constexpr double usual_latitude_deg = 46.0;
 
 struct FlightSettings {
@@ -267,7 +266,7 @@ std::vector<Camera> path_over(const terrain::TiledField& field, const FlightSett
                    .frames = settings.frames,
                    .bound_m = [&](double x_m, double z_m) { return field.coarse_height_m(x_m, z_m); }});
   for (Camera& camera : cameras) {
-    camera.vertical_field_of_view_rad = 60.0 * radians;
+    camera.vertical_field_of_view_rad = 60.0 * radians_per_degree;
     read_image_size(size, camera);
   }
   return cameras;
@@ -414,7 +413,7 @@ class Flying {
 
 constexpr double mebibyte = 1 << 20;
 
-nlohmann::ordered_json to_json(const TerrainFlyArguments& arguments, const FlightReport& report) {
+nlohmann::ordered_json flight_json(const TerrainFlyArguments& arguments, const FlightReport& report) {
   nlohmann::ordered_json json = {{"store", arguments.store},
                                  {"frames", report.frames},
                                  {"frame_ms",
@@ -467,7 +466,7 @@ void run(const TerrainFlyArguments& arguments, const GlobalOptions& options) {
   require_file_name(arguments.output);
   const FlightReport report = Flying(arguments, options).run();
   if (arguments.json) {
-    print_json(to_json(arguments, report));
+    print_json(flight_json(arguments, report));
   } else {
     print_text(arguments, report);
   }

@@ -109,7 +109,7 @@ const char* name_of(const HeightMapOptions& options) {
   return options.void_height_m ? "constant" : "pull-push";
 }
 
-nlohmann::ordered_json to_json(const TerrainInfoArguments& arguments, const HeightMapOptions& options,
+nlohmann::ordered_json info_json(const TerrainInfoArguments& arguments, const HeightMapOptions& options,
                                const HeightMapFile& file) {
   const auto& [map, source] = file;
   const auto or_null = [](const std::optional<double>& value) {
@@ -184,7 +184,7 @@ void run(const TerrainInfoArguments& arguments) {
   const HeightMapOptions options = arguments.input.options();
   const HeightMapFile file = arguments.input.read();
   if (arguments.json) {
-    print_json(to_json(arguments, options, file));
+    print_json(info_json(arguments, options, file));
   } else {
     print_text(arguments, options, file);
   }

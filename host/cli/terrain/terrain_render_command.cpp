@@ -27,11 +27,10 @@ namespace offing::cli {
 
 namespace {
 
-constexpr double radians = std::numbers::pi / 180.0;
 
 /// Numbers and choices of a picture.
 struct RenderSettings {
-  double field_of_view_rad = 60.0 * radians;
+  double field_of_view_rad = 60.0 * radians_per_degree;
   double exposure_ev = 0.0;
   double sea_level_m = 0.0;
   std::optional<double> tree_line_m, snow_line_m;
@@ -85,9 +84,9 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const Rende
   TerrainScenery scenery;
   if (!arguments.sun.empty()) {
     const auto sun = read_numbers("--sun", arguments.sun, 2, "AZIMUTH_DEG,ELEVATION_DEG", "225,30");
-    scenery.sun_azimuth_rad = sun[0] * radians;
+    scenery.sun_azimuth_rad = sun[0] * radians_per_degree;
     scenery.sun_elevation_rad =
-        read_number("--sun", fmt::format("{}", sun[1]), "degrees", -90.0, 90.0, "225,30") * radians;
+        read_number("--sun", fmt::format("{}", sun[1]), "degrees", -90.0, 90.0, "225,30") * radians_per_degree;
   }
   scenery.sees_horizons = settings.sky_visibility == scene::SkyVisibility::on;
   if (latitude_deg) scenery.lines = world::cover_lines(*latitude_deg);
@@ -167,7 +166,7 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
   if (arguments.json) {
     const nlohmann::ordered_json json = {
         {"picture", arguments.output},           {"eye_m", {camera.eye_m.x, camera.eye_m.y, camera.eye_m.z}},
-        {"yaw_deg", camera.yaw_rad / radians},   {"pitch_deg", camera.pitch_rad / radians},
+        {"yaw_deg", camera.yaw_rad / radians_per_degree},   {"pitch_deg", camera.pitch_rad / radians_per_degree},
         {"ground_share", ground_share},          {"mean_steps", picture.mean_steps},
         {"refined_share", picture.refined_share}};
     print_json(json);

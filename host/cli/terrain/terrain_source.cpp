@@ -11,20 +11,20 @@
 namespace offing::cli {
 namespace {
 
-constexpr const char* group = "Tile stores";
+constexpr const char* store_group = "Tile stores";
 
 }  // namespace
 
 void CacheFlags::add_to(CLI::App& command) {
   SettingOptions::add_to(command, {{&StoreUse::cache_mb, like_scene("terrain.cache_mb", "--cache-mb")}},
-                         group);
+                         store_group);
 }
 
 void CacheFlags::add_edge_to(CLI::App& command) {
   SettingOptions::add_to(command,
                          {{scene::choice(&StoreUse::edge, {"ends", "repeats", "mirrors"}),
                            {.key = "edge", .help = "the map beyond its edges"}}},
-                         group);
+                         store_group);
 }
 
 terrain::TiledField make_field(const TileStore& store, const ocl::Device& device, const StoreUse& use) {

@@ -16,7 +16,7 @@
 namespace offing::clouds {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A heap of 14 balls on a flat base: a dome with shoulders, a lower one to the side, a foot around both.
 std::vector<Metaball> cumulus(RandomDraws& draws) {

@@ -12,7 +12,7 @@
 namespace offing::highlights {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A vector turned about a unit axis (Rodrigues).
 glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle_rad) {

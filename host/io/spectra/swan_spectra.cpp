@@ -67,18 +67,13 @@ double need_value(TextCursor& cursor, std::string_view expected) {
   return cursor.need_number(expected);
 }
 
-std::size_t need_count(TextCursor& cursor, std::string_view expected) {
-  const double value = need_value(cursor, expected);
-  // Each counted thing has a line of at least two bytes, so the size of the file bounds the count.
-  const double most = static_cast<double>(cursor.text_size()) / 2.0;
-  if (value < 1.0 || value > most || value != std::floor(value)) {
-    cursor.fail(expected, fmt::format("{:g}", value), "the count does not fit the size of the file");
-  }
-  return static_cast<std::size_t>(value);
+std::size_t count_on_next_line(TextCursor& cursor, std::string_view expected) {
+  need_header_line(cursor, expected);
+  return cursor.need_count(expected);
 }
 
 std::vector<double> need_column(TextCursor& cursor, std::string_view count_of, std::string_view what) {
-  std::vector<double> values(need_count(cursor, count_of));
+  std::vector<double> values(count_on_next_line(cursor, count_of));
   for (double& value : values) value = need_value(cursor, what);
   return values;
 }
@@ -90,7 +85,7 @@ std::vector<SwanLocation> parse_locations(TextCursor& cursor) {
     cursor.fail("LONLAT or LOCATIONS", fmt::format("\"{}\"", printable(cursor.line())),
                 "a SWAN spectral file lists its locations after the time coding");
   }
-  const std::size_t count = need_count(cursor, "the number of locations");
+  const std::size_t count = count_on_next_line(cursor, "the number of locations");
   std::vector<SwanLocation> locations;
   for (std::size_t number = 1; number <= count; ++number) {
     const double x = need_value(cursor, "the coordinates of a location");
@@ -162,7 +157,7 @@ void parse_quantities(TextCursor& cursor, SwanHeader& header) {
     cursor.fail("QUANT", fmt::format("\"{}\"", printable(cursor.line())),
                 "a SWAN spectral file names its quantities after the frequencies and directions");
   }
-  const std::size_t count = need_count(cursor, "the number of quantities");
+  const std::size_t count = count_on_next_line(cursor, "the number of quantities");
   if (count > most_quantities || (header.directions && count != 1)) {
     cursor.fail(header.directions ? "one quantity" : "at most three quantities", fmt::format("{}", count),
                 "write the file with SWAN's SPECOUT command");

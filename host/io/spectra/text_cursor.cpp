@@ -143,6 +143,14 @@ double TextCursor::need_number(std::string_view expected) {
   return *number;
 }
 
+std::size_t TextCursor::need_count(std::string_view expected) {
+  const double count = need_number(expected);
+  if (count < 1.0 || count > static_cast<double>(text_size_) / 2.0 || count != std::floor(count)) {
+    fail(expected, fmt::format("{:g}", count), "the count does not fit the size of the file");
+  }
+  return static_cast<std::size_t>(count);
+}
+
 std::string TextCursor::place() const {
   return fmt::format("{}:{}", file_name_, line_number_);
 }

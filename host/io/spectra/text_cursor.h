@@ -45,6 +45,9 @@ class TextCursor {
   /// there.
   double need_number(std::string_view expected);
 
+  /// The same for how many things follow. Each has at least two bytes, so the size of the file bounds it.
+  std::size_t need_count(std::string_view expected);
+
   /// What is left of the present line for need_number().
   std::string_view& rest() { return rest_; }
 

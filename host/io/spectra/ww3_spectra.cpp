@@ -45,16 +45,6 @@ std::string need_quoted(TextCursor& cursor, std::string_view expected) {
   return *text;
 }
 
-std::size_t need_count(TextCursor& cursor, std::string_view expected) {
-  const double value = cursor.need_number(expected);
-  // Every count stands for at least that many numbers of two bytes, so the size of the file bounds it.
-  const double most = static_cast<double>(cursor.text_size()) / 2.0;
-  if (value < 1.0 || value > most || value != std::floor(value)) {
-    cursor.fail(expected, fmt::format("{:g}", value), "the count does not fit the size of the file");
-  }
-  return static_cast<std::size_t>(value);
-}
-
 struct Grid {
   std::vector<double> frequencies_hz;
   DirectionGrid directions;
@@ -68,9 +58,9 @@ Grid parse_grid(TextCursor& cursor) {
     cursor.fail("'WAVEWATCH III SPECTRA'", fmt::format("'{}'", printable(title)),
                 "give the spectral transfer file of ww3_outp (ITYPE 1, transfer file)");
   }
-  const std::size_t nf = need_count(cursor, "the number of frequencies");
-  const std::size_t nd = need_count(cursor, "the number of directions");
-  const std::size_t points = need_count(cursor, "the number of points");
+  const std::size_t nf = cursor.need_count("the number of frequencies");
+  const std::size_t nd = cursor.need_count("the number of directions");
+  const std::size_t points = cursor.need_count("the number of points");
   if (static_cast<double>(nf) * static_cast<double>(nd) > static_cast<double>(cursor.text_size()) / 2.0) {
     cursor.fail("counts that fit the size of the file", fmt::format("{} x {} densities", nf, nd),
                 "the header is damaged or the file is cut short");

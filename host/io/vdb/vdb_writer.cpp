@@ -25,7 +25,6 @@ using openvdb::FloatGrid;
 using openvdb::Vec3SGrid;
 using vdb::place_in_brick;
 
-constexpr std::size_t cells = CloudVolume::cells_of_brick;
 static_assert(CloudVolume::brick_cells == FloatGrid::TreeType::LeafNodeType::DIM, "a brick is a leaf");
 
 /// A brick of the volume that has density.
@@ -70,7 +69,7 @@ bool is_fit(const std::vector<float>& density, float most) {
 /// A copy without traces of rounding below 0. Throws for what is no density.
 CloudVolume repaired(const std::filesystem::path& path, CloudVolume volume, float most) {
   std::vector<float>& density = volume.density;
-  const auto place = [](std::size_t i) { return fmt::format("value {} of brick {}", i % cells, i / cells); };
+  const auto place = [](std::size_t i) { return fmt::format("value {} of brick {}", i % CloudVolume::cells_of_brick, i / CloudVolume::cells_of_brick); };
   vdb::clamp_density(density, [&](std::size_t i, const char* expected, const char*) {
     throw vdb::bad_vdb(path, place(i), expected, fmt::format("{:g}", density[i]), "make the volume anew");
   });
@@ -92,7 +91,7 @@ typename Grid::Ptr grid_of(const std::vector<KeptBrick>& bricks, const std::vect
   typename Grid::Ptr grid = Grid::create();
   std::vector<std::unique_ptr<Leaf>> leaves(bricks.size());
   parallel_for(bricks.size(), 0, [&](std::size_t i) {
-    const std::size_t first = bricks[i].slot * cells;
+    const std::size_t first = bricks[i].slot * CloudVolume::cells_of_brick;
     auto leaf = std::make_unique<Leaf>(openvdb::PartialCreate(), bricks[i].first_cell);
     leaf->buffer().allocate();
     typename Grid::ValueType* values = leaf->buffer().data();

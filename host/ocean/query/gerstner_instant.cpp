@@ -1,16 +1,14 @@
 #include "host/ocean/query/gerstner_instant.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "host/base/parameter_check.h"
 #include "host/ocean/ocean_limits.h"
+#include "host/ocean/spectrum/dispersion.h"
 #include "host/ocean/surface/wave_clock.h"
 
 namespace offing::ocean {
 namespace {
-
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 /// Of the wave of an index, where shares are given.
 double share_of(std::span<const double> shares, std::size_t wave) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "host/base/parameter_check.h"
 #include "host/ocean/ocean_limits.h"
@@ -10,7 +9,6 @@
 namespace offing::ocean {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr std::size_t gerstner_bands = SHOAL_BANDS - SHOAL_FIRST_GERSTNER;
 // How sharply the height turns from shoaling to breaking: the larger, the nearer to the lesser of both.
 constexpr double sharpness = 4.0;

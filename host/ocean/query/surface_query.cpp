@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 
+#include "host/ocean/spectrum/dispersion.h"
 #include "host/ocean/surface/gerstner_surface.h"
 #include "host/ocean/surface/wave_clock.h"
 #include "host/ocl/program.h"
@@ -13,7 +13,6 @@
 namespace offing::ocean {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double tile_m = SURFACE_QUERY_TILE_M;
 // Points that are on the device at a time: 48 MB with their samples.
 constexpr std::size_t most_points = std::size_t{1} << 20;

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <limits>
+#include <numbers>
 
 namespace offing::ocean {
+
+/// Radians of a whole wave: the wavenumber is two_pi / wavelength.
+inline constexpr double two_pi = 2.0 * std::numbers::pi;
 
 /// Relation between wavenumber and frequency of linear water waves (O3 of docs/sources.md):
 /// omega^2 = g k (1 + k^2 l^2) tanh(k D), l^2 = sigma / (rho g). Deep water is D = +inf, gravity waves l = 0.

@@ -6,13 +6,13 @@
 #include <numbers>
 
 #include "host/ocean/ocean_limits.h"
+#include "host/ocean/spectrum/dispersion.h"
 #include "host/ocean/spectrum/quadrature.h"
 #include "kernels/shared/random.h"
 
 namespace offing::ocean {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr int slice_count = 256;
 constexpr int direction_count = 720;  // half degrees: a fifth of the narrowest spreading's deviation
 

@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 #include <type_traits>
 #include <utility>
 
 #include "host/base/parameter_check.h"
 #include "host/ocean/ocean_limits.h"
+#include "host/ocean/spectrum/dispersion.h"
 #include "host/ocean/surface/wave_clock.h"
 #include "host/ocl/program.h"
 
 namespace offing::ocean {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr float smallest_ring_m = 1e-6f;
 
 /// The waves that show on a grid, at time 0, as the kernel reads them: [row][pitch], the waves side by side.

@@ -1,7 +1,6 @@
 #include "host/ocean/surface/gerstner_waves.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "host/base/parameter_check.h"
 #include "host/ocean/ocean_limits.h"
@@ -10,7 +9,6 @@
 namespace offing::ocean {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double largest_angle_rad = 1e6;
 constexpr double largest_amplitude_m = 100.0;
 constexpr double shortest_wavelength_m = 0.1, longest_wavelength_m = 1e5;

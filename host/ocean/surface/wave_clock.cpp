@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "host/ocean/spectrum/dispersion.h"
 
 namespace offing::ocean {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double usual_ticks_per_second = 32.0;  // all waves longer than a centimetre are slower than 32 Hz
 constexpr double all_ticks = 4294967296.0;       // 2^32
 constexpr double loop_instants = 268435456.0;    // 2^28: a loop of 100 s has one every 0.4 us

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/ocean/spectrum/dispersion.h"
 #include "host/ocean/spectrum/spectrum_table.h"
 #include "host/ocl/program.h"
 #include "kernels/shared/mode_layout.h"
@@ -16,7 +17,6 @@
 namespace offing::ocean {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double largest_loop_cycles = 4194304.0;  // 2^22: 32 Hz in a loop of a day
 
 double wavenumber_step_radpm(const Cascade& cascade) {

@@ -17,7 +17,7 @@
 namespace offing::ocean {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // Verlet's scheme is stable up to a Courant number of sqrt(3 / 8) = 0.61 with these differences, whose
 // largest eigenvalue is 16/3 along either axis.
 constexpr double largest_courant = 0.55;

@@ -70,7 +70,7 @@ std::vector<Row<BodyScene>> load_rows() {
             "most faces that water presses on: a finer mesh floats as a coarser one of the same volume"}}};
 }
 
-std::vector<Row<BodyScene>> motion_rows() {
+std::vector<Row<BodyScene>> body_motion_rows() {
   return {
       {choice(&BodyScene::motion, {"forces", "path"}),
        {.key = "motion",
@@ -143,7 +143,7 @@ std::vector<Row<BodyScene>> motion_rows() {
 Schema<BodyScene> body_schema() {
   Schema<BodyScene> schema("body");
   return schema.rows(ParameterGroup::body, Affects::bodies, load_rows())
-      .rows(ParameterGroup::body, Affects::bodies, motion_rows());
+      .rows(ParameterGroup::body, Affects::bodies, body_motion_rows());
 }
 
 }  // namespace offing::scene

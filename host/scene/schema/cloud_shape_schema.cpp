@@ -39,7 +39,7 @@ std::string needs_obstacle(const UseContext&, const CloudScene& cloud) {
   return cloud.motion.obstacle_m ? "" : "cloud.obstacle_m is not given";
 }
 
-std::vector<Row<CloudScene>> form_rows() {
+std::vector<Row<CloudScene>> cloud_form_rows() {
   return {{path(form, &CloudShapeScene::file),
            {.key = "file",
             .help = "OpenVDB (.vdb) whose density is sampled, or particles (.ply), in place of balls",
@@ -217,7 +217,7 @@ std::vector<Row<CloudScene>> look_rows() {
             .example = "10"}}};
 }
 
-std::vector<Row<CloudScene>> motion_rows() {
+std::vector<Row<CloudScene>> cloud_motion_rows() {
   return {{path(motion, &CloudMotionScene::wind_mps),
            {.key = "wind_mps",
             .unit = "m/s",
@@ -315,7 +315,7 @@ std::vector<Row<CloudScene>> heat_rows() {
 
 std::vector<Row<CloudScene>> cloud_shape_rows() {
   std::vector<Row<CloudScene>> all;
-  for (const auto& rows : {form_rows(), noise_rows(), look_rows(), motion_rows(), heat_rows()}) {
+  for (const auto& rows : {cloud_form_rows(), noise_rows(), look_rows(), cloud_motion_rows(), heat_rows()}) {
     all.insert(all.end(), rows.begin(), rows.end());
   }
   for (Row<CloudScene>& row : all) {

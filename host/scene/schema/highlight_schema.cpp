@@ -97,7 +97,7 @@ std::vector<Row<HighlightScene>> choosing_rows() {
 }
 
 /// Where a highlight goes and how large it gets.
-std::vector<Row<HighlightScene>> form_rows() {
+std::vector<Row<HighlightScene>> highlight_form_rows() {
   using highlights::most_copies, highlights::most_offset;
   constexpr auto offset = &HighlightControls::offset;
   return {{path(rule, controls, offset, &glm::dvec2::x),
@@ -179,7 +179,7 @@ std::vector<Row<HighlightScene>> texture_rows() {
 
 Schema<HighlightScene> highlight_schema() {
   Schema<HighlightScene> schema("highlight");
-  for (std::vector<Row<HighlightScene>> rows : {choosing_rows(), form_rows(), texture_rows()}) {
+  for (std::vector<Row<HighlightScene>> rows : {choosing_rows(), highlight_form_rows(), texture_rows()}) {
     for (Row<HighlightScene>& row : rows) {
       if (row.unused == nullptr) row.unused = needs_highlights;
     }

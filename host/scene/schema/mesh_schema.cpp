@@ -48,7 +48,7 @@ std::string needs_highlights(const UseContext&, const MeshScene& mesh) {
   return mesh.shown == MeshHighlights::on ? "" : "the mesh's highlights are off";
 }
 
-std::vector<Row<MeshScene>> form_rows() {
+std::vector<Row<MeshScene>> mesh_form_rows() {
   static const std::string size_help = "for a shape: " + mesh_shapes::meaning_of_size();
   return {
       {&MeshScene::name,
@@ -230,7 +230,7 @@ std::vector<Row<MeshScene>> highlight_rows() {
 
 Schema<MeshScene> mesh_schema() {
   Schema<MeshScene> schema("mesh");
-  return schema.rows(ParameterGroup::mesh, Affects::meshes, form_rows())
+  return schema.rows(ParameterGroup::mesh, Affects::meshes, mesh_form_rows())
       .rows(ParameterGroup::mesh, Affects::meshes, place_rows())
       .rows(ParameterGroup::mesh, Affects::mesh_looks, look_rows())
       .rows(ParameterGroup::mesh, Affects::meshes, highlight_rows())

@@ -10,14 +10,14 @@ using clouds::ParticleEdit;
 using clouds::ParticleSelection;
 
 constexpr auto selection = &ParticleEdit::selection;
-constexpr double farthest_m = 1e7, widest = 1e3;
+constexpr double most_shift_m = 1e7, widest = 1e3;
 
 std::vector<Row<ParticleEdit>> eye_rows() {
   return {{path(selection, &ParticleSelection::eye_m),
            {.key = "eye_m",
             .unit = "m",
-            .low = -farthest_m,
-            .high = farthest_m,
+            .low = -most_shift_m,
+            .high = most_shift_m,
             .help = "eye that sees what is edited, x, y, z in the cloud's axes"}},
           {path(selection, &ParticleSelection::yaw_rad),
            {.key = "yaw_deg",

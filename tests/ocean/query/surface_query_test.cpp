@@ -18,7 +18,7 @@ namespace offing::ocean {
 namespace {
 
 using Fields = WaterQuery::Fields;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 class SurfaceQueryTest : public testing::Test {
  protected:

@@ -12,7 +12,7 @@
 namespace offing::ocean {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // Places in the grid come from quotients of heights to distances of up to 1e9 of them, in double precision:
 // measured below 1e-9.
 constexpr double place_tolerance = 1e-7;

@@ -11,7 +11,7 @@
 namespace offing::ocean {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Place {
   double behind_m, aside_m;

@@ -8,7 +8,7 @@
 namespace offing::ocean {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::size_t index(int row, int column, int size) {
   return static_cast<std::size_t>(row) * static_cast<std::size_t>(size) + static_cast<std::size_t>(column);

@@ -14,7 +14,7 @@
 namespace offing::ocean {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 WakeForcing nothing_at_middle(const WakeParameters& parameters) {
   return {.centre = {0.5 * parameters.length_m, 0.5 * parameters.length_m}};

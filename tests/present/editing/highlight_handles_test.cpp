@@ -14,7 +14,7 @@ namespace {
 using highlights::HighlightControls;
 using highlights::Projector;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Screen screen() {
   Screen screen{.camera = {}, .size_px = {800.0, 400.0}};
