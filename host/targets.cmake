@@ -1,6 +1,16 @@
 # How every Offing target is compiled and installed: one place for the language level, warnings, sanitizers
 # and the list of what a find_package(Offing) offers.
 
+# With OFFING_UNITY_BUILD up to eight sources of a target are compiled as one. These are not: a name that they keep to
+# themselves is another's too ("redefinition of ..."), or they include headers whose macros would change others.
+set(OFFING_COMPILED_ALONE
+  cloud_edits_test cloud_handles_test curvature_invariance_test determinism_test direction_test embedded_scenes
+  exr_image_test floating_bodies_test foam_test gerstner_surface_test gerstner_test hands
+  handle_geometry_test keyframes_test measured_sea_test moving_view_test ocean_reference_test png_image_test
+  read_height_map_test reference_tracer_test reference_walk_test scene_meshes_test sky_flight_test
+  scene_terrain_test slope_covariance_test spectrum_models_test spreading_test stream_height_map_test
+  terrain_sampling_test tiled_field_test velocity_test)
+
 # Compile options and includes shared by libraries, programs and tests. Includes are written from the
 # repository root, so that each #include line shows which folder depends on which.
 function(offing_configure target)
@@ -10,6 +20,13 @@ function(offing_configure target)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/offing>)
   if(OFFING_UNITY_BUILD)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    get_target_property(sources ${target} SOURCES)
+    foreach(source IN LISTS sources)
+      cmake_path(GET source STEM stem)
+      if(stem IN_LIST OFFING_COMPILED_ALONE)
+        set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+      endif()
+    endforeach()
   endif()
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast

@@ -151,20 +151,20 @@ TEST_F(CloudDensityTest, RasterisedParticlesKeepTheirMass) {
 
 TEST_F(CloudDensityTest, RefusesWhatIsOutOfRange) {
   CloudParameters parameters = one_ball(-1.0, glm::dvec3(0.0));
-  test::expect_error(ErrorKind::bad_input, "cloud.ball[0].radius_m",
+  offing::test::expect_error(ErrorKind::bad_input, "cloud.ball[0].radius_m",
                      [&] { field_volume(device_, parameters, 1.0, 0.0); });
   parameters = one_ball(1e5, glm::dvec3(0.0));
-  test::expect_error(ErrorKind::bad_input, "cell_m 0.1",
+  offing::test::expect_error(ErrorKind::bad_input, "cell_m 0.1",
                      [&] { field_volume(device_, parameters, 0.1, 0.0); });
   CloudParticle particle{};
   particle.radius = std::numeric_limits<float>::quiet_NaN();
-  test::expect_error(ErrorKind::bad_input, "cloud particle 0: radius",
+  offing::test::expect_error(ErrorKind::bad_input, "cloud particle 0: radius",
                      [&] { rasterised(device_, std::span(&particle, 1), 1.0); });
   CloudVolume shape = field_volume(device_, one_ball(10.0, glm::dvec3(0.0)), 1.0, 0.0);
   shape.density[5] = std::numeric_limits<float>::quiet_NaN();
   parameters.shape = std::make_shared<const CloudVolume>(shape);
   parameters.balls.clear();
-  test::expect_error(ErrorKind::bad_input, "nan", [&] { field_volume(device_, parameters, 1.0, 0.0); });
+  offing::test::expect_error(ErrorKind::bad_input, "nan", [&] { field_volume(device_, parameters, 1.0, 0.0); });
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(GeneraTest, SeedsAndSizesDiffer) {
                         large = preset(Genus::cumulus, 1, 2.0);
   EXPECT_NE(one.balls[3].centre_m, other.balls[3].centre_m);
   EXPECT_EQ(large.balls[3].radius_m, 2.0 * one.balls[3].radius_m);
-  test::expect_error(ErrorKind::bad_input, "\"nimbus\"", [] { genus_named("nimbus"); });
+  offing::test::expect_error(ErrorKind::bad_input, "\"nimbus\"", [] { genus_named("nimbus"); });
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ TEST(HierarchyWorkTest, TellsHowFarItIsAndStops) {
     ++told;
     cancel.cancel();
   });
-  test::expect_error(ErrorKind::cancelled, "", [&] {
+  offing::test::expect_error(ErrorKind::cancelled, "", [&] {
     grown_hierarchy(one, std::vector<HierarchyLevel>{{0.02, 0.0, 0.05}, {0.5, 0.0, 1.0}}, 1, stops);
   });
   EXPECT_LE(told, 1);
@@ -176,7 +176,7 @@ TEST(HierarchyWorkTest, SmallChildrenTakeNoLonger) {
 TEST(HierarchyWorkTest, RefusesTooManyBeforeTheyAreGrown) {
   const CloudParameters cumulus = preset(Genus::cumulus);
   const std::vector<HierarchyLevel> fine{{0.02, 0.0, 0.05}};
-  test::expect_error(ErrorKind::bad_input,
+  offing::test::expect_error(ErrorKind::bad_input,
                      "level 1 would have some 2e+07 particles, expected at most 10000000", [&] {
                        grown_hierarchy(cumulus.balls, std::vector<HierarchyLevel>{{0.02, 0.0, 0.025}}, 1);
                      });

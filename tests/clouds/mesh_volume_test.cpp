@@ -97,11 +97,11 @@ TEST(MeshVolumeTest, RefusesWhatEnclosesNothing) {
   TriangleMesh flat;
   flat.positions_m = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   flat.faces = {{0, 1, 2}};
-  test::expect_error(ErrorKind::bad_input, "enclose no cell", [&] { mesh_volume(flat, {.cell_m = 0.1}); });
-  test::expect_error(ErrorKind::bad_input, "enclose no cell", [&] { mesh_volume({}, {}); });
+  offing::test::expect_error(ErrorKind::bad_input, "enclose no cell", [&] { mesh_volume(flat, {.cell_m = 0.1}); });
+  offing::test::expect_error(ErrorKind::bad_input, "enclose no cell", [&] { mesh_volume({}, {}); });
   flat.faces = {{0, 1, 7}};
-  test::expect_error(ErrorKind::bad_input, "found 7", [&] { mesh_volume(flat, {}); });
-  test::expect_error(ErrorKind::bad_input, "cell_m 0.01",
+  offing::test::expect_error(ErrorKind::bad_input, "found 7", [&] { mesh_volume(flat, {}); });
+  offing::test::expect_error(ErrorKind::bad_input, "cell_m 0.01",
                      [] { mesh_volume(cube(glm::dvec3(0.0), 500.0), {.cell_m = 0.01}); });
 }
 

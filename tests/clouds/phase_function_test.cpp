@@ -91,9 +91,9 @@ TEST(PhaseFunctionTest, RefusesWhatScattersBackward) {
   cloud.look.g = -0.5;
   EXPECT_NO_THROW(require_valid(cloud));
   cloud.look.g = -0.51;
-  test::expect_error(ErrorKind::bad_input, "cloud.g", [&] { require_valid(cloud); });
+  offing::test::expect_error(ErrorKind::bad_input, "cloud.g", [&] { require_valid(cloud); });
   cloud.look = {.phase = PhaseKind::double_henyey_greenstein, .g = 0.2, .g_back = -0.9, .forward_share = 0.1};
-  test::expect_error(ErrorKind::bad_input, "mean cosine of scattering", [&] { require_valid(cloud); });
+  offing::test::expect_error(ErrorKind::bad_input, "mean cosine of scattering", [&] { require_valid(cloud); });
 }
 
 // Fails if paths scatter with another density than they are weighed with. Means of 2e5 cosines and of their

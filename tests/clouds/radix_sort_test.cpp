@@ -24,7 +24,7 @@ std::uint32_t word(std::size_t i, std::uint32_t index) {
 /// Both shapes: that of CPUs and that of GPUs.
 class RadixSortTest : public testing::TestWithParam<std::string> {
  protected:
-  const test::ScopedEnvironment shape_{"OFFING_SHAPE", GetParam()};
+  const offing::test::ScopedEnvironment shape_{"OFFING_SHAPE", GetParam()};
   const ocl::Device device_ = ocl::Device::open();
 };
 

@@ -209,7 +209,7 @@ TEST_F(SampledParticlesTest, EmptyVolumesAndOddTargets) {
   CloudVolume empty;
   empty.brick_of = {};
   EXPECT_TRUE(sampled_particles(empty, {}, {}).empty());
-  test::expect_error(ErrorKind::bad_input, "target_particles", [&] {
+  offing::test::expect_error(ErrorKind::bad_input, "target_particles", [&] {
     sampled_particles(volume_, {Sampling::uniform, 0, 1}, {});
   });
   // More than there are cells: each becomes one.
@@ -258,13 +258,13 @@ TEST_F(SampledParticlesTest, TellsHowFarItIsAndStops) {
                         before = share;
                       }));
     cancel.cancel();
-    test::expect_error(ErrorKind::cancelled, "", [&] {
+    offing::test::expect_error(ErrorKind::cancelled, "", [&] {
       sampled_particles(volume_, {.sampling = sampling, .target_particles = 100}, {}, Work(cancel));
     });
   }
   const SamplingOptions little{.target_particles = 100, .most_bytes = 4000 * 400};
   EXPECT_EQ(sampled_particles(volume_, little, {}).size(), 100u) << "40 cells of 400 bytes each";
-  test::expect_error(ErrorKind::out_of_memory, "merging 4040 cells into 101 particles takes 2 MB", [&] {
+  offing::test::expect_error(ErrorKind::out_of_memory, "merging 4040 cells into 101 particles takes 2 MB", [&] {
     sampled_particles(volume_, {.target_particles = 101, .most_bytes = 4000 * 400}, {});
   });
 }

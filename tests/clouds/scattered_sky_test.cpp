@@ -58,9 +58,9 @@ TEST(ScatteredSkyTest, MoreCoverAddsClouds) {
 }
 
 TEST(ScatteredSkyTest, RefusesWhatCannotBeCovered) {
-  test::expect_error(ErrorKind::bad_input, "cloud_layer.coverage",
+  offing::test::expect_error(ErrorKind::bad_input, "cloud_layer.coverage",
                      [] { scattered_sky({.coverage = 1.2}, 1); });
-  test::expect_error(ErrorKind::bad_input, "5 cumulus cover",
+  offing::test::expect_error(ErrorKind::bad_input, "5 cumulus cover",
                      [] { scattered_sky({.coverage = 0.9, .most_clouds = 5}, 1); });
 }
 

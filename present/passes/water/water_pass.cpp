@@ -20,7 +20,7 @@
 namespace offing::present {
 namespace {
 
-constexpr int environment_unit = WaterMaps::first_free_unit, pattern_unit = environment_unit + 1,
+constexpr int water_environment_unit = WaterMaps::first_free_unit, pattern_unit = water_environment_unit + 1,
               shadow_unit = pattern_unit + 1, first_surface_unit = shadow_unit + 1,
               first_view_unit = first_surface_unit + 4;
 // Waves shorter than 2 m break without drawing air under: they make no foam.
@@ -146,8 +146,8 @@ void WaterPass::draw(world::World& world, const FrameRequest& request, const Dry
   maps_.bind(program);
   surface_.rings().bind(program);
   bind_surface(program);
-  bind_sampler(program, "environment", environment_unit, dry.environment);
-  dry.cloudy_sky.bind(environment_unit);
+  bind_sampler(program, "environment", water_environment_unit, dry.environment);
+  dry.cloudy_sky.bind(water_environment_unit);
   dry.shadows.bind(program, shadow_unit);
   views_.bind(program, first_view_unit);
   bind_sampler(program, "foam_pattern", pattern_unit, foam_pattern_.name());
