@@ -98,7 +98,7 @@ void refuse_empty(const CLI::App& app, int argc, const char* const* argv) {
     std::string flag;
     if (argument.empty()) {
       const CLI::Option* option = before.starts_with('-') ? option_of(*command, before) : nullptr;
-      if (option != nullptr && option->get_type_size() != 0) flag = before;
+      if (option != nullptr && option->get_items_expected_max() > 0) flag = before;
     } else if (argument.starts_with("--") && argument.find('=') == argument.size() - 1) {
       flag = argument.substr(0, argument.size() - 1);
       if (option_of(*command, flag) == nullptr) continue;
