@@ -16,6 +16,7 @@
 #include "host/base/error.h"
 #include "host/command_line/frame_flags.h"
 #include "host/command_line/general_flags.h"
+#include "host/command_line/help_format.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/parse_arguments.h"
 #include "host/command_line/setting_options.h"

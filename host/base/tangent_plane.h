@@ -8,12 +8,6 @@
 /// Directions, frames and symmetric tensors in the plane that touches a surface.
 namespace offing {
 
-/// The vector at length 1; 0 where it has no length.
-inline glm::dvec3 unit_or_zero(const glm::dvec3& vector) {
-  const double length = glm::length(vector);
-  return length > 0.0 ? vector / length : glm::dvec3(0.0);
-}
-
 /// A symmetric 3 x 3 matrix.
 struct SymmetricTensor {
   double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;

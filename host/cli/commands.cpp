@@ -7,7 +7,7 @@
 #include "host/cli/highlights/highlights_command.h"
 #include "host/cli/ocean/ocean_commands.h"
 #include "host/cli/terrain/terrain_commands.h"
-#include "host/command_line/parse_arguments.h"
+#include "host/command_line/help_format.h"
 #include "host/scene/file/version.h"
 
 namespace offing::cli {

@@ -9,6 +9,7 @@
 
 #include "host/base/error.h"
 #include "host/io/atomic_file.h"
+#include "host/io/file_presence.h"
 
 namespace offing {
 namespace {

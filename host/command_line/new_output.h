@@ -10,6 +10,7 @@
 #include "host/base/argument.h"
 #include "host/command_line/input_files.h"
 #include "host/io/atomic_file.h"
+#include "host/io/frame_name.h"
 
 namespace offing {
 

@@ -1,12 +1,10 @@
 #include "host/command_line/parse_arguments.h"
 
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
 
@@ -15,49 +13,6 @@
 
 namespace offing {
 namespace {
-
-constexpr std::size_t name_columns = 34, text_columns = 76;
-
-/// The text with line breaks between words, so that no line is longer than text_columns but by one word.
-std::string wrapped(std::string_view text) {
-  std::string lines;
-  std::size_t length = 0;
-  while (!text.empty()) {
-    const std::size_t end = text.find_first_of(" \n");
-    const std::string_view word = text.substr(0, end);
-    if (length > 0 && length + 1 + word.size() > text_columns) {
-      lines += '\n';
-      length = 0;
-    } else if (length > 0) {
-      lines += ' ';
-      ++length;
-    }
-    lines += word;
-    length += word.size();
-    if (end == std::string_view::npos) break;
-    if (text[end] == '\n') {
-      lines += '\n';
-      length = 0;
-    }
-    text.remove_prefix(end + 1);
-  }
-  return lines;
-}
-
-class HelpFormatter : public CLI::Formatter {
- public:
-  HelpFormatter() { column_width(name_columns); }
-
-  std::string make_option_opts(const CLI::Option* option) const override {
-    const bool has_value = option->get_type_size() != 0 && !option->get_type_name().empty();
-    return (has_value ? ' ' + option->get_type_name() : std::string()) +
-           (option->get_required() ? " (required)" : "");
-  }
-
-  std::string make_option_desc(const CLI::Option* option) const override {
-    return wrapped(option->get_description());
-  }
-};
 
 /// The command that the arguments reached.
 const CLI::App& innermost(const CLI::App& app) {
@@ -126,13 +81,49 @@ Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
                near.empty() ? help : fmt::format("did you mean {}?", near));
 }
 
-}  // namespace
-
-void format_help(CLI::App& app) {
-  app.formatter(std::make_shared<HelpFormatter>());
+/// The option of this name, such as "--times", of a command or of those that it belongs to; null without one.
+const CLI::Option* option_of(const CLI::App& command, const std::string& name) {
+  for (const CLI::App* at = &command; at != nullptr; at = at->get_parent()) {
+    if (const CLI::Option* option = at->get_option_no_throw(name)) return option;
+  }
+  return nullptr;
 }
 
+/// Throws Error(bad_usage) for an argument that is empty, also after the = of "--times=": the parser would
+/// take some for a flag that is not given.
+void refuse_empty(const CLI::App& app, int argc, const char* const* argv) {
+  const CLI::App* command = &app;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i], before = argv[i - 1];
+    std::string flag;
+    if (argument.empty()) {
+      const CLI::Option* option = before.starts_with('-') ? option_of(*command, before) : nullptr;
+      if (option != nullptr && option->get_items_expected_max() > 0) flag = before;
+    } else if (argument.starts_with("--") && argument.find('=') == argument.size() - 1) {
+      flag = argument.substr(0, argument.size() - 1);
+      if (option_of(*command, flag) == nullptr) continue;
+    } else {
+      for (const CLI::App* below : command->get_subcommands([](const CLI::App*) { return true; })) {
+        if (below->get_name() == argument) command = below;
+      }
+      continue;
+    }
+    if (flag.empty()) {
+      throw Error(ErrorKind::bad_usage,
+                  fmt::format("{}: expected arguments that are not empty, got \"\" as argument {}",
+                              full_name(*command), i),
+                  "leave it out; a shell variable that is not set is empty");
+    }
+    throw Error(
+        ErrorKind::bad_usage, fmt::format("{}: expected a value, got \"\"", flag),
+        fmt::format("give {} a value, or leave it out; a shell variable that is not set is empty", flag));
+  }
+}
+
+}  // namespace
+
 bool parse_arguments(CLI::App& app, int argc, const char* const* argv) {
+  refuse_empty(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

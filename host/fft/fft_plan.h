@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "host/ocl/device.h"
+#include "host/ocl/device_list.h"
 #include "host/ocl/kernel.h"
 #include "host/ocl/program.h"
 #include "host/ocl/tuning.h"
@@ -13,7 +13,9 @@ namespace offing::fft {
 /// How one pass is built and launched: what kernels/fft/rows.clh and columns.clh expect.
 struct PassPlan {
   ocl::Defines defines;
-  std::vector<float> twiddles;    ///< table in the order that the kernel reads, see kernels/fft/*_stages.clh
+  /// Table in the order that the kernel reads: see columns.clh, rows.clh and workgroup_stages.clh of
+  /// kernels/fft.
+  std::vector<float> twiddles;
   ocl::LaunchShape shape;         ///< for one transform
   std::size_t scratch_bytes = 0;  ///< __local memory of a work-group (columns only)
   int batch_dimension = 1;        ///< dimension of the global size that counts transforms

@@ -19,13 +19,6 @@
 namespace offing {
 namespace {
 
-bool found(const std::filesystem::path& path, const std::filesystem::file_status& status,
-           const std::error_code& failure) {
-  if (std::filesystem::status_known(status)) return std::filesystem::exists(status);
-  throw Error(ErrorKind::file, fmt::format("{}: cannot be looked up: {}", path.string(), failure.message()),
-              "choose a shorter name, or a folder that you may read");
-}
-
 namespace fs = std::filesystem;
 
 constexpr std::string_view partial_suffix = ".partial";
@@ -119,16 +112,6 @@ int sync_folder(const fs::path& folder) {
 }
 
 }  // namespace
-
-bool is_there(const std::filesystem::path& path) {
-  std::error_code failure;
-  return found(path, std::filesystem::status(path, failure), failure);
-}
-
-bool is_taken(const std::filesystem::path& path) {
-  std::error_code failure;
-  return found(path, std::filesystem::symlink_status(path, failure), failure);
-}
 
 fs::path folder_of(const fs::path& file) {
   const fs::path folder = file.parent_path();

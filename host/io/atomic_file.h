@@ -6,13 +6,8 @@
 #include <filesystem>
 #include <string_view>
 
+/// Files that are written whole or not at all, and what becomes of those that are there already.
 namespace offing {
-
-/// Whether a name is taken by a file, a folder or anything else. Throws Error(file) where that cannot be
-/// found out, as of a name that is too long.
-bool is_there(const std::filesystem::path& path);
-/// The same, also for a link that leads nowhere: whether a new file of this name would replace something.
-bool is_taken(const std::filesystem::path& path);
 
 /// What becomes of an existing file, or folder, of an output's name.
 enum class Existing { keep, replace };

@@ -21,10 +21,11 @@ void require_valid_dispersion(const Dispersion& dispersion) {
 }
 
 void require_valid_size(int size) {
-  if (size < 16 || size > 4096 || !std::has_single_bit(static_cast<unsigned>(size))) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("ocean.size: expected a power of two within [16, 4096], found {}", size),
-                "set size to 256, 512 or 1024, for example");
+  if (size < 16 || size > largest_size || !std::has_single_bit(static_cast<unsigned>(size))) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("ocean.size: expected a power of two within [16, {}], found {}", largest_size, size),
+        "set size to 256, 512 or 1024, for example");
   }
 }
 

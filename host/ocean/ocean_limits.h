@@ -6,6 +6,9 @@
 
 namespace offing::ocean {
 
+/// The most cascades of a sea, and the most samples along a side of their patches.
+inline constexpr int most_cascades = 4, largest_size = 4096;
+
 /// offing::require_within() of "ocean.<name>"; `name` carries the unit.
 void require_within(std::string_view name, double value, double low, double high);
 

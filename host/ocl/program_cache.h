@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
@@ -9,38 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "host/ocl/device.h"
+#include "host/ocl/device_list.h"
 
-/// Folders of compiled programs, ours and those of drivers: who holds one, whether it can be trusted, and
-/// what ours holds. Drivers run what is in them: what another user could have put there must not be used.
+/// Compiled programs, kept between runs.
 namespace offing::ocl {
-
-/// While it lives and is held, no other process, nor another lock of this one, holds the same folder. It is
-/// on the folder itself, so that nothing is left behind.
-class FolderLock {
- public:
-  /// Waits for its turn, but no longer than that: a process that was stopped while it held the folder would
-  /// hold up all others for ever.
-  FolderLock(const std::string& folder, std::chrono::milliseconds longest_wait);
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-  ~FolderLock();
-
-  /// False where there is no such folder, the system has no such lock, or its turn did not come in time.
-  bool is_held() const { return is_held_; }
-
- private:
-  int folder_ = -1;
-  bool is_held_ = false;
-};
-
-/// What is wrong with a folder: it, or a link that leads to it, belongs to another user, or others than its
-/// owner may write in it. Empty if it is ours alone or not there yet.
-std::string trouble_with_folder(const std::filesystem::path& folder);
-
-/// Makes the folder, which only its owner may enter, and those above it. Returns why it cannot be used: what
-/// the system says, or as trouble_with_folder(); empty if it can.
-std::string make_private_folder(const std::filesystem::path& folder);
 
 /// The parts of an entry's identity as one string; '\0' keeps neighbours apart.
 std::string joined_identity(std::initializer_list<std::string_view> parts);

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "host/base/host_memory.h"
+#include "host/ocl/private_folder.h"
 #include "host/ocl/program_cache.h"
 
 namespace offing::ocl::quirks {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "host/ocl/device.h"
-#include "host/ocl/program_cache.h"
+#include "host/ocl/device_list.h"
+#include "host/ocl/private_folder.h"
 
 /// What drivers get wrong: one function a bug, each with the versions that show it. No other file tests for a
 /// vendor.

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "host/ocl/device.h"
+#include "host/ocl/device_list.h"
 #include "host/ocl/kernel.h"
 
 namespace offing::ocl {

@@ -18,7 +18,7 @@
 #include "host/terrain/shading/open_sky.h"
 #include "host/terrain/shading/terrain_shade.h"
 #include "host/terrain/tiles/tiled_field.h"
-#include "host/terrain/walk/flying_camera.h"
+#include "host/terrain/walk/eye_place.h"
 #include "host/world/terrain_light.h"
 #include "kernels/shared/terrain.h"
 

@@ -8,7 +8,7 @@
 #include "terrain/image_rays.clh"
 #include "terrain/traversal.clh"
 
-// By the default rule, the strip shape casts pixels whose rays go the same way as packets; not over tiles, whose leaves
+// By the default rule, the simd shape casts pixels whose rays go the same way as packets; not over tiles, whose leaves
 // differ in size.
 #if LANES > 1 && UP_RULE == TERRAIN_UP_WITH_PARENT && !defined(TILED)
 #include "terrain/packet.clh"

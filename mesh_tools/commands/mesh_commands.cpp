@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "host/command_line/parse_arguments.h"
+#include "host/command_line/help_format.h"
 #include "host/scene/file/version.h"
 
 namespace offing::mesh_tools {

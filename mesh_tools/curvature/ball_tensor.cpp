@@ -1,5 +1,5 @@
 #include "host/base/parallel_for.h"
-#include "mesh_tools/curvature/methods.h"
+#include "mesh_tools/curvature/bend_sink.h"
 #include "mesh_tools/curvature/vertex_region.h"
 
 namespace offing::mesh_tools {

@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 
 #include "host/base/parallel_for.h"
-#include "mesh_tools/curvature/methods.h"
+#include "mesh_tools/curvature/bend_sink.h"
 #include "mesh_tools/curvature/vertex_region.h"
 
 namespace offing::mesh_tools {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "mesh_tools/curvature/methods.h"
+#include "mesh_tools/curvature/bend_sink.h"
 
 namespace offing::mesh_tools {
 namespace {

@@ -1,7 +1,9 @@
+#include "mesh_tools/curvature/diffused_tensor.h"
+
 #include <glm/geometric.hpp>
 
 #include "host/base/parallel_for.h"
-#include "mesh_tools/curvature/methods.h"
+#include "mesh_tools/curvature/bend_sink.h"
 
 namespace offing::mesh_tools {
 

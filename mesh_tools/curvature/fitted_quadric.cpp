@@ -5,7 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/parallel_for.h"
-#include "mesh_tools/curvature/methods.h"
+#include "mesh_tools/curvature/bend_sink.h"
+#include "mesh_tools/curvature/diffused_tensor.h"
 #include "mesh_tools/curvature/vertex_region.h"
 
 namespace offing::mesh_tools {

@@ -3,7 +3,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include "host/base/parallel_for.h"
-#include "mesh_tools/curvature/methods.h"
+#include "mesh_tools/curvature/bend_sink.h"
 
 namespace offing::mesh_tools {
 namespace {

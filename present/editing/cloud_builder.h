@@ -12,7 +12,7 @@
 #include "host/base/error.h"
 #include "host/base/work.h"
 #include "host/clouds/image/billboard_textures.h"
-#include "host/ocl/device.h"
+#include "host/ocl/device_list.h"
 #include "host/scene/model/scene.h"
 #include "host/scene/prepare/cloud_shapes.h"
 #include "host/world/cloud_grower.h"

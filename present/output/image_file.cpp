@@ -8,6 +8,7 @@
 #include "host/io/atomic_file.h"
 #include "host/io/exr_image.h"
 #include "host/io/file_extension.h"
+#include "host/io/file_presence.h"
 
 namespace offing::present {
 namespace {

@@ -7,6 +7,7 @@
 #include "host/base/argument.h"
 #include "host/base/error.h"
 #include "host/io/atomic_file.h"
+#include "host/io/frame_name.h"
 #include "present/output/video_pipe.h"
 #include "present/passes/frame.h"
 

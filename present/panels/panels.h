@@ -7,7 +7,7 @@
 #include <string>
 
 #include "host/base/error.h"
-#include "host/ocl/device.h"
+#include "host/ocl/device_list.h"
 #include "host/scene/file/scene_writer.h"
 #include "host/scene/model/scene.h"
 #include "host/scene/schema/parameter.h"

@@ -9,6 +9,7 @@
 
 #include "host/base/error.h"
 #include "host/io/atomic_file.h"
+#include "host/io/file_presence.h"
 #include "host/io/whole_file.h"
 #include "host/scene/file/scene_edit.h"
 #include "host/scene/file/scene_file.h"

@@ -8,12 +8,12 @@
 #include <glm/geometric.hpp>
 
 #include "host/base/error.h"
-#include "host/highlights/projectors/drawn_highlights.h"
 #include "host/highlights/tracks/highlight_tracker.h"
 #include "host/io/meshes/read_mesh.h"
 #include "host/mesh_shapes/shape.h"
 #include "mesh_tools/curvature/curvature.h"
 #include "tests/bench/benches.h"
+#include "tests/highlights/highlight_frame.h"
 
 namespace offing::bench {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "host/base/error.h"
 #include "host/base/log.h"
-#include "host/command_line/parse_arguments.h"
+#include "host/command_line/help_format.h"
 #include "tests/bench/benches.h"
 
 namespace {

@@ -1,3 +1,5 @@
+#include "host/clouds/light/phase_table.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -15,6 +17,13 @@ CloudLook henyey_greenstein(double g) {
   look.phase = PhaseKind::henyey_greenstein;
   look.g = g;
   return look;
+}
+
+// Share of light from straight above that a slab of droplets lets through which absorb nothing, in the
+// delta-Eddington approximation: (5 - exp(-(1 - f) t)) / (4 + 3 (1 - g) t).
+double slab_transmittance(const PhaseFunction& phase, double optical_depth) {
+  const double g = phase.mean_cosine(), f = delta_scaling(phase).forward_share;
+  return (5.0 - std::exp(-(1.0 - f) * optical_depth)) / (4.0 + 3.0 * (1.0 - g) * optical_depth);
 }
 
 // Fails if a short way bends light otherwise than the phase function says, for each kind: row 0 is of depth

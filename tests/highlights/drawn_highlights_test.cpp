@@ -16,6 +16,7 @@
 #include "host/highlights/tracks/highlight_tracker.h"
 #include "host/highlights/tracks/nearest_place.h"
 #include "tests/highlights/example_surfaces.h"
+#include "tests/highlights/highlight_frame.h"
 
 namespace offing::highlights {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "host/io/meshes/read_mesh.h"
 #include "mesh_tools/curvature/curvature.h"
+#include "tests/highlights/highlight_frame.h"
 #include "tests/highlights/turning_mesh.h"
 
 namespace offing::highlights {

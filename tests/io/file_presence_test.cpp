@@ -1,10 +1,11 @@
+#include "host/io/file_presence.h"
+
 #include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
-#include "host/io/atomic_file.h"
 #include "tests/io/temporary_folder.h"
 
 namespace offing {

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "host/ocl/buffer.h"
+#include "host/ocl/private_folder.h"
 #include "host/ocl/program.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/ocl/child_process.h"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/terrain/cast/ray.h"
+#include "host/terrain/field/post_grid.h"
 
 namespace offing::test {
 

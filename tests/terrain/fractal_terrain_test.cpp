@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/terrain/generate/gullies.h"
 #include "tests/ocl/expect_error.h"
 
 namespace offing {

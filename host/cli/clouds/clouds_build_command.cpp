@@ -22,6 +22,7 @@
 #include "host/command_line/print_results.h"
 #include "host/command_line/setting_options.h"
 #include "host/io/file_extension.h"
+#include "host/io/frame_name.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_files.h"
 #include "host/scene/prepare/scene_clouds.h"

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host/ocl/device.h"
+#include "host/ocl/device_list.h"
 
 namespace offing::cli {
 

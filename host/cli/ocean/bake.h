@@ -8,7 +8,7 @@
 #include "host/cli/ocean/bake_settings.h"
 #include "host/cli/ocean/frame_files.h"
 #include "host/cli/ocean/frame_writer.h"
-#include "host/ocl/device.h"
+#include "host/ocl/device_list.h"
 #include "host/scene/prepare/sea.h"
 
 namespace offing::cli {

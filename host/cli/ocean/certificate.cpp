@@ -316,24 +316,6 @@ void append_row(fmt::memory_buffer& text, const Row& row) {
 
 }  // namespace
 
-EnergyShares energy_shares(const ocean::SeaSpectrum& spectrum, const std::vector<ocean::Cascade>& cascades) {
-  EnergyShares shares;
-  shares.m0_m2 = ocean::integrate_sea_state(spectrum).m0_m2;
-  for (const ocean::Cascade& cascade : cascades) {
-    shares.cascade_m0_m2.push_back(
-        ocean::integrate_sea_state(spectrum, cascade.k_min_radpm, cascade.k_max_radpm).m0_m2);
-  }
-  const double split_radpm = cascades.front().k_min_radpm;
-  shares.gerstner_m0_m2 = ocean::integrate_sea_state(spectrum, 0.0, split_radpm).m0_m2;
-  // Waves longer than the first patch fall into its K = 0, which moves nothing.
-  const double too_long_m2 =
-      ocean::still_cell_variance_m2(spectrum, cascades.front().patch_length_m, split_radpm);
-  shares.cascade_m0_m2.front() -= std::min(too_long_m2, shares.cascade_m0_m2.front());
-  shares.out_of_band_m2 =
-      too_long_m2 + ocean::integrate_sea_state(spectrum, cascades.back().k_max_radpm).m0_m2;
-  return shares;
-}
-
 Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds, Progress& progress,
                     const CancelToken& cancel) {
   const ocean::Dispersion& dispersion = sea.spectrum.dispersion;
@@ -376,33 +358,6 @@ Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds,
     certificate.standard_error.mean_direction_rad = certificate.mean_direction_rad.spread / std::sqrt(seeds);
   }
   return certificate;
-}
-
-std::string cascade_text(const scene::Sea& sea, const EnergyShares& energy) {
-  fmt::memory_buffer text;
-  const auto out = std::back_inserter(text);
-  const auto percent = [&](double m2) { return energy.m0_m2 > 0.0 ? 100.0 * m2 / energy.m0_m2 : 0.0; };
-  fmt::format_to(out, "cascade  patch m  spacing m    wavelengths m        energy m^2   share\n");
-  if (sea.gerstner_choice) {
-    fmt::format_to(out, "{:<7}  {:>18}  {:>8.4g} ... {:<8}  {:>10.4g}  {:>5.2f} %\n", "gerstner",
-                   fmt::format("{} waves", sea.gerstner_choice->count),
-                   2.0 * std::numbers::pi / sea.gerstner_choice->split_radpm, "", energy.gerstner_m0_m2,
-                   percent(energy.gerstner_m0_m2));
-  }
-  for (std::size_t i = 0; i < sea.parameters.cascades.size(); ++i) {
-    const ocean::Cascade& cascade = sea.parameters.cascades[i];
-    const double shortest_m = 2.0 * std::numbers::pi / cascade.k_max_radpm;
-    const double longest_m =
-        cascade.k_min_radpm > 0.0 ? 2.0 * std::numbers::pi / cascade.k_min_radpm : cascade.patch_length_m;
-    fmt::format_to(out, "c{:<6}  {:>7.5g}  {:>9.4g}  {:>8.4g} ... {:<8.4g}  {:>10.4g}  {:>5.2f} %\n", i,
-                   cascade.patch_length_m, cascade.patch_length_m / sea.parameters.size, shortest_m,
-                   longest_m, energy.cascade_m0_m2[i], percent(energy.cascade_m0_m2[i]));
-  }
-  fmt::format_to(out, "{:<52}  {:>10.4g}  {:>5.2f} %\n", "out of band", energy.out_of_band_m2,
-                 percent(energy.out_of_band_m2));
-  fmt::format_to(out, "{:<52}  {:>10.4g}  Hs {:.3f} m\n", "m0 of the spectrum", energy.m0_m2,
-                 4.0 * std::sqrt(energy.m0_m2));
-  return fmt::to_string(text);
 }
 
 std::string certificate_text(const Certificate& c, const scene::Sea& sea, DirectionStyle style) {

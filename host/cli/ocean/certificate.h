@@ -8,21 +8,12 @@
 #include "host/base/progress.h"
 #include "host/base/work.h"
 #include "host/cli/common/direction_text.h"
+#include "host/cli/ocean/energy_shares.h"
 #include "host/ocean/spectrum/sea_statistics.h"
 #include "host/ocl/device.h"
 #include "host/scene/prepare/sea.h"
 
 namespace offing::cli {
-
-/// How the energy of a sea lies in its cascades, from the spectrum alone.
-struct EnergyShares {
-  double m0_m2 = 0.0;                 ///< of the whole spectrum
-  double gerstner_m0_m2 = 0.0;        ///< longer than the first band, where that begins at a split
-  std::vector<double> cascade_m0_m2;  ///< within each cascade's band
-  double out_of_band_m2 = 0.0;        ///< of neither
-};
-
-EnergyShares energy_shares(const ocean::SeaSpectrum& spectrum, const std::vector<ocean::Cascade>& cascades);
 
 /// A figure that is measured: mean over the seeds, and its scatter.
 struct Measured {
@@ -60,8 +51,5 @@ std::string certificate_text(const Certificate& certificate, const scene::Sea& s
 /// The certificate for scripts: "asked" and "measured" as documented, and beside them "resolved",
 /// "standard_error", "spread", "cascades", "out_of_band_m2", "m0_m2", "seeds".
 nlohmann::json certificate_json(const Certificate& certificate, const scene::Sea& sea, DirectionStyle style);
-
-/// The cascades with their bands and the energy that each holds.
-std::string cascade_text(const scene::Sea& sea, const EnergyShares& energy);
 
 }  // namespace offing::cli

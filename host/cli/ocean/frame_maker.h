@@ -14,6 +14,7 @@
 #include "host/ocl/device.h"
 #include "host/scene/prepare/sea.h"
 
+/// Makes the frames that are baked: the fields of a sea at each time, in host memory.
 namespace offing::cli {
 
 /// One frame in host memory, as far as the settings ask for it.

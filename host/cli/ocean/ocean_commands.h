@@ -1,7 +1,6 @@
 #pragma once
 
 #include "host/cli/common/global_options.h"
-#include "host/scene/model/scene.h"
 
 namespace offing::cli {
 
@@ -19,9 +18,5 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options);
 
 /// `offing ocean spectrum FILE`: lists, draws and exports measured spectra.
 void add_spectrum_command(CLI::App& ocean, GlobalOptions& options);
-
-/// Warns of each part of a scene whose effect on the water is not in the maps of the sea: wakes, bodies and
-/// shores. `results` names what leaves it out, such as "frames".
-void warn_of_water_left_out(const scene::Scene& scene, const char* results);
 
 }  // namespace offing::cli

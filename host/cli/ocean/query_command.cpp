@@ -18,6 +18,7 @@
 #include "host/cli/ocean/ocean_commands.h"
 #include "host/cli/ocean/query_settings.h"
 #include "host/cli/ocean/query_text.h"
+#include "host/cli/ocean/water_left_out.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
 #include "host/command_line/setting_options.h"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "host/ocean/query/water_point.h"
+#include "host/ocean/query/water_query.h"
 #include "host/scene/schema/parameter.h"
 
 namespace offing::cli {

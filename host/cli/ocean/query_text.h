@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "host/ocean/query/water_point.h"
+#include "host/ocean/query/water_query.h"
 
 namespace offing::cli {
 

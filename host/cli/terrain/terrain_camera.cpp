@@ -9,6 +9,7 @@
 
 #include "host/base/argument.h"
 #include "host/terrain/field/terrain_posts.h"
+#include "host/terrain/walk/eye_place.h"
 #include "host/terrain/walk/flying_camera.h"
 
 namespace offing::cli {

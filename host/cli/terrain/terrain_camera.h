@@ -8,7 +8,7 @@
 #include "host/base/height_map.h"
 #include "host/terrain/field/terrain_posts.h"
 #include "host/terrain/tiles/tiled_field.h"
-#include "host/terrain/walk/flying_camera.h"
+#include "host/terrain/walk/eye_place.h"
 
 namespace offing::cli {
 

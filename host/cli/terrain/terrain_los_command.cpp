@@ -10,6 +10,7 @@
 #include "host/base/argument.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/terrain/earth_curve_flags.h"
+#include "host/cli/terrain/store_flags.h"
 #include "host/cli/terrain/terrain_batch.h"
 #include "host/cli/terrain/terrain_commands.h"
 #include "host/cli/terrain/terrain_place.h"

@@ -12,6 +12,7 @@
 
 #include "host/base/error.h"
 #include "host/clouds/light/phase_function.h"
+#include "host/clouds/light/phase_table.h"
 #include "host/ocl/program.h"
 
 namespace offing::clouds {

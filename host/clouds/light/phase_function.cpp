@@ -1,13 +1,11 @@
 #include "host/clouds/light/phase_function.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "kernels/shared/cloud_light_params.h"
 
 namespace offing::clouds {
 namespace {
@@ -53,33 +51,6 @@ std::vector<PhaseLobe> lobes_of(const CloudLook& look) {
 // Integral of 1 + alpha c^2 over the lobe of Henyey and Greenstein, whose second Legendre moment is g^2.
 double lobe_norm(const PhaseLobe& lobe) {
   return 1.0 + lobe.alpha * (1.0 + 2.0 * lobe.g * lobe.g) / 3.0;
-}
-
-// Moments beyond this add nothing that the table's angles would show.
-constexpr int moment_count = 2048;
-// Of moments; beyond it (b t)^2 / 2 is lost in the sum.
-constexpr double least_moment = 1e-5;
-// Between these cosines the aureole ends.
-constexpr double aureole_ends = -0.2, aureole_is_whole = 0.5;
-
-double depth_of_row(int row) {
-  const double u = static_cast<double>(row) / CLOUD_PHASE_DEPTHS;
-  return CLOUD_PHASE_DEPTH_SCALE * u / (1.0 - u);
-}
-
-double cosine_of_column(int column) {
-  const double u = static_cast<double>(column) / (CLOUD_PHASE_ANGLES - 1);
-  return std::cos(std::numbers::pi * u * u);
-}
-
-// c_l(t) - e^(-f t) b_l: what is left decays with the square of b_l.
-double moment_beyond_first(double b, int l, double f, double t) {
-  const double share = std::exp(-f * t);
-  if (l < 2) return b - f - share * b + (t > 0.0 ? -std::expm1(-f * t) / t : f);
-  // (e^(b t) - 1) / t - b loses all its digits for small b t.
-  const double x = b * t;
-  const double rest = x < 1e-3 ? 0.5 * x * b * (1.0 + x / 3.0) : std::expm1(x) / t - b;
-  return share * rest;
 }
 
 }  // namespace
@@ -142,41 +113,6 @@ double PhaseFunction::henyey_greenstein_cosine(double g, double uniform) {
 DeltaScaling delta_scaling(const PhaseFunction& phase) {
   const double f = phase.forward_moments(3)[2];
   return {f, (phase.mean_cosine() - f) / (1.0 - f)};
-}
-
-std::vector<float> phase_table(const PhaseFunction& phase) {
-  std::vector<double> moments = phase.forward_moments(moment_count);
-  const std::vector<double> of_all = phase.moments(2);
-  std::copy(of_all.begin(), of_all.end(), moments.begin());
-  while (moments.size() > 2 && std::abs(moments.back()) < least_moment) moments.pop_back();
-  const double f = delta_scaling(phase).forward_share;
-  std::vector<float> table;
-  std::vector<double> beyond(moments.size());
-  for (int row = 0; row < CLOUD_PHASE_DEPTHS; ++row) {
-    const double t = depth_of_row(row);
-    for (std::size_t l = 0; l < moments.size(); ++l)
-      beyond[l] = (2.0 * static_cast<double>(l) + 1.0) / (4.0 * std::numbers::pi) *
-                  moment_beyond_first(moments[l], static_cast<int>(l), f, t);
-    for (int column = 0; column < CLOUD_PHASE_ANGLES; ++column) {
-      const double c = cosine_of_column(column), plain = phase(c);
-      double before = 1.0, legendre = c, sum = std::exp(-f * t) * plain + beyond[0];
-      for (std::size_t l = 1; l < beyond.size(); ++l) {
-        sum += beyond[l] * legendre;
-        const auto n = static_cast<double>(l);
-        const double next = ((2.0 * n + 1.0) * c * legendre - n * before) / (n + 1.0);
-        before = legendre;
-        legendre = next;
-      }
-      const double u = std::clamp((c - aureole_ends) / (aureole_is_whole - aureole_ends), 0.0, 1.0);
-      table.push_back(static_cast<float>(std::max(0.0, std::lerp(plain, sum, u * u * (3.0 - 2.0 * u)))));
-    }
-  }
-  return table;
-}
-
-double slab_transmittance(const PhaseFunction& phase, double optical_depth) {
-  const double g = phase.mean_cosine(), f = delta_scaling(phase).forward_share;
-  return (5.0 - std::exp(-(1.0 - f) * optical_depth)) / (4.0 + 3.0 * (1.0 - g) * optical_depth);
 }
 
 }  // namespace offing::clouds

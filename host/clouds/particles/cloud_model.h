@@ -24,7 +24,7 @@ std::vector<CloudParticle> particles_at_rest(const ocl::Device& device, const Cl
                                              const Work& work = {});
 
 /// Throws Error(bad_input) with the time needed if sampling this cloud would take longer than a first picture
-/// may (base/time_estimate.h). Of many particles some are sampled to know, which costs a second or two.
+/// may (host/base/time_estimate.h). Of many particles some are sampled to know, which costs a second or two.
 void require_short_sampling(const ocl::Device& device, const CloudParameters& parameters);
 
 /// A cloud of particles that moves. The same parameters give the same particles with the same ids; any time

@@ -30,7 +30,7 @@ CloudVolume rasterised(const ocl::Device& device, std::span<const CloudParticle>
 double optical_mass(const CloudVolume& volume);
 
 /// The density of a cloud at a time, in cells of cell_m: of a sampled one its field, of a hierarchical one
-/// its particles. Throws what field_volume() and rasterised() throw (host/clouds/shape/cloud_density.h).
+/// its particles. Throws what field_volume() and rasterised() throw.
 CloudVolume density_volume(const ocl::Device& device, const CloudParameters& parameters, double cell_m,
                            double time_s);
 

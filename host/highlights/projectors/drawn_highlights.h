@@ -12,28 +12,6 @@
 
 namespace offing::highlights {
 
-/// One highlight as it is drawn.
-struct ShownHighlight {
-  std::uint64_t id = 0;
-  int light = 0;
-  double opacity = 0.0;
-  Projector projector;
-  std::size_t first_face = 0, face_count = 0;  ///< of HighlightFrame::faces
-};
-
-/// What is drawn at one time: highlights by id and the faces that each is drawn on.
-struct HighlightFrame {
-  std::vector<ShownHighlight> highlights;
-  std::vector<std::uint32_t> faces;
-
-  std::span<const std::uint32_t> faces_of(const ShownHighlight& highlight) const {
-    return std::span(faces).subspan(highlight.first_face, highlight.face_count);
-  }
-};
-
-/// The tracks that can be seen (opacity above 0) with their regions, into a frame whose memory is used again.
-void make_frame(const std::vector<HighlightTrack>& tracks, RegionSearch& regions, HighlightFrame& frame);
-
 /// Pins have ids from here on, by their rule: beyond those of all tracks, and exact as a double.
 constexpr std::uint64_t first_pin_id = std::uint64_t{1} << 52;
 
@@ -53,9 +31,10 @@ struct DrawnHighlight {
 };
 
 /// What is drawn of a surface's highlights under an artist's rules (H6, H11 of docs/sources.md). Of rules
-/// that change nothing, or none, it is what make_frame() makes. All controls but textures, split and the
-/// mask, which are steps by nature, act continuously; what a rule for the nearest draws goes over from one
-/// highlight to another within TrackLimits. Memory is used again from frame to frame.
+/// that change nothing, or none, it is the tracks that can be seen (opacity above 0), as found. All controls
+/// but textures, split and the mask, which are steps by nature, act continuously; what a rule for the nearest
+/// draws goes over from one highlight to another within TrackLimits. Memory is used again from frame to
+/// frame.
 class HighlightDrawing {
  public:
   /// The surface must outlive it. `size` is that of the tracks: pins have it too. Throws Error(bad_input) for

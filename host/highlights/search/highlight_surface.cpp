@@ -14,7 +14,7 @@
 #include "host/base/error.h"
 #include "host/base/mesh_neighbours.h"
 #include "host/base/parameter_check.h"
-#include "host/base/tangent_plane.h"
+#include "host/highlights/search/unit_vector.h"
 #include "host/ocl/tuning.h"
 #include "kernels/shared/highlights.h"
 

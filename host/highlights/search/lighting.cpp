@@ -8,8 +8,8 @@
 #include <glm/matrix.hpp>
 
 #include "host/base/error.h"
-#include "host/base/tangent_plane.h"
 #include "host/highlights/search/tangent_axes.h"
+#include "host/highlights/search/unit_vector.h"
 
 namespace offing::highlights {
 namespace {

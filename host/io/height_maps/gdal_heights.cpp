@@ -29,12 +29,12 @@ std::optional<double> height_of_rgb(HeightEncoding encoding, std::uint8_t red, s
   return encoding == HeightEncoding::mapbox ? -10000.0 + 0.1 * code : code / 256.0 - 32768.0;
 }
 
-/// An open raster, for the time of one reading.
 bool is_srtm_name(const std::filesystem::path& path) {
   const std::string name = path.string();
   return name.ends_with(".hgt") || name.ends_with(".hgt.zip");
 }
 
+/// An open raster, for the time of one reading.
 class Raster {
  public:
   Raster(const std::filesystem::path& path, const FileTrust& trust)

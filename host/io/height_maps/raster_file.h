@@ -43,12 +43,6 @@ bool is_real_grid(const std::filesystem::path& path, Trust trust);
 /// check_raster() for a file that is a VRT.
 int check_vrt(const std::filesystem::path& path, Trust trust, CheckedRasters& checked, int depth);
 
-/// Throws Error(bad_input) for what is no regular file, Error(file) for one that may not be read; `expected`
-/// says what it should have been, such as "a height map", `folder_hint` what to do with a folder. GDAL would
-/// open folders, addresses of servers and strings that describe rasters too.
-void require_readable_file(const std::filesystem::path& path, const char* expected,
-                           const char* folder_hint = "give the path of a file");
-
 enum class AsciiNumbers { real, integers };
 
 /// Throws Error(bad_input) with the line unless the heights of an ASCII grid (ESRI, GRASS) are there and are

@@ -17,6 +17,7 @@
 #include "host/base/error.h"
 #include "host/io/height_maps/gdal_session.h"
 #include "host/io/height_maps/raster_file.h"
+#include "host/io/height_maps/readable_file.h"
 
 namespace offing {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "host/base/error.h"
 #include "host/io/height_maps/mosaic.h"
-#include "host/io/height_maps/raster_file.h"
+#include "host/io/height_maps/readable_file.h"
 #include "host/io/height_maps/reprojection.h"
 #include "host/io/height_maps/source_heights.h"
 #include "host/io/height_maps/void_fill.h"
@@ -173,7 +173,7 @@ struct GroundStep {
   double east_m = 0.0, south_m = 0.0, latitude_deg = 0.0;
 };
 
-GroundStep terrain_step(const std::filesystem::path& path, const SourceHeights& source, double row) {
+GroundStep ground_step(const std::filesystem::path& path, const SourceHeights& source, double row) {
   const Georeference& place = *source.georeference;
   const double column = 0.5 * (source.columns - 1);
   const auto at = [&](double of_column, double of_row) {
@@ -196,9 +196,9 @@ GroundStep terrain_step(const std::filesystem::path& path, const SourceHeights& 
 /// Spacing of a map in Mercator on the ground of its middle row.
 std::pair<double, double> spacing_of_mercator(const std::filesystem::path& path,
                                               const SourceHeights& source) {
-  const GroundStep north = terrain_step(path, source, 0.0),
-                   south = terrain_step(path, source, source.rows - 1.0),
-                   middle = terrain_step(path, source, 0.5 * (source.rows - 1));
+  const GroundStep north = ground_step(path, source, 0.0),
+                   south = ground_step(path, source, source.rows - 1.0),
+                   middle = ground_step(path, source, 0.5 * (source.rows - 1));
   require_one_spacing(
       path, "Mercator", south.latitude_deg, north.latitude_deg,
       std::max(std::abs(north.east_m - middle.east_m), std::abs(south.east_m - middle.east_m)) /

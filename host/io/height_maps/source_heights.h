@@ -11,6 +11,7 @@
 #include "host/base/height_map.h"
 #include "host/io/height_maps/read_height_map.h"
 
+/// What readers of height maps hand over: heights as the file has them, whole or row by row.
 namespace offing::height_maps {
 
 struct SourceHeights;

@@ -68,8 +68,6 @@ class PlyValues {
   }
 
  private:
-  void require_bytes(std::size_t count, PlyType type) const;
-
   PlyEncoding encoding_;
   std::string file_name_;
   TextLines lines_;          // in text

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "host/base/height_map.h"
+#include "host/base/height_tile.h"
 
 namespace offing::tile_store {
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/base/height_map.h"
+#include "host/base/height_tile.h"
 #include "host/io/atomic_file.h"
 #include "host/io/file_trust.h"
 

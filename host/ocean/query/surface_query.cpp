@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "host/ocean/spectrum/dispersion.h"
-#include "host/ocean/surface/gerstner_surface.h"
+#include "host/ocean/surface/device_gerstner_waves.h"
 #include "host/ocean/surface/wave_clock.h"
 #include "host/ocl/program.h"
 

@@ -7,7 +7,7 @@
 
 #include "host/ocean/query/shoals.h"
 #include "host/ocean/query/surface_instant.h"
-#include "host/ocean/query/water_point.h"
+#include "host/ocean/query/water_query.h"
 #include "host/ocean/surface/cascades.h"
 #include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocean/wakes/wake_maps.h"

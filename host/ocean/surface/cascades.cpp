@@ -15,7 +15,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int most_cascades = 4;
 constexpr double resolved_share = 0.999;  // of m0, by all cascades together
 constexpr double peak_lengths = 20.0;     // the longest patch in wavelengths of the peak
 // Long waves below a shorter peak, as swell under a wind sea: those with 1 % of the energy must fit as often

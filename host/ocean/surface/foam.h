@@ -8,6 +8,7 @@
 #include "host/ocean/surface/surface_maps.h"
 #include "host/ocl/device.h"
 
+/// Foam of the cascades at a time, from past instants at which crests folded.
 namespace offing::ocean {
 
 /// The past instants at which foam looks for folding crests, numbered from time 0. In a loop they are spaced
@@ -52,7 +53,7 @@ class Foam {
   bool holds(double time_s) const;
   /// Enqueues the foam at this time. Uses `surface` for past instants: afterwards it holds one of them.
   /// Throws Error(bad_input) if more than two instants would take longer than a first picture may
-  /// (base/time_estimate.h).
+  /// (host/base/time_estimate.h).
   void at(const WaveModes& modes, SurfaceMaps& surface, double time_s);
   /// Forgets foam and coverages: the waves have changed.
   void reset();

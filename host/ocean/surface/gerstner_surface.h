@@ -3,24 +3,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/ocean/query/water_point.h"
 #include "host/ocean/surface/gerstner_waves.h"
+#include "host/ocean/surface/sample_grid.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"
 #include "host/ocl/tuning.h"
 #include "kernels/shared/gerstner_params.h"
 
+/// The surface of Gerstner waves on a grid, by a device.
 namespace offing::ocean {
-
-/// A phase as kernels read it: in 2^-32 turns, without whole ones.
-std::uint32_t device_turns(double turns);
-
-/// The ring of a drop at this time, with its centre seen from `origin`; without height before the drop falls.
-GerstnerRing device_ring(const Raindrop& drop, double time_s, const Dispersion& dispersion,
-                         const WaterPoint& origin);
-
-/// Whether a ring is high enough to count: a micrometre.
-bool is_visible(const GerstnerRing& ring);
 
 /// Gerstner waves on a SampleGrid in host memory, each [rows][columns] row-major, row = z, column = x.
 struct GerstnerFields {

@@ -21,7 +21,7 @@ class ModeTransform {
     int half_fields = 0;
     int pair_fields = 0;
     /// The relative error of a transform of one cascade against a reference on the host, such as
-    /// surface_self_test(): what decides about the family of kernels (see fft/sound_family.h).
+    /// surface_self_test(): what decides about the family of kernels (see host/fft/sound_family.h).
     double (*self_test)(const ocl::Device& device, ModeTransform& transform, int size) = nullptr;
   };
 

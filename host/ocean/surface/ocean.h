@@ -8,10 +8,11 @@
 
 #include "host/ocean/query/shoals.h"
 #include "host/ocean/query/surface_instant.h"
-#include "host/ocean/query/water_point.h"
+#include "host/ocean/query/water_query.h"
 #include "host/ocean/spectrum/sea_spectrum.h"
 #include "host/ocean/surface/cascades.h"
 #include "host/ocean/surface/gerstner_waves.h"
+#include "host/ocean/surface/sample_grid.h"
 #include "host/ocean/wakes/wake_maps.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"

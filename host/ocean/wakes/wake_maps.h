@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "host/ocean/query/water_point.h"
+#include "host/ocean/surface/sample_grid.h"
 #include "host/ocean/wakes/wake_window.h"
 
 namespace offing::ocean {

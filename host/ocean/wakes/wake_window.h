@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/fft/fft2d.h"
-#include "host/ocean/query/water_point.h"
+#include "host/ocean/query/water_query.h"
 #include "host/ocean/spectrum/dispersion.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/kernel.h"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/io/atomic_file.h"
+#include "host/io/file_presence.h"
 #include "host/io/file_trust.h"
 #include "host/scene/model/scene.h"
 

@@ -19,6 +19,7 @@
 #include "host/scene/prepare/stored_terrain.h"
 #include "host/scene/schema/scene_elements.h"
 #include "host/terrain/generate/fractal_terrain.h"
+#include "host/terrain/walk/eye_place.h"
 #include "host/terrain/walk/flying_camera.h"
 
 namespace offing::scene {

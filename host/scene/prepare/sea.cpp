@@ -8,7 +8,7 @@
 
 #include "host/base/error.h"
 #include "host/base/log.h"
-#include "host/io/atomic_file.h"
+#include "host/io/file_presence.h"
 #include "host/io/spectra/read_spectra.h"
 #include "host/scene/prepare/spectrum_tail.h"
 #include "host/scene/schema/parameter_table.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "host/base/height_map.h"
+#include "host/base/height_tile.h"
 #include "host/terrain/cast/ray.h"
 
 namespace offing::terrain {

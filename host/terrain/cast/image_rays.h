@@ -6,7 +6,7 @@
 #include "host/ocl/device.h"
 #include "host/ocl/kernel.h"
 #include "host/ocl/tuning.h"
-#include "host/terrain/cast/ray.h"
+#include "host/terrain/field/post_grid.h"
 
 namespace offing::terrain {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -11,25 +12,9 @@
 namespace offing::terrain {
 namespace {
 
-constexpr int most_posts_a_side = 1 << 20;
-constexpr long long most_posts = 1LL << 30;
 constexpr double direction_tolerance = 1e-4;
-constexpr double past_last_post = 1.0 + 2.0 * std::numeric_limits<double>::epsilon();
-
 [[noreturn]] void refuse(const std::string& what, const std::string& hint) {
   throw Error(ErrorKind::bad_input, what, hint);
-}
-
-void require_posts(const char* name, int count) {
-  if (count >= 2 && count <= most_posts_a_side) return;
-  refuse(fmt::format("height field: {}: expected 2 ... {}, found {}", name, most_posts_a_side, count),
-         "give a map of at least 2 x 2 posts");
-}
-
-void require_spacing(const char* name, double spacing_m) {
-  if (std::isfinite(spacing_m) && spacing_m > 0.0) return;
-  refuse(fmt::format("height field: {}: expected a finite distance above 0, found {:g}", name, spacing_m),
-         "give the distance of neighbouring posts in metres");
 }
 
 struct SplitPlace {
@@ -48,12 +33,6 @@ float rest_of(double value) {
   return static_cast<float>(value - static_cast<float>(value));
 }
 
-/// Where a place is on a grid, in cells from its first post: (x, z).
-glm::dvec2 cells_of(const PostGrid& grid, double x_m, double z_m) {
-  return {place_in_posts(x_m - grid.origin_x_m, grid.spacing_x_m, grid.columns),
-          place_in_posts(z_m - grid.origin_z_m, grid.spacing_z_m, grid.rows)};
-}
-
 /// The way to cells 0 ... last on one axis, m: 0 for a ray that begins between them, infinite for one that
 /// stays beside them or leaves them behind.
 double way_to_cells_m(double place, double last, double cells_per_m) {
@@ -66,41 +45,6 @@ double way_to_cells_m(double place, double last, double cells_per_m) {
 constexpr std::size_t most_rays = std::size_t{1} << 18;
 
 }  // namespace
-
-void require_valid(const PostGrid& grid) {
-  require_posts("columns", grid.columns);
-  require_posts("rows", grid.rows);
-  if (static_cast<long long>(grid.columns) * grid.rows > most_posts) {
-    refuse(fmt::format("height field: expected at most {} posts, found {} x {}", most_posts, grid.columns,
-                       grid.rows),
-           "cut the map into parts");
-  }
-  require_spacing("spacing_x_m", grid.spacing_x_m);
-  require_spacing("spacing_z_m", grid.spacing_z_m);
-  for (const double origin_m : {grid.origin_x_m, grid.origin_z_m}) {
-    if (!std::isfinite(origin_m)) {
-      refuse(fmt::format("height field: origin: expected finite metres, found {:g}", origin_m),
-             "say where the first post is");
-    }
-  }
-}
-
-PostGrid post_grid(const HeightMap& map) {
-  return {.columns = map.columns,
-          .rows = map.rows,
-          .spacing_x_m = map.spacing_x_m,
-          .spacing_z_m = map.spacing_z_m};
-}
-
-double place_in_posts(double from_first_m, double spacing_m, int posts) {
-  const double place = from_first_m / spacing_m, last = posts - 1;
-  return place > last && place <= past_last_post * last ? last : place;
-}
-
-double cells_beyond(const PostGrid& grid, double x_m, double z_m) {
-  const glm::dvec2 place = cells_of(grid, x_m, z_m);
-  return std::max({0.0, -place.x, place.x - (grid.columns - 1), -place.y, place.y - (grid.rows - 1)});
-}
 
 void require_valid(const Ray& ray, const PostGrid& grid) {
   for (int axis = 0; axis < 3; ++axis) {

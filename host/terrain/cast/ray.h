@@ -6,14 +6,14 @@
 #include <span>
 #include <vector>
 
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "host/base/height_map.h"
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
+#include "host/terrain/field/post_grid.h"
 #include "kernels/shared/terrain.h"
 
+/// Rays over a height field: what they are, what they hit, and how many are cast at a time.
 namespace offing::terrain {
 
 /// A half-line of the world (y up, metres).
@@ -23,29 +23,8 @@ struct Ray {
   double limit_m = std::numeric_limits<double>::infinity();  ///< what is hit beyond is a miss
 };
 
-/// Where the posts of a height field are: post [row][column] at x = origin_x_m + column spacing_x_m, z =
-/// origin_z_m + row spacing_z_m.
-struct PostGrid {
-  int columns = 0, rows = 0;  ///< 2 ... 2^20 each, 2^30 posts at most
-  double spacing_x_m = 1.0, spacing_z_m = 1.0;
-  double origin_x_m = 0.0, origin_z_m = 0.0;
-};
-
-/// Throws Error(bad_input) that names what is out of range.
-void require_valid(const PostGrid& grid);
-
-/// The posts of a map, the first one at x = z = 0.
-PostGrid post_grid(const HeightMap& map);
-
-/// A place counted in posts from the first, of `posts` on its axis. The last post's place is a product, which
-/// the quotient may miss by a rounding of each: a place that near to it is on it.
-double place_in_posts(double from_first_m, double spacing_m, int posts);
-
 /// The farthest that a ray may start from a map: whole cells from there to a border are exact as floats.
 inline constexpr double farthest_origin_cells = 1 << 22;
-
-/// How far a place lies beyond the map's edges, cells; 0 within.
-double cells_beyond(const PostGrid& grid, double x_m, double z_m);
 
 /// Throws Error(bad_input) unless origin and direction are finite, the direction's length is 1 within 1e-4,
 /// the origin is at most 2^22 cells from the map, and the limit is not below 0.

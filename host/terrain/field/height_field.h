@@ -9,6 +9,7 @@
 #include "host/ocl/device.h"
 #include "host/terrain/analysis/earth_curve.h"
 #include "host/terrain/cast/ray.h"
+#include "host/terrain/field/post_grid.h"
 #include "host/terrain/field/pyramid.h"
 
 namespace offing::terrain {

@@ -4,7 +4,7 @@
 
 #include "host/ocl/buffer.h"
 #include "host/ocl/device.h"
-#include "host/terrain/cast/ray.h"
+#include "host/terrain/field/post_grid.h"
 
 namespace offing::terrain {
 

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "host/terrain/cast/ray.h"
+#include "host/terrain/field/post_grid.h"
 
 namespace offing::terrain {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "host/base/height_map.h"
+#include "host/base/height_tile.h"
 
 namespace offing::terrain {
 

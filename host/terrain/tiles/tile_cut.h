@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "host/base/height_map.h"
+#include "host/base/height_tile.h"
 
 namespace offing::terrain {
 

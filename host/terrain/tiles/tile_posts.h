@@ -3,6 +3,7 @@
 #include <list>
 
 #include "host/base/height_map.h"
+#include "host/base/height_tile.h"
 #include "host/terrain/field/terrain_posts.h"
 #include "host/terrain/tiles/tile_cut.h"
 #include "host/terrain/tiles/tile_loader.h"

@@ -11,6 +11,7 @@
 #include "host/ocl/program.h"
 #include "host/terrain/analysis/earth_curve.h"
 #include "host/terrain/cast/ray.h"
+#include "host/terrain/field/post_grid.h"
 #include "host/terrain/tiles/tile_cut.h"
 #include "host/terrain/tiles/tile_loader.h"
 

@@ -12,7 +12,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "host/base/tangent_plane.h"
+#include "host/highlights/search/unit_vector.h"
 
 namespace offing::present {
 namespace {

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
+#include "host/ocean/ocean_limits.h"
 #include "present/passes/air.h"
 #include "present/passes/camera_projection.h"
 #include "present/passes/uniform_bindings.h"
@@ -23,6 +24,8 @@ namespace {
 constexpr int water_environment_unit = WaterMaps::first_free_unit, pattern_unit = water_environment_unit + 1,
               shadow_unit = pattern_unit + 1, first_surface_unit = shadow_unit + 1,
               first_view_unit = first_surface_unit + 4;
+static_assert(glsl::most_cascades == ocean::most_cascades &&
+              1 << (glsl::most_levels - 1) == ocean::largest_size);
 // Waves shorter than 2 m break without drawing air under: they make no foam.
 constexpr double ripples_radpm = std::numbers::pi;
 

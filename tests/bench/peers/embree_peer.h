@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/base/camera.h"
-#include "host/terrain/cast/ray.h"
+#include "host/terrain/field/post_grid.h"
 
 typedef struct RTCDeviceTy* RTCDevice;
 typedef struct RTCSceneTy* RTCScene;

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "host/ocean/query/water_point.h"
 #include "host/ocean/surface/gerstner_waves.h"
+#include "host/ocean/surface/sample_grid.h"
 #include "tests/bench/huge_array.h"
 #include "tests/bench/peers/gerstner_peer_kernels.h"
 

@@ -49,7 +49,7 @@ double clock_omega_radps(double omega_radps, std::optional<double> loop_period_s
   return step_radps * (loop_period_s ? std::max(1.0, cycles) : cycles);
 }
 
-// The sum of the waves at each label, by the text of host/ocean/surface/Gerstner waves.h.
+// The sum of the waves at each label, by the text of host/ocean/surface/gerstner_waves.h.
 Reference reference(const GerstnerSea& sea, double horizontal_scale, const SampleGrid& grid, double time_s) {
   Reference fields;
   for (int row = 0; row < grid.rows; ++row) {

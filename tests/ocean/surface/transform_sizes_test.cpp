@@ -1,6 +1,6 @@
 // The kernels that turn modes into fields, of every size and family, against sums of their modes in double
-// precision (ocean/mode_self_test.h). The gate is that of tests/fft/fft2d_test.cpp, 3 u log2(n^2)^(1/2) with
-// u = 2^-24, for each pair of fields.
+// precision (host/ocean/surface/mode_self_test.h). The gate is that of tests/fft/fft2d_test.cpp, 3 u
+// log2(n^2)^(1/2) with u = 2^-24, for each pair of fields.
 #include <algorithm>
 #include <cmath>
 #include <ostream>

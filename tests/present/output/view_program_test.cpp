@@ -219,6 +219,8 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
           "--record: expected another file than that of -o");
   refused({scene(), "--hedless"}, "did you mean --headless?");
   refused({scene(), "--size"}, "offing-view: --size: expected a value, found none");
+  refused({scene(), "--terrain", "", "-o", path("refused.png")}, "--terrain: expected a value, got \"\"");
+  refused({"", "-o", path("refused.png")}, "got \"\" as argument 1");
   refused({scene(), "--time", "noon", "-o", path("refused.png")}, "--time: expected a number in s");
   refused({path("missing.toml"), "-o", path("refused.png")}, "check the name of the scene file");
   refused({"--terrain", path("missing.tif"), "-o", path("refused.png")}, "--terrain: expected a height map");

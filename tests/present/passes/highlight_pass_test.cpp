@@ -133,8 +133,9 @@ TEST_F(HighlightPassTest, DrawsShapesInTheirBoxAndNothingBeyond) {
 }
 
 // Fails if pictures are turned, mirrored or upside down, or their opacity is not: the corners of one are red,
-// green, blue and clear, from the upper left one on (texture_place() in highlights/projector.h). Light is
-// that of the corner over the mesh, half precision; gate 1 %.
+// green, blue and clear, from the upper left one on (texture_place() in
+// host/highlights/projectors/projector.h). Light is that of the corner over the mesh, half precision; gate 1
+// %.
 TEST_F(HighlightPassTest, ShowsImagesUpright) {
   auto picture = std::make_shared<RgbaImage>(RgbaImage{.width = 8, .height = 8, .rgba = {}});
   constexpr std::array<std::array<std::uint8_t, 4>, 4> corners{

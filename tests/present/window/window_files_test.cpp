@@ -11,7 +11,7 @@
 // The lists within the panel, which only ImGui knows.
 #include <imgui_internal.h>
 
-#include "host/base/argument.h"
+#include "host/io/frame_name.h"
 #include "host/scene/file/scene_file.h"
 #include "tests/present/window/window_test.h"
 

@@ -1,4 +1,5 @@
-#include "host/base/height_map.h"
+// How many tiles a height map is cut into.
+#include "host/base/height_tile.h"
 
 namespace offing {
 

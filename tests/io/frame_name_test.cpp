@@ -1,4 +1,4 @@
-#include "host/base/argument.h"
+#include "host/io/frame_name.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "host/ocean/query/water_point.h"
+#include "host/ocean/query/water_query.h"
 
 #include <algorithm>
 
@@ -25,15 +25,6 @@ void require_valid_query(const WaterQuery& query, double water_depth_m) {
   require_within("query.min_wavelength_m", query.min_wavelength_m, 0.0, longest_filter_m);
   require_within("query.density_kgpm3", query.density_kgpm3, 1.0, 1e5);
   require_within("query.tolerance_m", query.tolerance_m, 1e-5, 1.0);
-}
-
-void require_valid_grid(const SampleGrid& grid) {
-  require_within("sample grid columns", grid.columns, 1, 16384);
-  require_within("sample grid rows", grid.rows, 1, 16384);
-  for (const double origin_m : {grid.origin_x_m, grid.origin_z_m})
-    require_within("sample grid origin_m", origin_m, -1e9, 1e9);
-  for (const double spacing_m : {grid.spacing_x_m, grid.spacing_z_m})
-    require_within("sample grid spacing_m", spacing_m, -1e6, 1e6);
 }
 
 }  // namespace offing::ocean

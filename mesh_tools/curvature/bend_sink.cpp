@@ -1,8 +1,10 @@
-#include "mesh_tools/curvature/methods.h"
+// Makes the result of what methods put.
+#include "mesh_tools/curvature/bend_sink.h"
 
 #include "host/base/parallel_for.h"
 
 namespace offing::mesh_tools {
+
 BendSink::BendSink(const UnitMesh& mesh, const SurfaceMeasures& measures, CurvatureResult& result)
     : mesh_(mesh), measures_(measures), result_(result) {
   constexpr double flat_rad = 1e-9;

@@ -6,6 +6,7 @@
 #include "host/base/parameter_check.h"
 #include "kernels/shared/query_params.h"
 
+/// What is asked of the water at a point, and what is answered.
 namespace offing::ocean {
 
 /// A place of the world above or below the water plane, m.
@@ -46,15 +47,5 @@ SurfaceQueryPoint device_point(const WaterPoint& point);
 
 /// Throws Error(bad_input) for a query out of range; `water_depth_m` may be infinite.
 void require_valid_query(const WaterQuery& query, double water_depth_m);
-
-/// A rectangle of rest labels to evaluate a sea at.
-struct SampleGrid {
-  double origin_x_m = 0.0, origin_z_m = 0.0;    ///< label of the first sample
-  double spacing_x_m = 1.0, spacing_z_m = 1.0;  ///< between columns, rows
-  int columns = 0, rows = 0;
-};
-
-/// Throws Error(bad_input) for a grid without samples, of more than 16384 a side, or not finite.
-void require_valid_grid(const SampleGrid& grid);
 
 }  // namespace offing::ocean
