@@ -6,6 +6,7 @@
 #include "host/cli/common/devices_command.h"
 #include "host/cli/highlights/highlights_command.h"
 #include "host/cli/ocean/ocean_commands.h"
+#include "host/cli/scene/scene_commands.h"
 #include "host/cli/terrain/terrain_commands.h"
 #include "host/command_line/help_format.h"
 #include "host/scene/file/version.h"
@@ -23,6 +24,7 @@ void add_commands(CLI::App& app, GlobalOptions& options) {
   add_terrain_command(app, options);
   add_highlights_command(app, options);
   add_clouds_command(app, options);
+  add_scene_command(app, options);
   add_devices_command(app, options);
   app.footer(R"(
 Examples:
@@ -35,6 +37,7 @@ Examples:
   offing terrain render S33W071.tif -o andes.png
   offing highlights scenes/knot.toml -o knot.glb
   offing clouds build scenes/cumulus.toml -o cumulus.vdb
+  offing scene new harbour.toml
 
 Exit codes: 0 done, 1 failed, 2 wrong usage or input, 3 no usable device, 130 interrupted.)");
 }

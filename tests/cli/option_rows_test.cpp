@@ -21,8 +21,8 @@ TEST(OptionRows, AreThereForEachNumberOfOffing) {
   CLI::App app;
   cli::add_commands(app, options);
   const OptionReport report =
-      report_options(app, {"FILE", "SCENE", "STORE", "channels", "colour", "compare", "depth", "device",
-                           "export-spectrum", "grid", "output", "plot", "points"});
+      report_options(app, {"FILE", "PATTERN", "SCENE", "STORE", "channels", "colour", "compare", "depth",
+                           "device", "export-spectrum", "grid", "output", "plot", "points"});
   EXPECT_THAT(report.faults, IsEmpty());
   EXPECT_THAT(report.numbers, SizeIs(testing::Gt(100u)));
 }

@@ -61,9 +61,9 @@ def build_and_test(folder, sources_built):
     writing = os.environ | {"OFFING_WRITE_GUIDE": "1"}
     subprocess.run([tests, "--gtest_filter=SceneGuide.ListsEveryKey"], env=writing, check=True)
     subprocess.run([tests, "--gtest_brief=1"], check=True)
-    guide = (folder / "docs/scenes.md").read_text(encoding="utf-8")
-    if not re.search(r"^### `\[buoy\]`\n\n.*\n.*\n\| `height_m` .*\n\| `width_m` ", guide, re.MULTILINE):
-        sys.exit("docs/scenes.md: expected the tables to list [buoy] and its two keys")
+    page = (folder / "docs/reference/scene_keys.md").read_text(encoding="utf-8")
+    if not re.search(r"^## `\[buoy\]`\n\n.*\n.*\n\| `height_m` .*\n\| `width_m` ", page, re.MULTILINE):
+        sys.exit("docs/reference/scene_keys.md: expected the tables to list [buoy] and its two keys")
 
 
 def main(sources, *mode):

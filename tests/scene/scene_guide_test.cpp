@@ -1,72 +1,36 @@
-// docs/scenes.md lists what scenes can say.
-#include <algorithm>
+// docs/scenes.md and docs/reference/scene_keys.md say what scenes can hold.
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "host/scene/file/scene_file.h"
 #include "host/scene/prepare/scene_meshes.h"
+#include "host/scene/schema/key_tables.h"
 #include "host/scene/schema/parameter_table.h"
 
 namespace offing::scene {
 namespace {
 
-const std::string end_of_prose = "make it anew. -->\n";
-
-std::string read_guide() {
-  std::ifstream stream(OFFING_SCENE_GUIDE);
+std::string text_of(const char* file) {
+  std::ifstream stream(file);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-std::string motion_text(const Parameter& row) {
-  return row.motion == ParameterMotion::constant ? ""
-         : row.motion == ParameterMotion::keyed  ? "keys"
-                                                 : "keys, turn";
+std::string read_guide() {
+  return text_of(OFFING_SCENE_GUIDE);
 }
 
-std::string_view section_of(const Parameter& row) {
-  return row.key.substr(0, row.key.rfind('.'));
-}
-
-/// One table a section, in the order of their first rows.
-std::string key_tables() {
-  std::vector<std::string_view> sections;
-  for (const Parameter& row : parameter_table()) {
-    if (std::find(sections.begin(), sections.end(), section_of(row)) == sections.end())
-      sections.push_back(section_of(row));
-  }
-  std::string text;
-  for (const std::string_view section : sections) {
-    std::string lines;
-    bool is_repeated = false;
-    for (const Parameter& row : parameter_table()) {
-      if (section_of(row) != section) continue;
-      is_repeated = row.max_count > 1;
-      lines += fmt::format("| `{}` | {} | {} | {} | {} |\n", row.key.substr(section.size() + 1),
-                           expected_text(row), default_text(row), motion_text(row), row.help);
-    }
-    text += fmt::format(fmt::runtime(is_repeated ? "\n### `[[{}]]`\n\n" : "\n### `[{}]`\n\n"), section);
-    text += "| key | value | default | moves | |\n|---|---|---|---|---|\n" + lines;
-  }
-  return text;
-}
-
-// Fails if the guide's tables are not those of the program. To make them anew: OFFING_WRITE_GUIDE=1
+// Fails if the reference of keys is not that of the program. To make it anew: OFFING_WRITE_GUIDE=1
 // scene_tests
 // --gtest_filter=SceneGuide*.
 TEST(SceneGuide, ListsEveryKey) {
-  const std::string guide = read_guide();
-  const std::size_t prose = guide.find(end_of_prose);
-  ASSERT_NE(prose, std::string::npos);
-  const std::string expected = guide.substr(0, prose + end_of_prose.size()) + key_tables();
-  if (std::getenv("OFFING_WRITE_GUIDE")) std::ofstream(OFFING_SCENE_GUIDE) << expected;
-  EXPECT_EQ(read_guide(), expected);
+  const std::string expected = key_page(parameter_table());
+  if (std::getenv("OFFING_WRITE_GUIDE")) std::ofstream(OFFING_SCENE_KEYS) << expected;
+  EXPECT_EQ(text_of(OFFING_SCENE_KEYS), expected);
 }
 
 /// The example between two headings.

@@ -17,8 +17,6 @@ namespace offing::scene {
 
 namespace {
 
-constexpr std::size_t max_keys = 10'000;
-
 void require_movable(const Parameter& parameter, const Place& place) {
   if (parameter.motion != ParameterMotion::constant) return;
   std::vector<std::string_view> movable, sections;
@@ -59,10 +57,11 @@ double checked_time_s(const WrittenKeyframe& key, const std::vector<Keyframe>& b
 void store_track(Scene& scene, const Parameter& parameter, const std::vector<WrittenKeyframe>& written,
                  Interpolation interpolation, const Place& place) {
   require_movable(parameter, place);
-  if (written.empty() || written.size() > max_keys) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected 1 ... {} keys, found {}", place.subject, max_keys, written.size()),
-                "write keys = [{ t = 0, value = 1 }, { t = 2, value = 3 }]");
+  if (written.empty() || written.size() > most_keyframes) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: expected 1 ... {} keys, found {}", place.subject, most_keyframes, written.size()),
+        "write keys = [{ t = 0, value = 1 }, { t = 2, value = 3 }]");
   }
   KeyframeTrack like{.interpolation = interpolation};
   if (parameter.motion == ParameterMotion::keyed_angle) like.period = 2.0 * std::numbers::pi;
