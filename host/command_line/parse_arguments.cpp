@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/command_line/command_tree.h"
+#include "host/command_line/print_results.h"
 #include "host/scene/file/nearest_name.h"
 
 namespace offing {
@@ -49,7 +51,8 @@ class HelpFormatter : public CLI::Formatter {
   HelpFormatter() { column_width(name_columns); }
 
   std::string make_option_opts(const CLI::Option* option) const override {
-    const bool has_value = option->get_type_size() != 0 && !option->get_type_name().empty();
+    const bool has_value =
+        option->nonpositional() && option->get_type_size() != 0 && !option->get_type_name().empty();
     return (has_value ? ' ' + option->get_type_name() : std::string()) +
            (option->get_required() ? " (required)" : "");
   }
@@ -133,6 +136,10 @@ void format_help(CLI::App& app) {
 }
 
 bool parse_arguments(CLI::App& app, int argc, const char* const* argv) {
+  if (argc == 2 && argv[1] == std::string_view("--print-commands")) {
+    print_json(command_tree(app));
+    return false;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
