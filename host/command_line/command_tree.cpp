@@ -77,6 +77,7 @@ nlohmann::ordered_json option_json(const CLI::Option& option) {
 
 void add_command(nlohmann::ordered_json& commands, const CLI::App& command, const std::string& name) {
   nlohmann::ordered_json json{{"name", name},
+                              {"other_names", command.get_aliases()},
                               {"help", command.get_description()},
                               {"footer", command.get_footer()},
                               {"positionals", nlohmann::json::array()},
