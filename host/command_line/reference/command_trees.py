@@ -23,10 +23,14 @@ ENVIRONMENT = {
 
 
 def read(programs):
-    return [
+    trees = [
         json.loads(subprocess.run([program, "--print-commands"], check=True, stdout=subprocess.PIPE).stdout)
         for program in programs
     ]
+    for tree in trees:  # "offing-view: sea, ground, ...": pages have the name beside it
+        first = tree["commands"][0]
+        first["help"] = re.sub(rf"^{tree['program']}: ", "", first["help"], flags=re.IGNORECASE)
+    return trees
 
 
 def page_name(command):

@@ -1,6 +1,6 @@
 """write_reference.py FOLDER PROGRAM...: writes the manual pages of the programs into FOLDER/man1 and completions for
 shells into FOLDER/bash, FOLDER/zsh and FOLDER/fish.
-write_reference.py --page PROGRAM...: prints docs/reference/commands.md."""
+write_reference.py --pages FOLDER PROGRAM...: writes a page a program, as in docs/reference."""
 
 import pathlib
 import sys
@@ -8,6 +8,7 @@ import sys
 import command_trees
 import completions
 import man_pages
+import program_pages
 
 
 def write(folder, files):
@@ -20,9 +21,14 @@ def write(folder, files):
         (folder / name).write_text(text, encoding="utf-8")
 
 
-def main(target, *programs):
-    trees = command_trees.read(programs)
-    folder = pathlib.Path(target)
+def main(*arguments):
+    writes_pages = arguments[0] == "--pages"
+    target, *programs = arguments[writes_pages:]
+    folder, trees = pathlib.Path(target), command_trees.read(programs)
+    if writes_pages:
+        for tree in trees:
+            (folder / f"{tree['program']}.md").write_text(program_pages.page(tree), encoding="utf-8")
+        return
     write(folder / "man1", man_pages.pages(trees))
     for shell, files in completions.files(trees).items():
         write(folder / shell, files)
