@@ -15,6 +15,10 @@ ENVIRONMENT = {
     "OFFING_SHAPE": ("device", "simd or workgroup: the family of kernels to use. The default suits the device."),
     "OFFING_KERNEL_PATH": ("device", "Folder kernels of a checkout, whose kernels replace those built in."),
     "OFFING_SHADER_PATH": ("sources", "Folder present/passes of a checkout, whose shaders replace those built in."),
+    "OFFING_HOST_POINTERS": (
+        "device",
+        "0: no buffer uses memory of the host, for drivers and tools that fail with it.",
+    ),
     "OFFING_LONGEST_WAIT_S": (
         "device",
         "Longest work in seconds before a first picture or frame; what takes longer is refused. The default is 45.",
