@@ -95,9 +95,8 @@ void add_options(CLI::App& app, Written& written) {
                  "scene file (.toml); without one, an island, a ship and clouds, or --terrain alone")
       ->type_name("");
   app.add_option("--terrain", written.terrain,
-                 "height map or tile store to show: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR; as "
-                 "[terrain] file =\n"
-                 "FILE in the scene would, whose other keys say how to read it and where its eye is")
+                 "height map or tile store to show: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR\n"
+                 "it replaces [terrain] file of the scene, whose other keys say how to read it")
       ->type_name("FILE");
   const char* pictures = "Pictures";
   app.add_flag("--headless", written.is_headless, "no window: write a picture (-o)")->group(pictures);

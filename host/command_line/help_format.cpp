@@ -44,7 +44,8 @@ class HelpFormatter : public CLI::Formatter {
   HelpFormatter() { column_width(name_columns); }
 
   std::string make_option_opts(const CLI::Option* option) const override {
-    const bool has_value = option->get_type_size() != 0 && !option->get_type_name().empty();
+    const bool has_value =
+        option->nonpositional() && option->get_type_size() != 0 && !option->get_type_name().empty();
     return (has_value ? ' ' + option->get_type_name() : std::string()) +
            (option->get_required() ? " (required)" : "");
   }

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/command_line/command_tree.h"
+#include "host/command_line/print_results.h"
 #include "host/scene/file/nearest_name.h"
 
 namespace offing {
@@ -123,6 +125,10 @@ void refuse_empty(const CLI::App& app, int argc, const char* const* argv) {
 }  // namespace
 
 bool parse_arguments(CLI::App& app, int argc, const char* const* argv) {
+  if (argc == 2 && argv[1] == std::string_view("--print-commands")) {
+    print_json(command_tree(app));
+    return false;
+  }
   refuse_empty(app, argc, argv);
   try {
     app.parse(argc, argv);

@@ -30,6 +30,19 @@ class InstalledFilesTest(unittest.TestCase):
         expected = ["LICENSE"] + [path.name for path in (ROOT / "LICENSES").iterdir()]
         self.assertEqual(sorted(licences), sorted(expected))
 
+    # Fails if a manual page or a completion has no install rule, or lies where nobody looks.
+    def test_manual_pages_and_completions_are_there(self):
+        for name in (
+            "man/man1/offing.1",
+            "man/man1/offing-ocean-bake.1",
+            "man/man1/offing-view.1",
+            "man/man1/offing-mesh-repair.1",
+            "bash-completion/completions/offing-view",
+            "zsh/site-functions/_offing-mesh",
+            "fish/vendor_completions.d/offing.fish",
+        ):
+            self.assertTrue((PREFIX / "share" / name).is_file(), name)
+
     # Fails if `cmake --install` after `./dev demo` misses a file: the demo builds less than is installed.
     def test_demo_builds_what_is_installed(self):
         demo = re.search(r"^run_demo\(\) \{\n.*?^\}", (ROOT / "dev").read_text(), re.M | re.S)[0]

@@ -254,7 +254,7 @@ std::vector<scene::Row<FlightSettings>> flight_rows() {
       {&FlightSettings::height_m,
        {.key = "height_m", .unit = "m", .low = 1.0, .high = 1e5, .help = "above the highest ground around"}},
       {&FlightSettings::every,
-       {.key = "every", .low = 1.0, .high = most_frames, .help = "writes and compares every K-th frame"}}};
+       {.key = "every", .low = 1.0, .high = most_frames, .help = "writes and compares one frame out of this many"}}};
 }
 
 std::vector<Camera> path_over(const terrain::TiledField& field, const FlightSettings& settings,
@@ -490,7 +490,7 @@ void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
   arguments->flight.add_to(*command, flight_rows(), "Flight");
   add("-o,--output", arguments->output, "FOLDER", "writes pictures there, frame.000000.png and so on");
   add("--compare", arguments->compared, "FILE",
-      "height map that the store was made of: compares every K-th frame with that of the whole map in "
+      "height map that the store was made of: compares the frames of --every with those of the whole map in "
       "memory");
   arguments->map_flags.add_to(*command);
   add_force_flag(*command, arguments->existing);
@@ -498,9 +498,9 @@ void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-The way is a figure of eight over the middle of the map. Frames are drawn as fast as they can be, one step of V / F
-metres after the other; times include the choice of tiles, rays, shadows and light. The other flags say how to read
-the map of --compare.
+The flight is a figure of eight over the middle of the map. Frames are drawn as fast as they can be; from one to the
+next the eye moves by speed / fps metres. Times include the choice of tiles, rays, shadows and light. The flags of
+heights, spacing and files without a header say how to read the map of --compare.
 
 Examples:
   offing terrain fly ground.tiles --cache-mb 256
