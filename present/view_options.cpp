@@ -17,6 +17,7 @@
 #include "host/command_line/frame_flags.h"
 #include "host/command_line/general_flags.h"
 #include "host/command_line/help_format.h"
+#include "host/command_line/installed_scenes.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/parse_arguments.h"
 #include "host/command_line/setting_options.h"
@@ -93,6 +94,7 @@ void add_options(CLI::App& app, Written& written) {
   app.set_help_flag("-h,--help", "print this help");
   app.add_option("SCENE", written.scene,
                  "scene file (.toml); without one, an island, a ship and clouds, or --terrain alone")
+      ->transform(find_scene)
       ->type_name("");
   app.add_option("--terrain", written.terrain,
                  "height map or tile store to show: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR\n"
@@ -279,7 +281,10 @@ ViewOptions checked(const Written& written) {
     options.scene.named_files.erase(written.terrain);
   }
   options.trust = options.scene.trust = written.trust;
-  options.scene_file = written.scene;
+  // The window saves an installed scene under another name, as it does those of its list.
+  if (std::filesystem::path(written.scene).parent_path() != installed_scenes()) {
+    options.scene_file = written.scene;
+  }
   options.scene_name =
       std::filesystem::path(shows_default ? shipped.name : std::string_view(written.scene)).stem().string();
   if (!written.size.empty()) options.size = read_size("--size", written.size);

@@ -2,33 +2,35 @@
 # from pkg-config. A library that is linked and has no row here stops the configuration, so the list cannot rot.
 # GPL libraries (FFTW, CGAL) have no row on purpose: only tests, offing-bench and mesh_tools link them.
 
-# offing_dependency(<target> CMAKE <statement...> [PKG_CONFIG <modules...>] [PKG_CONFIG_LIBRARIES <flags...>]); the
-# last for libraries that no module of pkg-config knows.
+# offing_dependency(<target> CMAKE <statement...> [PKG_CONFIG <modules...>] [PKG_CONFIG_LIBRARIES <flags...>]
+#                   [DEBIAN <packages...>])
+# PKG_CONFIG_LIBRARIES is for libraries that no module of pkg-config knows; DEBIAN names the packages that hold them.
 function(offing_dependency target)
-  cmake_parse_arguments(ARG "" "" "CMAKE;PKG_CONFIG;PKG_CONFIG_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "CMAKE;PKG_CONFIG;PKG_CONFIG_LIBRARIES;DEBIAN" ${ARGN})
   list(JOIN ARG_CMAKE "\n" statements)
   set_property(GLOBAL PROPERTY "OFFING_DEPENDENCY_CMAKE_${target}" "${statements}")
   set_property(GLOBAL PROPERTY "OFFING_DEPENDENCY_PKG_CONFIG_${target}" "${ARG_PKG_CONFIG}")
   set_property(GLOBAL PROPERTY "OFFING_DEPENDENCY_LIBRARIES_${target}" "${ARG_PKG_CONFIG_LIBRARIES}")
+  set_property(GLOBAL PROPERTY "OFFING_DEPENDENCY_DEBIAN_${target}" "${ARG_DEBIAN}")
 endfunction()
 
-offing_dependency(fmt::fmt CMAKE "find_dependency(fmt)" PKG_CONFIG fmt)
-offing_dependency(spdlog::spdlog CMAKE "find_dependency(spdlog)" PKG_CONFIG spdlog)
+offing_dependency(fmt::fmt CMAKE "find_dependency(fmt)" PKG_CONFIG fmt DEBIAN libfmt-dev)
+offing_dependency(spdlog::spdlog CMAKE "find_dependency(spdlog)" PKG_CONFIG spdlog DEBIAN libspdlog-dev)
 offing_dependency(Threads::Threads CMAKE "find_dependency(Threads)")
-offing_dependency(glm::glm CMAKE "find_dependency(glm)")
-offing_dependency(OpenCL::OpenCL CMAKE "find_dependency(OpenCL)" PKG_CONFIG OpenCL)
-offing_dependency(OpenEXR::OpenEXR CMAKE "find_dependency(OpenEXR)" PKG_CONFIG OpenEXR)
-offing_dependency(Imath::Imath CMAKE "find_dependency(Imath)" PKG_CONFIG Imath)
-offing_dependency(GDAL::GDAL CMAKE "find_dependency(GDAL)" PKG_CONFIG gdal)
-offing_dependency(PNG::PNG CMAKE "find_dependency(PNG)" PKG_CONFIG libpng)
+offing_dependency(glm::glm CMAKE "find_dependency(glm)" DEBIAN libglm-dev)
+offing_dependency(OpenCL::OpenCL CMAKE "find_dependency(OpenCL)" PKG_CONFIG OpenCL DEBIAN ocl-icd-opencl-dev opencl-headers)
+offing_dependency(OpenEXR::OpenEXR CMAKE "find_dependency(OpenEXR)" PKG_CONFIG OpenEXR DEBIAN libopenexr-dev)
+offing_dependency(Imath::Imath CMAKE "find_dependency(Imath)" PKG_CONFIG Imath DEBIAN libimath-dev)
+offing_dependency(GDAL::GDAL CMAKE "find_dependency(GDAL)" PKG_CONFIG gdal DEBIAN libgdal-dev)
+offing_dependency(PNG::PNG CMAKE "find_dependency(PNG)" PKG_CONFIG libpng DEBIAN libpng-dev)
 offing_dependency(PkgConfig::NETCDF
   CMAKE "find_dependency(PkgConfig)" "pkg_check_modules(NETCDF REQUIRED QUIET IMPORTED_TARGET netcdf)"
-  PKG_CONFIG netcdf)
-offing_dependency(tomlplusplus::tomlplusplus CMAKE "find_dependency(tomlplusplus)" PKG_CONFIG tomlplusplus)
-offing_dependency(nlohmann_json::nlohmann_json CMAKE "find_dependency(nlohmann_json)" PKG_CONFIG nlohmann_json)
+  PKG_CONFIG netcdf DEBIAN libnetcdf-dev)
+offing_dependency(tomlplusplus::tomlplusplus CMAKE "find_dependency(tomlplusplus)" PKG_CONFIG tomlplusplus DEBIAN libtomlplusplus-dev)
+offing_dependency(nlohmann_json::nlohmann_json CMAKE "find_dependency(nlohmann_json)" PKG_CONFIG nlohmann_json DEBIAN nlohmann-json3-dev)
 offing_dependency(PkgConfig::CAIRO
   CMAKE "find_dependency(PkgConfig)" "pkg_check_modules(CAIRO REQUIRED QUIET IMPORTED_TARGET cairo)"
-  PKG_CONFIG cairo)
-offing_dependency(openvdb CMAKE "" PKG_CONFIG_LIBRARIES -lopenvdb)
-offing_dependency(TBB::tbb CMAKE "find_dependency(TBB)" PKG_CONFIG tbb)
-offing_dependency(ZLIB::ZLIB CMAKE "find_dependency(ZLIB)" PKG_CONFIG zlib)
+  PKG_CONFIG cairo DEBIAN libcairo2-dev)
+offing_dependency(openvdb CMAKE "" PKG_CONFIG_LIBRARIES -lopenvdb DEBIAN libopenvdb-dev libboost-dev)
+offing_dependency(TBB::tbb CMAKE "find_dependency(TBB)" PKG_CONFIG tbb DEBIAN libtbb-dev)
+offing_dependency(ZLIB::ZLIB CMAKE "find_dependency(ZLIB)" PKG_CONFIG zlib DEBIAN zlib1g-dev)

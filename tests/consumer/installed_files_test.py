@@ -43,6 +43,32 @@ class InstalledFilesTest(unittest.TestCase):
         ):
             self.assertTrue((PREFIX / "share" / name).is_file(), name)
 
+    # Fails if an installed program does not find an installed scene, or the spectra it reads, by the scene's name;
+    # or prefers it to a file that the user has.
+    def test_programs_find_installed_scenes(self):
+        def run(*arguments):
+            program, *rest = arguments
+            return subprocess.run([PREFIX / "bin" / program, *rest], capture_output=True, text=True, cwd=folder)
+
+        with tempfile.TemporaryDirectory() as folder:
+            here = pathlib.Path(folder)
+            for command in (
+                ("offing", "ocean", "query", "buoy.toml", "--at", "0,0", "--size", "32"),
+                ("offing", "clouds", "info", "cumulus.toml"),
+                ("offing-view", "sphere.toml", "--headless", "--size", "64x36", "-o", "sphere.png"),
+            ):
+                said = run(*command)
+                self.assertEqual(said.returncode, 0, said.stderr)
+            self.assertEqual([path.name for path in here.iterdir()], ["sphere.png"])
+
+            said = run("offing", "ocean", "stats", "./buoy.toml")
+            self.assertEqual(said.returncode, 2)
+            self.assertIn("error: ./buoy.toml: cannot open scene", said.stderr)
+            (here / "buoy.toml").write_text("version = 1\n[ocean]\nmine = 1\n")
+            said = run("offing", "ocean", "stats", "buoy.toml")
+            self.assertEqual(said.returncode, 2)
+            self.assertIn("error: buoy.toml:3:1: ocean.mine", said.stderr)
+
     # Fails if `cmake --install` after `./dev demo` misses a file: the demo builds less than is installed.
     def test_demo_builds_what_is_installed(self):
         demo = re.search(r"^run_demo\(\) \{\n.*?^\}", (ROOT / "dev").read_text(), re.M | re.S)[0]

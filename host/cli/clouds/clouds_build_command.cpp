@@ -18,6 +18,7 @@
 #include "host/clouds/shape/cloud_density.h"
 #include "host/command_line/frame_flags.h"
 #include "host/command_line/general_flags.h"
+#include "host/command_line/installed_scenes.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
 #include "host/command_line/setting_options.h"
@@ -202,6 +203,7 @@ void add_clouds_build_command(CLI::App& parent, GlobalOptions& options) {
   const auto arguments = std::make_shared<BuildArguments>();
   CLI::App* command = parent.add_subcommand("build", "the clouds of a scene as a volume or as particles");
   command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[cloud]] or [[cloud_layer]]")
+      ->transform(find_scene)
       ->required();
   constexpr const char* group = "Output";
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {

@@ -18,6 +18,7 @@
 #include "host/clouds/shape/cloud_density.h"
 #include "host/clouds/shape/genera.h"
 #include "host/command_line/general_flags.h"
+#include "host/command_line/installed_scenes.h"
 #include "host/command_line/print_results.h"
 #include "host/io/file_extension.h"
 #include "host/scene/file/scene_file.h"
@@ -153,7 +154,9 @@ void run(const InfoArguments& arguments, const GlobalOptions& options) {
 void add_clouds_info_command(CLI::App& parent, GlobalOptions& options) {
   const auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = parent.add_subcommand("info", "what a volume, particles or the clouds of a scene are");
-  command->add_option("FILE", arguments->file, "a .vdb, a .ply of particles or a scene (.toml)")->required();
+  command->add_option("FILE", arguments->file, "a .vdb, a .ply of particles or a scene (.toml)")
+      ->transform(find_scene)
+      ->required();
   command->add_option("--grid", arguments->grid, "which grid of a .vdb (default: density)")
       ->type_name("NAME");
   command->add_flag("--json", arguments->json, "the same for scripts");

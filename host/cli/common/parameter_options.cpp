@@ -5,6 +5,7 @@
 #include <CLI/Option.hpp>
 
 #include "host/command_line/general_flags.h"
+#include "host/command_line/installed_scenes.h"
 #include "host/command_line/setting_options.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_files.h"
@@ -89,7 +90,9 @@ double number_in(const scene::WrittenValue& written) {
 }  // namespace
 
 void ParameterOptions::add_to(CLI::App& command, std::initializer_list<ParameterGroup> groups) {
-  command.add_option("SCENE", scene_file_, "scene file (.toml); flags override what it says")->type_name("");
+  command.add_option("SCENE", scene_file_, "scene file (.toml); flags override what it says")
+      ->transform(find_scene)
+      ->type_name("");
   add_trust_flag(command, trust_);
   command.add_flag_callback(
       "--compass", [this] { directions_ = DirectionStyle::from_bearing; },

@@ -22,6 +22,7 @@
 #include "host/cli/common/device_choice.h"
 #include "host/command_line/frame_flags.h"
 #include "host/command_line/general_flags.h"
+#include "host/command_line/installed_scenes.h"
 #include "host/command_line/new_output.h"
 #include "host/command_line/print_results.h"
 #include "host/highlights/projectors/texture_shapes.h"
@@ -252,7 +253,9 @@ void add_highlights_command(CLI::App& app, GlobalOptions& options) {
   const auto arguments = std::make_shared<HighlightsArguments>();
   CLI::App* command =
       app.add_subcommand("highlights", "the moving highlights of a scene's meshes, for other programs");
-  command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[mesh]]")->required();
+  command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[mesh]]")
+      ->transform(find_scene)
+      ->required();
   constexpr const char* group = "Output";
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group(group);

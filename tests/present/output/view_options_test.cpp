@@ -1,12 +1,15 @@
 #include "present/view_options.h"
 
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/command_line/installed_scenes.h"
 #include "host/scene/file/scene_file.h"
 #include "tests/cli/option_faults.h"
 
@@ -25,6 +28,22 @@ TEST(ViewOptionsTest, ShowTheWorldWhereNoSceneIsNamed) {
   EXPECT_EQ(shown->scene.meshes.size(), world.meshes.size());
   EXPECT_EQ(shown->scene.bodies.size(), world.bodies.size());
   EXPECT_TRUE(shown->scene.has_clouds());
+}
+
+// Fails if an installed scene is not found by its name, or if saving edits in the window would overwrite it.
+TEST(ViewOptionsTest, FindInstalledScenesAndDoNotSaveThere) {
+  const std::filesystem::path scenes = installed_scenes();  // beside the folder of this test's program
+  ASSERT_FALSE(scenes.empty());
+  std::filesystem::create_directories(scenes);
+  const std::filesystem::path scene = scenes / "only_installed.toml";
+  std::ofstream(scene) << "version = 1\n[wind]\nspeed_mps = 7.25\n";
+  const std::array<const char*, 2> arguments{"offing-view", "only_installed.toml"};
+  const auto options = read_view_options(2, arguments.data());
+  std::filesystem::remove(scene);
+  ASSERT_TRUE(options.has_value());
+  EXPECT_EQ(options->scene.wind.wind_speed_mps, 7.25);
+  EXPECT_EQ(options->scene_name, "only_installed");
+  EXPECT_EQ(options->scene_file, "");
 }
 
 // Fails if a name of a transfer path is misread, or an unknown one taken for some path.
