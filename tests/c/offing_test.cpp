@@ -1,5 +1,5 @@
 // The C interface from C++, so that its answers can be held against those of the classes behind it;
-// tests/consumer/consumer.c is a program in C.
+// examples/buoyancy.c is a program in C.
 #include "host/c/offing.h"
 
 #include <cmath>

@@ -14,25 +14,25 @@ RULES = (
     (
         re.compile(r"\bthrow\s+std::"),
         "throw offing::Error, the one exception type",
-        ("host", "present", "mesh_tools"),
+        ("host", "present", "mesh_tools", "examples"),
         re.compile(r"$^"),
     ),
     (
         re.compile(r"(?<![\w.>])(?:std::)?(?:exit|_exit|_Exit|quick_exit|abort)\s*\("),
         "only main and the handler of signals end the process; throw offing::Error",
-        ("host", "present", "mesh_tools"),
+        ("host", "present", "mesh_tools", "examples"),
         re.compile(r".*/main\.cpp|host/base/process\.cpp"),
     ),
     (
         re.compile(r"\bbool\b(?:\s+\w+)?(?:\s*=\s*\w+)?\s*,\s*(?:const\s+)?bool\b"),
         "two bools in a row are swapped unseen; use an enum or a struct",
-        ("host", "present", "mesh_tools", "tests"),
+        ("host", "present", "mesh_tools", "tests", "examples"),
         re.compile(r"$^"),
     ),
     (
         re.compile(rf'(?i)^[^\n]*(?:{COMPARISON})[^\n]*"[^"\n]*\b(?:{VENDOR})\b[^"\n]*"', re.MULTILINE),
         "what a driver needs lives in host/ocl/quirks and host/ocl/tuning only",
-        ("host", "present", "mesh_tools"),
+        ("host", "present", "mesh_tools", "examples"),
         re.compile(r"host/ocl/(quirks|tuning)\.(h|cpp)"),
     ),
 )

@@ -15,7 +15,7 @@ def check(repository):
         size = (repository.root / path).stat().st_size
         if size > MAX_BYTES:
             faults.append(f"{path}: {size} bytes, expected at most {MAX_BYTES}")
-    for path in repository.under("kernels", "host", "present", "mesh_tools", "tests", suffixes=SOURCES):
+    for path in repository.under("kernels", "host", "present", "mesh_tools", "tests", "examples", suffixes=SOURCES):
         for number, line in enumerate(repository.text(path).splitlines(), 1):
             if path.startswith("kernels/") and not line.isascii():
                 faults.append(f"{path}:{number}: expected ASCII, which every OpenCL compiler reads")

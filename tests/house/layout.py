@@ -6,7 +6,7 @@ import pathlib
 from repository import run
 
 MOST_FILES = 40
-FOLDERS = ("kernels", "host", "present", "mesh_tools", "tests")
+FOLDERS = ("kernels", "host", "present", "mesh_tools", "tests", "examples")
 
 
 def check(repository):

@@ -7,7 +7,7 @@ from repository import run
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 # A path in backticks that starts at a folder of the root and names one file or folder.
-NAMED_PATH = re.compile(r"`((?:kernels|host|tests|docs|scenes|present|mesh_tools)/[\w./-]*)`")
+NAMED_PATH = re.compile(r"`((?:kernels|host|tests|examples|docs|scenes|present|mesh_tools)/[\w./-]*)`")
 
 
 def check(repository):

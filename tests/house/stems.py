@@ -36,16 +36,14 @@ def kernel_faults(repository):
 
 
 def name_faults(repository):
-    folders = ("kernels", "host", "present", "mesh_tools", "tests", "scenes")
+    folders = ("kernels", "host", "present", "mesh_tools", "tests", "scenes", "examples")
     for path in repository.under(*folders, suffixes=(".h", ".cpp", ".cl", ".clh", ".py", ".sh", ".toml")):
         if not SNAKE_CASE.fullmatch(pathlib.PurePosixPath(path).name):
             yield f"{path}: file names are snake_case"
 
 
 def build_faults(repository):
-    for path in repository.under("host", "present", "mesh_tools", "tests", suffixes=(".cpp",)):
-        if path.startswith("tests/consumer/"):
-            continue  # built by a project of its own
+    for path in repository.under("host", "present", "mesh_tools", "tests", "examples", suffixes=(".cpp",)):
         for folder in pathlib.PurePosixPath(path).parents:
             build_file = (folder / "CMakeLists.txt").as_posix()
             relative = re.escape(pathlib.PurePosixPath(path).relative_to(folder).as_posix())

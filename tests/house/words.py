@@ -33,10 +33,10 @@ def retired_in(text):
 
 
 def name_faults(repository):
-    for path in repository.under("kernels", "host", "present", "mesh_tools", "tests", suffixes=CODE + (".py", ".sh")):
+    for path in repository.under("kernels", "host", "present", "mesh_tools", "tests", "examples", suffixes=CODE + (".py", ".sh")):
         for word in retired_in(path.rsplit(".", 1)[0].replace("/", " ")):
             yield f'{path}: the file name has the retired word "{word}"'
-    for path in repository.under("kernels", "host", "present", "mesh_tools", "tests", suffixes=CODE):
+    for path in repository.under("kernels", "host", "present", "mesh_tools", "tests", "examples", suffixes=CODE):
         text = repository.text(path)
         for match in TOKEN.finditer(text):
             # What tests put into files and read from them is theirs to choose.
