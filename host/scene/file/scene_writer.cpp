@@ -4,6 +4,7 @@
 
 #include "host/base/error.h"
 #include "host/io/file_extension.h"
+#include "host/io/file_presence.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_text.h"
 

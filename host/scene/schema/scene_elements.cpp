@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/io/file_presence.h"
 #include "host/scene/schema/parameter_table.h"
 
 namespace offing::scene {

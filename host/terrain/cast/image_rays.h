@@ -7,6 +7,7 @@
 #include "host/ocl/kernel.h"
 #include "host/ocl/tuning.h"
 #include "host/terrain/field/post_grid.h"
+#include "kernels/shared/terrain.h"
 
 namespace offing::terrain {
 
