@@ -157,7 +157,7 @@ std::vector<Row<MeshScene>> place_rows() {
             .rule = ParameterRule::name}}};
 }
 
-std::vector<Row<MeshScene>> look_rows() {
+std::vector<Row<MeshScene>> mesh_look_rows() {
   using world::MeshMaterial;
   return {{choice(path(material, &MeshMaterial::shading), {shading_names.begin(), shading_names.end()}),
            {.key = "shading", .help = "light a pixel, a vertex, in steps, or a face"}},
@@ -232,7 +232,7 @@ Schema<MeshScene> mesh_schema() {
   Schema<MeshScene> schema("mesh");
   return schema.rows(ParameterGroup::mesh, Affects::meshes, mesh_form_rows())
       .rows(ParameterGroup::mesh, Affects::meshes, place_rows())
-      .rows(ParameterGroup::mesh, Affects::mesh_looks, look_rows())
+      .rows(ParameterGroup::mesh, Affects::mesh_looks, mesh_look_rows())
       .rows(ParameterGroup::mesh, Affects::meshes, highlight_rows())
       .list(&MeshScene::highlights, max_highlights, highlight_schema());
 }
