@@ -254,7 +254,10 @@ std::vector<scene::Row<FlightSettings>> flight_rows() {
       {&FlightSettings::height_m,
        {.key = "height_m", .unit = "m", .low = 1.0, .high = 1e5, .help = "above the highest ground around"}},
       {&FlightSettings::every,
-       {.key = "every", .low = 1.0, .high = most_frames, .help = "writes and compares one frame out of this many"}}};
+       {.key = "every",
+        .low = 1.0,
+        .high = most_frames,
+        .help = "writes and compares one frame out of this many"}}};
 }
 
 std::vector<Camera> path_over(const terrain::TiledField& field, const FlightSettings& settings,
