@@ -58,7 +58,7 @@ void bench_queries(const ocl::Device& device, const Settings& settings, const Si
 void bench_previews(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 
 /// Primary rays of cameras that fly and walk over height maps, 1280 x 720, against the best of all ways to
-/// cast them with Embree 3: valleys of each size, and the real maps of OFFING_TEST_DATA where that is set.
+/// cast them with Embree: valleys of each size, and the real maps of OFFING_TEST_DATA where that is set.
 /// Throws Error(device) where hits differ.
 void bench_terrain(const ocl::Device& device, const Settings& settings, const Sinks& sinks);
 

@@ -53,6 +53,32 @@ void add_options(CLI::App& command, Options& options) {
 using Benchmark =
     std::function<void(const offing::ocl::Device&, const bench::Settings&, const bench::Sinks&)>;
 
+/// In the place of a benchmark whose peer was not found when this program was configured.
+[[maybe_unused]] Benchmark without(const char* peer, const char* package) {
+  return [=](const auto&, const auto&, const auto&) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("expected {} as the peer, but offing-bench was built without it", peer),
+                fmt::format("install {}, then run ./dev build", package));
+  };
+}
+
+#ifdef OFFING_FFTW
+const Benchmark fft = bench::bench_fft;
+const Benchmark ocean = [](const auto& device, const auto& settings, const auto& sinks) {
+  bench::bench_ocean(device, settings, sinks);
+  bench::bench_start(settings, sinks);
+};
+const Benchmark wake = bench::bench_wake;
+#else
+const Benchmark fft = without("FFTW", "libfftw3-dev"), ocean = fft, wake = fft;
+#endif
+
+#ifdef OFFING_EMBREE
+const Benchmark terrain = bench::bench_terrain;
+#else
+const Benchmark terrain = without("Embree", "libembree-dev");
+#endif
+
 /// Runs a benchmark and prints its rows: the table as they come, JSON at the end.
 void run(const Options& options, const Benchmark& benchmark) {
   require_sizes(options.settings.sizes);
@@ -85,12 +111,8 @@ int run_command_line(int argc, char** argv) {
     add_options(command, options);
     command.callback([&options, benchmark] { run(options, benchmark); });
   };
-  add("fft", "the inverse transform against FFTW", bench::bench_fft);
-  add("ocean", "a frame of the sea against C++ with FFTW, and the start-up",
-      [](const auto& device, const auto& settings, const auto& sinks) {
-        bench::bench_ocean(device, settings, sinks);
-        bench::bench_start(settings, sinks);
-      });
+  add("fft", "the inverse transform against FFTW", fft);
+  add("ocean", "a frame of the sea against C++ with FFTW, and the start-up", ocean);
   add("gerstner", "the surface of 16 Gerstner waves against C++", bench::bench_gerstner);
 
 #ifdef OFFING_BUILD_VIEWER
@@ -104,11 +126,10 @@ int run_command_line(int argc, char** argv) {
       bench::bench_queries);
   add("previews", "maps of a sea from above, as `offing ocean bake --preview` makes them",
       bench::bench_previews);
-  add("terrain", "rays at height maps against Embree 3, on real maps if OFFING_TEST_DATA is set",
-      bench::bench_terrain);
+  add("terrain", "rays at height maps against Embree, on real maps if OFFING_TEST_DATA is set", terrain);
   add("viewshed", "what is seen from a point against GDAL, on real maps too if OFFING_TEST_DATA is set",
       bench::bench_viewshed);
-  add("wake", "a step of a wake window against C++ with FFTW", bench::bench_wake);
+  add("wake", "a step of a wake window against C++ with FFTW", wake);
   add("clouds", "clouds made, lit, sorted and drawn",
       [](const auto& device, const auto& settings, const auto& sinks) {
 #ifdef OFFING_BUILD_VIEWER

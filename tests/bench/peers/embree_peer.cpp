@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <limits>
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
+#if OFFING_EMBREE >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
 
 #include "host/base/error.h"
 
@@ -42,12 +46,59 @@ struct View {
   }
 };
 
-RTCIntersectContext coherent_context() {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  return context;
+// All that differs between Embree 3 and 4: how a query says that its rays are coherent, and that 4 has no
+// streams.
+#if OFFING_EMBREE >= 4
+using Coherence = RTCIntersectArguments;
+
+Coherence coherent_rays() {
+  Coherence coherence;
+  rtcInitIntersectArguments(&coherence);
+  coherence.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  return coherence;
 }
+
+void intersect(RTCScene scene, Coherence& coherence, RTCRayHit& ray) {
+  rtcIntersect1(scene, &ray, &coherence);
+}
+void intersect(const int* valid, RTCScene scene, Coherence& coherence, RTCRayHit4& rays) {
+  rtcIntersect4(valid, scene, &rays, &coherence);
+}
+void intersect(const int* valid, RTCScene scene, Coherence& coherence, RTCRayHit8& rays) {
+  rtcIntersect8(valid, scene, &rays, &coherence);
+}
+void intersect(const int* valid, RTCScene scene, Coherence& coherence, RTCRayHit16& rays) {
+  rtcIntersect16(valid, scene, &rays, &coherence);
+}
+void intersect_stream(RTCScene scene, Coherence& coherence, RTCRayHit* rays, unsigned count) {
+  for (unsigned ray = 0; ray < count; ++ray) intersect(scene, coherence, rays[ray]);
+}
+#else
+using Coherence = RTCIntersectContext;
+
+Coherence coherent_rays() {
+  Coherence coherence;
+  rtcInitIntersectContext(&coherence);
+  coherence.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  return coherence;
+}
+
+void intersect(RTCScene scene, Coherence& coherence, RTCRayHit& ray) {
+  rtcIntersect1(scene, &coherence, &ray);
+}
+void intersect(const int* valid, RTCScene scene, Coherence& coherence, RTCRayHit4& rays) {
+  rtcIntersect4(valid, scene, &coherence, &rays);
+}
+void intersect(const int* valid, RTCScene scene, Coherence& coherence, RTCRayHit8& rays) {
+  rtcIntersect8(valid, scene, &coherence, &rays);
+}
+void intersect(const int* valid, RTCScene scene, Coherence& coherence, RTCRayHit16& rays) {
+  rtcIntersect16(valid, scene, &coherence, &rays);
+}
+void intersect_stream(RTCScene scene, Coherence& coherence, RTCRayHit* rays, unsigned count) {
+  rtcIntersect1M(scene, &coherence, rays, count, sizeof(RTCRayHit));
+}
+#endif
 
 template <class Packet>
 constexpr int width_of = sizeof(Packet::hit.geomID) / sizeof(unsigned);
@@ -78,21 +129,11 @@ void set_ray(Packet& packet, int lane, const View& view, int column, int row) {
   at(packet.hit.geomID) = RTC_INVALID_GEOMETRY_ID;
 }
 
-void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context, RTCRayHit4* rays) {
-  rtcIntersect4(valid, scene, context, rays);
-}
-void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context, RTCRayHit8* rays) {
-  rtcIntersect8(valid, scene, context, rays);
-}
-void intersect(const int* valid, RTCScene scene, RTCIntersectContext* context, RTCRayHit16* rays) {
-  rtcIntersect16(valid, scene, context, rays);
-}
-
 /// Pixels from `left`, `top` to 16 more each way, in packets of 2 x 2, 4 x 2 or 4 x 4.
 template <class Packet>
 void cast_tile(RTCScene scene, const View& view, int left, int top, float* distances_m) {
   constexpr int lanes = width_of<Packet>, columns = lanes == 4 ? 2 : 4, rows = lanes / columns;
-  RTCIntersectContext context = coherent_context();
+  Coherence coherence = coherent_rays();
   for (int row = top; row < std::min(top + tile_px, view.height_px); row += rows) {
     for (int column = left; column < std::min(left + tile_px, view.width_px); column += columns) {
       Packet packet;
@@ -102,7 +143,7 @@ void cast_tile(RTCScene scene, const View& view, int left, int top, float* dista
         valid[lane] = x < view.width_px && y < view.height_px ? -1 : 0;
         set_ray(packet, lane, view, x, y);
       }
-      intersect(valid, scene, &context, &packet);
+      intersect(valid, scene, coherence, packet);
       for (int lane = 0; lane < lanes; ++lane) {
         if (valid[lane] == 0) continue;
         distances_m[(row + lane / columns) * view.width_px + column + lane % columns] = packet.ray.tfar[lane];
@@ -112,26 +153,26 @@ void cast_tile(RTCScene scene, const View& view, int left, int top, float* dista
 }
 
 void cast_tile_singly(RTCScene scene, const View& view, int left, int top, float* distances_m) {
-  RTCIntersectContext context = coherent_context();
+  Coherence coherence = coherent_rays();
   for (int row = top; row < std::min(top + tile_px, view.height_px); ++row) {
     for (int column = left; column < std::min(left + tile_px, view.width_px); ++column) {
       RTCRayHit ray;
       set_ray(ray, 0, view, column, row);
-      rtcIntersect1(scene, &context, &ray);
+      intersect(scene, coherence, ray);
       distances_m[row * view.width_px + column] = ray.ray.tfar;
     }
   }
 }
 
 void cast_tile_as_stream(RTCScene scene, const View& view, int left, int top, float* distances_m) {
-  RTCIntersectContext context = coherent_context();
+  Coherence coherence = coherent_rays();
   RTCRayHit rays[tile_px * tile_px];
   unsigned count = 0;
   const int right = std::min(left + tile_px, view.width_px), bottom = std::min(top + tile_px, view.height_px);
   for (int row = top; row < bottom; ++row) {
     for (int column = left; column < right; ++column) set_ray(rays[count++], 0, view, column, row);
   }
-  rtcIntersect1M(scene, &context, rays, count, sizeof(RTCRayHit));
+  intersect_stream(scene, coherence, rays, count);
   count = 0;
   for (int row = top; row < bottom; ++row) {
     for (int column = left; column < right; ++column) {
@@ -144,7 +185,7 @@ void cast_tile_as_stream(RTCScene scene, const View& view, int left, int top, fl
 
 EmbreePeer::EmbreePeer(const terrain::PostGrid& grid, std::span<const float> heights_m, Geometry geometry)
     : geometry_(geometry), grid_(grid), device_(rtcNewDevice(nullptr)) {
-  if (device_ == nullptr) throw Error(ErrorKind::device, "Embree: no device", "install libembree3-3");
+  if (device_ == nullptr) throw Error(ErrorKind::device, "Embree: no device", "install libembree-dev again");
   const auto columns = static_cast<std::size_t>(grid.columns);
   vertices_.reserve(3 * heights_m.size() + 1);
   for (std::size_t post = 0; post < heights_m.size(); ++post) {
@@ -226,8 +267,11 @@ void EmbreePeer::cast(const Camera& camera, Packet packet) {
 
 std::string EmbreePeer::name(Packet packet) const {
   constexpr const char* names[] = {"single rays", "packets of 4", "packets of 8", "packets of 16", "streams"};
-  return fmt::format("Embree 3, {}, {}", geometry_ == Geometry::grid ? "grid" : "triangles",
-                     names[static_cast<std::size_t>(packet)]);
+  return fmt::format("{}, {}", name(), names[static_cast<std::size_t>(packet)]);
+}
+
+std::string EmbreePeer::name() const {
+  return fmt::format("Embree {}, {}", OFFING_EMBREE, geometry_ == Geometry::grid ? "grid" : "triangles");
 }
 
 }  // namespace offing::bench

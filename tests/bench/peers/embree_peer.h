@@ -13,12 +13,12 @@ typedef struct RTCSceneTy* RTCScene;
 
 namespace offing::bench {
 
-/// A height map in Embree 3, as it is used at its best: high quality, one thread a core, rays in tiles of 16
-/// x 16 pixels.
+/// A height map in Embree 3 or 4, as it is used at its best: high quality, one thread a core, rays in tiles
+/// of 16 x 16 pixels.
 class EmbreePeer {
  public:
   enum class Geometry { grid, triangles };
-  enum class Packet { one, four, eight, sixteen, stream };
+  enum class Packet { one, four, eight, sixteen, stream };  ///< with Embree 4 a stream is cast ray by ray
   static constexpr Packet packets[] = {Packet::one, Packet::four, Packet::eight, Packet::sixteen,
                                        Packet::stream};
 
@@ -34,6 +34,7 @@ class EmbreePeer {
   void cast(const Camera& camera, Packet packet);
   const std::vector<float>& distances_m() const { return distances_m_; }
 
+  std::string name() const;
   std::string name(Packet packet) const;
 
  private:

@@ -100,14 +100,14 @@ void bench_build(const ocl::Device& device, const NamedMap& named, const terrain
         device.finish();
       },
       [&] { peer.build(); }, blocks);
-  sinks.row(row_of("terrain_build_" + named.name, named.map.columns, "Embree 3, grid", pyramid));
+  sinks.row(row_of("terrain_build_" + named.name, named.map.columns, peer.name(), pyramid));
   const Comparison all = compare(
       [&] {
         terrain::HeightField(device, field.grid(), named.map.heights_m);
         device.finish();
       },
       [&] { peer.build(); }, blocks);
-  sinks.row(row_of("terrain_load_" + named.name, named.map.columns, "Embree 3, grid", all));
+  sinks.row(row_of("terrain_load_" + named.name, named.map.columns, peer.name(), all));
   const double map_bytes = 4.0 * static_cast<double>(named.map.heights_m.size());
   const double pyramid_bytes = 4.0 * static_cast<double>(field.pyramid().maxima_m().size());
   sinks.note(fmt::format("{} {}: pyramid {:.1f} MB, {:.2f} of the height map; {:.2f} with it", named.name,
