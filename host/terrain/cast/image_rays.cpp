@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
+#include "host/terrain/cast/ray.h"
 
 namespace offing::terrain {
 
