@@ -58,10 +58,10 @@ std::string lines_of(std::span<const StarterValue> written, std::string_view mar
 }  // namespace
 
 std::string starter_scene(std::string_view file) {
-  return fmt::format(R"(# A sea in a fresh breeze.
-#   offing-view {0}           draws it
-#   offing scene check {0}    finds its errors
-#   offing scene keys         lists all keys that a scene may have
+  return fmt::format(R"(# A sea in a fresh breeze. Draw it, find its errors, list all keys that a scene may have:
+#   offing-view {0}
+#   offing scene check {0}
+#   offing scene keys
 version = 1
 
 {1}
