@@ -21,7 +21,12 @@ const std::vector<std::vector<std::string>> commands = {{},
                                                         {"ocean", "bake"},
                                                         {"ocean", "query"},
                                                         {"ocean", "spectrum"},
-                                                        {"ocean", "stats"}};
+                                                        {"ocean", "stats"},
+                                                        {"scene"},
+                                                        {"scene", "check"},
+                                                        {"scene", "keys"},
+                                                        {"scene", "new"},
+                                                        {"scene", "schema"}};
 
 // Fails if a line is longer than terminals are wide, which break it anywhere then.
 TEST(Help, LinesAreShort) {

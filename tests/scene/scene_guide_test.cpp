@@ -42,7 +42,7 @@ Scene example_between(const std::string& heading, const std::string& next) {
 
 // Fails if the guide's examples are no scenes.
 TEST(SceneGuide, ItsExamplesAreScenes) {
-  const Scene scene = example_between("# Scenes", "\n## Keyframes");
+  const Scene scene = example_between("# Scenes", "\n## Commands for authors");
   EXPECT_EQ(scene.ocean.swells.size(), 1u);
   EXPECT_EQ(scene.ocean.raindrops.size(), 1u);
   EXPECT_EQ(scene.tracks.size(), 2u);

@@ -3,8 +3,10 @@
 namespace offing::cli {
 
 void add_scene_command(CLI::App& app, GlobalOptions& options) {
-  CLI::App* command = app.add_subcommand("scene", "help to write scene files: keys, JSON Schema");
+  CLI::App* command = app.add_subcommand("scene", "scene files: start one, check some, list all keys");
   command->require_subcommand(1);
+  add_new_command(*command, options);
+  add_check_command(*command, options);
   add_keys_command(*command, options);
   add_schema_command(*command, options);
 }
