@@ -16,6 +16,7 @@ class DisjointSets {
     std::iota(parents_.begin(), parents_.end(), 0u);
   }
 
+  /// The item that stands for a set, as another item of it sees that.
   struct Root {
     std::uint32_t index;
     bool is_turned;  ///< against the root
@@ -33,6 +34,7 @@ class DisjointSets {
     return {item, is_turned};
   }
 
+  /// How an item stands to another of its set, for example whether two faces turn the same way.
   enum class Relation : std::uint8_t { same, turned };
 
   /// Joins two things; false if they are in one set already with the other relation.

@@ -18,6 +18,7 @@ typedef struct _cl_command_queue* cl_command_queue;
 
 namespace offing::ocl {
 
+/// Kinds of OpenCL devices.
 enum class DeviceType { cpu, gpu, accelerator, other };
 
 /// What a device reports, after the corrections of quirks.h.
@@ -59,6 +60,7 @@ DeviceInfo select_device(std::string_view selector = {});
 /// environment. Throws Error(no_device) that names the selector and lists the candidates.
 const DeviceInfo& choose_device(const std::vector<DeviceInfo>& devices, std::string_view selector);
 
+/// Whether the device keeps the times of its work, which events then give.
 enum class Profiling { off, on };
 
 namespace detail {

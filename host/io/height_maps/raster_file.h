@@ -49,6 +49,7 @@ int check_vrt(const std::filesystem::path& path, Trust trust, CheckedRasters& ch
 void require_readable_file(const std::filesystem::path& path, const char* expected,
                            const char* folder_hint = "give the path of a file");
 
+/// What the heights of an ASCII grid are.
 enum class AsciiNumbers { real, integers };
 
 /// Throws Error(bad_input) with the line unless the heights of an ASCII grid (ESRI, GRASS) are there and are
