@@ -4,6 +4,7 @@ import pathlib
 import tempfile
 import unittest
 
+import api_page
 import code_rules
 import file_limits
 import hops
@@ -31,6 +32,9 @@ SOUND = {
     "tests/ocean/advance_test.cpp": '#include "host/ocean/ocean.cpp"\nauto s = R"(#include "nowhere.h")";\n',
     "docs/architecture.md": hops.HEADING + "\n\n| value | name | at most | way | others |\n|---|---|---|---|---|\n"
     "| depth | `depth_m` | 2 | `kernels/shared/params.h` | |\n\n## Next\n",
+    "docs/api.md": "From `examples/sea.cpp`:\n```cpp\nsea.at(1);\n```\n| `host/base` | errors |\n| `kernels/shared` | |\n",
+    "examples/sea.cpp": "// Shows a sea.\nint main() {\n  sea.at(1);\n}\n",
+    "examples/CMakeLists.txt": "add_executable(sea sea.cpp)\n",
     "docs/guide.md": "[index](../kernels/README.md), [web](https://example.org), `host/ocean`\n",
 }
 
@@ -61,6 +65,12 @@ class HouseChecks(unittest.TestCase):
             '#include "host/ocean/ocean.cpp"\n',
             "host/base/error.h:1: host/base must not include host/ocean",
         )
+
+    def test_page_shows_code_of_no_example(self):
+        self.assert_finds(api_page, "examples/sea.cpp", "int main() {\n  sea.at(2);\n}\n", "has no line, or not there: sea.at(1);")
+
+    def test_page_lacks_a_folder(self):
+        self.assert_finds(api_page, "host/sky/sun.h", "#pragma once\n", "no row for host/sky")
 
     def test_simulations_include_each_other(self):
         self.write("host/terrain/height.h", "")
