@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -16,6 +17,7 @@ class DisjointSets {
     std::iota(parents_.begin(), parents_.end(), 0u);
   }
 
+  /// The item that stands for a set, as another item of it sees that.
   struct Root {
     std::uint32_t index;
     bool is_turned;  ///< against the root
@@ -33,6 +35,7 @@ class DisjointSets {
     return {item, is_turned};
   }
 
+  /// How an item stands to another of its set, for example whether two faces turn the same way.
   enum class Relation : std::uint8_t { same, turned };
 
   /// Joins two things; false if they are in one set already with the other relation.

@@ -4,6 +4,7 @@
 
 namespace offing {
 
+/// How much programs print: quiet, errors only; verbose, details too.
 enum class Verbosity { quiet, normal, verbose };
 
 /// Sends log lines to stderr as "level: text" and sets how many of them: quiet = errors only. Results of

@@ -30,6 +30,7 @@ struct ExrImage {
 
 /// What was read; channels and attributes are sorted by name.
 struct ExrContent {
+  /// Values under a name, "c0.displacement.X".
   struct Channel {
     std::string name;
     std::vector<float> values;  ///< [height][width]
@@ -42,7 +43,9 @@ struct ExrContent {
   const std::vector<float>& channel(const std::string& name) const;
 };
 
+/// How channels are stored.
 enum class PixelType { half_16, float_32 };
+/// OpenEXR's lossless compressions.
 enum class ExrCompression { none, zips, zip, piz };
 
 /// Writes a scan line EXR, atomically (AtomicFile). Equal images give equal bytes: no clock, no host name,

@@ -10,6 +10,7 @@ namespace offing {
 /// names of a header or a key, joined by dots, and brackets.
 inline constexpr int most_toml_levels = 32;
 
+/// A place in a text, both counted from 1.
 struct TomlPlace {
   std::size_t line = 1, column = 1;
 };

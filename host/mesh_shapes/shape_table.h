@@ -20,6 +20,7 @@ struct ShapeOrder {
 
 /// A value of a shape beside its size.
 struct ShapeNumber {
+  /// A length in metres, or a whole number.
   enum class Kind { length, count };
   std::string_view flag;  ///< of `offing-mesh generate`
   std::string_view help;

@@ -13,6 +13,7 @@ typedef struct _cl_device_id* cl_device_id;
 /// The OpenCL devices of this machine: what they report, and which one a name means.
 namespace offing::ocl {
 
+/// Kinds of OpenCL devices.
 enum class DeviceType { cpu, gpu, accelerator, other };
 
 /// What a device reports, after the corrections of quirks.h.

@@ -26,7 +26,7 @@ class Defines {
 /// A compiled OpenCL program.
 ///
 /// Its source is an embedded file (kernels/...) in which each `#include "path/below/kernels"` is replaced by
-/// that file, with #line so that compiler messages name the true file and line. OFFING_KERNEL_PATH names a
+/// that file, with `#line` so that compiler messages name the true file and line. OFFING_KERNEL_PATH names a
 /// folder whose files replace the embedded ones of the same name. Binaries are cached under
 /// $OFFING_CACHE_DIR, else $XDG_CACHE_HOME/offing, else
 /// ~/.cache/offing; a damaged or foreign cache entry is rebuilt, never fatal; OFFING_CACHE_DIR= (empty) turns

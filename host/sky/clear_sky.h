@@ -89,7 +89,7 @@ class ClearSky {
 };
 
 /// The radiance function of kernels/sky/clear_sky.clh as GLSL, for `#version 330 core` and later: the very
-/// text that OpenCL compiles, to be placed behind the shader's #version line. Gives
+/// text that OpenCL compiles, to be placed behind the shader's `#version` line. Gives
 ///
 ///   struct SkyParams                                           // std140: the bytes of ClearSky::params()
 ///   vec3 sky_radiance(SkyParams sky, sampler2D view_table, vec3 direction)
@@ -99,7 +99,7 @@ class ClearSky {
 /// sky; };` and samplers of two RGBA32F textures that hold ClearSky::view_table() and depth_table(), row for
 /// row.
 ///
-/// #line keeps messages at the lines of the files, which are numbered from 1 in the order that a comment at
+/// `#line` keeps messages at the lines of the files, which are numbered from 1 in the order that a comment at
 /// the top gives. OFFING_KERNEL_PATH is honoured as in ocl::Program. Throws Error(build_failed) as that does.
 std::string clear_sky_glsl();
 

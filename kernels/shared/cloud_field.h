@@ -18,6 +18,7 @@ typedef struct {
   float amplitude;                                  // of the octave in units of the sum's deviation
 } CloudOctave;
 
+// Shape of a cloud's density: its cells and noise.
 typedef struct {
   float cell_m;
   float blend, strength, wisp, edge;  // C3

@@ -43,6 +43,7 @@ typedef struct {
   unsigned int phase_table;  // which of the tables
 } CloudScattering;
 
+// A distant light.
 typedef struct {
   float x, y, z;           // unit, toward the sun
   float red, green, blue;  // klx

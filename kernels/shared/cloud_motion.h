@@ -2,6 +2,7 @@
 #ifndef OFFING_KERNELS_SHARED_CLOUD_MOTION_H
 #define OFFING_KERNELS_SHARED_CLOUD_MOTION_H
 
+// Where the particles of a cloud are at a time.
 typedef struct {
   float drift_x, drift_y, drift_z;  // m, of all
   float along_x, along_y, along_z;  // unit, where the wind blows; zero without wind

@@ -43,6 +43,7 @@ typedef struct {
   int band;  // of Gerstner waves that shoal alike: row SHOAL_FIRST_GERSTNER + band of shared/shoal_params.h
 } SurfaceQueryWave;
 
+// Cascades and what is asked, the same for all points of a query.
 typedef struct {
   int tile_step_high[4];  // of each cascade: from tile to tile in 2^-64 of the patch
   int tile_step_low[4];

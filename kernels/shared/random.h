@@ -13,8 +13,7 @@ typedef ulong offing_uint64;
 #define OFFING_RANDOM_INLINE inline
 typedef std::uint32_t offing_uint32;
 typedef std::uint64_t offing_uint64;
-// Only the C form of a cast means the same to both compilers.
-#pragma GCC diagnostic push
+#pragma GCC diagnostic push  // only the C form of a cast means the same to both compilers
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #endif
 
@@ -49,6 +48,7 @@ typedef std::uint64_t offing_uint64;
 // Merging samples of clouds: n, m and index are a block, counted from the lowest one.
 #define OFFING_STREAM_CLOUD_MERGING 0xb1000005u
 
+// Four words of a counter, or of random bits.
 typedef struct {
   offing_uint32 v[4];
 } PhiloxBlock;

@@ -15,6 +15,7 @@
 #define TERRAIN_UP_ALWAYS 1
 #define TERRAIN_UP_WITH_PARENT 2  // when it has left the parent too
 
+// A height field with its maximum mipmap.
 typedef struct {
   int columns;             // posts in a row
   int cells_x, cells_z;    // a post less than columns and rows
@@ -49,6 +50,7 @@ typedef struct {
   float limit_m;  // hits beyond are misses
 } TerrainRay;
 
+// What a ray hits first.
 typedef struct {
   float distance_m;    // +inf is a miss; then all but steps is 0
   int kind;            // TERRAIN_MISS ...

@@ -8,6 +8,7 @@
 #define TERRAIN_FEW_RAYS 1  // a quarter of many
 #define TERRAIN_MANY_RAYS 2
 
+// Sun, sky and air over terrain, and where its cover changes.
 typedef struct {
   float sun_red_klx, sun_green_klx, sun_blue_klx;  // on a surface that faces the sun
   float sky_red_klx, sky_green_klx, sky_blue_klx;  // on a level surface, by the sky alone

@@ -3,6 +3,7 @@
 #ifndef OFFING_KERNELS_SHARED_TERRAIN_LOOK_H
 #define OFFING_KERNELS_SHARED_TERRAIN_LOOK_H
 
+// Where the colours of terrain lie, the sky that its posts see, and heights that are not drawn.
 typedef struct {
   // Of the finest level; each further one has half as many, rounded up. No columns: no colours.
   int colour_columns, colour_rows, colour_levels;
@@ -11,8 +12,8 @@ typedef struct {
   // Shares of the sky stand at every so many posts, and at the last ones. 0: there are none.
   int open_sky_stride;
   int open_sky_columns, open_sky_rows;
-  // Ground lower than hidden_below_m, less hidden_bend_perm times the square of its distance, is under water that is
-  // drawn over it: it counts as missed, and so does what is higher than hidden_above_m.
+  // Ground lower than hidden_below_m, less hidden_bend_perm times the square of its distance, is under water
+  // that is drawn over it: it counts as missed, and so does what is higher than hidden_above_m.
   float hidden_below_m, hidden_bend_perm, hidden_above_m;
 } TerrainLook;
 

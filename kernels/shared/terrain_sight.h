@@ -8,6 +8,7 @@
 #define SIGHT_UNDECIDED 1
 #define SIGHT_VISIBLE 255
 
+// An eye and the targets that it may see.
 typedef struct {
   int cell_x, cell_z;                    // the eye is at cell + fraction
   float fraction_x, fraction_z;          // 0 ... 1

@@ -70,6 +70,11 @@ class ManPagesTest(unittest.TestCase):
         for line in text.split("\n"):
             self.assertIn(line, [line.strip() for line in rendered.splitlines()])
 
+    # Fails if a minus is written as a hyphen, which some systems show as another sign: flags cannot be copied then.
+    def test_every_minus_is_one(self):
+        for name, text in PAGES.items():
+            self.assertNotRegex(text, r"(?<!\\)-", name)
+
     # Fails if a page is no valid manual page for programs other than groff.
     @unittest.skipUnless(shutil.which("mandoc"), "no mandoc (package mandoc)")
     def test_mandoc_finds_no_errors(self):

@@ -4,12 +4,14 @@ import pathlib
 import tempfile
 import unittest
 
+import api_page
 import code_rules
 import file_limits
 import hops
 import include_arrows
 import layout
 import links
+import sentences
 import shared_headers
 import stems
 import words
@@ -31,6 +33,9 @@ SOUND = {
     "tests/ocean/advance_test.cpp": '#include "host/ocean/ocean.cpp"\nauto s = R"(#include "nowhere.h")";\n',
     "docs/architecture.md": hops.HEADING + "\n\n| value | name | at most | way | others |\n|---|---|---|---|---|\n"
     "| depth | `depth_m` | 2 | `kernels/shared/params.h` | |\n\n## Next\n",
+    "docs/api.md": "From `examples/sea.cpp`:\n```cpp\nsea.at(1);\n```\n| `host/base` | errors |\n| `kernels/shared` | |\n",
+    "examples/sea.cpp": "// Shows a sea.\nint main() {\n  sea.at(1);\n}\n",
+    "examples/CMakeLists.txt": "add_executable(sea sea.cpp)\n",
     "docs/guide.md": "[index](../kernels/README.md), [web](https://example.org), `host/ocean`\n",
 }
 
@@ -54,6 +59,14 @@ class HouseChecks(unittest.TestCase):
         self.assertEqual(len(faults), 1, faults)
         self.assertIn(fault, faults[0])
 
+    def test_long_sentence(self):
+        page = "Short one. " + " ".join(["word"] * 31) + " e.g. here. `a b` c.\n"
+        self.assert_finds(sentences, "docs/long.md", page, "docs/long.md:1: a sentence of 33 words")
+
+    def test_long_sentence_of_a_help_text(self):
+        row = "| `--a` | " + " ".join(["word"] * 31) + " |\n"
+        self.assert_finds(sentences, "docs/reference/a.md", row, "docs/reference/a.md:1: a sentence of 31 words")
+
     def test_lower_folder_includes_higher(self):
         self.assert_finds(
             include_arrows,
@@ -61,6 +74,12 @@ class HouseChecks(unittest.TestCase):
             '#include "host/ocean/ocean.cpp"\n',
             "host/base/error.h:1: host/base must not include host/ocean",
         )
+
+    def test_page_shows_code_of_no_example(self):
+        self.assert_finds(api_page, "examples/sea.cpp", "int main() {\n  sea.at(2);\n}\n", "has no line, or not there: sea.at(1);")
+
+    def test_page_lacks_a_folder(self):
+        self.assert_finds(api_page, "host/sky/sun.h", "#pragma once\n", "no row for host/sky")
 
     def test_simulations_include_each_other(self):
         self.write("host/terrain/height.h", "")

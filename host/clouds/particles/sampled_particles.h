@@ -11,6 +11,7 @@
 
 namespace offing::clouds {
 
+/// How particles are drawn from a volume.
 struct SamplingOptions {
   Sampling sampling = Sampling::uniform;
   int target_particles = 1000;

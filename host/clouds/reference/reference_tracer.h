@@ -22,6 +22,7 @@ struct TracedView {
 /// Pixels [height][width], row 0 at the top: scattered light, kcd/m2, premultiplied, and opacity.
 using LightImage = std::vector<glm::vec4>;
 
+/// What a camera sees, as one image and by the number of times that light was scattered.
 struct TracedImage {
   LightImage image;
   std::vector<LightImage>

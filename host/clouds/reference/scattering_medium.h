@@ -12,6 +12,7 @@
 
 namespace offing::clouds {
 
+/// A half-line in the frame of the medium, m.
 struct Ray {
   glm::dvec3 origin_m{0.0};
   glm::dvec3 direction{0.0, 0.0, -1.0};  ///< unit

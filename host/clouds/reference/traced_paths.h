@@ -17,6 +17,7 @@
 
 namespace offing::clouds {
 
+/// How many paths are traced, and how.
 struct TraceOptions {
   int samples = 1024;  ///< paths of a ray, a pixel, a view or a light
   std::uint64_t seed = 1;

@@ -65,6 +65,7 @@ enum class BillboardSet { crisp, soft };
 /// Diameters for which droplet phase functions are known (Jendersie & d'Eon 2023), um.
 inline constexpr double smallest_droplet_um = 5.0, largest_droplet_um = 50.0;
 
+/// How a cloud scatters light, and how its particles are drawn.
 struct CloudLook {
   double extinction_per_m = 0.02;  ///< of density 1
   glm::dvec3 albedo{0.9999};       ///< of single scattering
@@ -156,6 +157,7 @@ struct CloudLight {
   bool operator==(const CloudLight&) const = default;
 };
 
+/// All light that falls on a cloud.
 struct CloudIllumination {
   std::vector<CloudLight> suns;
   glm::dvec3 sky_kcdpm2{0.0};     ///< mean radiance of the upper hemisphere

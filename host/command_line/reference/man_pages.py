@@ -75,7 +75,7 @@ def see_also(all_trees, tree, command):
 def page(all_trees, tree, command):
     name = trees.page_name(command)
     lines = [
-        rf".\" Made by host/command_line/reference from what `{tree['program']} \-\-print\-commands` prints.",
+        r'.\" Made by host/command_line/reference from the options of the program.',
         f'.TH {escaped(name.upper())} 1 "" "Offing {escaped(tree["version"])}" "User commands"',
         ".ad l",
         ".nh",

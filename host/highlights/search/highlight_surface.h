@@ -32,6 +32,7 @@ class VertexLinks {
   std::vector<std::uint32_t> faces_;       // [3 faces]
 };
 
+/// How a mesh is prepared before highlights are searched on it.
 struct SurfaceOptions {
   /// Rounds in which each normal becomes the mean of itself and those around: fewer highlights on noisy
   /// scans.

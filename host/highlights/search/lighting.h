@@ -11,6 +11,7 @@ namespace offing::highlights {
 
 /// An eye or a light: at a place, or so far away that only the direction to it counts.
 struct Source {
+  /// What the vector is.
   enum class Kind { direction, place };
   Kind kind = Kind::direction;
   glm::dvec3 vector{0.0, 1.0, 0.0};  ///< toward it, of any length above 0; or where it is, in metres

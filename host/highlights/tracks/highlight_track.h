@@ -18,6 +18,7 @@ struct TrackLimits {
   double fade_per_s = 4.0;    ///< of the opacity
 };
 
+/// How highlights are followed over time.
 struct TrackOptions {
   double step_s = 1.0 / 60.0;  ///< time between searches
   HighlightSize size{};        ///< a cap of 0 stands for that of default_size()
@@ -43,6 +44,7 @@ struct NearestPlace {
 /// One highlight through time.
 struct HighlightTrack {
   std::uint64_t id = 0;  ///< counts births since reset()
+  /// Found in the last search, or fading out since it was lost.
   enum class State { alive, fading };
   State state = State::alive;
   HighlightPoint point;         ///< where N = H, or was

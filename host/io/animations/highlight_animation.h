@@ -42,6 +42,7 @@ struct MeshFrame {
   std::vector<ProjectorSample> projectors;
 };
 
+/// A mesh of an animation, with its pose and highlights in each frame.
 struct AnimatedMesh {
   std::string name;
   std::string file;    ///< as it is to be named; empty for made shapes

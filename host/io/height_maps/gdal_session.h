@@ -33,11 +33,14 @@ class GdalSession {
   std::string first_failure_;
 };
 
+/// How a Dataset ends.
 struct CloseDataset {
   void operator()(void* dataset) const { GDALClose(dataset); }
 };
+/// An open raster, of the GDALDatasetH that it holds.
 using Dataset = std::unique_ptr<void, CloseDataset>;
 
+/// How a SpatialReference ends.
 struct DestroySpatialReference {
   void operator()(void* reference) const { OSRDestroySpatialReference(reference); }
 };

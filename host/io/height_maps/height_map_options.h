@@ -18,6 +18,7 @@ enum class HeightEncoding {
 
 /// Samples of a file without a header.
 enum class RawType { unsigned_16, signed_16, float_32 };
+/// Of samples of more than one byte.
 enum class ByteOrder { little_endian, big_endian };
 
 /// What coordinates count in, where the file does not say.

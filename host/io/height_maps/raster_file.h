@@ -43,6 +43,7 @@ bool is_real_grid(const std::filesystem::path& path, Trust trust);
 /// check_raster() for a file that is a VRT.
 int check_vrt(const std::filesystem::path& path, Trust trust, CheckedRasters& checked, int depth);
 
+/// What the heights of an ASCII grid are.
 enum class AsciiNumbers { real, integers };
 
 /// Throws Error(bad_input) with the line unless the heights of an ASCII grid (ESRI, GRASS) are there and are

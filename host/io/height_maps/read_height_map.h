@@ -40,6 +40,7 @@ struct HeightMapSource {
   float lowest_m = 0.0f, highest_m = 0.0f;  ///< of posts that are no voids
 };
 
+/// A height map, and what its file says about it.
 struct HeightMapFile {
   HeightMap map;
   HeightMapSource source;

@@ -24,6 +24,7 @@ struct MeshReport {
   std::vector<LeftOut> left_out;   ///< counts above 0
 };
 
+/// A mesh, and what reading it found.
 struct MeshFile {
   TriangleMesh mesh;
   MeshReport report;

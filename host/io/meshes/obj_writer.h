@@ -31,6 +31,7 @@ class ObjWriter {
     flush_if_long();
   }
 
+  /// Whether a corner has a normal, of the index of its vertex.
   enum class Normals { none, same_index };
 
   void put_triangle(const std::array<std::uint32_t, 3>& corners, Normals normals) {

@@ -11,23 +11,28 @@
 /// PLY files: the header, and the values after it.
 namespace offing::meshes {
 
+/// The types of values in a PLY.
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+/// How the values of a PLY are written.
 enum class PlyEncoding { text, little_endian, big_endian };
 
 std::size_t bytes_of(PlyType type);
 
+/// A value, or a list of values, that each row of an element has.
 struct PlyProperty {
   std::string name;
   PlyType type;
   std::optional<PlyType> count_type;  ///< of a list: the whole number before its values
 };
 
+/// A table of a PLY, such as its vertices: rows of the same properties.
 struct PlyElement {
   std::string name;
   std::size_t count = 0;
   std::vector<PlyProperty> properties;  ///< never empty where count > 0
 };
 
+/// What a PLY says about its values before they begin.
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::text;
   std::vector<PlyElement> elements;

@@ -23,6 +23,7 @@ struct PlyColumn {
 /// if it cannot be written.
 class PlyWriter {
  public:
+  /// How many rows will be written.
   struct Counts {
     std::size_t vertices, faces;
   };

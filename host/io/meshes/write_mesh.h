@@ -20,6 +20,7 @@ struct VertexProperty {
 
 using Colour8 = std::array<std::uint8_t, 3>;  ///< red, green, blue, sRGB
 
+/// What a PLY holds beside the mesh itself.
 struct VertexAttributes {
   std::vector<VertexProperty> properties;  ///< in this order
   std::span<const Colour8> colours;        ///< [vertices], or none

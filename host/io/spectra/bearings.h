@@ -4,6 +4,7 @@
 
 namespace offing::spectra {
 
+/// One degree.
 inline constexpr double degree_rad = std::numbers::pi / 180.0;
 
 /// Directions of travel, rad from +x (east) toward +z (south), from what files write. The frame has z to the

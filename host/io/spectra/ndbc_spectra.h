@@ -49,8 +49,9 @@ struct NdbcCompanionPaths {
   std::filesystem::path r2;
 };
 
-/// Realtime: <station>.data_spec goes with .swdir .swdir2 .swr1 .swr2. Historical: <station>w<year>.txt goes
-/// with the letters d (alpha1), i (alpha2), j (r1) and k (r2) in place of the w. Nothing for other names.
+/// Realtime: `<station>.data_spec` goes with .swdir .swdir2 .swr1 .swr2. Historical: `<station>w<year>.txt`
+/// goes with the letters d (alpha1), i (alpha2), j (r1) and k (r2) in place of the w. Nothing for other
+/// names.
 std::optional<NdbcCompanionPaths> ndbc_companion_paths(const std::filesystem::path& path);
 
 }  // namespace offing::spectra

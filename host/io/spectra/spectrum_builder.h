@@ -67,6 +67,7 @@ void set_density(WaveSpectrum& spectrum, std::span<const double> density, const 
 
 /// An instrument's frequency: the moments it reported, if any, in decreasing completeness.
 struct ReportedMoments {
+  /// None, the first moment, or the first and the second.
   enum class Kind { none, first, both };
   Kind kind = Kind::none;
   DirectionalMoments moments;

@@ -7,7 +7,7 @@
 
 namespace offing::spectra {
 
-/// A file name fit for one line of an error message: control bytes as \xNN, UTF-8 kept.
+/// A file name fit for one line of an error message: control bytes as `\xNN`, UTF-8 kept.
 std::string printable_name(std::string_view name);
 
 /// Takes the first number off `rest`, leading blanks and commas skipped. Reads what Fortran writes: "1.5D-3",

@@ -14,6 +14,7 @@
 
 namespace offing::vdb {
 
+/// Names of what our volumes say beside OpenVDB's own: extinction, 1/m, of density 1.
 inline constexpr const char* extinction_name = "extinction_per_m";
 inline constexpr const char* bricks_name = "bricks";  ///< of the whole volume, from index 0 on
 

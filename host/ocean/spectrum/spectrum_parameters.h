@@ -7,6 +7,7 @@
 
 namespace offing::ocean {
 
+/// Models of a sea's spectrum; sources are in docs/sources.md.
 enum class SpectrumModel { phillips, pierson_moskowitz, jonswap, tma, swell };
 /// TMA's depth factor: Thompson and Vincent's (1983) parabolas, in common use, or Kitaigorodskii's (1975)
 /// exact ratio that they approximate.

@@ -15,6 +15,7 @@ namespace offing::ocean {
 /// 0; the second makes `pair_fields` pairs of real fields from them (O10).
 class ModeTransform {
  public:
+  /// Which kernels, for how many fields.
   struct Request {
     std::string_view first_source, first_kernel;    ///< "ocean/spectrum_advance.cl", "spectrum_advance"
     std::string_view second_source, second_kernel;  ///< "ocean/surface_assemble.cl", "surface_assemble"

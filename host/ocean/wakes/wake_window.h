@@ -42,6 +42,7 @@ struct WakeParameters {
 
 /// A hull as what it presses: its displaced depth is that of an ellipsoid's lower half, or a bell.
 struct WakeHull {
+  /// The form of the displaced depth.
   enum class Shape { ellipsoid, gaussian } shape = Shape::ellipsoid;
   double x_m = 0.0, z_m = 0.0;           ///< its middle
   double heading_rad = 0.0;              ///< of its bow, from +x toward +z

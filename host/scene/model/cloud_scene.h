@@ -41,6 +41,7 @@ struct CloudNoiseScene {
   bool operator==(const CloudNoiseScene&) const = default;
 };
 
+/// How a cloud scatters light; what is absent is as the genus has it.
 struct CloudLookScene {
   std::optional<double> extinction_per_m;
   std::optional<glm::dvec3> albedo;
@@ -51,6 +52,7 @@ struct CloudLookScene {
   bool operator==(const CloudLookScene&) const = default;
 };
 
+/// How a cloud moves; what is absent is as the genus has it.
 struct CloudMotionScene {
   std::optional<glm::dvec3> wind_mps;
   std::optional<double> shear_per_s, drag_s, sway_m;

@@ -12,6 +12,7 @@
 
 namespace offing::scene {
 
+/// Whether a light is infinitely far away, or stands at a place.
 enum class LightKind { direction, place };
 
 /// A light beside the sun.

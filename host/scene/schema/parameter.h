@@ -17,6 +17,7 @@
 
 namespace offing::scene {
 
+/// What a parameter belongs to: its heading in help, and its panel in the window.
 enum class ParameterGroup {
   world,
   time,

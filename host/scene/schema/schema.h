@@ -27,6 +27,7 @@ struct Row {
 
 /// Rows and sections in the order in which they were written, erased.
 struct SchemaNode {
+  /// A section in the section, or a list of such.
   struct Child {
     std::size_t offset;
     const ListAccess* list;  ///< nullptr: one struct
@@ -37,6 +38,7 @@ struct SchemaNode {
   std::vector<std::variant<Parameter, Child>> entries = {};
 };
 
+/// The rows and sections of a struct of the scene: names, units, ranges, help.
 template <class Struct>
 class Schema {
  public:

@@ -10,6 +10,7 @@
 
 namespace offing::terrain {
 
+/// How tall a walker is, and what ground holds him.
 struct WalkerParameters {
   double eye_height_m = 1.7;                                 ///< above the feet, 0 ... 1000
   double slope_limit_rad = 45.0 / 180.0 * std::numbers::pi;  ///< steepest ground that holds, 0.01 ... 1.5
