@@ -31,6 +31,11 @@ function(offing_configure target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
     $<$<BOOL:${OFFING_WARNINGS_AS_ERRORS}>:-Werror>)
+  if(OFFING_UNITY_BUILD)
+    # What g++ takes for a header here is a source, and what its locals shadow may be another source's.
+    target_compile_options(${target} PRIVATE
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage -Wno-shadow -Wshadow=local>)
+  endif()
   # g++ 12 forgets that precompiled headers are the system's, and takes parts of <string> for faults
   # (https://gcc.gnu.org/PR105651): what it says of the flow of values is no error then.
   if(OFFING_PRECOMPILE_HEADERS AND OFFING_WARNINGS_AS_ERRORS)
