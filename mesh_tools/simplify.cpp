@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <boost/optional.hpp>
 
 #include "host/base/progress.h"
 #include "mesh_tools/surface.h"
@@ -28,8 +27,10 @@ class Watch : public sms::Edge_collapse_visitor_base<Surface> {
   Watch(const CancelToken& cancel, Progress& progress, std::size_t collapses)
       : cancel_(&cancel), progress_(&progress), collapses_left_(collapses) {}
 
+  /// A cost is a boost::optional in CGAL 5 and a std::optional in CGAL 6.
+  template <class Cost>
   // NOLINTNEXTLINE(readability-identifier-naming): the name is CGAL's
-  void OnSelected(const Profile& /*edge*/, boost::optional<double> /*cost*/, std::size_t /*initial*/,
+  void OnSelected(const Profile& /*edge*/, const Cost& /*cost*/, std::size_t /*initial*/,
                   std::size_t /*current*/) {
     cancel_->throw_if_cancelled();
     if (collapses_left_ == 0) return;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -11,6 +10,7 @@
 #include <imgui.h>
 
 #include "host/terrain/tiles/tile_posts.h"
+#include "present/panels/imgui_versions.h"
 
 namespace offing::present {
 namespace {
@@ -92,7 +92,7 @@ std::optional<glm::dvec2> MiniMap::draw(const Camera& camera) const {
   ImGui::Begin("Map", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const ImVec2 size(static_cast<float>(width_px_), static_cast<float>(height_px_));
-  ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture_.name())), size);
+  ImGui::Image(texture_id(texture_.name()), size);
   std::optional<glm::dvec2> clicked;
   if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;

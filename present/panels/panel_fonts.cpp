@@ -10,6 +10,8 @@
 #include <imgui_internal.h>
 #include <unistd.h>
 
+#include "present/panels/imgui_versions.h"
+
 namespace offing::present {
 namespace {
 
@@ -41,14 +43,17 @@ bool make_fonts(ImFontAtlas& atlas, const std::vector<SystemFont>& fonts) {
   atlas.Clear();
   atlas.AddFontDefault();
   std::vector<std::vector<ImWchar>> ranges;  // which ImGui reads until the end
+  bool is_made = true;
   for (const SystemFont& font : fonts) {
     ImFontConfig config;
     config.MergeMode = true;
     config.FontNo = font.number;
     ranges.push_back(ranges_of(font.letters));
-    atlas.AddFontFromFileTTF(font.file.c_str(), height_px, &config, ranges.back().data());
+    const ImWchar* letters = imgui_loads_glyphs ? nullptr : ranges.back().data();
+    is_made &= atlas.AddFontFromFileTTF(font.file.c_str(), height_px, &config, letters) != nullptr;
   }
-  const bool is_made = atlas.Build();
+  if (imgui_loads_glyphs) return is_made;
+  is_made &= atlas.Build();
   atlas.ClearInputData();  // files of up to 20 MB
   return is_made;
 }

@@ -6,6 +6,7 @@
 #include <backends/imgui_impl_opengl3.h>
 
 #include "host/base/error.h"
+#include "present/panels/imgui_versions.h"
 
 namespace offing::present {
 
@@ -35,10 +36,7 @@ bool PanelLayer::close_popups() {
 
 void PanelLayer::begin() {
   ImGui_ImplOpenGL3_NewFrame();
-  if (fonts_.update()) {
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
-  }
+  if (fonts_.update()) renew_font_texture();
   if (window_ != nullptr) ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
 }

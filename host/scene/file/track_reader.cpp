@@ -1,5 +1,6 @@
 #include "host/scene/file/track_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
