@@ -14,19 +14,19 @@ from series import growth, ours, paper
 
 PAGE = """# Results
 
-How fast Offing is beside other programs and beside the papers. `./dev bench` measures everything, an hour on a quiet
-machine; `./dev bench --page` writes this page from the CSV files that hold all rows.
-[tests/bench/README.md](../tests/bench/README.md) says how each benchmark works and what its peer is.
+This page compares Offing's speed with other programs ("peers") and with the papers. `./dev bench` measures everything in an
+hour on a quiet machine. `./dev bench --page` writes this page from the CSV files, which hold all rows.
+[tests/bench/README.md](../tests/bench/README.md) describes each benchmark and its peer.
 
 ## How to read it
 
 - Times are medians of interleaved blocks: Offing and its peer take turns in one process. Their results are compared
-  before they are timed.
-- Ratio = peer / Offing: above 1 Offing is faster. Of two peers for the same work, the faster one counts.
-- "a to b" are the values at the smallest and at the largest size. Samples, points, posts and cells
-  are those of one side of a square.
-- Several cameras or maps of one size are a geometric mean.
-- In the CSV files, `ratio_low` is the lower bound of the ratio's 95 % confidence interval, and `spread` the interquartile
+  first, before anything is timed.
+- Ratio = peer / Offing: above 1 Offing is faster. If two peers do the same work, the faster one counts.
+- "a to b" are the values at the smallest and at the largest size. Samples, points, posts and cells are counted along
+  one side of a square.
+- For several cameras or maps of one size, the table shows the geometric mean.
+- In the CSV files, `ratio_low` is the lower bound of the ratio's 95 % confidence interval. `spread` is the interquartile
   range of the blocks' ratios over their median, or of our times where there is no peer.
 
 ## Runs
@@ -39,15 +39,15 @@ This page was written from {row_count} rows; the SHA-256 of all CSV files begins
 
 {summary}
 
-100,000 points in 20 ms are 5 million points a second. GDAL's viewshed is an approximation. The peer of a wake step is told
-what the hull displaces, and its water has no border. The parts of the world are drawn without the island and the clouds
-that its sea mirrors.
+100,000 points in 20 ms are 5 million points per second. GDAL's viewshed is an approximation. The peer of a wake step gets the
+displacement of the hull as input, and its water has no absorbing border. The world's parts are drawn one by one, so that the sea
+of "sum of its parts" mirrors no island and no clouds.
 
 ## Plots
 
 ![Ratio of the peer's time to Offing's over size](results/ratios.svg)
 
-Above the line at 1 Offing is faster than its peer.
+Above the line at 1, Offing is faster than its peer.
 
 ![Times of a transform and of an ocean frame](results/ocean.svg)
 
@@ -55,35 +55,35 @@ Times grow with n to the power {transform_growth} for a transform and {ocean_gro
 
 ![Times of terrain rays and frames](results/terrain.svg)
 
-All maps show the same valleys. A flying frame grows with n posts a side to the power {terrain_growth}, the paper's to
+All maps show the same valleys. The time of a flying frame grows with n posts per side to the power {terrain_growth}, the paper's to
 the power {terrain_paper_growth}.
 
 ![Steps of terrain rays by method](results/steps.svg)
 
-A step is one iteration of a ray's walk. "Never up" is pyramidal displacement mapping; "packets" are 64 pixels that walk
-together on a CPU, of which a ray counts its share.
+A step is one iteration along a ray. "Never up" is pyramidal displacement mapping. "Packets" are 64 pixels that step together
+on a CPU; each ray counts its share of the steps.
 
 ![Stages of frames](results/frames.svg)
 
-{renderer} draws. Each stage was waited for on its own, so that stages need not add up to the whole frame.
+{renderer} draws. The benchmark waits for each stage separately, so stages need not add up to the whole frame.
 
 ![Times of highlights](results/highlights.svg)
 
-The search grows with the number of faces to the power {search_growth}.
+The time of the search grows with the number of faces to the power {search_growth}.
 
 ![Times of clouds](results/clouds.svg)
 
-The cumulus covers half of the picture or more; drawing grows with the number of particles to the power {draw_growth}.
+The cumulus covers half of the picture or more. Drawing time grows with the number of particles to the power {draw_growth}.
 
 ![Times of a wake step](results/wakes.svg)
 
-Most of a small window's step is the hull: 36 places of each cell.
+In a small window, most of a step's time goes to the hull, which is evaluated at 36 points of each cell.
 
 ## Beside the papers
 
-The papers print frames a second on the hardware of their time ([papers.csv](results/papers.csv)); these are times at
-the smallest and the largest size that they print. [sources.md](sources.md) says how the frames differ: rows O15, T13, H12
-and C16. Drawing is on a graphics card there, and by {renderer} here.
+The papers give frames per second on the hardware of their time ([papers.csv](results/papers.csv)). The table has times at
+the smallest and the largest size that they give. Rows O15, T13, H12 and C16 of [sources.md](sources.md) describe how the
+frames differ. The papers draw on a graphics card; here it is {renderer}.
 
 {papers}
 """
