@@ -50,7 +50,8 @@ def cells(text):
     for number, line in enumerate(text.splitlines(), 1):
         if line.startswith("|"):
             for cell in re.split(r"(?<!\\)\|", line):
-                yield number, cell
+                # A line of a help text stands by itself.
+                yield from ((number, line_of_cell) for line_of_cell in cell.split("<br>"))
 
 
 def check(repository):

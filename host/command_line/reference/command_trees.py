@@ -102,7 +102,7 @@ def prose(command):
         lines = block.split("\n")
         if not block.strip() or re.match(r"Examples?:|Exit codes:", block):
             continue
-        if all(line.startswith("  ") for line in lines):
+        if all(re.match(r"  +\S.*?\S?  +\S", line) for line in lines):
             blocks.append([re.split(r"  +", line.strip(), maxsplit=1) for line in lines])
         else:
             blocks.append(" ".join(line.strip() for line in lines))

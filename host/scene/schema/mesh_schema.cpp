@@ -185,8 +185,8 @@ std::vector<Row<MeshScene>> mesh_look_rows() {
            needs_steps},
           {&MeshScene::cartoon_ramp,
            {.key = "cartoon_ramp",
-            .help = "PNG whose middle row gives the light in place of steps, for shading = \"cartoon\": "
-                    "that of a surface that lights graze at its left, of one that faces them at its right",
+            .help = "PNG whose middle row gives the light in place of steps, for shading = \"cartoon\". "
+                    "Its left end is for a surface that lights graze, its right end for one that faces them",
             .example = "ramp.png",
             .absent = "none: equal steps",
             .rule = ParameterRule::file_name},
