@@ -33,27 +33,27 @@ TEST(SceneGuide, ListsEveryKey) {
   EXPECT_EQ(text_of(OFFING_SCENE_KEYS), expected);
 }
 
-/// The example between two headings.
-Scene example_between(const std::string& heading, const std::string& next) {
+/// The first example below a heading.
+Scene example_below(const std::string& heading) {
   const std::string guide = read_guide();
-  const std::size_t start = guide.find("    version = 1\n", guide.find(heading)), end = guide.find(next);
+  const std::size_t start = guide.find("version = 1\n", guide.find(heading)), end = guide.find("\n```", start);
   return parse_scene(guide.substr(start, end - start), "scenes.md", "");
 }
 
 // Fails if the guide's examples are no scenes.
 TEST(SceneGuide, ItsExamplesAreScenes) {
-  const Scene scene = example_between("# Scenes", "\n## Commands for authors");
+  const Scene scene = example_below("# Scenes");
   EXPECT_EQ(scene.ocean.swells.size(), 1u);
   EXPECT_EQ(scene.ocean.raindrops.size(), 1u);
   EXPECT_EQ(scene.tracks.size(), 2u);
   EXPECT_TRUE(scene.view.sun_time_utc);
-  EXPECT_TRUE(example_between("## The ground", "\n## Meshes").terrain.is_given);
-  const Scene head = example_between("## Meshes", "\n## Clouds");
+  EXPECT_TRUE(example_below("## The ground").terrain.is_given);
+  const Scene head = example_below("## Meshes");
   ASSERT_EQ(head.meshes.size(), 2u);
   EXPECT_EQ(head.meshes[0].highlights.size(), 2u);
   EXPECT_EQ(head.tracks.size(), 5u);
   EXPECT_EQ(mesh_rules_at(head, 0.0)[0][1].light, 0);
-  const Scene sky = example_between("## Clouds", "\n## Scenes from strangers");
+  const Scene sky = example_below("## Clouds");
   EXPECT_EQ(sky.cloud_layers.size(), 1u);
   ASSERT_EQ(sky.clouds.size(), 1u);
   EXPECT_EQ(sky.clouds[0].balls.size(), 2u);
