@@ -16,6 +16,7 @@ typedef struct _cl_command_queue* cl_command_queue;
 
 namespace offing::ocl {
 
+/// Whether the device keeps the times of its work, which events then give.
 enum class Profiling { off, on };
 
 namespace detail {

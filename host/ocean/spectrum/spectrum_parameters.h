@@ -12,6 +12,7 @@ enum class SpectrumModel { phillips, pierson_moskowitz, jonswap, tma, swell };
 /// TMA's depth factor: Thompson and Vincent's (1983) parabolas, in common use, or Kitaigorodskii's (1975)
 /// exact ratio that they approximate.
 enum class DepthFactor { thompson_vincent, kitaigorodskii };
+/// Models of the spreading over directions; sources are in docs/sources.md.
 enum class SpreadingModel { cosine_2s, mitsuyasu, hasselmann, donelan_banner, phillips_cosine };
 
 /// How energy spreads over directions around the mean direction of travel.

@@ -19,6 +19,7 @@ inline constexpr std::string_view bench_section = "bench";
 /// The reader stops after so many: a hostile scene may have a fault in each of millions of keys.
 inline constexpr std::size_t most_faults = 1000;
 
+/// A scene as read, and what is wrong with its file.
 struct SceneReading {
   Scene scene;                             ///< of the parts without faults
   std::vector<Error> errors = {};          ///< in the file's order, at most most_faults
