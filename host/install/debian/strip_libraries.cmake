@@ -1,7 +1,0 @@
-# Runs before CPack makes a package: removes from static libraries what linking does not need, as Debian asks.
-file(GLOB_RECURSE archives ${CPACK_TEMPORARY_DIRECTORY}/*.a)
-if(archives)
-  execute_process(
-    COMMAND strip --strip-debug --remove-section=.comment --remove-section=.note --enable-deterministic-archives ${archives}
-    COMMAND_ERROR_IS_FATAL ANY)
-endif()
