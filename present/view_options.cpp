@@ -70,6 +70,12 @@ std::vector<scene::Row<ViewOptions>> picture_rows() {
             .help = "frame rate that a window keeps by lowering quality; 0: never lowers it",
             .example = "20",
             .absent = "20 where the CPU draws, else 0"}},
+          {&ViewOptions::render_scale,
+           {.key = "render_scale",
+            .low = 0.1,
+            .high = 1.0,
+            .help = "pixels that a window draws per pixel it shows, along a side; less is faster",
+            .example = "0.5"}},
           {&ViewOptions::time_s, time_facts("time to show", "the scene's start")}};
 }
 
@@ -228,6 +234,10 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
   if (options.kept_hz && (!options.opens_window || options.recording)) {
     throw bad_argument("--keep-fps", "a window to be looked at", "pictures into files",
                        "none: they have all detail");
+  }
+  if (written.view.is_given("--render-scale") && (!options.opens_window || options.recording)) {
+    throw bad_argument("--render-scale", "a window to be looked at", "pictures into files",
+                       "--size sets how large they are");
   }
   if (written.is_paused && (!options.opens_window || options.recording)) {
     refuse("--paused: expected a window without a recording, which is where time runs",

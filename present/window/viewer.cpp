@@ -87,6 +87,7 @@ Viewer::Viewer(const ViewOptions& options, const CancelToken& cancel)
   options_.scene.view.camera = sea_.scene().view.camera;  // which the ground may have placed
   scene_list_.follow(options_.scene_file);
   state_.kept_hz = start_kept_hz(options, context_.capabilities());
+  state_.render_scale = static_cast<float>(options.render_scale);
   if (options.starts_paused) state_.clock.toggle_pause();
   if (options.recording) recorder_.emplace(*options.recording);
   spdlog::info("OpenGL {} ({}); OpenCL {}; transfer {}", context_.capabilities().version,

@@ -213,6 +213,8 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
           "--time: expected neither --record nor --video");
   refused({scene(), "--paused", "-o", path("refused.png")}, "--paused: expected a window");
   refused({scene(), "--keep-fps", "20", "-o", path("refused.png")}, "--keep-fps: expected a window");
+  refused({scene(), "--render-scale", "0.5", "-o", path("refused.png")}, "--render-scale: expected a window");
+  refused({scene(), "--render-scale", "0"}, "--render-scale: expected a number");
   refused({scene(), "--keep-fps", "many"}, "--keep-fps: expected a number");
   refused({scene(), "--record", path("a_%d.jpg")}, "name it a_%d.png");
   refused({scene(), "--record", path("a_%d.png"), "--frames", "0:5", "-o", path("./a_3.png")},

@@ -64,7 +64,9 @@ TEST_F(WindowPanelsTest, Views) {
 
 // Fails if a smaller picture is not drawn, or frames come faster than the limit.
 TEST_F(WindowPanelsTest, ImageAndPace) {
-  open(quick_options());
+  present::ViewOptions options = quick_options();
+  options.render_scale = 1.0;
+  open(options);
   toggle_header("View");
   const int usual = width();
   const Spot scale = find(main_panel(), "render scale", 100);
@@ -154,6 +156,7 @@ TEST_F(WindowPanelsTest, RecordingsEndWithTheirScene) {
 TEST_F(WindowPanelsTest, RecordingsFitTheirVideo) {
   const StandInFfmpeg ffmpeg;
   present::ViewOptions options = quick_options();
+  options.render_scale = 1.0;
   options.size = present::ImageSize{161, 91};
   options.starts_paused = false;
   options.recording = {.video = "a.mp4", .frames = {0, 1}, .frames_per_second = 10.0};

@@ -50,6 +50,7 @@ present::ViewOptions WindowTest::quick_options() {
   options.time_s = 2.0;
   options.starts_paused = true;
   options.kept_hz = 0.0;
+  options.render_scale = 0.3;
   options.verbosity = Verbosity::quiet;
   return options;
 }
@@ -217,7 +218,7 @@ WindowTest::Spot WindowTest::find_triple(ImGuiWindow* window, const std::string&
 }
 
 WindowTest::Spot WindowTest::find_item(ImGuiWindow* window, const std::string& label, unsigned id, int x_px) {
-  constexpr int step_px = 7;  // less than a row is high
+  constexpr int step_px = 12;  // less than the lowest button is high
   const int x = static_cast<int>(window->Pos.x) + x_px;
   for (int screen = 0; screen < 10; ++screen) {
     const int top = static_cast<int>(window->InnerRect.Min.y),

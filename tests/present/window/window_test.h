@@ -31,7 +31,7 @@ class WindowTest : public testing::Test {
   void SetUp() override;
   void TearDown() override;
 
-  /// A small sea, seen by a camera that looks at the sky: frames are quick to draw.
+  /// A small sea, seen by a camera that looks at the sky, in few pixels: frames are quick to draw.
   static present::ViewOptions quick_options();
   /// Opens the window, paused, as large as the display allows.
   void open(const present::ViewOptions& options);
