@@ -43,7 +43,7 @@ void add_check_command(CLI::App& program, Options& options) {
   CLI::App* command =
       program.add_subcommand("check", "report faults and figures of a mesh before it is used");
   command->add_option("FILE", arguments->input, "mesh: .obj, .ply, .off, .stl, .gltf, .glb")->required();
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_trust_flag(*command, arguments->trust);
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(

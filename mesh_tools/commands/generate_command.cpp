@@ -147,7 +147,7 @@ void add_shape(CLI::App& generate, Options& options, const ShapeRow& row) {
                                  : "mesh: .ply, .obj, .off, .stl")
       ->required()
       ->type_name("OUT");
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_force_flag(*command, arguments->existing);
   add_verbosity_flags(*command, options.verbosity);
   if (row.has_truth && row.level == 0) {

@@ -159,7 +159,7 @@ void add_clouds_info_command(CLI::App& parent, GlobalOptions& options) {
       ->required();
   command->add_option("--grid", arguments->grid, "which grid of a .vdb (default: density)")
       ->type_name("NAME");
-  command->add_flag("--json", arguments->json, "the same for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(

@@ -266,7 +266,7 @@ void add_highlights_command(CLI::App& app, GlobalOptions& options) {
   arguments->frames.add_frames_to(*command, group);
   arguments->frames.add_fps_to(*command, group);
   add_force_flag(*command, arguments->existing);
-  command->add_flag("--json", arguments->json, "a summary for scripts");
+  command->add_flag("--json", arguments->json, "print the summary as JSON");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(

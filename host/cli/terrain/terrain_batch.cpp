@@ -32,7 +32,8 @@ void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::s
                             ->excludes(command.get_option(single))
                             ->excludes(command.get_option("--json"));
   command
-      .add_option("-o,--output", output_, "CSV to write, whole or not at all (default or -: standard output)")
+      .add_option("-o,--output", output_,
+                  "CSV file to write, complete or not at all (- or default: standard output)")
       ->type_name("FILE")
       ->group(batch_group)
       ->needs(points);

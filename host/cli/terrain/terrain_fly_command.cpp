@@ -497,7 +497,7 @@ void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
       "memory");
   arguments->map_flags.add_to(*command);
   add_force_flag(*command, arguments->existing);
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(

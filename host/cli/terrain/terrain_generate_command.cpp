@@ -129,7 +129,7 @@ void add_terrain_generate_command(CLI::App& terrain, GlobalOptions& options) {
       ->required();
   arguments->terrain.add_to(*command, terrain_rows());
   add_force_flag(*command, arguments->existing);
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
 The same seed gives the same ground, whatever the number of posts. Rows are written as they are made.

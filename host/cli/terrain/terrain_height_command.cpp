@@ -80,7 +80,7 @@ void add_terrain_height_command(CLI::App& terrain, GlobalOptions& options) {
   command->add_option("--at", arguments->at, "where, m")->type_name("X,Z");
   command->add_flag("--smooth-normals", arguments->smooth_normals,
                     "normal and slope without creases, from posts around the patch; default its own");
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   arguments->batch.add_to(
       *command,
       {.names = {"x_m", "z_m"}, .meaning = "for each point, its x and z in m", .example = "1200,350.5"},

@@ -110,7 +110,7 @@ const char* name_of(const HeightMapOptions& options) {
 }
 
 nlohmann::ordered_json info_json(const TerrainInfoArguments& arguments, const HeightMapOptions& options,
-                               const HeightMapFile& file) {
+                                 const HeightMapFile& file) {
   const auto& [map, source] = file;
   const auto or_null = [](const std::optional<double>& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
@@ -196,7 +196,7 @@ void add_terrain_info_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainInfoArguments>();
   CLI::App* command = terrain.add_subcommand("info", "size, spacing, range, voids and place of a height map");
   arguments->input.add_to(*command);
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
 FILE may also be a tile store of `offing terrain tile`.

@@ -159,7 +159,7 @@ void add_terrain_los_command(CLI::App& terrain, GlobalOptions& options) {
   command->add_option("--from", arguments->from, "one end, m")->type_name("X,Z,H");
   command->add_option("--to", arguments->to, "the other end, m")->type_name("X,Z,H")->needs("--from");
   arguments->curve.add_to(*command);
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   arguments->batch.add_to(
       *command,
       {.names = {"from_x_m", "from_z_m", "from_height_m", "to_x_m", "to_z_m", "to_height_m"},

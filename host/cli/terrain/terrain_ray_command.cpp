@@ -176,7 +176,7 @@ void add_terrain_ray_command(CLI::App& terrain, GlobalOptions& options) {
   arguments->curve.add_to(*command);
   command->add_flag("--smooth-normals", arguments->smooth_normals,
                     "normals without creases, from posts around the hit's patch; default its own");
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   arguments->batch.add_to(*command,
                           {.names = {"x_m", "y_m", "z_m", "direction_x", "direction_y", "direction_z"},
                            .meaning = "for each ray, where it starts in m and its way, of any length",

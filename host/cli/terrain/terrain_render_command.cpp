@@ -27,7 +27,6 @@ namespace offing::cli {
 
 namespace {
 
-
 /// Numbers and choices of a picture.
 struct RenderSettings {
   double field_of_view_rad = 60.0 * radians_per_degree;
@@ -86,7 +85,8 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const Rende
     const auto sun = read_numbers("--sun", arguments.sun, 2, "AZIMUTH_DEG,ELEVATION_DEG", "225,30");
     scenery.sun_azimuth_rad = sun[0] * radians_per_degree;
     scenery.sun_elevation_rad =
-        read_number("--sun", fmt::format("{}", sun[1]), "degrees", -90.0, 90.0, "225,30") * radians_per_degree;
+        read_number("--sun", fmt::format("{}", sun[1]), "degrees", -90.0, 90.0, "225,30") *
+        radians_per_degree;
   }
   scenery.sees_horizons = settings.sky_visibility == scene::SkyVisibility::on;
   if (latitude_deg) scenery.lines = world::cover_lines(*latitude_deg);
@@ -164,11 +164,13 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
   const double ground_share =
       static_cast<double>(picture.terrain_pixels) / static_cast<double>(picture.distances_m.size());
   if (arguments.json) {
-    const nlohmann::ordered_json json = {
-        {"picture", arguments.output},           {"eye_m", {camera.eye_m.x, camera.eye_m.y, camera.eye_m.z}},
-        {"yaw_deg", camera.yaw_rad / radians_per_degree},   {"pitch_deg", camera.pitch_rad / radians_per_degree},
-        {"ground_share", ground_share},          {"mean_steps", picture.mean_steps},
-        {"refined_share", picture.refined_share}};
+    const nlohmann::ordered_json json = {{"picture", arguments.output},
+                                         {"eye_m", {camera.eye_m.x, camera.eye_m.y, camera.eye_m.z}},
+                                         {"yaw_deg", camera.yaw_rad / radians_per_degree},
+                                         {"pitch_deg", camera.pitch_rad / radians_per_degree},
+                                         {"ground_share", ground_share},
+                                         {"mean_steps", picture.mean_steps},
+                                         {"refined_share", picture.refined_share}};
     print_json(json);
   } else {
     print_summary("{}: from ({:.1f}, {:.1f}, {:.1f}) m, {:.1f} % ground, {:.1f} steps a ray\n",
@@ -201,7 +203,7 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
       "picture of the ground from above (GeoTIFF, PNG ...), by its georeference or else stretched over the "
       "map");
   add_force_flag(*command, arguments->existing);
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
 FILE may also be a tile store of `offing terrain tile`.

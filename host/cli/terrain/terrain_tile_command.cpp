@@ -241,7 +241,7 @@ void add_terrain_tile_command(CLI::App& terrain, GlobalOptions& options) {
   command->add_option("-o,--output", arguments->output, "folder to fill")->type_name("STORE")->required();
   add_force_flag(*command, arguments->existing)
       ->description("replace a finished store, once the new one is complete; equal tiles are kept");
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
 FILE may also be a VRT or a folder of rasters. It is read row by row: memory for a few hundred rows is enough. A run

@@ -162,7 +162,7 @@ void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
   arguments->curve.add_to(*command);
   add("-o,--output", arguments->output, "FILE", "GeoTIFF to write, .tif, whole or not at all")->required();
   add_force_flag(*command, arguments->existing);
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(fmt::format(R"(
 {}
