@@ -59,13 +59,13 @@ Camera read_camera(const TerrainRenderArguments& arguments, const RenderSettings
 std::vector<scene::Row<RenderSettings>> picture_rows() {
   return {{&RenderSettings::field_of_view_rad, like_scene("camera.fov_deg", "--fov-deg")},
           {&RenderSettings::exposure_ev, like_scene("render.exposure_ev", "--exposure-ev")},
-          {&RenderSettings::sea_level_m,
-           like_scene("terrain.water_line_m", "--sea-level-m", "ground at or below is painted as water")},
+          {&RenderSettings::sea_level_m, like_scene("terrain.water_line_m", "--sea-level-m",
+                                                    "height up to which ground is painted as water")},
           {&RenderSettings::tree_line_m, like_scene("terrain.tree_line_m", "--tree-line-m")},
           {&RenderSettings::snow_line_m, like_scene("terrain.snow_line_m", "--snow-line-m")},
           {scene::choice(&RenderSettings::sky_visibility, names_in_scene("terrain.sky_visibility")),
            like_scene("terrain.sky_visibility", "--sky-visibility",
-                      "whether ground around a place hides the sky's light from it; off for tile stores")},
+                      "whether surrounding ground blocks light from the sky; off for tile stores")},
           {&RenderSettings::samples,
            {.key = "samples",
             .low = 1.0,
@@ -200,8 +200,8 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
       "where the sun stands, azimuth clockwise from north (default 225,30)");
   arguments->settings.add_to(*command, picture_rows(), "Picture");
   add("--colour", arguments->colour, "FILE",
-      "picture of the ground from above (GeoTIFF, PNG ...), by its georeference or else stretched over the "
-      "map");
+      "aerial picture of the ground (GeoTIFF, PNG, ...), placed by its georeference, or without one "
+      "stretched over the map");
   add_force_flag(*command, arguments->existing);
   command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::one);

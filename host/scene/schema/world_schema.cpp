@@ -28,7 +28,7 @@ Schema<WorldSection> world_schema() {
                         .unit = "deg",
                         .low = -90.0,
                         .high = 90.0,
-                        .help = "of the origin, north positive: for the place of the sun",
+                        .help = "latitude of the origin, north positive; used for the sun's position",
                         .scale = radians_per_degree},
                        needs_date},
                       {&WorldSection::longitude_rad,
@@ -36,7 +36,7 @@ Schema<WorldSection> world_schema() {
                         .unit = "deg",
                         .low = -180.0,
                         .high = 360.0,
-                        .help = "of the origin, east positive: for the place of the sun",
+                        .help = "longitude of the origin, east positive; used for the sun's position",
                         .scale = radians_per_degree},
                        needs_date}});
 }
