@@ -21,7 +21,9 @@ void CacheFlags::add_to(CLI::App& command) {
 void CacheFlags::add_edge_to(CLI::App& command) {
   SettingOptions::add_to(command,
                          {{scene::choice(&StoreUse::edge, {"ends", "repeats", "mirrors"}),
-                           {.key = "edge", .help = "the map beyond its edges"}}},
+                           {.key = "edge",
+                            .help = "what is beyond the map's edges: nothing (ends), the map again "
+                                    "(repeats), or its mirror image (mirrors)"}}},
                          store_group);
 }
 

@@ -24,8 +24,8 @@ void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::s
   single_ = single;
   CLI::Option* points = command
                             .add_option("--points", points_,
-                                        fmt::format("CSV with columns {},\nin any order under a header line, "
-                                                    "alone and in this order without",
+                                        fmt::format("CSV file with columns {}:\nin any order under a header "
+                                                    "line, or without one only these, in this order",
                                                     fmt::join(columns_.names, ",")))
                             ->type_name("FILE")
                             ->group(batch_group)

@@ -194,14 +194,15 @@ void run(const TerrainInfoArguments& arguments) {
 
 void add_terrain_info_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainInfoArguments>();
-  CLI::App* command = terrain.add_subcommand("info", "size, spacing, range, voids and place of a height map");
+  CLI::App* command =
+      terrain.add_subcommand("info", "print size, spacing, heights, voids and place of a height map");
   arguments->input.add_to(*command);
   command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
-FILE may also be a tile store of `offing terrain tile`.
+FILE may also be a tile store made by `offing terrain tile`.
 
-Voids are places without a height. They are filled from the posts around them and stay marked.
+Voids are posts without a height. They are filled from the posts around them and stay marked as voids.
 
 Examples:
   offing terrain info N42E001.hgt.zip

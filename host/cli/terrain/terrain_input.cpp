@@ -106,8 +106,8 @@ HeightMapOptions HeightMapFlags::read() const {
 void TerrainInput::add_to(CLI::App& command) {
   command
       .add_option("FILE", file_,
-                  "GeoTIFF, SRTM .hgt (.hgt.zip), USGS DEM, ASCII grid, PNG, EXR, .r16, .r32, or another "
-                  "raster of docs/terrain.md; or a tile store")
+                  "height map: GeoTIFF, SRTM .hgt (.hgt.zip), USGS DEM, ASCII grid, PNG, EXR, .r16, .r32 or "
+                  "another format of docs/terrain.md; or a tile store")
       ->required()
       ->type_name("");
   flags_.add_to(command);

@@ -165,17 +165,21 @@ void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
 
 void add_terrain_ray_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainRayArguments>();
-  CLI::App* command = terrain.add_subcommand("ray", "what a ray hits first");
+  CLI::App* command = terrain.add_subcommand("ray", "find what a ray hits first");
   arguments->input.add_to(*command);
   arguments->cache.add_to(*command);
-  command->add_option("--from", arguments->from, "where it starts, m")->type_name("X,Y,Z");
-  command->add_option("--to", arguments->to, "where it ends, m")->type_name("X,Y,Z")->needs("--from");
-  command->add_option("--direction", arguments->direction, "its way without end, of any length")
+  command->add_option("--from", arguments->from, "start of the ray, in m")->type_name("X,Y,Z");
+  command->add_option("--to", arguments->to, "point on the ray where it ends, in m")
+      ->type_name("X,Y,Z")
+      ->needs("--from");
+  command
+      ->add_option("--direction", arguments->direction, "direction of a ray without end; may have any length")
       ->type_name("X,Y,Z")
       ->needs("--from");
   arguments->curve.add_to(*command);
-  command->add_flag("--smooth-normals", arguments->smooth_normals,
-                    "normals without creases, from posts around the hit's patch; default its own");
+  command->add_flag(
+      "--smooth-normals", arguments->smooth_normals,
+      "smooth normals, from the posts around the patch that is hit (default: from the patch alone)");
   command->add_flag("--json", arguments->json, "print the results as JSON");
   arguments->batch.add_to(*command,
                           {.names = {"x_m", "y_m", "z_m", "direction_x", "direction_y", "direction_z"},
@@ -184,8 +188,9 @@ void add_terrain_ray_command(CLI::App& terrain, GlobalOptions& options) {
                           "--from");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(fmt::format(
-      "\n{}\nHits are of the surface, of the map's side (ground is solid), or inside: it starts below.\n\n"
-      "Example:\n  offing terrain ray S33W071.tif --from 47000,6000,80000 --direction 0.1,-0.3,-1\n"
+      "\n{}\nA hit is surface, side (the ground is solid at the map's edge) or inside (the ray starts below "
+      "ground).\n\n"
+      "Examples:\n  offing terrain ray S33W071.tif --from 47000,6000,80000 --direction 0.1,-0.3,-1\n"
       "  offing terrain ray S33W071.tif --points beams.csv -o hits.csv",
       place_footer));
   command->callback([arguments, &options] { run(*arguments, options); });

@@ -70,12 +70,13 @@ std::vector<scene::Row<RenderSettings>> picture_rows() {
            {.key = "samples",
             .low = 1.0,
             .high = 4096.0,
-            .help = "rays a pixel; auto: 4 or 16 where light or coverage change from pixel to pixel",
+            .help = "rays per pixel; auto: 1, and 4 or 16 where light or coverage changes between pixels",
             .example = "16",
             .absent = "auto"}},
           {scene::choice(&RenderSettings::show, {"light", "steps"}),
            {.key = "show",
-            .help = "steps: how far each ray walked, blue 0, green 16, yellow 40, red 80 and more"}}};
+            .help = "what to draw: light, or the steps that each ray took (blue 0, green 16, yellow 40, red "
+                    "80 and more)"}}};
 }
 
 TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const RenderSettings& settings,
@@ -183,7 +184,7 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
 
 void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainRenderArguments>();
-  CLI::App* command = terrain.add_subcommand("render", "a picture of a height map under a clear sky");
+  CLI::App* command = terrain.add_subcommand("render", "render a height map under a clear sky");
   arguments->input.add_to(*command);
   arguments->cache.add_to(*command);
   arguments->cache.add_edge_to(*command);
@@ -191,13 +192,14 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
     return command->add_option(names, target, help)->type_name(placeholder)->group("Picture");
   };
   add("-o,--output", arguments->output, "FILE", "PNG to write")->required();
-  add("--depth", arguments->depth, "FILE", "EXR of the distance along each pixel's ray, m, channel Z");
+  add("--depth", arguments->depth, "FILE",
+      "also write an EXR with the distance along each pixel's ray, in m, in channel Z");
   add("--camera", arguments->camera, "CAMERA",
-      "fly, walk, or X,Y,Z,YAW_DEG,PITCH_DEG: metres east of, above and south of the map's north-west post "
-      "at height 0; yaw clockwise from north (default fly)");
-  add("--size", arguments->size, "WxH", "pixels (default 1280x720)");
+      "fly, walk, or X,Y,Z,YAW_DEG,PITCH_DEG: X east and Z south of the map's north-west post, Y the height, "
+      "all in m; yaw clockwise from north (default fly)");
+  add("--size", arguments->size, "WxH", "size in pixels (default 1280x720)");
   add("--sun", arguments->sun, "AZIMUTH_DEG,ELEVATION_DEG",
-      "where the sun stands, azimuth clockwise from north (default 225,30)");
+      "direction of the sun, azimuth clockwise from north (default 225,30)");
   arguments->settings.add_to(*command, picture_rows(), "Picture");
   add("--colour", arguments->colour, "FILE",
       "aerial picture of the ground (GeoTIFF, PNG, ...), placed by its georeference, or without one "
@@ -206,7 +208,7 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
   command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-FILE may also be a tile store of `offing terrain tile`.
+FILE may also be a tile store made by `offing terrain tile`.
 
 Examples:
   offing terrain render S33W071.tif -o andes.png

@@ -168,7 +168,7 @@ std::vector<Row<TerrainScene>> made_rows() {
         .unit = "m",
         .low = -1e4,
         .high = 1e4,
-        .help = "approximate height halfway between these points; 0 m is sea level"},
+        .help = "approximate mean of the lowest and highest heights of generated terrain; 0 m is sea level"},
        needs_made_ground},
       {path(fractal, &FractalParameters::longest_m),
        {.key = "longest_m",
