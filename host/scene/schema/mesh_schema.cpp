@@ -49,7 +49,7 @@ std::string needs_highlights(const UseContext&, const MeshScene& mesh) {
 }
 
 std::vector<Row<MeshScene>> mesh_form_rows() {
-  static const std::string size_help = "for a shape: " + mesh_shapes::meaning_of_size();
+  static const std::string size_help = "size of a shape: " + mesh_shapes::meaning_of_size();
   return {{&MeshScene::name,
            {.key = "name",
             .affects = Affects::mesh_looks,
