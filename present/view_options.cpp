@@ -156,9 +156,10 @@ Recording read_recording(const Written& written, const scene::Scene& scene) {
                       .existing = written.existing};
   if (is_video_name(written.record)) {
     if (!written.video.empty()) {
-      throw Error(ErrorKind::bad_usage,
-                  fmt::format("--record: expected names of pictures beside --video, got {}", written.record),
-                  "one video is written: leave one of them out");
+      throw Error(
+          ErrorKind::bad_usage,
+          fmt::format("--record: expected picture names when --video is given, got {}", written.record),
+          "only one video is written: leave out --record or --video");
     }
     recording.video = written.record;
   } else if (!written.record.empty()) {
@@ -186,10 +187,9 @@ ReferenceComparison read_comparison(const Written& written, const GivenInputs& i
                 "add -o compared");
   }
   if (!written.record.empty() || !written.video.empty() || written.is_window) {
-    throw Error(
-        ErrorKind::bad_usage,
-        "--compare-reference: expected neither --record, --video nor --window, which it does not make",
-        "leave them out");
+    throw Error(ErrorKind::bad_usage,
+                "--compare-reference: expected no --record, --video or --window, found one of them",
+                "leave them out");
   }
   require_file_name(written.output);
   ReferenceComparison comparison = written.reference.read(
@@ -197,7 +197,7 @@ ReferenceComparison read_comparison(const Written& written, const GivenInputs& i
   std::error_code failed;
   std::filesystem::create_directories(comparison.folder, failed);
   if (failed || !std::filesystem::is_directory(comparison.folder)) {
-    throw Error(ErrorKind::file, fmt::format("{}: is no folder and cannot be made one", written.output),
+    throw Error(ErrorKind::file, fmt::format("{}: cannot create the folder", written.output),
                 "name another folder");
   }
   for (const char* name : {"drawn.png", "reference.png", "error.png", "compared.exr"})
@@ -211,31 +211,30 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
     throw Error(ErrorKind::bad_usage, what, hint);
   };
   if (written.frames.has_frames() && !options.recording) {
-    refuse("--frames: expected --record or --video, whose frames these are, found neither",
+    refuse("--frames: expected --record or --video, found neither",
            "add --record out_%04d.png or --video out.webm");
   }
   if (written.frames.has_fps() && !options.recording) {
-    refuse("--fps: expected --record or --video, whose frames it times, found neither",
+    refuse("--fps: expected --record or --video, found neither",
            "add --record out_%04d.png or --video out.webm");
   }
   if (written.view.is_given("--time") && options.recording && options.output.empty()) {
-    refuse("--time: expected neither --record nor --video, whose frames have times of their own",
+    refuse("--time: expected no --record or --video, which set the time of each frame",
            "choose the frames with --frames A:B, or make one picture with -o");
   }
   if (!options.comparison && (written.reference.are_given() || written.prints_json)) {
-    refuse("--samples, --json: expected --compare-reference, which they belong to, found none",
+    refuse("--samples, --json: expected --compare-reference, found none",
            "add --compare-reference, or leave them out");
   }
   if (written.existing == Existing::replace && options.output.empty() && !options.recording) {
-    refuse("--force: expected -o, --record or --video, whose files it replaces, found none",
-           "leave --force out");
+    refuse("--force: expected -o, --record or --video, found none", "leave --force out");
   }
   if (options.kept_hz && (!options.opens_window || options.recording)) {
-    throw bad_argument("--keep-fps", "a window to be looked at", "pictures into files",
-                       "none: they have all detail");
+    throw bad_argument("--keep-fps", "a window without a recording", "pictures in files",
+                       "only with a window: pictures in files have full detail");
   }
   if (written.is_paused && (!options.opens_window || options.recording)) {
-    refuse("--paused: expected a window without a recording, which is where time runs",
+    refuse("--paused: expected a window without a recording, found none",
            "leave --paused out, or open a window");
   }
 }
@@ -314,7 +313,7 @@ ViewOptions checked(const Written& written) {
                 "leave one of them out");
   }
   if (written.is_window && !options.output.empty()) {
-    throw Error(ErrorKind::bad_usage, "--window: expected no -o, which a window does not write",
+    throw Error(ErrorKind::bad_usage, "--window: expected no -o, found one",
                 "leave --window out, write a recording with --record or --video, or press F12 in the window");
   }
   options.opens_window = written.is_window || (!written.is_headless && !makes_images);

@@ -217,7 +217,7 @@ std::string text_of(const CurvatureStatistics& statistics) {
   };
   const GaussBonnet& check = statistics.gauss_bonnet;
   const std::string_view remark =
-      statistics.is_manifold ? "" : "  (edges of three faces or more: there is nothing to expect)\n";
+      statistics.is_manifold ? "" : "  (some edges have three or more faces: there is no expected value)\n";
   return range("k_max", statistics.k_max_per_m) + range("k_min", statistics.k_min_per_m) +
          fmt::format(
              "  area   {:.6g} m2\n  Gauss-Bonnet  {:.6g} over the surface + {:.6g} along borders, expected "

@@ -45,7 +45,7 @@ std::vector<scene::Row<RemeshSettings>> remesh_rows() {
 void require_few_faces(const TriangleMesh& mesh, double edge_m) {
   if (!(edge_m > 0.0)) {
     throw Error(ErrorKind::bad_input, "offing-mesh remesh: expected faces with an area, got none",
-                "`offing-mesh check` tells what the mesh holds");
+                "`offing-mesh check` shows what the mesh contains");
   }
   const double faces = most_faces_at(mesh, edge_m);
   if (faces <= most_faces) return;  // not of an edge of 0
@@ -54,7 +54,7 @@ void require_few_faces(const TriangleMesh& mesh, double edge_m) {
       fmt::format("offing-mesh remesh: expected edges that make fewer than 1e8 faces, got about {:.2g} with "
                   "edges of {:.3g} m",
                   faces, edge_m),
-      "choose longer edges or fewer faces; `offing-mesh check` tells of faces without an area");
+      "choose longer edges or fewer faces; `offing-mesh check` counts faces without an area");
 }
 
 void run(const RemeshArguments& arguments, const Options& options) {

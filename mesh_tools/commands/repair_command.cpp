@@ -56,9 +56,9 @@ std::vector<NamedChange> named(const RepairChanges& changes) {
       {"removed_repeating_faces", "removed faces that named a vertex twice", changes.removed_repeating_faces},
       {"removed_duplicate_faces", "removed duplicate faces", changes.removed_duplicate_faces},
       {"turned_faces", "turned faces", changes.turned_faces},
-      {"split_vertices", "vertices added by taking edges and fans apart", changes.split_vertices},
+      {"split_vertices", "vertices added by splitting edges and fans", changes.split_vertices},
       {"removed_degenerate_faces", "removed faces without an area", changes.removed_degenerate_faces},
-      {"collapsed_vertices", "vertices that went with them", changes.collapsed_vertices},
+      {"collapsed_vertices", "vertices removed with these faces", changes.collapsed_vertices},
       {"filled_holes", "filled holes", changes.filled_holes},
       {"added_faces", "faces added in holes", changes.added_faces},
       {"open_loops", "boundary loops left open", changes.open_loops},
@@ -90,8 +90,8 @@ void run(const RepairArguments& arguments, const Options& options) {
     has_changed = true;
   }
   if (!has_changed) print_summary("  nothing to repair\n");
-  for (const auto& [label, count] : {std::pair("faces without an area that are left", after.degenerate_faces),
-                                     {"self-intersections that are left", after.self_intersections}}) {
+  for (const auto& [label, count] : {std::pair("faces without an area that remain", after.degenerate_faces),
+                                     {"self-intersections that remain", after.self_intersections}}) {
     if (count > 0) print_summary("  {:<46} {}\n", label, count);
   }
 }

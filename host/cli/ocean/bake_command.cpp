@@ -81,7 +81,7 @@ void warn_of_broken_loop(const scene::Sea& sea, double frames_per_second) {
   }
   const double frames = *sea.parameters.loop_period_s * frames_per_second;
   if (std::abs(frames - std::round(frames)) > 1e-6 * frames) {
-    spdlog::warn("the loop of {:g} s is {:g} frames at {:g} a second: no frame equals the first one again",
+    spdlog::warn("the loop of {:g} s is {:g} frames at {:g} frames per second: no frame repeats the first",
                  *sea.parameters.loop_period_s, frames, frames_per_second);
   }
 }
@@ -116,10 +116,10 @@ void warn_of_waves_beside(const scene::Sea& sea, GerstnerUse use) {
     spdlog::warn("--include-gerstner: not used: there are no Gerstner waves, swells or raindrops");
   }
   if (use == GerstnerUse::included && sea.parameters.loop_period_s && !sea.raindrops.empty()) {
-    spdlog::warn("the raindrops fall once: frames that have them do not loop");
+    spdlog::warn("raindrops fall once: frames with raindrops do not loop");
   }
   if (use != GerstnerUse::included && !sea.raindrops.empty()) {
-    spdlog::warn("the raindrops of the scene are not in the frames: --include-gerstner adds them");
+    spdlog::warn("the frames leave out the raindrops of the scene: --include-gerstner adds them");
   }
 }
 

@@ -396,8 +396,9 @@ std::string certificate_text(const Certificate& c, const scene::Sea& sea, Direct
                  c.skewness.mean, c.kurtosis.mean, c.folded_share.mean, c.max_ka);
   fmt::format_to(out, "{}\n", cascade_text(sea, c.energy));
   if (!sea.swells.empty()) {
-    fmt::format_to(out, "Swells beside the spectrum: {}, {:.4g} m^2; resolved and measured have them.\n\n",
-                   sea.swells.size(), c.swell_m0_m2);
+    fmt::format_to(
+        out, "Swells in addition to the spectrum: {}, {:.4g} m^2; resolved and measured include them.\n\n",
+        sea.swells.size(), c.swell_m0_m2);
   }
   fmt::format_to(
       out,

@@ -61,11 +61,12 @@ class PointSource {
                                                        .meaning = "for each point, its x and z in m",
                                                        .example = "12.5,-40"});
     if (times.count > 1 && !file_->can_rewind()) {
-      throw Error(ErrorKind::bad_usage,
-                  fmt::format("--points: expected a file that can be read once for each of {} times, found "
-                              "one that can be read only once: {}",
-                              times.count, arguments.points_file),
-                  "write the points to a file first, or ask for one time");
+      throw Error(
+          ErrorKind::bad_usage,
+          fmt::format(
+              "--points: expected a file that can be read {} times, found one that can be read only once: {}",
+              times.count, arguments.points_file),
+          "write the points to a file first, or ask for one time");
     }
   }
 
@@ -236,7 +237,7 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
                 "write --at 12.5,-40 for one point, or --points FILE for many");
   }
   if (arguments.existing == Existing::replace && arguments.output_file.empty()) {
-    throw Error(ErrorKind::bad_usage, "--force: expected -o, whose file it replaces, found none",
+    throw Error(ErrorKind::bad_usage, "--force: expected -o, found none",
                 "add -o FILE, or leave --force out");
   }
   const TimeRange times = read_times(arguments);

@@ -171,7 +171,7 @@ void require_one_record(const SpectrumArguments& arguments, std::optional<std::s
                         std::size_t count) {
   if (arguments.plot.empty() || chosen || count == 1) return;
   throw Error(ErrorKind::bad_usage,
-              fmt::format("--plot: expected --record, which of the {} records to draw, found none", count),
+              fmt::format("--plot: expected --record to choose one of the {} records, found none", count),
               fmt::format("write --record N with N within [0, {}]", count - 1));
 }
 

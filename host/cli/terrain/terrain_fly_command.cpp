@@ -360,7 +360,7 @@ class Flying {
                     "apart, found {} x {}, {:.6g} x {:.6g} m apart",
                     one_line(arguments_.compared), of.shape.columns, of.shape.rows, of.spacing_x_m,
                     of.spacing_z_m, map.columns, map.rows, map.spacing_x_m, map.spacing_z_m),
-        "name that map, and say how to read it as it was said to `offing terrain tile`");
+        "name that map, with the flags that you gave to `offing terrain tile`");
   }
 
   /// Of every picture that is written.
@@ -372,8 +372,8 @@ class Flying {
     if (status) {
       throw Error(
           ErrorKind::file,
-          fmt::format("{}: cannot be made a folder: {}", one_line(arguments_.output), status.message()),
-          "name a folder where you may write with -o");
+          fmt::format("{}: cannot create the folder: {}", one_line(arguments_.output), status.message()),
+          "name a folder with -o in which you may write");
     }
     const GivenInputs inputs{{arguments_.store, arguments_.compared}, arguments_.trust};
     require_new_frames(image_name(), {0, settings_.frames - 1}, arguments_.existing, inputs, settings_.every);
@@ -454,9 +454,10 @@ void print_text(const TerrainFlyArguments& arguments, const FlightReport& report
   fmt::print("{}: {} frames, median {:.1f} ms, slowest hundredth {:.1f} ms, worst {:.1f} ms\n",
              one_line(arguments.store), report.frames, 1e3 * report.times.median_s,
              1e3 * report.times.slowest_hundredth_s, 1e3 * report.times.worst_s);
-  fmt::print("  tiles      {:.0f} a frame, {:.1f} of them stood in for, {} loaded, {} failed, {} slots\n",
-             report.mean_tiles, report.mean_stood_in, report.tiles.loaded, report.tiles.failed,
-             report.tiles.slots);
+  fmt::print(
+      "  tiles      {:.0f} per frame, {:.1f} of them replaced by coarser ones, {} loaded, {} failed, {} "
+      "slots\n",
+      report.mean_tiles, report.mean_stood_in, report.tiles.loaded, report.tiles.failed, report.tiles.slots);
   fmt::print("  memory     {:.0f} MiB for tiles, {:.0f} MiB at most in all\n",
              static_cast<double>(report.tiles.bytes) / mebibyte,
              static_cast<double>(report.peak_bytes) / mebibyte);
@@ -464,8 +465,7 @@ void print_text(const TerrainFlyArguments& arguments, const FlightReport& report
   const FlightComparison::Result& of = *report.comparison;
   fmt::print(
       "  compared   {} frames of {} pixels in all: {} holes in flight, {} once loaded, {} pixels of ground "
-      "where "
-      "the map has sky; distance off by {:.2g} of itself in the median, {:.2g} in the worst hundredth\n",
+      "where the map has sky; relative distance error {:.2g} in the median, {:.2g} in the worst hundredth\n",
       of.frames, of.pixels, of.holes_flown, of.holes_loaded, of.raised, of.median_error,
       of.worst_hundredth_error);
 }

@@ -96,7 +96,7 @@ std::string explanation(const HeightMapSource& source) {
     case SpacingSource::options:
       return "as asked";
     case SpacingSource::assumed:
-      return "assumed: the file does not say; state it with --spacing-m";
+      return "assumed, because the file gives none; set it with --spacing-m";
   }
   return "";
 }

@@ -124,7 +124,7 @@ HeightMapFile TerrainInput::read() const {
   if (is_tile_store(file_)) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a height map, found a tile store", one_line(file_)),
-                "give this command the map that it was made of");
+                "give this command the map from which the store was made");
   }
   HeightMapFile file = read_height_map(file_, options());
   warn_of_assumed_spacing(file_, file.source);

@@ -81,7 +81,7 @@ Sight sight_between(const terrain::TerrainPosts& posts, const terrain::EarthCurv
       slack_cells * std::max(posts.spacing_x_m, posts.spacing_z_m) + slack_share * distance_m;
   if (distance_m <= 2.0 * slack_m) {
     throw Error(ErrorKind::bad_usage,
-                fmt::format("{}: expected another place than where the line begins, found one {:g} m away",
+                fmt::format("{}: expected a place away from the start of the line, found one {:g} m away",
                             to_place, distance_m),
                 "give X,Z,H such as 1200,350,1.7");
   }

@@ -40,14 +40,14 @@ terrain::Ray read_ray(const TerrainRayArguments& arguments) {
   const bool has_target = !arguments.to.empty();
   if (has_target == !arguments.direction.empty()) {
     throw Error(ErrorKind::bad_usage, "terrain ray: expected one of --to and --direction",
-                "write --to X,Y,Z for a point, or --direction X,Y,Z for a way");
+                "write --to X,Y,Z for a point, or --direction X,Y,Z for a direction");
   }
   const glm::dvec3 way = has_target ? read_vector("--to", arguments.to, "900,1200,400") - from
                                     : read_vector("--direction", arguments.direction, "1,-0.2,0");
   const double length_m = glm::length(way);
   if (length_m == 0.0) {
     throw bad_argument(has_target ? "--to" : "--direction",
-                       has_target ? "another point than --from" : "a way",
+                       has_target ? "a point other than --from" : "a direction other than 0,0,0",
                        has_target ? arguments.to : arguments.direction, "1,-0.2,0");
   }
   terrain::Ray ray{.origin_m = from, .direction = way / length_m};
@@ -125,7 +125,7 @@ void answer_all(const TerrainRayArguments& arguments, TerrainSource& terrain, co
           if (length == 0.0) {
             throw Error(ErrorKind::bad_input,
                         fmt::format("{}: expected a direction, found 0,0,0", table.place_of(i / 6)),
-                        "give a way of any length above 0");
+                        "give a direction of any length above 0");
           }
           rays.push_back({.origin_m = {rows[i], rows[i + 1], rows[i + 2]}, .direction = way / length});
           require_valid(rays.back(), terrain.grid(), table.place_of(i / 6));
@@ -183,7 +183,7 @@ void add_terrain_ray_command(CLI::App& terrain, GlobalOptions& options) {
   command->add_flag("--json", arguments->json, "print the results as JSON");
   arguments->batch.add_to(*command,
                           {.names = {"x_m", "y_m", "z_m", "direction_x", "direction_y", "direction_z"},
-                           .meaning = "for each ray, where it starts in m and its way, of any length",
+                           .meaning = "for each ray, its start in m and its direction, of any length",
                            .example = "47000,6000,80000,0.1,-0.3,-1"},
                           "--from");
   add_global_options(*command, options, DeviceUse::one);

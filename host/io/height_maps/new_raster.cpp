@@ -37,7 +37,7 @@ struct NewRaster {
 /// Throws Error(file) with what GDAL has said.
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const GdalSession& session) {
   throw Error(ErrorKind::file, fmt::format("{}: cannot be written: {}", path.string(), session.failure()),
-              "check the room on the disk, or name another file");
+              "check the free space on the disk, or name another file");
 }
 
 /// Makes a raster of one band. Throws Error(file).

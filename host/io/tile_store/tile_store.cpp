@@ -238,7 +238,7 @@ void make_folder(const fs::path& folder) {
   fs::create_directories(folder, status);
   if (!status) return;
   throw Error(ErrorKind::file,
-              fmt::format("{}: cannot be made a folder: {}", folder.string(), status.message()),
+              fmt::format("{}: cannot create the folder: {}", folder.string(), status.message()),
               "name a folder that does not exist yet, where you may write");
 }
 

@@ -38,7 +38,7 @@ class VdbFile : private openvdb::io::Archive {
     stream_.open(path, std::ios::binary);
     if (!stream_) {
       throw Error(ErrorKind::file, fmt::format("{}: cannot be read", one_line(path.string())),
-                  "give yourself the right to read it");
+                  "make it readable");
     }
     require_magic();
     reading("the header", [&](const vdb::PartOfVdb& part) {

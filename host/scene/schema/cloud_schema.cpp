@@ -44,7 +44,7 @@ std::string needs_growth(const UseContext& context, const Struct& section) {
 
 std::string needs_sampling(const UseContext&, const CloudScene& cloud) {
   if (shape_key(cloud.shape).empty()) return grows(cloud) ? "it grows on its balls" : "";
-  return cloud.shape.file.ends_with(".ply") ? "cloud.file has its particles" : "";
+  return cloud.shape.file.ends_with(".ply") ? "cloud.file contains its particles" : "";
 }
 
 std::vector<std::string_view> genera() {

@@ -19,7 +19,7 @@ constexpr std::size_t max_highlights = 256;
 constexpr std::array<std::string_view, 4> shading_names{"phong", "gouraud", "cartoon", "flat"};
 
 std::string needs_shape(const UseContext&, const MeshScene& mesh) {
-  return mesh.file.empty() ? "" : "the mesh is that of " + mesh.file;
+  return mesh.file.empty() ? "" : "the mesh comes from " + mesh.file;
 }
 
 std::string needs_cartoon(const UseContext&, const MeshScene& mesh) {

@@ -42,7 +42,7 @@ std::string spreading_is(const OceanSection& ocean) {
 }
 
 std::string needs_model(const UseContext& context, const OceanSection& ocean) {
-  return context.sea.is_measured ? "the sea is that of " + ocean.spectrum_file : "";
+  return context.sea.is_measured ? "the sea comes from " + ocean.spectrum_file : "";
 }
 
 std::string needs_record(const UseContext& context, const OceanSection&) {
@@ -113,12 +113,12 @@ std::string needs_own_wind(const UseContext& context, const OceanSection& ocean)
 }
 
 std::string needs_wind(const UseContext& context, const ocean::Wind&) {
-  return context.sea.is_measured ? "a measured sea takes no wind but its own, ocean.wind_speed_mps"
+  return context.sea.is_measured ? "a measured sea uses only its own wind, ocean.wind_speed_mps"
                                  : needs_own_wind(context, context.scene.ocean);
 }
 
 std::string needs_ground(const UseContext& context, const OceanSection&) {
-  return context.scene.terrain.is_given ? "" : "the scene has no ground";
+  return context.scene.terrain.is_given ? "" : "the scene has no terrain";
 }
 
 std::string needs_chosen_cascades(const UseContext&, const OceanSection& ocean) {

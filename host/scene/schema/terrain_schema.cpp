@@ -20,20 +20,20 @@ Where<TerrainScene> reprojections() {
 }
 
 std::string needs_whole_map(const UseContext&, const TerrainScene& terrain) {
-  return is_tile_store(terrain.file) ? "the ground is that of a tile store" : "";
+  return is_tile_store(terrain.file) ? "the terrain comes from a tile store" : "";
 }
 
 std::string needs_map_file(const UseContext& context, const TerrainScene& terrain) {
-  return terrain.file.empty() ? "terrain.file is not given, the ground is made"
+  return terrain.file.empty() ? "terrain.file is not given, so the terrain is generated"
                               : needs_whole_map(context, terrain);
 }
 
 std::string needs_tile_store(const UseContext&, const TerrainScene& terrain) {
-  return is_tile_store(terrain.file) ? "" : "terrain.file is no tile store";
+  return is_tile_store(terrain.file) ? "" : "terrain.file is not a tile store";
 }
 
 std::string needs_made_ground(const UseContext&, const TerrainScene& terrain) {
-  return terrain.file.empty() ? "" : "the ground is that of " + terrain.file;
+  return terrain.file.empty() ? "" : "the terrain comes from " + terrain.file;
 }
 
 std::string needs_no_sea(const UseContext& context, const TerrainScene&) {

@@ -225,7 +225,7 @@ TEST_F(WindowFilesTest, LeaveRecordingsAlone) {
   viewer_ = std::make_unique<present::Viewer>(options, cancel_);
   turn();
   drop({tetrahedron("a.obj")});
-  EXPECT_THAT(message(), HasSubstr("a.obj: is not taken in while frames are recorded"));
+  EXPECT_THAT(message(), HasSubstr("a.obj: cannot be opened while the window records"));
   EXPECT_TRUE(state().scene.meshes.empty());
 }
 
