@@ -85,11 +85,11 @@ const char* name_of(SpacingSource source) {
 std::string explanation(const HeightMapSource& source) {
   switch (source.spacing_source) {
     case SpacingSource::file:
-      return "as the file says";
+      return "from the file";
     case SpacingSource::latitude:
       return "degrees, in metres at the latitude of the middle row";
     case SpacingSource::mercator:
-      return fmt::format("as the file says, divided by the Mercator scale {:.5g} at the middle row",
+      return fmt::format("from the file, divided by the Mercator scale {:.5g} at the middle row",
                          source.projection_scale);
     case SpacingSource::reprojected:
       return "resampled to metres";

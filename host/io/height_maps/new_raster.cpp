@@ -63,8 +63,8 @@ Dataset create_raster(const NewRaster& raster, const GdalSession& session) {
   return dataset;
 }
 
-// Made ground has a scale, but no place.
-constexpr const char* local_metres = R"(LOCAL_CS["made ground",UNIT["metre",1]])";
+// Generated terrain has a scale, but no place.
+constexpr const char* local_metres = R"(LOCAL_CS["generated terrain",UNIT["metre",1]])";
 
 }  // namespace
 

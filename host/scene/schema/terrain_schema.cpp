@@ -32,7 +32,7 @@ std::string needs_tile_store(const UseContext&, const TerrainScene& terrain) {
   return is_tile_store(terrain.file) ? "" : "terrain.file is not a tile store";
 }
 
-std::string needs_made_ground(const UseContext&, const TerrainScene& terrain) {
+std::string needs_generated_terrain(const UseContext&, const TerrainScene& terrain) {
   return terrain.file.empty() ? "" : "the terrain comes from " + terrain.file;
 }
 
@@ -145,47 +145,47 @@ std::vector<Row<TerrainScene>> made_rows() {
        {.key = "seed",
         .high = 9223372036854775807.0,
         .help = "random seed: another seed gives other terrain of the same kind"},
-       needs_made_ground},
+       needs_generated_terrain},
       {path(fractal, &FractalParameters::posts),
        {.key = "posts", .low = 2.0, .high = 65536.0, .help = "posts along a side of generated terrain"},
-       needs_made_ground},
+       needs_generated_terrain},
       {path(fractal, &FractalParameters::side_m),
        {.key = "side_m",
         .unit = "m",
         .low = 1.0,
         .high = 1e7,
         .help = "length of a side of generated terrain"},
-       needs_made_ground},
+       needs_generated_terrain},
       {path(fractal, &FractalParameters::relief_m),
        {.key = "relief_m",
         .unit = "m",
         .low = 0.0,
         .high = 2e4,
         .help = "approximate height difference between the lowest and highest points of generated terrain"},
-       needs_made_ground},
+       needs_generated_terrain},
       {path(fractal, &FractalParameters::mean_m),
        {.key = "mean_m",
         .unit = "m",
         .low = -1e4,
         .high = 1e4,
         .help = "approximate mean of the lowest and highest heights of generated terrain; 0 m is sea level"},
-       needs_made_ground},
+       needs_generated_terrain},
       {path(fractal, &FractalParameters::longest_m),
        {.key = "longest_m",
         .unit = "m",
         .low = 1.0,
         .high = 1e7,
         .help = "wavelength of the largest hills of generated terrain, at least a thousandth of its side"},
-       needs_made_ground},
+       needs_generated_terrain},
       {path(fractal, &FractalParameters::roughness),
        {.key = "roughness",
         .low = 0.2,
         .high = 0.8,
         .help = "height ratio of successive octaves of generated terrain: 0.2 smooth ... 0.8 jagged"},
-       needs_made_ground},
+       needs_generated_terrain},
       {path(fractal, &FractalParameters::erosion),
        {.key = "erosion", .low = 0.0, .high = 1.0, .help = "depth of the gullies cut into slopes: 0 none"},
-       needs_made_ground},
+       needs_generated_terrain},
       {path(fractal, &FractalParameters::island_radius_m),
        {.key = "island_radius_m",
         .unit = "m",
@@ -194,7 +194,7 @@ std::vector<Row<TerrainScene>> made_rows() {
         .help = "make an island: generated terrain falls by relief_m from its middle to this distance",
         .example = "2000",
         .absent = "no island"},
-       needs_made_ground},
+       needs_generated_terrain},
   };
 }
 
