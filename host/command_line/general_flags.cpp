@@ -33,7 +33,7 @@ void add_trust_flag(CLI::App& command, Trust& trust) {
   command
       .add_flag_callback(
           "--untrusted", [&trust] { trust = Trust::untrusted; },
-          "treat the input as untrusted: it may only name files in its own folder and subfolders")
+          "use for files that you do not trust: they may read only files in their own folder and below it")
       ->group(general_group);
 }
 

@@ -291,8 +291,8 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   add_force_flag(*command, arguments->existing)->group(group);
   command
       ->add_flag("--json", arguments->json,
-                 "print the results as JSON: an object for one point and time, else an array\n(with -o: "
-                 "print a summary)")
+                 "print the results as JSON: an object for one point and time, else an array\nwith -o, "
+                 "print a summary instead")
       ->group(group);
   arguments->parameters.add_to(*command, {world, sea, grid});
   add_global_options(*command, options, DeviceUse::one);

@@ -22,15 +22,18 @@ constexpr const char* batch_group = "Many at once";
 void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::string& single) {
   columns_ = std::move(columns);
   single_ = single;
-  CLI::Option* points = command
-                            .add_option("--points", points_,
-                                        fmt::format("CSV file with columns {}:\nin any order under a header "
-                                                    "line, or without one only these, in this order",
-                                                    fmt::join(columns_.names, ",")))
-                            ->type_name("FILE")
-                            ->group(batch_group)
-                            ->excludes(command.get_option(single))
-                            ->excludes(command.get_option("--json"));
+  CLI::Option* points =
+      command
+          .add_option(
+              "--points", points_,
+              fmt::format(
+                  "CSV file with columns {}\nwith a header line: in any order, among others; without: "
+                  "exactly these, in this order",
+                  fmt::join(columns_.names, ",")))
+          ->type_name("FILE")
+          ->group(batch_group)
+          ->excludes(command.get_option(single))
+          ->excludes(command.get_option("--json"));
   command
       .add_option("-o,--output", output_,
                   "CSV file to write, complete or not at all (- or default: standard output)")

@@ -95,7 +95,7 @@ std::vector<Row<BodyScene>> body_motion_rows() {
         .unit = "deg",
         .low = -360.0,
         .high = 360.0,
-        .help = "where its bow points, from +x (east) toward +z (south)",
+        .help = "direction of its bow, from +x (east) toward +z (south)",
         .scale = radians_per_degree,
         .motion = keyed_angle}},
       {&BodyScene::speed_mps,

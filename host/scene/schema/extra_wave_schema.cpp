@@ -35,7 +35,7 @@ Schema<SwellScene> swell_schema() {
             .unit = "deg",
             .low = -360.0,
             .high = 360.0,
-            .help = "direction of travel, from +x (east) toward +z (south)",
+            .help = "direction in which it travels, from +x (east) toward +z (south)",
             .scale = radians_per_degree}},
           {&SwellScene::phase_rad,
            {.key = "phase_deg",

@@ -159,7 +159,7 @@ std::vector<Row<OceanSection>> energy_rows() {
         .unit = "deg",
         .low = -360.0,
         .high = 360.0,
-        .help = "direction of travel, from +x (east) toward +z (south)",
+        .help = "direction in which the wind blows, from +x (east) toward +z (south)",
         .example = "30",
         .absent = "as in [wind]: 0",
         .scale = radians_per_degree},
@@ -428,7 +428,7 @@ Schema<ocean::Wind> wind_schema() {
                         .unit = "deg",
                         .low = -360.0,
                         .high = 360.0,
-                        .help = "direction of travel, from +x (east) toward +z (south)",
+                        .help = "direction in which the wind blows, from +x (east) toward +z (south)",
                         .scale = radians_per_degree},
                        needs_wind_direction}});
 }

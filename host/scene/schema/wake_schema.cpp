@@ -129,7 +129,7 @@ std::vector<Row<WakeHullScene>> hull_rows() {
         .unit = "deg",
         .low = -360.0,
         .high = 360.0,
-        .help = "where its bow points, from +x (east) toward +z (south)",
+        .help = "direction of its bow, from +x (east) toward +z (south)",
         .scale = radians_per_degree,
         .motion = keyed_angle}},
       {&WakeHullScene::speed_mps,
