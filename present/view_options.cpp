@@ -128,7 +128,7 @@ void add_options(CLI::App& app, Written& written) {
   written.frames.add_frames_to(app, pictures);
   written.frames.add_fps_to(app, pictures);
   add_force_flag(app, written.existing)->group(pictures);
-  const char* reference = "Clouds beside a reference";
+  const char* reference = "Clouds compared with a reference";
   app.add_flag("--compare-reference", written.compares_reference,
                "compare the drawn clouds with a reference path-traced in double precision; write both and "
                "their difference\n"

@@ -244,7 +244,7 @@ std::vector<Row<clouds::HierarchyLevel>> level_rows() {
             .unit = "m",
             .low = 0.0,
             .high = 1e6,
-            .help = "largest random change of the radius above"},
+            .help = "random length added to the radius of the level above, up to this much"},
            needs_growth},
           {&HierarchyLevel::repulsion,
            {.key = "repulsion",

@@ -80,7 +80,7 @@ std::vector<Row<HighlightScene>> choosing_rows() {
             .high = farthest_m,
             .help = "add a highlight that stays at this place, whatever the light: x, y, z of the mesh",
             .example = "[0, 0.5, 0.5]",
-            .absent = "none: uses the highlights of the lights",
+            .absent = "none: highlights come from the lights",
             .instead_of = "nearest_m"}},
           {path(rule, &HighlightRule::mask_m),
            {.key = "mask_m",
