@@ -121,8 +121,9 @@ void VideoPipe::fail() const {
   const std::string words = ffmpeg_ ? ffmpeg_->last_words() : "";
   throw Error(
       ErrorKind::file, fmt::format("{}: ffmpeg failed{}{}", file_.string(), words.empty() ? "" : ": ", words),
-      is_mp4(file_) ? "check that this ffmpeg has libx264 and the disk free space, or record a .webm"
-                    : "check that this ffmpeg has libvpx-vp9 and the disk free space, or record an .mp4");
+      is_mp4(file_)
+          ? "check that this ffmpeg has libx264 and that the disk has free space, or record a .webm"
+          : "check that this ffmpeg has libvpx-vp9 and that the disk has free space, or record an .mp4");
 }
 
 }  // namespace offing::present

@@ -48,7 +48,7 @@ std::string target_system(const std::filesystem::path& path, const SourceHeights
     throw Error(
         ErrorKind::bad_input,
         fmt::format("{}: --reproject: expected a coordinate system in metres, got \"{}\"{}", path.string(),
-                    target, reference ? ", which is none" : ", which PROJ does not know"),
+                    target, reference ? ", which is not in metres" : ", which PROJ does not know"),
         "write --reproject utm, or a projected system such as --reproject EPSG:32719");
   }
   return wkt_of(reference.get());
