@@ -21,7 +21,8 @@ ENVIRONMENT = {
     ),
     "OFFING_LONGEST_WAIT_S": (
         "device",
-        "Longest time in seconds for the work before a first picture or frame. Longer work is refused. The default is 45.",
+        "Longest time in seconds for the work before a first picture or frame. Longer work is refused. The default is "
+        "45.",
     ),
 }
 
