@@ -274,7 +274,7 @@ void run(const CurvatureArguments& arguments, const Options& program_options) {
     print_json(json);
     return;
   }
-  print_summary("{}: {} vertices, {} faces, {}, {:.2f} us a vertex\n", one_line(arguments.output),
+  print_summary("{}: {} vertices, {} faces, {}, {:.2f} us per vertex\n", one_line(arguments.output),
                 unit.vertex_count(), prepared.mesh.faces.size(), method, us_a_vertex);
   if (arguments.stats) fmt::print("{}", text_of(statistics));
 }

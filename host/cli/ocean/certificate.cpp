@@ -372,7 +372,7 @@ std::string certificate_text(const Certificate& c, const scene::Sea& sea, Direct
 
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "Sea-state certificate: {} seed{} from {}, {} x {} samples a cascade\n\n", c.seeds,
+  fmt::format_to(out, "Sea-state certificate: {} seed{} from {}, {} x {} samples per cascade\n\n", c.seeds,
                  c.seeds == 1 ? "" : "s", sea.parameters.seed, sea.parameters.size, sea.parameters.size);
   fmt::format_to(out, "  {:<15} {:>11} {:>10} {:>10} {:>10} {:>9} {:>6}\n", "", "", "asked", "resolved",
                  "measured", "std.error", "sigma");

@@ -48,7 +48,7 @@ void TerrainBatch::require_question(const std::string& single, const TerrainInpu
     require_new(output_, existing_, {{terrain.file(), points_}, terrain.trust()});
   if (is_asked() || !single.empty()) return;
   throw Error(ErrorKind::bad_usage, fmt::format("expected {} or --points, found neither", single_),
-              "give one question, or a file of them");
+              fmt::format("give {} for one answer, or --points FILE for many", single_));
 }
 
 void TerrainBatch::answer(std::string_view heading, const Answer& answer,

@@ -174,7 +174,7 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
                                          {"refined_share", picture.refined_share}};
     print_json(json);
   } else {
-    print_summary("{}: from ({:.1f}, {:.1f}, {:.1f}) m, {:.1f} % ground, {:.1f} steps a ray\n",
+    print_summary("{}: from ({:.1f}, {:.1f}, {:.1f}) m, {:.1f} % ground, {:.1f} steps per ray\n",
                   one_line(arguments.output), camera.eye_m.x, camera.eye_m.y, camera.eye_m.z,
                   100.0 * ground_share, picture.mean_steps);
   }

@@ -182,7 +182,7 @@ void write_vdb(const std::filesystem::path& path, const VdbCloud& cloud, VdbPrec
   const CloudVolume& volume = fitted ? *fitted : cloud.volume;
   require_valid(volume);
   if (!cloud.albedo.empty() && cloud.albedo.size() != volume.density.size()) {
-    throw vdb::bad_vdb(path, "color", "one albedo a density", "others", "make them again");
+    throw vdb::bad_vdb(path, "color", "one albedo per density", "others", "make them again");
   }
   AtomicFile file(path, existing);
   vdb::initialize();
