@@ -127,7 +127,7 @@ TEST_F(VideoPipeTest, WhatCannotBeIsToldBeforehand) {
   expect_fault([&] { require_video(folder_.path() / "a.avi"); }, ErrorKind::bad_usage,
                "expected a name that ends in .webm or .mp4");
   expect_fault([&] { require_video_size(folder_.path() / "a.mp4", 63, 48); }, ErrorKind::bad_usage,
-               "expected even sides, which mp4 takes alone, got 63x48");
+               "expected an even width and height, which .mp4 needs, got 63x48");
   ffmpeg.take_away();
   expect_fault([&] { require_video(webm_); }, ErrorKind::file,
                "expected the program ffmpeg on PATH, found none");
