@@ -46,8 +46,8 @@ void add_check_command(CLI::App& program, Options& options) {
   add_trust_flag(*command, arguments->trust);
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
-The check does not change the mesh. Vertices are told apart by index, not by position. Defects are results, not
-errors: the exit code is 0.
+The check does not change the mesh. Vertices are told apart by index, not by position. Defects are results,
+not errors: the exit code is 0.
 
   components             sets of faces connected by vertices
   boundary loops         sets of connected edges that have only one face
@@ -57,7 +57,7 @@ errors: the exit code is 0.
   duplicate faces        faces with the same three vertices as an earlier face
   isolated vertices      vertices that no face uses
   orientable             whether faces can be turned so that all neighbours agree
-  self-intersections     pairs of faces that intersect outside their shared vertices and edges; computed exactly
+  self-intersections     pairs of faces that intersect outside their shared vertices and edges, exactly
 
 Examples:
   offing-mesh check scan.ply

@@ -300,10 +300,11 @@ void add_curvature_command(CLI::App& program, Options& options) {
   add_trust_flag(*command, arguments->trust);
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
-The PLY keeps the order of the vertices. Vertices at exactly the same position count as one. For each vertex it has:
-normal; k_max and k_min in 1/m, positive where the surface is convex (a ball of radius r has 1/r); their directions
-e_max and e_min, where e_max x e_min is the normal; area in m2; confidence. Confidence, from 0 to 1, says how far to
-trust the directions: 0 where the curvature is the same in all directions, halved on borders.
+The PLY keeps the order of the vertices. Vertices at exactly the same position count as one. For each
+vertex it has: normal; k_max and k_min in 1/m, positive where the surface is convex (a ball of radius r has
+1/r); their directions e_max and e_min, where e_max x e_min is the normal; area in m2; confidence.
+Confidence, from 0 to 1, says how far to trust the directions: 0 where the curvature is the same in all
+directions, halved on borders.
 
   fit           fits a quadric to the vertices within a ball; the most accurate
   tensor        sums edge angles within a ball; edges on its rim count half

@@ -106,13 +106,13 @@ void add_repair_command(CLI::App& program, Options& options) {
   command->add_flag("--outward", arguments->outward, "turn closed components to face outward");
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
-The steps of a repair, in order: Merge border vertices at exactly the same place, which closes seams. Remove faces
-that name a vertex twice or repeat another face. Turn faces so that neighbours agree; most faces of each component
-keep their side. Split edges of three or more faces and vertices of two or more fans. Remove faces without an area.
-Fill small holes. Remove vertices that no face uses.
+The steps of a repair, in order: Merge border vertices at exactly the same place, which closes seams.
+Remove faces that name a vertex twice or repeat another face. Turn faces so that neighbours agree; most
+faces of each component keep their side. Split edges of three or more faces and vertices of two or more
+fans. Remove faces without an area. Fill small holes. Remove vertices that no face uses.
 
-Other vertices keep their place and order. Normals are dropped. Self-intersections stay; `offing-mesh check` counts
-them.
+Other vertices keep their place and order. Normals are dropped. Self-intersections stay; `offing-mesh
+check` counts them.
 
 Examples:
   offing-mesh repair scan.obj -o scan.ply

@@ -45,9 +45,9 @@ void add_simplify_command(CLI::App& program, Options& options) {
                              "collapse edges until this many faces are left");
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
-With --faces, the edges that change the surface least collapse first; with --edge-m, the shortest. Faces never turn
-over, so a few more faces may be left than you asked for. The mesh must be a manifold: `offing-mesh repair` makes
-one.
+With --faces, the edges that change the surface least collapse first; with --edge-m, the shortest. Faces
+never turn over, so a few more faces may be left than you asked for. The mesh must be a manifold:
+`offing-mesh repair` makes one.
 
 Examples:
   offing-mesh simplify scan.ply --faces 5000 -o coarse.ply

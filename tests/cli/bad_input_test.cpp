@@ -258,7 +258,7 @@ const std::vector<BadInput> bad_inputs = {
      1,
      ".*/out/ocean.0001.png: cannot be looked up: .*"},
     {"folder_of_another_scene", bake_other_scene, bake({"--seed", "6", "-o", "@/out"}), 2,
-     ".*/out: expected frames of this scene .*found ocean.c0.0000.exr of another"},
+     ".*/out: expected only frames of this scene .*found ocean.c0.0000.exr of another"},
     {"export_not_writable", nothing, bake({"--export-spectrum", "/proc/a.spec", "-o", "@/out"}), 1,
      "/proc/a.spec.*"},
 };

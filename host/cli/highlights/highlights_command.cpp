@@ -269,9 +269,10 @@ void add_highlights_command(CLI::App& app, GlobalOptions& options) {
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-A projector is a box that casts its texture along -normal onto the faces of its mesh. The texture reaches from -1 to
-1 along right and up, over the box's width and height; beyond it is transparent. In glTF the +x, +y and +z axes of
-its node are right, up and normal, and the node's scale is the size of the box. A scale of 0 means no highlight.
+A projector is a box that casts its texture along -normal onto the faces of its mesh. The texture reaches
+from -1 to 1 along right and up, over the box's width and height; beyond it is transparent. In glTF the +x,
++y and +z axes of its node are right, up and normal, and the node's scale is the size of the box. A scale
+of 0 means no highlight.
 
 Examples:
   offing highlights scenes/knot.toml -o knot.json --frames 0:47 --fps 24

@@ -297,10 +297,10 @@ void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   arguments->parameters.add_to(*command, {world, sea, grid});
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-Samples lie on the displaced surface. The search for the water under a point ends within 0.0001 m of the point or,
-under folding crests, where it cannot get closer: residual_m is the distance that is left. Pressure is relative to
-the air, for sea water of 1025 kg/m^3. Raindrop rings change height and pressure, but not velocity. Samples are
-sorted by time, and at each time keep the order of the points.
+Samples lie on the displaced surface. The search for the water under a point ends within 0.0001 m of the
+point or, under folding crests, where it cannot get closer: residual_m is the distance that is left.
+Pressure is relative to the air, for sea water of 1025 kg/m^3. Raindrop rings change height and pressure,
+but not velocity. Samples are sorted by time, and at each time keep the order of the points.
 
 Examples:
   offing ocean query scenes/storm.toml --at 120,-35 --time 12.5 --velocity-depth-m 3

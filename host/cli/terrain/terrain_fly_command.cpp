@@ -505,9 +505,9 @@ void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-The flight is a figure of eight over the middle of the map. Frames are drawn as fast as possible; from one to the
-next the eye moves by speed / fps metres. Times include the choice of tiles, rays, shadows and light. The flags under
-Heights, Spacing and Files without a header say how to read the map of --compare.
+The flight is a figure of eight over the middle of the map. Frames are drawn as fast as possible; from one
+to the next the eye moves by speed / fps metres. Times include the choice of tiles, rays, shadows and
+light. The flags under Heights, Spacing and Files without a header say how to read the map of --compare.
 
 Examples:
   offing terrain fly ground.tiles --cache-mb 256

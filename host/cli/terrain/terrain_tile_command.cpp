@@ -246,9 +246,9 @@ void add_terrain_tile_command(CLI::App& terrain, GlobalOptions& options) {
   command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
-FILE may also be a VRT or a folder of rasters. It is read row by row, so memory for a few hundred rows is enough. An
-interrupted run resumes when you start it again, and gives the same bytes. A store takes 6.1 bytes per post, or 3.4 if
-heights are whole metres.
+FILE may also be a VRT or a folder of rasters. It is read row by row, so memory for a few hundred rows is
+enough. An interrupted run resumes when you start it again, and gives the same bytes. A store takes 6.1
+bytes per post, or 3.4 if heights are whole metres.
 
 Examples:
   offing terrain tile srtm/ -o alps.tiles

@@ -168,10 +168,10 @@ void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
   add_global_options(*command, options, DeviceUse::one);
   command->footer(fmt::format(R"(
 {}
-The raster has one byte per post and the georeference of the map: 255 visible, 0 hidden, 128 (nodata) where the map
-has a void. Visibility is exact: it follows the surface between the posts instead of stepping from post to post. For
-a tile store, the raster covers the square that --radius-m reaches, in full detail. --cache-mb must be large enough
-for it, at 12 bytes per post.
+The raster has one byte per post and the georeference of the map: 255 visible, 0 hidden, 128 (nodata) where
+the map has a void. Visibility is exact: it follows the surface between the posts instead of stepping from
+post to post. For a tile store, the raster covers the square that --radius-m reaches, in full detail.
+--cache-mb must be large enough for it, at 12 bytes per post.
 
 Examples:
   offing terrain viewshed S33W071.tif --observer 47000,55000 -o seen.tif
