@@ -70,7 +70,7 @@ std::string text_of(const MeshReport& report) {
                  fmt::format("{} of {} faces of the file", report.polygons, report.file_faces));
   }
   if (report.merged_corners > 0) {
-    text += line("merged", fmt::format("{} corners at places of others", report.merged_corners));
+    text += line("merged", fmt::format("{} corners at the same place as others", report.merged_corners));
   }
   for (const LeftOut& item : report.left_out) {
     text += line("left out", fmt::format("{} {}", item.count, item.what));

@@ -145,7 +145,7 @@ using Halfedge = Surface::Halfedge_index;
 void require_faces(const TriangleMesh& mesh) {
   if (!mesh.faces.empty()) return;
   throw Error(ErrorKind::bad_input, "repair: expected faces with an area, got none",
-              "`offing-mesh check` tells what the mesh holds");
+              "`offing-mesh check` shows what the mesh contains");
 }
 
 /// Only on borders: what is closed already and touches another part stays apart.

@@ -62,19 +62,19 @@ struct Written {
 
 std::vector<scene::Row<ViewOptions>> picture_rows() {
   return {{scene::choice_or("auto", &ViewOptions::detail, {"low", "high"}),
-           {.key = "detail", .help = "auto: high, but low for windows that the CPU draws"}},
+           {.key = "detail", .help = "level of detail; auto: high, but low for windows that the CPU draws"}},
           {&ViewOptions::kept_hz,
            {.key = "keep_fps",
             .unit = "1/s",
             .high = 1000.0,
-            .help = "frame rate that a window keeps by lowering quality; 0: never lowers it",
+            .help = "frame rate that a window keeps by lowering quality; 0: never lower it",
             .example = "20",
-            .absent = "20 where the CPU draws, else 0"}},
+            .absent = "20 if the CPU draws, else 0"}},
           {&ViewOptions::render_scale,
            {.key = "render_scale",
             .low = 0.1,
             .high = 1.0,
-            .help = "pixels that a window draws per pixel it shows, along a side; less is faster",
+            .help = "scale of the picture that a window draws and shows enlarged; less is faster",
             .example = "0.5"}},
           {&ViewOptions::time_s, time_facts("time to show", "the scene's start")}};
 }
@@ -88,61 +88,66 @@ std::vector<scene::Row<ViewOptions>> transfer_rows() {
   std::vector<std::string_view> names;
   for (const TransferPath path : all_transfer_paths) names.push_back(to_string(path));
   return {{scene::choice_or("best", &ViewOptions::transfer, std::move(names)),
-           {.key = "transfer", .help = "how maps get from OpenCL to OpenGL; best: the first that works"}}};
+           {.key = "transfer",
+            .help = "how to transfer maps from OpenCL to OpenGL; best: the first way that works"}}};
 }
 
 void add_options(CLI::App& app, Written& written) {
   app.name("offing-view");
   format_help(app);
   app.description(
-      "offing-view: sea, ground, meshes and clouds of a scene, in a window or in pictures without one");
+      "offing-view: show a scene's sea, terrain, meshes and clouds in a window, or write pictures");
   app.set_version_flag("--version", "offing-view " + std::string(scene::version()), "print the version");
   app.set_help_flag("-h,--help", "print this help");
   app.add_option("SCENE", written.scene,
-                 "scene file (.toml); without one, an island, a ship and clouds, or --terrain alone")
+                 "scene file (.toml); default: an island, a ship and clouds, or --terrain alone")
       ->transform(find_scene)
       ->type_name("");
   app.add_option("--terrain", written.terrain,
                  "height map or tile store to show: GeoTIFF, .hgt, USGS DEM, ASCII grid, PNG, EXR\n"
-                 "it replaces [terrain] file of the scene, whose other keys say how to read it")
+                 "it replaces the file of the scene's [terrain]; the other keys there say how to read it")
       ->type_name("FILE");
   const char* pictures = "Pictures";
-  app.add_flag("--headless", written.is_headless, "no window: write a picture (-o)")->group(pictures);
-  app.add_flag("--window", written.is_window, "a window although pictures are recorded")->group(pictures);
+  app.add_flag("--headless", written.is_headless, "write pictures without opening a window")->group(pictures);
+  app.add_flag("--window", written.is_window, "open a window also when recording (--record, --video)")
+      ->group(pictures);
   app.add_option("--size", written.size,
-                 "of the picture or the window (default 1280x720)\nwhere the CPU draws, a window without "
-                 "it shows a smaller picture enlarged")
+                 "size of the picture or window (default 1280x720)\nby default, a window that the CPU draws "
+                 "shows a smaller picture, enlarged")
       ->type_name("WxH")
       ->group(pictures);
   written.view.add_to(app, picture_rows(), pictures);
-  app.add_flag("--paused", written.is_paused, "a window stands at that time until it is let run (Space)")
+  app.add_flag("--paused", written.is_paused, "open the window paused at the start time; press Space to run")
       ->group(pictures);
   app.add_option("-o,--output", written.output,
-                 "picture: .png as a screen shows it, .exr scene-linear kcd/m2")
+                 "picture to write: .png as on a screen, .exr scene-linear in kcd/m2")
       ->type_name("FILE")
       ->group(pictures);
-  app.add_option("--record", written.record, "a picture a frame, out_%04d.png, or the video of --video")
+  app.add_option("--record", written.record,
+                 "write one picture per frame, such as out_%04d.png; a video name acts like --video")
       ->type_name("NAMES")
       ->group(pictures);
   app.add_option("--video", written.video,
-                 "the same frames as a video, out.webm or out.mp4, which the program ffmpeg makes")
+                 "write the frames as a video, out.webm or out.mp4; needs the program ffmpeg")
       ->type_name("FILE")
       ->group(pictures);
   written.frames.add_frames_to(app, pictures);
   written.frames.add_fps_to(app, pictures);
   add_force_flag(app, written.existing)->group(pictures);
-  const char* reference = "Clouds beside a reference";
+  const char* reference = "Clouds compared with a reference";
   app.add_flag("--compare-reference", written.compares_reference,
-               "the clouds as drawn, as paths traced in double precision have them, and what differs\n"
-               "-o names a folder then; --size is 160x90 by default")
+               "compare the drawn clouds with a reference path-traced in double precision; write both and "
+               "their difference\n"
+               "-o names the folder to write to; --size is 160x90 by default")
       ->group(reference);
   written.reference.add_to(app, reference_rows(), reference);
-  app.add_flag("--json", written.prints_json, "how much light there is, for scripts")->group(reference);
+  app.add_flag("--json", written.prints_json, "print the light of both, and their differences, as JSON")
+      ->group(reference);
   add_device_flag(app, written.device);
   written.view.add_to(app, transfer_rows(), general_group);
-  app.add_option("--sources", written.sources,
-                 "checkout of Offing whose kernels and shaders are used, again with F5\n(default: those "
-                 "built in)")
+  app.add_option(
+         "--sources", written.sources,
+         "checkout of Offing whose kernels and shaders to use; F5 reloads them\n(default: those built in)")
       ->type_name("FOLDER")
       ->group(general_group);
   add_trust_flag(app, written.trust);
@@ -157,9 +162,10 @@ Recording read_recording(const Written& written, const scene::Scene& scene) {
                       .existing = written.existing};
   if (is_video_name(written.record)) {
     if (!written.video.empty()) {
-      throw Error(ErrorKind::bad_usage,
-                  fmt::format("--record: expected names of pictures beside --video, got {}", written.record),
-                  "one video is written: leave one of them out");
+      throw Error(
+          ErrorKind::bad_usage,
+          fmt::format("--record: expected picture names when --video is given, got {}", written.record),
+          "only one video is written: leave out --record or --video");
     }
     recording.video = written.record;
   } else if (!written.record.empty()) {
@@ -187,10 +193,9 @@ ReferenceComparison read_comparison(const Written& written, const GivenInputs& i
                 "add -o compared");
   }
   if (!written.record.empty() || !written.video.empty() || written.is_window) {
-    throw Error(
-        ErrorKind::bad_usage,
-        "--compare-reference: expected neither --record, --video nor --window, which it does not make",
-        "leave them out");
+    throw Error(ErrorKind::bad_usage,
+                "--compare-reference: expected no --record, --video or --window, found one of them",
+                "leave them out");
   }
   require_file_name(written.output);
   ReferenceComparison comparison = written.reference.read(
@@ -198,7 +203,7 @@ ReferenceComparison read_comparison(const Written& written, const GivenInputs& i
   std::error_code failed;
   std::filesystem::create_directories(comparison.folder, failed);
   if (failed || !std::filesystem::is_directory(comparison.folder)) {
-    throw Error(ErrorKind::file, fmt::format("{}: is no folder and cannot be made one", written.output),
+    throw Error(ErrorKind::file, fmt::format("{}: cannot create the folder", written.output),
                 "name another folder");
   }
   for (const char* name : {"drawn.png", "reference.png", "error.png", "compared.exr"})
@@ -212,35 +217,34 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
     throw Error(ErrorKind::bad_usage, what, hint);
   };
   if (written.frames.has_frames() && !options.recording) {
-    refuse("--frames: expected --record or --video, whose frames these are, found neither",
+    refuse("--frames: expected --record or --video, found neither",
            "add --record out_%04d.png or --video out.webm");
   }
   if (written.frames.has_fps() && !options.recording) {
-    refuse("--fps: expected --record or --video, whose frames it times, found neither",
+    refuse("--fps: expected --record or --video, found neither",
            "add --record out_%04d.png or --video out.webm");
   }
   if (written.view.is_given("--time") && options.recording && options.output.empty()) {
-    refuse("--time: expected neither --record nor --video, whose frames have times of their own",
+    refuse("--time: expected no --record or --video, which set the time of each frame",
            "choose the frames with --frames A:B, or make one picture with -o");
   }
   if (!options.comparison && (written.reference.are_given() || written.prints_json)) {
-    refuse("--samples, --json: expected --compare-reference, which they belong to, found none",
+    refuse("--samples, --json: expected --compare-reference, found none",
            "add --compare-reference, or leave them out");
   }
   if (written.existing == Existing::replace && options.output.empty() && !options.recording) {
-    refuse("--force: expected -o, --record or --video, whose files it replaces, found none",
-           "leave --force out");
+    refuse("--force: expected -o, --record or --video, found none", "leave --force out");
   }
   if (options.kept_hz && (!options.opens_window || options.recording)) {
-    throw bad_argument("--keep-fps", "a window to be looked at", "pictures into files",
-                       "none: they have all detail");
+    throw bad_argument("--keep-fps", "a window without a recording", "pictures in files",
+                       "only with a window: pictures in files have full detail");
   }
   if (written.view.is_given("--render-scale") && (!options.opens_window || options.recording)) {
-    throw bad_argument("--render-scale", "a window to be looked at", "pictures into files",
-                       "--size sets how large they are");
+    throw bad_argument("--render-scale", "a window without a recording", "pictures in files",
+                       "--size sets their size");
   }
   if (written.is_paused && (!options.opens_window || options.recording)) {
-    refuse("--paused: expected a window without a recording, which is where time runs",
+    refuse("--paused: expected a window without a recording, found none",
            "leave --paused out, or open a window");
   }
 }
@@ -319,7 +323,7 @@ ViewOptions checked(const Written& written) {
                 "leave one of them out");
   }
   if (written.is_window && !options.output.empty()) {
-    throw Error(ErrorKind::bad_usage, "--window: expected no -o, which a window does not write",
+    throw Error(ErrorKind::bad_usage, "--window: expected no -o, found one",
                 "leave --window out, write a recording with --record or --video, or press F12 in the window");
   }
   options.opens_window = written.is_window || (!written.is_headless && !makes_images);

@@ -14,7 +14,7 @@ template <typename... Arguments>
 void require(bool holds, fmt::format_string<const Arguments&...> what, const Arguments&... arguments) {
   if (holds) return;
   throw Error(ErrorKind::bad_input, "cloud volume: " + fmt::format(what, arguments...),
-              "the file or program that made it is at fault");
+              "check the file or the program that made it");
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ void require_valid(std::size_t vertex_count, const std::vector<TriangleIndices>&
       throw Error(
           ErrorKind::bad_input,
           fmt::format("mesh: face {}: expected vertices below {}, found {}", face, vertex_count, vertex),
-          "write the mesh anew with the program it comes from");
+          "export the mesh again from the program that made it");
     }
   }
 }

@@ -61,7 +61,7 @@ void Progress::show() {
   std::string text = fmt::format("{}/{} {}", done_, total_, what_);
   if (worked > 0 && elapsed_s > 0.0) {
     const double rate_hz = worked / elapsed_s;
-    text += rate_hz >= 1.0 ? fmt::format(", {:.1f} a second", rate_hz)
+    text += rate_hz >= 1.0 ? fmt::format(", {:.1f} per second", rate_hz)
                            : fmt::format(", {:.1f} s each", 1.0 / rate_hz);
     text += last ? fmt::format(", took {}", duration_text(elapsed_s))
                  : fmt::format(", {} left", duration_text((total_ - done_) / rate_hz));

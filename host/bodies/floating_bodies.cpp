@@ -166,7 +166,7 @@ void FloatingBodies::advance_to(double time_s, const WaterSurface& water, const 
     throw Error(ErrorKind::bad_usage,
                 fmt::format("floating bodies: expected a time from {:.6g} s on, found {:.6g} s",
                             question_s(std::max<std::int64_t>(0, questions_ - 1)), time_s),
-                "reset() begins anew");
+                "reset() starts again");
   }
   const auto needed = static_cast<std::int64_t>(std::ceil(asked - time_tolerance));
   while (questions_ < needed) ask_and_step(water, drive);

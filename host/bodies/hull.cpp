@@ -80,9 +80,9 @@ void require_hull(const TriangleMesh& mesh, const char* subject) {
   }
   if (const double volume_m3 = enclosed_by(mesh).volume_m3; !(volume_m3 > 0.0)) {
     throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected faces that are turned outward around a volume, found {:.3g} m3",
-                            subject, volume_m3),
-                "turn the faces: `offing-mesh repair` does");
+                fmt::format("{}: expected faces that point outward around a volume, found {:.3g} m3", subject,
+                            volume_m3),
+                "turn the faces: `offing-mesh repair IN -o OUT --outward`");
   }
 }
 

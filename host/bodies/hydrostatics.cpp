@@ -79,7 +79,7 @@ double level_that_displaces(const TriangleMesh& hull, double volume_m3, const ch
   if (!(volume_m3 > 0.0 && volume_m3 < whole_m3)) {
     throw Error(
         ErrorKind::bad_input,
-        fmt::format("{}: expected a mass whose water is less than the hull's {:.4g} m3, found {:.4g} m3",
+        fmt::format("{}: expected a mass that displaces less than the hull's {:.4g} m3, found {:.4g} m3",
                     subject, whole_m3, volume_m3),
         "make it lighter, or its hull larger");
   }

@@ -10,8 +10,9 @@ namespace offing {
 void FrameFlags::add_frames_to(CLI::App& command, const char* group) {
   frames_option_ =
       command
-          .add_option("--frames", frames_,
-                      "frames to make, A to B or A alone; time = frame / fps (default: the scene's)")
+          .add_option(
+              "--frames", frames_,
+              "frames to make: A to B inclusive, or A alone; time = frame / fps (default: the scene's)")
           ->type_name("A:B")
           ->group(group);
 }

@@ -41,8 +41,8 @@ CLI::Option* add_force_flag(CLI::App& command, Existing& existing) {
 void require_file_name(const std::string& output) {
   if (!is_standard_output(output)) return;
   throw Error(ErrorKind::bad_usage,
-              "-: expected a file name, found standard output, where this command does not write",
-              "name a file or folder; write ./- for one that is named -");
+              "-: expected a file name, found standard output, to which this command cannot write",
+              "name a file or folder; write ./- for one called -");
 }
 
 void require_not_read(std::span<const fs::path> outputs, const GivenInputs& inputs) {
@@ -98,8 +98,8 @@ void require_distinct(std::span<const NamedOutput> outputs) {
       const auto& [second, other] = outputs[j];
       if (file.empty() || other.empty() || !is_same_name(file, other)) continue;
       throw Error(ErrorKind::bad_usage,
-                  fmt::format("{}: expected another file than that of {}, found {} for both", second, first,
-                              one_line(file.string())),
+                  fmt::format("{}: expected a different file from that of {}, found {} for both", second,
+                              first, one_line(file.string())),
                   "name two files");
     }
   }

@@ -65,7 +65,7 @@ std::string told(const CLI::ParseError& error) {
 
 Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = innermost(app);
-  const std::string help = fmt::format("`{} --help` lists what it takes", full_name(command));
+  const std::string help = fmt::format("`{} --help` lists its commands and options", full_name(command));
   const std::vector<std::string> extras = command.remaining();
   // A misspelt command is left over, and then the one that is required is missing.
   const bool is_unknown_word = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
@@ -78,7 +78,7 @@ Error usage_error(const CLI::App& app, const CLI::ParseError& error) {
   std::string near(scene::nearest_name(extras.front(), candidates));
   if (near.empty()) near = command_below(app, extras.front());
   return Error(ErrorKind::bad_usage,
-               fmt::format("{}: expected options and commands that it knows, got \"{}\"", full_name(command),
+               fmt::format("{}: expected a known command or option, got \"{}\"", full_name(command),
                            extras.front().substr(0, 60)),
                near.empty() ? help : fmt::format("did you mean {}?", near));
 }
@@ -111,14 +111,15 @@ void refuse_empty(const CLI::App& app, int argc, const char* const* argv) {
       continue;
     }
     if (flag.empty()) {
-      throw Error(ErrorKind::bad_usage,
-                  fmt::format("{}: expected arguments that are not empty, got \"\" as argument {}",
-                              full_name(*command), i),
-                  "leave it out; a shell variable that is not set is empty");
+      throw Error(
+          ErrorKind::bad_usage,
+          fmt::format("{}: expected no empty argument, got \"\" as argument {}", full_name(*command), i),
+          "leave it out; an unset shell variable gives an empty argument");
     }
     throw Error(
         ErrorKind::bad_usage, fmt::format("{}: expected a value, got \"\"", flag),
-        fmt::format("give {} a value, or leave it out; a shell variable that is not set is empty", flag));
+        fmt::format("give {} a value, or leave it out; an unset shell variable gives an empty argument",
+                    flag));
   }
 }
 

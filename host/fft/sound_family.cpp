@@ -52,8 +52,8 @@ ocl::KernelShape sound_family(const ocl::Device& device, const PlanRequest& requ
     if (is_sound) {
       if (!failed.empty()) {
         warn_once(
-            fmt::format("{} (driver {}) computes {} transforms of size {} wrong: using {} transforms, which "
-                        "may be slower; a newer driver may help",
+            fmt::format("{} (driver {}) computes {} transforms of size {} wrongly: using {} transforms, "
+                        "which may be slower; a newer driver may help",
                         info.name, info.driver_version, failed, request.size, name_of(family)));
       }
       return family;

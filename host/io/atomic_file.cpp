@@ -46,7 +46,7 @@ std::string hint_for(int error_number, const fs::path& target) {
     case EACCES:
     case EPERM:
     case EROFS:
-      return fmt::format("give yourself the right to write in {}, or write to another folder", folder);
+      return fmt::format("make {} writable, or write to another folder", folder);
     case ENAMETOOLONG:
       return "use a shorter file name";
     case EMFILE:

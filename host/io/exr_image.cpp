@@ -103,7 +103,7 @@ void check(const std::filesystem::path& path, const ExrImage& image) {
       refuse(path,
              fmt::format("channel {}: NaN at row {}, column {}", channel.name, place / image.width,
                          place % image.width),
-             "find out where the simulation left the finite numbers; such a frame is not worth keeping");
+             "find where the simulation made values that are not finite, and discard this frame");
     }
   }
 }

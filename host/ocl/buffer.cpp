@@ -80,7 +80,7 @@ std::string description(std::string_view name, std::size_t bytes, const DeviceIn
 [[noreturn]] void throw_out_of_memory(std::string_view call, std::string_view name, std::size_t bytes,
                                       const DeviceInfo& info) {
   throw Error(ErrorKind::out_of_memory,
-              fmt::format("{}: {} does not fit: the device has {} MiB and allows {} MiB a buffer", call,
+              fmt::format("{}: {} does not fit: the device has {} MiB and allows {} MiB per buffer", call,
                           description(name, bytes, info), info.global_memory_bytes >> 20,
                           info.max_allocation_bytes >> 20),
               out_of_memory_hint);

@@ -38,7 +38,7 @@ std::string trouble_with_folder(const std::filesystem::path& folder) {
   if (!S_ISDIR(status.st_mode)) return "it is no folder";
   if (name.st_uid != geteuid() || status.st_uid != geteuid()) return "it belongs to another user";
   if ((status.st_mode & (S_IWGRP | S_IWOTH)) == 0) return {};
-  return fmt::format("others may write in it; chmod go-w {} ends that", folder.string());
+  return fmt::format("others may write in it; run chmod go-w {}", folder.string());
 }
 
 std::string make_private_folder(const std::filesystem::path& folder) {

@@ -60,8 +60,9 @@ bool is_temporary_name(std::string_view name) {
 void report_unwritable(const fs::path& folder, const std::string& reason) {
   static std::atomic<bool> was_reported{false};
   if (was_reported.exchange(true)) return;
-  spdlog::warn("cannot keep compiled kernels in {}: {}; each start compiles anew (set OFFING_CACHE_DIR)",
-               folder.string(), reason);
+  spdlog::warn(
+      "cannot store compiled kernels in {}: {}; each start compiles them again (set OFFING_CACHE_DIR)",
+      folder.string(), reason);
 }
 
 // A new file that nobody else has opened, by a name with the number of this process; null if there is none.

@@ -39,7 +39,7 @@ World::World(const ocl::Device& device, const WorldParameters& parameters)
 
 ocean::Ocean& World::ocean() {
   if (ocean_) return *ocean_;
-  throw Error(ErrorKind::bad_usage, "world: expected a sea, found ground alone",
+  throw Error(ErrorKind::bad_usage, "world: expected a sea, found only terrain",
               "add an [ocean] section to the scene");
 }
 
@@ -134,7 +134,7 @@ void World::set_lights(const std::vector<Light>& lights) {
   if (lights.size() > most_lights) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("lights: expected at most {}, found {}", most_lights, lights.size()),
-                "take some away");
+                "remove some");
   }
   parameters_.lights = lights;
 }

@@ -40,25 +40,24 @@ void run(const CheckArguments& arguments, const Options& options) {
 
 void add_check_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<CheckArguments>();
-  CLI::App* command =
-      program.add_subcommand("check", "report faults and figures of a mesh before it is used");
+  CLI::App* command = program.add_subcommand("check", "report defects of a mesh");
   command->add_option("FILE", arguments->input, "mesh: .obj, .ply, .off, .stl, .gltf, .glb")->required();
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_trust_flag(*command, arguments->trust);
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
-Everything is counted by index and nothing is changed: an edge may have any number of faces, a vertex any
-number of fans. Defects are results, not errors: the exit code is 0.
+The check does not change the mesh. Vertices are told apart by index, not by position. Defects are results,
+not errors: the exit code is 0.
 
-  components             sets of faces joined by vertices
-  boundary loops         sets of edges of one face, joined by vertices
-  non-manifold edges     of three faces or more
-  non-manifold vertices  whose faces are two fans or more, joined by no edge
-  degenerate faces       without an area: corners at one place or on one line, exactly
-  duplicate faces        of the same three vertices as an earlier face
-  isolated vertices      of no face
-  orientable             whether faces can be turned so that neighbours agree
-  self-intersections     pairs of faces that meet elsewhere than in what they share, exactly
+  components             sets of faces connected by vertices
+  boundary loops         sets of connected edges that have only one face
+  non-manifold edges     edges of three or more faces
+  non-manifold vertices  vertices whose faces form two or more fans that share no edge
+  degenerate faces       faces without an area: corners exactly at one place or on one line
+  duplicate faces        faces with the same three vertices as an earlier face
+  isolated vertices      vertices that no face uses
+  orientable             whether faces can be turned so that all neighbours agree
+  self-intersections     pairs of faces that intersect outside their shared vertices and edges, exactly
 
 Examples:
   offing-mesh check scan.ply

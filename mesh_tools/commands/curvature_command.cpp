@@ -134,12 +134,12 @@ std::vector<scene::Row<CurvatureSettings>> curvature_rows() {
   using Options = CurvatureOptions;
   constexpr auto curvature = &CurvatureSettings::curvature;
   return {{scene::choice(scene::path(curvature, &Options::method), names_in(curvature_method_names)),
-           {.key = "method", .help = "see below"}},
+           {.key = "method", .help = "how to compute curvature; the list below describes each method"}},
           {scene::path(curvature, &Options::radius_edges),
            {.key = "radius_edges",
             .low = 0.01,
             .high = 100.0,
-            .help = "radius of the ball in mean edge lengths",
+            .help = "radius of the ball around each vertex that is used, in mean edge lengths",
             .example = "3",
             .absent = "3.5 for fit, 3 for tensor, tensor-exact and paper"}},
           {scene::path(curvature, &Options::radius_m),
@@ -148,18 +148,21 @@ std::vector<scene::Row<CurvatureSettings>> curvature_rows() {
             .unit = "m",
             .low = 1e-9,
             .high = 1e9,
-            .help = "the same in metres",
+            .help = "radius of the ball around each vertex that is used, in metres",
             .example = "0.05",
-            .absent = "that of --radius-edges"}},
+            .absent = "from --radius-edges"}},
           {scene::path(curvature, &Options::rounds),
-           {.key = "rounds", .high = 1000.0, .help = "rounds of averaging, for diffused"}},
+           {.key = "rounds", .high = 1000.0, .help = "rounds of averaging (diffused)"}},
           {scene::choice_or("none", &CurvatureSettings::colour, names_in(curvature_colour_names)),
-           {.key = "colour", .flag = "--colour,--color", .help = "vertex colours", .example = "mean"}},
+           {.key = "colour",
+            .flag = "--colour,--color",
+            .help = "curvature to show as vertex colours",
+            .example = "mean"}},
           {scene::path(curvature, &Options::threads),
            {.key = "threads",
             .low = 1.0,
             .high = 4096.0,
-            .help = "threads to use; their number does not change the result",
+            .help = "number of threads to use; it does not change the result",
             .example = "4",
             .absent = "all processors"}}};
 }
@@ -214,7 +217,7 @@ std::string text_of(const CurvatureStatistics& statistics) {
   };
   const GaussBonnet& check = statistics.gauss_bonnet;
   const std::string_view remark =
-      statistics.is_manifold ? "" : "  (edges of three faces or more: there is nothing to expect)\n";
+      statistics.is_manifold ? "" : "  (some edges have three or more faces: there is no expected value)\n";
   return range("k_max", statistics.k_max_per_m) + range("k_min", statistics.k_min_per_m) +
          fmt::format(
              "  area   {:.6g} m2\n  Gauss-Bonnet  {:.6g} over the surface + {:.6g} along borders, expected "
@@ -271,7 +274,7 @@ void run(const CurvatureArguments& arguments, const Options& program_options) {
     print_json(json);
     return;
   }
-  print_summary("{}: {} vertices, {} faces, {}, {:.2f} us a vertex\n", one_line(arguments.output),
+  print_summary("{}: {} vertices, {} faces, {}, {:.2f} us per vertex\n", one_line(arguments.output),
                 unit.vertex_count(), prepared.mesh.faces.size(), method, us_a_vertex);
   if (arguments.stats) fmt::print("{}", text_of(statistics));
 }
@@ -280,33 +283,35 @@ void run(const CurvatureArguments& arguments, const Options& program_options) {
 
 void add_curvature_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<CurvatureArguments>();
-  CLI::App* command =
-      program.add_subcommand("curvature", "how a mesh bends at its vertices, as highlights need it");
+  CLI::App* command = program.add_subcommand(
+      "curvature", "compute the curvature of a mesh at its vertices, which highlights use");
   command->add_option("FILE", arguments->input, "mesh: .obj, .ply, .off, .stl, .gltf, .glb")->required();
-  command->add_option("-o,--output", arguments->output, "PLY with curvatures")
+  command->add_option("-o,--output", arguments->output, "PLY file to write, with curvatures")
       ->required()
       ->type_name("OUT.ply");
   arguments->settings.add_to(*command, curvature_rows());
   command->get_option("--radius-m")->excludes(command->get_option("--radius-edges"));
   command->add_flag("--unsigned", arguments->is_unsigned,
-                    "angles of edges without a sign, as printed (paper)");
-  command->add_flag("--stats", arguments->stats, "print ranges and the check by Gauss and Bonnet");
-  command->add_flag("--json", arguments->json, "all of these for scripts");
+                    "take edge angles without a sign, as in the published formula (paper)");
+  command->add_flag("--stats", arguments->stats, "print ranges of curvature and the Gauss-Bonnet check");
+  command->add_flag("--json", arguments->json,
+                    "print the results as JSON: ranges, Gauss-Bonnet check and timing");
   add_force_flag(*command, arguments->existing);
   add_trust_flag(*command, arguments->trust);
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
-Vertices keep their order; those at exactly one position are one of the surface. Written for each: normal; k_max, k_min in
-1/m, positive where the surface is convex (a ball of radius r has 1/r); e_max, e_min, the directions of both, e_max x e_min
-being the normal; area in m2; confidence 0 ... 1, how far directions can be trusted: 0 where all bend alike, half on
-borders.
+The PLY keeps the order of the vertices. Vertices at exactly the same position count as one. For each
+vertex it has: normal; k_max and k_min in 1/m, positive where the surface is convex (a ball of radius r has
+1/r); their directions e_max and e_min, where e_max x e_min is the normal; area in m2; confidence.
+Confidence, from 0 to 1, says how far to trust the directions: 0 where the curvature is the same in all
+directions, halved on borders.
 
-  fit           a quadric fitted to the vertices within a ball; the most accurate
-  tensor        angles of edges within a ball, rim edges by half
-  tensor-exact  the same, clipped to the ball; slower
-  diffused      angles of the edges around each vertex, averaged with neighbours; the fastest
-  paper         as printed, for comparison: some 8 % too large however fine the mesh
-  jet           a quadratic fitted by CGAL: accurate on clean meshes, not on noisy ones
+  fit           fits a quadric to the vertices within a ball; the most accurate
+  tensor        sums edge angles within a ball; edges on its rim count half
+  tensor-exact  the same, with edges clipped to the ball; slower
+  diffused      takes angles of the edges around each vertex, averaged with neighbours; the fastest
+  paper         follows the published formula, for comparison; about 8 % too large however fine the mesh
+  jet           fits a quadratic by CGAL; accurate on clean meshes, not on noisy ones
 
 Examples:
   offing-mesh curvature knot.obj -o knot.ply

@@ -31,7 +31,7 @@ Fineness FinenessFlags::read(std::string_view command) const {
   if (fineness.edge_m || fineness.faces > 0) return fineness;
   throw Error(ErrorKind::bad_usage,
               fmt::format("offing-mesh {}: expected --edge-m or --faces, got neither", command),
-              "say how fine the mesh should be, such as --faces 5000");
+              "give one of them, such as --faces 5000");
 }
 
 }  // namespace offing::mesh_tools

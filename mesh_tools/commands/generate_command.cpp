@@ -110,7 +110,9 @@ void add_fineness(Rows& rows, const ShapeRow& row) {
   constexpr auto order = &ShapeSettings::order;
   if (row.level > 0) {
     rows.push_back({scene::path(order, &ShapeOrder::level),
-                    {.key = "level", .high = finest_level, .help = "20 * 4^level faces"}});
+                    {.key = "level",
+                     .high = finest_level,
+                     .help = "level of subdivision, which gives 20 * 4^level faces"}});
   }
   const auto add_cells = [&](int Grid::*cells, std::string_view key, std::string_view help) {
     if (help.empty()) return;
@@ -147,7 +149,7 @@ void add_shape(CLI::App& generate, Options& options, const ShapeRow& row) {
                                  : "mesh: .ply, .obj, .off, .stl")
       ->required()
       ->type_name("OUT");
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_force_flag(*command, arguments->existing);
   add_verbosity_flags(*command, options.verbosity);
   if (row.has_truth && row.level == 0) {
@@ -173,12 +175,12 @@ void add_shape(CLI::App& generate, Options& options, const ShapeRow& row) {
 
 void add_generate_command(CLI::App& program, Options& options) {
   CLI::App* generate =
-      program.add_subcommand("generate", "meshes made by formulas, with their true curvatures");
+      program.add_subcommand("generate", "generate meshes from formulas, with their true curvatures");
   generate->require_subcommand(1);
   for (const ShapeRow& row : shapes()) add_shape(*generate, options, row);
   generate->footer(R"(
-Scenes make the same shapes: shape = "box" in a [[mesh]]. A PLY of a shape without edges has true_k_max and
-true_k_min for each vertex, the curvatures of the smooth surface.
+Scenes can make the same shapes: write shape = "box" in a [[mesh]]. For shapes without sharp edges, a PLY has
+true_k_max and true_k_min for each vertex: the curvatures of the exact smooth surface.
 
 Examples:
   offing-mesh generate torus-knot -o knot.ply

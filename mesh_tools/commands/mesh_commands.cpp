@@ -10,7 +10,7 @@ namespace offing::mesh_tools {
 void add_commands(CLI::App& app, Options& options) {
   app.name("offing-mesh");
   format_help(app);
-  app.description("Offing's mesh tools: checks, repairs and prepares triangle meshes");
+  app.description("offing-mesh: check, repair and prepare triangle meshes");
   app.set_version_flag("--version", "offing-mesh " + std::string(scene::version()), "print the version");
   app.set_help_flag("-h,--help", "print this help");
   app.require_subcommand(1);

@@ -16,7 +16,7 @@ void MeshJob::add_to(CLI::App& command) {
       ->type_name("FILE")
       ->required();
   add_force_flag(command, existing);
-  command.add_flag("--json", json, "results for scripts");
+  command.add_flag("--json", json, "print the results as JSON");
   add_trust_flag(command, trust);
 }
 

@@ -35,7 +35,7 @@ std::vector<scene::Row<RemeshSettings>> remesh_rows() {
             .unit = "deg",
             .low = 1.0,
             .high = 180.0,
-            .help = "edges that bend by more stay in place",
+            .help = "keep edges that bend by more than this in place",
             .example = "40",
             .absent = "none",
             .scale = std::numbers::pi / 180.0}}};
@@ -45,7 +45,7 @@ std::vector<scene::Row<RemeshSettings>> remesh_rows() {
 void require_few_faces(const TriangleMesh& mesh, double edge_m) {
   if (!(edge_m > 0.0)) {
     throw Error(ErrorKind::bad_input, "offing-mesh remesh: expected faces with an area, got none",
-                "`offing-mesh check` tells what the mesh holds");
+                "`offing-mesh check` shows what the mesh contains");
   }
   const double faces = most_faces_at(mesh, edge_m);
   if (faces <= most_faces) return;  // not of an edge of 0
@@ -54,7 +54,7 @@ void require_few_faces(const TriangleMesh& mesh, double edge_m) {
       fmt::format("offing-mesh remesh: expected edges that make fewer than 1e8 faces, got about {:.2g} with "
                   "edges of {:.3g} m",
                   faces, edge_m),
-      "choose longer edges or fewer faces; `offing-mesh check` tells of faces without an area");
+      "choose longer edges or fewer faces; `offing-mesh check` counts faces without an area");
 }
 
 void run(const RemeshArguments& arguments, const Options& options) {
@@ -88,14 +88,14 @@ void run(const RemeshArguments& arguments, const Options& options) {
 
 void add_remesh_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<RemeshArguments>();
-  CLI::App* command = program.add_subcommand("remesh", "the same surface with edges of about one length");
+  CLI::App* command = program.add_subcommand("remesh", "rebuild a surface with edges of about equal length");
   arguments->job.add_to(*command);
   arguments->fineness.add_to(*command, "target edge length", "approximate number of faces");
   arguments->settings.add_to(*command, remesh_rows());
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
-New vertices of borders lie on the old ones, and with --sharp-deg those of sharp edges. The mesh must be a
-manifold: `offing-mesh repair` makes one.
+New border vertices lie on the old borders. With --sharp-deg, new vertices of sharp edges lie on the old sharp
+edges. The mesh must be a manifold: `offing-mesh repair` makes one.
 
 Examples:
   offing-mesh remesh scan.ply --faces 20000 -o even.ply

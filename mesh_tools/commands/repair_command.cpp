@@ -32,7 +32,7 @@ void add_fill_edges(CLI::App& command, SettingOptions<RepairSettings>& settings)
   settings.add_to(command, {{&RepairSettings::most_hole_edges,
                              {.key = "fill_edges",
                               .high = most,
-                              .help = "fill holes of up to this many edges; all: every hole"}}});
+                              .help = "fill holes with up to this many edges; all: every hole"}}});
   command.get_option("--fill-edges")->transform([](const std::string& text) {
     return text == "all" ? std::to_string(most) : text;
   });
@@ -56,9 +56,9 @@ std::vector<NamedChange> named(const RepairChanges& changes) {
       {"removed_repeating_faces", "removed faces that named a vertex twice", changes.removed_repeating_faces},
       {"removed_duplicate_faces", "removed duplicate faces", changes.removed_duplicate_faces},
       {"turned_faces", "turned faces", changes.turned_faces},
-      {"split_vertices", "vertices added by taking edges and fans apart", changes.split_vertices},
+      {"split_vertices", "vertices added by splitting edges and fans", changes.split_vertices},
       {"removed_degenerate_faces", "removed faces without an area", changes.removed_degenerate_faces},
-      {"collapsed_vertices", "vertices that went with them", changes.collapsed_vertices},
+      {"collapsed_vertices", "vertices removed with these faces", changes.collapsed_vertices},
       {"filled_holes", "filled holes", changes.filled_holes},
       {"added_faces", "faces added in holes", changes.added_faces},
       {"open_loops", "boundary loops left open", changes.open_loops},
@@ -90,8 +90,8 @@ void run(const RepairArguments& arguments, const Options& options) {
     has_changed = true;
   }
   if (!has_changed) print_summary("  nothing to repair\n");
-  for (const auto& [label, count] : {std::pair("faces without an area that are left", after.degenerate_faces),
-                                     {"self-intersections that are left", after.self_intersections}}) {
+  for (const auto& [label, count] : {std::pair("faces without an area that remain", after.degenerate_faces),
+                                     {"self-intersections that remain", after.self_intersections}}) {
     if (count > 0) print_summary("  {:<46} {}\n", label, count);
   }
 }
@@ -100,17 +100,19 @@ void run(const RepairArguments& arguments, const Options& options) {
 
 void add_repair_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<RepairArguments>();
-  CLI::App* command = program.add_subcommand("repair", "an oriented manifold of any triangles");
+  CLI::App* command = program.add_subcommand("repair", "turn any triangle mesh into an oriented manifold");
   arguments->job.add_to(*command);
   add_fill_edges(*command, arguments->settings);
-  command->add_flag("--outward", arguments->outward, "closed components face outward in the end");
+  command->add_flag("--outward", arguments->outward, "turn closed components to face outward");
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
-In this order: vertices of borders at exactly one place become one (seams close), faces that name a vertex
-twice or repeat another are removed, faces are turned so that neighbours agree and most of each component keep
-their side, edges of three faces and vertices of two fans are taken apart, faces without an area are removed,
-small holes filled, vertices of no face removed. Other vertices keep place and order; normals are dropped.
-Self-intersections stay: `check` counts them.
+The steps of a repair, in order: Merge border vertices at exactly the same place, which closes seams.
+Remove faces that name a vertex twice or repeat another face. Turn faces so that neighbours agree; most
+faces of each component keep their side. Split edges of three or more faces and vertices of two or more
+fans. Remove faces without an area. Fill small holes. Remove vertices that no face uses.
+
+Other vertices keep their place and order. Normals are dropped. Self-intersections stay; `offing-mesh
+check` counts them.
 
 Examples:
   offing-mesh repair scan.obj -o scan.ply

@@ -39,15 +39,15 @@ void run(const SimplifyArguments& arguments, const Options& options) {
 
 void add_simplify_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<SimplifyArguments>();
-  CLI::App* command = program.add_subcommand("simplify", "fewer faces of the same shape");
+  CLI::App* command = program.add_subcommand("simplify", "reduce the number of faces, keeping the shape");
   arguments->job.add_to(*command);
   arguments->fineness.add_to(*command, "collapse edges until none is shorter",
                              "collapse edges until this many faces are left");
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
-With --faces edges collapse first where that changes the surface least, with --edge-m the shortest ones. No face
-turns over, so that a few faces more than asked may be left. The mesh must be a manifold: `offing-mesh repair`
-makes one.
+With --faces, the edges that change the surface least collapse first; with --edge-m, the shortest. Faces
+never turn over, so a few more faces may be left than you asked for. The mesh must be a manifold:
+`offing-mesh repair` makes one.
 
 Examples:
   offing-mesh simplify scan.ply --faces 5000 -o coarse.ply

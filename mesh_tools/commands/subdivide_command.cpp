@@ -23,9 +23,9 @@ struct SubdivideArguments {
 
 std::vector<scene::Row<SubdivideSettings>> subdivide_rows() {
   return {{scene::choice(&SubdivideSettings::method, {"loop", "sqrt3", "butterfly", "catmull-clark"}),
-           {.key = "method", .help = "see below"}},
+           {.key = "method", .help = "subdivision scheme; the list below describes each"}},
           {&SubdivideSettings::levels,
-           {.key = "levels", .low = 1.0, .high = 12.0, .help = "how many times to subdivide"}}};
+           {.key = "levels", .low = 1.0, .high = 12.0, .help = "number of times to subdivide"}}};
 }
 
 void run(const SubdivideArguments& arguments, const Options& options) {
@@ -41,17 +41,17 @@ void run(const SubdivideArguments& arguments, const Options& options) {
 
 void add_subdivide_command(CLI::App& program, Options& options) {
   const auto arguments = std::make_shared<SubdivideArguments>();
-  CLI::App* command = program.add_subcommand("subdivide", "a finer, smoother mesh");
+  CLI::App* command = program.add_subcommand("subdivide", "refine and smooth a mesh");
   arguments->job.add_to(*command);
   arguments->settings.add_to(*command, subdivide_rows());
   add_verbosity_flags(*command, options.verbosity);
   command->footer(R"(
-  loop           smooth; four faces of one
-  sqrt3          smooth; three faces of one, so that levels are closer together
-  butterfly      through the vertices of the mesh, which stay where they are; four faces of one
-  catmull-clark  smooth; quadrilaterals, cut into triangles in the end; six faces of one, then four
+  loop           smooth; splits each face into four
+  sqrt3          smooth; splits each face into three, so levels are closer together
+  butterfly      keeps the vertices of the mesh in place; splits each face into four
+  catmull-clark  smooth; makes quadrilaterals, cut into triangles at the end; six faces from each, then four
 
-The mesh must be a manifold: `offing-mesh repair` makes one. Its vertices keep their numbers.
+The mesh must be a manifold: `offing-mesh repair` makes one. Its vertices keep their indices.
 
 Example:
   offing-mesh subdivide cage.obj --method loop --levels 3 -o smooth.ply)");

@@ -24,7 +24,7 @@ void require_finite(const std::vector<glm::dvec3>& positions_m) {
     throw Error(
         ErrorKind::bad_input,
         fmt::format("mesh: vertex {}: expected finite coordinates, found ({}, {}, {})", i, p.x, p.y, p.z),
-        "write the mesh anew with the program it comes from");
+        "export the mesh again from the program that made it");
   }
 }
 
@@ -44,7 +44,7 @@ UnitMesh unit_mesh(const TriangleMesh& mesh) {
     throw Error(
         ErrorKind::bad_input,
         fmt::format("mesh: expected an extent of at most {:g} m, found {:g} m", largest_extent_m, largest_m),
-        "look for vertices that are far off");
+        "look for vertices that are far away");
   }
   unit.scale_m = std::max(largest_m, smallest_extent_m);
   unit.first = first_at_place(mesh.positions_m);

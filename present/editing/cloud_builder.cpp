@@ -89,8 +89,8 @@ std::variant<BuiltClouds, Error> CloudBuilder::built(const scene::Scene& scene,
                  "lower cloud.target_particles or clouds.quality");
   } catch (const std::exception& error) {
     // On a thread of its own it would end the program.
-    return Error(ErrorKind::device, fmt::format("clouds: unexpected fault: {}", error.what()),
-                 "take back the last edit, and report what this says");
+    return Error(ErrorKind::device, fmt::format("clouds: unexpected error: {}", error.what()),
+                 "undo the last edit, and report this message");
   }
 }
 

@@ -170,14 +170,15 @@ GlContext GlContext::headless() {
     const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr);
     if (auto state = started("EGL device", display)) return made(std::move(state));
   }
-  throw Error(ErrorKind::no_device,
-              fmt::format("OpenGL without a window: expected a way, found none ({})", lacks),
-              "install a driver with EGL, such as the Debian packages libegl1 and libgl1-mesa-dri");
+  throw Error(
+      ErrorKind::no_device,
+      fmt::format("OpenGL without a window: expected a driver that offers it, found none ({})", lacks),
+      "install a driver with EGL, such as the Debian packages libegl1 and libgl1-mesa-dri");
 }
 
 GlContext GlContext::window(const WindowSettings& settings) {
   constexpr const char* hint =
-      "run it where a display server is, or under xvfb-run; --headless draws without one";
+      "run it on a machine with a display server, or under xvfb-run; --headless draws without one";
   auto state = std::make_unique<State>();
   const auto fault = [] {
     const char* description = nullptr;

@@ -41,7 +41,7 @@ MultisampleTarget::MultisampleTarget(int width, int height, int wanted_samples)
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE) {
     throw Error(ErrorKind::device,
-                fmt::format("OpenGL: a picture of {} x {} pixels of {} samples cannot be drawn on ({:#x})",
+                fmt::format("OpenGL: a picture of {} x {} pixels of {} samples cannot be created ({:#x})",
                             width, height, samples_, status),
                 "choose a smaller size");
   }

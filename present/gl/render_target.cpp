@@ -41,7 +41,7 @@ RenderTarget::RenderTarget(int width, int height, GLenum format, int count, Dept
   if (status != GL_FRAMEBUFFER_COMPLETE) {
     throw Error(
         ErrorKind::device,
-        fmt::format("OpenGL: a picture of {} x {} pixels cannot be drawn on ({:#x})", width, height, status),
+        fmt::format("OpenGL: a picture of {} x {} pixels cannot be created ({:#x})", width, height, status),
         "choose a smaller size");
   }
 }

@@ -314,7 +314,7 @@ void Transfer::upload(std::span<const Upload> uploads) {
       if (is_forced_ || path_ == all_transfer_paths.back()) throw;
       const TransferPath failed = path_;
       climb_down(failed);
-      spdlog::warn("transfer {} failed, going on with {}: {}", to_string(failed), to_string(path_),
+      spdlog::warn("transfer {} failed, continuing with {}: {}", to_string(failed), to_string(path_),
                    error.what());
     }
   }

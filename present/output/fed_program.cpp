@@ -23,7 +23,7 @@ namespace {
 Error start_error(const std::filesystem::path& program, int error) {
   return Error(ErrorKind::file,
                fmt::format("{}: cannot be started: {}", program.string(), std::strerror(error)),
-               "check the program and how many may run");
+               "check the program and the limit of processes (ulimit -u)");
 }
 
 /// How posix_spawn() is told; what it takes is given back.

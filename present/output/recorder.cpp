@@ -24,8 +24,8 @@ Error stopped_recording(const Recording& recording, int written) {
                fmt::format("{}: stopped with {} of {} frames written", what, written, recording.count()),
                recording.video.empty()
                    ? fmt::format("--frames {}:{} makes the others", frames.first + written, frames.last)
-                   : fmt::format("the video is not made: start it again, of --frames {}:{}", frames.first,
-                                 frames.last));
+                   : fmt::format("the video was not made: run the same command again, with --frames {}:{}",
+                                 frames.first, frames.last));
 }
 
 Recorder::Recorder(const Recording& recording) : recording_(recording) {

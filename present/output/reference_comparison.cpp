@@ -59,7 +59,7 @@ clouds::CloudLook look_of(const world::CloudSkyParameters& sky) {
     if (look == first) continue;
     throw Error(ErrorKind::bad_input,
                 "--compare-reference: expected clouds of one phase function, found several",
-                "compare scenes that have one of them each");
+                "use a scene whose clouds all have the same phase function");
   }
   return first;
 }

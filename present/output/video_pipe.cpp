@@ -82,10 +82,10 @@ void require_video(const std::filesystem::path& file) {
 
 void require_video_size(const std::filesystem::path& file, int width, int height) {
   if (fitting_side(file, width) == width && fitting_side(file, height) == height) return;
-  throw Error(
-      ErrorKind::bad_usage,
-      fmt::format("{}: expected even sides, which mp4 takes alone, got {}x{}", file.string(), width, height),
-      fmt::format("--size {}x{}, or a video in .webm", width + width % 2, height + height % 2));
+  throw Error(ErrorKind::bad_usage,
+              fmt::format("{}: expected an even width and height, which .mp4 needs, got {}x{}", file.string(),
+                          width, height),
+              fmt::format("--size {}x{}, or a video in .webm", width + width % 2, height + height % 2));
 }
 
 int fitting_side(const std::filesystem::path& file, int side) {
@@ -107,7 +107,7 @@ void VideoPipe::write(const RgbImage& frame) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("{}: expected frames of one size, {}x{}, got one of {}x{}", file_.string(),
                             width_, height_, frame.width, frame.height),
-                "leave the window as large as it is while it records, or record without --window");
+                "do not resize the window while it records, or record without --window");
   }
   if (!ffmpeg_->feed(frame.rgb)) fail();
 }
@@ -119,10 +119,11 @@ void VideoPipe::finish() {
 
 void VideoPipe::fail() const {
   const std::string words = ffmpeg_ ? ffmpeg_->last_words() : "";
-  throw Error(ErrorKind::file,
-              fmt::format("{}: ffmpeg gave up{}{}", file_.string(), words.empty() ? "" : ": ", words),
-              is_mp4(file_) ? "check that this ffmpeg has libx264 and the disk room, or record a .webm"
-                            : "check that this ffmpeg has libvpx-vp9 and the disk room, or record an .mp4");
+  throw Error(
+      ErrorKind::file, fmt::format("{}: ffmpeg failed{}{}", file_.string(), words.empty() ? "" : ": ", words),
+      is_mp4(file_)
+          ? "check that this ffmpeg has libx264 and that the disk has free space, or record a .webm"
+          : "check that this ffmpeg has libvpx-vp9 and that the disk has free space, or record an .mp4");
 }
 
 }  // namespace offing::present

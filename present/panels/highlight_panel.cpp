@@ -80,7 +80,8 @@ Edit draw_highlight_panel(ViewState& state, const std::vector<world::WorldMesh>&
   ImGui::PushItemWidth(11.0f * ImGui::GetFontSize());
   const scene::MeshScene& mesh = state.scene.meshes[state.picked->mesh];
   if (drawn->rule < 0) {
-    ImGui::TextDisabled("of %s, as found: any change makes it its own", mesh.name.c_str());
+    ImGui::TextDisabled("of %s, found from the lights; an edit adds a [[mesh.highlight]] for it",
+                        mesh.name.c_str());
   } else {
     ImGui::TextDisabled("of %s, by [[mesh.highlight]] %d", mesh.name.c_str(), drawn->rule + 1);
   }

@@ -251,9 +251,9 @@ Edit parameter_widget(Scene& scene, const Parameter& row, EditInProgress& edit, 
   if (ImGui::IsItemHovered()) {
     std::string text(row.help);
     if (!row.absent.empty()) text += fmt::format("\nwithout: {}", row.absent);
-    if (scene.tracks.contains({row.key, element})) text += "\nmoves by keyframes, which an edit ends";
-    if (is_text(row)) text += "\nEnter takes what is typed";
-    if (row.slider) text += "\nbeyond its slider Ctrl and a click type " + scene::expected_text(row);
+    if (scene.tracks.contains({row.key, element})) text += "\nhas keyframes, which an edit removes";
+    if (is_text(row)) text += "\npress Enter to apply the text";
+    if (row.slider) text += "\nCtrl-click to type a value beyond the slider: " + scene::expected_text(row);
     ImGui::SetTooltip("%s", text.c_str());
   }
   return state;

@@ -101,14 +101,14 @@ std::string take_heights(scene::Scene& scene, const std::filesystem::path& file)
   scene.terrain.origin_z_m.reset();
   scene.terrain.colour.clear();
   store_text(scene, "terrain.file", file.string());
-  return fmt::format("the ground is that of {}", file.filename().string());
+  return fmt::format("the terrain now comes from {}", file.filename().string());
 }
 
 std::string take_spectrum(scene::Scene& scene, const std::filesystem::path& file) {
   scene.ocean.is_given = true;
   scene.ocean.record = 0;
   store_text(scene, "ocean.spectrum_file", file.string());
-  return fmt::format("the sea is that of {}, record 0", file.filename().string());
+  return fmt::format("the sea now comes from {}, record 0", file.filename().string());
 }
 
 }  // namespace
@@ -126,11 +126,10 @@ DroppedKind kind_of_dropped(const std::filesystem::path& file) {
   if (known != known_names.end()) return known->kind;
   throw Error(
       ErrorKind::bad_input,
-      fmt::format("{}: expected a scene, a mesh, heights, a spectrum or a cloud, got a name that tells "
-                  "of none",
+      fmt::format("{}: expected a scene, a mesh, heights, a spectrum or a cloud, got a file of another kind",
                   one_line(file.filename().string())),
-      "known are .toml; .obj .ply .off .stl .gltf .glb; .tif .hgt .zip .dem .asc .vrt .png .exr and tile "
-      "stores; .data_spec .spec .spc .spt .txt .nc and these as .gz; .vdb and .ply of particles");
+      "known endings: .toml; .obj .ply .off .stl .gltf .glb; .tif .hgt .zip .dem .asc .vrt .png .exr and "
+      "tile stores; .data_spec .spec .spc .spt .txt .nc and these as .gz; .vdb and .ply of particles");
 }
 
 std::string add_dropped(scene::Scene& scene, const std::filesystem::path& file, DroppedKind kind,

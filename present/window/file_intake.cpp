@@ -36,8 +36,8 @@ bool FileIntake::take_in(const WaitingFile& waiting, const Screen& screen, glm::
   if (options_.recording) {
     throw Error(
         ErrorKind::bad_usage,
-        fmt::format("{}: is not taken in while frames are recorded", one_line(file.filename().string())),
-        "a window that records nothing takes it");
+        fmt::format("{}: cannot be opened while the window records", one_line(file.filename().string())),
+        "drop it on a window that does not record");
   }
   if (kind == DroppedKind::scene) {
     scenes_.open(waiting.is_shipped ? shipped_scene(file.string()) : open_scene(file, options_.trust));

@@ -25,7 +25,7 @@ std::span<const KeyBinding> key_bindings() {
       {GLFW_KEY_F, "F", toggle_walk, "on foot, or flying again"},
       {GLFW_KEY_M, "M", toggle_map, "map of the ground; click on it to go there"},
       {GLFW_KEY_T, "T", toggle_steps, "steps that rays take to the ground"},
-      {GLFW_KEY_P, "P", pick_ray, "nodes that the ray under the mouse meets; into the sky: none"},
+      {GLFW_KEY_P, "P", pick_ray, "nodes that the ray under the mouse passes; none if it points at the sky"},
       {GLFW_KEY_F12, "F12", take_screenshot, "save a picture without panels in the folder where you started"},
       {GLFW_KEY_F5, "F5", reload, "read kernels and shaders again"},
       {GLFW_KEY_F11, "F11", toggle_fullscreen, "full screen"},

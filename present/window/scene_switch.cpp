@@ -200,7 +200,7 @@ bool SceneSwitch::undo() {
   }
   go(before_, after_);
   state_.message = {.text =
-                        fmt::format("back in {}, as it was left; Ctrl Shift Z goes on to {}",
+                        fmt::format("back in {}, as you left it; Ctrl Shift Z goes forward to {}",
                                     shown_name(options_.scene_name), shown_name(after_.back().opened.name))};
   return true;
 }
@@ -212,7 +212,7 @@ bool SceneSwitch::redo() {
   }
   go(after_, before_);
   state_.message = {.text =
-                        fmt::format("on in {}, as it was left; Ctrl Z goes back to {}",
+                        fmt::format("forward to {}, as you left it; Ctrl Z goes back to {}",
                                     shown_name(options_.scene_name), shown_name(before_.back().opened.name))};
   return true;
 }

@@ -59,8 +59,7 @@ TEST(HullTest, IsClosedAndTurnedOutward) {
   EXPECT_EQ(fault_of(open), "boat: expected a closed mesh, found 3 edges that are open or turned");
   TriangleMesh inside_out = mesh;
   for (TriangleIndices& face : inside_out.faces) std::swap(face[0], face[1]);
-  EXPECT_EQ(fault_of(inside_out),
-            "boat: expected faces that are turned outward around a volume, found -1 m3");
+  EXPECT_EQ(fault_of(inside_out), "boat: expected faces that point outward around a volume, found -1 m3");
   EXPECT_EQ(fault_of({}), "boat: expected a closed mesh, found no faces");
 }
 

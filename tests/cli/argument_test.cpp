@@ -79,7 +79,7 @@ TEST(Argument, ReadsChannels) {
   EXPECT_TRUE(groups.test(static_cast<std::size_t>(ChannelGroup::foam)));
   EXPECT_EQ(groups.count(), 2u);
   for (const char* text : {"", "foam,", "height", "Foam"}) {
-    test::expect_error(ErrorKind::bad_usage, "--channels: expected names out of",
+    test::expect_error(ErrorKind::bad_usage, "--channels: expected names from",
                        [&] { read_channels("--channels", text); });
   }
 }

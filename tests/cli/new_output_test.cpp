@@ -113,7 +113,7 @@ TEST_F(NewOutput, KeepsLinksThatLeadNowhere) {
 TEST_F(NewOutput, RefusesOneFileForTwoFlags) {
   fs::create_directories(path("folder"));
   fs::create_directory_symlink("folder", path("link"));
-  test::expect_error(ErrorKind::bad_usage, "--b: expected another file than that of --a, found ", [&] {
+  test::expect_error(ErrorKind::bad_usage, "--b: expected a different file from that of --a, found ", [&] {
     require_distinct({{"--a", path("folder/x.png")}, {"--b", path("link/../link/x.png")}});
   });
   require_distinct({{"--a", path("x.png")}, {"--b", path("folder/x.png")}, {"--c", ""}, {"--d", ""}});

@@ -65,13 +65,13 @@ TEST_F(OutputTest, ExportsSpectraToFilesOfTheirOwn) {
   EXPECT_THAT(piped.errors, HasSubstr("pipe.spec: cannot write: expected a file name"));
   const ProgramResult frame = run_offing(bake("b", "b/ocean.c0.0002.exr"));
   EXPECT_EQ(frame.exit_code, 2);
-  EXPECT_THAT(frame.errors, HasSubstr("--export-spectrum: expected another file than that of -o"));
+  EXPECT_THAT(frame.errors, HasSubstr("--export-spectrum: expected a different file from that of -o"));
   EXPECT_FALSE(std::filesystem::exists(path("b")));
   const ProgramResult plot =
       run_offing({"ocean", "spectrum", OFFING_SCENES "/example_sea.data_spec", "--record", "0", "--plot",
                   path("a.png"), "--export-spectrum", path("./a.png")});
   EXPECT_EQ(plot.exit_code, 2);
-  EXPECT_THAT(plot.errors, HasSubstr("--export-spectrum: expected another file than that of --plot"));
+  EXPECT_THAT(plot.errors, HasSubstr("--export-spectrum: expected a different file from that of --plot"));
 }
 
 // Fails if "-" makes a file of that name, text does not go to standard output, or something else goes with

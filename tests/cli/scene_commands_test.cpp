@@ -169,9 +169,10 @@ TEST_F(SceneCommands, KeysAreListed) {
   EXPECT_EQ(swell[0].at("default"), 0.5);
   const auto all = nlohmann::json::parse(run_offing({"scene", "keys", "--format", "json"}).output);
   EXPECT_EQ(all.size(), scene::parameter_table().size());
-  EXPECT_THAT(run_offing({"scene", "keys", "fetch"}).output,
-              HasSubstr("ocean.fetch_m\n    length of water that the wind has blown over (jonswap, tma)\n"
-                        "    a number in m within [100, 10000000]; default 100000; --fetch-m\n"));
+  EXPECT_THAT(
+      run_offing({"scene", "keys", "fetch"}).output,
+      HasSubstr("ocean.fetch_m\n    fetch: length of water that the wind has blown over (jonswap, tma)\n"
+                "    a number in m within [100, 10000000]; default 100000; --fetch-m\n"));
   const ProgramResult none = run_offing({"scene", "keys", "fetchm"});
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_THAT(none.errors, HasSubstr("hint: did you mean fetch_m?"));

@@ -123,7 +123,7 @@ TEST_F(TerrainBadInput, TilingLooksAtTheSizeFirst) {
   std::ofstream(path("huge.tif"), std::ios::binary) << tiff;
   const ProgramResult result = run_offing({"terrain", "tile", path("huge.tif"), "-o", path("store")});
   EXPECT_EQ(result.exit_code, 2) << result.errors;
-  EXPECT_THAT(result.errors, ::testing::HasSubstr("huge.tif: expected at most 1048576 posts a side"));
+  EXPECT_THAT(result.errors, ::testing::HasSubstr("huge.tif: expected at most 1048576 posts per side"));
   EXPECT_FALSE(std::filesystem::exists(path("store")));
 }
 

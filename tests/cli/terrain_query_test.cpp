@@ -195,7 +195,7 @@ TEST_F(TerrainQuery, FilesNameTheirBadLines) {
   refuse("height", "1,2\n3\n", "2: expected x_m,z_m as two numbers");
   refuse("los", "1,2,3,4,5,-6\n", "1: expected a height above ground");
   refuse("los", "x,y\n1,2,3,1,2,3\n", "1: expected from_x_m,");
-  refuse("los", "1,2,3,1,2,3\n", "1: expected another place");
+  refuse("los", "1,2,3,1,2,3\n", "1: expected a place away");
   refuse("ray", "1,2,3,0,0,0\n", "1: expected a direction");
   refuse("ray", "1e7,2,3,0,1,0\n9e7,2,3,0,1,0\n", "2: expected x_m,y_m");
 }

@@ -245,8 +245,8 @@ TEST_F(TerrainTile, FliesOnWhenTilesBreakUnderWay) {
   EXPECT_EQ(json["comparison"]["holes_loaded"], 0);
   EXPECT_TRUE(fs::exists(path("frames/frame.000054.png")));
   int warnings = 0;
-  for (std::size_t at = flown.errors.find("stands in"); at != std::string::npos;
-       at = flown.errors.find("stands in", at + 1)) {
+  for (std::size_t at = flown.errors.find("is shown instead"); at != std::string::npos;
+       at = flown.errors.find("is shown instead", at + 1)) {
     ++warnings;
   }
   EXPECT_EQ(warnings, failed) << flown.errors;

@@ -17,7 +17,7 @@ def words(text):
 
 
 class CommandTreeTest(unittest.TestCase):
-    # Fails if a command, an option, a placeholder or a help text is missing, or one is there that the help lacks.
+#Fails if a command, an option, a placeholder or a help text is missing, or one is there that the help lacks.
     def test_tree_is_what_the_help_lists(self):
         for program, tree in zip(PROGRAMS, trees.read(PROGRAMS)):
             for command in tree["commands"]:
@@ -41,14 +41,14 @@ class CommandTreeTest(unittest.TestCase):
                         self.assertIn(words(option["help"]), flat)
                         self.assertIn(words(option.get("expected", "")), flat)
 
-    # Fails if a range or a choice is lost on its way from the row of the schema.
+#Fails if a range or a choice is lost on its way from the row of the schema.
     def test_rows_are_told(self):
         tree = next(tree for tree in trees.read(PROGRAMS) if tree["program"] == "offing")
         bake = next(command for command in tree["commands"] if command["name"] == "offing ocean bake")
         options = {option["names"][-1]: option for option in bake["options"]}
         wind = options["--wind-speed-mps"]
         self.assertEqual((wind["value"], wind["unit"], wind["low"], wind["high"]), ("number", "m/s", 0.1, 60))
-        self.assertEqual(wind["default"], "that of [wind]: 10")
+        self.assertEqual(wind["default"], "as in [wind]: 10")
         self.assertEqual(options["--spectrum"]["choices"], ["phillips", "pm", "jonswap", "tma", "swell"])
         self.assertEqual(options["--output"]["value"], "folder")
         self.assertTrue(options["--output"]["is_required"])
@@ -56,7 +56,7 @@ class CommandTreeTest(unittest.TestCase):
         self.assertEqual(options["--json"]["value"], "none")
         self.assertEqual(bake["positionals"][0]["placeholder"], "SCENE")
 
-    # Fails if the option, which is for scripts, is taken for one of a command or stands in the help.
+#Fails if the option, which is for scripts, is taken for one of a command or stands in the help.
     def test_option_stands_alone_and_in_no_help(self):
         for program in PROGRAMS:
             help_text = subprocess.run([program, "--help"], check=True, capture_output=True, text=True).stdout

@@ -52,7 +52,7 @@ class SoundFamilyTest : public testing::Test {
 TEST_F(SoundFamilyTest, TakesTheOtherFamilyWhereOneIsWrong) {
   kernels_.change("fft/rows.clh", "transpose_lanes(im);", "");
   EXPECT_LT(error_of_a_wave(64), 1e-5);
-  EXPECT_NE(log_.text().find("computes simd transforms of size 64 wrong: using workgroup transforms"),
+  EXPECT_NE(log_.text().find("computes simd transforms of size 64 wrongly: using workgroup transforms"),
             std::string::npos)
       << log_.text();
   EXPECT_EQ(log_.lines(), 1u);

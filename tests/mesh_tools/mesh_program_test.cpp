@@ -173,8 +173,7 @@ TEST_F(MeshProgram, BadUsage) {
       {"repair --fill-edges -1", "--fill-edges"}};
   for (const auto& [flags, name] : wrong) expect_refusal(maker(flags, "in.off", "out.ply"), name, 2);
   expect_refusal({"remesh", path("in.off"), "--faces", "9", "-o", ""}, "-o: expected a value, got \"\"", 2);
-  expect_refusal({"check", path("in.off"), ""}, "offing-mesh check: expected arguments that are not empty",
-                 2);
+  expect_refusal({"check", path("in.off"), ""}, "offing-mesh check: expected no empty argument", 2);
   const ProgramResult misspelt = run_offing({"chek", path("in.off")});
   EXPECT_EQ(misspelt.exit_code, 2);
   EXPECT_THAT(misspelt.errors, HasSubstr("did you mean check?"));

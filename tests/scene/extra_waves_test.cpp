@@ -77,7 +77,7 @@ TEST(ExtraWaves, TooSteepRingsAreTold) {
   const std::string steep = "[[ocean.raindrop]]\namplitude_m = -0.0708\nwavelength_m = 1\n";
   EXPECT_EQ(warning(gentle), "");
   EXPECT_EQ(warning(gentle + steep),
-            "1 of 2 raindrops begin steeper than water stays whole: a ring of amplitude_m = -0.0708 and "
+            "1 of 2 raindrops start steeper than real waves can be: a ring of amplitude_m = -0.0708 and "
             "wavelength_m = 1 has k A = 0.445, waves break at 0.44");
   const std::string both = warning(steep + "[[ocean.swell]]\namplitude_m = 20\n");
   EXPECT_NE(both.find("the swells have a choppiness"), std::string::npos) << both;

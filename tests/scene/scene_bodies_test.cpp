@@ -129,7 +129,7 @@ TEST(SceneBodies, ToldWhereTheyAreWrong) {
   EXPECT_NE(fault_of(sea + hull + body + body)
                 .find("a.toml:11:8: body.mesh: expected a mesh that no other body moves"),
             std::string::npos);
-  EXPECT_NE(fault_of(sea + hull + body + "mass_kg = 1e9\n").find("expected a mass whose water is less"),
+  EXPECT_NE(fault_of(sea + hull + body + "mass_kg = 1e9\n").find("expected a mass that displaces less"),
             std::string::npos);
   EXPECT_NE(fault_of(sea + hull + body + "draught_m = 100\n").find("expected a water level between"),
             std::string::npos);

@@ -213,15 +213,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"quoted_time_without_zone", "version = 1\n[sun]\ntime_utc = \"2024-06-21T12:00\"\n",
                  "storm.toml:3:12: sun.time_utc: expected a time in UTC of the years 1900 ... 2100, got "
                  "\"2024-06-21T12:00\" without a zone",
-                 "add a Z, which says that it is UTC: time_utc = \"2024-06-21T12:00Z\""},
+                 "add a Z, which means UTC: time_utc = \"2024-06-21T12:00Z\""},
         BadScene{"unknown_section", "version = 1\n[oceann]\nsize = 64\n",
                  "storm.toml:2:2: oceann: expected a known key, got \"oceann\"", "did you mean ocean?"},
         BadScene{"unknown_nested", "version = 1\n[[ocean.cascade]]\npatch = 3\n",
                  "storm.toml:3:1: ocean.cascade.patch: expected a known key, got \"patch\"",
                  "did you mean patch_m?"},
         BadScene{"planned_key", "version = 1\n[world]\nsea_level_m = 3\n",
-                 "storm.toml:3:1: world.sea_level_m: expected parts that this version has, got one that it "
-                 "has not yet",
+                 "storm.toml:3:1: world.sea_level_m: expected a part that this version supports, got one "
+                 "that it does not support yet",
                  "remove world.sea_level_m from the scene"},
         BadScene{"body_as_a_table", "version = 1\n[body]\ndraught_m = 3\n",
                  "storm.toml:2:2: body: expected a section [[body]], got a table",
@@ -269,12 +269,13 @@ INSTANTIATE_TEST_SUITE_P(
                  "write one constant value; keyframes are for sun.azimuth_deg, sun.elevation_deg"},
         BadScene{"keyframe_times_fall",
                  "version = 1\n[camera]\ny_m = { keys = [{ t = 2, value = 3 }, { t = 1, value = 4 }] }\n",
-                 "storm.toml:3:45: camera.y_m: t: expected a time after 2, that of the key before, got 1",
+                 "storm.toml:3:45: camera.y_m: t: expected a time after 2, the time of the key before, got 1",
                  "write the keys in order of time"},
-        BadScene{"keyframe_twice",
-                 "version = 1\n[camera]\ny_m = { keys = [{ t = 2, value = 3 }, { t = 2.0, value = 4 }] }\n",
-                 "storm.toml:3:45: camera.y_m: t: expected a time after 2, that of the key before, got 2.0",
-                 "remove one of the two keys"},
+        BadScene{
+            "keyframe_twice",
+            "version = 1\n[camera]\ny_m = { keys = [{ t = 2, value = 3 }, { t = 2.0, value = 4 }] }\n",
+            "storm.toml:3:45: camera.y_m: t: expected a time after 2, the time of the key before, got 2.0",
+            "remove one of the two keys"},
         BadScene{"keyframe_time", "version = 1\n[camera]\ny_m.keys = [{ t = \"now\", value = 3 }]\n",
                  "storm.toml:3:19: camera.y_m: t: expected a time in s within [-1e+08, 1e+08], got \"now\"",
                  "write t = 2.5"},
@@ -317,7 +318,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"sun_time_of_no_zone", "version = 1\n[sun]\ntime_utc = 2024-06-21T12:00:00\n",
                  "storm.toml:3:12: sun.time_utc: expected a time in UTC of the years 1900 ... 2100, got "
                  "2024-06-21T12:00:00 without a zone",
-                 "add a Z, which says that it is UTC: time_utc = 2024-06-21T12:00:00Z"},
+                 "add a Z, which means UTC: time_utc = 2024-06-21T12:00:00Z"},
         BadScene{"sun_time_of_no_day", "version = 1\n[sun]\ntime_utc = \"2024-06-31T12:00Z\"\n",
                  "storm.toml:3:12: sun.time_utc: expected a time in UTC of the years 1900 ... 2100, got "
                  "\"2024-06-31T12:00Z\"",

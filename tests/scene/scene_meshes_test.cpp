@@ -327,7 +327,7 @@ scale = 2
             (std::vector<std::string>{
                 "a.toml:7:15: light.azimuth_deg: not used: the light stands at a place",
                 "a.toml:3:7: light.x_m: not used: the light is of kind direction",
-                "a.toml:10:10: mesh.size_m: not used: the mesh is that of b.obj",
+                "a.toml:10:10: mesh.size_m: not used: the mesh comes from b.obj",
                 "a.toml:11:13: mesh.shininess: not used: mesh.specular is 0",
                 "a.toml:12:17: mesh.cartoon_steps: not used: the shading is phong",
                 "a.toml:21:9: mesh.highlight.scale: not used: the mesh's highlights are off",

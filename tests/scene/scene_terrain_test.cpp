@@ -183,10 +183,10 @@ TEST_F(SceneTerrainTest, TakesTileStores) {
   const test::LogCapture log;
   prepare_world(scene_of(text + "offset_m = 3\nsky_visibility = \"on\"\n", folder_.path()));
   EXPECT_THAT(log.text(),
-              HasSubstr("valley.toml:5:12: terrain.offset_m: not used: the ground is that of a tile store"));
+              HasSubstr("valley.toml:5:12: terrain.offset_m: not used: the terrain comes from a tile store"));
   EXPECT_THAT(log.text(), HasSubstr("terrain.sky_visibility: not used"));
   prepare_world(scene_of("[terrain]\nposts = 9\ncache_mb = 40\n"));
-  EXPECT_THAT(log.text(), HasSubstr("terrain.cache_mb: not used: terrain.file is no tile store"));
+  EXPECT_THAT(log.text(), HasSubstr("terrain.cache_mb: not used: terrain.file is not a tile store"));
 }
 
 // Fails if the sky is hidden by ground without being asked for, or is not where it is.

@@ -70,8 +70,8 @@ void check(const ocl::Device& device, const test::HeightMap& map, std::size_t co
   EXPECT_LT(steps[0], steps[1]) << map.name;
 }
 
-// Fails if any of 900,000 rays over made ground is off by more than 1e-3 cells across the surface, hits what
-// it should miss, or misses what it should hit.
+// Fails if any of 900,000 rays over generated terrain is off by more than 1e-3 cells across the surface, hits
+// what it should miss, or misses what it should hit.
 TEST(MillionRaysTest, OverMadeTerrain) {
   const ocl::Device device = ocl::Device::open();
   for (const test::HeightMap& map : test::example_maps()) check(device, map, rays_a_made_map);

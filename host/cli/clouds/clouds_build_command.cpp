@@ -63,7 +63,7 @@ std::vector<scene::Row<BuildSettings>> cell_rows() {
             .unit = "m",
             .low = least_cell_m,
             .high = largest_cell_m,
-            .help = "edge length of a volume's cells",
+            .help = "edge length of the volume's cells",
             .example = "20",
             .absent = "128 cells along the longest side"}}};
 }
@@ -201,7 +201,8 @@ void run(const BuildArguments& arguments, const GlobalOptions& options) {
 
 void add_clouds_build_command(CLI::App& parent, GlobalOptions& options) {
   const auto arguments = std::make_shared<BuildArguments>();
-  CLI::App* command = parent.add_subcommand("build", "the clouds of a scene as a volume or as particles");
+  CLI::App* command =
+      parent.add_subcommand("build", "export the clouds of a scene as a volume or as particles");
   command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[cloud]] or [[cloud_layer]]")
       ->transform(find_scene)
       ->required();
@@ -210,18 +211,17 @@ void add_clouds_build_command(CLI::App& parent, GlobalOptions& options) {
     return command->add_option(names, target, help)->type_name(placeholder)->group(group);
   };
   add("-o,--output", arguments->output, "FILE",
-      "of .vdb: density, fog volume in metres of the world, +y up; of .ply: particles; cloud.%04d.vdb: a "
-      "file a "
-      "frame")
+      "file to write. .vdb: density as a fog volume, in world metres, +y up; .ply: particles; "
+      "cloud.%04d.vdb: one file per frame")
       ->required();
   arguments->settings.add_to(*command, cell_rows(), group);
-  command->add_flag("--half", arguments->half, "16-bit values instead of 32-bit")->group(group);
+  command->add_flag("--half", arguments->half, "write 16-bit values (default: 32-bit)")->group(group);
   arguments->settings.add_to(
-      *command, {{&BuildSettings::time_s, time_facts("time to write", "the scene's start")}}, group);
+      *command, {{&BuildSettings::time_s, time_facts("time of the clouds", "the scene's start")}}, group);
   arguments->frames.add_frames_to(*command, group);
   arguments->frames.add_fps_to(*command, group);
   add_force_flag(*command, arguments->existing);
-  command->add_flag("--json", arguments->json, "a summary for scripts");
+  command->add_flag("--json", arguments->json, "print the summary as JSON");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(

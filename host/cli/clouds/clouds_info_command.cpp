@@ -153,13 +153,14 @@ void run(const InfoArguments& arguments, const GlobalOptions& options) {
 
 void add_clouds_info_command(CLI::App& parent, GlobalOptions& options) {
   const auto arguments = std::make_shared<InfoArguments>();
-  CLI::App* command = parent.add_subcommand("info", "what a volume, particles or the clouds of a scene are");
-  command->add_option("FILE", arguments->file, "a .vdb, a .ply of particles or a scene (.toml)")
+  CLI::App* command =
+      parent.add_subcommand("info", "print facts about a volume, particles or the clouds of a scene");
+  command->add_option("FILE", arguments->file, "volume (.vdb), particles (.ply) or scene (.toml)")
       ->transform(find_scene)
       ->required();
-  command->add_option("--grid", arguments->grid, "which grid of a .vdb (default: density)")
+  command->add_option("--grid", arguments->grid, "grid of the .vdb to read (default: density)")
       ->type_name("NAME");
-  command->add_flag("--json", arguments->json, "the same for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(

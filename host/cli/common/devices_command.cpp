@@ -89,9 +89,7 @@ void print_table(const std::vector<DeviceInfo>& devices, int default_device) {
     line.erase(line.find_last_not_of(' ') + 1);
     fmt::print("{}\n", line);
   }
-  fmt::print(
-      "* is taken when no --device is given; it and OFFING_DEVICE accept an index, a type or a part of a "
-      "name\n");
+  fmt::print("* is the default. --device and OFFING_DEVICE take an index, a type or part of a name\n");
 }
 
 void run_devices_command(bool as_json) {
@@ -109,9 +107,9 @@ void run_devices_command(bool as_json) {
 }  // namespace
 
 void add_devices_command(CLI::App& app, GlobalOptions& options) {
-  CLI::App* command = app.add_subcommand("devices", "list the OpenCL devices of this machine");
+  CLI::App* command = app.add_subcommand("devices", "list the OpenCL devices of this computer");
   const auto as_json = std::make_shared<bool>(false);
-  command->add_flag("--json", *as_json, "print a JSON array, one object a device");
+  command->add_flag("--json", *as_json, "print a JSON array with one object per device");
   add_global_options(*command, options, DeviceUse::none);
   command->callback([as_json] { run_devices_command(*as_json); });
 }

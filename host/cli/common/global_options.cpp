@@ -8,8 +8,8 @@ void add_global_options(CLI::App& command, GlobalOptions& options, DeviceUse dev
   if (device_use != DeviceUse::none) {
     const bool takes_all = device_use == DeviceUse::any_number;
     add_device_flag(command, options.device,
-                    takes_all ? "all: shares the frames among all devices; frames of different drivers "
-                                "agree within 1e-4 of the significant height"
+                    takes_all ? "all: share the frames among all devices; frames of different drivers agree "
+                                "within 1e-4 of the significant wave height"
                               : "");
   }
   add_verbosity_flags(command, options.verbosity);

@@ -90,15 +90,14 @@ double number_in(const scene::WrittenValue& written) {
 }  // namespace
 
 void ParameterOptions::add_to(CLI::App& command, std::initializer_list<ParameterGroup> groups) {
-  command.add_option("SCENE", scene_file_, "scene file (.toml); flags override what it says")
+  command.add_option("SCENE", scene_file_, "scene file (.toml); flags override its values")
       ->transform(find_scene)
       ->type_name("");
   add_trust_flag(command, trust_);
   command.add_flag_callback(
       "--compass", [this] { directions_ = DirectionStyle::from_bearing; },
-      "directions are those that wind and sea come from, clockwise from north\n(default: of travel, from +x "
-      "(east) "
-      "toward +z (south), as in scene files always)");
+      "use compass directions: where wind and waves come from, clockwise from north\n(default, and always in "
+      "scene files: where they go, from +x (east) toward +z (south))");
   for (const Parameter& parameter : scene::parameter_table()) {
     if (parameter.flag.empty() || std::find(groups.begin(), groups.end(), parameter.group) == groups.end()) {
       continue;

@@ -251,8 +251,7 @@ void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
 
 void add_highlights_command(CLI::App& app, GlobalOptions& options) {
   const auto arguments = std::make_shared<HighlightsArguments>();
-  CLI::App* command =
-      app.add_subcommand("highlights", "the moving highlights of a scene's meshes, for other programs");
+  CLI::App* command = app.add_subcommand("highlights", "export the moving highlights of a scene's meshes");
   command->add_option("SCENE", arguments->scene, "scene file (TOML) with [[mesh]]")
       ->transform(find_scene)
       ->required();
@@ -261,18 +260,19 @@ void add_highlights_command(CLI::App& app, GlobalOptions& options) {
     return command->add_option(names, target, help)->type_name(placeholder)->group(group);
   };
   add("-o,--output", arguments->output, "FILE",
-      "of .json: every number, in the world's axes; of .glb or .gltf: a node a projector, for engines")
+      "file to write. .json: all numbers, in world axes; .glb or .gltf: one node per projector, for engines")
       ->required();
   arguments->frames.add_frames_to(*command, group);
   arguments->frames.add_fps_to(*command, group);
   add_force_flag(*command, arguments->existing);
-  command->add_flag("--json", arguments->json, "a summary for scripts");
+  command->add_flag("--json", arguments->json, "print the summary as JSON");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-A projector is a box that casts its texture along -normal onto the faces of its mesh: -1 ... 1 along right and
-up over its width and height, transparent beyond. In glTF its node's +x, +y, +z are right, up and normal, and
-the node's scale is the box; a scale of 0 is no highlight.
+A projector is a box that casts its texture along -normal onto the faces of its mesh. The texture reaches
+from -1 to 1 along right and up, over the box's width and height; beyond it is transparent. In glTF the +x,
++y and +z axes of its node are right, up and normal, and the node's scale is the size of the box. A scale
+of 0 means no highlight.
 
 Examples:
   offing highlights scenes/knot.toml -o knot.json --frames 0:47 --fps 24

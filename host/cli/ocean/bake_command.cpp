@@ -46,9 +46,9 @@ struct BakeArguments {
 };
 
 std::vector<scene::Row<BakeSettings>> velocity_rows() {
-  return {
-      {&BakeSettings::velocity_depth_m,
-       velocity_depth_facts("particle velocity at this depth below the moving surface, down to the bed")}};
+  return {{&BakeSettings::velocity_depth_m,
+           velocity_depth_facts(
+               "write the particle velocity at this depth below the moving surface, down to the bed")}};
 }
 
 std::vector<scene::Row<BakeSettings>> file_rows() {
@@ -56,7 +56,7 @@ std::vector<scene::Row<BakeSettings>> file_rows() {
            {.key = "compression", .help = "compression of the EXR files"}},
           {scene::choice(&BakeSettings::mesh, {"none", "obj", "ply"}),
            {.key = "mesh",
-            .help = "a mesh of the displaced surface of all cascades, over the longest patch",
+            .help = "also write a mesh of the displaced surface: all cascades, over the longest patch",
             .example = "ply"}}};
 }
 
@@ -81,7 +81,7 @@ void warn_of_broken_loop(const scene::Sea& sea, double frames_per_second) {
   }
   const double frames = *sea.parameters.loop_period_s * frames_per_second;
   if (std::abs(frames - std::round(frames)) > 1e-6 * frames) {
-    spdlog::warn("the loop of {:g} s is {:g} frames at {:g} a second: no frame equals the first one again",
+    spdlog::warn("the loop of {:g} s is {:g} frames at {:g} frames per second: no frame repeats the first",
                  *sea.parameters.loop_period_s, frames, frames_per_second);
   }
 }
@@ -116,10 +116,10 @@ void warn_of_waves_beside(const scene::Sea& sea, GerstnerUse use) {
     spdlog::warn("--include-gerstner: not used: there are no Gerstner waves, swells or raindrops");
   }
   if (use == GerstnerUse::included && sea.parameters.loop_period_s && !sea.raindrops.empty()) {
-    spdlog::warn("the raindrops fall once: frames that have them do not loop");
+    spdlog::warn("raindrops fall once: frames with raindrops do not loop");
   }
   if (use != GerstnerUse::included && !sea.raindrops.empty()) {
-    spdlog::warn("the raindrops of the scene are not in the frames: --include-gerstner adds them");
+    spdlog::warn("the frames leave out the raindrops of the scene: --include-gerstner adds them");
   }
 }
 
@@ -193,33 +193,34 @@ void add_output_options(CLI::App& command, const std::shared_ptr<BakeArguments>&
   const auto add_switch = [&](const char* name, const char* help, auto set) {
     command.add_flag_callback(name, set, help)->group(group);
   };
-  add("-o,--output", arguments->folder, "DIR", "folder for the frames; made if it is not there")->required();
+  add("-o,--output", arguments->folder, "DIR", "folder for the frames; created if missing")->required();
   arguments->frames.add_frames_to(command, group);
   add("--channels", arguments->channels, "LIST",
-      "of displacement, slope, gradient, jacobian, foam, velocity (default: all but velocity)");
-  add_switch("--velocity", "particle velocity at the surface too",
+      "channels to write, separated by commas: displacement, slope, gradient, jacobian, foam, velocity "
+      "(default: all but velocity)");
+  add_switch("--velocity", "also write the particle velocity at the surface",
              [&settings] { settings.channels.set(static_cast<std::size_t>(ChannelGroup::velocity)); });
   arguments->values.add_to(command, velocity_rows(), group);
-  add_switch("--combined", "one file a frame with layers c0, c1, ... (default: one file a cascade)",
+  add_switch("--combined", "write one file per frame with layers c0, c1, ... (default: one file per cascade)",
              [&settings] { settings.layout = FileLayout::combined; });
-  add_switch("--half", "16-bit floats (default: 32-bit)",
+  add_switch("--half", "write 16-bit floats (default: 32-bit)",
              [&settings] { settings.pixel_type = PixelType::half_16; });
   arguments->values.add_to(command, file_rows(), group);
-  add_switch("--preview", "a shaded map of each frame from above, and a contact sheet",
+  add_switch("--preview", "also write a shaded picture of each frame from above, and a contact sheet of all",
              [&settings] { settings.preview = PreviewUse::pictures; });
   add_switch("--include-gerstner",
-             "add Gerstner waves, swells and raindrops to cascade c0 and its mesh\nc0 does not tile then, "
-             "and has the "
-             "Jacobian and foam of the whole sea\n(default: listed in the header, without raindrops)",
+             "add Gerstner waves, swells and raindrops to cascade c0 and its mesh\nc0 then no longer tiles, "
+             "and holds the Jacobian and foam of the whole sea\n(default: list Gerstner waves and swells in "
+             "the header, leave raindrops out)",
              [&settings] { settings.gerstner = GerstnerUse::included; });
   add("--export-spectrum", arguments->export_file, "FILE",
-      "write the spectrum as WAVEWATCH III text (.spec)");
+      "also write the spectrum as WAVEWATCH III text (.spec)");
   add("--chunk", arguments->chunk, "i/n",
-      "make share i of n, for n processes that share a folder (default 1/1)");
+      "make part i of n of the frames, when n processes share a folder (default 1/1)");
   add_force_flag(command, settings.existing)
-      ->description("replace existing files, also frames of another scene with everything made from them")
+      ->description("replace existing files, including frames of another scene and all files made from them")
       ->group(group);
-  command.add_flag("--json", arguments->json, "a summary for scripts")->group(group);
+  command.add_flag("--json", arguments->json, "print the summary as JSON")->group(group);
 }
 
 }  // namespace
@@ -228,7 +229,7 @@ void add_bake_command(CLI::App& ocean, GlobalOptions& options) {
   using enum scene::ParameterGroup;
   const auto arguments = std::make_shared<BakeArguments>();
   CLI::App* command =
-      ocean.add_subcommand("bake", "write frames of the sea's maps as OpenEXR; resumes an interrupted bake");
+      ocean.add_subcommand("bake", "write the sea's maps as OpenEXR frames; resumes an interrupted bake");
   add_output_options(*command, arguments);
   arguments->parameters.add_to(*command, {world, time, sea, grid, foam});
   add_global_options(*command, options, DeviceUse::any_number);

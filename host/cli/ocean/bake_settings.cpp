@@ -31,7 +31,7 @@ ChannelGroups read_channels(std::string_view flag, std::string_view text) {
     const std::string_view name = text.substr(0, comma);
     const auto at = std::find(channel_names.begin(), channel_names.end(), name);
     if (at == channel_names.end()) {
-      throw bad_argument(flag, fmt::format("names out of {}", fmt::join(channel_names, ", ")), name,
+      throw bad_argument(flag, fmt::format("names from {}", fmt::join(channel_names, ", ")), name,
                          "displacement,foam");
     }
     groups.set(static_cast<std::size_t>(at - channel_names.begin()));

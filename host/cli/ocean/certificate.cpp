@@ -372,7 +372,7 @@ std::string certificate_text(const Certificate& c, const scene::Sea& sea, Direct
 
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "Sea-state certificate: {} seed{} from {}, {} x {} samples a cascade\n\n", c.seeds,
+  fmt::format_to(out, "Sea-state certificate: {} seed{} from {}, {} x {} samples per cascade\n\n", c.seeds,
                  c.seeds == 1 ? "" : "s", sea.parameters.seed, sea.parameters.size, sea.parameters.size);
   fmt::format_to(out, "  {:<15} {:>11} {:>10} {:>10} {:>10} {:>9} {:>6}\n", "", "", "asked", "resolved",
                  "measured", "std.error", "sigma");
@@ -396,8 +396,9 @@ std::string certificate_text(const Certificate& c, const scene::Sea& sea, Direct
                  c.skewness.mean, c.kurtosis.mean, c.folded_share.mean, c.max_ka);
   fmt::format_to(out, "{}\n", cascade_text(sea, c.energy));
   if (!sea.swells.empty()) {
-    fmt::format_to(out, "Swells beside the spectrum: {}, {:.4g} m^2; resolved and measured have them.\n\n",
-                   sea.swells.size(), c.swell_m0_m2);
+    fmt::format_to(
+        out, "Swells in addition to the spectrum: {}, {:.4g} m^2; resolved and measured include them.\n\n",
+        sea.swells.size(), c.swell_m0_m2);
   }
   fmt::format_to(
       out,

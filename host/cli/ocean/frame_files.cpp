@@ -71,7 +71,7 @@ FrameFiles::Listing FrameFiles::list_folder(const fs::path& folder) {
   }
   if (error) {
     refuse_folder(folder, "it cannot be listed: " + error.message(),
-                  "give yourself the right to read it, or name another folder with -o");
+                  "make it readable, or name another folder with -o");
   }
   return listing;
 }
@@ -88,8 +88,7 @@ void FrameFiles::prepare_folder(const GivenInputs& inputs) const {
     refuse_folder(folder, error ? error.message() : "there is a file of that name");
   }
   if (access(folder.c_str(), W_OK | X_OK) != 0) {
-    refuse_folder(folder, std::strerror(errno),
-                  "give yourself the right to write in it, or name another folder with -o");
+    refuse_folder(folder, std::strerror(errno), "make it writable, or name another folder with -o");
   }
   remove_stale_partials(folder, "ocean.");
   remove_stale_partials(folder, "contact_sheet.");
@@ -114,9 +113,8 @@ void FrameFiles::require_own_files(const Listing& listing) const {
     } else {
       throw Error(
           ErrorKind::bad_input,
-          fmt::format(
-              "{}: expected frames of this scene and these output settings alone, found {} of another",
-              settings_.folder.string(), file.filename().string()),
+          fmt::format("{}: expected only frames of this scene and these output settings, found {} of another",
+                      settings_.folder.string(), file.filename().string()),
           "name another folder with -o, or replace the frames with --force");
     }
   }
@@ -151,7 +149,7 @@ bool FrameFiles::has_preview(int frame) const {
   const bool is_there = fs::exists(preview(frame), error);
   if (error) {
     throw Error(ErrorKind::file,
-                fmt::format("{}: cannot look at it: {}", preview(frame).string(), error.message()),
+                fmt::format("{}: cannot be looked up: {}", preview(frame).string(), error.message()),
                 "remove it, or check the permissions of the folder");
   }
   return is_there;

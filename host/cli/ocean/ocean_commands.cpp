@@ -3,8 +3,7 @@
 namespace offing::cli {
 
 void add_ocean_command(CLI::App& app, GlobalOptions& options) {
-  CLI::App* ocean =
-      app.add_subcommand("ocean", "a sea: bake its maps, certify it, ask for its water, look at spectra");
+  CLI::App* ocean = app.add_subcommand("ocean", "bake, check and query a sea; inspect measured spectra");
   ocean->require_subcommand(1);
   add_bake_command(*ocean, options);
   add_stats_command(*ocean, options);

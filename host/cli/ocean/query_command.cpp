@@ -61,11 +61,12 @@ class PointSource {
                                                        .meaning = "for each point, its x and z in m",
                                                        .example = "12.5,-40"});
     if (times.count > 1 && !file_->can_rewind()) {
-      throw Error(ErrorKind::bad_usage,
-                  fmt::format("--points: expected a file that can be read once for each of {} times, found "
-                              "one that can be read only once: {}",
-                              times.count, arguments.points_file),
-                  "write the points to a file first, or ask for one time");
+      throw Error(
+          ErrorKind::bad_usage,
+          fmt::format(
+              "--points: expected a file that can be read {} times, found one that can be read only once: {}",
+              times.count, arguments.points_file),
+          "write the points to a file first, or ask for one time");
     }
   }
 
@@ -192,7 +193,7 @@ std::vector<scene::Row<QuerySettings>> flow_rows() {
             .unit = "m",
             .low = 0.0,
             .high = ocean::longest_filter_m,
-            .help = "leave out shorter waves, which a longer hull does not feel",
+            .help = "leave out waves shorter than this, which a long hull does not feel",
             .example = "30"}}};
 }
 
@@ -236,7 +237,7 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
                 "write --at 12.5,-40 for one point, or --points FILE for many");
   }
   if (arguments.existing == Existing::replace && arguments.output_file.empty()) {
-    throw Error(ErrorKind::bad_usage, "--force: expected -o, whose file it replaces, found none",
+    throw Error(ErrorKind::bad_usage, "--force: expected -o, found none",
                 "add -o FILE, or leave --force out");
   }
   const TimeRange times = read_times(arguments);
@@ -272,33 +273,34 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
 void add_query_command(CLI::App& ocean, GlobalOptions& options) {
   using enum scene::ParameterGroup;
   const auto arguments = std::make_shared<QueryArguments>();
-  CLI::App* command = ocean.add_subcommand(
-      "query", "the water at points: height, normal, velocity and pressure; wave probes");
+  CLI::App* command =
+      ocean.add_subcommand("query", "compute height, normal, velocity and pressure of the water at points");
   constexpr const char* group = "Query";
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group(group);
   };
-  add("--at", arguments->at, "X,Z", "one point, m, x east and z south");
+  add("--at", arguments->at, "X,Z", "one point, in m: X east and Z south of the origin");
   add("--points", arguments->points_file, "FILE",
-      "many: CSV with the columns x_m and z_m, or with these two numbers a line");
-  arguments->settings.add_to(*command, {{&QuerySettings::time_s, time_facts("a single time")}}, group);
-  add("--times", arguments->times, "A:B:DT", "instead of --time: A, A + DT, ... to B, s")
+      "many points: CSV file with columns x_m and z_m, or without a header two numbers per line");
+  arguments->settings.add_to(*command, {{&QuerySettings::time_s, time_facts("time of the samples")}}, group);
+  add("--times", arguments->times, "A:B:DT", "several times, in s: A, A + DT, ... up to B")
       ->excludes(command->get_option("--time"));
   arguments->settings.add_to(*command, flow_rows(), group);
   add("-o,--output", arguments->output_file, "FILE",
-      "CSV to write, whole or not at all (default or -: standard output)");
+      "CSV file to write, complete or not at all (- or default: standard output)");
   add_force_flag(*command, arguments->existing)->group(group);
   command
       ->add_flag("--json", arguments->json,
-                 "results for scripts: an object for one point and time, else an array\nwith -o a summary")
+                 "print the results as JSON: an object for one point and time, else an array\nwith -o, "
+                 "print a summary instead")
       ->group(group);
   arguments->parameters.add_to(*command, {world, sea, grid});
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-Each sample is of the surface as it is displaced: the label under the point is searched until it misses by
-residual_m, 0.0001 m at most but under folding crests. The pressure is above that of the air, in sea water of
-1025 kg/m^3. Rings of raindrops count for height and pressure, and not for velocity. Samples come time by
-time, points in the order of the file.
+Samples lie on the displaced surface. The search for the water under a point ends within 0.0001 m of the
+point or, under folding crests, where it cannot get closer: residual_m is the distance that is left.
+Pressure is relative to the air, for sea water of 1025 kg/m^3. Raindrop rings change height and pressure,
+but not velocity. Samples are sorted by time, and at each time keep the order of the points.
 
 Examples:
   offing ocean query scenes/storm.toml --at 120,-35 --time 12.5 --velocity-depth-m 3

@@ -153,7 +153,7 @@ void print_list(const std::string& file, const std::vector<Listed>& records, Dir
 }
 
 scene::Parameter record_facts() {
-  scene::Parameter facts = like_scene("ocean.record", "--record", "draw this record, counted from 0");
+  scene::Parameter facts = like_scene("ocean.record", "--record", "record to print and plot, counted from 0");
   facts.example = "0";
   facts.absent = "list all";
   return facts;
@@ -171,7 +171,7 @@ void require_one_record(const SpectrumArguments& arguments, std::optional<std::s
                         std::size_t count) {
   if (arguments.plot.empty() || chosen || count == 1) return;
   throw Error(ErrorKind::bad_usage,
-              fmt::format("--plot: expected --record, which of the {} records to draw, found none", count),
+              fmt::format("--plot: expected --record to choose one of the {} records, found none", count),
               fmt::format("write --record N with N within [0, {}]", count - 1));
 }
 
@@ -223,25 +223,26 @@ void run(const SpectrumArguments& arguments, const GlobalOptions& options) {
 
 void add_spectrum_command(CLI::App& ocean, GlobalOptions& options) {
   const auto arguments = std::make_shared<SpectrumArguments>();
-  CLI::App* command = ocean.add_subcommand("spectrum", "list, draw and convert measured wave spectra");
+  CLI::App* command = ocean.add_subcommand("spectrum", "list, plot and convert measured wave spectra");
   command->add_option("FILE", arguments->file, "NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF spectra")
       ->required()
       ->type_name("");
   arguments->settings.add_to(*command, {{&SpectrumSettings::record, record_facts()}});
   command
-      ->add_option("--plot", arguments->plot, "write a picture (.png): energy against frequency, and polar")
+      ->add_option("--plot", arguments->plot,
+                   "write a plot (.png): energy against frequency, and as a polar diagram")
       ->type_name("FILE");
   command
       ->add_option("--export-spectrum", arguments->export_file,
-                   "write the record, or all records, as WAVEWATCH III text (.spec); -: to standard output, "
+                   "write the record, or all records, as WAVEWATCH III text (.spec); -: standard output, "
                    "without other text")
       ->type_name("FILE");
   add_force_flag(*command, arguments->existing);
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   command->add_flag_callback(
       "--compass", [arguments] { arguments->directions = DirectionStyle::from_bearing; },
-      "print directions that the sea comes from, clockwise from north (default: of travel, from east toward "
-      "south); files keep their own");
+      "print compass directions: where waves come from, clockwise from north (default: where they go, from "
+      "east toward south); does not change written files");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(

@@ -46,13 +46,15 @@ void add_stats_command(CLI::App& ocean, GlobalOptions& options) {
   using enum scene::ParameterGroup;
   const auto arguments = std::make_shared<StatsArguments>();
   CLI::App* command =
-      ocean.add_subcommand("stats", "certify a sea: what was asked against what the surface has");
+      ocean.add_subcommand("stats", "compare the sea state you asked for with the generated surface");
   arguments->parameters.add_to(*command, {world, sea, grid});
-  arguments->settings.add_to(
-      *command,
-      {{&StatsSettings::seeds,
-        {.key = "seeds", .low = 1.0, .high = 1e5, .help = "seas to average over", .example = "20"}}});
-  command->add_flag("--json", arguments->json, "results for scripts");
+  arguments->settings.add_to(*command, {{&StatsSettings::seeds,
+                                         {.key = "seeds",
+                                          .low = 1.0,
+                                          .high = 1e5,
+                                          .help = "number of seas, each with its own seed, to average over",
+                                          .example = "20"}}});
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
 Examples:

@@ -84,13 +84,13 @@ void run(const CheckArguments& arguments) {
 
 void add_check_command(CLI::App& scene, GlobalOptions& options) {
   const auto arguments = std::make_shared<CheckArguments>();
-  CLI::App* command = scene.add_subcommand("check", "all errors and warnings of scene files");
+  CLI::App* command = scene.add_subcommand("check", "list all errors and warnings of scene files");
   command->add_option("FILE", arguments->files, "scene files (TOML)")->required()->type_name("");
-  command->add_flag("--json", arguments->json, "a JSON array, one object a file");
+  command->add_flag("--json", arguments->json, "print a JSON array with one object per file");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
-No device is used. Contents of the files that a scene names are not checked, except spectra.
+This command uses no device. Of the files that a scene names, it checks the contents of spectra only.
 
 Exit codes: 0 no file has errors, 2 some file has.
 

@@ -116,10 +116,10 @@ void run(const KeysArguments& arguments) {
 void add_keys_command(CLI::App& scene, GlobalOptions& options) {
   const auto arguments = std::make_shared<KeysArguments>();
   CLI::App* command =
-      scene.add_subcommand("keys", "every key of a scene: type, unit, range, default, keyframes, flag");
+      scene.add_subcommand("keys", "list scene keys with type, unit, range, default, keyframes and flag");
   command
       ->add_option("PATTERN", arguments->pattern,
-                   "a part of the keys to list; * and ? stand for any characters")
+                   "part of the names of the keys to list; * stands for any text, ? for any character")
       ->type_name("");
   arguments->settings.add_to(*command, keys_rows());
   add_global_options(*command, options, DeviceUse::none);

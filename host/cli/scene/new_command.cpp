@@ -36,8 +36,8 @@ void run(const NewArguments& arguments) {
 
 void add_new_command(CLI::App& scene, GlobalOptions& options) {
   const auto arguments = std::make_shared<NewArguments>();
-  CLI::App* command = scene.add_subcommand("new", "a scene to start from, explained by its comments");
-  command->add_option("FILE", arguments->file, "scene file to write (.toml); -, the default: standard output")
+  CLI::App* command = scene.add_subcommand("new", "write a commented scene to start from");
+  command->add_option("FILE", arguments->file, "scene file to write (.toml); - or default: standard output")
       ->type_name("");
   add_force_flag(*command, arguments->existing);
   add_global_options(*command, options, DeviceUse::none);

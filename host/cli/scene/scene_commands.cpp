@@ -3,7 +3,7 @@
 namespace offing::cli {
 
 void add_scene_command(CLI::App& app, GlobalOptions& options) {
-  CLI::App* command = app.add_subcommand("scene", "scene files: start one, check some, list all keys");
+  CLI::App* command = app.add_subcommand("scene", "create and check scene files; list their keys");
   command->require_subcommand(1);
   add_new_command(*command, options);
   add_check_command(*command, options);

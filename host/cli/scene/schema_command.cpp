@@ -6,14 +6,15 @@
 namespace offing::cli {
 
 void add_schema_command(CLI::App& scene, GlobalOptions& options) {
-  CLI::App* command = scene.add_subcommand("schema", "the JSON Schema of scene files, for editors");
+  CLI::App* command = scene.add_subcommand("schema", "print the JSON Schema of scene files, for editors");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
-The schema is of draft-07. Taplo and Even Better TOML use it for a scene whose first line names it:
+The schema follows JSON Schema draft-07. Taplo and Even Better TOML use it for a scene whose first line
+names it:
 
   #:schema ./offing.schema.json
 
-It cannot check everything. `offing scene check` does.
+It cannot check everything; `offing scene check` can.
 
 Example:
   offing scene schema > offing.schema.json)");

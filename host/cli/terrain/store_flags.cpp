@@ -21,7 +21,9 @@ void CacheFlags::add_to(CLI::App& command) {
 void CacheFlags::add_edge_to(CLI::App& command) {
   SettingOptions::add_to(command,
                          {{scene::choice(&StoreUse::edge, {"ends", "repeats", "mirrors"}),
-                           {.key = "edge", .help = "the map beyond its edges"}}},
+                           {.key = "edge",
+                            .help = "what is beyond the map's edges: nothing (ends), the map again "
+                                    "(repeats), or its mirror image (mirrors)"}}},
                          store_group);
 }
 
@@ -32,10 +34,11 @@ terrain::TiledField make_field(const TileStore& store, const ocl::Device& device
 void require_flags_of(const TerrainInput& input, const CacheFlags& cache) {
   const bool is_store = is_tile_store(input.file());
   if (is_store && input.has_reading_flags()) {
-    throw Error(ErrorKind::bad_usage,
-                fmt::format("{}: expected no flags that say how heights are read, found a tile store",
-                            one_line(input.file())),
-                "give them to `offing terrain tile`, which has read the map");
+    throw Error(
+        ErrorKind::bad_usage,
+        fmt::format("{}: expected a height map for these flags on reading heights, found a tile store",
+                    one_line(input.file())),
+        "give them to `offing terrain tile` when you make the store");
   }
   if (!is_store && cache.are_given()) {
     throw Error(ErrorKind::bad_usage,

@@ -22,17 +22,21 @@ constexpr const char* batch_group = "Many at once";
 void TerrainBatch::add_to(CLI::App& command, NumberColumns columns, const std::string& single) {
   columns_ = std::move(columns);
   single_ = single;
-  CLI::Option* points = command
-                            .add_option("--points", points_,
-                                        fmt::format("CSV with columns {},\nin any order under a header line, "
-                                                    "alone and in this order without",
-                                                    fmt::join(columns_.names, ",")))
-                            ->type_name("FILE")
-                            ->group(batch_group)
-                            ->excludes(command.get_option(single))
-                            ->excludes(command.get_option("--json"));
+  CLI::Option* points =
+      command
+          .add_option(
+              "--points", points_,
+              fmt::format(
+                  "CSV file with columns {}\nwith a header line: in any order, among others; without: "
+                  "exactly these, in this order",
+                  fmt::join(columns_.names, ",")))
+          ->type_name("FILE")
+          ->group(batch_group)
+          ->excludes(command.get_option(single))
+          ->excludes(command.get_option("--json"));
   command
-      .add_option("-o,--output", output_, "CSV to write, whole or not at all (default or -: standard output)")
+      .add_option("-o,--output", output_,
+                  "CSV file to write, complete or not at all (- or default: standard output)")
       ->type_name("FILE")
       ->group(batch_group)
       ->needs(points);
@@ -44,7 +48,7 @@ void TerrainBatch::require_question(const std::string& single, const TerrainInpu
     require_new(output_, existing_, {{terrain.file(), points_}, terrain.trust()});
   if (is_asked() || !single.empty()) return;
   throw Error(ErrorKind::bad_usage, fmt::format("expected {} or --points, found neither", single_),
-              "give one question, or a file of them");
+              fmt::format("give {} for one answer, or --points FILE for many", single_));
 }
 
 void TerrainBatch::answer(std::string_view heading, const Answer& answer,

@@ -3,7 +3,7 @@
 namespace offing::cli {
 
 void add_terrain_command(CLI::App& app, GlobalOptions& options) {
-  CLI::App* terrain = app.add_subcommand("terrain", "height maps: inspect, make, draw and query them");
+  CLI::App* terrain = app.add_subcommand("terrain", "inspect, generate, render and query height maps");
   terrain->require_subcommand(1);
   add_terrain_info_command(*terrain, options);
   add_terrain_generate_command(*terrain, options);

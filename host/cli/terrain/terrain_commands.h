@@ -10,7 +10,7 @@ void add_terrain_command(CLI::App& app, GlobalOptions& options);
 /// `offing terrain info FILE`: size, spacing, range, voids and place of a height map.
 void add_terrain_info_command(CLI::App& terrain, GlobalOptions& options);
 
-/// `offing terrain generate -o FILE.r32`: made ground, row by row, of any size.
+/// `offing terrain generate -o FILE.r32`: generated terrain of any size, row by row.
 void add_terrain_generate_command(CLI::App& terrain, GlobalOptions& options);
 
 /// `offing terrain render FILE -o PNG`: a picture of a height map, and its depth.

@@ -249,15 +249,19 @@ std::vector<scene::Row<FlightSettings>> flight_rows() {
   return {
       {&FlightSettings::frames, {.key = "frames", .low = 1.0, .high = most_frames, .help = "frames to draw"}},
       {&FlightSettings::speed_mps,
-       {.key = "speed_mps", .unit = "m/s", .low = 0.1, .high = 1e5, .help = "speed over the ground"}},
-      {&FlightSettings::frames_a_second, like_scene("time.fps", "--fps", "frames a second of flight")},
+       {.key = "speed_mps", .unit = "m/s", .low = 0.1, .high = 1e5, .help = "speed over ground"}},
+      {&FlightSettings::frames_a_second, like_scene("time.fps", "--fps", "frames per second of flight")},
       {&FlightSettings::height_m,
-       {.key = "height_m", .unit = "m", .low = 1.0, .high = 1e5, .help = "above the highest ground around"}},
+       {.key = "height_m",
+        .unit = "m",
+        .low = 1.0,
+        .high = 1e5,
+        .help = "height above the highest ground nearby"}},
       {&FlightSettings::every,
        {.key = "every",
         .low = 1.0,
         .high = most_frames,
-        .help = "writes and compares one frame out of this many"}}};
+        .help = "write and compare one frame out of this many"}}};
 }
 
 std::vector<Camera> path_over(const terrain::TiledField& field, const FlightSettings& settings,
@@ -356,7 +360,7 @@ class Flying {
                     "apart, found {} x {}, {:.6g} x {:.6g} m apart",
                     one_line(arguments_.compared), of.shape.columns, of.shape.rows, of.spacing_x_m,
                     of.spacing_z_m, map.columns, map.rows, map.spacing_x_m, map.spacing_z_m),
-        "name that map, and say how to read it as it was said to `offing terrain tile`");
+        "name that map, with the flags that you gave to `offing terrain tile`");
   }
 
   /// Of every picture that is written.
@@ -368,8 +372,8 @@ class Flying {
     if (status) {
       throw Error(
           ErrorKind::file,
-          fmt::format("{}: cannot be made a folder: {}", one_line(arguments_.output), status.message()),
-          "name a folder where you may write with -o");
+          fmt::format("{}: cannot create the folder: {}", one_line(arguments_.output), status.message()),
+          "name a folder with -o in which you may write");
     }
     const GivenInputs inputs{{arguments_.store, arguments_.compared}, arguments_.trust};
     require_new_frames(image_name(), {0, settings_.frames - 1}, arguments_.existing, inputs, settings_.every);
@@ -450,9 +454,10 @@ void print_text(const TerrainFlyArguments& arguments, const FlightReport& report
   fmt::print("{}: {} frames, median {:.1f} ms, slowest hundredth {:.1f} ms, worst {:.1f} ms\n",
              one_line(arguments.store), report.frames, 1e3 * report.times.median_s,
              1e3 * report.times.slowest_hundredth_s, 1e3 * report.times.worst_s);
-  fmt::print("  tiles      {:.0f} a frame, {:.1f} of them stood in for, {} loaded, {} failed, {} slots\n",
-             report.mean_tiles, report.mean_stood_in, report.tiles.loaded, report.tiles.failed,
-             report.tiles.slots);
+  fmt::print(
+      "  tiles      {:.0f} per frame, {:.1f} of them replaced by coarser ones, {} loaded, {} failed, {} "
+      "slots\n",
+      report.mean_tiles, report.mean_stood_in, report.tiles.loaded, report.tiles.failed, report.tiles.slots);
   fmt::print("  memory     {:.0f} MiB for tiles, {:.0f} MiB at most in all\n",
              static_cast<double>(report.tiles.bytes) / mebibyte,
              static_cast<double>(report.peak_bytes) / mebibyte);
@@ -460,8 +465,7 @@ void print_text(const TerrainFlyArguments& arguments, const FlightReport& report
   const FlightComparison::Result& of = *report.comparison;
   fmt::print(
       "  compared   {} frames of {} pixels in all: {} holes in flight, {} once loaded, {} pixels of ground "
-      "where "
-      "the map has sky; distance off by {:.2g} of itself in the median, {:.2g} in the worst hundredth\n",
+      "where the map has sky; relative distance error {:.2g} in the median, {:.2g} in the worst hundredth\n",
       of.frames, of.pixels, of.holes_flown, of.holes_loaded, of.raised, of.median_error,
       of.worst_hundredth_error);
 }
@@ -480,8 +484,8 @@ void run(const TerrainFlyArguments& arguments, const GlobalOptions& options) {
 
 void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainFlyArguments>();
-  CLI::App* command = terrain.add_subcommand("fly", "a flight over a tile store, and what its frames cost");
-  command->add_option("STORE", arguments->store, "tile store of `offing terrain tile`")
+  CLI::App* command = terrain.add_subcommand("fly", "fly over a tile store and measure frame times");
+  command->add_option("STORE", arguments->store, "tile store made by `offing terrain tile`")
       ->required()
       ->type_name("");
   arguments->cache.add_to(*command);
@@ -489,21 +493,21 @@ void add_terrain_fly_command(CLI::App& terrain, GlobalOptions& options) {
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder)->group("Flight");
   };
-  add("--size", arguments->size, "WxH", "pixels (default 1280x720)");
+  add("--size", arguments->size, "WxH", "size in pixels (default 1280x720)");
   arguments->flight.add_to(*command, flight_rows(), "Flight");
-  add("-o,--output", arguments->output, "FOLDER", "writes pictures there, frame.000000.png and so on");
+  add("-o,--output", arguments->output, "FOLDER", "folder to write pictures to: frame.000000.png and so on");
   add("--compare", arguments->compared, "FILE",
-      "height map that the store was made of: compares the frames of --every with those of the whole map in "
-      "memory");
+      "height map from which the store was made: compare the frames of --every with frames of the whole map "
+      "in memory");
   arguments->map_flags.add_to(*command);
   add_force_flag(*command, arguments->existing);
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_trust_flag(*command, arguments->trust);
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-The flight is a figure of eight over the middle of the map. Frames are drawn as fast as they can be; from one to the
-next the eye moves by speed / fps metres. Times include the choice of tiles, rays, shadows and light. The flags of
-heights, spacing and files without a header say how to read the map of --compare.
+The flight is a figure of eight over the middle of the map. Frames are drawn as fast as possible; from one
+to the next the eye moves by speed / fps metres. Times include the choice of tiles, rays, shadows and
+light. The flags under Heights, Spacing and Files without a header say how to read the map of --compare.
 
 Examples:
   offing terrain fly ground.tiles --cache-mb 256

@@ -121,20 +121,20 @@ void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options
 
 void add_terrain_generate_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainGenerateArguments>();
-  CLI::App* command = terrain.add_subcommand("generate", "made ground, for scenes without data");
+  CLI::App* command = terrain.add_subcommand("generate", "generate terrain, for scenes without data");
   command
       ->add_option("-o,--output", arguments->output,
-                   "height map to write: .tif, or .r32, floats without a header")
+                   "height map to write: .tif, or .r32 (32-bit floats without a header)")
       ->type_name("FILE")
       ->required();
   arguments->terrain.add_to(*command, terrain_rows());
   add_force_flag(*command, arguments->existing);
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
-The same seed gives the same ground, whatever the number of posts. Rows are written as they are made.
+The same seed gives the same terrain for any number of posts. Each row is written as soon as it is made.
 
-Example:
+Examples:
   offing terrain generate --posts 2049 --seed 7 -o valley.tif
   offing terrain render valley.tif -o valley.png)");
   command->callback([arguments, &options] { run(*arguments, options); });

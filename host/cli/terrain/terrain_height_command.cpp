@@ -75,20 +75,22 @@ void run(const TerrainHeightArguments& arguments, const GlobalOptions& options) 
 
 void add_terrain_height_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainHeightArguments>();
-  CLI::App* command = terrain.add_subcommand("height", "height, normal and slope of the ground at a point");
+  CLI::App* command =
+      terrain.add_subcommand("height", "print height, normal and slope of the ground at a point");
   arguments->input.add_to(*command);
-  command->add_option("--at", arguments->at, "where, m")->type_name("X,Z");
-  command->add_flag("--smooth-normals", arguments->smooth_normals,
-                    "normal and slope without creases, from posts around the patch; default its own");
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_option("--at", arguments->at, "the point, in m")->type_name("X,Z");
+  command->add_flag(
+      "--smooth-normals", arguments->smooth_normals,
+      "smooth normal and slope, from the posts around the patch (default: from the patch alone)");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   arguments->batch.add_to(
       *command,
       {.names = {"x_m", "z_m"}, .meaning = "for each point, its x and z in m", .example = "1200,350.5"},
       "--at");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(
-      fmt::format("\n{}\nGround is measured where the map has no void; voids are filled in.\n\nExample:\n  "
-                  "offing terrain height S33W071.tif --at 47000,55000 --json\n"
+      fmt::format("\n{}\nmeasured tells whether the map has a height there; voids are filled "
+                  "in.\n\nExamples:\n  offing terrain height S33W071.tif --at 47000,55000 --json\n"
                   "  offing terrain height S33W071.tif --points wells.csv -o heights.csv",
                   place_footer));
   command->callback([arguments, &options] { run(*arguments, options); });

@@ -85,18 +85,18 @@ const char* name_of(SpacingSource source) {
 std::string explanation(const HeightMapSource& source) {
   switch (source.spacing_source) {
     case SpacingSource::file:
-      return "as the file says";
+      return "from the file";
     case SpacingSource::latitude:
       return "degrees, in metres at the latitude of the middle row";
     case SpacingSource::mercator:
-      return fmt::format("as the file says, divided by the Mercator scale {:.5g} at the middle row",
+      return fmt::format("from the file, divided by the Mercator scale {:.5g} at the middle row",
                          source.projection_scale);
     case SpacingSource::reprojected:
       return "resampled to metres";
     case SpacingSource::options:
       return "as asked";
     case SpacingSource::assumed:
-      return "assumed: the file does not say; state it with --spacing-m";
+      return "assumed, because the file gives none; set it with --spacing-m";
   }
   return "";
 }
@@ -110,7 +110,7 @@ const char* name_of(const HeightMapOptions& options) {
 }
 
 nlohmann::ordered_json info_json(const TerrainInfoArguments& arguments, const HeightMapOptions& options,
-                               const HeightMapFile& file) {
+                                 const HeightMapFile& file) {
   const auto& [map, source] = file;
   const auto or_null = [](const std::optional<double>& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
@@ -194,14 +194,15 @@ void run(const TerrainInfoArguments& arguments) {
 
 void add_terrain_info_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainInfoArguments>();
-  CLI::App* command = terrain.add_subcommand("info", "size, spacing, range, voids and place of a height map");
+  CLI::App* command =
+      terrain.add_subcommand("info", "print size, spacing, heights, voids and place of a height map");
   arguments->input.add_to(*command);
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
-FILE may also be a tile store of `offing terrain tile`.
+FILE may also be a tile store made by `offing terrain tile`.
 
-Voids are places without a height. They are filled from the posts around them and stay marked.
+Voids are posts without a height. They are filled from the posts around them and stay marked as voids.
 
 Examples:
   offing terrain info N42E001.hgt.zip

@@ -45,34 +45,34 @@ void HeightMapFlags::add_to(CLI::App& command) {
        {scene::path(map, &Map::band), like_scene("terrain.band", "--band")},
        {scene::path(map, &Map::exr_channel),
         {.key = "channel",
-         .help = "channel of an EXR",
+         .help = "channel of an EXR that holds the heights",
          .example = "Y",
          .absent = "the only one, or height, Y, Z, R",
          .rule = scene::ParameterRule::name}},
        {scene::path(map, &Map::void_height_m), like_scene("terrain.void_height_m", "--void-height-m")}},
       heights);
-  command.add_option("--nodata", nodata_, "another value that marks voids in the file; may be nan")
+  command.add_option("--nodata", nodata_, "additional value that marks voids in the file; may be nan")
       ->type_name("V")
       ->group(heights);
   constexpr const char* place = "Spacing";
   options_.add_to(
       command,
-      {{&Settings::spacing_m, like_scene("terrain.spacing_x_m", "--spacing-m", "distance of posts")},
+      {{&Settings::spacing_m, like_scene("terrain.spacing_x_m", "--spacing-m", "distance between posts")},
        {scene::path(map, &Map::spacing_x_m), like_scene("terrain.spacing_x_m", "--spacing-x-m")},
        {scene::path(map, &Map::spacing_z_m), like_scene("terrain.spacing_z_m", "--spacing-z-m")},
        {scene::choice(scene::path(map, &Map::horizontal_unit), names_in_scene("terrain.horizontal_unit")),
         like_scene("terrain.horizontal_unit", "--unit")},
        {scene::path(map, &Map::reproject_to),
         {.key = "reproject",
-         .help = "resample to metres: utm, or a coordinate system such as EPSG:32719",
+         .help = "resample to metres in this coordinate system: utm, or a name such as EPSG:32719",
          .example = "utm",
-         .absent = "as the file has them",
+         .absent = "no resampling",
          .rule = scene::ParameterRule::name}}},
       place);
   CLI::Option* both = command.get_option("--spacing-m");
   for (const char* one : {"--spacing-x-m", "--spacing-z-m"}) command.get_option(one)->excludes(both);
   constexpr const char* raw = "Files without a header (.r16, .r32, .raw, .bin)";
-  command.add_option("--raw-size", raw_size_, "posts along x and z")->type_name("WxH")->group(raw);
+  command.add_option("--raw-size", raw_size_, "number of posts along x and z")->type_name("WxH")->group(raw);
   options_.add_to(
       command,
       {{scene::choice_or("by_name", scene::path(map, &Map::raw_type), {"u16", "s16", "f32"}),
@@ -106,8 +106,8 @@ HeightMapOptions HeightMapFlags::read() const {
 void TerrainInput::add_to(CLI::App& command) {
   command
       .add_option("FILE", file_,
-                  "GeoTIFF, SRTM .hgt (.hgt.zip), USGS DEM, ASCII grid, PNG, EXR, .r16, .r32, or another "
-                  "raster of docs/terrain.md; or a tile store")
+                  "height map: GeoTIFF, SRTM .hgt (.hgt.zip), USGS DEM, ASCII grid, PNG, EXR, .r16, .r32 or "
+                  "another format of docs/terrain.md; or a tile store")
       ->required()
       ->type_name("");
   flags_.add_to(command);
@@ -124,7 +124,7 @@ HeightMapFile TerrainInput::read() const {
   if (is_tile_store(file_)) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a height map, found a tile store", one_line(file_)),
-                "give this command the map that it was made of");
+                "give this command the map from which the store was made");
   }
   HeightMapFile file = read_height_map(file_, options());
   warn_of_assumed_spacing(file_, file.source);

@@ -81,7 +81,7 @@ Sight sight_between(const terrain::TerrainPosts& posts, const terrain::EarthCurv
       slack_cells * std::max(posts.spacing_x_m, posts.spacing_z_m) + slack_share * distance_m;
   if (distance_m <= 2.0 * slack_m) {
     throw Error(ErrorKind::bad_usage,
-                fmt::format("{}: expected another place than where the line begins, found one {:g} m away",
+                fmt::format("{}: expected a place away from the start of the line, found one {:g} m away",
                             to_place, distance_m),
                 "give X,Z,H such as 1200,350,1.7");
   }
@@ -153,13 +153,13 @@ void run(const TerrainLosArguments& arguments, const GlobalOptions& options) {
 
 void add_terrain_los_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainLosArguments>();
-  CLI::App* command = terrain.add_subcommand("los", "line of sight: whether two points see each other");
+  CLI::App* command = terrain.add_subcommand("los", "test the line of sight between two points");
   arguments->input.add_to(*command);
   arguments->cache.add_to(*command);
-  command->add_option("--from", arguments->from, "one end, m")->type_name("X,Z,H");
-  command->add_option("--to", arguments->to, "the other end, m")->type_name("X,Z,H")->needs("--from");
+  command->add_option("--from", arguments->from, "one end, in m")->type_name("X,Z,H");
+  command->add_option("--to", arguments->to, "the other end, in m")->type_name("X,Z,H")->needs("--from");
   arguments->curve.add_to(*command);
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   arguments->batch.add_to(
       *command,
       {.names = {"from_x_m", "from_z_m", "from_height_m", "to_x_m", "to_z_m", "to_height_m"},
@@ -169,7 +169,7 @@ void add_terrain_los_command(CLI::App& terrain, GlobalOptions& options) {
   add_global_options(*command, options, DeviceUse::one);
   command->footer(
       fmt::format("\n{}\n\n"
-                  "Example:\n  offing terrain los S33W071.tif --from 47000,80000,1.7 --to 47000,20000,30\n"
+                  "Examples:\n  offing terrain los S33W071.tif --from 47000,80000,1.7 --to 47000,20000,30\n"
                   "  offing terrain los S33W071.tif --points masts.csv -o seen.csv",
                   place_footer));
   command->callback([arguments, &options] { run(*arguments, options); });

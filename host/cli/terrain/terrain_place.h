@@ -11,8 +11,7 @@ namespace offing::cli {
 
 /// How every command that takes places explains them.
 inline constexpr const char* place_footer =
-    "Places are metres east (X) and south (Z) of the map's north-west post; Y is height, H height above "
-    "ground.";
+    "X and Z are metres east and south of the map's north-west post. Y is height, H is height above ground.";
 
 /// Throws Error(bad_input) that names the flag unless (x_m, z_m) is within a map of this extent.
 void require_within(std::string_view flag, double width_m, double depth_m, double x_m, double z_m);

@@ -76,27 +76,26 @@ void run(const TerrainProfileArguments& arguments) {
 
 void add_terrain_profile_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainProfileArguments>();
-  CLI::App* command = terrain.add_subcommand("profile", "heights along a line, as CSV");
+  CLI::App* command = terrain.add_subcommand("profile", "print heights along a line as CSV");
   arguments->input.add_to(*command);
-  command->add_option("--from", arguments->from, "where it begins, m")->type_name("X,Z")->required();
-  command->add_option("--to", arguments->to, "where it ends, m")->type_name("X,Z")->required();
+  command->add_option("--from", arguments->from, "start of the line, in m")->type_name("X,Z")->required();
+  command->add_option("--to", arguments->to, "end of the line, in m")->type_name("X,Z")->required();
   arguments->settings.add_to(*command, {{&ProfileSettings::step_m,
                                          {.key = "step_m",
                                           .unit = "m",
                                           .low = 1e-3,
                                           .high = 1e6,
-                                          .help = "heights are at most this far apart",
+                                          .help = "largest distance between heights",
                                           .example = "10",
-                                          .absent = "as the posts"}}});
+                                          .absent = "the spacing of the posts"}}});
   arguments->curve.add_to(*command);
-  command->add_option("-o,--output", arguments->output, "CSV to write (default or -: standard output)")
+  command->add_option("-o,--output", arguments->output, "CSV file to write (- or default: standard output)")
       ->type_name("FILE");
   add_force_flag(*command, arguments->existing);
   add_global_options(*command, options, DeviceUse::none);
   command->footer(fmt::format(
-      "\n{}\nmeasured is 0 where the map has a void, which was filled in. With --curvature, fallen_height_m "
-      "is how high "
-      "\nthe ground is above a level line from the profile's beginning.\n\n"
+      "\n{}\nIn the CSV, measured is 0 where the map has a void, which is filled in. With --curvature, "
+      "fallen_height_m is\nthe height of the ground above a level line from the start of the profile.\n\n"
       "Example:\n  offing terrain profile S33W071.tif --from 0,55000 --to 90000,55000 --step-m 100",
       place_footer));
   command->callback([arguments] { run(*arguments); });

@@ -40,14 +40,14 @@ terrain::Ray read_ray(const TerrainRayArguments& arguments) {
   const bool has_target = !arguments.to.empty();
   if (has_target == !arguments.direction.empty()) {
     throw Error(ErrorKind::bad_usage, "terrain ray: expected one of --to and --direction",
-                "write --to X,Y,Z for a point, or --direction X,Y,Z for a way");
+                "write --to X,Y,Z for a point, or --direction X,Y,Z for a direction");
   }
   const glm::dvec3 way = has_target ? read_vector("--to", arguments.to, "900,1200,400") - from
                                     : read_vector("--direction", arguments.direction, "1,-0.2,0");
   const double length_m = glm::length(way);
   if (length_m == 0.0) {
     throw bad_argument(has_target ? "--to" : "--direction",
-                       has_target ? "another point than --from" : "a way",
+                       has_target ? "a point other than --from" : "a direction other than 0,0,0",
                        has_target ? arguments.to : arguments.direction, "1,-0.2,0");
   }
   terrain::Ray ray{.origin_m = from, .direction = way / length_m};
@@ -125,7 +125,7 @@ void answer_all(const TerrainRayArguments& arguments, TerrainSource& terrain, co
           if (length == 0.0) {
             throw Error(ErrorKind::bad_input,
                         fmt::format("{}: expected a direction, found 0,0,0", table.place_of(i / 6)),
-                        "give a way of any length above 0");
+                        "give a direction of any length above 0");
           }
           rays.push_back({.origin_m = {rows[i], rows[i + 1], rows[i + 2]}, .direction = way / length});
           require_valid(rays.back(), terrain.grid(), table.place_of(i / 6));
@@ -165,27 +165,32 @@ void run(const TerrainRayArguments& arguments, const GlobalOptions& options) {
 
 void add_terrain_ray_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainRayArguments>();
-  CLI::App* command = terrain.add_subcommand("ray", "what a ray hits first");
+  CLI::App* command = terrain.add_subcommand("ray", "find what a ray hits first");
   arguments->input.add_to(*command);
   arguments->cache.add_to(*command);
-  command->add_option("--from", arguments->from, "where it starts, m")->type_name("X,Y,Z");
-  command->add_option("--to", arguments->to, "where it ends, m")->type_name("X,Y,Z")->needs("--from");
-  command->add_option("--direction", arguments->direction, "its way without end, of any length")
+  command->add_option("--from", arguments->from, "start of the ray, in m")->type_name("X,Y,Z");
+  command->add_option("--to", arguments->to, "point on the ray where it ends, in m")
+      ->type_name("X,Y,Z")
+      ->needs("--from");
+  command
+      ->add_option("--direction", arguments->direction, "direction of a ray without end; may have any length")
       ->type_name("X,Y,Z")
       ->needs("--from");
   arguments->curve.add_to(*command);
-  command->add_flag("--smooth-normals", arguments->smooth_normals,
-                    "normals without creases, from posts around the hit's patch; default its own");
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag(
+      "--smooth-normals", arguments->smooth_normals,
+      "smooth normals, from the posts around the patch that is hit (default: from the patch alone)");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   arguments->batch.add_to(*command,
                           {.names = {"x_m", "y_m", "z_m", "direction_x", "direction_y", "direction_z"},
-                           .meaning = "for each ray, where it starts in m and its way, of any length",
+                           .meaning = "for each ray, its start in m and its direction, of any length",
                            .example = "47000,6000,80000,0.1,-0.3,-1"},
                           "--from");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(fmt::format(
-      "\n{}\nHits are of the surface, of the map's side (ground is solid), or inside: it starts below.\n\n"
-      "Example:\n  offing terrain ray S33W071.tif --from 47000,6000,80000 --direction 0.1,-0.3,-1\n"
+      "\n{}\nA hit is surface, side (the ground is solid at the map's edge) or inside (the ray starts below "
+      "ground).\n\n"
+      "Examples:\n  offing terrain ray S33W071.tif --from 47000,6000,80000 --direction 0.1,-0.3,-1\n"
       "  offing terrain ray S33W071.tif --points beams.csv -o hits.csv",
       place_footer));
   command->callback([arguments, &options] { run(*arguments, options); });

@@ -27,7 +27,6 @@ namespace offing::cli {
 
 namespace {
 
-
 /// Numbers and choices of a picture.
 struct RenderSettings {
   double field_of_view_rad = 60.0 * radians_per_degree;
@@ -60,23 +59,24 @@ Camera read_camera(const TerrainRenderArguments& arguments, const RenderSettings
 std::vector<scene::Row<RenderSettings>> picture_rows() {
   return {{&RenderSettings::field_of_view_rad, like_scene("camera.fov_deg", "--fov-deg")},
           {&RenderSettings::exposure_ev, like_scene("render.exposure_ev", "--exposure-ev")},
-          {&RenderSettings::sea_level_m,
-           like_scene("terrain.water_line_m", "--sea-level-m", "ground at or below is painted as water")},
+          {&RenderSettings::sea_level_m, like_scene("terrain.water_line_m", "--sea-level-m",
+                                                    "height up to which ground is painted as water")},
           {&RenderSettings::tree_line_m, like_scene("terrain.tree_line_m", "--tree-line-m")},
           {&RenderSettings::snow_line_m, like_scene("terrain.snow_line_m", "--snow-line-m")},
           {scene::choice(&RenderSettings::sky_visibility, names_in_scene("terrain.sky_visibility")),
            like_scene("terrain.sky_visibility", "--sky-visibility",
-                      "whether ground around a place hides the sky's light from it; off for tile stores")},
+                      "whether surrounding ground blocks light from the sky; off for tile stores")},
           {&RenderSettings::samples,
            {.key = "samples",
             .low = 1.0,
             .high = 4096.0,
-            .help = "rays a pixel; auto: 4 or 16 where light or coverage change from pixel to pixel",
+            .help = "rays per pixel; auto: 1, and 4 or 16 where light or coverage changes between pixels",
             .example = "16",
             .absent = "auto"}},
           {scene::choice(&RenderSettings::show, {"light", "steps"}),
            {.key = "show",
-            .help = "steps: how far each ray walked, blue 0, green 16, yellow 40, red 80 and more"}}};
+            .help = "what to draw: light, or the steps that each ray took (blue 0, green 16, yellow 40, red "
+                    "80 and more)"}}};
 }
 
 TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const RenderSettings& settings,
@@ -86,7 +86,8 @@ TerrainScenery read_scenery(const TerrainRenderArguments& arguments, const Rende
     const auto sun = read_numbers("--sun", arguments.sun, 2, "AZIMUTH_DEG,ELEVATION_DEG", "225,30");
     scenery.sun_azimuth_rad = sun[0] * radians_per_degree;
     scenery.sun_elevation_rad =
-        read_number("--sun", fmt::format("{}", sun[1]), "degrees", -90.0, 90.0, "225,30") * radians_per_degree;
+        read_number("--sun", fmt::format("{}", sun[1]), "degrees", -90.0, 90.0, "225,30") *
+        radians_per_degree;
   }
   scenery.sees_horizons = settings.sky_visibility == scene::SkyVisibility::on;
   if (latitude_deg) scenery.lines = world::cover_lines(*latitude_deg);
@@ -164,14 +165,16 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
   const double ground_share =
       static_cast<double>(picture.terrain_pixels) / static_cast<double>(picture.distances_m.size());
   if (arguments.json) {
-    const nlohmann::ordered_json json = {
-        {"picture", arguments.output},           {"eye_m", {camera.eye_m.x, camera.eye_m.y, camera.eye_m.z}},
-        {"yaw_deg", camera.yaw_rad / radians_per_degree},   {"pitch_deg", camera.pitch_rad / radians_per_degree},
-        {"ground_share", ground_share},          {"mean_steps", picture.mean_steps},
-        {"refined_share", picture.refined_share}};
+    const nlohmann::ordered_json json = {{"picture", arguments.output},
+                                         {"eye_m", {camera.eye_m.x, camera.eye_m.y, camera.eye_m.z}},
+                                         {"yaw_deg", camera.yaw_rad / radians_per_degree},
+                                         {"pitch_deg", camera.pitch_rad / radians_per_degree},
+                                         {"ground_share", ground_share},
+                                         {"mean_steps", picture.mean_steps},
+                                         {"refined_share", picture.refined_share}};
     print_json(json);
   } else {
-    print_summary("{}: from ({:.1f}, {:.1f}, {:.1f}) m, {:.1f} % ground, {:.1f} steps a ray\n",
+    print_summary("{}: from ({:.1f}, {:.1f}, {:.1f}) m, {:.1f} % ground, {:.1f} steps per ray\n",
                   one_line(arguments.output), camera.eye_m.x, camera.eye_m.y, camera.eye_m.z,
                   100.0 * ground_share, picture.mean_steps);
   }
@@ -181,7 +184,7 @@ void run(const TerrainRenderArguments& arguments, const GlobalOptions& options) 
 
 void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainRenderArguments>();
-  CLI::App* command = terrain.add_subcommand("render", "a picture of a height map under a clear sky");
+  CLI::App* command = terrain.add_subcommand("render", "render a height map under a clear sky");
   arguments->input.add_to(*command);
   arguments->cache.add_to(*command);
   arguments->cache.add_edge_to(*command);
@@ -189,22 +192,23 @@ void add_terrain_render_command(CLI::App& terrain, GlobalOptions& options) {
     return command->add_option(names, target, help)->type_name(placeholder)->group("Picture");
   };
   add("-o,--output", arguments->output, "FILE", "PNG to write")->required();
-  add("--depth", arguments->depth, "FILE", "EXR of the distance along each pixel's ray, m, channel Z");
+  add("--depth", arguments->depth, "FILE",
+      "also write an EXR with the distance along each pixel's ray, in m, in channel Z");
   add("--camera", arguments->camera, "CAMERA",
-      "fly, walk, or X,Y,Z,YAW_DEG,PITCH_DEG: metres east of, above and south of the map's north-west post "
-      "at height 0; yaw clockwise from north (default fly)");
-  add("--size", arguments->size, "WxH", "pixels (default 1280x720)");
+      "fly, walk, or X,Y,Z,YAW_DEG,PITCH_DEG: X east and Z south of the map's north-west post, Y the height, "
+      "all in m; yaw clockwise from north (default fly)");
+  add("--size", arguments->size, "WxH", "size in pixels (default 1280x720)");
   add("--sun", arguments->sun, "AZIMUTH_DEG,ELEVATION_DEG",
-      "where the sun stands, azimuth clockwise from north (default 225,30)");
+      "direction of the sun, azimuth clockwise from north (default 225,30)");
   arguments->settings.add_to(*command, picture_rows(), "Picture");
   add("--colour", arguments->colour, "FILE",
-      "picture of the ground from above (GeoTIFF, PNG ...), by its georeference or else stretched over the "
-      "map");
+      "aerial picture of the ground (GeoTIFF, PNG, ...), placed by its georeference, or without one "
+      "stretched over the map");
   add_force_flag(*command, arguments->existing);
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(R"(
-FILE may also be a tile store of `offing terrain tile`.
+FILE may also be a tile store made by `offing terrain tile`.
 
 Examples:
   offing terrain render S33W071.tif -o andes.png

@@ -236,17 +236,19 @@ void run(const TerrainTileArguments& arguments, const GlobalOptions& options) {
 
 void add_terrain_tile_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainTileArguments>();
-  CLI::App* command = terrain.add_subcommand("tile", "a height map of any size as a store of tiles");
+  CLI::App* command = terrain.add_subcommand("tile", "convert a height map of any size into a tile store");
   arguments->input.add_to(*command);
-  command->add_option("-o,--output", arguments->output, "folder to fill")->type_name("STORE")->required();
+  command->add_option("-o,--output", arguments->output, "folder to write the store to")
+      ->type_name("STORE")
+      ->required();
   add_force_flag(*command, arguments->existing)
-      ->description("replace a finished store, once the new one is complete; equal tiles are kept");
-  command->add_flag("--json", arguments->json, "results for scripts");
+      ->description("replace a finished store when the new one is complete; equal tiles are kept");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::none);
   command->footer(R"(
-FILE may also be a VRT or a folder of rasters. It is read row by row: memory for a few hundred rows is enough. A run
-that was stopped goes on when it is started again, and ends with the same bytes. A store takes 6.1 bytes a post, 3.4
-where heights are whole metres.
+FILE may also be a VRT or a folder of rasters. It is read row by row, so memory for a few hundred rows is
+enough. An interrupted run resumes when you start it again, and gives the same bytes. A store takes 6.1
+bytes per post, or 3.4 if heights are whole metres.
 
 Examples:
   offing terrain tile srtm/ -o alps.tiles

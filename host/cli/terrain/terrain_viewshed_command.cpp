@@ -44,20 +44,20 @@ std::vector<scene::Row<terrain::ViewshedParameters>> viewshed_rows() {
             .unit = "m",
             .low = 0.0,
             .high = highest_m,
-            .help = "of the eye above ground"}},
+            .help = "height of the eye above ground"}},
           {&ViewshedParameters::target_height_m,
            {.key = "target_height_m",
             .unit = "m",
             .low = 0.0,
             .high = highest_m,
-            .help = "above ground, of what is to be seen; 0 is the ground itself",
+            .help = "height of the target above ground; 0 is the ground itself",
             .example = "10"}},
           {&ViewshedParameters::radius_m,
            {.key = "radius_m",
             .unit = "m",
             .low = 1e-3,
             .high = farthest_m,
-            .help = "what is farther, in plan, is not seen",
+            .help = "largest horizontal distance; everything farther counts as hidden",
             .example = "20000",
             .absent = "no limit"}}};
 }
@@ -151,25 +151,27 @@ void run(const TerrainViewshedArguments& arguments, const GlobalOptions& options
 
 void add_terrain_viewshed_command(CLI::App& terrain, GlobalOptions& options) {
   const auto arguments = std::make_shared<TerrainViewshedArguments>();
-  CLI::App* command = terrain.add_subcommand("viewshed", "which ground is seen from a point, as a GeoTIFF");
+  CLI::App* command =
+      terrain.add_subcommand("viewshed", "map the ground that is visible from a point, as a GeoTIFF");
   arguments->input.add_to(*command);
   arguments->cache.add_to(*command);
   const auto add = [&](const char* names, std::string& target, const char* placeholder, const char* help) {
     return command->add_option(names, target, help)->type_name(placeholder);
   };
-  add("--observer", arguments->observer, "X,Z", "where the observer stands, m")->required();
+  add("--observer", arguments->observer, "X,Z", "position of the observer, in m")->required();
   arguments->settings.add_to(*command, viewshed_rows());
   arguments->curve.add_to(*command);
-  add("-o,--output", arguments->output, "FILE", "GeoTIFF to write, .tif, whole or not at all")->required();
+  add("-o,--output", arguments->output, "FILE", "GeoTIFF to write (.tif), complete or not at all")
+      ->required();
   add_force_flag(*command, arguments->existing);
-  command->add_flag("--json", arguments->json, "results for scripts");
+  command->add_flag("--json", arguments->json, "print the results as JSON");
   add_global_options(*command, options, DeviceUse::one);
   command->footer(fmt::format(R"(
 {}
-The raster has a byte for each post of the map, with its georeference: 255 seen, 0 not, and 128, its nodata value,
-where the map has a void. Ground hides what is behind it by the surface between its posts, which is exact, not by
-steps from post to post. Of a tile store the raster covers the square that --radius-m reaches, in full detail;
---cache-mb has to be enough for it, 12 bytes a post.
+The raster has one byte per post and the georeference of the map: 255 visible, 0 hidden, 128 (nodata) where
+the map has a void. Visibility is exact: it follows the surface between the posts instead of stepping from
+post to post. For a tile store, the raster covers the square that --radius-m reaches, in full detail.
+--cache-mb must be large enough for it, at 12 bytes per post.
 
 Examples:
   offing terrain viewshed S33W071.tif --observer 47000,55000 -o seen.tif

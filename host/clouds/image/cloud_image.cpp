@@ -133,12 +133,11 @@ void CloudImage::draw(const DrawnParticles& drawn, const Camera& camera) {
     const auto used = static_cast<std::size_t>(used_.map()[0]);
     if (used <= list_.size()) break;
     if (used > most_list_entries) {
-      throw Error(
-          ErrorKind::out_of_memory,
-          fmt::format("picture of clouds: {} particles are before so many of the {} x {} pixels that their "
-                      "tiles need more than {} places",
-                      drawn.count, width_px_, height_px_, most_list_entries),
-          "take a smaller picture, fewer particles (clouds.quality), or an eye that is further away");
+      throw Error(ErrorKind::out_of_memory,
+                  fmt::format("picture of clouds: {} particles cover so many of the {} x {} pixels that "
+                              "their tiles need more than {} places",
+                              drawn.count, width_px_, height_px_, most_list_entries),
+                  "take a smaller picture, fewer particles (clouds.quality), or an eye that is further away");
     }
     list_ = ocl::Buffer<std::uint32_t>(device_, std::min(2 * used, most_list_entries), "cloud tiles");
   }

@@ -17,11 +17,12 @@ ENVIRONMENT = {
     "OFFING_SHADER_PATH": ("sources", "Folder present/passes of a checkout, whose shaders replace those built in."),
     "OFFING_HOST_POINTERS": (
         "device",
-        "0: no buffer uses memory of the host, for drivers and tools that fail with it.",
+        "0: no buffer uses host memory. For drivers and tools that fail with such buffers.",
     ),
     "OFFING_LONGEST_WAIT_S": (
         "device",
-        "Longest work in seconds before a first picture or frame; what takes longer is refused. The default is 45.",
+        "Longest time in seconds for the work before a first picture or frame. Longer work is refused. The default is "
+        "45.",
     ),
 }
 

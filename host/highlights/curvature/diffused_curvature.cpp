@@ -96,8 +96,8 @@ void DiffusedCurvature::at(const ocl::Buffer<float>& positions_m) {
   const std::size_t vertices = vertex_count();
   if (positions_m.size() != 3 * vertices) {
     throw Error(ErrorKind::bad_usage,
-                fmt::format("diffused curvature: expected {} coordinates, 3 a vertex, found {}", 3 * vertices,
-                            positions_m.size()),
+                fmt::format("diffused curvature: expected {} coordinates, 3 per vertex, found {}",
+                            3 * vertices, positions_m.size()),
                 "give the positions of all vertices of the mesh");
   }
   face_kernel_.launch({{face_normals_.size()}}, positions_m, corners_, face_normals_);

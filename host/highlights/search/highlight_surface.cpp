@@ -83,7 +83,7 @@ void require_numbers(const char* name, const std::vector<double>& values, std::s
            "compute the curvatures of this mesh");
   for (std::size_t i = 0; i < count; ++i) {
     if (!std::isfinite(values[i]))
-      refuse(fmt::format("{}: vertex {}: expected a finite number", name, i), "compute the curvatures anew");
+      refuse(fmt::format("{}: vertex {}: expected a finite number", name, i), "compute the curvatures again");
   }
 }
 

@@ -124,7 +124,7 @@ class ParticleParser {
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (!columns[i].absent && std::find(targets.begin(), targets.end(), i) == targets.end()) {
         throw meshes::mesh_error(file_name_, 0, fmt::format("particles with a property {}", columns[i].name),
-                                 "none of this name");
+                                 "no property of this name");
       }
     }
     return targets;

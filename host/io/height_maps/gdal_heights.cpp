@@ -45,8 +45,8 @@ class Raster {
           fmt::format("{}: expected a height map, found a file that cannot be opened as one: {}",
                       path.string(), session_.failure()),
           is_srtm_name(path)
-              ? "an .hgt has 1201 x 1201 or 3601 x 3601 posts and the name of its south-west corner, such as "
-                "N42E001.hgt: name it so, or copy it again where it is cut short"
+              ? "an .hgt has 1201 x 1201 or 3601 x 3601 posts and is named after its south-west corner, such "
+                "as N42E001.hgt: rename it, or copy it again if it is cut short"
               : "give a GeoTIFF, HGT, DEM, ASCII grid, PNG or EXR; a file without a header needs the ending "
                 ".r16, .r32, .raw or .bin; a file that is cut short must be copied again");
     }
@@ -171,8 +171,8 @@ GDALRasterBandH band_of_heights(const Raster& raster, int number) {
   if (raster.bands() >= 3 && colour >= GCI_RedBand && colour <= GCI_BlueBand) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected heights, found a colour picture", raster.path().string()),
-                "if it packs heights into colours, say --encoding mapbox or terrarium, in a scene encoding = "
-                "\"mapbox\"");
+                "if it packs heights into colours, give --encoding mapbox or terrarium; in a scene, encoding "
+                "= \"mapbox\"");
   }
   if (GDALGetRasterColorTable(band) != nullptr || GDALDataTypeIsComplex(GDALGetRasterDataType(band))) {
     throw Error(ErrorKind::bad_input,
@@ -235,7 +235,7 @@ std::optional<Georeference> georeference_of(const Raster& raster) {
   if (!(std::isnormal(corner[1]) && std::isnormal(corner[5]) && std::isfinite(corner[0]) &&
         std::isfinite(corner[3]))) {
     throw Error(ErrorKind::bad_input,
-                fmt::format("{}: expected posts a distance apart, found a spacing of {:g} by {:g}",
+                fmt::format("{}: expected a spacing of posts other than 0, found {:g} by {:g}",
                             raster.path().string(), corner[1], corner[5]),
                 "repair the header, as with gdal_edit.py -tr 30 30");
   }
@@ -279,7 +279,7 @@ SourceHeights read_gdal_heights(const std::filesystem::path& path, const HeightM
   if (raster.bands() == 0) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a raster of heights, found none in it", path.string()),
-                "if it holds several, name one as a file of its own");
+                "if it holds several, extract one into its own file");
   }
   SourceHeights source = begin_heights(path, raster.columns(), raster.rows(), taker);
   source.georeference = georeference_of(raster);
@@ -290,7 +290,7 @@ SourceHeights read_gdal_heights(const std::filesystem::path& path, const HeightM
   if (is_south_up && taker.rows) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected rows from north to south, found a south-up raster", path.string()),
-                "turn it over with gdalwarp, whose result is north-up");
+                "flip it with gdalwarp, which writes north-up rasters");
   }
   if (taker.begin) taker.begin(source);
   if (options.encoding == HeightEncoding::plain) {

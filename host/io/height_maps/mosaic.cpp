@@ -53,9 +53,9 @@ Mosaic::Mosaic(const std::filesystem::path& folder, Trust trust)
   if (!mosaic || is_wrong != 0) {
     throw Error(
         ErrorKind::bad_input,
-        fmt::format("{}: expected height maps that fit together, found {} of which not all do: {}",
+        fmt::format("{}: expected height maps that fit together, found {} that do not all fit: {}",
                     folder.string(), names.size(), session.failure()),
-        "bring them to one coordinate system with gdalwarp, and leave no other rasters in the folder");
+        "convert them to one coordinate system with gdalwarp, and move other rasters out of the folder");
   }
 }
 

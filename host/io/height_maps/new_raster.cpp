@@ -37,7 +37,7 @@ struct NewRaster {
 /// Throws Error(file) with what GDAL has said.
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const GdalSession& session) {
   throw Error(ErrorKind::file, fmt::format("{}: cannot be written: {}", path.string(), session.failure()),
-              "check the room on the disk, or name another file");
+              "check the free space on the disk, or name another file");
 }
 
 /// Makes a raster of one band. Throws Error(file).
@@ -63,8 +63,8 @@ Dataset create_raster(const NewRaster& raster, const GdalSession& session) {
   return dataset;
 }
 
-// Made ground has a scale, but no place.
-constexpr const char* local_metres = R"(LOCAL_CS["made ground",UNIT["metre",1]])";
+// Generated terrain has a scale, but no place.
+constexpr const char* local_metres = R"(LOCAL_CS["generated terrain",UNIT["metre",1]])";
 
 }  // namespace
 

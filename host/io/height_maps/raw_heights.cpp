@@ -28,7 +28,7 @@ RawType raw_type_of(const std::filesystem::path& path, const HeightMapOptions& o
   }
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: a file without a header, expected the type of its samples", path.string()),
-              "say --raw-type u16, s16 or f32");
+              "give --raw-type u16, s16 or f32");
 }
 
 /// What the number of samples suggests: a square, if it is one.
@@ -36,9 +36,9 @@ std::string size_hint(std::uintmax_t samples) {
   const auto side = static_cast<std::uintmax_t>(std::llround(std::sqrt(static_cast<double>(samples))));
   return side * side == samples && side > 1
              ? fmt::format(
-                   "it would fit a square: --raw-size {0}x{0}, in a scene raw_columns and raw_rows = {0}",
+                   "it would fit a square: --raw-size {0}x{0}; in a scene, raw_columns and raw_rows = {0}",
                    side)
-             : "say --raw-size COLUMNSxROWS that fits, in a scene raw_columns and raw_rows";
+             : "give --raw-size COLUMNSxROWS that fits; in a scene, raw_columns and raw_rows";
 }
 
 template <typename Bits>

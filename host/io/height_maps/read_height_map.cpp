@@ -63,7 +63,7 @@ void check_options(const std::filesystem::path& path, const HeightMapOptions& op
         fmt::format("{}: expected a finite scale of heights other than 0 and a finite offset, found {:g} and "
                     "{:g} m",
                     path.string(), options.vertical_scale, options.offset_m),
-        "write the metres a unit, such as --scale 0.1");
+        "write the metres per unit, such as --scale 0.1");
   }
   if (options.void_height_m && !(std::abs(*options.void_height_m) <= height_maps::farthest_height_m)) {
     throw Error(ErrorKind::bad_input,
@@ -122,7 +122,7 @@ height_maps::CoordinateUnits units_of(const std::filesystem::path& path, const S
         ErrorKind::bad_input,
         fmt::format("{}: expected a coordinate system, found none and a spacing of {:g}: metres or degrees?",
                     path.string(), source.georeference->step_x),
-        "say --unit degree or --unit metre, or state the spacing with --spacing-m");
+        "give --unit degree or --unit metre, or the spacing with --spacing-m");
   }
   height_maps::CoordinateUnits units;
   units.is_geographic = wanted == HorizontalUnit::degree;
@@ -154,7 +154,7 @@ std::pair<double, double> spacing_of_degrees(const std::filesystem::path& path, 
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected latitudes within 90 degrees, found {:.6g} to {:.6g}",
                             one_line(path.string()), south_deg, north_deg),
-                "repair the header, as with gdal_edit.py -a_ullr, or state the spacing: --spacing-m 30");
+                "repair the header, as with gdal_edit.py -a_ullr, or set the spacing: --spacing-m 30");
   }
   const auto length_at = [&](double latitude_deg) {
     return degree_length(std::clamp(latitude_deg, -90.0, 90.0), units.equatorial_radius_m, units.flattening);
@@ -184,7 +184,7 @@ GroundStep ground_step(const std::filesystem::path& path, const SourceHeights& s
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected a map in Mercator, found coordinates that are not on the earth",
                             one_line(path.string())),
-                "repair the header, as with gdal_edit.py -a_ullr, or state the spacing: --spacing-m 30");
+                "repair the header, as with gdal_edit.py -a_ullr, or set the spacing: --spacing-m 30");
   };
   const height_maps::GeographicPlace middle = at(column, row);
   const DegreeLength degree = degree_length(middle.latitude_deg, wgs84_radius_m, wgs84_flattening);
@@ -242,7 +242,7 @@ void settle_spacing(const std::filesystem::path& path, const SourceHeights& sour
                 fmt::format("{}: expected a spacing of posts within {:g} ... {:g} m, found {:g} m in its "
                             "georeference",
                             one_line(path.string()), least_spacing_m, 10.0 * most_spacing_m, spacing_m),
-                "repair the header, as with gdal_edit.py -tr 30 30, or state the spacing: --spacing-m 30");
+                "repair the header, as with gdal_edit.py -tr 30 30, or set the spacing: --spacing-m 30");
   };
   if (source.georeference && !is_stated) {
     check_spacing(map.spacing_x_m);
@@ -307,10 +307,9 @@ void settle_voids(const std::filesystem::path& path, const HeightMapOptions& opt
 }  // namespace
 
 HeightMapFile read_height_map(const std::filesystem::path& path, const HeightMapOptions& options) {
-  height_maps::require_readable_file(
-      path, "a height map",
-      "give the path of a file; `offing terrain tile` makes a store of a folder of height maps, and goes on "
-      "with one that was stopped");
+  height_maps::require_readable_file(path, "a height map",
+                                     "give the path of a file; `offing terrain tile` makes a store of a "
+                                     "folder of height maps, and resumes an interrupted one");
   check_options(path, options);
   SourceHeights source = read_source(path, options);
   if (!options.reproject_to.empty()) {
@@ -327,7 +326,7 @@ HeightMapFile read_height_map(const std::filesystem::path& path, const HeightMap
 void warn_of_assumed_spacing(const std::filesystem::path& path, const HeightMapSource& source) {
   if (source.spacing_source != SpacingSource::assumed) return;
   spdlog::warn(
-      "{}: nothing says how far apart its posts are, 1 m is taken: say --spacing-m, in a scene "
+      "{}: the file gives no spacing of its posts, so 1 m is assumed: set --spacing-m; in a scene, "
       "spacing_x_m and spacing_z_m",
       path.string());
 }

@@ -48,7 +48,7 @@ std::string target_system(const std::filesystem::path& path, const SourceHeights
     throw Error(
         ErrorKind::bad_input,
         fmt::format("{}: --reproject: expected a coordinate system in metres, got \"{}\"{}", path.string(),
-                    target, reference ? ", which is none" : ", which PROJ does not know"),
+                    target, reference ? ", which is not in metres" : ", which PROJ does not know"),
         "write --reproject utm, or a projected system such as --reproject EPSG:32719");
   }
   return wkt_of(reference.get());
@@ -145,7 +145,8 @@ SourceHeights reproject(const std::filesystem::path& path, const SourceHeights& 
     throw Error(
         ErrorKind::bad_input,
         fmt::format("{}: --reproject: expected a file with a coordinate system, found none", path.string()),
-        "state the spacing instead, as --spacing-m 30, or give the file its system with gdal_edit.py -a_srs");
+        "set the spacing instead, as with --spacing-m 30, or give the file its system with gdal_edit.py "
+        "-a_srs");
   }
   const GdalSession session;
   const std::string system = target_system(path, source, target);

@@ -29,8 +29,8 @@ void check_size(const std::filesystem::path& path, std::int64_t columns, std::in
   constexpr double bytes_a_post = sizeof(float) + sizeof(std::uint8_t);
   const double wanted_bytes = bytes_a_post * static_cast<double>(columns) * static_cast<double>(rows);
   require_host_memory(wanted_bytes, fmt::format("{}: {}x{} posts", path.string(), columns, rows),
-                      "`offing terrain tile` makes a store of it that needs little memory; gdal_translate "
-                      "-outsize makes it coarser");
+                      "convert it to a store that needs little memory with `offing terrain tile`, or make it "
+                      "coarser with gdal_translate -outsize");
 }
 
 SourceHeights begin_heights(const std::filesystem::path& path, std::int64_t columns, std::int64_t rows,
@@ -67,14 +67,14 @@ void append_height(const std::filesystem::path& path, SourceHeights& source, flo
       throw Error(ErrorKind::bad_input,
                   fmt::format("{}: row {}, column {}: expected a height within {:g} m, found {:g}",
                               path.string(), place / columns, place % columns, farthest_height_m, height_m),
-                  "if it marks voids, say so with --nodata; else check --scale and the file's unit");
+                  "if it marks voids, give it as --nodata; else check --scale and the file's unit");
     }
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: row {}, column {}: expected a finite height, found {}", path.string(),
                             place / columns, place % columns, height_m),
                 std::isnan(height_m)
-                    ? "if NaN marks voids, say --nodata nan; else repair the file"
-                    : "if it marks voids, say --nodata inf or --nodata=-inf; else repair the file");
+                    ? "if NaN marks voids, give --nodata nan; else repair the file"
+                    : "if it marks voids, give --nodata inf or --nodata=-inf; else repair the file");
   }
   source.heights_m.push_back(height_m);
   source.is_void.push_back(0);

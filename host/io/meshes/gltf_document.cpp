@@ -160,7 +160,7 @@ GltfDocument::GltfDocument(std::string_view bytes, const std::filesystem::path& 
     : path_(path), trust_(trust), bytes_(bytes.size()) {
   const std::string_view text = parse_container(bytes);
   root_ = json::parse(text, nullptr, false);
-  if (root_.is_discarded() || !root_.is_object()) fail("glTF: an object in JSON", "what is none");
+  if (root_.is_discarded() || !root_.is_object()) fail("glTF: an object in JSON", "something else");
   const auto asset = root_.find("asset");
   if (asset == root_.end() || !asset->is_object() || asset->value("version", json()) != "2.0") {
     fail("glTF with asset.version 2.0", "another");
@@ -184,7 +184,7 @@ std::string_view GltfDocument::parse_container(std::string_view bytes) {
   rest.remove_prefix(std::min(header_bytes, rest.size()));
   while (!rest.empty()) {
     if (rest.size() < chunk_header_bytes || rest.size() - chunk_header_bytes < word_at(rest, 0)) {
-      fail("whole chunks in a .glb", "one that ends early");
+      fail("whole chunks in a .glb", "a chunk that ends early");
     }
     const std::uint32_t type = word_at(rest, 4);
     const std::string_view data = rest.substr(chunk_header_bytes, word_at(rest, 0));
@@ -292,7 +292,7 @@ GltfDocument::View GltfDocument::view_of(std::size_t accessor, std::string_view 
   view.bytes = buffers_[buffer];
   for (const std::size_t offset : {whole(buffer_view, "byteOffset", 0), whole(object_of, "byteOffset", 0)}) {
     if (offset > view.bytes.size())
-      fail(fmt::format("the begin of {} within its buffer", name), "one beyond");
+      fail(fmt::format("the start of {} within its buffer", name), "a start beyond it");
     view.bytes.remove_prefix(offset);
   }
   view.stride = whole(buffer_view, "byteStride", element_bytes);

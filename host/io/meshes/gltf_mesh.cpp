@@ -210,7 +210,7 @@ class GltfParser {
   void grow(std::size_t count) {
     corners_ += count;
     if (corners_ / most_corners_a_byte > document_.bytes() || soup_.positions_m.size() > most_vertices) {
-      document_.fail("a scene of less than 1000 corners a byte", "more");
+      document_.fail("a scene of less than 1000 corners per byte", "more");
     }
   }
 

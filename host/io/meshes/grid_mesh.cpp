@@ -34,7 +34,7 @@ void check(const std::filesystem::path& path, const GridMesh& mesh) {
   if (!std::all_of(mesh.positions_xyz.begin(), mesh.positions_xyz.end(), is_finite) ||
       !std::all_of(mesh.normals_xyz.begin(), mesh.normals_xyz.end(), is_finite)) {
     throw Error(ErrorKind::bad_input, fmt::format("{}: a vertex is not finite", path.string()),
-                "find out where the simulation left the finite numbers");
+                "find where the simulation made values that are not finite");
   }
 }
 

@@ -91,7 +91,7 @@ class OffParser {
     soup_.leave_out(is_texture_alone ? "texture coordinates of vertices" : "colours of vertices");
     constexpr int most_more = 6;
     for (int more = 0; !lines_.is_at_end(); ++more) {
-      if (more == most_more) lines_.fail("one vertex a line", "more");
+      if (more == most_more) lines_.fail("one vertex per line", "more");
       lines_.number("a number");
     }
   }

@@ -111,7 +111,7 @@ class PlyParser {
       const std::optional<std::size_t> found = find(element, name);
       if (!found) {
         throw mesh_error(file_name_, 0, fmt::format("vertices with a property {}", name),
-                         "none of this name");
+                         "no property of this name");
       }
       indices[axis] = *found;
     }

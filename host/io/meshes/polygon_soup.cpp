@@ -56,7 +56,7 @@ void PolygonSoup::check_corners() const {
   if (sizes_.empty()) {
     throw mesh_error(file_name_, 0, "a mesh with faces",
                      report.file_faces == 0 ? fmt::format("{} vertices and no face", positions_m.size())
-                                            : "none of three corners or more");
+                                            : "no face of three corners or more");
   }
   const auto wrong = std::find_if(corners_.begin(), corners_.end(),
                                   [&](std::uint32_t corner) { return corner >= positions_m.size(); });
@@ -92,7 +92,7 @@ std::vector<TriangleIndices> PolygonSoup::cut_faces() {
       ++report.polygons;
       if (!cutter.cut(corners, faces)) {
         throw mesh_error(file_name_, 0, "polygons that can be cut into triangles in seconds",
-                         fmt::format("one of {} corners after others as intricate", size));
+                         fmt::format("one with {} corners, after others as complex", size));
       }
     }
     begin += size;

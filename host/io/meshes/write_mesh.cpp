@@ -21,7 +21,7 @@ namespace {
 Error cannot_write(const std::filesystem::path& path, std::string_view expected, std::string_view got) {
   return {ErrorKind::bad_input,
           fmt::format("{}: cannot be written: expected {}, got {}", one_line(path.string()), expected, got),
-          "find out where the mesh was made"};
+          "check the program that made the mesh"};
 }
 
 bool is_finite(const glm::dvec3& vector) {

@@ -319,7 +319,8 @@ std::vector<double> NetcdfFile::values(const NetcdfVariable& variable, std::span
   std::size_t total = 1;
   for (const std::size_t length : count) {
     if (length != 0 && total > most_values / length) {
-      fail(fmt::format("{} holds more than {} values a spectrum", variable.name, most_values), damaged_hint);
+      fail(fmt::format("{} holds more than {} values per spectrum", variable.name, most_values),
+           damaged_hint);
     }
     total *= length;
   }

@@ -414,7 +414,7 @@ std::vector<WaveSpectrum> parse_swan(std::string_view text, std::string_view fil
     read_all_locations("");
     if (cursor.next_filled_line()) {
       cursor.fail("the end of the file", fmt::format("\"{}\"", printable(cursor.line())),
-                  "without TIME in the header there is one record a location");
+                  "without TIME in the header there is one record per location");
     }
   } else {
     cursor.need_line("a time");

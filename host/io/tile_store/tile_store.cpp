@@ -238,7 +238,7 @@ void make_folder(const fs::path& folder) {
   fs::create_directories(folder, status);
   if (!status) return;
   throw Error(ErrorKind::file,
-              fmt::format("{}: cannot be made a folder: {}", folder.string(), status.message()),
+              fmt::format("{}: cannot create the folder: {}", folder.string(), status.message()),
               "name a folder that does not exist yet, where you may write");
 }
 
@@ -297,7 +297,7 @@ HeightTile TileStore::read(const TileKey& key) const {
 void require_storable(const std::string& map, const TileSetShape& shape) {
   if (shape.columns <= most_stored_posts && shape.rows <= most_stored_posts) return;
   throw Error(ErrorKind::bad_input,
-              fmt::format("{}: expected at most {} posts a side, found {} x {}", map, most_stored_posts,
+              fmt::format("{}: expected at most {} posts per side, found {} x {}", map, most_stored_posts,
                           shape.columns, shape.rows),
               "cut the map with gdal_translate -srcwin, or make it coarser with gdal_translate -outsize");
 }

@@ -82,7 +82,7 @@ class Walk {
     constexpr std::string_view perspective = "NonlinearFrustumMap";
     if (text() != perspective) return;
     skip(8 * sizeof(double));  // its box, taper and depth
-    if (text() == perspective) fail("a perspective in a perspective");
+    if (text() == perspective) fail("a perspective inside a perspective");
   }
 
   /// The root of a tree with its tiles; returns the number of its children.

@@ -38,7 +38,7 @@ class VdbFile : private openvdb::io::Archive {
     stream_.open(path, std::ios::binary);
     if (!stream_) {
       throw Error(ErrorKind::file, fmt::format("{}: cannot be read", one_line(path.string())),
-                  "give yourself the right to read it");
+                  "make it readable");
     }
     require_magic();
     reading("the header", [&](const vdb::PartOfVdb& part) {
@@ -121,8 +121,8 @@ class VdbFile : private openvdb::io::Archive {
     descriptor.seekToEnd(stream_);
     // Or a crafted list would be read again and again.
     if (stream_.tellg() < begin) {
-      throw bad_vdb(path_, fmt::format("grid {}", printable(name)), "an end after its begin", "one before it",
-                    "copy or write the file again");
+      throw bad_vdb(path_, fmt::format("grid {}", printable(name)), "an end after its start",
+                    "an end before it", "copy or write the file again");
     }
   }
 

@@ -69,9 +69,12 @@ bool is_fit(const std::vector<float>& density, float most) {
 /// A copy without traces of rounding below 0. Throws for what is no density.
 CloudVolume repaired(const std::filesystem::path& path, CloudVolume volume, float most) {
   std::vector<float>& density = volume.density;
-  const auto place = [](std::size_t i) { return fmt::format("value {} of brick {}", i % CloudVolume::cells_of_brick, i / CloudVolume::cells_of_brick); };
+  const auto place = [](std::size_t i) {
+    return fmt::format("value {} of brick {}", i % CloudVolume::cells_of_brick,
+                       i / CloudVolume::cells_of_brick);
+  };
   vdb::clamp_density(density, [&](std::size_t i, const char* expected, const char*) {
-    throw vdb::bad_vdb(path, place(i), expected, fmt::format("{:g}", density[i]), "make the volume anew");
+    throw vdb::bad_vdb(path, place(i), expected, fmt::format("{:g}", density[i]), "make the volume again");
   });
   for (std::size_t i = 0; i < density.size(); ++i) {
     if (density[i] > most) {
@@ -179,7 +182,7 @@ void write_vdb(const std::filesystem::path& path, const VdbCloud& cloud, VdbPrec
   const CloudVolume& volume = fitted ? *fitted : cloud.volume;
   require_valid(volume);
   if (!cloud.albedo.empty() && cloud.albedo.size() != volume.density.size()) {
-    throw vdb::bad_vdb(path, "color", "one albedo a density", "others", "make them anew");
+    throw vdb::bad_vdb(path, "color", "one albedo per density", "others", "make them again");
   }
   AtomicFile file(path, existing);
   vdb::initialize();
@@ -203,7 +206,7 @@ void write_vdb(const std::filesystem::path& path, const VdbCloud& cloud, VdbPrec
   } catch (const std::exception& failure) {
     throw Error(ErrorKind::file,
                 fmt::format("{}: cannot be written: {}", one_line(path.string()), printable(failure.what())),
-                "make room on the disk, or write to another one");
+                "free space on the disk, or write to another one");
   }
   file.commit();
 }

@@ -84,7 +84,7 @@ void require_valid_depths(const DepthMap& map) {
   const auto is_finite = [](float depth_m) { return std::isfinite(depth_m); };
   if (!std::all_of(map.depths_m.begin(), map.depths_m.end(), is_finite)) {
     throw Error(ErrorKind::bad_input, "depth map: expected finite depths, found one that is not",
-                "fill in what was not measured");
+                "fill in the missing depths");
   }
 }
 

@@ -126,8 +126,8 @@ class MeasuredSea {
       const double expected_rad = directions_rad.front() + spacing_rad * static_cast<double>(i);
       if (!(std::abs(directions_rad[i] - expected_rad) <= 0.1 * spacing_rad)) {
         reject(fmt::format(
-            "expected {} directions evenly spaced over one turn, found {:g} rad where {:g} is due", count,
-            directions_rad[i], expected_rad));
+            "expected {} directions evenly spaced over one turn, found {:g} rad where {:g} is expected",
+            count, directions_rad[i], expected_rad));
       }
     }
   }

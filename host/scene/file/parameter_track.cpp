@@ -45,8 +45,8 @@ double checked_time_s(const WrittenKeyframe& key, const std::vector<Keyframe>& b
   if (!before.empty() && time_s <= before.back().time_s) {
     throw Error(
         ErrorKind::bad_input,
-        fmt::format("{}: expected a time after {:g}, that of the key before, got {}", key.time_place.subject,
-                    before.back().time_s, key.time.shown),
+        fmt::format("{}: expected a time after {:g}, the time of the key before, got {}",
+                    key.time_place.subject, before.back().time_s, key.time.shown),
         time_s == before.back().time_s ? "remove one of the two keys" : "write the keys in order of time");
   }
   return time_s;

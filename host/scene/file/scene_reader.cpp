@@ -222,10 +222,12 @@ class SceneReader {
                                const toml::key& key) const {
     const std::string place = place_of(key.source());
     if (std::find(planned_keys.begin(), planned_keys.end(), full_key) != planned_keys.end()) {
-      throw Error(ErrorKind::bad_input,
-                  fmt::format("{}: {}: expected parts that this version has, got one that it has not yet",
-                              place, full_key),
-                  fmt::format("remove {} from the scene", full_key));
+      throw Error(
+          ErrorKind::bad_input,
+          fmt::format(
+              "{}: {}: expected a part that this version supports, got one that it does not support yet",
+              place, full_key),
+          fmt::format("remove {} from the scene", full_key));
     }
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: {}: expected a known key, got \"{}\"", place, full_key.substr(0, 60),
@@ -340,7 +342,7 @@ SceneReading read_scene(std::string_view text, std::string_view name, const std:
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
     throw Error(ErrorKind::bad_input,
-                fmt::format("{}:{}:{}: expected TOML, found a fault: {}", name, at.line, at.column,
+                fmt::format("{}:{}:{}: expected TOML, found a syntax error: {}", name, at.line, at.column,
                             one_line(error.description())),
                 "write lines such as speed_mps = 10 below headings such as [wind]");
   }

@@ -103,11 +103,10 @@ void SceneText::append_section(const Parameter& row, ElementIndex parent) {
   } else {
     const std::size_t count = count_of(&scene_, *row.section, parent);
     if (count > row.max_count) {
-      throw Error(
-          ErrorKind::bad_input,
-          fmt::format("{}: expected at most {} sections, which are all that can be read back, found {}",
-                      section, row.max_count, count),
-          "remove some first");
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}: expected at most {} sections, the most that can be read back, found {}",
+                              section, row.max_count, count),
+                  "remove some first");
     }
     for (std::size_t i = 0; i < count; ++i) {
       append_element_of(row,

@@ -17,13 +17,13 @@ std::string scene_text(const Scene& scene, const std::filesystem::path& folder) 
 void save_scene_text(std::string_view text, const std::filesystem::path& file, Existing existing) {
   require_extension(file, {".toml"});
   if (existing == Existing::keep && is_taken(file)) {
-    throw Error(ErrorKind::bad_usage, fmt::format("{}: is there already", file.string()),
+    throw Error(ErrorKind::bad_usage, fmt::format("{}: already exists", file.string()),
                 "choose another name, or overwrite it");
   }
   if (text.size() > most_scene_bytes) {
     throw Error(
         ErrorKind::bad_input,
-        fmt::format("{}: expected a scene of at most {} bytes, which is all that can be read back, found {}",
+        fmt::format("{}: expected a scene of at most {} bytes, the most that can be read back, found {}",
                     file.string(), most_scene_bytes, text.size()),
         "give clouds the balls of their genus again, or remove some");
   }

@@ -11,10 +11,10 @@ namespace offing::scene {
 /// Whether ground around a place hides the sky's light from it.
 enum class SkyVisibility { off, on };
 
-/// What a scene says about its ground: a file of heights or, without one, made ground.
+/// The terrain of a scene: a file of heights or, without one, generated terrain.
 struct TerrainScene {
   bool is_given = false;  ///< the scene has a [terrain] section
-  std::string file;       ///< height map or tile store; empty: made ground
+  std::string file;       ///< height map or tile store; empty: generated terrain
   HeightMapOptions reading;
   int cache_mb = 256;  ///< for the tiles of a store, MiB
   terrain::FractalParameters fractal;

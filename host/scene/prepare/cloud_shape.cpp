@@ -186,7 +186,7 @@ TriangleMesh fitted(TriangleMesh mesh, double size_m) {
   const double longest_m = std::max({extent_m.x, extent_m.y, extent_m.z});
   if (!(longest_m > 0.0 && std::isfinite(longest_m))) {
     throw Error(ErrorKind::bad_input,
-                fmt::format("cloud shape: expected a mesh that encloses something, found one {:g} m long",
+                fmt::format("cloud shape: expected a mesh that encloses a volume, found one {:g} m long",
                             mesh.positions_m.empty() ? 0.0 : longest_m),
                 "check the mesh with `offing-mesh check`");
   }
@@ -205,12 +205,11 @@ void take_solid(const CloudScene& cloud, TriangleMesh mesh, CloudParameters& par
   const double cell_m = std::max(rise_m / cells_of_rise, cloud.scale * shape.size_m / most_cells);
   const double size_m = cloud.scale * shape.size_m;
   if (rise_m / cells_of_rise > size_m) {
-    throw Error(
-        ErrorKind::bad_input,
-        fmt::format("cloud shape: {:g} m are too small for density that rises over {:g} m, thickness_m "
-                    "and fluff_m together",
-                    size_m, rise_m),
-        "lower cloud.thickness_m and cloud.fluff_m, or raise cloud.size_m");
+    throw Error(ErrorKind::bad_input,
+                fmt::format("cloud shape: {:g} m is too small for density that rises over {:g} m, the sum of "
+                            "thickness_m and fluff_m",
+                            size_m, rise_m),
+                "lower cloud.thickness_m and cloud.fluff_m, or raise cloud.size_m");
   }
   CloudVolume volume;
   try {

@@ -24,7 +24,7 @@ FrameRange frames_in_time_span(const Scene& scene, double frames_per_second) {
                             last_frame, scene.time.start_s, scene.time.end_s, frames_per_second,
                             last < first ? "none" : fmt::format("{:.0f} to {:.0f}", first, last)),
                 last < first ? "write an end_s after start_s, or give --frames A:B"
-                             : "give --frames A:B, or fewer frames a second");
+                             : "give --frames A:B, or fewer frames per second");
   }
   return {static_cast<int>(first), static_cast<int>(last)};
 }

@@ -64,8 +64,8 @@ std::string choppiness_warning(const Scene& scene, const ocean::GerstnerSea& ger
                       : scene.ocean.gerstner_count != 0 ? "Gerstner waves and swells"
                                                         : "swells";
   return fmt::format(
-      "the {} have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to {:.3g}, with more "
-      "they would fold",
+      "the {} have a choppiness of {:.3g} instead of {:g}: their steepnesses k A add up to {:.3g}, and with "
+      "more choppiness they would fold",
       waves, horizontal.scale, gerstner_waves.choppiness, horizontal.steepness);
 }
 
@@ -86,7 +86,7 @@ std::string raindrop_warning(std::span<const ocean::Raindrop> drops) {
   }
   if (steepest == nullptr) return {};
   return fmt::format(
-      "{} of {} raindrops begin steeper than water stays whole: a ring of amplitude_m = {:g} and "
+      "{} of {} raindrops start steeper than real waves can be: a ring of amplitude_m = {:g} and "
       "wavelength_m = {:g} has k A = {:.3g}, waves break at {:.2f}",
       count, drops.size(), steepest->amplitude_m, steepest->wavelength_m, steepness(*steepest),
       breaking_steepness);

@@ -75,11 +75,10 @@ void require_zone(const Parameter& parameter, const WrittenValue& written, const
   std::string_view text = written.shown;
   if (!quote.empty()) text = text.substr(1, text.size() - 2);
   if (!parse_iso_time(fmt::format("{}Z", text))) return;
-  throw Error(
-      ErrorKind::bad_input,
-      fmt::format("{}: expected {}, got {} without a zone", place.subject, expected_text(parameter),
-                  written.shown),
-      fmt::format("add a Z, which says that it is UTC: {}{}{}Z{}", place.assignment, quote, text, quote));
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected {}, got {} without a zone", place.subject, expected_text(parameter),
+                          written.shown),
+              fmt::format("add a Z, which means UTC: {}{}{}Z{}", place.assignment, quote, text, quote));
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ void append_to_list(std::vector<double>& list, const Parameter& parameter, const
   if (list.size() == parameter.max_count) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected at most {} values, found more", place.subject, parameter.max_count),
-                "remove the values that are too many");
+                "remove some values");
   }
   list.push_back(number);
 }

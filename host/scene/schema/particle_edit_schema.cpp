@@ -18,20 +18,20 @@ std::vector<Row<ParticleEdit>> eye_rows() {
             .unit = "m",
             .low = -most_shift_m,
             .high = most_shift_m,
-            .help = "eye that sees what is edited, x, y, z in the cloud's axes"}},
+            .help = "eye from which the edited particles were selected: x, y, z in the cloud's axes"}},
           {path(selection, &ParticleSelection::yaw_rad),
            {.key = "yaw_deg",
             .unit = "deg",
             .low = -360.0,
             .high = 360.0,
-            .help = "where it looks, clockwise from north (-z)",
+            .help = "viewing direction of that eye, clockwise from north (-z)",
             .scale = radians_per_degree}},
           {path(selection, &ParticleSelection::pitch_rad),
            {.key = "pitch_deg",
             .unit = "deg",
             .low = -90.0,
             .high = 90.0,
-            .help = "above the horizon",
+            .help = "viewing direction of that eye, up from the horizon",
             .scale = radians_per_degree}}};
 }
 
@@ -40,10 +40,14 @@ std::vector<Row<ParticleEdit>> rectangle_rows() {
   std::vector<Row<ParticleEdit>> rows{
       {path(selection, low, &glm::dvec2::x),
        {.key = "left",
-        .help = "left side of the rectangle that it sees particles in, as a slope: right a metre ahead"}},
-      {path(selection, high, &glm::dvec2::x), {.key = "right", .help = "its right side"}},
-      {path(selection, low, &glm::dvec2::y), {.key = "bottom", .help = "its lower side: up a metre ahead"}},
-      {path(selection, high, &glm::dvec2::y), {.key = "top", .help = "its upper side"}}};
+        .help = "left side of the selection rectangle, as a slope: metres right per metre ahead"}},
+      {path(selection, high, &glm::dvec2::x),
+       {.key = "right", .help = "right side of the selection rectangle"}},
+      {path(selection, low, &glm::dvec2::y),
+       {.key = "bottom",
+        .help = "lower side of the selection rectangle, as a slope: metres up per metre ahead"}},
+      {path(selection, high, &glm::dvec2::y),
+       {.key = "top", .help = "upper side of the selection rectangle"}}};
   for (Row<ParticleEdit>& row : rows) {
     row.facts.low = -widest;
     row.facts.high = widest;
@@ -53,13 +57,13 @@ std::vector<Row<ParticleEdit>> rectangle_rows() {
 
 std::vector<Row<ParticleEdit>> deed_rows() {
   return {{choice(&ParticleEdit::fate, {"kept", "removed"}),
-           {.key = "fate", .help = "whether the particles stay"}},
+           {.key = "fate", .help = "whether the selected particles are kept or removed"}},
           {&ParticleEdit::push_m,
            {.key = "push_m",
             .unit = "m",
             .low = -1e6,
             .high = 1e6,
-            .help = "how far they are pushed, x, y, z",
+            .help = "how far to push the selected particles: x, y, z",
             .slider = {{-500.0, 500.0}}}},
           {&ParticleEdit::albedo,
            {.key = "colour",
@@ -67,7 +71,7 @@ std::vector<Row<ParticleEdit>> deed_rows() {
             .high = 1.0,
             .help = "single-scattering albedo in linear Rec.709: red, green, blue",
             .example = "[1, 0.6, 0.5]",
-            .absent = "their own"}}};
+            .absent = "unchanged"}}};
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ void append_element(Scene& scene, const Parameter& parameter, const Place& place
   if (count_of(&scene, section, parent) == section.max_count) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: expected at most {} sections, found more", place.subject, section.max_count),
-                "remove the sections that are too many");
+                "remove some sections");
   }
   append_to(&scene, section, parent);
 }

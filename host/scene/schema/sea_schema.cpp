@@ -42,7 +42,7 @@ std::string spreading_is(const OceanSection& ocean) {
 }
 
 std::string needs_model(const UseContext& context, const OceanSection& ocean) {
-  return context.sea.is_measured ? "the sea is that of " + ocean.spectrum_file : "";
+  return context.sea.is_measured ? "the sea comes from " + ocean.spectrum_file : "";
 }
 
 std::string needs_record(const UseContext& context, const OceanSection&) {
@@ -113,12 +113,12 @@ std::string needs_own_wind(const UseContext& context, const OceanSection& ocean)
 }
 
 std::string needs_wind(const UseContext& context, const ocean::Wind&) {
-  return context.sea.is_measured ? "a measured sea takes no wind but its own, ocean.wind_speed_mps"
+  return context.sea.is_measured ? "a measured sea uses only its own wind, ocean.wind_speed_mps"
                                  : needs_own_wind(context, context.scene.ocean);
 }
 
 std::string needs_ground(const UseContext& context, const OceanSection&) {
-  return context.scene.terrain.is_given ? "" : "the scene has no ground";
+  return context.scene.terrain.is_given ? "" : "the scene has no terrain";
 }
 
 std::string needs_chosen_cascades(const UseContext&, const OceanSection& ocean) {
@@ -139,7 +139,7 @@ std::vector<Row<OceanSection>> energy_rows() {
       {choice(path(spectrum, &SpectrumParameters::model), {spectrum_names.begin(), spectrum_names.end()}),
        {.key = "spectrum",
         .flag = "--spectrum",
-        .help = "model of the sea, unless --spectrum-file gives a measured one"},
+        .help = "model of the wave spectrum; a measured spectrum file replaces it"},
        needs_model},
       {&OceanSection::wind_speed_mps,
        {.key = "wind_speed_mps",
@@ -148,9 +148,9 @@ std::vector<Row<OceanSection>> energy_rows() {
         .unit = "m/s",
         .low = 0.1,
         .high = 60.0,
-        .help = "wind speed, at 19.5 m above the sea for pm and at 10 m for all others",
+        .help = "wind speed at 10 m above the sea (pm: at 19.5 m)",
         .example = "10",
-        .absent = "that of [wind]: 10"},
+        .absent = "as in [wind]: 10"},
        needs_own_wind},
       {&OceanSection::wind_direction_rad,
        {.key = "wind_direction_deg",
@@ -159,9 +159,9 @@ std::vector<Row<OceanSection>> energy_rows() {
         .unit = "deg",
         .low = -360.0,
         .high = 360.0,
-        .help = "direction of travel, from +x (east) toward +z (south)",
+        .help = "direction in which the wind blows, from +x (east) toward +z (south)",
         .example = "30",
-        .absent = "that of [wind]: 0",
+        .absent = "as in [wind]: 0",
         .scale = radians_per_degree},
        needs_wind_direction},
       {path(spectrum, &SpectrumParameters::fetch_m),
@@ -170,7 +170,7 @@ std::vector<Row<OceanSection>> energy_rows() {
         .unit = "m",
         .low = 100.0,
         .high = 1e7,
-        .help = "length of water that the wind has blown over (jonswap, tma)"},
+        .help = "fetch: length of water that the wind has blown over (jonswap, tma)"},
        needs_jonswap_or_tma},
       {&OceanSection::depth_m,
        {.key = "depth_m",
@@ -180,39 +180,38 @@ std::vector<Row<OceanSection>> energy_rows() {
         .high = deepest_m,
         .help = "water depth",
         .example = "50",
-        .absent = "deep water, or as the measured file says"}},
+        .absent = "deep water, or the depth in the measured file"}},
       {choice(&OceanSection::water, {"I", "IA", "IB", "II", "III", "1C", "3C", "5C", "7C", "9C"}),
        {.key = "water",
         .affects = Affects::water | Affects::baked,
         .flag = "--water",
-        .help =
-            "Jerlov's type of water, clear and blue to coastal and brown: how far beds are seen through it"}},
+        .help = "Jerlov water type, from clear blue ocean (I) to brown coast (9C); sets how far the bed "
+                "shows through"}},
       {choice(&OceanSection::shoaling, {"off", "on"}),
        {.key = "shoals",
-        .help =
-            "whether waves feel the ground below them and break on its shores; off for a map without depths, "
-            "whose sea is ground at 0"},
+        .help = "whether waves feel the bed and break on shores; turn off for a map without depths, whose "
+                "sea is ground at 0 m"},
        needs_ground},
       {choice(path(spectrum, &SpectrumParameters::depth_factor), {"thompson-vincent", "kitaigorodskii"}),
        {.key = "depth_factor",
         .flag = "--depth-factor",
-        .help = "how tma weakens waves in shallow water: the usual approximation or the exact ratio"},
+        .help = "how tma weakens waves in shallow water: by the usual approximation or the exact ratio"},
        needs_shallow_tma},
       {path(spectrum, &SpectrumParameters::gamma),
        {.key = "gamma",
         .flag = "--gamma",
         .low = 1.0,
         .high = 20.0,
-        .help = "peak enhancement (jonswap, tma)"},
+        .help = "peak enhancement factor (jonswap, tma)"},
        needs_jonswap_or_tma},
       {path(spectrum, &SpectrumParameters::phillips_constant),
        {.key = "phillips_constant",
         .flag = "--phillips-constant",
         .low = 1e-12,
         .high = 1.0,
-        .help = "A of the Phillips spectrum",
+        .help = "constant A of the Phillips spectrum, which scales its energy (phillips)",
         .example = "0.00129",
-        .absent = "0.0081 / 2 pi, which gives metres"},
+        .absent = "0.0081 / (2 pi), for heights in metres"},
        needs_phillips},
       {path(spectrum, &SpectrumParameters::phillips_cutoff_m),
        {.key = "phillips_cutoff_m",
@@ -220,14 +219,14 @@ std::vector<Row<OceanSection>> energy_rows() {
         .unit = "m",
         .low = 0.0,
         .high = 100.0,
-        .help = "damps waves shorter than this (phillips)"},
+        .help = "damp waves shorter than this (phillips)"},
        needs_phillips},
       {path(spectrum, &SpectrumParameters::phillips_upwind),
        {.key = "phillips_upwind",
         .flag = "--phillips-upwind",
         .low = 0.0,
         .high = 1.0,
-        .help = "factor on waves that run against the wind (phillips)"},
+        .help = "factor on the energy of waves that travel against the wind (phillips)"},
        needs_phillips},
       {path(spectrum, &SpectrumParameters::swell_hs_m),
        {.key = "swell_hs_m",
@@ -252,34 +251,35 @@ std::vector<Row<OceanSection>> energy_rows() {
         .unit = "Hz",
         .low = 0.0001,
         .high = 0.1,
-        .help = "standard deviation of frequency (swell)"},
+        .help = "width of the spectrum, as standard deviation of frequency (swell)"},
        needs_swell},
       {path(spectrum, &SpectrumParameters::swell_exponent_s),
        {.key = "swell_exponent",
         .flag = "--swell-exponent",
         .low = 0.0,
         .high = 1000.0,
-        .help = "s of the swell's cos^2s around the wind direction (swell)"},
+        .help = "exponent s of the spreading cos^2s around the wind direction (swell)"},
        needs_swell},
       {choice(path(spectrum, spreading, &SpreadingParameters::model),
               {spreading_names.begin(), spreading_names.end()}),
        {.key = "spreading",
         .flag = "--spreading",
-        .help = "how energy spreads around the wind direction; a directional measured file keeps its own"},
+        .help = "how wave energy spreads around the wind direction; a measured file with directions keeps "
+                "its own"},
        needs_spreading},
       {path(spectrum, spreading, &SpreadingParameters::exponent_s),
        {.key = "spreading_exponent",
         .flag = "--spreading-exponent",
         .low = 0.0,
         .high = 1000.0,
-        .help = "s of cos^2s (cosine)"},
+        .help = "exponent s of the spreading cos^2s (cosine)"},
        needs_cosine},
       {path(spectrum, spreading, &SpreadingParameters::swell),
        {.key = "spreading_swell",
         .flag = "--spreading-swell",
         .low = 0.0,
         .high = 1.0,
-        .help = "0 wind sea ... 1 long parallel crests"},
+        .help = "how parallel the crests are: 0 a wind sea ... 1 long parallel crests"},
        needs_spreading},
       {path(spectrum, dispersion, &Dispersion::gravity_mps2),
        {.key = "gravity_mps2",
@@ -294,12 +294,12 @@ std::vector<Row<OceanSection>> energy_rows() {
         .unit = "m",
         .low = 0.0,
         .high = 0.01,
-        .help = "length at which surface tension acts: 0.00273 for clean sea water, 0 without"}},
+        .help = "capillary length: 0.00273 for clean sea water; 0 leaves out surface tension"}},
       {&OceanSection::spectrum_file,
        {.key = "spectrum_file",
         .affects = Affects::spectrum,
         .flag = "--spectrum-file",
-        .help = "measured spectrum: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF",
+        .help = "file of a measured spectrum: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF",
         .example = "41010.data_spec",
         .absent = "none",
         .rule = ParameterRule::file_name}},
@@ -308,7 +308,7 @@ std::vector<Row<OceanSection>> energy_rows() {
         .affects = Affects::spectrum,
         .flag = "--record",
         .high = 1e9,
-        .help = "record of the measured spectrum file, counted from 0"},
+        .help = "record to use in the measured spectrum file, counted from 0"},
        needs_record},
       {&OceanSection::tail_hz,
        {.key = "tail_hz",
@@ -316,9 +316,10 @@ std::vector<Row<OceanSection>> energy_rows() {
         .unit = "Hz",
         .low = 0.1,
         .high = 20.0,
-        .help = "continue the measured spectrum as f^-5 up to this frequency, for the short waves buoys miss",
+        .help =
+            "extend the measured spectrum as f^-5 up to this frequency, to add short waves that buoys miss",
         .example = "3",
-        .absent = "no tail: the file's energy and no other"},
+        .absent = "no tail: only the energy in the file"},
        needs_short_record}};
 }
 
@@ -329,7 +330,7 @@ std::vector<Row<OceanSection>> grid_rows() {
             .flag = "--size",
             .low = 16.0,
             .high = 4096.0,
-            .help = "samples along a patch",
+            .help = "samples along each side of a patch",
             .rule = ParameterRule::power_of_two}},
           {&OceanSection::cascade_count,
            {.key = "cascade_count",
@@ -337,77 +338,77 @@ std::vector<Row<OceanSection>> grid_rows() {
             .flag = "--cascades",
             .low = 1.0,
             .high = 4.0,
-            .help = "most cascades to choose where no patch is given"},
+            .help = "largest number of cascades to choose when no patch is given"},
            needs_chosen_cascades}};
 }
 
 Schema<OceanSection> cascade_schema() {
   Schema<OceanSection> schema("cascade");
-  return schema.rows(ParameterGroup::grid, Affects::spectrum,
-                     {{&OceanSection::patch_lengths_m,
-                       {.key = "patch_m",
-                        .flag = "--patch-m",
-                        .unit = "m",
-                        .low = 0.1,
-                        .high = 1e6,
-                        .help = "length of a cascade's patch; repeat it or separate by commas",
-                        .example = "250",
-                        .absent = "chosen from the spectrum",
-                        .max_count = 4}}});
+  return schema.rows(
+      ParameterGroup::grid, Affects::spectrum,
+      {{&OceanSection::patch_lengths_m,
+        {.key = "patch_m",
+         .flag = "--patch-m",
+         .unit = "m",
+         .low = 0.1,
+         .high = 1e6,
+         .help = "side of a cascade's square patch; for several cascades repeat it or separate by commas",
+         .example = "250",
+         .absent = "chosen from the spectrum",
+         .max_count = 4}}});
 }
 
 Schema<OceanSection> gerstner_schema() {
   Schema<OceanSection> schema("gerstner");
-  return schema.rows(
-      ParameterGroup::grid, sea,
-      {{&OceanSection::gerstner_count,
-        {.key = "count",
-         .flag = "--gerstner-count",
-         .high = 64.0,
-         .help = "Gerstner waves for the long end of the spectrum; with 0 the cascades carry all of it"}},
-       {&OceanSection::gerstner_split_m,
-        {.key = "split_wavelength_m",
-         .flag = "--gerstner-split-m",
-         .unit = "m",
-         .low = 0.1,
-         .high = 1e5,
-         .help = "waves longer than this are Gerstner waves, the others are left to the cascades",
-         .example = "50",
-         .absent = "a third of the peak's wavelength"},
-        needs_gerstner_waves}});
+  return schema.rows(ParameterGroup::grid, sea,
+                     {{&OceanSection::gerstner_count,
+                       {.key = "count",
+                        .flag = "--gerstner-count",
+                        .high = 64.0,
+                        .help = "number of Gerstner waves for the longest waves of the spectrum; with 0 the "
+                                "cascades make all waves"}},
+                      {&OceanSection::gerstner_split_m,
+                       {.key = "split_wavelength_m",
+                        .flag = "--gerstner-split-m",
+                        .unit = "m",
+                        .low = 0.1,
+                        .high = 1e5,
+                        .help = "make waves longer than this as Gerstner waves, shorter ones in the cascades",
+                        .example = "50",
+                        .absent = "a third of the peak wavelength"},
+                       needs_gerstner_waves}});
 }
 
 Schema<FoamParameters> foam_schema() {
   Schema<FoamParameters> schema("foam");
-  return schema.rows(
-      ParameterGroup::foam, sea,
-      {{&FoamParameters::onset_jacobian,
-        {.key = "onset_jacobian",
-         .flag = "--foam-onset",
-         .low = -10.0,
-         .high = 1.0,
-         .help = "Jacobian at which foam begins; offing-view draws less of it in winds below 6 m/s and none "
-                 "below 3.7"}},
-       {&FoamParameters::width,
-        {.key = "width",
-         .flag = "--foam-width",
-         .low = 0.001,
-         .high = 10.0,
-         .help = "how far below the onset foam covers all"}},
-       {&FoamParameters::decay_s,
-        {.key = "decay_s",
-         .flag = "--foam-decay-s",
-         .unit = "s",
-         .low = 0.01,
-         .high = 100.0,
-         .help = "time in which foam fades to 1/e"}},
-       {&FoamParameters::step_s,
-        {.key = "step_s",
-         .flag = "--foam-step-s",
-         .unit = "s",
-         .low = 0.01,
-         .high = 10.0,
-         .help = "spacing of the past instants that foam remembers"}}});
+  return schema.rows(ParameterGroup::foam, sea,
+                     {{&FoamParameters::onset_jacobian,
+                       {.key = "onset_jacobian",
+                        .flag = "--foam-onset",
+                        .low = -10.0,
+                        .high = 1.0,
+                        .help = "Jacobian below which foam forms; offing-view draws less foam in winds below "
+                                "6 m/s, none below 3.7 m/s"}},
+                      {&FoamParameters::width,
+                       {.key = "width",
+                        .flag = "--foam-width",
+                        .low = 0.001,
+                        .high = 10.0,
+                        .help = "how far the Jacobian must fall below the onset for full foam cover"}},
+                      {&FoamParameters::decay_s,
+                       {.key = "decay_s",
+                        .flag = "--foam-decay-s",
+                        .unit = "s",
+                        .low = 0.01,
+                        .high = 100.0,
+                        .help = "time in which foam fades to 1/e"}},
+                      {&FoamParameters::step_s,
+                       {.key = "step_s",
+                        .flag = "--foam-step-s",
+                        .unit = "s",
+                        .low = 0.01,
+                        .high = 10.0,
+                        .help = "time step between the past moments that foam is computed from"}}});
 }
 
 }  // namespace
@@ -420,14 +421,14 @@ Schema<ocean::Wind> wind_schema() {
                         .unit = "m/s",
                         .low = 0.1,
                         .high = 60.0,
-                        .help = "wind speed for everything that wind moves"},
+                        .help = "wind speed for everything that the wind moves"},
                        needs_wind},
                       {&ocean::Wind::wind_direction_rad,
                        {.key = "direction_deg",
                         .unit = "deg",
                         .low = -360.0,
                         .high = 360.0,
-                        .help = "direction of travel, from +x (east) toward +z (south)",
+                        .help = "direction in which the wind blows, from +x (east) toward +z (south)",
                         .scale = radians_per_degree},
                        needs_wind_direction}});
 }
@@ -445,7 +446,8 @@ Schema<OceanSection> ocean_schema() {
                .flag = "--choppiness",
                .low = 0.0,
                .high = 5.0,
-               .help = "horizontal displacement: 0 none, 1 as linear theory has it"}}})
+               .help = "factor on horizontal displacement: 0 none, 1 as in linear theory; larger sharpens "
+                       "the crests"}}})
       .section(path(parameters, &OceanParameters::foam), foam_schema())
       .list(&OceanSection::swells, max_swells, swell_schema())
       .list(&OceanSection::raindrops, max_raindrops, raindrop_schema())

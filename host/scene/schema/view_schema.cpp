@@ -16,28 +16,28 @@ std::vector<Row<Camera>> camera_rows() {
             .unit = "m",
             .low = -1e7,
             .high = 1e7,
-            .help = "the eye, east of the origin",
+            .help = "position of the eye, east of the origin",
             .motion = keyed}},
           {path(eye, &glm::dvec3::y),
            {.key = "y_m",
             .unit = "m",
             .low = -deepest_m,
             .high = 50e3,
-            .help = "the eye, above the mean water level, or below it where negative",
+            .help = "height of the eye above the mean water level; negative below it",
             .motion = keyed}},
           {path(eye, &glm::dvec3::z),
            {.key = "z_m",
             .unit = "m",
             .low = -1e7,
             .high = 1e7,
-            .help = "the eye, south of the origin",
+            .help = "position of the eye, south of the origin",
             .motion = keyed}},
           {&Camera::yaw_rad,
            {.key = "yaw_deg",
             .unit = "deg",
             .low = -360.0,
             .high = 360.0,
-            .help = "where the eye looks, clockwise from north (-z)",
+            .help = "viewing direction, clockwise from north (-z)",
             .scale = radians_per_degree,
             .motion = keyed_angle}},
           {&Camera::pitch_rad,
@@ -45,7 +45,7 @@ std::vector<Row<Camera>> camera_rows() {
             .unit = "deg",
             .low = -90.0,
             .high = 90.0,
-            .help = "how far up the eye looks",
+            .help = "viewing direction, up from the horizon",
             .scale = radians_per_degree,
             .motion = keyed}},
           {&Camera::roll_rad,
@@ -53,7 +53,7 @@ std::vector<Row<Camera>> camera_rows() {
             .unit = "deg",
             .low = -180.0,
             .high = 180.0,
-            .help = "how far the head is turned clockwise",
+            .help = "roll of the camera, clockwise",
             .scale = radians_per_degree,
             .motion = keyed_angle}},
           {&Camera::vertical_field_of_view_rad,
@@ -61,7 +61,7 @@ std::vector<Row<Camera>> camera_rows() {
             .unit = "deg",
             .low = 1.0,
             .high = 170.0,
-            .help = "height of the field of view",
+            .help = "vertical field of view",
             .scale = radians_per_degree,
             .motion = keyed}}};
 }
@@ -74,51 +74,53 @@ Schema<ViewScene> camera_schema() {
       .rows(ParameterGroup::camera, Affects::view,
             {{choice(&ViewScene::mode, {"fly", "walk"}),
               {.key = "mode",
-               .help = "how a window's camera moves; on foot y_m is that of the ground and the eye's height "
-                       "above it"}}});
+               .help = "how the camera moves in a window; in walk, y_m is the height of the ground plus "
+                       "walk.eye_height_m"}}});
 }
 
 Schema<ViewScene> walk_schema() {
   using terrain::WalkerParameters;
   constexpr auto walker = &ViewScene::walker;
   Schema<ViewScene> schema("walk");
-  return schema.rows(ParameterGroup::walk, Affects::view,
-                     {{path(walker, &WalkerParameters::eye_height_m),
-                       {.key = "eye_height_m",
-                        .unit = "m",
-                        .low = 0.1,
-                        .high = 1000.0,
-                        .help = "the eye of a walker, above the ground"}},
-                      {&ViewScene::walking_mps,
-                       {.key = "speed_mps",
-                        .unit = "m/s",
-                        .low = 0.1,
-                        .high = 100.0,
-                        .help = "on foot; running is five times as fast"}},
-                      {path(walker, &WalkerParameters::slope_limit_rad),
-                       {.key = "slope_limit_deg",
-                        .unit = "deg",
-                        .low = 1.0,
-                        .high = 85.0,
-                        .help = "steepest ground that holds a walker: down steeper ground he slides",
-                        .scale = radians_per_degree}},
-                      {path(walker, &WalkerParameters::gravity_mps2),
-                       {.key = "gravity_mps2",
-                        .unit = "m/s^2",
-                        .low = 0.01,
-                        .high = 1000.0,
-                        .help = "how a walker falls"}}});
+  return schema.rows(
+      ParameterGroup::walk, Affects::view,
+      {{path(walker, &WalkerParameters::eye_height_m),
+        {.key = "eye_height_m",
+         .unit = "m",
+         .low = 0.1,
+         .high = 1000.0,
+         .help = "height of the walker's eye above the ground"}},
+       {&ViewScene::walking_mps,
+        {.key = "speed_mps",
+         .unit = "m/s",
+         .low = 0.1,
+         .high = 100.0,
+         .help = "walking speed; running is five times as fast"}},
+       {path(walker, &WalkerParameters::slope_limit_rad),
+        {.key = "slope_limit_deg",
+         .unit = "deg",
+         .low = 1.0,
+         .high = 85.0,
+         .help = "steepest ground that the walker can stand on; on steeper ground the walker slides down",
+         .scale = radians_per_degree}},
+       {path(walker, &WalkerParameters::gravity_mps2),
+        {.key = "gravity_mps2",
+         .unit = "m/s^2",
+         .low = 0.01,
+         .high = 1000.0,
+         .help = "acceleration of gravity when the walker falls"}}});
 }
 
 Schema<ViewScene> render_schema() {
   Schema<ViewScene> schema("render");
-  return schema.rows(ParameterGroup::render, Affects::view,
-                     {{&ViewScene::exposure_ev,
-                       {.key = "exposure_ev",
-                        .low = -20.0,
-                        .high = 20.0,
-                        .help = "stops above the exposure that the light at the eye asks for",
-                        .motion = keyed}}});
+  return schema.rows(
+      ParameterGroup::render, Affects::view,
+      {{&ViewScene::exposure_ev,
+        {.key = "exposure_ev",
+         .low = -20.0,
+         .high = 20.0,
+         .help = "exposure correction in stops; 0 keeps the exposure that the light at the eye gives",
+         .motion = keyed}}});
 }
 
 Schema<BookmarkScene> bookmark_schema() {
@@ -129,7 +131,7 @@ Schema<BookmarkScene> bookmark_schema() {
       .rows(ParameterGroup::bookmark, Affects::view,
             {{&BookmarkScene::name,
               {.key = "name",
-               .help = "for the panel of bookmarks",
+               .help = "name in the panel of bookmarks",
                .example = "bow",
                .absent = "none",
                .rule = ParameterRule::name}}})

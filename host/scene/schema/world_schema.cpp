@@ -21,14 +21,14 @@ Schema<WorldSection> world_schema() {
                         .affects = Affects::sea_seed | Affects::baked,
                         .flag = "--seed",
                         .high = 9223372036854775807.0,
-                        .help = "number that picks one sea among all of the same spectrum"}},
+                        .help = "random seed: another seed gives another sea of the same spectrum"}},
 
                       {&WorldSection::latitude_rad,
                        {.key = "latitude_deg",
                         .unit = "deg",
                         .low = -90.0,
                         .high = 90.0,
-                        .help = "of the origin, north positive: for the place of the sun",
+                        .help = "latitude of the origin, north positive; used for the sun's position",
                         .scale = radians_per_degree},
                        needs_date},
                       {&WorldSection::longitude_rad,
@@ -36,7 +36,7 @@ Schema<WorldSection> world_schema() {
                         .unit = "deg",
                         .low = -180.0,
                         .high = 360.0,
-                        .help = "of the origin, east positive: for the place of the sun",
+                        .help = "longitude of the origin, east positive; used for the sun's position",
                         .scale = radians_per_degree},
                        needs_date}});
 }
@@ -64,7 +64,7 @@ Schema<TimeSection> time_schema() {
          .unit = "s",
          .low = 0.1,
          .high = 1e5,
-         .help = "the sea repeats exactly after this time; natural from about 10 s on",
+         .help = "make the sea repeat exactly after this time; looks natural from about 10 s",
          .example = "20",
          .absent = "no loop"}}});
 }

@@ -15,7 +15,7 @@ void require_valid(const EarthCurve& curve) {
   if (!(curve.refraction >= 0.0 && curve.refraction <= 1.0)) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("earth curve: refraction: expected 0 ... 1, found {:g}", curve.refraction),
-                "light near the ground has 0.13");
+                "0.13 is usual near the ground");
   }
 }
 

@@ -48,7 +48,7 @@ void require_valid(const PostGrid& grid) {
   for (const double origin_m : {grid.origin_x_m, grid.origin_z_m}) {
     if (!std::isfinite(origin_m)) {
       refuse(fmt::format("height field: origin: expected finite metres, found {:g}", origin_m),
-             "say where the first post is");
+             "give the position of the first post");
     }
   }
 }

@@ -9,8 +9,8 @@
 
 namespace offing::terrain {
 
-/// A square of made ground. Heights are a function of the place: more posts over the same side show the same
-/// ground more finely.
+/// A square of generated terrain. Heights are a function of the place: more posts over the same side show the
+/// same ground more finely.
 struct FractalParameters {
   int posts = 1025;  ///< a side, 2 ... 65536
   double side_m = 20'000.0;
@@ -57,7 +57,7 @@ class FractalTerrain {
   std::vector<Gullies> gullies_;
 };
 
-/// Rows of made ground, by all cores.
+/// Rows of generated terrain, on all cores.
 class RowMakers {
  public:
   /// Throws what require_valid() throws.

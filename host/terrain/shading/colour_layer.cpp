@@ -36,7 +36,7 @@ void require_valid(const ColourMap& map) {
         fmt::format("colour map: expected edges from left to right and from top to bottom, found {:g} "
                     "... {:g} and {:g} ... {:g} cells",
                     map.left, map.right, map.top, map.bottom),
-        "say where the picture lies");
+        "give the position of the picture");
   }
 }
 

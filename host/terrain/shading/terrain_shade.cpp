@@ -18,7 +18,7 @@ void require_valid(const Sampling& sampling) {
   if (sampling.rays < 1 || sampling.rays > most_rays) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("terrain sampling: rays: expected 1 ... {}, found {}", most_rays, sampling.rays),
-                "16 rays a pixel are enough for smooth edges");
+                "16 rays per pixel are enough for smooth edges");
   }
   if (!std::isfinite(sampling.least_contrast)) {
     throw Error(ErrorKind::bad_input,

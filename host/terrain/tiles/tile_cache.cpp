@@ -116,7 +116,7 @@ void TileCache::take(TileLoader::Loaded loaded, Unreadable unreadable) {
   if (!loaded.image) {
     if (unreadable == Unreadable::refused) throw Error(ErrorKind::bad_input, loaded.failure, loaded.hint);
     if (failed_.insert(loaded.key).second) {
-      spdlog::warn("{}; coarser ground stands in for it", loaded.failure);
+      spdlog::warn("{}; coarser terrain is shown instead", loaded.failure);
     }
     return;
   }

@@ -113,7 +113,7 @@ TEST_F(BadHeightMap, NoSpacing) {
   std::ofstream(path("flat.vrt"))
       << "<VRTDataset rasterXSize=\"4\" rasterYSize=\"4\"><GeoTransform>0,0,0,0,0,-1"
          "</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\"/></VRTDataset>";
-  expect_error(path("flat.vrt"), ErrorKind::bad_input, "found a spacing of 0");
+  expect_error(path("flat.vrt"), ErrorKind::bad_input, "a spacing of posts other than 0, found 0 by");
 }
 
 // One spacing along x for 50 degrees of latitude would be wrong by a third.

@@ -139,7 +139,7 @@ TEST(HostileMesh, NumbersThatAreNone) {
 TEST(HostileMesh, NoFaces) {
   expect_error("obj", "v 0 0 0\n", "1 vertices and no face");
   expect_error("obj", "", "0 vertices and no face");
-  expect_error("obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "none of three corners");
+  expect_error("obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "no face of three corners");
   expect_error("off", "OFF\n0 0 0\n", "no face");
   expect_error("stl", "solid empty\nendsolid empty\n", "no face");
   expect_error("gltf", R"({"asset":{"version":"2.0"}})", "no face");

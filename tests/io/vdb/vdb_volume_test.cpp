@@ -262,7 +262,7 @@ TEST_F(VdbVolume, RefusesListsThatGoBack) {
   std::memcpy(bytes.data() + end_at, &back, sizeof back);
   write_bytes(in_folder("loop.vdb"), bytes);
   ASSERT_TRUE(error_of(in_folder("loop.vdb")));
-  EXPECT_THAT(error_of(in_folder("loop.vdb"))->what(), HasSubstr("an end after its begin"));
+  EXPECT_THAT(error_of(in_folder("loop.vdb"))->what(), HasSubstr("an end after its start"));
 }
 
 // Lengths of names and metadata of 4 GB in a file of 30 kB. Fails if OpenVDB sees them: it allocates so much.

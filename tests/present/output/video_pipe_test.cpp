@@ -98,7 +98,7 @@ TEST_F(VideoPipeTest, TellsWhyFfmpegGaveUp) {
         for (int i = 0; i < 3; ++i) pipe.write(frame(i, 640, 480));
         pipe.finish();
       },
-      ErrorKind::file, "a.mp4: ffmpeg gave up: no such coder: libx264");
+      ErrorKind::file, "a.mp4: ffmpeg failed: no such coder: libx264");
   // Closed before it says why, and in a line longer than a buffer.
   const StandInFfmpeg slow(
       "exec < /dev/null; sleep 0.3; printf '%0600d' 0 >&2; sleep 0.1; echo ' is the end' >&2; exit 1");
@@ -108,7 +108,7 @@ TEST_F(VideoPipeTest, TellsWhyFfmpegGaveUp) {
         for (int i = 0; i < 3; ++i) pipe.write(frame(i, 640, 480));
         pipe.finish();
       },
-      ErrorKind::file, "ffmpeg gave up: " + std::string(600, '0') + " is the end");
+      ErrorKind::file, "ffmpeg failed: " + std::string(600, '0') + " is the end");
   const StandInFfmpeg other("cat > /dev/null; exit 3");
   expect_fault(
       [&] {
@@ -116,7 +116,7 @@ TEST_F(VideoPipeTest, TellsWhyFfmpegGaveUp) {
         pipe.write(frame(0));
         pipe.finish();
       },
-      ErrorKind::file, "ffmpeg gave up");
+      ErrorKind::file, "ffmpeg failed");
 }
 
 // Fails if what cannot become a video is found out after the work.
@@ -127,7 +127,7 @@ TEST_F(VideoPipeTest, WhatCannotBeIsToldBeforehand) {
   expect_fault([&] { require_video(folder_.path() / "a.avi"); }, ErrorKind::bad_usage,
                "expected a name that ends in .webm or .mp4");
   expect_fault([&] { require_video_size(folder_.path() / "a.mp4", 63, 48); }, ErrorKind::bad_usage,
-               "expected even sides, which mp4 takes alone, got 63x48");
+               "expected an even width and height, which .mp4 needs, got 63x48");
   ffmpeg.take_away();
   expect_fault([&] { require_video(webm_); }, ErrorKind::file,
                "expected the program ffmpeg on PATH, found none");

@@ -88,7 +88,7 @@ TEST_F(VideoProgramTest, OneVideoIsWritten) {
   const StandInFfmpeg ffmpeg;
   const ProgramResult result = run_offing(arguments({"--record", path("a.mp4"), "--video", path("b.mp4")}));
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.errors, HasSubstr("--record: expected names of pictures beside --video"));
+  EXPECT_THAT(result.errors, HasSubstr("--record: expected picture names when --video is given"));
   EXPECT_EQ(run_offing(arguments({"--video", path("a.avi")})).exit_code, 2);
 }
 
@@ -107,7 +107,7 @@ TEST_F(VideoProgramTest, StoppedOnesLeaveTheVideoBefore) {
   const ProgramResult result = program.wait();
   if (result.exit_code == 3) GTEST_SKIP() << result.errors;
   EXPECT_EQ(result.exit_code, 130);
-  EXPECT_THAT(result.errors, HasSubstr("the video is not made"));
+  EXPECT_THAT(result.errors, HasSubstr("the video was not made"));
   EXPECT_EQ(bytes_of("a.webm").size(), 6u);
   EXPECT_FALSE(has_parts());
 }

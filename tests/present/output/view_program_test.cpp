@@ -209,8 +209,7 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
   refused({scene(), "--nonsense"}, "--nonsense");
   refused({scene(), "--frames", "0:5", "-o", path("refused.png")}, "--frames: expected --record or --video");
   refused({scene(), "--fps", "5", "-o", path("refused.png")}, "--fps: expected --record or --video");
-  refused({scene(), "--time", "5", "--record", path("a_%d.png")},
-          "--time: expected neither --record nor --video");
+  refused({scene(), "--time", "5", "--record", path("a_%d.png")}, "--time: expected no --record or --video");
   refused({scene(), "--paused", "-o", path("refused.png")}, "--paused: expected a window");
   refused({scene(), "--keep-fps", "20", "-o", path("refused.png")}, "--keep-fps: expected a window");
   refused({scene(), "--render-scale", "0.5", "-o", path("refused.png")}, "--render-scale: expected a window");
@@ -218,7 +217,7 @@ TEST_F(ViewProgramTest, RefusesBadInput) {
   refused({scene(), "--keep-fps", "many"}, "--keep-fps: expected a number");
   refused({scene(), "--record", path("a_%d.jpg")}, "name it a_%d.png");
   refused({scene(), "--record", path("a_%d.png"), "--frames", "0:5", "-o", path("./a_3.png")},
-          "--record: expected another file than that of -o");
+          "--record: expected a different file from that of -o");
   refused({scene(), "--hedless"}, "did you mean --headless?");
   refused({scene(), "--size"}, "offing-view: --size: expected a value, found none");
   refused({scene(), "--terrain", "", "-o", path("refused.png")}, "--terrain: expected a value, got \"\"");

@@ -140,13 +140,13 @@ constexpr Contradiction contradictions[] = {
     {"terrain.raw_columns", 1e6, "1000000x17 posts of UInt16 take 34000000 bytes, found 578"},
     {"terrain.raw_rows", 1e6, "17x1000000 posts of UInt16 take 34000000 bytes, found 578"},
     {"body.draught_m", 1e4, "expected a water level between -1 and 1 m of its mesh, found 9999 m"},
-    {"body.mass_kg", 1e12, "expected a mass whose water is less than the hull's 8 m3"},
+    {"body.mass_kg", 1e12, "expected a mass that displaces less than the hull's 8 m3"},
     {"ocean.swell_bandwidth_hz", 0.1, "expected a number within [8.33333e-05, 0.0416667]"},
     {"ocean.record", 1e9, "expected a record within [0, 2]"},
-    {"cloud.size_m", 0.1, "0.1 m are too small for density that rises over 55 m"},
+    {"cloud.size_m", 0.1, "0.1 m is too small for density that rises over 55 m"},
     {"cloud.depth_m", 0.1, "enclose no cell of"},
-    {"cloud.thickness_m", 1e5, "500 m are too small for density that rises over"},
-    {"cloud.fluff_m", 1e5, "500 m are too small for density that rises over"},
+    {"cloud.thickness_m", 1e5, "500 m is too small for density that rises over"},
+    {"cloud.fluff_m", 1e5, "500 m is too small for density that rises over"},
 };
 
 bool is_whole(const Parameter& row) {

@@ -155,14 +155,14 @@ TEST_F(WindowFilesTest, ScenesKeepWhatWasUndoneInThem) {
   EXPECT_EQ(edited_text(), second);
   undo();
   EXPECT_EQ(edited_text(), first_edited);
-  EXPECT_THAT(message(), HasSubstr("Ctrl Shift Z goes on to second"));
+  EXPECT_THAT(message(), HasSubstr("Ctrl Shift Z goes forward to second"));
   undo();
   EXPECT_EQ(edited_text(), first);
   redo();
   EXPECT_EQ(edited_text(), first_edited);
   redo();
   EXPECT_EQ(edited_text(), second);
-  EXPECT_THAT(message(), HasSubstr("on in second"));
+  EXPECT_THAT(message(), HasSubstr("forward to second"));
   redo();
   EXPECT_EQ(edited_text(), second_edited);
   EXPECT_EQ(viewer_->sea().meshes().size(), 1u);
@@ -225,7 +225,7 @@ TEST_F(WindowFilesTest, LeaveRecordingsAlone) {
   viewer_ = std::make_unique<present::Viewer>(options, cancel_);
   turn();
   drop({tetrahedron("a.obj")});
-  EXPECT_THAT(message(), HasSubstr("a.obj: is not taken in while frames are recorded"));
+  EXPECT_THAT(message(), HasSubstr("a.obj: cannot be opened while the window records"));
   EXPECT_TRUE(state().scene.meshes.empty());
 }
 
