@@ -6,10 +6,13 @@
 set(OFFING_COMPILED_ALONE
   cloud_edits_test cloud_handles_test curvature_invariance_test determinism_test direction_test embedded_scenes
   exr_image_test floating_bodies_test foam_test gerstner_surface_test gerstner_test hands
-  handle_geometry_test highlight_schema keyframes_test measured_sea_test mesh_schema moving_view_test ocean_reference_test png_image_test
+  handle_geometry_test highlight_schema keyframes_test measured_sea_test mesh_schema moving_view_test ocean_reference_test png_image_test query_test
   read_height_map_test reference_tracer_test reference_walk_test scene_meshes_test sky_flight_test
   scene_terrain_test slope_covariance_test spectrum_models_test spreading_test stream_height_map_test
   terrain_sampling_test tiled_field_test velocity_test)
+
+# Of these, whose headers take longest to compile, up to sixteen sources are one.
+set(OFFING_HEAVY_TARGETS offing_cli offing_scene offing_mesh_tools cli_tests scene_tests)
 
 # Compile options and includes shared by libraries, programs and tests. Includes are written from the
 # repository root, so that each #include line shows which folder depends on which.
@@ -19,7 +22,11 @@ function(offing_configure target)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/offing>)
   if(OFFING_UNITY_BUILD)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set(batch_size 8)
+    if(target IN_LIST OFFING_HEAVY_TARGETS)
+      set(batch_size 16)
+    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch_size})
     get_target_property(sources ${target} SOURCES)
     foreach(source IN LISTS sources)
       cmake_path(GET source STEM stem)

@@ -51,7 +51,7 @@ nlohmann::ordered_json to_json(const DeviceInfo& device, int default_device) {
 }
 
 constexpr std::size_t column_count = 9;
-using Row = std::array<std::string, column_count>;
+using DeviceRow = std::array<std::string, column_count>;
 
 std::string gibibytes(std::uint64_t bytes) {
   return fmt::format("{:.1f} GiB", static_cast<double>(bytes) / (1 << 30));
@@ -63,7 +63,7 @@ std::string opencl_version(const DeviceInfo& device) {
   return device.device_version.substr(0, end);
 }
 
-Row table_row(const DeviceInfo& device, int default_device) {
+DeviceRow table_row(const DeviceInfo& device, int default_device) {
   return {fmt::format("{}{}", device.index, device.index == default_device ? "*" : ""),
           std::string(ocl::to_string(device.type)),
           device.name,
@@ -76,14 +76,14 @@ Row table_row(const DeviceInfo& device, int default_device) {
 }
 
 void print_table(const std::vector<DeviceInfo>& devices, int default_device) {
-  std::vector<Row> rows{
+  std::vector<DeviceRow> rows{
       {"index", "type", "name", "platform", "version", "driver", "units", "memory", "GL sharing"}};
   for (const DeviceInfo& device : devices) rows.push_back(table_row(device, default_device));
   std::array<std::size_t, column_count> widths{};
-  for (const Row& row : rows) {
+  for (const DeviceRow& row : rows) {
     for (std::size_t i = 0; i < column_count; ++i) widths[i] = std::max(widths[i], row[i].size());
   }
-  for (const Row& row : rows) {
+  for (const DeviceRow& row : rows) {
     std::string line;
     for (std::size_t i = 0; i < column_count; ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
     line.erase(line.find_last_not_of(' ') + 1);

@@ -133,7 +133,7 @@ std::vector<Row<CloudLayerScene>> layer_rows() {
         .help = "random seed of this layer, combined with that of [clouds]"}}};
 }
 
-std::vector<Row<CloudScene>> place_rows() {
+std::vector<Row<CloudScene>> cloud_place_rows() {
   constexpr auto position = &CloudScene::position_m;
   return {{&CloudScene::name,
            {.key = "name",
@@ -272,7 +272,7 @@ Schema<CloudScene> cloud_schema() {
   Schema<clouds::HierarchyLevel> level_schema("level");
   level_schema.rows(ParameterGroup::cloud_level, Affects::clouds, level_rows());
   Schema<CloudScene> schema("cloud");
-  return schema.rows(ParameterGroup::cloud, Affects::clouds, place_rows())
+  return schema.rows(ParameterGroup::cloud, Affects::clouds, cloud_place_rows())
       .rows(ParameterGroup::cloud, Affects::clouds, modelling_rows())
       .rows(ParameterGroup::cloud, Affects::clouds, cloud_shape_rows())
       .list(&CloudScene::balls, max_balls, ball_schema)
