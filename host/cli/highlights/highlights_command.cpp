@@ -240,10 +240,10 @@ void run(const HighlightsArguments& arguments, const GlobalOptions& options) {
                 {"most_in_a_frame", counts.most},
                 {"bytes", std::filesystem::file_size(output)}});
   } else {
-    print_summary("{}: {} frame{}, {} highlight{} on {} mesh{}, up to {} projectors at once\n",
+    print_summary("{}: {} frame{}, {} highlight{} on {} mesh{}, up to {} projector{} at once\n",
                   one_line(arguments.output), frame_count, frame_count == 1 ? "" : "s", counts.highlights,
                   counts.highlights == 1 ? "" : "s", animation.meshes.size(),
-                  animation.meshes.size() == 1 ? "" : "es", counts.most);
+                  animation.meshes.size() == 1 ? "" : "es", counts.most, counts.most == 1 ? "" : "s");
   }
 }
 
