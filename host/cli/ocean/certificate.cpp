@@ -402,10 +402,10 @@ std::string certificate_text(const Certificate& c, const scene::Sea& sea, Direct
   }
   fmt::format_to(
       out,
-      "asked: the whole spectrum. resolved: what the grids can hold. measured: mean over the seeds of the\n"
-      "surface itself. sigma: (measured - resolved) / standard error.\n"
-      "The waves are linear: elevation at rest labels is Gaussian, with no skewness of second order;\n"
-      "crests sharpen through the horizontal displacement alone.\n");
+      "asked: the whole spectrum. resolved: the part of it that the grids can hold. measured: the surface,\n"
+      "mean over the seeds. sigma: (measured - resolved) / standard error.\n"
+      "Waves are linear: before the horizontal displacement the elevation is Gaussian, with no skewness.\n"
+      "The horizontal displacement alone sharpens crests.\n");
   return fmt::to_string(text);
 }
 
