@@ -20,6 +20,15 @@ inline void renew_font_texture() {
 #endif
 }
 
+/// Whether the font has the letter itself, not only a sign in its place.
+inline bool has_glyph(ImFont& font, ImWchar letter) {
+#if IMGUI_VERSION_NUM < 19200
+  return font.FindGlyphNoFallback(letter) != nullptr;
+#else
+  return font.IsGlyphInFont(letter);
+#endif
+}
+
 /// The name of an OpenGL texture: a pointer for ImGui before 1.91.4.
 inline ImTextureID texture_id(unsigned name) {
 #if IMGUI_VERSION_NUM < 19140

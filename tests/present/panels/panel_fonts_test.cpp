@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "present/panels/imgui_versions.h"
+
 namespace offing::present {
 namespace {
 
@@ -12,9 +14,7 @@ class PanelFontsTest : public testing::Test {
   void SetUp() override { ImGui::CreateContext(); }
   void TearDown() override { ImGui::DestroyContext(); }
 
-  static bool is_shown(ImWchar letter) {
-    return ImGui::GetIO().Fonts->Fonts[0]->FindGlyphNoFallback(letter) != nullptr;
-  }
+  static bool is_shown(ImWchar letter) { return has_glyph(*ImGui::GetIO().Fonts->Fonts[0], letter); }
 
   PanelFonts fonts_;
 };
