@@ -115,8 +115,13 @@ bool forbids_host_pointers(const DeviceInfo& info) {
 // negated value that is used before and after it is that of the work-group's last work-item for all of them
 // (https://github.com/intel/llvm/issues/23220). The rows of several fields in one unrolled piece have such
 // values; a loop over the fields keeps them in memory, where they are right.
+//
+// PoCL 7.1 reads local memory before the barrier that stands in front of the read, where an unrolled loop
+// reads it: all transforms by work-groups were wrong there. PoCL 3.1 does not. Reads of volatile memory stay
+// in their place.
 std::string build_options(const DeviceInfo& info) {
   if (is_oclgrind(info)) return " -Drestrict=";
+  if (is_pocl(info)) return " -DFFT_EXCHANGE_IS_VOLATILE";
   if (is_intel_cpu(info)) return " -DFFT_FIELDS_IN_LOOP";
   return "";
 }
