@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <CLI/Formatter.hpp>
 #include <CLI/Option.hpp>
@@ -39,9 +40,76 @@ std::string wrapped(std::string_view text) {
   return lines;
 }
 
+/// A name and what it means beside it.
+std::string row(const std::string& name, const std::string& text) {
+  std::string lines = "  " + name;
+  const std::string margin(name_columns, ' ');
+  if (!text.empty() && lines.size() >= name_columns) lines += '\n' + margin;
+  if (lines.size() < name_columns) lines.resize(name_columns, ' ');
+  for (const char character : text) {
+    lines += character;
+    if (character == '\n') lines += margin;
+  }
+  return lines + '\n';
+}
+
+using Options = std::vector<const CLI::Option*>;
+
+/// All of the layout: that of CLI11 2.6 is another than that of 2.3, down to the titles.
 class HelpFormatter : public CLI::Formatter {
  public:
-  HelpFormatter() { column_width(name_columns); }
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const override {
+    return app->get_description() + '\n' + make_usage(app, name) + make_positionals(app) +
+           option_groups(app) + subcommands(app) + '\n' +
+           (app->get_footer().empty() ? "" : app->get_footer() + '\n');
+  }
+
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    std::string line = "Usage: " + name;
+    if (!app->get_options([](const CLI::Option* option) { return option->nonpositional(); }).empty())
+      line += " [OPTIONS]";
+    for (const CLI::Option* option : positionals(app)) line += ' ' + make_option_usage(option);
+    if (!commands(app).empty())
+      line += app->get_require_subcommand_min() == 0 ? " [SUBCOMMAND]" : " SUBCOMMAND";
+    return line + '\n';
+  }
+
+  std::string make_positionals(const CLI::App* app) const override {
+    Options shown;
+    for (const CLI::Option* option : positionals(app)) {
+      if (!option->get_group().empty()) shown.push_back(option);
+    }
+    return shown.empty() ? std::string() : make_group("Positionals", true, shown);
+  }
+
+  std::string option_groups(const CLI::App* app) const {
+    std::string text;
+    const std::vector<std::string> groups = app->get_groups();
+    for (const std::string& group : groups) {
+      const Options options = app->get_options(
+          [&](const CLI::Option* option) { return option->nonpositional() && option->get_group() == group; });
+      if (group.empty() || options.empty()) continue;
+      text += make_group(group == "OPTIONS" ? "Options" : group, false, options);
+      if (group != groups.back()) text += '\n';
+    }
+    return text;
+  }
+
+  std::string make_group(std::string group, bool is_positional, Options options) const override {
+    std::string text = '\n' + group + ":\n";
+    for (const CLI::Option* option : options) {
+      text += row(make_option_name(option, is_positional) + make_option_opts(option),
+                  wrapped(option->get_description()));
+    }
+    return text;
+  }
+
+  static std::string subcommands(const CLI::App* app) {
+    std::string text;
+    for (const CLI::App* command : commands(app))
+      text += row(command->get_display_name(true), command->get_description());
+    return text.empty() ? text : "\nSubcommands:\n" + text;
+  }
 
   std::string make_option_opts(const CLI::Option* option) const override {
     const bool has_value =
@@ -50,8 +118,14 @@ class HelpFormatter : public CLI::Formatter {
            (option->get_required() ? " (required)" : "");
   }
 
-  std::string make_option_desc(const CLI::Option* option) const override {
-    return wrapped(option->get_description());
+ private:
+  static Options positionals(const CLI::App* app) {
+    return app->get_options([](const CLI::Option* option) { return option->get_positional(); });
+  }
+  static std::vector<const CLI::App*> commands(const CLI::App* app) {
+    return app->get_subcommands([](const CLI::App* command) {
+      return !command->get_name().empty() && !command->get_group().empty();
+    });
   }
 };
 
