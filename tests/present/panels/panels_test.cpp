@@ -138,9 +138,11 @@ TEST_F(PanelsTest, SlidersReachTheirRange) {
 TEST_F(PanelsTest, OptionalValuesComeAndGo) {
   const scene::Parameter& row = *scene::find_parameter("ocean.depth_m");
   WidgetClicks clicks(scene_);
+  frame([&] { clicks.draw(row); });
+  const ImVec2 box(16.0f, clicks.place(0.0f).y);  // at the left of its row
   const auto click = [&] {
     for (const bool is_down : {false, true, false, false}) {
-      ImGui::GetIO().MousePos = ImVec2(16.0f, 38.0f);
+      ImGui::GetIO().MousePos = box;
       ImGui::GetIO().MouseDown[0] = is_down;
       frame([&] { clicks.draw(row); });
     }
