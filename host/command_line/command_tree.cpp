@@ -9,6 +9,7 @@
 #include <CLI/Option.hpp>
 #include <fmt/format.h>
 
+#include "host/command_line/help_format.h"
 #include "host/command_line/option_rows.h"
 #include "host/scene/file/version.h"
 #include "host/scene/schema/checked_value.h"
@@ -59,7 +60,7 @@ nlohmann::ordered_json option_json(const CLI::Option& option) {
   json["placeholder"] = placeholder_of(option);
   json["value"] = value_kind(option, row);
   json["is_required"] = option.get_required();
-  json["group"] = option.get_group();
+  json["group"] = group_title(option.get_group());
   json["help"] = row ? std::string(row->help) : option.get_description();
   if (row == nullptr) return json;
   json["expected"] = scene::expected_text(*row);

@@ -89,7 +89,7 @@ class HelpFormatter : public CLI::Formatter {
       const Options options = app->get_options(
           [&](const CLI::Option* option) { return option->nonpositional() && option->get_group() == group; });
       if (group.empty() || options.empty()) continue;
-      text += make_group(group == "OPTIONS" ? "Options" : group, false, options);
+      text += make_group(group_title(group), false, options);
       if (group != groups.back()) text += '\n';
     }
     return text;
@@ -130,6 +130,10 @@ class HelpFormatter : public CLI::Formatter {
 };
 
 }  // namespace
+
+std::string group_title(const std::string& group) {
+  return group == "OPTIONS" ? "Options" : group;
+}
 
 void format_help(CLI::App& app) {
   app.formatter(std::make_shared<HelpFormatter>());
