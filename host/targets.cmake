@@ -1,17 +1,18 @@
 # How every Offing target is compiled and installed: one place for the language level, warnings, sanitizers
 # and the list of what a find_package(Offing) offers.
 
-# With OFFING_UNITY_BUILD up to eight sources of a target are compiled as one. These are not: a name that they keep to
-# themselves is another's too ("redefinition of ..."), or they include headers whose macros would change others.
+# With OFFING_UNITY_BUILD up to eight sources of a target are compiled as one, sixteen of OFFING_HEAVY_TARGETS. These
+# are not: a name that they keep to themselves is another's too ("redefinition of ..."), or they include headers whose
+# macros would change others.
 set(OFFING_COMPILED_ALONE
   cloud_edits_test cloud_handles_test curvature_invariance_test determinism_test direction_test embedded_scenes
-  exr_image_test floating_bodies_test foam_test gerstner_surface_test gerstner_test hands
-  handle_geometry_test highlight_schema keyframes_test measured_sea_test mesh_schema moving_view_test ocean_reference_test png_image_test query_test
-  read_height_map_test reference_tracer_test reference_walk_test scene_meshes_test sky_flight_test
+  exr_image_test floating_bodies_test foam_test gerstner_surface_test gerstner_test hands handle_geometry_test
+  highlight_schema keyframes_test measured_sea_test mesh_schema moving_view_test ocean_reference_test png_image_test
+  query_test read_height_map_test reference_tracer_test reference_walk_test scene_meshes_test sky_flight_test
   scene_terrain_test slope_covariance_test spectrum_models_test spreading_test stream_height_map_test
   terrain_sampling_test tiled_field_test velocity_test)
 
-# Of these, whose headers take longest to compile, up to sixteen sources are one.
+# Their headers take longest to compile.
 set(OFFING_HEAVY_TARGETS offing_cli offing_scene offing_mesh_tools cli_tests scene_tests)
 
 # Compile options and includes shared by libraries, programs and tests. Includes are written from the

@@ -235,15 +235,16 @@ void refuse_unused(const Written& written, const ViewOptions& options) {
   if (written.existing == Existing::replace && options.output.empty() && !options.recording) {
     refuse("--force: expected -o, --record or --video, found none", "leave --force out");
   }
-  if (options.kept_hz && (!options.opens_window || options.recording)) {
+  if (options.opens_window && !options.recording) return;
+  if (options.kept_hz) {
     throw bad_argument("--keep-fps", "a window without a recording", "pictures in files",
                        "only with a window: pictures in files have full detail");
   }
-  if (written.view.is_given("--render-scale") && (!options.opens_window || options.recording)) {
+  if (written.view.is_given("--render-scale")) {
     throw bad_argument("--render-scale", "a window without a recording", "pictures in files",
                        "--size sets their size");
   }
-  if (written.is_paused && (!options.opens_window || options.recording)) {
+  if (written.is_paused) {
     refuse("--paused: expected a window without a recording, found none",
            "leave --paused out, or open a window");
   }

@@ -55,77 +55,55 @@ std::string row(const std::string& name, const std::string& text) {
 
 using Options = std::vector<const CLI::Option*>;
 
+std::string name_of(const CLI::Option& option) {
+  const bool is_flag = option.nonpositional();
+  std::string name = option.get_name(!is_flag, is_flag);
+  if (is_flag && option.get_type_size() != 0 && !option.get_type_name().empty())
+    name += ' ' + option.get_type_name();
+  return option.get_required() ? name + " (required)" : name;
+}
+
+/// Nothing without options.
+std::string section(const std::string& title, const Options& options) {
+  std::string rows;
+  for (const CLI::Option* option : options) rows += row(name_of(*option), wrapped(option->get_description()));
+  return rows.empty() ? rows : '\n' + title + ":\n" + rows;
+}
+
+std::string sections_of_flags(const CLI::App& app) {
+  std::string text;
+  const std::vector<std::string> groups = app.get_groups();
+  for (const std::string& group : groups) {
+    if (group.empty()) continue;  // hidden
+    const std::string flags = section(group_title(group), app.get_options([&](const CLI::Option* option) {
+      return option->nonpositional() && option->get_group() == group;
+    }));
+    text += flags;
+    if (!flags.empty() && group != groups.back()) text += '\n';
+  }
+  return text;
+}
+
 /// All of the layout: that of CLI11 2.6 is another than that of 2.3, down to the titles.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const override {
-    return app->get_description() + '\n' + make_usage(app, name) + make_positionals(app) +
-           option_groups(app) + subcommands(app) + '\n' +
-           (app->get_footer().empty() ? "" : app->get_footer() + '\n');
-  }
-
-  std::string make_usage(const CLI::App* app, std::string name) const override {
-    std::string line = "Usage: " + name;
+    std::string usage = "Usage: " + name, commands;
     if (!app->get_options([](const CLI::Option* option) { return option->nonpositional(); }).empty())
-      line += " [OPTIONS]";
-    for (const CLI::Option* option : positionals(app)) line += ' ' + make_option_usage(option);
-    if (!commands(app).empty())
-      line += app->get_require_subcommand_min() == 0 ? " [SUBCOMMAND]" : " SUBCOMMAND";
-    return line + '\n';
-  }
-
-  std::string make_positionals(const CLI::App* app) const override {
-    Options shown;
-    for (const CLI::Option* option : positionals(app)) {
-      if (!option->get_group().empty()) shown.push_back(option);
+      usage += " [OPTIONS]";
+    const Options positionals = app->get_options(
+        [](const CLI::Option* option) { return option->get_positional() && !option->get_group().empty(); });
+    for (const CLI::Option* option : positionals) usage += ' ' + make_option_usage(option);
+    for (const CLI::App* command :
+         app->get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); }))
+      commands += row(command->get_display_name(true), command->get_description());
+    if (!commands.empty()) {
+      usage += app->get_require_subcommand_min() == 0 ? " [SUBCOMMAND]" : " SUBCOMMAND";
+      commands = "\nSubcommands:\n" + commands;
     }
-    return shown.empty() ? std::string() : make_group("Positionals", true, shown);
-  }
-
-  std::string option_groups(const CLI::App* app) const {
-    std::string text;
-    const std::vector<std::string> groups = app->get_groups();
-    for (const std::string& group : groups) {
-      const Options options = app->get_options(
-          [&](const CLI::Option* option) { return option->nonpositional() && option->get_group() == group; });
-      if (group.empty() || options.empty()) continue;
-      text += make_group(group_title(group), false, options);
-      if (group != groups.back()) text += '\n';
-    }
-    return text;
-  }
-
-  std::string make_group(std::string group, bool is_positional, Options options) const override {
-    std::string text = '\n' + group + ":\n";
-    for (const CLI::Option* option : options) {
-      text += row(make_option_name(option, is_positional) + make_option_opts(option),
-                  wrapped(option->get_description()));
-    }
-    return text;
-  }
-
-  static std::string subcommands(const CLI::App* app) {
-    std::string text;
-    for (const CLI::App* command : commands(app))
-      text += row(command->get_display_name(true), command->get_description());
-    return text.empty() ? text : "\nSubcommands:\n" + text;
-  }
-
-  std::string make_option_opts(const CLI::Option* option) const override {
-    const bool has_value =
-        option->nonpositional() && option->get_type_size() != 0 && !option->get_type_name().empty();
-    return (has_value ? ' ' + option->get_type_name() : std::string()) +
-           (option->get_required() ? " (required)" : "");
-  }
-
- private:
-  static Options positionals(const CLI::App* app) {
-    return app->get_options([](const CLI::Option* option) { return option->get_positional(); });
-  }
-  static std::vector<const CLI::App*> commands(const CLI::App* app) {
-    return app->get_subcommands([](const CLI::App* command) {
-      return !command->get_name().empty() && !command->get_group().empty();
-    });
+    const std::string footer = app->get_footer().empty() ? "" : app->get_footer() + '\n';
+    return app->get_description() + '\n' + usage + '\n' + section("Positionals", positionals) +
+           sections_of_flags(*app) + commands + '\n' + footer;
   }
 };
 
