@@ -24,17 +24,21 @@ double event_time_s(cl_event event, cl_profiling_info what) {
 
 }  // namespace
 
-Event::Event(cl_event event) : event_(event) {}
+Event::Event(cl_event event, cl_event first) : event_(event), first_(first) {}
 
-Event::Event(Event&& other) noexcept : event_(std::exchange(other.event_, nullptr)) {}
+Event::Event(Event&& other) noexcept
+    : event_(std::exchange(other.event_, nullptr)), first_(std::exchange(other.first_, nullptr)) {}
 
 Event& Event::operator=(Event&& other) noexcept {
   std::swap(event_, other.event_);
+  std::swap(first_, other.first_);
   return *this;
 }
 
 Event::~Event() {
-  if (event_ != nullptr) clReleaseEvent(event_);
+  for (const cl_event event : {event_, first_}) {
+    if (event != nullptr) clReleaseEvent(event);
+  }
 }
 
 void Event::wait() const {
@@ -42,7 +46,8 @@ void Event::wait() const {
 }
 
 double Event::duration_s() const {
-  return event_time_s(event_, CL_PROFILING_COMMAND_END) - event_time_s(event_, CL_PROFILING_COMMAND_START);
+  const cl_event first = first_ == nullptr ? event_ : first_;
+  return event_time_s(event_, CL_PROFILING_COMMAND_END) - event_time_s(first, CL_PROFILING_COMMAND_START);
 }
 
 double Event::end_s() const {

@@ -8,7 +8,8 @@ namespace offing::ocl {
 class Event {
  public:
   Event() = default;
-  explicit Event(cl_event event);
+  /// Owns both. `first`: of the part of the command that began before, if it has two.
+  explicit Event(cl_event event, cl_event first = nullptr);
   Event(Event&& other) noexcept;
   Event& operator=(Event&& other) noexcept;
   ~Event();
@@ -24,6 +25,7 @@ class Event {
 
  private:
   cl_event event_ = nullptr;
+  cl_event first_ = nullptr;
 };
 
 }  // namespace offing::ocl

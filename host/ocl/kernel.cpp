@@ -15,6 +15,7 @@
 #include "host/base/error.h"
 #include "host/ocl/device_state.h"
 #include "host/ocl/opencl.h"
+#include "host/ocl/quirks.h"
 #include "host/ocl/status.h"
 
 namespace offing::ocl {
@@ -235,8 +236,21 @@ Event Kernel::enqueue(const LaunchShape& shape) const {
                 fmt::format("kernel {}: expected a global size of 1 or more, got 0", state_->name),
                 "skip the launch when there is nothing to do");
   }
+  const std::size_t group = shape.local[0] == 0 ? quirks::usual_group_size(state_->device->info) : 0;
+  if (group == 0) return Event(enqueue_part(0, shape));
+  const auto [columns, rows, layers] = shape.global;
+  const std::size_t whole =
+      columns / group * group;  // the columns that fill groups; the rest have groups of one
+  Handle<cl_event> first, last;
+  if (whole > 0) first.reset(enqueue_part(0, {{whole, rows, layers}, {group}}));
+  if (whole < columns) last.reset(enqueue_part(whole, {{columns - whole, rows, layers}, {1}}));
+  return last ? Event(last.release(), first.release()) : Event(first.release());
+}
+
+cl_event Kernel::enqueue_part(std::size_t first_column, const LaunchShape& shape) const {
   cl_uint dimensions = 3;
   while (dimensions > 1 && shape.global[dimensions - 1] <= 1) --dimensions;
+  const std::array<std::size_t, 3> offset{first_column, 0, 0};
   std::array<std::size_t, 3> global = shape.global;
   std::array<std::size_t, 3> local = shape.local;
   for (std::size_t i = 1; i < 3; ++i) {
@@ -245,9 +259,9 @@ Event Kernel::enqueue(const LaunchShape& shape) const {
   }
   const bool driver_chooses = local[0] == 0;
   cl_event event = nullptr;
-  const int status = clEnqueueNDRangeKernel(state_->device->queue.get(), state_->kernel.get(), dimensions,
-                                            nullptr, global.data(), driver_chooses ? nullptr : local.data(),
-                                            0, nullptr, state_->device->is_profiling ? &event : nullptr);
+  const int status = clEnqueueNDRangeKernel(
+      state_->device->queue.get(), state_->kernel.get(), dimensions, offset.data(), global.data(),
+      driver_chooses ? nullptr : local.data(), 0, nullptr, state_->device->is_profiling ? &event : nullptr);
   if (status != CL_SUCCESS) {
     throw_status(status, "clEnqueueNDRangeKernel",
                  fmt::format("kernel {} with global size ({}) and local size ({}) on {}", state_->name,
@@ -255,7 +269,7 @@ Event Kernel::enqueue(const LaunchShape& shape) const {
                              driver_chooses ? "any" : fmt::format("{}", fmt::join(local, ", ")),
                              state_->device->info.name));
   }
-  return Event(event);
+  return event;
 }
 
 }  // namespace offing::ocl

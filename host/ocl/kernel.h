@@ -10,12 +10,14 @@
 #include "host/ocl/buffer.h"
 #include "host/ocl/event.h"
 
+typedef struct _cl_event* cl_event;
 typedef struct _cl_kernel* cl_kernel;
 
 namespace offing::ocl {
 
 /// Global and local work sizes. Zeros behind the first number stand for 1, so that {{rows}, {16}} is
-/// one-dimensional; a local size of {} lets the driver choose.
+/// one-dimensional. A local size of {} is for kernels that ask for nothing but their global id: the driver
+/// chooses one, or the kernel runs in parts.
 struct LaunchShape {
   std::array<std::size_t, 3> global{1};
   std::array<std::size_t, 3> local{};
@@ -71,6 +73,8 @@ class Kernel {
   void set_memory(int index, cl_mem memory) const;
   void set_value(int index, std::size_t bytes, const void* value, ValueKind kind) const;
   Event enqueue(const LaunchShape& shape) const;
+  /// The work-items from `first_column` of the first dimension on; null where the device does not profile.
+  cl_event enqueue_part(std::size_t first_column, const LaunchShape& shape) const;
 
   std::shared_ptr<State> state_;
 };

@@ -108,6 +108,12 @@ bool forbids_host_pointers(const DeviceInfo& info) {
   return is_oclgrind(info) || (allowed != nullptr && std::string_view(allowed) == "0");
 }
 
+// PoCL compiles a kernel anew for each local size (0.1 to 1 s), and chooses another one for nearly each
+// global size: every new size of a map, mesh or image then waits for its compiler.
+std::size_t usual_group_size(const DeviceInfo& info) {
+  return is_pocl(info) ? 64 : 0;
+}
+
 // Oclgrind 21.10 aborts on what its compiler makes of `restrict` parameters in inlined helpers
 // (https://github.com/jrprice/Oclgrind). Without the word the kernels mean the same.
 //

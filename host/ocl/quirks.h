@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,6 +32,10 @@ std::uint64_t usable_global_memory_bytes(const DeviceInfo& info);
 
 /// True where buffers over host memory (CL_MEM_USE_HOST_PTR) must not be used.
 bool forbids_host_pointers(const DeviceInfo& info);
+
+/// The local size for launches that leave it to the driver, where the driver's own choice is a bad one; 0
+/// elsewhere.
+std::size_t usual_group_size(const DeviceInfo& info);
 
 /// Build options that work around compiler bugs, each with a leading blank; empty for most devices.
 std::string build_options(const DeviceInfo& info);

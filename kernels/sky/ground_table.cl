@@ -25,14 +25,16 @@ __kernel void ground_table(const AtmosphereParams air, float aerosol_asymmetry,
     const float rayleigh_phase = sky_rayleigh_phase(between);
     const float aerosol_phase = sky_aerosol_phase(aerosol_asymmetry, between);
     // A metre above the ground: on it, a level ray's length would be 0 / 0.
-    Ray ray = ray_from(air, 1.0f, cosine, sun_cosine, between, false);
+    const RaySun sun = {sun_cosine, between};
+    Ray ray = ray_from(air, 1.0f, cosine, false);
     for (int i = 0; i < STEPS; ++i) {
       const Slice slice = next_slice(air, &ray, i, STEPS);
       const float4 once = slice.air.rayleigh_perm * rayleigh_phase + slice.air.aerosol_perm * aerosol_phase;
+      const float there = sun_cosine_along(air, sun, ray.altitude, slice.distance, slice.altitude);
       sum += slice.reach *
-             (once * sunlight(air, depth, slice.altitude, slice.sun_cosine) +
+             (once * sunlight(air, depth, slice.altitude, there) +
               (slice.air.rayleigh_perm + slice.air.aerosol_perm) *
-                  scattering_lookup(scattering, air.thickness_m, slice.altitude, slice.sun_cosine));
+                  scattering_lookup(scattering, air.thickness_m, slice.altitude, there));
     }
   }
   const float4 sky_light = sum * (SKY_PI / (RINGS * AZIMUTHS));

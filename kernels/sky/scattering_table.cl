@@ -27,22 +27,33 @@ __kernel void scattering_table(const AtmosphereParams air, __global const float4
 
   float4 second = (float4)(0.0f);    // sum over directions of light scattered once
   float4 returned = (float4)(0.0f);  // of isotropic unit light that is scattered once more
-  for (int direction = 0; direction < RINGS * AZIMUTHS; ++direction) {
-    const float cosine = 1.0f - 2.0f * (direction / AZIMUTHS + 0.5f) / RINGS;
-    const float azimuth = SKY_PI * (direction % AZIMUTHS + 0.5f) / AZIMUTHS;
-    const float between = cosine * sun_cosine + sqrt(1.0f - cosine * cosine) * sun_sine * cos(azimuth);
-    Ray ray = ray_from(air, altitude, cosine, sun_cosine, between, cosine < horizon);
-    for (int i = 0; i < STEPS; ++i) {
-      const Slice slice = next_slice(air, &ray, i, STEPS);
+  for (int ring = 0; ring < RINGS; ++ring) {
+    const float cosine = 1.0f - 2.0f * (ring + 0.5f) / RINGS;
+    const float across = sqrt(1.0f - cosine * cosine) * sun_sine;
+    RaySun suns[AZIMUTHS];
+    for (int i = 0; i < AZIMUTHS; ++i) {
+      suns[i].cosine = sun_cosine;
+      suns[i].between = cosine * sun_cosine + across * cos(SKY_PI * (i + 0.5f) / AZIMUTHS);
+    }
+    Ray ray = ray_from(air, altitude, cosine, cosine < horizon);
+    for (int step = 0; step < STEPS; ++step) {
+      const Slice slice = next_slice(air, &ray, step, STEPS);
       const float4 scattered = slice.reach * (slice.air.rayleigh_perm + slice.air.aerosol_perm);
-      second += scattered * isotropic_phase * sunlight(air, depth, slice.altitude, slice.sun_cosine);
-      returned += scattered;
+      float4 light = (float4)(0.0f);
+      for (int i = 0; i < AZIMUTHS; ++i) {
+        const float there = sun_cosine_along(air, suns[i], altitude, slice.distance, slice.altitude);
+        light += sunlight(air, depth, slice.altitude, there);
+      }
+      second += scattered * isotropic_phase * light;
+      returned += (float)AZIMUTHS * scattered;
     }
     if (ray.meets_ground) {
       const float4 reflected = ray.through * albedo_of_ground(air);
-      const float ground_sun = sun_cosine_along(air, ray, ray.end, 0.0f);
-      second += reflected / SKY_PI * fmax(0.0f, ground_sun) * sunlight(air, depth, 0.0f, ground_sun);
-      returned += reflected;
+      for (int i = 0; i < AZIMUTHS; ++i) {
+        const float ground_sun = sun_cosine_along(air, suns[i], altitude, ray.end, 0.0f);
+        second += reflected / SKY_PI * fmax(0.0f, ground_sun) * sunlight(air, depth, 0.0f, ground_sun);
+      }
+      returned += (float)AZIMUTHS * reflected;
     }
   }
   const float per_direction = 1.0f / (RINGS * AZIMUTHS);

@@ -23,21 +23,23 @@ __kernel void view_table(const AtmosphereParams air, const SkyParams sky,
                         sin(angle) * sun_sine * cos(SKY_PI * column / (SKY_VIEW_COLUMNS - 1));
   const float rayleigh_phase = sky_rayleigh_phase(between);
 
-  Ray ray = ray_from(air, sky.eye_altitude_m, cos(angle), sky.sun_direction_y, between, meets_ground);
+  const RaySun seen_sun = {sky.sun_direction_y, between};
+  Ray ray = ray_from(air, sky.eye_altitude_m, cos(angle), meets_ground);
   float4 light = (float4)(0.0f);
   float4 aerosol_light = (float4)(0.0f);
   for (int i = 0; i < STEPS; ++i) {
     const Slice slice = next_slice(air, &ray, i, STEPS);
-    const float4 sun = sunlight(air, depth, slice.altitude, slice.sun_cosine);
+    const float sun_cosine = sun_cosine_along(air, seen_sun, sky.eye_altitude_m, slice.distance, slice.altitude);
+    const float4 sun = sunlight(air, depth, slice.altitude, sun_cosine);
     light +=
         slice.reach * (slice.air.rayleigh_perm * rayleigh_phase * sun +
                        (slice.air.rayleigh_perm + slice.air.aerosol_perm) *
-                           scattering_lookup(scattering, air.thickness_m, slice.altitude, slice.sun_cosine));
+                           scattering_lookup(scattering, air.thickness_m, slice.altitude, sun_cosine));
     aerosol_light += slice.reach * slice.air.aerosol_perm * sun;
   }
   if (ray.meets_ground) {
     light += ray.through * albedo_of_ground(air) / SKY_PI *
-             ground_lookup(ground, sun_cosine_along(air, ray, ray.end, 0.0f));
+             ground_lookup(ground, sun_cosine_along(air, seen_sun, sky.eye_altitude_m, ray.end, 0.0f));
   }
   const int texel = row * SKY_VIEW_COLUMNS + column;
   table[texel] = (float4)(sky_rgb(sky, light), 0.0f);

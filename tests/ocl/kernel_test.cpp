@@ -20,6 +20,9 @@ kernel void axpy(float factor, global const float* restrict x, global float* res
   const size_t i = get_global_id(0);
   y[i] += factor * x[i];
 }
+kernel void count_up(int columns, global int* counts) {
+  counts[get_global_id(1) * columns + get_global_id(0)] += 1;
+}
 kernel void reversed(global int* values, local int* scratch, uint4 unused) {
   const size_t i = get_local_id(0);
   scratch[i] = values[i];
@@ -43,6 +46,19 @@ TEST_F(KernelTest, ComputesWithBuffersAndValues) {
   const Buffer<float> y(device_, std::vector<float>{10, 20, 30, 40}, "y");
   axpy.launch({{4}}, 2.0f, x, y);
   EXPECT_THAT(y.read(), ::testing::ElementsAre(12, 24, 36, 48));
+}
+
+// Fails if a launch without a local size leaves work-items out or runs some twice, where it runs in parts.
+TEST_F(KernelTest, RunsEachWorkItemOnce) {
+  const Kernel count_up = Program::build(device_, "axpy.cl").kernel("count_up");
+  for (const int columns : {1, 63, 64, 65, 1000}) {
+    for (const int rows : {1, 3}) {
+      const auto width = static_cast<std::size_t>(columns), height = static_cast<std::size_t>(rows);
+      const Buffer<int> counts(device_, std::vector<int>(width * height), "counts");
+      count_up.launch({{width, height}}, columns, counts);
+      EXPECT_THAT(counts.read(), ::testing::Each(1)) << columns << " x " << rows;
+    }
+  }
 }
 
 // Fails if __local arguments are not sized, or the launch ignores the work-group size.
