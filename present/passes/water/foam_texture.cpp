@@ -32,18 +32,19 @@ Point cell_point(int column, int row, std::uint32_t seed) {
 float border_distance(Point place, int count, std::uint32_t seed) {
   const float x = place.x * static_cast<float>(count), y = place.y * static_cast<float>(count);
   const int cell_x = static_cast<int>(std::floor(x)), cell_y = static_cast<int>(std::floor(y));
-  float nearest = 1e9f, second = 1e9f;
+  float nearest = 1e9f, second = 1e9f;  // squares of distances
   for (int row = cell_y - 1; row <= cell_y + 1; ++row) {
     for (int column = cell_x - 1; column <= cell_x + 1; ++column) {
       const auto wrapped = [count](int i) { return (i % count + count) % count; };
       const Point point = cell_point(wrapped(column), wrapped(row), seed);
-      const float distance =
-          std::hypot(static_cast<float>(column) + point.x - x, static_cast<float>(row) + point.y - y);
-      second = std::min(second, std::max(nearest, distance));
-      nearest = std::min(nearest, distance);
+      const float away_x = static_cast<float>(column) + point.x - x,
+                  away_y = static_cast<float>(row) + point.y - y;
+      const float square = away_x * away_x + away_y * away_y;
+      second = std::min(second, std::max(nearest, square));
+      nearest = std::min(nearest, square);
     }
   }
-  return second - nearest;
+  return std::sqrt(second) - std::sqrt(nearest);
 }
 
 // Threads between cells of a metre and less, bent and torn by coarser ones.
