@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include <dlfcn.h>
 #include <imgui.h>
 // The order matters: the backend builds on imgui.h.
 #include <backends/imgui_impl_opengl3.h>
@@ -12,6 +13,16 @@ namespace offing::present {
 /// Since 1.92 glyphs are loaded as they are drawn, from fonts that stay open. Before, all are made at once,
 /// of ranges of letters, in a texture that the backend is told to renew.
 inline constexpr bool imgui_loads_glyphs = IMGUI_VERSION_NUM >= 19200;
+
+/// Since 1.92 the backend lets go of OpenGL's library as it shuts down, and when it starts again calls
+/// functions where they were before (https://github.com/ocornut/imgui/pull/8792). For a second window the
+/// library stays.
+inline void keep_opengl_loaded() {
+#if IMGUI_VERSION_NUM >= 19200
+  for (const char* library : {"libOpenGL.so.0", "libGL.so.1"})
+    dlopen(library, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
+#endif
+}
 
 inline void renew_font_texture() {
 #if IMGUI_VERSION_NUM < 19200
