@@ -4,8 +4,9 @@
 
 #include <dlfcn.h>
 #include <imgui.h>
-// The order matters: the backend builds on imgui.h.
+// The order matters: these build on imgui.h.
 #include <backends/imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 
 /// What differs between ImGui 1.86 and 1.92, which distributions have.
 namespace offing::present {
@@ -37,6 +38,15 @@ inline bool has_glyph(ImFont& font, ImWchar letter) {
   return font.FindGlyphNoFallback(letter) != nullptr;
 #else
   return font.IsGlyphInFont(letter);
+#endif
+}
+
+/// Whether keys or clicks wait for later frames: since 1.87 a frame takes one of several that came at once.
+inline bool has_waiting_input() {
+#if IMGUI_VERSION_NUM < 18700
+  return false;
+#else
+  return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
 #endif
 }
 
