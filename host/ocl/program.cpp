@@ -147,7 +147,7 @@ Program::Program(std::shared_ptr<State> state) : state_(std::move(state)) {}
 
 Program Program::build(const Device& device, std::string_view source_name, const Defines& defines) {
   detail::DeviceState& opened = *device.state();
-  const std::string source = assemble_source(source_name);
+  const std::string source = quirks::source_preamble(opened.info) + assemble_source(source_name);
   const std::string options = options_of(opened.info, defines);
   const std::string identity = identity_of(opened.info, source, options);
   const std::lock_guard lock(opened.programs_mutex);

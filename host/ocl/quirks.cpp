@@ -132,4 +132,12 @@ std::string build_options(const DeviceInfo& info) {
   return "";
 }
 
+// PoCL 7.1 (LLVM 21) gives a helper numbers that nobody wrote for a struct that another helper hands on to it
+// by value, where the kernel has such a struct in a loop as well: clouds did not shade each other
+// (clouds/light_entry.cl). PoCL 3.1 does not. Helpers that are inlined before anything else are right.
+std::string source_preamble(const DeviceInfo& info) {
+  if (!is_pocl(info) || info.driver_version.starts_with("3.")) return "";
+  return "#undef inline\n#define inline __inline__ __attribute__((always_inline))\n";
+}
+
 }  // namespace offing::ocl::quirks

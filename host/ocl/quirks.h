@@ -40,4 +40,7 @@ std::size_t usual_group_size(const DeviceInfo& info);
 /// Build options that work around compiler bugs, each with a leading blank; empty for most devices.
 std::string build_options(const DeviceInfo& info);
 
+/// What stands before the source of a program to work around compiler bugs; empty for most devices.
+std::string source_preamble(const DeviceInfo& info);
+
 }  // namespace offing::ocl::quirks

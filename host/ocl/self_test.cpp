@@ -18,7 +18,9 @@ constexpr std::uint8_t passed = 1, failed = 0;
 constexpr std::string_view version = "self-test 1";
 
 std::string identity_of(const DeviceInfo& info, std::span<const ProgramRecipe> programs) {
-  std::string identity = joined_identity({version, quirks::build_options(info)}) + driver_identity(info);
+  std::string identity =
+      joined_identity({version, quirks::build_options(info), quirks::source_preamble(info)}) +
+      driver_identity(info);
   for (const ProgramRecipe& program : programs) {
     identity += joined_identity({assemble_source(program.source_name)});
     for (const auto& [name, value] : program.defines.values()) identity += joined_identity({name, value});

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 
+#include <dlfcn.h>
 #include <imgui.h>
-// The order matters: the backend builds on imgui.h.
+// The order matters: these build on imgui.h.
 #include <backends/imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 
 /// What differs between ImGui 1.86 and 1.92, which distributions have.
 namespace offing::present {
@@ -12,6 +14,16 @@ namespace offing::present {
 /// Since 1.92 glyphs are loaded as they are drawn, from fonts that stay open. Before, all are made at once,
 /// of ranges of letters, in a texture that the backend is told to renew.
 inline constexpr bool imgui_loads_glyphs = IMGUI_VERSION_NUM >= 19200;
+
+/// Since 1.92 the backend lets go of OpenGL's library as it shuts down, and when it starts again calls
+/// functions where they were before (https://github.com/ocornut/imgui/pull/8792). For a second window the
+/// library stays.
+inline void keep_opengl_loaded() {
+#if IMGUI_VERSION_NUM >= 19200
+  for (const char* library : {"libOpenGL.so.0", "libGL.so.1"})
+    dlopen(library, RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
+#endif
+}
 
 inline void renew_font_texture() {
 #if IMGUI_VERSION_NUM < 19200
@@ -26,6 +38,15 @@ inline bool has_glyph(ImFont& font, ImWchar letter) {
   return font.FindGlyphNoFallback(letter) != nullptr;
 #else
   return font.IsGlyphInFont(letter);
+#endif
+}
+
+/// Whether keys or clicks wait for later frames: since 1.87 a frame takes one of several that came at once.
+inline bool has_waiting_input() {
+#if IMGUI_VERSION_NUM < 18700
+  return false;
+#else
+  return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
 #endif
 }
 

@@ -20,6 +20,7 @@ PanelLayer::PanelLayer(GLFWwindow* window) : window_(window) {
     throw Error(ErrorKind::device, "panels: they cannot be drawn with this OpenGL",
                 "pictures need none: --headless -o out.png");
   }
+  keep_opengl_loaded();
 }
 
 PanelLayer::~PanelLayer() {

@@ -311,8 +311,7 @@ TEST_F(WindowCloudsTest, FieldsRefuseWhatIsNoRadius) {
     const Spot field =
         find(editor_panel(), present::parameter_label(*scene::find_parameter("cloud.ball.radius_m")), 70);
     with_key("Control_L", [&] { click(field); });
-    hands_->type(number);
-    turn();
+    type(number);
     press("Return");
     turn(2);
     EXPECT_EQ(state().scene.clouds[0].balls[0].radius_m, before_m) << number;

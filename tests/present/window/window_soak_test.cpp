@@ -53,7 +53,7 @@ class WindowSoakTest : public WindowTest {
         break;
       }
       case 6:
-        hands_->type(fmt::format("{}", pick(0, 99)));
+        type(fmt::format("{}", pick(0, 99)));
         press("Return");
         break;
       default:

@@ -14,6 +14,7 @@
 
 #include "host/base/host_memory.h"
 #include "host/scene/file/scene_writer.h"
+#include "present/panels/imgui_versions.h"
 
 namespace offing::test {
 namespace {
@@ -117,11 +118,16 @@ void WindowTest::drag(Spot from, Spot to) {
   turn(2);
 }
 
+void WindowTest::type(const std::string& text) {
+  hands_->type(text);
+  do turn();
+  while (present::has_waiting_input());
+}
+
 void WindowTest::enter(Spot spot, const std::string& text) {
   click(spot);
   press_with_control("a");
-  hands_->type(text);
-  turn();
+  type(text);
   press("Return");
 }
 
@@ -131,8 +137,7 @@ void WindowTest::enter_into_slider(Spot spot, const std::string& text) {
   click(spot);
   hands_->key("Control_L", Hands::Motion::up);
   turn();
-  hands_->type(text);
-  turn();
+  type(text);
   press("Return");
   turn(2);
 }

@@ -41,6 +41,8 @@ class WindowTest : public testing::Test {
   void click(Spot spot);
   /// Presses, moves and releases, a frame each.
   void drag(Spot from, Spot to);
+  /// Into the field that has the keyboard.
+  void type(const std::string& text);
   void enter(Spot spot, const std::string& text);
   /// Into a slider: Ctrl and a click.
   void enter_into_slider(Spot spot, const std::string& text);
