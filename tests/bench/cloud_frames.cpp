@@ -19,7 +19,7 @@ namespace {
 using present::ImageSize;
 using present::Stage;
 
-constexpr int stage_frames = 40;
+constexpr int cloud_stage_frames = 40;
 
 /// How much of the picture clouds cover more than half.
 double covered_share(world::World& world, const Camera& camera) {
@@ -65,7 +65,7 @@ class CloudFrames {
   void measure_stages(const std::string& name) {
     renderer_.wait_for_stages();
     std::array<std::vector<double>, present::stage_count> stage_ms;
-    for (int i = 0; i < stage_frames; ++i) {
+    for (int i = 0; i < cloud_stage_frames; ++i) {
       draw_next();
       for (std::size_t s = 0; s < present::stage_count; ++s)
         stage_ms[s].push_back(renderer_.stage_ms(static_cast<Stage>(s)));

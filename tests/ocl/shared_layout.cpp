@@ -4,6 +4,7 @@
 
 #include "host/ocl/buffer.h"
 #include "host/ocl/program.h"
+#include "tests/ocl/scoped_environment.h"
 #include "tests/ocl/test_kernels.h"
 
 namespace offing::test {
@@ -17,6 +18,7 @@ std::vector<std::size_t> device_layout(const ocl::Device& device, const std::str
               " - (char*)&value);\n";
   }
   const TestKernels kernels;
+  const ScopedEnvironment uncached("OFFING_CACHE_DIR", "");  // a program for this once
   kernels.write("layout.cl", source + "}\n");
   const ocl::Buffer<std::uint32_t> bytes(device, members.size() + 1, "layout");
   ocl::Program::build(device, "layout.cl").kernel("layout").launch({{1}}, bytes);

@@ -153,8 +153,8 @@ void bench_cameras(const ocl::Device& device, const NamedMap& named, const std::
                          std::exp(log_sum / count)));
 }
 
-void bench_map(const ocl::Device& device, const NamedMap& named, const Settings& settings,
-               const Sinks& sinks) {
+void bench_rays(const ocl::Device& device, const NamedMap& named, const Settings& settings,
+                const Sinks& sinks) {
   const terrain::PostGrid grid = terrain::post_grid(named.map);
   terrain::HeightField field(device, grid, named.map.heights_m);
   Peers peers(grid, named.map.heights_m);
@@ -179,9 +179,9 @@ void bench_map(const ocl::Device& device, const NamedMap& named, const Settings&
 }  // namespace
 
 void bench_terrain(const ocl::Device& device, const Settings& settings, const Sinks& sinks) {
-  for (const int size : settings.sizes) bench_map(device, valleys(size), settings, sinks);
+  for (const int size : settings.sizes) bench_rays(device, valleys(size), settings, sinks);
   for (const NamedMap& map : real_maps(RealMaps::andes_and_cape_flattery))
-    bench_map(device, map, settings, sinks);
+    bench_rays(device, map, settings, sinks);
 }
 
 }  // namespace offing::bench

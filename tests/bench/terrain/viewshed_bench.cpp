@@ -54,8 +54,8 @@ void require_right(const std::string& name, const test::HeightMap& map,
       name, unlike.size(), ours.size(), judged));
 }
 
-void bench_map(const ocl::Device& device, const NamedMap& named, const Settings& settings,
-               const Sinks& sinks) {
+void bench_viewsheds(const ocl::Device& device, const NamedMap& named, const Settings& settings,
+                     const Sinks& sinks) {
   const HeightMap& map = named.map;
   const terrain::HeightField field(device, terrain::post_grid(map), map.heights_m);
   const terrain::Viewshed viewshed(device);
@@ -86,9 +86,9 @@ void bench_map(const ocl::Device& device, const NamedMap& named, const Settings&
 }  // namespace
 
 void bench_viewshed(const ocl::Device& device, const Settings& settings, const Sinks& sinks) {
-  for (const int size : settings.sizes) bench_map(device, valleys(size), settings, sinks);
+  for (const int size : settings.sizes) bench_viewsheds(device, valleys(size), settings, sinks);
   for (const NamedMap& map : real_maps(RealMaps::andes_and_cape_flattery))
-    bench_map(device, map, settings, sinks);
+    bench_viewsheds(device, map, settings, sinks);
 }
 
 }  // namespace offing::bench
