@@ -24,8 +24,8 @@ __kernel void ground_table(const AtmosphereParams air, float aerosol_asymmetry,
     const float between = cosine * sun_cosine + sqrt(sine2) * sun_sine * cos(azimuth);
     const float rayleigh_phase = sky_rayleigh_phase(between);
     const float aerosol_phase = sky_aerosol_phase(aerosol_asymmetry, between);
-    // A metre above the ground: on it, a level ray's length would be 0 / 0.
     const RaySun sun = {sun_cosine, between};
+    // A metre above the ground: on it, a level ray's length would be 0 / 0.
     Ray ray = ray_from(air, 1.0f, cosine, false);
     for (int i = 0; i < STEPS; ++i) {
       const Slice slice = next_slice(air, &ray, i, STEPS);
