@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "host/c/offing.h"
+#include <offing.h>
 
 #define COLUMNS_X 6
 #define COLUMNS_Z 3

@@ -81,12 +81,35 @@ endfunction()
 set(OFFING_COMMON_HEADERS <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <limits> <memory> <optional>
     <string> <variant> <vector> <fmt/format.h> <glm/geometric.hpp>)
 
-# offing_library(<name> SOURCES <files...> LINKS <public libraries...> [PRIVATE_LINKS <libraries...>])
-# makes offing_<name> with the alias offing::<name>, and installs it with the headers of its folder and of its sources'
-# folders (for kernels, of shared/) under include/offing/ in the same tree. A library outside Offing that it links needs a row in
+# What a program and the modules that it loads must agree in, as the text that module.h asks for.
+set(OFFING_BUILD "${PROJECT_VERSION}, ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+
+# offing_module(<name> ENTRY <file> SOURCES <files...> LINKS <libraries...>): makes the module <name>.so of host/io/module.h,
+# whose table is in ENTRY, and the static library offing_<name> of the sources, for tests of what the table does not show.
+function(offing_module name)
+  cmake_parse_arguments(ARG "" "ENTRY" "SOURCES;LINKS" ${ARGN})
+  add_library(offing_${name} STATIC ${ARG_SOURCES})
+  set_target_properties(offing_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  offing_configure(offing_${name})
+  target_link_libraries(offing_${name} PUBLIC ${ARG_LINKS})
+  offing_precompile(offing_${name} LIKE offing_base)
+  add_library(offing_${name}_module MODULE ${ARG_ENTRY})
+  set_target_properties(offing_${name}_module PROPERTIES PREFIX "" OUTPUT_NAME ${name} CXX_VISIBILITY_PRESET hidden
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/offing)
+  offing_configure(offing_${name}_module)
+  target_compile_definitions(offing_${name}_module PRIVATE OFFING_BUILD="${OFFING_BUILD}")
+  target_link_libraries(offing_${name}_module PRIVATE offing_${name})
+  # Its copies of our static libraries are its own.
+  target_link_options(offing_${name}_module PRIVATE LINKER:--exclude-libs,ALL)
+  set_property(GLOBAL APPEND PROPERTY OFFING_MODULES offing_${name}_module)
+endfunction()
+
+# offing_library(<name> SOURCES <files...> LINKS <public libraries...> [PRIVATE_LINKS <libraries...>] [HEADERS <files...>])
+# makes offing_<name> with the alias offing::<name>, and installs it with HEADERS, or with all headers of its folder and of
+# its sources' folders (for kernels, of shared/), under include/offing/ in the same tree. A library outside Offing that it links needs a row in
 # host/install/dependencies.cmake. Declare a library after those it links: offing.pc lists them in that order.
 function(offing_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS;HEADERS" ${ARGN})
   add_library(offing_${name} STATIC ${ARG_SOURCES})
   add_library(offing::${name} ALIAS offing_${name})
   set_target_properties(offing_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
@@ -105,6 +128,9 @@ function(offing_library name)
       list(APPEND header_files ${folder}/*.h)
     endif()
   endforeach()
+  if(ARG_HEADERS)
+    set(header_files ${ARG_HEADERS})
+  endif()
   list(REMOVE_DUPLICATES header_files)
   list(TRANSFORM header_files PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   file(GLOB headers CONFIGURE_DEPENDS ${header_files})

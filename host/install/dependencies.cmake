@@ -20,17 +20,8 @@ offing_dependency(Threads::Threads CMAKE "find_dependency(Threads)")
 offing_dependency(glm::glm CMAKE "find_dependency(glm)" DEBIAN libglm-dev)
 offing_dependency(OpenCL::OpenCL CMAKE "find_dependency(OpenCL)" PKG_CONFIG OpenCL DEBIAN ocl-icd-opencl-dev opencl-headers)
 offing_dependency(OpenEXR::OpenEXR CMAKE "find_dependency(OpenEXR)" PKG_CONFIG OpenEXR DEBIAN libopenexr-dev)
-offing_dependency(Imath::Imath CMAKE "find_dependency(Imath)" PKG_CONFIG Imath DEBIAN libimath-dev)
-offing_dependency(GDAL::GDAL CMAKE "find_dependency(GDAL)" PKG_CONFIG gdal DEBIAN libgdal-dev)
 offing_dependency(PNG::PNG CMAKE "find_dependency(PNG)" PKG_CONFIG libpng DEBIAN libpng-dev)
-offing_dependency(PkgConfig::NETCDF
-  CMAKE "find_dependency(PkgConfig)" "pkg_check_modules(NETCDF REQUIRED QUIET IMPORTED_TARGET netcdf)"
-  PKG_CONFIG netcdf DEBIAN libnetcdf-dev)
 offing_dependency(tomlplusplus::tomlplusplus CMAKE "find_dependency(tomlplusplus)" PKG_CONFIG tomlplusplus DEBIAN libtomlplusplus-dev)
 offing_dependency(nlohmann_json::nlohmann_json CMAKE "find_dependency(nlohmann_json)" PKG_CONFIG nlohmann_json DEBIAN nlohmann-json3-dev)
-offing_dependency(PkgConfig::CAIRO
-  CMAKE "find_dependency(PkgConfig)" "pkg_check_modules(CAIRO REQUIRED QUIET IMPORTED_TARGET cairo)"
-  PKG_CONFIG cairo DEBIAN libcairo2-dev)
-offing_dependency(openvdb CMAKE "" PKG_CONFIG_LIBRARIES -lopenvdb DEBIAN libopenvdb-dev libboost-dev)
-offing_dependency(TBB::tbb CMAKE "find_dependency(TBB)" PKG_CONFIG tbb DEBIAN libtbb-dev)
 offing_dependency(ZLIB::ZLIB CMAKE "find_dependency(ZLIB)" PKG_CONFIG zlib DEBIAN zlib1g-dev)
+offing_dependency(dl CMAKE "" PKG_CONFIG_LIBRARIES -ldl)

@@ -1,5 +1,5 @@
-# Debian packages of what is installed, made by `./dev package`: offing (programs and scenes) and offing-dev (libraries
-# and headers). The source archive is made by `git archive`, which takes committed files alone.
+# Debian packages of what is installed, made by `./dev package`: offing (programs, scenes and the shared library) and
+# offing-dev (static libraries and headers). The source archive is made by `git archive`, which takes committed files alone.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME offing)
 set(CPACK_STRIP_FILES ON)
@@ -21,6 +21,7 @@ set(CPACK_DEBIAN_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME offing)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_GENERATE_SHLIBS ON)
 # Programs open an OpenCL implementation and Mesa's drivers while they run, so that shlibdeps cannot see them.
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "pocl-opencl-icd | opencl-icd, libegl1, libgl1-mesa-dri")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS ffmpeg)
@@ -31,12 +32,12 @@ animations, and answers queries about water and terrain.
 .
 The programs are offing (maps, measurements and queries), offing-view (a
 window, pictures and videos of a scene) and offing-mesh (check, repair and
-curvature of meshes).")
+curvature of meshes). The library liboffing has the C interface.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME offing-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+list(APPEND debian_packages "offing (= ${PROJECT_VERSION})")  # the modules
 list(JOIN debian_packages ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS offing)
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
 "Static libraries, C++ headers and a C header for programs that compute seas,
 terrain, clouds and highlights with Offing. CMake finds them by

@@ -63,9 +63,9 @@ void make_png(const fs::path& folder) {
 }
 
 void make_rasters(const fs::path& folder) {
-  HeightRasterWriter heights(folder / "heights", columns, rows, 30.0);
-  heights.add_rows(ramp());
-  heights.commit();
+  const auto heights = create_height_raster(folder / "heights", columns, rows, 30.0);
+  heights->add_rows(ramp());
+  heights->commit();
   const std::vector<std::uint8_t> bytes(columns * rows, 3);
   write_byte_raster(folder / "bytes",
                     {.columns = columns, .rows = rows, .values = bytes, .georeference = {}, .nodata = 3});

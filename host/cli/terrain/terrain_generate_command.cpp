@@ -54,7 +54,7 @@ class TerrainFile {
     if (name.ends_with(".r32")) {
       raw_.emplace(name, existing);
     } else {
-      raster_.emplace(name, posts, posts, spacing_m, existing);
+      raster_ = create_height_raster(name, posts, posts, spacing_m, existing);
     }
   }
   void add_rows(std::span<const float> heights_m) {
@@ -74,7 +74,7 @@ class TerrainFile {
 
  private:
   std::optional<AtomicFile> raw_;
-  std::optional<HeightRasterWriter> raster_;
+  std::unique_ptr<HeightRasterWriter> raster_;
 };
 
 void run(const TerrainGenerateArguments& arguments, const GlobalOptions& options) {

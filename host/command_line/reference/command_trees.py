@@ -4,13 +4,18 @@ import json
 import re
 import subprocess
 
-# Variables of the environment, and which commands read them. A test compares them with the sources.
+# Variables of the environment, and the option of the commands that read them. A test compares them with the sources.
 ENVIRONMENT = {
     "OFFING_DEVICE": ("device", "OpenCL device to use without --device, in the same forms."),
     "OFFING_CACHE_DIR": (
         "device",
         "Folder for compiled kernels. The default is $XDG_CACHE_HOME/offing, or ~/.cache/offing. If it is set to "
         "nothing, kernels are compiled in each run.",
+    ),
+    "OFFING_MODULE_PATH": (
+        "help",
+        "Folder of the modules that read and write files of GDAL, OpenVDB, NetCDF and fonts. The default is the folder "
+        "offing beside the libraries.",
     ),
     "OFFING_SHAPE": ("device", "simd or workgroup: the family of kernels to use. The default suits the device."),
     "OFFING_KERNEL_PATH": ("device", "Folder kernels of a checkout, whose kernels replace those built in."),

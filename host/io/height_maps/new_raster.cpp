@@ -66,6 +66,48 @@ Dataset create_raster(const NewRaster& raster, const GdalSession& session) {
 // Generated terrain has a scale, but no place.
 constexpr const char* local_metres = R"(LOCAL_CS["generated terrain",UNIT["metre",1]])";
 
+class GeoTiffWriter : public HeightRasterWriter {
+ public:
+  GeoTiffWriter(const std::filesystem::path& path, int columns, int rows, double spacing_m, Existing existing)
+      : path_(path),
+        file_(path, existing),
+        columns_(columns),
+        dataset_(
+            create_raster({.name = path,
+                           .temporary = file_.temporary(),
+                           .columns = columns,
+                           .rows = rows,
+                           .type = GDT_Float32,
+                           .georeference = {local_metres, 0.0, spacing_m * (rows - 1), spacing_m, -spacing_m},
+                           .options = {"BIGTIFF=IF_SAFER"}},
+                          session_)) {}
+
+  void add_rows(std::span<const float> heights_m) override {
+    const int rows = static_cast<int>(heights_m.size() / static_cast<std::size_t>(columns_));
+    // GDAL takes what it only reads without const.
+    auto* const values = const_cast<float*>(heights_m.data());
+    if (GDALRasterIO(GDALGetRasterBand(dataset_.get(), 1), GF_Write, 0, next_row_, columns_, rows, values,
+                     columns_, rows, GDT_Float32, 0, 0) != CE_None) {
+      fail_to_write(path_, session_);
+    }
+    next_row_ += rows;
+  }
+
+  void commit() override {
+    GDALFlushCache(dataset_.get());
+    dataset_.reset();
+    if (session_.has_failed()) fail_to_write(path_, session_);
+    file_.commit();
+  }
+
+ private:
+  std::filesystem::path path_;
+  AtomicFile file_;
+  GdalSession session_;
+  int columns_, next_row_ = 0;
+  Dataset dataset_;
+};
+
 }  // namespace
 
 void write_byte_raster(const std::filesystem::path& path, const ByteRaster& raster, Existing existing) {
@@ -101,49 +143,9 @@ void write_byte_raster(const std::filesystem::path& path, const ByteRaster& rast
   file.commit();
 }
 
-struct HeightRasterWriter::State {
-  std::filesystem::path path;
-  AtomicFile file;
-  GdalSession session;
-  int columns, next_row = 0;
-  Dataset dataset;
-
-  State(const std::filesystem::path& of, int columns_of, int rows, double spacing_m, Existing existing)
-      : path(of),
-        file(of, existing),
-        columns(columns_of),
-        dataset(
-            create_raster({.name = of,
-                           .temporary = file.temporary(),
-                           .columns = columns_of,
-                           .rows = rows,
-                           .type = GDT_Float32,
-                           .georeference = {local_metres, 0.0, spacing_m * (rows - 1), spacing_m, -spacing_m},
-                           .options = {"BIGTIFF=IF_SAFER"}},
-                          session)) {}
-};
-
-HeightRasterWriter::HeightRasterWriter(const std::filesystem::path& path, int columns, int rows,
-                                       double spacing_m, Existing existing)
-    : state_(std::make_unique<State>(path, columns, rows, spacing_m, existing)) {}
-HeightRasterWriter::~HeightRasterWriter() = default;
-
-void HeightRasterWriter::add_rows(std::span<const float> heights_m) {
-  const int rows = static_cast<int>(heights_m.size() / static_cast<std::size_t>(state_->columns));
-  // GDAL takes what it only reads without const.
-  auto* const values = const_cast<float*>(heights_m.data());
-  if (GDALRasterIO(GDALGetRasterBand(state_->dataset.get(), 1), GF_Write, 0, state_->next_row,
-                   state_->columns, rows, values, state_->columns, rows, GDT_Float32, 0, 0) != CE_None) {
-    fail_to_write(state_->path, state_->session);
-  }
-  state_->next_row += rows;
-}
-
-void HeightRasterWriter::commit() {
-  GDALFlushCache(state_->dataset.get());
-  state_->dataset.reset();
-  if (state_->session.has_failed()) fail_to_write(state_->path, state_->session);
-  state_->file.commit();
+std::unique_ptr<HeightRasterWriter> create_height_raster(const std::filesystem::path& path, int columns,
+                                                         int rows, double spacing_m, Existing existing) {
+  return std::make_unique<GeoTiffWriter>(path, columns, rows, spacing_m, existing);
 }
 
 }  // namespace offing

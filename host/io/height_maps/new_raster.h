@@ -25,25 +25,24 @@ struct ByteRaster {
 void write_byte_raster(const std::filesystem::path& path, const ByteRaster& raster,
                        Existing existing = Existing::replace);
 
-/// Writes heights as a GeoTIFF of floats, row by row, whole or not at all: of a map whose posts are so many
-/// metres apart, and which lies nowhere in the world.
+/// Heights that are written as a GeoTIFF of floats, row by row, whole or not at all.
 class HeightRasterWriter {
  public:
-  /// Throws Error(file) if it cannot be written.
-  HeightRasterWriter(const std::filesystem::path& path, int columns, int rows, double spacing_m,
-                     Existing existing = Existing::replace);
-  ~HeightRasterWriter();
+  HeightRasterWriter() = default;
   HeightRasterWriter(const HeightRasterWriter&) = delete;
   HeightRasterWriter& operator=(const HeightRasterWriter&) = delete;
+  virtual ~HeightRasterWriter() = default;
 
   /// Whole rows, from north to south. Throws Error(file).
-  void add_rows(std::span<const float> heights_m);
+  virtual void add_rows(std::span<const float> heights_m) = 0;
   /// Publishes the file under its name. Throws Error(file).
-  void commit();
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
+  virtual void commit() = 0;
 };
+
+/// Begins a map whose posts are so many metres apart, and which lies nowhere in the world. Throws Error(file)
+/// if it cannot be written.
+std::unique_ptr<HeightRasterWriter> create_height_raster(const std::filesystem::path& path, int columns,
+                                                         int rows, double spacing_m,
+                                                         Existing existing = Existing::replace);
 
 }  // namespace offing

@@ -13,10 +13,11 @@
 #include "host/base/error.h"
 #include "host/base/log.h"
 #include "host/io/file_mark.h"
+#include "host/io/module.h"
 #include "host/io/spectra/datawell_spectra.h"
 #include "host/io/spectra/gzip.h"
 #include "host/io/spectra/ndbc_spectra.h"
-#include "host/io/spectra/netcdf_spectra.h"
+#include "host/io/spectra/netcdf_module.h"
 #include "host/io/spectra/swan_spectra.h"
 #include "host/io/spectra/text_cursor.h"
 #include "host/io/spectra/ww3_spectra.h"
@@ -120,7 +121,8 @@ std::vector<WaveSpectrum> parse(const LoadedFile& file, const std::filesystem::p
                 "convert it with nccopy -k cdf5, or leave out --untrusted if you trust the author");
   }
   if (is_hdf5(file.bytes) || file.bytes.starts_with("CDF"))
-    return spectra::parse_netcdf(std::as_bytes(std::span(file.bytes)), file.name);
+    return module_functions<spectra::NetcdfModule>("netcdf", "read NetCDF spectra")
+        .parse_netcdf(std::as_bytes(std::span(file.bytes)), file.name);
   const std::string_view line = first_filled_line(file.bytes, file.name);
   std::string_view rest = line;
   const std::string_view word = spectra::take_word(rest);
