@@ -132,6 +132,25 @@ Memory::Memory(const Device& device, std::size_t bytes, std::string_view name)
   if (!pages_) touch();
 }
 
+Memory Memory::adopt(const Device& device, cl_mem memory, std::string_view name) {
+  const auto value_of = [&](cl_mem_info query, auto value) {
+    check(clGetMemObjectInfo(memory, query, sizeof value, &value, nullptr), "clGetMemObjectInfo", name);
+    return value;
+  };
+  if (value_of(CL_MEM_CONTEXT, cl_context{}) != device.context()) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("buffer \"{}\": expected one of the device's context, got one of another", name),
+                "open the device by the context of the buffer (Device::adopt(), offing_adopt_device())");
+  }
+  Memory adopted;
+  adopted.bytes_ = value_of(CL_MEM_SIZE, std::size_t{});
+  adopted.name_ = name;
+  check(clRetainMemObject(memory), "clRetainMemObject", name);
+  adopted.memory_ = memory;
+  adopted.device_ = device.state();
+  return adopted;
+}
+
 // Many GPU drivers reserve memory at the first use only. Using it here lets the error name the buffer.
 void Memory::touch() {
   const cl_uint zero = 0;

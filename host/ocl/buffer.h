@@ -30,6 +30,9 @@ class Memory {
  public:
   Memory() = default;
   Memory(const Device& device, std::size_t bytes, std::string_view name);
+  /// A buffer of the caller's, of the same context, which stays while this object lives. Throws
+  /// Error(bad_usage) for a buffer of another context.
+  static Memory adopt(const Device& device, cl_mem memory, std::string_view name);
   Memory(Memory&& other) noexcept;
   Memory& operator=(Memory&& other) noexcept;
   Memory(const Memory&) = delete;
@@ -37,6 +40,7 @@ class Memory {
   ~Memory();
 
   cl_mem handle() const { return memory_; }
+  std::size_t bytes() const { return bytes_; }
   void write(std::size_t offset_bytes, std::size_t bytes, const void* source);
   void read(std::size_t offset_bytes, std::size_t bytes, void* target) const;
   Event begin_read(void* target) const;
@@ -92,6 +96,14 @@ class Buffer {
   Buffer(const Device& device, std::span<const T> values, std::string_view name)
       : Buffer(device, values.size(), name) {
     write(values);
+  }
+
+  /// As many whole elements as a buffer of the caller's holds: Memory::adopt().
+  static Buffer adopt(const Device& device, cl_mem memory, std::string_view name) {
+    Buffer buffer;
+    buffer.memory_ = detail::Memory::adopt(device, memory, name);
+    buffer.count_ = buffer.memory_.bytes() / sizeof(T);
+    return buffer;
   }
 
   std::size_t size() const { return count_; }

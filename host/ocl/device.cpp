@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/base/error.h"
 #include "host/base/log.h"
 #include "host/ocl/device_state.h"
 #include "host/ocl/opencl.h"
@@ -58,6 +59,33 @@ Device Device::open_shared(const DeviceInfo& info, Profiling profiling,
   check(status, "clCreateCommandQueue", info.name);
   spdlog::debug("device {}: {} ({}, {}, driver {})", info.index, info.name, info.platform,
                 info.device_version, info.driver_version);
+  return Device(std::move(state));
+}
+
+Device Device::adopt(cl_context context, cl_command_queue queue) {
+  const auto value_of = [queue](cl_command_queue_info name, auto value) {
+    check(clGetCommandQueueInfo(queue, name, sizeof value, &value, nullptr), "clGetCommandQueueInfo",
+          "the caller's queue");
+    return value;
+  };
+  if (value_of(CL_QUEUE_CONTEXT, cl_context{}) != context) {
+    throw Error(ErrorKind::bad_usage, "queue: expected one of the context, got one of another",
+                "pass a context and a command queue that was made for it");
+  }
+  const auto properties = value_of(CL_QUEUE_PROPERTIES, cl_command_queue_properties{});
+  if ((properties & CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE) != 0) {
+    throw Error(ErrorKind::bad_usage,
+                "queue: expected one that runs commands in order, got one that does not",
+                "make a queue without CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE");
+  }
+  auto state = std::make_shared<detail::DeviceState>();
+  state->id = value_of(CL_QUEUE_DEVICE, cl_device_id{});
+  state->info = info_of(state->id);
+  state->is_profiling = (properties & CL_QUEUE_PROFILING_ENABLE) != 0;
+  check(clRetainContext(context), "clRetainContext", state->info.name);
+  state->context.reset(context);
+  check(clRetainCommandQueue(queue), "clRetainCommandQueue", state->info.name);
+  state->queue.reset(queue);
   return Device(std::move(state));
 }
 

@@ -34,6 +34,9 @@ class Device {
   /// property and value of cl_khr_gl_sharing) names, or without sharing where either side has none.
   static Device open_shared(const DeviceInfo& info, Profiling profiling,
                             std::span<const std::intptr_t> share_properties);
+  /// A context and an in-order queue of the caller's, which stay open while this object or what was made from
+  /// it lives. Throws Error(bad_usage) for a queue of another context or one that runs commands out of order.
+  static Device adopt(cl_context context, cl_command_queue queue);
 
   const DeviceInfo& info() const;
 

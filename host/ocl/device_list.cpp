@@ -257,6 +257,14 @@ DeviceInfo select_device(std::string_view selector) {
   }
 }
 
+DeviceInfo info_of(cl_device_id id) {
+  for (const ListedDevice& listed : enumerate_devices()) {
+    if (listed.id == id) return listed.info;
+  }
+  throw Error(ErrorKind::no_device, "device: expected one that the OpenCL loader lists, got another",
+              "use a device with a compiler, as clGetDeviceIDs lists it");
+}
+
 cl_device_id id_of(const DeviceInfo& info) {
   for (const ListedDevice& device : enumerate_devices()) {
     if (device.info.index == info.index && device.info.name == info.name &&

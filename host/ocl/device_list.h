@@ -55,6 +55,9 @@ DeviceInfo select_device(std::string_view selector = {});
 /// environment. Throws Error(no_device) that names the selector and lists the candidates.
 const DeviceInfo& choose_device(const std::vector<DeviceInfo>& devices, std::string_view selector);
 
+/// What a listed device of this handle reports. Throws Error(no_device) where none has it.
+DeviceInfo info_of(cl_device_id id);
+
 /// The driver's handle of a listed device. Throws Error(no_device) where it is gone.
 cl_device_id id_of(const DeviceInfo& info);
 

@@ -115,6 +115,12 @@ class World {
     return ocean().sample(points, parameters_.gerstner_waves, query);
   }
 
+  /// The same for points and samples on the device: Ocean::sample().
+  void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
+              ocl::Buffer<ocean::WaterSample>& samples, const ocean::WaterQuery& query = {}) {
+    ocean().sample(points, count, samples, parameters_.gerstner_waves, query);
+  }
+
   // Changes while it runs. All take effect with the next at(), which then gives what a world made with the
   // changed parameters gives; one that throws has changed nothing, but reseed(), after which a failed device
   // needs a new world.

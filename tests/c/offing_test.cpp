@@ -131,7 +131,7 @@ TEST_F(OffingInterfaceTest, RefusesBadArguments) {
   EXPECT_THAT(offing_last_error(), HasSubstr("4096"));
   values.resize(64 * 64);
   EXPECT_EQ(offing_read(world_, 9, OFFING_FOAM, values.data(), values.size()), OFFING_BAD_INPUT);
-  EXPECT_EQ(offing_read(world_, 0, static_cast<OffingField>(OFFING_FOAM + 1), values.data(), values.size()),
+  EXPECT_EQ(offing_read(world_, 0, static_cast<OffingField>(OFFING_VELOCITY_Z + 1), values.data(), values.size()),
             OFFING_BAD_INPUT);
 }
 

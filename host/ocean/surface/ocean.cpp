@@ -1,6 +1,7 @@
 #include "host/ocean/surface/ocean.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -81,6 +82,43 @@ void LongWaves::reset() {
   if (velocity_) velocity_->reset();
 }
 
+// Where a field is on the device: [texels][stride] floats, at this offset.
+enum class FieldMap { displacement, gradient, jacobian };
+constexpr std::size_t map_kinds = 3;
+
+struct FieldPlace {
+  FieldMap map;
+  std::size_t stride, offset;
+};
+
+FieldPlace place_of(SeaField field) {
+  switch (field) {
+    case SeaField::displacement_x:
+      return {FieldMap::displacement, 4, 0};
+    case SeaField::displacement_y:
+      return {FieldMap::displacement, 4, 1};
+    case SeaField::displacement_z:
+      return {FieldMap::displacement, 4, 2};
+    case SeaField::gradient_xz:
+      return {FieldMap::displacement, 4, 3};
+    case SeaField::slope_x:
+      return {FieldMap::gradient, 4, 0};
+    case SeaField::slope_z:
+      return {FieldMap::gradient, 4, 1};
+    case SeaField::gradient_xx:
+      return {FieldMap::gradient, 4, 2};
+    case SeaField::gradient_zz:
+      return {FieldMap::gradient, 4, 3};
+    case SeaField::jacobian:
+      return {FieldMap::jacobian, 2, 0};
+    case SeaField::jacobian_min_eigenvalue:
+      return {FieldMap::jacobian, 2, 1};
+  }
+  throw Error(ErrorKind::bad_usage,
+              fmt::format("field: expected a SeaField, got {}", static_cast<int>(field)),
+              "use one of the names in ocean.h");
+}
+
 OceanParameters checked(const OceanParameters& parameters) {
   require_valid_size(parameters.size);
   require_within("cascade count", static_cast<double>(parameters.cascades.size()), 1, 4);
@@ -126,6 +164,19 @@ struct Ocean::State {
     return surface;
   }
 
+  /// Of all cascades; the Jacobian of the cascade alone that begins at this texel, made anew each time.
+  const ocl::Buffer<float>& map_of(FieldMap map, std::size_t first_texel_of_cascade) {
+    const SurfaceMaps& current = current_surface();
+    if (map == FieldMap::displacement) return current.displacement();
+    if (map == FieldMap::gradient) return current.gradient();
+    if (!jacobian)
+      jacobian = ocl::Program::build(device, "ocean/surface_jacobian.cl").kernel("surface_jacobian");
+    if (jacobians.empty()) jacobians = ocl::Buffer<float>(device, 2 * texels(), "jacobian");
+    jacobian->launch({{texels(), 1, 1}}, current.displacement(), current.gradient(),
+                     static_cast<int>(first_texel_of_cascade), jacobians);
+    return jacobians;
+  }
+
   /// Particle velocity at time_s of all waves.
   const ocl::Buffer<float>& velocity_at(double depth_m) {
     if (!velocity) velocity.emplace(device, modes, dispersion.depth_m);
@@ -147,7 +198,8 @@ struct Ocean::State {
   // Made at first use: many callers want the surface alone.
   std::optional<VelocityMap> velocity;
   std::optional<Foam> foam;
-  std::optional<ocl::Kernel> jacobian;
+  std::optional<ocl::Kernel> jacobian, field_copy;
+  ocl::Buffer<float> jacobians;
   std::optional<ocl::Kernel> compose;
   std::optional<GerstnerSurface> gerstner_waves;
   std::optional<LongWaves> long_waves;
@@ -212,41 +264,72 @@ void Ocean::set_shoals(std::shared_ptr<const Shoals> shoals) {
 }
 
 SurfaceFields Ocean::read_surface(int cascade) const {
-  State& state = *state_;
-  const std::size_t count = state.texels(), first = state.first_texel(cascade);
-  const SurfaceMaps& surface = state.current_surface();
-  if (!state.jacobian) {
-    state.jacobian =
-        ocl::Program::build(state.device, "ocean/surface_jacobian.cl").kernel("surface_jacobian");
-  }
-  ocl::Buffer<float> jacobian(state.device, 2 * count, "jacobian");
-  state.jacobian->launch({{count, 1, 1}}, surface.displacement(), surface.gradient(), static_cast<int>(first),
-                         jacobian);
   SurfaceFields fields;
-  fields.size = state.parameters.size;
+  fields.size = state_->parameters.size;
+  std::vector<SeaField> all;
+  std::vector<float*> values;
   for (std::vector<float>* field :
        {&fields.displacement_x, &fields.displacement_y, &fields.displacement_z, &fields.slope_x,
         &fields.slope_z, &fields.gradient_xx, &fields.gradient_xz, &fields.gradient_zz, &fields.jacobian,
         &fields.jacobian_min_eigenvalue}) {
-    field->resize(count);
+    field->resize(state_->texels());
+    all.push_back(static_cast<SeaField>(all.size()));
+    values.push_back(field->data());
   }
-  const auto displacement = surface.displacement().map();
-  const auto gradient = surface.gradient().map();
-  const auto eigenvalues = jacobian.map();
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t texel = 4 * (first + i);
-    fields.displacement_x[i] = displacement[texel];
-    fields.displacement_y[i] = displacement[texel + 1];
-    fields.displacement_z[i] = displacement[texel + 2];
-    fields.gradient_xz[i] = displacement[texel + 3];
-    fields.slope_x[i] = gradient[texel];
-    fields.slope_z[i] = gradient[texel + 1];
-    fields.gradient_xx[i] = gradient[texel + 2];
-    fields.gradient_zz[i] = gradient[texel + 3];
-    fields.jacobian[i] = eigenvalues[2 * i];
-    fields.jacobian_min_eigenvalue[i] = eigenvalues[2 * i + 1];
-  }
+  read_fields(cascade, all, values);
   return fields;
+}
+
+void Ocean::read_fields(int cascade, std::span<const SeaField> fields, std::span<float* const> values) const {
+  State& state = *state_;
+  if (fields.size() != values.size()) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("read_fields: expected memory for each of {} fields, found {}", fields.size(),
+                            values.size()),
+                "pass as many pointers as fields");
+  }
+  const std::size_t count = state.texels(), first = state.first_texel(cascade);
+  std::vector<FieldPlace> places;
+  for (const SeaField field : fields) places.push_back(place_of(field));
+  std::array<std::optional<ocl::MappedSpan<float>>, map_kinds> maps;
+  for (const FieldPlace& place : places) {
+    const auto kind = static_cast<std::size_t>(place.map);
+    if (maps[kind]) continue;
+    const ocl::Buffer<float>& map = state.map_of(place.map, first);
+    maps[kind].emplace(map.memory(), map.size());
+  }
+  // In blocks that stay in a core's cache while one field after the other is taken from them.
+  constexpr std::size_t block = 4096;
+  for (std::size_t begin = 0; begin < count; begin += block) {
+    const std::size_t end = std::min(begin + block, count);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const FieldPlace& place = places[i];
+      const std::size_t first_here = place.map == FieldMap::jacobian ? 0 : first;
+      const float* const from =
+          maps[static_cast<std::size_t>(place.map)]->span().data() + first_here * place.stride + place.offset;
+      float* const to = values[i];
+      for (std::size_t texel = begin; texel < end; ++texel) to[texel] = from[texel * place.stride];
+    }
+  }
+}
+
+void Ocean::copy_field(int cascade, SeaField field, ocl::Buffer<float>& values, std::size_t first) const {
+  State& state = *state_;
+  const std::size_t count = state.texels(), first_texel = state.first_texel(cascade);
+  if (values.size() < first || values.size() - first < count) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("copy_field: expected room for {} values from {} on, found a buffer of {}", count,
+                            first, values.size()),
+                "make the buffer larger, or begin further ahead");
+  }
+  const FieldPlace place = place_of(field);
+  const std::size_t first_here = place.map == FieldMap::jacobian ? 0 : first_texel;
+  if (!state.field_copy) {
+    state.field_copy = ocl::Program::build(state.device, "ocean/field_copy.cl").kernel("field_copy");
+  }
+  state.field_copy->launch({{count, 1, 1}}, state.map_of(place.map, first_texel),
+                           static_cast<int>(first_here * place.stride + place.offset),
+                           static_cast<int>(place.stride), static_cast<int>(first), values);
 }
 
 const ocl::Buffer<float>& Ocean::displacement_map() const {

@@ -48,6 +48,20 @@ struct SurfaceFields {
   std::vector<float> jacobian, jacobian_min_eigenvalue;  ///< of F = I + gradient, this cascade alone
 };
 
+/// The fields of SurfaceFields, one by one.
+enum class SeaField {
+  displacement_x,
+  displacement_y,
+  displacement_z,
+  slope_x,
+  slope_z,
+  gradient_xx,
+  gradient_xz,
+  gradient_zz,
+  jacobian,
+  jacobian_min_eigenvalue,
+};
+
 /// Particle velocity, m/s, each [n][n] row-major.
 struct VelocityFields {
   int size = 0;
@@ -120,6 +134,12 @@ class Ocean {
 
   /// Fields of one cascade at the time of the last at().
   SurfaceFields read_surface(int cascade) const;
+  /// The same into the caller's memory, the fields that are asked for alone: values[i] points at [n][n] of
+  /// fields[i]. Throws Error(bad_usage) for another number of pointers.
+  void read_fields(int cascade, std::span<const SeaField> fields, std::span<float* const> values) const;
+  /// Enqueues the copy of one field of one cascade at the time of the last at() to values[first ...], a
+  /// buffer of this device. Throws Error(bad_usage) where it has no room for [n][n] there.
+  void copy_field(int cascade, SeaField field, ocl::Buffer<float>& values, std::size_t first = 0) const;
   /// Foam of one cascade, [n][n], 0 ... 1, at the time of the last at(). The first question of a time
   /// computes all cascades: it evaluates the past instants it needs and keeps them for the next frame, 2
   /// bytes a texel and instant. Throws Error(out_of_memory) if that is more than half of the device's memory,

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "host/base/wave_spectrum.h"
 #include "host/ocean/spectrum/spectrum_parameters.h"
 #include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocean/surface/ocean.h"
@@ -54,7 +56,9 @@ struct OceanSection {
   std::optional<double> depth_m;             ///< absent: deep water, or the depth a measured file gives
   ocean::SpectrumParameters spectrum;        ///< its wind and depth are filled in by prepare_sea()
 
-  std::string spectrum_file;      ///< measured spectrum; empty: the modelled one
+  std::string spectrum_file;  ///< measured spectrum; empty: the modelled one
+  /// A spectrum that a program has given, in place of what the file holds; nullptr: none.
+  std::shared_ptr<const WaveSpectrum> spectrum_data;
   std::optional<double> tail_hz;  ///< the measured spectrum is continued to this frequency
   int record = 0;                 ///< record of spectrum_file
 

@@ -29,6 +29,7 @@ void require_spectrum_file(const Scene& scene) {
 }
 
 WaveSpectrum read_record(const Scene& scene) {
+  if (scene.ocean.spectrum_data) return *scene.ocean.spectrum_data;
   require_spectrum_file(scene);
   std::vector<WaveSpectrum> records = read_spectra(scene.ocean.spectrum_file, scene.trust);
   const auto index = static_cast<std::size_t>(scene.ocean.record);

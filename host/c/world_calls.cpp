@@ -1,0 +1,258 @@
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "host/c/handles.h"
+#include "host/scene/file/scene_file.h"
+#include "host/scene/prepare/world_scene.h"
+
+using offing::Error;
+using offing::ErrorKind;
+using offing::c::require;
+using offing::c::run;
+using offing::c::Use;
+
+namespace {
+
+using offing::ocean::SeaField;
+
+OffingSample to_sample(const offing::ocean::WaterSample& water) {
+  const auto normal = offing::ocean::normal_of(water);
+  return {.height_m = water.height_m,
+          .normal = {normal[0], normal[1], normal[2]},
+          .velocity_mps = {water.velocity_x_mps, water.velocity_y_mps, water.velocity_z_mps},
+          .pressure_pa = water.pressure_pa,
+          .residual_m = water.residual_m};
+}
+
+offing::ocean::WaterQuery query_of(const OffingWaterQuery* given, bool wants_flow) {
+  const OffingWaterQuery query = offing::c::read_struct(given, "query");
+  using Fields = offing::ocean::WaterQuery::Fields;
+  return {.depth_m = query.depth_m,
+          .min_wavelength_m = query.min_wavelength_m,
+          .fields = wants_flow ? Fields::surface_and_flow : Fields::surface};
+}
+
+/// What a field is of an offing::ocean::Ocean: a component of the velocity, foam, or a SeaField.
+constexpr int velocity_component(OffingField field) {
+  return field >= OFFING_VELOCITY_X && field <= OFFING_VELOCITY_Z ? field - OFFING_VELOCITY_X : -1;
+}
+
+SeaField surface_field(OffingField field) {
+  switch (field) {
+    case OFFING_DISPLACEMENT_X:
+      return SeaField::displacement_x;
+    case OFFING_DISPLACEMENT_Y:
+      return SeaField::displacement_y;
+    case OFFING_DISPLACEMENT_Z:
+      return SeaField::displacement_z;
+    case OFFING_SLOPE_X:
+      return SeaField::slope_x;
+    case OFFING_SLOPE_Z:
+      return SeaField::slope_z;
+    case OFFING_JACOBIAN:
+      return SeaField::jacobian;
+    case OFFING_GRADIENT_XX:
+      return SeaField::gradient_xx;
+    case OFFING_GRADIENT_XZ:
+      return SeaField::gradient_xz;
+    case OFFING_GRADIENT_ZZ:
+      return SeaField::gradient_zz;
+    case OFFING_JACOBIAN_MIN_EIGENVALUE:
+      return SeaField::jacobian_min_eigenvalue;
+    case OFFING_FOAM:
+    case OFFING_VELOCITY_X:
+    case OFFING_VELOCITY_Y:
+    case OFFING_VELOCITY_Z:
+      break;
+  }
+  throw Error(ErrorKind::bad_usage,
+              fmt::format("field: expected an OffingField, got {}", static_cast<int>(field)),
+              "use one of the names in offing.h");
+}
+
+void read_fields(offing::ocean::Ocean& ocean, int cascade, std::span<const OffingField> fields,
+                 float* const* values, std::size_t count) {
+  const auto size = static_cast<std::size_t>(ocean.parameters().size);
+  if (count != size * size) {
+    throw Error(ErrorKind::bad_usage, fmt::format("count: expected {}, got {}", size * size, count),
+                "a map has offing_map_size() squared values");
+  }
+  std::vector<SeaField> of_surface;
+  std::vector<float*> targets;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    require(values[i], "values");
+    if (fields[i] == OFFING_FOAM || velocity_component(fields[i]) >= 0) continue;
+    of_surface.push_back(surface_field(fields[i]));
+    targets.push_back(values[i]);
+  }
+  ocean.read_fields(cascade, of_surface, targets);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i] == OFFING_FOAM) {
+      const std::vector<float> foam = ocean.read_foam(cascade);
+      std::copy(foam.begin(), foam.end(), values[i]);
+    } else if (const int component = velocity_component(fields[i]); component >= 0) {
+      const offing::ocean::VelocityFields velocity = ocean.read_velocity(cascade);
+      const std::vector<float>& found =
+          *std::array{&velocity.x, &velocity.y, &velocity.z}.at(static_cast<std::size_t>(component));
+      std::copy(found.begin(), found.end(), values[i]);
+    }
+  }
+}
+
+}  // namespace
+
+OffingStatus offing_load_scene(const char* file, OffingScene** scene) {
+  return run([&] {
+    require(file, "file");
+    require(scene, "scene");
+    *scene = new OffingScene{offing::scene::load_scene(file)};
+  });
+}
+
+OffingStatus offing_parse_scene(const char* text, const char* folder, OffingScene** scene) {
+  return run([&] {
+    require(text, "text");
+    require(scene, "scene");
+    *scene = new OffingScene{offing::scene::parse_scene(text, "scene", folder == nullptr ? "" : folder)};
+  });
+}
+
+void offing_free_scene(OffingScene* scene) {
+  delete scene;
+}
+
+OffingStatus offing_make_world(const OffingDevice* device, const OffingScene* scene, OffingWorld** world) {
+  return run([&] {
+    require(device, "device");
+    require(scene, "scene");
+    require(world, "world");
+    auto made = std::make_unique<OffingWorld>(scene->scene, device->device,
+                                              offing::scene::prepare_world(scene->scene));
+    offing::scene::show_at(made->world, made->scene, made->scene.time.start_s);
+    *world = made.release();
+  });
+}
+
+void offing_free_world(OffingWorld* world) {
+  delete world;
+}
+
+OffingStatus offing_frame(OffingWorld* world, double time_s) {
+  return run([&] {
+    const Use use(world, "world");
+    offing::scene::show_at(world->world, world->scene, time_s);
+  });
+}
+
+OffingStatus offing_sample(OffingWorld* world, const OffingQuery* query, const OffingPoint* points,
+                           size_t count, OffingSample* samples) {
+  return run([&] {
+    const Use use(world, "world");
+    if (count == 0) return;
+    require(points, "points");
+    require(samples, "samples");
+    offing::ocean::WaterQuery asked;
+    if (query != nullptr) {
+      asked.depth_m = query->depth_m;
+      asked.min_wavelength_m = query->min_wavelength_m;
+    }
+    std::vector<offing::ocean::WaterPoint> places(count);
+    std::transform(points, points + count, places.begin(), [](const OffingPoint& point) {
+      return offing::ocean::WaterPoint{point.x_m, point.z_m};
+    });
+    const std::vector<offing::ocean::WaterSample> found = world->world.sample(places, asked);
+    std::transform(found.begin(), found.end(), samples, to_sample);
+  });
+}
+
+OffingStatus offing_sample_water(OffingWorld* world, const OffingWaterQuery* query, const double* points_m,
+                                 size_t count, const OffingWater* water) {
+  return run([&] {
+    const Use use(world, "world");
+    if (count == 0) return;
+    require(points_m, "points_m");
+    require(water, "water");
+    const OffingWater wanted = offing::c::read_struct(water, "water");
+    const bool wants_flow = wanted.velocity_mps != nullptr || wanted.pressure_pa != nullptr;
+    static_assert(sizeof(offing::ocean::WaterPoint) == 2 * sizeof(double));
+    const std::span places(reinterpret_cast<const offing::ocean::WaterPoint*>(points_m), count);
+    const std::vector<offing::ocean::WaterSample> found =
+        world->world.sample(places, query_of(query, wants_flow));
+    for (std::size_t i = 0; i < count; ++i) {
+      const offing::ocean::WaterSample& sample = found[i];
+      if (wanted.height_m != nullptr) wanted.height_m[i] = sample.height_m;
+      if (wanted.pressure_pa != nullptr) wanted.pressure_pa[i] = sample.pressure_pa;
+      if (wanted.residual_m != nullptr) wanted.residual_m[i] = sample.residual_m;
+      if (wanted.normal != nullptr) {
+        const auto normal = offing::ocean::normal_of(sample);
+        std::copy(normal.begin(), normal.end(), wanted.normal + 3 * i);
+      }
+      if (wanted.velocity_mps != nullptr) {
+        wanted.velocity_mps[3 * i] = sample.velocity_x_mps;
+        wanted.velocity_mps[3 * i + 1] = sample.velocity_y_mps;
+        wanted.velocity_mps[3 * i + 2] = sample.velocity_z_mps;
+      }
+    }
+  });
+}
+
+OffingStatus offing_sample_water_on_device(OffingWorld* world, const OffingWaterQuery* query, void* points,
+                                           size_t count, void* samples) {
+  return run([&] {
+    const Use use(world, "world");
+    if (count == 0) return;
+    require(points, "points");
+    require(samples, "samples");
+    const offing::ocl::Device& device = world->world.device();
+    const auto places =
+        offing::ocl::Buffer<SurfaceQueryPoint>::adopt(device, static_cast<cl_mem>(points), "points");
+    auto found = offing::ocl::Buffer<offing::ocean::WaterSample>::adopt(device, static_cast<cl_mem>(samples),
+                                                                        "samples");
+    world->world.sample(places, count, found, query_of(query, true));
+  });
+}
+
+int offing_cascade_count(const OffingWorld* world) {
+  return world == nullptr ? 0 : static_cast<int>(world->world.parameters().ocean.cascades.size());
+}
+
+int offing_map_size(const OffingWorld* world) {
+  return world == nullptr ? 0 : world->world.parameters().ocean.size;
+}
+
+double offing_patch_length_m(const OffingWorld* world, int cascade) {
+  if (cascade < 0 || cascade >= offing_cascade_count(world)) return 0.0;
+  return world->world.parameters().ocean.cascades[static_cast<std::size_t>(cascade)].patch_length_m;
+}
+
+OffingStatus offing_read(OffingWorld* world, int cascade, OffingField field, float* values, size_t count) {
+  return offing_read_fields(world, cascade, &field, 1, &values, count);
+}
+
+OffingStatus offing_read_fields(OffingWorld* world, int cascade, const OffingField* fields,
+                                size_t field_count, float* const* values, size_t count) {
+  return run([&] {
+    const Use use(world, "world");
+    if (field_count == 0) return;
+    require(fields, "fields");
+    require(values, "values");
+    read_fields(world->world.ocean(), cascade, {fields, field_count}, values, count);
+  });
+}
+
+OffingStatus offing_copy_field(OffingWorld* world, int cascade, OffingField field, void* buffer,
+                               size_t first) {
+  return run([&] {
+    const Use use(world, "world");
+    require(buffer, "buffer");
+    offing::ocean::Ocean& ocean = world->world.ocean();
+    auto values =
+        offing::ocl::Buffer<float>::adopt(world->world.device(), static_cast<cl_mem>(buffer), "buffer");
+    if (field == OFFING_FOAM || velocity_component(field) >= 0) {
+      throw Error(ErrorKind::bad_usage, "field: expected one of the surface, got foam or velocity",
+                  "read these with offing_read()");
+    }
+    ocean.copy_field(cascade, surface_field(field), values, first);
+  });
+}
