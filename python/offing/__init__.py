@@ -1,0 +1,34 @@
+"""Offing: calibrated seas, terrain and clouds on any OpenCL device.
+
+Axes: x east, y up, z south; metres, seconds, radians. Calls release Python's lock. Errors are exceptions of
+offing.errors with a hint.
+"""
+
+import atexit
+
+from offing import _core
+from offing.device import Device, list_devices
+from offing.errors import BadInput, Busy, Cancelled, Error, NoDevice
+from offing.scene import Scene
+from offing.spectrum import Spectrum
+from offing.world import FIELDS, Ocean, Water, World
+
+__version__ = _core.version()
+__all__ = [
+    "FIELDS", "BadInput", "Busy", "Cancelled", "Device", "Error", "NoDevice", "Ocean", "Scene", "Spectrum", "Water", "World",
+    "list_devices", "set_log",
+]
+
+LOG_LEVELS = ("error", "warning", "info", "debug")
+
+
+def set_log(callback):
+    """From now on lines of the log go to callback(level, line), level being one of offing.LOG_LEVELS; None: to stderr,
+    as at first. Call it before other threads use Offing."""
+    if callback is None:
+        _core.set_log(None)
+    else:
+        _core.set_log(lambda level, line: callback(LOG_LEVELS[level], line))
+
+
+atexit.register(_core.forget_log)

@@ -1,0 +1,45 @@
+"""OpenCL devices."""
+
+from offing import _core
+from offing.drivers import find_installed_drivers
+
+
+def list_devices():
+    """All OpenCL devices of this machine: a list of dicts with index, name, type, vendor, platform, driver, memory_bytes
+    and compute_units. Raises NoDevice where there is none."""
+    find_installed_drivers()
+    return _core.list_devices()
+
+
+class Device:
+    """An open OpenCL device. Threads may share one."""
+
+    def __init__(self, selector=None):
+        """`selector` is an index, "cpu", "gpu" or a part of the name, as `list_devices()` gives them. None stands for
+        $OFFING_DEVICE, else the first GPU, else the CPU."""
+        find_installed_drivers()
+        self._device = _core.Device(None if selector is None else str(selector))
+
+    @classmethod
+    def adopt(cls, context, queue):
+        """The device of a context and an in-order command queue of PyOpenCL. Offing then works in that queue, and takes
+        arrays and buffers of that context."""
+        device = cls.__new__(cls)
+        device._device = _core.Device.adopt(context.int_ptr, queue.int_ptr)
+        return device
+
+    @property
+    def info(self):
+        """What the device reports: a dict as those of list_devices()."""
+        return self._device.info()
+
+    @property
+    def name(self):
+        return self.info["name"]
+
+    def finish(self):
+        """Waits until everything that was enqueued is done."""
+        self._device.finish()
+
+    def __repr__(self):
+        return f"<offing.Device {self.name!r}>"

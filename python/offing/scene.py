@@ -1,0 +1,114 @@
+"""Scenes: the settings of a world, as files, text or dicts."""
+
+import copy
+import datetime
+import json
+import math
+import pathlib
+import tomllib
+
+from offing import _core
+
+
+def toml_value(value):
+    """A value as TOML; tables are inline."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{json.dumps(str(key))} = {toml_value(of)}" for key, of in value.items()) + "}"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(map(toml_value, value)) + "]"
+    if isinstance(value, (datetime.date, datetime.time)):
+        return value.isoformat()
+    if isinstance(value, (str, pathlib.PurePath)):
+        return json.dumps(str(value), ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, int):
+        return str(value)
+    number = float(value)  # numpy's too
+    if math.isfinite(number):
+        return repr(number)
+    return "nan" if math.isnan(number) else ("inf" if number > 0 else "-inf")
+
+
+def toml_text(values):
+    """A nested dict as the text of a scene file."""
+    return "".join(f"{json.dumps(str(key))} = {toml_value(value)}\n" for key, value in values.items())
+
+
+def merged(values, changes):
+    """A copy of nested dicts in which values of `changes` replace those of `values`, table by table. None removes a
+    key."""
+    result = copy.deepcopy(values)
+    for key, value in changes.items():
+        if value is None:
+            result.pop(key, None)
+        elif isinstance(value, dict) and isinstance(result.get(key), dict):
+            result[key] = merged(result[key], value)
+        else:
+            result[key] = copy.deepcopy(value)
+    return result
+
+
+class Scene:
+    """The settings of a world. It does not change: with_values() and with_spectrum() give other scenes."""
+
+    def __init__(self, source=None, *, folder=None):
+        """`source` is the path of a scene file, the text of one, or a nested dict with its keys, such as
+        {"wind": {"speed_mps": 12}, "ocean": {"size": 256}}. None is a sea with the defaults. Names of files in text and
+        dicts are relative to `folder`, or to the working folder. Raises BadInput that names key and line."""
+        self._spectrum = None
+        if source is None:
+            source = {"ocean": {}}
+        if isinstance(source, Scene):
+            self.values, self.folder, self._spectrum = source.values, source.folder, source._spectrum
+        elif isinstance(source, dict):
+            self.values, self.folder = copy.deepcopy(source), folder
+        elif isinstance(source, str) and ("\n" in source or "=" in source):
+            self._scene = _core.Scene.parse(source, _text(folder))  # its errors have lines
+            self.values, self.folder = tomllib.loads(source), folder
+            return
+        else:
+            path = pathlib.Path(source)
+            self._scene = _core.Scene.load(str(path))
+            self.values, self.folder = tomllib.loads(path.read_text(encoding="utf-8")), path.parent
+            return
+        self.values.setdefault("version", 1)
+        self._make()
+
+    def _make(self):
+        self._scene = _core.Scene.parse(toml_text(self.values), _text(self.folder))
+        if self._spectrum is not None:
+            self._scene.set_spectrum(self._spectrum._spectra, self._spectrum._index)
+
+    def with_values(self, changes):
+        """Another scene: values of a nested dict replace those of this one, None removes a key."""
+        scene = Scene.__new__(Scene)
+        scene.values, scene.folder, scene._spectrum = merged(self.values, changes), self.folder, self._spectrum
+        scene._make()
+        return scene
+
+    def with_spectrum(self, spectrum):
+        """Another scene, whose sea has this Spectrum in place of a model or a file."""
+        scene = Scene.__new__(Scene)
+        scene.values, scene.folder, scene._spectrum = self.values, self.folder, spectrum
+        scene._make()
+        return scene
+
+    def sea_state(self):
+        """What the spectrum asks for, without swells: a dict of hs_m, tp_s (integral of E^4 df over that of f E^4 df),
+        tm01_s, tm02_s, mean_direction_rad (of travel, from east toward south) and mss, the mean square slope."""
+        return self._scene.sea_state()
+
+    def __getstate__(self):
+        return {"values": self.values, "folder": self.folder, "_spectrum": self._spectrum}
+
+    def __setstate__(self, state):
+        self.__dict__.update(state)
+        self._make()
+
+    def __repr__(self):
+        return f"<offing.Scene {', '.join(self.values)}>"
+
+
+def _text(folder):
+    return None if folder is None else str(folder)

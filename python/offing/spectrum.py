@@ -1,0 +1,153 @@
+"""Wave spectra: files, arrays, models, and xarray data sets as wavespectra has them."""
+
+import math
+
+import numpy as np
+
+from offing import _core
+from offing.scene import Scene
+
+# numpy 2 has another name for it.
+_integral = getattr(np, "trapezoid", None) or np.trapz
+
+
+class Spectrum:
+    """The energy of a sea over frequency and direction. It does not change.
+
+    frequencies_hz [nf]; energy [nf], m^2/Hz; directions_rad [nd], of travel, from +x (east) toward +z (south);
+    density [nf, nd], m^2/Hz/rad, None where the directions are not known; latitude_deg, longitude_deg and depth_m, NaN
+    where not known; station and time_utc, "" where not known. Between the frequencies energy is linear, outside there
+    is none.
+    """
+
+    def __init__(self, spectra, index=0):
+        """Of the core's list of spectra; use the functions below."""
+        self._spectra, self._index = spectra, index
+        self.__dict__.update(spectra.at(index))
+
+    @classmethod
+    def read(cls, file):
+        """All spectra of a file, a list: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF, plain or compressed by gzip."""
+        spectra = _core.Spectra.read(str(file))
+        return [cls(spectra, index) for index in range(len(spectra))]
+
+    @classmethod
+    def from_arrays(cls, frequencies_hz, energy=None, directions_rad=None, density=None, *, latitude_deg=math.nan,
+                    longitude_deg=math.nan, depth_m=math.nan, station="", time_utc=""):
+        """A spectrum from arrays: `energy` [nf] alone, or `density` [nf, nd] at `directions_rad` [nd], which come in any
+        order. Directions of a part of the circle, or uneven ones, are laid on 360 directions."""
+        return cls(_core.Spectra.make(
+            np.ascontiguousarray(frequencies_hz, dtype=np.float64),
+            None if energy is None else np.ascontiguousarray(energy, dtype=np.float64),
+            None if directions_rad is None else np.ascontiguousarray(directions_rad, dtype=np.float64),
+            None if density is None else np.ascontiguousarray(density, dtype=np.float64),
+            latitude_deg, longitude_deg, depth_m, station, time_utc))
+
+    @classmethod
+    def of_scene(cls, scene, frequencies_hz=None, directions=36):
+        """The spectrum of a scene's sea, without swells, at these frequencies and at evenly spaced directions; 0
+        directions leave them out."""
+        if frequencies_hz is None:
+            frequencies_hz = np.geomspace(0.03, 1.0, 100)
+        return cls(scene._scene.tabulate_spectrum(np.ascontiguousarray(frequencies_hz, dtype=np.float64), directions))
+
+    @classmethod
+    def model(cls, name, *, wind_speed_mps=10.0, wind_direction_rad=0.0, frequencies_hz=None, directions=36, **values):
+        """A spectrum by formula: "jonswap", "pm", "tma" or "phillips". `values` are further keys of [ocean], such as
+        fetch_m, depth_m and gamma. The wind blows to wind_direction_rad, from +x (east) toward +z (south)."""
+        wind = {"speed_mps": float(wind_speed_mps), "direction_deg": math.degrees(wind_direction_rad) % 360.0}
+        return cls.of_scene(Scene({"wind": wind, "ocean": {"spectrum": name, **values}}), frequencies_hz, directions)
+
+    @property
+    def hs_m(self):
+        """Significant wave height, 4 sqrt(m0)."""
+        return 4.0 * math.sqrt(_integral(self.energy, self.frequencies_hz))
+
+    @property
+    def mean_direction_rad(self):
+        """Of travel, of the first circular moment of all energy; NaN where directions are not known."""
+        if self.density is None:
+            return math.nan
+        by_direction = _integral(self.density, self.frequencies_hz, axis=0)
+        return math.atan2(by_direction @ np.sin(self.directions_rad), by_direction @ np.cos(self.directions_rad))
+
+    @staticmethod
+    def to_xarray(spectra):
+        """The data set that wavespectra has: efth (time, freq, dir) in m^2/Hz/degree, dir being where waves come from,
+        degrees clockwise from north. `spectra` is a Spectrum or a list of them on one grid. Needs xarray."""
+        import xarray as xr
+
+        spectra = [spectra] if isinstance(spectra, Spectrum) else list(spectra)
+        first = spectra[0]
+        for other in spectra[1:]:
+            if not (np.array_equal(other.frequencies_hz, first.frequencies_hz)
+                    and np.array_equal(other.directions_rad, first.directions_rad)):
+                raise ValueError("spectra: expected one grid of frequencies and directions, found two; "
+                                 "convert them one by one")
+        times = [np.datetime64(spectrum.time_utc.rstrip("Z") or "NaT", "ns") for spectrum in spectra]
+        coordinates = {"time": times, "freq": ("freq", first.frequencies_hz, {"units": "Hz"})}
+        if first.density is None:
+            return xr.Dataset({"efth": (("time", "freq"), np.stack([spectrum.energy for spectrum in spectra]),
+                                        {"units": "m^2/Hz"})}, coordinates)
+        from_deg = (270.0 + np.degrees(first.directions_rad)) % 360.0
+        order = np.argsort(from_deg)
+        efth = np.stack([spectrum.density[:, order] for spectrum in spectra]) * (np.pi / 180.0)
+        coordinates["dir"] = ("dir", from_deg[order], {"units": "degree", "standard_name": "sea_surface_wave_from_direction"})
+        data = xr.Dataset({"efth": (("time", "freq", "dir"), efth, {"units": "m^2/Hz/degree"})}, coordinates)
+        for name, values in (("lat", "latitude_deg"), ("lon", "longitude_deg"), ("dpt", "depth_m")):
+            numbers = [getattr(spectrum, values) for spectrum in spectra]
+            if np.isfinite(numbers).any():
+                data[name] = ("time", numbers)
+        return data
+
+    @classmethod
+    def from_xarray(cls, data):
+        """A list of spectra, one for each place along all dimensions but freq and dir, the last of these fastest. `data`
+        is a data set with efth, or efth itself, as wavespectra has it: m^2/Hz/degree by where waves come from, or m^2/Hz
+        without dir."""
+        efth = data["efth"] if hasattr(data, "data_vars") else data
+        others = [name for name in efth.dims if name not in ("freq", "dir")]
+        has_directions = "dir" in efth.dims
+        efth = efth.transpose(*others, "freq", *(["dir"] if has_directions else []))
+        frequencies_hz = np.asarray(efth["freq"], dtype=np.float64)
+        travel_rad = np.radians(np.asarray(efth["dir"], dtype=np.float64) + 90.0) if has_directions else None
+        values = np.asarray(efth, dtype=np.float64)
+
+        def along(name, alias, place, default):
+            for source in (name, alias):
+                if source in getattr(data, "variables", {}) or source in efth.coords:
+                    found = data[source] if source in getattr(data, "variables", {}) else efth.coords[source]
+                    return np.asarray(found.isel({of: i for of, i in place.items() if of in found.dims})).item()
+            return default
+
+        spectra = []
+        for index in np.ndindex(*(efth.sizes[name] for name in others)):
+            place = dict(zip(others, index))
+            time_utc = ""
+            if "time" in efth.coords:
+                time = np.asarray(efth.coords["time"].isel({of: i for of, i in place.items() if of in efth.coords["time"].dims}))
+                time_utc = "" if np.isnat(time) else f"{np.datetime_as_string(time.astype('datetime64[s]'))}Z"
+            about = {"latitude_deg": along("lat", "latitude", place, math.nan),
+                     "longitude_deg": along("lon", "longitude", place, math.nan),
+                     "depth_m": along("dpt", "depth", place, math.nan), "time_utc": time_utc}
+            if has_directions:
+                density = np.nan_to_num(values[index]) * (180.0 / np.pi)
+                spectra.append(cls.from_arrays(frequencies_hz, directions_rad=travel_rad, density=density, **about))
+            else:
+                spectra.append(cls.from_arrays(frequencies_hz, np.nan_to_num(values[index]), **about))
+        return spectra
+
+    def __getstate__(self):
+        names = ("frequencies_hz", "energy", "directions_rad", "density", "latitude_deg", "longitude_deg", "depth_m",
+                 "station", "time_utc")
+        return {name: self.__dict__[name] for name in names}
+
+    def __setstate__(self, state):
+        directional = state["density"] is not None
+        made = Spectrum.from_arrays(
+            state["frequencies_hz"], state["energy"], state["directions_rad"] if directional else None, state["density"],
+            **{name: state[name] for name in ("latitude_deg", "longitude_deg", "depth_m", "station", "time_utc")})
+        self.__dict__.update(made.__dict__)
+
+    def __repr__(self):
+        return f"<offing.Spectrum {self.station or 'of arrays'} {self.time_utc} Hs {self.hs_m:.2f} m>"
