@@ -1,0 +1,185 @@
+"""The Python package in the build folder, with numpy alone: what arrays hold, what raises what, and threads."""
+
+import math
+import pathlib
+import pickle
+import threading
+import unittest
+
+import numpy as np
+
+import offing
+
+SCENE = {"wind": {"speed_mps": 9}, "ocean": {"size": 64, "choppiness": 0}}
+
+
+class WorldTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.device = offing.Device()
+        cls.world = offing.World(SCENE, device=cls.device)
+
+    # Fails if importing the package, or a sea, waits for libraries that only files need.
+    def test_loads_no_large_library(self):
+        loaded = pathlib.Path("/proc/self/maps").read_text()
+        self.assertIn("liboffing", loaded)
+        for name in ("libgdal", "libopenvdb", "libnetcdf", "libcairo"):
+            self.assertNotIn(name, loaded)
+
+    # Fails if fields and samples are of different seas, times or places: without choppiness the height over the first
+    # texel is the sum of the cascades' heights there.
+    def test_samples_are_sums_of_fields(self):
+        self.world.at(2.5)
+        cascades = range(len(self.world.patch_lengths_m))
+        height_m = sum(self.world.field("displacement_y", cascade)[0, 0] for cascade in cascades)
+        water = self.world.sample([0.0, 0.0])
+        self.assertAlmostEqual(float(water.height_m[0]), float(height_m), places=5)
+        self.assertEqual(water.velocity_mps.shape, (1, 3))
+        self.assertAlmostEqual(float(np.linalg.norm(water.normal[0])), 1.0, places=6)
+        self.assertIsNone(self.world.sample([[0.0, 0.0]], flow=False).pressure_pa)
+
+    # Fails if an array is not numpy's own, writable and float32, or is shared between two reads.
+    def test_fields_are_arrays_of_their_own(self):
+        fields = self.world.fields(offing.FIELDS)
+        self.assertEqual(list(fields), list(offing.FIELDS))
+        for name, field in fields.items():
+            self.assertEqual((field.shape, field.dtype), ((64, 64), np.float32), name)
+        first = fields["displacement_y"]
+        before = first.copy()
+        self.world.at(9.0)
+        self.assertFalse(np.array_equal(self.world.field("displacement_y"), before))
+        np.testing.assert_array_equal(first, before)
+        first[:] = 0.0
+
+    # Fails if points of another type, order or library's array are refused or misread.
+    def test_takes_points_of_any_array(self):
+        points = np.array([[1.5, 2.5], [100.0, -30.0], [5.0, 7.0]])
+        expected = self.world.sample(points).height_m
+        for other in (points.tolist(), points.astype(np.float32), np.asfortranarray(points), points[::1]):
+            np.testing.assert_array_equal(self.world.sample(other).height_m, expected)
+
+    # Fails if bad input raises anything but BadInput with a fix, or changes the world.
+    def test_errors_are_exceptions_with_hints(self):
+        before = self.world.at(1.0).field("slope_x")
+        for call in (
+            lambda: self.world.at(math.nan),
+            lambda: self.world.sample([[1e9, 0.0]]),
+            lambda: self.world.sample([[0.0, 0.0]], depth_m=-1.0),
+            lambda: self.world.field("slope_x", cascade=7),
+            lambda: offing.World({"wind": {"speed": 9}}),
+            lambda: offing.Scene("version = 1\n[ocean]\nsize = 65\n"),
+        ):
+            with self.assertRaises(offing.BadInput) as raised:
+                call()
+            self.assertTrue(raised.exception.hint, raised.exception)
+        with self.assertRaises(ValueError):
+            self.world.field("height")
+        with self.assertRaises(offing.NoDevice):
+            offing.Device("no such device")
+        with self.assertRaisesRegex(offing.BadInput, "scene:3:1"):
+            offing.Scene("version = 1\n[wind]\nspeed = 9\n")
+        np.testing.assert_array_equal(self.world.field("slope_x"), before)
+
+    # Fails if two threads get into one world. Both call until they have met, which takes a few frames.
+    def test_a_second_thread_is_refused(self):
+        met = threading.Event()
+
+        def call():
+            for i in range(10000):
+                if met.is_set():
+                    return
+                try:
+                    self.world.at(0.01 * i)
+                except offing.Busy:
+                    met.set()
+
+        other = threading.Thread(target=call)
+        other.start()
+        call()
+        other.join()
+        self.assertTrue(met.is_set())
+
+    # Fails if Python's other threads wait while a sea is computed, or worlds on threads disturb each other.
+    def test_worlds_run_on_threads(self):
+        expected = offing.World(SCENE, device=self.device).at(3.0).field("displacement_y")
+        found = [None] * 4
+
+        def run(i):
+            found[i] = offing.World(SCENE, device=self.device).at(3.0).field("displacement_y")
+
+        threads = [threading.Thread(target=run, args=(i,)) for i in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for field in found:
+            np.testing.assert_array_equal(field, expected)
+
+
+class SceneTest(unittest.TestCase):
+    # Fails if text, file, dict and a changed copy of the same values are different scenes.
+    def test_sources_are_alike(self):
+        text = 'version = 1\n[wind]\nspeed_mps = 9\n[ocean]\nsize = 64\nspectrum = "pm"\n[[ocean.swell]]\namplitude_m = 1.0\nperiod_s = 9.0\n'
+        of_text = offing.Scene(text)
+        of_dict = offing.Scene(of_text.values)
+        changed = offing.Scene(SCENE).with_values({"ocean": {"spectrum": "pm", "choppiness": None}})
+        self.assertEqual(of_text.sea_state(), of_dict.sea_state())
+        self.assertEqual(of_text.sea_state(), changed.sea_state())
+        self.assertNotIn("choppiness", changed.values["ocean"])
+        self.assertEqual(offing.Scene(SCENE).values["ocean"]["choppiness"], 0)
+        self.assertEqual(pickle.loads(pickle.dumps(of_dict)).sea_state(), of_dict.sea_state())
+
+    # Fails if a text in a dict can leave its string.
+    def test_texts_are_quoted(self):
+        with self.assertRaisesRegex(offing.BadInput, "spectrum"):
+            offing.Scene({"ocean": {"spectrum": 'pm"\nsize = 32 #'}})
+
+    # Fails if lines of the log do not come, or go on after the callback was taken away.
+    def test_log_goes_to_a_callback(self):
+        lines = []
+        offing.set_log(lambda level, line: lines.append((level, line)))
+        offing.World({"ocean": {"size": 16, "spectrum": "pm", "gamma": 3}})
+        offing.set_log(None)
+        self.assertTrue(any(level == "warning" and "gamma" in line for level, line in lines), lines)
+
+
+class SpectrumTest(unittest.TestCase):
+    # Fails if a spectrum changes on its way in and out, or through a pickle.
+    def test_arrays_come_back(self):
+        frequencies_hz = np.linspace(0.04, 0.4, 30)
+        directions_rad = np.radians(np.arange(0.0, 360.0, 10.0))
+        energy = 9.0 * np.exp(-0.5 * ((frequencies_hz - 0.12) / 0.02) ** 2)
+        density = energy[:, None] * (1.0 + np.cos(directions_rad - 1.0)) / (2.0 * np.pi)
+        made = offing.Spectrum.from_arrays(frequencies_hz, directions_rad=directions_rad, density=density, station="here")
+        for spectrum in (made, pickle.loads(pickle.dumps(made))):
+            np.testing.assert_allclose(spectrum.density, density, rtol=1e-12)
+            np.testing.assert_allclose(spectrum.energy, energy, rtol=1e-9)
+            self.assertAlmostEqual(spectrum.mean_direction_rad, 1.0, places=9)
+            self.assertEqual(spectrum.station, "here")
+        # The sea has the trapezoidal m0 of the arrays.
+        sea = offing.Ocean(made, size=16, seed=4)
+        self.assertAlmostEqual(sea.sea_state()["hs_m"], made.hs_m, places=4)
+        self.assertEqual(sea.scene.values["world"]["seed"], 4)
+
+    # Fails if a model's table has another height than the model: 0.5 % for the tail above 1 Hz and the table's steps.
+    def test_models_have_their_height(self):
+        made = offing.Spectrum.model("jonswap", wind_speed_mps=12.0, wind_direction_rad=0.5)
+        asked = offing.Scene({"wind": {"speed_mps": 12}, "ocean": {"spectrum": "jonswap"}}).sea_state()
+        self.assertLess(abs(made.hs_m / asked["hs_m"] - 1.0), 0.005)
+        self.assertAlmostEqual(made.mean_direction_rad, 0.5, places=3)
+
+    # Fails if arrays that do not fit together make a spectrum, or are read past their end.
+    def test_arrays_must_fit(self):
+        for arguments in (
+            {"frequencies_hz": [0.1, 0.2], "energy": [1.0]},
+            {"frequencies_hz": [0.1, 0.2], "directions_rad": [0.0, 1.0], "density": np.ones((2, 3))},
+            {"frequencies_hz": [0.2, 0.1], "energy": [1.0, 1.0]},
+            {"frequencies_hz": [0.1, 0.2], "energy": [1.0, -1.0]},
+            {"frequencies_hz": [0.1, 0.2]},
+        ):
+            with self.assertRaises(ValueError):
+                offing.Spectrum.from_arrays(**arguments)
+
+
+if __name__ == "__main__":
+    unittest.main()
