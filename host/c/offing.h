@@ -128,7 +128,9 @@ typedef struct OffingSpectrum {
 /** All spectra of a file: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF. */
 OffingStatus offing_read_spectra(const char* file, OffingSpectra** spectra);
 /** One spectrum from arrays, which are copied. With directions, of any order and at least two, energy is not
- * read; a part of the circle or uneven ones are laid on 360 directions. NULL for texts, and 0 for a depth,
+ * read; a part of the circle or uneven ones are laid on 360 directions. Where a density is negative, as
+ * truncated Fourier series have it, each frequency keeps its energy and its first two circular moments, and
+ * gets the spreading of maximum entropy. NULL for texts, and 0 for a depth,
  * stand for not known. */
 OffingStatus offing_make_spectrum(const OffingSpectrum* spectrum, OffingSpectra** spectra);
 /** The spectrum of a scene's sea, without its swells, at these frequencies and at evenly spaced directions.

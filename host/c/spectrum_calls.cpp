@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -50,6 +52,32 @@ OffingSpectra* one(WaveSpectrum spectrum) {
   return new OffingSpectra(std::move(spectra));
 }
 
+/// Densities of truncated Fourier series are negative in places. What such a series knows is energy and two
+/// moments at each frequency: these make the spectrum.
+void set_fourier_density(WaveSpectrum& spectrum, std::span<const double> directions_rad,
+                         std::span<const double> density) {
+  const std::size_t count = directions_rad.size();
+  const double step_rad = 2.0 * std::numbers::pi / static_cast<double>(count);
+  std::vector<offing::spectra::ReportedMoments> moments;
+  for (std::size_t row = 0; row < spectrum.frequencies_hz.size(); ++row) {
+    std::complex<double> sums[3] = {};
+    for (std::size_t i = 0; i < count; ++i) {
+      for (int order = 0; order < 3; ++order)
+        sums[order] += density[row * count + i] * std::polar(step_rad, order * directions_rad[i]);
+    }
+    const double energy = sums[0].real();
+    spectrum.energy.push_back(energy);
+    using Kind = offing::spectra::ReportedMoments::Kind;
+    if (energy > 0.0) {
+      moments.push_back({Kind::both, {sums[1] / energy, sums[2] / energy}});
+    } else {
+      moments.push_back({});
+    }
+  }
+  offing::spectra::check_densities(spectrum.energy, "spectrum: a sum over directions");
+  offing::spectra::set_moments(spectrum, moments);
+}
+
 WaveSpectrum spectrum_of(const OffingSpectrum& given) {
   WaveSpectrum spectrum;
   require(given.frequencies_hz, "frequencies_hz");
@@ -58,10 +86,15 @@ WaveSpectrum spectrum_of(const OffingSpectrum& given) {
   if (given.direction_count > 0) {
     require(given.directions_rad, "directions_rad");
     require(given.density, "density");
-    const offing::spectra::DirectionGrid grid(
-        {given.directions_rad, given.directions_rad + given.direction_count}, "spectrum");
-    offing::spectra::set_density(spectrum, {given.density, given.frequency_count * given.direction_count},
-                                 grid, "spectrum");
+    const std::span directions_rad(given.directions_rad, given.direction_count);
+    const std::span density(given.density, given.frequency_count * given.direction_count);
+    const offing::spectra::DirectionGrid grid({directions_rad.begin(), directions_rad.end()}, "spectrum");
+    const bool is_even = grid.directions_rad().size() == given.direction_count;
+    if (is_even && std::any_of(density.begin(), density.end(), [](double value) { return value < 0.0; })) {
+      set_fourier_density(spectrum, directions_rad, density);
+    } else {
+      offing::spectra::set_density(spectrum, density, grid, "spectrum");
+    }
   } else {
     require(given.energy_m2phz, "energy_m2phz");
     spectrum.energy.assign(given.energy_m2phz, given.energy_m2phz + given.frequency_count);

@@ -35,7 +35,9 @@ class Spectrum:
     def from_arrays(cls, frequencies_hz, energy=None, directions_rad=None, density=None, *, latitude_deg=math.nan,
                     longitude_deg=math.nan, depth_m=math.nan, station="", time_utc=""):
         """A spectrum from arrays: `energy` [nf] alone, or `density` [nf, nd] at `directions_rad` [nd], which come in any
-        order. Directions of a part of the circle, or uneven ones, are laid on 360 directions."""
+        order. Directions of a part of the circle, or uneven ones, are laid on 360 directions. Where a density is
+        negative, as truncated Fourier series have it, each frequency keeps its energy and its first two circular
+        moments, and gets the spreading of maximum entropy."""
         return cls(_core.Spectra.make(
             np.ascontiguousarray(frequencies_hz, dtype=np.float64),
             None if energy is None else np.ascontiguousarray(energy, dtype=np.float64),

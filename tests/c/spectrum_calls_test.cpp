@@ -1,5 +1,7 @@
 // Spectra of the C interface: files, arrays, models, and seas that are made of them.
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <vector>
 
@@ -96,6 +98,34 @@ TEST_F(SpectrumCallsTest, SeasComeFromArrays) {
   EXPECT_NEAR(state().hs_m, 4.0 * std::sqrt(bump.m0_m2()), 1e-4);
   EXPECT_NEAR(state().mean_direction_rad, 0.25 * std::numbers::pi, 1e-4);
   EXPECT_EQ(offing_set_spectrum(scene_, spectra_, 1), OFFING_BAD_INPUT);
+}
+
+// Fails if the negative densities of a truncated Fourier series are refused, or change energy or mean
+// direction: the table of maximum entropy keeps moments to 1e-3.
+TEST_F(SpectrumCallsTest, FourierSeriesKeepTheirMoments) {
+  Bump bump;
+  for (std::size_t i = 0; i < bump.density.size(); ++i) {
+    const double angle = bump.directions_rad[i % 24] - 0.25 * std::numbers::pi;
+    bump.density[i] = bump.energy[i / 24] *
+                      (1.0 + 2.0 * 0.9 * std::cos(angle) + 2.0 * 0.7 * std::cos(2.0 * angle)) /
+                      (2.0 * std::numbers::pi);
+  }
+  ASSERT_LT(*std::min_element(bump.density.begin(), bump.density.end()), 0.0);
+  OffingSpectrum given = bump.values();
+  given.direction_count = bump.directions_rad.size();
+  given.directions_rad = bump.directions_rad.data();
+  given.density = bump.density.data();
+  ASSERT_EQ(offing_make_spectrum(&given, &spectra_), OFFING_OK) << offing_last_error();
+  const OffingSpectrum found = spectrum();
+  for (std::size_t row = 0; row < found.frequency_count; ++row) {
+    EXPECT_NEAR(found.energy_m2phz[row], bump.energy[row], 1e-9 * (1.0 + bump.energy[row]));
+    std::complex<double> first = 0.0;
+    for (std::size_t i = 0; i < found.direction_count; ++i) {
+      EXPECT_GE(found.density[row * found.direction_count + i], 0.0);
+      first += found.density[row * found.direction_count + i] * std::polar(1.0, found.directions_rad[i]);
+    }
+    EXPECT_NEAR(std::arg(first), 0.25 * std::numbers::pi, 1e-3);
+  }
 }
 
 // Fails if a spectrum without directions does not take the wind's.
