@@ -9,7 +9,7 @@ set(OFFING_COMPILED_ALONE
   exr_image_test floating_bodies_test foam_test gerstner_surface_test gerstner_test hands handle_geometry_test
   highlight_schema keyframes_test measured_sea_test mesh_schema moving_view_test ocean_reference_test png_image_test
   query_test read_height_map_test reference_tracer_test reference_walk_test scene_meshes_test sky_flight_test
-  scene_terrain_test slope_covariance_test spectrum_models_test spreading_test stream_height_map_test
+  scene_images scene_terrain_test slope_covariance_test spectrum_models_test spreading_test stream_height_map_test
   terrain_sampling_test tiled_field_test velocity_test)
 
 # Their headers take longest to compile.
@@ -84,21 +84,25 @@ set(OFFING_COMMON_HEADERS <algorithm> <array> <cmath> <filesystem> <fstream> <fu
 # What a program and the modules that it loads must agree in, as the text that module.h asks for.
 set(OFFING_BUILD "${PROJECT_VERSION}, ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
 
-# offing_module(<name> ENTRY <file> SOURCES <files...> LINKS <libraries...>): makes the module <name>.so of host/io/module.h,
-# whose table is in ENTRY, and the static library offing_<name> of the sources, for tests of what the table does not show.
+# offing_module(<name> ENTRY <file> [SOURCES <files...>] LINKS <libraries...>): makes the module <name>.so of
+# host/io/module.h, whose table is in ENTRY, and of sources the static library offing_<name>, for tests of what the table
+# does not show.
 function(offing_module name)
   cmake_parse_arguments(ARG "" "ENTRY" "SOURCES;LINKS" ${ARGN})
-  add_library(offing_${name} STATIC ${ARG_SOURCES})
-  set_target_properties(offing_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  offing_configure(offing_${name})
-  target_link_libraries(offing_${name} PUBLIC ${ARG_LINKS})
-  offing_precompile(offing_${name} LIKE offing_base)
+  if(ARG_SOURCES)
+    add_library(offing_${name} STATIC ${ARG_SOURCES})
+    set_target_properties(offing_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    offing_configure(offing_${name})
+    target_link_libraries(offing_${name} PUBLIC ${ARG_LINKS})
+    offing_precompile(offing_${name} LIKE offing_base)
+    set(ARG_LINKS offing_${name})
+  endif()
   add_library(offing_${name}_module MODULE ${ARG_ENTRY})
   set_target_properties(offing_${name}_module PROPERTIES PREFIX "" OUTPUT_NAME ${name} CXX_VISIBILITY_PRESET hidden
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/offing)
   offing_configure(offing_${name}_module)
   target_compile_definitions(offing_${name}_module PRIVATE OFFING_BUILD="${OFFING_BUILD}")
-  target_link_libraries(offing_${name}_module PRIVATE offing_${name})
+  target_link_libraries(offing_${name}_module PRIVATE ${ARG_LINKS})
   # Its copies of our static libraries are its own.
   target_link_options(offing_${name}_module PRIVATE LINKER:--exclude-libs,ALL)
   set_property(GLOBAL APPEND PROPERTY OFFING_MODULES offing_${name}_module)

@@ -40,6 +40,12 @@ class CallbackSink : public spdlog::sinks::base_sink<std::mutex> {
   void* user_;
 };
 
+/// What a library says unasked.
+void warnings_to_stderr() {
+  configure_log(Verbosity::normal);
+  spdlog::set_level(spdlog::level::warn);
+}
+
 }  // namespace
 
 OffingStatus fail(OffingStatus status, const char* error, const char* hint) noexcept {
@@ -68,7 +74,7 @@ void log_to_stderr() {
   static std::once_flag is_done;
   std::call_once(is_done, [] {
     const std::shared_ptr<spdlog::logger> logger = spdlog::default_logger();
-    if (logger != nullptr && logger->name().empty()) configure_log(Verbosity::normal);
+    if (logger != nullptr && logger->name().empty()) warnings_to_stderr();
   });
 }
 
@@ -105,7 +111,7 @@ const char* offing_last_hint(void) {
 
 OffingStatus offing_set_log(OffingLog log, void* user) {
   return offing::c::run([&] {
-    if (log == nullptr) return offing::configure_log(offing::Verbosity::normal);
+    if (log == nullptr) return offing::c::warnings_to_stderr();
     auto logger =
         std::make_shared<spdlog::logger>("offing", std::make_shared<offing::c::CallbackSink>(log, user));
     logger->set_level(spdlog::level::debug);

@@ -67,7 +67,8 @@ typedef enum OffingLogLevel {
 /** Takes one line, without its end; valid during the call. May be called by any thread, one at a time, and
  * must not call Offing. */
 typedef void (*OffingLog)(void* user, OffingLogLevel level, const char* line);
-/** From now on the log of the whole process goes to this callback; for NULL to stderr, as at first. */
+/** From now on the log of the whole process goes to this callback; for NULL warnings and errors go to stderr,
+ * as at first. */
 OffingStatus offing_set_log(OffingLog log, void* user);
 
 /** What a device reports. Texts end with 0 and are cut to fit. */
@@ -256,6 +257,25 @@ OffingStatus offing_read_fields(OffingWorld* world, int cascade, const OffingFie
  * `first` on: no transfer, no wait. */
 OffingStatus offing_copy_field(OffingWorld* world, int cascade, OffingField field, void* buffer,
                                size_t first);
+
+/** What draws pictures of a scene, with a world of its own. */
+typedef struct OffingRenderer OffingRenderer;
+
+/** A picture that is asked for, and where it goes; NULL: not wanted. */
+typedef struct OffingPicture {
+  size_t size;             /**< sizeof(OffingPicture) */
+  int width_px, height_px; /**< 1 to 16384 */
+  double time_s;           /**< -1e8 to 1e8, any order of times */
+  unsigned char* rgb;      /**< [height][width][3], sRGB, row 0 at the top */
+  float* light;            /**< [height][width][3], linear Rec.709 in kcd/m^2, row 0 at the top */
+} OffingPicture;
+
+/** Needs OpenGL, but no display: OFFING_NO_DEVICE without it. The camera is the scene's. */
+OffingStatus offing_make_renderer(const OffingDevice* device, const OffingScene* scene,
+                                  OffingRenderer** renderer);
+/** Draws the picture, as `offing-view --headless` does. Any thread may call, one at a time. */
+OffingStatus offing_render(OffingRenderer* renderer, const OffingPicture* picture);
+void offing_free_renderer(OffingRenderer* renderer);
 
 #ifdef __cplusplus
 }

@@ -35,10 +35,13 @@ class World:
         self.scene = scene if isinstance(scene, Scene) else Scene(scene)
         self.device = device if isinstance(device, Device) else Device(device)
         self._world = _core.World(self.device._device, self.scene._scene)
+        self._renderer = None
+        self._time_s = float(self.scene.values.get("time", {}).get("start_s", 0.0))
 
     def at(self, time_s):
         """Brings the world to a time in s, in any order of times; returns the world."""
         self._world.frame(float(time_s))
+        self._time_s = float(time_s)
         return self
 
     def sample(self, points_m, *, depth_m=0.0, min_wavelength_m=0.0, flow=True):
@@ -80,6 +83,16 @@ class World:
         """sample() with arrays or buffers of PyOpenCL, without a transfer: offing.h says how they are laid out
         (offing_sample_water_on_device)."""
         self._world.sample_on_device(_whole_buffer_of(points), count, _whole_buffer_of(samples), depth_m, min_wavelength_m)
+
+    def render(self, width_px=1280, height_px=720, *, light=False):
+        """A picture of the scene by its own camera at the time of the last at(), without a display, as
+        `offing-view --headless` draws it: uint8 [height, width, 3], sRGB, the first row at the top. With `light`
+        float32, linear Rec.709 in kcd/m^2. The first picture takes some seconds: pictures have a world of their own.
+        Needs OpenGL (Mesa draws on the CPU); raises NoDevice without it."""
+        if self._renderer is None:
+            self._renderer = _core.Renderer(self.device._device, self.scene._scene)
+        render = self._renderer.render_light if light else self._renderer.render
+        return render(self._time_s, width_px, height_px)
 
     def sea_state(self):
         """What the spectrum asks for: Scene.sea_state()."""

@@ -305,6 +305,44 @@ class World {
   Owned<OffingWorld, offing_free_world> world_;
 };
 
+class Renderer {
+ public:
+  Renderer(const Device& device, const Scene& scene) {
+    OffingRenderer* renderer = nullptr;
+    run([&] { return offing_make_renderer(device.get(), scene.get(), &renderer); });
+    renderer_.reset(renderer);
+  }
+
+  /// sRGB bytes.
+  nb::ndarray<nb::numpy, std::uint8_t> render(double time_s, int width_px, int height_px) {
+    auto rgb = new_array<std::uint8_t>({side(height_px), side(width_px), 3});
+    draw(time_s, width_px, height_px, rgb.data(), nullptr);
+    return rgb;
+  }
+  /// Linear light.
+  nb::ndarray<nb::numpy, float> render_light(double time_s, int width_px, int height_px) {
+    auto light = new_array<float>({side(height_px), side(width_px), 3});
+    draw(time_s, width_px, height_px, nullptr, light.data());
+    return light;
+  }
+
+ private:
+  /// Of the array for a picture: sizes that are none make an empty one and are refused by the call.
+  static std::size_t side(int length_px) { return length_px < 1 || length_px > 16384 ? 0 : static_cast<std::size_t>(length_px); }
+  void draw(double time_s, int width_px, int height_px, std::uint8_t* rgb, float* light) {
+    OffingPicture picture{};
+    picture.size = sizeof picture;
+    picture.width_px = width_px;
+    picture.height_px = height_px;
+    picture.time_s = time_s;
+    picture.rgb = rgb;
+    picture.light = light;
+    run([&] { return offing_render(renderer_.get(), &picture); });
+  }
+
+  Owned<OffingRenderer, offing_free_renderer> renderer_;
+};
+
 /// The callback of the log; none after the interpreter has ended.
 nb::object& log_callback() {
   static nb::object callback;
@@ -360,6 +398,10 @@ NB_MODULE(_core, module) {
       .def("set_spectrum", &Scene::set_spectrum, "spectra"_a, "index"_a)
       .def("tabulate_spectrum", &Scene::tabulate_spectrum, "frequencies_hz"_a, "directions"_a)
       .def("sea_state", &Scene::sea_state);
+  nb::class_<Renderer>(module, "Renderer")
+      .def(nb::init<const Device&, const Scene&>(), "device"_a, "scene"_a)
+      .def("render", &Renderer::render, "time_s"_a, "width_px"_a, "height_px"_a)
+      .def("render_light", &Renderer::render_light, "time_s"_a, "width_px"_a, "height_px"_a);
   nb::class_<World>(module, "World")
       .def(nb::init<const Device&, const Scene&>(), "device"_a, "scene"_a)
       .def("frame", &World::frame, "time_s"_a)

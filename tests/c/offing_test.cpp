@@ -131,8 +131,9 @@ TEST_F(OffingInterfaceTest, RefusesBadArguments) {
   EXPECT_THAT(offing_last_error(), HasSubstr("4096"));
   values.resize(64 * 64);
   EXPECT_EQ(offing_read(world_, 9, OFFING_FOAM, values.data(), values.size()), OFFING_BAD_INPUT);
-  EXPECT_EQ(offing_read(world_, 0, static_cast<OffingField>(OFFING_VELOCITY_Z + 1), values.data(), values.size()),
-            OFFING_BAD_INPUT);
+  EXPECT_EQ(
+      offing_read(world_, 0, static_cast<OffingField>(OFFING_VELOCITY_Z + 1), values.data(), values.size()),
+      OFFING_BAD_INPUT);
 }
 
 // Fails if a time that is none reaches keyframes or the sun's clock, or a refused frame has changed the

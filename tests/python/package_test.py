@@ -80,6 +80,20 @@ class WorldTest(unittest.TestCase):
             offing.Scene("version = 1\n[wind]\nspeed = 9\n")
         np.testing.assert_array_equal(self.world.field("slope_x"), before)
 
+    # Fails if a picture is empty, upside down, or of another time. The sun's sky is brighter than the sea.
+    def test_renders_pictures(self):
+        world = offing.World({"ocean": {"size": 32}, "camera": {"y_m": 5.0, "pitch_deg": 0.0}}, device=self.device).at(2.0)
+        picture = world.render(64, 36)
+        self.assertEqual((picture.shape, picture.dtype), ((36, 64, 3), np.uint8))
+        self.assertGreater(picture[:12].mean(), picture[-12:].mean())
+        light = world.render(64, 36, light=True)
+        self.assertEqual((light.shape, light.dtype), ((36, 64, 3), np.float32))
+        self.assertGreater(light[:12].mean(), light[-12:].mean())
+        np.testing.assert_array_equal(world.render(64, 36), picture)
+        self.assertFalse(np.array_equal(world.at(6.0).render(64, 36), picture))
+        with self.assertRaises(offing.BadInput):
+            world.render(0, 36)
+
     # Fails if two threads get into one world. Both call until they have met, which takes a few frames.
     def test_a_second_thread_is_refused(self):
         met = threading.Event()
