@@ -38,7 +38,7 @@ struct Record {
 };
 
 /// What the probes measure in five minutes, four times a second.
-Record record(ocean::Ocean& sea, const ocean::GerstnerSea& long_waves) {
+Record record(ocean::Ocean& sea) {
   constexpr int instants = 1200;
   constexpr double step_s = 0.25;
   const std::vector<ocean::WaterPoint> points = probes();
@@ -48,7 +48,7 @@ Record record(ocean::Ocean& sea, const ocean::GerstnerSea& long_waves) {
   int crossings = 0;
   for (int instant = 0; instant < instants; ++instant) {
     sea.at(step_s * instant);
-    sea.sample(points, now, long_waves, query);
+    sea.sample(points, now, query);
     for (std::size_t i = 0; i < points.size(); ++i) {
       sum_of_squares += static_cast<double>(now[i].height_m) * now[i].height_m;
       if (instant > 0 && before[i].height_m < 0.0f && now[i].height_m >= 0.0f) ++crossings;
@@ -61,9 +61,9 @@ Record record(ocean::Ocean& sea, const ocean::GerstnerSea& long_waves) {
 }
 
 /// Heights of 512 m x 512 m at 1 m, one EXR channel, rows along z.
-void write_map(const std::string& file, ocean::Ocean& sea, const ocean::GerstnerSea& long_waves) {
+void write_map(const std::string& file, ocean::Ocean& sea) {
   const ocean::SampleGrid grid{.columns = 512, .rows = 512};
-  const ocean::ComposedFields fields = sea.read_composed(grid, {.gerstner_waves = long_waves});
+  const ocean::ComposedFields fields = sea.read_composed(grid);
   const offing::ExrImage image{.width = grid.columns,
                                .height = grid.rows,
                                .channels = {{"height", fields.displacement_y}},
@@ -78,16 +78,15 @@ int main(int argc, char** argv) try {
   const std::span<char*> arguments(argv, static_cast<std::size_t>(argc));
   const scene::Sea prepared = scene::prepare_sea(
       arguments.size() > 1 ? scene::load_scene(arguments[1]) : scene::parse_scene(wind_sea, "wind_sea", ""));
-  const ocean::GerstnerSea long_waves = scene::gerstner_waves_of(prepared, prepared.parameters.seed);
   const offing::ocl::Device device = offing::ocl::Device::open();
   ocean::Ocean sea(device, prepared.spectrum, prepared.parameters);
 
   const ocean::SeaState asked = ocean::integrate_sea_state(prepared.spectrum);
-  const Record found = record(sea, long_waves);
+  const Record found = record(sea);
   std::printf("device: %s\n", device.info().name.c_str());
   std::printf("spectrum: Hs %.2f m, Tm02 %.2f s\n", asked.hs_m, asked.tm02_s);
   std::printf("probes: Hs %.2f m, mean period %.2f s\n", found.hs_m, found.mean_period_s);
-  if (arguments.size() > 2) write_map(arguments[2], sea, long_waves);
+  if (arguments.size() > 2) write_map(arguments[2], sea);
   return 0;
 } catch (const offing::Error& error) {
   std::fprintf(stderr, "error: %s\nhint: %s\n", error.what(), error.hint().c_str());

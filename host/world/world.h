@@ -35,8 +35,7 @@ struct WorldParameters {
   bool has_sea = true;  ///< without one, all down to the wind says nothing
   ocean::SeaSpectrum spectrum = {};
   ocean::OceanParameters ocean = {};
-  ocean::GerstnerSea gerstner_waves = {};  ///< those of the spectrum below the cascades' k_split, and swells
-  bool has_shoals = true;                  ///< whether waves shoal over the ground, if there is any
+  bool has_shoals = true;  ///< whether waves shoal over the ground, if there is any
   std::vector<WakeSettings> wakes = {};
   ocean::Wind wind = {};  ///< over the ripples that the spectrum or its maps leave out
   ocean::WaterType water = ocean::WaterType::oceanic_1b;
@@ -108,17 +107,16 @@ class World {
   void see_meshes(const glm::dvec3& eye_m, const highlights::LightingAt& lighting_at = {},
                   std::optional<double> first_s = {});
 
-  /// The water at points of the world by the last at(): Ocean::sample() with this world's Gerstner waves.
-  /// Throws what ocean() throws.
+  /// The water at points of the world by the last at(): Ocean::sample(). Throws what ocean() throws.
   std::vector<ocean::WaterSample> sample(std::span<const ocean::WaterPoint> points,
                                          const ocean::WaterQuery& query = {}) {
-    return ocean().sample(points, parameters_.gerstner_waves, query);
+    return ocean().sample(points, query);
   }
 
   /// The same for points and samples on the device: Ocean::sample().
   void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
               ocl::Buffer<ocean::WaterSample>& samples, const ocean::WaterQuery& query = {}) {
-    ocean().sample(points, count, samples, parameters_.gerstner_waves, query);
+    ocean().sample(points, count, samples, query);
   }
 
   // Changes while it runs. All take effect with the next at(), which then gives what a world made with the
@@ -196,9 +194,7 @@ class World {
   /// To the samples that are wanted.
   void fit_sea(const WorldParameters& parameters);
   void make_shoals();
-  BodySea body_sea() const {
-    return {parameters_.spectrum, parameters_.ocean, parameters_.gerstner_waves, shoals_};
-  }
+  BodySea body_sea() const { return {parameters_.spectrum, parameters_.ocean, shoals_}; }
   void move_meshes_with_bodies();
   void look_at_sky(double eye_altitude_m);
   std::optional<terrain::CloudShade> shade_of_clouds(const Camera& camera) const;

@@ -127,7 +127,6 @@ WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> se
       run_up_s_(whole_questions_s(run_up_s)),
       bodies_(device, bodies_of(settings_), {.gravity_mps2 = sea.spectrum.dispersion.gravity_mps2}),
       sea_(device, sea.spectrum, long_waves_of(sea.ocean, shortest_hull_m(settings_))),
-      gerstner_waves_(sea.gerstner_waves),
       query_(query_of(settings_)),
       path_(std::make_shared<BodyPath>()) {
   for (const BodySettings& each : settings_) {
@@ -141,7 +140,6 @@ WorldBodies::WorldBodies(const ocl::Device& device, std::vector<BodySettings> se
 void WorldBodies::set_sea(const BodySea& sea) {
   sea_ = ocean::Ocean(device_, sea.spectrum, long_waves_of(sea.ocean, query_.min_wavelength_m));
   sea_.set_shoals(sea.shoals);
-  gerstner_waves_ = sea.gerstner_waves;
 }
 
 void WorldBodies::reset(double start_s) {
@@ -155,7 +153,7 @@ void WorldBodies::reset(double start_s) {
 void WorldBodies::ask_sea(double time_s, const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
                           ocl::Buffer<SurfaceQuerySample>& samples) {
   sea_.at(time_s);
-  sea_.sample(points, count, samples, gerstner_waves_, query_);
+  sea_.sample(points, count, samples, query_);
 }
 
 void WorldBodies::reach(double time_s) {

@@ -69,7 +69,6 @@ struct BodySettings {
 struct BodySea {
   ocean::SeaSpectrum spectrum;
   ocean::OceanParameters ocean;
-  ocean::GerstnerSea gerstner_waves;
   std::shared_ptr<const ocean::Shoals> shoals = {};
 };
 
@@ -86,6 +85,10 @@ class WorldBodies {
 
   /// Another sea from the time on that has been simulated.
   void set_sea(const BodySea& sea);
+  /// The same for its Gerstner waves alone. Throws what Ocean::set_gerstner_waves() throws.
+  void set_gerstner_waves(const ocean::GerstnerSea& gerstner_waves) {
+    sea_.set_gerstner_waves(gerstner_waves);
+  }
   /// The same for its shoals alone.
   void set_shoals(std::shared_ptr<const ocean::Shoals> shoals) { sea_.set_shoals(std::move(shoals)); }
 
@@ -120,7 +123,6 @@ class WorldBodies {
   bodies::FloatingBodies bodies_;
   std::vector<bodies::HullPresser> pressers_;
   ocean::Ocean sea_;
-  ocean::GerstnerSea gerstner_waves_;
   ocean::WaterQuery query_;
   std::shared_ptr<BodyPath> path_;
 };

@@ -55,7 +55,7 @@ std::vector<std::vector<ocean::SlopeCovariance>> hidden_by_levels(
 HiddenSlopes shared_out(std::vector<std::vector<ocean::SlopeCovariance>> cascades,
                         const WorldParameters& parameters) {
   HiddenSlopes hidden{.cascades = std::move(cascades),
-                      .gerstner_waves = slopes_of(parameters.gerstner_waves.waves),
+                      .gerstner_waves = slopes_of(parameters.ocean.gerstner_waves.waves),
                       .ripples = {}};
   ocean::SlopeCovariance drawn = hidden.gerstner_waves;
   for (const std::vector<ocean::SlopeCovariance>& levels : hidden.cascades) add(drawn, levels.back());
@@ -104,7 +104,6 @@ void World::make_sea(const WorldParameters& parameters) {
     deviation_m_ = 0.0;
     return;
   }
-  ocean::require_valid_gerstner_waves(parameters.gerstner_waves);
   ocean::Ocean made(device_, parameters.spectrum, parameters.ocean);
   const std::vector<std::vector<float>> variances = variances_of(made);
   hidden_slopes_ = shared_out(hidden_by_levels(parameters.ocean, variances), parameters);
@@ -129,6 +128,7 @@ void World::set_sea_samples(int most) {
   most_samples_ = most;
   if (!ocean_ || sea_samples() == std::min(parameters_.ocean.size, most)) return;
   fit_sea(parameters_);
+  ocean_->set_gerstner_waves(parameters_.ocean.gerstner_waves);
   ocean_->set_wakes(wakes_ ? wakes_->maps() : nullptr);
   ocean_->set_shoals(shoals_);
   ocean_->at(time_s_);
@@ -138,8 +138,9 @@ void World::make_shoals() {
   std::shared_ptr<const ocean::Shoals> made;
   if (ocean_ && terrain_ && parameters_.has_shoals) {
     if (!bed_) bed_ = std::make_shared<const ocean::DepthMap>(sea_bed(terrain_->parameters()));
-    const ocean::ShoalTable table(parameters_.spectrum.dispersion,
-                                  ocean::shoaling_bands(cascade_bands_, parameters_.gerstner_waves.waves));
+    const ocean::ShoalTable table(
+        parameters_.spectrum.dispersion,
+        ocean::shoaling_bands(cascade_bands_, parameters_.ocean.gerstner_waves.waves));
     if (bed_->shallowest_m() < table.deepest_m()) {
       made = std::make_shared<const ocean::Shoals>(device_, bed_, table);
     }
@@ -151,10 +152,11 @@ void World::make_shoals() {
 
 void World::set_gerstner_waves(const ocean::GerstnerSea& gerstner_waves) {
   ocean::require_valid_gerstner_waves(gerstner_waves);
-  parameters_.gerstner_waves = gerstner_waves;
+  parameters_.ocean.gerstner_waves = gerstner_waves;
   hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_);
+  if (ocean_) ocean_->set_gerstner_waves(gerstner_waves);
+  if (bodies_) bodies_->set_gerstner_waves(gerstner_waves);
   make_shoals();
-  if (bodies_) bodies_->set_sea(body_sea());
 }
 
 void World::set_wakes(const std::vector<WakeSettings>& wakes) {
@@ -166,11 +168,10 @@ void World::set_wakes(const std::vector<WakeSettings>& wakes) {
 }
 
 void World::reseed(std::uint64_t seed, const ocean::GerstnerSea& gerstner_waves) {
-  ocean::require_valid_gerstner_waves(gerstner_waves);
-  ocean().reseed(seed);
+  ocean().reseed(seed, gerstner_waves);
   spare_ocean_.reset();
   parameters_.ocean.seed = seed;
-  parameters_.gerstner_waves = gerstner_waves;
+  parameters_.ocean.gerstner_waves = gerstner_waves;
   hidden_slopes_ = shared_out(std::move(hidden_slopes_.cascades), parameters_);
   make_shoals();
   if (bodies_) bodies_->set_sea(body_sea());
@@ -181,7 +182,6 @@ void World::set_sea(const WorldParameters& parameters) {
   parameters_.has_sea = parameters.has_sea;
   parameters_.spectrum = parameters.spectrum;
   parameters_.ocean = parameters.ocean;
-  parameters_.gerstner_waves = parameters.gerstner_waves;
   parameters_.wind = parameters.wind;
   parameters_.has_shoals = parameters.has_shoals;
   make_shoals();
@@ -197,14 +197,14 @@ ocean::SurfaceReach World::reach() const {
   if (!ocean_) return {};
   const double growth = shoals_ ? shoals_->instant().table.largest_share() : 1.0;
   const double waves_m = growth * reach_deviations * deviation_m_;
+  const ocean::GerstnerSea& gerstner_waves = parameters_.ocean.gerstner_waves;
   double gerstner_waves_m = 0.0;
-  for (const ocean::GerstnerWave& wave : parameters_.gerstner_waves.waves)
-    gerstner_waves_m += growth * wave.amplitude_m;
+  for (const ocean::GerstnerWave& wave : gerstner_waves.waves) gerstner_waves_m += growth * wave.amplitude_m;
   return {.horizontal_m = parameters_.ocean.choppiness * waves_m +
-                          ocean::horizontal_scale(parameters_.gerstner_waves).scale * gerstner_waves_m,
-          .vertical_m =
-              waves_m + gerstner_waves_m + height_of_rings_m(parameters_.gerstner_waves.raindrops, time_s_) +
-              (wakes_ ? wakes_->reach_m(time_s_) : 0.0) + (wakes_ && bodies_ ? bodies_->draught_m() : 0.0)};
+                          ocean::horizontal_scale(gerstner_waves).scale * gerstner_waves_m,
+          .vertical_m = waves_m + gerstner_waves_m + height_of_rings_m(gerstner_waves.raindrops, time_s_) +
+                        (wakes_ ? wakes_->reach_m(time_s_) : 0.0) +
+                        (wakes_ && bodies_ ? bodies_->draught_m() : 0.0)};
 }
 
 }  // namespace offing::world

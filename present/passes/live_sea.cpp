@@ -56,7 +56,7 @@ std::unique_ptr<Frame> LiveSea::new_frame(const scene::Scene& scene) {
 }
 
 void LiveSea::take_scene(scene::Scene scene) {
-  warning_ = scene::steepness_warning(scene, world_->parameters().gerstner_waves);
+  warning_ = scene::steepness_warning(scene, world_->parameters().ocean.gerstner_waves);
   scene.set_at.clear();
   wanted_ = next_ = scene_ = std::move(scene);
 }
@@ -99,7 +99,7 @@ void LiveSea::change(const std::function<void()>& work) {
 }
 
 void LiveSea::warn() {
-  std::string warning = scene::steepness_warning(scene_, world_->parameters().gerstner_waves);
+  std::string warning = scene::steepness_warning(scene_, world_->parameters().ocean.gerstner_waves);
   if (warning_.empty() && !warning.empty()) spdlog::warn("{}", warning);
   warning_ = std::move(warning);
 }

@@ -24,7 +24,6 @@ struct Storm {
     cli::BakeSettings settings;
     settings.channels.set(static_cast<std::size_t>(cli::ChannelGroup::foam));
     frame = cli::FrameMaker(device, sea, settings).make(frames.last);
-    waves = scene::gerstner_waves_of(sea, sea.parameters.seed);
     hs_m = ocean::integrate_sea_state(sea.spectrum).hs_m;
   }
 
@@ -34,12 +33,11 @@ struct Storm {
       cascades.push_back(
           {sea.parameters.cascades[i].patch_length_m, &frame.cascades[i].surface, frame.cascades[i].foam});
     }
-    return cli::draw_sea_map(cascades, {waves, frame.time_s}, hs_m);
+    return cli::draw_sea_map(cascades, {sea.parameters.gerstner_waves, frame.time_s}, hs_m);
   }
 
   scene::Sea sea;
   cli::BakedFrame frame;
-  ocean::GerstnerSea waves;
   double hs_m = 0.0;
 };
 

@@ -47,14 +47,13 @@ struct OurSea {
          int size)
       : sea(device, spectrum,
             {.size = size,
-             .cascades = ocean::choose_cascades(spectrum, size, cascade_count, choice.split_radpm)}),
-        gerstner_waves{.waves = ocean::choose_gerstner_waves(spectrum, choice),
-                       .dispersion = spectrum.dispersion} {
+             .cascades = ocean::choose_cascades(spectrum, size, cascade_count, choice.split_radpm),
+             .gerstner_waves = {.waves = ocean::choose_gerstner_waves(spectrum, choice),
+                                .dispersion = spectrum.dispersion}}) {
     sea.at(time_s);
   }
 
   ocean::Ocean sea;
-  ocean::GerstnerSea gerstner_waves;
 };
 
 ocean::GerstnerChoice choice_for(const ocean::SeaSpectrum& spectrum) {
@@ -148,10 +147,10 @@ void bench_queries(const ocl::Device& device, const Settings& settings, const Si
     OurSea ours(device, spectrum, choice_for(spectrum), size);
     for (const Fields fields : {Fields::surface, Fields::surface_and_flow}) {
       const ocean::WaterQuery query{.fields = fields};
-      const ocean::SurfaceInstant instant = ours.sea.instant(ours.gerstner_waves, query);
+      const ocean::SurfaceInstant instant = ours.sea.instant(query);
       QueriesPeer peer(ours, instant, spectrum.dispersion.gravity_mps2, query);
       std::vector<ocean::WaterSample> samples(point_count);
-      const Work run_ours = [&] { ours.sea.sample(asked, samples, ours.gerstner_waves, query); };
+      const Work run_ours = [&] { ours.sea.sample(asked, samples, query); };
       const Work run_peer = [&] { peer.sample(points); };
       run_ours();
       run_peer();

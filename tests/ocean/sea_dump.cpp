@@ -35,13 +35,13 @@ class Dump {
 };
 
 // 40 points fill the last vector of the device in part.
-void dump_samples(ocean::Ocean& sea, const ocean::GerstnerSea& gerstner_waves, Dump& dump) {
+void dump_samples(ocean::Ocean& sea, Dump& dump) {
   std::vector<ocean::WaterPoint> points;
   for (int i = 0; i < 40; ++i) points.push_back({7.3 * i - 1e5, 13.1 * i});
   for (const ocean::WaterQuery& query : {ocean::WaterQuery{.depth_m = 0.5, .tolerance_m = 1e-5},
                                          {.min_wavelength_m = 12.0, .tolerance_m = 1e-5}}) {
     std::vector<float> heights, slopes, velocities, pressures;
-    for (const ocean::WaterSample& sample : sea.sample(points, gerstner_waves, query)) {
+    for (const ocean::WaterSample& sample : sea.sample(points, query)) {
       heights.push_back(sample.height_m);
       slopes.push_back(sample.slope_x);
       velocities.push_back(sample.velocity_y_mps);
@@ -49,6 +49,11 @@ void dump_samples(ocean::Ocean& sea, const ocean::GerstnerSea& gerstner_waves, D
     }
     for (const auto& field : {heights, slopes, velocities, pressures}) dump.add_relative(field);
   }
+}
+
+std::vector<ocean::GerstnerWave> two_swells() {
+  return {ocean::make_swell({.wavelength_m = 70.0, .direction_rad = 0.4}, {}),
+          ocean::make_swell({.wavelength_m = 31.0, .direction_rad = 2.0}, {})};
 }
 
 void dump_surface(ocean::Ocean& sea, double hs_m, Dump& dump) {
@@ -67,15 +72,14 @@ void dump_surface(ocean::Ocean& sea, double hs_m, Dump& dump) {
     dump.add(sea.read_foam(cascade), 1.0);
   }
   const ocean::SampleGrid grid{.origin_x_m = -3.0, .spacing_x_m = 0.7, .columns = 20, .rows = 10};
-  const ocean::Composition with_gerstner_waves{
-      .gerstner_waves = {.waves = {ocean::make_swell({.wavelength_m = 70.0, .direction_rad = 0.4}, {}),
-                                   ocean::make_swell({.wavelength_m = 31.0, .direction_rad = 2.0}, {})},
-                         .raindrops = {{.time_s = 12.0, .amplitude_m = 0.2, .wavelength_m = 5.0}}}};
-  for (const ocean::Composition& composition : {ocean::Composition{}, with_gerstner_waves}) {
-    const ocean::ComposedFields composed = sea.read_composed(grid, composition);
+  const ocean::GerstnerSea gerstner_waves{
+      .waves = two_swells(), .raindrops = {{.time_s = 12.0, .amplitude_m = 0.2, .wavelength_m = 5.0}}};
+  for (const ocean::GerstnerSea& waves : {ocean::GerstnerSea{}, gerstner_waves}) {
+    sea.set_gerstner_waves(waves);
+    const ocean::ComposedFields composed = sea.read_composed(grid);
     for (const auto& field : {composed.displacement_y, composed.slope_x, composed.jacobian})
       dump.add_relative(field);
-    dump_samples(sea, composition.gerstner_waves, dump);
+    dump_samples(sea, dump);
   }
 }
 
@@ -124,7 +128,7 @@ void dump_wakes(const ocl::Device& device, int size, ocean::Ocean& sea, Dump& du
   std::vector<float> heights;
   for (int i = 0; i < 40; ++i) {
     const std::vector<ocean::WaterPoint> point{{0.5 * i - 10.0, 0.3 * i - 6.0}};
-    heights.push_back(sea.sample(point, {}, {.tolerance_m = 1e-5}).front().height_m);
+    heights.push_back(sea.sample(point, {.tolerance_m = 1e-5}).front().height_m);
   }
   dump.add_relative(heights);
 }
@@ -138,18 +142,16 @@ void dump_shoals(const ocl::Device& device, const ocean::SeaSpectrum& spectrum, 
   depths->spacing_x_m = 21.0, depths->spacing_z_m = 50.0;
   for (int i = 0; i < 12 * 9; ++i)
     depths->depths_m.push_back(static_cast<float>(-1.0 + 0.8 * (i % 12) + 0.1 * i / 12));
-  const ocean::GerstnerSea gerstner_waves{
-      .waves = {ocean::make_swell({.wavelength_m = 70.0, .direction_rad = 0.4}, {}),
-                ocean::make_swell({.wavelength_m = 31.0, .direction_rad = 2.0}, {})}};
+  sea.set_gerstner_waves({.waves = two_swells()});
   std::vector<ocean::ShoalingBand> cascades;
   for (int i = 0; i < 2; ++i) {
     const ocean::OceanParameters& parameters = sea.parameters();
     cascades.push_back(ocean::band_of_modes(sea.mode_variance(i), parameters.size,
                                             parameters.cascades[static_cast<std::size_t>(i)].patch_length_m));
   }
-  const ocean::ShoalTable table(spectrum.dispersion, ocean::shoaling_bands(cascades, gerstner_waves.waves));
+  const ocean::ShoalTable table(spectrum.dispersion, ocean::shoaling_bands(cascades, two_swells()));
   sea.set_shoals(std::make_shared<const ocean::Shoals>(device, depths, table));
-  dump_samples(sea, gerstner_waves, dump);
+  dump_samples(sea, dump);
 }
 
 void dump_all(int size, const char* path) {
@@ -168,6 +170,7 @@ void dump_all(int size, const char* path) {
   dump_transforms(device, size, dump);
   dump_shoals(device, spectrum, sea, dump);
   sea.set_shoals(nullptr);
+  sea.set_gerstner_waves({});
   dump_wakes(device, size, sea, dump);
 }
 

@@ -2,10 +2,13 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "host/base/error.h"
+#include "host/ocean/surface/ocean.h"
+#include "host/ocl/device.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/file/scene_hash.h"
 #include "host/scene/prepare/sea.h"
@@ -55,7 +58,8 @@ TEST(ExtraWaves, ComeBesideTheSpectrumsGerstnerWaves) {
   const ocean::GerstnerSea first = gerstner_waves_of(sea, 1), second = gerstner_waves_of(sea, 2);
   ASSERT_EQ(first.waves.size(), 5u);
   EXPECT_NE(first.waves.front().phase_rad, second.waves.front().phase_rad);
-  for (const ocean::GerstnerSea& gerstner_waves : {first, second, prepare_world(scene).gerstner_waves}) {
+  for (const ocean::GerstnerSea& gerstner_waves :
+       {first, second, prepare_world(scene).ocean.gerstner_waves}) {
     EXPECT_EQ(gerstner_waves.waves.back().amplitude_m, 0.25);
     EXPECT_EQ(gerstner_waves.waves.back().phase_rad, 0.0);
     ASSERT_EQ(gerstner_waves.raindrops.size(), 1u);
@@ -64,6 +68,41 @@ TEST(ExtraWaves, ComeBesideTheSpectrumsGerstnerWaves) {
   EXPECT_TRUE(prepare_sea(scene_with("[[ocean.swell]]\n")).has_gerstner_waves());
   EXPECT_TRUE(prepare_sea(scene_with("[[ocean.raindrop]]\n")).has_gerstner_waves());
   EXPECT_FALSE(prepare_sea(scene_with("")).has_gerstner_waves());
+}
+
+// Fails if the sea of a scene is sampled or composed without its long waves: without choppiness labels are
+// points, and what Gerstner waves and swells add is their sum. Rounding of heights below 10 m, 1e-6 m, and of
+// phases, 2e-6 of each height: gate 1e-4 m.
+TEST(ExtraWaves, AreInTheSeaOfTheScene) {
+  const Sea sea = prepare_sea(
+      scene_with("choppiness = 0\ngerstner.count = 4\n[[ocean.swell]]\namplitude_m = 2\nphase_deg = 20\n"));
+  const double time_s = 4.0;
+  ocean::Ocean ocean(ocl::Device::open(), sea.spectrum, sea.parameters);
+  ocean.at(time_s);
+  const std::vector<ocean::WaterPoint> points{{0.0, 0.0}, {31.0, -12.5}, {-400.0, 77.0}};
+  const auto composed_m = [&](const ocean::WaterPoint& point) {
+    return ocean.read_composed({.origin_x_m = point.x_m, .origin_z_m = point.z_m, .columns = 1, .rows = 1})
+        .displacement_y[0];
+  };
+  const std::vector<ocean::WaterSample> all = ocean.sample(points);
+  std::vector<float> all_composed_m;
+  for (const ocean::WaterPoint& point : points) all_composed_m.push_back(composed_m(point));
+  ocean.set_gerstner_waves({});
+  const std::vector<ocean::WaterSample> cascades = ocean.sample(points);
+  const std::vector<ocean::GerstnerWave> waves = gerstner_waves_of(sea, sea.parameters.seed).waves;
+  ASSERT_EQ(waves.size(), 5u);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double sum_m = 0.0;
+    for (const ocean::GerstnerWave& wave : waves) {
+      const double along_m =
+          std::cos(wave.direction_rad) * points[i].x_m + std::sin(wave.direction_rad) * points[i].z_m;
+      sum_m += wave.amplitude_m *
+               std::cos(wave.wavenumber_radpm * along_m - wave.omega_radps * time_s + wave.phase_rad);
+    }
+    EXPECT_GT(std::abs(sum_m), 0.1) << "nothing to miss";
+    EXPECT_NEAR(all[i].height_m - cascades[i].height_m, sum_m, 1e-4);
+    EXPECT_NEAR(all_composed_m[i] - composed_m(points[i]), sum_m, 1e-4);
+  }
 }
 
 // Fails if a ring that water cannot form is passed over in silence, or one that it can is not: k A = 0.44 is

@@ -20,8 +20,7 @@ namespace {
 struct ShippedSea {
   explicit ShippedSea(const std::string& name)
       : sea(prepare_sea(load_scene(std::filesystem::path(OFFING_SCENES) / (name + ".toml")))),
-        ocean(ocl::Device::open(), sea.spectrum, sea.parameters),
-        gerstner_waves(gerstner_waves_of(sea, sea.parameters.seed)) {}
+        ocean(ocl::Device::open(), sea.spectrum, sea.parameters) {}
 
   double k_max_radpm() const { return sea.parameters.cascades.back().k_max_radpm; }
 
@@ -34,7 +33,6 @@ struct ShippedSea {
 
   Sea sea;
   ocean::Ocean ocean;
-  ocean::GerstnerSea gerstner_waves;
 };
 
 /// How much more than its spectrum a sea agrees with itself, at the worst of all lags of its patches.
@@ -48,9 +46,8 @@ Excess excess_of(ShippedSea& shipped) {
   for (const ocean::Lag& lag : ocean::tile_lags(shipped.sea.parameters.cascades)) {
     const ocean::Correlation asked =
         correlation_of_spectrum(shipped.sea.spectrum, shipped.k_max_radpm(), lag);
-    const ocean::Correlation found = correlation_of_modes(shipped.ocean, shipped.gerstner_waves, lag);
-    const ocean::Correlation strip =
-        correlation_of_strips(shipped.ocean, shipped.gerstner_waves, lag, shipped.spacing_m());
+    const ocean::Correlation found = correlation_of_modes(shipped.ocean, lag);
+    const ocean::Correlation strip = correlation_of_strips(shipped.ocean, lag, shipped.spacing_m());
     worst.height = std::max(worst.height, found.height - asked.height);
     worst.slope = std::max(worst.slope, found.slope - asked.slope);
     worst.strip_height = std::max(worst.strip_height, strip.height - asked.height);

@@ -21,10 +21,10 @@ Scene scene_of(const std::string& text) {
 auto everything(world::World& world) {
   world.at(3.0, 10.0);
   std::vector<double> gerstner_waves;
-  for (const ocean::GerstnerWave& wave : world.parameters().gerstner_waves.waves) {
+  for (const ocean::GerstnerWave& wave : world.parameters().ocean.gerstner_waves.waves) {
     gerstner_waves.insert(gerstner_waves.end(), {wave.amplitude_m, wave.wavenumber_radpm, wave.phase_rad});
   }
-  for (const ocean::Raindrop& drop : world.parameters().gerstner_waves.raindrops)
+  for (const ocean::Raindrop& drop : world.parameters().ocean.gerstner_waves.raindrops)
     gerstner_waves.push_back(drop.x_m);
   return std::tuple(world.ocean().displacement_map().read(), world.ocean().gradient_map().read(),
                     world.ocean().foam_map().read(), world.sky().view_table().read(),

@@ -37,8 +37,7 @@ class Hash {
 /// Bodies and wakes alone: the rest of a world has no history.
 struct Histories {
   explicit Histories(const WorldParameters& parameters)
-      : bodies(device, parameters.bodies, {parameters.spectrum, parameters.ocean, parameters.gerstner_waves},
-               parameters.run_up_s, 0.0),
+      : bodies(device, parameters.bodies, {parameters.spectrum, parameters.ocean}, parameters.run_up_s, 0.0),
         wakes(device, parameters.wakes) {}
 
   void at(double time_s) {

@@ -92,7 +92,7 @@ WorldParameters sea() {
   result.ocean.size = 32;
   const std::array lengths{120.0};
   result.ocean.cascades = ocean::cascades_from_patches(lengths, result.ocean.size);
-  result.gerstner_waves.waves = {
+  result.ocean.gerstner_waves.waves = {
       ocean::make_swell({.amplitude_m = 0.4, .wavelength_m = 70.0}, result.spectrum.dispersion)};
   return result;
 }
@@ -134,8 +134,8 @@ TEST(SeaBed, WavesOfAWorldFeelIt) {
   }
   EXPECT_GT(dry, 10);
   expect_as_new("ground");
-  parameters.gerstner_waves.waves[0].amplitude_m = 1.5;
-  world.set_gerstner_waves(parameters.gerstner_waves);
+  parameters.ocean.gerstner_waves.waves[0].amplitude_m = 1.5;
+  world.set_gerstner_waves(parameters.ocean.gerstner_waves);
   expect_as_new("swell");
   parameters.ocean.choppiness = 0.3;
   world.set_sea(parameters);
@@ -162,7 +162,7 @@ TEST(SeaBed, ReachGrowsWithSwell) {
   const ocl::Device device = ocl::Device::open();
   WorldParameters parameters = sea();
   parameters.ocean.cascades = {{.patch_length_m = 10.0, .k_min_radpm = 8.0, .k_max_radpm = 9.0}};
-  parameters.gerstner_waves.waves = {
+  parameters.ocean.gerstner_waves.waves = {
       ocean::make_swell({.amplitude_m = 0.1, .wavelength_m = 150.0}, parameters.spectrum.dispersion)};
   World world(device, parameters);
   const double open_m = world.reach().vertical_m;

@@ -30,7 +30,7 @@ WorldParameters parameters() {
   result.ocean.size = 64;
   const std::array lengths{170.0};
   result.ocean.cascades = ocean::cascades_from_patches(lengths, result.ocean.size, split_radpm);
-  result.gerstner_waves.waves =
+  result.ocean.gerstner_waves.waves =
       ocean::choose_gerstner_waves(result.spectrum, {.split_radpm = split_radpm, .count = 8});
   result.wind.wind_speed_mps = 11.0;
   result.sun.sun_direction = sky::direction_of(1.0, 0.5);
@@ -63,9 +63,10 @@ TEST_F(WorldTest, AnswersForItsWater) {
   const auto samples = world_.sample(points);
   ocean::Ocean alone(device_, parameters().spectrum, parameters().ocean);
   alone.at(12.3);
-  const auto expected = alone.sample(points, parameters().gerstner_waves);
+  const auto expected = alone.sample(points);
   ASSERT_EQ(samples.size(), 2u);
   for (const std::size_t i : {0u, 1u}) EXPECT_EQ(samples[i].height_m, expected[i].height_m);
+  alone.set_gerstner_waves({});
   EXPECT_NE(samples[0].height_m, alone.sample(points)[0].height_m);
 }
 
@@ -78,7 +79,7 @@ TEST_F(WorldTest, HoldsTheSurfaceOfItsTime) {
 }
 
 // Fails if a sea of fewer samples is not the one that is made with so many, if the light loses the slopes of
-// the waves that it leaves out, or if the whole sea does not come back.
+// the waves that it leaves out, or if the whole sea does not come back, with the Gerstner waves of now.
 TEST_F(WorldTest, ShowsTheSeaInFewerSamples) {
   const auto surface = [&] {
     world_.at(12.3, 5.0);
@@ -105,10 +106,14 @@ TEST_F(WorldTest, ShowsTheSeaInFewerSamples) {
   // %.
   EXPECT_NEAR(all_slopes(), slopes, 0.02 * slopes);
   EXPECT_LT(world_.hidden_slopes().cascades.front().back().xx, drawn - 0.04 * slopes);
-  world_.reseed(9, parameters().gerstner_waves);
+  world_.set_gerstner_waves({});
+  world_.set_sea_samples(1024);
+  EXPECT_TRUE(world_.ocean().parameters().gerstner_waves.waves.empty()) << "waves of before came back";
+  world_.set_sea_samples(32);
+  world_.reseed(9, parameters().ocean.gerstner_waves);
   EXPECT_NE(surface().first, alone.displacement_map().read());
   world_.set_sea_samples(1024);
-  world_.reseed(parameters().ocean.seed, parameters().gerstner_waves);
+  world_.reseed(parameters().ocean.seed, parameters().ocean.gerstner_waves);
   EXPECT_EQ(surface(), whole);
   EXPECT_EQ(all_slopes(), slopes);
 }
@@ -129,7 +134,7 @@ TEST_F(WorldTest, TurnsTheSun) {
 // instants, and all Gerstner waves in phase.
 TEST_F(WorldTest, ReachesAsFarAsItsWaves) {
   double gerstner_waves_m = 0.0;
-  for (const ocean::GerstnerWave& wave : world_.parameters().gerstner_waves.waves)
+  for (const ocean::GerstnerWave& wave : world_.parameters().ocean.gerstner_waves.waves)
     gerstner_waves_m += wave.amplitude_m;
   double highest_m = 0.0, farthest_m = 0.0;
   for (int i = 0; i < 20; ++i) {
@@ -155,7 +160,7 @@ TEST_F(WorldTest, SharesTheSlopesOut) {
   const double all = ocean::measured_slopes({11.0, 0.0}).mean_square();
   ASSERT_LT(resolved, 0.9 * all);
   EXPECT_NEAR(resolved + hidden.gerstner_waves.mean_square() + hidden.ripples.mean_square(), all, 1e-9);
-  ocean::GerstnerSea gerstner_waves = world_.parameters().gerstner_waves;
+  ocean::GerstnerSea gerstner_waves = world_.parameters().ocean.gerstner_waves;
   gerstner_waves.waves = {ocean::make_swell({.amplitude_m = 1.0, .wavelength_m = 80.0}, {})};
   world_.set_gerstner_waves(gerstner_waves);
   // A sine's mean square slope: (k A)^2 / 2.
@@ -169,7 +174,7 @@ auto everything(World& world) {
   return std::tuple(world.ocean().displacement_map().read(), world.ocean().gradient_map().read(),
                     world.ocean().foam_map().read(), world.sky().view_table().read(),
                     world.illuminance().sky_klx, world.reach().vertical_m, world.reach().horizontal_m,
-                    world.hidden_slopes().ripples.xx, world.parameters().gerstner_waves.waves.size());
+                    world.hidden_slopes().ripples.xx, world.parameters().ocean.gerstner_waves.waves.size());
 }
 
 // Fails if a world that was changed while it ran differs in anything from one that was made so: maps, foam
@@ -183,10 +188,10 @@ TEST_F(WorldTest, ChangedEqualsMadeSo) {
     EXPECT_NE(now, before) << what;
     EXPECT_EQ(now, everything(fresh)) << what;
   };
-  changed.gerstner_waves.waves.push_back(
+  changed.ocean.gerstner_waves.waves.push_back(
       ocean::make_swell({.amplitude_m = 2.0}, changed.spectrum.dispersion));
-  changed.gerstner_waves.raindrops.push_back({.time_s = 2.0, .amplitude_m = -0.1});
-  world_.set_gerstner_waves(changed.gerstner_waves);
+  changed.ocean.gerstner_waves.raindrops.push_back({.time_s = 2.0, .amplitude_m = -0.1});
+  world_.set_gerstner_waves(changed.ocean.gerstner_waves);
   expect_as_new("gerstner waves");
   changed.atmosphere.aerosol_optical_depth = 0.5;
   world_.set_atmosphere(changed.atmosphere);
@@ -195,13 +200,13 @@ TEST_F(WorldTest, ChangedEqualsMadeSo) {
   world_.set_sun(changed.sun);
   expect_as_new("sun");
   changed.ocean.seed = 9;
-  changed.gerstner_waves.waves[0].phase_rad += 1.0;
-  world_.reseed(9, changed.gerstner_waves);
+  changed.ocean.gerstner_waves.waves[0].phase_rad += 1.0;
+  world_.reseed(9, changed.ocean.gerstner_waves);
   expect_as_new("seed");
   changed.ocean.size = 32;
   changed.ocean.choppiness = 0.5;
   changed.wind.wind_speed_mps = 15.0;
-  changed.gerstner_waves.waves.clear();
+  changed.ocean.gerstner_waves.waves.clear();
   world_.set_sea(changed);
   expect_as_new("sea");
 }
@@ -210,9 +215,9 @@ TEST_F(WorldTest, ChangedEqualsMadeSo) {
 TEST_F(WorldTest, RefusedChangesChangeNothing) {
   const auto before = everything(world_);
   WorldParameters bad = parameters();
-  bad.gerstner_waves.choppiness = -1.0;
-  EXPECT_THROW(world_.set_gerstner_waves(bad.gerstner_waves), Error);
-  EXPECT_THROW(world_.reseed(9, bad.gerstner_waves), Error);
+  bad.ocean.gerstner_waves.choppiness = -1.0;
+  EXPECT_THROW(world_.set_gerstner_waves(bad.ocean.gerstner_waves), Error);
+  EXPECT_THROW(world_.reseed(9, bad.ocean.gerstner_waves), Error);
   EXPECT_THROW(world_.set_sea(bad), Error);
   EXPECT_THROW(World(device_, bad), Error);
   WorldParameters windy = parameters();
@@ -229,7 +234,7 @@ TEST_F(WorldTest, RefusedChangesChangeNothing) {
 TEST_F(WorldTest, ReachFollowsTheRings) {
   world_.at(0.0, 5.0);
   const double without_m = world_.reach().vertical_m;
-  ocean::GerstnerSea gerstner_waves = parameters().gerstner_waves;
+  ocean::GerstnerSea gerstner_waves = parameters().ocean.gerstner_waves;
   gerstner_waves.raindrops = {{.time_s = 1.0, .amplitude_m = -0.5, .decay_s = 2.0}};
   world_.set_gerstner_waves(gerstner_waves);
   EXPECT_EQ(world_.reach().vertical_m, without_m);

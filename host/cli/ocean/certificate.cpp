@@ -41,8 +41,8 @@ class SurfaceMeter {
   /// `size` samples along a patch, as the seas to be measured have.
   SurfaceMeter(const ocl::Device& device, int size);
 
-  /// The sea, which stands at time 0, with these Gerstner waves, which follow the same dispersion.
-  SurfaceMeasurement measure(ocean::Ocean& sea, const ocean::GerstnerSea& gerstner_waves);
+  /// The sea, which stands at time 0. Its Gerstner waves follow the dispersion of its cascades.
+  SurfaceMeasurement measure(ocean::Ocean& sea);
 
  private:
   std::vector<float> travelling_energies(const ocean::SurfaceFields& surface,
@@ -121,7 +121,8 @@ SurfaceMeter::SurfaceMeter(const ocl::Device& device, int size)
       packed_(device, forward_.float_count(), "measured surface"),
       transformed_(device, forward_.float_count(), "transformed surface") {}
 
-SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea, const ocean::GerstnerSea& gerstner_waves) {
+SurfaceMeasurement SurfaceMeter::measure(ocean::Ocean& sea) {
+  const ocean::GerstnerSea& gerstner_waves = sea.parameters().gerstner_waves;
   const ocean::Dispersion& dispersion = gerstner_waves.dispersion;
   const std::vector<ocean::Cascade>& cascades = sea.parameters().cascades;
   SurfaceMeasurement measurement;
@@ -260,6 +261,15 @@ std::vector<ocean::GerstnerWave> expected_gerstner_waves(const scene::Sea& sea) 
   return waves;
 }
 
+/// The Gerstner waves of one seed as they are measured: without a loop, which would round their frequencies,
+/// and without raindrops.
+ocean::GerstnerSea measured_gerstner_waves(const scene::Sea& sea, std::uint64_t seed) {
+  ocean::GerstnerSea waves = scene::gerstner_waves_of(sea, seed);
+  waves.loop_period_s.reset();
+  waves.raindrops.clear();
+  return waves;
+}
+
 void expect(const ocean::Ocean& sea, const ocean::Dispersion& dispersion,
             const std::vector<ocean::GerstnerWave>& gerstner_waves, Certificate& certificate) {
   const std::vector<ocean::Cascade>& cascades = sea.parameters().cascades;
@@ -329,6 +339,7 @@ Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds,
 
   ocean::OceanParameters parameters = sea.parameters;
   parameters.loop_period_s.reset();
+  parameters.gerstner_waves = measured_gerstner_waves(sea, parameters.seed);
   ocean::Ocean ocean(device, sea.spectrum, parameters);
   expect(ocean, dispersion, expected_gerstner_waves(sea), certificate);
   SurfaceMeter meter(device, parameters.size);
@@ -338,14 +349,11 @@ Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds,
     cancel.throw_if_cancelled();
     const std::uint64_t seed = parameters.seed + static_cast<std::uint64_t>(i);
     if (i > 0) {
-      ocean.reseed(seed);
+      ocean.reseed(seed, measured_gerstner_waves(sea, seed));
     }
-    ocean::GerstnerSea gerstner_waves = scene::gerstner_waves_of(sea, seed);
-    gerstner_waves.loop_period_s.reset();
-    gerstner_waves.raindrops.clear();
     ocean.at(0.0);
-    measurements.push_back(meter.measure(ocean, gerstner_waves));
-    steepness += ocean::horizontal_scale(gerstner_waves).steepness;
+    measurements.push_back(meter.measure(ocean));
+    steepness += ocean::horizontal_scale(ocean.parameters().gerstner_waves).steepness;
     progress.advance();
   }
   summarise(measurements, certificate);

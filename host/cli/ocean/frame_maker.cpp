@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "host/base/host_memory.h"
-#include "host/ocean/query/gerstner_instant.h"
 #include "host/ocean/surface/foam.h"
 
 namespace offing::cli {
@@ -26,29 +25,31 @@ bool shows_foam(const BakeSettings& settings) {
   return settings.has(ChannelGroup::foam) || settings.preview == PreviewUse::pictures;
 }
 
+/// Of the sea that frames show: that of the cascades alone, unless the waves beside them are included.
+ocean::OceanParameters baked_parameters(const scene::Sea& sea, GerstnerUse use) {
+  ocean::OceanParameters parameters = sea.parameters;
+  if (use != GerstnerUse::included) parameters.gerstner_waves = {};
+  return parameters;
+}
+
 bool shares_host_memory(const ocl::DeviceInfo& device) {
   return device.type == ocl::DeviceType::cpu || device.has_host_unified_memory;
 }
 
 }  // namespace
 
-GerstnerLayer::GerstnerLayer(const ocl::Device& device, const scene::Sea& sea)
-    : gerstner_waves_(scene::gerstner_waves_of(sea, sea.parameters.seed)),
-      foam_(sea.parameters.foam),
-      instants_(sea.parameters.foam, sea.parameters.loop_period_s),
-      surface_(device) {
-  const double spacing_m = sea.parameters.cascades.front().patch_length_m / sea.parameters.size;
-  labels_ = {.spacing_x_m = spacing_m,
-             .spacing_z_m = spacing_m,
-             .columns = sea.parameters.size,
-             .rows = sea.parameters.size};
+GerstnerLayer::GerstnerLayer(const ocl::Device& device, const ocean::OceanParameters& sea)
+    : foam_(sea.foam), instants_(sea.foam, sea.loop_period_s), surface_(device) {
+  const double spacing_m = sea.cascades.front().patch_length_m / sea.size;
+  labels_ = {.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = sea.size, .rows = sea.size};
 }
 
 BakedFrame::CascadeFields GerstnerLayer::with_waves(const BakedFrame::CascadeFields& spectral,
                                                     ocean::Ocean& sea, double time_s,
                                                     double velocity_depth_m) {
   BakedFrame::CascadeFields fields = spectral;
-  surface_.at(gerstner_waves_, labels_, time_s);
+  const ocean::GerstnerSea& gerstner_waves = sea.parameters().gerstner_waves;
+  surface_.at(gerstner_waves, labels_, time_s);
   const ocean::GerstnerFields waves = surface_.read();
   ocean::SurfaceFields& surface = fields.surface;
   add(surface.displacement_x, waves.displacement_x);
@@ -59,7 +60,7 @@ BakedFrame::CascadeFields GerstnerLayer::with_waves(const BakedFrame::CascadeFie
   add(surface.gradient_xx, waves.gradient_xx);
   add(surface.gradient_xz, waves.gradient_xz);
   add(surface.gradient_zz, waves.gradient_zz);
-  ocean::ComposedFields composed = sea.read_composed(labels_, {.gerstner_waves = gerstner_waves_});
+  ocean::ComposedFields composed = sea.read_composed(labels_);
   surface.jacobian = std::move(composed.jacobian);
   surface.jacobian_min_eigenvalue = std::move(composed.jacobian_min_eigenvalue);
   if (!fields.foam.empty()) {
@@ -67,7 +68,7 @@ BakedFrame::CascadeFields GerstnerLayer::with_waves(const BakedFrame::CascadeFie
     sea.at(time_s);
   }
   if (!fields.velocity.x.empty()) {
-    add_velocity(fields.velocity, time_s, velocity_depth_m);
+    add_velocity(fields.velocity, {gerstner_waves, time_s}, velocity_depth_m);
   }
   return fields;
 }
@@ -98,20 +99,20 @@ const std::vector<float>& GerstnerLayer::coverage_at(ocean::Ocean& sea, std::int
     return found->second;
   }
   sea.at(static_cast<double>(key) * instants_.step_s());
-  std::vector<float> coverage = sea.read_composed(labels_, {.gerstner_waves = gerstner_waves_}).jacobian;
+  std::vector<float> coverage = sea.read_composed(labels_).jacobian;
   for (float& value : coverage) {
     value = static_cast<float>(std::clamp((foam_.onset_jacobian - value) / foam_.width, 0.0, 1.0));
   }
   return coverages_.emplace(key, std::move(coverage)).first->second;
 }
 
-void GerstnerLayer::add_velocity(ocean::VelocityFields& velocity, double time_s, double depth_m) const {
-  const ocean::GerstnerInstant instant(gerstner_waves_, time_s);
+void GerstnerLayer::add_velocity(ocean::VelocityFields& velocity, const ocean::GerstnerInstant& waves,
+                                 double depth_m) const {
   for (std::size_t i = 0; i < velocity.x.size(); ++i) {
     const auto columns = static_cast<std::size_t>(labels_.columns);
     const ocean::ParticleVelocity more =
-        instant.velocity(static_cast<double>(i % columns) * labels_.spacing_x_m,
-                         static_cast<double>(i / columns) * labels_.spacing_z_m, depth_m);
+        waves.velocity(static_cast<double>(i % columns) * labels_.spacing_x_m,
+                       static_cast<double>(i / columns) * labels_.spacing_z_m, depth_m);
     velocity.x[i] += static_cast<float>(more.x_mps);
     velocity.y[i] += static_cast<float>(more.y_mps);
     velocity.z[i] += static_cast<float>(more.z_mps);
@@ -163,9 +164,9 @@ void require_host_room(const BakeSettings& settings, const scene::Sea& sea,
 }
 
 FrameMaker::FrameMaker(const ocl::Device& device, const scene::Sea& sea, const BakeSettings& settings)
-    : settings_(settings), ocean_(device, sea.spectrum, sea.parameters) {
+    : settings_(settings), ocean_(device, sea.spectrum, baked_parameters(sea, settings.gerstner)) {
   if (settings.gerstner == GerstnerUse::included && sea.has_gerstner_waves()) {
-    gerstner_.emplace(device, sea);
+    gerstner_.emplace(device, sea.parameters);
   }
 }
 
@@ -198,9 +199,8 @@ BakedFrame FrameMaker::make(int frame) {
 GridMesh FrameMaker::make_mesh() {
   const int n = ocean_.parameters().size;
   const double spacing_m = ocean_.parameters().cascades.front().patch_length_m / n;
-  const ocean::ComposedFields sea = ocean_.read_composed(
-      {.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = n, .rows = n},
-      {.gerstner_waves = gerstner_ ? gerstner_->gerstner_waves() : ocean::GerstnerSea{}});
+  const ocean::ComposedFields sea =
+      ocean_.read_composed({.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = n, .rows = n});
   GridMesh mesh;
   mesh.columns = n;
   mesh.rows = n;

@@ -8,6 +8,7 @@
 
 #include "host/cli/ocean/bake_settings.h"
 #include "host/io/meshes/grid_mesh.h"
+#include "host/ocean/query/gerstner_instant.h"
 #include "host/ocean/surface/foam.h"
 #include "host/ocean/surface/gerstner_surface.h"
 #include "host/ocean/surface/ocean.h"
@@ -35,22 +36,20 @@ struct BakedFrame {
 /// The first cascade of a baked frame with the Gerstner waves of the sea, on one device.
 class GerstnerLayer {
  public:
-  GerstnerLayer(const ocl::Device& device, const scene::Sea& sea);
-
-  const ocean::GerstnerSea& gerstner_waves() const { return gerstner_waves_; }
+  GerstnerLayer(const ocl::Device& device, const ocean::OceanParameters& sea);
 
   /// The cascade's fields and the waves added up; Jacobian, eigenvalue and foam are those of all cascades and
   /// waves together, at the labels of this one. Foam and velocity where `spectral` has them. `sea` is at
-  /// time_s, before and after.
+  /// time_s, before and after, and has the waves.
   BakedFrame::CascadeFields with_waves(const BakedFrame::CascadeFields& spectral, ocean::Ocean& sea,
                                        double time_s, double velocity_depth_m);
 
  private:
   std::vector<float> foam_at(ocean::Ocean& sea, double time_s);
   const std::vector<float>& coverage_at(ocean::Ocean& sea, std::int64_t instant);
-  void add_velocity(ocean::VelocityFields& velocity, double time_s, double depth_m) const;
+  void add_velocity(ocean::VelocityFields& velocity, const ocean::GerstnerInstant& waves,
+                    double depth_m) const;
 
-  ocean::GerstnerSea gerstner_waves_;
   ocean::FoamParameters foam_;
   ocean::FoamInstants instants_;
   ocean::SampleGrid labels_;  // those of the cascade
@@ -84,7 +83,7 @@ class FrameMaker {
 
   const BakeSettings& settings_;
   ocean::Ocean ocean_;
-  std::optional<GerstnerLayer> gerstner_;  // where the waves are included and there are any
+  std::optional<GerstnerLayer> gerstner_;  // where ocean_ has such waves
 };
 
 }  // namespace offing::cli

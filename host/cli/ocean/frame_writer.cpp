@@ -31,7 +31,6 @@ FrameWriter::FrameWriter(const scene::Sea& sea, const BakeSettings& settings, co
       files_(files),
       scene_hash_(std::move(scene_hash)),
       spectrum_name_(std::move(spectrum_name)),
-      gerstner_waves_(scene::gerstner_waves_of(sea, sea.parameters.seed)),
       hs_m_(ocean::integrate_sea_state(sea.spectrum).hs_m),
       contact_sheet_(settings.frames, [&files](int frame) { return files.preview(frame); }) {}
 
@@ -81,7 +80,7 @@ RgbImage FrameWriter::draw_preview(const BakedFrame& frame) const {
     cascades.push_back(
         {sea_.parameters.cascades[i].patch_length_m, &frame.cascades[i].surface, frame.cascades[i].foam});
   }
-  return draw_sea_map(cascades, {gerstner_waves_, frame.time_s}, hs_m_);
+  return draw_sea_map(cascades, {sea_.parameters.gerstner_waves, frame.time_s}, hs_m_);
 }
 
 ExrImage FrameWriter::image_of(const BakedFrame& frame) const {
@@ -102,7 +101,7 @@ ExrImage FrameWriter::image_of(const BakedFrame& frame) const {
   if (settings_.has(ChannelGroup::velocity)) {
     image.attributes.emplace_back("velocity_depth_m", settings_.velocity_depth_m);
   }
-  if (!gerstner_waves_.waves.empty()) {
+  if (!sea_.parameters.gerstner_waves.waves.empty()) {
     add_gerstner_attributes(image, frame.time_s);
   }
   return image;
@@ -111,7 +110,7 @@ ExrImage FrameWriter::image_of(const BakedFrame& frame) const {
 /// The waves as they stand at this time: h = sum of A cos(kx x + kz z + phase), displaced sideways by -Q A
 /// K/k sin(kx x + kz z + phase).
 void FrameWriter::add_gerstner_attributes(ExrImage& image, double time_s) const {
-  const ocean::GerstnerInstant instant(gerstner_waves_, time_s);
+  const ocean::GerstnerInstant instant(sea_.parameters.gerstner_waves, time_s);
   std::string list;
   for (const ocean::GerstnerInstant::Wave& wave : instant.waves()) {
     const double phase_rad = std::remainder(wave.phase_rad, 2.0 * std::numbers::pi);

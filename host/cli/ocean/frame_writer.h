@@ -36,7 +36,6 @@ class FrameWriter {
   const FrameFiles& files_;
   std::string scene_hash_;
   std::string spectrum_name_;
-  ocean::GerstnerSea gerstner_waves_;
   double hs_m_;
   ContactSheet contact_sheet_;
 };

@@ -197,8 +197,8 @@ std::vector<scene::Row<QuerySettings>> flow_rows() {
             .example = "30"}}};
 }
 
-void answer(ocean::Ocean& sea, const ocean::GerstnerSea& gerstner_waves, const ocean::WaterQuery& query,
-            const TimeRange& times, PointSource& points, AnswerSink& sink, const GlobalOptions& options) {
+void answer(ocean::Ocean& sea, const ocean::WaterQuery& query, const TimeRange& times, PointSource& points,
+            AnswerSink& sink, const GlobalOptions& options) {
   Progress progress(static_cast<int>(times.count), "times",
                     times.count > 1 ? options.verbosity : Verbosity::quiet);
   for (std::int64_t i = 0; i < times.count; ++i) {
@@ -207,7 +207,7 @@ void answer(ocean::Ocean& sea, const ocean::GerstnerSea& gerstner_waves, const o
     points.rewind();
     for (auto block = points.next(); !block.empty(); block = points.next()) {
       options.cancel.throw_if_cancelled();
-      const std::vector<ocean::WaterSample> samples = sea.sample(block, gerstner_waves, query);
+      const std::vector<ocean::WaterSample> samples = sea.sample(block, query);
       for (std::size_t point = 0; point < block.size(); ++point) {
         sink.add({time_s, block[point], samples[point]});
       }
@@ -250,7 +250,7 @@ void run(const QueryArguments& arguments, const GlobalOptions& options) {
   AnswerSink sink(arguments, times, query.depth_m, arguments.parameters.inputs(scene));
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
   ocean::Ocean ocean(device, sea.spectrum, sea.parameters);
-  answer(ocean, scene::gerstner_waves_of(sea, sea.parameters.seed), query, times, points, sink, options);
+  answer(ocean, query, times, points, sink, options);
   if (sink.missed() > 0) {
     spdlog::warn(
         "{} of {} samples miss their point by more than {:g} m, under crests that fold: see residual_m",

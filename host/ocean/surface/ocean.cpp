@@ -129,6 +129,7 @@ OceanParameters checked(const OceanParameters& parameters) {
   require_within("choppiness", parameters.choppiness, 0.0, 10.0);
   if (parameters.loop_period_s) require_within("loop_period_s", *parameters.loop_period_s, 0.1, 1e5);
   require_valid_foam(parameters.foam);
+  require_valid_gerstner_waves(parameters.gerstner_waves);
   return parameters;
 }
 
@@ -184,7 +185,7 @@ struct Ocean::State {
     return velocity->velocity();
   }
 
-  QueriedSea queried(const GerstnerSea& sea_gerstner_waves, const WaterQuery& query);
+  QueriedSea queried(const WaterQuery& query);
 
   ocl::Device device;
   OceanParameters parameters;
@@ -201,15 +202,14 @@ struct Ocean::State {
   std::optional<ocl::Kernel> jacobian, field_copy;
   ocl::Buffer<float> jacobians;
   std::optional<ocl::Kernel> compose;
-  std::optional<GerstnerSurface> gerstner_waves;
+  std::optional<GerstnerSurface> gerstner_surface;
   std::optional<LongWaves> long_waves;
   std::optional<SurfaceQuery> query;
 };
 
 /// The maps of the waves that a query counts, at time_s.
-QueriedSea Ocean::State::queried(const GerstnerSea& sea_gerstner_waves, const WaterQuery& wanted) {
-  require_valid_gerstner_waves(sea_gerstner_waves);
-  require_valid_query(wanted, std::min(dispersion.depth_m, sea_gerstner_waves.dispersion.depth_m));
+QueriedSea Ocean::State::queried(const WaterQuery& wanted) {
+  require_valid_query(wanted, std::min(dispersion.depth_m, parameters.gerstner_waves.dispersion.depth_m));
   const bool wants_flow = wanted.fields == WaterQuery::Fields::surface_and_flow;
   const bool counts_all =
       parameters.cascades.back().k_max_radpm <= largest_wavenumber_radpm(wanted.min_wavelength_m);
@@ -231,7 +231,7 @@ QueriedSea Ocean::State::queried(const GerstnerSea& sea_gerstner_waves, const Wa
           .flow = flow,
           .cascades = parameters.cascades,
           .size = parameters.size,
-          .gerstner_waves = sea_gerstner_waves,
+          .gerstner_waves = parameters.gerstner_waves,
           .wakes = *wakes,
           .shoals = shoals.get(),
           .dispersion = dispersion,
@@ -253,6 +253,11 @@ void Ocean::at(double time_s) {
   state_->time_s = time_s;
   state_->surface_is_current = false;
   state_->current_surface();
+}
+
+void Ocean::set_gerstner_waves(const GerstnerSea& gerstner_waves) {
+  require_valid_gerstner_waves(gerstner_waves);
+  state_->parameters.gerstner_waves = gerstner_waves;
 }
 
 void Ocean::set_wakes(std::shared_ptr<const WakeMaps> wakes) {
@@ -375,14 +380,14 @@ VelocityFields Ocean::read_velocity(int cascade, double depth_m) {
   return fields;
 }
 
-ComposedFields Ocean::read_composed(const SampleGrid& grid, const Composition& composition) {
+ComposedFields Ocean::read_composed(const SampleGrid& grid, SlopeRule slopes) {
   State& state = *state_;
+  const GerstnerSea& gerstner_waves = state.parameters.gerstner_waves;
   require_valid_grid(grid);
-  const bool has_gerstner_waves =
-      !composition.gerstner_waves.waves.empty() || !composition.gerstner_waves.raindrops.empty();
+  const bool has_gerstner_waves = !gerstner_waves.waves.empty() || !gerstner_waves.raindrops.empty();
   if (has_gerstner_waves) {
-    if (!state.gerstner_waves) state.gerstner_waves.emplace(state.device);
-    state.gerstner_waves->at(composition.gerstner_waves, grid, state.time_s);
+    if (!state.gerstner_surface) state.gerstner_surface.emplace(state.device);
+    state.gerstner_surface->at(gerstner_waves, grid, state.time_s);
   }
   if (!state.compose) {
     state.compose = ocl::Program::build(state.device, "ocean/surface_compose.cl").kernel("surface_compose");
@@ -391,8 +396,8 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid, const Composition& c
   params.cascade_count = static_cast<int>(state.parameters.cascades.size());
   params.columns = grid.columns;
   params.rows = grid.rows;
-  params.gerstner_pitch = has_gerstner_waves ? state.gerstner_waves->pitch() : 0;
-  params.adds_slopes = composition.slopes == SlopeRule::added ? 1 : 0;
+  params.gerstner_pitch = has_gerstner_waves ? state.gerstner_surface->pitch() : 0;
+  params.adds_slopes = slopes == SlopeRule::added ? 1 : 0;
   for (std::size_t i = 0; i < state.parameters.cascades.size(); ++i) {
     const double length_m = state.parameters.cascades[i].patch_length_m;
     // In 2^-32 of the patch, as the kernel adds them up. fmod() is exact, so that a grid far from the origin
@@ -417,8 +422,8 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid, const Composition& c
   ocl::Buffer<float> shape(state.device, 4 * count, "composed slopes");
   // Without Gerstner waves the cascades' own maps stand in for theirs, unread.
   state.compose->launch({{columns, rows, 1}}, surface.displacement(), surface.gradient(),
-                        has_gerstner_waves ? state.gerstner_waves->displacement() : surface.displacement(),
-                        has_gerstner_waves ? state.gerstner_waves->gradient() : surface.gradient(),
+                        has_gerstner_waves ? state.gerstner_surface->displacement() : surface.displacement(),
+                        has_gerstner_waves ? state.gerstner_surface->gradient() : surface.gradient(),
                         state.wakes->maps(), state.wakes->layers(), samples_buffer,
                         static_cast<int>(state.wakes->count()), params_buffer, state.parameters.size,
                         position, shape);
@@ -445,8 +450,7 @@ ComposedFields Ocean::read_composed(const SampleGrid& grid, const Composition& c
 }
 
 void Ocean::sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
-                   ocl::Buffer<WaterSample>& samples, const GerstnerSea& gerstner_waves,
-                   const WaterQuery& query) {
+                   ocl::Buffer<WaterSample>& samples, const WaterQuery& query) {
   State& state = *state_;
   if (points.size() < count || samples.size() < count) {
     throw Error(ErrorKind::bad_usage,
@@ -454,13 +458,13 @@ void Ocean::sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t cou
                             points.size(), samples.size()),
                 "make both buffers as large as the number of points");
   }
-  const QueriedSea sea = state.queried(gerstner_waves, query);
+  const QueriedSea sea = state.queried(query);
   if (!state.query) state.query.emplace(state.device);
   state.query->sample(sea, query, points, count, samples);
 }
 
 void Ocean::sample(std::span<const WaterPoint> points, std::span<WaterSample> samples,
-                   const GerstnerSea& gerstner_waves, const WaterQuery& query) {
+                   const WaterQuery& query) {
   State& state = *state_;
   if (points.size() != samples.size()) {
     throw Error(ErrorKind::bad_usage,
@@ -468,20 +472,19 @@ void Ocean::sample(std::span<const WaterPoint> points, std::span<WaterSample> sa
                             samples.size()),
                 "pass as many samples as points");
   }
-  const QueriedSea sea = state.queried(gerstner_waves, query);
+  const QueriedSea sea = state.queried(query);
   if (!state.query) state.query.emplace(state.device);
   state.query->sample(sea, query, points, samples);
 }
 
-std::vector<WaterSample> Ocean::sample(std::span<const WaterPoint> points, const GerstnerSea& gerstner_waves,
-                                       const WaterQuery& query) {
+std::vector<WaterSample> Ocean::sample(std::span<const WaterPoint> points, const WaterQuery& query) {
   std::vector<WaterSample> samples(points.size());
-  sample(points, samples, gerstner_waves, query);
+  sample(points, samples, query);
   return samples;
 }
 
-SurfaceInstant Ocean::instant(const GerstnerSea& gerstner_waves, const WaterQuery& query) {
-  return read_instant(state_->queried(gerstner_waves, query), query);
+SurfaceInstant Ocean::instant(const WaterQuery& query) {
+  return read_instant(state_->queried(query), query);
 }
 
 std::vector<float> Ocean::mode_variance(int cascade) const {
@@ -489,7 +492,8 @@ std::vector<float> Ocean::mode_variance(int cascade) const {
   return state_->modes.variance(cascade);
 }
 
-void Ocean::reseed(std::uint64_t seed) {
+void Ocean::reseed(std::uint64_t seed, const GerstnerSea& gerstner_waves) {
+  set_gerstner_waves(gerstner_waves);
   State& state = *state_;
   state.surface_is_current = false;
   if (state.foam) state.foam->reset();

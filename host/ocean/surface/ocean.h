@@ -29,7 +29,7 @@ struct FoamParameters {
   double step_s = 0.25;         ///< spacing of the past instants that are looked at
 };
 
-/// Everything that defines a spectral sea besides its spectrum.
+/// Everything that defines a sea besides its spectrum.
 struct OceanParameters {
   int size = 512;                 ///< n, samples along a patch: a power of two, 16 ... 4096
   std::vector<Cascade> cascades;  ///< 1 ... 4
@@ -37,6 +37,7 @@ struct OceanParameters {
   double choppiness = 1.0;                   ///< alpha >= 0 of O7
   std::optional<double> loop_period_s = {};  ///< the surface repeats exactly after this time
   FoamParameters foam = {};
+  GerstnerSea gerstner_waves = {};  ///< those below the cascades' k_split, swells, raindrops
 };
 
 /// One cascade's surface in host memory, each field [n][n] row-major, row = z, column = x.
@@ -74,12 +75,6 @@ enum class SlopeRule {
   added,  ///< their sum, as Lee & Lee 2007 have it (O9): too gentle at crests, too steep in troughs
 };
 
-/// What a surface is composed of besides the cascades.
-struct Composition {
-  GerstnerSea gerstner_waves = {};  ///< those below the cascades' k_split, swells, raindrops
-  SlopeRule slopes = SlopeRule::of_displaced_surface;
-};
-
 /// The composed sea on a SampleGrid, each [rows][columns]: sums of all cascades and Gerstner waves, then F
 /// (O7, O9).
 struct ComposedFields {
@@ -89,8 +84,9 @@ struct ComposedFields {
   std::vector<float> jacobian, jacobian_min_eigenvalue;
 };
 
-/// A spectral sea on a device (O1-O7, O10 of docs/sources.md): 1-4 cascades of periodic patches, reachable at
-/// any time.
+/// A sea on a device (O1-O10 of docs/sources.md): 1-4 cascades of periodic patches and Gerstner waves,
+/// reachable at any time. read_composed(), sample() and instant() have all waves; maps, foam, velocity and
+/// variances are those of the cascades alone.
 ///
 /// at() enqueues; read_*() wait and copy to the host. Same seed and parameters give the same sea on every
 /// device within 1e-4 Hs. Before the first at() the time is 0.
@@ -111,6 +107,10 @@ class Ocean {
   /// Enqueues the surface maps of all cascades at time_s. Throws Error(bad_input) unless |time_s| <= 1e8,
   /// three years.
   void at(double time_s);
+
+  /// Changes Gerstner waves, swells and raindrops from now on. Throws what require_valid_gerstner_waves()
+  /// throws, and has changed nothing then.
+  void set_gerstner_waves(const GerstnerSea& gerstner_waves);
 
   /// The wakes that read_composed(), sample() and instant() add to the sea from now on, as they stand then;
   /// none for nullptr. Wakes count at labels, as Gerstner waves do, whatever the query's minimum wavelength;
@@ -151,12 +151,11 @@ class Ocean {
   /// Throws Error(bad_input) for a depth below the bed.
   VelocityFields read_velocity(int cascade, double depth_m = 0.0);
   /// The composed surface at the time of the last at(), bilinear between samples of each cascade. Throws
-  /// Error(bad_input) for a grid without samples, of more than 16384 a side, or not finite, and for Gerstner
-  /// waves out of range.
-  ComposedFields read_composed(const SampleGrid& grid, const Composition& composition = {});
+  /// Error(bad_input) for a grid without samples, of more than 16384 a side, or not finite.
+  ComposedFields read_composed(const SampleGrid& grid, SlopeRule slopes = SlopeRule::of_displaced_surface);
 
-  /// The water at points of the world at the time of the last at(): the surface that read_composed() composes
-  /// with these Gerstner waves, where it meets each point's vertical.
+  /// The water at points of the world at the time of the last at(): the surface that read_composed()
+  /// composes, where it meets each point's vertical.
   ///
   /// The label X under a point x solves X + d(X) = x; each sample says by how much it is missed, residual_m:
   /// at most the query's tolerance, but where the surface folds (a point has several labels there, one of
@@ -167,28 +166,27 @@ class Ocean {
   /// at that depth, so that it is 0 at the surface.
   ///
   /// The first query of a time with flow, depth or minimum wavelength makes the maps that it needs; those of
-  /// one minimum wavelength are kept. Throws Error(bad_input) for points beyond farthest_point_m, a query or
-  /// Gerstner waves out of range.
-  std::vector<WaterSample> sample(std::span<const WaterPoint> points, const GerstnerSea& gerstner_waves = {},
-                                  const WaterQuery& query = {});
+  /// one minimum wavelength are kept. Throws Error(bad_input) for points beyond farthest_point_m and a query
+  /// out of range.
+  std::vector<WaterSample> sample(std::span<const WaterPoint> points, const WaterQuery& query = {});
   /// The same into the caller's memory, as many samples as points; throws Error(bad_usage) for another
   /// number.
   void sample(std::span<const WaterPoint> points, std::span<WaterSample> samples,
-              const GerstnerSea& gerstner_waves = {}, const WaterQuery& query = {});
+              const WaterQuery& query = {});
   /// Enqueues the same for the first `count` points that are on the device already, and leaves the samples
   /// there: no transfer, no wait while waves and query stay the same and no rings run. Throws
   /// Error(bad_usage) if a buffer holds fewer. A point that is not finite gets a residual that is not either.
   void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
-              ocl::Buffer<WaterSample>& samples, const GerstnerSea& gerstner_waves = {},
-              const WaterQuery& query = {});
+              ocl::Buffer<WaterSample>& samples, const WaterQuery& query = {});
   /// The same sea at the time of the last at() in host memory, for single points without the device.
-  SurfaceInstant instant(const GerstnerSea& gerstner_waves = {}, const WaterQuery& query = {});
+  SurfaceInstant instant(const WaterQuery& query = {});
 
   /// Expected variance of each mode, [n][n] m^2, K = 0 at [0][0]: what the spectrum asks of this cascade.
   std::vector<float> mode_variance(int cascade) const;
   /// Draws a new sea of the same spectrum: all that is read from now on is of it, at the time of the last
-  /// at().
-  void reseed(std::uint64_t seed);
+  /// at(). Gerstner waves are drawn from the spectrum by the same seed: give those of the new sea. Throws
+  /// what require_valid_gerstner_waves() throws, and has changed nothing then.
+  void reseed(std::uint64_t seed, const GerstnerSea& gerstner_waves);
 
  private:
   struct State;

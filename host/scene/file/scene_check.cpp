@@ -121,7 +121,7 @@ class SceneChecker {
     }
     const Sea sea = prepare_sea(scene, Warnings::left_out);
     warn(unused_parameters(scene, sea));
-    const std::string steepness = steepness_warning(scene, gerstner_waves_of(sea, sea.parameters.seed));
+    const std::string steepness = steepness_warning(scene, sea.parameters.gerstner_waves);
     if (!steepness.empty()) warn({name_ + ": " + steepness});
     prepare_wakes(scene, sea.spectrum.dispersion);
   }

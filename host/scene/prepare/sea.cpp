@@ -94,7 +94,7 @@ std::string raindrop_warning(std::span<const ocean::Raindrop> drops) {
 }
 
 void log_warnings(const Scene& scene, const Sea& sea) {
-  const std::string too_steep = steepness_warning(scene, gerstner_waves_of(sea, sea.parameters.seed));
+  const std::string too_steep = steepness_warning(scene, sea.parameters.gerstner_waves);
   if (!too_steep.empty()) spdlog::warn("{}", too_steep);
   for (const std::string& line : unused_parameters(scene, sea)) {
     spdlog::warn("{}", line);
@@ -185,6 +185,7 @@ Sea prepare_sea(const Scene& scene, Warnings warnings) {
                                                                scene.ocean.parameters.size, split_radpm);
   sea.swells = swells_of(scene, sea.spectrum.dispersion);
   sea.raindrops = scene.ocean.raindrops;
+  sea.parameters.gerstner_waves = gerstner_waves_of(sea, sea.parameters.seed);
   if (warnings == Warnings::logged) log_warnings(scene, sea);
   return sea;
 }

@@ -16,7 +16,7 @@ namespace offing::scene {
 struct Sea {
   std::optional<WaveSpectrum> measured;  ///< the record that `spectrum` was made from, if it was measured
   ocean::SeaSpectrum spectrum;
-  ocean::OceanParameters parameters;  ///< with its cascades
+  ocean::OceanParameters parameters;  ///< with its cascades and Gerstner waves
   /// Which waves are Gerstner waves, of the seed of `parameters`; absent where the cascades carry all.
   std::optional<ocean::GerstnerChoice> gerstner_choice;
   std::vector<ocean::GerstnerWave> swells;  ///< beside the spectrum

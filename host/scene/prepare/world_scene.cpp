@@ -53,7 +53,6 @@ world::WorldParameters prepare_sea_and_sky(const Scene& scene, Warnings warnings
     return parameters;
   }
   Sea sea = prepare_sea(scene, warnings);
-  parameters.gerstner_waves = gerstner_waves_of(sea, sea.parameters.seed);
   parameters.wakes = prepare_wakes(scene, sea.spectrum.dispersion);
   parameters.spectrum = std::move(sea.spectrum);
   parameters.ocean = std::move(sea.parameters);
@@ -113,15 +112,15 @@ void edit_world_below(world::World& world, const Scene& before, const Scene& aft
     case SeaChange::none:
       break;
     case SeaChange::waves_beside:
-      world.set_gerstner_waves(with_waves_beside(world.parameters().gerstner_waves, before, after));
+      world.set_gerstner_waves(with_waves_beside(world.parameters().ocean.gerstner_waves, before, after));
       break;
     case SeaChange::wakes:
-      world.set_gerstner_waves(with_waves_beside(world.parameters().gerstner_waves, before, after));
+      world.set_gerstner_waves(with_waves_beside(world.parameters().ocean.gerstner_waves, before, after));
       world.set_wakes(prepare_wakes(after, world.parameters().spectrum.dispersion));
       break;
     case SeaChange::seed: {
       const Sea sea = prepare_sea(after, Warnings::left_out);
-      world.reseed(sea.parameters.seed, gerstner_waves_of(sea, sea.parameters.seed));
+      world.reseed(sea.parameters.seed, sea.parameters.gerstner_waves);
       world.set_wakes(prepare_wakes(after, sea.spectrum.dispersion));
       break;
     }

@@ -107,7 +107,7 @@ void WaterShape::fit(GridCells cells) {
 void WaterShape::draw(const world::World& world, const WaterMaps& maps, const Camera& camera,
                       const ocean::ProjectedGrid& grid) {
   const glm::dvec2 eye_m(camera.eye_m.x, camera.eye_m.z);
-  const ocean::GerstnerInstant gerstner_waves(world.parameters().gerstner_waves, world.time_s());
+  const ocean::GerstnerInstant gerstner_waves(world.parameters().ocean.gerstner_waves, world.time_s());
   rings_.prepare(gerstner_waves, eye_m);
   const ShaderProgram& program = programs_.with(wave_features(world, rings_));
   target_.bind();

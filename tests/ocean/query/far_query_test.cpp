@@ -22,12 +22,12 @@ TEST(FarQuery, DeviceAndHostAgreeAlsoFarAway) {
   for (const WaterQuery& query :
        {WaterQuery{}, WaterQuery{.depth_m = 2.0}, WaterQuery{.min_wavelength_m = 9.0},
         WaterQuery{.fields = WaterQuery::Fields::surface}}) {
-    const SurfaceInstant instant = hybrid.ocean.instant(hybrid.gerstner_waves, query);
+    const SurfaceInstant instant = hybrid.ocean.instant(query);
     for (const WaterPoint& centre :
          {WaterPoint{}, WaterPoint{1e5, -1e5}, WaterPoint{-farthest_point_m + 1e3, 12345.6}}) {
       std::vector<WaterPoint> points = scattered_points(2000, 900.0);
       for (WaterPoint& point : points) point = {point.x_m + centre.x_m, point.z_m + centre.z_m};
-      const std::vector<WaterSample> samples = hybrid.ocean.sample(points, hybrid.gerstner_waves, query);
+      const std::vector<WaterSample> samples = hybrid.ocean.sample(points, query);
       double worst_m = 0.0, worst_mps = 0.0, worst_pa = 0.0, residual_m = 0.0;
       for (std::size_t i = 0; i < points.size(); ++i) {
         const WaterSample host = instant.at(points[i]);
@@ -69,16 +69,16 @@ TEST(FarQuery, FindsHighWavesAtTheFarthestPoints) {
   for (int i = 0; i < 12; ++i) {
     const double direction_rad = 0.1 + 0.5 * i, wavelength_m = 130.0 + 7.7 * i;
     const Swell swell{.amplitude_m = 20.0, .wavelength_m = wavelength_m, .direction_rad = direction_rad};
-    const GerstnerSea gerstner_waves{.waves = {make_swell(swell, hybrid.spectrum.dispersion)},
-                                     .choppiness = 0.0};
+    const GerstnerWave wave = make_swell(swell, hybrid.spectrum.dispersion);
+    hybrid.ocean.set_gerstner_waves({.waves = {wave}, .choppiness = 0.0});
     std::vector<WaterPoint> points = scattered_points(100, 900.0);
     for (WaterPoint& point : points) {
       point.x_m += ((i & 1) != 0 ? 1.0 : -1.0) * (farthest_point_m - 1e3);
       point.z_m += ((i & 2) != 0 ? 1.0 : -1.0) * (farthest_point_m - 1e3);
     }
-    const std::vector<WaterSample> samples = hybrid.ocean.sample(
-        points, gerstner_waves, {.min_wavelength_m = 120.0, .fields = WaterQuery::Fields::surface});
-    const double k = gerstner_waves.waves[0].wavenumber_radpm;
+    const std::vector<WaterSample> samples =
+        hybrid.ocean.sample(points, {.min_wavelength_m = 120.0, .fields = WaterQuery::Fields::surface});
+    const double k = wave.wavenumber_radpm;
     for (std::size_t j = 0; j < points.size(); ++j) {
       const double phase =
           k * (std::cos(direction_rad) * points[j].x_m + std::sin(direction_rad) * points[j].z_m);
@@ -97,10 +97,10 @@ TEST(FarQuery, DoesNotJitterFarAway) {
   HybridSea hybrid = hybrid_sea(ocl::Device::open(), 256);
   hybrid.ocean.at(3.0);
   const WaterQuery query{.tolerance_m = 1e-5};
-  const SurfaceInstant instant = hybrid.ocean.instant(hybrid.gerstner_waves, query);
+  const SurfaceInstant instant = hybrid.ocean.instant(query);
   std::vector<WaterPoint> points;
   for (int i = 0; i < 4000; ++i) points.push_back({1e5 + 1e-3 * i, 1e5 - 7e-4 * i});
-  const std::vector<WaterSample> samples = hybrid.ocean.sample(points, hybrid.gerstner_waves, query);
+  const std::vector<WaterSample> samples = hybrid.ocean.sample(points, query);
   double worst_m = 0.0, off_before_m = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double off_m = 1.0 * samples[i].height_m - instant.at(points[i]).height_m;

@@ -19,12 +19,11 @@ HybridSea hybrid_sea(const ocl::Device& device, int size, double choppiness) {
   const OceanParameters parameters{.size = size,
                                    .cascades = choose_cascades(spectrum, size, 2, choice.split_radpm),
                                    .seed = 2,
-                                   .choppiness = choppiness};
-  return {.spectrum = spectrum,
-          .ocean = Ocean(device, spectrum, parameters),
-          .gerstner_waves = {.waves = choose_gerstner_waves(spectrum, choice),
-                             .choppiness = choppiness,
-                             .dispersion = spectrum.dispersion}};
+                                   .choppiness = choppiness,
+                                   .gerstner_waves = {.waves = choose_gerstner_waves(spectrum, choice),
+                                                      .choppiness = choppiness,
+                                                      .dispersion = spectrum.dispersion}};
+  return {.spectrum = spectrum, .ocean = Ocean(device, spectrum, parameters)};
 }
 
 std::vector<WaterPoint> scattered_points(int count, double width_m) {

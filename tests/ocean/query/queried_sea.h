@@ -10,7 +10,6 @@ namespace offing::ocean {
 struct HybridSea {
   SeaSpectrum spectrum;
   Ocean ocean;
-  GerstnerSea gerstner_waves;
 };
 
 HybridSea hybrid_sea(const ocl::Device& device, int size, double choppiness = 1.0);

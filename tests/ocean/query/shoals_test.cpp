@@ -52,7 +52,7 @@ class ShoalsTest : public testing::Test {
       cascades.push_back(band_of_modes(sea.ocean.mode_variance(static_cast<int>(i)), parameters.size,
                                        parameters.cascades[i].patch_length_m));
     }
-    return {sea.spectrum.dispersion, shoaling_bands(cascades, sea.gerstner_waves.waves)};
+    return {sea.spectrum.dispersion, shoaling_bands(cascades, parameters.gerstner_waves.waves)};
   }
   void lay(HybridSea& sea, std::shared_ptr<const DepthMap> bed) const {
     sea.ocean.set_shoals(std::make_shared<const Shoals>(device_, std::move(bed), table_of(sea)));
@@ -72,16 +72,21 @@ TEST_F(ShoalsTest, ScaleEachBandByItsShare) {
   const std::array<double, SHOAL_BANDS> shares = table.at(3.0);
   ASSERT_LT(shares[0], 0.9);
   ASSERT_NE(shares[0], shares[SHOAL_FIRST_GERSTNER]);
+  const GerstnerSea all = sea.ocean.parameters().gerstner_waves;
   for (int band = 0; band < 4; ++band) {
-    GerstnerSea alone = sea.gerstner_waves;
+    GerstnerSea alone = all;
     std::erase_if(alone.waves, [&](const GerstnerWave& wave) {
       return table.bands().gerstner_band(wave.wavenumber_radpm) != band;
     });
     sea.ocean.at(30.0);
+    const auto sampled_with = [&](const GerstnerSea& gerstner_waves) {
+      sea.ocean.set_gerstner_waves(gerstner_waves);
+      return sea.ocean.sample(points);
+    };
     sea.ocean.set_shoals(nullptr);
-    const auto cascades = sea.ocean.sample(points), open = sea.ocean.sample(points, alone);
+    const auto cascades = sampled_with({}), open = sampled_with(alone);
     sea.ocean.set_shoals(std::make_shared<const Shoals>(device_, flat(3.0), table));
-    const auto less = sea.ocean.sample(points), found = sea.ocean.sample(points, alone);
+    const auto less = sampled_with({}), found = sampled_with(alone);
     const double share = shares[static_cast<std::size_t>(SHOAL_FIRST_GERSTNER + band)];
     for (std::size_t i = 0; i < points.size(); ++i) {
       EXPECT_NEAR(found[i].height_m - less[i].height_m, share * (open[i].height_m - cascades[i].height_m),
@@ -103,6 +108,7 @@ TEST_F(ShoalsTest, ScaleEachCascadeByItsShare) {
   const double cell_m = sea.ocean.parameters().cascades[0].patch_length_m / 64.0;
   std::vector<WaterPoint> points;
   for (int i = 0; i < 64 * 64; i += 37) points.push_back({i % 64 * cell_m, i / 64 * cell_m});
+  sea.ocean.set_gerstner_waves({});
   sea.ocean.at(30.0);
   const SurfaceFields first = sea.ocean.read_surface(0);
   const auto open = sea.ocean.sample(points);
@@ -132,10 +138,10 @@ TEST_F(ShoalsTest, QueriesAreThoseOfTheReference) {
     lay(sea, beach(slope));
     sea.ocean.at(11.0);
     const WaterQuery query{.depth_m = 0.0, .tolerance_m = 1e-5};
-    const SurfaceInstant reference = sea.ocean.instant(sea.gerstner_waves, query);
+    const SurfaceInstant reference = sea.ocean.instant(query);
     std::vector<WaterPoint> points = scattered_points(300, 1600.0);
     points.push_back({0.0, 0.0});
-    const std::vector<WaterSample> samples = sea.ocean.sample(points, sea.gerstner_waves, query);
+    const std::vector<WaterSample> samples = sea.ocean.sample(points, query);
     double worst_m = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const WaterSample expected = reference.at(points[i]);
@@ -161,7 +167,7 @@ TEST_F(ShoalsTest, NoWaveRunsThroughRock) {
     for (const double time_s : {3.0, 40.0, 77.0}) {
       sea.ocean.at(time_s);
       std::vector<WaterPoint> points = scattered_points(3000, 300.0);
-      const std::vector<WaterSample> samples = sea.ocean.sample(points, sea.gerstner_waves);
+      const std::vector<WaterSample> samples = sea.ocean.sample(points);
       for (std::size_t i = 0; i < points.size(); ++i) {
         const double depth_m = slope * points[i].x_m;
         if (depth_m <= 0.0) {
@@ -182,14 +188,14 @@ TEST_F(ShoalsTest, LeaveTheOpenSea) {
   HybridSea sea = hybrid_sea(device_, 128);
   sea.ocean.at(5.0);
   const std::vector<WaterPoint> points = scattered_points(200, 500.0);
-  const auto open = sea.ocean.sample(points, sea.gerstner_waves);
+  const auto open = sea.ocean.sample(points);
   lay(sea, flat(1e4));
-  const auto deep = sea.ocean.sample(points, sea.gerstner_waves);
+  const auto deep = sea.ocean.sample(points);
   for (std::size_t i = 0; i < points.size(); ++i) EXPECT_NEAR(deep[i].height_m, open[i].height_m, 2e-5);
   lay(sea, flat(2.0));
-  EXPECT_NE(sea.ocean.sample(points, sea.gerstner_waves)[0].height_m, open[0].height_m);
+  EXPECT_NE(sea.ocean.sample(points)[0].height_m, open[0].height_m);
   sea.ocean.set_shoals(nullptr);
-  const auto again = sea.ocean.sample(points, sea.gerstner_waves);
+  const auto again = sea.ocean.sample(points);
   for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(again[i].height_m, open[i].height_m);
 }
 

@@ -48,11 +48,11 @@ TEST_F(SurfaceQueryTest, FindsTheLabelsOfASteepGerstner) {
   Ocean sea = single_wave_sea(device_, 1e-6, 0.0, std::numeric_limits<double>::infinity());
   const double k = 2.0 * pi / 150.0, amplitude_m = 0.85 / k, time_s = 7.0;
   const double omega_radps = std::sqrt(9.81 * k);
-  const GerstnerSea gerstner_waves{.waves = {{.amplitude_m = amplitude_m,
-                                              .wavenumber_radpm = k,
-                                              .direction_rad = 0.6,
-                                              .omega_radps = omega_radps,
-                                              .phase_rad = 0.3}}};
+  sea.set_gerstner_waves({.waves = {{.amplitude_m = amplitude_m,
+                                     .wavenumber_radpm = k,
+                                     .direction_rad = 0.6,
+                                     .omega_radps = omega_radps,
+                                     .phase_rad = 0.3}}});
   sea.at(time_s);
   std::vector<WaterPoint> points;
   std::vector<double> phases;
@@ -64,7 +64,7 @@ TEST_F(SurfaceQueryTest, FindsTheLabelsOfASteepGerstner) {
     points.push_back({label.x_m - amplitude_m * cosine * std::sin(phase),
                       label.z_m - amplitude_m * sine * std::sin(phase)});
   }
-  const std::vector<WaterSample> samples = sea.sample(points, gerstner_waves);
+  const std::vector<WaterSample> samples = sea.sample(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double slope = -0.85 * std::sin(phases[i]) / (1.0 - 0.85 * std::cos(phases[i]));
     ASSERT_NEAR(samples[i].height_m, amplitude_m * std::cos(phases[i]), 2e-4) << i;
@@ -97,7 +97,7 @@ TEST_F(SurfaceQueryTest, CascadesFlowAsAiryWaves) {
       const double horizontal = over_sinh(1.0), vertical = over_sinh(-1.0);
       const double pressure = horizontal * std::tanh(k * bed_m);
       double amplitude_m = 0.0;
-      const std::vector<WaterSample> samples = sea.sample(scattered_points(200, 300.0), {}, query);
+      const std::vector<WaterSample> samples = sea.sample(scattered_points(200, 300.0), query);
       for (const WaterSample& sample : samples) amplitude_m = std::max(amplitude_m, 1.0 * sample.height_m);
       ASSERT_NEAR(amplitude_m, 0.5, 0.02);
       const double speed_mps = omega_radps * amplitude_m;
@@ -121,14 +121,15 @@ TEST_F(SurfaceQueryTest, GerstnerWavesFlowAsAiryWaves) {
   for (const double bed_m : {6.0, std::numeric_limits<double>::infinity()}) {
     const Dispersion dispersion{.depth_m = bed_m};
     Ocean sea = single_wave_sea(device_, 1e-6, 0.0, bed_m);
-    GerstnerSea gerstner_waves{.choppiness = 0.0, .dispersion = dispersion};
-    gerstner_waves.waves = {
-        make_swell({.amplitude_m = 0.8, .wavelength_m = 30.0, .direction_rad = 2.0}, dispersion)};
+    sea.set_gerstner_waves(
+        {.waves = {make_swell({.amplitude_m = 0.8, .wavelength_m = 30.0, .direction_rad = 2.0}, dispersion)},
+         .choppiness = 0.0,
+         .dispersion = dispersion});
     const double k = 2.0 * pi / 30.0, omega_radps = dispersion.omega_radps(k), time_s = 20.0;
     sea.at(time_s);
     const std::vector<WaterPoint> points = scattered_points(200, 300.0);
     for (const double depth_m : {0.0, 1.3, 5.5}) {
-      const std::vector<WaterSample> samples = sea.sample(points, gerstner_waves, {.depth_m = depth_m});
+      const std::vector<WaterSample> samples = sea.sample(points, {.depth_m = depth_m});
       const double whole = -std::expm1(-2.0 * k * bed_m), decay = std::exp(-k * depth_m);
       const double above_bed = std::exp(-2.0 * k * (bed_m - depth_m));
       for (std::size_t i = 0; i < points.size(); ++i) {
@@ -155,8 +156,9 @@ TEST_F(SurfaceQueryTest, GerstnerWavesFlowAsAiryWaves) {
 // most, 0.6 mm of these waves. Gate 1 mm.
 TEST_F(SurfaceQueryTest, IsTheComposedSurface) {
   HybridSea hybrid = hybrid_sea(device_, 256);
-  hybrid.gerstner_waves.raindrops = {
-      {.x_m = 8.0, .z_m = 20.0, .time_s = 19.0, .amplitude_m = 0.3, .wavelength_m = 6.0}};
+  GerstnerSea with_drop = hybrid.ocean.parameters().gerstner_waves;
+  with_drop.raindrops = {{.x_m = 8.0, .z_m = 20.0, .time_s = 19.0, .amplitude_m = 0.3, .wavelength_m = 6.0}};
+  hybrid.ocean.set_gerstner_waves(with_drop);
   hybrid.ocean.at(20.0);
   const SampleGrid grid{.origin_x_m = -31.7,
                         .origin_z_m = 12.3,
@@ -164,7 +166,7 @@ TEST_F(SurfaceQueryTest, IsTheComposedSurface) {
                         .spacing_z_m = 1.21,
                         .columns = 60,
                         .rows = 40};
-  const ComposedFields composed = hybrid.ocean.read_composed(grid, {.gerstner_waves = hybrid.gerstner_waves});
+  const ComposedFields composed = hybrid.ocean.read_composed(grid);
   std::vector<WaterPoint> points;
   for (int i = 0; i < grid.rows * grid.columns; ++i) {
     points.push_back({grid.origin_x_m + i % grid.columns * grid.spacing_x_m + composed.displacement_x[i],
@@ -172,7 +174,7 @@ TEST_F(SurfaceQueryTest, IsTheComposedSurface) {
   }
   ASSERT_GT(*std::min_element(composed.jacobian.begin(), composed.jacobian.end()), 0.0f)
       << "a folded sea has points with several heights";
-  const std::vector<WaterSample> samples = hybrid.ocean.sample(points, hybrid.gerstner_waves);
+  const std::vector<WaterSample> samples = hybrid.ocean.sample(points);
   double worst_m = 0.0, squares = 0.0, all_squares = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     worst_m = std::max<double>(worst_m, std::abs(samples[i].height_m - composed.displacement_y[i]));
@@ -195,15 +197,14 @@ TEST_F(SurfaceQueryTest, ResidualsKeepTheTolerance) {
   for (const double tolerance_m : {1e-5, 1e-4, 1e-2}) {
     HybridSea hybrid = hybrid_sea(device_, 256);
     hybrid.ocean.at(5.0);
-    for (const WaterSample& sample : hybrid.ocean.sample(scattered_points(20000, 2000.0),
-                                                         hybrid.gerstner_waves, {.tolerance_m = tolerance_m}))
+    for (const WaterSample& sample :
+         hybrid.ocean.sample(scattered_points(20000, 2000.0), {.tolerance_m = tolerance_m}))
       ASSERT_LE(sample.residual_m, 1.1 * tolerance_m);
   }
   HybridSea folded = hybrid_sea(device_, 256, 2.5);
   folded.ocean.at(5.0);
   int missed = 0;
-  for (const WaterSample& sample :
-       folded.ocean.sample(scattered_points(20000, 2000.0), folded.gerstner_waves)) {
+  for (const WaterSample& sample : folded.ocean.sample(scattered_points(20000, 2000.0))) {
     ASSERT_TRUE(std::isfinite(sample.height_m) && std::isfinite(sample.residual_m));
     missed += sample.residual_m > 1e-4 ? 1 : 0;
   }
@@ -216,27 +217,28 @@ TEST_F(SurfaceQueryTest, ResidualsKeepTheTolerance) {
 TEST_F(SurfaceQueryTest, LeavesShortWavesOut) {
   HybridSea hybrid = hybrid_sea(device_, 128);
   const double shortest_m = 60.0;
+  GerstnerSea gerstner_waves = hybrid.ocean.parameters().gerstner_waves;
+  ASSERT_FALSE(horizontal_scale(gerstner_waves).is_limited);
   OceanParameters long_parameters = hybrid.ocean.parameters();
   for (Cascade& cascade : long_parameters.cascades) {
     cascade.k_max_radpm = std::min(cascade.k_max_radpm, 2.0 * pi / shortest_m);
     cascade.k_min_radpm = std::min(cascade.k_min_radpm, cascade.k_max_radpm);
   }
-  Ocean long_sea(device_, hybrid.spectrum, long_parameters);
-  GerstnerSea long_gerstner_waves = hybrid.gerstner_waves;
-  std::erase_if(long_gerstner_waves.waves,
+  std::vector<GerstnerWave>& long_waves = long_parameters.gerstner_waves.waves;
+  std::erase_if(long_waves,
                 [&](const GerstnerWave& wave) { return wave.wavenumber_radpm > 2.0 * pi / shortest_m; });
-  ASSERT_LT(long_gerstner_waves.waves.size(), hybrid.gerstner_waves.waves.size());
-  ASSERT_FALSE(long_gerstner_waves.waves.empty());
-  ASSERT_FALSE(horizontal_scale(hybrid.gerstner_waves).is_limited);
-  hybrid.gerstner_waves.raindrops = {{.x_m = 1.0, .time_s = 30.0, .amplitude_m = 1.0, .wavelength_m = 5.0}};
+  ASSERT_LT(long_waves.size(), gerstner_waves.waves.size());
+  ASSERT_FALSE(long_waves.empty());
+  Ocean long_sea(device_, hybrid.spectrum, long_parameters);
+  gerstner_waves.raindrops = {{.x_m = 1.0, .time_s = 30.0, .amplitude_m = 1.0, .wavelength_m = 5.0}};
+  hybrid.ocean.set_gerstner_waves(gerstner_waves);
   const std::vector<WaterPoint> points = scattered_points(500, 400.0);
   for (const double time_s : {31.0, 35.0}) {
     hybrid.ocean.at(time_s);
     long_sea.at(time_s);
     for (const double depth_m : {0.0, 4.0}) {
-      const auto filtered = hybrid.ocean.sample(points, hybrid.gerstner_waves,
-                                                {.depth_m = depth_m, .min_wavelength_m = shortest_m});
-      const auto expected = long_sea.sample(points, long_gerstner_waves, {.depth_m = depth_m});
+      const auto filtered = hybrid.ocean.sample(points, {.depth_m = depth_m, .min_wavelength_m = shortest_m});
+      const auto expected = long_sea.sample(points, {.depth_m = depth_m});
       for (std::size_t i = 0; i < points.size(); ++i) {
         ASSERT_FLOAT_EQ(filtered[i].height_m, expected[i].height_m);
         ASSERT_NEAR(filtered[i].slope_x, expected[i].slope_x, 1e-6);
@@ -246,9 +248,10 @@ TEST_F(SurfaceQueryTest, LeavesShortWavesOut) {
     }
   }
   // And a filter below all waves changes nothing.
-  hybrid.gerstner_waves.raindrops.clear();
-  const auto all = hybrid.ocean.sample(points, hybrid.gerstner_waves);
-  const auto same = hybrid.ocean.sample(points, hybrid.gerstner_waves, {.min_wavelength_m = 0.01});
+  gerstner_waves.raindrops.clear();
+  hybrid.ocean.set_gerstner_waves(gerstner_waves);
+  const auto all = hybrid.ocean.sample(points);
+  const auto same = hybrid.ocean.sample(points, {.min_wavelength_m = 0.01});
   EXPECT_EQ(std::memcmp(all.data(), same.data(), all.size() * sizeof(WaterSample)), 0);
 }
 
@@ -258,23 +261,23 @@ TEST_F(SurfaceQueryTest, EachPointIsAnsweredByItself) {
   HybridSea hybrid = hybrid_sea(device_, 128);
   hybrid.ocean.at(9.0);
   const std::vector<WaterPoint> points = scattered_points(1003, 3000.0);
-  const std::vector<WaterSample> together = hybrid.ocean.sample(points, hybrid.gerstner_waves);
+  const std::vector<WaterSample> together = hybrid.ocean.sample(points);
   const auto expect_same = [](const WaterSample* found, const WaterSample* expected, std::size_t count) {
     EXPECT_EQ(std::memcmp(found, expected, count * sizeof(WaterSample)), 0);
   };
   for (const std::size_t i : {0u, 1u, 500u, 1002u}) {
-    const auto alone = hybrid.ocean.sample(std::span(points).subspan(i, 1), hybrid.gerstner_waves);
+    const auto alone = hybrid.ocean.sample(std::span(points).subspan(i, 1));
     expect_same(alone.data(), &together[i], 1);
   }
   hybrid.ocean.at(10.0);
   hybrid.ocean.at(9.0);
-  expect_same(hybrid.ocean.sample(points, hybrid.gerstner_waves).data(), together.data(), points.size());
+  expect_same(hybrid.ocean.sample(points).data(), together.data(), points.size());
 
   std::vector<SurfaceQueryPoint> packed(points.size());
   std::transform(points.begin(), points.end(), packed.begin(), device_point);
   const ocl::Buffer<SurfaceQueryPoint> device_points(device_, packed, "points");
   ocl::Buffer<WaterSample> device_samples(device_, points.size(), "samples");
-  hybrid.ocean.sample(device_points, points.size(), device_samples, hybrid.gerstner_waves);
+  hybrid.ocean.sample(device_points, points.size(), device_samples);
   expect_same(device_samples.read().data(), together.data(), points.size());
 }
 
@@ -292,12 +295,12 @@ TEST_F(SurfaceQueryTest, RefusesBadQuestions) {
     test::expect_error(ErrorKind::bad_input, "point.z_m", [&] { sea.instant().at({0.0, place_m}); });
   }
   for (const double depth_m : {-0.1, 8.1, nan})
-    test::expect_error(ErrorKind::bad_input, "depth_m", [&] { sea.sample(one, {}, {.depth_m = depth_m}); });
+    test::expect_error(ErrorKind::bad_input, "depth_m", [&] { sea.sample(one, {.depth_m = depth_m}); });
   test::expect_error(ErrorKind::bad_input, "min_wavelength_m",
-                     [&] { sea.sample(one, {}, {.min_wavelength_m = nan}); });
-  test::expect_error(ErrorKind::bad_input, "tolerance_m", [&] { sea.sample(one, {}, {.tolerance_m = 0.0}); });
+                     [&] { sea.sample(one, {.min_wavelength_m = nan}); });
+  test::expect_error(ErrorKind::bad_input, "tolerance_m", [&] { sea.sample(one, {.tolerance_m = 0.0}); });
   test::expect_error(ErrorKind::bad_input, "gerstner.amplitude_m",
-                     [&] { sea.sample(one, {.waves = {{.amplitude_m = nan}}}); });
+                     [&] { sea.set_gerstner_waves({.waves = {{.amplitude_m = nan}}}); });
   std::vector<WaterSample> two(2);
   test::expect_error(ErrorKind::bad_usage, "expected a sample for each of 1 points, found 2",
                      [&] { sea.sample(one, two); });

@@ -75,7 +75,7 @@ Measured measure(const ocl::Device& device, const SeaSpectrum& spectrum) {
   EXPECT_GT(resolved_share, 0.97);
   double mean_m = 0.0;
   for (int seed = 1; seed <= seeds; ++seed) {
-    sea.reseed(static_cast<std::uint64_t>(seed));
+    sea.reseed(static_cast<std::uint64_t>(seed), {});
     sea.at(0.0);
     mean_m += 4.0 * std::sqrt(mean_square(sea.read_surface(0).displacement_y) / resolved_share) / seeds;
   }

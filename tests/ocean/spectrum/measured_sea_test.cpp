@@ -178,7 +178,7 @@ TEST_P(MeasuredSeaTest, SeedsScatterAroundTheFileAsTheoryAsks) {
 
   std::array<std::vector<double>, 3> found;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    sea.reseed(seed);
+    sea.reseed(seed, {});
     sea.at(0.0);
     modes.draw(seed);
     std::vector<std::vector<double>> energies;

@@ -57,7 +57,7 @@ TEST(HiddenSlopes, AreWhatMipLevelsHide) {
   std::vector<SlopeCovariance> left(hidden.size());
   constexpr int seas = 24;
   for (int sea = 0; sea < seas; ++sea) {
-    ocean.reseed(static_cast<std::uint64_t>(sea));
+    ocean.reseed(static_cast<std::uint64_t>(sea), {});
     ocean.at(10.0 * sea);
     SurfaceFields fields = ocean.read_surface(0);
     for (std::size_t i = 0; i < left.size(); ++i) {

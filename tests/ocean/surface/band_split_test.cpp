@@ -111,15 +111,14 @@ std::vector<double> band_variances(const std::vector<double>& record, const std:
 /// Records of the composed height, [label][frame], at 64 labels a wavelength of the split apart. They are
 /// texels of the cascade, whose short waves would lose height between texels, and on a grid fine enough for
 /// all Gerstner waves.
-std::vector<std::vector<double>> height_records(Ocean& sea, const Composition& composition,
-                                                double split_radpm, double step_s, int frames) {
+std::vector<std::vector<double>> height_records(Ocean& sea, double split_radpm, double step_s, int frames) {
   const double texel_m = sea.parameters().cascades[0].patch_length_m / size;
   const double spacing_m = texel_m * std::floor(2.0 * pi / split_radpm / 4.0 / texel_m);
   const SampleGrid grid{.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = 64, .rows = 16};
   std::vector<std::vector<double>> records(64);
   for (int frame = 0; frame < frames; ++frame) {
     sea.at(frame * step_s);
-    const ComposedFields fields = sea.read_composed(grid, composition);
+    const ComposedFields fields = sea.read_composed(grid);
     for (int i = 0; i < 64; ++i)
       records[i].push_back(fields.displacement_y[static_cast<std::size_t>(i / 16 * 4 * 64 + i % 16 * 4)]);
   }
@@ -159,11 +158,10 @@ class SplitDensityTest : public testing::TestWithParam<SplitSea> {
 
   // Variances of the bands, of one seed: means over 64 labels.
   std::vector<double> variances_of(Ocean& sea, std::uint64_t seed) const {
-    sea.reseed(seed);
     const GerstnerChoice choice{.split_radpm = split_radpm_, .count = 64, .seed = seed};
-    const Composition composition{.gerstner_waves = {.waves = choose_gerstner_waves(spectrum_, choice)}};
+    sea.reseed(seed, {.waves = choose_gerstner_waves(spectrum_, choice)});
     std::vector<double> variances(edges_hz_.size() - 1, 0.0);
-    for (const auto& record : height_records(sea, composition, split_radpm_, step_s_, frames)) {
+    for (const auto& record : height_records(sea, split_radpm_, step_s_, frames)) {
       const std::vector<double> of_record = band_variances(record, edges_hz_, step_s_);
       for (std::size_t band = 0; band < variances.size(); ++band) variances[band] += of_record[band] / 64.0;
     }

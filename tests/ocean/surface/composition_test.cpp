@@ -59,7 +59,7 @@ class CompositionTest : public testing::Test {
     return sea;
   }
   ComposedFields expected_sum(Ocean& sea, const SampleGrid& grid, double time_s,
-                              const Composition& composition);
+                              SlopeRule slopes = SlopeRule::of_displaced_surface);
   ocl::Device device_ = ocl::Device::open();
 };
 
@@ -89,10 +89,10 @@ double sampled(const std::vector<float>& field, const Cascade& cascade, double x
 
 // The sums over cascades and Gerstner waves at each label, then F, in double precision.
 ComposedFields CompositionTest::expected_sum(Ocean& sea, const SampleGrid& grid, double time_s,
-                                             const Composition& composition) {
+                                             SlopeRule slopes) {
   const SurfaceFields surfaces[] = {sea.read_surface(0), sea.read_surface(1)};
   GerstnerSurface gerstner_surface(device_);
-  gerstner_surface.at(composition.gerstner_waves, grid, time_s);
+  gerstner_surface.at(sea.parameters().gerstner_waves, grid, time_s);
   const GerstnerFields gerstner_waves = gerstner_surface.read();
   ComposedFields expected;
   for (int i = 0; i < grid.rows * grid.columns; ++i) {
@@ -110,7 +110,7 @@ ComposedFields CompositionTest::expected_sum(Ocean& sea, const SampleGrid& grid,
     const double xz = sum(&S::gradient_xz, &T::gradient_xz);
     const double zz = 1.0 + sum(&S::gradient_zz, &T::gradient_zz), jacobian = xx * zz - xz * xz;
     const double sx = sum(&S::slope_x, &T::slope_x), sz = sum(&S::slope_z, &T::slope_z);
-    const bool adds = composition.slopes == SlopeRule::added;
+    const bool adds = slopes == SlopeRule::added;
     const auto append = [](std::vector<float>& field, double value) {
       field.push_back(static_cast<float>(value));
     };
@@ -140,22 +140,21 @@ TEST_F(CompositionTest, IsTheSumOfItsLayers) {
   GerstnerSea with_drop = gerstner_waves();
   with_drop.raindrops = {
       {.x_m = -20.0, .z_m = 20.0, .time_s = 19.0, .amplitude_m = 0.5, .wavelength_m = 6.0}};
-  for (const Composition& composition :
-       {Composition{}, Composition{.gerstner_waves = gerstner_waves()},
-        Composition{.gerstner_waves = with_drop}, Composition{.slopes = SlopeRule::added},
-        Composition{.gerstner_waves = gerstner_waves(), .slopes = SlopeRule::added}}) {
-    expect_same(sea.read_composed(grid, composition), expected_sum(sea, grid, 20.0, composition), 1e-5);
+  for (const GerstnerSea& waves : {GerstnerSea{}, gerstner_waves(), with_drop}) {
+    sea.set_gerstner_waves(waves);
+    for (const SlopeRule slopes : {SlopeRule::of_displaced_surface, SlopeRule::added})
+      expect_same(sea.read_composed(grid, slopes), expected_sum(sea, grid, 20.0, slopes), 1e-5);
   }
 }
 
 // Fails if Gerstner waves reach the sum at another place where a row is shorter than the device's vectors.
 TEST_F(CompositionTest, NarrowGridsAreSumsToo) {
   Ocean sea(device_, spectrum(), parameters());
+  sea.set_gerstner_waves(gerstner_waves());
   sea.at(20.0);
   for (const int columns : {1, 5, 17}) {
     const SampleGrid grid{.spacing_x_m = 0.7, .spacing_z_m = 0.9, .columns = columns, .rows = 9};
-    const Composition composition{.gerstner_waves = gerstner_waves()};
-    expect_same(sea.read_composed(grid, composition), expected_sum(sea, grid, 20.0, composition), 1e-5);
+    expect_same(sea.read_composed(grid), expected_sum(sea, grid, 20.0), 1e-5);
   }
 }
 
@@ -211,12 +210,12 @@ TEST_F(CompositionTest, NormalsAreThoseOfTheDisplacedSurface) {
   const double spacing_m = 12.5 / 128;
   const SampleGrid grid{.spacing_x_m = spacing_m, .spacing_z_m = spacing_m, .columns = 512, .rows = 512};
   for (const GerstnerSea& waves : {GerstnerSea{}, gerstner_waves()}) {
-    const Differences exact = differences_of(sea.read_composed(grid, {.gerstner_waves = waves}), spacing_m);
+    sea.set_gerstner_waves(waves);
+    const Differences exact = differences_of(sea.read_composed(grid), spacing_m);
     EXPECT_LT(exact.worst_deg, 0.05);
     EXPECT_LT(exact.worst_jacobian, 1e-3);
     EXPECT_GT(exact.steepest, 0.3) << "the sea is too calm for the test";
-    const Differences added = differences_of(
-        sea.read_composed(grid, {.gerstner_waves = waves, .slopes = SlopeRule::added}), spacing_m);
+    const Differences added = differences_of(sea.read_composed(grid, SlopeRule::added), spacing_m);
     EXPECT_GT(added.worst_deg, 2.0) << "the sea is too calm for the test";
     RecordProperty("worst_deg_of_" + std::to_string(waves.waves.size()), std::to_string(exact.worst_deg));
     RecordProperty("worst_jacobian_of_" + std::to_string(waves.waves.size()),
@@ -252,34 +251,44 @@ TEST_F(CompositionTest, OneWaveHasItsClosedForm) {
 TEST_F(CompositionTest, FarAwayIsAsNearBy) {
   Ocean sea(device_, spectrum(), parameters());
   sea.at(20.0);
-  Composition composition;
+  GerstnerSea waves;
   for (const auto& [i, j] : {std::pair{1, 0}, {2, -1}, {-1, 3}}) {
     const double step_radpm = 2.0 * std::numbers::pi / 50.0;
-    composition.gerstner_waves.waves.push_back({.amplitude_m = 0.3,
-                                                .wavenumber_radpm = step_radpm * std::hypot(i, j),
-                                                .direction_rad = std::atan2(j, i),
-                                                .omega_radps = 1.0 + i});
+    waves.waves.push_back({.amplitude_m = 0.3,
+                           .wavenumber_radpm = step_radpm * std::hypot(i, j),
+                           .direction_rad = std::atan2(j, i),
+                           .omega_radps = 1.0 + i});
   }
+  sea.set_gerstner_waves(waves);
   SampleGrid grid{.origin_x_m = 3.7,
                   .origin_z_m = 1.3,
                   .spacing_x_m = 0.21,
                   .spacing_z_m = 0.33,
                   .columns = 64,
                   .rows = 64};
-  const ComposedFields near = sea.read_composed(grid, composition);
+  const ComposedFields near = sea.read_composed(grid);
   grid.origin_x_m += 1e5;
   grid.origin_z_m -= 2e5;
-  expect_same(sea.read_composed(grid, composition), near, 1e-6);
+  expect_same(sea.read_composed(grid), near, 1e-6);
 }
 
-// Fails if a sea that cannot be drawn is composed in part.
+// Fails if a sea that cannot be drawn is made, or if waves that are refused change the sea that there is.
 TEST_F(CompositionTest, RejectsGerstnerWavesOutOfRange) {
-  Ocean sea(device_, spectrum(), parameters());
+  OceanParameters wanted = parameters();
+  wanted.gerstner_waves = gerstner_waves();
+  Ocean sea(device_, spectrum(), wanted);
   sea.at(20.0);
-  GerstnerSea bad = gerstner_waves();
-  bad.waves[1].amplitude_m = -1.0;
-  test::expect_error(ErrorKind::bad_input, "gerstner.amplitude_m",
-                     [&] { sea.read_composed({.columns = 8, .rows = 8}, {.gerstner_waves = bad}); });
+  const SampleGrid grid{.columns = 8, .rows = 8};
+  const std::vector<float> before = sea.read_composed(grid).displacement_y;
+  wanted.gerstner_waves.waves[1].amplitude_m = -1.0;
+  const auto refuses = [](const auto& change) {
+    test::expect_error(ErrorKind::bad_input, "gerstner.amplitude_m", change);
+  };
+  refuses([&] { sea.set_gerstner_waves(wanted.gerstner_waves); });
+  refuses([&] { sea.reseed(7, wanted.gerstner_waves); });
+  refuses([&] { Ocean(device_, spectrum(), wanted); });
+  EXPECT_EQ(sea.parameters().seed, wanted.seed);
+  EXPECT_EQ(sea.read_composed(grid).displacement_y, before);
 }
 
 // Fails if labels lose their place toward the far end of the widest grid: 16384 steps of nearly half a patch

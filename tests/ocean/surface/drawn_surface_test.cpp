@@ -50,7 +50,7 @@ std::vector<glm::dvec3> points_on(const DrawnSurface& surface, int last_row) {
 double rms_m(HybridSea& sea, const std::vector<glm::dvec3>& points, const WaterQuery& query) {
   std::vector<WaterPoint> places;
   for (const glm::dvec3& point : points) places.push_back({point.x, point.z});
-  const std::vector<WaterSample> samples = sea.ocean.sample(places, sea.gerstner_waves, query);
+  const std::vector<WaterSample> samples = sea.ocean.sample(places, query);
   double squares = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double off_m = samples[i].height_m - points[i].y;
@@ -72,7 +72,7 @@ TEST(DrawnSurface, IsWhereQueriesSay) {
                         .spacing_z_m = spacing_m,
                         .columns = 480,
                         .rows = 480};
-  const ComposedFields fields = sea.ocean.read_composed(grid, {.gerstner_waves = sea.gerstner_waves});
+  const ComposedFields fields = sea.ocean.read_composed(grid);
   DrawnSurface surface{.columns = grid.columns, .rows = grid.rows, .vertices = {}};
   for (int i = 0; i < grid.rows * grid.columns; ++i) {
     surface.vertices.emplace_back(grid.origin_x_m + i % grid.columns * spacing_m + fields.displacement_x[i],

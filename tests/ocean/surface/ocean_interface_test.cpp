@@ -98,14 +98,14 @@ TEST_F(OceanInterfaceTest, ReseedingDrawsAnotherSeaAndBack) {
   ocean.at(3.0);
   const std::vector<float> first = ocean.read_surface(0).displacement_y;
   const std::vector<float> first_foam = ocean.read_foam(0);
-  ocean.reseed(2);
+  ocean.reseed(2, {});
   EXPECT_EQ(ocean.parameters().seed, 2u);
   const std::vector<float> second = ocean.read_surface(0).displacement_y;
   EXPECT_NE(second, first);
   ocean.at(3.0);
   EXPECT_EQ(ocean.read_surface(0).displacement_y, second);
   EXPECT_NE(ocean.read_foam(0), first_foam);
-  ocean.reseed(1);
+  ocean.reseed(1, {});
   ocean.at(3.0);
   EXPECT_EQ(ocean.read_surface(0).displacement_y, first);
   EXPECT_EQ(ocean.read_foam(0), first_foam);
@@ -122,7 +122,7 @@ TEST_F(OceanInterfaceTest, KeptFieldsAreThoseOfAFreshStart) {
   };
   for (const Question question :
        {Question{1, 2.0, 0.0}, {1, 2.0, 0.7}, {1, 2.1, 0.7}, {2, 2.1, 0.7}, {2, 9.0, 0.0}}) {
-    if (question.seed != asked.parameters().seed) asked.reseed(question.seed);
+    if (question.seed != asked.parameters().seed) asked.reseed(question.seed, {});
     asked.at(question.time_s);
     wanted.seed = question.seed;
     Ocean fresh = sea(wanted);

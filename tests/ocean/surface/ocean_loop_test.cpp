@@ -120,7 +120,7 @@ TEST_F(OceanLoopTest, KeepsTheSeaState) {
   constexpr int seeds = 16;
   for (int seed = 1; seed <= seeds; ++seed) {
     for (Ocean* sea : {&free, &looping}) {
-      sea->reseed(seed);
+      sea->reseed(seed, {});
       sea->at(5.0);
       difference_m2 +=
           (sea == &looping ? 1.0 : -1.0) * mean_square(sea->read_surface(0).displacement_y) / seeds;

@@ -106,11 +106,11 @@ Correlation correlation_of_spectrum(const SeaSpectrum& spectrum, double k_max_ra
   return {.height = sums.height_at_lag / whole.m0_m2, .slope = sums.slope_at_lag / whole.mss};
 }
 
-Correlation correlation_of_modes(const Ocean& sea, const GerstnerSea& gerstner_waves, Lag lag) {
+Correlation correlation_of_modes(const Ocean& sea, Lag lag) {
   Sums sums;
   for (std::size_t i = 0; i < sea.parameters().cascades.size(); ++i)
     add_modes(sea, static_cast<int>(i), lag, sums);
-  for (const GerstnerWave& wave : gerstner_waves.waves) {
+  for (const GerstnerWave& wave : sea.parameters().gerstner_waves.waves) {
     const double phase = wave.wavenumber_radpm *
                          (std::cos(wave.direction_rad) * lag.x_m + std::sin(wave.direction_rad) * lag.z_m);
     sums.add(0.5 * wave.amplitude_m * wave.amplitude_m, wave.wavenumber_radpm, std::cos(phase));
@@ -118,10 +118,9 @@ Correlation correlation_of_modes(const Ocean& sea, const GerstnerSea& gerstner_w
   return sums.correlation();
 }
 
-Correlation correlation_of_strips(Ocean& sea, const GerstnerSea& gerstner_waves, Lag lag, double spacing_m) {
-  const Composition composition{.gerstner_waves = gerstner_waves, .slopes = SlopeRule::added};
-  const ComposedFields here = sea.read_composed(simd_grid({}, spacing_m), composition);
-  const ComposedFields there = sea.read_composed(simd_grid(lag, spacing_m), composition);
+Correlation correlation_of_strips(Ocean& sea, Lag lag, double spacing_m) {
+  const ComposedFields here = sea.read_composed(simd_grid({}, spacing_m), SlopeRule::added);
+  const ComposedFields there = sea.read_composed(simd_grid(lag, spacing_m), SlopeRule::added);
   Products height, slope;
   height.add(here.displacement_y, there.displacement_y);
   slope.add(here.slope_x, there.slope_x);

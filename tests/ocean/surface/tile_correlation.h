@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "host/ocean/spectrum/sea_spectrum.h"
-#include "host/ocean/surface/gerstner_waves.h"
 #include "host/ocean/surface/ocean.h"
 
 namespace offing::ocean {
@@ -26,12 +25,12 @@ std::vector<Lag> tile_lags(const std::vector<Cascade>& cascades);
 Correlation correlation_of_spectrum(const SeaSpectrum& spectrum, double k_max_radpm, Lag lag);
 
 /// Of the expected energies of all modes and Gerstner waves: what long records of many seas tend to.
-Correlation correlation_of_modes(const Ocean& sea, const GerstnerSea& gerstner_waves, Lag lag);
+Correlation correlation_of_modes(const Ocean& sea, Lag lag);
 
 /// What two strips of the composed sea, 8 km along x, 64 rows along z and a lag apart, have in common at the
 /// sea's present time: the correlation coefficients of pairs of heights and of slopes at labels, this far
 /// apart. Patches of some metres are sampled less than once a wave, which is no harm to pairs; Gerstner waves
 /// fade if they are (gerstner_surface.h).
-Correlation correlation_of_strips(Ocean& sea, const GerstnerSea& gerstner_waves, Lag lag, double spacing_m);
+Correlation correlation_of_strips(Ocean& sea, Lag lag, double spacing_m);
 
 }  // namespace offing::ocean

@@ -56,9 +56,9 @@ TEST(WakeCompositionTest, ComposedSeasHaveTheHeightsOfWindows) {
                           .columns = 64,
                           .rows = 64};
     sea.ocean.set_wakes(nullptr);
-    const ComposedFields calm = sea.ocean.read_composed(grid, {.gerstner_waves = sea.gerstner_waves});
+    const ComposedFields calm = sea.ocean.read_composed(grid);
     sea.ocean.set_wakes(wakes.maps());
-    const ComposedFields composed = sea.ocean.read_composed(grid, {.gerstner_waves = sea.gerstner_waves});
+    const ComposedFields composed = sea.ocean.read_composed(grid);
     const std::vector<WakeMaps::Instant> instants = wakes.maps()->read();
     double most_m = 0.0;
     for (std::size_t i = 0; i < fields.height_m.size(); ++i) {
@@ -85,10 +85,10 @@ TEST(WakeCompositionTest, QueriesSeeTheWakes) {
     std::vector<WaterPoint> points = scattered_points(500, 100.0);
     for (WaterPoint& point : points) point = {point.x_m + place.x_m, point.z_m + place.z_m};
     const WaterQuery query{.depth_m = 0.7, .tolerance_m = 1e-5};
-    const std::vector<WaterSample> samples = sea.ocean.sample(points, sea.gerstner_waves, query);
-    const SurfaceInstant instant = sea.ocean.instant(sea.gerstner_waves, query);
+    const std::vector<WaterSample> samples = sea.ocean.sample(points, query);
+    const SurfaceInstant instant = sea.ocean.instant(query);
     sea.ocean.set_wakes(nullptr);
-    const std::vector<WaterSample> calm = sea.ocean.sample(points, sea.gerstner_waves, query);
+    const std::vector<WaterSample> calm = sea.ocean.sample(points, query);
     int changed = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const WaterSample expected = instant.at(points[i]);

@@ -30,9 +30,7 @@ constexpr int side_px = 32;  // 1024 pixels, all compared
 /// The sea of the queries' tests, without waves that are shorter than this.
 world::WorldParameters sea_of_waves_from(double shortest_m) {
   const ocean::HybridSea hybrid = ocean::hybrid_sea(ocl::Device::open(), 512);
-  world::WorldParameters parameters{.spectrum = hybrid.spectrum,
-                                    .ocean = hybrid.ocean.parameters(),
-                                    .gerstner_waves = hybrid.gerstner_waves};
+  world::WorldParameters parameters{.spectrum = hybrid.spectrum, .ocean = hybrid.ocean.parameters()};
   if (shortest_m == 0.0) return parameters;
   const double k_max_radpm = 2.0 * std::numbers::pi / shortest_m;
   std::vector<ocean::Cascade>& cascades = parameters.ocean.cascades;

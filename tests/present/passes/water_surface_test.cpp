@@ -31,7 +31,7 @@ world::WorldParameters hybrid_sea() {
   const std::array lengths_m{90.0};
   parameters.ocean.cascades = ocean::cascades_from_patches(lengths_m, parameters.ocean.size);
   const ocean::Dispersion& water = parameters.spectrum.dispersion;
-  parameters.gerstner_waves = {
+  parameters.ocean.gerstner_waves = {
       .waves = {make_swell({.amplitude_m = 0.7, .wavelength_m = 60.0, .direction_rad = 0.4}, water),
                 make_swell({.amplitude_m = 0.3, .wavelength_m = 23.0, .direction_rad = -1.1}, water)},
       .raindrops = {
@@ -91,8 +91,7 @@ TEST_F(WaterSurfaceTest, IsTheComposedSea) {
                                                .spacing_x_m = 0.1,
                                                .spacing_z_m = 0.1,
                                                .columns = 1,
-                                               .rows = 1},
-                                              {.gerstner_waves = stage_->world.parameters().gerstner_waves});
+                                               .rows = 1});
       const glm::dvec3 expected(places[pixel] + sea.displacement_x[0],
                                 sea.displacement_y[0] - camera_.eye_m.y,
                                 places[pixel + 1] + sea.displacement_z[0]);
