@@ -87,6 +87,24 @@ TEST_F(WorldBodiesTest, FloatsOnTheDrawnSea) {
   EXPECT_LT(std::sqrt(missed_m2 / waves_m2), 0.5);
 }
 
+// Fails if bodies float on the swells of before a change: in a calm, a swell that comes up lifts the box by
+// most of its height of 2 m.
+TEST_F(WorldBodiesTest, FeelsSwellsThatComeUp) {
+  World world(device_, test::floating_world(1.0));
+  world.at(1.0, 5.0);
+  const ocean::Dispersion& water = world.parameters().spectrum.dispersion;
+  world.set_gerstner_waves(
+      {.waves = {ocean::make_swell({.amplitude_m = 1.0, .wavelength_m = 60.0}, water)}, .dispersion = water});
+  double lowest_m = 0.0, highest_m = 0.0;
+  for (double time_s = 3.0; time_s < 11.0; time_s += 0.5) {
+    world.at(time_s, 5.0);
+    lowest_m = std::min(lowest_m, place_m(world, 1).y);
+    highest_m = std::max(highest_m, place_m(world, 1).y);
+  }
+  EXPECT_GT(highest_m - lowest_m, 1.2);
+  EXPECT_LT(highest_m - lowest_m, 3.0);
+}
+
 // Fails if a ship under way leaves no wake, or lies in a hollow of its own: what is drawn of the window
 // stands in it as high as beside it. Calm sea: 2 m/s of wind.
 TEST_F(WorldBodiesTest, LeavesAWake) {
