@@ -8,8 +8,8 @@ set(OFFING_COMPILED_ALONE
   cloud_edits_test cloud_handles_test curvature_invariance_test determinism_test direction_test embedded_scenes
   exr_image_test floating_bodies_test foam_test gerstner_surface_test gerstner_test hands handle_geometry_test
   highlight_schema keyframes_test measured_sea_test mesh_schema moving_view_test ocean_reference_test png_image_test
-  query_test read_height_map_test reference_tracer_test reference_walk_test scene_meshes_test sky_flight_test
-  scene_images scene_terrain_test slope_covariance_test spectrum_models_test spreading_test stream_height_map_test
+  post_grid query_test read_height_map_test reference_tracer_test reference_walk_test scene_images scene_meshes_test
+  scene_terrain_test sky_flight_test slope_covariance_test spectrum_models_test spreading_test stream_height_map_test
   terrain_sampling_test tiled_field_test velocity_test)
 
 # Their headers take longest to compile.

@@ -1,11 +1,9 @@
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <memory>
 #include <span>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include "host/base/argument.h"
 #include "host/cli/common/device_choice.h"
@@ -16,13 +14,13 @@
 #include "host/cli/terrain/terrain_place.h"
 #include "host/cli/terrain/terrain_source.h"
 #include "host/command_line/print_results.h"
+#include "host/terrain/analysis/line_of_sight.h"
 
 namespace offing::cli {
 
 namespace {
 
-// A target on the ground is not hidden by the ground that it lies on: hits are right to 1e-3 cells and 2^-23.
-constexpr double slack_cells = 2e-3, slack_share = 2e-7;
+using terrain::LineOfSight;
 
 struct TerrainLosArguments {
   TerrainInput input;
@@ -33,76 +31,32 @@ struct TerrainLosArguments {
   bool json = false;
 };
 
-/// A line from an eye to a target, over ground that falls away by `bend_perm` times the square of the
-/// distance.
-struct Sight {
-  glm::dvec3 from_m, way;
-  double distance_m, slack_m, bend_perm;
-
-  /// How far a metre of the way comes in plan.
-  double plan_share() const { return std::hypot(way.x, way.z); }
-  /// From one slack to the other: both ends may lie on the ground. Over its own origin the ground does not
-  /// fall.
-  terrain::Ray ray() const {
-    const double start_m = slack_m * plan_share();
-    const glm::dvec3 rise(0.0, 2.0 * bend_perm * start_m * plan_share(), 0.0);
-    return {.origin_m = point(slack_m),
-            .direction = glm::normalize(way + rise),
-            .limit_m = distance_m - 2.0 * slack_m};
-  }
-  double hidden_at_m(const terrain::RayHit& hit) const { return hit.rounded_m(slack_m + hit.distance_m); }
-  /// Where the line is, as the map has heights.
-  glm::dvec3 point(double along_m) const {
-    const double plan_m = along_m * plan_share();
-    return from_m + along_m * way + glm::dvec3(0.0, bend_perm * plan_m * plan_m, 0.0);
-  }
-};
-
 /// Between two points, each as x, z and the height above ground. Errors name the place of a bad one.
-Sight sight_between(const terrain::TerrainPosts& posts, const terrain::EarthCurve& curve,
-                    const std::string& from_place, std::span<const double> from, const std::string& to_place,
-                    std::span<const double> to) {
-  const auto eye = [&](const std::string& place, std::span<const double> point) {
-    if (point[2] < 0.0) {
-      throw Error(
-          ErrorKind::bad_usage,
-          fmt::format("{}: expected a height above ground of 0 or more, found {:g} m", place, point[2]),
-          "give X,Z,H such as 1200,350,1.7");
-    }
-    return glm::dvec3(point[0], terrain_under(place, posts, point[0], point[1]).height_m + point[2],
-                      point[1]);
+LineOfSight sight_between(const terrain::TerrainPosts& posts, const terrain::EarthCurve& curve,
+                          const std::string& from_place, std::span<const double> from,
+                          const std::string& to_place, std::span<const double> to) {
+  const auto end = [&](const std::string& place, std::span<const double> point) {
+    terrain_under(place, posts, point[0], point[1]);  // with the hint of commands
+    return terrain::SightEnd{place, point[0], point[1], point[2]};
   };
-  const glm::dvec3 from_m = eye(from_place, from);
-  glm::dvec3 to_m = eye(to_place, to);
-  const double plan_m = std::hypot(to_m.x - from_m.x, to_m.z - from_m.z);
-  to_m.y -= curve.bend_perm() * plan_m * plan_m;
-  const double distance_m = glm::length(to_m - from_m);
-  const double slack_m =
-      slack_cells * std::max(posts.spacing_x_m, posts.spacing_z_m) + slack_share * distance_m;
-  if (distance_m <= 2.0 * slack_m) {
-    throw Error(ErrorKind::bad_usage,
-                fmt::format("{}: expected a place away from the start of the line, found one {:g} m away",
-                            to_place, distance_m),
-                "give X,Z,H such as 1200,350,1.7");
-  }
-  return {from_m, (to_m - from_m) / distance_m, distance_m, slack_m, curve.bend_perm()};
+  return {posts, curve, end(from_place, from), end(to_place, to)};
 }
 
-void answer_one(const Sight& sight, const terrain::RayHit& hit, bool is_json) {
+void answer_one(const LineOfSight& sight, const terrain::RayHit& hit, bool is_json) {
   const bool is_visible = hit.kind == TERRAIN_MISS;
-  const glm::dvec3 by_m = hit.rounded_m(sight.point(sight.hidden_at_m(hit)));
+  const glm::dvec3 by_m = hit.rounded_m(sight.point_m(sight.hidden_at_m(hit)));
   if (is_json) {
-    nlohmann::ordered_json json = {{"visible", is_visible}, {"distance_m", sight.distance_m}};
+    nlohmann::ordered_json json = {{"visible", is_visible}, {"distance_m", sight.distance_m()}};
     if (!is_visible) {
       json["hidden_at_m"] = sight.hidden_at_m(hit);
       json["hidden_by_m"] = to_json(by_m);
     }
     print_json(json);
   } else if (is_visible) {
-    fmt::print("visible, {:.9g} m away\n", sight.distance_m);
+    fmt::print("visible, {:.9g} m away\n", sight.distance_m());
   } else {
     fmt::print("hidden: ground at ({}, {}, {}), {} m of {:.9g} m\n", by_m.x, by_m.y, by_m.z,
-               sight.hidden_at_m(hit), sight.distance_m);
+               sight.hidden_at_m(hit), sight.distance_m());
   }
 }
 
@@ -111,7 +65,7 @@ void answer_all(const TerrainLosArguments& arguments, TerrainSource& terrain, co
   arguments.batch.answer(
       "from_x_m,from_z_m,from_height_m,to_x_m,to_z_m,to_height_m,visible,distance_m,hidden_at_m",
       [&](const std::vector<double>& rows, const NumberTable& table, std::string& text) {
-        std::vector<Sight> sights;
+        std::vector<LineOfSight> sights;
         std::vector<terrain::Ray> rays;
         for (std::size_t i = 0; i < rows.size(); i += 6) {
           const std::string place = table.place_of(i / 6);
@@ -125,7 +79,8 @@ void answer_all(const TerrainLosArguments& arguments, TerrainSource& terrain, co
           for (std::size_t column = 0; column < 6; ++column) {
             fmt::format_to(std::back_inserter(text), "{:.12g},", rows[6 * i + column]);
           }
-          fmt::format_to(std::back_inserter(text), "{},{:.9g},{}\n", is_visible ? 1 : 0, sights[i].distance_m,
+          fmt::format_to(std::back_inserter(text), "{},{:.9g},{}\n", is_visible ? 1 : 0,
+                         sights[i].distance_m(),
                          is_visible ? "" : fmt::format("{}", sights[i].hidden_at_m(hits[i])));
         }
       },
@@ -143,7 +98,7 @@ void run(const TerrainLosArguments& arguments, const GlobalOptions& options) {
   const auto from = read_numbers("--from", arguments.from, 3, "X,Z,H", "1200,350,1.7");
   const auto to = read_numbers("--to", arguments.to, 3, "X,Z,H", "1200,350,1.7");
   TerrainSource terrain(arguments.input, arguments.cache);
-  const Sight sight = sight_between(terrain.posts(), curve, "--from", from, "--to", to);
+  const LineOfSight sight = sight_between(terrain.posts(), curve, "--from", from, "--to", to);
   terrain.open(ocl::Device::open(choose_one_device(options.device)));
   const terrain::Ray ray = sight.ray();
   answer_one(sight, terrain.cast(std::span(&ray, 1), curve)[0], arguments.json);

@@ -30,7 +30,7 @@ void require_valid(const ViewshedParameters& parameters, const PostGrid& grid);
 /// Touching it hides nothing. Heights fall away by curve from the observer on.
 ///
 /// Posts whose line clears, or cuts, the surface by more than rounding agree with double precision: 1e-5 of
-/// posts do not (tests/terrain/viewshed_test.cpp).
+/// posts do not (tests/terrain/analysis/viewshed_test.cpp).
 class Viewshed {
  public:
   explicit Viewshed(const ocl::Device& device);

@@ -12,15 +12,16 @@
 #include "host/terrain/analysis/viewshed.h"
 #include "tests/bench/benches.h"
 #include "tests/bench/terrain/terrain_maps.h"
-#include "tests/terrain/gdal_viewshed.h"
-#include "tests/terrain/sight_reference.h"
+#include "tests/terrain/analysis/gdal_viewshed.h"
+#include "tests/terrain/analysis/sight_reference.h"
 
 namespace offing::bench {
 namespace {
 
 // Of the posts that differ, those that are looked at.
 constexpr std::size_t most_judged = 2000;
-// What a post's line clears the ground by where rounding decides, m (tests/terrain/viewshed_data_test.cpp).
+// What a post's line clears the ground by where rounding decides, m
+// (tests/terrain/analysis/viewshed_data_test.cpp).
 constexpr double rounding_m = 1e-3;
 
 /// The peer's sweep is an approximation, the coarser the fewer posts a ridge has: posts that differ are

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "host/io/height_maps/read_height_map.h"
-#include "tests/terrain/gdal_viewshed.h"
-#include "tests/terrain/sight_reference.h"
+#include "tests/terrain/analysis/gdal_viewshed.h"
+#include "tests/terrain/analysis/sight_reference.h"
 
 namespace offing {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/terrain/sight_reference.h"
+#include "tests/terrain/analysis/sight_reference.h"
 
 #include <algorithm>
 #include <cmath>

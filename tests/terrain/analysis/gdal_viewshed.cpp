@@ -1,4 +1,4 @@
-#include "tests/terrain/gdal_viewshed.h"
+#include "tests/terrain/analysis/gdal_viewshed.h"
 
 #include <array>
 #include <cmath>

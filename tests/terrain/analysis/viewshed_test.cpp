@@ -9,7 +9,7 @@
 
 #include "tests/ocl/expect_error.h"
 #include "tests/ocl/scoped_environment.h"
-#include "tests/terrain/sight_reference.h"
+#include "tests/terrain/analysis/sight_reference.h"
 
 namespace offing {
 namespace {
