@@ -1,8 +1,19 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "host/base/camera.h"
 #include "host/c/call.h"
+#include "host/clouds/image/cloud_image.h"
+#include "host/clouds/reference/scattering_medium.h"
+#include "host/io/height_maps/read_height_map.h"
 #include "host/ocl/device.h"
 #include "host/scene/model/scene.h"
+#include "host/terrain/analysis/viewshed.h"
+#include "host/terrain/field/height_field.h"
+#include "host/terrain/field/terrain_posts.h"
 #include "host/world/world.h"
 
 /// What the handles of offing.h are.
@@ -20,6 +31,32 @@ struct OffingWorld : offing::c::OneAtATime {
               const offing::world::WorldParameters& parameters)
       : scene(of), world(device, parameters) {}
 
+  /// The extinction of the particles of clouds at a time; none where they have none.
+  struct CloudExtinction {
+    double time_s = 0.0, cell_m = 0.0;
+    std::optional<offing::clouds::VolumeMedium> medium;
+  };
+
   offing::scene::Scene scene;
   offing::world::World world;
+  offing::Camera camera;  // of the scene, at the last frame
+  // Once asked for.
+  std::optional<offing::clouds::CloudImage> cloud_image;
+  std::optional<CloudExtinction> cloud_extinction;
+};
+
+struct OffingTerrain : offing::c::OneAtATime {
+  OffingTerrain(const offing::ocl::Device& on, offing::HeightMapFile of)
+      : device(on),
+        file(std::move(of)),
+        field(device, offing::terrain::post_grid(file.map), file.map.heights_m),
+        posts(offing::terrain::posts_of(file.map)) {}
+
+  std::size_t post_count() const { return file.map.heights_m.size(); }
+
+  offing::ocl::Device device;
+  offing::HeightMapFile file;
+  offing::terrain::HeightField field;
+  offing::terrain::TerrainPosts posts;
+  std::optional<offing::terrain::Viewshed> viewshed;  // once asked for
 };

@@ -12,10 +12,10 @@
  * Structs that programs fill or read begin with `size`: set it to sizeof the struct. Later versions add
  * members at the end; zero stands for what a struct of an older version lacks.
  *
- * Threads: devices, scenes and spectra may be used by several threads at once. A world may be used by any
- * thread, but by one at a time: a call that finds another thread in a call with the same handle returns
- * OFFING_BUSY. Different worlds run on different threads at the same time, also on one device. Do not free
- * a handle while another thread uses it. */
+ * Threads: devices, scenes and spectra may be used by several threads at once. A world or a terrain may be
+ * used by any thread, but by one at a time: a call that finds another thread in a call with the same handle
+ * returns OFFING_BUSY. Different worlds run on different threads at the same time, also on one device. Do not
+ * free a handle while another thread uses it. */
 #ifndef OFFING_H
 #define OFFING_H
 
@@ -43,8 +43,10 @@ typedef enum OffingStatus {
 typedef struct OffingDevice OffingDevice;
 /** The settings of a scene file. */
 typedef struct OffingScene OffingScene;
-/** The sea of a scene on a device, at one time. */
+/** The world of a scene on a device, at one time. */
 typedef struct OffingWorld OffingWorld;
+/** A height map on a device: the surface of bilinear patches between its posts. */
+typedef struct OffingTerrain OffingTerrain;
 
 /** The version of the library, as "1.2.3". */
 const char* offing_version(void);
@@ -257,6 +259,303 @@ OffingStatus offing_read_fields(OffingWorld* world, int cascade, const OffingFie
  * `first` on: no transfer, no wait. */
 OffingStatus offing_copy_field(OffingWorld* world, int cascade, OffingField field, void* buffer,
                                size_t first);
+
+/* Terrain. The north-west post of a map is at x = z = 0; x is east of it, z south, heights are the map's own.
+ * Where no accuracy is stated, answers are in double precision. */
+
+/** How heights are packed into the samples of a file. */
+typedef enum OffingHeightEncoding {
+  OFFING_HEIGHTS_PLAIN = 0, /**< one band holds heights */
+  OFFING_HEIGHTS_MAPBOX,    /**< 8-bit RGB: -10000 + 0.1 (65536 R + 256 G + B) m */
+  OFFING_HEIGHTS_TERRARIUM  /**< 8-bit RGB: 256 R + G + B / 256 - 32768 m */
+} OffingHeightEncoding;
+/** Samples of a file without a header. */
+typedef enum OffingRawType {
+  OFFING_RAW_BY_NAME = 0, /**< unsigned 16 bits for .r16, floats for .r32 */
+  OFFING_RAW_UNSIGNED_16,
+  OFFING_RAW_SIGNED_16,
+  OFFING_RAW_FLOAT_32
+} OffingRawType;
+/** What coordinates count in. */
+typedef enum OffingHorizontalUnit {
+  OFFING_UNIT_OF_FILE = 0,
+  OFFING_UNIT_METRE,
+  OFFING_UNIT_DEGREE
+} OffingHorizontalUnit;
+
+/** How to read a height map. NULL and zeros stand for what the file says. */
+typedef struct OffingTerrainOptions {
+  size_t size;                     /**< sizeof(OffingTerrainOptions) */
+  double spacing_x_m, spacing_z_m; /**< between neighbouring posts */
+  double vertical_scale;           /**< metres a unit of the file; 0: 1 */
+  double offset_m;                 /**< added to the scaled height */
+  const double* nodata;            /**< a value, before any scale, that marks voids too; may be NaN */
+  const double* void_height_m;     /**< of voids; NULL: filled from their surroundings */
+  const char* reproject_to;        /**< resample to metres in this system: "utm", "EPSG:32719" */
+  int is_untrusted;                /**< 1: the file may lead to files in its folder and below alone */
+  int band;                        /**< of files with several, from 1 on; 0: the first */
+  OffingHeightEncoding encoding;
+  OffingHorizontalUnit horizontal_unit; /**< of files that name no coordinate system */
+  const char* exr_channel;              /**< NULL: the only one, or one of height, Y, Z, R */
+  int raw_columns, raw_rows;            /**< of files without a header (.r16, .r32, .raw, .bin) */
+  OffingRawType raw_type;
+  int is_raw_big_endian;
+} OffingTerrainOptions;
+
+/** Reads a height map (docs/terrain.md lists the formats) and keeps it in memory and on the device. A map
+ * that does not say how far apart its posts are produces a warning in the log. */
+OffingStatus offing_open_terrain(const OffingDevice* device, const char* file,
+                                 const OffingTerrainOptions* options, OffingTerrain** terrain);
+/** The same from heights [rows][columns] m, finite and within 1e6 m, which are copied. Row 0 is the north
+ * edge, and there are 2 posts or more along both axes. */
+OffingStatus offing_make_terrain(const OffingDevice* device, const float* heights_m, int columns, int rows,
+                                 double spacing_x_m, double spacing_z_m, OffingTerrain** terrain);
+/** Frees what the terrain holds on host and device. */
+void offing_free_terrain(OffingTerrain* terrain);
+
+/** What a terrain is. */
+typedef struct OffingTerrainInfo {
+  size_t size;                     /**< sizeof(OffingTerrainInfo) */
+  int columns, rows;               /**< of posts */
+  double spacing_x_m, spacing_z_m; /**< between neighbouring posts */
+  double lowest_m, highest_m;      /**< of all posts, also of voids that were filled */
+  uint64_t void_posts;             /**< that had no height in the file */
+  /** Post (column, row) is at (origin_x + column step_x, origin_y + row step_y) of the map's own coordinate
+   * system, in its units. step_y is negative where rows go south. NaN where not known. */
+  double origin_x, origin_y, step_x, step_y;
+  double centre_latitude_deg, centre_longitude_deg; /**< WGS 84; NaN where not known */
+  const char* coordinate_system;     /**< its name, "" where not known; lives as long as the terrain */
+  const char* coordinate_system_wkt; /**< as WKT, "" where not known; lives as long as the terrain */
+  const char* format;                /**< of the file, such as "GeoTIFF"; lives as long as the terrain */
+  int is_spacing_assumed;            /**< 1: nothing gives the spacing, so 1 m is assumed */
+} OffingTerrainInfo;
+/** What it is. */
+OffingStatus offing_get_terrain_info(OffingTerrain* terrain, OffingTerrainInfo* info);
+
+/** Reads all posts: heights [rows][columns] m, and is_void [rows][columns], 1 where the file had no height
+ * and one was filled in. NULL: not wanted. `count` must be rows * columns. */
+OffingStatus offing_read_terrain(OffingTerrain* terrain, float* heights_m, uint8_t* is_void, size_t count);
+
+/** How questions about terrain are meant. NULL and zeros: normals of patches, flat ground. */
+typedef struct OffingTerrainQuery {
+  size_t size;            /**< sizeof(OffingTerrainQuery) */
+  int has_smooth_normals; /**< 1: from the posts around, without creases; 0: of the bilinear patch itself */
+  /** Ground falls away below the start of a ray or a line of sight by (1 - refraction) d^2 / (2
+   * earth_radius_m) at a distance d in plan. 0: flat ground; 6371008.8 is the Earth's mean radius. */
+  double earth_radius_m;
+  double refraction; /**< how light bends after it, 0 to 1; 0.13 is usual near the ground */
+} OffingTerrainQuery;
+
+/** Where offing_sample_terrain() writes; NULL: not wanted. */
+typedef struct OffingTerrainSamples {
+  size_t size;          /**< sizeof(OffingTerrainSamples) */
+  double* height_m;     /**< [count]; NaN beyond the map */
+  double* normal;       /**< [count][3], unit; NaN beyond the map */
+  uint8_t* is_measured; /**< [count]; 0 beyond the map, and where the height is made of filled voids */
+} OffingTerrainSamples;
+/** The ground at points [count][2] of x and z in m. */
+OffingStatus offing_sample_terrain(OffingTerrain* terrain, const OffingTerrainQuery* query,
+                                   const double* points_m, size_t count, const OffingTerrainSamples* samples);
+
+/** What a ray hit. */
+typedef enum OffingHitKind {
+  OFFING_HIT_NONE = 0,
+  OFFING_HIT_SURFACE, /**< the surface, from above */
+  OFFING_HIT_SIDE,    /**< the map's edge, below the surface: ground is solid */
+  OFFING_HIT_INSIDE   /**< nothing: the ray starts on or below the surface */
+} OffingHitKind;
+
+/** Where offing_cast_rays() writes; NULL: not wanted. */
+typedef struct OffingHits {
+  size_t size;        /**< sizeof(OffingHits) */
+  double* distance_m; /**< [count], along the ray; infinity: it hits nothing */
+  double* point_m;    /**< [count][3], as the map has heights; NaN where nothing is hit */
+  float* normal;      /**< [count][3], unit; NaN where nothing is hit */
+  uint8_t* kind;      /**< [count], an OffingHitKind */
+} OffingHits;
+/** What rays hit first: from origins [count][3] m along unit directions [count][3]. What lies beyond
+ * limits_m [count] is not hit; NULL: no limits. An origin may be 2^22 cells from the map at most. Rays are
+ * cast on the device: hits are right to 1e-3 cells across the surface and to 2^-23 of the way over the map.
+ * Rays that touch the ground to less than 1e-4 cells may hit or miss it. */
+OffingStatus offing_cast_rays(OffingTerrain* terrain, const OffingTerrainQuery* query,
+                              const double* origins_m, const double* directions, const double* limits_m,
+                              size_t count, const OffingHits* hits);
+
+/** Where offing_trace_sight_lines() writes; NULL: not wanted. */
+typedef struct OffingSightLines {
+  size_t size;         /**< sizeof(OffingSightLines) */
+  uint8_t* is_visible; /**< [count], 1 or 0 */
+  double* distance_m;  /**< [count], from end to end */
+  double* hidden_at_m; /**< [count], from the first end to what hides the other; NaN where visible */
+  double* hidden_by_m; /**< [count][3], the place of the ground there; NaN where visible */
+} OffingSightLines;
+/** Lines of sight between ends [count][3]: x, z and the height above ground, each in m. Both lie on the map,
+ * apart, and may lie on the ground. Ground within 2e-3 cells of an end hides nothing. As exact as
+ * offing_cast_rays(). */
+OffingStatus offing_trace_sight_lines(OffingTerrain* terrain, const OffingTerrainQuery* query,
+                                      const double* from_m, const double* to_m, size_t count,
+                                      const OffingSightLines* lines);
+
+/** Who looks, and at what. */
+typedef struct OffingViewshed {
+  size_t size;                       /**< sizeof(OffingViewshed) */
+  double observer_x_m, observer_z_m; /**< on the map */
+  double observer_height_m;          /**< of the eye above the ground, 0 to 1e6 */
+  double target_height_m;            /**< of what is to be seen above the ground, 0 to 1e6 */
+  double radius_m;                   /**< in plan; what is beyond is not seen; 0: no limit */
+  double earth_radius_m, refraction; /**< as in OffingTerrainQuery, from the observer on */
+} OffingViewshed;
+/** Which posts are seen: seen [rows][columns] becomes 255 where a post is visible, 0 where it is hidden, also
+ * at voids that were filled. `count` must be rows * columns. Lines of sight follow the surface between
+ * posts; 1e-5 of the posts, whose lines touch it to rounding, may differ from double precision. */
+OffingStatus offing_compute_viewshed(OffingTerrain* terrain, const OffingViewshed* viewshed, uint8_t* seen,
+                                     size_t count);
+
+/* Floating bodies of a world: the [[body]] sections of its scene, in their order. Body axes: x forward, y up,
+ * z to starboard, their origin in the mass centre. */
+
+/** How many there are; 0 for NULL. */
+size_t offing_body_count(const OffingWorld* world);
+/** The name of one in its scene; "" where it has none. Valid as long as the world. */
+const char* offing_body_name(const OffingWorld* world, size_t body);
+
+/** Where offing_read_body_poses() writes; NULL: not wanted. */
+typedef struct OffingBodyPoses {
+  size_t size;           /**< sizeof(OffingBodyPoses) */
+  double* mass_centre_m; /**< [count][3], y above the water plane */
+  double* turn;          /**< [count][4], unit quaternion w, x, y, z from body axes to the world's */
+  double* velocity_mps;  /**< [count][3], of the mass centre, in world axes */
+  double* spin_radps;    /**< [count][3], in body axes */
+  double* displaced_m3;  /**< [count], of water, a sub-step before */
+} OffingBodyPoses;
+/** Poses of all bodies at the time of the last frame. `count` must be offing_body_count(). Bodies are
+ * simulated in sub-steps of 1/120 s; between states 1/30 s apart poses are interpolated. The same scene gives
+ * the same poses, whatever frames were asked for. */
+OffingStatus offing_read_body_poses(OffingWorld* world, size_t count, const OffingBodyPoses* poses);
+
+/** Where offing_read_body_forces() writes; NULL: not wanted. Forces and moments are in world axes, moments
+ * about the mass centre. */
+typedef struct OffingBodyForces {
+  size_t size;               /**< sizeof(OffingBodyForces) */
+  double* time_s;            /**< [1], the end of the sub-step that all are of */
+  float* pressure_n;         /**< [count][3], of the water's pressure */
+  float* pressure_moment_nm; /**< [count][3] */
+  float* drag_n;             /**< [count][3], of friction, drag and the waves that the hull makes */
+  float* drag_moment_nm;     /**< [count][3] */
+  float* displaced_m3;       /**< [count], of water */
+  float* wetted_m2;          /**< [count], of the hull */
+} OffingBodyForces;
+/** What the water does to all bodies in the last sub-step that was simulated. Bodies are simulated ahead of
+ * frames: `time_s` is up to 0.14 s after the latest frame so far. `count` must be offing_body_count(). */
+OffingStatus offing_read_body_forces(OffingWorld* world, size_t count, const OffingBodyForces* forces);
+
+/* Clouds of a world, as they are at its last frame. A world without clouds has no particles, and its pictures
+ * of clouds are empty. */
+
+/** How many there are: those of [[cloud]] in their order, then those of the layers; 0 for NULL. */
+size_t offing_cloud_count(const OffingWorld* world);
+/** How many particles all of them have; 0 for NULL. */
+size_t offing_cloud_particle_count(const OffingWorld* world);
+
+/** Where offing_read_cloud_particles() writes; NULL: not wanted. */
+typedef struct OffingCloudParticles {
+  size_t size;            /**< sizeof(OffingCloudParticles) */
+  double* place_m;        /**< [count][3], of the middle, to 1e-3 m within 8 km of the sky's origin */
+  float* radius_m;        /**< [count] */
+  float* optical_mass_m2; /**< [count], its extinction (1/m) over its volume */
+  float* albedo;          /**< [count][3], of single scattering, linear Rec.709, 0 to 1 */
+  uint32_t* cloud;        /**< [count], which cloud it belongs to */
+  uint32_t* id;           /**< [count], unique within its cloud, the same in every frame */
+} OffingCloudParticles;
+/** The particles of all clouds. `count` must be offing_cloud_particle_count(). */
+OffingStatus offing_read_cloud_particles(OffingWorld* world, size_t count,
+                                         const OffingCloudParticles* particles);
+
+/** The extinction of the particles at points [count][3] m: extinction_per_m [count], 1/m. They are laid on a
+ * grid of cells of cell_m, 0.001 to 1e5 m, whose cells keep their optical mass; between the middles of cells
+ * it is trilinear. A particle smaller than a cell spreads over one. The grid is kept for calls about the same
+ * frame. */
+OffingStatus offing_sample_clouds(OffingWorld* world, double cell_m, const double* points_m, size_t count,
+                                  double* extinction_per_m);
+
+/** An eye and what it sees. */
+typedef struct OffingCamera {
+  size_t size;                       /**< sizeof(OffingCamera) */
+  double eye_m[3];                   /**< in the world */
+  double yaw_rad;                    /**< 0 along -z (north), growing toward +x (east) */
+  double pitch_rad;                  /**< upward, -pi/2 to pi/2 */
+  double roll_rad;                   /**< of the head, clockwise */
+  double vertical_field_of_view_rad; /**< above 0, below pi */
+  int width_px, height_px;           /**< of the picture, 1 or more */
+} OffingCamera;
+/** The camera of the world's scene at the last frame. */
+OffingStatus offing_get_camera(OffingWorld* world, OffingCamera* camera);
+
+/** What a camera sees of the clouds, as if nothing else were there: rgba_kcdpm2 [height][width][4], linear
+ * Rec.709 in kcd/m^2, premultiplied, and opacity 0 to 1; distance_m [height][width], the mean distance of the
+ * light, 0 where there is none. Row 0 is at the top. NULL: not wanted. `count` must be width * height.
+ * `offing-view --compare-reference` holds such pictures against traced paths. */
+OffingStatus offing_draw_clouds(OffingWorld* world, const OffingCamera* camera, float* rgba_kcdpm2,
+                                float* distance_m, size_t count);
+
+/* Meshes of a world, the [[mesh]] sections of its scene in their order, and their highlights. */
+
+/** How many there are; 0 for NULL. */
+size_t offing_mesh_count(const OffingWorld* world);
+/** The name of one in its scene; "" where it has none. Valid as long as the world. */
+const char* offing_mesh_name(const OffingWorld* world, size_t mesh);
+
+/** Where a mesh is: world = turn * mesh + position_m. */
+typedef struct OffingMeshPose {
+  size_t size;          /**< sizeof(OffingMeshPose) */
+  double position_m[3]; /**< of the mesh's origin, in the world */
+  double turn[4];       /**< unit quaternion w, x, y, z from the mesh's axes to the world's */
+} OffingMeshPose;
+/** Where a mesh is at the last frame. */
+OffingStatus offing_get_mesh_pose(OffingWorld* world, size_t mesh, OffingMeshPose* pose);
+
+/** What a highlight's projector casts. */
+typedef enum OffingTexture {
+  OFFING_TEXTURE_DOT = 0,
+  OFFING_TEXTURE_WINDOW,
+  OFFING_TEXTURE_STAR,
+  OFFING_TEXTURE_RING,
+  OFFING_TEXTURE_STREAK,
+  OFFING_TEXTURE_HEART,
+  OFFING_TEXTURE_IMAGE,     /**< the picture of its rule */
+  OFFING_TEXTURE_NORMAL_MAP /**< the picture of its rule */
+} OffingTexture;
+
+/** Where offing_read_highlights() writes; NULL: not wanted. A projector is a box that casts its texture along
+ * -normal onto its mesh. The texture reaches from -1 to 1 along right and up over width and height. Vectors
+ * are in the mesh's axes (offing_get_mesh_pose()). */
+typedef struct OffingHighlights {
+  size_t size;        /**< sizeof(OffingHighlights) */
+  uint64_t* id;       /**< [count], the same through a sequence; copies of one highlight share it */
+  int32_t* rule;      /**< [count], which [[mesh.highlight]] it is drawn by; -1: none */
+  int32_t* copy;      /**< [count], of those that a rule splits it into */
+  int32_t* light;     /**< [count], which [[light]]; the one after the last is the sun; -1: a pin */
+  double* position_m; /**< [count][3], middle of the box */
+  double* right;      /**< [count][3], unit; right x up = normal */
+  double* up;         /**< [count][3], unit */
+  double* normal;     /**< [count][3], unit, out of the surface */
+  double* width_m;    /**< [count], full, along right */
+  double* height_m;   /**< [count], full, along up */
+  double* opacity;    /**< [count], above 0, at most 1 */
+  int32_t* texture;   /**< [count], an OffingTexture */
+  double* softness;   /**< [count], of a shape's rim, in half widths */
+  double* colour;     /**< [count][3], linear Rec.709, times that of the light */
+} OffingHighlights;
+/** Finds the highlights of all meshes at the last frame, for the eye of the scene. They depend on that time
+ * and on first_s alone: the time of the first frame of the sequence, not after it. Frames of one sequence
+ * share a past, in which highlights keep their ids and nothing jumps. */
+OffingStatus offing_find_highlights(OffingWorld* world, double first_s);
+/** How many a mesh has by the last offing_find_highlights(); 0 before one. */
+OffingStatus offing_count_highlights(OffingWorld* world, size_t mesh, size_t* count);
+/** The projectors of a mesh's highlights. `count` must be that of
+ * offing_count_highlights(). */
+OffingStatus offing_read_highlights(OffingWorld* world, size_t mesh, size_t count,
+                                    const OffingHighlights* highlights);
 
 /** What draws pictures of a scene, with a world of its own. */
 typedef struct OffingRenderer OffingRenderer;

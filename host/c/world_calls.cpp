@@ -127,9 +127,11 @@ OffingStatus offing_make_world(const OffingDevice* device, const OffingScene* sc
     require(device, "device");
     require(scene, "scene");
     require(world, "world");
-    auto made = std::make_unique<OffingWorld>(scene->scene, device->device,
-                                              offing::scene::prepare_world(scene->scene));
-    offing::scene::show_at(made->world, made->scene, made->scene.time.start_s);
+    // As offing-view shows it: the eye at its place.
+    offing::scene::Scene shown = scene->scene;
+    const offing::world::WorldParameters parameters = offing::scene::prepare_shown_world(shown);
+    auto made = std::make_unique<OffingWorld>(shown, device->device, parameters);
+    made->camera = offing::scene::show_at(made->world, made->scene, made->scene.time.start_s).camera;
     *world = made.release();
   });
 }
@@ -141,7 +143,7 @@ void offing_free_world(OffingWorld* world) {
 OffingStatus offing_frame(OffingWorld* world, double time_s) {
   return run([&] {
     const Use use(world, "world");
-    offing::scene::show_at(world->world, world->scene, time_s);
+    world->camera = offing::scene::show_at(world->world, world->scene, time_s).camera;
   });
 }
 

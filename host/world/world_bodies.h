@@ -103,6 +103,10 @@ class WorldBodies {
   double begin_s() const { return path_->begin_s(); }
   /// At any time up to that of the last reach().
   bodies::BodyPose pose(std::size_t body, double time_s) const { return path_->at(body, time_s); }
+  /// What the water did to the bodies in the last sub-step that was simulated, [size()], which ended at
+  /// reported_s(): a little after the time of the last reach() that went further; waits.
+  std::vector<BodyReport> read_reports() const { return bodies_.read_reports(); }
+  double reported_s() const { return bodies_.stepped_to_s(); }
   /// Where the axes of a body's hull are at any time up to that of the last reach(). Outlives the view.
   std::function<highlights::RigidMotion(double time_s)> motion_of_hull(std::size_t body) const;
   /// Enqueues what adds the hulls at a time to displaced [n][n] m of a wake window. In the beginning of the

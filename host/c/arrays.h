@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+
+#include <glm/vec3.hpp>
+
+/// Arrays of the caller's, which are NULL where they are not wanted: nothing is written then.
+namespace offing::c {
+
+/// The values of an element: array [count][values.size()].
+template <class Number>
+void write_values(Number* array, std::size_t index, std::initializer_list<Number> values) {
+  if (array != nullptr) std::copy(values.begin(), values.end(), array + index * values.size());
+}
+
+/// A vector of array [count][3].
+template <class Number>
+void write_vector(Number* array, std::size_t index, const glm::dvec3& vector) {
+  write_values<Number>(
+      array, index,
+      {static_cast<Number>(vector.x), static_cast<Number>(vector.y), static_cast<Number>(vector.z)});
+}
+
+/// A vector of array [count][3].
+inline glm::dvec3 vector_at(const double* array, std::size_t index) {
+  return {array[3 * index], array[3 * index + 1], array[3 * index + 2]};
+}
+
+}  // namespace offing::c

@@ -1,0 +1,349 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "host/c/arrays.h"
+#include "host/c/handles.h"
+#include "host/io/height_maps/read_height_map.h"
+#include "host/io/tile_store/tile_store.h"
+#include "host/terrain/analysis/line_of_sight.h"
+#include "host/terrain/analysis/viewshed.h"
+
+using offing::Error;
+using offing::ErrorKind;
+using offing::HeightMapFile;
+using offing::c::require;
+using offing::c::run;
+using offing::c::Use;
+using offing::c::vector_at;
+using offing::c::write_values;
+using offing::c::write_vector;
+using offing::terrain::EarthCurve;
+using offing::terrain::RayHit;
+
+namespace {
+
+constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+std::string text_of(const char* text) {
+  return text == nullptr ? std::string() : std::string(text);
+}
+
+/// A value of an enumeration of offing.h, which has `count` of them.
+template <class Value, class Given>
+Value choice_of(const char* name, Given given, int count) {
+  const int value = static_cast<int>(given);
+  if (value >= 0 && value < count) return static_cast<Value>(value);
+  throw Error(ErrorKind::bad_usage, fmt::format("{}: expected 0 ... {}, got {}", name, count - 1, value),
+              "use one of the names in offing.h");
+}
+
+offing::HeightMapOptions map_options(const OffingTerrainOptions& given) {
+  offing::HeightMapOptions options;
+  if (given.spacing_x_m != 0.0) options.spacing_x_m = given.spacing_x_m;
+  if (given.spacing_z_m != 0.0) options.spacing_z_m = given.spacing_z_m;
+  if (given.vertical_scale != 0.0) options.vertical_scale = given.vertical_scale;
+  options.offset_m = given.offset_m;
+  if (given.nodata != nullptr) options.nodata = *given.nodata;
+  if (given.void_height_m != nullptr) options.void_height_m = *given.void_height_m;
+  options.reproject_to = text_of(given.reproject_to);
+  if (given.is_untrusted != 0) options.trust.trust = offing::Trust::untrusted;
+  if (given.band != 0) options.band = given.band;
+  options.encoding = choice_of<offing::HeightEncoding>("encoding", given.encoding, 3);
+  options.horizontal_unit = choice_of<offing::HorizontalUnit>("horizontal_unit", given.horizontal_unit, 3);
+  options.exr_channel = text_of(given.exr_channel);
+  options.raw_columns = given.raw_columns;
+  options.raw_rows = given.raw_rows;
+  const int raw_type = choice_of<int>("raw_type", given.raw_type, 4);
+  if (raw_type > 0) options.raw_type = static_cast<offing::RawType>(raw_type - 1);
+  if (given.is_raw_big_endian != 0) options.raw_byte_order = offing::ByteOrder::big_endian;
+  return options;
+}
+
+HeightMapFile read_file(const char* file, const OffingTerrainOptions* options) {
+  if (offing::is_tile_store(file)) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: expected a height map, found a tile store", offing::one_line(file)),
+                "open the map from which the store was made");
+  }
+  HeightMapFile found =
+      offing::read_height_map(file, map_options(offing::c::read_struct(options, "options")));
+  offing::warn_of_assumed_spacing(file, found.source);
+  return found;
+}
+
+HeightMapFile file_of(const float* heights_m, const offing::terrain::PostGrid& grid) {
+  offing::terrain::require_valid(grid);
+  HeightMapFile file;
+  file.map.columns = grid.columns;
+  file.map.rows = grid.rows;
+  file.map.spacing_x_m = grid.spacing_x_m;
+  file.map.spacing_z_m = grid.spacing_z_m;
+  file.map.heights_m.assign(heights_m, heights_m + static_cast<std::ptrdiff_t>(grid.columns) * grid.rows);
+  file.source.spacing_source = offing::SpacingSource::options;
+  return file;
+}
+
+OffingTerrainInfo info_of_terrain(const OffingTerrain& terrain) {
+  const auto& [map, source] = terrain.file;
+  const offing::Georeference& place = map.georeference;
+  const bool is_placed = place.step_x != 0.0;
+  OffingTerrainInfo info{};
+  info.size = sizeof info;
+  info.columns = map.columns;
+  info.rows = map.rows;
+  info.spacing_x_m = map.spacing_x_m;
+  info.spacing_z_m = map.spacing_z_m;
+  info.lowest_m = terrain.field.lowest_m();
+  info.highest_m = terrain.field.highest_m();
+  info.void_posts = source.void_posts;
+  info.origin_x = is_placed ? place.origin_x : nowhere;
+  info.origin_y = is_placed ? place.origin_y : nowhere;
+  info.step_x = is_placed ? place.step_x : nowhere;
+  info.step_y = is_placed ? place.step_y : nowhere;
+  info.centre_latitude_deg = source.centre_latitude_deg.value_or(nowhere);
+  info.centre_longitude_deg = source.centre_longitude_deg.value_or(nowhere);
+  info.coordinate_system = source.coordinate_system.c_str();
+  info.coordinate_system_wkt = place.coordinate_system.c_str();
+  info.format = source.format.c_str();
+  info.is_spacing_assumed = source.spacing_source == offing::SpacingSource::assumed ? 1 : 0;
+  return info;
+}
+
+/// Flat ground for a radius of 0. Throws what require_valid() throws.
+EarthCurve curve_of(double earth_radius_m, double refraction) {
+  EarthCurve curve;
+  if (earth_radius_m != 0.0) curve.radius_m = earth_radius_m;
+  curve.refraction = refraction;
+  offing::terrain::require_valid(curve);
+  return curve;
+}
+
+offing::terrain::HitNormals normals_of(const OffingTerrainQuery& query) {
+  return query.has_smooth_normals != 0 ? offing::terrain::HitNormals::smooth
+                                       : offing::terrain::HitNormals::patch;
+}
+
+/// `point_m` is x and z.
+void write_sample(const OffingTerrainSamples& samples, std::size_t index,
+                  const offing::terrain::TerrainPosts& posts, const double* point_m, bool is_smooth) {
+  const auto found = offing::terrain::terrain_at(posts, point_m[0], point_m[1]);
+  if (!found) {
+    write_values(samples.height_m, index, {nowhere});
+    write_vector(samples.normal, index, glm::dvec3(nowhere));
+    write_values(samples.is_measured, index, {std::uint8_t{0}});
+    return;
+  }
+  write_values(samples.height_m, index, {found->height_m});
+  if (samples.normal != nullptr) {
+    write_vector(
+        samples.normal, index,
+        is_smooth ? *offing::terrain::smooth_normal_at(posts, point_m[0], point_m[1]) : found->normal);
+  }
+  if (samples.is_measured != nullptr) {
+    const bool is_measured = *offing::terrain::is_measured_at(posts, point_m[0], point_m[1]);
+    samples.is_measured[index] = is_measured ? 1 : 0;
+  }
+}
+
+std::vector<RayHit> cast_rays(OffingTerrain& terrain, std::span<const offing::terrain::Ray> rays,
+                              const EarthCurve& curve, offing::terrain::HitNormals normals) {
+  // Rays over flat ground have a kernel of their own.
+  return curve.bend_perm() == 0.0 ? terrain.field.cast(rays, offing::terrain::CastMethod::parity, normals)
+                                  : terrain.field.cast(rays, curve, normals);
+}
+
+/// Errors name the ray by its index.
+std::vector<offing::terrain::Ray> rays_of(const offing::terrain::PostGrid& grid, const double* origins_m,
+                                          const double* directions, const double* limits_m,
+                                          std::size_t count) {
+  std::vector<offing::terrain::Ray> rays(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    rays[i] = {.origin_m = vector_at(origins_m, i),
+               .direction = vector_at(directions, i),
+               .limit_m = limits_m == nullptr ? no_limit : limits_m[i]};
+    try {
+      offing::terrain::require_valid(rays[i], grid);
+    } catch (const Error& error) {
+      throw Error(error.kind(), fmt::format("rays[{}]: {}", i, error.what()), error.hint());
+    }
+  }
+  return rays;
+}
+
+void write_hit(const OffingHits& hits, std::size_t index, const offing::terrain::Ray& ray, const RayHit& hit,
+               const EarthCurve& curve) {
+  const bool is_hit = hit.kind != TERRAIN_MISS;
+  glm::dvec3 point_m(nowhere), normal(nowhere);
+  if (is_hit) {
+    const glm::dvec3 way_m = hit.distance_m * ray.direction;
+    const double plan_m = std::hypot(way_m.x, way_m.z);
+    point_m = ray.origin_m + way_m + glm::dvec3(0.0, curve.bend_perm() * plan_m * plan_m, 0.0);
+    normal = {hit.normal_x, hit.normal_y, hit.normal_z};
+  }
+  write_values(hits.distance_m, index, {is_hit ? hit.distance_m : no_limit});
+  write_values(hits.kind, index, {static_cast<std::uint8_t>(hit.kind)});
+  write_vector(hits.point_m, index, point_m);
+  write_vector(hits.normal, index, normal);
+}
+static_assert(OFFING_HIT_SURFACE == TERRAIN_SURFACE && OFFING_HIT_SIDE == TERRAIN_SIDE &&
+              OFFING_HIT_INSIDE == TERRAIN_INSIDE && OFFING_HIT_NONE == TERRAIN_MISS);
+
+std::vector<offing::terrain::LineOfSight> sight_lines(const offing::terrain::TerrainPosts& posts,
+                                                      const EarthCurve& curve, const double* from_m,
+                                                      const double* to_m, std::size_t count) {
+  std::vector<offing::terrain::LineOfSight> lines;
+  lines.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string from_name = fmt::format("from_m[{}]", i), to_name = fmt::format("to_m[{}]", i);
+    const auto end = [i](const std::string& name, const double* ends_m) {
+      const glm::dvec3 end_m = vector_at(ends_m, i);
+      return offing::terrain::SightEnd{name, end_m.x, end_m.y, end_m.z};
+    };
+    lines.emplace_back(posts, curve, end(from_name, from_m), end(to_name, to_m));
+  }
+  return lines;
+}
+
+void write_sight_line(const OffingSightLines& lines, std::size_t index,
+                      const offing::terrain::LineOfSight& line, const RayHit& hit) {
+  const bool is_visible = hit.kind == TERRAIN_MISS;
+  const double hidden_at_m = is_visible ? nowhere : line.hidden_at_m(hit);
+  write_values(lines.is_visible, index, {static_cast<std::uint8_t>(is_visible ? 1 : 0)});
+  write_values(lines.distance_m, index, {line.distance_m()});
+  write_values(lines.hidden_at_m, index, {hidden_at_m});
+  write_vector(lines.hidden_by_m, index, is_visible ? glm::dvec3(nowhere) : line.point_m(hidden_at_m));
+}
+
+}  // namespace
+
+OffingStatus offing_open_terrain(const OffingDevice* device, const char* file,
+                                 const OffingTerrainOptions* options, OffingTerrain** terrain) {
+  return run([&] {
+    require(device, "device");
+    require(file, "file");
+    require(terrain, "terrain");
+    *terrain = new OffingTerrain(device->device, read_file(file, options));
+  });
+}
+
+OffingStatus offing_make_terrain(const OffingDevice* device, const float* heights_m, int columns, int rows,
+                                 double spacing_x_m, double spacing_z_m, OffingTerrain** terrain) {
+  return run([&] {
+    require(device, "device");
+    require(heights_m, "heights_m");
+    require(terrain, "terrain");
+    *terrain = new OffingTerrain(
+        device->device,
+        file_of(heights_m,
+                {.columns = columns, .rows = rows, .spacing_x_m = spacing_x_m, .spacing_z_m = spacing_z_m}));
+  });
+}
+
+void offing_free_terrain(OffingTerrain* terrain) {
+  delete terrain;
+}
+
+OffingStatus offing_get_terrain_info(OffingTerrain* terrain, OffingTerrainInfo* info) {
+  return run([&] {
+    const Use use(terrain, "terrain");
+    offing::c::write_struct(info, "info", info_of_terrain(*terrain));
+  });
+}
+
+OffingStatus offing_read_terrain(OffingTerrain* terrain, float* heights_m, uint8_t* is_void, size_t count) {
+  return run([&] {
+    const Use use(terrain, "terrain");
+    offing::c::require_count("count", count, terrain->post_count());
+    const offing::HeightMap& map = terrain->file.map;
+    if (heights_m != nullptr) std::copy(map.heights_m.begin(), map.heights_m.end(), heights_m);
+    if (is_void == nullptr) return;
+    std::fill_n(is_void, count, std::uint8_t{0});
+    std::copy(map.is_void.begin(), map.is_void.end(), is_void);
+  });
+}
+
+OffingStatus offing_sample_terrain(OffingTerrain* terrain, const OffingTerrainQuery* query,
+                                   const double* points_m, size_t count,
+                                   const OffingTerrainSamples* samples) {
+  return run([&] {
+    const Use use(terrain, "terrain");
+    if (count == 0) return;
+    require(points_m, "points_m");
+    require(samples, "samples");
+    const OffingTerrainQuery asked = offing::c::read_struct(query, "query");
+    const OffingTerrainSamples wanted = offing::c::read_struct(samples, "samples");
+    for (std::size_t i = 0; i < count; ++i)
+      write_sample(wanted, i, terrain->posts, points_m + 2 * i, asked.has_smooth_normals != 0);
+  });
+}
+
+OffingStatus offing_cast_rays(OffingTerrain* terrain, const OffingTerrainQuery* query,
+                              const double* origins_m, const double* directions, const double* limits_m,
+                              size_t count, const OffingHits* hits) {
+  return run([&] {
+    const Use use(terrain, "terrain");
+    if (count == 0) return;
+    require(origins_m, "origins_m");
+    require(directions, "directions");
+    require(hits, "hits");
+    const OffingTerrainQuery asked = offing::c::read_struct(query, "query");
+    const OffingHits wanted = offing::c::read_struct(hits, "hits");
+    const EarthCurve curve = curve_of(asked.earth_radius_m, asked.refraction);
+    const std::vector<offing::terrain::Ray> rays =
+        rays_of(terrain->field.grid(), origins_m, directions, limits_m, count);
+    const std::vector<RayHit> found = cast_rays(*terrain, rays, curve, normals_of(asked));
+    for (std::size_t i = 0; i < count; ++i) write_hit(wanted, i, rays[i], found[i], curve);
+  });
+}
+
+OffingStatus offing_trace_sight_lines(OffingTerrain* terrain, const OffingTerrainQuery* query,
+                                      const double* from_m, const double* to_m, size_t count,
+                                      const OffingSightLines* lines) {
+  return run([&] {
+    const Use use(terrain, "terrain");
+    if (count == 0) return;
+    require(from_m, "from_m");
+    require(to_m, "to_m");
+    require(lines, "lines");
+    const OffingTerrainQuery asked = offing::c::read_struct(query, "query");
+    const OffingSightLines wanted = offing::c::read_struct(lines, "lines");
+    const EarthCurve curve = curve_of(asked.earth_radius_m, asked.refraction);
+    const std::vector<offing::terrain::LineOfSight> sights =
+        sight_lines(terrain->posts, curve, from_m, to_m, count);
+    std::vector<offing::terrain::Ray> rays;
+    for (const offing::terrain::LineOfSight& sight : sights) rays.push_back(sight.ray());
+    const std::vector<RayHit> found = cast_rays(*terrain, rays, curve, offing::terrain::HitNormals::patch);
+    for (std::size_t i = 0; i < count; ++i) write_sight_line(wanted, i, sights[i], found[i]);
+  });
+}
+
+OffingStatus offing_compute_viewshed(OffingTerrain* terrain, const OffingViewshed* viewshed, uint8_t* seen,
+                                     size_t count) {
+  return run([&] {
+    const Use use(terrain, "terrain");
+    require(viewshed, "viewshed");
+    require(seen, "seen");
+    const OffingViewshed asked = offing::c::read_struct(viewshed, "viewshed");
+    offing::c::require_count("count", count, terrain->post_count());
+    const offing::terrain::ViewshedParameters parameters{
+        .observer_x_m = asked.observer_x_m,
+        .observer_z_m = asked.observer_z_m,
+        .observer_height_m = asked.observer_height_m,
+        .target_height_m = asked.target_height_m,
+        .radius_m = asked.radius_m == 0.0 ? no_limit : asked.radius_m,
+        .curve = curve_of(asked.earth_radius_m, asked.refraction)};
+    offing::terrain::require_valid(parameters, terrain->field.grid());
+    if (!terrain->viewshed) terrain->viewshed.emplace(terrain->device);
+    offing::ocl::Buffer<std::uint8_t> found(terrain->device, count, "viewshed");
+    terrain->viewshed->at(terrain->field, parameters, found);
+    found.read(std::span(seen, count));
+  });
+}

@@ -1,0 +1,304 @@
+// Terrain of the C interface against the classes behind it.
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/c/handles.h"
+#include "host/c/offing.h"
+#include "host/terrain/analysis/line_of_sight.h"
+#include "host/terrain/analysis/viewshed.h"
+#include "host/terrain/field/height_field.h"
+#include "tests/io/temporary_folder.h"
+
+namespace offing {
+namespace {
+
+using testing::HasSubstr;
+
+template <class Struct>
+Struct sized() {
+  Struct zeros{};
+  zeros.size = sizeof zeros;
+  return zeros;
+}
+
+/// Bumpy ground of 33 x 21 posts, 10 m apart along x and 8 m along z, under a wall of 40 m along column 20.
+class TerrainCallsTest : public testing::Test {
+ protected:
+  static constexpr int columns = 33, rows = 21;
+
+  void SetUp() override {
+    map_.columns = columns;
+    map_.rows = rows;
+    map_.spacing_x_m = 10.0;
+    map_.spacing_z_m = 8.0;
+    for (int row = 0; row < rows; ++row) {
+      for (int column = 0; column < columns; ++column) {
+        const double height_m = column == 20 ? 40.0 : 3.0 * std::sin(0.7 * column) * std::cos(0.4 * row);
+        map_.heights_m.push_back(static_cast<float>(height_m));
+      }
+    }
+    ASSERT_EQ(offing_open_device(nullptr, &device_), OFFING_OK) << offing_last_error();
+    ASSERT_EQ(offing_make_terrain(device_, map_.heights_m.data(), columns, rows, 10.0, 8.0, &terrain_),
+              OFFING_OK)
+        << offing_last_error();
+  }
+  void TearDown() override {
+    offing_free_terrain(terrain_);
+    offing_free_terrain(opened_);
+    offing_close_device(device_);
+  }
+
+  OffingTerrainInfo info(OffingTerrain* terrain) {
+    auto found = sized<OffingTerrainInfo>();
+    EXPECT_EQ(offing_get_terrain_info(terrain, &found), OFFING_OK) << offing_last_error();
+    return found;
+  }
+  terrain::HeightField field() { return {ocl::Device::open(), terrain::post_grid(map_), map_.heights_m}; }
+
+  HeightMap map_;
+  OffingDevice* device_ = nullptr;
+  OffingTerrain* terrain_ = nullptr;
+  OffingTerrain* opened_ = nullptr;
+};
+
+// Fails if an option does not reach the reader, a post is at another place, or what the file says is lost.
+TEST_F(TerrainCallsTest, OpensAFile) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "map.asc").string();
+  std::ofstream(file) << "ncols 3\nnrows 2\nxllcenter 500000\nyllcenter 5200000\ncellsize 25\n"
+                         "NODATA_value -9999\n1 2 3\n4 -9999 -7\n";
+  const double nodata = -7.0, void_height_m = 8.0;
+  auto options = sized<OffingTerrainOptions>();
+  options.vertical_scale = 2.0;
+  options.offset_m = 100.0;
+  options.nodata = &nodata;
+  options.void_height_m = &void_height_m;
+  options.spacing_z_m = 30.0;
+  ASSERT_EQ(offing_open_terrain(device_, file.c_str(), &options, &opened_), OFFING_OK) << offing_last_error();
+  const OffingTerrainInfo found = info(opened_);
+  EXPECT_EQ(found.columns, 3);
+  EXPECT_EQ(found.rows, 2);
+  EXPECT_EQ(found.spacing_x_m, 25.0);
+  EXPECT_EQ(found.spacing_z_m, 30.0);
+  EXPECT_EQ(found.lowest_m, 8.0);
+  EXPECT_EQ(found.highest_m, 108.0);
+  EXPECT_EQ(found.void_posts, 2u);
+  EXPECT_EQ(found.origin_x, 500000.0);
+  EXPECT_EQ(found.origin_y, 5200025.0);
+  EXPECT_EQ(found.step_x, 25.0);
+  EXPECT_EQ(found.step_y, -25.0);
+  EXPECT_STREQ(found.coordinate_system, "");
+  EXPECT_THAT(found.format, HasSubstr("ASCII"));
+  EXPECT_TRUE(std::isnan(found.centre_latitude_deg));
+  std::array<float, 6> heights_m{};
+  std::array<std::uint8_t, 6> is_void{};
+  ASSERT_EQ(offing_read_terrain(opened_, heights_m.data(), is_void.data(), 6), OFFING_OK);
+  EXPECT_THAT(heights_m, testing::ElementsAre(102.0f, 104.0f, 106.0f, 108.0f, 8.0f, 8.0f));
+  EXPECT_THAT(is_void, testing::ElementsAre(0, 0, 0, 0, 1, 1));
+}
+
+// Fails if the array is read in another order, or what is not known of it is made up.
+TEST_F(TerrainCallsTest, TakesAnArray) {
+  const OffingTerrainInfo found = info(terrain_);
+  EXPECT_EQ(found.columns, columns);
+  EXPECT_EQ(found.spacing_z_m, 8.0);
+  EXPECT_EQ(found.highest_m, 40.0);
+  EXPECT_TRUE(std::isnan(found.origin_x));
+  EXPECT_STREQ(found.coordinate_system_wkt, "");
+  EXPECT_EQ(found.is_spacing_assumed, 0);
+  std::vector<float> heights_m(map_.heights_m.size());
+  ASSERT_EQ(offing_read_terrain(terrain_, heights_m.data(), nullptr, heights_m.size()), OFFING_OK);
+  EXPECT_EQ(heights_m, map_.heights_m);
+}
+
+// Fails if a height or a normal is of another point, or places beyond the map get one.
+TEST_F(TerrainCallsTest, SamplesPoints) {
+  const std::vector<double> points_m{13.0, 17.0, 320.0, 160.0, 320.5, 20.0, 101.0, 33.0};
+  std::array<double, 4> height_m{};
+  std::array<double, 12> normal{}, smooth{};
+  std::array<std::uint8_t, 4> is_measured{};
+  const OffingTerrainSamples samples{sizeof samples, height_m.data(), normal.data(), is_measured.data()};
+  ASSERT_EQ(offing_sample_terrain(terrain_, nullptr, points_m.data(), 4, &samples), OFFING_OK);
+  auto query = sized<OffingTerrainQuery>();
+  query.has_smooth_normals = 1;
+  const OffingTerrainSamples normals{sizeof normals, nullptr, smooth.data(), nullptr};
+  ASSERT_EQ(offing_sample_terrain(terrain_, &query, points_m.data(), 4, &normals), OFFING_OK);
+  for (const std::size_t i : {0u, 1u, 3u}) {
+    const auto due = terrain::terrain_at(map_, points_m[2 * i], points_m[2 * i + 1]);
+    EXPECT_EQ(height_m[i], due->height_m);
+    EXPECT_EQ(normal[3 * i], due->normal.x);
+    EXPECT_EQ(normal[3 * i + 2], due->normal.z);
+    EXPECT_EQ(smooth[3 * i], terrain::smooth_normal_at(map_, points_m[2 * i], points_m[2 * i + 1])->x);
+    EXPECT_EQ(is_measured[i], 1);
+  }
+  EXPECT_TRUE(std::isnan(height_m[2]));
+  EXPECT_TRUE(std::isnan(normal[7]));
+  EXPECT_TRUE(std::isnan(smooth[7]));
+  EXPECT_EQ(is_measured[2], 0);
+}
+
+// Fails if a ray, its limit or its answer is another one's, or the curve of the ground is left out.
+TEST_F(TerrainCallsTest, CastsRays) {
+  const std::vector<double> origins_m{50.0, 90.0, 50.0, 50.0, 90.0,  50.0,
+                                      10.0, 20.0, 80.0, 10.0, -50.0, 80.0};
+  const std::vector<double> directions{0.6, -0.8, 0.0, 0.6, -0.8, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0};
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<double> limits_m{infinity, 50.0, 1e9, infinity};
+  std::array<double, 4> distance_m{};
+  std::array<double, 12> point_m{};
+  std::array<float, 12> normal{};
+  std::array<std::uint8_t, 4> kind{};
+  const OffingHits hits{sizeof hits, distance_m.data(), point_m.data(), normal.data(), kind.data()};
+  auto query = sized<OffingTerrainQuery>();
+  query.earth_radius_m = 5000.0;
+  query.refraction = 0.13;
+  terrain::HeightField reference = field();
+  for (const OffingTerrainQuery* asked : {static_cast<OffingTerrainQuery*>(nullptr), &query}) {
+    ASSERT_EQ(
+        offing_cast_rays(terrain_, asked, origins_m.data(), directions.data(), limits_m.data(), 4, &hits),
+        OFFING_OK)
+        << offing_last_error();
+    const terrain::EarthCurve curve =
+        asked == nullptr ? terrain::EarthCurve{} : terrain::EarthCurve{5000.0, 0.13};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const terrain::Ray ray{.origin_m = {origins_m[3 * i], origins_m[3 * i + 1], origins_m[3 * i + 2]},
+                             .direction = {directions[3 * i], directions[3 * i + 1], directions[3 * i + 2]},
+                             .limit_m = limits_m[i]};
+      const terrain::RayHit due = reference.cast(std::vector{ray}, curve).front();
+      EXPECT_EQ(kind[i], due.kind);
+      EXPECT_EQ(distance_m[i], due.distance_m);
+      if (due.kind == TERRAIN_MISS) {
+        EXPECT_TRUE(std::isnan(point_m[3 * i]));
+        EXPECT_TRUE(std::isnan(normal[3 * i]));
+        continue;
+      }
+      EXPECT_EQ(normal[3 * i], due.normal_x);
+      EXPECT_EQ(normal[3 * i + 1], due.normal_y);
+      // The map is as high there as the place that is told.
+      if (due.kind != TERRAIN_SURFACE) continue;
+      EXPECT_NEAR(terrain::terrain_at(map_, point_m[3 * i], point_m[3 * i + 2])->height_m, point_m[3 * i + 1],
+                  0.02);
+    }
+  }
+  EXPECT_EQ(kind[1], OFFING_HIT_NONE);
+  EXPECT_EQ(kind[3], OFFING_HIT_INSIDE);
+}
+
+// Fails if a line's answer is another one's, or differs from that of `offing terrain los`.
+TEST_F(TerrainCallsTest, TracesSightLines) {
+  const std::vector<double> from_m{20.0, 80.0, 2.0, 20.0, 80.0, 60.0},
+      to_m{300.0, 90.0, 2.0, 300.0, 90.0, 60.0};
+  std::array<std::uint8_t, 2> is_visible{};
+  std::array<double, 2> distance_m{}, hidden_at_m{};
+  std::array<double, 6> hidden_by_m{};
+  const OffingSightLines lines{sizeof lines, is_visible.data(), distance_m.data(), hidden_at_m.data(),
+                               hidden_by_m.data()};
+  ASSERT_EQ(offing_trace_sight_lines(terrain_, nullptr, from_m.data(), to_m.data(), 2, &lines), OFFING_OK)
+      << offing_last_error();
+  EXPECT_THAT(is_visible, testing::ElementsAre(0, 1));
+  const terrain::LineOfSight due(terrain::posts_of(map_), {}, {"from", 20.0, 80.0, 2.0},
+                                 {"to", 300.0, 90.0, 2.0});
+  const terrain::RayHit hit = field().cast(std::vector{due.ray()}).front();
+  EXPECT_EQ(distance_m[0], due.distance_m());
+  EXPECT_EQ(hidden_at_m[0], due.hidden_at_m(hit));
+  EXPECT_EQ(hidden_by_m[0], due.point_m(hidden_at_m[0]).x);
+  EXPECT_TRUE(std::isnan(hidden_at_m[1]));
+  EXPECT_TRUE(std::isnan(hidden_by_m[3]));
+}
+
+// Fails if the map of what is seen is another observer's.
+TEST_F(TerrainCallsTest, ComputesViewsheds) {
+  auto viewshed = sized<OffingViewshed>();
+  viewshed.observer_x_m = 57.0;
+  viewshed.observer_z_m = 83.0;
+  viewshed.observer_height_m = 4.0;
+  viewshed.target_height_m = 1.0;
+  viewshed.earth_radius_m = 20000.0;
+  std::vector<std::uint8_t> seen(map_.heights_m.size(), 7);
+  ASSERT_EQ(offing_compute_viewshed(terrain_, &viewshed, seen.data(), seen.size()), OFFING_OK)
+      << offing_last_error();
+  const ocl::Device device = ocl::Device::open();
+  const terrain::HeightField reference(device, terrain::post_grid(map_), map_.heights_m);
+  ocl::Buffer<std::uint8_t> due(device, seen.size(), "seen");
+  terrain::Viewshed(device).at(reference,
+                               {.observer_x_m = 57.0,
+                                .observer_z_m = 83.0,
+                                .observer_height_m = 4.0,
+                                .target_height_m = 1.0,
+                                .curve = {.radius_m = 20000.0}},
+                               due);
+  EXPECT_EQ(seen, due.read());
+  EXPECT_THAT(seen, testing::Contains(255));
+  EXPECT_THAT(seen, testing::Contains(0));
+}
+
+// Fails if a bad argument is taken, or refused without a word that helps.
+TEST_F(TerrainCallsTest, RefusesBadArguments) {
+  OffingTerrain* terrain = nullptr;
+  EXPECT_EQ(offing_open_terrain(device_, "no/such.tif", nullptr, &terrain), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("no/such.tif"));
+  EXPECT_STRNE(offing_last_hint(), "");
+  auto options = sized<OffingTerrainOptions>();
+  options.encoding = static_cast<OffingHeightEncoding>(3);
+  EXPECT_EQ(offing_open_terrain(device_, "no/such.tif", &options, &terrain), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("encoding"));
+  EXPECT_EQ(offing_make_terrain(device_, map_.heights_m.data(), 1, 5, 10.0, 10.0, &terrain),
+            OFFING_BAD_INPUT);
+  EXPECT_EQ(offing_make_terrain(device_, map_.heights_m.data(), -3, -5, 1.0, 1.0, &terrain),
+            OFFING_BAD_INPUT);
+  EXPECT_EQ(offing_make_terrain(device_, map_.heights_m.data(), 5, 5, 0.0, 10.0, &terrain), OFFING_BAD_INPUT);
+  EXPECT_EQ(offing_make_terrain(nullptr, map_.heights_m.data(), 5, 5, 10.0, 10.0, &terrain),
+            OFFING_BAD_INPUT);
+  map_.heights_m[7] = std::nanf("");
+  EXPECT_EQ(offing_make_terrain(device_, map_.heights_m.data(), 5, 5, 1.0, 1.0, &terrain), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("row 1, column 2"));
+  EXPECT_EQ(terrain, nullptr);
+
+  float height_m = 0.0f;
+  EXPECT_EQ(offing_read_terrain(terrain_, &height_m, nullptr, 1), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("693"));
+  const std::vector<double> place_m{10.0, 50.0, 10.0}, long_way{1.0, 1.0, 0.0}, beyond_m{900.0, 10.0, 2.0};
+  const auto hits = sized<OffingHits>();
+  EXPECT_EQ(offing_cast_rays(terrain_, nullptr, place_m.data(), long_way.data(), nullptr, 1, &hits),
+            OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("rays[0]"));
+  EXPECT_THAT(offing_last_hint(), HasSubstr("length"));
+  EXPECT_EQ(offing_cast_rays(terrain_, nullptr, nullptr, nullptr, nullptr, 0, nullptr), OFFING_OK);
+  const auto lines = sized<OffingSightLines>();
+  EXPECT_EQ(offing_trace_sight_lines(terrain_, nullptr, place_m.data(), beyond_m.data(), 1, &lines),
+            OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("to_m[0]"));
+  auto query = sized<OffingTerrainQuery>();
+  query.earth_radius_m = -1.0;
+  EXPECT_EQ(offing_trace_sight_lines(terrain_, &query, place_m.data(), place_m.data(), 1, &lines),
+            OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("radius_m"));
+  auto viewshed = sized<OffingViewshed>();
+  viewshed.observer_x_m = 900.0;
+  std::vector<std::uint8_t> seen(map_.heights_m.size());
+  EXPECT_EQ(offing_compute_viewshed(terrain_, &viewshed, seen.data(), seen.size()), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("observer_x_m"));
+}
+
+// Fails if a call gets into a terrain that another one is using.
+TEST_F(TerrainCallsTest, IsForOneThreadAtATime) {
+  const std::array<double, 2> point_m{1.0, 1.0};
+  const auto samples = sized<OffingTerrainSamples>();
+  {
+    const c::Use use(terrain_, "terrain");
+    EXPECT_EQ(offing_sample_terrain(terrain_, nullptr, point_m.data(), 1, &samples), OFFING_BUSY);
+    EXPECT_THAT(offing_last_hint(), HasSubstr("each thread"));
+  }
+  EXPECT_EQ(offing_sample_terrain(terrain_, nullptr, point_m.data(), 1, &samples), OFFING_OK);
+}
+
+}  // namespace
+}  // namespace offing
