@@ -94,6 +94,35 @@ class World:
         render = self._renderer.render_light if light else self._renderer.render
         return render(self._time_s, width_px, height_px)
 
+    @property
+    def camera(self):
+        """The scene's camera at the time of the last at(): a dict of eye_m, yaw_rad (0 along -z, growing toward +x),
+        pitch_rad, roll_rad and vertical_field_of_view_rad."""
+        return _core.camera(self._world)
+
+    def body_poses(self):
+        """Where floating bodies are, a dict of arrays: name [n], mass_centre_m [n, 3], turn [n, 4] (quaternion w, x, y, z
+        from body axes x forward, y up, z to starboard), velocity_mps [n, 3], spin_radps [n, 3] in body axes and
+        displaced_m3 [n]."""
+        return _core.body_poses(self._world)
+
+    def body_forces(self):
+        """What the water does to the bodies in the last sub-step, which ends at time_s: a dict of pressure_n and drag_n,
+        pressure_moment_nm and drag_moment_nm about the mass centre, all [n, 3] in world axes, displaced_m3 and wetted_m2
+        [n]."""
+        return _core.body_forces(self._world)
+
+    def meshes(self):
+        """Where the meshes are: a list of dicts of name, position_m and turn, a quaternion w, x, y, z."""
+        return [_core.mesh_pose(self._world, mesh) for mesh in range(_core.mesh_count(self._world))]
+
+    def highlights(self, mesh=0, *, first_s=None):
+        """The projectors of a mesh's highlights for the scene's eye, a dict of arrays in the mesh's axes: id, rule, copy,
+        light, position_m, right, up, normal, width_m, height_m, opacity, texture, softness and colour (offing.h,
+        OffingHighlights). `first_s` is the time of the first frame of a sequence, in which they keep their ids."""
+        _core.find_highlights(self._world, self._time_s if first_s is None else first_s)
+        return _core.highlights(self._world, mesh)
+
     def sea_state(self):
         """What the spectrum asks for: Scene.sea_state()."""
         return self.scene.sea_state()

@@ -1,4 +1,5 @@
-// offing._core: the calls of offing.h for Python. The modules beside it make the classes that users see of them.
+// offing._core: the calls of offing.h for Python. The modules beside it make the classes that users see of
+// them.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -7,79 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include <nanobind/nanobind.h>
-#include <nanobind/ndarray.h>
+#include "handles.h"
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <offing.h>
-
-namespace nb = nanobind;
 using namespace nb::literals;
 
 namespace {
-
-/// Raises the class of offing.errors that a status stands for.
-[[noreturn]] void raise(OffingStatus status) {
-  const nb::object make = nb::module_::import_("offing.errors").attr("from_status");
-  const nb::object error = make(static_cast<int>(status), offing_last_error(), offing_last_hint());
-  PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
-  throw nb::python_error();
-}
-
-/// Runs a call of offing.h without Python's lock.
-template <class Call>
-void run(const Call& call) {
-  OffingStatus status = OFFING_OK;
-  {
-    const nb::gil_scoped_release released;
-    status = call();
-  }
-  if (status != OFFING_OK) raise(status);
-}
-
-/// A handle of offing.h and the call that frees it.
-template <class Handle, void (*free_handle)(Handle*)>
-struct Free {
-  void operator()(Handle* handle) const { free_handle(handle); }
-};
-template <class Handle, void (*free_handle)(Handle*)>
-using Owned = std::unique_ptr<Handle, Free<Handle, free_handle>>;
-
-/// A new array of numpy's that owns its memory, not yet filled.
-template <class Value>
-nb::ndarray<nb::numpy, Value> new_array(std::initializer_list<std::size_t> shape) {
-  std::size_t count = 1;
-  for (const std::size_t length : shape) count *= length;
-  auto memory = std::make_unique_for_overwrite<Value[]>(count);
-  Value* const data = memory.get();
-  const nb::capsule owner(memory.release(), [](void* values) noexcept { delete[] static_cast<Value*>(values); });
-  return {data, shape, owner};
-}
-
-nb::ndarray<nb::numpy, double> copied(const double* values, std::initializer_list<std::size_t> shape) {
-  auto array = new_array<double>(shape);
-  std::copy(values, values + array.size(), array.data());
-  return array;
-}
-
-using Values = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
-using Table = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
-using Points = nb::ndarray<const double, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
-
-nb::dict dict_of(const OffingDeviceInfo& info) {
-  nb::dict values;
-  values["index"] = info.index;
-  values["name"] = info.name;
-  values["type"] = info.type;
-  values["vendor"] = info.vendor;
-  values["platform"] = info.platform;
-  values["driver"] = info.driver;
-  values["memory_bytes"] = info.memory_bytes;
-  values["compute_units"] = info.compute_units;
-  return values;
-}
 
 nb::list list_devices() {
   std::size_t count = 0;
@@ -91,219 +27,6 @@ nb::list list_devices() {
   for (const OffingDeviceInfo& info : devices) values.append(dict_of(info));
   return values;
 }
-
-void* handle_of(std::uintptr_t number) {
-  return reinterpret_cast<void*>(number);
-}
-std::uintptr_t number_of(void* handle) {
-  return reinterpret_cast<std::uintptr_t>(handle);
-}
-
-class Device {
- public:
-  explicit Device(const std::optional<std::string>& selector) {
-    OffingDevice* device = nullptr;
-    run([&] { return offing_open_device(selector ? selector->c_str() : nullptr, &device); });
-    device_.reset(device);
-  }
-  static Device adopt(std::uintptr_t context, std::uintptr_t queue) {
-    OffingDevice* device = nullptr;
-    run([&] { return offing_adopt_device(handle_of(context), handle_of(queue), &device); });
-    return Device(device);
-  }
-
-  nb::dict info() const {
-    OffingDeviceInfo values{};
-    values.size = sizeof values;
-    run([&] { return offing_get_device_info(get(), &values); });
-    return dict_of(values);
-  }
-  void finish() const {
-    run([&] { return offing_finish_device(get()); });
-  }
-  OffingDevice* get() const { return device_.get(); }
-
- private:
-  explicit Device(OffingDevice* device) : device_(device) {}
-  Owned<OffingDevice, offing_close_device> device_;
-};
-
-/// A list of spectra that does not change.
-class Spectra {
- public:
-  explicit Spectra(OffingSpectra* spectra) : spectra_(spectra) {}
-  static Spectra read(const std::string& file) {
-    OffingSpectra* spectra = nullptr;
-    run([&] { return offing_read_spectra(file.c_str(), &spectra); });
-    return Spectra(spectra);
-  }
-  static Spectra make(const Values& frequencies_hz, const std::optional<Values>& energy,
-                      const std::optional<Values>& directions_rad, const std::optional<Table>& density,
-                      double latitude_deg, double longitude_deg, double depth_m, const std::string& station,
-                      const std::string& time_utc) {
-    const std::size_t frequencies = frequencies_hz.size(), directions = directions_rad ? directions_rad->size() : 0;
-    if (energy && energy->size() != frequencies) throw nb::value_error("energy: expected one value for each frequency");
-    if (directions > 0 && (!density || density->shape(0) != frequencies || density->shape(1) != directions)) {
-      throw nb::value_error("density: expected an array of the shape (frequencies, directions)");
-    }
-    OffingSpectrum values{};
-    values.size = sizeof values;
-    values.frequency_count = frequencies;
-    values.direction_count = directions;
-    values.frequencies_hz = frequencies_hz.data();
-    values.energy_m2phz = energy ? energy->data() : nullptr;
-    values.directions_rad = directions_rad ? directions_rad->data() : nullptr;
-    values.density = density ? density->data() : nullptr;
-    values.latitude_deg = latitude_deg;
-    values.longitude_deg = longitude_deg;
-    values.depth_m = depth_m;
-    values.station = station.c_str();
-    values.time_utc = time_utc.c_str();
-    OffingSpectra* spectra = nullptr;
-    run([&] { return offing_make_spectrum(&values, &spectra); });
-    return Spectra(spectra);
-  }
-
-  std::size_t size() const { return offing_spectrum_count(get()); }
-  nb::dict at(std::size_t index) const {
-    OffingSpectrum found{};
-    found.size = sizeof found;
-    run([&] { return offing_get_spectrum(get(), index, &found); });
-    nb::dict values;
-    values["frequencies_hz"] = copied(found.frequencies_hz, {found.frequency_count});
-    values["energy"] = copied(found.energy_m2phz, {found.frequency_count});
-    values["directions_rad"] = copied(found.directions_rad, {found.direction_count});
-    values["density"] = found.direction_count == 0
-                            ? nb::object(nb::none())
-                            : nb::cast(copied(found.density, {found.frequency_count, found.direction_count}));
-    values["latitude_deg"] = found.latitude_deg;
-    values["longitude_deg"] = found.longitude_deg;
-    values["depth_m"] = found.depth_m;
-    values["station"] = found.station;
-    values["time_utc"] = found.time_utc;
-    return values;
-  }
-  OffingSpectra* get() const { return spectra_.get(); }
-
- private:
-  Owned<OffingSpectra, offing_free_spectra> spectra_;
-};
-
-class Scene {
- public:
-  static Scene load(const std::string& file) {
-    OffingScene* scene = nullptr;
-    run([&] { return offing_load_scene(file.c_str(), &scene); });
-    return Scene(scene);
-  }
-  static Scene parse(const std::string& text, const std::optional<std::string>& folder) {
-    OffingScene* scene = nullptr;
-    run([&] { return offing_parse_scene(text.c_str(), folder ? folder->c_str() : nullptr, &scene); });
-    return Scene(scene);
-  }
-
-  void set_spectrum(const Spectra& spectra, std::size_t index) {
-    run([&] { return offing_set_spectrum(get(), spectra.get(), index); });
-  }
-  Spectra tabulate_spectrum(const Values& frequencies_hz, std::size_t directions) const {
-    OffingSpectra* spectra = nullptr;
-    run([&] {
-      return offing_tabulate_spectrum(get(), frequencies_hz.data(), frequencies_hz.size(), directions, &spectra);
-    });
-    return Spectra(spectra);
-  }
-  nb::dict sea_state() const {
-    OffingSeaState found{};
-    found.size = sizeof found;
-    run([&] { return offing_get_sea_state(get(), &found); });
-    nb::dict values;
-    values["hs_m"] = found.hs_m;
-    values["tp_s"] = found.tp_s;
-    values["tm01_s"] = found.tm01_s;
-    values["tm02_s"] = found.tm02_s;
-    values["mean_direction_rad"] = found.mean_direction_rad;
-    values["mss"] = found.mss;
-    return values;
-  }
-  OffingScene* get() const { return scene_.get(); }
-
- private:
-  explicit Scene(OffingScene* scene) : scene_(scene) {}
-  Owned<OffingScene, offing_free_scene> scene_;
-};
-
-OffingWaterQuery query_of(double depth_m, double min_wavelength_m) {
-  OffingWaterQuery query{};
-  query.size = sizeof query;
-  query.depth_m = depth_m;
-  query.min_wavelength_m = min_wavelength_m;
-  return query;
-}
-
-class World {
- public:
-  World(const Device& device, const Scene& scene) {
-    OffingWorld* world = nullptr;
-    run([&] { return offing_make_world(device.get(), scene.get(), &world); });
-    world_.reset(world);
-  }
-
-  void frame(double time_s) {
-    run([&] { return offing_frame(get(), time_s); });
-  }
-
-  /// (height, normal, velocity, pressure, residual); None for flow that is not wanted.
-  nb::tuple sample(const Points& points_m, double depth_m, double min_wavelength_m, bool wants_flow) {
-    const std::size_t count = points_m.shape(0);
-    auto height = new_array<float>({count}), residual = new_array<float>({count}), normal = new_array<float>({count, 3});
-    auto velocity = new_array<float>({wants_flow ? count : 0, 3}), pressure = new_array<float>({wants_flow ? count : 0});
-    OffingWater water{};
-    water.size = sizeof water;
-    water.height_m = height.data();
-    water.normal = normal.data();
-    water.residual_m = residual.data();
-    if (wants_flow) {
-      water.velocity_mps = velocity.data();
-      water.pressure_pa = pressure.data();
-    }
-    const OffingWaterQuery query = query_of(depth_m, min_wavelength_m);
-    run([&] { return offing_sample_water(get(), &query, points_m.data(), count, &water); });
-    if (!wants_flow) return nb::make_tuple(height, normal, nb::none(), nb::none(), residual);
-    return nb::make_tuple(height, normal, velocity, pressure, residual);
-  }
-  void sample_on_device(std::uintptr_t points, std::size_t count, std::uintptr_t samples, double depth_m,
-                        double min_wavelength_m) {
-    const OffingWaterQuery query = query_of(depth_m, min_wavelength_m);
-    run([&] { return offing_sample_water_on_device(get(), &query, handle_of(points), count, handle_of(samples)); });
-  }
-
-  std::size_t cascade_count() const { return static_cast<std::size_t>(offing_cascade_count(get())); }
-  std::size_t map_size() const { return static_cast<std::size_t>(offing_map_size(get())); }
-  double patch_length_m(int cascade) const { return offing_patch_length_m(get(), cascade); }
-
-  nb::list read_fields(const std::vector<int>& fields, int cascade) {
-    const std::size_t n = map_size();
-    std::vector<nb::ndarray<nb::numpy, float>> maps;
-    std::vector<float*> values;
-    std::vector<OffingField> names;
-    for (const int field : fields) {
-      maps.push_back(new_array<float>({n, n}));
-      values.push_back(maps.back().data());
-      names.push_back(static_cast<OffingField>(field));
-    }
-    run([&] { return offing_read_fields(get(), cascade, names.data(), names.size(), values.data(), n * n); });
-    nb::list found;
-    for (const auto& map : maps) found.append(map);
-    return found;
-  }
-  void copy_field(int field, std::uintptr_t buffer, std::size_t first, int cascade) {
-    run([&] { return offing_copy_field(get(), cascade, static_cast<OffingField>(field), handle_of(buffer), first); });
-  }
-  OffingWorld* get() const { return world_.get(); }
-
- private:
-  Owned<OffingWorld, offing_free_world> world_;
-};
 
 class Renderer {
  public:
@@ -328,7 +51,9 @@ class Renderer {
 
  private:
   /// Of the array for a picture: sizes that are none make an empty one and are refused by the call.
-  static std::size_t side(int length_px) { return length_px < 1 || length_px > 16384 ? 0 : static_cast<std::size_t>(length_px); }
+  static std::size_t side(int length_px) {
+    return length_px < 1 || length_px > 16384 ? 0 : static_cast<std::size_t>(length_px);
+  }
   void draw(double time_s, int width_px, int height_px, std::uint8_t* rgb, float* light) {
     OffingPicture picture{};
     picture.size = sizeof picture;
@@ -377,19 +102,25 @@ NB_MODULE(_core, module) {
   module.def("version", [] { return offing_version(); });
   module.def("list_devices", list_devices);
   module.def("set_log", set_log, "callback"_a.none());
-  module.def("forget_log", [] { log_callback() = nb::object(); offing_set_log(nullptr, nullptr); });
+  module.def("forget_log", [] {
+    log_callback() = nb::object();
+    offing_set_log(nullptr, nullptr);
+  });
 
   nb::class_<Device>(module, "Device")
       .def(nb::init<std::optional<std::string>>(), "selector"_a.none() = nb::none())
       .def_static("adopt", &Device::adopt, "context"_a, "queue"_a)
       .def("info", &Device::info)
       .def("finish", &Device::finish)
-      .def_prop_ro("context", [](const Device& device) { return number_of(offing_device_context(device.get())); })
-      .def_prop_ro("queue", [](const Device& device) { return number_of(offing_device_queue(device.get())); });
+      .def_prop_ro("context",
+                   [](const Device& device) { return number_of(offing_device_context(device.get())); })
+      .def_prop_ro("queue",
+                   [](const Device& device) { return number_of(offing_device_queue(device.get())); });
   nb::class_<Spectra>(module, "Spectra")
       .def_static("read", &Spectra::read, "file"_a)
       .def_static("make", &Spectra::make, "frequencies_hz"_a, "energy"_a.none(), "directions_rad"_a.none(),
-                  "density"_a.none(), "latitude_deg"_a, "longitude_deg"_a, "depth_m"_a, "station"_a, "time_utc"_a)
+                  "density"_a.none(), "latitude_deg"_a, "longitude_deg"_a, "depth_m"_a, "station"_a,
+                  "time_utc"_a)
       .def("__len__", &Spectra::size)
       .def("at", &Spectra::at, "index"_a);
   nb::class_<Scene>(module, "Scene")
@@ -413,4 +144,6 @@ NB_MODULE(_core, module) {
       .def("patch_length_m", &World::patch_length_m, "cascade"_a)
       .def("read_fields", &World::read_fields, "fields"_a, "cascade"_a)
       .def("copy_field", &World::copy_field, "field"_a, "buffer"_a, "first"_a, "cascade"_a);
+  bind_terrain(module);
+  bind_world_parts(module);
 }

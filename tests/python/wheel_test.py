@@ -32,7 +32,8 @@ class WheelTest(unittest.TestCase):
 
     def check(self, python):
         """All quick tests of the package, and the lines of the README."""
-        run(python, "-B", SOURCES / "tests/python/package_test.py", cwd=self.folder)
+        for subject in ("package", "parts"):
+            run(python, "-B", SOURCES / f"tests/python/{subject}_test.py", cwd=self.folder)
         lines = re.search(r"```python\n(.*?)```", (SOURCES / "README.md").read_text(), re.S)[1]
         self.assertRegex(run(python, "-c", lines, cwd=SOURCES), r"\(\d+, \d+\)")
 

@@ -1,0 +1,189 @@
+// Terrain: height maps, what is seen of them and from them.
+#include <cstdint>
+#include <limits>
+
+#include "handles.h"
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+
+using namespace nb::literals;
+
+namespace {
+
+using Heights = nb::ndarray<const float, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
+OffingTerrainQuery query_of(bool smooth_normals, double earth_radius_m, double refraction) {
+  OffingTerrainQuery query{};
+  query.size = sizeof query;
+  query.has_smooth_normals = smooth_normals ? 1 : 0;
+  query.earth_radius_m = earth_radius_m;
+  query.refraction = refraction;
+  return query;
+}
+
+class Terrain {
+ public:
+  static Terrain open(const Device& device, const std::string& file, double spacing_x_m, double spacing_z_m,
+                      double vertical_scale, double offset_m, std::optional<double> nodata,
+                      std::optional<double> void_height_m, const std::optional<std::string>& reproject_to,
+                      bool untrusted, int band) {
+    OffingTerrainOptions options{};
+    options.size = sizeof options;
+    options.spacing_x_m = spacing_x_m;
+    options.spacing_z_m = spacing_z_m;
+    options.vertical_scale = vertical_scale;
+    options.offset_m = offset_m;
+    options.nodata = nodata ? &*nodata : nullptr;
+    options.void_height_m = void_height_m ? &*void_height_m : nullptr;
+    options.reproject_to = reproject_to ? reproject_to->c_str() : nullptr;
+    options.is_untrusted = untrusted ? 1 : 0;
+    options.band = band;
+    OffingTerrain* terrain = nullptr;
+    run([&] { return offing_open_terrain(device.get(), file.c_str(), &options, &terrain); });
+    return Terrain(terrain);
+  }
+  static Terrain make(const Device& device, const Heights& heights_m, double spacing_x_m,
+                      double spacing_z_m) {
+    OffingTerrain* terrain = nullptr;
+    run([&] {
+      return offing_make_terrain(device.get(), heights_m.data(), static_cast<int>(heights_m.shape(1)),
+                                 static_cast<int>(heights_m.shape(0)), spacing_x_m, spacing_z_m, &terrain);
+    });
+    return Terrain(terrain);
+  }
+
+  nb::dict info() {
+    const OffingTerrainInfo found = read_info();
+    nb::dict values;
+    values["columns"] = found.columns;
+    values["rows"] = found.rows;
+    values["spacing_x_m"] = found.spacing_x_m;
+    values["spacing_z_m"] = found.spacing_z_m;
+    values["lowest_m"] = found.lowest_m;
+    values["highest_m"] = found.highest_m;
+    values["void_posts"] = found.void_posts;
+    values["origin_x"] = found.origin_x;
+    values["origin_y"] = found.origin_y;
+    values["step_x"] = found.step_x;
+    values["step_y"] = found.step_y;
+    values["centre_latitude_deg"] = found.centre_latitude_deg;
+    values["centre_longitude_deg"] = found.centre_longitude_deg;
+    values["coordinate_system"] = found.coordinate_system;
+    values["coordinate_system_wkt"] = found.coordinate_system_wkt;
+    values["format"] = found.format;
+    values["is_spacing_assumed"] = found.is_spacing_assumed != 0;
+    return values;
+  }
+
+  /// (heights, is_void)
+  nb::tuple read() {
+    const auto [rows, columns] = shape();
+    auto heights = new_array<float>({rows, columns});
+    auto voids = new_array<bool>({rows, columns});
+    run([&] {
+      return offing_read_terrain(terrain_.get(), heights.data(),
+                                 reinterpret_cast<std::uint8_t*>(voids.data()), rows * columns);
+    });
+    return nb::make_tuple(heights, voids);
+  }
+
+  /// (height, normal, is_measured)
+  nb::tuple sample(const Rows<2>& points_m, bool smooth_normals) {
+    const std::size_t count = points_m.shape(0);
+    auto height = new_array<double>({count}), normal = new_array<double>({count, 3});
+    auto measured = new_array<bool>({count});
+    const OffingTerrainSamples samples{sizeof samples, height.data(), normal.data(),
+                                       reinterpret_cast<std::uint8_t*>(measured.data())};
+    const OffingTerrainQuery query = query_of(smooth_normals, 0.0, 0.0);
+    run([&] { return offing_sample_terrain(terrain_.get(), &query, points_m.data(), count, &samples); });
+    return nb::make_tuple(height, normal, measured);
+  }
+
+  /// (distance, point, normal, kind)
+  nb::tuple cast(const Rows<3>& origins_m, const Rows<3>& directions, double limit_m, bool smooth_normals,
+                 double earth_radius_m, double refraction) {
+    const std::size_t count = origins_m.shape(0);
+    if (directions.shape(0) != count) throw nb::value_error("directions: expected one for each origin");
+    auto distance = new_array<double>({count}), point = new_array<double>({count, 3});
+    auto normal = new_array<float>({count, 3});
+    auto kind = new_array<std::uint8_t>({count});
+    const OffingHits hits{sizeof hits, distance.data(), point.data(), normal.data(), kind.data()};
+    const OffingTerrainQuery query = query_of(smooth_normals, earth_radius_m, refraction);
+    const auto limits = std::make_unique<double[]>(count);
+    std::fill_n(limits.get(), count, limit_m);
+    run([&] {
+      return offing_cast_rays(terrain_.get(), &query, origins_m.data(), directions.data(), limits.get(),
+                              count, &hits);
+    });
+    return nb::make_tuple(distance, point, normal, kind);
+  }
+
+  /// (is_visible, distance, hidden_at, hidden_by)
+  nb::tuple trace_sight_lines(const Rows<3>& from_m, const Rows<3>& to_m, double earth_radius_m,
+                              double refraction) {
+    const std::size_t count = from_m.shape(0);
+    if (to_m.shape(0) != count) throw nb::value_error("to_m: expected one for each place in from_m");
+    auto visible = new_array<bool>({count});
+    auto distance = new_array<double>({count}), hidden_at = new_array<double>({count}),
+         hidden_by = new_array<double>({count, 3});
+    const OffingSightLines lines{sizeof lines, reinterpret_cast<std::uint8_t*>(visible.data()),
+                                 distance.data(), hidden_at.data(), hidden_by.data()};
+    const OffingTerrainQuery query = query_of(false, earth_radius_m, refraction);
+    run([&] {
+      return offing_trace_sight_lines(terrain_.get(), &query, from_m.data(), to_m.data(), count, &lines);
+    });
+    return nb::make_tuple(visible, distance, hidden_at, hidden_by);
+  }
+
+  nb::ndarray<nb::numpy, bool> viewshed(double x_m, double z_m, double observer_height_m,
+                                        double target_height_m, double radius_m, double earth_radius_m,
+                                        double refraction) {
+    const auto [rows, columns] = shape();
+    auto seen = new_array<bool>({rows, columns});
+    auto* const bytes = reinterpret_cast<std::uint8_t*>(seen.data());
+    const OffingViewshed wanted{sizeof wanted,  x_m,       z_m, observer_height_m, target_height_m, radius_m,
+                                earth_radius_m, refraction};
+    run([&] {
+      const OffingStatus status = offing_compute_viewshed(terrain_.get(), &wanted, bytes, rows * columns);
+      for (std::size_t i = 0; status == OFFING_OK && i < rows * columns; ++i)
+        bytes[i] = bytes[i] != 0 ? 1 : 0;
+      return status;
+    });
+    return seen;
+  }
+
+ private:
+  explicit Terrain(OffingTerrain* terrain) : terrain_(terrain) {}
+
+  OffingTerrainInfo read_info() {
+    OffingTerrainInfo found{};
+    found.size = sizeof found;
+    run([&] { return offing_get_terrain_info(terrain_.get(), &found); });
+    return found;
+  }
+  std::pair<std::size_t, std::size_t> shape() {
+    const OffingTerrainInfo found = read_info();
+    return {static_cast<std::size_t>(found.rows), static_cast<std::size_t>(found.columns)};
+  }
+
+  Owned<OffingTerrain, offing_free_terrain> terrain_;
+};
+
+}  // namespace
+
+void bind_terrain(nb::module_& module) {
+  nb::class_<Terrain>(module, "Terrain")
+      .def_static("open", &Terrain::open, "device"_a, "file"_a, "spacing_x_m"_a, "spacing_z_m"_a,
+                  "vertical_scale"_a, "offset_m"_a, "nodata"_a.none(), "void_height_m"_a.none(),
+                  "reproject_to"_a.none(), "untrusted"_a, "band"_a)
+      .def_static("make", &Terrain::make, "device"_a, "heights_m"_a, "spacing_x_m"_a, "spacing_z_m"_a)
+      .def("info", &Terrain::info)
+      .def("read", &Terrain::read)
+      .def("sample", &Terrain::sample, "points_m"_a, "smooth_normals"_a)
+      .def("cast", &Terrain::cast, "origins_m"_a, "directions"_a, "limit_m"_a, "smooth_normals"_a,
+           "earth_radius_m"_a, "refraction"_a)
+      .def("trace_sight_lines", &Terrain::trace_sight_lines, "from_m"_a, "to_m"_a, "earth_radius_m"_a,
+           "refraction"_a)
+      .def("viewshed", &Terrain::viewshed, "x_m"_a, "z_m"_a, "observer_height_m"_a, "target_height_m"_a,
+           "radius_m"_a, "earth_radius_m"_a, "refraction"_a);
+}
