@@ -69,6 +69,24 @@ class InstalledFilesTest(unittest.TestCase):
             self.assertEqual(said.returncode, 2)
             self.assertIn("error: buoy.toml:3:1: ocean.mine", said.stderr)
 
+    # Fails if starting a program, or linking the library, loads what only some files need.
+    def test_large_libraries_are_in_modules_alone(self):
+        def needed(file):
+            said = subprocess.run(["readelf", "--dynamic", "--wide", file], check=True, capture_output=True, text=True)
+            return " ".join(re.findall(r"\(NEEDED\).*\[(.*)\]", said.stdout))
+
+        (library,) = PREFIX.glob("lib/**/liboffing.so.1")
+        for file in (*(PREFIX / "bin" / name for name in ("offing", "offing-view", "offing-mesh")), library):
+            for name in ("gdal", "openvdb", "netcdf", "tbb"):
+                self.assertNotIn(name, needed(file), file)
+        modules = {path.stem: needed(path) for path in (library.parent / "offing").glob("*.so")}
+        self.assertEqual(sorted(modules), ["cairo", "gdal", "netcdf", "openvdb", "present"])
+        for name in ("cairo", "gdal", "netcdf", "openvdb"):
+            self.assertIn(name, modules[name])
+        # What a find_package() of the sea alone looks for.
+        config = next(PREFIX.glob("lib/**/OffingConfig.cmake")).read_text()
+        self.assertNotRegex(config, "GDAL|OpenVDB|NETCDF|CAIRO|TBB")
+
     # Fails if `cmake --install` after `./dev demo` misses a file: the demo builds less than is installed.
     def test_demo_builds_what_is_installed(self):
         demo = re.search(r"^run_demo\(\) \{\n.*?^\}", (ROOT / "dev").read_text(), re.M | re.S)[0]
