@@ -28,7 +28,7 @@ class Busy(Error):
 
 DRIVER_HINT = (
     "install a driver: `apt install pocl-opencl-icd` on Debian and Ubuntu, "
-    "or `pip install intel-opencl-rt` for processors of Intel and AMD"
+    "or `pip install intel-opencl-rt intel-cmplr-lib-rt` for processors of Intel and AMD"
 )
 
 
