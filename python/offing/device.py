@@ -4,7 +4,7 @@ from offing import _core
 from offing.drivers import find_installed_drivers
 
 
-def list_devices():
+def list_devices() -> list[dict]:
     """All OpenCL devices of this machine: a list of dicts with index, name, type, vendor, platform, driver, memory_bytes
     and compute_units. Raises NoDevice where there is none."""
     find_installed_drivers()
@@ -14,14 +14,14 @@ def list_devices():
 class Device:
     """An open OpenCL device. Threads may share one."""
 
-    def __init__(self, selector=None):
+    def __init__(self, selector: str | int | None = None):
         """`selector` is an index, "cpu", "gpu" or a part of the name, as `list_devices()` gives them. None stands for
         $OFFING_DEVICE, else the first GPU, else the CPU."""
         find_installed_drivers()
         self._device = _core.Device(None if selector is None else str(selector))
 
     @classmethod
-    def adopt(cls, context, queue):
+    def adopt(cls, context, queue) -> "Device":
         """The device of a context and an in-order command queue of PyOpenCL. Offing then works in that queue, and takes
         arrays and buffers of that context."""
         device = cls.__new__(cls)
@@ -29,15 +29,15 @@ class Device:
         return device
 
     @property
-    def info(self):
+    def info(self) -> dict:
         """What the device reports: a dict as those of list_devices()."""
         return self._device.info()
 
     @property
-    def name(self):
+    def name(self) -> str:
         return self.info["name"]
 
-    def finish(self):
+    def finish(self) -> None:
         """Waits until everything that was enqueued is done."""
         self._device.finish()
 

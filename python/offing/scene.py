@@ -4,6 +4,7 @@ import copy
 import datetime
 import json
 import math
+import os
 import pathlib
 import tomllib
 
@@ -52,7 +53,7 @@ def merged(values, changes):
 class Scene:
     """The settings of a world. It does not change: with_values() and with_spectrum() give other scenes."""
 
-    def __init__(self, source=None, *, folder=None):
+    def __init__(self, source: "Scene | str | os.PathLike | dict | None" = None, *, folder: str | os.PathLike | None = None):
         """`source` is the path of a scene file, the text of one, or a nested dict with its keys, such as
         {"wind": {"speed_mps": 12}, "ocean": {"size": 256}}. None is a sea with the defaults. Names of files in text and
         dicts are relative to `folder`, or to the working folder. Raises BadInput that names key and line."""
@@ -80,21 +81,21 @@ class Scene:
         if self._spectrum is not None:
             self._scene.set_spectrum(self._spectrum._spectra, self._spectrum._index)
 
-    def with_values(self, changes):
+    def with_values(self, changes: dict) -> "Scene":
         """Another scene: values of a nested dict replace those of this one, None removes a key."""
         scene = Scene.__new__(Scene)
         scene.values, scene.folder, scene._spectrum = merged(self.values, changes), self.folder, self._spectrum
         scene._make()
         return scene
 
-    def with_spectrum(self, spectrum):
+    def with_spectrum(self, spectrum) -> "Scene":
         """Another scene, whose sea has this Spectrum in place of a model or a file."""
         scene = Scene.__new__(Scene)
         scene.values, scene.folder, scene._spectrum = self.values, self.folder, spectrum
         scene._make()
         return scene
 
-    def sea_state(self):
+    def sea_state(self) -> dict[str, float]:
         """What the spectrum asks for, without swells: a dict of hs_m, tp_s (integral of E^4 df over that of f E^4 df),
         tm01_s, tm02_s, mean_direction_rad (of travel, from east toward south) and mss, the mean square slope."""
         return self._scene.sea_state()

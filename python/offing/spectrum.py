@@ -1,8 +1,10 @@
 """Wave spectra: files, arrays, models, and xarray data sets as wavespectra has them."""
 
 import math
+import os
 
 import numpy as np
+import numpy.typing as npt
 
 from offing import _core
 from offing.scene import Scene
@@ -26,14 +28,16 @@ class Spectrum:
         self.__dict__.update(spectra.at(index))
 
     @classmethod
-    def read(cls, file):
+    def read(cls, file: str | os.PathLike) -> "list[Spectrum]":
         """All spectra of a file, a list: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF, plain or compressed by gzip."""
         spectra = _core.Spectra.read(str(file))
         return [cls(spectra, index) for index in range(len(spectra))]
 
     @classmethod
-    def from_arrays(cls, frequencies_hz, energy=None, directions_rad=None, density=None, *, latitude_deg=math.nan,
-                    longitude_deg=math.nan, depth_m=math.nan, station="", time_utc=""):
+    def from_arrays(cls, frequencies_hz: npt.ArrayLike, energy: npt.ArrayLike | None = None,
+                    directions_rad: npt.ArrayLike | None = None, density: npt.ArrayLike | None = None, *,
+                    latitude_deg: float = math.nan, longitude_deg: float = math.nan, depth_m: float = math.nan,
+                    station: str = "", time_utc: str = "") -> "Spectrum":
         """A spectrum from arrays: `energy` [nf] alone, or `density` [nf, nd] at `directions_rad` [nd], which come in any
         order. Directions of a part of the circle, or uneven ones, are laid on 360 directions. Where a density is
         negative, as truncated Fourier series have it, each frequency keeps its energy and its first two circular
@@ -46,7 +50,7 @@ class Spectrum:
             latitude_deg, longitude_deg, depth_m, station, time_utc))
 
     @classmethod
-    def of_scene(cls, scene, frequencies_hz=None, directions=36):
+    def of_scene(cls, scene: Scene, frequencies_hz: npt.ArrayLike | None = None, directions: int = 36) -> "Spectrum":
         """The spectrum of a scene's sea, without swells, at these frequencies and at evenly spaced directions; 0
         directions leave them out."""
         if frequencies_hz is None:
@@ -54,19 +58,20 @@ class Spectrum:
         return cls(scene._scene.tabulate_spectrum(np.ascontiguousarray(frequencies_hz, dtype=np.float64), directions))
 
     @classmethod
-    def model(cls, name, *, wind_speed_mps=10.0, wind_direction_rad=0.0, frequencies_hz=None, directions=36, **values):
+    def model(cls, name: str, *, wind_speed_mps: float = 10.0, wind_direction_rad: float = 0.0,
+              frequencies_hz: npt.ArrayLike | None = None, directions: int = 36, **values) -> "Spectrum":
         """A spectrum by formula: "jonswap", "pm", "tma" or "phillips". `values` are further keys of [ocean], such as
         fetch_m, depth_m and gamma. The wind blows to wind_direction_rad, from +x (east) toward +z (south)."""
         wind = {"speed_mps": float(wind_speed_mps), "direction_deg": math.degrees(wind_direction_rad) % 360.0}
         return cls.of_scene(Scene({"wind": wind, "ocean": {"spectrum": name, **values}}), frequencies_hz, directions)
 
     @property
-    def hs_m(self):
+    def hs_m(self) -> float:
         """Significant wave height, 4 sqrt(m0)."""
         return 4.0 * math.sqrt(_integral(self.energy, self.frequencies_hz))
 
     @property
-    def mean_direction_rad(self):
+    def mean_direction_rad(self) -> float:
         """Of travel, of the first circular moment of all energy; NaN where directions are not known."""
         if self.density is None:
             return math.nan
@@ -74,7 +79,7 @@ class Spectrum:
         return math.atan2(by_direction @ np.sin(self.directions_rad), by_direction @ np.cos(self.directions_rad))
 
     @staticmethod
-    def to_xarray(spectra):
+    def to_xarray(spectra: "Spectrum | list[Spectrum]"):
         """The data set that wavespectra has: efth (time, freq, dir) in m^2/Hz/degree, dir being where waves come from,
         degrees clockwise from north. `spectra` is a Spectrum or a list of them on one grid. Needs xarray."""
         import xarray as xr
@@ -103,7 +108,7 @@ class Spectrum:
         return data
 
     @classmethod
-    def from_xarray(cls, data):
+    def from_xarray(cls, data) -> "list[Spectrum]":
         """A list of spectra, one for each place along all dimensions but freq and dir, the last of these fastest. `data`
         is a data set with efth, or efth itself, as wavespectra has it: m^2/Hz/degree by where waves come from, or m^2/Hz
         without dir."""

@@ -5,6 +5,7 @@ import os
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from offing import _core
 from offing.device import Device
@@ -48,8 +49,10 @@ class Terrain:
     distance d; 0 is flat ground.
     """
 
-    def __init__(self, source, *, device=None, spacing_m=None, vertical_scale=1.0, offset_m=0.0, nodata=None,
-                 void_height_m=None, reproject_to=None, untrusted=False, band=1):
+    def __init__(self, source: str | os.PathLike | npt.ArrayLike, *, device: Device | str | int | None = None,
+                 spacing_m: float | tuple[float, float] | None = None, vertical_scale: float = 1.0, offset_m: float = 0.0,
+                 nodata: float | None = None, void_height_m: float | None = None, reproject_to: str | None = None,
+                 untrusted: bool = False, band: int = 1):
         """`source` is a height map's file (GeoTIFF, SRTM, ASCII grid ...) or an array [rows, columns] of heights in m,
         row 0 at the north edge. spacing_m, one number or (x, z), is needed for arrays and overrides that of a file. The
         other values are for files: metres a unit and what to add, a value that marks voids, the height of voids (None:
@@ -67,7 +70,7 @@ class Terrain:
             self._terrain = _core.Terrain.make(self.device._device, heights_m, spacing_x_m, spacing_z_m)
 
     @property
-    def info(self):
+    def info(self) -> dict:
         """What the map is: a dict of columns, rows, spacing_x_m, spacing_z_m, lowest_m, highest_m, void_posts, where
         post (column, row) is in the map's own coordinates (origin_x + column step_x, origin_y + row step_y),
         centre_latitude_deg, centre_longitude_deg, coordinate_system, coordinate_system_wkt, format and
@@ -75,39 +78,41 @@ class Terrain:
         return self._terrain.info()
 
     @property
-    def shape(self):
+    def shape(self) -> tuple[int, int]:
         """(rows, columns)"""
         info = self.info
         return info["rows"], info["columns"]
 
     @property
-    def heights_m(self):
+    def heights_m(self) -> np.ndarray:
         """Heights of all posts, float32 [rows, columns], with voids filled."""
         return self._terrain.read()[0]
 
     @property
-    def is_void(self):
+    def is_void(self) -> np.ndarray:
         """bool [rows, columns]: the file had no height there."""
         return self._terrain.read()[1]
 
-    def sample(self, points_m, *, smooth_normals=False):
+    def sample(self, points_m: npt.ArrayLike, *, smooth_normals: bool = False) -> Ground:
         """The Ground at points [n, 2] of x and z. Smooth normals are of the posts around, without creases."""
         return Ground(*self._terrain.sample(_rows(points_m, 2), smooth_normals))
 
-    def cast(self, origins_m, directions, *, limit_m=math.inf, smooth_normals=False, earth_radius_m=0.0, refraction=0.0):
+    def cast(self, origins_m: npt.ArrayLike, directions: npt.ArrayLike, *, limit_m: float = math.inf,
+             smooth_normals: bool = False, earth_radius_m: float = 0.0, refraction: float = 0.0) -> Hits:
         """The Hits of rays from origins [n, 3] along unit directions [n, 3]."""
         return Hits(*self._terrain.cast(_rows(origins_m, 3), _rows(directions, 3), limit_m, smooth_normals, earth_radius_m,
                                         refraction))
 
-    def sight_lines(self, from_m, to_m, *, earth_radius_m=0.0, refraction=0.13):
+    def sight_lines(self, from_m: npt.ArrayLike, to_m: npt.ArrayLike, *, earth_radius_m: float = 0.0,
+                    refraction: float = 0.13) -> SightLines:
         """The SightLines between places [n, 3], each x, z and the height above ground in m. One row in `from_m` stands
         for all of `to_m`."""
         to_m = _rows(to_m, 3)
         from_m = np.ascontiguousarray(np.broadcast_to(_rows(from_m, 3), to_m.shape))
         return SightLines(*self._terrain.trace_sight_lines(from_m, to_m, earth_radius_m, refraction))
 
-    def viewshed(self, x_m, z_m, *, observer_height_m=1.7, target_height_m=0.0, radius_m=0.0, earth_radius_m=0.0,
-                 refraction=0.13):
+    def viewshed(self, x_m: float, z_m: float, *, observer_height_m: float = 1.7, target_height_m: float = 0.0,
+                 radius_m: float = 0.0, earth_radius_m: float = 0.0, refraction: float = 0.13) -> np.ndarray:
         """Which posts are seen from a place: bool [rows, columns]. Heights are above ground; beyond radius_m, if it is
         not 0, nothing is seen."""
         return self._terrain.viewshed(x_m, z_m, observer_height_m, target_height_m, radius_m, earth_radius_m, refraction)
