@@ -21,7 +21,12 @@ set(CPACK_DEBIAN_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME offing)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAMS_PACKAGE_GENERATE_SHLIBS ON)
+# What Debian wants of a package with a shared library: its name for others, and that the loader's cache is renewed.
+get_target_property(interface offing_shared SOVERSION)
+file(CONFIGURE OUTPUT debian/shlibs CONTENT "liboffing ${interface} offing (>= ${PROJECT_VERSION})\n")
+file(CONFIGURE OUTPUT debian/triggers CONTENT "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_CONTROL_EXTRA
+    ${CMAKE_CURRENT_BINARY_DIR}/debian/shlibs ${CMAKE_CURRENT_BINARY_DIR}/debian/triggers)
 # Programs open an OpenCL implementation and Mesa's drivers while they run, so that shlibdeps cannot see them.
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "pocl-opencl-icd | opencl-icd, libegl1, libgl1-mesa-dri")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS ffmpeg)
