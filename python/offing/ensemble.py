@@ -1,0 +1,402 @@
+"""Ensembles: one function of a world, for many seeds, records of a spectrum file or values of a scene, by Dask.
+
+import offing.ensemble
+
+def highest(world):
+    heights_m = [world.at(time_s).field("displacement_y").max() for time_s in range(60)]
+    return {"height_m": ("time", heights_m), "highest_m": max(heights_m)}
+
+if __name__ == "__main__":  # Dask starts its workers by importing this script
+    found = offing.ensemble.run(highest, "sea.toml", seeds=range(200), folder="members")
+    print(found["highest_m"].quantile([0.5, 0.95]))
+"""
+
+import contextlib
+import functools
+import glob
+import hashlib
+import inspect
+import itertools
+import json
+import logging
+import os
+import pathlib
+import tempfile
+import types
+import zipfile
+
+import numpy as np
+
+from offing import _core
+from offing.device import Device
+from offing.errors import BadInput, Error
+from offing.scene import Scene, merged
+from offing.world import World
+
+# A worker has one thread, so the kernels of its device get one too; PoCL reads one of these.
+ONE_THREAD = {"POCL_MAX_PTHREAD_COUNT": "1", "POCL_CPU_MAX_CU_COUNT": "1"}
+# Ctrl-C in a terminal reaches every process; this one ends the workers.
+NO_INTERRUPT = "import signal\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
+
+
+def run(
+    function, scene, *, seeds=None, records=None, parameters=None, folder=None, client=None, device=None, progress=None
+):
+    """Calls function(world) for every member of an ensemble; returns all results as one xarray.Dataset.
+
+    `scene` is a Scene or whatever Scene() takes. The members are one of: `seeds`, whole numbers for world.seed;
+    `records`, for ocean.record of the scene's spectrum file; `parameters`, a list of nested dicts of scene values,
+    as Scene.with_values() takes. The data set has a dimension of that name: seed, record or member. Parameters are
+    coordinates too, such as "wind.speed_mps".
+
+    `function` gets a World at the scene's start, and returns a dict: name -> number, or name -> (dimensions, array) as
+    in xarray. Names, dimensions and shapes must be the same in all members. A name that is its own only dimension is
+    a coordinate. It must be picklable; functions of a script are.
+
+    With a `folder`, each result is written there when it is done. A later call with equal inputs reads it. Its name is
+    a hash of the scene, the files that it names, the version of Offing, `device`, and the function: its text,
+    that of functions of its module that it names, its defaults and what it closes over.
+
+    `client` says where members run: None or a number for processes of this machine, one by default for each core, each
+    with one thread and its own device; "serial" for this process; the address of a scheduler; or a Client or Cluster
+    of dask.distributed. Results do not depend on it. When a worker dies, Dask repeats its member elsewhere.
+
+    `device` is what Device() takes on the workers. progress(done, count) is called after each member. The first error
+    of a member ends the run; results in the folder stay.
+    """
+    dimension, labels, changes = _members(seeds, records, parameters)
+    scene = _with_absolute_folder(Scene(scene))
+    scenes = [scene.with_values(of_member) for of_member in changes]  # raises for bad values before anything runs
+    files = _names(function, scenes, folder, device)
+    results = [file and _read(file) for file in files]
+    done = sum(result is not None for result in results)
+    missing = [index for index, result in enumerate(results) if result is None]
+    if progress is not None and done:
+        progress(done, len(scenes))
+
+    with contextlib.closing(_computed(function, scenes, missing, client, device)) as computed:
+        for index, result in computed:
+            if files[index]:
+                _write(files[index], result)
+            results[index] = result
+            done += 1
+            if progress is not None:
+                progress(done, len(scenes))
+    return _dataset(dimension, labels, changes, scene, results)
+
+
+# The members
+
+
+def _members(seeds, records, parameters):
+    """The dimension, its labels, and for each member the nested dict of what it changes in the scene."""
+    given = [values for values in (seeds, records, parameters) if values is not None]
+    if len(given) != 1:
+        raise BadInput(
+            f"ensemble: expected one of seeds, records and parameters, got {len(given)}",
+            'use parameters for several values at once: [{"world": {"seed": 1}, "wind": {"speed_mps": 12}}]',
+        )
+    if seeds is not None:
+        labels = [int(seed) for seed in seeds]
+        members = "seed", labels, [{"world": {"seed": seed}} for seed in labels]
+    elif records is not None:
+        labels = [int(record) for record in records]
+        members = "record", labels, [{"ocean": {"record": record}} for record in labels]
+    else:
+        changes = [_plain(values) for values in parameters]
+        members = "member", list(range(len(changes))), changes
+    if not members[1]:
+        raise BadInput("ensemble: expected at least one member, got none", "pass seeds=range(1, 101), for example")
+    return members
+
+
+def _plain(value):
+    """A value in which numbers of numpy are those of Python, which scenes take."""
+    if isinstance(value, dict):
+        return {key: _plain(of) for key, of in value.items()}
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return [_plain(of) for of in value]
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def _with_absolute_folder(scene):
+    """A scene that names the same files on workers with another working folder."""
+    scene = scene.with_values({})
+    scene.folder = pathlib.Path(scene.folder or ".").absolute()
+    return scene.with_values({})
+
+
+def _computed(function, scenes, missing, client, device):
+    """Yields (index, result) of the missing members as they are done."""
+    if not missing:
+        return
+    if client == "serial":
+        for index in missing:
+            with _naming(index, scenes[index]):
+                result = _compute(function, scenes[index], device)
+            yield index, result
+        return
+
+    from dask.distributed import KilledWorker, as_completed
+
+    with _connected(client, len(missing)) as connection:
+        futures = {connection.submit(_compute, function, scenes[index], device, pure=False): index for index in missing}
+        try:
+            for future in as_completed(list(futures)):
+                index = futures[future]
+                try:
+                    with _naming(index, scenes[index]):
+                        result = future.result()
+                except KilledWorker as error:
+                    raise Error(
+                        f"member {index}: the workers that computed it died: {error}",
+                        "give workers more memory, or start fewer: client=2; then run it again with the same folder",
+                    ) from None
+                del futures[future]
+                yield index, result
+        finally:
+            connection.cancel(list(futures))
+
+
+@contextlib.contextmanager
+def _naming(index, scene):
+    """Adds to an error which member raised it."""
+    try:
+        yield
+    except Exception as error:
+        seed = scene.values.get("world", {}).get("seed", 1)
+        error.add_note(f"in member {index} of the ensemble, world.seed {seed}")
+        raise
+
+
+@contextlib.contextmanager
+def _connected(client, member_count):
+    """A client of dask.distributed; what was started here ends with it."""
+    from dask.distributed import Client, LocalCluster
+    from dask.system import CPU_COUNT
+
+    if isinstance(client, Client):
+        yield client
+    elif client is None or isinstance(client, int):
+        workers = client or min(CPU_COUNT, member_count)
+        environment = {name: os.environ.get(name, value) for name, value in ONE_THREAD.items()}
+        try:
+            cluster = LocalCluster(
+                n_workers=workers,
+                threads_per_worker=1,
+                processes=True,
+                dashboard_address=None,
+                env=environment,
+                preload=[NO_INTERRUPT],
+                silence_logs=logging.ERROR,
+            )
+        except RuntimeError:
+            raise Error(
+                "ensemble: worker processes could not be started",
+                'a script must call run() below `if __name__ == "__main__":`, or with client="serial"',
+            ) from None
+        with cluster, Client(cluster) as connection:
+            yield connection
+    else:
+        with Client(client) as connection:
+            yield connection
+
+
+@functools.cache
+def _device(selector):
+    """The device of this process, which its members share."""
+    return Device(selector)
+
+
+def _compute(function, scene, device):
+    """The result of a member: a dict of name -> (dimensions, array)."""
+    found = function(World(scene, device=device if isinstance(device, Device) else _device(device)))
+    if not isinstance(found, dict) or not found:
+        raise BadInput(
+            f"{_name_of(function)}: expected a dict of results, got {type(found).__name__}",
+            "return name -> number, or name -> (dimensions, array)",
+        )
+    result = {}
+    for name, value in found.items():
+        dimensions, values = value if isinstance(value, tuple) else ((), value)
+        dimensions = (dimensions,) if isinstance(dimensions, str) else tuple(dimensions)
+        values = np.array(values)
+        if values.ndim != len(dimensions) or values.dtype.hasobject:
+            raise BadInput(
+                f"{_name_of(function)}: {name}: expected an array of numbers or text with {len(dimensions)} "
+                f"dimensions, got {values.ndim} of {values.dtype}",
+                "return (dimensions, array), one name for each axis",
+            )
+        result[name] = dimensions, values
+    return result
+
+
+def _name_of(function):
+    return getattr(function, "__name__", None) or type(function).__name__
+
+
+# Their files
+
+
+def _names(function, scenes, folder, device):
+    """The file of each member, or None without a folder."""
+    if folder is None:
+        return [None] * len(scenes)
+    from dask.tokenize import TokenizationError, tokenize
+
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    digest = functools.cache(_digest)
+    about = [_core.version(), _identity(function, set()), repr(device)]
+    files = []
+    try:
+        for scene in scenes:
+            spectrum = scene._spectrum and scene._spectrum.__getstate__()
+            contents = [digest(file) for file in _files_of(scene.values, scene.folder)]
+            name = tokenize(about, scene.values, spectrum, contents, ensure_deterministic=True)
+            files.append(folder / f"{name}.npz")
+    except TokenizationError as error:
+        raise BadInput(
+            f"{_name_of(function)}: expected values of which a hash can be made, for the names of files: {error}",
+            "let it hold numbers, text, arrays and functions only, or leave out folder",
+        ) from None
+    return files
+
+
+def _identity(function, seen):
+    """What the results of a function depend on besides its world."""
+    if isinstance(function, functools.partial):
+        values = [*function.args, *itertools.chain(*sorted(function.keywords.items()))]
+        return ["partial", _identity(function.func, seen), [_value(value, seen) for value in values]]
+    if not isinstance(function, types.FunctionType):
+        return [_text(type(function)), _value(getattr(function, "__dict__", None), seen)]
+    if function in seen:
+        return function.__qualname__
+    seen.add(function)
+    cells = [cell.cell_contents for cell in function.__closure__ or ()]
+    named = [function.__globals__.get(name) for name in sorted(set(function.__code__.co_names))]
+    named = [of for of in named if isinstance(of, types.FunctionType) and of.__module__ == function.__module__]
+    values = [*cells, *(function.__defaults__ or ()), *(function.__kwdefaults__ or {}).values(), *named]
+    return [_text(function), [_value(value, seen) for value in values]]
+
+
+def _value(value, seen):
+    return _identity(value, seen) if isinstance(value, (types.FunctionType, functools.partial)) else value
+
+
+def _text(source):
+    """The text of a function or class; the code of one that was typed in."""
+    try:
+        return inspect.getsource(source)
+    except (OSError, TypeError):
+        code = getattr(source, "__code__", None)
+        return _code(code) if code else source.__qualname__
+
+
+def _code(code):
+    constants = [_code(value) if isinstance(value, types.CodeType) else repr(value) for value in code.co_consts]
+    return f"{code.co_code.hex()} {code.co_names} {constants}"
+
+
+def _files_of(values, folder):
+    """The files that a scene names, with those of the same stem beside them, which NDBC's directions are in."""
+    if isinstance(values, list):
+        for value in values:
+            yield from _files_of(value, folder)
+    elif isinstance(values, dict):
+        for key, value in values.items():
+            if isinstance(value, str) and (key == "file" or key.endswith("_file")):
+                file = pathlib.Path(folder, value)
+                yield from sorted(
+                    beside
+                    for beside in file.parent.glob(f"{glob.escape(file.name.split('.')[0])}.*")
+                    if beside.is_file()
+                )
+            else:
+                yield from _files_of(value, folder)
+
+
+def _digest(file):
+    with open(file, "rb") as opened:
+        return hashlib.file_digest(opened, "sha256").hexdigest()
+
+
+def _write(file, result):
+    """Under its name a file is complete, whatever happens."""
+    about = json.dumps([[name, dimensions] for name, (dimensions, _) in result.items()])
+    with tempfile.NamedTemporaryFile(dir=file.parent, prefix=".", suffix=".part", delete=False) as part:
+        try:
+            np.savez(part, about=np.array(about), **{str(i): values for i, (_, values) in enumerate(result.values())})
+            part.flush()
+            os.fsync(part.fileno())
+            os.replace(part.name, file)
+        except BaseException:
+            os.unlink(part.name)
+            raise
+
+
+def _read(file):
+    """What _write() wrote; None where there is no file, or a damaged one."""
+    try:
+        with np.load(file, allow_pickle=False) as data:
+            return {
+                name: (tuple(dimensions), data[str(i)])
+                for i, (name, dimensions) in enumerate(json.loads(str(data["about"])))
+            }
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+        return None
+
+
+# The data set
+
+
+def _dataset(dimension, labels, changes, scene, results):
+    import xarray
+
+    variables, coordinates = {}, {dimension: labels}
+    for name, (dimensions, first) in results[0].items():
+        for index, result in enumerate(results):
+            found = result.get(name, (None, None))
+            if found[0] != dimensions or found[1].shape != first.shape or result.keys() != results[0].keys():
+                raise BadInput(
+                    f"ensemble: expected {name} {dimensions} {first.shape} in every member, "
+                    f"got another one in member {index}",
+                    "give arrays one length, filled up with NaN",
+                )
+        values = np.stack([result[name][1] for result in results])
+        if dimensions == (name,):
+            if not (values == first).all():
+                raise BadInput(
+                    f"ensemble: {name}: expected the same coordinate in every member, got several",
+                    "give it another name than its dimension",
+                )
+            coordinates[name] = first
+        elif dimension in (name, *dimensions):
+            raise BadInput(f"ensemble: {name}: the name {dimension} stands for the members", "choose another name")
+        else:
+            variables[name] = (dimension, *dimensions), values
+    if dimension == "member":
+        for path in dict.fromkeys(path for values in changes for path in _paths(values)):
+            values = [_at(merged(scene.values, of_member), path) for of_member in changes]
+            coordinates[".".join(path)] = dimension, _column(values)
+    return xarray.Dataset(variables, coordinates, {"offing_version": _core.version()})
+
+
+def _paths(values, above=()):
+    for key, value in values.items():
+        yield from _paths(value, (*above, key)) if isinstance(value, dict) else [(*above, key)]
+
+
+def _at(values, path):
+    for key in path:
+        values = values.get(key) if isinstance(values, dict) else None
+    return values
+
+
+def _column(values):
+    """A coordinate of what a parameter is in each member: numbers, NaN where there is none, else text."""
+    if all(value is None or isinstance(value, (int, float)) for value in values):
+        return np.array([np.nan if value is None else value for value in values])
+    return np.array([value if isinstance(value, str) else json.dumps(value, default=str) for value in values])
