@@ -27,11 +27,11 @@ with tempfile.TemporaryDirectory() as folder:
         )
     terrain = offing.Terrain(file)
 height_m = terrain.heights_m.astype(float)  # [rows, columns], row 0 north
-dx, dz = terrain.spacing_x_m, terrain.spacing_z_m
+dx, dz = terrain.info["spacing_x_m"], terrain.info["spacing_z_m"]
 
 row, column = np.unravel_index(np.argmax(height_m), height_m.shape)
-seen = terrain.viewshed(column * dx, row * dz, observer_height_m=1.7, earth_radius_m=6371008.8, refraction=0.13)
-print(f"from the summit, {height_m.max():.0f} m, {100 * (seen > 0).mean():.1f} % of the map is seen")
+seen = terrain.viewshed(column * dx, row * dz, observer_height_m=1.7, earth_radius_m=offing.EARTH_RADIUS_M)
+print(f"from the summit, {height_m.max():.0f} m, {100 * seen.mean():.1f} % of the map is seen")
 
 # Mean curvature of the surface y = h(x, z): positive in hollows, negative on ridges.
 hz, hx = np.gradient(height_m, dz, dx)
@@ -42,7 +42,7 @@ mean = ((1 + hz**2) * hxx - 2 * hx * hz * hxz + (1 + hx**2) * hzz) / (2 * (1 + h
 figure, axes = plt.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
 extent = (0, (height_m.shape[1] - 1) * dx, (height_m.shape[0] - 1) * dz, 0)
 axes[0].imshow(height_m, extent=extent, cmap="Greys_r")
-axes[0].imshow(np.ma.masked_equal(seen, 0), extent=extent, cmap="autumn", alpha=0.5)
+axes[0].imshow(np.ma.masked_equal(seen, False), extent=extent, cmap="autumn", alpha=0.5)
 axes[0].plot(column * dx, row * dz, "b^")
 axes[0].set(xlabel="east, m", ylabel="south, m", title="seen from the summit")
 limit = np.quantile(np.abs(mean), 0.98)

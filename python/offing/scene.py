@@ -4,6 +4,7 @@ import copy
 import datetime
 import json
 import math
+import numbers
 import os
 import pathlib
 import tomllib
@@ -23,9 +24,9 @@ def toml_value(value):
         return value.isoformat()
     if isinstance(value, (str, pathlib.PurePath)):
         return json.dumps(str(value), ensure_ascii=False).replace("\x7f", "\\u007f")
-    if isinstance(value, int):
-        return str(value)
-    number = float(value)  # numpy's too
+    if isinstance(value, numbers.Integral):  # numpy's too
+        return str(int(value))
+    number = float(value)
     if math.isfinite(number):
         return repr(number)
     return "nan" if math.isnan(number) else ("inf" if number > 0 else "-inf")
@@ -43,8 +44,9 @@ def merged(values, changes):
     for key, value in changes.items():
         if value is None:
             result.pop(key, None)
-        elif isinstance(value, dict) and isinstance(result.get(key), dict):
-            result[key] = merged(result[key], value)
+        elif isinstance(value, dict):
+            table = result.get(key)
+            result[key] = merged(table if isinstance(table, dict) else {}, value)
         else:
             result[key] = copy.deepcopy(value)
     return result

@@ -140,6 +140,7 @@ class SceneTest(unittest.TestCase):
         self.assertEqual(of_text.sea_state(), of_dict.sea_state())
         self.assertEqual(of_text.sea_state(), changed.sea_state())
         self.assertNotIn("choppiness", changed.values["ocean"])
+        self.assertEqual(offing.Scene({}).with_values({"ocean": {"swell": None, "size": np.int64(32)}}).values["ocean"], {"size": 32})
         self.assertEqual(offing.Scene(SCENE).values["ocean"]["choppiness"], 0)
         self.assertEqual(pickle.loads(pickle.dumps(of_dict)).sea_state(), of_dict.sea_state())
 
