@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "host/base/error.h"
-#include "host/base/log.h"
 
 namespace offing::mesh_tools {
 
@@ -76,12 +75,6 @@ std::string text_of(const MeshReport& report) {
     text += line("left out", fmt::format("{} {}", item.count, item.what));
   }
   return text;
-}
-
-void warn_of_left_out(std::string_view file_name, const MeshReport& report) {
-  for (const LeftOut& item : report.left_out) {
-    spdlog::warn("{}: left out: {} {}", one_line(file_name), item.count, item.what);
-  }
 }
 
 }  // namespace offing::mesh_tools

@@ -21,7 +21,4 @@ std::string text_of(const MeshDefects& defects);
 /// Lines about what became of the file; empty where it was taken as it is.
 std::string text_of(const MeshReport& report);
 
-/// Logs a warning for what a mesh cannot hold of the file.
-void warn_of_left_out(std::string_view file_name, const MeshReport& report);
-
 }  // namespace offing::mesh_tools

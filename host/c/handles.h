@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "host/base/camera.h"
@@ -9,6 +10,7 @@
 #include "host/clouds/image/cloud_image.h"
 #include "host/clouds/reference/scattering_medium.h"
 #include "host/io/height_maps/read_height_map.h"
+#include "host/io/meshes/mesh_file.h"
 #include "host/ocl/device.h"
 #include "host/scene/model/scene.h"
 #include "host/terrain/analysis/viewshed.h"
@@ -24,6 +26,12 @@ struct OffingDevice {
 
 struct OffingScene {
   offing::scene::Scene scene;
+};
+
+/// Stays as it was made, so that threads may share it.
+struct OffingMesh {
+  offing::TriangleMesh mesh;
+  std::string format;  // of the file
 };
 
 struct OffingWorld : offing::c::OneAtATime {

@@ -25,27 +25,10 @@ double start_of_past(double first_s) {
   return past_s * (std::floor(first_s / past_s) - 1.0);
 }
 
-/// As the device makes them of a mesh that brings none; relative to its middle, as single precision loses
-/// edges far from the origin.
-VertexCurvatures diffused(const ocl::Device& device, const TriangleMesh& mesh) {
-  highlights::DiffusedCurvature method(device, mesh);
-  std::vector<float> positions_m;
-  positions_m.reserve(3 * mesh.positions_m.size());
-  glm::dvec3 middle_m(0.0);
-  for (const glm::dvec3& position_m : mesh.positions_m) middle_m += position_m;
-  middle_m /= static_cast<double>(mesh.positions_m.size());
-  for (const glm::dvec3& position_m : mesh.positions_m) {
-    for (int axis = 0; axis < 3; ++axis)
-      positions_m.push_back(static_cast<float>(position_m[axis] - middle_m[axis]));
-  }
-  ocl::Buffer<float> buffer(device, positions_m, "positions");
-  method.at(buffer);
-  return method.read();
-}
-
 highlights::HighlightSurface surface_of(const ocl::Device& device, const MeshParameters& parameters) {
   return {device, *parameters.mesh,
-          parameters.curvatures ? *parameters.curvatures : diffused(device, *parameters.mesh),
+          parameters.curvatures ? *parameters.curvatures
+                                : highlights::diffused_curvatures(device, *parameters.mesh),
           parameters.surface};
 }
 

@@ -15,19 +15,13 @@
 #include "host/terrain/analysis/line_of_sight.h"
 #include "host/terrain/analysis/viewshed.h"
 #include "host/terrain/field/height_field.h"
+#include "tests/c/sized.h"
 #include "tests/io/temporary_folder.h"
 
 namespace offing {
 namespace {
 
 using testing::HasSubstr;
-
-template <class Struct>
-Struct sized() {
-  Struct zeros{};
-  zeros.size = sizeof zeros;
-  return zeros;
-}
 
 /// Bumpy ground of 33 x 21 posts, 10 m apart along x and 8 m along z, under a wall of 40 m along column 20.
 class TerrainCallsTest : public testing::Test {

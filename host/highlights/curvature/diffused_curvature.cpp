@@ -1,6 +1,7 @@
 #include "host/highlights/curvature/diffused_curvature.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -124,6 +125,32 @@ VertexCurvatures DiffusedCurvature::read() const {
     result.area_m2.push_back(static_cast<double>(area_m2));
     result.confidence.push_back(static_cast<double>(confidence));
   }
+  return result;
+}
+
+VertexCurvatures diffused_curvatures(const ocl::Device& device, const TriangleMesh& mesh, int rounds) {
+  DiffusedCurvature method(device, mesh, rounds);
+  glm::dvec3 middle_m(0.0);
+  for (const glm::dvec3& position_m : mesh.positions_m) middle_m += position_m;
+  middle_m /= static_cast<double>(mesh.positions_m.size());
+  double farthest_m = 0.0;
+  for (const glm::dvec3& position_m : mesh.positions_m) {
+    for (int axis = 0; axis < 3; ++axis)
+      farthest_m = std::max(farthest_m, std::abs(position_m[axis] - middle_m[axis]));
+  }
+  // Floats near 1 have squares and products of lengths that are floats, too.
+  const int exponent = farthest_m > 0.0 ? std::ilogb(farthest_m) : 0;
+  std::vector<float> scaled;
+  scaled.reserve(3 * mesh.positions_m.size());
+  for (const glm::dvec3& position_m : mesh.positions_m) {
+    for (int axis = 0; axis < 3; ++axis)
+      scaled.push_back(static_cast<float>(std::ldexp(position_m[axis] - middle_m[axis], -exponent)));
+  }
+  method.at(ocl::Buffer<float>(device, scaled, "positions"));
+  VertexCurvatures result = method.read();
+  for (double& k_per_m : result.k_max_per_m) k_per_m = std::ldexp(k_per_m, -exponent);
+  for (double& k_per_m : result.k_min_per_m) k_per_m = std::ldexp(k_per_m, -exponent);
+  for (double& area_m2 : result.area_m2) area_m2 = std::ldexp(area_m2, 2 * exponent);
   return result;
 }
 

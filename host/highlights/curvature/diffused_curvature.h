@@ -52,4 +52,9 @@ class DiffusedCurvature {
   ocl::Buffer<Float4> face_normals_, ring_normals_, curvatures_, e_max_, normals_;
 };
 
+/// The same of a mesh that stays as it is, wherever and however large it is: the device gets positions about
+/// their mean, scaled by a power of two. They are rounded to 2^-24 of the mesh's size. Throws what
+/// DiffusedCurvature() throws.
+VertexCurvatures diffused_curvatures(const ocl::Device& device, const TriangleMesh& mesh, int rounds = 3);
+
 }  // namespace offing::highlights

@@ -47,11 +47,14 @@ MeshFile read_mesh_file(const std::filesystem::path& path, Trust trust) {
   return meshes::parse_mesh_file(path, [&](std::string_view bytes) { return parse(bytes, path, trust); });
 }
 
+void warn_of_left_out(const std::filesystem::path& path, const MeshReport& report) {
+  for (const LeftOut& item : report.left_out)
+    spdlog::warn("{}: left out: {} {}", one_line(path.string()), item.count, item.what);
+}
+
 TriangleMesh read_mesh(const std::filesystem::path& path, Trust trust) {
   MeshFile file = read_mesh_file(path, trust);
-  for (const LeftOut& item : file.report.left_out) {
-    spdlog::warn("{}: left out: {} {}", one_line(path.string()), item.count, item.what);
-  }
+  warn_of_left_out(path, file.report);
   return std::move(file.mesh);
 }
 

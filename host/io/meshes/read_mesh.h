@@ -18,7 +18,10 @@ namespace offing {
 /// or below.
 MeshFile read_mesh_file(const std::filesystem::path& path, Trust trust = Trust::trusted);
 
-/// The same without the report: logs a warning for what a mesh cannot hold.
+/// Logs a warning for each kind of thing that a mesh cannot hold.
+void warn_of_left_out(const std::filesystem::path& path, const MeshReport& report);
+
+/// read_mesh_file() and warn_of_left_out().
 TriangleMesh read_mesh(const std::filesystem::path& path, Trust trust = Trust::trusted);
 
 }  // namespace offing
