@@ -10,6 +10,7 @@ from offing import _core
 from offing.clouds import Clouds
 from offing.device import Device, list_devices
 from offing.errors import BadInput, Busy, Cancelled, Error, NoDevice
+from offing.mesh import Curvature, Mesh
 from offing.scene import Scene
 from offing.spectrum import Spectrum
 from offing.terrain import EARTH_RADIUS_M, HIT_KINDS, Ground, Hits, SightLines, Terrain
@@ -17,8 +18,9 @@ from offing.world import FIELDS, Ocean, Water, World
 
 __version__ = _core.version()
 __all__ = [
-    "EARTH_RADIUS_M", "FIELDS", "HIT_KINDS", "BadInput", "Busy", "Cancelled", "Clouds", "Device", "Error", "Ground", "Hits",
-    "NoDevice", "Ocean", "Scene", "SightLines", "Spectrum", "Terrain", "Water", "World", "list_devices", "set_log",
+    "EARTH_RADIUS_M", "FIELDS", "HIT_KINDS", "BadInput", "Busy", "Cancelled", "Clouds", "Curvature", "Device", "Error",
+    "Ground", "Hits", "Mesh", "NoDevice", "Ocean", "Scene", "SightLines", "Spectrum", "Terrain", "Water", "World", "list_devices",
+    "set_log",
 ]
 
 LOG_LEVELS = ("error", "warning", "info", "debug")

@@ -64,5 +64,6 @@ template <std::size_t width>
 using Rows = nb::ndarray<const double, nb::shape<-1, width>, nb::c_contig, nb::device::cpu>;
 
 /// Adds the classes and functions of one source to the module.
+void bind_mesh(nb::module_& module);
 void bind_terrain(nb::module_& module);
 void bind_world_parts(nb::module_& module);

@@ -100,6 +100,80 @@ class PartsTest(unittest.TestCase):
         self.assertEqual(found["position_m"].shape, (len(found["id"]), 3))
 
 
+class MeshTest(unittest.TestCase):
+    # Fails if curvatures of a ball of 2 m are not within what offing.h states, or directions are no frame.
+    def test_curvature(self):
+        vertices_m, triangles = sphere(2.0, 5)
+        mesh = offing.Mesh(vertices_m, triangles)
+        found = mesh.curvature()
+        np.testing.assert_allclose([found.k_max_per_m, found.k_min_per_m], 0.5, rtol=0.014)
+        self.assertLess(np.mean(np.abs(found.k_max_per_m - 0.5)), 0.001 * 0.5)
+        np.testing.assert_allclose(found.normal, vertices_m / 2.0, atol=0.004)
+        np.testing.assert_allclose(np.cross(found.e_max, found.e_min), found.normal, atol=1e-6)
+        self.assertAlmostEqual(found.area_m2.sum() / (16.0 * np.pi), 1.0, places=2)
+        self.assertEqual((found.e_max.shape, found.confidence.shape), (vertices_m.shape, (len(vertices_m),)))
+        noisy = offing.Mesh(vertices_m + np.random.default_rng(1).normal(0.0, 0.001, vertices_m.shape), triangles)
+        rough, smooth = noisy.curvature(device=offing.Device()), noisy.curvature(rounds=20)
+        self.assertLess(smooth.k_max_per_m.std(), 0.5 * rough.k_max_per_m.std())
+
+    # Fails if a file holds another mesh than the arrays, or saving replaces a file without a word.
+    def test_files(self):
+        mesh = offing.Mesh([[0, 0, 0], [1, 0, 0], [1, 0.1, -1], [0, 0, -1]], [[0, 1, 2], [0, 2, 3]])
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "roof.obj"
+            mesh.save(path)
+            with self.assertRaisesRegex(offing.BadInput, "roof.obj.*\n.*replace"):
+                mesh.save(path)
+            mesh.save(path, replace=True)
+            read = offing.Mesh(path, untrusted=True)
+        np.testing.assert_array_equal(read.vertices_m, mesh.vertices_m)
+        np.testing.assert_array_equal(read.triangles, [[0, 1, 2], [0, 2, 3]])
+        self.assertEqual((read.vertices_m.dtype, read.triangles.dtype), (np.float64, np.uint32))
+        self.assertEqual((read.info["vertices"], read.info["triangles"], read.info["format"]), (4, 2, "OBJ"))
+        np.testing.assert_array_equal(read.info["lowest_m"], [0.0, 0.0, -1.0])
+        self.assertEqual(repr(read), "<offing.Mesh 4 vertices, 2 triangles>")
+
+    # Fails if bad input is taken, wrapped to other numbers, or refused without a hint.
+    def test_bad_input(self):
+        corner = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+        nowhere = [[0.0, 0.0, 0.0], [np.nan, 0.0, 0.0], [0.0, 1.0, 0.0]]
+        for arguments in (
+            ("no/such.obj",), (corner, [[0, 1, 3]]), (corner, [[0, 1, -1]]), (corner, [[0, 1, 2**32]]), (nowhere, [[0, 1, 2]]),
+            (corner, np.zeros((0, 3), dtype=int)),
+        ):
+            with self.assertRaises(offing.BadInput) as caught:
+                offing.Mesh(*arguments)
+            self.assertTrue(caught.exception.hint, arguments)
+        for arguments in ((corner,), (corner, [[0.0, 1.0, 2.0]]), (corner, [0, 1, 2]), ("no/such.obj", [[0, 1, 2]])):
+            with self.assertRaises(ValueError):
+                offing.Mesh(*arguments)
+        with self.assertRaisesRegex(offing.BadInput, "rounds"):
+            offing.Mesh(corner, [[0, 1, 2]]).curvature(rounds=-1)
+        with self.assertRaisesRegex(ValueError, "rounds"):
+            offing.Mesh(corner, [[0, 1, 2]]).curvature(rounds=0)
+
+
+def sphere(radius_m, level):
+    """Vertices and triangles of an icosahedron whose edges are split in halves `level` times, all on a sphere."""
+    golden = (1.0 + 5.0**0.5) / 2.0
+    vertices = [(a, b, 0.0) for b in (-golden, golden) for a in (-1.0, 1.0)]
+    vertices = np.array([np.roll(vertex, turn) for turn in range(3) for vertex in vertices])
+    # Its faces are the triples of vertices that are 2 apart.
+    near = np.isclose(np.linalg.norm(vertices[:, None] - vertices, axis=2), 2.0)
+    triples = np.argwhere(near[:, :, None] & near[:, None, :] & near[None, :, :])
+    outward = np.linalg.det(vertices[triples]) > 0.0
+    triangles = triples[outward & (triples[:, 0] == triples.min(axis=1))]
+    for _ in range(level):
+        edges = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+        edges, middles = np.unique(edges, axis=0, return_inverse=True)
+        middles = middles.reshape(-1, 3) + len(vertices)
+        vertices = np.concatenate([vertices, vertices[edges].mean(axis=1)])
+        vertices /= np.linalg.norm(vertices, axis=1, keepdims=True)
+        (a, b, c), (ab, bc, ca) = triangles.T, middles.T
+        triangles = np.concatenate([np.stack(corners, axis=1) for corners in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))])
+    return radius_m * vertices / np.linalg.norm(vertices, axis=1, keepdims=True), triangles
+
+
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "scenes"
 CUMULUS, SPHERE = SCENES / "cumulus.toml", SCENES / "sphere.toml"
 
