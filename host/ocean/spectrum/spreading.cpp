@@ -125,8 +125,11 @@ struct ModelledSpreading {
 }  // namespace
 
 double cosine_2s_normaliser(double exponent_s) {
-  // Through lgamma: Gamma itself overflows from s = 171 on.
-  return std::exp(std::lgamma(exponent_s + 1.0) - std::lgamma(exponent_s + 0.5)) / (2.0 * std::sqrt(pi));
+  // By logarithms: Gamma itself overflows from s = 171 on. std::lgamma() would write a variable of all
+  // threads.
+  int sign = 0;
+  return std::exp(lgamma_r(exponent_s + 1.0, &sign) - lgamma_r(exponent_s + 0.5, &sign)) /
+         (2.0 * std::sqrt(pi));
 }
 
 std::function<DirectionalDensity(double)> make_spreading(const SpreadingParameters& parameters,
