@@ -16,7 +16,7 @@
 #include "host/cli/common/device_choice.h"
 #include "host/cli/common/parameter_options.h"
 #include "host/cli/ocean/bake.h"
-#include "host/cli/ocean/energy_shares.h"
+#include "host/cli/ocean/cascade_text.h"
 #include "host/cli/ocean/ocean_commands.h"
 #include "host/cli/ocean/query_settings.h"
 #include "host/cli/ocean/water_left_out.h"
@@ -94,8 +94,9 @@ void write_contact_sheet(const BakeSettings& settings, const FrameFiles& files, 
   write_png(files.contact_sheet(), sheet.draw(), Existing::replace, PngCompression::fast);
 }
 
-nlohmann::json summary_json(const BakeSettings& settings, const scene::Sea& sea, const EnergyShares& energy,
-                            const BakeSummary& summary, const std::string& hash) {
+nlohmann::json summary_json(const BakeSettings& settings, const scene::Sea& sea,
+                            const scene::EnergyShares& energy, const BakeSummary& summary,
+                            const std::string& hash) {
   nlohmann::json json = {{"folder", settings.folder.string()},
                          {"frames_written", summary.written},
                          {"frames_kept", summary.kept},
@@ -148,7 +149,7 @@ void run(const BakeArguments& arguments, const GlobalOptions& options) {
   const scene::Sea sea = scene::prepare_sea(scene);
   const BakeSettings settings = read_settings(arguments, scene, sea.spectrum.dispersion.depth_m);
   const std::vector<ocl::DeviceInfo> devices = choose_devices(options.device);
-  const EnergyShares energy = energy_shares(sea.spectrum, sea.parameters.cascades);
+  const scene::EnergyShares energy = scene::energy_shares(sea.spectrum, sea.parameters.cascades);
   if (!arguments.json) {
     print_summary("{}", cascade_text(sea, energy));
     std::fflush(stdout);

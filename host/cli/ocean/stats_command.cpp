@@ -7,7 +7,7 @@
 #include "host/base/progress.h"
 #include "host/cli/common/device_choice.h"
 #include "host/cli/common/parameter_options.h"
-#include "host/cli/ocean/certificate.h"
+#include "host/cli/ocean/certificate_text.h"
 #include "host/cli/ocean/ocean_commands.h"
 #include "host/command_line/setting_options.h"
 
@@ -29,9 +29,9 @@ void run(const StatsArguments& arguments, const GlobalOptions& options) {
   const int seeds = arguments.settings.read().seeds;
   const scene::Sea sea = scene::prepare_sea(arguments.parameters.read());
   const ocl::Device device = ocl::Device::open(choose_one_device(options.device));
-  const Certificate certificate = [&] {
+  const scene::Certificate certificate = [&] {
     Progress progress(seeds, "seeds", options.verbosity);
-    return certify(device, sea, seeds, progress, options.cancel);
+    return scene::certify(device, sea, seeds, Work(options.cancel, [&](double) { progress.advance(); }));
   }();
   if (arguments.json) {
     fmt::print("{}\n", certificate_json(certificate, sea, arguments.parameters.directions()).dump(2));

@@ -15,7 +15,7 @@ namespace offing::scene {
 
 namespace {
 
-std::string number_text(double number) {
+std::string short_text(double number) {
   return fmt::format("{:.12g}", number);
 }
 
@@ -52,9 +52,8 @@ std::string nearest_allowed(const Parameter& parameter, const WrittenValue& writ
     if (std::holds_alternative<ValueAt<int>>(parameter.storage)) number = std::round(number);
     if (parameter.rule == ParameterRule::power_of_two) number = nearest_power_of_two(parameter, number);
   }
-  if (numbers.size() == 1) return number_text(numbers[0]);
-  return fmt::format("[{}, {}, {}]", number_text(numbers[0]), number_text(numbers[1]),
-                     number_text(numbers[2]));
+  if (numbers.size() == 1) return short_text(numbers[0]);
+  return fmt::format("[{}, {}, {}]", short_text(numbers[0]), short_text(numbers[1]), short_text(numbers[2]));
 }
 
 [[noreturn]] void refuse(const Parameter& parameter, const WrittenValue& written, const Place& place) {

@@ -1,27 +1,21 @@
-#include "host/cli/ocean/certificate.h"
+// Measures what a synthesised sea has, from its surface alone.
+#include "host/scene/measure/certificate.h"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <iterator>
 #include <numbers>
 #include <numeric>
-#include <optional>
+#include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
-#include "host/cli/common/direction_text.h"
 #include "host/fft/fft2d.h"
 #include "host/ocean/query/gerstner_instant.h"
 #include "host/ocean/spectrum/sea_spectrum.h"
-#include "host/ocean/spectrum/sea_statistics.h"
 #include "host/ocean/surface/ocean.h"
 #include "host/ocl/buffer.h"
-#include "host/ocl/device.h"
 
-namespace offing::cli {
+namespace offing::scene {
 namespace {
 
 /// What one realised sea is like, measured on its surface.
@@ -212,7 +206,7 @@ Measured mean_direction(const std::vector<double>& directions_rad) {
   const double mean_rad = std::atan2(sine, cosine);
   std::vector<double> deviations;
   for (const double direction : directions_rad) {
-    deviations.push_back(direction_difference_rad(direction, mean_rad));
+    deviations.push_back(std::remainder(direction - mean_rad, 2.0 * std::numbers::pi));
   }
   return {.mean = mean_rad, .spread = mean_and_spread(deviations).spread};
 }
@@ -246,7 +240,7 @@ void summarise(const std::vector<SurfaceMeasurement>& all, Certificate& certific
 
 /// What Gerstner waves are expected to be: those of many seeds, each with its share of the energy, and the
 /// swells.
-std::vector<ocean::GerstnerWave> expected_gerstner_waves(const scene::Sea& sea) {
+std::vector<ocean::GerstnerWave> expected_gerstner_waves(const Sea& sea) {
   std::vector<ocean::GerstnerWave> waves = sea.swells;
   if (!sea.gerstner_choice) return waves;
   constexpr int seeds = 16;
@@ -263,8 +257,8 @@ std::vector<ocean::GerstnerWave> expected_gerstner_waves(const scene::Sea& sea) 
 
 /// The Gerstner waves of one seed as they are measured: without a loop, which would round their frequencies,
 /// and without raindrops.
-ocean::GerstnerSea measured_gerstner_waves(const scene::Sea& sea, std::uint64_t seed) {
-  ocean::GerstnerSea waves = scene::gerstner_waves_of(sea, seed);
+ocean::GerstnerSea measured_gerstner_waves(const Sea& sea, std::uint64_t seed) {
+  ocean::GerstnerSea waves = gerstner_waves_of(sea, seed);
   waves.loop_period_s.reset();
   waves.raindrops.clear();
   return waves;
@@ -285,49 +279,9 @@ void expect(const ocean::Ocean& sea, const ocean::Dispersion& dispersion,
   certificate.standard_error = ocean::standard_error_of(modes, dispersion, certificate.seeds, gerstner_waves);
 }
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
-
-nlohmann::json state_json(const ocean::SeaState& state, DirectionStyle style) {
-  return {{"hs_m", state.hs_m},
-          {"tp_s", state.tp_s},
-          {"tm01_s", state.tm01_s},
-          {"tm02_s", state.tm02_s},
-          {"mean_direction_deg", direction_deg(state.mean_direction_rad, style)},
-          {"mss", state.mss}};
-}
-
-/// Means or spreads of the measured figures under the documented names.
-nlohmann::json measured_json(const Certificate& c, double Measured::*part) {
-  return {{"hs_m", c.hs_m.*part},         {"tp_s", c.tp_s.*part},
-          {"tm01_s", c.tm01_s.*part},     {"tm02_s", c.tm02_s.*part},
-          {"mss", c.mss.*part},           {"skewness", c.skewness.*part},
-          {"kurtosis", c.kurtosis.*part}, {"folded_share", c.folded_share.*part}};
-}
-
-struct Row {
-  const char* name;
-  const char* unit;
-  double asked;
-  double resolved;
-  double measured;
-  double difference;  ///< measured - resolved
-  double standard_error;
-};
-
-void append_row(fmt::memory_buffer& text, const Row& row) {
-  const std::string sigma = row.standard_error > 0.0
-                                ? fmt::format("{:+.1f}", row.difference / row.standard_error)
-                                : std::string("-");
-  const std::string error =
-      row.standard_error > 0.0 ? fmt::format("{:.3g}", row.standard_error) : std::string("-");
-  fmt::format_to(std::back_inserter(text), "  {:<15} {:>11} {:>10.4f} {:>10.4f} {:>10.4f} {:>9} {:>6}\n",
-                 row.name, row.unit, row.asked, row.resolved, row.measured, error, sigma);
-}
-
 }  // namespace
 
-Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds, Progress& progress,
-                    const CancelToken& cancel) {
+Certificate certify(const ocl::Device& device, const Sea& sea, int seeds, const Work& work) {
   const ocean::Dispersion& dispersion = sea.spectrum.dispersion;
   Certificate certificate;
   certificate.seeds = seeds;
@@ -346,7 +300,7 @@ Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds,
   std::vector<SurfaceMeasurement> measurements;
   double steepness = 0.0;  // of the Gerstner waves, sum over the seeds
   for (int i = 0; i < seeds; ++i) {
-    cancel.throw_if_cancelled();
+    work.poll();
     const std::uint64_t seed = parameters.seed + static_cast<std::uint64_t>(i);
     if (i > 0) {
       ocean.reseed(seed, measured_gerstner_waves(sea, seed));
@@ -354,7 +308,7 @@ Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds,
     ocean.at(0.0);
     measurements.push_back(meter.measure(ocean));
     steepness += ocean::horizontal_scale(ocean.parameters().gerstner_waves).steepness;
-    progress.advance();
+    work.tell((i + 1.0) / seeds);
   }
   summarise(measurements, certificate);
   const double cascade_mss =
@@ -368,89 +322,4 @@ Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds,
   return certificate;
 }
 
-std::string certificate_text(const Certificate& c, const scene::Sea& sea, DirectionStyle style) {
-  const double root = std::sqrt(static_cast<double>(c.seeds));
-  // Figures without a theory of their own are judged by the scatter from seed to seed, once it is known well
-  // enough.
-  constexpr int fewest_seeds = 8;
-  const auto observed = [&](const Measured& figure) {
-    return c.seeds < fewest_seeds ? 0.0 : figure.spread / root;
-  };
-  const double direction_error_deg = c.standard_error.mean_direction_rad * degrees_per_radian;
-
-  fmt::memory_buffer text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "Sea-state certificate: {} seed{} from {}, {} x {} samples per cascade\n\n", c.seeds,
-                 c.seeds == 1 ? "" : "s", sea.parameters.seed, sea.parameters.size, sea.parameters.size);
-  fmt::format_to(out, "  {:<15} {:>11} {:>10} {:>10} {:>10} {:>9} {:>6}\n", "", "", "asked", "resolved",
-                 "measured", "std.error", "sigma");
-  append_row(text, {"Hs", "m", c.asked.hs_m, c.resolved.hs_m, c.hs_m.mean, c.hs_m.mean - c.resolved.hs_m,
-                    c.standard_error.hs_m});
-  append_row(text, {"Tp", "s", c.asked.tp_s, c.resolved.tp_s, c.tp_s.mean, c.tp_s.mean - c.resolved.tp_s,
-                    observed(c.tp_s)});
-  append_row(text, {"Tm01", "s", c.asked.tm01_s, c.resolved.tm01_s, c.tm01_s.mean,
-                    c.tm01_s.mean - c.resolved.tm01_s, observed(c.tm01_s)});
-  append_row(text, {"Tm02", "s", c.asked.tm02_s, c.resolved.tm02_s, c.tm02_s.mean,
-                    c.tm02_s.mean - c.resolved.tm02_s, c.standard_error.tm02_s});
-  append_row(text, {"mean direction", direction_unit(style), direction_deg(c.asked.mean_direction_rad, style),
-                    direction_deg(c.resolved.mean_direction_rad, style),
-                    direction_deg(c.mean_direction_rad.mean, style),
-                    degrees_per_radian *
-                        direction_difference_rad(c.mean_direction_rad.mean, c.resolved.mean_direction_rad),
-                    direction_error_deg});
-  append_row(text, {"mss", "", c.asked.mss, c.resolved.mss, c.mss.mean, c.mss.mean - c.resolved.mss,
-                    observed(c.mss)});
-  fmt::format_to(out, "\n  skewness {:.3f}, kurtosis {:.3f}, folded share {:.2e}, max ka {:.3f}\n\n",
-                 c.skewness.mean, c.kurtosis.mean, c.folded_share.mean, c.max_ka);
-  fmt::format_to(out, "{}\n", cascade_text(sea, c.energy));
-  if (!sea.swells.empty()) {
-    fmt::format_to(
-        out, "Swells in addition to the spectrum: {}, {:.4g} m^2; resolved and measured include them.\n\n",
-        sea.swells.size(), c.swell_m0_m2);
-  }
-  fmt::format_to(
-      out,
-      "asked: the whole spectrum. resolved: the part of it that the grids can hold. measured: the surface,\n"
-      "mean over the seeds. sigma: (measured - resolved) / standard error.\n"
-      "Waves are linear: before the horizontal displacement the elevation is Gaussian, with no skewness.\n"
-      "The horizontal displacement alone sharpens crests.\n");
-  return fmt::to_string(text);
-}
-
-nlohmann::json certificate_json(const Certificate& c, const scene::Sea& sea, DirectionStyle style) {
-  nlohmann::json json;
-  json["asked"] = state_json(c.asked, style);
-  json["resolved"] = state_json(c.resolved, style);
-  json["measured"] = measured_json(c, &Measured::mean);
-  json["measured"]["mean_direction_deg"] = direction_deg(c.mean_direction_rad.mean, style);
-  json["measured"]["max_ka"] = c.max_ka;
-  json["spread"] = measured_json(c, &Measured::spread);
-  json["spread"]["mean_direction_deg"] = c.mean_direction_rad.spread * degrees_per_radian;
-  json["standard_error"] = {{"hs_m", c.standard_error.hs_m},
-                            {"tm02_s", c.standard_error.tm02_s},
-                            {"mean_direction_deg", c.standard_error.mean_direction_rad * degrees_per_radian}};
-  json["seeds"] = c.seeds;
-  json["m0_m2"] = c.energy.m0_m2;
-  json["out_of_band_m2"] = c.energy.out_of_band_m2;
-  if (sea.gerstner_choice) {
-    json["gerstner"] = {{"count", sea.gerstner_choice->count},
-                        {"k_split_radpm", sea.gerstner_choice->split_radpm},
-                        {"spectrum_m0_m2", c.energy.gerstner_m0_m2}};
-  }
-  if (!sea.swells.empty()) {
-    json["swells"] = {{"count", sea.swells.size()}, {"m0_m2", c.swell_m0_m2}};
-  }
-  json["cascades"] = nlohmann::json::array();
-  for (std::size_t i = 0; i < sea.parameters.cascades.size(); ++i) {
-    const ocean::Cascade& cascade = sea.parameters.cascades[i];
-    json["cascades"].push_back({{"patch_m", cascade.patch_length_m},
-                                {"k_min_radpm", cascade.k_min_radpm},
-                                {"k_max_radpm", cascade.k_max_radpm},
-                                {"spectrum_m0_m2", c.energy.cascade_m0_m2[i]},
-                                {"expected_m0_m2", c.expected_cascade_m0_m2[i]},
-                                {"measured_m0_m2", c.measured_cascade_m0_m2[i]}});
-  }
-  return json;
-}
-
-}  // namespace offing::cli
+}  // namespace offing::scene

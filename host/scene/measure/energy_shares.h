@@ -1,11 +1,11 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "host/scene/prepare/sea.h"
+#include "host/ocean/spectrum/sea_spectrum.h"
+#include "host/ocean/surface/ocean.h"
 
-namespace offing::cli {
+namespace offing::scene {
 
 /// How the energy of a sea lies in its cascades, from the spectrum alone.
 struct EnergyShares {
@@ -17,7 +17,4 @@ struct EnergyShares {
 
 EnergyShares energy_shares(const ocean::SeaSpectrum& spectrum, const std::vector<ocean::Cascade>& cascades);
 
-/// The cascades with their bands and the energy that each holds.
-std::string cascade_text(const scene::Sea& sea, const EnergyShares& energy);
-
-}  // namespace offing::cli
+}  // namespace offing::scene

@@ -1,19 +1,14 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
-#include "host/base/progress.h"
 #include "host/base/work.h"
-#include "host/cli/common/direction_text.h"
-#include "host/cli/ocean/energy_shares.h"
 #include "host/ocean/spectrum/sea_statistics.h"
 #include "host/ocl/device.h"
+#include "host/scene/measure/energy_shares.h"
 #include "host/scene/prepare/sea.h"
 
-namespace offing::cli {
+namespace offing::scene {
 
 /// A figure that is measured: mean over the seeds, and its scatter.
 struct Measured {
@@ -40,16 +35,7 @@ struct Certificate {
 
 /// Synthesises the sea with `seeds` seeds, from the scene's own upward, and measures each, with its swells. A
 /// loop period is not applied: it moves every wave's frequency to the nearest multiple of the loop's, which
-/// is no property of the sea; neither are raindrops.
-Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds, Progress& progress,
-                    const CancelToken& cancel);
+/// is no property of the sea; neither are raindrops. The work hears the share after each seed.
+Certificate certify(const ocl::Device& device, const scene::Sea& sea, int seeds, const Work& work);
 
-/// The certificate for people: a table of what was asked and what was found, the cascades, and what to make
-/// of it.
-std::string certificate_text(const Certificate& certificate, const scene::Sea& sea, DirectionStyle style);
-
-/// The certificate for scripts: "asked" and "measured" as documented, and beside them "resolved",
-/// "standard_error", "spread", "cascades", "out_of_band_m2", "m0_m2", "seeds".
-nlohmann::json certificate_json(const Certificate& certificate, const scene::Sea& sea, DirectionStyle style);
-
-}  // namespace offing::cli
+}  // namespace offing::scene
