@@ -4,10 +4,10 @@
  *
  * Axes: x east, y up, z south, right-handed; metres, seconds, radians.
  *
- * Every call that can fail returns an OffingStatus. When it is OFFING_BAD_INPUT or OFFING_BUSY nothing was
- * changed, and after any failure offing_last_error() says what was wrong and offing_last_hint() how to fix
- * it. No exception leaves a call. Settings of a scene that have no effect, or less than asked, produce
- * warnings in the log.
+ * Every call that can fail returns an OffingStatus. When it is OFFING_BAD_INPUT, OFFING_BUSY or
+ * OFFING_CANCELLED nothing was changed, and after any failure offing_last_error() says what was wrong and
+ * offing_last_hint() how to fix it. No exception leaves a call. Settings of a scene that have no effect, or
+ * less than asked, produce warnings in the log.
  *
  * Structs that programs fill or read begin with `size`: set it to sizeof the struct. Later versions add
  * members at the end; zero stands for what a struct of an older version lacks.
@@ -106,6 +106,16 @@ const char* offing_device_name(const OffingDevice* device);
 /** Worlds made on it stay whole. NULL does nothing, here and below. */
 void offing_close_device(OffingDevice* device);
 
+/** How a program watches a call that takes long, and stops it. NULL for the struct or the callback: nobody
+ * watches. The callback is called in the thread of the call, with the share that is done, from 0 to 1, never
+ * less than before. It returns 0 to go on. For another number the call returns OFFING_CANCELLED. It must not
+ * free handles that the call uses. */
+typedef struct OffingProgress {
+  size_t size;                               /**< sizeof(OffingProgress) */
+  int (*callback)(void* user, double share); /**< 0: go on */
+  void* user;                                /**< what the callback gets */
+} OffingProgress;
+
 /** Reads a scene file (docs/scenes.md). */
 OffingStatus offing_load_scene(const char* file, OffingScene** scene);
 /** The same from text; file names in it are relative to `folder`, or to the working folder for NULL. */
@@ -163,8 +173,39 @@ typedef struct OffingSeaState {
 /** What the spectrum of a scene's sea asks for, without swells. */
 OffingStatus offing_get_sea_state(const OffingScene* scene, OffingSeaState* state);
 
+/** What `offing ocean stats` finds (docs/ocean.md). Directions are of travel, 0 to 2 pi; mss is the mean
+ * square slope. */
+typedef struct OffingSeaStatistics {
+  size_t size; /**< sizeof(OffingSeaStatistics) */
+  /** What the spectrum asks for, without swells: offing_get_sea_state(). */
+  double asked_hs_m, asked_tp_s, asked_tm01_s, asked_tm02_s, asked_mean_direction_rad, asked_mss;
+  /** What is expected of the waves that the maps can hold, and of swells. */
+  double resolved_hs_m, resolved_tp_s, resolved_tm01_s, resolved_tm02_s, resolved_mean_direction_rad,
+      resolved_mss;
+  /** Measured on the surface, means over the seeds. */
+  double hs_m, tp_s, tm01_s, tm02_s, mean_direction_rad, mss;
+  double skewness, kurtosis; /**< measured, of the height at rest labels; 0 and 3 for a Gaussian one */
+  double max_ka;             /**< measured, steepness k A that one wave in 90 exceeds */
+  double folded_share;       /**< measured, share of the surface that folds over itself */
+  /** Of measured means from resolved values, one standard deviation. */
+  double hs_standard_error_m, tm02_standard_error_s, mean_direction_standard_error_rad;
+} OffingSeaStatistics;
+/** Measures the sea of a scene on its surface, with so many seeds, 1 to 100000, from the scene's own upward.
+ * Takes time in proportion; 8 seeds are a good start. */
+OffingStatus offing_measure_sea(const OffingDevice* device, const OffingScene* scene, int seeds,
+                                const OffingProgress* progress, OffingSeaStatistics* statistics);
+
 /** The world of a scene, at the scene's start; it keeps nothing of the handles. */
 OffingStatus offing_make_world(const OffingDevice* device, const OffingScene* scene, OffingWorld** world);
+/** How a world is made; NULL and zeros: as by offing_make_world(). */
+typedef struct OffingWorldOptions {
+  size_t size;                    /**< sizeof(OffingWorldOptions) */
+  const OffingProgress* progress; /**< NULL: nobody watches */
+} OffingWorldOptions;
+/** As offing_make_world(), for worlds that take long. The callback is called while clouds grow; terrain and
+ * sea are made without a call between. */
+OffingStatus offing_make_world_with(const OffingDevice* device, const OffingScene* scene,
+                                    const OffingWorldOptions* options, OffingWorld** world);
 /** Frees what the world holds on host and device. */
 void offing_free_world(OffingWorld* world);
 

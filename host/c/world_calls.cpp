@@ -1,10 +1,13 @@
 #include <array>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "host/c/handles.h"
+#include "host/c/watched_work.h"
 #include "host/scene/file/scene_file.h"
 #include "host/scene/prepare/world_scene.h"
+#include "host/world/cloud_grower.h"
 
 using offing::Error;
 using offing::ErrorKind;
@@ -100,6 +103,34 @@ void read_fields(offing::ocean::Ocean& ocean, int cascade, std::span<const Offin
   }
 }
 
+/// The world with the particles of its clouds, which take most of the time, ahead of it: it could not be
+/// stopped.
+offing::world::WorldParameters with_particles(const offing::ocl::Device& device,
+                                              offing::world::WorldParameters parameters,
+                                              const offing::CancelToken& cancel, const offing::Work& work) {
+  const auto tell = [&](const offing::world::CloudProgress& progress) {
+    work.tell((static_cast<double>(progress.done) + progress.share) / static_cast<double>(progress.all));
+  };
+  parameters.clouds = offing::world::CloudGrower(device).grown(std::move(*parameters.clouds), cancel, tell);
+  return parameters;
+}
+
+/// As offing-view shows it: the eye at its place.
+std::unique_ptr<OffingWorld> made_world(const offing::ocl::Device& device, offing::scene::Scene scene,
+                                        const offing::c::WatchedWork& watched) {
+  constexpr double prepared = 0.1, grown = 0.8, made = 0.9;
+  const offing::Work& work = watched.work();
+  offing::world::WorldParameters parameters = offing::scene::prepare_shown_world(scene);
+  work.tell(prepared);
+  if (parameters.clouds && watched.is_watched())
+    parameters = with_particles(device, std::move(parameters), watched.cancel(), work.part(prepared, grown));
+  auto world = std::make_unique<OffingWorld>(scene, device, parameters);
+  work.tell(made);
+  world->camera = offing::scene::show_at(world->world, world->scene, world->scene.time.start_s).camera;
+  work.tell(1.0);
+  return world;
+}
+
 }  // namespace
 
 OffingStatus offing_load_scene(const char* file, OffingScene** scene) {
@@ -123,16 +154,17 @@ void offing_free_scene(OffingScene* scene) {
 }
 
 OffingStatus offing_make_world(const OffingDevice* device, const OffingScene* scene, OffingWorld** world) {
+  return offing_make_world_with(device, scene, nullptr, world);
+}
+
+OffingStatus offing_make_world_with(const OffingDevice* device, const OffingScene* scene,
+                                    const OffingWorldOptions* options, OffingWorld** world) {
   return run([&] {
     require(device, "device");
     require(scene, "scene");
     require(world, "world");
-    // As offing-view shows it: the eye at its place.
-    offing::scene::Scene shown = scene->scene;
-    const offing::world::WorldParameters parameters = offing::scene::prepare_shown_world(shown);
-    auto made = std::make_unique<OffingWorld>(shown, device->device, parameters);
-    made->camera = offing::scene::show_at(made->world, made->scene, made->scene.time.start_s).camera;
-    *world = made.release();
+    const offing::c::WatchedWork watched(offing::c::read_struct(options, "options").progress);
+    *world = made_world(device->device, scene->scene, watched).release();
   });
 }
 

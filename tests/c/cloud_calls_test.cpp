@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -9,6 +11,7 @@
 
 #include "host/c/handles.h"
 #include "host/c/offing.h"
+#include "tests/c/watcher.h"
 
 namespace offing {
 namespace {
@@ -69,6 +72,75 @@ class CloudCallsTest : public testing::Test {
   OffingScene* scene_ = nullptr;
   OffingWorld* world_ = nullptr;
 };
+
+/// A cloud that grows level by level, and so reports many shares.
+class GrowingCloudTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string text = scene_with_a_cloud;
+    const std::string sampled = "modelling = \"sampled\"\ntarget_particles = 60";
+    text.replace(text.find(sampled), sampled.size(), "modelling = \"hierarchical\"");
+    ASSERT_EQ(offing_open_device(nullptr, &device_), OFFING_OK) << offing_last_error();
+    ASSERT_EQ(offing_parse_scene(text.c_str(), nullptr, &scene_), OFFING_OK)
+        << offing_last_error() << offing_last_hint();
+  }
+  void TearDown() override {
+    offing_free_scene(scene_);
+    offing_close_device(device_);
+  }
+
+  /// nullptr where the call was stopped.
+  OffingWorld* make(const Watcher* watcher, OffingStatus expected) {
+    OffingWorldOptions options{};
+    options.size = sizeof options;
+    options.progress = watcher == nullptr ? nullptr : watcher->progress();
+    OffingWorld* world = nullptr;
+    EXPECT_EQ(offing_make_world_with(device_, scene_, &options, &world), expected) << offing_last_error();
+    return world;
+  }
+  static std::vector<double> places_m(OffingWorld* world) {
+    const std::size_t count = offing_cloud_particle_count(world);
+    std::vector<double> place_m(3 * count);
+    OffingCloudParticles particles{};
+    particles.size = sizeof particles;
+    particles.place_m = place_m.data();
+    EXPECT_EQ(offing_read_cloud_particles(world, count, &particles), OFFING_OK) << offing_last_error();
+    return place_m;
+  }
+
+  OffingDevice* device_ = nullptr;
+  OffingScene* scene_ = nullptr;
+};
+
+// Fails if a world that is watched is another one, its clouds grow unseen, or shares do not rise from 0 to 1.
+TEST_F(GrowingCloudTest, GrowsUnderTheEyesOfACallback) {
+  const Watcher watcher;
+  OffingWorld* const watched = make(&watcher, OFFING_OK);
+  OffingWorld* const unwatched = make(nullptr, OFFING_OK);
+  const std::vector<double>& shares = watcher.shares();
+  ASSERT_GT(shares.size(), 10u);
+  EXPECT_EQ(shares.front(), 0.0);
+  EXPECT_EQ(shares.back(), 1.0);
+  EXPECT_EQ(std::adjacent_find(shares.begin(), shares.end(), std::greater_equal<>()), shares.end());
+  EXPECT_FALSE(places_m(watched).empty());
+  EXPECT_EQ(places_m(watched), places_m(unwatched));
+  offing_free_world(unwatched);
+  offing_free_world(watched);
+}
+
+// Fails if a start goes on after the callback asked to stop, makes a world all the same, or leaves the device
+// or the scene unusable.
+TEST_F(GrowingCloudTest, StopsWhenAsked) {
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const Watcher watcher(share);
+    EXPECT_EQ(make(&watcher, OFFING_CANCELLED), nullptr);
+    const std::vector<double>& shares = watcher.shares();
+    EXPECT_EQ(std::count_if(shares.begin(), shares.end(), [&](double at) { return at >= share; }), 1);
+  }
+  OffingWorld* const world = make(nullptr, OFFING_OK);
+  EXPECT_FALSE(places_m(world).empty());
+  offing_free_world(world);
+}
 
 // Fails if an array is filled from another quantity, or places are not those of the world.
 TEST_F(CloudCallsTest, ReadParticles) {
