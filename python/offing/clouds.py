@@ -11,9 +11,10 @@ from offing.world import World
 class Clouds:
     """The clouds of a scene at any time. Use them in one thread at a time."""
 
-    def __init__(self, scene, *, device: Device | str | int | None = None):
-        """`scene` is a World, whose clouds these are then, or what World() takes: a scene with [[cloud]] sections."""
-        self.world = scene if isinstance(scene, World) else World(scene, device=device)
+    def __init__(self, scene, *, device: Device | str | int | None = None, progress=None):
+        """`scene` is a World, whose clouds these are then, or what World() takes: a scene with [[cloud]] sections.
+        `progress` is as in World()."""
+        self.world = scene if isinstance(scene, World) else World(scene, device=device, progress=progress)
 
     def at(self, time_s: float) -> "Clouds":
         """Brings the world to a time in s; returns the clouds."""

@@ -29,12 +29,13 @@ class Water(NamedTuple):
 class World:
     """The world of a scene on a device. Use it in one thread at a time: two at once raise Busy."""
 
-    def __init__(self, scene=None, *, device=None):
+    def __init__(self, scene=None, *, device=None, progress=None):
         """`scene` is a Scene or whatever Scene() takes, `device` a Device or what Device() takes. The world is at the
-        scene's start."""
+        scene's start. While it is made, which takes long with clouds, progress(share) gets the share that is done, 0 to
+        1. If it returns False, the call raises Cancelled; what it raises comes out of the call."""
         self.scene = scene if isinstance(scene, Scene) else Scene(scene)
         self.device = device if isinstance(device, Device) else Device(device)
-        self._world = _core.World(self.device._device, self.scene._scene)
+        self._world = _core.World(self.device._device, self.scene._scene, progress)
         self._renderer = None
         self._time_s = float(self.scene.values.get("time", {}).get("start_s", 0.0))
 
@@ -127,6 +128,13 @@ class World:
         """What the spectrum asks for: Scene.sea_state()."""
         return self.scene.sea_state()
 
+    def stats(self, seeds=8, *, progress=None):
+        """What the surface of the sea has, averaged over so many seeds, as `offing ocean stats --json` finds it: a dict of
+        "asked" (by the spectrum, without swells), "resolved" (expected of the waves that the fields hold and of swells),
+        "measured" and "standard_error" (of measured from resolved), each a dict. Directions are in degrees, of travel from
+        east toward south. progress(share) is as in World()."""
+        return self.scene._scene.measure(self.device._device, seeds, progress)
+
     def __repr__(self):
         return f"<offing.{type(self).__name__} {self.scene!r} on {self.device!r}>"
 
@@ -134,9 +142,9 @@ class World:
 class Ocean(World):
     """A sea alone."""
 
-    def __init__(self, sea=None, *, device=None, **values):
+    def __init__(self, sea=None, *, device=None, progress=None, **values):
         """`sea` is a Spectrum, a Scene or whatever Scene() takes. `values` are keys of [ocean], such as size and
-        choppiness; `seed` is that of [world]."""
+        choppiness; `seed` is that of [world]. `progress` is as in World()."""
         spectrum = sea if isinstance(sea, Spectrum) else None
         scene = Scene() if spectrum is not None or sea is None else Scene(sea)
         changes = {"ocean": {name: value for name, value in values.items() if name != "seed"}}
@@ -146,7 +154,7 @@ class Ocean(World):
             scene = scene.with_values(changes)
         if spectrum is not None:
             scene = scene.with_spectrum(spectrum)
-        super().__init__(scene, device=device)
+        super().__init__(scene, device=device, progress=progress)
 
 
 def _number_of(name):

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
@@ -32,6 +34,50 @@ void run(const Call& call) {
   }
   if (status != OFFING_OK) raise(status);
 }
+
+/// A call that a Python callable watches; None: nobody does. What the callable raises stops the call and
+/// comes out of it, as an interrupt by the keyboard does without a callable; False stops it with
+/// offing.Cancelled.
+class Watched {
+ public:
+  explicit Watched(nb::object callable) : callable_(std::move(callable)) {
+    progress_.size = sizeof progress_;
+    progress_.callback = [](void* user, double share) {
+      return static_cast<Watched*>(user)->stops_at(share);
+    };
+    progress_.user = this;
+  }
+  Watched(const Watched&) = delete;
+  Watched& operator=(const Watched&) = delete;
+
+  /// `call` gets the OffingProgress.
+  template <class Call>
+  void run(const Call& call) {
+    OffingStatus status = OFFING_OK;
+    {
+      const nb::gil_scoped_release released;
+      status = call(&progress_);
+    }
+    if (raised_) std::rethrow_exception(std::exchange(raised_, nullptr));
+    if (status != OFFING_OK) raise(status);
+  }
+
+ private:
+  int stops_at(double share) noexcept {
+    const nb::gil_scoped_acquire acquired;
+    try {
+      if (PyErr_CheckSignals() != 0) throw nb::python_error();
+      return !callable_.is_none() && callable_(share).is(nb::handle(Py_False)) ? 1 : 0;
+    } catch (...) {
+      raised_ = std::current_exception();
+      return 1;
+    }
+  }
+
+  nb::object callable_;
+  OffingProgress progress_{};
+  std::exception_ptr raised_;
+};
 
 /// A handle of offing.h and the call that frees it.
 template <class Handle, void (*free_handle)(Handle*)>

@@ -128,13 +128,15 @@ NB_MODULE(_core, module) {
       .def_static("parse", &Scene::parse, "text"_a, "folder"_a.none())
       .def("set_spectrum", &Scene::set_spectrum, "spectra"_a, "index"_a)
       .def("tabulate_spectrum", &Scene::tabulate_spectrum, "frequencies_hz"_a, "directions"_a)
-      .def("sea_state", &Scene::sea_state);
+      .def("sea_state", &Scene::sea_state)
+      .def("measure", &Scene::measure, "device"_a, "seeds"_a, "progress"_a.none());
   nb::class_<Renderer>(module, "Renderer")
       .def(nb::init<const Device&, const Scene&>(), "device"_a, "scene"_a)
       .def("render", &Renderer::render, "time_s"_a, "width_px"_a, "height_px"_a)
       .def("render_light", &Renderer::render_light, "time_s"_a, "width_px"_a, "height_px"_a);
   nb::class_<World>(module, "World")
-      .def(nb::init<const Device&, const Scene&>(), "device"_a, "scene"_a)
+      .def(nb::init<const Device&, const Scene&, const nb::object&>(), "device"_a, "scene"_a,
+           "progress"_a.none())
       .def("frame", &World::frame, "time_s"_a)
       .def("sample", &World::sample, "points_m"_a, "depth_m"_a, "min_wavelength_m"_a, "wants_flow"_a)
       .def("sample_on_device", &World::sample_on_device, "points"_a, "count"_a, "samples"_a, "depth_m"_a,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -126,6 +127,10 @@ class Spectra {
   Owned<OffingSpectra, offing_free_spectra> spectra_;
 };
 
+constexpr double degrees(double angle_rad) {
+  return angle_rad * 180.0 / std::numbers::pi;
+}
+
 class Scene {
  public:
   static Scene load(const std::string& file) {
@@ -163,6 +168,42 @@ class Scene {
     values["mss"] = found.mss;
     return values;
   }
+  /// {"asked", "resolved", "measured", "standard_error"}, as `offing ocean stats --json` has them.
+  nb::dict measure(const Device& device, int seeds, const nb::object& progress) const {
+    OffingSeaStatistics found{};
+    found.size = sizeof found;
+    Watched(progress).run([&](const OffingProgress* watching) {
+      return offing_measure_sea(device.get(), get(), seeds, watching, &found);
+    });
+    const auto state = [](double hs_m, double tp_s, double tm01_s, double tm02_s, double direction_rad,
+                          double mss) {
+      nb::dict values;
+      values["hs_m"] = hs_m;
+      values["tp_s"] = tp_s;
+      values["tm01_s"] = tm01_s;
+      values["tm02_s"] = tm02_s;
+      values["mean_direction_deg"] = degrees(direction_rad);
+      values["mss"] = mss;
+      return values;
+    };
+    nb::dict values, errors;
+    values["asked"] = state(found.asked_hs_m, found.asked_tp_s, found.asked_tm01_s, found.asked_tm02_s,
+                            found.asked_mean_direction_rad, found.asked_mss);
+    values["resolved"] = state(found.resolved_hs_m, found.resolved_tp_s, found.resolved_tm01_s,
+                               found.resolved_tm02_s, found.resolved_mean_direction_rad, found.resolved_mss);
+    nb::dict measured =
+        state(found.hs_m, found.tp_s, found.tm01_s, found.tm02_s, found.mean_direction_rad, found.mss);
+    measured["skewness"] = found.skewness;
+    measured["kurtosis"] = found.kurtosis;
+    measured["max_ka"] = found.max_ka;
+    measured["folded_share"] = found.folded_share;
+    values["measured"] = measured;
+    errors["hs_m"] = found.hs_standard_error_m;
+    errors["tm02_s"] = found.tm02_standard_error_s;
+    errors["mean_direction_deg"] = degrees(found.mean_direction_standard_error_rad);
+    values["standard_error"] = errors;
+    return values;
+  }
   OffingScene* get() const { return scene_.get(); }
 
  private:
@@ -180,9 +221,12 @@ inline OffingWaterQuery query_of(double depth_m, double min_wavelength_m) {
 
 class World {
  public:
-  World(const Device& device, const Scene& scene) {
+  World(const Device& device, const Scene& scene, const nb::object& progress) {
     OffingWorld* world = nullptr;
-    run([&] { return offing_make_world(device.get(), scene.get(), &world); });
+    Watched(progress).run([&](const OffingProgress* watching) {
+      const OffingWorldOptions options{sizeof options, watching};
+      return offing_make_world_with(device.get(), scene.get(), &options, &world);
+    });
     world_.reset(world);
   }
 

@@ -3,6 +3,7 @@
 import math
 import pathlib
 import pickle
+import signal
 import threading
 import unittest
 
@@ -128,6 +129,79 @@ class WorldTest(unittest.TestCase):
             thread.join()
         for field in found:
             np.testing.assert_array_equal(field, expected)
+
+
+class ProgressTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.device = offing.Device()
+        cls.sea = offing.Ocean(SCENE, device=cls.device)
+
+    # Fails if the surface lacks the energy that was asked for, or names differ from those of `offing ocean stats --json`.
+    # Of five standard errors a sound sea exceeds one in 1.7 million runs; seeds are fixed, so that it never does.
+    def test_the_sea_has_what_was_asked(self):
+        stats = self.sea.stats(seeds=4)
+        state = ["hs_m", "tp_s", "tm01_s", "tm02_s", "mean_direction_deg", "mss"]
+        self.assertEqual(list(stats["asked"]), state)
+        self.assertEqual(list(stats["measured"]), [*state, "skewness", "kurtosis", "max_ka", "folded_share"])
+        asked, measured = stats["asked"], stats["measured"]
+        self.assertAlmostEqual(asked["hs_m"], self.sea.sea_state()["hs_m"], places=12)
+        self.assertLess(abs(measured["hs_m"] - asked["hs_m"]), 5.0 * stats["standard_error"]["hs_m"])
+        turn_deg = math.remainder(measured["mean_direction_deg"] - stats["resolved"]["mean_direction_deg"], 360.0)
+        self.assertLess(abs(turn_deg), 5.0 * stats["standard_error"]["mean_direction_deg"])
+        with self.assertRaisesRegex(offing.BadInput, "seeds"):
+            self.sea.stats(seeds=0)
+
+    # Fails if shares do not rise from 0 to 1, or what a callback returns, beside False, stops the call.
+    def test_shares_rise(self):
+        shares = []
+        self.sea.stats(seeds=2, progress=lambda share: shares.append(share) or 0)
+        self.assertEqual(shares, [0.0, 0.5, 1.0])
+        shares.clear()
+        offing.World(SCENE, device=self.device, progress=shares.append)
+        self.assertEqual((shares[0], shares[-1]), (0.0, 1.0))
+        self.assertEqual(shares, sorted(set(shares)))
+
+    # Fails if a call goes on after False, or its objects are of no use then.
+    def test_false_stops(self):
+        shares = []
+
+        def stop_at_half(share):
+            shares.append(share)
+            return share < 0.5
+
+        with self.assertRaises(offing.Cancelled) as raised:
+            self.sea.stats(seeds=4, progress=stop_at_half)
+        self.assertEqual(shares, [0.0, 0.25, 0.5])
+        self.assertTrue(raised.exception.hint)
+        with self.assertRaises(offing.Cancelled):
+            offing.World(SCENE, device=self.device, progress=stop_at_half)
+        self.assertEqual(self.sea.at(1.0).field("slope_x").shape, (64, 64))
+        self.assertEqual(self.sea.stats(seeds=1), self.sea.stats(seeds=1))
+
+    # Fails if an exception of the callback is lost, or becomes another one.
+    def test_exceptions_come_out(self):
+        for error in (ZeroDivisionError("here"), KeyboardInterrupt()):
+
+            def fail(share):
+                raise error
+
+            with self.assertRaises(type(error)) as raised:
+                self.sea.stats(progress=fail)
+            self.assertIs(raised.exception, error)
+            with self.assertRaises(type(error)):
+                offing.World(SCENE, device=self.device, progress=fail)
+        with self.assertRaises(TypeError):
+            self.sea.stats(progress=3)
+        self.sea.at(2.0)
+
+    # Fails if Ctrl-C waits for the end of a call that nobody watches, or other threads do: 100000 seeds take hours.
+    def test_interrupts_stop(self):
+        timer = threading.Timer(0.2, signal.raise_signal, (signal.SIGINT,))
+        with self.assertRaises(KeyboardInterrupt):
+            timer.start()
+            self.sea.stats(seeds=100000)
+        timer.join()
 
 
 class SceneTest(unittest.TestCase):
