@@ -14,6 +14,7 @@
 #include "host/scene/prepare/own_billboards.h"
 
 using offing::Error;
+using offing::ErrorKind;
 using offing::c::require;
 using offing::c::require_count;
 using offing::c::run;
@@ -24,6 +25,7 @@ using offing::c::write_vector;
 
 namespace {
 
+/// Throws Error(bad_input) for values out of range.
 offing::Camera camera_of(const OffingCamera& given) {
   const offing::Camera camera{.eye_m = vector_at(given.eye_m, 0),
                               .yaw_rad = given.yaw_rad,
@@ -33,6 +35,13 @@ offing::Camera camera_of(const OffingCamera& given) {
                               .width_px = given.width_px,
                               .height_px = given.height_px};
   offing::require_valid(camera);
+  constexpr int longest_px = 16384;  // as offing_render() has it
+  if (std::max(camera.width_px, camera.height_px) > longest_px) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("camera: expected sides within [1, {}], got {} x {}", longest_px, camera.width_px,
+                            camera.height_px),
+                "ask for a size such as 1280 x 720");
+  }
   return camera;
 }
 
@@ -58,7 +67,8 @@ void write_particle(const OffingCloudParticles& arrays, std::size_t index, const
   write_values(arrays.id, index, {std::uint32_t{particle.id}});
 }
 
-/// The extinction of the last frame's particles, made anew where that is another one; nullptr: there is none.
+/// The extinction of the last frame's particles, made again if the frame or the cells changed; nullptr
+/// where there is none.
 const offing::clouds::VolumeMedium* extinction_of(OffingWorld& world, double cell_m) {
   const offing::world::WorldClouds* clouds = world.world.clouds();
   if (clouds == nullptr) return nullptr;
@@ -69,9 +79,10 @@ const offing::clouds::VolumeMedium* extinction_of(OffingWorld& world, double cel
         offing::clouds::rasterised(world.world.device(), particles_of(*clouds), cell_m);
     volume.origin_m += clouds->sky_origin_m();
     kept.emplace();
+    if (!volume.density.empty()) kept->medium.emplace(volume);
+    // Last, so that a medium that could not be made is not taken for clear sky later.
     kept->time_s = time_s;
     kept->cell_m = cell_m;
-    if (!volume.density.empty()) kept->medium.emplace(volume);
   }
   return kept->medium ? &*kept->medium : nullptr;
 }

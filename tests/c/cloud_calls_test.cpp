@@ -229,6 +229,10 @@ TEST_F(CloudCallsTest, RefuseBadArguments) {
   seen_by.vertical_field_of_view_rad = 0.0;
   EXPECT_EQ(offing_draw_clouds(world_, &seen_by, rgba.data(), nullptr, pixels), OFFING_BAD_INPUT);
   EXPECT_THAT(offing_last_error(), HasSubstr("vertical_field_of_view_rad"));
+  seen_by = camera();
+  seen_by.width_px = 16385;
+  EXPECT_EQ(offing_draw_clouds(world_, &seen_by, rgba.data(), nullptr, pixels), OFFING_BAD_INPUT);
+  EXPECT_THAT(offing_last_error(), HasSubstr("[1, 16384]"));
   const double point_m[3] = {0.0, 0.0, 0.0};
   double extinction_per_m = 0.0;
   EXPECT_EQ(offing_sample_clouds(world_, 0.0, point_m, 1, &extinction_per_m), OFFING_BAD_INPUT);
