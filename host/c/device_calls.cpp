@@ -30,8 +30,14 @@ OffingStatus offing_list_devices(OffingDeviceInfo* devices, size_t capacity, siz
     *count = 0;
     const std::vector<offing::ocl::DeviceInfo> found = offing::ocl::list_devices();
     *count = found.size();
+    if (capacity == 0 || found.empty()) return;
+    require(devices, "devices");
+    // An older program's structs are smaller, so that its array has other steps than ours.
+    const std::size_t step = devices->size;
+    auto* const bytes = reinterpret_cast<unsigned char*>(devices);
     for (std::size_t i = 0; i < std::min(capacity, found.size()); ++i)
-      offing::c::write_struct(devices + i, "devices", info_of(found[i]));
+      offing::c::write_struct(reinterpret_cast<OffingDeviceInfo*>(bytes + i * step), "devices",
+                              info_of(found[i]));
   });
 }
 
