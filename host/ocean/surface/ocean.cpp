@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -326,6 +327,12 @@ void Ocean::copy_field(int cascade, SeaField field, ocl::Buffer<float>& values, 
                 fmt::format("copy_field: expected room for {} values from {} on, found a buffer of {}", count,
                             first, values.size()),
                 "make the buffer larger, or begin further ahead");
+  }
+  constexpr std::size_t most = std::numeric_limits<int>::max();  // the kernel's indices are int
+  if (first > most - count) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("copy_field: expected a first value within [0, {}], got {}", most - count, first),
+                "copy to a buffer of its own");
   }
   const FieldPlace place = place_of(field);
   const std::size_t first_here = place.map == FieldMap::jacobian ? 0 : first_texel;
