@@ -33,8 +33,8 @@ struct OffingSpectra {
 
   const std::shared_ptr<const WaveSpectrum>& at(std::size_t index) const {
     if (index < spectra.size()) return spectra[index];
-    throw Error(ErrorKind::bad_input,
-                fmt::format("index: expected one within [0, {}], got {}", spectra.size() - 1, index),
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("index: expected an index below {}, got {}", spectra.size(), index),
                 "offing_spectrum_count() says how many spectra there are");
   }
 

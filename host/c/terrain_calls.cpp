@@ -45,6 +45,17 @@ Value choice_of(const char* name, Given given, int count) {
               "use one of the names in offing.h");
 }
 
+static_assert(OFFING_HEIGHTS_PLAIN == static_cast<int>(offing::HeightEncoding::plain) &&
+              OFFING_HEIGHTS_MAPBOX == static_cast<int>(offing::HeightEncoding::mapbox) &&
+              OFFING_HEIGHTS_TERRARIUM == static_cast<int>(offing::HeightEncoding::terrarium));
+static_assert(OFFING_UNIT_OF_FILE == static_cast<int>(offing::HorizontalUnit::of_file) &&
+              OFFING_UNIT_METRE == static_cast<int>(offing::HorizontalUnit::metre) &&
+              OFFING_UNIT_DEGREE == static_cast<int>(offing::HorizontalUnit::degree));
+// 0 is by name.
+static_assert(OFFING_RAW_UNSIGNED_16 == 1 + static_cast<int>(offing::RawType::unsigned_16) &&
+              OFFING_RAW_SIGNED_16 == 1 + static_cast<int>(offing::RawType::signed_16) &&
+              OFFING_RAW_FLOAT_32 == 1 + static_cast<int>(offing::RawType::float_32));
+
 offing::HeightMapOptions map_options(const OffingTerrainOptions& given) {
   offing::HeightMapOptions options;
   if (given.spacing_x_m != 0.0) options.spacing_x_m = given.spacing_x_m;

@@ -1,8 +1,12 @@
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "host/c/arrays.h"
 #include "host/c/handles.h"
 #include "host/c/watched_work.h"
 #include "host/scene/file/scene_file.h"
@@ -14,6 +18,7 @@ using offing::ErrorKind;
 using offing::c::require;
 using offing::c::run;
 using offing::c::Use;
+using offing::c::write_values;
 
 namespace {
 
@@ -28,6 +33,17 @@ OffingSample to_sample(const offing::ocean::WaterSample& water) {
           .residual_m = water.residual_m};
 }
 
+void write_water(const OffingWater& arrays, std::size_t index, const offing::ocean::WaterSample& water) {
+  write_values(arrays.height_m, index, {water.height_m});
+  write_values(arrays.pressure_pa, index, {water.pressure_pa});
+  write_values(arrays.residual_m, index, {water.residual_m});
+  write_values(arrays.velocity_mps, index,
+               {water.velocity_x_mps, water.velocity_y_mps, water.velocity_z_mps});
+  if (arrays.normal == nullptr) return;
+  const auto normal = offing::ocean::normal_of(water);
+  write_values(arrays.normal, index, {normal[0], normal[1], normal[2]});
+}
+
 offing::ocean::WaterQuery query_of(const OffingWaterQuery* given, bool wants_flow) {
   const OffingWaterQuery query = offing::c::read_struct(given, "query");
   using Fields = offing::ocean::WaterQuery::Fields;
@@ -36,11 +52,12 @@ offing::ocean::WaterQuery query_of(const OffingWaterQuery* given, bool wants_flo
           .fields = wants_flow ? Fields::surface_and_flow : Fields::surface};
 }
 
-/// What a field is of an offing::ocean::Ocean: a component of the velocity, foam, or a SeaField.
+/// Which component of the velocity a field is, 0 to 2; -1: none.
 constexpr int velocity_component(OffingField field) {
   return field >= OFFING_VELOCITY_X && field <= OFFING_VELOCITY_Z ? field - OFFING_VELOCITY_X : -1;
 }
 
+/// Throws Error(bad_usage) for foam, velocity and what is no field.
 SeaField surface_field(OffingField field) {
   switch (field) {
     case OFFING_DISPLACEMENT_X:
@@ -77,10 +94,7 @@ SeaField surface_field(OffingField field) {
 void read_fields(offing::ocean::Ocean& ocean, int cascade, std::span<const OffingField> fields,
                  float* const* values, std::size_t count) {
   const auto size = static_cast<std::size_t>(ocean.parameters().size);
-  if (count != size * size) {
-    throw Error(ErrorKind::bad_usage, fmt::format("count: expected {}, got {}", size * size, count),
-                "a map has offing_map_size() squared values");
-  }
+  offing::c::require_count("count", count, size * size);
   std::vector<SeaField> of_surface;
   std::vector<float*> targets;
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -90,14 +104,15 @@ void read_fields(offing::ocean::Ocean& ocean, int cascade, std::span<const Offin
     targets.push_back(values[i]);
   }
   ocean.read_fields(cascade, of_surface, targets);
+  std::optional<offing::ocean::VelocityFields> velocity;  // all three components are read together
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (fields[i] == OFFING_FOAM) {
       const std::vector<float> foam = ocean.read_foam(cascade);
       std::copy(foam.begin(), foam.end(), values[i]);
     } else if (const int component = velocity_component(fields[i]); component >= 0) {
-      const offing::ocean::VelocityFields velocity = ocean.read_velocity(cascade);
+      if (!velocity) velocity = ocean.read_velocity(cascade);
       const std::vector<float>& found =
-          *std::array{&velocity.x, &velocity.y, &velocity.z}.at(static_cast<std::size_t>(component));
+          *std::array{&velocity->x, &velocity->y, &velocity->z}.at(static_cast<std::size_t>(component));
       std::copy(found.begin(), found.end(), values[i]);
     }
   }
@@ -213,21 +228,7 @@ OffingStatus offing_sample_water(OffingWorld* world, const OffingWaterQuery* que
     const std::span places(reinterpret_cast<const offing::ocean::WaterPoint*>(points_m), count);
     const std::vector<offing::ocean::WaterSample> found =
         world->world.sample(places, query_of(query, wants_flow));
-    for (std::size_t i = 0; i < count; ++i) {
-      const offing::ocean::WaterSample& sample = found[i];
-      if (wanted.height_m != nullptr) wanted.height_m[i] = sample.height_m;
-      if (wanted.pressure_pa != nullptr) wanted.pressure_pa[i] = sample.pressure_pa;
-      if (wanted.residual_m != nullptr) wanted.residual_m[i] = sample.residual_m;
-      if (wanted.normal != nullptr) {
-        const auto normal = offing::ocean::normal_of(sample);
-        std::copy(normal.begin(), normal.end(), wanted.normal + 3 * i);
-      }
-      if (wanted.velocity_mps != nullptr) {
-        wanted.velocity_mps[3 * i] = sample.velocity_x_mps;
-        wanted.velocity_mps[3 * i + 1] = sample.velocity_y_mps;
-        wanted.velocity_mps[3 * i + 2] = sample.velocity_z_mps;
-      }
-    }
+    for (std::size_t i = 0; i < count; ++i) write_water(wanted, i, found[i]);
   });
 }
 
