@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <exception>
 #include <initializer_list>
 #include <memory>
@@ -16,10 +18,16 @@
 /// What the sources of offing._core share: calls of offing.h, handles, and arrays of numpy's.
 namespace nb = nanobind;
 
+/// A text as a str. Drivers and files give bytes that are not UTF-8, or texts that are cut within a letter.
+inline nb::object str_of(const char* text) {
+  return nb::steal(PyUnicode_DecodeUTF8(text, static_cast<Py_ssize_t>(std::strlen(text)), "replace"));
+}
+
 /// Raises the class of offing.errors that a status stands for.
 [[noreturn]] inline void raise(OffingStatus status) {
   const nb::object make = nb::module_::import_("offing.errors").attr("from_status");
-  const nb::object error = make(static_cast<int>(status), offing_last_error(), offing_last_hint());
+  const nb::object error =
+      make(static_cast<int>(status), str_of(offing_last_error()), str_of(offing_last_hint()));
   PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
   throw nb::python_error();
 }
@@ -79,10 +87,14 @@ class Watched {
   std::exception_ptr raised_;
 };
 
-/// A handle of offing.h and the call that frees it.
+/// A handle of offing.h and the call that frees it, without Python's lock: a thread that the call waits for
+/// may write to the log, whose callback takes the lock.
 template <class Handle, void (*free_handle)(Handle*)>
 struct Free {
-  void operator()(Handle* handle) const { free_handle(handle); }
+  void operator()(Handle* handle) const {
+    const nb::gil_scoped_release released;
+    free_handle(handle);
+  }
 };
 template <class Handle, void (*free_handle)(Handle*)>
 using Owned = std::unique_ptr<Handle, Free<Handle, free_handle>>;
@@ -103,6 +115,12 @@ inline nb::ndarray<nb::numpy, double> copied(const double* values, std::initiali
   auto array = new_array<double>(shape);
   std::copy(values, values + array.size(), array.data());
   return array;
+}
+
+/// Length of a picture's side in its array. Sizes that offing.h refuses make an empty array, for the call to
+/// refuse.
+inline std::size_t picture_side(int length_px) {
+  return length_px < 1 || length_px > 16384 ? 0 : static_cast<std::size_t>(length_px);
 }
 
 /// Points or directions [n, width] of the caller's, doubles.

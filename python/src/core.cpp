@@ -38,22 +38,18 @@ class Renderer {
 
   /// sRGB bytes.
   nb::ndarray<nb::numpy, std::uint8_t> render(double time_s, int width_px, int height_px) {
-    auto rgb = new_array<std::uint8_t>({side(height_px), side(width_px), 3});
+    auto rgb = new_array<std::uint8_t>({picture_side(height_px), picture_side(width_px), 3});
     draw(time_s, width_px, height_px, rgb.data(), nullptr);
     return rgb;
   }
   /// Linear light.
   nb::ndarray<nb::numpy, float> render_light(double time_s, int width_px, int height_px) {
-    auto light = new_array<float>({side(height_px), side(width_px), 3});
+    auto light = new_array<float>({picture_side(height_px), picture_side(width_px), 3});
     draw(time_s, width_px, height_px, nullptr, light.data());
     return light;
   }
 
  private:
-  /// Of the array for a picture: sizes that are none make an empty one and are refused by the call.
-  static std::size_t side(int length_px) {
-    return length_px < 1 || length_px > 16384 ? 0 : static_cast<std::size_t>(length_px);
-  }
   void draw(double time_s, int width_px, int height_px, std::uint8_t* rgb, float* light) {
     OffingPicture picture{};
     picture.size = sizeof picture;
@@ -86,7 +82,8 @@ void set_log(const nb::object& callback) {
         [](void*, OffingLogLevel level, const char* line) {
           const nb::gil_scoped_acquire acquired;
           try {
-            if (log_callback().is_valid()) log_callback()(static_cast<int>(level), line);
+            const nb::object callback = log_callback();  // which another thread may replace meanwhile
+            if (callback.is_valid()) callback(static_cast<int>(level), str_of(line));
           } catch (nb::python_error& error) {
             error.discard_as_unraisable("offing.set_log");
           }

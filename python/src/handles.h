@@ -13,16 +13,15 @@
 
 using Values = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using Table = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
-using Points = nb::ndarray<const double, nb::shape<-1, 2>, nb::c_contig, nb::device::cpu>;
 
 inline nb::dict dict_of(const OffingDeviceInfo& info) {
   nb::dict values;
   values["index"] = info.index;
-  values["name"] = info.name;
-  values["type"] = info.type;
-  values["vendor"] = info.vendor;
-  values["platform"] = info.platform;
-  values["driver"] = info.driver;
+  values["name"] = str_of(info.name);
+  values["type"] = str_of(info.type);
+  values["vendor"] = str_of(info.vendor);
+  values["platform"] = str_of(info.platform);
+  values["driver"] = str_of(info.driver);
   values["memory_bytes"] = info.memory_bytes;
   values["compute_units"] = info.compute_units;
   return values;
@@ -79,6 +78,8 @@ class Spectra {
                       const std::string& time_utc) {
     const std::size_t frequencies = frequencies_hz.size(),
                       directions = directions_rad ? directions_rad->size() : 0;
+    if (!energy && directions == 0)
+      throw nb::value_error("expected energy, or density with directions_rad, got neither");
     if (energy && energy->size() != frequencies)
       throw nb::value_error("energy: expected one value for each frequency");
     if (directions > 0 && (!density || density->shape(0) != frequencies || density->shape(1) != directions)) {
@@ -117,8 +118,8 @@ class Spectra {
     values["latitude_deg"] = found.latitude_deg;
     values["longitude_deg"] = found.longitude_deg;
     values["depth_m"] = found.depth_m;
-    values["station"] = found.station;
-    values["time_utc"] = found.time_utc;
+    values["station"] = str_of(found.station);
+    values["time_utc"] = str_of(found.time_utc);
     return values;
   }
   OffingSpectra* get() const { return spectra_.get(); }
@@ -235,7 +236,7 @@ class World {
   }
 
   /// (height, normal, velocity, pressure, residual); None for flow that is not wanted.
-  nb::tuple sample(const Points& points_m, double depth_m, double min_wavelength_m, bool wants_flow) {
+  nb::tuple sample(const Rows<2>& points_m, double depth_m, double min_wavelength_m, bool wants_flow) {
     const std::size_t count = points_m.shape(0);
     auto height = new_array<float>({count}), residual = new_array<float>({count}),
          normal = new_array<float>({count, 3});

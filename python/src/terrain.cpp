@@ -68,9 +68,9 @@ class Terrain {
     values["step_y"] = found.step_y;
     values["centre_latitude_deg"] = found.centre_latitude_deg;
     values["centre_longitude_deg"] = found.centre_longitude_deg;
-    values["coordinate_system"] = found.coordinate_system;
-    values["coordinate_system_wkt"] = found.coordinate_system_wkt;
-    values["format"] = found.format;
+    values["coordinate_system"] = str_of(found.coordinate_system);
+    values["coordinate_system_wkt"] = str_of(found.coordinate_system_wkt);
+    values["format"] = str_of(found.format);
     values["is_spacing_assumed"] = found.is_spacing_assumed != 0;
     return values;
   }

@@ -20,7 +20,7 @@ nb::dict body_poses(const World& of) {
   run([&] { return offing_read_body_poses(world, count, &poses); });
   nb::dict values;
   nb::list names;
-  for (std::size_t i = 0; i < count; ++i) names.append(offing_body_name(world, i));
+  for (std::size_t i = 0; i < count; ++i) names.append(str_of(offing_body_name(world, i)));
   values["name"] = names;
   values["mass_centre_m"] = place;
   values["turn"] = turn;
@@ -100,8 +100,7 @@ nb::tuple draw_clouds(const World& of, int width_px, int height_px) {
   run([&] { return offing_get_camera(of.get(), &wanted); });
   wanted.width_px = width_px;
   wanted.height_px = height_px;
-  const std::size_t width = width_px < 1 || width_px > 16384 ? 0 : static_cast<std::size_t>(width_px),
-                    height = height_px < 1 || height_px > 16384 ? 0 : static_cast<std::size_t>(height_px);
+  const std::size_t width = picture_side(width_px), height = picture_side(height_px);
   auto rgba = new_array<float>({height, width, 4}), distance = new_array<float>({height, width});
   run([&] { return offing_draw_clouds(of.get(), &wanted, rgba.data(), distance.data(), width * height); });
   return nb::make_tuple(rgba, distance);
@@ -112,7 +111,7 @@ nb::dict mesh_pose(const World& of, std::size_t mesh) {
   found.size = sizeof found;
   run([&] { return offing_get_mesh_pose(of.get(), mesh, &found); });
   nb::dict values;
-  values["name"] = offing_mesh_name(of.get(), mesh);
+  values["name"] = str_of(offing_mesh_name(of.get(), mesh));
   values["position_m"] = nb::make_tuple(found.position_m[0], found.position_m[1], found.position_m[2]);
   values["turn"] = nb::make_tuple(found.turn[0], found.turn[1], found.turn[2], found.turn[3]);
   return values;

@@ -91,6 +91,8 @@ class PartsTest(unittest.TestCase):
         self.assertEqual(light.shape, (18, 32, 4))
         self.assertGreater(light[..., 3].max(), 0.5)
         self.assertGreater(distance_m.max(), 100.0)
+        with self.assertRaisesRegex(offing.BadInput, "16384"):
+            clouds.draw(20000, 18)
 
     # Fails if highlights of a sphere are not on it.
     def test_highlights(self):
