@@ -4,6 +4,7 @@ import numpy as np
 import numpy.typing as npt
 
 from offing import _core
+from offing.arrays import rows
 from offing.device import Device
 from offing.world import World
 
@@ -33,7 +34,7 @@ class Clouds:
     def extinction(self, points_m: npt.ArrayLike, *, cell_m: float = 50.0) -> np.ndarray:
         """The extinction in 1/m at points [n, 3]: particles are laid on a grid of cells of cell_m, which keep their
         optical mass, and values between are trilinear."""
-        return _core.sample_clouds(self.world._world, np.atleast_2d(np.ascontiguousarray(points_m, dtype=np.float64)), cell_m)
+        return _core.sample_clouds(self.world._world, rows("points_m", points_m, 3), cell_m)
 
     def draw(self, width_px: int = 1280, height_px: int = 720) -> tuple[np.ndarray, np.ndarray]:
         """What the scene's camera sees of the clouds alone: light float32 [height, width, 4], linear Rec.709 in kcd/m^2,

@@ -73,7 +73,7 @@ class Scene:
         else:
             path = pathlib.Path(source)
             self._scene = _core.Scene.load(str(path))
-            self.values, self.folder = tomllib.loads(path.read_text(encoding="utf-8")), path.parent
+            self.values, self.folder = tomllib.loads(path.read_text(encoding="utf-8-sig")), path.parent
             return
         self.values.setdefault("version", 1)
         self._make()

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from offing import _core
+from offing.arrays import rows
 from offing.device import Device
 
 EARTH_RADIUS_M = 6371008.8  # mean
@@ -95,20 +96,20 @@ class Terrain:
 
     def sample(self, points_m: npt.ArrayLike, *, smooth_normals: bool = False) -> Ground:
         """The Ground at points [n, 2] of x and z. Smooth normals are of the posts around, without creases."""
-        return Ground(*self._terrain.sample(_rows(points_m, 2), smooth_normals))
+        return Ground(*self._terrain.sample(rows("points_m", points_m, 2), smooth_normals))
 
     def cast(self, origins_m: npt.ArrayLike, directions: npt.ArrayLike, *, limit_m: float = math.inf,
              smooth_normals: bool = False, earth_radius_m: float = 0.0, refraction: float = 0.0) -> Hits:
         """The Hits of rays from origins [n, 3] along unit directions [n, 3]."""
-        return Hits(*self._terrain.cast(_rows(origins_m, 3), _rows(directions, 3), limit_m, smooth_normals, earth_radius_m,
-                                        refraction))
+        return Hits(*self._terrain.cast(rows("origins_m", origins_m, 3), rows("directions", directions, 3), limit_m,
+                                        smooth_normals, earth_radius_m, refraction))
 
     def sight_lines(self, from_m: npt.ArrayLike, to_m: npt.ArrayLike, *, earth_radius_m: float = 0.0,
                     refraction: float = 0.13) -> SightLines:
         """The SightLines between places [n, 3], each x, z and the height above ground in m. One row in `from_m` stands
         for all of `to_m`."""
-        to_m = _rows(to_m, 3)
-        from_m = np.ascontiguousarray(np.broadcast_to(_rows(from_m, 3), to_m.shape))
+        to_m = rows("to_m", to_m, 3)
+        from_m = np.ascontiguousarray(np.broadcast_to(rows("from_m", from_m, 3), to_m.shape))
         return SightLines(*self._terrain.trace_sight_lines(from_m, to_m, earth_radius_m, refraction))
 
     def viewshed(self, x_m: float, z_m: float, *, observer_height_m: float = 1.7, target_height_m: float = 0.0,
@@ -118,12 +119,5 @@ class Terrain:
         return self._terrain.viewshed(x_m, z_m, observer_height_m, target_height_m, radius_m, earth_radius_m, refraction)
 
     def __repr__(self):
-        rows, columns = self.shape
-        return f"<offing.Terrain {columns} x {rows} posts on {self.device!r}>"
-
-
-def _rows(values, width):
-    values = np.atleast_2d(np.ascontiguousarray(values, dtype=np.float64))
-    if values.ndim != 2 or values.shape[1] != width:
-        raise ValueError(f"expected an array [n, {width}], got one of shape {values.shape}")
-    return values
+        count_of_rows, columns = self.shape
+        return f"<offing.Terrain {columns} x {count_of_rows} posts on {self.device!r}>"

@@ -5,7 +5,9 @@ from typing import NamedTuple
 import numpy as np
 
 from offing import _core
+from offing.arrays import rows
 from offing.device import Device
+from offing.errors import BadInput
 from offing.scene import Scene
 from offing.spectrum import Spectrum
 
@@ -49,8 +51,7 @@ class World:
         """The Water at points [n, 2] of x (east) and z (south) in m: all cascades and Gerstner waves. Velocity and
         pressure are those `depth_m` below the moving surface; without `flow` they are None, which is faster. Waves
         shorter than min_wavelength_m do not count, as for a large hull."""
-        points_m = np.atleast_2d(np.ascontiguousarray(points_m, dtype=np.float64))
-        return Water(*self._world.sample(points_m, depth_m, min_wavelength_m, flow))
+        return Water(*self._world.sample(rows("points_m", points_m, 2), depth_m, min_wavelength_m, flow))
 
     @property
     def size(self):
@@ -78,6 +79,12 @@ class World:
         """Enqueues the copy of a field of the surface to an array or buffer of PyOpenCL, of the context that the device
         was adopted from; [n, n] floats from index `first` on. No transfer, no wait: work in the same queue sees it."""
         buffer, offset = _buffer_of(target)
+        if hasattr(target, "base_data"):
+            room = first + self.size**2
+            if target.dtype != np.float32 or not target.flags.c_contiguous or target.size < room:
+                raise BadInput(f"target: expected a contiguous array of {room} float32 or more, "
+                               f"got {target.size} of {target.dtype}",
+                               f"make one with pyopencl.array.empty(queue, {room}, numpy.float32)")
         self._world.copy_field(_number_of(name), buffer, first + offset // 4, cascade)
 
     def sample_on_device(self, points, count, samples, *, depth_m=0.0, min_wavelength_m=0.0):

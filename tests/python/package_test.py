@@ -5,6 +5,7 @@ import pathlib
 import pickle
 import signal
 import threading
+import types
 import unittest
 
 import numpy as np
@@ -58,6 +59,21 @@ class WorldTest(unittest.TestCase):
         expected = self.world.sample(points).height_m
         for other in (points.tolist(), points.astype(np.float32), np.asfortranarray(points), points[::1]):
             np.testing.assert_array_equal(self.world.sample(other).height_m, expected)
+
+    # Fails if points of another shape raise a TypeError of the binding, which names no argument.
+    def test_points_have_two_columns(self):
+        for points in ([[1.0, 2.0, 3.0]], [1.0], np.zeros((2, 2, 2))):
+            with self.assertRaisesRegex(ValueError, "points_m"):
+                self.world.sample(points)
+
+    # Fails if floats are written into an array of another type, or beyond a part of an array.
+    def test_copies_into_arrays_that_fit_alone(self):
+        flags = types.SimpleNamespace(c_contiguous=True)
+        for size, dtype in ((64 * 64, np.float64), (64, np.float32)):
+            target = types.SimpleNamespace(
+                base_data=types.SimpleNamespace(int_ptr=0), offset=0, size=size, dtype=np.dtype(dtype), flags=flags)
+            with self.assertRaisesRegex(offing.BadInput, "4096 float32"):
+                self.world.copy_field("foam", target)
 
     # Fails if bad input raises anything but BadInput with a fix, or changes the world.
     def test_errors_are_exceptions_with_hints(self):
@@ -264,10 +280,11 @@ class SpectrumTest(unittest.TestCase):
             {"frequencies_hz": [0.1, 0.2], "directions_rad": [0.0, 1.0], "density": np.ones((2, 3))},
             {"frequencies_hz": [0.2, 0.1], "energy": [1.0, 1.0]},
             {"frequencies_hz": [0.1, 0.2], "energy": [1.0, -1.0]},
-            {"frequencies_hz": [0.1, 0.2]},
         ):
             with self.assertRaises(ValueError):
                 offing.Spectrum.from_arrays(**arguments)
+        with self.assertRaisesRegex(ValueError, "energy, or density"):
+            offing.Spectrum.from_arrays([0.1, 0.2])
 
 
 if __name__ == "__main__":
