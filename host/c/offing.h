@@ -1,21 +1,25 @@
 /** @file
- * Offing for programs in C and whatever can call C: a device, a scene, the world that it describes at any
- * time, the water at points of it, and its maps.
+ * Offing for C and for languages that call C. Open a device, load a scene and make its world. Then ask for
+ * water, terrain, bodies, clouds, highlights and pictures at any time.
  *
  * Axes: x east, y up, z south, right-handed; metres, seconds, radians.
  *
- * Every call that can fail returns an OffingStatus. When it is OFFING_BAD_INPUT, OFFING_BUSY or
- * OFFING_CANCELLED nothing was changed, and after any failure offing_last_error() says what was wrong and
- * offing_last_hint() how to fix it. No exception leaves a call. Settings of a scene that have no effect, or
- * less than asked, produce warnings in the log.
+ * Every call that can fail returns an OffingStatus. After a failure, offing_last_error() says what was wrong
+ * and offing_last_hint() how to fix it. OFFING_BAD_INPUT, OFFING_BUSY and OFFING_CANCELLED mean that nothing
+ * has changed. No exception leaves a call. Settings of a scene that have no effect produce warnings in the
+ * log.
  *
- * Structs that programs fill or read begin with `size`: set it to sizeof the struct. Later versions add
- * members at the end; zero stands for what a struct of an older version lacks.
+ * Structs begin with `size`, except OffingPoint, OffingQuery and OffingSample. Set it to sizeof the struct
+ * before each call. Later versions add members at the end. For a struct of an older version, the missing
+ * members are zero.
  *
- * Threads: devices, scenes, spectra and meshes may be used by several threads at once. A world or a terrain
- * may be used by any thread, but by one at a time: a call that finds another thread in a call with the same
- * handle returns OFFING_BUSY. Different worlds run on different threads at the same time, also on one device.
- * Do not free a handle while another thread uses it. */
+ * Arrays belong to the caller. [count][3] means `count` rows of three values, one row after the other. In a
+ * struct that says where a call writes, NULL means that you do not want this quantity.
+ *
+ * Threads: several threads may use a device, a scene, spectra or a mesh at once. A world, a terrain or a
+ * renderer takes calls from any thread, one at a time. If another thread is in a call with it, a call returns
+ * OFFING_BUSY. Worlds on one device may run in different threads. Do not free a handle or change a scene
+ * (offing_set_spectrum()) while another thread uses it. */
 #ifndef OFFING_H
 #define OFFING_H
 
@@ -26,20 +30,20 @@
 extern "C" {
 #endif
 
-/** Counted up when a call changes; what a program was compiled with. */
+/** Version of this header's calls. It grows when a released call changes. */
 #define OFFING_INTERFACE 1
 
 /** How a call ended. */
 typedef enum OffingStatus {
   OFFING_OK = 0,        /**< done */
-  OFFING_FAILED = 1,    /**< memory, a driver, a file that cannot be read */
-  OFFING_BAD_INPUT = 2, /**< an argument, a scene, a value out of range */
-  OFFING_NO_DEVICE = 3, /**< no OpenCL device of this name, or none at all */
-  OFFING_CANCELLED = 4, /**< a callback of the program asked to stop */
+  OFFING_FAILED = 1,    /**< out of memory, a driver's error, a file that cannot be read */
+  OFFING_BAD_INPUT = 2, /**< a wrong argument or scene, or a value out of range */
+  OFFING_NO_DEVICE = 3, /**< no such OpenCL device, or no OpenGL for a renderer */
+  OFFING_CANCELLED = 4, /**< interrupted before it was done */
   OFFING_BUSY = 5       /**< another thread is in a call with the same handle */
 } OffingStatus;
 
-/** An OpenCL device that is in use. */
+/** An open OpenCL device. */
 typedef struct OffingDevice OffingDevice;
 /** The settings of a scene file. */
 typedef struct OffingScene OffingScene;
@@ -52,58 +56,60 @@ typedef struct OffingMesh OffingMesh;
 
 /** The version of the library, as "1.2.3". */
 const char* offing_version(void);
-/** OFFING_INTERFACE of the library: a program checks that it is its own. */
+/** OFFING_INTERFACE of the library. Compare it with that of the header you compiled with. */
 int offing_interface(void);
 
-/** What went wrong in the last call of this thread that failed: one line, valid until the next one fails; ""
- * if none has failed. */
+/** What was wrong in this thread's last call that failed, in one line; "" if none has failed. Valid until
+ * another call of this thread fails. */
 const char* offing_last_error(void);
-/** How to fix it: one line, valid as long as offing_last_error(). */
+/** How to fix it, in one line, or "". Valid as long as offing_last_error(). */
 const char* offing_last_hint(void);
 
-/** What a line of the log is. */
+/** How severe a line of the log is. */
 typedef enum OffingLogLevel {
   OFFING_LOG_ERROR = 0,
   OFFING_LOG_WARNING = 1,
   OFFING_LOG_INFO = 2,
   OFFING_LOG_DEBUG = 3
 } OffingLogLevel;
-/** Takes one line, without its end; valid during the call. May be called by any thread, one at a time, and
- * must not call Offing. */
+/** Takes one line of the log, without a line break. The line is valid during the call. Any thread may call,
+ * one at a time. The callback must not call Offing. */
 typedef void (*OffingLog)(void* user, OffingLogLevel level, const char* line);
-/** From now on the log of the whole process goes to this callback; for NULL warnings and errors go to stderr,
- * as at first. */
+/** Sends the log of the whole process to this callback from now on. NULL restores the default: warnings and
+ * errors go to stderr. Call it while no other thread uses Offing. */
 OffingStatus offing_set_log(OffingLog log, void* user);
 
-/** What a device reports. Texts end with 0 and are cut to fit. */
+/** What a device reports. Texts are cut to fit and end with 0. */
 typedef struct OffingDeviceInfo {
   size_t size;           /**< sizeof(OffingDeviceInfo) */
-  int index;             /**< as offing_open_device() takes it */
-  int compute_units;     /**< cores, or what the driver calls so */
-  uint64_t memory_bytes; /**< that Offing uses at most */
+  int index;             /**< a selector for offing_open_device() */
+  int compute_units;     /**< as OpenCL counts them: the cores of a CPU */
+  uint64_t memory_bytes; /**< the device's global memory */
   char type[16];         /**< "cpu", "gpu", "accelerator" or "other" */
   char name[128], vendor[128], platform[128], driver[128];
 } OffingDeviceInfo;
-/** Fills the first `capacity` devices, each of whose sizes is set, and says in `count` how many there are.
- * OFFING_NO_DEVICE where there is none. */
+/** Writes at most `capacity` devices, and in `count` how many there are. Set `size` of each element first.
+ * Returns OFFING_NO_DEVICE if there is none. */
 OffingStatus offing_list_devices(OffingDeviceInfo* devices, size_t capacity, size_t* count);
 
-/** An OpenCL device by index, "cpu", "gpu" or a part of its name, as `offing devices` lists them; NULL or ""
- * for $OFFING_DEVICE, else the first GPU, else the CPU. */
+/** Opens a device by its index, "cpu", "gpu" or a part of its name; `offing devices` lists them. NULL or ""
+ * takes $OFFING_DEVICE, else the first GPU, else the CPU. */
 OffingStatus offing_open_device(const char* selector, OffingDevice** device);
-/** A device of the program's own: its cl_context and an in-order cl_command_queue of that context, which
- * Offing retains. Commands of both are then in one order. */
+/** Uses your own cl_context and an in-order cl_command_queue of it. Offing retains both, and enqueues its
+ * commands in your queue, so that they run in order with yours. */
 OffingStatus offing_adopt_device(void* context, void* queue, OffingDevice** device);
 /** What the device reports. */
 OffingStatus offing_get_device_info(const OffingDevice* device, OffingDeviceInfo* info);
-/** The cl_context and the cl_command_queue of a device, which live as long as it does; NULL for NULL. */
+/** The device's cl_context, valid until the device is closed; NULL for NULL. */
 void* offing_device_context(const OffingDevice* device);
+/** The device's cl_command_queue, valid until the device is closed; NULL for NULL. */
 void* offing_device_queue(const OffingDevice* device);
-/** Waits until everything that was enqueued on the device is done. */
+/** Waits until the device has done all enqueued commands. */
 OffingStatus offing_finish_device(const OffingDevice* device);
-/** As `offing devices` lists it; "" for NULL. Valid until the device is closed. */
+/** The device's name; "" for NULL. Valid until the device is closed. */
 const char* offing_device_name(const OffingDevice* device);
-/** Worlds made on it stay whole. NULL does nothing, here and below. */
+/** Closes the device. Worlds, terrains and renderers made on it stay valid. All calls that close or free
+ * accept NULL and then do nothing. */
 void offing_close_device(OffingDevice* device);
 
 /** How a program watches a call that takes long, and stops it. NULL for the struct or the callback: nobody
@@ -118,59 +124,61 @@ typedef struct OffingProgress {
 
 /** Reads a scene file (docs/scenes.md). */
 OffingStatus offing_load_scene(const char* file, OffingScene** scene);
-/** The same from text; file names in it are relative to `folder`, or to the working folder for NULL. */
+/** Reads a scene from text. File names in it are relative to `folder`; NULL is the working folder. */
 OffingStatus offing_parse_scene(const char* text, const char* folder, OffingScene** scene);
-/** Worlds made of it stay whole. */
+/** Frees the scene. Worlds and renderers made of it stay valid. */
 void offing_free_scene(OffingScene* scene);
 
 /** Wave spectra, one or many. */
 typedef struct OffingSpectra OffingSpectra;
 
-/** A wave spectrum. Between the frequencies energy is linear, outside them there is none. */
+/** A wave spectrum. Energy is linear between the frequencies and zero outside them. */
 typedef struct OffingSpectrum {
   size_t size;                  /**< sizeof(OffingSpectrum) */
   size_t frequency_count;       /**< 2 or more */
-  size_t direction_count;       /**< 0: the sea takes the spreading of the scene */
+  size_t direction_count;       /**< 0: the scene gives the spreading */
   const double* frequencies_hz; /**< [frequency_count], above 0, increasing */
-  const double* energy_m2phz;   /**< [frequency_count], variance density over frequency */
+  const double* energy_m2phz;   /**< [frequency_count], variance density, m^2/Hz */
   const double* directions_rad; /**< [direction_count], of travel, from +x (east) toward +z (south) */
   const double* density;        /**< [frequency_count][direction_count], m^2/Hz/rad */
-  double latitude_deg, longitude_deg, depth_m; /**< NaN where not known */
-  const char* station;                         /**< name of the place, "" where not known */
-  const char* time_utc;                        /**< such as "2020-06-08T03:50Z", "" where not known */
+  double latitude_deg, longitude_deg, depth_m; /**< NaN: not known */
+  const char* station;                         /**< name of the place; "": not known */
+  const char* time_utc;                        /**< such as "2020-06-08T03:50Z"; "": not known */
 } OffingSpectrum;
 
-/** All spectra of a file: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF. */
+/** Reads all spectra of a file: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF. */
 OffingStatus offing_read_spectra(const char* file, OffingSpectra** spectra);
-/** One spectrum from arrays, which are copied. With directions, of any order and at least two, energy is not
- * read; a part of the circle or uneven ones are laid on 360 directions. Where a density is negative, as
- * truncated Fourier series have it, each frequency keeps its energy and its first two circular moments, and
- * gets the spreading of maximum entropy. NULL for texts, and 0 for a depth,
- * stand for not known. */
+/** Makes one spectrum from arrays, which are copied. With directions, at least two in any order, `density` is
+ * read and `energy_m2phz` is not. Uneven directions, or those of a part of the circle, are resampled to 360
+ * directions. Truncated Fourier series have negative densities. Then each frequency keeps its energy and its
+ * first two circular moments, and takes the spreading of maximum entropy. A text of NULL or a depth of 0
+ * means not known. */
 OffingStatus offing_make_spectrum(const OffingSpectrum* spectrum, OffingSpectra** spectra);
-/** The spectrum of a scene's sea, without its swells, at these frequencies and at evenly spaced directions.
- */
+/** Tabulates the spectrum of a scene's sea, without swells, at these frequencies and at `direction_count`
+ * evenly spaced directions. With 0 directions it has energies alone. */
 OffingStatus offing_tabulate_spectrum(const OffingScene* scene, const double* frequencies_hz,
                                       size_t frequency_count, size_t direction_count,
                                       OffingSpectra** spectra);
-/** How many there are; 0 for NULL. */
+/** The number of spectra; 0 for NULL. */
 size_t offing_spectrum_count(const OffingSpectra* spectra);
-/** One of them; its arrays and texts live as long as `spectra`. */
+/** Describes one spectrum. Its arrays and texts are valid until `spectra` is freed. */
 OffingStatus offing_get_spectrum(const OffingSpectra* spectra, size_t index, OffingSpectrum* spectrum);
+/** Scenes that use one of the spectra stay valid. */
 void offing_free_spectra(OffingSpectra* spectra);
-/** From now on the sea of worlds made of this scene has this spectrum, in place of a model or a file. */
+/** Gives the scene's sea this spectrum in place of its model or file. Worlds that were made before keep
+ * theirs. */
 OffingStatus offing_set_spectrum(OffingScene* scene, const OffingSpectra* spectra, size_t index);
 
-/** Figures of a sea state. */
+/** Parameters of a sea state, from the spectral moments m0, m1, m2. */
 typedef struct OffingSeaState {
   size_t size;               /**< sizeof(OffingSeaState) */
   double hs_m;               /**< 4 sqrt(m0) */
   double tp_s;               /**< integral of E^4 df / integral of f E^4 df */
-  double tm01_s, tm02_s;     /**< m0 / m1, sqrt(m0 / m2) */
+  double tm01_s, tm02_s;     /**< m0 / m1 and sqrt(m0 / m2) */
   double mean_direction_rad; /**< of travel, 0 to 2 pi */
   double mss;                /**< mean square slope */
 } OffingSeaState;
-/** What the spectrum of a scene's sea asks for, without swells. */
+/** The sea state of the spectrum of a scene's sea, without swells. */
 OffingStatus offing_get_sea_state(const OffingScene* scene, OffingSeaState* state);
 
 /** What `offing ocean stats` finds (docs/ocean.md). Directions are of travel, 0 to 2 pi; mss is the mean
@@ -195,7 +203,7 @@ typedef struct OffingSeaStatistics {
 OffingStatus offing_measure_sea(const OffingDevice* device, const OffingScene* scene, int seeds,
                                 const OffingProgress* progress, OffingSeaStatistics* statistics);
 
-/** The world of a scene, at the scene's start; it keeps nothing of the handles. */
+/** Makes the world of a scene at the scene's start. You may then close the device and free the scene. */
 OffingStatus offing_make_world(const OffingDevice* device, const OffingScene* scene, OffingWorld** world);
 /** How a world is made; NULL and zeros: as by offing_make_world(). */
 typedef struct OffingWorldOptions {
@@ -206,20 +214,19 @@ typedef struct OffingWorldOptions {
  * sea are made without a call between. */
 OffingStatus offing_make_world_with(const OffingDevice* device, const OffingScene* scene,
                                     const OffingWorldOptions* options, OffingWorld** world);
-/** Frees what the world holds on host and device. */
+/** Frees the world and its memory on the device. */
 void offing_free_world(OffingWorld* world);
 
-/** One frame: brings the world to this time, -1e8 to 1e8 s, any order of times. What is sampled and read
- * below is of the last frame. */
+/** Computes one frame: the world at this time, -1e8 to 1e8 s. Times may come in any order. All calls below
+ * are about the last frame. */
 OffingStatus offing_frame(OffingWorld* world, double time_s);
 
-/** A vertical of the world. */
+/** A place in plan, where water is sampled. */
 typedef struct OffingPoint {
   double x_m, z_m; /**< within 2e7 m of the origin */
 } OffingPoint;
 
-/** What is asked at points. NULL stands for all zeros: velocity and pressure at the surface, every wave
- * counts. */
+/** Settings of offing_sample(). NULL stands for zeros: velocity and pressure at the surface, all waves. */
 typedef struct OffingQuery {
   double depth_m;          /**< of velocity and pressure, below the moving surface */
   double min_wavelength_m; /**< shorter waves do not count, as for a large hull */
@@ -234,19 +241,19 @@ typedef struct OffingSample {
   float residual_m;      /**< by how much the point was missed sideways; large where the surface folds */
 } OffingSample;
 
-/** The water at `count` points, the composed sea of all cascades and Gerstner waves. */
+/** Samples the water at `count` points: all cascades and Gerstner waves together. */
 OffingStatus offing_sample(OffingWorld* world, const OffingQuery* query, const OffingPoint* points,
                            size_t count, OffingSample* samples);
 
-/** What offing_sample_water() is asked. NULL and zeros: velocity and pressure at the surface, every wave
- * counts. */
+/** Settings of offing_sample_water(). NULL stands for zeros: velocity and pressure at the surface, all waves.
+ */
 typedef struct OffingWaterQuery {
   size_t size;             /**< sizeof(OffingWaterQuery) */
   double depth_m;          /**< of velocity and pressure, below the moving surface */
   double min_wavelength_m; /**< shorter waves do not count, as for a large hull */
 } OffingWaterQuery;
 
-/** Where offing_sample_water() writes, an array for each quantity; NULL: not wanted. */
+/** Where offing_sample_water() writes, an array for each quantity. */
 typedef struct OffingWater {
   size_t size;         /**< sizeof(OffingWater) */
   float* height_m;     /**< [count], of the surface */
@@ -256,19 +263,21 @@ typedef struct OffingWater {
   float* residual_m;   /**< [count], as in OffingSample */
 } OffingWater;
 
-/** As offing_sample(), with points [count][2] of x and z in m, and arrays of the caller's. Velocity and
- * pressure cost nothing where neither is wanted. */
+/** Samples the water as offing_sample() does, at points [count][2] of x and z in m. It is faster if neither
+ * velocity nor pressure is wanted. */
 OffingStatus offing_sample_water(OffingWorld* world, const OffingWaterQuery* query, const double* points_m,
                                  size_t count, const OffingWater* water);
 
-/** The same with cl_mem buffers of the device's context, without a transfer or a wait. In: `points`
- * [count] of two int32 tiles (x, z) and two floats (x, z): a place is 64 tile + float, m. Out: `samples`
- * [count] of eight floats: height m, slopes dh/dx and dh/dz, residual m, velocity x, y, z m/s, pressure Pa.
- */
+/** Enqueues the same with cl_mem buffers of the device's context, without a transfer or a wait.
+ *
+ * `points` [count] has two int32 tiles (x, z) and two floats (x, z); a coordinate is 64 tile + float, m.
+ * `samples` [count] gets eight floats: height m, slopes dh/dx and dh/dz, residual m, velocity x, y, z m/s,
+ * pressure Pa. */
 OffingStatus offing_sample_water_on_device(OffingWorld* world, const OffingWaterQuery* query, void* points,
                                            size_t count, void* samples);
 
-/** Maps of one cascade: a periodic patch of sea, without the waves that its scene's Gerstner waves carry. */
+/** Maps of one cascade, a periodic patch of sea. The scene's Gerstner waves are not in them. "At rest labels"
+ * means at the places where the water is at rest. */
 typedef enum OffingField {
   OFFING_DISPLACEMENT_X,          /**< m */
   OFFING_DISPLACEMENT_Y,          /**< m, the height */
@@ -286,117 +295,116 @@ typedef enum OffingField {
   OFFING_VELOCITY_Z               /**< m/s */
 } OffingField;
 
-/** How many cascades the sea has, 1 to 4. */
+/** The number of the sea's cascades, 1 to 4; 0 for NULL. */
 int offing_cascade_count(const OffingWorld* world);
-/** n: a map has n x n values. */
+/** n, where a map has n x n values; 0 for NULL. */
 int offing_map_size(const OffingWorld* world);
-/** Length of a cascade's patch, m; 0 for a cascade that there is not. */
+/** The side of a cascade's patch, m; 0 if there is no such cascade. */
 double offing_patch_length_m(const OffingWorld* world, int cascade);
-/** Values [n][n], row-major, row = z, column = x, the first one at label (0, 0). `count` must be n * n. */
+/** Reads a map: values [n][n], row = z, column = x, the first at label (0, 0). `count` must be n * n. */
 OffingStatus offing_read(OffingWorld* world, int cascade, OffingField field, float* values, size_t count);
-/** The same of several fields, values[i] of fields[i], each of `count` = n * n values: cheaper than one by
- * one. */
+/** Reads several maps at once, which is faster: values[i] gets fields[i], each of `count` = n * n values. */
 OffingStatus offing_read_fields(OffingWorld* world, int cascade, const OffingField* fields,
                                 size_t field_count, float* const* values, size_t count);
-/** Enqueues the copy of a map of n * n floats to a cl_mem of the device's context, from the float of index
- * `first` on: no transfer, no wait. */
+/** Enqueues the copy of a map to a cl_mem of the device's context, without a transfer or a wait. The buffer
+ * gets n * n floats from index `first` on. Foam and velocity cannot be copied so: use offing_read(). */
 OffingStatus offing_copy_field(OffingWorld* world, int cascade, OffingField field, void* buffer,
                                size_t first);
 
-/* Terrain. The north-west post of a map is at x = z = 0; x is east of it, z south, heights are the map's own.
- * Where no accuracy is stated, answers are in double precision. */
+/* Terrain. The north-west post of a map is at x = z = 0. Heights are those of the map. Results are in double
+ * precision unless a call states its accuracy. */
 
-/** How heights are packed into the samples of a file. */
+/** How a file encodes heights. */
 typedef enum OffingHeightEncoding {
-  OFFING_HEIGHTS_PLAIN = 0, /**< one band holds heights */
+  OFFING_HEIGHTS_PLAIN = 0, /**< heights in one band */
   OFFING_HEIGHTS_MAPBOX,    /**< 8-bit RGB: -10000 + 0.1 (65536 R + 256 G + B) m */
   OFFING_HEIGHTS_TERRARIUM  /**< 8-bit RGB: 256 R + G + B / 256 - 32768 m */
 } OffingHeightEncoding;
-/** Samples of a file without a header. */
+/** The type of the samples in a file without a header. */
 typedef enum OffingRawType {
-  OFFING_RAW_BY_NAME = 0, /**< unsigned 16 bits for .r16, floats for .r32 */
+  OFFING_RAW_BY_NAME = 0, /**< from the name: .r16 is unsigned 16-bit, .r32 float */
   OFFING_RAW_UNSIGNED_16,
   OFFING_RAW_SIGNED_16,
   OFFING_RAW_FLOAT_32
 } OffingRawType;
-/** What coordinates count in. */
+/** The unit of horizontal coordinates. */
 typedef enum OffingHorizontalUnit {
   OFFING_UNIT_OF_FILE = 0,
   OFFING_UNIT_METRE,
   OFFING_UNIT_DEGREE
 } OffingHorizontalUnit;
 
-/** How to read a height map. NULL and zeros stand for what the file says. */
+/** How to read a height map. NULL and zeros leave each setting to the file. */
 typedef struct OffingTerrainOptions {
   size_t size;                     /**< sizeof(OffingTerrainOptions) */
   double spacing_x_m, spacing_z_m; /**< between neighbouring posts */
-  double vertical_scale;           /**< metres a unit of the file; 0: 1 */
+  double vertical_scale;           /**< metres per unit of the file's heights; 0 stands for 1 */
   double offset_m;                 /**< added to the scaled height */
-  const double* nodata;            /**< a value, before any scale, that marks voids too; may be NaN */
-  const double* void_height_m;     /**< of voids; NULL: filled from their surroundings */
-  const char* reproject_to;        /**< resample to metres in this system: "utm", "EPSG:32719" */
-  int is_untrusted;                /**< 1: the file may lead to files in its folder and below alone */
-  int band;                        /**< of files with several, from 1 on; 0: the first */
+  const double* nodata;            /**< another value that marks voids, before scaling; may be NaN */
+  const double* void_height_m;     /**< height of voids; NULL: filled from around */
+  const char* reproject_to;        /**< system to resample to, in metres: "utm", "EPSG:32719" */
+  int is_untrusted;                /**< 1: the file may only refer to files in and below its folder */
+  int band;                        /**< counted from 1; 0: the first */
   OffingHeightEncoding encoding;
-  OffingHorizontalUnit horizontal_unit; /**< of files that name no coordinate system */
+  OffingHorizontalUnit horizontal_unit; /**< for files without a coordinate system */
   const char* exr_channel;              /**< NULL: the only one, or one of height, Y, Z, R */
-  int raw_columns, raw_rows;            /**< of files without a header (.r16, .r32, .raw, .bin) */
+  int raw_columns, raw_rows;            /**< for files without a header (.r16, .r32, .raw, .bin) */
   OffingRawType raw_type;
   int is_raw_big_endian;
 } OffingTerrainOptions;
 
-/** Reads a height map (docs/terrain.md lists the formats) and keeps it in memory and on the device. A map
- * that does not say how far apart its posts are produces a warning in the log. */
+/** Reads a height map and uploads it to the device. docs/terrain.md lists the formats. If nothing gives the
+ * spacing of the posts, it is taken as 1 m, with a warning in the log. */
 OffingStatus offing_open_terrain(const OffingDevice* device, const char* file,
                                  const OffingTerrainOptions* options, OffingTerrain** terrain);
-/** The same from heights [rows][columns] m, finite and within 1e6 m, which are copied. Row 0 is the north
- * edge, and there are 2 posts or more along both axes. */
+/** Makes a terrain from heights [rows][columns] m, which are copied. Heights are finite and within +-1e6 m.
+ * Row 0 is the north edge. There are at least 2 rows and 2 columns. */
 OffingStatus offing_make_terrain(const OffingDevice* device, const float* heights_m, int columns, int rows,
                                  double spacing_x_m, double spacing_z_m, OffingTerrain** terrain);
-/** Frees what the terrain holds on host and device. */
+/** Frees the terrain and its memory on the device. */
 void offing_free_terrain(OffingTerrain* terrain);
 
-/** What a terrain is. */
+/** What is known about a terrain. */
 typedef struct OffingTerrainInfo {
   size_t size;                     /**< sizeof(OffingTerrainInfo) */
   int columns, rows;               /**< of posts */
   double spacing_x_m, spacing_z_m; /**< between neighbouring posts */
-  double lowest_m, highest_m;      /**< of all posts, also of voids that were filled */
-  uint64_t void_posts;             /**< that had no height in the file */
-  /** Post (column, row) is at (origin_x + column step_x, origin_y + row step_y) of the map's own coordinate
-   * system, in its units. step_y is negative where rows go south. NaN where not known. */
+  double lowest_m, highest_m;      /**< of all posts, with filled voids */
+  uint64_t void_posts;             /**< posts without a height in the file */
+  /** Post (column, row) is at (origin_x + column * step_x, origin_y + row * step_y) in the map's coordinate
+   * system and its units. step_y is negative if rows go south. NaN: not known. */
   double origin_x, origin_y, step_x, step_y;
-  double centre_latitude_deg, centre_longitude_deg; /**< WGS 84; NaN where not known */
-  const char* coordinate_system;     /**< its name, "" where not known; lives as long as the terrain */
-  const char* coordinate_system_wkt; /**< as WKT, "" where not known; lives as long as the terrain */
-  const char* format;                /**< of the file, such as "GeoTIFF"; lives as long as the terrain */
-  int is_spacing_assumed;            /**< 1: nothing gives the spacing, so 1 m is assumed */
+  double centre_latitude_deg, centre_longitude_deg; /**< WGS 84; NaN: not known */
+  const char* coordinate_system;     /**< name; "": not known; valid until the terrain is freed */
+  const char* coordinate_system_wkt; /**< WKT; "": not known; valid until the terrain is freed */
+  const char* format;                /**< of the file, "GeoTIFF"; valid until the terrain is freed */
+  int is_spacing_assumed;            /**< 1: nothing gives the spacing; 1 m is assumed */
 } OffingTerrainInfo;
-/** What it is. */
+/** Describes the terrain. */
 OffingStatus offing_get_terrain_info(OffingTerrain* terrain, OffingTerrainInfo* info);
 
-/** Reads all posts: heights [rows][columns] m, and is_void [rows][columns], 1 where the file had no height
- * and one was filled in. NULL: not wanted. `count` must be rows * columns. */
+/** Reads all posts. Heights [rows][columns] are in m, with voids filled. is_void [rows][columns] is 1 for
+ * posts without a height in the file. Either may be NULL. `count` must be rows * columns. */
 OffingStatus offing_read_terrain(OffingTerrain* terrain, float* heights_m, uint8_t* is_void, size_t count);
 
-/** How questions about terrain are meant. NULL and zeros: normals of patches, flat ground. */
+/** Settings of terrain queries. NULL and zeros mean normals of patches and no curvature of the Earth. */
 typedef struct OffingTerrainQuery {
   size_t size;            /**< sizeof(OffingTerrainQuery) */
-  int has_smooth_normals; /**< 1: from the posts around, without creases; 0: of the bilinear patch itself */
-  /** Ground falls away below the start of a ray or a line of sight by (1 - refraction) d^2 / (2
-   * earth_radius_m) at a distance d in plan. 0: flat ground; 6371008.8 is the Earth's mean radius. */
+  int has_smooth_normals; /**< 1: interpolated from the posts around, without creases; 0: of the patch */
+  /** At a distance d in plan from the start of a ray or line of sight, the ground is lower by
+   * (1 - refraction) d^2 / (2 earth_radius_m). 0: a flat Earth. The Earth's mean radius is 6371008.8 m. */
   double earth_radius_m;
-  double refraction; /**< how light bends after it, 0 to 1; 0.13 is usual near the ground */
+  double refraction; /**< refraction coefficient, 0 to 1; 0.13 is usual near the ground */
 } OffingTerrainQuery;
 
-/** Where offing_sample_terrain() writes; NULL: not wanted. */
+/** Where offing_sample_terrain() writes. */
 typedef struct OffingTerrainSamples {
   size_t size;          /**< sizeof(OffingTerrainSamples) */
   double* height_m;     /**< [count]; NaN beyond the map */
   double* normal;       /**< [count][3], unit; NaN beyond the map */
-  uint8_t* is_measured; /**< [count]; 0 beyond the map, and where the height is made of filled voids */
+  uint8_t* is_measured; /**< [count]; 0 beyond the map, and where filled voids share in the height */
 } OffingTerrainSamples;
-/** The ground at points [count][2] of x and z in m. */
+/** Samples the terrain at points [count][2] of x and z in m. */
 OffingStatus offing_sample_terrain(OffingTerrain* terrain, const OffingTerrainQuery* query,
                                    const double* points_m, size_t count, const OffingTerrainSamples* samples);
 
@@ -404,160 +412,162 @@ OffingStatus offing_sample_terrain(OffingTerrain* terrain, const OffingTerrainQu
 typedef enum OffingHitKind {
   OFFING_HIT_NONE = 0,
   OFFING_HIT_SURFACE, /**< the surface, from above */
-  OFFING_HIT_SIDE,    /**< the map's edge, below the surface: ground is solid */
+  OFFING_HIT_SIDE,    /**< the map's edge, below the surface: the terrain is solid */
   OFFING_HIT_INSIDE   /**< nothing: the ray starts on or below the surface */
 } OffingHitKind;
 
-/** Where offing_cast_rays() writes; NULL: not wanted. */
+/** Where offing_cast_rays() writes. */
 typedef struct OffingHits {
   size_t size;        /**< sizeof(OffingHits) */
-  double* distance_m; /**< [count], along the ray; infinity: it hits nothing */
-  double* point_m;    /**< [count][3], as the map has heights; NaN where nothing is hit */
-  float* normal;      /**< [count][3], unit; NaN where nothing is hit */
+  double* distance_m; /**< [count], along the ray; infinity: nothing hit */
+  double* point_m;    /**< [count][3], y in heights of the map; NaN: nothing hit */
+  float* normal;      /**< [count][3], unit; NaN: nothing hit */
   uint8_t* kind;      /**< [count], an OffingHitKind */
 } OffingHits;
-/** What rays hit first: from origins [count][3] m along unit directions [count][3]. What lies beyond
- * limits_m [count] is not hit; NULL: no limits. An origin may be 2^22 cells from the map at most. Rays are
- * cast on the device: hits are right to 1e-3 cells across the surface and to 2^-23 of the way over the map.
- * Rays that touch the ground to less than 1e-4 cells may hit or miss it. */
+/** Finds what rays hit first. They go from origins [count][3] m along unit directions [count][3], at most
+ * limits_m [count]; NULL: no limits. Origins are within 2^22 cells of the map.
+ *
+ * The device casts the rays. A hit is within 1e-3 cells of the surface, and within 2^-23 of the ray's length
+ * over the map. Rays that pass the ground within 1e-4 cells may hit or miss it. */
 OffingStatus offing_cast_rays(OffingTerrain* terrain, const OffingTerrainQuery* query,
                               const double* origins_m, const double* directions, const double* limits_m,
                               size_t count, const OffingHits* hits);
 
-/** Where offing_trace_sight_lines() writes; NULL: not wanted. */
+/** Where offing_trace_sight_lines() writes. */
 typedef struct OffingSightLines {
   size_t size;         /**< sizeof(OffingSightLines) */
   uint8_t* is_visible; /**< [count], 1 or 0 */
   double* distance_m;  /**< [count], from end to end */
-  double* hidden_at_m; /**< [count], from the first end to what hides the other; NaN where visible */
-  double* hidden_by_m; /**< [count][3], the place of the ground there; NaN where visible */
+  double* hidden_at_m; /**< [count], from the first end to the ground that hides the other; NaN: visible */
+  double* hidden_by_m; /**< [count][3], the place of that ground; NaN: visible */
 } OffingSightLines;
-/** Lines of sight between ends [count][3]: x, z and the height above ground, each in m. Both lie on the map,
- * apart, and may lie on the ground. Ground within 2e-3 cells of an end hides nothing. As exact as
- * offing_cast_rays(). */
+/** Tests lines of sight between two ends. Each end of [count][3] is x, z and the height above ground, in m.
+ * Both ends are on the map, at different places, and may lie on the ground: ground within 2e-3 cells of an
+ * end hides nothing. The accuracy is that of offing_cast_rays(). */
 OffingStatus offing_trace_sight_lines(OffingTerrain* terrain, const OffingTerrainQuery* query,
                                       const double* from_m, const double* to_m, size_t count,
                                       const OffingSightLines* lines);
 
-/** Who looks, and at what. */
+/** Settings of a viewshed. */
 typedef struct OffingViewshed {
   size_t size;                       /**< sizeof(OffingViewshed) */
   double observer_x_m, observer_z_m; /**< on the map */
-  double observer_height_m;          /**< of the eye above the ground, 0 to 1e6 */
-  double target_height_m;            /**< of what is to be seen above the ground, 0 to 1e6 */
-  double radius_m;                   /**< in plan; what is beyond is not seen; 0: no limit */
-  double earth_radius_m, refraction; /**< as in OffingTerrainQuery, from the observer on */
+  double observer_height_m;          /**< of the eye above ground, 0 to 1e6 */
+  double target_height_m;            /**< of targets above ground, 0 to 1e6 */
+  double radius_m;                   /**< in plan; nothing beyond is seen; 0: no limit */
+  double earth_radius_m, refraction; /**< as in OffingTerrainQuery */
 } OffingViewshed;
-/** Which posts are seen: seen [rows][columns] becomes 255 where a post is visible, 0 where it is hidden, also
- * at voids that were filled. `count` must be rows * columns. Lines of sight follow the surface between
- * posts; 1e-5 of the posts, whose lines touch it to rounding, may differ from double precision. */
+/** Computes which posts an observer sees: seen [rows][columns] is 255 for visible posts, 0 for hidden ones.
+ * Filled voids count as posts. `count` must be rows * columns. Lines of sight are tested against the surface
+ * between posts. For 1e-5 of the posts, rounding may give another result than double precision. */
 OffingStatus offing_compute_viewshed(OffingTerrain* terrain, const OffingViewshed* viewshed, uint8_t* seen,
                                      size_t count);
 
-/* Floating bodies of a world: the [[body]] sections of its scene, in their order. Body axes: x forward, y up,
- * z to starboard, their origin in the mass centre. */
+/* Floating bodies of a world: the [[body]] sections of its scene, in order. Body axes are x forward, y up,
+ * z to starboard, with the origin in the mass centre. */
 
-/** How many there are; 0 for NULL. */
+/** The number of bodies; 0 for NULL. */
 size_t offing_body_count(const OffingWorld* world);
-/** The name of one in its scene; "" where it has none. Valid as long as the world. */
+/** A body's name in its scene; "" if it has none. Valid until the world is freed. */
 const char* offing_body_name(const OffingWorld* world, size_t body);
 
-/** Where offing_read_body_poses() writes; NULL: not wanted. */
+/** Where offing_read_body_poses() writes. */
 typedef struct OffingBodyPoses {
   size_t size;           /**< sizeof(OffingBodyPoses) */
   double* mass_centre_m; /**< [count][3], y above the water plane */
-  double* turn;          /**< [count][4], unit quaternion w, x, y, z from body axes to the world's */
+  double* turn;          /**< [count][4], unit quaternion w, x, y, z from body to world axes */
   double* velocity_mps;  /**< [count][3], of the mass centre, in world axes */
   double* spin_radps;    /**< [count][3], in body axes */
-  double* displaced_m3;  /**< [count], of water, a sub-step before */
+  double* displaced_m3;  /**< [count], volume of displaced water, one sub-step before */
 } OffingBodyPoses;
-/** Poses of all bodies at the time of the last frame. `count` must be offing_body_count(). Bodies are
- * simulated in sub-steps of 1/120 s; between states 1/30 s apart poses are interpolated. The same scene gives
- * the same poses, whatever frames were asked for. */
+/** Reads the poses of all bodies at the last frame. `count` must be offing_body_count(). Bodies are simulated
+ * in sub-steps of 1/120 s, and poses are interpolated between states 1/30 s apart. They do not depend on the
+ * frames that you asked for before. */
 OffingStatus offing_read_body_poses(OffingWorld* world, size_t count, const OffingBodyPoses* poses);
 
-/** Where offing_read_body_forces() writes; NULL: not wanted. Forces and moments are in world axes, moments
- * about the mass centre. */
+/** Where offing_read_body_forces() writes. Forces and moments are in world axes, moments about the mass
+ * centre. */
 typedef struct OffingBodyForces {
   size_t size;               /**< sizeof(OffingBodyForces) */
-  double* time_s;            /**< [1], the end of the sub-step that all are of */
-  float* pressure_n;         /**< [count][3], of the water's pressure */
+  double* time_s;            /**< [1], the end of the sub-step */
+  float* pressure_n;         /**< [count][3], force of pressure */
   float* pressure_moment_nm; /**< [count][3] */
-  float* drag_n;             /**< [count][3], of friction, drag and the waves that the hull makes */
+  float* drag_n;             /**< [count][3], force of friction, drag and the hull's own waves */
   float* drag_moment_nm;     /**< [count][3] */
-  float* displaced_m3;       /**< [count], of water */
-  float* wetted_m2;          /**< [count], of the hull */
+  float* displaced_m3;       /**< [count], volume of displaced water */
+  float* wetted_m2;          /**< [count], wetted area of the hull */
 } OffingBodyForces;
-/** What the water does to all bodies in the last sub-step that was simulated. Bodies are simulated ahead of
+/** Reads the forces of the water on all bodies in the last simulated sub-step. Bodies are simulated ahead of
  * frames: `time_s` is up to 0.14 s after the latest frame so far. `count` must be offing_body_count(). */
 OffingStatus offing_read_body_forces(OffingWorld* world, size_t count, const OffingBodyForces* forces);
 
-/* Clouds of a world, as they are at its last frame. A world without clouds has no particles, and its pictures
- * of clouds are empty. */
+/* Clouds of a world at its last frame. Without clouds there are no particles, and pictures of clouds are
+ * empty. */
 
-/** How many there are: those of [[cloud]] in their order, then those of the layers; 0 for NULL. */
+/** The number of clouds: those of [[cloud]] in order, then those of layers. 0 for NULL. */
 size_t offing_cloud_count(const OffingWorld* world);
-/** How many particles all of them have; 0 for NULL. */
+/** The number of particles of all clouds; 0 for NULL. */
 size_t offing_cloud_particle_count(const OffingWorld* world);
 
-/** Where offing_read_cloud_particles() writes; NULL: not wanted. */
+/** Where offing_read_cloud_particles() writes. */
 typedef struct OffingCloudParticles {
   size_t size;            /**< sizeof(OffingCloudParticles) */
-  double* place_m;        /**< [count][3], of the middle, to 1e-3 m within 8 km of the sky's origin */
+  double* place_m;        /**< [count][3], centres, to 1e-3 m within 8 km of the sky's origin */
   float* radius_m;        /**< [count] */
-  float* optical_mass_m2; /**< [count], its extinction (1/m) over its volume */
-  float* albedo;          /**< [count][3], of single scattering, linear Rec.709, 0 to 1 */
-  uint32_t* cloud;        /**< [count], which cloud it belongs to */
+  float* optical_mass_m2; /**< [count], extinction (1/m) integrated over the volume */
+  float* albedo;          /**< [count][3], single scattering albedo, linear Rec.709, 0 to 1 */
+  uint32_t* cloud;        /**< [count], index of its cloud */
   uint32_t* id;           /**< [count], unique within its cloud, the same in every frame */
 } OffingCloudParticles;
-/** The particles of all clouds. `count` must be offing_cloud_particle_count(). */
+/** Reads the particles of all clouds. `count` must be offing_cloud_particle_count(). */
 OffingStatus offing_read_cloud_particles(OffingWorld* world, size_t count,
                                          const OffingCloudParticles* particles);
 
-/** The extinction of the particles at points [count][3] m: extinction_per_m [count], 1/m. They are laid on a
- * grid of cells of cell_m, 0.001 to 1e5 m, whose cells keep their optical mass; between the middles of cells
- * it is trilinear. A particle smaller than a cell spreads over one. The grid is kept for calls about the same
- * frame. */
+/** Samples the extinction of the clouds at points [count][3] m: extinction_per_m [count], 1/m. The particles
+ * are rasterised to a grid with cells of cell_m, 0.001 to 1e5 m, which keeps their optical mass. Values
+ * between cell centres are trilinear. A particle smaller than a cell fills one. Calls about the same frame
+ * with the same cell_m share the grid. */
 OffingStatus offing_sample_clouds(OffingWorld* world, double cell_m, const double* points_m, size_t count,
                                   double* extinction_per_m);
 
-/** An eye and what it sees. */
+/** A camera. */
 typedef struct OffingCamera {
   size_t size;                       /**< sizeof(OffingCamera) */
-  double eye_m[3];                   /**< in the world */
+  double eye_m[3];                   /**< position in the world */
   double yaw_rad;                    /**< 0 along -z (north), growing toward +x (east) */
   double pitch_rad;                  /**< upward, -pi/2 to pi/2 */
-  double roll_rad;                   /**< of the head, clockwise */
+  double roll_rad;                   /**< the camera turns clockwise */
   double vertical_field_of_view_rad; /**< above 0, below pi */
-  int width_px, height_px;           /**< of the picture, 1 or more */
+  int width_px, height_px;           /**< of the picture, 1 to 16384 */
 } OffingCamera;
-/** The camera of the world's scene at the last frame. */
+/** The scene's camera at the last frame. */
 OffingStatus offing_get_camera(OffingWorld* world, OffingCamera* camera);
 
-/** What a camera sees of the clouds, as if nothing else were there: rgba_kcdpm2 [height][width][4], linear
- * Rec.709 in kcd/m^2, premultiplied, and opacity 0 to 1; distance_m [height][width], the mean distance of the
- * light, 0 where there is none. Row 0 is at the top. NULL: not wanted. `count` must be width * height.
- * `offing-view --compare-reference` holds such pictures against traced paths. */
+/** Draws the clouds alone as a camera sees them. Row 0 is at the top. `count` must be width * height.
+ *
+ * rgba_kcdpm2 [height][width][4] has premultiplied light, linear Rec.709 in kcd/m^2, and opacity 0 to 1.
+ * distance_m [height][width] has the mean distance of that light, 0 where there is none. Either may be NULL.
+ * `offing-view --compare-reference` compares such pictures with path tracing. */
 OffingStatus offing_draw_clouds(OffingWorld* world, const OffingCamera* camera, float* rgba_kcdpm2,
                                 float* distance_m, size_t count);
 
-/* Meshes of a world, the [[mesh]] sections of its scene in their order, and their highlights. */
+/* Meshes of a world, the [[mesh]] sections of its scene in order, and their highlights. */
 
-/** How many there are; 0 for NULL. */
+/** The number of meshes; 0 for NULL. */
 size_t offing_mesh_count(const OffingWorld* world);
-/** The name of one in its scene; "" where it has none. Valid as long as the world. */
+/** A mesh's name in its scene; "" if it has none. Valid until the world is freed. */
 const char* offing_mesh_name(const OffingWorld* world, size_t mesh);
 
-/** Where a mesh is: world = turn * mesh + position_m. */
+/** The pose of a mesh: world = turn * mesh + position_m. */
 typedef struct OffingMeshPose {
   size_t size;          /**< sizeof(OffingMeshPose) */
   double position_m[3]; /**< of the mesh's origin, in the world */
-  double turn[4];       /**< unit quaternion w, x, y, z from the mesh's axes to the world's */
+  double turn[4];       /**< unit quaternion w, x, y, z from mesh to world axes */
 } OffingMeshPose;
-/** Where a mesh is at the last frame. */
+/** The pose of a mesh at the last frame. */
 OffingStatus offing_get_mesh_pose(OffingWorld* world, size_t mesh, OffingMeshPose* pose);
 
-/** What a highlight's projector casts. */
+/** The texture of a highlight's projector. */
 typedef enum OffingTexture {
   OFFING_TEXTURE_DOT = 0,
   OFFING_TEXTURE_WINDOW,
@@ -565,20 +575,20 @@ typedef enum OffingTexture {
   OFFING_TEXTURE_RING,
   OFFING_TEXTURE_STREAK,
   OFFING_TEXTURE_HEART,
-  OFFING_TEXTURE_IMAGE,     /**< the picture of its rule */
-  OFFING_TEXTURE_NORMAL_MAP /**< the picture of its rule */
+  OFFING_TEXTURE_IMAGE,     /**< the image of its rule */
+  OFFING_TEXTURE_NORMAL_MAP /**< the normal map of its rule */
 } OffingTexture;
 
-/** Where offing_read_highlights() writes; NULL: not wanted. A projector is a box that casts its texture along
- * -normal onto its mesh. The texture reaches from -1 to 1 along right and up over width and height. Vectors
- * are in the mesh's axes (offing_get_mesh_pose()). */
+/** Where offing_read_highlights() writes. A projector is a box that casts its texture along -normal onto its
+ * mesh. Texture coordinates go from -1 to 1 along right over the width and along up over the height. Vectors
+ * are in mesh axes (offing_get_mesh_pose()). */
 typedef struct OffingHighlights {
   size_t size;        /**< sizeof(OffingHighlights) */
-  uint64_t* id;       /**< [count], the same through a sequence; copies of one highlight share it */
-  int32_t* rule;      /**< [count], which [[mesh.highlight]] it is drawn by; -1: none */
-  int32_t* copy;      /**< [count], of those that a rule splits it into */
-  int32_t* light;     /**< [count], which [[light]]; the one after the last is the sun; -1: a pin */
-  double* position_m; /**< [count][3], middle of the box */
+  uint64_t* id;       /**< [count], constant in a sequence; copies of a highlight share it */
+  int32_t* rule;      /**< [count], index of its [[mesh.highlight]]; -1: none */
+  int32_t* copy;      /**< [count], index of the copy, if its rule splits it */
+  int32_t* light;     /**< [count], index of its [[light]]; one past the last: the sun; -1: a pin */
+  double* position_m; /**< [count][3], centre of the box */
   double* right;      /**< [count][3], unit; right x up = normal */
   double* up;         /**< [count][3], unit */
   double* normal;     /**< [count][3], unit, out of the surface */
@@ -586,17 +596,18 @@ typedef struct OffingHighlights {
   double* height_m;   /**< [count], full, along up */
   double* opacity;    /**< [count], above 0, at most 1 */
   int32_t* texture;   /**< [count], an OffingTexture */
-  double* softness;   /**< [count], of a shape's rim, in half widths */
-  double* colour;     /**< [count][3], linear Rec.709, times that of the light */
+  double* softness;   /**< [count], of the shape's edge, in half widths */
+  double* colour;     /**< [count][3], linear Rec.709, a factor of the light's colour */
 } OffingHighlights;
-/** Finds the highlights of all meshes at the last frame, for the eye of the scene. They depend on that time
- * and on first_s alone: the time of the first frame of the sequence, not after it. Frames of one sequence
- * share a past, in which highlights keep their ids and nothing jumps. */
+/** Finds the highlights of all meshes at the last frame, for the scene's camera. `first_s` is the time of the
+ * sequence's first frame, not after the last frame. The highlights depend on these two times alone.
+ *
+ * Frames of one sequence share a history, so that highlights keep their ids and do not jump. The history is
+ * simulated: the first call takes time in proportion to the length of the sequence. */
 OffingStatus offing_find_highlights(OffingWorld* world, double first_s);
-/** How many a mesh has by the last offing_find_highlights(); 0 before one. */
+/** The number of highlights of a mesh by the last offing_find_highlights(); 0 before the first. */
 OffingStatus offing_count_highlights(OffingWorld* world, size_t mesh, size_t* count);
-/** The projectors of a mesh's highlights. `count` must be that of
- * offing_count_highlights(). */
+/** Reads the projectors of a mesh's highlights. `count` must be that of offing_count_highlights(). */
 OffingStatus offing_read_highlights(OffingWorld* world, size_t mesh, size_t count,
                                     const OffingHighlights* highlights);
 
@@ -676,23 +687,24 @@ OffingStatus offing_compute_curvatures(const OffingDevice* device, const OffingM
                                        const OffingCurvatureOptions* options, size_t count,
                                        const OffingCurvatures* curvatures);
 
-/** What draws pictures of a scene, with a world of its own. */
+/** Draws pictures of a scene. It has a world of its own. */
 typedef struct OffingRenderer OffingRenderer;
 
-/** A picture that is asked for, and where it goes; NULL: not wanted. */
+/** Size and time of a picture, and where offing_render() writes it. */
 typedef struct OffingPicture {
   size_t size;             /**< sizeof(OffingPicture) */
   int width_px, height_px; /**< 1 to 16384 */
-  double time_s;           /**< -1e8 to 1e8, any order of times */
+  double time_s;           /**< -1e8 to 1e8; times may come in any order */
   unsigned char* rgb;      /**< [height][width][3], sRGB, row 0 at the top */
   float* light;            /**< [height][width][3], linear Rec.709 in kcd/m^2, row 0 at the top */
 } OffingPicture;
 
-/** Needs OpenGL, but no display: OFFING_NO_DEVICE without it. The camera is the scene's. */
+/** Makes a renderer. It needs OpenGL but no display, and returns OFFING_NO_DEVICE without OpenGL. */
 OffingStatus offing_make_renderer(const OffingDevice* device, const OffingScene* scene,
                                   OffingRenderer** renderer);
-/** Draws the picture, as `offing-view --headless` does. Any thread may call, one at a time. */
+/** Draws what the scene's camera sees, as `offing-view --headless` does. */
 OffingStatus offing_render(OffingRenderer* renderer, const OffingPicture* picture);
+/** Frees the renderer with its world. */
 void offing_free_renderer(OffingRenderer* renderer);
 
 #ifdef __cplusplus
