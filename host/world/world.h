@@ -113,6 +113,11 @@ class World {
     return ocean().sample(points, query);
   }
 
+  /// The same into the caller's memory.
+  void sample(std::span<const ocean::WaterPoint> points, std::span<ocean::WaterSample> samples,
+              const ocean::WaterQuery& query = {}) {
+    ocean().sample(points, samples, query);
+  }
   /// The same for points and samples on the device: Ocean::sample().
   void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,
               ocl::Buffer<ocean::WaterSample>& samples, const ocean::WaterQuery& query = {}) {

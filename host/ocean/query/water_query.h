@@ -20,7 +20,7 @@ using WaterSample = SurfaceQuerySample;
 
 /// The unit normal (x, y, z) of the surface there, upward.
 inline std::array<float, 3> normal_of(const WaterSample& sample) {
-  const float length = std::hypot(sample.slope_x, 1.0f, sample.slope_z);
+  const float length = std::sqrt(sample.slope_x * sample.slope_x + 1.0f + sample.slope_z * sample.slope_z);
   return {-sample.slope_x / length, 1.0f / length, -sample.slope_z / length};
 }
 
