@@ -84,7 +84,7 @@ typedef struct OffingDeviceInfo {
   size_t size;           /**< sizeof(OffingDeviceInfo) */
   int index;             /**< a selector for offing_open_device() */
   int compute_units;     /**< as OpenCL counts them: the cores of a CPU */
-  uint64_t memory_bytes; /**< the device's global memory */
+  uint64_t memory_bytes; /**< global memory that Offing can use */
   char type[16];         /**< "cpu", "gpu", "accelerator" or "other" */
   char name[128], vendor[128], platform[128], driver[128];
 } OffingDeviceInfo;

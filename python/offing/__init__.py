@@ -1,7 +1,7 @@
 """Offing: calibrated seas, terrain and clouds on any OpenCL device.
 
-Axes: x east, y up, z south; metres, seconds, radians. Calls release Python's lock. Errors are exceptions of
-offing.errors with a hint.
+Axes are x east, y up, z south; units are metres, seconds, radians. Calls release Python's lock. Errors are exceptions of
+offing.errors, most with a hint. In shapes, n is the number of points or elements.
 """
 
 import atexit
@@ -27,8 +27,9 @@ LOG_LEVELS = ("error", "warning", "info", "debug")
 
 
 def set_log(callback):
-    """From now on lines of the log go to callback(level, line), level being one of offing.LOG_LEVELS; None: to stderr,
-    as at first. Call it before other threads use Offing."""
+    """Sends the log of the process to callback(level, line); level is one of offing.LOG_LEVELS. None restores the
+    default: warnings and errors go to stderr. The callback must not call Offing. Call set_log() while no other thread
+    uses Offing."""
     if callback is None:
         _core.set_log(None)
     else:

@@ -6,7 +6,7 @@ from offing.drivers import find_installed_drivers
 
 def list_devices() -> list[dict]:
     """All OpenCL devices of this machine: a list of dicts with index, name, type, vendor, platform, driver, memory_bytes
-    and compute_units. Raises NoDevice where there is none."""
+    and compute_units. Raises NoDevice if there is none."""
     find_installed_drivers()
     return _core.list_devices()
 
@@ -15,22 +15,22 @@ class Device:
     """An open OpenCL device. Threads may share one."""
 
     def __init__(self, selector: str | int | None = None):
-        """`selector` is an index, "cpu", "gpu" or a part of the name, as `list_devices()` gives them. None stands for
-        $OFFING_DEVICE, else the first GPU, else the CPU."""
+        """`selector` is "cpu", "gpu", or an index or part of a name from list_devices(). None takes $OFFING_DEVICE, else
+        the first GPU, else the CPU."""
         find_installed_drivers()
         self._device = _core.Device(None if selector is None else str(selector))
 
     @classmethod
     def adopt(cls, context, queue) -> "Device":
-        """The device of a context and an in-order command queue of PyOpenCL. Offing then works in that queue, and takes
-        arrays and buffers of that context."""
+        """Uses a context of PyOpenCL and an in-order command queue of it. Offing enqueues its commands in that queue, and
+        takes arrays and buffers of that context."""
         device = cls.__new__(cls)
         device._device = _core.Device.adopt(context.int_ptr, queue.int_ptr)
         return device
 
     @property
     def info(self) -> dict:
-        """What the device reports: a dict as those of list_devices()."""
+        """What the device reports: a dict as in list_devices()."""
         return self._device.info()
 
     @property
@@ -38,7 +38,7 @@ class Device:
         return self.info["name"]
 
     def finish(self) -> None:
-        """Waits until everything that was enqueued is done."""
+        """Waits until the device has done all enqueued commands."""
         self._device.finish()
 
     def __repr__(self):

@@ -1,4 +1,4 @@
-"""OpenCL drivers that pip has installed beside this Python, which the loader does not look for by itself."""
+"""Finds an OpenCL driver that pip installed. The OpenCL loader does not look for it there."""
 
 import functools
 import os
@@ -10,9 +10,9 @@ LIBRARY = pathlib.Path(sys.prefix) / "lib" / "libintelocl.so"  # of intel-opencl
 
 @functools.cache
 def find_installed_drivers():
-    """Makes the loader offer the driver from PyPI where the system has none. Variables that are set stay."""
+    """Makes the loader use the driver from PyPI if the system has none. Does nothing if a loader's variable is set."""
     if "OCL_ICD_VENDORS" in os.environ or "OCL_ICD_FILENAMES" in os.environ:
         return
     if LIBRARY.exists() and not any(pathlib.Path("/etc/OpenCL/vendors").glob("*.icd")):
-        # One loader reads the first, the other one the second.
+        # Each of the two common loaders reads one of these.
         os.environ["OCL_ICD_VENDORS"] = os.environ["OCL_ICD_FILENAMES"] = str(LIBRARY)

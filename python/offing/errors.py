@@ -1,8 +1,8 @@
-"""What calls raise."""
+"""Exceptions of Offing."""
 
 
 class Error(RuntimeError):
-    """A call failed. `str()` is one line with the reason; `hint` is one line with a fix, or empty."""
+    """A call failed. `message` is one line with the reason. `hint` is one line with a fix, or "". str() has both."""
 
     def __init__(self, message, hint=""):
         super().__init__(message if not hint else f"{message}\nhint: {hint}")
@@ -11,15 +11,15 @@ class Error(RuntimeError):
 
 
 class BadInput(Error, ValueError):
-    """An argument, a scene or a value out of range. Nothing has changed."""
+    """A wrong argument or scene, or a value out of range. Nothing has changed."""
 
 
 class NoDevice(Error):
-    """No OpenCL device of this name, or none at all."""
+    """No such OpenCL device, or no OpenGL for a picture."""
 
 
 class Cancelled(Error):
-    """A callback asked to stop."""
+    """A call was interrupted before it was done."""
 
 
 class Busy(Error):

@@ -13,7 +13,7 @@ from offing import _core
 
 
 def toml_value(value):
-    """A value as TOML; tables are inline."""
+    """A value as TOML, with inline tables."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, dict):
@@ -38,8 +38,7 @@ def toml_text(values):
 
 
 def merged(values, changes):
-    """A copy of nested dicts in which values of `changes` replace those of `values`, table by table. None removes a
-    key."""
+    """A copy of `values` in which `changes` replace values, table by table. None removes a key."""
     result = copy.deepcopy(values)
     for key, value in changes.items():
         if value is None:
@@ -53,12 +52,13 @@ def merged(values, changes):
 
 
 class Scene:
-    """The settings of a world. It does not change: with_values() and with_spectrum() give other scenes."""
+    """The settings of a world. A scene does not change; with_values() and with_spectrum() return new ones."""
 
     def __init__(self, source: "Scene | str | os.PathLike | dict | None" = None, *, folder: str | os.PathLike | None = None):
-        """`source` is the path of a scene file, the text of one, or a nested dict with its keys, such as
-        {"wind": {"speed_mps": 12}, "ocean": {"size": 256}}. None is a sea with the defaults. Names of files in text and
-        dicts are relative to `folder`, or to the working folder. Raises BadInput that names key and line."""
+        """`source` is the path of a scene file, its text, or a nested dict with its keys, such as
+        {"wind": {"speed_mps": 12}, "ocean": {"size": 256}}. None is a sea with the defaults. A str with "=" or a line
+        break is text; for such a path use pathlib.Path. File names in text and dicts are relative to `folder`, else to
+        the working folder. Raises BadInput, which names the key."""
         self._spectrum = None
         if source is None:
             source = {"ocean": {}}
@@ -84,22 +84,23 @@ class Scene:
             self._scene.set_spectrum(self._spectrum._spectra, self._spectrum._index)
 
     def with_values(self, changes: dict) -> "Scene":
-        """Another scene: values of a nested dict replace those of this one, None removes a key."""
+        """A new scene in which values of a nested dict replace those of this one. None removes a key."""
         scene = Scene.__new__(Scene)
         scene.values, scene.folder, scene._spectrum = merged(self.values, changes), self.folder, self._spectrum
         scene._make()
         return scene
 
     def with_spectrum(self, spectrum) -> "Scene":
-        """Another scene, whose sea has this Spectrum in place of a model or a file."""
+        """A new scene whose sea has this Spectrum in place of a model or a file."""
         scene = Scene.__new__(Scene)
         scene.values, scene.folder, scene._spectrum = self.values, self.folder, spectrum
         scene._make()
         return scene
 
     def sea_state(self) -> dict[str, float]:
-        """What the spectrum asks for, without swells: a dict of hs_m, tp_s (integral of E^4 df over that of f E^4 df),
-        tm01_s, tm02_s, mean_direction_rad (of travel, from east toward south) and mss, the mean square slope."""
+        """The sea state of the spectrum, without swells, as a dict of hs_m, tp_s, tm01_s, tm02_s, mean_direction_rad and
+        mss. tp_s is the integral of E^4 df over that of f E^4 df. The direction is of travel, from east toward south.
+        mss is the mean square slope."""
         return self._scene.sea_state()
 
     def __getstate__(self):

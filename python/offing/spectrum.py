@@ -1,4 +1,4 @@
-"""Wave spectra: files, arrays, models, and xarray data sets as wavespectra has them."""
+"""Wave spectra from files, arrays, models and xarray data sets of wavespectra."""
 
 import math
 import os
@@ -14,22 +14,24 @@ _integral = getattr(np, "trapezoid", None) or np.trapz
 
 
 class Spectrum:
-    """The energy of a sea over frequency and direction. It does not change.
+    """The energy of a sea over frequency and direction. A spectrum does not change. Its attributes:
 
-    frequencies_hz [nf]; energy [nf], m^2/Hz; directions_rad [nd], of travel, from +x (east) toward +z (south);
-    density [nf, nd], m^2/Hz/rad, None where the directions are not known; latitude_deg, longitude_deg and depth_m, NaN
-    where not known; station and time_utc, "" where not known. Between the frequencies energy is linear, outside there
-    is none.
+    frequencies_hz [nf]; energy is linear between them and zero outside.
+    energy [nf], m^2/Hz.
+    directions_rad [nd], of travel, from +x (east) toward +z (south); empty if not known.
+    density [nf, nd], m^2/Hz/rad; None if directions are not known.
+    latitude_deg, longitude_deg, depth_m: NaN if not known.
+    station, time_utc: "" if not known.
     """
 
     def __init__(self, spectra, index=0):
-        """Of the core's list of spectra; use the functions below."""
+        """Wraps one spectrum of the core's list. Use the class methods instead."""
         self._spectra, self._index = spectra, index
         self.__dict__.update(spectra.at(index))
 
     @classmethod
     def read(cls, file: str | os.PathLike) -> "list[Spectrum]":
-        """All spectra of a file, a list: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF, plain or compressed by gzip."""
+        """All spectra of a file, as a list: NDBC, WAVEWATCH III, SWAN, Datawell or NetCDF, also compressed by gzip."""
         spectra = _core.Spectra.read(str(file))
         return [cls(spectra, index) for index in range(len(spectra))]
 
@@ -38,10 +40,10 @@ class Spectrum:
                     directions_rad: npt.ArrayLike | None = None, density: npt.ArrayLike | None = None, *,
                     latitude_deg: float = math.nan, longitude_deg: float = math.nan, depth_m: float = math.nan,
                     station: str = "", time_utc: str = "") -> "Spectrum":
-        """A spectrum from arrays: `energy` [nf] alone, or `density` [nf, nd] at `directions_rad` [nd], which come in any
-        order. Directions of a part of the circle, or uneven ones, are laid on 360 directions. Where a density is
-        negative, as truncated Fourier series have it, each frequency keeps its energy and its first two circular
-        moments, and gets the spreading of maximum entropy."""
+        """A spectrum from arrays: `energy` [nf] alone, or `density` [nf, nd] at `directions_rad` [nd] in any order.
+        Uneven directions, or those of a part of the circle, are resampled to 360 directions. Truncated Fourier series
+        have negative densities. Then each frequency keeps its energy and its first two circular moments, and takes the
+        spreading of maximum entropy."""
         return cls(_core.Spectra.make(
             np.ascontiguousarray(frequencies_hz, dtype=np.float64),
             None if energy is None else np.ascontiguousarray(energy, dtype=np.float64),
@@ -51,8 +53,8 @@ class Spectrum:
 
     @classmethod
     def of_scene(cls, scene: Scene, frequencies_hz: npt.ArrayLike | None = None, directions: int = 36) -> "Spectrum":
-        """The spectrum of a scene's sea, without swells, at these frequencies and at evenly spaced directions; 0
-        directions leave them out."""
+        """The spectrum of a scene's sea, without swells, at these frequencies and at `directions` evenly spaced
+        directions. With 0 directions it has energies alone."""
         if frequencies_hz is None:
             frequencies_hz = np.geomspace(0.03, 1.0, 100)
         return cls(scene._scene.tabulate_spectrum(np.ascontiguousarray(frequencies_hz, dtype=np.float64), directions))
@@ -60,8 +62,8 @@ class Spectrum:
     @classmethod
     def model(cls, name: str, *, wind_speed_mps: float = 10.0, wind_direction_rad: float = 0.0,
               frequencies_hz: npt.ArrayLike | None = None, directions: int = 36, **values) -> "Spectrum":
-        """A spectrum by formula: "jonswap", "pm", "tma" or "phillips". `values` are further keys of [ocean], such as
-        fetch_m, depth_m and gamma. The wind blows to wind_direction_rad, from +x (east) toward +z (south)."""
+        """A model spectrum: "jonswap", "pm", "tma" or "phillips". `values` are other keys of [ocean], such as fetch_m,
+        depth_m and gamma. The wind blows toward wind_direction_rad, from +x (east) toward +z (south)."""
         wind = {"speed_mps": float(wind_speed_mps), "direction_deg": math.degrees(wind_direction_rad) % 360.0}
         return cls.of_scene(Scene({"wind": wind, "ocean": {"spectrum": name, **values}}), frequencies_hz, directions)
 
@@ -72,7 +74,7 @@ class Spectrum:
 
     @property
     def mean_direction_rad(self) -> float:
-        """Of travel, of the first circular moment of all energy; NaN where directions are not known."""
+        """Mean direction of travel, from the first circular moment of all energy; NaN if directions are not known."""
         if self.density is None:
             return math.nan
         by_direction = _integral(self.density, self.frequencies_hz, axis=0)
@@ -80,8 +82,8 @@ class Spectrum:
 
     @staticmethod
     def to_xarray(spectra: "Spectrum | list[Spectrum]"):
-        """The data set that wavespectra has: efth (time, freq, dir) in m^2/Hz/degree, dir being where waves come from,
-        degrees clockwise from north. `spectra` is a Spectrum or a list of them on one grid. Needs xarray."""
+        """A data set as wavespectra has it: efth (time, freq, dir) in m^2/Hz/degree. `dir` is where waves come from, in
+        degrees clockwise from north. `spectra` is a Spectrum, or a list on one grid. Needs xarray."""
         import xarray as xr
 
         spectra = [spectra] if isinstance(spectra, Spectrum) else list(spectra)
@@ -109,9 +111,9 @@ class Spectrum:
 
     @classmethod
     def from_xarray(cls, data) -> "list[Spectrum]":
-        """A list of spectra, one for each place along all dimensions but freq and dir, the last of these fastest. `data`
-        is a data set with efth, or efth itself, as wavespectra has it: m^2/Hz/degree by where waves come from, or m^2/Hz
-        without dir."""
+        """Spectra of a data set with efth, or of efth itself, as wavespectra has it. efth is in m^2/Hz/degree by the
+        direction that waves come from, or in m^2/Hz without `dir`. The list has one spectrum for each index along the
+        other dimensions, the last of them fastest."""
         efth = data["efth"] if hasattr(data, "data_vars") else data
         others = [name for name in efth.dims if name not in ("freq", "dir")]
         has_directions = "dir" in efth.dims

@@ -1,5 +1,5 @@
-// offing._core: the calls of offing.h for Python. The modules beside it make the classes that users see of
-// them.
+// offing._core: the calls of offing.h for Python. The modules in python/offing wrap them in the classes that
+// users see.
 #include <array>
 #include <cstdint>
 #include <memory>

@@ -1,4 +1,4 @@
-// Terrain: height maps, what is seen of them and from them.
+// Terrain: height maps, rays, lines of sight and viewsheds.
 #include <cstdint>
 #include <limits>
 
