@@ -14,7 +14,7 @@ ENVIRONMENT = {
     ),
     "OFFING_MODULE_PATH": (
         "help",
-        "Folder of the modules that read and write files of GDAL, OpenVDB, NetCDF and fonts. The default is the folder "
+        "Folder of the modules for GDAL, OpenVDB, NetCDF and fonts. The default is the folder "
         "offing beside the libraries.",
     ),
     "OFFING_SHAPE": ("device", "simd or workgroup: the family of kernels to use. The default suits the device."),
