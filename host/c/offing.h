@@ -39,7 +39,7 @@ typedef enum OffingStatus {
   OFFING_FAILED = 1,    /**< out of memory, a driver's error, a file that cannot be read */
   OFFING_BAD_INPUT = 2, /**< a wrong argument or scene, or a value out of range */
   OFFING_NO_DEVICE = 3, /**< no such OpenCL device, or no OpenGL for a renderer */
-  OFFING_CANCELLED = 4, /**< interrupted before it was done */
+  OFFING_CANCELLED = 4, /**< a callback of the program asked to stop */
   OFFING_BUSY = 5       /**< another thread is in a call with the same handle */
 } OffingStatus;
 
@@ -51,7 +51,7 @@ typedef struct OffingScene OffingScene;
 typedef struct OffingWorld OffingWorld;
 /** A height map on a device: the surface of bilinear patches between its posts. */
 typedef struct OffingTerrain OffingTerrain;
-/** Triangles of a surface; it does not change. */
+/** A triangle mesh. It does not change. */
 typedef struct OffingMesh OffingMesh;
 
 /** The version of the library, as "1.2.3". */
@@ -112,14 +112,15 @@ const char* offing_device_name(const OffingDevice* device);
  * accept NULL and then do nothing. */
 void offing_close_device(OffingDevice* device);
 
-/** How a program watches a call that takes long, and stops it. NULL for the struct or the callback: nobody
- * watches. The callback is called in the thread of the call, with the share that is done, from 0 to 1, never
- * less than before. It returns 0 to go on. For another number the call returns OFFING_CANCELLED. It must not
+/** Reports the progress of a long call, and can stop it. The struct or the callback may be NULL.
+ *
+ * The callback runs in the thread of the call. It gets the share that is done, from 0 to 1, which never
+ * decreases. It returns 0 to go on; after any other number the call returns OFFING_CANCELLED. It must not
  * free handles that the call uses. */
 typedef struct OffingProgress {
   size_t size;                               /**< sizeof(OffingProgress) */
   int (*callback)(void* user, double share); /**< 0: go on */
-  void* user;                                /**< what the callback gets */
+  void* user;                                /**< passed to the callback */
 } OffingProgress;
 
 /** Reads a scene file (docs/scenes.md). */
@@ -181,37 +182,37 @@ typedef struct OffingSeaState {
 /** The sea state of the spectrum of a scene's sea, without swells. */
 OffingStatus offing_get_sea_state(const OffingScene* scene, OffingSeaState* state);
 
-/** What `offing ocean stats` finds (docs/ocean.md). Directions are of travel, 0 to 2 pi; mss is the mean
- * square slope. */
+/** Statistics of a sea, as `offing ocean stats` prints them (docs/ocean.md). Directions are of travel, 0 to
+ * 2 pi; mss is the mean square slope. */
 typedef struct OffingSeaStatistics {
   size_t size; /**< sizeof(OffingSeaStatistics) */
-  /** What the spectrum asks for, without swells: offing_get_sea_state(). */
+  /** Of the spectrum, without swells, as from offing_get_sea_state(). */
   double asked_hs_m, asked_tp_s, asked_tm01_s, asked_tm02_s, asked_mean_direction_rad, asked_mss;
-  /** What is expected of the waves that the maps can hold, and of swells. */
+  /** Expected of the waves that the maps can hold and of swells. */
   double resolved_hs_m, resolved_tp_s, resolved_tm01_s, resolved_tm02_s, resolved_mean_direction_rad,
       resolved_mss;
-  /** Measured on the surface, means over the seeds. */
+  /** Measured on the surface, averaged over the seeds. */
   double hs_m, tp_s, tm01_s, tm02_s, mean_direction_rad, mss;
-  double skewness, kurtosis; /**< measured, of the height at rest labels; 0 and 3 for a Gaussian one */
-  double max_ka;             /**< measured, steepness k A that one wave in 90 exceeds */
+  double skewness, kurtosis; /**< measured, of heights at rest labels; 0 and 3 if Gaussian */
+  double max_ka;             /**< measured, steepness k A exceeded by one wave in 90 */
   double folded_share;       /**< measured, share of the surface that folds over itself */
-  /** Of measured means from resolved values, one standard deviation. */
+  /** Standard errors of measured from resolved values. */
   double hs_standard_error_m, tm02_standard_error_s, mean_direction_standard_error_rad;
 } OffingSeaStatistics;
-/** Measures the sea of a scene on its surface, with so many seeds, 1 to 100000, from the scene's own upward.
- * Takes time in proportion; 8 seeds are a good start. */
+/** Measures a scene's sea on its surface, averaged over seeds: `seeds` of them, 1 to 100000, counted up from
+ * the scene's seed. The time is in proportion to `seeds`; start with 8. `progress` may be NULL. */
 OffingStatus offing_measure_sea(const OffingDevice* device, const OffingScene* scene, int seeds,
                                 const OffingProgress* progress, OffingSeaStatistics* statistics);
 
 /** Makes the world of a scene at the scene's start. You may then close the device and free the scene. */
 OffingStatus offing_make_world(const OffingDevice* device, const OffingScene* scene, OffingWorld** world);
-/** How a world is made; NULL and zeros: as by offing_make_world(). */
+/** Settings of offing_make_world_with(). NULL and zeros are those of offing_make_world(). */
 typedef struct OffingWorldOptions {
   size_t size;                    /**< sizeof(OffingWorldOptions) */
-  const OffingProgress* progress; /**< NULL: nobody watches */
+  const OffingProgress* progress; /**< may be NULL */
 } OffingWorldOptions;
-/** As offing_make_world(), for worlds that take long. The callback is called while clouds grow; terrain and
- * sea are made without a call between. */
+/** Makes a world as offing_make_world() does, with progress. The callback runs while clouds grow, but not
+ * while terrain and sea are made. */
 OffingStatus offing_make_world_with(const OffingDevice* device, const OffingScene* scene,
                                     const OffingWorldOptions* options, OffingWorld** world);
 /** Frees the world and its memory on the device. */
@@ -612,48 +613,49 @@ OffingStatus offing_read_highlights(OffingWorld* world, size_t mesh, size_t coun
                                     const OffingHighlights* highlights);
 
 /* Meshes of files and arrays. The corners of a triangle are anticlockwise seen from outside. Triangles
- * without an area, repeated ones, borders and edges of three triangles are kept. */
+ * without an area, repeated triangles, borders and edges of three triangles are allowed. */
 
 /** How to read a mesh. NULL stands for zeros. */
 typedef struct OffingMeshOptions {
   size_t size;      /**< sizeof(OffingMeshOptions) */
-  int is_untrusted; /**< 1: the file may lead to files in its folder and below alone */
+  int is_untrusted; /**< 1: the file may only refer to files in and below its folder */
 } OffingMeshOptions;
-/** Reads a mesh: OBJ, PLY, OFF, STL or glTF. Vertices and triangles are in the order of the file, polygons
- * are cut into triangles, and corners of an STL at one place become one vertex. What a mesh cannot hold
- * produces a warning in the log. */
+/** Reads a mesh: OBJ, PLY, OFF, STL or glTF. Vertices and triangles are in the order of the file. Polygons
+ * become triangles. Corners of an STL at the same place become one vertex. If parts of the file are left
+ * out, the log has a warning. */
 OffingStatus offing_open_mesh(const char* file, const OffingMeshOptions* options, OffingMesh** mesh);
-/** The same from vertices [vertex_count][3] m, finite and within 1e30 m, and triangles [triangle_count][3] of
- * vertices counted from 0 on, at least one. Both are copied. */
+/** Makes a mesh from vertices [vertex_count][3] m, finite and within +-1e30 m, and at least one triangle.
+ * Triangles [triangle_count][3] are indices of vertices from 0 on. Both arrays are copied. */
 OffingStatus offing_make_mesh(const double* vertices_m, size_t vertex_count, const uint32_t* triangles,
                               size_t triangle_count, OffingMesh** mesh);
+/** Frees the mesh. */
 void offing_free_mesh(OffingMesh* mesh);
 
-/** What a mesh is. */
+/** What is known about a mesh. */
 typedef struct OffingMeshInfo {
   size_t size; /**< sizeof(OffingMeshInfo) */
   size_t vertex_count, triangle_count;
   double lowest_m[3], highest_m[3]; /**< the box around all vertices */
-  const char* format; /**< of the file, such as "OBJ"; "" of arrays; lives as long as the mesh */
+  const char* format; /**< of the file, such as "OBJ"; "" for arrays; valid until the mesh is freed */
 } OffingMeshInfo;
-/** What it is. */
+/** Describes the mesh. */
 OffingStatus offing_get_mesh_info(const OffingMesh* mesh, OffingMeshInfo* info);
-/** Reads vertices [vertex_count][3] m and triangles [triangle_count][3]. NULL: not wanted. Counts must be
- * those of offing_get_mesh_info(), or 0 where the array is not wanted. */
+/** Reads vertices [vertex_count][3] m and triangles [triangle_count][3]. Either may be NULL, with a count of
+ * 0. Other counts must be those of offing_get_mesh_info(). */
 OffingStatus offing_read_mesh(const OffingMesh* mesh, double* vertices_m, size_t vertex_count,
                               uint32_t* triangles, size_t triangle_count);
-/** Writes what the name says: .ply, .obj, .off or .stl, with the normals of the file that was read, but for
- * .off and .stl. An existing file is kept, and the call returns OFFING_BAD_INPUT, unless `replace` is 1. */
+/** Writes a .ply, .obj, .off or .stl file, by its name. .ply and .obj keep the normals of the file that was
+ * read. If the file exists and `replace` is 0, the call returns OFFING_BAD_INPUT and keeps it. */
 OffingStatus offing_save_mesh(const OffingMesh* mesh, const char* file, int replace);
 
-/** How offing_compute_curvatures() works. NULL and zeros: 3 rounds. */
+/** Settings of offing_compute_curvatures(). NULL and zeros mean 3 rounds. */
 typedef struct OffingCurvatureOptions {
   size_t size; /**< sizeof(OffingCurvatureOptions) */
-  int rounds;  /**< of averages with neighbours, 1 to 1000; more smooth a noisy surface */
+  int rounds;  /**< averages with neighbours, 1 to 1000; more suit a noisy surface */
 } OffingCurvatureOptions;
-/** Where offing_compute_curvatures() writes; NULL: not wanted. Curvatures are positive where the surface is
- * convex seen from outside: both are 1/r on a sphere of radius r. Directions are lines: their sign means
- * nothing. Curvatures, vectors and confidence are 0 where a vertex has no triangle with an area. */
+/** Where offing_compute_curvatures() writes. Curvatures are positive where the surface is convex: both are
+ * 1/r on a sphere of radius r. The sign of a direction has no meaning. Curvatures, vectors and confidence are
+ * 0 at vertices without a triangle that has an area. */
 typedef struct OffingCurvatures {
   size_t size;         /**< sizeof(OffingCurvatures) */
   double* k_max_per_m; /**< [count], the largest curvature, 1/m */
@@ -661,17 +663,17 @@ typedef struct OffingCurvatures {
   double* e_max;       /**< [count][3], unit direction of the largest */
   double* e_min;       /**< [count][3], unit direction of the smallest */
   double* normal;      /**< [count][3], unit, outward: e_max x e_min */
-  double* area_m2;     /**< [count], a third of the triangles around */
-  double* confidence;  /**< [count], 0 to 1: how far to trust directions; near 0 on spheres */
+  double* area_m2;     /**< [count], a third of the area of the triangles around */
+  double* confidence;  /**< [count], 0 to 1, of directions; near 0 on spheres */
 } OffingCurvatures;
-/** Curvatures at all vertices. `count` must be the mesh's vertex_count. Vertices at exactly the same place
- * count as one. Angles at edges are averaged with those of neighbours, as method `diffused` of `offing-mesh
- * curvature` does, on the device in single precision.
+/** Computes curvatures at all vertices. `count` must be the mesh's vertex_count. Vertices at the same place
+ * count as one. Angles at edges are averaged with those of neighbours, as by the method `diffused` of
+ * `offing-mesh curvature`, on the device in single precision.
  *
- * Measured errors with 3 rounds, mean and largest. Those of curvatures are in % of the larger one at a
- * vertex. Those of e_max are where both differ by a tenth or more. "Moved" vertices lie up to a quarter of an
- * edge along the surface from where an icosphere, stretched to half axes of 1 : 0.75 : 0.5 for ellipsoids,
- * has them.
+ * The table has measured errors with 3 rounds, mean and largest. Errors of curvatures are in % of the larger
+ * curvature at a vertex. Errors of e_max are at vertices where the curvatures differ by a tenth or more. The
+ * meshes are icospheres. Ellipsoids are stretched to half axes of 1 : 0.75 : 0.5. "Moved" vertices are moved
+ * along the surface by up to a quarter of an edge.
  *
  *     mesh                        vertices   curvatures %   e_max, deg   normal, deg
  *     sphere                        10,242     0.1,  1.4                   0.04, 0.2

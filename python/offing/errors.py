@@ -19,7 +19,7 @@ class NoDevice(Error):
 
 
 class Cancelled(Error):
-    """A call was interrupted before it was done."""
+    """A callback asked to stop."""
 
 
 class Busy(Error):

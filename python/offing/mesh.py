@@ -1,4 +1,4 @@
-"""Meshes: triangles from files and arrays, and how their surface bends."""
+"""Meshes: triangles from files and arrays, and their curvatures."""
 
 import os
 from typing import NamedTuple
@@ -11,27 +11,27 @@ from offing.errors import BadInput
 
 
 class Curvature(NamedTuple):
-    """How a surface bends at its vertices. Curvatures are positive where it is convex seen from outside: both are 1/r on a
-    sphere of radius r. Directions are lines: their sign means nothing. Curvatures, vectors and confidence are 0 where a
-    vertex has no triangle with an area."""
+    """Curvatures of a surface at its vertices. They are positive where it is convex: both are 1/r on a sphere of radius r.
+    The sign of a direction has no meaning. Curvatures, vectors and confidence are 0 at vertices without a triangle that
+    has an area."""
 
     k_max_per_m: np.ndarray  # [n], the largest curvature, 1/m
     k_min_per_m: np.ndarray  # [n], the smallest curvature, 1/m
     e_max: np.ndarray  # [n, 3], unit direction of the largest
     e_min: np.ndarray  # [n, 3], unit direction of the smallest
     normal: np.ndarray  # [n, 3], unit, outward: e_max x e_min
-    area_m2: np.ndarray  # [n], a third of the triangles around
-    confidence: np.ndarray  # [n], 0 to 1: how far to trust directions; near 0 on spheres
+    area_m2: np.ndarray  # [n], a third of the area of the triangles around
+    confidence: np.ndarray  # [n], 0 to 1, of directions; near 0 on spheres
 
 
 class Mesh:
-    """Triangles of a surface, whose corners are anticlockwise seen from outside. A mesh does not change: threads may share
-    it."""
+    """A triangle mesh. Corners of triangles are anticlockwise seen from outside. A mesh does not change, so that threads
+    may share it."""
 
     def __init__(self, source, triangles=None, *, untrusted=False):
-        """`source` is the name of a file (OBJ, PLY, OFF, STL, glTF), or vertices [n, 3] in m; `triangles` [m, 3] are then
-        indices of vertices from 0 on. Polygons of a file are cut into triangles. An untrusted file may lead to files in its
-        folder and below alone."""
+        """`source` is the path of a file (OBJ, PLY, OFF, STL, glTF), or vertices [n, 3] in m. With vertices, `triangles`
+        [m, 3] has indices of vertices from 0 on. Polygons of a file become triangles. An untrusted file may only refer to
+        files in and below its folder."""
         if isinstance(source, (str, os.PathLike)):
             if triangles is not None:
                 raise ValueError("triangles: expected None beside a file")
@@ -44,33 +44,33 @@ class Mesh:
 
     @property
     def info(self):
-        """What the mesh is: a dict of vertices and triangles (how many), lowest_m and highest_m (x, y, z of the box around
-        all vertices), and format, which is "" for arrays."""
+        """What is known about the mesh, as a dict: vertices and triangles (their numbers), lowest_m and highest_m (x, y, z of
+        the box around all vertices), and format, which is "" for arrays."""
         return self._mesh.info()
 
     @property
     def vertices_m(self):
-        """The places of vertices, float64 [n, 3], m: a copy."""
+        """A copy of the vertices, float64 [n, 3], m."""
         return self._mesh.read()[0]
 
     @property
     def triangles(self):
-        """The vertices of triangles, uint32 [m, 3]: a copy."""
+        """A copy of the triangles, uint32 [m, 3]: indices of vertices."""
         return self._mesh.read()[1]
 
     def curvature(self, *, device=None, rounds=3):
-        """The Curvature at all vertices, computed on a device (a Device, or what Device() takes). Angles at edges are
-        averaged with those of neighbours for some rounds, 1 to 1000: more smooth a noisy surface.
+        """The Curvature at all vertices, computed on a Device or what Device() takes. Angles at edges are averaged with those
+        of neighbours in `rounds`, 1 to 1000; more suit a noisy surface.
 
         Measured errors of curvatures in % of the larger one at a vertex, mean and largest: 0.1 and 1.4 on an icosphere of
         10,242 vertices, 0.5 and 4.8 on an uneven ellipsoid of as many, 3.4 and 18 on one of 642. Noise off the surface of
-        0.02 edges costs 5 and 46, with 10 rounds 1.4 and 8.6. offing.h has errors of directions and normals.
+        0.02 edges raises them to 5 and 46, or with 10 rounds to 1.4 and 8.6. offing.h has errors of directions and normals.
         """
         device = device if isinstance(device, Device) else Device(device)
         return Curvature(*self._mesh.curvature(device._device, rounds))
 
     def save(self, file, *, replace=False):
-        """Writes what the name says: .ply, .obj, .off or .stl. An existing file raises BadInput unless `replace` is True."""
+        """Writes a .ply, .obj, .off or .stl file, by its name. Raises BadInput if the file exists, unless `replace` is True."""
         self._mesh.save(os.fspath(file), replace)
 
     def __repr__(self):
@@ -85,7 +85,7 @@ def _table(name, values):
 
 
 def _indices(triangles, vertices):
-    """As unsigned numbers of 32 bits, to which numpy would wrap any others."""
+    """Triangles as uint32. Checked first, because numpy would wrap negative and larger numbers."""
     if not np.issubdtype(triangles.dtype, np.integer):
         raise ValueError(f"triangles: expected whole numbers, got {triangles.dtype}")
     is_outside = ((triangles < 0) | (triangles >= vertices)).any(axis=1)

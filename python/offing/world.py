@@ -138,9 +138,9 @@ class World:
         return self.scene.sea_state()
 
     def stats(self, seeds=8, *, progress=None):
-        """What the surface of the sea has, averaged over so many seeds, as `offing ocean stats --json` finds it: a dict of
-        "asked" (by the spectrum, without swells), "resolved" (expected of the waves that the fields hold and of swells),
-        "measured" and "standard_error" (of measured from resolved), each a dict. Directions are in degrees, of travel from
+        """Statistics of the sea, averaged over `seeds` seeds, with the names of `offing ocean stats --json`. The dict has four
+        dicts: "asked" (of the spectrum, without swells), "resolved" (expected of the waves that the fields hold and of
+        swells), "measured", and "standard_error" (of measured from resolved). Directions are of travel, in degrees from
         east toward south. progress(share) is as in World()."""
         return self.scene._scene.measure(self.device._device, seeds, progress)
 

@@ -45,9 +45,8 @@ void run(const Call& call) {
   if (status != OFFING_OK) raise(status);
 }
 
-/// A call that a Python callable watches; None: nobody does. What the callable raises stops the call and
-/// comes out of it, as an interrupt by the keyboard does without a callable; False stops it with
-/// offing.Cancelled.
+/// A call with progress for a Python callable, or None. False from the callable stops the call with
+/// offing.Cancelled. An exception from it, or an interrupt by the keyboard, stops the call and is raised.
 class Watched {
  public:
   explicit Watched(nb::object callable) : callable_(std::move(callable)) {

@@ -35,7 +35,7 @@ class Mesh {
     values["triangles"] = found.triangle_count;
     values["lowest_m"] = copied(found.lowest_m, {3});
     values["highest_m"] = copied(found.highest_m, {3});
-    values["format"] = found.format;
+    values["format"] = str_of(found.format);
     return values;
   }
   /// (vertices, triangles)
