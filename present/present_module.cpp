@@ -19,14 +19,13 @@
 namespace offing::present {
 namespace {
 
-/// A thread that does what other threads ask of it, one thing at a time: OpenGL's contexts belong to a
-/// thread.
-class Servant {
+/// A thread that runs the tasks of other threads, one at a time: a context of OpenGL belongs to one thread.
+class TaskThread {
  public:
-  Servant() : thread_([this] { serve(); }) {}
-  Servant(const Servant&) = delete;
-  Servant& operator=(const Servant&) = delete;
-  ~Servant() {
+  TaskThread() : thread_([this] { serve(); }) {}
+  TaskThread(const TaskThread&) = delete;
+  TaskThread& operator=(const TaskThread&) = delete;
+  ~TaskThread() {
     {
       const std::lock_guard lock(mutex_);
       is_ending_ = true;
@@ -35,7 +34,7 @@ class Servant {
     thread_.join();
   }
 
-  /// Returns when the thread has done it; throws what it threw.
+  /// Waits for the task; throws what it threw. One caller at a time.
   void run(std::function<void()> task) {
     std::unique_lock lock(mutex_);
     task_ = std::move(task);
@@ -76,11 +75,11 @@ class Servant {
 class Renderer : public scene::SceneRenderer {
  public:
   Renderer(const scene::Scene& scene, const ocl::DeviceInfo& device) {
-    servant_.run(
+    task_thread_.run(
         [&] { images_.emplace(scene, device, frame_settings(Detail::high, std::nullopt), cancel_); });
   }
   ~Renderer() override {
-    servant_.run([this] { images_.reset(); });
+    task_thread_.run([this] { images_.reset(); });
   }
 
   void draw(const scene::PictureRequest& request) override {
@@ -100,7 +99,7 @@ class Renderer : public scene::SceneRenderer {
                   fmt::format("picture: expected room for {} values, got {}", values, size),
                   "a picture has height x width x 3 values");
     }
-    servant_.run([&] { draw_here(request); });
+    task_thread_.run([&] { draw_here(request); });
   }
 
  private:
@@ -125,7 +124,7 @@ class Renderer : public scene::SceneRenderer {
 
   CancelToken cancel_;
   std::optional<SceneImages> images_;
-  Servant servant_;
+  TaskThread task_thread_;
 };
 
 std::unique_ptr<scene::SceneRenderer> make_renderer(const scene::Scene& scene,

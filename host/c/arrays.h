@@ -6,16 +6,16 @@
 
 #include <glm/vec3.hpp>
 
-/// Arrays of the caller's, which are NULL where they are not wanted: nothing is written then.
+/// Arrays of the caller. NULL means not wanted: nothing is written.
 namespace offing::c {
 
-/// The values of an element: array [count][values.size()].
+/// Writes the row `index` of array [count][values.size()].
 template <class Number>
 void write_values(Number* array, std::size_t index, std::initializer_list<Number> values) {
   if (array != nullptr) std::copy(values.begin(), values.end(), array + index * values.size());
 }
 
-/// A vector of array [count][3].
+/// Writes the row `index` of array [count][3].
 template <class Number>
 void write_vector(Number* array, std::size_t index, const glm::dvec3& vector) {
   write_values<Number>(
@@ -23,7 +23,7 @@ void write_vector(Number* array, std::size_t index, const glm::dvec3& vector) {
       {static_cast<Number>(vector.x), static_cast<Number>(vector.y), static_cast<Number>(vector.z)});
 }
 
-/// A vector of array [count][3].
+/// The row `index` of array [count][3].
 inline glm::dvec3 vector_at(const double* array, std::size_t index) {
   return {array[3 * index], array[3 * index + 1], array[3 * index + 2]};
 }

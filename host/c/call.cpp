@@ -40,7 +40,7 @@ class CallbackSink : public spdlog::sinks::base_sink<std::mutex> {
   void* user_;
 };
 
-/// What a library says unasked.
+/// The log of a library by default.
 void warnings_to_stderr() {
   configure_log(Verbosity::normal);
   spdlog::set_level(spdlog::level::warn);

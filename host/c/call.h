@@ -13,18 +13,18 @@
 #include "host/base/error.h"
 #include "host/c/offing.h"
 
-/// What all calls of the C interface share: how they end, who may use a handle, and structs that may grow.
+/// What all calls of the C interface share: their status, the use of handles, and structs with a size.
 namespace offing::c {
 
 /// Remembers why a call of this thread failed; returns its status.
 OffingStatus fail(OffingStatus status, const char* error, const char* hint) noexcept;
 OffingStatus status_of(ErrorKind kind);
 
-/// Once a process, whichever call comes first: spdlog's own logger writes to standard output, which is the
-/// program's; one that the program has set stays.
+/// Sends warnings to stderr, at the first call of a process: spdlog's default logger writes to stdout, which
+/// is the program's. A logger that the program has set stays.
 void log_to_stderr();
 
-/// A handle that another thread is using.
+/// Thrown for a handle that another thread is using.
 class Busy : public Error {
  public:
   explicit Busy(const char* what)
@@ -32,7 +32,7 @@ class Busy : public Error {
               "make one for each thread, or let calls with it take turns by a lock of your own") {}
 };
 
-/// Runs what a call does; an exception becomes its status and the thread's last failure.
+/// Runs the work of a call. An exception becomes the call's status and the thread's last failure.
 template <class Work>
 OffingStatus run(const Work& work) noexcept {
   try {
@@ -50,12 +50,12 @@ OffingStatus run(const Work& work) noexcept {
   }
 }
 
-/// What handles that one thread at a time may use begin with.
+/// Base of the handles that one thread at a time may use.
 struct OneAtATime {
   std::atomic<bool> is_in_use = false;
 };
 
-/// A call's use of such a handle; throws Busy where another call has begun and not ended.
+/// A call's use of such a handle. Throws Busy while another call uses it.
 class Use {
  public:
   Use(OneAtATime* handle, const char* name) : handle_(handle) {
@@ -76,11 +76,11 @@ class Use {
 /// Throws Error(bad_usage) for NULL.
 void require(const void* argument, const char* name);
 
-/// Throws Error(bad_usage) unless `count` is what is expected of an array.
+/// Throws Error(bad_usage) unless an array's `count` is the expected one.
 void require_count(const char* name, std::size_t count, std::size_t expected);
 
-/// A caller's struct, whose first member is its size: members that its version lacks are zero. For NULL all
-/// are.
+/// A copy of a caller's struct, whose first member is its size. Members that the caller's version lacks are
+/// zero, and all members are for NULL.
 template <class Struct>
 Struct read_struct(const Struct* given, const char* name) {
   Struct whole{};
@@ -95,7 +95,7 @@ Struct read_struct(const Struct* given, const char* name) {
   return whole;
 }
 
-/// Fills as much of a caller's struct as its version has; its size stays.
+/// Writes the members of a caller's struct that its version has, but for its size.
 template <class Struct>
 void write_struct(Struct* target, const char* name, const Struct& values) {
   require(target, name);

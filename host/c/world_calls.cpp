@@ -137,8 +137,7 @@ void read_fields(offing::ocean::Ocean& ocean, int cascade, std::span<const Offin
   }
 }
 
-/// The world with the particles of its clouds, which take most of the time, ahead of it: it could not be
-/// stopped.
+/// Grows the particles of clouds, which takes longest, ahead of the world, whose making cannot be stopped.
 offing::world::WorldParameters with_particles(const offing::ocl::Device& device,
                                               offing::world::WorldParameters parameters,
                                               const offing::CancelToken& cancel, const offing::Work& work) {
@@ -149,7 +148,7 @@ offing::world::WorldParameters with_particles(const offing::ocl::Device& device,
   return parameters;
 }
 
-/// As offing-view shows it: the eye at its place.
+/// The world as offing-view shows it, with its camera placed.
 std::unique_ptr<OffingWorld> made_world(const offing::ocl::Device& device, offing::scene::Scene scene,
                                         const offing::c::WatchedWork& watched) {
   constexpr double prepared = 0.1, grown = 0.8, made = 0.9;

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The program or the shared library that this code is part of.
+// The file of the program or shared library that this code is in.
 fs::path own_file() {
   Dl_info info{};
   link_map* object = nullptr;
@@ -56,7 +56,7 @@ const void* module_table(std::string_view name, std::string_view purpose) {
     return {ErrorKind::file, fmt::format("cannot {}: {}: {}", purpose, one_line(file.string()), reason),
             hint};
   };
-  // dlopen() would look for a name without a folder elsewhere.
+  // For a name without a folder, dlopen() would search the system's folders.
   if (!file.has_parent_path()) {
     throw fail("found no folder with modules",
                "install Offing as a whole, or set OFFING_MODULE_PATH to the folder with its modules");

@@ -4,9 +4,8 @@
 #include <string>
 #include <string_view>
 
-/// Modules: the readers and writers that need a large library, each a shared library of ours that is loaded
-/// when it is first needed. Programs start in a third of the time so, and liboffing loads neither GDAL nor
-/// OpenVDB by itself.
+/// Modules: code that needs a large library, each in a shared library of ours that is loaded when first
+/// needed. Programs then start faster, and liboffing loads neither GDAL nor OpenVDB by itself.
 namespace offing {
 
 /// What a module exports, by the name `offing_module`.
@@ -15,12 +14,13 @@ struct Module {
   const void* table;  ///< its functions
 };
 
-/// Version and compiler: tables of another build hold functions of other types.
+/// Version and compiler, in which a program and its modules must agree: tables of another version may hold
+/// functions of other types.
 std::string_view module_build();
 
-/// The folder with the modules: $OFFING_MODULE_PATH, else "offing" beside the library that holds this code,
-/// in the library folder beside the program's, or where this build was to be installed. Empty where there is
-/// none.
+/// The folder with the modules: $OFFING_MODULE_PATH, else the first folder "offing" that exists beside the
+/// file that holds this code, in the library folder that belongs to the program's, and in that of the
+/// installation. Empty if there is none.
 std::filesystem::path module_folder();
 
 /// The table of functions of the module in the file `name`.so, which stays loaded. `purpose` completes

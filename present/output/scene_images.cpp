@@ -13,7 +13,7 @@
 namespace offing::present {
 namespace {
 
-/// Ahead of the world, which could not be stopped.
+/// Grows the particles of clouds ahead of the world, whose making cannot be stopped.
 world::WorldParameters with_particles(const ocl::Device& device, world::WorldParameters parameters,
                                       const CancelToken& cancel) {
   if (parameters.clouds)
@@ -51,7 +51,7 @@ bool SceneImages::draw(double time_s, double first_s, const ImageSize& size, con
   return !cancel.cancelled();
 }
 
-/// Once, for the first picture whose eye needs it.
+/// Warns of a misplaced eye, once.
 void SceneImages::warn_of_eye(double time_s) {
   if (has_warned_ || !world_.terrain()) return;
   const auto warning =

@@ -11,11 +11,11 @@
 
 namespace offing::present {
 
-/// A scene and what draws pictures of it without a window, each at a time of its own. All in one thread.
+/// Draws pictures of a scene without a window, each at its own time. Use it in the thread that made it.
 class SceneImages {
  public:
-  /// Throws Error(no_device) where there is no OpenGL, Error(cancelled) when asked to stop, and what
-  /// preparing the scene's world throws.
+  /// Throws Error(no_device) without OpenGL, Error(cancelled) when asked to stop, and what preparing the
+  /// scene's world throws.
   SceneImages(const scene::Scene& scene, const ocl::DeviceInfo& device, const FrameSettings& settings,
               const CancelToken& cancel);
 
