@@ -48,7 +48,6 @@ struct OffingWorld : offing::c::OneAtATime {
   offing::scene::Scene scene;
   offing::world::World world;
   offing::Camera camera;  // of the scene, at the last frame
-  std::vector<offing::ocean::WaterSample> samples;  // of the last question about water, for the next one's
   // Once asked for.
   std::optional<offing::clouds::CloudImage> cloud_image;
   std::optional<CloudExtinction> cloud_extinction;

@@ -252,6 +252,7 @@ typedef struct OffingWaterQuery {
   size_t size;             /**< sizeof(OffingWaterQuery) */
   double depth_m;          /**< of velocity and pressure, below the moving surface */
   double min_wavelength_m; /**< shorter waves do not count, as for a large hull */
+  int is_surface_only; /**< 1: leaves out velocity and pressure, which are 0 in OffingWater.samples then */
 } OffingWaterQuery;
 
 /** Where offing_sample_water() writes, an array for each quantity. */
@@ -262,6 +263,7 @@ typedef struct OffingWater {
   float* velocity_mps; /**< [count][3], of the water at the query's depth */
   float* pressure_pa;  /**< [count], there, above that of the air */
   float* residual_m;   /**< [count], as in OffingSample */
+  float* samples;      /**< [count][8], as offing_sample_water_on_device() writes them: the cheapest */
 } OffingWater;
 
 /** Samples the water as offing_sample() does, at points [count][2] of x and z in m. It is faster if neither

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,33 +34,34 @@ OffingSample to_sample(const offing::ocean::WaterSample& water) {
           .residual_m = water.residual_m};
 }
 
-/// One quantity after the other, in blocks of samples that stay in a core's nearest cache.
-void write_water(const OffingWater& arrays, std::span<const offing::ocean::WaterSample> water) {
+/// Writes the samples of the points from index `first` on: one quantity after the other, in blocks that stay
+/// in a core's nearest cache.
+void write_water(const OffingWater& arrays, std::size_t first,
+                 std::span<const offing::ocean::WaterSample> water) {
+  static_assert(sizeof(offing::ocean::WaterSample) == 8 * sizeof(float));
+  if (arrays.samples != nullptr) std::memcpy(arrays.samples + 8 * first, water.data(), water.size_bytes());
   constexpr std::size_t block = 512;
   for (std::size_t begin = 0; begin < water.size(); begin += block) {
     const std::size_t end = std::min(begin + block, water.size());
-    if (arrays.height_m != nullptr) {
-      for (std::size_t i = begin; i < end; ++i) arrays.height_m[i] = water[i].height_m;
-    }
-    if (arrays.pressure_pa != nullptr) {
-      for (std::size_t i = begin; i < end; ++i) arrays.pressure_pa[i] = water[i].pressure_pa;
-    }
-    if (arrays.residual_m != nullptr) {
-      for (std::size_t i = begin; i < end; ++i) arrays.residual_m[i] = water[i].residual_m;
-    }
-    if (arrays.velocity_mps != nullptr) {
+    const auto write = [&](float* array, auto value) {
+      if (array == nullptr) return;
+      for (std::size_t i = begin; i < end; ++i) array[first + i] = value(water[i]);
+    };
+    const auto write_vectors = [&](float* array, auto value) {
+      if (array == nullptr) return;
       for (std::size_t i = begin; i < end; ++i) {
-        arrays.velocity_mps[3 * i] = water[i].velocity_x_mps;
-        arrays.velocity_mps[3 * i + 1] = water[i].velocity_y_mps;
-        arrays.velocity_mps[3 * i + 2] = water[i].velocity_z_mps;
+        const std::array<float, 3> vector = value(water[i]);
+        for (std::size_t axis = 0; axis < 3; ++axis) array[3 * (first + i) + axis] = vector[axis];
       }
-    }
-    if (arrays.normal != nullptr) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const auto normal = offing::ocean::normal_of(water[i]);
-        for (std::size_t axis = 0; axis < 3; ++axis) arrays.normal[3 * i + axis] = normal[axis];
-      }
-    }
+    };
+    using Sample = offing::ocean::WaterSample;
+    write(arrays.height_m, [](const Sample& sample) { return sample.height_m; });
+    write(arrays.pressure_pa, [](const Sample& sample) { return sample.pressure_pa; });
+    write(arrays.residual_m, [](const Sample& sample) { return sample.residual_m; });
+    write_vectors(arrays.normal, [](const Sample& sample) { return offing::ocean::normal_of(sample); });
+    write_vectors(arrays.velocity_mps, [](const Sample& sample) {
+      return std::array{sample.velocity_x_mps, sample.velocity_y_mps, sample.velocity_z_mps};
+    });
   }
 }
 
@@ -241,12 +243,17 @@ OffingStatus offing_sample_water(OffingWorld* world, const OffingWaterQuery* que
     require(points_m, "points_m");
     require(water, "water");
     const OffingWater wanted = offing::c::read_struct(water, "water");
-    const bool wants_flow = wanted.velocity_mps != nullptr || wanted.pressure_pa != nullptr;
+    const bool is_surface_only = offing::c::read_struct(query, "query").is_surface_only != 0;
+    const bool wants_flow = !is_surface_only && (wanted.velocity_mps != nullptr ||
+                                                 wanted.pressure_pa != nullptr || wanted.samples != nullptr);
     static_assert(sizeof(offing::ocean::WaterPoint) == 2 * sizeof(double));
     const std::span places(reinterpret_cast<const offing::ocean::WaterPoint*>(points_m), count);
-    world->samples.resize(count);
-    world->world.sample(places, world->samples, query_of(query, wants_flow));
-    write_water(wanted, world->samples);
+    world->world.sample(
+        places,
+        [&](std::size_t first, std::span<const offing::ocean::WaterSample> part) {
+          write_water(wanted, first, part);
+        },
+        query_of(query, wants_flow));
   });
 }
 

@@ -113,10 +113,10 @@ class World {
     return ocean().sample(points, query);
   }
 
-  /// The same into the caller's memory.
-  void sample(std::span<const ocean::WaterPoint> points, std::span<ocean::WaterSample> samples,
+  /// The same in parts, without memory for all of them.
+  void sample(std::span<const ocean::WaterPoint> points, const ocean::TakeSamples& take,
               const ocean::WaterQuery& query = {}) {
-    ocean().sample(points, samples, query);
+    ocean().sample(points, take, query);
   }
   /// The same for points and samples on the device: Ocean::sample().
   void sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t count,

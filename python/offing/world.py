@@ -1,6 +1,6 @@
 """Worlds: the simulations of a scene on a device, at any time."""
 
-from typing import NamedTuple
+import functools
 
 import numpy as np
 
@@ -18,14 +18,33 @@ FIELDS = (
 )
 
 
-class Water(NamedTuple):
-    """The water at points. All arrays are float32."""
+class Water:
+    """The water at points, float32. All but the normals are parts of one array, as the device writes it.
 
-    height_m: np.ndarray  # [n], of the surface
-    normal: np.ndarray  # [n, 3], of the surface, unit, upward
-    velocity_mps: np.ndarray | None  # [n, 3], at depth_m; None without flow
-    pressure_pa: np.ndarray | None  # [n], there, above air pressure; None without flow
-    residual_m: np.ndarray  # [n], horizontal distance by which the point was missed; large where the surface folds
+    height_m [n]: of the surface. velocity_mps [n, 3] and pressure_pa [n], above air pressure: at depth_m; None without
+    flow. residual_m [n]: horizontal distance by which the point was missed; large where the surface folds.
+    """
+
+    def __init__(self, samples, has_flow):
+        self._slopes = samples[:, 1:3]  # dh/dx and dh/dz of the displaced surface
+        self.height_m: np.ndarray = samples[:, 0]
+        self.velocity_mps: np.ndarray | None = samples[:, 4:7] if has_flow else None
+        self.pressure_pa: np.ndarray | None = samples[:, 7] if has_flow else None
+        self.residual_m: np.ndarray = samples[:, 3]
+
+    @functools.cached_property
+    def normal(self) -> np.ndarray:
+        """[n, 3], of the surface, unit, upward."""
+        normal = np.empty((len(self.height_m), 3), np.float32)
+        normal[:, 1] = 1.0 / np.sqrt(1.0 + np.square(self._slopes).sum(axis=1))
+        normal[:, ::2] = -self._slopes * normal[:, 1:2]
+        return normal
+
+    def __len__(self) -> int:
+        return len(self.height_m)
+
+    def __repr__(self):
+        return f"<offing.Water at {len(self)} points>"
 
 
 class World:
@@ -51,7 +70,7 @@ class World:
         """The Water at points [n, 2] of x and z in m: all cascades and Gerstner waves together. Velocity and pressure are
         those at depth_m below the moving surface. Without `flow` they are None, which is faster. Waves shorter than
         min_wavelength_m are left out, as for a large hull."""
-        return Water(*self._world.sample(rows("points_m", points_m, 2), depth_m, min_wavelength_m, flow))
+        return Water(self._world.sample(rows("points_m", points_m, 2), depth_m, min_wavelength_m, flow), flow)
 
     @property
     def size(self):

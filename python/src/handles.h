@@ -235,26 +235,18 @@ class World {
     run([&] { return offing_frame(get(), time_s); });
   }
 
-  /// (height, normal, velocity, pressure, residual); None for flow that is not wanted.
-  nb::tuple sample(const Rows<2>& points_m, double depth_m, double min_wavelength_m, bool wants_flow) {
+  /// [n, 8], as offing_sample_water_on_device() writes them.
+  nb::ndarray<nb::numpy, float> sample(const Rows<2>& points_m, double depth_m, double min_wavelength_m,
+                                       bool wants_flow) {
     const std::size_t count = points_m.shape(0);
-    auto height = new_array<float>({count}), residual = new_array<float>({count}),
-         normal = new_array<float>({count, 3});
-    auto velocity = new_array<float>({wants_flow ? count : 0, 3}),
-         pressure = new_array<float>({wants_flow ? count : 0});
+    auto samples = new_array<float>({count, 8});
     OffingWater water{};
     water.size = sizeof water;
-    water.height_m = height.data();
-    water.normal = normal.data();
-    water.residual_m = residual.data();
-    if (wants_flow) {
-      water.velocity_mps = velocity.data();
-      water.pressure_pa = pressure.data();
-    }
-    const OffingWaterQuery query = query_of(depth_m, min_wavelength_m);
+    water.samples = samples.data();
+    OffingWaterQuery query = query_of(depth_m, min_wavelength_m);
+    query.is_surface_only = wants_flow ? 0 : 1;
     run([&] { return offing_sample_water(get(), &query, points_m.data(), count, &water); });
-    if (!wants_flow) return nb::make_tuple(height, normal, nb::none(), nb::none(), residual);
-    return nb::make_tuple(height, normal, velocity, pressure, residual);
+    return samples;
   }
   void sample_on_device(std::uintptr_t points, std::size_t count, std::uintptr_t samples, double depth_m,
                         double min_wavelength_m) {

@@ -48,7 +48,7 @@ TEST_F(SeaCallsTest, FillsTheArraysThatAreWanted) {
   std::array<float, 3> height{}, pressure{}, residual{};
   std::array<float, 9> normal{}, velocity{};
   const OffingWater all{sizeof all,      height.data(),   normal.data(),
-                        velocity.data(), pressure.data(), residual.data()};
+                        velocity.data(), pressure.data(), residual.data(), nullptr};
   ASSERT_EQ(offing_sample_water(world(), &query, points.data(), 3, &all), OFFING_OK) << offing_last_error();
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(height[i], expected[i].height_m);
@@ -65,6 +65,21 @@ TEST_F(SeaCallsTest, FillsTheArraysThatAreWanted) {
   height_only.height_m = alone.data();
   ASSERT_EQ(offing_sample_water(world(), &query, points.data(), 3, &height_only), OFFING_OK);
   EXPECT_EQ(alone, height);
+  std::array<float, 24> samples{};
+  OffingWater as_written{};
+  as_written.size = sizeof as_written;
+  as_written.samples = samples.data();
+  ASSERT_EQ(offing_sample_water(world(), &query, points.data(), 3, &as_written), OFFING_OK);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(samples[8 * i], height[i]);
+    EXPECT_EQ(samples[8 * i + 3], residual[i]);
+    EXPECT_EQ(samples[8 * i + 5], velocity[3 * i + 1]);
+    EXPECT_EQ(samples[8 * i + 7], pressure[i]);
+  }
+  query.is_surface_only = 1;
+  ASSERT_EQ(offing_sample_water(world(), &query, points.data(), 3, &as_written), OFFING_OK);
+  EXPECT_EQ(samples[0], height[0]);
+  EXPECT_EQ(samples[7], 0.0f);
 }
 
 // Fails if fields that are read together differ from those read one by one, or one is missing.

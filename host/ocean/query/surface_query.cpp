@@ -213,7 +213,7 @@ void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query,
 }
 
 void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query, std::span<const WaterPoint> points,
-                          std::span<WaterSample> samples) {
+                          const TakeSamples& take) {
   const std::size_t most = std::min(points.size(), most_points);
   if (points_.size() < most) {
     points_ = ocl::Buffer<SurfaceQueryPoint>(device_, most, "queried points");
@@ -226,7 +226,7 @@ void SurfaceQuery::sample(const QueriedSea& sea, const WaterQuery& query, std::s
     std::transform(part.begin(), part.end(), packed_points_.begin(), device_point);
     points_.write(packed_points_);
     sample(sea, query, points_, part.size(), samples_);
-    samples_.read(samples.subspan(first, part.size()));
+    take(first, samples_.map().span().first(part.size()));
   }
 }
 

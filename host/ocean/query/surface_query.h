@@ -46,9 +46,9 @@ class SurfaceQuery {
   void sample(const QueriedSea& sea, const WaterQuery& query, const ocl::Buffer<SurfaceQueryPoint>& points,
               std::size_t count, ocl::Buffer<WaterSample>& samples);
 
-  /// The same from and to host memory; waits.
+  /// The same from and to host memory, part by part; waits.
   void sample(const QueriedSea& sea, const WaterQuery& query, std::span<const WaterPoint> points,
-              std::span<WaterSample> samples);
+              const TakeSamples& take);
 
  private:
   enum class Depths { none, shoals };

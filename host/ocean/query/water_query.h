@@ -2,6 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <span>
 
 #include "host/base/parameter_check.h"
 #include "kernels/shared/query_params.h"
@@ -20,8 +23,9 @@ using WaterSample = SurfaceQuerySample;
 
 /// The unit normal (x, y, z) of the surface there, upward.
 inline std::array<float, 3> normal_of(const WaterSample& sample) {
-  const float length = std::sqrt(sample.slope_x * sample.slope_x + 1.0f + sample.slope_z * sample.slope_z);
-  return {-sample.slope_x / length, 1.0f / length, -sample.slope_z / length};
+  const float upward =
+      1.0f / std::sqrt(sample.slope_x * sample.slope_x + 1.0f + sample.slope_z * sample.slope_z);
+  return {-sample.slope_x * upward, upward, -sample.slope_z * upward};
 }
 
 /// What is asked of the water at a time.
@@ -38,6 +42,9 @@ struct WaterQuery {
   /// The search for a point's label ends where it misses the point by no more than this.
   double tolerance_m = 1e-4;
 };
+
+/// Takes the samples of some points, those from index `first` on; valid during the call.
+using TakeSamples = std::function<void(std::size_t first, std::span<const WaterSample> samples)>;
 
 /// The largest min_wavelength_m: longer than any wave.
 inline constexpr double longest_filter_m = 1e6;

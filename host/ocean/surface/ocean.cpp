@@ -479,18 +479,27 @@ void Ocean::sample(const ocl::Buffer<SurfaceQueryPoint>& points, std::size_t cou
   state.query->sample(sea, query, points, count, samples);
 }
 
+void Ocean::sample(std::span<const WaterPoint> points, const TakeSamples& take, const WaterQuery& query) {
+  State& state = *state_;
+  const QueriedSea sea = state.queried(query);
+  if (!state.query) state.query.emplace(state.device);
+  state.query->sample(sea, query, points, take);
+}
+
 void Ocean::sample(std::span<const WaterPoint> points, std::span<WaterSample> samples,
                    const WaterQuery& query) {
-  State& state = *state_;
   if (points.size() != samples.size()) {
     throw Error(ErrorKind::bad_usage,
                 fmt::format("sample: expected a sample for each of {} points, found {}", points.size(),
                             samples.size()),
                 "pass as many samples as points");
   }
-  const QueriedSea sea = state.queried(query);
-  if (!state.query) state.query.emplace(state.device);
-  state.query->sample(sea, query, points, samples);
+  sample(
+      points,
+      [&](std::size_t first, std::span<const WaterSample> part) {
+        std::copy(part.begin(), part.end(), samples.begin() + static_cast<std::ptrdiff_t>(first));
+      },
+      query);
 }
 
 std::vector<WaterSample> Ocean::sample(std::span<const WaterPoint> points, const WaterQuery& query) {

@@ -173,6 +173,8 @@ class Ocean {
   /// number.
   void sample(std::span<const WaterPoint> points, std::span<WaterSample> samples,
               const WaterQuery& query = {});
+  /// The same without memory for all of them: `take` gets the samples in parts, in the order of the points.
+  void sample(std::span<const WaterPoint> points, const TakeSamples& take, const WaterQuery& query = {});
   /// Enqueues the same for the first `count` points that are on the device already, and leaves the samples
   /// there: no transfer, no wait while waves and query stay the same and no rings run. Throws
   /// Error(bad_usage) if a buffer holds fewer. A point that is not finite gets a residual that is not either.
