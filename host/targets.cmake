@@ -82,7 +82,15 @@ set(OFFING_COMMON_HEADERS <algorithm> <array> <cmath> <filesystem> <fstream> <fu
     <string> <variant> <vector> <fmt/format.h> <glm/geometric.hpp>)
 
 # What a program and the modules that it loads must agree in, as the text that module.h asks for.
-set(OFFING_BUILD "${PROJECT_VERSION}, ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+# The headers are in it, since their types are in the modules' tables.
+file(GLOB_RECURSE headers ${PROJECT_SOURCE_DIR}/host/*.h ${PROJECT_SOURCE_DIR}/kernels/shared/*.h)
+set(header_hashes "")
+foreach(header IN LISTS headers)
+  file(SHA1 ${header} hash)
+  string(APPEND header_hashes ${hash})
+endforeach()
+string(SHA1 header_hashes "${header_hashes}")
+set(OFFING_BUILD "${PROJECT_VERSION}, ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}, ${header_hashes}")
 
 # offing_module(<name> ENTRY <file> [SOURCES <files...>] LINKS <libraries...>): makes the module <name>.so of
 # host/io/module.h, whose table is in ENTRY, and of sources the static library offing_<name>, for tests of what the table

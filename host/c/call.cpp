@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <spdlog/sinks/base_sink.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
 
 #include "host/base/log.h"
 #include "host/scene/file/version.h"
@@ -17,15 +18,26 @@ struct LastFailure {
 };
 thread_local LastFailure last_failure;
 
-/// Hands each line to the program.
-class CallbackSink : public spdlog::sinks::base_sink<std::mutex> {
+/// Hands each line to the program or, without a callback, warnings and errors to stderr. It stays while the
+/// process lives, so that threads may log while the callback changes.
+class ProgramSink : public spdlog::sinks::base_sink<std::mutex> {
  public:
-  CallbackSink(OffingLog log, void* user) : log_(log), user_(user) {}
+  ProgramSink() { stderr_.set_pattern("%^%l%$: %v"); }
+
+  void set(OffingLog log, void* user) {
+    const std::lock_guard lock(mutex_);
+    log_ = log;
+    user_ = user;
+  }
 
  protected:
   void sink_it_(const spdlog::details::log_msg& message) override {
-    const std::string line(message.payload.data(), message.payload.size());
-    log_(user_, level_of(message.level), line.c_str());
+    if (log_ != nullptr) {
+      const std::string line(message.payload.data(), message.payload.size());
+      log_(user_, level_of(message.level), line.c_str());
+    } else if (message.level >= spdlog::level::warn) {
+      stderr_.log(message);
+    }
   }
   void flush_() override {}
 
@@ -36,14 +48,27 @@ class CallbackSink : public spdlog::sinks::base_sink<std::mutex> {
     return level == spdlog::level::info ? OFFING_LOG_INFO : OFFING_LOG_DEBUG;
   }
 
-  OffingLog log_;
-  void* user_;
+  spdlog::sinks::stderr_color_sink_mt stderr_;
+  OffingLog log_ = nullptr;
+  void* user_ = nullptr;
 };
 
-/// The log of a library by default.
-void warnings_to_stderr() {
-  configure_log(Verbosity::normal);
-  spdlog::set_level(spdlog::level::warn);
+struct ProgramLog {
+  std::shared_ptr<ProgramSink> sink = std::make_shared<ProgramSink>();
+  std::shared_ptr<spdlog::logger> logger = std::make_shared<spdlog::logger>("offing", sink);
+};
+
+const ProgramLog& program_log() {
+  static const ProgramLog log;
+  return log;
+}
+
+/// Lines below warnings are for callbacks alone.
+void use_program_log(OffingLog log, void* user) {
+  const auto& [sink, logger] = program_log();
+  sink->set(log, user);
+  logger->set_level(log == nullptr ? spdlog::level::warn : spdlog::level::debug);
+  if (spdlog::default_logger() != logger) spdlog::set_default_logger(logger);
 }
 
 }  // namespace
@@ -74,7 +99,7 @@ void log_to_stderr() {
   static std::once_flag is_done;
   std::call_once(is_done, [] {
     const std::shared_ptr<spdlog::logger> logger = spdlog::default_logger();
-    if (logger != nullptr && logger->name().empty()) warnings_to_stderr();
+    if (logger != nullptr && logger->name().empty()) use_program_log(nullptr, nullptr);
   });
 }
 
@@ -110,11 +135,5 @@ const char* offing_last_hint(void) {
 }
 
 OffingStatus offing_set_log(OffingLog log, void* user) {
-  return offing::c::run([&] {
-    if (log == nullptr) return offing::c::warnings_to_stderr();
-    auto logger =
-        std::make_shared<spdlog::logger>("offing", std::make_shared<offing::c::CallbackSink>(log, user));
-    logger->set_level(spdlog::level::debug);
-    spdlog::set_default_logger(std::move(logger));
-  });
+  return offing::c::run([&] { offing::c::use_program_log(log, user); });
 }

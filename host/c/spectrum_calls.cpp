@@ -111,6 +111,12 @@ WaveSpectrum spectrum_of(const OffingSpectrum& given) {
 /// S(f, theta) = 2 pi S(omega, theta): the same energy in a band.
 WaveSpectrum table_of(const offing::ocean::SeaSpectrum& sea, std::vector<double> frequencies_hz,
                       std::size_t directions) {
+  constexpr std::size_t most_directions = 3600;
+  if (directions > most_directions) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("direction_count: expected at most {}, got {}", most_directions, directions),
+                "ask for 36 or 72 directions");
+  }
   WaveSpectrum spectrum;
   spectrum.frequencies_hz = std::move(frequencies_hz);
   offing::spectra::check_frequencies(spectrum.frequencies_hz, "frequencies_hz");

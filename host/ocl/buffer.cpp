@@ -142,6 +142,11 @@ Memory Memory::adopt(const Device& device, cl_mem memory, std::string_view name)
                 fmt::format("buffer \"{}\": expected one of the device's context, got one of another", name),
                 "open the device by the context of the buffer (Device::adopt(), offing_adopt_device())");
   }
+  if (value_of(CL_MEM_TYPE, cl_mem_object_type{}) != CL_MEM_OBJECT_BUFFER) {
+    throw Error(ErrorKind::bad_usage,
+                fmt::format("buffer \"{}\": expected a buffer, got an image or a pipe", name),
+                "make it by clCreateBuffer()");
+  }
   Memory adopted;
   adopted.bytes_ = value_of(CL_MEM_SIZE, std::size_t{});
   adopted.name_ = name;

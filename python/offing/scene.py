@@ -60,6 +60,7 @@ class Scene:
         break is text; for such a path use pathlib.Path. File names in text and dicts are relative to `folder`, else to
         the working folder. Raises BadInput, which names the key."""
         self._spectrum = None
+        folder = os.path.abspath(folder or ".")  # scenes may go to other processes and folders
         if source is None:
             source = {"ocean": {}}
         if isinstance(source, Scene):
@@ -67,12 +68,12 @@ class Scene:
         elif isinstance(source, dict):
             self.values, self.folder = copy.deepcopy(source), folder
         elif isinstance(source, str) and ("\n" in source or "=" in source):
-            self._scene = _core.Scene.parse(source, _text(folder))  # its errors have lines
+            self._scene = _core.Scene.parse(source, folder)  # its errors have lines
             self.values, self.folder = tomllib.loads(source), folder
             return
         else:
-            path = pathlib.Path(source)
-            self._scene = _core.Scene.load(str(path))
+            path = pathlib.Path(source).absolute()
+            self._scene = _core.Scene.load(os.fspath(source))
             self.values, self.folder = tomllib.loads(path.read_text(encoding="utf-8-sig")), path.parent
             return
         self.values.setdefault("version", 1)

@@ -1,8 +1,10 @@
 """Worlds: the simulations of a scene on a device, at any time."""
 
 import functools
+from collections.abc import Callable, Iterable
 
 import numpy as np
+import numpy.typing as npt
 
 from offing import _core
 from offing.arrays import rows
@@ -50,7 +52,8 @@ class Water:
 class World:
     """The world of a scene on a device. Use a world in one thread at a time; a second one gets Busy."""
 
-    def __init__(self, scene=None, *, device=None, progress=None):
+    def __init__(self, scene=None, *, device: Device | str | int | None = None,
+                 progress: Callable[[float], object] | None = None):
         """`scene` is a Scene or what Scene() takes. `device` is a Device or what Device() takes. The world begins at the
         scene's start. Clouds take long to make. Meanwhile progress(share) gets the share that is done, 0 to 1; if it
         returns False, the call raises Cancelled. If it raises, the call raises the same exception."""
@@ -60,29 +63,30 @@ class World:
         self._renderer = None
         self._time_s = float(self.scene.values.get("time", {}).get("start_s", 0.0))
 
-    def at(self, time_s):
+    def at(self, time_s: float) -> "World":
         """Moves the world to a time in s, and returns the world. Times may come in any order."""
         self._world.frame(float(time_s))
         self._time_s = float(time_s)
         return self
 
-    def sample(self, points_m, *, depth_m=0.0, min_wavelength_m=0.0, flow=True):
+    def sample(self, points_m: npt.ArrayLike, *, depth_m: float = 0.0, min_wavelength_m: float = 0.0,
+               flow: bool = True) -> Water:
         """The Water at points [n, 2] of x and z in m: all cascades and Gerstner waves together. Velocity and pressure are
         those at depth_m below the moving surface. Without `flow` they are None, which is faster. Waves shorter than
         min_wavelength_m are left out, as for a large hull."""
         return Water(self._world.sample(rows("points_m", points_m, 2), depth_m, min_wavelength_m, flow), flow)
 
     @property
-    def size(self):
+    def size(self) -> int:
         """The side of a field: fields are arrays [size, size]."""
         return self._world.map_size
 
     @property
-    def patch_lengths_m(self):
+    def patch_lengths_m(self) -> list[float]:
         """The sides of the cascades' patches, the longest first."""
         return [self._world.patch_length_m(cascade) for cascade in range(self._world.cascade_count)]
 
-    def fields(self, names, cascade=0):
+    def fields(self, names: Iterable[str], cascade: int = 0) -> dict[str, np.ndarray]:
         """Fields of one cascade, as a dict of float32 arrays [size, size]: row = z, column = x, the first at (0, 0).
         `names` are from offing.FIELDS: displacements in m, slopes, gradients, the Jacobian (below 0 the surface folds),
         foam 0 to 1, and velocities at the surface in m/s. All are at the places where the water is at rest. Several
@@ -90,11 +94,11 @@ class World:
         names = list(names)
         return dict(zip(names, self._world.read_fields([_number_of(name) for name in names], cascade)))
 
-    def field(self, name, cascade=0):
+    def field(self, name: str, cascade: int = 0) -> np.ndarray:
         """One field of fields()."""
         return self.fields([name], cascade)[name]
 
-    def copy_field(self, name, target, *, first=0, cascade=0):
+    def copy_field(self, name: str, target, *, first: int = 0, cascade: int = 0) -> None:
         """Enqueues the copy of a field to an array or buffer of PyOpenCL, in the context of the adopted device. It gets
         size * size floats from index `first` on. There is no transfer and no wait: later commands of the same queue see
         the field. Foam and velocity cannot be copied so."""
@@ -107,12 +111,13 @@ class World:
                                f"make one with pyopencl.array.empty(queue, {room}, numpy.float32)")
         self._world.copy_field(_number_of(name), buffer, first + offset // 4, cascade)
 
-    def sample_on_device(self, points, count, samples, *, depth_m=0.0, min_wavelength_m=0.0):
+    def sample_on_device(self, points, count: int, samples, *, depth_m: float = 0.0,
+                         min_wavelength_m: float = 0.0) -> None:
         """sample() with arrays or buffers of PyOpenCL, without a transfer or a wait. See
         offing_sample_water_on_device() in offing.h for their layout."""
         self._world.sample_on_device(_whole_buffer_of(points), count, _whole_buffer_of(samples), depth_m, min_wavelength_m)
 
-    def render(self, width_px=1280, height_px=720, *, light=False):
+    def render(self, width_px: int = 1280, height_px: int = 720, *, light: bool = False) -> np.ndarray:
         """What the scene's camera sees at the time of the last at(), as `offing-view --headless` draws it: uint8
         [height, width, 3], sRGB, row 0 at the top. With `light` it is float32, linear Rec.709 in kcd/m^2. The first
         picture takes some seconds, because pictures have a world of their own. Needs OpenGL but no display; Mesa draws on
@@ -123,28 +128,28 @@ class World:
         return render(self._time_s, width_px, height_px)
 
     @property
-    def camera(self):
+    def camera(self) -> dict:
         """The scene's camera at the time of the last at(), as a dict of eye_m, yaw_rad (0 along -z, growing toward +x),
         pitch_rad, roll_rad and vertical_field_of_view_rad."""
         return _core.camera(self._world)
 
-    def body_poses(self):
+    def body_poses(self) -> dict:
         """Poses of the floating bodies, as a dict of name (a list) and arrays: mass_centre_m [n, 3], turn [n, 4], velocity_mps
         [n, 3], spin_radps [n, 3] in body axes and displaced_m3 [n]. turn is a quaternion w, x, y, z from body axes to
         world axes. Body axes are x forward, y up, z to starboard."""
         return _core.body_poses(self._world)
 
-    def body_forces(self):
+    def body_forces(self) -> dict:
         """Forces of the water on the bodies in the last sub-step, which ends at time_s, as a dict. pressure_n, drag_n,
         pressure_moment_nm and drag_moment_nm are [n, 3] in world axes, moments about the mass centre. displaced_m3 and
         wetted_m2 are [n]."""
         return _core.body_forces(self._world)
 
-    def meshes(self):
+    def meshes(self) -> list[dict]:
         """Poses of the meshes: a list of dicts of name, position_m and turn (quaternion w, x, y, z from mesh to world axes)."""
         return [_core.mesh_pose(self._world, mesh) for mesh in range(_core.mesh_count(self._world))]
 
-    def highlights(self, mesh=0, *, first_s=None):
+    def highlights(self, mesh: int = 0, *, first_s: float | None = None) -> dict[str, np.ndarray]:
         """The projectors of a mesh's highlights for the scene's camera, as a dict of arrays in mesh axes: id, rule, copy,
         light, position_m, right, up, normal, width_m, height_m, opacity, texture, softness and colour. See
         OffingHighlights in offing.h. `first_s` is the time of the sequence's first frame; highlights keep their ids in a
@@ -152,11 +157,11 @@ class World:
         _core.find_highlights(self._world, self._time_s if first_s is None else first_s)
         return _core.highlights(self._world, mesh)
 
-    def sea_state(self):
+    def sea_state(self) -> dict[str, float]:
         """The sea state of the scene's spectrum: Scene.sea_state()."""
         return self.scene.sea_state()
 
-    def stats(self, seeds=8, *, progress=None):
+    def stats(self, seeds: int = 8, *, progress: Callable[[float], object] | None = None) -> dict[str, dict]:
         """Statistics of the sea, averaged over `seeds` seeds, with the names of `offing ocean stats --json`. The dict has four
         dicts: "asked" (of the spectrum, without swells), "resolved" (expected of the waves that the fields hold and of
         swells), "measured", and "standard_error" (of measured from resolved). Directions are of travel, in degrees from

@@ -100,8 +100,8 @@ NB_MODULE(_core, module) {
   module.def("list_devices", list_devices);
   module.def("set_log", set_log, "callback"_a.none());
   module.def("forget_log", [] {
+    run([] { return offing_set_log(nullptr, nullptr); });
     log_callback() = nb::object();
-    offing_set_log(nullptr, nullptr);
   });
 
   nb::class_<Device>(module, "Device")
