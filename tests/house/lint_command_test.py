@@ -25,7 +25,7 @@ class LintCommand(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name).resolve()
-        for name in ("programs", "kernels", "host", "present", "mesh_tools", "tests", "examples"):
+        for name in ("programs", "kernels", "host", "present", "mesh_tools", "tests", "examples", "python"):
             (self.root / name).mkdir()
         shutil.copy(DEV, self.root)
 
