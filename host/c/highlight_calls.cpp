@@ -84,10 +84,12 @@ OffingStatus offing_find_highlights(OffingWorld* world, double first_s) {
   return run([&] {
     const Use use(world, "world");
     const double time_s = world->world.time_s();
-    if (!(first_s <= time_s)) {
+    constexpr double longest_s = 7200.0;  // as far as bodies may leap
+    if (!(first_s <= time_s && time_s - first_s <= longest_s)) {
       throw Error(ErrorKind::bad_input,
-                  fmt::format("first_s: expected a time not after that of the last frame, {:g} s, got {:g} s",
-                              time_s, first_s),
+                  fmt::format("first_s: expected a time within {:g} s before that of the last frame, {:g} s, "
+                              "got {:g} s",
+                              longest_s, time_s, first_s),
                   "give the time of the first frame of the sequence");
     }
     world->world.see_meshes(world->camera.eye_m,

@@ -603,7 +603,8 @@ typedef struct OffingHighlights {
   double* colour;     /**< [count][3], linear Rec.709, a factor of the light's colour */
 } OffingHighlights;
 /** Finds the highlights of all meshes at the last frame, for the scene's camera. `first_s` is the time of the
- * sequence's first frame, not after the last frame. The highlights depend on these two times alone.
+ * sequence's first frame, within 7200 s before the last frame. The highlights depend on these two times
+ * alone.
  *
  * Frames of one sequence share a history, so that highlights keep their ids and do not jump. The history is
  * simulated: the first call takes time in proportion to the length of the sequence. */

@@ -140,6 +140,7 @@ TEST_F(HighlightCallsTest, StandWhereBlinnHasThem) {
 TEST_F(HighlightCallsTest, RefuseBadArguments) {
   EXPECT_EQ(offing_find_highlights(world_, 1.0), OFFING_BAD_INPUT);
   EXPECT_THAT(offing_last_error(), HasSubstr("first_s"));
+  EXPECT_EQ(offing_find_highlights(world_, -1e8), OFFING_BAD_INPUT);  // would simulate three years
   EXPECT_EQ(offing_find_highlights(world_, std::nan("")), OFFING_BAD_INPUT);
   EXPECT_EQ(offing_read_highlights(world_, 2, 0, nullptr), OFFING_BAD_INPUT);
   EXPECT_THAT(offing_last_hint(), HasSubstr("offing_mesh_count"));
